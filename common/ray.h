@@ -1,0 +1,24 @@
+// ray.h - a ray: the points origin + t * direction with t > 0.
+#ifndef COMMON_RAY_H
+#define COMMON_RAY_H
+
+#include "common/vec3.h"
+
+#include <math.h>
+
+typedef struct {
+    vec3 origin;
+    vec3
+        direction; // of any length but 0: never assume 1. The ray of a pixel has t = 1 on the plane
+} Ray;
+
+// The t of a ray that meets nothing: farther than every hit, so that comparing just works.
+#define NO_HIT INFINITY
+
+// The nearest of many spheres.
+typedef struct {
+    double t;   // where along the ray, > 0; NO_HIT where there is none
+    int sphere; // its index; -1 where there is none
+} Hit;
+
+#endif
