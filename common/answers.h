@@ -1,0 +1,25 @@
+// answers.h - how a blank says that it has not been answered yet.
+//
+// A blank returns NOT_ANSWERED(type): all ones, that is, NaN in every double and -1 in every
+// int, so that no test passes by luck; and its name is kept, so that programs and tests say
+// 'not answered yet' and not 'wrong'.
+#ifndef COMMON_ANSWERS_H
+#define COMMON_ANSWERS_H
+
+#include <stddef.h>
+
+#define NOT_ANSWERED(type) (*(type *)not_answered(__func__, __FILE__, &(type){0}, sizeof(type)))
+#define NOT_ANSWERED_YET() ((void)not_answered(__func__, __FILE__, NULL, 0))
+
+// Notes that this function of this file was called and is a blank. Fills value, and returns it.
+void *not_answered(const char *function, const char *file, void *value, size_t size);
+
+// How many blanks were called so far, and the name of each, in order of the first call.
+int answers_missing(void);
+const char *answer_missing(int i);
+
+// Names on stderr what was called and is not answered yet. Returns what main returns: 0, or 1 if
+// there was any.
+int answers_report(void);
+
+#endif

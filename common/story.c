@@ -1,0 +1,60 @@
+// story.c - headings and labelled lines.
+#include "common/story.h"
+
+#include "common/answers.h"
+#include "common/options.h"
+#include "common/text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+void story_heading(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    printf("\n");
+    vprintf(format, arguments);
+    printf("\n");
+    va_end(arguments);
+}
+
+void story_line(const char *label, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    printf("  %-27s ", label);
+    vprintf(format, arguments);
+    printf("\n");
+    va_end(arguments);
+}
+
+void story_camera(Camera c)
+{
+    story_line("eye       p", "%s", vec3_text(c.origin).s);
+    story_line("right     r", "%s", vec3_text(c.right).s);
+    story_line("up        u", "%s", vec3_text(c.up).s);
+    story_line("forward   f", "%s", vec3_text(c.forward).s);
+    story_line("distance  d", "%s", number_text(c.distance).s);
+    story_line("width     w", "%s", number_text(c.width).s);
+    story_line("height    h", "%s", number_text(c.height).s);
+}
+
+int story_end(void)
+{
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        perror("cannot print");
+        return EXIT_COULD_NOT;
+    }
+    return answers_report();
+}
+
+void story_needs_camera(const char *program, Camera camera)
+{
+    CameraFault fault = camera_check(camera);
+    if (fault == CAMERA_OK)
+        return;
+    fflush(stdout);
+    fprintf(stderr, "%s: this is no camera: %s\n", program, camera_fault_text(fault));
+    exit(EXIT_COULD_NOT);
+}

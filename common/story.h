@@ -1,0 +1,23 @@
+// story.h - how a program tells its story on the terminal: headings, and labelled values in line.
+#ifndef COMMON_STORY_H
+#define COMMON_STORY_H
+
+#include "common/camera.h"
+
+// An empty line and a heading.
+void story_heading(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+// A label of up to 27 columns, and what belongs to it.
+void story_line(const char *label, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+// The seven parts of a camera, a line each.
+void story_camera(Camera camera);
+
+// Names what is not answered yet. Returns what main returns: 0, or 1 where there was any, or where
+// the story could not be printed.
+int story_end(void);
+
+// Where these numbers are no camera: says why on stderr, names the program, and exits with 1.
+void story_needs_camera(const char *program, Camera camera);
+
+#endif

@@ -1,0 +1,46 @@
+// text.h - numbers to words and words to numbers, the same everywhere.
+//
+// A Text is a short string by value:  printf("%s\n", vec3_text(v).s);
+#ifndef COMMON_TEXT_H
+#define COMMON_TEXT_H
+
+#include "common/camera.h"
+#include "common/screen.h"
+#include "common/vec3.h"
+
+#include <stdbool.h>
+
+typedef struct {
+    char s[160];
+} Text;
+
+// Significant digits unless told.
+#define TEXT_DIGITS 6
+
+// 4, -0.4, 0.166667; never -0. 'not answered yet' where a blank left its mark (answers.h).
+Text number_text(double x);
+Text number_text_to(double x, int digits);
+
+// (2, 2, -4)
+Text vec3_text(vec3 v);
+Text vec3_text_to(vec3 v, int digits);
+
+// (0.5, 0.25)
+Text pair_text(double x, double y);
+
+// A word that came from outside, safe to print: cut short, all but plain ASCII as '?'.
+Text word_text(const char *word);
+
+// Reads one finite decimal number. Returns what follows it, or NULL where text does not begin
+// with one, or where it does not fit a double. No white space, hexadecimals, 'inf' or 'nan'.
+const char *read_number(const char *text, double *number);
+
+// A message to hand to the caller, instead of printing it.
+typedef struct {
+    char text[400];
+} Message;
+
+// Always false, for  return message_set(message, "%s:%d: ...", ...);
+bool message_set(Message *message, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif
