@@ -1,0 +1,44 @@
+// image.c - pixels in memory. Its PNG is in image_png.c.
+#include "common/image.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+bool image_create(Image *image, Resolution size, Message *message)
+{
+    *image = (Image){.size = size};
+    if (size.width < 1 || size.height < 1 || size.width > IMAGE_MAX_SIDE ||
+        size.height > IMAGE_MAX_SIDE)
+        return message_set(message, "an image of %d x %d pixels, expected 1 to %d each way",
+                           size.width, size.height, IMAGE_MAX_SIDE);
+    image->rgb = calloc((size_t)size.width * (size_t)size.height, 3);
+    if (image->rgb == NULL)
+        return message_set(message, "no memory for an image of %d x %d pixels", size.width,
+                           size.height);
+    return true;
+}
+
+void image_free(Image *image)
+{
+    free(image->rgb);
+    image->rgb = NULL;
+}
+
+uint8_t byte_from_color(double c)
+{
+    if (!(c > 0))
+        return 0;
+    return c >= 1 ? 255 : (uint8_t)lround(255 * c);
+}
+
+void image_set(Image *image, Pixel pixel, Color color)
+{
+    assert(pixel.column >= 0 && pixel.column < image->size.width);
+    assert(pixel.row >= 0 && pixel.row < image->size.height);
+    uint8_t *rgb =
+        image->rgb + 3 * ((size_t)pixel.row * (size_t)image->size.width + (size_t)pixel.column);
+    for (int i = 0; i < 3; i++)
+        rgb[i] = byte_from_color(color[i]);
+    if (++image->set_count % IMAGE_PROGRESS_STEP == 0 && image->progress != NULL)
+        image->progress(image);
+}

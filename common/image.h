@@ -1,0 +1,50 @@
+// image.h - the image: bytes of red, green and blue, and its PNG.
+//
+// Colours are numbers from 0 to 1; a pixel holds them as bytes, round(255 c), with what lies
+// outside clamped. No gamma.
+#ifndef COMMON_IMAGE_H
+#define COMMON_IMAGE_H
+
+#include "common/screen.h"
+#include "common/text.h"
+#include "common/vec3.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+// Red, green, blue, each from 0 to 1.
+typedef vec3 Color;
+
+// Neither side is longer; 16384 x 16384 is 805 MB.
+#define IMAGE_MAX_SIDE 16384
+
+typedef struct Image Image;
+struct Image {
+    Resolution size;
+    uint8_t *rgb; // three bytes a pixel, row by row from the top
+
+    // Called, where not NULL, after every IMAGE_PROGRESS_STEP pixels that were set.
+    void (*progress)(const Image *image);
+    long set_count; // how often a pixel was set
+};
+
+enum { IMAGE_PROGRESS_STEP = 1024 };
+
+// A black image. False, and a message, where the size is out of range or memory is short.
+bool image_create(Image *image, Resolution size, Message *message);
+void image_free(Image *image);
+
+// 255 c, rounded, from 0 to 255; 0 where c is not a number.
+uint8_t byte_from_color(double c);
+
+// Colours one pixel; it must lie in the image.
+void image_set(Image *image, Pixel pixel, Color color);
+
+// False, and a message, where it is plain before any work that path cannot be written.
+bool image_path_is_writable(const char *path, Message *message);
+
+// Writes a PNG, whole or not at all: on failure an older picture stays as it was. A device
+// or a pipe is written to directly. False, and a message, where it could not.
+bool image_write_png(const Image *image, const char *path, Message *message);
+
+#endif
