@@ -1,0 +1,42 @@
+// nff_line.h - a scene file line by line: its words, its numbers, what is wrong with them.
+#ifndef COMMON_NFF_LINE_H
+#define COMMON_NFF_LINE_H
+
+#include "common/text.h"
+#include "common/vec3.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+enum { NFF_LONGEST_LINE = 1000, NFF_MOST_WORDS = 16 };
+
+typedef struct {
+    FILE *file;
+    const char *file_name;
+    Message *message;
+    int number; // of the current line, from 1
+    bool failed;
+    int word_count;
+    const char *words[NFF_MOST_WORDS]; // of the current line; at least one
+    char text[NFF_LONGEST_LINE + 1];
+} NffLine;
+
+void nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message);
+
+// Goes to the next line that has words, comments left out. False at the end of the file, and
+// where the file cannot be read; then failed is set.
+bool nff_next(NffLine *line);
+
+// Passes over lines of numbers that the toolkit has no use for. False where the file ends before,
+// or something else comes.
+bool nff_skip(NffLine *line, int lines);
+
+// Says FILE:LINE: and what is wrong. Always false.
+bool nff_wrong(NffLine *line, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+// Reads all words behind the first as numbers, from least to most of them. False where one is
+// none, or there are too few or too many; expected says what the line should have been.
+bool nff_numbers(NffLine *line, const char *expected, int least, int most, double *numbers);
+bool nff_vec3(NffLine *line, const char *expected, vec3 *v);
+
+#endif

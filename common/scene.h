@@ -1,0 +1,68 @@
+// scene.h - scenes, read from NFF, Eric Haines' Neutral File Format.
+//
+//   b R G B                       background colour, black until told
+//   v                             viewpoint, then on lines of their own: from X Y Z, at X Y Z,
+//                                 up X Y Z, angle A, hither H, resolution W H
+//   l X Y Z [R G B]               light
+//   f R G B Kd Ks Shine T IoR     fill of the spheres that follow, white until told
+//   s X Y Z R                     sphere
+//   #                             comment, to the end of the line
+//
+// The world is right-handed. Source: SPD, the Standard Procedural Databases, file NFF.TXT.
+#ifndef COMMON_SCENE_H
+#define COMMON_SCENE_H
+
+#include "common/image.h"
+#include "common/screen.h"
+#include "common/sphere.h"
+#include "common/text.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+// Where the picture is taken from. Turning it into a camera is exercise 02.
+typedef struct {
+    vec3 from, at, up;
+    double angle;          // degrees, 0 to 180, across the width of the image, edge to edge
+    Resolution resolution; // pixels are square
+} Viewpoint;
+
+typedef struct {
+    vec3 position;
+    Color color;
+} Light;
+
+// A fill: the colour and what chapter 07 makes of it.
+typedef struct {
+    Color color;
+    double diffuse, specular, shine;  // Kd, Ks, Shine
+    double transmittance, refraction; // T, index of refraction
+} Surface;
+
+typedef struct {
+    Viewpoint view;
+    Color background;
+    Sphere *spheres;
+    int sphere_count;
+    Surface *surfaces; // at least one, white, for what comes before the first f
+    int surface_count;
+    Light *lights;
+    int light_count;
+} Scene;
+
+// What sphere number i looks like.
+static inline const Surface *scene_surface(const Scene *scene, int i)
+{
+    return &scene->surfaces[scene->spheres[i].surface];
+}
+
+// Reads a scene. On failure false, message says FILE:LINE: what is wrong, what was expected, and
+// the scene is empty. warning is empty, or one line about what the toolkit has no use for.
+bool scene_read(FILE *file, const char *name, Scene *scene, Message *message, Message *warning);
+
+// The same from a file's path; the warning goes to stderr.
+bool scene_load(const char *path, Scene *scene, Message *message);
+
+void scene_free(Scene *scene);
+
+#endif
