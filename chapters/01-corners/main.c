@@ -1,0 +1,72 @@
+// main.c - chapter 01: from the eye to the image plane.
+//
+// Tells the story of the slides 'Camera' and 'Finding vectors from the eye to the image plane' with
+// the deck's camera, or with the reader's own.
+#include "common/options.h"
+#include "common/story.h"
+#include "common/text.h"
+#include "exercises/01-corners.h"
+
+#include <stdio.h>
+
+static void the_three_questions(Camera c)
+{
+    story_heading("Vectors from the eye to the image plane");
+    story_line("upper left", "%s", vec3_text(upper_left(c)).s);
+    story_line("upper right", "%s", vec3_text(upper_right(c)).s);
+    story_line("30% across, 10% up", "%s", vec3_text(across_30_up_10(c)).s);
+}
+
+static void the_way(Camera c, double s, double t)
+{
+    vec3 middle = image_plane_vector(c, 0.5, 0.5);
+    vec3 aside = image_plane_vector(c, s, 0.5);
+    vec3 there = image_plane_vector(c, s, t);
+    story_heading("The way to s = %s across, t = %s up", number_text(s).s, number_text(t).s);
+    story_line("ahead to the middle", "%s", vec3_text(middle).s);
+    story_line("then aside", "%-24s adds %s", vec3_text(aside).s, vec3_text(aside - middle).s);
+    story_line("then up or down", "%-24s adds %s", vec3_text(there).s, vec3_text(there - aside).s);
+    story_line("as a point of the world", "%-24s adds the eye", vec3_text(c.origin + there).s);
+}
+
+static void doubling(Camera c)
+{
+    Camera twice = c;
+    twice.distance *= 2;
+    twice.width *= 2;
+    twice.height *= 2;
+    Camera unit = with_unit_distance(c);
+
+    story_heading("Would it matter if d, w, h were all doubled?");
+    printf("  %-10s %-10s %-10s %s\n", "d", "w", "h", "upper left");
+    const Camera cameras[] = {c, twice, unit};
+    for (int i = 0; i < 3; i++)
+        printf("  %-10s %-10s %-10s %s\n", number_text(cameras[i].distance).s,
+               number_text(cameras[i].width).s, number_text(cameras[i].height).s,
+               vec3_text(image_plane_vector(cameras[i], 0, 1)).s);
+    printf("  Longer or shorter, the same direction: the same rays, the same picture.\n");
+}
+
+int main(int argc, char **argv)
+{
+    Camera c = camera_of_the_deck();
+    double s = 0, t = 1;
+    const Option options[] = {CAMERA_OPTIONS(c),
+                              {"s", 's', "S", option_number, &s, "across the plane, 0 to 1"},
+                              {"t", 't', "T", option_number, &t, "up the plane, 0 to 1"},
+                              {0}};
+    Usage usage = {"[OPTION]...",
+                   "From the eye to the image plane, step by step. Without options:\n"
+                   "the deck's camera, and the way to its upper left corner."};
+    if (options_read(argc, argv, options, usage) != argc)
+        options_wrong(argv[0], "expected options only");
+    story_needs_camera(argv[0], c);
+
+    printf("01-corners: from the eye to the image plane\n");
+    story_heading("The camera <p, r, u, f, d, w, h>");
+    story_camera(c);
+    the_three_questions(c);
+    the_way(c, s, t);
+    doubling(c);
+    return story_end();
+}
