@@ -1,0 +1,239 @@
+// main.c - chapter 02: other ways to give a camera.
+//
+// The same camera in all five forms of the slides, there and back; then which hand the world has,
+// the angle that NFF gives, and what is no camera.
+#include "common/answers.h"
+#include "common/options.h"
+#include "common/story.h"
+#include "common/text.h"
+#include "exercises/01-corners.h"
+#include "exercises/02-cameras.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const hands[] = {[RIGHT_HANDED] = "right-handed", [LEFT_HANDED] = "left-handed"};
+
+static bool option_hand(const char *text, void *into)
+{
+    *(int *)into = strcmp(text, "left") == 0 ? LEFT_HANDED : RIGHT_HANDED;
+    return strcmp(text, "left") == 0 || strcmp(text, "right") == 0;
+}
+
+// In a right-handed world, right x up points back at the viewer.
+static Handedness hand_of(Camera c)
+{
+    return vec3_dot(vec3_cross(c.right, c.up), c.forward) > 0 ? LEFT_HANDED : RIGHT_HANDED;
+}
+
+static LookAt look_at_of(Camera c)
+{
+    return (LookAt){c.origin, c.origin + image_plane_vector(c, 0.5, 0.5), c.up, c.width,
+                    c.width / c.height};
+}
+
+static Corners vectors_of(Camera c)
+{
+    return (Corners){image_plane_vector(c, 0, 1), image_plane_vector(c, 1, 1),
+                     image_plane_vector(c, 0, 0), image_plane_vector(c, 1, 0)};
+}
+
+static void show_corners(Corners corners)
+{
+    story_line("  upper left", "%s", vec3_text(corners.upper_left).s);
+    story_line("  upper right", "%s", vec3_text(corners.upper_right).s);
+    story_line("  lower left", "%s", vec3_text(corners.lower_left).s);
+    story_line("  lower right", "%s", vec3_text(corners.lower_right).s);
+}
+
+// The rays of two cameras through the same places, as unit vectors: how far apart at most.
+static double rays_apart(Camera c, Camera other)
+{
+    double largest = 0;
+    static const double places[] = {0, 0.5, 1};
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            vec3 v = vec3_unit(image_plane_vector(c, places[i], places[j]));
+            vec3 w = vec3_unit(image_plane_vector(other, places[i], places[j]));
+            largest = fmax(largest, vec3_length(v - w));
+        }
+    return largest;
+}
+
+static void show_back(const char *form, CameraFault fault, Camera found, Camera wanted)
+{
+    if (answers_missing() > 0)
+        story_line(form, "not answered yet");
+    else if (fault != CAMERA_OK)
+        story_line(form, "refused: %s", camera_fault_text(fault));
+    else
+        story_line(form, "d %s, w %s, h %s; rays differ by %s", number_text(found.distance).s,
+                   number_text(found.width).s, number_text(found.height).s,
+                   number_text_to(rays_apart(wanted, found), 2).s);
+}
+
+static void five_forms(Camera c)
+{
+    LookAt view = look_at_of(c);
+    Corners vectors = vectors_of(c);
+    Corners points = {c.origin + vectors.upper_left, c.origin + vectors.upper_right,
+                      c.origin + vectors.lower_left, c.origin + vectors.lower_right};
+    vec3 across = vectors.lower_right - vectors.lower_left;
+    vec3 upward = vectors.upper_left - vectors.lower_left;
+
+    story_heading("1. A frame <p, r, u, f, d, w, h>: %s", hands[hand_of(c)]);
+    story_camera(c);
+    story_heading("2. Look-at");
+    story_line("eye", "%s", vec3_text(view.eye).s);
+    story_line("at", "%s", vec3_text(view.at).s);
+    story_line("up", "%s", vec3_text(view.up).s);
+    story_line("width, aspect ratio", "%s, %s", number_text(view.width).s,
+               number_text(view.aspect).s);
+    story_heading("3. Eye and four points");
+    story_line("eye", "%s", vec3_text(c.origin).s);
+    show_corners(points);
+    story_heading("4. Eye, lower left corner, two vectors");
+    story_line("eye", "%s", vec3_text(c.origin).s);
+    story_line("  lower left corner", "%s", vec3_text(points.lower_left).s);
+    story_line("  across, up", "%s, %s", vec3_text(across).s, vec3_text(upward).s);
+    story_heading("5. Eye and four vectors");
+    story_line("eye", "%s", vec3_text(c.origin).s);
+    show_corners(vectors);
+
+    story_heading("And back: the frame found from each");
+    Camera found = c;
+    CameraFault fault = camera_from_look_at(view, hand_of(c), &found);
+    show_back("from the look-at", fault, found, c);
+    fault = camera_from_points(c.origin, points, &found);
+    show_back("from four points", fault, found, c);
+    fault = camera_from_corner(c.origin, points.lower_left, across, upward, &found);
+    show_back("from corner and vectors", fault, found, c);
+    fault = camera_from_vectors(c.origin, vectors, &found);
+    show_back("from four vectors", fault, found, c);
+}
+
+static void both_hands(Camera c)
+{
+    story_heading("The same look-at, in a world of either hand");
+    for (Handedness hand = RIGHT_HANDED; hand <= LEFT_HANDED; hand++) {
+        Camera found = c;
+        CameraFault fault = camera_from_look_at(look_at_of(c), hand, &found);
+        if (answers_missing() > 0)
+            story_line(hands[hand], "not answered yet");
+        else if (fault != CAMERA_OK)
+            story_line(hands[hand], "refused: %s", camera_fault_text(fault));
+        else
+            story_line(hands[hand], "right %s", vec3_text(found.right).s);
+    }
+    printf("  Mix them up, and the picture is its own mirror image.\n");
+}
+
+static void angles(Camera c)
+{
+    double degrees = 2 * atan2(c.width / 2, c.distance) * 180 / PI;
+    story_heading("The width by its angle, as NFF gives it");
+    story_line("this camera sees", "%s degrees across", number_text(degrees).s);
+    story_line("width from that angle", "%s", number_text(width_from_angle(degrees, c.distance)).s);
+    story_line("90 degrees, distance 1", "%s", number_text(width_from_angle(90, 1)).s);
+}
+
+static void refusals(Camera c)
+{
+    Camera none = c;
+    LookAt nowhere = look_at_of(c), along = nowhere;
+    nowhere.at = nowhere.eye;
+    along.up = 2 * (along.at - along.eye);
+    Corners skew = vectors_of(c), aside = skew;
+    skew.upper_right += 0.1 * c.width * c.right;
+    aside.upper_left += c.width * c.right;
+    aside.upper_right += c.width * c.right;
+    aside.lower_left += c.width * c.right;
+    aside.lower_right += c.width * c.right;
+
+    story_heading("No cameras");
+    const struct {
+        const char *what;
+        CameraFault fault;
+    } tries[] = {{"looking at the eye", camera_from_look_at(nowhere, hand_of(c), &none)},
+                 {"up along the view", camera_from_look_at(along, hand_of(c), &none)},
+                 {"one corner pulled out", camera_from_vectors(c.origin, skew, &none)},
+                 {"a plane not straight ahead", camera_from_vectors(c.origin, aside, &none)}};
+    for (int i = 0; i < 4; i++)
+        story_line(tries[i].what, "%s",
+                   answers_missing() > 0 ? "not answered yet" : camera_fault_text(tries[i].fault));
+}
+
+static bool given(vec3 v)
+{
+    return !isnan(v[0]);
+}
+
+static double or_else(double x, double otherwise)
+{
+    return isnan(x) ? otherwise : x;
+}
+
+// The camera of a look-at; what was not given is the deck's.
+static Camera camera_looking_at(const char *program, LookAt view, Handedness hand)
+{
+    Camera c = camera_of_the_deck();
+    CameraFault fault = camera_from_look_at(view, hand, &c);
+    if (answers_report() != 0)
+        exit(EXIT_COULD_NOT);
+    if (fault != CAMERA_OK) {
+        fprintf(stderr, "%s: this is no camera: %s\n", program, camera_fault_text(fault));
+        exit(EXIT_COULD_NOT);
+    }
+    return c;
+}
+
+int main(int argc, char **argv)
+{
+    const vec3 no = vec3_of(NAN, NAN, NAN);
+    const Camera deck = camera_of_the_deck();
+    Camera c = {no, no, no, no, NAN, NAN, NAN};
+    vec3 at = no;
+    double aspect = NAN;
+    int hand = -1;
+    const Option options[] = {
+        CAMERA_OPTIONS(c),
+        {"at", 'a', "X,Y,Z", option_vec3, &at, "a look-at, with --eye, --up, --width and:"},
+        {"aspect", 0, "RATIO", option_number, &aspect, "its width / height (1)"},
+        {"hand", 0, "left|right", option_hand, &hand, "the hand of its world (right)"},
+        {0}};
+    Usage usage = {"[OPTION]...", "One camera in the five forms of the deck, there and back.\n"
+                                  "Without options: the deck's camera."};
+    if (options_read(argc, argv, options, usage) != argc)
+        options_wrong(argv[0], "expected options only");
+    bool frame_only = given(c.right) || given(c.forward) || !isnan(c.distance) || !isnan(c.height);
+    if (given(at) && frame_only)
+        options_wrong(argv[0], "--at finds right, forward, distance and height by itself");
+    if (!given(at) && (!isnan(aspect) || hand >= 0))
+        options_wrong(argv[0], "--aspect and --hand belong to --at");
+
+    vec3 up = given(c.up) ? c.up : deck.up;
+    c.origin = given(c.origin) ? c.origin : deck.origin;
+    c.right = given(c.right) ? c.right : deck.right;
+    c.up = up;
+    c.forward = given(c.forward) ? c.forward : deck.forward;
+    c.distance = or_else(c.distance, deck.distance);
+    c.width = or_else(c.width, deck.width);
+    c.height = or_else(c.height, deck.height);
+    if (given(at)) {
+        LookAt view = {c.origin, at, up, c.width, or_else(aspect, 1)};
+        c = camera_looking_at(argv[0], view, hand < 0 ? RIGHT_HANDED : (Handedness)hand);
+    }
+    story_needs_camera(argv[0], c);
+
+    printf("02-cameras: one camera, told in five ways\n");
+    if (given(at)) {
+        story_heading("Up was given as %s", vec3_text(up).s);
+        story_line("at right angles to f", "%s", vec3_text(c.up).s);
+    }
+    five_forms(c);
+    both_hands(c);
+    angles(c);
+    refusals(c);
+    return story_end();
+}
