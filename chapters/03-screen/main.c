@@ -1,0 +1,81 @@
+// main.c - chapter 03: places on the screen.
+//
+// The deck's point (300, 400) on 640 x 480, normalized and back; the corners; pixel centres. Its
+// picture colours each pixel by its own coordinates: red is s, green is t.
+#include "common/options.h"
+#include "common/picture.h"
+#include "common/story.h"
+#include "common/text.h"
+#include "exercises/03-screen.h"
+
+#include <stdio.h>
+
+static void show_point(const char *label, ScreenPoint point, Resolution screen)
+{
+    Normalized place = screen_to_normalized(point, screen);
+    ScreenPoint back = normalized_to_screen(place, screen);
+    printf("  %-16s %-18s %-26s %s\n", label, pair_text(point.x, point.y).s,
+           pair_text(place.s, place.t).s, pair_text(back.x, back.y).s);
+}
+
+static void show_pixel(Pixel pixel, Resolution screen)
+{
+    char label[32];
+    snprintf(label, sizeof label, "pixel %d, %d", pixel.column, pixel.row);
+    show_point(label, pixel_center(pixel), screen);
+}
+
+static void tell(double x, double y, Pixel pixel, Resolution screen)
+{
+    double width = screen.width, height = screen.height;
+    printf("03-screen: places on the screen\n");
+    story_heading("A screen of %d x %d pixels", screen.width, screen.height);
+    printf("  %-16s %-18s %-26s %s\n", "", "point (x, y)", "normalized (s, t)", "and back");
+    show_point("the point", (ScreenPoint){x, y}, screen);
+    show_point("upper left", (ScreenPoint){0, 0}, screen);
+    show_point("upper right", (ScreenPoint){width, 0}, screen);
+    show_point("lower left", (ScreenPoint){0, height}, screen);
+    show_point("lower right", (ScreenPoint){width, height}, screen);
+    show_point("middle", (ScreenPoint){width / 2, height / 2}, screen);
+
+    story_heading("A pixel is a square; its centre stands for it");
+    printf("  %-16s %-18s %-26s %s\n", "", "centre (x, y)", "normalized (s, t)", "and back");
+    show_pixel(pixel, screen);
+    show_pixel((Pixel){0, 0}, screen);
+    show_pixel((Pixel){screen.width - 1, screen.height - 1}, screen);
+    printf("  No centre lies on the edge: s and t stay inside (0, 1).\n");
+}
+
+static Color color_of_place(Pixel pixel, void *given)
+{
+    Normalized place = screen_to_normalized(pixel_center(pixel), *(const Resolution *)given);
+    return vec3_of(place.s, place.t, 0.25);
+}
+
+int main(int argc, char **argv)
+{
+    Resolution screen = {640, 480};
+    double point[2] = {300, 400};
+    Pixel pixel = {-1, -1};
+    const char *picture = NULL;
+    const Option options[] = {
+        {"point", 'p', "X,Y", option_pair, point, "a point of the screen (300,400)"},
+        {"pixel", 0, "COLUMN,ROW", option_pixel, &pixel, "a pixel (the one the point is in)"},
+        {"size", 's', "WIDTHxHEIGHT", option_size, &screen, "of the screen (640x480)"},
+        {"picture", 0, "FILE.png", option_string, &picture, "draw instead: red is s, green is t"},
+        {0}};
+    Usage usage = {"[OPTION]...", "Screen points, normalized and back. Without options: the point\n"
+                                  "(300, 400) on a screen of 640 x 480."};
+    if (options_read(argc, argv, options, usage) != argc)
+        options_wrong(argv[0], "expected options only");
+    if (pixel.column < 0) // floor; the last pixel holds the far edge too
+        pixel = (Pixel){(int)fmax(0, fmin(floor(point[0]), screen.width - 1)),
+                        (int)fmax(0, fmin(floor(point[1]), screen.height - 1))};
+    if (pixel.column >= screen.width || pixel.row >= screen.height)
+        options_wrong(argv[0], "--pixel: (%d, %d) is not on a screen of %d x %d", pixel.column,
+                      pixel.row, screen.width, screen.height);
+    if (picture != NULL)
+        return picture_write(picture, screen, color_of_place, &screen);
+    tell(point[0], point[1], pixel, screen);
+    return story_end();
+}
