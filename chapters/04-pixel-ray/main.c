@@ -1,0 +1,86 @@
+// main.c - chapter 04: the ray of a pixel.
+//
+// Follows one pixel from its column and row to its ray. Its picture colours each pixel by the
+// direction of its ray: red along x, green along y, blue along z.
+#include "common/options.h"
+#include "common/picture.h"
+#include "common/story.h"
+#include "common/text.h"
+#include "exercises/01-corners.h"
+#include "exercises/03-screen.h"
+#include "exercises/04-pixel-ray.h"
+
+#include <stdio.h>
+
+typedef struct {
+    Camera camera;
+    Resolution screen;
+} View;
+
+static void follow(View view, Pixel pixel)
+{
+    ScreenPoint point = pixel_center(pixel);
+    Normalized place = screen_to_normalized(point, view.screen);
+    Ray ray = pixel_ray(view.camera, view.screen, pixel);
+    story_heading("From the pixel to its ray, on %d x %d pixels", view.screen.width,
+                  view.screen.height);
+    story_line("pixel (column, row)", "(%d, %d)", pixel.column, pixel.row);
+    story_line("its centre (x, y)", "%s", pair_text(point.x, point.y).s);
+    story_line("normalized (s, t)", "%s", pair_text(place.s, place.t).s);
+    story_line("vector from the eye", "%s",
+               vec3_text(image_plane_vector(view.camera, place.s, place.t)).s);
+    story_line("ray: origin", "%s", vec3_text(ray.origin).s);
+    story_line("ray: direction", "%s", vec3_text(ray.direction).s);
+}
+
+static void points_on(Ray ray)
+{
+    story_heading("Points on that ray");
+    const double t[] = {0, 0.5, 1, 2};
+    const char *const where[] = {"the eye", "half way", "on the image plane", "beyond"};
+    for (int i = 0; i < 4; i++) {
+        printf("  t = %-5s %-19s%s\n", number_text(t[i]).s, where[i],
+               vec3_text(ray.origin + t[i] * ray.direction).s);
+    }
+}
+
+static Color color_of_direction(Pixel pixel, void *given)
+{
+    const View *view = given;
+    vec3 direction = vec3_unit(pixel_ray(view->camera, view->screen, pixel).direction);
+    return (direction + vec3_of(1, 1, 1)) / 2;
+}
+
+int main(int argc, char **argv)
+{
+    View view = {camera_of_the_deck(), {640, 480}};
+    Pixel pixel = {-1, -1};
+    const char *picture = NULL;
+    const Option options[] = {
+        {"pixel", 'p', "COLUMN,ROW", option_pixel, &pixel,
+         "the pixel (300,400; in the middle of another size)"},
+        {"size", 's', "WIDTHxHEIGHT", option_size, &view.screen, "of the screen (640x480)"},
+        CAMERA_OPTIONS(view.camera),
+        {"picture", 0, "FILE.png", option_string, &picture, "draw instead: directions as colours"},
+        {0}};
+    Usage usage = {"[OPTION]...", "From a pixel to its ray, step by step. Without options: pixel\n"
+                                  "(300, 400) of 640 x 480, and the deck's camera."};
+    if (options_read(argc, argv, options, usage) != argc)
+        options_wrong(argv[0], "expected options only");
+    story_needs_camera(argv[0], view.camera);
+    bool deck = view.screen.width == 640 && view.screen.height == 480;
+    if (pixel.column < 0)
+        pixel = deck ? (Pixel){300, 400} : (Pixel){view.screen.width / 2, view.screen.height / 2};
+    if (pixel.column >= view.screen.width || pixel.row >= view.screen.height)
+        options_wrong(argv[0], "--pixel: (%d, %d) is not on a screen of %d x %d", pixel.column,
+                      pixel.row, view.screen.width, view.screen.height);
+    if (picture != NULL)
+        return picture_write(picture, view.screen, color_of_direction, &view);
+
+    printf("04-pixel-ray: the ray of a pixel\n");
+    story_heading("The camera");
+    story_camera(view.camera);
+    follow(view, pixel);
+    points_on(pixel_ray(view.camera, view.screen, pixel));
+    return story_end();
+}
