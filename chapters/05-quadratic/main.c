@@ -1,0 +1,177 @@
+// main.c - chapter 05: where a ray meets a sphere.
+//
+// The slide's derivation line by line in numbers, a, b, c, the roots and the hit; the same in
+// world coordinates; and where each of them loses its digits (digits.c).
+#include "chapters/05-quadratic/digits.h"
+#include "common/answers.h"
+#include "common/options.h"
+#include "common/picture.h"
+#include "common/story.h"
+#include "common/text.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/05-quadratic.h"
+
+#include <stdio.h>
+
+enum { COLUMNS = 4 };
+
+// The lines of the slide 'Solving quadratic', each on its own, for a ray in object coordinates.
+static double length_squared(Ray ray, double t)
+{
+    double length = vec3_length(ray.origin + t * ray.direction);
+    return length * length;
+}
+
+static double dot_with_itself(Ray ray, double t)
+{
+    return vec3_dot(ray.origin + t * ray.direction, ray.origin + t * ray.direction);
+}
+
+static double sum_of_products(Ray ray, double t)
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++)
+        sum += (ray.origin[i] + t * ray.direction[i]) * (ray.origin[i] + t * ray.direction[i]);
+    return sum;
+}
+
+static double sum_multiplied_out(Ray ray, double t)
+{
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        double p = ray.origin[i], v = ray.direction[i];
+        sum += p * p + 2 * p * v * t + v * v * t * t;
+    }
+    return sum;
+}
+
+static double three_sums(Ray ray, double t)
+{
+    double pp = 0, pv = 0, vv = 0;
+    for (int i = 0; i < 3; i++) {
+        pp += ray.origin[i] * ray.origin[i];
+        pv += ray.origin[i] * ray.direction[i];
+        vv += ray.direction[i] * ray.direction[i];
+    }
+    return pp + 2 * pv * t + vv * t * t;
+}
+
+static void row(const char *label, const double numbers[COLUMNS])
+{
+    printf("  %-40s", label);
+    for (int i = 0; i < COLUMNS; i++)
+        printf(" %8s", number_text(numbers[i]).s);
+    printf("\n");
+}
+
+static void derivation(Ray ray, double radius, const double t[COLUMNS])
+{
+    static const struct {
+        const char *text;
+        double (*value)(Ray ray, double t);
+    } lines[] = {{"|p + tv|^2", length_squared},
+                 {"= (p + tv).(p + tv)", dot_with_itself},
+                 {"= sum (p_i + tv_i)(p_i + tv_i)", sum_of_products},
+                 {"= sum (p_i^2 + 2 p_i v_i t + v_i^2 t^2)", sum_multiplied_out},
+                 {"= sum p_i^2 + 2 sum p_i v_i t + ...", three_sums}};
+    double numbers[COLUMNS];
+    story_heading("The derivation, in numbers");
+    row("at t =", t);
+    for (int line = 0; line < 5; line++) {
+        for (int i = 0; i < COLUMNS; i++)
+            numbers[i] = lines[line].value(ray, t[i]);
+        row(lines[line].text, numbers);
+    }
+    Quadratic q = object_quadratic(ray, radius);
+    for (int i = 0; i < COLUMNS; i++)
+        numbers[i] = q.a * t[i] * t[i] + q.b * t[i] + q.c + radius * radius;
+    row("= a t^2 + b t + c + r^2", numbers);
+    printf("  On the sphere it is r^2 = %s.\n", number_text(radius * radius).s);
+}
+
+static void coefficients(Quadratic q)
+{
+    story_line("a", "%s", number_text_to(q.a, 10).s);
+    story_line("b", "%s", number_text_to(q.b, 10).s);
+    story_line("c", "%s", number_text_to(q.c, 10).s);
+}
+
+static void hits(Ray ray, Sphere sphere, Roots roots)
+{
+    story_line("roots", answers_missing() > 0 ? "not answered yet" : "%d", roots.count);
+    for (int i = 0; i < roots.count; i++) {
+        vec3 point = ray.origin + roots.t[i] * ray.direction;
+        story_line("  t", "%-10s at %s, |p + tv - c| = %s", number_text(roots.t[i]).s,
+                   vec3_text(point).s, number_text(vec3_length(point - sphere.center)).s);
+    }
+    double t = hit_sphere(ray, sphere);
+    story_line("the hit, smallest t > 0", "%s", t < NO_HIT ? number_text(t).s : "none");
+}
+
+static void tell(Ray ray, Sphere sphere)
+{
+    printf("05-quadratic: where a ray meets a sphere\n");
+    story_heading("The ray and the sphere");
+    story_line("origin     p", "%s", vec3_text(ray.origin).s);
+    story_line("direction  v", "%s", vec3_text(ray.direction).s);
+    story_line("centre     c", "%s", vec3_text(sphere.center).s);
+    story_line("radius     r", "%s", number_text(sphere.radius).s);
+
+    Ray object_ray = to_object_coordinates(ray, sphere);
+    Quadratic q = object_quadratic(object_ray, sphere.radius);
+    Roots roots = quadratic_roots(q);
+    bool two = answers_missing() == 0 && roots.count == 2;
+    const double t[COLUMNS] = {0, 1, two ? roots.t[0] : 2, two ? roots.t[1] : 3};
+
+    story_heading("In object coordinates: p - c = %s", vec3_text(object_ray.origin).s);
+    derivation(object_ray, sphere.radius, t);
+    story_heading("a t^2 + b t + c = 0");
+    coefficients(q);
+    hits(ray, sphere, roots);
+    story_heading("The same in world coordinates: |(p + tv) - c|^2 = r^2");
+    Quadratic world = world_quadratic(ray, sphere);
+    Roots same = quadratic_roots(world);
+    coefficients(world);
+    if (answers_missing() == 0 && same.count == 2)
+        story_line("roots", "%s and %s", number_text(same.t[0]).s, number_text(same.t[1]).s);
+    digits_lost_in_the_world();
+    digits_lost_far_away();
+}
+
+// The deck's camera before one sphere: the nearer the hit, the brighter.
+static Color color_of_depth(Pixel pixel, void *given)
+{
+    const Resolution *screen = given;
+    const Sphere ball = {.center = vec3_of(2, 2, 2), .radius = 1.4};
+    double t = hit_sphere(pixel_ray(camera_of_the_deck(), *screen, pixel), ball);
+    double shade = (1.48 - t) / (1.48 - 1.15);
+    return t < NO_HIT ? vec3_of(shade, shade, shade) : vec3_of(0.12, 0.2, 0.35);
+}
+
+int main(int argc, char **argv)
+{
+    Ray ray = {vec3_of(-4, -1, 0), vec3_of(0.89, 0.45, 0)};
+    Sphere sphere = {.center = vec3_of(0, 0, 0), .radius = 1};
+    const char *picture = NULL;
+    const Option options[] = {
+        {"origin", 'o', "X,Y,Z", option_vec3, &ray.origin, "p, of the ray"},
+        {"direction", 'd', "X,Y,Z", option_vec3, &ray.direction, "v, of any length but 0"},
+        {"center", 'c', "X,Y,Z", option_vec3, &sphere.center, "c, of the sphere"},
+        {"radius", 'r', "R", option_number, &sphere.radius, "r, more than 0"},
+        {"picture", 0, "FILE.png", option_string, &picture, "draw a sphere by its depth instead"},
+        {0}};
+    Usage usage = {"[OPTION]...", "A ray and a sphere: the quadratic, its roots, the hit. Without\n"
+                                  "options: the ray and the circle of the deck's drawing."};
+    if (options_read(argc, argv, options, usage) != argc)
+        options_wrong(argv[0], "expected options only");
+    if (!(sphere.radius > 0))
+        options_wrong(argv[0], "--radius: expected more than 0");
+    if (vec3_dot(ray.direction, ray.direction) == 0)
+        options_wrong(argv[0], "--direction: expected a length other than 0");
+    if (picture != NULL) {
+        Resolution screen = {480, 480};
+        return picture_write(picture, screen, color_of_depth, &screen);
+    }
+    tell(ray, sphere);
+    return story_end();
+}

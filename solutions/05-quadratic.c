@@ -1,0 +1,183 @@
+// 05-quadratic.c - exercise 05: where a ray meets a sphere.
+//
+// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Questions and rules: exercises/05-quadratic.h. The lesson: chapters/05-quadratic/README.md.
+// After each change:   make exercises EX=05
+#include "exercises/05-quadratic.h"
+
+#include "common/answers.h"
+
+// BEGIN SOLUTION
+// The slide's a, b, c, and roots that keep their digits: q instead of a difference of nearly
+// equal numbers, and for the sphere a discriminant measured at the ray's closest approach.
+// END SOLUTION
+
+Ray to_object_coordinates(Ray ray, Sphere sphere)
+{
+    // BEGIN SOLUTION
+    //~ return NOT_ANSWERED(Ray);
+    return (Ray){ray.origin - sphere.center, ray.direction};
+    // END SOLUTION
+}
+
+Quadratic object_quadratic(Ray object_ray, double radius)
+{
+    // BEGIN SOLUTION
+    //~ return NOT_ANSWERED(Quadratic);
+    vec3 p = object_ray.origin, v = object_ray.direction;
+    return (Quadratic){vec3_dot(v, v), 2 * vec3_dot(p, v), vec3_dot(p, p) - radius * radius};
+    // END SOLUTION
+}
+
+Quadratic world_quadratic(Ray ray, Sphere sphere)
+{
+    // BEGIN SOLUTION
+    //~ return NOT_ANSWERED(Quadratic);
+    vec3 p = ray.origin, v = ray.direction, c = sphere.center;
+    return (Quadratic){vec3_dot(v, v), 2 * (vec3_dot(p, v) - vec3_dot(c, v)),
+                       vec3_dot(p, p) - 2 * vec3_dot(p, c) + vec3_dot(c, c) -
+                           sphere.radius * sphere.radius};
+    // END SOLUTION
+}
+
+// BEGIN SOLUTION
+static int exponent(double x)
+{
+    int e = 0;
+    frexp(x, &e);
+    return e;
+}
+
+static Roots ascending(double t, double u)
+{
+    return t <= u ? (Roots){2, {t, u}} : (Roots){2, {u, t}};
+}
+
+// b^2 - 4ac to nearly its last digit: fma yields what rounding the product 4ac lost (Kahan, 'On the
+// Cost of Floating-Point Computation Without Extra-Precise Arithmetic').
+static double discriminant(Quadratic q)
+{
+    double product = 4 * q.a * q.c;
+    double lost = fma(-4 * q.a, q.c, product);
+    return fma(q.b, q.b, -product) + lost;
+}
+
+// With t = 2^k u and all three coefficients times a power of two, nothing overflows, and b^2 and
+// 4ac count alike. Powers of two cost no digit.
+static Quadratic balanced(Quadratic q, int *k)
+{
+    *k = q.c == 0 ? exponent(q.b) - exponent(q.a) : (exponent(q.c) - exponent(q.a)) / 2;
+    int a = exponent(q.a) + 2 * *k, b = exponent(q.b) + *k, c = exponent(q.c);
+    int largest = a;
+    if (q.b != 0 && b > largest)
+        largest = b;
+    if (q.c != 0 && c > largest)
+        largest = c;
+    return (Quadratic){ldexp(q.a, 2 * *k - largest), ldexp(q.b, *k - largest),
+                       ldexp(q.c, -largest)};
+}
+// END SOLUTION
+
+Roots quadratic_roots(Quadratic q)
+{
+    // BEGIN SOLUTION
+    //~ return NOT_ANSWERED(Roots);
+    if (!isfinite(q.a) || !isfinite(q.b) || !isfinite(q.c))
+        return (Roots){0};
+    if (q.a == 0)
+        return q.b == 0 ? (Roots){0} : (Roots){1, {-q.c / q.b}};
+
+    // Where b^2 outweighs 4ac by far, the square root is b to the last digit.
+    if (q.b != 0 && 2 * exponent(q.b) - exponent(q.a) - exponent(q.c) > 200)
+        return ascending(-q.b / q.a, -q.c / q.b);
+
+    int k;
+    Quadratic even = balanced(q, &k);
+    double d = discriminant(even);
+    if (d < 0)
+        return (Roots){0};
+    // -b and the square root get the same sign, so that they add up and no digit is lost; the
+    // other root follows from their product, c / a.
+    double sum = -(even.b + copysign(sqrt(d), even.b)) / 2;
+    if (sum == 0)
+        return (Roots){2, {0, 0}};
+    return ascending(ldexp(sum / even.a, k), ldexp(even.c / sum, k));
+    // END SOLUTION
+}
+
+// BEGIN SOLUTION
+// The line p + tv against a sphere of radius r round the origin. At its closest approach to the
+// centre it is l away, at t = -p.v / v.v; half the chord inside the sphere is then
+// sqrt(r^2 - l^2). Written as (r - l)(r + l) nothing cancels, however far p is.
+static Roots roots_near_origin(vec3 p, vec3 v, double r)
+{
+    double a = vec3_dot(v, v);
+    double half_b = vec3_dot(p, v);
+    vec3 closest = p - half_b / a * v;
+    double l_squared = vec3_dot(closest, closest);
+    if (!(l_squared <= r * r))
+        return (Roots){0};
+    double l = fmin(sqrt(l_squared), r); // among the tiniest numbers squares are rough
+    double distance = vec3_length(p);
+    double c = (distance - r) * (distance + r);
+    double sum = -(half_b + copysign(sqrt(a * (r - l) * (r + l)), half_b));
+    if (sum == 0)
+        return (Roots){2, {0, 0}};
+    return ascending(sum / a, c / sum);
+}
+
+static double largest(vec3 v)
+{
+    return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+}
+
+static bool squares_well(double x)
+{
+    return x > 0x1p-400 && x < 0x1p400;
+}
+
+// The same with everything brought near 1 by powers of two.
+static Roots roots_when_extreme(Ray ray, Sphere sphere)
+{
+    vec3 o = ray.origin, c = sphere.center, v = ray.direction;
+    if (!vec3_is_finite(o) || !vec3_is_finite(c) || !vec3_is_finite(v) || largest(v) == 0)
+        return (Roots){0};
+    int speed = exponent(largest(v));
+    v = vec3_of(ldexp(v[0], -speed), ldexp(v[1], -speed), ldexp(v[2], -speed));
+
+    // Halved first, since o - c may overflow.
+    vec3 p = o / 2 - c / 2;
+    double r = sphere.radius / 2;
+    int size = exponent(fmax(largest(p), r));
+    p = vec3_of(ldexp(p[0], -size), ldexp(p[1], -size), ldexp(p[2], -size));
+    Roots roots = roots_near_origin(p, v, ldexp(r, -size));
+    for (int i = 0; i < roots.count; i++)
+        roots.t[i] = ldexp(roots.t[i], size + 1 - speed);
+    return roots;
+}
+// END SOLUTION
+
+Roots sphere_roots(Ray ray, Sphere sphere)
+{
+    // BEGIN SOLUTION
+    //~ return quadratic_roots(
+    //~     object_quadratic(to_object_coordinates(ray, sphere), sphere.radius));
+    vec3 p = ray.origin - sphere.center;
+    if (!squares_well(vec3_dot(ray.direction, ray.direction)) ||
+        !squares_well(vec3_dot(p, p) + sphere.radius * sphere.radius))
+        return roots_when_extreme(ray, sphere);
+    return roots_near_origin(p, ray.direction, sphere.radius);
+    // END SOLUTION
+}
+
+double hit_sphere(Ray ray, Sphere sphere)
+{
+    // BEGIN SOLUTION
+    //~ return NOT_ANSWERED(double);
+    Roots roots = sphere_roots(ray, sphere);
+    for (int i = 0; i < roots.count; i++)
+        if (roots.t[i] > 0)
+            return roots.t[i];
+    return NO_HIT;
+    // END SOLUTION
+}
