@@ -1,0 +1,45 @@
+// command.h - the command line that the programs which draw scenes share.
+//
+// PROGRAM [-o FILE.png] [-s WIDTHxHEIGHT] [SCENE.nff], and what else a chapter adds.
+#ifndef CHAPTERS_06_RAY_CASTING_COMMAND_H
+#define CHAPTERS_06_RAY_CASTING_COMMAND_H
+
+#include "common/camera.h"
+#include "common/image.h"
+#include "common/options.h"
+#include "common/scene.h"
+
+typedef struct {
+    const char *output;     // -o; NULL: the gallery
+    Resolution size;        // -s; width 0: as the scene says
+    const char *scene_path; // NULL: the chapter's own
+} Command;
+
+#define COMMAND_OPTIONS(command)                                                                   \
+    {"output",          'o',                                                                       \
+     "FILE.png",        option_string,                                                             \
+     &(command).output, "the picture (gallery/SCENE.png beside the program)"},                     \
+    {                                                                                              \
+        "size", 's', "WIDTHxHEIGHT", option_size, &(command).size,                                 \
+            "of the picture (what the scene says)"                                                 \
+    }
+
+// All that a picture needs.
+typedef struct {
+    const char *program;
+    Scene scene;
+    Camera camera;
+    Image image;
+    char scene_path[4096];
+    char output[4096];
+} Drawing;
+
+// Reads the scene, finds its camera, makes room for the image. own_scene is the chapter's, by its
+// path from the top of the project. False, and the reason on stderr, where something is missing.
+bool drawing_begin(Drawing *drawing, const char *program, const Command *command,
+                   const char *own_scene);
+
+// Writes the picture; what main returns.
+int drawing_end(Drawing *drawing);
+
+#endif

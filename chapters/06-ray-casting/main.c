@@ -1,0 +1,98 @@
+// main.c - chapter 06: the picture.
+//
+// Casts a scene, pixel by pixel (image order) or sphere by sphere (object order). Without
+// arguments it casts the deck's three spheres, and sketches them on the terminal too.
+#include "chapters/06-ray-casting/command.h"
+#include "chapters/06-ray-casting/needs.h"
+#include "common/answers.h"
+#include "common/story.h"
+#include "common/text.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/06-ray-casting.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool option_order(const char *text, void *into)
+{
+    *(Order *)into = strcmp(text, "object") == 0 ? OBJECT_ORDER : IMAGE_ORDER;
+    return strcmp(text, "object") == 0 || strcmp(text, "image") == 0;
+}
+
+static bool cast(Drawing *drawing, Order order)
+{
+    Resolution size = drawing->image.size;
+    if (order == IMAGE_ORDER) {
+        cast_image_order(&drawing->scene, drawing->camera, &drawing->image);
+        return true;
+    }
+    double *depth = malloc(sizeof *depth * (size_t)size.width * (size_t)size.height);
+    if (depth == NULL) {
+        fprintf(stderr, "%s: no memory for the depth of %d x %d pixels\n", drawing->program,
+                size.width, size.height);
+        return false;
+    }
+    cast_object_order(&drawing->scene, drawing->camera, &drawing->image, depth);
+    free(depth);
+    return true;
+}
+
+// The picture in letters: A is the first sphere of the scene, B the second, and so on.
+static void sketch(const Drawing *drawing)
+{
+    const Resolution letters = {64, 24};
+    story_heading("What each ray hits first, by %d x %d rays", letters.width, letters.height);
+    for (int row = 0; row < letters.height; row++) {
+        printf("  ");
+        for (int column = 0; column < letters.width; column++) {
+            Ray ray = pixel_ray(drawing->camera, letters, (Pixel){column, row});
+            int sphere = nearest_hit(ray, &drawing->scene).sphere;
+            putchar(sphere < 0 ? '.' : 'A' + sphere % 26);
+        }
+        putchar('\n');
+    }
+}
+
+static void explain(const Drawing *drawing)
+{
+    const Scene *scene = &drawing->scene;
+    printf("06-ray-casting: the picture\n");
+    const char *slash = strrchr(drawing->scene_path, '/');
+    story_heading("The camera of %s", slash != NULL ? slash + 1 : drawing->scene_path);
+    story_camera(drawing->camera);
+    story_heading("Its %d spheres", scene->sphere_count);
+    for (int i = 0; i < scene->sphere_count && i < 8; i++)
+        printf("  %c  centre %-16s radius %-8s colour %s\n", 'A' + i,
+               vec3_text(scene->spheres[i].center).s, number_text(scene->spheres[i].radius).s,
+               vec3_text(scene_surface(scene, i)->color).s);
+    sketch(drawing);
+}
+
+int main(int argc, char **argv)
+{
+    Command command = {0};
+    Order order = IMAGE_ORDER;
+    const Option options[] = {
+        COMMAND_OPTIONS(command),
+        {"order", 0, "image|object", option_order, &order, "which loop is the outer (image)"},
+        {0}};
+    Usage usage = {"[-o FILE.png] [-s WIDTHxHEIGHT] [--order image|object] [SCENE.nff]",
+                   "Casts a scene, flat. Without arguments: the deck's three spheres."};
+    int first = options_read(argc, argv, options, usage);
+    if (argc - first > 1)
+        options_wrong(argv[0], "%d scenes, expected one", argc - first);
+    command.scene_path = argv[first];
+
+    static Drawing drawing;
+    if (!picture_needs_are_met(order) ||
+        !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))
+        return EXIT_COULD_NOT;
+    if (argc == 1)
+        explain(&drawing);
+    if (!cast(&drawing, order))
+        return EXIT_COULD_NOT;
+    if (argc == 1)
+        printf("\nThe picture: %s\n", drawing.output);
+    return drawing_end(&drawing);
+}
