@@ -1,0 +1,179 @@
+// 01-corners.c - tests of exercise 01. Expected: the deck's numbers, and what projecting onto the
+// camera's own axes must give back.
+#include "exercises/01-corners.h"
+
+#include "tests/judge/test.h"
+
+static const double tolerance = 1e-9;
+
+// A camera in which no two numbers are alike and nothing is 0 or 1.
+static Camera oblique_camera(void)
+{
+    return (Camera){.origin = vec3_of(3, -5, 7),
+                    .right = vec3_of(2, -2, 1) / 3,
+                    .up = vec3_of(2, 1, -2) / 3,
+                    .forward = vec3_of(1, 2, 2) / 3,
+                    .distance = 6,
+                    .width = 9,
+                    .height = 3};
+}
+
+// How far a vector from the eye goes along forward, right and up.
+static vec3 along_axes(Camera c, vec3 v)
+{
+    return vec3_of(vec3_dot(v, c.forward), vec3_dot(v, c.right), vec3_dot(v, c.up));
+}
+
+START_TEST(the_upper_left_corner_of_the_deck_is_minus_1_1_4)
+{
+    Camera c = camera_of_the_deck();
+    given_camera(c);
+    expect_vec3(upper_left(c), vec3_of(-1, 1, 4), tolerance);
+}
+END_TEST
+
+START_TEST(the_upper_right_corner_of_the_deck_is_1_1_4)
+{
+    Camera c = camera_of_the_deck();
+    given_camera(c);
+    expect_vec3(upper_right(c), vec3_of(1, 1, 4), tolerance);
+}
+END_TEST
+
+START_TEST(the_point_30_across_and_10_up_of_the_deck_is_minus_0_4_minus_0_8_4)
+{
+    Camera c = camera_of_the_deck();
+    given_camera(c);
+    expect_vec3(across_30_up_10(c), vec3_of(-0.4, -0.8, 4), tolerance);
+}
+END_TEST
+
+// By hand: 6 f = (2, 4, 4), 9/2 r = (3, -3, 1.5), 3/2 u = (1, 0.5, -1).
+START_TEST(the_upper_left_corner_of_an_oblique_camera)
+{
+    Camera c = oblique_camera();
+    given_camera(c);
+    expect_vec3(upper_left(c), vec3_of(0, 7.5, 1.5), tolerance);
+}
+END_TEST
+
+START_TEST(the_upper_right_corner_of_an_oblique_camera)
+{
+    Camera c = oblique_camera();
+    given_camera(c);
+    expect_vec3(upper_right(c), vec3_of(6, 1.5, 4.5), tolerance);
+}
+END_TEST
+
+// By hand: (2, 4, 4) - 0.2 * (6, -6, 3) - 0.4 * (2, 1, -2).
+START_TEST(the_point_30_across_and_10_up_of_an_oblique_camera)
+{
+    Camera c = oblique_camera();
+    given_camera(c);
+    expect_vec3(across_30_up_10(c), vec3_of(0, 4.8, 4.2), tolerance);
+}
+END_TEST
+
+START_TEST(the_middle_of_the_plane_is_straight_ahead)
+{
+    Camera c = oblique_camera();
+    given_camera(c);
+    given_number("s", 0.5);
+    given_number("t", 0.5);
+    expect_vec3(image_plane_vector(c, 0.5, 0.5), vec3_of(2, 4, 4), tolerance);
+}
+END_TEST
+
+START_TEST(s_and_t_are_counted_from_the_lower_left_corner)
+{
+    Camera c = oblique_camera();
+    given_camera(c);
+    given_number("s", 0);
+    given_number("t", 0);
+    expect_vec3(image_plane_vector(c, 0, 0), vec3_of(-2, 6.5, 3.5), tolerance);
+    given_camera(c);
+    given_number("s", 0.25);
+    given_number("t", 0.75);
+    expect_vec3(image_plane_vector(c, 0.25, 0.75), vec3_of(1, 5.75, 2.75), tolerance);
+}
+END_TEST
+
+START_TEST(every_place_is_d_ahead_and_its_share_of_w_and_h_aside)
+{
+    for (int i = 0; i < 50; i++) {
+        Camera c = random_camera();
+        double s = random_number(-1, 2), t = random_number(-1, 2);
+        given_camera(c);
+        given_number("s", s);
+        given_number("t", t);
+        given("seen along", "forward, right, up");
+        expect_vec3(along_axes(c, image_plane_vector(c, s, t)),
+                    vec3_of(c.distance, s * c.width - c.width / 2, t * c.height - c.height / 2),
+                    tolerance);
+    }
+}
+END_TEST
+
+START_TEST(the_corners_do_not_depend_on_where_the_eye_is)
+{
+    for (int i = 0; i < 10; i++) {
+        Camera c = random_camera();
+        given_camera(c);
+        given("seen along", "forward, right, up");
+        expect_vec3(along_axes(c, upper_left(c)), vec3_of(c.distance, -c.width / 2, c.height / 2),
+                    tolerance);
+    }
+}
+END_TEST
+
+START_TEST(unit_distance_halves_the_plane_of_a_camera_with_distance_2)
+{
+    Camera c = camera_of_the_deck(), same = c;
+    c.distance = 2;
+    c.width = 6;
+    c.height = 4;
+    same.distance = 1;
+    same.width = 3;
+    same.height = 2;
+    given_camera(c);
+    expect_camera(with_unit_distance(c), same, tolerance);
+}
+END_TEST
+
+START_TEST(unit_distance_gives_the_same_rays)
+{
+    for (int i = 0; i < 20; i++) {
+        Camera c = random_camera();
+        given_camera(c);
+        Camera same = with_unit_distance(c);
+        expect_number(same.distance, 1, 0);
+        given_camera(c);
+        expect_number(same.width * c.distance, c.width, tolerance);
+        given_camera(c);
+        expect_number(same.height * c.distance, c.height, tolerance);
+        given_camera(c);
+        expect_vec3(same.origin, c.origin, 0);
+    }
+}
+END_TEST
+
+void list_tests(void)
+{
+    tests_of("upper_left");
+    test(the_upper_left_corner_of_the_deck_is_minus_1_1_4);
+    test(the_upper_left_corner_of_an_oblique_camera);
+    test(the_corners_do_not_depend_on_where_the_eye_is);
+    tests_of("upper_right");
+    test(the_upper_right_corner_of_the_deck_is_1_1_4);
+    test(the_upper_right_corner_of_an_oblique_camera);
+    tests_of("across_30_up_10");
+    test(the_point_30_across_and_10_up_of_the_deck_is_minus_0_4_minus_0_8_4);
+    test(the_point_30_across_and_10_up_of_an_oblique_camera);
+    tests_of("image_plane_vector");
+    test(the_middle_of_the_plane_is_straight_ahead);
+    test(s_and_t_are_counted_from_the_lower_left_corner);
+    test(every_place_is_d_ahead_and_its_share_of_w_and_h_aside);
+    tests_of("with_unit_distance");
+    test(unit_distance_halves_the_plane_of_a_camera_with_distance_2);
+    test(unit_distance_gives_the_same_rays);
+}

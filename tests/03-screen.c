@@ -1,0 +1,216 @@
+// 03-screen.c - tests of exercise 03. Expected: the deck's point, fractions worked by hand, and
+// that there and back is where one was.
+#include "exercises/03-screen.h"
+
+#include "tests/judge/test.h"
+
+static const double tolerance = 1e-12;      // normalized
+static const double pixel_tolerance = 1e-9; // of a pixel
+
+static void given_screen(Resolution screen)
+{
+    given("screen", "%d x %d", screen.width, screen.height);
+}
+
+static void expect_normalized(ScreenPoint point, Resolution screen, double s, double t)
+{
+    given_screen(screen);
+    given("point", "%s", pair_text(point.x, point.y).s);
+    Normalized yours = screen_to_normalized(point, screen);
+    expect_pair(yours.s, yours.t, s, t, tolerance);
+}
+
+static void expect_point(Normalized place, Resolution screen, double x, double y)
+{
+    given_screen(screen);
+    given("(s, t)", "%s", pair_text(place.s, place.t).s);
+    ScreenPoint yours = normalized_to_screen(place, screen);
+    expect_pair(yours.x, yours.y, x, y, pixel_tolerance);
+}
+
+static void expect_center(int column, int row, double x, double y)
+{
+    given("pixel", "column %d, row %d", column, row);
+    ScreenPoint yours = pixel_center((Pixel){column, row});
+    expect_pair(yours.x, yours.y, x, y, pixel_tolerance);
+}
+
+static Resolution random_screen(void)
+{
+    return (Resolution){(int)random_number(1, 2000), (int)random_number(1, 2000)};
+}
+
+// A random number of quarters: short to read, and rarely whole.
+static double quarters(double low, double high)
+{
+    return floor(random_number(4 * low, 4 * high)) / 4;
+}
+
+// "What are the point's normalized screen coordinates?"
+START_TEST(the_point_300_400_of_the_deck_is_0_46875_and_one_sixth)
+{
+    expect_normalized((ScreenPoint){300, 400}, (Resolution){640, 480}, 0.46875, 1.0 / 6);
+}
+END_TEST
+
+START_TEST(the_corners_of_the_screen_are_the_corners_of_the_unit_square)
+{
+    Resolution screen = {640, 480};
+    expect_normalized((ScreenPoint){0, 0}, screen, 0, 1);
+    expect_normalized((ScreenPoint){640, 0}, screen, 1, 1);
+    expect_normalized((ScreenPoint){0, 480}, screen, 0, 0);
+    expect_normalized((ScreenPoint){640, 480}, screen, 1, 0);
+}
+END_TEST
+
+START_TEST(a_quarter_across_and_three_quarters_up_on_screens_of_any_shape)
+{
+    expect_normalized((ScreenPoint){2, 1}, (Resolution){8, 4}, 0.25, 0.75);
+    expect_normalized((ScreenPoint){1, 50}, (Resolution){4, 200}, 0.25, 0.75);
+    expect_normalized((ScreenPoint){50, 1}, (Resolution){200, 4}, 0.25, 0.75);
+}
+END_TEST
+
+START_TEST(a_point_may_lie_between_whole_pixels)
+{
+    expect_normalized((ScreenPoint){2.5, 0.75}, (Resolution){4, 3}, 0.625, 0.75);
+    expect_normalized((ScreenPoint){0.125, 1.5}, (Resolution){2, 2}, 0.0625, 0.25);
+}
+END_TEST
+
+START_TEST(a_screen_of_a_single_pixel_is_a_screen)
+{
+    expect_normalized((ScreenPoint){0.5, 0.5}, (Resolution){1, 1}, 0.5, 0.5);
+    expect_normalized((ScreenPoint){1, 0.25}, (Resolution){1, 1}, 1, 0.75);
+}
+END_TEST
+
+START_TEST(beyond_the_screen_is_beyond_0_to_1)
+{
+    expect_normalized((ScreenPoint){-320, 600}, (Resolution){640, 480}, -0.5, -0.25);
+    expect_normalized((ScreenPoint){1280, -480}, (Resolution){640, 480}, 2, 2);
+}
+END_TEST
+
+// Equal steps on the screen are equal steps in the square, wherever they begin.
+START_TEST(a_tenth_of_the_screen_further_right_and_down_is_0_1_more_s_and_0_1_less_t)
+{
+    for (int i = 0; i < 20; i++) {
+        Resolution screen = random_screen();
+        ScreenPoint from = {quarters(-screen.width, screen.width),
+                            quarters(-screen.height, screen.height)};
+        ScreenPoint to = {from.x + screen.width * 0.1, from.y + screen.height * 0.1};
+        given_screen(screen);
+        given("points", "%s, %s", pair_text(from.x, from.y).s, pair_text(to.x, to.y).s);
+        given("seen", "how far s and t move");
+        Normalized a = screen_to_normalized(from, screen), b = screen_to_normalized(to, screen);
+        expect_pair(b.s - a.s, b.t - a.t, 0.1, -0.1, tolerance);
+    }
+}
+END_TEST
+
+START_TEST(the_place_0_46875_and_one_sixth_is_the_point_300_400_of_the_deck)
+{
+    expect_point((Normalized){0.46875, 1.0 / 6}, (Resolution){640, 480}, 300, 400);
+}
+END_TEST
+
+START_TEST(the_corners_of_the_unit_square_are_the_corners_of_the_screen)
+{
+    Resolution screen = {640, 480};
+    expect_point((Normalized){0, 1}, screen, 0, 0);
+    expect_point((Normalized){1, 1}, screen, 640, 0);
+    expect_point((Normalized){0, 0}, screen, 0, 480);
+    expect_point((Normalized){1, 0}, screen, 640, 480);
+}
+END_TEST
+
+START_TEST(a_place_may_be_between_whole_pixels_on_the_screen)
+{
+    expect_point((Normalized){0.625, 0.75}, (Resolution){4, 3}, 2.5, 0.75);
+    expect_point((Normalized){0.25, 0.625}, (Resolution){1, 1}, 0.25, 0.375);
+}
+END_TEST
+
+START_TEST(beyond_0_to_1_is_beyond_the_screen)
+{
+    expect_point((Normalized){-0.5, -0.25}, (Resolution){640, 480}, -320, 600);
+    expect_point((Normalized){2, 2}, (Resolution){640, 480}, 1280, -480);
+}
+END_TEST
+
+// Two answers are tried here at once. What is wrong with one alone shows in its own tests first.
+START_TEST(to_the_square_and_back_is_the_same_point)
+{
+    for (int i = 0; i < 50; i++) {
+        Resolution screen = random_screen();
+        ScreenPoint point = {quarters(-9, 2000), quarters(-9, 2000)};
+        given_screen(screen);
+        given("point", "%s", pair_text(point.x, point.y).s);
+        Normalized place = screen_to_normalized(point, screen);
+        given("there", "%s", pair_text(place.s, place.t).s);
+        given("and", "back again");
+        ScreenPoint back = normalized_to_screen(place, screen);
+        expect_pair(back.x, back.y, point.x, point.y, pixel_tolerance);
+    }
+}
+END_TEST
+
+START_TEST(to_the_screen_and_back_is_the_same_place)
+{
+    for (int i = 0; i < 50; i++) {
+        Resolution screen = random_screen();
+        Normalized place = {quarters(-1, 2) + 0.01, quarters(-1, 2) + 0.1};
+        given_screen(screen);
+        given("(s, t)", "%s", pair_text(place.s, place.t).s);
+        ScreenPoint point = normalized_to_screen(place, screen);
+        given("there", "%s", pair_text(point.x, point.y).s);
+        given("and", "back again");
+        Normalized back = screen_to_normalized(point, screen);
+        expect_pair(back.s, back.t, place.s, place.t, tolerance);
+    }
+}
+END_TEST
+
+START_TEST(the_first_pixel_is_half_a_pixel_right_of_and_below_the_corner)
+{
+    expect_center(0, 0, 0.5, 0.5);
+}
+END_TEST
+
+START_TEST(column_is_x_and_row_is_y)
+{
+    expect_center(300, 400, 300.5, 400.5);
+    expect_center(7, 0, 7.5, 0.5);
+}
+END_TEST
+
+// The last pixel of 640 x 480 is as far from the lower right corner as the first from its own.
+START_TEST(the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner)
+{
+    expect_center(639, 479, 640 - 0.5, 480 - 0.5);
+}
+END_TEST
+
+void list_tests(void)
+{
+    tests_of("screen_to_normalized");
+    test(the_point_300_400_of_the_deck_is_0_46875_and_one_sixth);
+    test(the_corners_of_the_screen_are_the_corners_of_the_unit_square);
+    test(a_quarter_across_and_three_quarters_up_on_screens_of_any_shape);
+    test(a_point_may_lie_between_whole_pixels);
+    test(a_screen_of_a_single_pixel_is_a_screen);
+    test(beyond_the_screen_is_beyond_0_to_1);
+    test(a_tenth_of_the_screen_further_right_and_down_is_0_1_more_s_and_0_1_less_t);
+    tests_of("normalized_to_screen");
+    test(the_place_0_46875_and_one_sixth_is_the_point_300_400_of_the_deck);
+    test(the_corners_of_the_unit_square_are_the_corners_of_the_screen);
+    test(a_place_may_be_between_whole_pixels_on_the_screen);
+    test(beyond_0_to_1_is_beyond_the_screen);
+    test(to_the_square_and_back_is_the_same_point);
+    test(to_the_screen_and_back_is_the_same_place);
+    tests_of("pixel_center");
+    test(the_first_pixel_is_half_a_pixel_right_of_and_below_the_corner);
+    test(column_is_x_and_row_is_y);
+    test(the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner);
+}

@@ -1,0 +1,162 @@
+// 04-pixel-ray.c - tests of exercise 04. Expected: rays worked by hand, and what projecting onto
+// the camera's own axes must give back. A direction may have any positive length.
+#include "exercises/04-pixel-ray.h"
+
+#include "tests/judge/test.h"
+
+static const double tolerance = 1e-9;
+
+// The camera of the tests of exercise 01: no two numbers alike, nothing 0 or 1.
+static Camera oblique_camera(void)
+{
+    return (Camera){.origin = vec3_of(3, -5, 7),
+                    .right = vec3_of(2, -2, 1) / 3,
+                    .up = vec3_of(2, 1, -2) / 3,
+                    .forward = vec3_of(1, 2, 2) / 3,
+                    .distance = 6,
+                    .width = 9,
+                    .height = 3};
+}
+
+static void given_pixel(Camera camera, Resolution screen, Pixel pixel)
+{
+    given_camera(camera);
+    given("screen", "%d x %d", screen.width, screen.height);
+    given("pixel", "column %d, row %d", pixel.column, pixel.row);
+}
+
+static void expect_direction(Camera camera, Resolution screen, Pixel pixel, vec3 direction)
+{
+    given_pixel(camera, screen, pixel);
+    expect_same_ray(pixel_ray(camera, screen, pixel), (Ray){camera.origin, direction}, tolerance);
+}
+
+// Where the ray of a pixel meets the image plane: along right and along up from its middle.
+// Behind the eye, or beside it, there is no such place.
+static vec3 place_on_plane(Camera camera, Resolution screen, Pixel pixel)
+{
+    vec3 v = pixel_ray(camera, screen, pixel).direction;
+    double ahead = vec3_dot(v, camera.forward);
+    if (!(ahead > 0))
+        return vec3_of(NAN, NAN, 0);
+    v = camera.distance / ahead * v;
+    return vec3_of(vec3_dot(v, camera.right), vec3_dot(v, camera.up), 0);
+}
+
+// By hand: the plane is 2 by 2, so a pixel is 1/320 wide and 1/240 high.
+START_TEST(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners)
+{
+    Camera c = camera_of_the_deck();
+    Resolution screen = {640, 480};
+    double x = 1 - 1.0 / 640, y = 1 - 1.0 / 480;
+    expect_direction(c, screen, (Pixel){0, 0}, vec3_of(-x, y, 4));
+    expect_direction(c, screen, (Pixel){639, 0}, vec3_of(x, y, 4));
+    expect_direction(c, screen, (Pixel){0, 479}, vec3_of(-x, -y, 4));
+    expect_direction(c, screen, (Pixel){639, 479}, vec3_of(x, -y, 4));
+}
+END_TEST
+
+// By hand: 300.5 / 320 - 1 across; 1 - 400.5 / 240 up.
+START_TEST(the_pixel_300_400_of_the_deck)
+{
+    expect_direction(camera_of_the_deck(), (Resolution){640, 480}, (Pixel){300, 400},
+                     vec3_of(-0.0609375, -0.66875, 4));
+}
+END_TEST
+
+// By hand: 4 columns of width 1/2, their middles at -3/4, -1/4, 1/4 and 3/4; 2 rows at 1/2, -1/2.
+START_TEST(all_eight_pixels_of_a_screen_of_4_by_2)
+{
+    for (int row = 0; row < 2; row++)
+        for (int column = 0; column < 4; column++)
+            expect_direction(camera_of_the_deck(), (Resolution){4, 2}, (Pixel){column, row},
+                             vec3_of(-0.75 + 0.5 * column, row == 0 ? 0.5 : -0.5, 4));
+}
+END_TEST
+
+// By hand: as above with columns for rows; seen in the other hand, x is the other way round.
+START_TEST(a_screen_of_2_by_4_seen_by_a_right_handed_camera)
+{
+    Camera c = camera_of_the_deck();
+    c.right = -c.right;
+    expect_direction(c, (Resolution){2, 4}, (Pixel){0, 0}, vec3_of(0.5, 0.75, 4));
+    expect_direction(c, (Resolution){2, 4}, (Pixel){1, 2}, vec3_of(-0.5, -0.25, 4));
+}
+END_TEST
+
+START_TEST(a_single_pixel_looks_straight_ahead)
+{
+    expect_direction(camera_of_the_deck(), (Resolution){1, 1}, (Pixel){0, 0}, vec3_of(0, 0, 4));
+    expect_direction(oblique_camera(), (Resolution){1, 1}, (Pixel){0, 0}, vec3_of(2, 4, 4));
+}
+END_TEST
+
+// By hand: 6 f = (2, 4, 4); a third of 9 r is (2, -2, 1); a quarter of 3 u is (0.5, 0.25, -0.5).
+START_TEST(the_pixels_of_an_oblique_camera_away_from_the_origin)
+{
+    Camera c = oblique_camera();
+    Resolution screen = {3, 2};
+    expect_direction(c, screen, (Pixel){0, 0}, vec3_of(0.5, 6.25, 2.5));
+    expect_direction(c, screen, (Pixel){1, 0}, vec3_of(2.5, 4.25, 3.5));
+    expect_direction(c, screen, (Pixel){2, 1}, vec3_of(3.5, 1.75, 5.5));
+}
+END_TEST
+
+START_TEST(every_ray_begins_in_the_eye)
+{
+    for (int i = 0; i < 10; i++) {
+        Camera c = random_camera();
+        given_pixel(c, (Resolution){5, 3}, (Pixel){1, 2});
+        given("seen", "the ray's origin");
+        expect_vec3(pixel_ray(c, (Resolution){5, 3}, (Pixel){1, 2}).origin, c.origin, tolerance);
+    }
+}
+END_TEST
+
+START_TEST(opposite_pixels_are_opposite_each_other_around_straight_ahead)
+{
+    for (int i = 0; i < 20; i++) {
+        Camera c = random_camera();
+        Resolution screen = {(int)random_number(2, 50), (int)random_number(2, 50)};
+        Pixel pixel = {(int)random_number(0, screen.width), (int)random_number(0, screen.height)};
+        Pixel opposite = {screen.width - 1 - pixel.column, screen.height - 1 - pixel.row};
+        given_pixel(c, screen, pixel);
+        given("and pixel", "column %d, row %d", opposite.column, opposite.row);
+        given("seen", "where their rays meet the plane: the sum of both, from its middle");
+        vec3 sum = place_on_plane(c, screen, pixel) + place_on_plane(c, screen, opposite);
+        expect_pair(sum[0], sum[1], 0, 0, tolerance);
+    }
+}
+END_TEST
+
+// Twice the distance from the left edge is an odd number of pixels, and so is that from the top.
+START_TEST(every_ray_meets_the_plane_in_the_middle_of_its_pixel)
+{
+    for (int i = 0; i < 50; i++) {
+        Camera c = random_camera();
+        Resolution screen = {(int)random_number(1, 900), (int)random_number(1, 900)};
+        Pixel pixel = {(int)random_number(0, screen.width), (int)random_number(0, screen.height)};
+        double column_width = c.width / screen.width, row_height = c.height / screen.height;
+        given_pixel(c, screen, pixel);
+        given("seen", "where the ray meets the plane: from its left edge, from its top");
+        vec3 place = place_on_plane(c, screen, pixel);
+        expect_pair(c.width / 2 + place[0], c.height / 2 - place[1],
+                    (2 * pixel.column + 1) * column_width / 2, (2 * pixel.row + 1) * row_height / 2,
+                    tolerance);
+    }
+}
+END_TEST
+
+void list_tests(void)
+{
+    tests_of("pixel_ray");
+    test(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners);
+    test(the_pixel_300_400_of_the_deck);
+    test(all_eight_pixels_of_a_screen_of_4_by_2);
+    test(a_screen_of_2_by_4_seen_by_a_right_handed_camera);
+    test(a_single_pixel_looks_straight_ahead);
+    test(the_pixels_of_an_oblique_camera_away_from_the_origin);
+    test(every_ray_begins_in_the_eye);
+    test(opposite_pixels_are_opposite_each_other_around_straight_ahead);
+    test(every_ray_meets_the_plane_in_the_middle_of_its_pixel);
+}

@@ -1,0 +1,99 @@
+// runner.c - on top of Check: which test is which, and how it ended.
+#include "tests/judge/runner.h"
+
+#include "tests/judge/test.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct {
+    const char *function_wanted, *name_wanted; // NULL: all
+    Suite *suite;
+    TCase *tcase;
+    const char *function;
+    bool extra;
+    Outcomes *outcomes;
+} listing;
+
+static void begin_function(const char *function, bool extra)
+{
+    listing.function = function;
+    listing.extra = extra;
+    listing.tcase = tcase_create(function);
+    tcase_add_checked_fixture(listing.tcase, record_setup, record_teardown);
+    suite_add_tcase(listing.suite, listing.tcase);
+}
+
+void tests_of(const char *function)
+{
+    begin_function(function, false);
+}
+
+void tests_of_extra(const char *function)
+{
+    begin_function(function, true);
+}
+
+void test(const TTest *test)
+{
+    if (listing.function_wanted != NULL && strcmp(listing.function, listing.function_wanted) != 0)
+        return;
+    if (listing.name_wanted != NULL && strcmp(test->name, listing.name_wanted) != 0)
+        return;
+    if (listing.outcomes->count == MOST_TESTS) {
+        fprintf(stderr, "more than %d tests in one list\n", MOST_TESTS);
+        exit(1);
+    }
+    listing.outcomes->tests[listing.outcomes->count++] =
+        (Outcome){.name = test->name, .function = listing.function, .extra = listing.extra};
+    tcase_add_test(listing.tcase, test);
+}
+
+// Check's words for the ways in which a test can end, in ours.
+static void say_how(char *how, size_t size, const char *message)
+{
+    int number;
+    const char *name = strchr(message, '(');
+    if (sscanf(message, "Received signal %d", &number) == 1 && number == SIGXFSZ)
+        snprintf(how, size, "printed more than a million characters");
+    else if (strncmp(message, "Received signal", 15) == 0)
+        snprintf(how, size, "crashed %s", name != NULL ? name : "");
+    else if (strncmp(message, "Test timeout", 12) == 0)
+        snprintf(how, size, "was still running after some seconds: an endless loop?");
+    else if (strncmp(message, "Early exit", 10) == 0)
+        snprintf(how, size, "ended the program by itself (exit)");
+    else
+        snprintf(how, size, "%s", message);
+}
+
+void run_tests(const char *function, const char *name, const char *printed, Outcomes *outcomes)
+{
+    outcomes->count = 0;
+    listing.function_wanted = function;
+    listing.name_wanted = name;
+    listing.outcomes = outcomes;
+    listing.suite = suite_create("tests");
+    SRunner *runner = srunner_create(listing.suite);
+    list_tests();
+    records_begin(outcomes->count, printed);
+    fflush(NULL); // forks must not print it again
+    srunner_run_all(runner, CK_SILENT);
+
+    TestResult **results = srunner_results(runner);
+    int ran = srunner_ntests_run(runner);
+    for (int i = 0; i < outcomes->count; i++) {
+        Outcome *outcome = &outcomes->tests[i];
+        outcome->record = record_of(i);
+        bool passed = i < ran && tr_rtype(results[i]) == CK_PASS;
+        outcome->passed = passed && outcome->record->finished;
+        if (!outcome->passed)
+            say_how(outcome->how, sizeof outcome->how,
+                    passed    ? "Early exit"
+                    : i < ran ? tr_msg(results[i])
+                              : "was not run");
+    }
+    free(results);
+    srunner_free(runner);
+}

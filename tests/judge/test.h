@@ -1,0 +1,58 @@
+// test.h - how a test says what goes in and what must come out.
+//
+// Tests are Check's, called by their contract names, whoever answers. A test first says what is
+// given, then what it expects; when that fails, both are shown to the student:
+//
+//     given_camera(c);
+//     expect_vec3(upper_left(c), vec3_of(-1, 1, 4), 1e-9);
+#ifndef TESTS_JUDGE_TEST_H
+#define TESTS_JUDGE_TEST_H
+
+#include "common/camera.h"
+#include "common/image.h"
+#include "common/ray.h"
+#include "common/sphere.h"
+#include "common/text.h"
+#include "common/vec3.h"
+
+#include <check.h>
+
+// Each file of tests has this one list: tests_of a function, then its tests, and so on.
+void list_tests(void);
+void tests_of(const char *function);
+void tests_of_extra(const char *function); // that cost no marks
+void test(const TTest *test);
+
+// What goes in. The first after an expectation begins a new case.
+void given(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void given_number(const char *name, double x);
+void given_vec3(const char *name, vec3 v);
+void given_camera(Camera camera);
+void given_ray(Ray ray);
+void given_sphere(Sphere sphere);
+
+// What must come out, to within a tolerance that is absolute; NaN is never near anything.
+void expect_number(double yours, double expected, double tolerance);
+void expect_vec3(vec3 yours, vec3 expected, double tolerance);
+void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance);
+void expect_camera(Camera yours, Camera expected, double tolerance);
+void expect_fault(CameraFault yours, CameraFault expected);
+void expect_int(long yours, long expected);
+void expect_text(const char *yours, const char *expected);
+void expect_same_image(const Image *yours, const Image *expected);
+// The same half line: the origin, and the direction up to its length.
+void expect_same_ray(Ray yours, Ray expected, double tolerance);
+// A law: holds, or its words say what was expected and what came.
+void expect_law(bool holds, const char *expected, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+// Numbers that look random and are the same in every run: uniform from low to high.
+double random_number(double low, double high);
+vec3 random_vec3(double low, double high);
+vec3 random_unit(void);
+Camera random_camera(void); // far from special: every number counts
+
+// Where gdb stops: the case of this number begins (the first is 1).
+void case_begins(int number);
+
+#endif
