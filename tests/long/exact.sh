@@ -1,0 +1,13 @@
+#!/bin/sh
+# exact.sh - the reference against exact arithmetic, on a million rays (tests/exact/roots.c).
+set -u
+. tests/library.sh
+if ! printf '#include <gmp.h>\n' | $COMPILER -E - >/dev/null 2>&1; then
+    echo "skipped: exact: GMP is missing ('make setup FOR=contributor' installs it)"
+    echo "exact: 0 passed, 0 failed"
+    exit 0
+fi
+# shellcheck disable=SC2086 # the compiler's flags are words
+$COMPILER -o "$scratch/exact" tests/exact/roots.c solutions/05-quadratic.c common/answers.c \
+    -lgmp -lm || exit 1
+"$scratch/exact"

@@ -1,0 +1,50 @@
+#!/bin/sh
+# tree.sh - the tree as its users have it: a copy, the README's commands, answers in exercises/.
+set -u
+. tests/library.sh
+
+tree=$scratch/tree
+mkdir "$tree"
+git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$tree" 2>/dev/null
+cd "$tree" || exit 1
+
+says() {
+    make 2>&1 | grep -qF "$1"
+}
+make_quietly() {
+    make -j2 "$@" >"$scratch/log" 2>&1 || { tail -n 20 "$scratch/log"; return 1; }
+}
+only_rebuilds_nothing() {
+    make | grep -v 'Nothing to do' && return 1
+    return 0
+}
+refused() {
+    ! "$@" >"$scratch/log" 2>&1
+}
+
+check 'make builds and casts from a clean copy' make_quietly
+check 'a second make does nothing and says so' only_rebuilds_nothing
+check 'every picture is there' test -s build/solutions/gallery/three-spheres.png
+check 'the picture in the README is the one that is cast' \
+    "$here/$BUILD/tests/same_picture" .github/sunflower.png build/solutions/gallery/sunflower.png
+
+for file in exercises/*.c; do
+    printf 'this is no C at all {{{\n' >"$file"
+done
+check 'make check passes whatever stands in exercises/' make_quietly check
+for file in exercises/*.c; do
+    cp "solutions/$(basename "$file")" "$file"
+done
+check 'with solutions in exercises/, make exercises is content' make_quietly exercises
+check 'make ANSWERS=exercises draws with them' make_quietly ANSWERS=exercises
+check 'and they draw the same picture' "$here/$BUILD/tests/same_picture" \
+    build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
+
+rm exercises/05-quadratic.c
+check 'a program says which answers are missing' refused make ANSWERS=exercises
+check 'and names them' grep -q 'not answered yet: hit_sphere' "$scratch/log"
+check 'the older picture is left as it was' "$here/$BUILD/tests/same_picture" \
+    build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
+
+cd "$here" || exit 1
+finish tree

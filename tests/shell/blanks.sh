@@ -1,0 +1,83 @@
+#!/bin/sh
+# blanks.sh - blanks pass nothing; the scripts that write them lose nothing.
+set -u
+. tests/library.sh
+
+passes_nothing() {
+    "$BUILD/tests/blanks/$1" >"$scratch/blank" 2>&1
+    cat "$scratch/blank"
+    grep -q "^$1: 0 passed, [1-9][0-9]* failed\$" "$scratch/blank"
+}
+
+for solution in solutions/*.c; do
+    stem=$(basename "$solution" .c)
+    check "the blank of $stem passes no test" passes_nothing "$stem"
+done
+
+# What a blank says is in it, and nothing of the answer.
+awk -f .make/blank.awk >"$scratch/made" <<'EOF'
+double f(void)
+{
+    // BEGIN SOLUTION
+    //~ return NOT_ANSWERED(double);
+    return 42;
+    // END SOLUTION
+}
+
+// BEGIN SOLUTION
+static int helper;
+// END SOLUTION
+
+int after;
+EOF
+cat >"$scratch/wanted" <<'EOF'
+double f(void)
+{
+    // BEGIN SOLUTION
+    return NOT_ANSWERED(double);
+    // END SOLUTION
+}
+
+int after;
+EOF
+check 'a blank keeps the markers and the stub, and drops the answer' \
+    diff "$scratch/wanted" "$scratch/made"
+refused() {
+    ! "$@"
+}
+echo '// BEGIN SOLUTION' >"$scratch/open.c"
+check 'a solution without END SOLUTION is refused' refused awk -f .make/blank.awk "$scratch/open.c"
+
+# reset: every answer that was there is still there.
+echo blank >"$scratch/blank.c"
+echo first >"$scratch/answer.c"
+.make/reset "$scratch/blank.c" "$scratch/answer.c" >/dev/null
+check 'reset restores the blank' cmp "$scratch/blank.c" "$scratch/answer.c"
+check 'reset keeps the answer' grep -qx first "$scratch/answer.c.backup-1"
+echo second >"$scratch/answer.c"
+.make/reset "$scratch/blank.c" "$scratch/answer.c" >/dev/null
+check 'a second reset keeps the second answer' grep -qx second "$scratch/answer.c.backup-2"
+check 'a second reset leaves the first backup' grep -qx first "$scratch/answer.c.backup-1"
+.make/reset "$scratch/blank.c" "$scratch/answer.c" >/dev/null
+check 'resetting a blank makes no backup' test ! -e "$scratch/answer.c.backup-3"
+
+# skeletons: over what is committed, never over what somebody changed.
+tree=$scratch/tree
+mkdir -p "$tree/exercises" "$tree/new"
+cp -r .make "$tree"
+cd "$tree" || exit 1
+echo old >exercises/01-a.c
+echo old >exercises/02-b.c
+git init -q . && git add . && git -c user.name=t -c user.email=t@t commit -qm t
+echo mine >exercises/02-b.c
+echo new >new/01-a.c
+echo new >new/02-b.c
+check 'skeletons refuses over a changed file' refused .make/skeletons new/01-a.c new/02-b.c
+check 'skeletons leaves a changed file as it is' grep -qx mine exercises/02-b.c
+check 'skeletons writes over an unchanged file' grep -qx new exercises/01-a.c
+rm -rf .git
+echo newer >new/01-a.c
+check 'without git, skeletons refuses over any other file' refused .make/skeletons new/01-a.c
+cd "$here" || exit 1
+
+finish blanks
