@@ -1,0 +1,283 @@
+# Ray casting, step by step. 'make help' lists what can be made; README.md says what for.
+#
+# Which answers are linked is chosen here and nowhere else: ANSWERS=solutions (the default),
+# ANSWERS=exercises (yours), or any folder. What it lacks is filled with blanks.
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.DEFAULT_GOAL := all
+
+ANSWERS ?= solutions
+STEMS := $(sort $(notdir $(basename $(wildcard solutions/*.c))))
+
+# Answers inside the tree are named from its top, others by their whole path.
+A := $(patsubst $(CURDIR)/%,%,$(abspath $(ANSWERS)))
+ifneq ($(words $(ANSWERS) $(CURDIR)),2)
+$(error make cannot work in, or on answers in, a folder whose path has a blank: '$(or $(ANSWERS),?)')
+endif
+ifeq ($(wildcard $(A)/.),)
+$(error ANSWERS=$(ANSWERS): no such folder)
+endif
+
+# SANITIZE=address,undefined builds beside the ordinary build, not over it.
+comma := ,
+B := build$(if $(SANITIZE),/sanitize-$(subst $(comma),-,$(SANITIZE)))
+OUT := $(B)/$(A)
+
+# ---- compiling --------------------------------------------------------------------------------
+
+CFLAGS ?= -O2 -g
+WERROR ?= $(if $(CI),-Werror)
+# -ffp-contract=off: fused multiplications would make pictures differ between machines.
+# -Wno-psabi: gcc notes that a vec3 is passed in another way where AVX is on; that is no concern
+# of a build with one compiler and one set of flags, which the stamp below makes sure of.
+LANGUAGE := -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I.
+STRICT := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
+FOR_STUDENTS := -Wall -Wextra -Wno-unused-parameter
+SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all)
+WARNINGS = $(STRICT) $(WERROR)
+COMPILE = $(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER) $(WARNINGS) $(EXTRA) $(CPPFLAGS) -MMD -MP -c
+LINK = $(CC) $(CFLAGS) $(SANITIZER) $(LDFLAGS)
+
+# A change of compiler or flags builds all again: objects of two kinds must not be mixed.
+FLAGS_NOW := $(shell $(CC) --version 2>/dev/null | head -n 1) $(LANGUAGE) $(CFLAGS) $(CPPFLAGS) \
+	$(LDFLAGS) $(SANITIZER) $(STRICT) $(WERROR)
+ifneq ($(FLAGS_NOW),$(shell cat $(B)/flags 2>/dev/null))
+$(shell mkdir -p $(B) && printf '%s\n' '$(FLAGS_NOW)' > $(B)/flags)
+endif
+
+Q := $(if $(V),,@)
+say = $(if $(V),,@printf '  %-9s %s\n' '$(1)' '$(2)')
+
+# Libraries are looked for when the first rule needs them, so that 'make setup all' sees what setup
+# has just installed.
+look = $(if $(shell pkg-config --exists $(1) 2>/dev/null && echo yes),$(shell \
+	pkg-config $(2) $(1)),$(error $(1) (or pkg-config) is missing: 'make setup' installs it))
+PNG_CFLAGS = $(eval PNG_CFLAGS := $$(call look,libpng,--cflags))$(PNG_CFLAGS)
+PNG_LIBS = $(eval PNG_LIBS := $$(call look,libpng,--libs))$(PNG_LIBS)
+CHECK_CFLAGS = $(eval CHECK_CFLAGS := $$(call look,check,--cflags))$(CHECK_CFLAGS)
+CHECK_LIBS = $(eval CHECK_LIBS := $$(call look,check,--libs))$(CHECK_LIBS)
+
+# 'make setup all' installs before anything is compiled, with -j too.
+SETUP_FIRST := $(if $(filter setup,$(MAKECMDGOALS)),| setup)
+
+$(B)/%.o: %.c $(B)/flags $(SETUP_FIRST)
+	$(call say,compile,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(COMPILE) -o $@ $<
+
+$(B)/common/image_png.o: EXTRA = $(PNG_CFLAGS)
+$(B)/tests/%.o: EXTRA = $(CHECK_CFLAGS)
+
+$(B)/common.a: $(patsubst %.c,$(B)/%.o,$(wildcard common/*.c))
+	$(call say,archive,$@)
+	$(Q)rm -f $@ && $(AR) rcs $@ $^
+
+# ---- answers ----------------------------------------------------------------------------------
+
+# Blanks are made from the solutions; where a folder lacks an answer, the blank stands in.
+BLANKS := $(STEMS:%=build/blanks/%.c)
+build/blanks/%.c: solutions/%.c .make/blank.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -f .make/blank.awk $< > $@
+
+# Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
+# reference in the place of one of them (.make/verdict).
+$(B)/weak.h: tests/exercises.def
+	$(Q)awk -F '[(,] *' '/^EXERCISE/ { print "#pragma weak " $$3 }' $< > $@
+FOR_ANSWERS = $(FOR_STUDENTS) -include $(B)/weak.h
+
+# An answer counts as changed when its text has changed: dates deceive where files are moved back.
+changed = $(shell .make/changed $(1) $(foreach s,$(STEMS),$(s):$(call answer_in,$(2),$(s))))
+answer_in = $(or $(wildcard $(1)/$(2).c),build/blanks/$(2).c)
+ANSWER_OBJECTS := $(STEMS:%=$(OUT)/%.o)
+ifneq ($(A),solutions)
+$(call changed,$(OUT),$(A))
+$(ANSWER_OBJECTS): WARNINGS = $(FOR_ANSWERS)
+$(ANSWER_OBJECTS): $(OUT)/%.o: $(OUT)/%.sum $(B)/flags $(B)/weak.h build/blanks/%.c $(SETUP_FIRST)
+	$(call say,compile,$(call answer_in,$(A),$*))
+	$(Q)$(COMPILE) -o $@ $(call answer_in,$(A),$*)
+	@sed -i.bak 's|$(call answer_in,$(A),$*)||' $(@:.o=.d) && rm -f $(@:.o=.d.bak)
+endif
+
+# ---- programs, scenes, pictures ---------------------------------------------------------------
+
+PROGRAMS := $(STEMS:%=$(OUT)/%)
+chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c)))
+
+.SECONDEXPANSION:
+$(PROGRAMS): $(OUT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
+
+# Scenes that a program writes: chapters/NN-stem/NAME_nff.c, and what it is told.
+GENERATED := sphereflake-91 sphereflake-820 sphereflake-7381 sunflower
+SCENES := $(GENERATED:%=$(B)/scenes/%.nff)
+NFF_PROGRAMS := $(patsubst %.c,$(B)/%,$(wildcard chapters/*/*_nff.c))
+$(NFF_PROGRAMS): %: %.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+$(B)/scenes/sphereflake-91.nff: ARGUMENTS = 2
+$(B)/scenes/sphereflake-820.nff: ARGUMENTS = 3
+$(B)/scenes/sphereflake-7381.nff: ARGUMENTS = 4
+$(SCENES): $(B)/scenes/%.nff: $$(B)/chapters/06-ray-casting/$$(firstword $$(subst -, ,$$*))_nff
+	$(call say,scene,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$< $(ARGUMENTS) > $@
+
+GALLERY := $(OUT)/gallery
+CHAPTER_PICTURES := $(filter 03% 04% 05%,$(STEMS))
+PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(GENERATED) \
+	$(notdir $(basename $(wildcard chapters/06-ray-casting/*.nff))))
+$(CHAPTER_PICTURES:%=$(GALLERY)/%.png): $(GALLERY)/%.png: $(OUT)/%
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$< --picture $@
+$(GALLERY)/%.png: chapters/06-ray-casting/%.nff $(OUT)/06-ray-casting
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(OUT)/06-ray-casting -o $@ $<
+$(GALLERY)/%.png: $(B)/scenes/%.nff $(OUT)/06-ray-casting
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(OUT)/06-ray-casting -o $@ $<
+
+# The stamp tells whether there was anything to do.
+$(OUT)/made: $(PROGRAMS) $(PICTURES) $(B)/compile_commands.json
+	@touch $@
+	@$(eval DONE := yes)
+
+all: $(OUT)/made ## build the programs and cast their pictures (ANSWERS=folder: with those)
+	@echo "$(if $(DONE),Done,Nothing to do: all is up to date). Programs: $(OUT)/NN-stem. Pictures: $(GALLERY)/"
+
+setup: ## install what is missing, by the system's package manager (FOR=contributor: all of it)
+	@.make/setup $(FOR)
+
+# ---- tests ------------------------------------------------------------------------------------
+
+JUDGE := $(patsubst %,$(B)/tests/judge/%.o,record runner show random)
+COMMON_TESTS := $(patsubst tests/common/%.c,$(B)/tests/common/%,$(wildcard tests/common/*.c))
+$(COMMON_TESTS): %: %.o $(JUDGE) $(B)/tests/judge/main.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+# The tests of a stem take that answer, and the reference for the stems before it.
+earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
+test_objects = $(B)/tests/$(1).o $(JUDGE) $(B)/tests/judge/main.o \
+	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
+TESTS := $(STEMS:%=$(OUT)/tests/%)
+$(TESTS): $(OUT)/tests/%: $(OUT)/%.o $$(call test_objects,$$*)
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+# The mistakes of a stem against its tests. The reference goes by other names there.
+$(B)/reference.h: tests/exercises.def
+	$(Q)awk -F '[(,] *' '/^EXERCISE/ { print "#define " $$3 " reference_" $$3 }' $< > $@
+REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
+$(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h
+	$(call say,compile,$< as reference)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
+MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
+$(MATRICES): $(B)/tests/matrix/%: $(B)/tests/%.o $(B)/tests/mistakes/%.o $(JUDGE) $(REFERENCES) \
+		$(B)/tests/judge/matrix.o $(B)/tests/judge/switchboard.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+# Blanks are made afresh, whatever stands in exercises/, and must pass nothing.
+BLANK_TESTS := $(STEMS:%=$(B)/tests/blanks/%)
+$(BLANK_TESTS:%=%.o): WARNINGS = $(FOR_STUDENTS)
+$(BLANK_TESTS:%=%.o): $(B)/tests/blanks/%.o: build/blanks/%.c $(B)/flags
+	$(call say,compile,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(COMPILE) -o $@ $<
+$(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,$$*)
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+SAME := $(B)/tests/same_picture
+$(B)/tests/judge/same_picture.o: EXTRA = $(PNG_CFLAGS)
+$(SAME): $(B)/tests/judge/same_picture.o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS)
+
+# What the shell scripts among the tests are told.
+FOR_TESTS = PROGRAMS='$(OUT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
+	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
+CHECKS := $(COMMON_TESTS) $(TESTS) $(MATRICES)
+check: $(CHECKS) $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) ## the tests, at most a minute
+	@$(FOR_TESTS) .make/check $(OUT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
+
+# What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it.
+check-all: $(CHECKS) $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) ## those that need longer, too
+	@$(FOR_TESTS) .make/check $(OUT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
+
+# ---- the exercises ----------------------------------------------------------------------------
+
+# 'make exercises' judges what stands in exercises/, unless another folder is named. The chapters
+# whose answer has not changed are not judged again.
+EXERCISES := $(if $(filter command line environment,$(origin ANSWERS)),$(A),exercises)
+CHOSEN := $(if $(EX),$(filter $(EX)% 0$(EX)%,$(STEMS)),$(STEMS))
+ifeq ($(CHOSEN),)
+$(error EX=$(EX): no such chapter, expected one of $(STEMS))
+endif
+ifneq ($(filter debug reset,$(MAKECMDGOALS)),)
+ifneq ($(words $(CHOSEN)),1)
+$(error which chapter? Say, for example: make $(filter debug reset,$(MAKECMDGOALS)) EX=05)
+endif
+endif
+VERDICT := $(B)/$(EXERCISES)/verdict
+VERDICTS := $(CHOSEN:%=$(VERDICT)/%/table)
+ifneq ($(filter exercises debug,$(MAKECMDGOALS)),)
+$(call changed,$(VERDICT),$(EXERCISES))
+endif
+$(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(B)/weak.h build/blanks/%.c \
+		$$(call test_objects,$$*) $(REFERENCES)
+	@COMPILE='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER) $(FOR_ANSWERS) -c' LINK='$(LINK)' \
+		OBJECTS='$(call test_objects,$*)' REFERENCES='$(REFERENCES)' \
+		LIBS='$(CHECK_LIBS) $(PNG_LIBS) -lm' .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*)
+
+exercises: $(VERDICTS) ## what is right, wrong or not answered yet (EX=05: one chapter)
+	@.make/exercises $(VERDICT) $(EXERCISES) $(CHOSEN)
+
+debug: $(VERDICTS) $$(call test_objects,$(CHOSEN)) ## gdb at the call that failed (EX=05)
+	@mkdir -p $(B)/debug
+	@$(CC) $(LANGUAGE) -g3 -O0 $(CHECK_CFLAGS) -o $(B)/debug/$(CHOSEN) $(call answer_in,$(EXERCISES),$(CHOSEN)) \
+		$(call test_objects,$(CHOSEN)) $(CHECK_LIBS) $(PNG_LIBS) -lm
+	@.make/debug $(VERDICT)/$(CHOSEN) $(CHOSEN) $(B)/debug/$(CHOSEN)
+
+reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
+	@.make/reset build/blanks/$(CHOSEN).c exercises/$(CHOSEN).c
+
+skeletons: $(BLANKS) ## write the blanks made from solutions/; refuses over a changed file
+	@.make/skeletons $(BLANKS)
+
+# ---- the habits of the house ------------------------------------------------------------------
+
+C_SOURCES = $(wildcard common/*.[ch] chapters/*/*.[ch] exercises/*.h solutions/*.c \
+	tests/*.[ch] tests/*/*.[ch])
+format: ## lay out the C sources (clang-format)
+	clang-format -i $(C_SOURCES)
+
+format-check: ## fails where 'make format' would change something
+	clang-format --dry-run -Werror $(C_SOURCES)
+
+tidy: $(B)/compile_commands.json ## look for bugs (clang-tidy)
+	clang-tidy --quiet -p $(B) $(filter %.c,$(C_SOURCES))
+
+$(B)/compile_commands.json: Makefile $(filter %.c,$(C_SOURCES)) $(SETUP_FIRST)
+	@mkdir -p $(@D)
+	@for f in $(filter %.c,$(C_SOURCES)); do \
+		printf '{"directory": "%s", "file": "%s", "command": "%s -c %s"},\n' \
+			'$(CURDIR)' "$$f" '$(CC) $(LANGUAGE) $(STRICT) $(PNG_CFLAGS)' "$$f"; \
+	done | sed '1s/^/[/; $$s/,$$/]/' > $@
+
+clean: ## remove what was built
+	rm -rf build
+
+help: ## this
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' Makefile
+
+.PHONY: all setup check check-all exercises debug reset skeletons format format-check tidy clean help
+-include $(shell find $(B) -name '*.d' 2>/dev/null)
