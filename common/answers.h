@@ -18,6 +18,9 @@ void *not_answered(const char *function, const char *file, void *value, size_t s
 int answers_missing(void);
 const char *answer_missing(int i);
 
+// Forgets them, so that the next call stands for itself.
+void answers_forget(void);
+
 // Names on stderr what was called and is not answered yet. Returns what main returns: 0, or 1 if
 // there was any.
 int answers_report(void);

@@ -1,16 +1,18 @@
-// matrix.c - are the tests strict? Every mistake of a stem against every test of it.
+// matrix.c - are the tests strict, and do they know what they see?
 //
-// Each mistake must fail at least one test of the function that it answers; each test must be
-// failed by at least one mistake of its function, or it cannot fail and is worth nothing.
+// Each mistake must fail a test of its function and be named from its values; each test must be
+// failed by a mistake, or it cannot fail and is worth nothing; no right answer, however it is
+// written, may be failed or accused.
 #include "tests/judge/runner.h"
-#include "tests/mistakes/mistakes.h"
+#include "tests/judge/suspects.h"
+#include "tests/variants/variants.h"
 
 #include <stdio.h>
 #include <string.h>
 
 static Outcomes all, some;
 static bool failed_by_some[MOST_TESTS];
-static int passed, failed;
+static int passed, failed, mistake_count, variant_count;
 
 static void settle(bool good, const char *what, const char *name, const char *why)
 {
@@ -19,49 +21,81 @@ static void settle(bool good, const char *what, const char *name, const char *wh
     *(good ? &passed : &failed) += 1;
 }
 
+// How many tests fail, of those that count (extra ones only where they are asked for).
+static int run(const char *function, Outcomes *outcomes, bool extra)
+{
+    int count = 0;
+    suspects_begin();
+    run_tests(function, NULL, ANSWERS_APART, outcomes);
+    for (int i = 0; i < outcomes->count; i++)
+        count += !outcomes->tests[i].passed && (extra || !outcomes->tests[i].extra);
+    return count;
+}
+
+static void check_law(const char *what, const char *name, int exercise)
+{
+    const char *law = suspect_broke_law(exercise);
+    settle(law == NULL, what, name, law == NULL ? "" : law);
+}
+
 // With the reference everything must pass, or failing means nothing.
 static void check_reference(void)
 {
     switch_to_reference();
-    run_tests(NULL, NULL, NULL, &all);
-    int wrong = 0;
-    for (int i = 0; i < all.count; i++)
-        wrong += !all.tests[i].passed;
-    settle(wrong == 0 && all.count > 0, "the reference", "", "does not pass all tests");
+    settle(run(NULL, &all, true) == 0 && all.count > 0, "the reference", "",
+           "does not pass all tests");
+    for (int i = 0; exercises[i].name != NULL; i++)
+        check_law("the reference breaks a law:", exercises[i].name, i);
 }
 
 static void check_mistake(const Mistake *mistake)
 {
+    bool extra = strncmp(mistake->id, "X-", 2) == 0;
     switch_to_reference();
-    if (!switch_one(mistake->exercise, mistake->answer)) {
-        settle(false, "mistake", mistake->id, "of an exercise that is not in exercises.def");
-        return;
-    }
-    run_tests(mistake->exercise, NULL, NULL, &some);
-    bool caught = false;
-    for (int i = 0; i < some.count; i++) {
-        if (some.tests[i].passed)
-            continue;
-        caught = true;
-        for (int j = 0; j < all.count; j++)
+    switch_one(mistake->exercise, mistake->answer);
+    int exercise = exercise_number(mistake->exercise);
+    int caught = run(mistake->exercise, &some, extra);
+    settle(caught > 0, "mistake fails no test:", mistake->id, mistake->formula);
+    const Mistake *named = suspect(exercise, 0, extra);
+    const Mistake *other = suspect(exercise, 1, extra);
+    if (named == mistake)
+        named = other; // nobody else, it should be
+    else if (named == NULL)
+        settle(false, "mistake is not recognised:", mistake->id, mistake->formula);
+    settle(named == NULL, "mistake looks like another:", mistake->id,
+           named == NULL ? "" : named->id);
+    for (int i = 0; i < some.count; i++)
+        for (int j = 0; j < all.count && !some.tests[i].passed; j++)
             if (strcmp(all.tests[j].name, some.tests[i].name) == 0)
                 failed_by_some[j] = true;
-    }
-    settle(caught, "mistake", mistake->id, mistake->what);
+}
+
+static void check_variant(const Variant *variant)
+{
+    switch_to_reference();
+    switch_one(variant->exercise, variant->answer);
+    int exercise = exercise_number(variant->exercise);
+    settle(run(variant->exercise, &some, false) == 0, "right answer fails:", variant->exercise,
+           variant->what);
+    settle(suspect(exercise, 0, false) == NULL, "right answer is accused:", variant->exercise,
+           variant->what);
+    check_law("right answer breaks a law:", variant->what, exercise);
 }
 
 int main(int argc, char **argv)
 {
     const char *slash = strrchr(argv[0], '/');
-    const char *stem = slash != NULL ? slash + 1 : argv[0];
     (void)argc;
     check_reference();
-    int count = 0;
-    for (; mistakes[count].id != NULL; count++)
-        check_mistake(&mistakes[count]);
+    for (int table = 0; mistakes[table] != NULL; table++)
+        for (int i = 0; mistakes[table][i].id != NULL; i++, mistake_count++)
+            check_mistake(&mistakes[table][i]);
     for (int i = 0; i < all.count; i++)
         settle(failed_by_some[i], "test", all.tests[i].name, "no mistake fails it");
-    printf("mistakes of %s (%d mistakes, %d tests): %d passed, %d failed\n", stem, count, all.count,
-           passed, failed);
+    for (; variants[variant_count].exercise != NULL; variant_count++)
+        check_variant(&variants[variant_count]);
+    printf("matrix of %s (%d mistakes, %d tests, %d right answers): %d passed, %d failed\n",
+           slash != NULL ? slash + 1 : argv[0], mistake_count, all.count, variant_count, passed,
+           failed);
     return failed == 0 ? 0 : 1;
 }

@@ -1,38 +1,42 @@
-// record.c - given, expected, yours: kept where a crash of the test cannot take them away.
+// record.c - what is remembered of each test, kept where a crash of it cannot take it away.
 #include "tests/judge/record.h"
 
 #include "common/answers.h"
 #include "tests/judge/test.h"
 
-#include <fcntl.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <unistd.h>
-
-enum {
-    MOST_PRINTED = 1 << 20, // bytes that one test may print
-    CAMERA_WORDS = 1200,
-};
 
 static struct {
     int next; // the test that runs next
     Record records[];
 } * shared;
 static Record *record;
-static const char *printed_folder;
+static int printed_file = -1;
 
-void records_begin(int tests, const char *printed)
+void records_begin(int tests)
 {
-    size_t size = sizeof *shared + (size_t)tests * sizeof(Record);
+    static size_t size;
+    if (shared != NULL)
+        munmap(shared, size);
+    size = sizeof *shared + (size_t)tests * sizeof(Record);
     shared = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED) {
         perror("no memory for the records of the tests");
         _exit(1);
     }
-    printed_folder = printed;
+}
+
+void record_is_extra(int test)
+{
+    shared->records[test].extra = true;
+}
+
+void records_catch_printed(int file)
+{
+    printed_file = file;
 }
 
 const Record *record_of(int test)
@@ -40,235 +44,52 @@ const Record *record_of(int test)
     return &shared->records[test];
 }
 
-void record_setup(void)
+Record *record_now(void)
 {
-    int number = shared->next++;
-    record = &shared->records[number];
-    if (printed_folder == NULL)
-        return;
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%d", printed_folder, number);
-    int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND, 0666);
-    if (file < 0)
-        return;
-    struct rlimit limit = {MOST_PRINTED, MOST_PRINTED};
-    setrlimit(RLIMIT_FSIZE, &limit);
-    dup2(file, STDOUT_FILENO);
-    dup2(file, STDERR_FILENO);
-    close(file);
-    setvbuf(stdout, NULL, _IOLBF, 0); // what was printed survives a crash
+    return record;
 }
 
-static void note_missing(void)
+void record_setup(void)
 {
-    if (answers_missing() > 0 && record->missing[0] == '\0')
-        snprintf(record->missing, sizeof record->missing, "%s", answer_missing(0));
+    record = &shared->records[shared->next++];
+    random_begin();
+    if (printed_file >= 0 && ftruncate(printed_file, 0) != 0)
+        perror("what the answer prints");
+}
+
+void record_keep_printed(void)
+{
+    if (printed_file < 0 || record->printed[0] != '\0')
+        return;
+    ssize_t n = pread(printed_file, record->printed, sizeof record->printed - 1, 0);
+    record->printed[n < 0 ? 0 : n] = '\0';
+}
+
+void record_missing(const char *name)
+{
+    if (record->missing[0] == '\0')
+        snprintf(record->missing, sizeof record->missing, "%s", name);
+}
+
+bool record_is_missing(void)
+{
+    if (answers_missing() > 0)
+        record_missing(answer_missing(0));
+    return record->missing[0] != '\0';
+}
+
+void record_how(const char *why)
+{
+    record_keep_printed();
+    snprintf(record->how, sizeof record->how, "%s", why);
+    ck_abort_msg("%s", why);
 }
 
 // A blank never passes, whatever it returned; nor does an answer that calls exit, which Check
 // takes for a pass.
 void record_teardown(void)
 {
-    note_missing();
-    if (record->missing[0] != '\0')
+    if (record_is_missing())
         ck_abort_msg("not answered yet");
     record->finished = true;
-}
-
-__attribute__((noinline)) void case_begins(int number)
-{
-    record->cases = number;
-    record->closed = false;
-    record->given[0] = '\0';
-}
-
-void given(const char *name, const char *format, ...)
-{
-    if (record->cases == 0 || record->closed)
-        case_begins(record->cases + 1);
-    char value[CAMERA_WORDS];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(value, sizeof value, format, arguments);
-    va_end(arguments);
-    size_t used = strlen(record->given);
-    snprintf(record->given + used, sizeof record->given - used, "%s\t%s\n", name, value);
-}
-
-void given_number(const char *name, double x)
-{
-    given(name, "%s", number_text_to(x, 10).s);
-}
-
-void given_vec3(const char *name, vec3 v)
-{
-    given(name, "%s", vec3_text_to(v, 10).s);
-}
-
-static void camera_words(char *words, size_t size, Camera c, int digits)
-{
-    snprintf(words, size, "eye %s, right %s, up %s, forward %s, d %s, w %s, h %s",
-             vec3_text_to(c.origin, digits).s, vec3_text_to(c.right, digits).s,
-             vec3_text_to(c.up, digits).s, vec3_text_to(c.forward, digits).s,
-             number_text_to(c.distance, digits).s, number_text_to(c.width, digits).s,
-             number_text_to(c.height, digits).s);
-}
-
-void given_camera(Camera camera)
-{
-    char words[CAMERA_WORDS];
-    camera_words(words, sizeof words, camera, 6);
-    given("camera", "%s", words);
-}
-
-void given_ray(Ray ray)
-{
-    given("ray", "origin %s, direction %s", vec3_text_to(ray.origin, 10).s,
-          vec3_text_to(ray.direction, 10).s);
-}
-
-void given_sphere(Sphere sphere)
-{
-    given("sphere", "center %s, radius %s", vec3_text_to(sphere.center, 10).s,
-          number_text_to(sphere.radius, 10).s);
-}
-
-// Met: the next given begins a new case. Not met: both sides are kept and the test ends.
-static void settle(bool met, const char *yours, const char *expected)
-{
-    if (met && answers_missing() == 0) {
-        record->closed = true;
-        return;
-    }
-    note_missing();
-    snprintf(record->expected, sizeof record->expected, "%s", expected);
-    snprintf(record->yours, sizeof record->yours, "%s", yours);
-    ck_abort_msg("not as expected");
-}
-
-static bool near(double yours, double expected, double tolerance)
-{
-    return yours == expected || fabs(yours - expected) <= tolerance;
-}
-
-static bool vec3_near(vec3 yours, vec3 expected, double tolerance)
-{
-    return near(yours[0], expected[0], tolerance) && near(yours[1], expected[1], tolerance) &&
-           near(yours[2], expected[2], tolerance);
-}
-
-// Digits to show of two values: enough to see that they differ.
-#define SETTLE(met, text_of, yours, expected)                                                      \
-    do {                                                                                           \
-        int digits_ = 6;                                                                           \
-        while (digits_ < 17 &&                                                                     \
-               strcmp(text_of(yours, digits_).s, text_of(expected, digits_).s) == 0)               \
-            digits_++;                                                                             \
-        settle(met, text_of(yours, digits_).s, text_of(expected, digits_).s);                      \
-    } while (0)
-
-void expect_number(double yours, double expected, double tolerance)
-{
-    SETTLE(near(yours, expected, tolerance), number_text_to, yours, expected);
-}
-
-void expect_vec3(vec3 yours, vec3 expected, double tolerance)
-{
-    SETTLE(vec3_near(yours, expected, tolerance), vec3_text_to, yours, expected);
-}
-
-static Text two_numbers(vec3 v, int digits)
-{
-    Text text;
-    snprintf(text.s, sizeof text.s, "(%.40s, %.40s)", number_text_to(v[0], digits).s,
-             number_text_to(v[1], digits).s);
-    return text;
-}
-
-void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance)
-{
-    vec3 yours = vec3_of(yours_x, yours_y, 0), expected = vec3_of(x, y, 0);
-    SETTLE(vec3_near(yours, expected, tolerance), two_numbers, yours, expected);
-}
-
-void expect_camera(Camera yours, Camera expected, double tolerance)
-{
-    bool met = vec3_near(yours.origin, expected.origin, tolerance) &&
-               vec3_near(yours.right, expected.right, tolerance) &&
-               vec3_near(yours.up, expected.up, tolerance) &&
-               vec3_near(yours.forward, expected.forward, tolerance) &&
-               near(yours.distance, expected.distance, tolerance) &&
-               near(yours.width, expected.width, tolerance) &&
-               near(yours.height, expected.height, tolerance);
-    char y[CAMERA_WORDS], e[CAMERA_WORDS];
-    int digits = 6;
-    do {
-        camera_words(y, sizeof y, yours, digits);
-        camera_words(e, sizeof e, expected, digits);
-    } while (strcmp(y, e) == 0 && ++digits <= 17);
-    settle(met, y, e);
-}
-
-void expect_fault(CameraFault yours, CameraFault expected)
-{
-    settle(yours == expected, yours == CAMERA_OK ? "a camera" : camera_fault_text(yours),
-           expected == CAMERA_OK ? "a camera" : camera_fault_text(expected));
-}
-
-void expect_int(long yours, long expected)
-{
-    char y[32], e[32];
-    snprintf(y, sizeof y, "%ld", yours);
-    snprintf(e, sizeof e, "%ld", expected);
-    settle(yours == expected, y, e);
-}
-
-void expect_text(const char *yours, const char *expected)
-{
-    settle(strcmp(yours, expected) == 0, yours, expected);
-}
-
-void expect_same_ray(Ray yours, Ray expected, double tolerance)
-{
-    double length = vec3_length(yours.direction);
-    vec3 scaled = vec3_length(expected.direction) / length * yours.direction;
-    bool met = length > 0 && vec3_near(yours.origin, expected.origin, tolerance) &&
-               vec3_near(scaled, expected.direction, tolerance);
-    char y[400], e[400];
-    snprintf(y, sizeof y, "origin %s, direction %s", vec3_text_to(yours.origin, 9).s,
-             vec3_text_to(yours.direction, 9).s);
-    snprintf(e, sizeof e, "origin %s, direction %s (or any positive multiple)",
-             vec3_text_to(expected.origin, 9).s, vec3_text_to(expected.direction, 9).s);
-    settle(met, y, e);
-}
-
-void expect_same_image(const Image *yours, const Image *expected)
-{
-    size_t pixels = (size_t)expected->size.width * (size_t)expected->size.height;
-    size_t first = 0, different = 0;
-    for (size_t i = pixels; i-- > 0;)
-        if (memcmp(yours->rgb + 3 * i, expected->rgb + 3 * i, 3) != 0) {
-            first = i;
-            different++;
-        }
-    const uint8_t *y = yours->rgb + 3 * first, *e = expected->rgb + 3 * first;
-    size_t width = (size_t)expected->size.width;
-    char yw[200], ew[200];
-    snprintf(ew, sizeof ew, "in column %zu, row %zu: red %d, green %d, blue %d", first % width,
-             first / width, e[0], e[1], e[2]);
-    snprintf(yw, sizeof yw,
-             "in column %zu, row %zu: red %d, green %d, blue %d; %zu of %zu pixels "
-             "differ",
-             first % width, first / width, y[0], y[1], y[2], different, pixels);
-    settle(different == 0, yw, ew);
-}
-
-void expect_law(bool holds, const char *expected, const char *format, ...)
-{
-    char yours[400];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(yours, sizeof yours, format, arguments);
-    va_end(arguments);
-    settle(holds, yours, expected);
 }

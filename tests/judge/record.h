@@ -2,24 +2,47 @@
 #ifndef TESTS_JUDGE_RECORD_H
 #define TESTS_JUDGE_RECORD_H
 
+#include "common/camera.h"
+
 #include <stdbool.h>
+#include <stddef.h>
 
 typedef struct {
     int cases;           // how many began
     bool closed;         // the current case has met its expectation
     bool finished;       // the test came to its end
+    bool extra;          // it costs no marks
     char given[2400];    // lines: name, tab, value
     char expected[1200]; // of the expectation that failed; empty where none did
     char yours[1200];
-    char missing[64]; // the first blank that was called; empty where none was
+    char missing[64];   // the first blank that was called; empty where none was
+    char how[160];      // why there was no answer, in words; empty where there was
+    char printed[1500]; // what the answer printed in this test, to begin with
 } Record;
 
-// Before all tests: memory for so many. Then one record a test, in the order in which they run.
-void records_begin(int tests, const char *printed);
+enum { CAMERA_WORDS = 1200 };
+
+// Before all tests: memory for so many, that of the run before is gone. Then one record a test, in
+// the order in which they run.
+void records_begin(int tests);
+void record_is_extra(int test);
+
+// What the answer prints goes to this file (a descriptor); it is emptied before each test.
+void records_catch_printed(int file);
+
 const Record *record_of(int test);
 
-// The fixtures round each test: they choose the record, and catch what the student prints.
+// Of the test that is running.
+Record *record_now(void);
+void record_missing(const char *name); // this blank was called
+bool record_is_missing(void);          // was any?
+void record_keep_printed(void);
+void record_how(const char *why); // there was no answer: ends the test
+
+// The fixtures round each test.
 void record_setup(void);
 void record_teardown(void);
+
+void camera_words(char *words, size_t size, Camera c, int digits);
 
 #endif

@@ -68,7 +68,7 @@ static void say_how(char *how, size_t size, const char *message)
         snprintf(how, size, "%s", message);
 }
 
-void run_tests(const char *function, const char *name, const char *printed, Outcomes *outcomes)
+void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes)
 {
     outcomes->count = 0;
     listing.function_wanted = function;
@@ -77,7 +77,12 @@ void run_tests(const char *function, const char *name, const char *printed, Outc
     listing.suite = suite_create("tests");
     SRunner *runner = srunner_create(listing.suite);
     list_tests();
-    records_begin(outcomes->count, printed);
+    records_begin(outcomes->count);
+    for (int i = 0; i < outcomes->count; i++)
+        if (outcomes->tests[i].extra)
+            record_is_extra(i);
+    if (where == ANSWERS_APART)
+        srunner_set_fork_status(runner, CK_NOFORK);
     fflush(NULL); // forks must not print it again
     srunner_run_all(runner, CK_SILENT);
 
@@ -90,9 +95,10 @@ void run_tests(const char *function, const char *name, const char *printed, Outc
         outcome->passed = passed && outcome->record->finished;
         if (!outcome->passed)
             say_how(outcome->how, sizeof outcome->how,
-                    passed    ? "Early exit"
-                    : i < ran ? tr_msg(results[i])
-                              : "was not run");
+                    outcome->record->how[0] != '\0' ? outcome->record->how
+                    : passed                        ? "Early exit"
+                    : i < ran                       ? tr_msg(results[i])
+                                                    : "was not run");
     }
     free(results);
     srunner_free(runner);

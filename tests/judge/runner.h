@@ -13,7 +13,7 @@ typedef struct {
     const char *function; // whose test it is
     bool extra;           // costs no marks
     bool passed;
-    char how[100]; // how it ended, where it did not pass: in words
+    char how[160]; // how it ended, where it did not pass: in words
     const Record *record;
 } Outcome;
 
@@ -22,8 +22,11 @@ typedef struct {
     Outcome tests[MOST_TESTS];
 } Outcomes;
 
-// Runs those of one function, or those of one name, or (both NULL) all. What tests print goes to
-// files in the folder printed, numbered in order from 0; where it is NULL it is not caught.
-void run_tests(const char *function, const char *name, const char *printed, Outcomes *outcomes);
+// Where the answers are: called directly, they may crash and hang, so each test is a fork; asked
+// for in another process, they cannot, and tests run here.
+typedef enum { ANSWERS_HERE, ANSWERS_APART } WhereAnswersAre;
+
+// Runs those of one function, or those of one name, or (both NULL) all.
+void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes);
 
 #endif

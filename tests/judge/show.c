@@ -5,23 +5,30 @@
 
 #include <string.h>
 
-enum { COLUMNS = 79, LABEL = 13, MOST_LINES = 8 };
+enum { COLUMNS = SHOW_COLUMNS, LABEL = 13, MOST_LINES = 8 };
 
-// A label, then words that wrap under each other.
-static void show_field(FILE *out, const char *label, const char *words)
+// Up to the next blank outside parentheses: a vector stays in one piece.
+static int length_of_word(const char *words)
+{
+    int length = 0, depth = 0;
+    for (; words[length] != '\0' && (words[length] != ' ' || depth > 0); length++)
+        depth += (words[length] == '(') - (words[length] == ')');
+    return length < COLUMNS - LABEL ? length : (int)strcspn(words, " ");
+}
+
+// A label, then words that wrap under each other. A ~ is a blank that does not break.
+void show_field(FILE *out, const char *label, const char *words)
 {
     int column = fprintf(out, "  %-*s", LABEL - 2, label);
     while (*words != '\0') {
-        int length = (int)strcspn(words, " ");
-        // A vector stays in one piece.
-        if (*words == '(')
-            length = (int)strcspn(words, ")");
-        length += (int)strcspn(words + length, " ");
-        if (column + length > COLUMNS && column > LABEL)
+        int length = length_of_word(words);
+        if (column + 1 + length > COLUMNS && column > LABEL)
             column = fprintf(out, "\n%*s", LABEL, "") - 1;
         else if (column > LABEL)
             column += fprintf(out, " ");
-        column += fprintf(out, "%.*s", length, words);
+        for (int i = 0; i < length; i++)
+            putc(words[i] == '~' ? ' ' : words[i], out);
+        column += length;
         words += length;
         words += strspn(words, " ");
     }
@@ -41,33 +48,29 @@ static void show_given(FILE *out, const char *given)
 }
 
 // A student's own output: only what is safe to show, and not all of it.
-static void show_printed(FILE *out, const char *path)
+static void show_printed(FILE *out, const char *text)
 {
-    FILE *file = path == NULL ? NULL : fopen(path, "r");
-    if (file == NULL)
-        return;
-    int column = 0, lines = 0, c;
-    while ((c = getc(file)) != EOF && lines < MOST_LINES) {
+    int column = 0, lines = 0;
+    for (; *text != '\0' && lines < MOST_LINES; text++) {
         if (column == 0)
             fprintf(out, lines == 0 ? "  it printed " : "%*s", LABEL, "");
-        if (c == '\n' || column == COLUMNS - LABEL) {
+        if (*text == '\n' || column == COLUMNS - LABEL) {
             putc('\n', out);
             column = 0;
             lines++;
         }
-        if (c != '\n') {
-            putc((c >= ' ' && c < 127) ? c : '?', out);
+        if (*text != '\n') {
+            putc((*text >= ' ' && *text < 127) ? *text : '?', out);
             column++;
         }
     }
     if (column > 0)
         putc('\n', out);
-    if (c != EOF)
+    if (*text != '\0')
         fprintf(out, "%*s... and more\n", LABEL, "");
-    fclose(file);
 }
 
-void show_outcome(FILE *out, const Outcome *outcome, const char *printed)
+void show_outcome(FILE *out, const Outcome *outcome)
 {
     const Record *record = outcome->record;
     show_given(out, record->given);
@@ -77,5 +80,5 @@ void show_outcome(FILE *out, const Outcome *outcome, const char *printed)
     } else {
         show_field(out, "it", outcome->how);
     }
-    show_printed(out, printed);
+    show_printed(out, record->printed);
 }

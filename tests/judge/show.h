@@ -6,8 +6,13 @@
 
 #include <stdio.h>
 
+enum { SHOW_COLUMNS = 79 };
+
+// A label, then words that wrap under each other.
+void show_field(FILE *out, const char *label, const char *words);
+
 // What went in, what was expected, what came out or how it ended, and the first lines of what was
-// printed (a file's path, or NULL).
-void show_outcome(FILE *out, const Outcome *outcome, const char *printed);
+// printed.
+void show_outcome(FILE *out, const Outcome *outcome);
 
 #endif

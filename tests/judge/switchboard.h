@@ -1,21 +1,23 @@
-// switchboard.h - every exercise by its contract name, answered by whom one likes.
+// switchboard.h - who answers an exercise: the reference, another function, or another process.
 //
-// The reference answers, but for the one that is replaced by a wrong answer. So one program runs
-// the same tests against many answers.
+// Tests call exercises by their contract names, and a proxy (made by .make/proxies.awk) asks here.
 #ifndef TESTS_JUDGE_SWITCHBOARD_H
 #define TESTS_JUDGE_SWITCHBOARD_H
 
-#include <stdbool.h>
+#include "tests/judge/exercise.h"
 
-typedef void AnyFunction(void);
+#include <stdbool.h>
 
 // From now on the reference answers everything.
 void switch_to_reference(void);
 
-// From now on this answers the exercise of this name. False where there is no such exercise.
+// From now on this function answers the exercise. False where there is no exercise of this name.
 bool switch_one(const char *exercise, AnyFunction *answer);
 
-// The name of exercise number i, from 0; NULL behind the last.
-const char *exercise_name(int i);
+// From now on the answering process (call.h) answers the exercises of this stem.
+void switch_to_process(const char *stem);
+
+// The function that answers exercise number i in this process; NULL: ask the answering process.
+AnyFunction *local_answer(int i);
 
 #endif

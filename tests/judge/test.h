@@ -46,7 +46,9 @@ void expect_same_ray(Ray yours, Ray expected, double tolerance);
 void expect_law(bool holds, const char *expected, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-// Numbers that look random and are the same in every run: uniform from low to high.
+// Numbers that look random and are the same in every run, from the same seed in each test:
+// uniform from low to high.
+void random_begin(void);
 double random_number(double low, double high);
 vec3 random_vec3(double low, double high);
 vec3 random_unit(void);

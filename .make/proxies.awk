@@ -1,0 +1,222 @@
+# proxies.awk - makes C from tests/exercises.table.
+#
+#   -v make=weak        a pragma per exercise: its definition gives way to another
+#   -v make=reference   a define per exercise: the reference goes by reference_NAME
+#   -v make=proxies     for the judge: each exercise under its own name, asking whoever answers;
+#                       what came out is held against the mistakes and the laws
+#   -v make=dispatch -v stem=NN-stem   for the answering process: one call of one exercise
+#
+# How a type crosses the pipe follows from how it is passed: by value as it is; a const Scene with
+# its arrays; a Camera or an Image there and back; doubles one per pixel of the image, there and back.
+BEGIN {
+    FS = " [|] "
+}
+/^#/ || NF == 0 {
+    next
+}
+{
+    number++
+    open = index($2, "(")
+    head = substr($2, 1, open - 1)
+    name = head
+    sub(/.*[ *]/, "", name)
+    result = substr(head, 1, length(head) - length(name))
+    sub(/ +$/, "", result)
+    list = substr($2, open + 1, length($2) - open - 1)
+    count = split(list, parts, /, */)
+    names = ""
+    for (i = 1; i <= count; i++) {
+        variable[i] = parts[i]
+        sub(/.*[ *]/, "", variable[i])
+        type[i] = substr(parts[i], 1, length(parts[i]) - length(variable[i]))
+        sub(/ +$/, "", type[i])
+        names = names (i > 1 ? ", " : "") variable[i]
+    }
+}
+make == "weak" {
+    print "#pragma weak " name
+}
+make == "reference" {
+    print "#define " name " reference_" name
+}
+make == "proxies" {
+    if (number == 1)
+        proxies_head()
+    proxy()
+    table = table sprintf("    {\"%s\", \"%s\", \"%s\", \"%s\", (AnyFunction *)reference_%s},\n",
+                          name, $1, $3, $4, name)
+    declared = declared $1 "\n"
+}
+make == "dispatch" {
+    if (number == 1)
+        dispatch_head()
+    if ($1 == stem)
+        dispatch()
+}
+END {
+    if (make == "proxies")
+        print "const Exercise exercises[] = {\n" table "    {0},\n};"
+    if (make == "dispatch")
+        print "    default:\n        return false;\n    }\n}"
+}
+
+function includes() {
+    print "// Made from tests/exercises.table by .make/proxies.awk."
+    print "#include \"exercises/01-corners.h\"\n#include \"exercises/02-cameras.h\""
+    print "#include \"exercises/03-screen.h\"\n#include \"exercises/04-pixel-ray.h\""
+    print "#include \"exercises/05-quadratic.h\"\n#include \"exercises/06-ray-casting.h\""
+    print "#include \"tests/judge/wire.h\""
+}
+
+function proxies_head() {
+    includes()
+    print "#include \"tests/judge/call.h\"\n#include \"tests/judge/exercise.h\""
+    print "#include \"tests/judge/same.h\"\n#include \"tests/judge/suspects.h\"\n"
+}
+
+# The arguments with the last pointers replaced: what a mistake works on instead.
+function theirs_arguments(   i, text) {
+    for (i = 1; i <= count; i++)
+        text = text (i > 1 ? ", " : "") (type[i] ~ /^(Camera|Image) \*$/ ? "&" variable[i] "_theirs" \
+                                         : type[i] == "double *" ? variable[i] "_theirs" : variable[i])
+    return text
+}
+
+function proxy(   i, is_void, cast) {
+    is_void = result == "void"
+    cast = result " (*)(" list ")"
+    print "// " name
+    print result " reference_" name "(" list ");"
+    print "void law_" name "(" (is_void ? "" : result " yours, ") list ");\n"
+    print result " " name "(" list ")\n{\n    enum { ME = " number - 1 " };"
+    if (!is_void)
+        print "    " result " yours;"
+    for (i = 1; i <= count; i++) {
+        if (type[i] == "Camera *")
+            print "    const Camera " variable[i] "_before = *" variable[i] ";"
+        if (type[i] == "Image *")
+            print "    Image " variable[i] "_before = image_copy(" variable[i] ");"
+        if (type[i] == "double *")
+            print "    double *" variable[i] "_before = doubles_copy(" variable[i] ", image);"
+    }
+    print "    AnyFunction *local = local_answer(ME);\n    if (local != NULL) {"
+    print "        " (is_void ? "" : "yours = ") "((" cast ")local)(" names ");"
+    print "    } else {\n        Wire *wire = call_begin(ME);"
+    for (i = 1; i <= count; i++)
+        put("        ", i)
+    print "        wire = call_finish(ME);"
+    if (!is_void)
+        print "        wire_get(wire, &yours, sizeof yours);"
+    for (i = 1; i <= count; i++)
+        get_back(i)
+    print "        call_end(ME);\n    }"
+    print "    for (int i = -1; suspect_next(ME, &i);) {"
+    for (i = 1; i <= count; i++) {
+        if (type[i] == "Camera *")
+            print "        Camera " variable[i] "_theirs = " variable[i] "_before;"
+        if (type[i] == "Image *")
+            print "        Image " variable[i] "_theirs = image_copy(&" variable[i] "_before);"
+        if (type[i] == "double *")
+            print "        double *" variable[i] "_theirs = doubles_copy(" variable[i] "_before, image);"
+    }
+    print "        " (is_void ? "" : result " theirs = ") "((" cast ")suspect_answer(ME, i))(" \
+        theirs_arguments() ");"
+    print "        bool same = " (is_void ? "true" : "same_" result "(yours, theirs)") ";"
+    for (i = 1; i <= count; i++) {
+        if (type[i] == "Camera *")
+            print "        same = same && same_Camera(*" variable[i] ", " variable[i] "_theirs);"
+        if (type[i] == "Image *")
+            print "        same = same && same_Image(" variable[i] ", &" variable[i] "_theirs);"
+        if (type[i] == "double *")
+            print "        same = same && same_doubles(" variable[i] ", " variable[i] "_theirs, image);"
+    }
+    for (i = count; i >= 1; i--) {
+        if (type[i] == "Image *")
+            print "        image_free(&" variable[i] "_theirs);"
+        if (type[i] == "double *")
+            print "        free(" variable[i] "_theirs);"
+    }
+    print "        suspect_said(ME, i, same);\n    }"
+    print "    if (law_begin(ME))\n        law_" name "(" (is_void ? "" : "yours, ") names ");"
+    for (i = 1; i <= count; i++) {
+        if (type[i] == "Image *")
+            print "    image_free(&" variable[i] "_before);"
+        if (type[i] == "double *")
+            print "    free(" variable[i] "_before);"
+    }
+    if (!is_void)
+        print "    return yours;"
+    print "}\n"
+}
+
+function put(indent, i) {
+    if (type[i] == "const Scene *")
+        print indent "wire_put_scene(wire, " variable[i] ");"
+    else if (type[i] == "Image *")
+        print indent "wire_put_image(wire, " variable[i] ");"
+    else if (type[i] == "double *")
+        print indent "wire_put_doubles(wire, " variable[i] ", image);"
+    else if (type[i] ~ /\*$/)
+        print indent "wire_put(wire, " variable[i] ", sizeof *" variable[i] ");"
+    else
+        print indent "wire_put(wire, &" variable[i] ", sizeof " variable[i] ");"
+}
+
+function get_back(i) {
+    if (type[i] == "Camera *")
+        print "        wire_get(wire, " variable[i] ", sizeof *" variable[i] ");"
+    if (type[i] == "Image *")
+        print "        wire_get_pixels(wire, " variable[i] ");"
+    if (type[i] == "double *")
+        print "        wire_get_into_doubles(wire, " variable[i] ", image);"
+}
+
+function dispatch_head() {
+    includes()
+    print "#include \"tests/judge/dispatch.h\"\n"
+    print "bool dispatch(int exercise, Wire *in, Wire *wire)\n{\n    switch (exercise) {"
+}
+
+function dispatch(   i, v) {
+    print "    case " number - 1 ": {"
+    for (i = 1; i <= count; i++) {
+        v = variable[i]
+        if (type[i] == "const Scene *")
+            print "        Scene " v "_value;\n        const Scene *" v " = &" v "_value;\n" \
+                "        wire_get_scene(in, &" v "_value);"
+        else if (type[i] == "Image *")
+            print "        Image " v "_value;\n        Image *" v " = &" v "_value;\n" \
+                "        wire_get_image(in, &" v "_value);\n        const Image " v "_given = " v "_value;"
+        else if (type[i] == "double *")
+            print "        double *" v " = wire_get_doubles(in, image);\n        double *" v "_given = " v ";"
+        else if (type[i] ~ /\*$/)
+            print "        " substr(type[i], 1, length(type[i]) - 2) " " v "_value;\n        " type[i] v \
+                " = &" v "_value;\n        wire_get(in, " v ", sizeof *" v ");"
+        else
+            print "        " type[i] " " v ";\n        wire_get(in, &" v ", sizeof " v ");"
+    }
+    print "        if (!wire_is_read(in))\n            return false;"
+    if (result == "void")
+        print "        " name "(" names ");"
+    else
+        print "        " result " yours = " name "(" names ");\n        wire_put(wire, &yours, sizeof yours);"
+    for (i = 1; i <= count; i++) {
+        v = variable[i]
+        if (type[i] == "Camera *")
+            print "        wire_put(wire, &" v "_value, sizeof " v "_value);"
+        if (type[i] == "Image *")
+            print "        wire_put_pixels(wire, &" v "_given);"
+        if (type[i] == "double *")
+            print "        wire_put_doubles(wire, " v "_given, &image_given);"
+    }
+    for (i = count; i >= 1; i--) {
+        v = variable[i]
+        if (type[i] == "double *")
+            print "        free(" v "_given);"
+        if (type[i] == "Image *")
+            print "        free(" v "_given.rgb);"
+        if (type[i] == "const Scene *")
+            print "        scene_free(&" v "_value);"
+    }
+    print "        return true;\n    }"
+}

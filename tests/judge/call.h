@@ -1,0 +1,25 @@
+// call.h - the judge's side of a call to the answering process.
+//
+// The process is started when it is first needed, and again after it crashed, hung or left. A call
+// that brings no answer ends the test, with the reason in words; later calls of the same exercise
+// end theirs at once with the same reason, so that one endless loop is waited for once.
+#ifndef TESTS_JUDGE_CALL_H
+#define TESTS_JUDGE_CALL_H
+
+#include "tests/judge/wire.h"
+
+// The program that answers, and the file that catches what it prints (a descriptor).
+void call_answers_from(const char *program, int printed);
+
+// Begins a call of exercise number i: put the arguments into what comes back.
+Wire *call_begin(int exercise);
+
+// Sends it and waits. Get the results from what comes back; then end it: what came must have been
+// got to its end.
+Wire *call_finish(int exercise);
+void call_end(int exercise);
+
+// Ends the answering process.
+void call_stop(void);
+
+#endif

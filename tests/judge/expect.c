@@ -1,0 +1,148 @@
+// expect.c - what must come out of a test, and both sides in words where it does not.
+#include "tests/judge/record.h"
+#include "tests/judge/test.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+// Met: the next given begins a new case. Not met: both sides are kept and the test ends.
+static void settle(bool met, const char *yours, const char *expected)
+{
+    Record *record = record_now();
+    if (met && !record_is_missing()) {
+        record->closed = true;
+        return;
+    }
+    record_keep_printed();
+    snprintf(record->expected, sizeof record->expected, "%s", expected);
+    snprintf(record->yours, sizeof record->yours, "%s", yours);
+    ck_abort_msg("not as expected");
+}
+
+static bool near(double yours, double expected, double tolerance)
+{
+    return yours == expected || fabs(yours - expected) <= tolerance;
+}
+
+static bool vec3_near(vec3 yours, vec3 expected, double tolerance)
+{
+    return near(yours[0], expected[0], tolerance) && near(yours[1], expected[1], tolerance) &&
+           near(yours[2], expected[2], tolerance);
+}
+
+// Digits to show of two values: enough to see that they differ.
+#define SETTLE(met, text_of, yours, expected)                                                      \
+    do {                                                                                           \
+        int digits_ = 6;                                                                           \
+        while (digits_ < 17 &&                                                                     \
+               strcmp(text_of(yours, digits_).s, text_of(expected, digits_).s) == 0)               \
+            digits_++;                                                                             \
+        settle(met, text_of(yours, digits_).s, text_of(expected, digits_).s);                      \
+    } while (0)
+
+void expect_number(double yours, double expected, double tolerance)
+{
+    SETTLE(near(yours, expected, tolerance), number_text_to, yours, expected);
+}
+
+void expect_vec3(vec3 yours, vec3 expected, double tolerance)
+{
+    SETTLE(vec3_near(yours, expected, tolerance), vec3_text_to, yours, expected);
+}
+
+static Text two_numbers(vec3 v, int digits)
+{
+    Text text;
+    snprintf(text.s, sizeof text.s, "(%.40s, %.40s)", number_text_to(v[0], digits).s,
+             number_text_to(v[1], digits).s);
+    return text;
+}
+
+void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance)
+{
+    vec3 yours = vec3_of(yours_x, yours_y, 0), expected = vec3_of(x, y, 0);
+    SETTLE(vec3_near(yours, expected, tolerance), two_numbers, yours, expected);
+}
+
+void expect_camera(Camera yours, Camera expected, double tolerance)
+{
+    bool met = vec3_near(yours.origin, expected.origin, tolerance) &&
+               vec3_near(yours.right, expected.right, tolerance) &&
+               vec3_near(yours.up, expected.up, tolerance) &&
+               vec3_near(yours.forward, expected.forward, tolerance) &&
+               near(yours.distance, expected.distance, tolerance) &&
+               near(yours.width, expected.width, tolerance) &&
+               near(yours.height, expected.height, tolerance);
+    char y[CAMERA_WORDS], e[CAMERA_WORDS];
+    int digits = 6;
+    do {
+        camera_words(y, sizeof y, yours, digits);
+        camera_words(e, sizeof e, expected, digits);
+    } while (strcmp(y, e) == 0 && ++digits <= 17);
+    settle(met, y, e);
+}
+
+void expect_fault(CameraFault yours, CameraFault expected)
+{
+    settle(yours == expected, yours == CAMERA_OK ? "a camera" : camera_fault_text(yours),
+           expected == CAMERA_OK ? "a camera" : camera_fault_text(expected));
+}
+
+void expect_int(long yours, long expected)
+{
+    char y[32], e[32];
+    snprintf(y, sizeof y, "%ld", yours);
+    snprintf(e, sizeof e, "%ld", expected);
+    settle(yours == expected, y, e);
+}
+
+void expect_text(const char *yours, const char *expected)
+{
+    settle(strcmp(yours, expected) == 0, yours, expected);
+}
+
+void expect_same_ray(Ray yours, Ray expected, double tolerance)
+{
+    double length = vec3_length(yours.direction);
+    vec3 scaled = vec3_length(expected.direction) / length * yours.direction;
+    bool met = length > 0 && vec3_near(yours.origin, expected.origin, tolerance) &&
+               vec3_near(scaled, expected.direction, tolerance);
+    char y[400], e[400];
+    snprintf(y, sizeof y, "origin %s, direction %s", vec3_text_to(yours.origin, 9).s,
+             vec3_text_to(yours.direction, 9).s);
+    snprintf(e, sizeof e, "origin %s, direction %s (or any positive multiple)",
+             vec3_text_to(expected.origin, 9).s, vec3_text_to(expected.direction, 9).s);
+    settle(met, y, e);
+}
+
+void expect_same_image(const Image *yours, const Image *expected)
+{
+    size_t pixels = (size_t)expected->size.width * (size_t)expected->size.height;
+    size_t first = 0, different = 0;
+    for (size_t i = pixels; i-- > 0;)
+        if (memcmp(yours->rgb + 3 * i, expected->rgb + 3 * i, 3) != 0) {
+            first = i;
+            different++;
+        }
+    const uint8_t *y = yours->rgb + 3 * first, *e = expected->rgb + 3 * first;
+    size_t width = (size_t)expected->size.width;
+    char yw[200], ew[200];
+    snprintf(ew, sizeof ew, "in column %zu, row %zu: red %d, green %d, blue %d", first % width,
+             first / width, e[0], e[1], e[2]);
+    snprintf(yw, sizeof yw,
+             "in column %zu, row %zu: red %d, green %d, blue %d; %zu of %zu pixels "
+             "differ",
+             first % width, first / width, y[0], y[1], y[2], different, pixels);
+    settle(different == 0, yw, ew);
+}
+
+void expect_law(bool holds, const char *expected, const char *format, ...)
+{
+    char yours[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(yours, sizeof yours, format, arguments);
+    va_end(arguments);
+    settle(holds, yours, expected);
+}

@@ -1,0 +1,170 @@
+// judge.c - the tests of a stem against an answering process: the verdict.
+//
+//   PROGRAM ANSWERS FOLDER           all tests. FOLDER/table gets a line per function:
+//                                    NAME right | wrong | unanswered | waiting NAME, a + before
+//                                    the name for its extra tests; FOLDER/NAME what to tell
+//                                    the student, FOLDER/NAME.debug where gdb stops for it
+//   PROGRAM ANSWERS --only NAME      exit status 0 where NAME passes all its graded tests
+//
+// The student's code is in the process ANSWERS. This one never loads, parses or runs any of it.
+#include "tests/judge/call.h"
+#include "tests/judge/runner.h"
+#include "tests/judge/show.h"
+#include "tests/judge/suspects.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static Outcomes outcomes;
+
+// The tests of one function, graded or extra, stand together in the list.
+typedef struct {
+    const char *function;
+    bool extra;
+    const Outcome *failed; // the first that did not pass; NULL where all did
+} Group;
+
+// The group that begins with test i; where the next one begins.
+static int next_group(int i, Group *group)
+{
+    *group = (Group){outcomes.tests[i].function, outcomes.tests[i].extra, NULL};
+    for (; i < outcomes.count; i++) {
+        const Outcome *test = &outcomes.tests[i];
+        if (test->function != group->function || test->extra != group->extra)
+            break;
+        if (group->failed == NULL && !test->passed)
+            group->failed = test;
+    }
+    return i;
+}
+
+static FILE *create(const char *folder, const char *name, const char *ending)
+{
+    char path[4096];
+    int length = snprintf(path, sizeof path, "%s/%s%s", folder, name, ending);
+    FILE *file = length < (int)sizeof path ? fopen(path, "w") : NULL;
+    if (file == NULL) {
+        perror(path);
+        exit(2);
+    }
+    return file;
+}
+
+static void show_header(FILE *out, const Exercise *exercise, const char *state)
+{
+    int column = fprintf(out, "%s  %s%s", exercise->stem, exercise->name, state);
+    int room = SHOW_COLUMNS - column - 7;
+    if (room > (int)strlen(exercise->slide))
+        fprintf(out, "%*s%s", SHOW_COLUMNS - column - (int)strlen(exercise->slide),
+                "slide: ", exercise->slide);
+    fprintf(out, "\n");
+}
+
+// The sentence that a test's name is.
+static void show_sentence(FILE *out, const char *name)
+{
+    fprintf(out, "  ");
+    for (; *name != '\0'; name++)
+        putc(*name == '_' ? ' ' : *name, out);
+    fprintf(out, "\n");
+}
+
+static void show_diagnosis(FILE *out, int exercise)
+{
+    char words[1000];
+    const Mistake *mistake = suspect(exercise, 0, false);
+    const char *law = suspect_broke_law(exercise);
+    if (mistake != NULL) {
+        snprintf(words, sizeof words, "%s: %s", mistake->formula, mistake->why);
+        show_field(out, "looks like", words);
+        show_field(out, "you'd see", mistake->picture);
+    } else if (law != NULL) {
+        show_field(out, "but", law);
+    }
+}
+
+static void tell(const char *folder, const Group *group, bool unanswered)
+{
+    int number = exercise_number(group->function);
+    const Exercise *exercise = &exercises[number];
+    const Record *record = group->failed->record;
+    FILE *out = create(folder, group->function, group->extra ? "+" : "");
+    show_header(out, exercise, unanswered ? "  is not answered yet" : "");
+    if (unanswered)
+        show_field(out, "asked", exercise->prompt);
+    else
+        show_sentence(out, group->failed->name);
+    show_outcome(out, group->failed);
+    if (!group->extra && record->missing[0] == '\0' && record->how[0] == '\0')
+        show_diagnosis(out, number);
+    fprintf(out, "  try        make hint EX=%.2s\n", exercise->stem);
+    fclose(out);
+
+    out = create(folder, group->function, group->extra ? "+.debug" : ".debug");
+    fprintf(out, "%s %d\n", group->failed->name, record->cases);
+    fclose(out);
+}
+
+static int verdict(const char *folder)
+{
+    FILE *table = create(folder, "table.new", "");
+    bool all_right = true;
+    Group group;
+    for (int i = 0; i < outcomes.count;) {
+        i = next_group(i, &group);
+        const char *missing = group.failed == NULL ? "" : group.failed->record->missing;
+        bool unanswered = strcmp(missing, group.function) == 0;
+        fprintf(table, "%s%s ", group.extra ? "+" : "", group.function);
+        if (group.failed == NULL)
+            fprintf(table, "right\n");
+        else if (unanswered)
+            fprintf(table, "unanswered\n");
+        else if (missing[0] != '\0')
+            fprintf(table, "waiting %s\n", missing);
+        else
+            fprintf(table, "wrong\n");
+        if (group.failed != NULL)
+            tell(folder, &group, unanswered);
+        all_right = all_right && (group.extra || group.failed == NULL);
+    }
+    fclose(table);
+    char from[4096], to[4096];
+    snprintf(from, sizeof from, "%s/table.new", folder);
+    snprintf(to, sizeof to, "%s/table", folder);
+    if (rename(from, to) != 0) {
+        perror(to);
+        exit(2);
+    }
+    return all_right ? 0 : 1;
+}
+
+static int passes(const char *function)
+{
+    bool good = outcomes.count > 0;
+    for (int i = 0; i < outcomes.count; i++)
+        good = good && (outcomes.tests[i].passed || outcomes.tests[i].extra);
+    return good && exercise_number(function) >= 0 ? 0 : 1;
+}
+
+int main(int argc, char **argv)
+{
+    bool only = argc == 4 && strcmp(argv[2], "--only") == 0;
+    if (argc != 3 && !only) {
+        fprintf(stderr, "Usage: %s ANSWERS FOLDER | ANSWERS --only NAME\n", argv[0]);
+        return 2;
+    }
+    FILE *printed = tmpfile();
+    if (printed == NULL) {
+        perror("no file for what the answers print");
+        return 2;
+    }
+    const char *slash = strrchr(argv[0], '/');
+    switch_to_process(slash != NULL ? slash + 1 : argv[0]);
+    call_answers_from(argv[1], fileno(printed));
+    records_catch_printed(fileno(printed));
+    suspects_begin();
+    run_tests(only ? argv[3] : NULL, NULL, ANSWERS_APART, &outcomes);
+    call_stop();
+    return only ? passes(argv[3]) : verdict(argv[2]);
+}

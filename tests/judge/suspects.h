@@ -1,0 +1,32 @@
+// suspects.h - which known mistake a wrong answer is, and which law it breaks.
+//
+// A mistake is suspected until, on some input, it returns something else than the answer did. What
+// is left when all tests have run agreed on all of them. Where nobody is left, the first law that
+// was broken still helps.
+#ifndef TESTS_JUDGE_SUSPECTS_H
+#define TESTS_JUDGE_SUSPECTS_H
+
+#include "tests/judge/switchboard.h"
+#include "tests/mistakes/mistakes.h"
+
+#include <stdbool.h>
+
+// Everybody is suspected again, no law is broken.
+void suspects_begin(void);
+
+// Who is left of an exercise: the nth, from 0; NULL where there are no more, or where the exercise
+// was never called. extra: those too that only extra tests can tell from right.
+const Mistake *suspect(int exercise, int nth, bool extra);
+
+// The first law that was broken by an exercise, in words; NULL where none was.
+const char *suspect_broke_law(int exercise);
+
+// For the proxies. Goes to the next mistake of the exercise that is still suspected, from -1.
+bool suspect_next(int exercise, int *i);
+AnyFunction *suspect_answer(int exercise, int i);
+void suspect_said(int exercise, int i, bool same);
+
+// Whether to look at the laws of this exercise: until one is broken.
+bool law_begin(int exercise);
+
+#endif

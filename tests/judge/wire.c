@@ -1,0 +1,145 @@
+// wire.c - one message between the judge and the answering process.
+#include "tests/judge/wire.h"
+
+#include <string.h>
+
+void wire_clear(Wire *wire)
+{
+    wire->size = wire->read = 0;
+    wire->bad = false;
+}
+
+void wire_put(Wire *wire, const void *value, size_t size)
+{
+    if (size > WIRE_MOST_BYTES - wire->size) {
+        wire->bad = true;
+        return;
+    }
+    if (wire->size + size > wire->room) {
+        size_t room = 2 * (wire->size + size) + 256;
+        uint8_t *bytes = realloc(wire->bytes, room);
+        if (bytes == NULL) {
+            wire->bad = true;
+            return;
+        }
+        wire->bytes = bytes;
+        wire->room = room;
+    }
+    if (size > 0)
+        memcpy(wire->bytes + wire->size, value, size);
+    wire->size += size;
+}
+
+void wire_get(Wire *wire, void *value, size_t size)
+{
+    if (wire->bad || size > wire->size - wire->read) {
+        wire->bad = true;
+        memset(value, 0xff, size); // the impossible, as of a blank
+        return;
+    }
+    if (size > 0)
+        memcpy(value, wire->bytes + wire->read, size);
+    wire->read += size;
+}
+
+bool wire_is_read(const Wire *wire)
+{
+    return !wire->bad && wire->read == wire->size;
+}
+
+static void put_items(Wire *wire, const void *items, int count, size_t size)
+{
+    wire_put(wire, &count, sizeof count);
+    wire_put(wire, items, (size_t)count * size);
+}
+
+static void *get_items(Wire *wire, int *count, size_t size)
+{
+    wire_get(wire, count, sizeof *count);
+    if (wire->bad || *count < 0 || (size_t)*count > (wire->size - wire->read) / size) {
+        wire->bad = true;
+        *count = 0;
+        return NULL;
+    }
+    void *items = malloc((size_t)*count * size + 1);
+    if (items == NULL) {
+        wire->bad = true;
+        *count = 0;
+        return NULL;
+    }
+    wire_get(wire, items, (size_t)*count * size);
+    return items;
+}
+
+void wire_put_scene(Wire *wire, const Scene *scene)
+{
+    wire_put(wire, &scene->view, sizeof scene->view);
+    wire_put(wire, &scene->background, sizeof scene->background);
+    put_items(wire, scene->spheres, scene->sphere_count, sizeof *scene->spheres);
+    put_items(wire, scene->surfaces, scene->surface_count, sizeof *scene->surfaces);
+    put_items(wire, scene->lights, scene->light_count, sizeof *scene->lights);
+}
+
+void wire_get_scene(Wire *wire, Scene *scene)
+{
+    *scene = (Scene){0};
+    wire_get(wire, &scene->view, sizeof scene->view);
+    wire_get(wire, &scene->background, sizeof scene->background);
+    scene->spheres = get_items(wire, &scene->sphere_count, sizeof *scene->spheres);
+    scene->surfaces = get_items(wire, &scene->surface_count, sizeof *scene->surfaces);
+    scene->lights = get_items(wire, &scene->light_count, sizeof *scene->lights);
+}
+
+static size_t pixels_of(const Image *image)
+{
+    return (size_t)image->size.width * (size_t)image->size.height;
+}
+
+void wire_put_pixels(Wire *wire, const Image *image)
+{
+    wire_put(wire, image->rgb, 3 * pixels_of(image));
+}
+
+void wire_get_pixels(Wire *wire, Image *image)
+{
+    wire_get(wire, image->rgb, 3 * pixels_of(image));
+}
+
+void wire_put_image(Wire *wire, const Image *image)
+{
+    wire_put(wire, &image->size, sizeof image->size);
+    wire_put_pixels(wire, image);
+}
+
+void wire_get_image(Wire *wire, Image *image)
+{
+    Message message;
+    Resolution size;
+    wire_get(wire, &size, sizeof size);
+    if (wire->bad || !image_create(image, size, &message)) {
+        *image = (Image){0};
+        wire->bad = true;
+        return;
+    }
+    wire_get_pixels(wire, image);
+}
+
+void wire_put_doubles(Wire *wire, const double *doubles, const Image *image)
+{
+    wire_put(wire, doubles, sizeof *doubles * pixels_of(image));
+}
+
+void wire_get_into_doubles(Wire *wire, double *doubles, const Image *image)
+{
+    wire_get(wire, doubles, sizeof *doubles * pixels_of(image));
+}
+
+double *wire_get_doubles(Wire *wire, const Image *image)
+{
+    double *doubles = malloc(sizeof *doubles * pixels_of(image) + 1);
+    if (doubles == NULL)
+        wire->bad = true;
+    else
+        wire_get_into_doubles(wire, doubles, image);
+    return doubles;
+}

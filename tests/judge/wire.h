@@ -1,0 +1,66 @@
+// wire.h - one message between the judge and the answering process: bytes, put and got in order.
+//
+// Both ends are of one build on one machine, so a value crosses as it lies in memory; what it
+// points to crosses behind it. Getting never reads beyond the end: it marks the message as bad.
+#ifndef TESTS_JUDGE_WIRE_H
+#define TESTS_JUDGE_WIRE_H
+
+#include "common/image.h"
+#include "common/scene.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+enum { WIRE_MOST_BYTES = 64 << 20 };
+
+typedef struct {
+    uint8_t *bytes; // from malloc
+    size_t size;    // how many were put
+    size_t room;    // how many there is room for
+    size_t read;    // how many were got
+    bool bad;       // too short, too long, or senseless
+} Wire;
+
+// In front of every message.
+typedef struct {
+    uint32_t magic;
+    int32_t exercise;
+    uint64_t nonce; // new for every call; the answer must bring it back
+    uint64_t size;  // of the message that follows
+    int32_t kind;
+    char missing[60]; // in an answer: the first blank that was called; empty where none was
+} WireHeader;
+
+enum { WIRE_MAGIC = 0x52617943 };
+enum { WIRE_CALL, WIRE_ANSWER, WIRE_CRASH };
+
+// The message of a crash.
+typedef struct {
+    int32_t signal;
+    int32_t access; // of memory: 0 a read, 1 a write, -1 not known
+    uint64_t address;
+    int32_t stack_overflow;
+    int32_t out_of_memory; // an allocation had failed before
+} WireCrash;
+
+void wire_clear(Wire *wire);
+void wire_put(Wire *wire, const void *value, size_t size);
+void wire_get(Wire *wire, void *value, size_t size);
+bool wire_is_read(const Wire *wire); // to its end, and nothing was bad
+
+void wire_put_scene(Wire *wire, const Scene *scene);
+void wire_get_scene(Wire *wire, Scene *scene); // free it with scene_free
+
+void wire_put_image(Wire *wire, const Image *image);
+void wire_get_image(Wire *wire, Image *image); // free it with image_free
+void wire_put_pixels(Wire *wire, const Image *image);
+void wire_get_pixels(Wire *wire, Image *image); // into an image of the same size
+
+// One per pixel of the image.
+void wire_put_doubles(Wire *wire, const double *doubles, const Image *image);
+double *wire_get_doubles(Wire *wire, const Image *image); // from malloc
+void wire_get_into_doubles(Wire *wire, double *doubles, const Image *image);
+
+#endif
