@@ -1,114 +1,46 @@
-// 01-corners.c - wrong answers to exercise 01.
+// 01-corners.c - wrong answers to exercise 01: cameras of unit distance, and where the rest is.
 #include "exercises/01-corners.h"
-
 #include "tests/mistakes/mistakes.h"
 
-static vec3 whole_width_and_height(Camera c)
+extern const Mistake corner_size_mistakes[], corner_way_mistakes[];
+extern const Mistake across_mistakes[], place_mistakes[];
+
+// What is right, for those who spoil it afterwards.
+static Camera width_and_height_divided(Camera c)
 {
-    return c.distance * c.forward - c.width * c.right + c.height * c.up;
+    c.width /= c.distance;
+    c.height /= c.distance;
+    return c;
 }
 
-static vec3 down_for_up(Camera c)
+static Camera left_as_it_was(Camera c)
 {
-    return c.distance * c.forward - c.width / 2 * c.right - c.height / 2 * c.up;
-}
-
-static vec3 right_for_left(Camera c)
-{
-    return c.distance * c.forward + c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
-static vec3 left_for_right(Camera c)
-{
-    return c.distance * c.forward - c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
-static vec3 forward_without_distance(Camera c)
-{
-    return c.forward - c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
-static vec3 point_for_vector(Camera c)
-{
-    return c.origin + left_for_right(c);
-}
-
-static vec3 point_minus_eye(Camera c)
-{
-    return left_for_right(c) - c.origin;
-}
-
-static vec3 counted_from_the_middle(Camera c)
-{
-    return c.distance * c.forward + 0.3 * c.width * c.right + 0.1 * c.height * c.up;
-}
-
-static vec3 across_10_up_30(Camera c)
-{
-    return image_plane_vector(c, 0.1, 0.3);
-}
-
-static vec3 down_from_the_top(Camera c)
-{
-    return image_plane_vector(c, 0.3, 0.9);
-}
-
-static vec3 width_for_both(Camera c)
-{
-    return c.distance * c.forward - c.width / 2 * c.right + c.width / 2 * c.up;
-}
-
-static vec3 right_width_for_both(Camera c)
-{
-    return c.distance * c.forward + c.width / 2 * c.right + c.width / 2 * c.up;
-}
-
-static vec3 behind_the_eye(Camera c)
-{
-    return -c.distance * c.forward - c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
-static vec3 height_not_halved(Camera c)
-{
-    return c.distance * c.forward - c.width / 2 * c.right + c.height * c.up;
-}
-
-static vec3 right_up_swapped(Camera c)
-{
-    return c.distance * c.forward - c.width / 2 * c.up + c.height / 2 * c.right;
-}
-
-static vec3 general_from_the_middle(Camera c, double s, double t)
-{
-    return c.distance * c.forward + s * c.width * c.right + t * c.height * c.up;
-}
-
-static vec3 general_t_downward(Camera c, double s, double t)
-{
-    return c.distance * c.forward + (s - 0.5) * c.width * c.right - (t - 0.5) * c.height * c.up;
-}
-
-static vec3 general_swapped(Camera c, double s, double t)
-{
-    return c.distance * c.forward + (t - 0.5) * c.width * c.right + (s - 0.5) * c.height * c.up;
-}
-
-static vec3 general_without_width(Camera c, double s, double t)
-{
-    return c.distance * c.forward + (s - 0.5) * c.right + (t - 0.5) * c.up;
-}
-
-static vec3 general_clamped(Camera c, double s, double t)
-{
-    s = s < 0 ? 0 : s > 1 ? 1 : s;
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
-    return c.distance * c.forward + (s - 0.5) * c.width * c.right + (t - 0.5) * c.height * c.up;
+    return c;
 }
 
 static Camera only_the_distance(Camera c)
 {
     c.distance = 1;
     return c;
+}
+
+static Camera only_the_width(Camera c)
+{
+    c.width /= c.distance;
+    c.distance = 1;
+    return c;
+}
+
+static Camera only_the_height(Camera c)
+{
+    c.height /= c.distance;
+    c.distance = 1;
+    return c;
+}
+
+static Camera distance_left(Camera c)
+{
+    return width_and_height_divided(c);
 }
 
 static Camera times_the_distance(Camera c)
@@ -119,50 +51,132 @@ static Camera times_the_distance(Camera c)
     return c;
 }
 
-static Camera divided_by_one(Camera c)
+static Camera fractions_upside_down(Camera c)
 {
+    c.width = c.distance / c.width;
+    c.height = c.distance / c.height;
     c.distance = 1;
+    return c;
+}
+
+static Camera halved(Camera c)
+{
+    c.width /= 2;
+    c.height /= 2;
+    c.distance = 1;
+    return c;
+}
+
+static Camera doubled(Camera c)
+{
+    c.width *= 2;
+    c.height *= 2;
+    c.distance *= 2;
+    return c;
+}
+
+static Camera sizes_swapped(Camera c)
+{
+    double width = c.width;
+    c.width = c.height / c.distance;
+    c.height = width / c.distance;
+    c.distance = 1;
+    return c;
+}
+
+static Camera width_for_both(Camera c)
+{
     c.width /= c.distance;
-    c.height /= c.distance;
+    c.height = c.width;
+    c.distance = 1;
     return c;
 }
 
 static Camera eye_moved_to_the_plane(Camera c)
 {
-    Camera same = {c.origin + (c.distance - 1) * c.forward,
-                   c.right,
-                   c.up,
-                   c.forward,
-                   1,
-                   c.width / c.distance,
-                   c.height / c.distance};
-    return same;
+    c = width_and_height_divided(c);
+    c.origin += (c.distance - 1) * c.forward;
+    c.distance = 1;
+    return c;
 }
 
-const Mistake mistakes[] = {
-    MISTAKE("C1", upper_left, whole_width_and_height, "the whole width and height, not half"),
-    MISTAKE("C2", upper_left, down_for_up, "the sign of u"),
-    MISTAKE("C3", upper_left, right_for_left, "the sign of r"),
-    MISTAKE("C3-right", upper_right, left_for_right, "the sign of r"),
-    MISTAKE("C4", upper_left, forward_without_distance, "f in place of d f"),
-    MISTAKE("C5", upper_left, point_for_vector, "the point, not the vector from the eye"),
-    MISTAKE("C5-minus", upper_left, point_minus_eye, "the eye subtracted from a vector"),
-    MISTAKE("C6", across_30_up_10, counted_from_the_middle, "30% and 10% from the middle"),
-    MISTAKE("C6-swap", across_30_up_10, across_10_up_30, "10% across, 30% up"),
-    MISTAKE("C6-top", across_30_up_10, down_from_the_top, "10% down from the top"),
-    MISTAKE("C7", upper_left, width_for_both, "w for both"),
-    MISTAKE("C7-right", upper_right, right_width_for_both, "w for both"),
-    MISTAKE("C9", upper_left, behind_the_eye, "-d f"),
-    MISTAKE("C1-h", upper_left, height_not_halved, "h not halved"),
-    MISTAKE("C-ru", upper_left, right_up_swapped, "r and u swapped"),
-    MISTAKE("G-middle", image_plane_vector, general_from_the_middle, "s, t from the middle"),
-    MISTAKE("G-down", image_plane_vector, general_t_downward, "t downward"),
-    MISTAKE("G-swap", image_plane_vector, general_swapped, "s and t swapped"),
-    MISTAKE("G-unit", image_plane_vector, general_without_width, "w and h left out"),
-    MISTAKE("G-clamp", image_plane_vector, general_clamped, "s and t held in 0..1"),
-    MISTAKE("D-only", with_unit_distance, only_the_distance, "w and h left as they were"),
-    MISTAKE("D-times", with_unit_distance, times_the_distance, "w d and h d"),
-    MISTAKE("D-order", with_unit_distance, divided_by_one, "d set to 1 before it divides"),
-    MISTAKE("D-eye", with_unit_distance, eye_moved_to_the_plane, "the eye moved forward"),
+static Camera eye_divided(Camera c)
+{
+    c = width_and_height_divided(c);
+    c.origin /= c.distance;
+    c.distance = 1;
+    return c;
+}
+
+static Camera forward_divided(Camera c)
+{
+    c = width_and_height_divided(c);
+    c.forward /= c.distance;
+    c.distance = 1;
+    return c;
+}
+
+static Camera forward_times_distance(Camera c)
+{
+    c = width_and_height_divided(c);
+    c.forward *= c.distance;
+    c.distance = 1;
+    return c;
+}
+
+static const Mistake unit_distance_mistakes[] = {
+    MISTAKE("D-same", with_unit_distance, left_as_it_was, "d, w, h as they were",
+            "the camera comes back unchanged. If you changed a copy of it, return the copy.",
+            "the same picture, but d is still not 1"),
+    MISTAKE("D-only", with_unit_distance, only_the_distance, "1, w, h",
+            "the plane comes nearer but stays as large. If you divide after setting d to 1, you "
+            "divide by 1.",
+            "a wider view, where d was more than 1"),
+    MISTAKE("D-w", with_unit_distance, only_the_width, "1, w/d, h",
+            "the height stays as it was, so the plane changes its shape. If you set d to 1 in "
+            "between, you divide by 1.",
+            "everything squashed, where d was more than 1"),
+    MISTAKE("D-h", with_unit_distance, only_the_height, "1, w, h/d",
+            "the width stays as it was, so the plane changes its shape.",
+            "everything slimmer, where d was more than 1"),
+    MISTAKE("D-left", with_unit_distance, distance_left, "d, w/d, h/d",
+            "the plane shrinks but stays as far away. It is d that is to become 1.",
+            "a narrower view, where d was more than 1"),
+    MISTAKE("D-times", with_unit_distance, times_the_distance, "1, w d, h d",
+            "a plane that comes nearer has to shrink to fill the same view; this one grows.",
+            "a much wider view, where d was more than 1"),
+    MISTAKE("D-over", with_unit_distance, fractions_upside_down, "1, d/w, d/h",
+            "the fractions are upside down. A wider plane would give a narrower view.",
+            "another view, and not of the same shape"),
+    MISTAKE("D-half", with_unit_distance, halved, "1, w/2, h/2",
+            "halving is right only where d was 2. How much the plane shrinks depends on how far "
+            "away it was.",
+            "right where d = 2; elsewhere as if through another lens"),
+    MISTAKE(
+        "D-double", with_unit_distance, doubled, "2 d, 2 w, 2 h",
+        "that shows that doubling does not matter; but the camera wanted is the one whose d is 1.",
+        "the same picture, but d is not 1"),
+    MISTAKE("D-sizes", with_unit_distance, sizes_swapped, "1, h/d, w/d",
+            "w and h have changed places.", "right where w = h; elsewhere squashed or stretched"),
+    MISTAKE("D-width", with_unit_distance, width_for_both, "1, w/d, w/d",
+            "the width, both times. The plane is to keep its shape.",
+            "right where w = h; elsewhere squashed or stretched"),
+    MISTAKE("D-eye", with_unit_distance, eye_moved_to_the_plane, "1, w/d, h/d and p + (d - 1) f",
+            "the eye has moved. The same picture is seen from the same place: it is the plane that "
+            "moves.",
+            "other things in front of each other, nearer ones larger"),
+    MISTAKE("D-p", with_unit_distance, eye_divided, "1, w/d, h/d and p/d",
+            "the eye has moved. It is the plane that shrinks towards the eye, not the world.",
+            "right with the eye at the origin; elsewhere another view"),
+    MISTAKE("D-f", with_unit_distance, forward_divided, "1, w/d, h/d and f/d",
+            "f is a direction of length 1 and stays so. How far away the plane is, d alone says.",
+            "a wider view, where d was more than 1"),
+    MISTAKE("D-d-f", with_unit_distance, forward_times_distance, "1, w/d, h/d and d f",
+            "f is a direction of length 1 and stays so. Now the plane is as far away as it was, "
+            "but smaller.",
+            "a narrower view, where d was more than 1"),
     {0},
 };
+
+const Mistake *const mistakes[] = {corner_size_mistakes, corner_way_mistakes,    across_mistakes,
+                                   place_mistakes,       unit_distance_mistakes, NULL};

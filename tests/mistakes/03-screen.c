@@ -1,154 +1,8 @@
-// 03-screen.c - wrong answers to exercise 03.
+// 03-screen.c - wrong answers to exercise 03: centres of pixels, and where the rest is.
 #include "exercises/03-screen.h"
-
 #include "tests/mistakes/mistakes.h"
 
-#include <math.h>
-
-static Normalized not_turned_over(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){p.x / screen.width, p.y / screen.height};
-}
-
-static Normalized whole_numbers_divided(ScreenPoint p, Resolution screen)
-{
-    int x = (int)p.x, y = (int)p.y;
-    return (Normalized){x / screen.width, 1 - y / screen.height};
-}
-
-static Normalized one_pixel_less(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){p.x / (screen.width - 1), 1 - p.y / (screen.height - 1)};
-}
-
-static Normalized s_and_t_swapped(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){1 - p.y / screen.height, p.x / screen.width};
-}
-
-static Normalized x_turned_over(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){1 - p.x / screen.width, p.y / screen.height};
-}
-
-static Normalized both_turned_over(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){1 - p.x / screen.width, 1 - p.y / screen.height};
-}
-
-static Normalized from_minus_1_to_1(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){2 * p.x / screen.width - 1, 1 - 2 * p.y / screen.height};
-}
-
-static Normalized width_and_height_swapped(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){p.x / screen.height, 1 - p.y / screen.width};
-}
-
-static Normalized width_for_both(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){p.x / screen.width, 1 - p.y / screen.width};
-}
-
-static Normalized turned_over_in_pixels(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){p.x / screen.width, (1 - p.y) / screen.height};
-}
-
-static Normalized t_below_zero(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){p.x / screen.width, p.y / screen.height - 1};
-}
-
-static Normalized last_row_turned_over(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){p.x / screen.width, (screen.height - 1 - p.y) / screen.height};
-}
-
-static Normalized whole_pixels_only(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){floor(p.x) / screen.width, 1 - floor(p.y) / screen.height};
-}
-
-static Normalized half_a_pixel_added(ScreenPoint p, Resolution screen)
-{
-    return (Normalized){(p.x + 0.5) / screen.width, 1 - (p.y + 0.5) / screen.height};
-}
-
-static Normalized held_in_the_square(ScreenPoint p, Resolution screen)
-{
-    double s = p.x / screen.width, t = 1 - p.y / screen.height;
-    return (Normalized){fmin(fmax(s, 0), 1), fmin(fmax(t, 0), 1)};
-}
-
-static Normalized half_of_whole_numbers(ScreenPoint p, Resolution screen)
-{
-    int half_width = screen.width / 2, half_height = screen.height / 2;
-    return (Normalized){0.5 + 0.5 * (p.x - half_width) / fmax(half_width, 1),
-                        0.5 - 0.5 * (p.y - half_height) / fmax(half_height, 1)};
-}
-
-static ScreenPoint back_not_turned_over(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){place.s * screen.width, place.t * screen.height};
-}
-
-static ScreenPoint back_one_pixel_less(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){place.s * (screen.width - 1), (1 - place.t) * (screen.height - 1)};
-}
-
-static ScreenPoint back_swapped(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){(1 - place.t) * screen.width, place.s * screen.height};
-}
-
-static ScreenPoint back_x_turned_over(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){(1 - place.s) * screen.width, place.t * screen.height};
-}
-
-static ScreenPoint back_sizes_swapped(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){place.s * screen.height, (1 - place.t) * screen.width};
-}
-
-static ScreenPoint back_in_pixels(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){place.s * screen.width, 1 - place.t * screen.height};
-}
-
-static ScreenPoint back_above_the_screen(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){place.s * screen.width, (place.t - 1) * screen.height};
-}
-
-static ScreenPoint back_to_whole_pixels(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){floor(place.s * screen.width), floor((1 - place.t) * screen.height)};
-}
-
-static ScreenPoint back_rounded(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){round(place.s * screen.width), round((1 - place.t) * screen.height)};
-}
-
-static ScreenPoint back_half_a_pixel_less(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){place.s * screen.width - 0.5, (1 - place.t) * screen.height - 0.5};
-}
-
-static ScreenPoint back_held_on_the_screen(Normalized place, Resolution screen)
-{
-    double x = place.s * screen.width, y = (1 - place.t) * screen.height;
-    return (ScreenPoint){fmin(fmax(x, 0), screen.width), fmin(fmax(y, 0), screen.height)};
-}
-
-static ScreenPoint back_by_dividing(Normalized place, Resolution screen)
-{
-    return (ScreenPoint){place.s / screen.width, (1 - place.t) / screen.height};
-}
+extern const Mistake there_mistakes[], back_mistakes[];
 
 static ScreenPoint corner_of_the_pixel(Pixel pixel)
 {
@@ -175,9 +29,9 @@ static ScreenPoint half_a_pixel_up(Pixel pixel)
     return (ScreenPoint){pixel.column + 0.5, pixel.row - 0.5};
 }
 
-static ScreenPoint half_of_the_column(Pixel pixel)
+static ScreenPoint half_a_pixel_left(Pixel pixel)
 {
-    return (ScreenPoint){(pixel.column + 1) / 2.0, (pixel.row + 1) / 2.0};
+    return (ScreenPoint){pixel.column - 0.5, pixel.row + 0.5};
 }
 
 static ScreenPoint only_the_column(Pixel pixel)
@@ -185,41 +39,83 @@ static ScreenPoint only_the_column(Pixel pixel)
     return (ScreenPoint){pixel.column + 0.5, pixel.row};
 }
 
-const Mistake mistakes[] = {
-    MISTAKE("N1", screen_to_normalized, not_turned_over, "y not turned over"),
-    MISTAKE("N2", screen_to_normalized, whole_numbers_divided, "integer division"),
-    MISTAKE("N3", screen_to_normalized, one_pixel_less, "divided by W - 1, H - 1"),
-    MISTAKE("N4", screen_to_normalized, s_and_t_swapped, "s and t swapped"),
-    MISTAKE("N6", screen_to_normalized, x_turned_over, "x turned over, not y"),
-    MISTAKE("N6-both", screen_to_normalized, both_turned_over, "x turned over as well"),
-    MISTAKE("N7", screen_to_normalized, from_minus_1_to_1, "onto -1..1"),
-    MISTAKE("N-sizes", screen_to_normalized, width_and_height_swapped, "x / H, y / W"),
-    MISTAKE("N-width", screen_to_normalized, width_for_both, "W for both"),
-    MISTAKE("N-order", screen_to_normalized, turned_over_in_pixels, "(1 - y) / H"),
-    MISTAKE("N-minus", screen_to_normalized, t_below_zero, "y / H - 1"),
-    MISTAKE("N-last", screen_to_normalized, last_row_turned_over, "H - 1 - y, as for a row"),
-    MISTAKE("N-floor", screen_to_normalized, whole_pixels_only, "the point cut to whole pixels"),
-    MISTAKE("N-half", screen_to_normalized, half_a_pixel_added, "half a pixel added to a point"),
-    MISTAKE("N-clamp", screen_to_normalized, held_in_the_square, "s and t held in 0..1"),
-    MISTAKE("N-odd", screen_to_normalized, half_of_whole_numbers, "W / 2 and H / 2 as integers"),
-    MISTAKE("B1", normalized_to_screen, back_not_turned_over, "t not turned over"),
-    MISTAKE("B3", normalized_to_screen, back_one_pixel_less, "times W - 1, H - 1"),
-    MISTAKE("B4", normalized_to_screen, back_swapped, "x from t, y from s"),
-    MISTAKE("B6", normalized_to_screen, back_x_turned_over, "s turned over, not t"),
-    MISTAKE("B-sizes", normalized_to_screen, back_sizes_swapped, "s H, (1 - t) W"),
-    MISTAKE("B-order", normalized_to_screen, back_in_pixels, "1 - t H"),
-    MISTAKE("B-minus", normalized_to_screen, back_above_the_screen, "(t - 1) H"),
-    MISTAKE("B-floor", normalized_to_screen, back_to_whole_pixels, "cut to whole pixels"),
-    MISTAKE("B-round", normalized_to_screen, back_rounded, "rounded to whole pixels"),
-    MISTAKE("B-half", normalized_to_screen, back_half_a_pixel_less, "half a pixel taken off"),
-    MISTAKE("B-clamp", normalized_to_screen, back_held_on_the_screen, "held on the screen"),
-    MISTAKE("B-divide", normalized_to_screen, back_by_dividing, "divided by W and H again"),
-    MISTAKE("M-corner", pixel_center, corner_of_the_pixel, "the pixel's corner, not its centre"),
-    MISTAKE("M-far", pixel_center, far_corner_of_the_pixel, "the pixel's far corner"),
-    MISTAKE("M-swap", pixel_center, row_and_column_swapped, "row and column swapped"),
-    MISTAKE("M-back", pixel_center, half_a_pixel_back, "half a pixel taken off"),
-    MISTAKE("M-up", pixel_center, half_a_pixel_up, "half a pixel up, not down"),
-    MISTAKE("M-average", pixel_center, half_of_the_column, "(column + 1) / 2"),
-    MISTAKE("M-column", pixel_center, only_the_column, "the row's half left out"),
+static ScreenPoint only_the_row(Pixel pixel)
+{
+    return (ScreenPoint){pixel.column, pixel.row + 0.5};
+}
+
+static ScreenPoint average_with_1(Pixel pixel)
+{
+    return (ScreenPoint){(pixel.column + 1) / 2.0, (pixel.row + 1) / 2.0};
+}
+
+static ScreenPoint halved(Pixel pixel)
+{
+    return (ScreenPoint){0.5 * pixel.column, 0.5 * pixel.row};
+}
+
+static ScreenPoint doubled(Pixel pixel)
+{
+    return (ScreenPoint){2 * pixel.column + 1, 2 * pixel.row + 1};
+}
+
+static ScreenPoint column_for_both(Pixel pixel)
+{
+    return (ScreenPoint){pixel.column + 0.5, pixel.column + 0.5};
+}
+
+static ScreenPoint upward(Pixel pixel)
+{
+    return (ScreenPoint){pixel.column + 0.5, -(pixel.row + 0.5)};
+}
+
+static const Mistake center_mistakes[] = {
+    MISTAKE("M-corner", pixel_center, corner_of_the_pixel, "(column, row)",
+            "that is the pixel's upper left corner, shared with three others. If a 1 / 2 stands in "
+            "your code: of whole numbers it is 0.",
+            "half a pixel off"),
+    MISTAKE("M-far", pixel_center, far_corner_of_the_pixel, "(column + 1, row + 1)",
+            "that is the pixel's lower right corner; it goes right through the square.",
+            "half a pixel off the other way"),
+    MISTAKE("M-swap", pixel_center, row_and_column_swapped, "(row + 1/2, column + 1/2)",
+            "x counts columns, from the left, and y counts rows, from the top.",
+            "mirrored in the diagonal: rows become columns"),
+    MISTAKE("M-back", pixel_center, half_a_pixel_back, "(column - 1/2, row - 1/2)",
+            "the square begins at (column, row) and reaches right and down from there. This is the "
+            "centre of its neighbour.",
+            "a whole pixel off, to the left and upward"),
+    MISTAKE("M-up", pixel_center, half_a_pixel_up, "(column + 1/2, row - 1/2)",
+            "y grows downward, and the square reaches down from its row. This is the centre of the "
+            "pixel above.",
+            "a pixel too high"),
+    MISTAKE("M-left", pixel_center, half_a_pixel_left, "(column - 1/2, row + 1/2)",
+            "the square reaches to the right from its column. This is the centre of the pixel on "
+            "the left.",
+            "a pixel too far left"),
+    MISTAKE("M-column", pixel_center, only_the_column, "(column + 1/2, row)",
+            "that is the middle of the pixel's upper edge. Its rows have a height, too.",
+            "half a pixel off, upward"),
+    MISTAKE("M-row", pixel_center, only_the_row, "(column, row + 1/2)",
+            "that is the middle of the pixel's left side. Its columns have a width, too.",
+            "half a pixel off, to the left"),
+    MISTAKE("M-average", pixel_center, average_with_1, "((column + 1)/2, (row + 1)/2)",
+            "the column itself is halved. Only the pixel that is added is to be cut in half.",
+            "only the upper left quarter of the view, at twice its size"),
+    MISTAKE("M-times", pixel_center, halved, "(column/2, row/2)",
+            "that is half way from the corner of the screen to the pixel. The centre is half a "
+            "pixel away from the pixel's own corner.",
+            "only the upper left quarter of the view, at twice its size"),
+    MISTAKE("M-double", pixel_center, doubled, "(2 column + 1, 2 row + 1)",
+            "that counts in halves of a pixel. x and y count whole ones.",
+            "everything at half its size, in the upper left quarter"),
+    MISTAKE("M-cc", pixel_center, column_for_both, "(column + 1/2, column + 1/2)",
+            "how far down a pixel is depends on its row.",
+            "stripes from top to bottom: all rows alike"),
+    MISTAKE(
+        "M-down", pixel_center, upward, "(column + 1/2, -(row + 1/2))",
+        "y grows downward on the screen, as rows do. Turning over comes later, on the way to t.",
+        "upside down, and the view a whole picture too high"),
     {0},
 };
+
+const Mistake *const mistakes[] = {there_mistakes, back_mistakes, center_mistakes, NULL};

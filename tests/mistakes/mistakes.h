@@ -1,25 +1,29 @@
-// mistakes.h - wrong answers that people really give, as code.
+// mistakes.h - wrong answers that people really give, as code, and what to say of each.
 //
-// Each stands in the file of its stem: what it computes, and the function it takes the place of.
-// make check proves that each fails at least one test, and that each test is failed by one.
+// Each stands in a file of its stem. make check proves that each fails a test of its function and
+// is named from its values alone, and that each test is failed by one.
 #ifndef TESTS_MISTAKES_H
 #define TESTS_MISTAKES_H
 
 #include "tests/judge/switchboard.h"
 
+#include <stddef.h>
+
 typedef struct {
     const char *id;       // C2, as the field's list of mistakes has it, or a name of our own
     const char *exercise; // the function that it answers wrongly
     AnyFunction *answer;
-    const char *what; // what it does, in a few words
+    const char *formula; // what it computes, as the slide would write it: d f - w r + h u
+    const char *why;     // why that is wrong, in terms of the picture; whole sentences
+    const char *picture; // what its author would see: 'everything at half its size'
 } Mistake;
 
-#define MISTAKE(id, exercise, answer, what)                                                        \
+#define MISTAKE(id, exercise, answer, formula, why, picture)                                       \
     {                                                                                              \
-        id, #exercise, (AnyFunction *)(answer), what                                               \
+        id, #exercise, (AnyFunction *)(answer), formula, why, picture                              \
     }
 
-// Of one stem; ends with a Mistake whose id is NULL.
-extern const Mistake mistakes[];
+// The tables of one stem, and NULL; each table ends with a Mistake whose id is NULL.
+extern const Mistake *const mistakes[];
 
 #endif

@@ -1,0 +1,166 @@
+// 02-cameras-rectangles.c - eye and four vectors, eye and four points, and eye, corner and two
+// vectors are three ways to give one rectangle, so each is asked for the same rectangles.
+#include "tests/02-cameras.h"
+
+enum { MOST_PARTS = 5 };
+
+static int parts_of(Form form)
+{
+    return form == CORNER ? 4 : 5;
+}
+
+// Says what is given, and asks.
+static CameraFault ask(Form form, const vec3 *in, Camera *camera)
+{
+    *camera = untouched();
+    given_vec3("eye", in[0]);
+    if (form == CORNER) {
+        given_vec3("lower left", in[1]);
+        given_vec3("across", in[2]);
+        given_vec3("up", in[3]);
+        return camera_from_corner(in[0], in[1], in[2], in[3], camera);
+    }
+    given(form == VECTORS ? "vectors" : "points",
+          "upper left %s, upper right %s, lower left %s, lower right %s", vec3_text_to(in[1], 10).s,
+          vec3_text_to(in[2], 10).s, vec3_text_to(in[3], 10).s, vec3_text_to(in[4], 10).s);
+    Corners corners = {in[1], in[2], in[3], in[4]};
+    return form == VECTORS ? camera_from_vectors(in[0], corners, camera)
+                           : camera_from_points(in[0], corners, camera);
+}
+
+// Vectors from the eye to upper left, upper right, lower left, lower right, in the words of a form.
+static void put(Form form, vec3 eye, const vec3 *vectors, vec3 *in)
+{
+    in[0] = eye;
+    for (int i = 0; i < 4; i++)
+        in[1 + i] = form == VECTORS ? vectors[i] : eye + vectors[i];
+    if (form == CORNER) {
+        in[1] = eye + vectors[2];
+        in[2] = vectors[3] - vectors[2];
+        in[3] = vectors[0] - vectors[2];
+    }
+}
+
+static void take_apart(Form form, Camera c, vec3 *in)
+{
+    vec3 middle = c.distance * c.forward;
+    vec3 right = 0.5 * c.width * c.right, up = 0.5 * c.height * c.up;
+    vec3 vectors[] = {middle - right + up, middle + right + up, middle - right - up,
+                      middle + right - up};
+    put(form, c.origin, vectors, in);
+}
+
+void finds(Form form, const vec3 *in, Camera expected)
+{
+    Camera found;
+    CameraFault fault = ask(form, in, &found);
+    expect_found(fault, found, expected);
+}
+
+void finds_random_cameras(Form form)
+{
+    for (int i = 0; i < 15; i++) {
+        Camera c = random_camera();
+        vec3 in[MOST_PARTS];
+        take_apart(form, c, in);
+        finds(form, in, c);
+    }
+}
+
+void keeps_the_rays(Form form)
+{
+    for (int i = 0; i < 15; i++) {
+        Camera c = camera_number(i), found;
+        Normalized place = random_place();
+        vec3 in[MOST_PARTS];
+        take_apart(form, c, in);
+        CameraFault fault = ask(form, in, &found);
+        expect_same_ray_through(place, fault, found, c);
+    }
+}
+
+// Vectors that lead to no camera: upper left, upper right, lower left, lower right. The eye may be
+// called off the axis of four corners whose edges or whose middle are not straight ahead.
+// A test ends at the first that is let through, so first comes one that half a check refuses.
+static const struct {
+    const char *what;
+    vec3 vectors[4];
+    int reasons;
+} no_cameras[] = {
+    {"a trapezoid", {{-1, 1, 4}, {1, 1, 4}, {-2, -1, 4}, {2, -1, 4}}, RECTANGLE},
+    {"a parallelogram", {{-0.5, 1, 4}, {1.5, 1, 4}, {-1.5, -1, 4}, {0.5, -1, 4}}, RECTANGLE},
+    {"a parallelogram that hardly leans",
+     {{-1.001, 1, 4}, {0.999, 1, 4}, {-0.999, -1, 4}, {1.001, -1, 4}},
+     RECTANGLE},
+    {"a rectangle but for one corner, astray",
+     {{-1.5, 1, 4}, {0.5, 1, 4}, {-1.5, -1, 4}, {2.5, -1, 4}},
+     RECTANGLE | AXIS},
+    {"a rectangle but for one corner, hardly astray",
+     {{-1, 1, 4}, {1, 1, 4}, {-1, -1, 4}, {1.001, -1, 4}},
+     RECTANGLE | AXIS},
+    {"a rectangle but for one corner, bent back",
+     {{-1, 1, 4}, {1, 1, 4}, {-1, -1, 4}, {1, -1, 5}},
+     RECTANGLE | AXIS},
+    {"a rectangle, its lower corners swapped",
+     {{-1, 1, 4}, {1, 1, 4}, {1, -1, 4}, {-1, -1, 4}},
+     RECTANGLE},
+    // Opposite edges are of equal length, and so are the diagonals.
+    {"a saddle", {{-1, 1, 5}, {1, 1, 3}, {-1, -1, 3}, {1, -1, 5}}, RECTANGLE | AXIS},
+
+    {"a rectangle above and aside", {{0, 2, 4}, {2, 2, 4}, {0, 0, 4}, {2, 0, 4}}, AXIS},
+    {"a rectangle aside", {{0, 1, 4}, {2, 1, 4}, {0, -1, 4}, {2, -1, 4}}, AXIS},
+    {"a rectangle hardly aside",
+     {{-1.001, 1, 4}, {0.999, 1, 4}, {-1.001, -1, 4}, {0.999, -1, 4}},
+     AXIS},
+    {"a rectangle above", {{-1, 2, 4}, {1, 2, 4}, {-1, 0, 4}, {1, 0, 4}}, AXIS},
+    {"a rectangle hardly below",
+     {{-1, 0.999, 4}, {1, 0.999, 4}, {-1, -1.001, 4}, {1, -1.001, 4}},
+     AXIS},
+    {"a rectangle that leans back", {{-1, 1, 5}, {1, 1, 5}, {-1, -1, 3}, {1, -1, 3}}, AXIS},
+    {"a rectangle turned aside", {{-1, 1, 3}, {1, 1, 5}, {-1, -1, 3}, {1, -1, 5}}, AXIS},
+
+    {"a rectangle around the eye", {{-1, 1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, DISTANCE},
+    {"a rectangle beside the eye", {{1, 1, 0}, {3, 1, 0}, {1, -1, 0}, {3, -1, 0}}, DISTANCE | AXIS},
+    {"the eye itself, four times",
+     {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+     DISTANCE | WIDTH | HEIGHT},
+    {"a line upright", {{0, 1, 4}, {0, 1, 4}, {0, -1, 4}, {0, -1, 4}}, WIDTH},
+    {"one point, four times", {{0, 0, 4}, {0, 0, 4}, {0, 0, 4}, {0, 0, 4}}, WIDTH | HEIGHT},
+    {"a triangle", {{0, 1, 4}, {0, 1, 4}, {-1, -1, 4}, {1, -1, 4}}, WIDTH | RECTANGLE},
+    {"a line across", {{-1, 0, 4}, {1, 0, 4}, {-1, 0, 4}, {1, 0, 4}}, HEIGHT},
+};
+
+// A corner and two vectors cannot say anything else.
+static bool is_parallelogram(const vec3 *corners)
+{
+    return vec3_length(corners[1] - corners[0] - (corners[3] - corners[2])) == 0;
+}
+
+void refuses(Form form, int reasons)
+{
+    for (size_t i = 0; i < sizeof no_cameras / sizeof no_cameras[0]; i++) {
+        const vec3 *vectors = no_cameras[i].vectors;
+        if ((reasons >> first_of(no_cameras[i].reasons) & 1) == 0 ||
+            (form == CORNER && !is_parallelogram(vectors)))
+            continue;
+        vec3 in[MOST_PARTS];
+        Camera after;
+        put(form, vec3_of(2, 2, -4), vectors, in);
+        given("corners of", "%s", no_cameras[i].what);
+        CameraFault fault = ask(form, in, &after);
+        expect_refused(fault, after, no_cameras[i].reasons);
+    }
+}
+
+void refuses_what_is_not_finite(Form form)
+{
+    for (int part = 0; part < parts_of(form); part++)
+        for (int axis = 0; axis < 3; axis++) {
+            vec3 in[MOST_PARTS];
+            Camera after;
+            take_apart(form, camera_of_the_deck(), in);
+            in[part][axis] = not_finite(part + axis);
+            CameraFault fault = ask(form, in, &after);
+            expect_refused(fault, after, FINITE);
+        }
+}

@@ -1,0 +1,82 @@
+// 02-cameras.h - what the tests of exercise 02 share.
+#ifndef TESTS_02_CAMERAS_H
+#define TESTS_02_CAMERAS_H
+
+#include "exercises/01-corners.h"
+#include "exercises/02-cameras.h"
+
+#include "tests/judge/test.h"
+
+// One list for each function; list_tests calls them all.
+void list_tests_of_vectors(void);
+void list_tests_of_points(void);
+void list_tests_of_corner(void);
+void list_tests_of_look_at(void);
+void list_refusals_of_look_at(void); // called from list_tests_of_look_at
+
+#define TOLERANCE 1e-9
+
+// ---- cameras ----------------------------------------------------------------------------------
+
+// The camera of the tests of exercise 01, left-handed: no two numbers alike, nothing 0 or 1.
+Camera oblique_camera(void);
+// The same picture, mirrored: the other hand.
+Camera mirrored(Camera c);
+// What *camera holds before the call, and still holds after a refusal.
+Camera untouched(void);
+// The deck's a few times, then others.
+Camera camera_number(int i);
+Normalized random_place(void);
+
+// ---- what every answer must do ----------------------------------------------------------------
+
+void expect_found(CameraFault fault, Camera found, Camera expected);
+
+// The rays through one place of the plane, and from the same eye: to twelve digits.
+void expect_same_ray_through(Normalized place, CameraFault fault, Camera yours, Camera same);
+
+// Reasons, a bit for each: where more than one is true, any of them may be given.
+enum {
+    FINITE = 1 << CAMERA_NOT_FINITE,
+    DISTANCE = 1 << CAMERA_NO_DISTANCE,
+    WIDTH = 1 << CAMERA_NO_WIDTH,
+    HEIGHT = 1 << CAMERA_NO_HEIGHT,
+    DIRECTION = 1 << CAMERA_NO_DIRECTION,
+    UP = 1 << CAMERA_UP_ALONG_VIEW,
+    RECTANGLE = 1 << CAMERA_NO_RECTANGLE,
+    AXIS = 1 << CAMERA_OFF_AXIS,
+};
+
+CameraFault first_of(int reasons);
+void expect_refused(CameraFault fault, Camera after, int reasons);
+
+// NaN, infinity, minus infinity.
+double not_finite(int i);
+
+// ---- the three that give a rectangle ----------------------------------------------------------
+
+// VECTORS and POINTS: eye, upper left, upper right, lower left, lower right.
+// CORNER: eye, lower left, across, up.
+typedef enum { VECTORS, POINTS, CORNER } Form;
+
+// Asks for these numbers.
+void finds(Form form, const vec3 *in, Camera expected);
+// Asks for random cameras of both hands, taken apart.
+void finds_random_cameras(Form form);
+void keeps_the_rays(Form form);
+// Asks for each rectangle that is none, or not straight ahead, and whose first reason is of these.
+void refuses(Form form, int reasons);
+// Asks for each number in turn not finite, in what is otherwise the deck's camera.
+void refuses_what_is_not_finite(Form form);
+
+// ---- look-at ----------------------------------------------------------------------------------
+
+// The deck's, but for these.
+LookAt deck_with(vec3 up, double width, double aspect);
+LookAt deck_with_size(double width, double aspect);
+LookAt look_at_of_the_deck(void);
+
+// Says what is given, and asks.
+CameraFault look(LookAt view, Handedness world, Camera *camera);
+
+#endif

@@ -1,0 +1,169 @@
+// 05-quadratic-coefficients.c - tests of the ray seen from the sphere, and of a, b, c.
+#include "tests/05-quadratic.h"
+
+// ---- to_object_coordinates ----------------------------------------------------------------------
+
+START_TEST(the_origin_is_seen_from_the_centre_of_the_sphere)
+{
+    Ray ray = {vec3_of(1, 2, 3), vec3_of(0, 0, -1)};
+    Sphere sphere = sphere_at(4, -1, 1, 2);
+    given_ray_and_sphere(ray, sphere);
+    given("looking at", "the origin");
+    expect_vec3(to_object_coordinates(ray, sphere).origin, vec3_of(-3, 3, 2), TOLERANCE);
+}
+END_TEST
+
+START_TEST(the_direction_stays_as_it_is)
+{
+    Ray ray = {vec3_of(1, 2, 3), vec3_of(2, -3, 6)};
+    Sphere sphere = sphere_at(4, -1, 1, 2);
+    given_ray_and_sphere(ray, sphere);
+    given("looking at", "the direction");
+    expect_vec3(to_object_coordinates(ray, sphere).direction, vec3_of(2, -3, 6), TOLERANCE);
+}
+END_TEST
+
+START_TEST(a_place_that_was_chosen_round_the_centre_comes_back)
+{
+    for (int i = 0; i < 20; i++) {
+        vec3 place = random_vec3(-9, 9);
+        Sphere sphere = {.center = random_vec3(-9, 9), .radius = random_number(0.1, 5)};
+        Ray ray = {sphere.center + place, random_vec3(-2, 2)};
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the origin");
+        expect_vec3(to_object_coordinates(ray, sphere).origin, place, TOLERANCE);
+    }
+}
+END_TEST
+
+// ---- object_quadratic ---------------------------------------------------------------------------
+
+static void given_object_ray(Ray ray, double radius)
+{
+    given_ray(ray);
+    given_number("radius", radius);
+}
+
+// By hand: 0.89^2 + 0.45^2, 2 (-4 * 0.89 - 0.45), 16 + 1 - 1.
+START_TEST(the_arrow_of_the_deck_gives_0_9946_and_minus_8_02_and_16)
+{
+    Ray ray = ray_of_the_deck(0.89, 0.45);
+    given_object_ray(ray, 1);
+    expect_quadratic(object_quadratic(ray, 1), 0.9946, -8.02, 16);
+}
+END_TEST
+
+// By hand: 1 + 1/4, 2 (-4 - 1/2), 16 + 1 - 1. The direction is not unit.
+START_TEST(the_hits_drawn_in_the_deck_give_1_25_and_minus_9_and_16)
+{
+    Ray ray = ray_of_the_deck(1, 0.5);
+    given_object_ray(ray, 1);
+    expect_quadratic(object_quadratic(ray, 1), 1.25, -9, 16);
+}
+END_TEST
+
+// By hand: 4 + 1 + 4, 2 (2 - 2 - 6), 1 + 4 + 9 - 9.
+START_TEST(a_radius_of_3_and_a_direction_of_length_3)
+{
+    Ray ray = {vec3_of(1, -2, 3), vec3_of(2, 1, -2)};
+    given_object_ray(ray, 3);
+    expect_quadratic(object_quadratic(ray, 3), 9, -12, 5);
+}
+END_TEST
+
+START_TEST(c_is_negative_for_a_ray_that_begins_inside)
+{
+    Ray ray = {vec3_of(0, 0, 1), vec3_of(0, 0, 2)};
+    given_object_ray(ray, 4);
+    expect_quadratic(object_quadratic(ray, 4), 4, 4, -15);
+}
+END_TEST
+
+// What the equation says: at every t, how far the point's squared distance from the centre is
+// from the squared radius.
+static double distance_squared_less_radius_squared(Ray ray, vec3 center, double radius, double t)
+{
+    double distance = vec3_length(ray.origin + t * ray.direction - center);
+    return (distance - radius) * (distance + radius);
+}
+
+START_TEST(at_every_t_it_is_the_squared_distance_less_the_squared_radius)
+{
+    for (int i = 0; i < 30; i++) {
+        Ray ray = {random_vec3(-5, 5), random_vec3(-2, 2)};
+        double radius = random_number(0.1, 5), t = random_number(-3, 3);
+        given_object_ray(ray, radius);
+        given("looking at", "a t^2 + b t + c for t = %s", number_text_to(t, 10).s);
+        Quadratic q = object_quadratic(ray, radius);
+        expect_number(q.a * t * t + q.b * t + q.c,
+                      distance_squared_less_radius_squared(ray, vec3_of(0, 0, 0), radius, t), 1e-6);
+    }
+}
+END_TEST
+
+// ---- world_quadratic ----------------------------------------------------------------------------
+
+START_TEST(a_sphere_at_the_origin_of_the_world_gives_what_object_coordinates_give)
+{
+    Ray ray = ray_of_the_deck(1, 0.5);
+    given_ray_and_sphere(ray, unit_sphere());
+    expect_quadratic(world_quadratic(ray, unit_sphere()), 1.25, -9, 16);
+}
+END_TEST
+
+// From the centre the origin is (1, -2, 3), as in the test of object coordinates.
+START_TEST(a_sphere_off_the_origin_of_the_world)
+{
+    Ray ray = {vec3_of(1, 2, 3), vec3_of(2, 1, -2)};
+    Sphere sphere = sphere_at(0, 4, 0, 3);
+    given_ray_and_sphere(ray, sphere);
+    expect_quadratic(world_quadratic(ray, sphere), 9, -12, 5);
+}
+END_TEST
+
+START_TEST(moving_the_eye_and_the_sphere_together_changes_nothing)
+{
+    vec3 moves[] = {vec3_of(10, 0, 0), vec3_of(0, -20, 5), vec3_of(7, 8, -9)};
+    for (int i = 0; i < 3; i++) {
+        Ray ray = {vec3_of(-4, -1, 0) + moves[i], vec3_of(1, 0.5, 0)};
+        Sphere sphere = {.center = moves[i], .radius = 1};
+        given_ray_and_sphere(ray, sphere);
+        expect_quadratic(world_quadratic(ray, sphere), 1.25, -9, 16);
+    }
+}
+END_TEST
+
+START_TEST(in_the_world_too_it_is_the_squared_distance_less_the_squared_radius)
+{
+    for (int i = 0; i < 30; i++) {
+        Ray ray = {random_vec3(-5, 5), random_vec3(-2, 2)};
+        Sphere sphere = {.center = random_vec3(-5, 5), .radius = random_number(0.1, 5)};
+        double t = random_number(-3, 3);
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "a t^2 + b t + c for t = %s", number_text_to(t, 10).s);
+        Quadratic q = world_quadratic(ray, sphere);
+        expect_number(q.a * t * t + q.b * t + q.c,
+                      distance_squared_less_radius_squared(ray, sphere.center, sphere.radius, t),
+                      1e-6);
+    }
+}
+END_TEST
+
+void list_tests_of_coefficients(void)
+{
+    tests_of("to_object_coordinates");
+    test(the_origin_is_seen_from_the_centre_of_the_sphere);
+    test(the_direction_stays_as_it_is);
+    test(a_place_that_was_chosen_round_the_centre_comes_back);
+    tests_of("object_quadratic");
+    test(the_arrow_of_the_deck_gives_0_9946_and_minus_8_02_and_16);
+    test(the_hits_drawn_in_the_deck_give_1_25_and_minus_9_and_16);
+    test(a_radius_of_3_and_a_direction_of_length_3);
+    test(c_is_negative_for_a_ray_that_begins_inside);
+    test(at_every_t_it_is_the_squared_distance_less_the_squared_radius);
+    tests_of("world_quadratic");
+    test(a_sphere_at_the_origin_of_the_world_gives_what_object_coordinates_give);
+    test(a_sphere_off_the_origin_of_the_world);
+    test(moving_the_eye_and_the_sphere_together_changes_nothing);
+    test(in_the_world_too_it_is_the_squared_distance_less_the_squared_radius);
+}

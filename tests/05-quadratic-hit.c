@@ -1,0 +1,129 @@
+// 05-quadratic-hit.c - tests of hit_sphere: the place that is seen.
+#include "tests/05-quadratic.h"
+
+static void expect_hit(Ray ray, Sphere sphere, double t)
+{
+    given_ray_and_sphere(ray, sphere);
+    expect_number(hit_sphere(ray, sphere), t,
+                  ROOT_TOLERANCE * sphere.radius / vec3_length(ray.direction));
+}
+
+START_TEST(the_arrow_of_the_deck_hits_at_3_622)
+{
+    given_ray_and_sphere(ray_of_the_deck(0.89, 0.45), unit_sphere());
+    expect_number(hit_sphere(ray_of_the_deck(0.89, 0.45), unit_sphere()), 3.622, 1e-3);
+}
+END_TEST
+
+START_TEST(from_outside_the_nearer_of_two_places_is_hit)
+{
+    expect_hit(ray_of_the_deck(1, 0.5), unit_sphere(), 3.2);
+    Ray ray = {vec3_of(3, 8, -2), vec3_of(1, 0.5, 0)};
+    expect_hit(ray, sphere_at(7, 9, -2, 1), 3.2);
+}
+END_TEST
+
+// 10 away, radius 2: 8 to go.
+START_TEST(t_counts_in_lengths_of_the_direction)
+{
+    double length[] = {1, 2, 16, 0.25};
+    for (int i = 0; i < 4; i++) {
+        Ray ray = {vec3_of(1, 1, 5), vec3_of(0, 0, -length[i])};
+        expect_hit(ray, sphere_at(1, 1, -5, 2), 8 / length[i]);
+    }
+}
+END_TEST
+
+START_TEST(from_inside_the_exit_is_hit)
+{
+    Ray ray = {vec3_of(1, 1, 2), vec3_of(0, 0, 2)};
+    expect_hit(ray, sphere_at(1, 1, 1, 3), 1);
+    ray.direction = vec3_of(0, 0, -2);
+    expect_hit(ray, sphere_at(1, 1, 1, 3), 2);
+}
+END_TEST
+
+START_TEST(what_is_behind_is_not_hit)
+{
+    expect_hit(ray_of_the_deck(-1, -0.5), unit_sphere(), NO_HIT);
+}
+END_TEST
+
+START_TEST(what_is_beside_is_not_hit)
+{
+    Ray ray = {vec3_of(-4, 1.25, 0), vec3_of(1, 0, 0)};
+    expect_hit(ray, unit_sphere(), NO_HIT);
+}
+END_TEST
+
+START_TEST(a_tangent_ray_hits)
+{
+    Ray ray = {vec3_of(-4, 1, 0), vec3_of(1, 0, 0)};
+    expect_hit(ray, unit_sphere(), 4);
+    ray = (Ray){vec3_of(2, 10, -3), vec3_of(0, -2, 0)};
+    expect_hit(ray, sphere_at(5, 4, -3, 3), 3);
+}
+END_TEST
+
+// The direction (2, 3, 6) is 7 long: from (2, 3, 6) to its opposite is twice that.
+START_TEST(from_the_surface_inwards_the_other_side_is_hit)
+{
+    Ray ray = {vec3_of(0, 0, 5), vec3_of(0, 0, -2)};
+    expect_hit(ray, sphere_at(0, 0, 2, 3), 3);
+    ray = (Ray){vec3_of(2, 3, 6), vec3_of(-2, -3, -6)};
+    expect_hit(ray, sphere_at(0, 0, 0, 7), 2);
+}
+END_TEST
+
+START_TEST(from_the_surface_outwards_nothing_is_hit)
+{
+    Ray ray = {vec3_of(0, 0, 5), vec3_of(0, 0, 2)};
+    expect_hit(ray, sphere_at(0, 0, 2, 3), NO_HIT);
+    ray = (Ray){vec3_of(2, 3, 6), vec3_of(2, 3, 6)};
+    expect_hit(ray, sphere_at(0, 0, 0, 7), NO_HIT);
+}
+END_TEST
+
+START_TEST(a_surface_close_to_the_eye_is_hit)
+{
+    Ray ray = {vec3_of(0, 0, -0.99), vec3_of(0, 0, -1)};
+    expect_hit(ray, sphere_at(0, 0, -2, 1), 0.01);
+    ray.direction = vec3_of(0, 0, -1000);
+    expect_hit(ray, sphere_at(0, 0, -2, 1), 0.00001);
+}
+END_TEST
+
+// The ray of a pixel ends on the image plane; what stands between the eye and the plane is seen.
+START_TEST(what_is_in_front_of_the_image_plane_is_hit)
+{
+    Ray ray = {vec3_of(0, 0, 0), vec3_of(0, 0, -4)};
+    expect_hit(ray, sphere_at(0, 0, -3, 1), 0.5);
+}
+END_TEST
+
+START_TEST(a_point_on_a_sphere_that_is_aimed_at_is_hit)
+{
+    for (int i = 0; i < 50; i++) {
+        Aimed aimed = random_aimed(random_number(0.1, 1000));
+        given("made so", "that the point which is met is known");
+        expect_hit(aimed.ray, aimed.sphere, aimed.near);
+    }
+}
+END_TEST
+
+void list_tests_of_hit(void)
+{
+    tests_of("hit_sphere");
+    test(the_arrow_of_the_deck_hits_at_3_622);
+    test(from_outside_the_nearer_of_two_places_is_hit);
+    test(t_counts_in_lengths_of_the_direction);
+    test(from_inside_the_exit_is_hit);
+    test(what_is_behind_is_not_hit);
+    test(what_is_beside_is_not_hit);
+    test(a_tangent_ray_hits);
+    test(from_the_surface_inwards_the_other_side_is_hit);
+    test(from_the_surface_outwards_nothing_is_hit);
+    test(a_surface_close_to_the_eye_is_hit);
+    test(what_is_in_front_of_the_image_plane_is_hit);
+    test(a_point_on_a_sphere_that_is_aimed_at_is_hit);
+}

@@ -1,0 +1,103 @@
+// 05-quadratic-roots.c - tests of quadratic_roots.
+#include "tests/05-quadratic.h"
+
+// The quadratic with these roots.
+static Quadratic with_roots(double a, double t, double u)
+{
+    return (Quadratic){a, -a * (t + u), a * t * u};
+}
+
+// By hand: (9 - 1) / 2.5 and (9 + 1) / 2.5.
+START_TEST(the_roots_of_the_hits_drawn_in_the_deck_are_3_2_and_4)
+{
+    expect_roots_of((Quadratic){1.25, -9, 16}, two(3.2, 4), TOLERANCE);
+}
+END_TEST
+
+START_TEST(the_roots_of_the_arrow_of_the_deck_are_3_622_and_4_442)
+{
+    expect_roots_of((Quadratic){0.9946, -8.02, 16}, two(3.622, 4.442), 1e-3);
+}
+END_TEST
+
+START_TEST(roots_that_were_chosen_come_back)
+{
+    expect_roots_of(with_roots(1, 2, 3), two(2, 3), TOLERANCE);
+    expect_roots_of(with_roots(2, -1, 5), two(-1, 5), TOLERANCE);
+    expect_roots_of(with_roots(0.5, -6, -4), two(-6, -4), TOLERANCE);
+    for (int i = 0; i < 30; i++) {
+        double a = random_number(0.1, 5), t = random_number(-9, 9), gap = random_number(0.1, 9);
+        expect_roots_of(with_roots(a, t, t + gap), two(t, t + gap), TOLERANCE);
+    }
+}
+END_TEST
+
+START_TEST(roots_come_in_ascending_order_even_when_a_is_negative)
+{
+    expect_roots_of(with_roots(-1, 2, 3), two(2, 3), TOLERANCE);
+    expect_roots_of(with_roots(-4, -7, 1), two(-7, 1), TOLERANCE);
+}
+END_TEST
+
+START_TEST(a_double_root_counts_as_two)
+{
+    expect_roots_of((Quadratic){1, -8, 16}, two(4, 4), TOLERANCE);
+    expect_roots_of((Quadratic){2, 12, 18}, two(-3, -3), TOLERANCE);
+    expect_roots_of((Quadratic){3, 0, 0}, two(0, 0), TOLERANCE);
+}
+END_TEST
+
+START_TEST(there_are_no_roots_where_the_parabola_stays_on_one_side)
+{
+    Quadratic none[] = {{1, 0, 1}, {2, -4, 9}, {1, 1, 0.5}, {-1, 2, -5}};
+    for (int i = 0; i < 4; i++) {
+        given_quadratic(none[i]);
+        expect_no_roots(quadratic_roots(none[i]));
+    }
+}
+END_TEST
+
+START_TEST(where_b_is_0_the_roots_are_opposite)
+{
+    expect_roots_of((Quadratic){4, 0, -9}, two(-1.5, 1.5), TOLERANCE);
+}
+END_TEST
+
+START_TEST(where_c_is_0_one_root_is_0)
+{
+    expect_roots_of((Quadratic){2, -6, 0}, two(0, 3), TOLERANCE);
+    expect_roots_of((Quadratic){2, 6, 0}, two(-3, 0), TOLERANCE);
+}
+END_TEST
+
+START_TEST(where_a_is_0_it_is_a_line_with_one_root)
+{
+    expect_roots_of((Quadratic){0, 2, -6}, (Roots){1, {3}}, TOLERANCE);
+    expect_roots_of((Quadratic){0, -4, 0}, (Roots){1, {0}}, TOLERANCE);
+}
+END_TEST
+
+START_TEST(where_a_and_b_are_0_there_are_no_roots)
+{
+    double c[] = {5, -5, 0};
+    for (int i = 0; i < 3; i++) {
+        given_quadratic((Quadratic){0, 0, c[i]});
+        expect_no_roots(quadratic_roots((Quadratic){0, 0, c[i]}));
+    }
+}
+END_TEST
+
+void list_tests_of_roots(void)
+{
+    tests_of("quadratic_roots");
+    test(the_roots_of_the_hits_drawn_in_the_deck_are_3_2_and_4);
+    test(the_roots_of_the_arrow_of_the_deck_are_3_622_and_4_442);
+    test(roots_that_were_chosen_come_back);
+    test(roots_come_in_ascending_order_even_when_a_is_negative);
+    test(a_double_root_counts_as_two);
+    test(there_are_no_roots_where_the_parabola_stays_on_one_side);
+    test(where_b_is_0_the_roots_are_opposite);
+    test(where_c_is_0_one_root_is_0);
+    test(where_a_is_0_it_is_a_line_with_one_root);
+    test(where_a_and_b_are_0_there_are_no_roots);
+}

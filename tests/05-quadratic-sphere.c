@@ -1,0 +1,69 @@
+// 05-quadratic-sphere.c - tests of sphere_roots: where a whole line meets a sphere.
+#include "tests/05-quadratic.h"
+
+START_TEST(the_line_drawn_in_the_deck_meets_the_sphere_at_3_2_and_4)
+{
+    expect_meetings(ray_of_the_deck(1, 0.5), unit_sphere(), two(3.2, 4), ROOT_TOLERANCE);
+}
+END_TEST
+
+START_TEST(a_sphere_off_the_origin_is_met_in_the_same_places)
+{
+    Ray ray = {vec3_of(3, 8, -2), vec3_of(1, 0.5, 0)};
+    expect_meetings(ray, sphere_at(7, 9, -2, 1), two(3.2, 4), ROOT_TOLERANCE);
+}
+END_TEST
+
+START_TEST(what_is_behind_the_origin_is_met_too)
+{
+    expect_meetings(ray_of_the_deck(-1, -0.5), unit_sphere(), two(-4, -3.2), ROOT_TOLERANCE);
+}
+END_TEST
+
+START_TEST(from_the_middle_it_is_met_on_both_sides)
+{
+    Ray ray = {vec3_of(1, 1, 1), vec3_of(0, 0, 2)};
+    expect_meetings(ray, sphere_at(1, 1, 1, 3), two(-1.5, 1.5), ROOT_TOLERANCE);
+}
+END_TEST
+
+START_TEST(a_tangent_line_meets_it_twice_in_one_place)
+{
+    Ray ray = {vec3_of(-4, 1, 0), vec3_of(1, 0, 0)};
+    expect_meetings(ray, unit_sphere(), two(4, 4), ROOT_TOLERANCE);
+}
+END_TEST
+
+START_TEST(a_line_that_passes_beside_it_does_not_meet_it)
+{
+    Ray ray = {vec3_of(-4, 1.25, 0), vec3_of(1, 0, 0)};
+    given_ray_and_sphere(ray, unit_sphere());
+    expect_no_roots(sphere_roots(ray, unit_sphere()));
+    ray = ray_of_the_deck(1, -0.5);
+    given_ray_and_sphere(ray, unit_sphere());
+    expect_no_roots(sphere_roots(ray, unit_sphere()));
+}
+END_TEST
+
+START_TEST(the_chord_is_twice_the_radius_times_the_cosine)
+{
+    for (int i = 0; i < 50; i++) {
+        Aimed aimed = random_aimed(random_number(0.1, 1000));
+        given("made so", "that the angle at the surface is known");
+        expect_meetings(aimed.ray, aimed.sphere, two(aimed.near, aimed.far),
+                        ROOT_TOLERANCE * aimed.sphere.radius / vec3_length(aimed.ray.direction));
+    }
+}
+END_TEST
+
+void list_tests_of_sphere(void)
+{
+    tests_of("sphere_roots");
+    test(the_line_drawn_in_the_deck_meets_the_sphere_at_3_2_and_4);
+    test(a_sphere_off_the_origin_is_met_in_the_same_places);
+    test(what_is_behind_the_origin_is_met_too);
+    test(from_the_middle_it_is_met_on_both_sides);
+    test(a_tangent_line_meets_it_twice_in_one_place);
+    test(a_line_that_passes_beside_it_does_not_meet_it);
+    test(the_chord_is_twice_the_radius_times_the_cosine);
+}

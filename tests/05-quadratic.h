@@ -1,0 +1,46 @@
+// 05-quadratic.h - what the tests of exercise 05 share.
+#ifndef TESTS_05_QUADRATIC_H
+#define TESTS_05_QUADRATIC_H
+
+#include "exercises/05-quadratic.h"
+
+#include "tests/judge/test.h"
+
+#define TOLERANCE 1e-9
+#define ROOT_TOLERANCE 1e-6 // of the radius, along the ray
+
+// What goes in, and what must come out. Tolerances are absolute.
+void given_quadratic(Quadratic q);
+void given_ray_and_sphere(Ray ray, Sphere sphere);
+void expect_quadratic(Quadratic yours, double a, double b, double c);
+// Where there are fewer roots, the t that are none do not matter.
+void expect_roots(Roots yours, Roots expected, double within);
+void expect_no_roots(Roots yours);
+void expect_roots_of(Quadratic q, Roots expected, double within);
+void expect_meetings(Ray ray, Sphere sphere, Roots expected, double within);
+Roots two(double t, double u);
+
+// The deck's section: the circle of radius 1 round the origin, seen from (-4, -1).
+Ray ray_of_the_deck(double x, double y);
+Sphere unit_sphere(void);
+Sphere sphere_at(double x, double y, double z, double radius);
+
+// A random sphere, and a ray that was made backwards: from a point on the sphere outwards to the
+// origin. cosine is that of the angle to the surface's normal there, so that the chord inside the
+// sphere is 2 r cosine.
+typedef struct {
+    Ray ray;
+    Sphere sphere;
+    double near, far; // the t of both hits
+} Aimed;
+
+Aimed random_aimed(double radii_away);
+
+// The tests, a file each.
+void list_tests_of_coefficients(void);
+void list_tests_of_roots(void);
+void list_tests_of_sphere(void);
+void list_tests_of_hit(void);
+void list_tests_of_digits(void);
+
+#endif

@@ -1,0 +1,68 @@
+// 06-ray-casting-cones.c - what a sphere looks like from the eye, without any quadratic: a cone.
+#include "tests/06-ray-casting.h"
+
+static double cosine_between(vec3 v, vec3 w)
+{
+    return vec3_dot(v, w) / (vec3_length(v) * vec3_length(w));
+}
+
+// 1 where the direction from the eye meets the sphere, 0 where it does not, -1 where it passes too
+// close to the silhouette to be sure. From the eye a sphere of radius r, D away, is a cone whose
+// half angle has the sine r / D.
+static int sees(vec3 eye, vec3 direction, Sphere sphere)
+{
+    vec3 center = sphere.center - eye;
+    double sine = sphere.radius / vec3_length(center);
+    double inside = cosine_between(direction, center) - sqrt(1 - sine * sine);
+    return fabs(inside) < TOLERANCE ? -1 : inside > 0;
+}
+
+// How far the sphere is in that direction, by the law of cosines in the triangle of the eye, the
+// hit and the centre.
+double distance_seen(vec3 eye, vec3 direction, Sphere sphere)
+{
+    vec3 center = sphere.center - eye;
+    double away = vec3_length(center), cosine = cosine_between(direction, center);
+    double aside = away * sqrt(1 - cosine * cosine);
+    return away * cosine - sqrt(sphere.radius * sphere.radius - aside * aside);
+}
+
+static void shuffle(int count, Sphere *spheres)
+{
+    for (int i = count - 1; i > 0; i--) {
+        int other = (int)random_number(0, i + 1);
+        Sphere kept = spheres[i];
+        spheres[i] = spheres[other];
+        spheres[other] = kept;
+    }
+}
+
+void random_shells(Camera camera, Sphere *spheres)
+{
+    for (int i = 0; i < SHELLS; i++) {
+        double across = random_number(-0.6, 0.6), upward = random_number(-0.6, 0.6);
+        vec3 aside = across * camera.width * camera.right + upward * camera.height * camera.up;
+        vec3 direction = vec3_unit(camera.distance * camera.forward + aside);
+        spheres[i] = (Sphere){.center = camera.origin + 3 * (i + 1) * direction,
+                              .radius = random_number(0.2, 1),
+                              .surface = RED + i % (COLORS - RED)};
+    }
+    shuffle(SHELLS, spheres);
+}
+
+int shell_seen(vec3 eye, vec3 direction, int count, const Sphere *spheres)
+{
+    int nearest = -1;
+    double best = INFINITY;
+    for (int i = 0; i < count; i++) {
+        int seen = sees(eye, direction, spheres[i]);
+        if (seen < 0)
+            return -2;
+        double away = vec3_length(spheres[i].center - eye);
+        if (seen == 1 && away < best) {
+            best = away;
+            nearest = i;
+        }
+    }
+    return nearest;
+}

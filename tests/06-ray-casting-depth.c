@@ -1,0 +1,125 @@
+// 06-ray-casting-depth.c - tests of object order: its depth, and that image order agrees.
+#include "tests/06-ray-casting.h"
+
+START_TEST(what_is_in_the_depth_before_does_not_matter)
+{
+    Sphere spheres[] = {sphere_at(10, 0, -10, 2, GREEN), sphere_at(0, 0, -10, 2, RED),
+                        sphere_at(0, 0, -20, 2, BLUE)};
+    Scene scene = scene_of(3, spheres);
+    Resolution size = {3, 1};
+    Image expected = image_of(size), image = odd_image(size);
+    image_set(&expected, (Pixel){0, 0}, scene.background);
+    image_set(&expected, (Pixel){1, 0}, surfaces[RED].color);
+    image_set(&expected, (Pixel){2, 0}, surfaces[GREEN].color);
+    const double junk[] = {NAN, 0, -1, 1e-300, -INFINITY, 9};
+    for (int i = 0; i < 6; i++) {
+        double depth[] = {junk[i], junk[i], junk[i]};
+        given_scene(&scene);
+        given_size(size);
+        given("depth", "%g everywhere before", junk[i]);
+        cast_object_order(&scene, camera_with_pixels_of_1(size), &image, depth);
+        expect_same_image(&image, &expected);
+    }
+    image_free(&expected);
+    image_free(&image);
+}
+END_TEST
+
+// After casting, what is in the depth of one pixel.
+static void expect_depth(const Scene *scene, Camera camera, Resolution size, Pixel pixel, double t)
+{
+    double depth[15];
+    for (int i = 0; i < size.width * size.height; i++)
+        depth[i] = NAN;
+    given_scene(scene);
+    given_camera(camera);
+    given_size(size);
+    given("looking at", "the depth of column %d, row %d", pixel.column, pixel.row);
+    Image image = odd_image(size);
+    cast_object_order(scene, camera, &image, depth);
+    image_free(&image);
+    expect_number(depth[pixel.row * size.width + pixel.column], t, TOLERANCE);
+}
+
+// 10 - 2, where the pixel's direction is 1 long; the plane is 1 away.
+START_TEST(the_depth_straight_ahead_is_the_t_of_the_nearest_hit)
+{
+    Sphere spheres[] = {sphere_at(0, 0, -30, 2, BLUE), sphere_at(0, 0, -10, 2, RED),
+                        sphere_at(0, 0, -20, 2, GREEN)};
+    Scene scene = scene_of(3, spheres);
+    Resolution size = {5, 3};
+    Camera camera = camera_with_pixels_of_1(size);
+    expect_depth(&scene, camera, size, (Pixel){2, 1}, 8);
+    expect_depth(&scene, camera, size, (Pixel){0, 0}, NO_HIT);
+    expect_depth(&scene, camera, size, (Pixel){4, 2}, NO_HIT);
+}
+END_TEST
+
+// On the plane, 4 away, the centres of the pixels are -3, 0, 3 each way: directions beside the
+// middle are 5 long. Red is 10 - 1 away, green 20 - 5, blue 15 - 2.5.
+START_TEST(the_depth_goes_row_by_row_and_counts_in_lengths_of_the_direction)
+{
+    Sphere spheres[] = {sphere_at(-6, 0, -8, 1, RED), sphere_at(0, 12, -16, 5, GREEN),
+                        sphere_at(9, 0, -12, 2.5, BLUE)};
+    const double expected[] = {NO_HIT, 3, NO_HIT, 1.8, NO_HIT, 2.5, NO_HIT, NO_HIT, NO_HIT};
+    Scene scene = scene_of(3, spheres);
+    Resolution size = {3, 3};
+    Camera camera = camera_with_pixels_of_1(size);
+    camera.distance = 4;
+    camera.width = camera.height = 9;
+    for (int i = 0; i < 9; i++)
+        expect_depth(&scene, camera, size, (Pixel){i % 3, i / 3}, expected[i]);
+}
+END_TEST
+
+START_TEST(where_there_is_nothing_every_depth_is_no_hit)
+{
+    Scene scene = scene_of(0, NULL);
+    Resolution size = {2, 2};
+    for (int i = 0; i < 4; i++)
+        expect_depth(&scene, camera_with_pixels_of_1(size), size, (Pixel){i % 2, i / 2}, NO_HIT);
+}
+END_TEST
+
+// Spheres that overlap and pass through each other, some twice, in two colours: ties.
+START_TEST(both_orders_give_the_same_bytes)
+{
+    Resolution size = {24, 17};
+    for (int i = 0; i < 6; i++) {
+        enum { COUNT = 24 };
+        Camera camera = random_camera();
+        Sphere spheres[COUNT];
+        for (int k = 0; k < COUNT; k++) {
+            vec3 place = camera.origin + random_number(-2, 12) * camera.forward;
+            spheres[k] = (Sphere){.center = place + random_vec3(-3, 3),
+                                  .radius = random_number(0.1, 1),
+                                  .surface = RED + k % 4};
+            if (k % 5 == 4) {
+                spheres[k].center = spheres[k - 1].center;
+                spheres[k].radius = spheres[k - 1].radius;
+            }
+        }
+        Scene scene = scene_of(COUNT, spheres);
+        Image by_pixel = odd_image(size), by_sphere = odd_image(size);
+        given_scene(&scene);
+        given_camera(camera);
+        given_size(size);
+        given("compared", "with what image order gives");
+        image_order(&scene, camera, &by_pixel);
+        object_order(&scene, camera, &by_sphere);
+        expect_same_image(&by_sphere, &by_pixel);
+        image_free(&by_pixel);
+        image_free(&by_sphere);
+    }
+}
+END_TEST
+
+void list_tests_of_depth(void)
+{
+    tests_of("cast_object_order");
+    test(what_is_in_the_depth_before_does_not_matter);
+    test(the_depth_straight_ahead_is_the_t_of_the_nearest_hit);
+    test(the_depth_goes_row_by_row_and_counts_in_lengths_of_the_direction);
+    test(where_there_is_nothing_every_depth_is_no_hit);
+    test(both_orders_give_the_same_bytes);
+}

@@ -1,0 +1,58 @@
+// 06-ray-casting.h - what the tests of exercise 06 share.
+#ifndef TESTS_06_RAY_CASTING_H
+#define TESTS_06_RAY_CASTING_H
+
+#include "exercises/06-ray-casting.h"
+
+#include "tests/judge/test.h"
+
+#define TOLERANCE 1e-9
+
+// The colours, and the letters that stand for them in pictures. No sphere has surface 0, and the
+// sphere of a number seldom has the surface of that number.
+enum { UNUSED, RED, GREEN, BLUE, WHITE, COLORS };
+extern Surface surfaces[COLORS];
+char letter_of(int color);
+
+Sphere sphere_at(double x, double y, double z, double radius, int color);
+// On grey. The spheres stay the caller's.
+Scene scene_of(int count, Sphere *spheres);
+// The deck's three; as NFF, z is towards the eye.
+Scene scene_of_the_deck(void);
+
+// Looks along -z, as in NFF; right-handed. The plane is 1 away, and a pixel 1 wide: on it the
+// centres of 5 x 3 pixels are -2 .. 2 by -1 .. 1.
+Camera camera_with_pixels_of_1(Resolution size);
+
+void given_scene(const Scene *scene);
+void given_size(Resolution size);
+
+// An image in a colour that no scene has, so that a pixel that was left out is seen.
+Image odd_image(Resolution size);
+Image image_of(Resolution size);
+
+// Both orders take the same tests; image order needs no depth.
+typedef void Cast(const Scene *scene, Camera camera, Image *image);
+void image_order(const Scene *scene, Camera camera, Image *image);
+void object_order(const Scene *scene, Camera camera, Image *image);
+
+// Expected is a picture in letters, row by row from the top; '.' is the background.
+void expect_picture(Cast *cast, const Scene *scene, Camera camera, Resolution size,
+                    const char *expected);
+
+enum { SHELLS = 8 };
+
+// Spheres one behind the other as seen from the eye, in whatever direction and in any order: the
+// nth is wholly between 3 n - 1 and 3 n + 1 away from it.
+void random_shells(Camera camera, Sphere *spheres);
+// The one whose centre is nearest of those seen; -1 where there is none, -2 where it is doubtful.
+int shell_seen(vec3 eye, vec3 direction, int count, const Sphere *spheres);
+// How far the sphere is in that direction.
+double distance_seen(vec3 eye, vec3 direction, Sphere sphere);
+
+// The tests, a file each.
+void list_tests_of_nearest_hit(void);
+void list_tests_of_pictures(void);
+void list_tests_of_depth(void);
+
+#endif

@@ -1,0 +1,11 @@
+// 04-pixel-ray.h - laws of exercise 04.
+#ifndef TESTS_LAWS_04_PIXEL_RAY_H
+#define TESTS_LAWS_04_PIXEL_RAY_H
+
+#include "common/camera.h"
+#include "common/ray.h"
+#include "common/screen.h"
+
+void law_pixel_ray(Ray yours, Camera camera, Resolution screen, Pixel pixel);
+
+#endif
