@@ -6,6 +6,9 @@
 .SUFFIXES:
 .DEFAULT_GOAL := all
 
+# As many at a time as there are processors, unless -j says otherwise.
+MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+
 ANSWERS ?= solutions
 STEMS := $(sort $(notdir $(basename $(wildcard solutions/*.c))))
 
@@ -46,7 +49,12 @@ $(shell mkdir -p $(B) && printf '%s\n' '$(FLAGS_NOW)' > $(B)/flags)
 endif
 
 Q := $(if $(V),,@)
-say = $(if $(V),,@printf '  %-9s %s\n' '$(1)' '$(2)')
+say = $(if $(V),,@$(TALK))
+TALK = printf '  %-9s %s\n' '$(1)' '$(2)'
+# A student wants the verdict, not what it took.
+ifneq ($(filter exercises watch hint debug,$(MAKECMDGOALS)),)
+TALK = :
+endif
 
 # Libraries are looked for when the first rule needs them, so that 'make setup all' sees what setup
 # has just installed.
@@ -82,8 +90,8 @@ build/blanks/%.c: solutions/%.c .make/blank.awk
 
 # Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
 # reference in the place of one of them (.make/verdict).
-$(B)/weak.h: tests/exercises.def
-	$(Q)awk -F '[(,] *' '/^EXERCISE/ { print "#pragma weak " $$3 }' $< > $@
+$(B)/weak.h: tests/exercises.table .make/proxies.awk
+	$(Q)awk -v make=weak -f .make/proxies.awk $< > $@
 FOR_ANSWERS = $(FOR_STUDENTS) -include $(B)/weak.h
 
 # An answer counts as changed when its text has changed: dates deceive where files are moved back.
@@ -125,7 +133,7 @@ $(SCENES): $(B)/scenes/%.nff: $$(B)/chapters/06-ray-casting/$$(firstword $$(subs
 	$(Q)$< $(ARGUMENTS) > $@
 
 GALLERY := $(OUT)/gallery
-CHAPTER_PICTURES := $(filter 03% 04% 05%,$(STEMS))
+CHAPTER_PICTURES := $(filter-out 06%,$(STEMS))
 PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(GENERATED) \
 	$(notdir $(basename $(wildcard chapters/06-ray-casting/*.nff))))
 $(CHAPTER_PICTURES:%=$(GALLERY)/%.png): $(GALLERY)/%.png: $(OUT)/%
@@ -154,15 +162,17 @@ setup: ## install what is missing, by the system's package manager (FOR=contribu
 
 # ---- tests ------------------------------------------------------------------------------------
 
-JUDGE := $(patsubst %,$(B)/tests/judge/%.o,record runner show random)
+# What every program of tests is made of: its list of tests, and the words for given and expected.
+TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect runner show random)
 COMMON_TESTS := $(patsubst tests/common/%.c,$(B)/tests/common/%,$(wildcard tests/common/*.c))
-$(COMMON_TESTS): %: %.o $(JUDGE) $(B)/tests/judge/main.o $(B)/common.a
+$(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/main.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
-# The tests of a stem take that answer, and the reference for the stems before it.
+# A stem's tests, calling the answers directly: that answer, and the reference for the stems before.
+parts = $(patsubst %.c,$(B)/%.o,$(wildcard $(1)*.c))
 earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
-test_objects = $(B)/tests/$(1).o $(JUDGE) $(B)/tests/judge/main.o \
+test_objects = $(call parts,tests/$(1)) $(TESTING) $(B)/tests/judge/main.o \
 	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
 TESTS := $(STEMS:%=$(OUT)/tests/%)
 $(TESTS): $(OUT)/tests/%: $(OUT)/%.o $$(call test_objects,$$*)
@@ -170,17 +180,39 @@ $(TESTS): $(OUT)/tests/%: $(OUT)/%.o $$(call test_objects,$$*)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
-# The mistakes of a stem against its tests. The reference goes by other names there.
-$(B)/reference.h: tests/exercises.def
-	$(Q)awk -F '[(,] *' '/^EXERCISE/ { print "#define " $$3 " reference_" $$3 }' $< > $@
+# The judge: the same tests, asking another process for the answers (proxies). Mistakes and laws
+# stand beside the reference, which goes by other names there.
+$(B)/reference.h: tests/exercises.table .make/proxies.awk
+	$(Q)awk -v make=reference -f .make/proxies.awk $< > $@
+$(B)/judge/proxies.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=proxies -f .make/proxies.awk $< > $@
+DISPATCHES := $(STEMS:%=$(B)/judge/dispatch-%.o)
+$(DISPATCHES:.o=.c): $(B)/judge/dispatch-%.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=dispatch -v stem=$* -f .make/proxies.awk $< > $@
+$(DISPATCHES) $(B)/judge/proxies.o: %.o: %.c $(B)/flags
+	$(call say,compile,$<)
+	$(Q)$(COMPILE) -o $@ $<
+BESIDE_REFERENCE := $(call parts,tests/mistakes/) $(call parts,tests/laws/) \
+	$(call parts,tests/variants/)
+$(BESIDE_REFERENCE): EXTRA = -include $(B)/reference.h
+$(BESIDE_REFERENCE): $(B)/reference.h
 REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
-$(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h
+$(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/flags
 	$(call say,compile,$< as reference)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
+JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call wire same suspects switchboard) \
+	$(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
+JUDGES := $(STEMS:%=$(B)/judge/%)
+$(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) $(JUDGING) \
+		$(B)/tests/judge/judge.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
-$(MATRICES): $(B)/tests/matrix/%: $(B)/tests/%.o $(B)/tests/mistakes/%.o $(JUDGE) $(REFERENCES) \
-		$(B)/tests/judge/matrix.o $(B)/tests/judge/switchboard.o $(B)/common.a
+$(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
+		$(B)/tests/variants/%.o $(JUDGING) $(B)/tests/judge/matrix.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -206,11 +238,12 @@ $(SAME): $(B)/tests/judge/same_picture.o
 FOR_TESTS = PROGRAMS='$(OUT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(TESTS) $(MATRICES)
-check: $(CHECKS) $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) ## the tests, at most a minute
+FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) $(JUDGES)
+check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(OUT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
 # What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it.
-check-all: $(CHECKS) $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) ## those that need longer, too
+check-all: $(CHECKS) $(FOR_CHECKS) ## those that need longer, too
 	@$(FOR_TESTS) .make/check $(OUT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
 
 # ---- the exercises ----------------------------------------------------------------------------
@@ -222,26 +255,44 @@ CHOSEN := $(if $(EX),$(filter $(EX)% 0$(EX)%,$(STEMS)),$(STEMS))
 ifeq ($(CHOSEN),)
 $(error EX=$(EX): no such chapter, expected one of $(STEMS))
 endif
-ifneq ($(filter debug reset,$(MAKECMDGOALS)),)
+ifneq ($(filter debug reset hint,$(MAKECMDGOALS)),)
 ifneq ($(words $(CHOSEN)),1)
-$(error which chapter? Say, for example: make $(filter debug reset,$(MAKECMDGOALS)) EX=05)
+$(error which chapter? Say, for example: make $(filter debug reset hint,$(MAKECMDGOALS)) EX=05)
 endif
 endif
 VERDICT := $(B)/$(EXERCISES)/verdict
 VERDICTS := $(CHOSEN:%=$(VERDICT)/%/table)
-ifneq ($(filter exercises debug,$(MAKECMDGOALS)),)
+ifneq ($(filter exercises watch debug hint,$(MAKECMDGOALS)),)
+ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
+$(info Building the judge, once; that takes a moment ...)
+endif
 $(call changed,$(VERDICT),$(EXERCISES))
 endif
-$(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(B)/weak.h build/blanks/%.c \
-		$$(call test_objects,$$*) $(REFERENCES)
-	@COMPILE='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER) $(FOR_ANSWERS) -c' LINK='$(LINK)' \
-		OBJECTS='$(call test_objects,$*)' REFERENCES='$(REFERENCES)' \
-		LIBS='$(CHECK_LIBS) $(PNG_LIBS) -lm' .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*)
+# What the answering process holds besides the answer.
+answering = $(B)/tests/judge/answering.o $(B)/tests/judge/wire.o $(B)/judge/dispatch-$(1).o \
+	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
+# How to judge a chapter is written down, so that 'make watch' can do it again without make.
+$(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict .make/explain $(B)/weak.h \
+		build/blanks/%.c $(B)/judge/% $$(call answering,$$*)
+	@printf '%s\n' "COMPILE='$(CC) $(LANGUAGE) -O1 $(SANITIZER) $(FOR_ANSWERS) -c'" \
+		"LINK='$(LINK) -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc'" \
+		"OBJECTS='$(call answering,$*)'" "REFERENCES='$(REFERENCES)'" \
+		'export COMPILE LINK OBJECTS REFERENCES' \
+		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh
+	@sh $(@D).sh
 
 exercises: $(VERDICTS) ## what is right, wrong or not answered yet (EX=05: one chapter)
 	@.make/exercises $(VERDICT) $(EXERCISES) $(CHOSEN)
 
-debug: $(VERDICTS) $$(call test_objects,$(CHOSEN)) ## gdb at the call that failed (EX=05)
+watch: $(VERDICTS) ## judge again whenever an answer is saved
+	@.make/watch $(VERDICT) $(EXERCISES) $(CHOSEN)
+
+hint: $(VERDICTS) ## one hint more each time it is asked for (EX=05)
+	@name=$$(awk '$$1 !~ /^[+!]/ && $$2 != "right" { print $$1; exit }' $(VERDICT)/$(CHOSEN)/table); \
+		.make/hint exercises/$(CHOSEN).hints "$$name" $(call answer_in,$(EXERCISES),$(CHOSEN)) \
+		$(VERDICT)/$(CHOSEN).hint
+
+debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call test_objects,$(CHOSEN))) ## gdb at the call that failed (EX=05)
 	@mkdir -p $(B)/debug
 	@$(CC) $(LANGUAGE) -g3 -O0 $(CHECK_CFLAGS) -o $(B)/debug/$(CHOSEN) $(call answer_in,$(EXERCISES),$(CHOSEN)) \
 		$(call test_objects,$(CHOSEN)) $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -252,6 +303,9 @@ reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
 
 skeletons: $(BLANKS) ## write the blanks made from solutions/; refuses over a changed file
 	@.make/skeletons $(BLANKS)
+
+bench: $(JUDGES) ## how long from save to verdict
+	@tests/benches/latency.sh
 
 # ---- the habits of the house ------------------------------------------------------------------
 
@@ -279,5 +333,5 @@ clean: ## remove what was built
 help: ## this
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all setup check check-all exercises debug reset skeletons format format-check tidy clean help
+.PHONY: all setup check check-all bench exercises watch hint debug reset skeletons format format-check tidy clean help
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
