@@ -99,6 +99,8 @@ CameraFault camera_from_look_at(LookAt view, Handedness world, Camera *camera)
     if (vec3_length(sideways) <= CAMERA_TOLERANCE * up_length)
         return CAMERA_UP_ALONG_VIEW;
     vec3 right = vec3_unit(sideways);
+    // Where up is nearly along the view, rounding leaves right not quite at right angles.
+    right = vec3_unit(right - vec3_dot(right, forward) * forward);
     vec3 up = world == RIGHT_HANDED ? vec3_cross(right, forward) : vec3_cross(forward, right);
     Camera found = {.origin = view.eye,
                     .right = right,

@@ -1,13 +1,17 @@
 // main.c - chapter 01: from the eye to the image plane.
 //
 // Tells the story of the slides 'Camera' and 'Finding vectors from the eye to the image plane' with
-// the deck's camera, or with the reader's own.
+// the deck's camera, or with the reader's own. Its picture is the image plane itself, each place
+// coloured by the direction of its vector, with the three answers as dots.
 #include "common/options.h"
+#include "common/picture.h"
 #include "common/story.h"
 #include "common/text.h"
 #include "exercises/01-corners.h"
 
 #include <stdio.h>
+
+enum { PICTURE = 320 }; // pixels each way
 
 static void the_three_questions(Camera c)
 {
@@ -47,20 +51,39 @@ static void doubling(Camera c)
     printf("  Longer or shorter, the same direction: the same rays, the same picture.\n");
 }
 
+// s and t go from edge to edge here, so that the corners are in the picture.
+static Color color_of_vector(Pixel pixel, void *given)
+{
+    const Camera *c = given;
+    vec3 v =
+        image_plane_vector(*c, pixel.column / (PICTURE - 1.0), 1 - pixel.row / (PICTURE - 1.0));
+    const vec3 dots[] = {upper_left(*c), upper_right(*c), across_30_up_10(*c)};
+    for (int i = 0; i < 3; i++)
+        if (vec3_length(v - dots[i]) < 0.03 * c->width)
+            return vec3_of(1, 1, 1);
+    vec3 along = vec3_of(vec3_dot(v, c->right), vec3_dot(v, c->up), vec3_dot(v, c->forward));
+    return (vec3_unit(along) * 1.6 + vec3_of(1, 1, 0)) / 2;
+}
+
 int main(int argc, char **argv)
 {
     Camera c = camera_of_the_deck();
     double s = 0, t = 1;
-    const Option options[] = {CAMERA_OPTIONS(c),
-                              {"s", 's', "S", option_number, &s, "across the plane, 0 to 1"},
-                              {"t", 't', "T", option_number, &t, "up the plane, 0 to 1"},
-                              {0}};
+    const char *picture = NULL;
+    const Option options[] = {
+        CAMERA_OPTIONS(c),
+        {"s", 's', "S", option_number, &s, "across the plane, 0 to 1"},
+        {"t", 't', "T", option_number, &t, "up the plane, 0 to 1"},
+        {"picture", 0, "FILE.png", option_string, &picture, "draw the image plane instead"},
+        {0}};
     Usage usage = {"[OPTION]...",
                    "From the eye to the image plane, step by step. Without options:\n"
                    "the deck's camera, and the way to its upper left corner."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     story_needs_camera(argv[0], c);
+    if (picture != NULL)
+        return picture_write(picture, (Resolution){PICTURE, PICTURE}, color_of_vector, &c);
 
     printf("01-corners: from the eye to the image plane\n");
     story_heading("The camera <p, r, u, f, d, w, h>");

@@ -1,7 +1,8 @@
 // main.c - chapter 02: other ways to give a camera.
 //
 // The same camera in all five forms of the slides, there and back; then which hand the world has,
-// the angle that NFF gives, and what is no camera.
+// the angle that NFF gives, and what is no camera. Its picture (floor.c) shows both hands.
+#include "chapters/02-cameras/floor.h"
 #include "common/answers.h"
 #include "common/options.h"
 #include "common/story.h"
@@ -196,16 +197,20 @@ int main(int argc, char **argv)
     vec3 at = no;
     double aspect = NAN;
     int hand = -1;
+    const char *picture = NULL;
     const Option options[] = {
         CAMERA_OPTIONS(c),
         {"at", 'a', "X,Y,Z", option_vec3, &at, "a look-at, with --eye, --up, --width and:"},
         {"aspect", 0, "RATIO", option_number, &aspect, "its width / height (1)"},
+        {"picture", 0, "FILE.png", option_string, &picture, "draw a floor in worlds of both hands"},
         {"hand", 0, "left|right", option_hand, &hand, "the hand of its world (right)"},
         {0}};
     Usage usage = {"[OPTION]...", "One camera in the five forms of the deck, there and back.\n"
                                   "Without options: the deck's camera."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
+    if (picture != NULL)
+        return floor_picture(picture);
     bool frame_only = given(c.right) || given(c.forward) || !isnan(c.distance) || !isnan(c.height);
     if (given(at) && frame_only)
         options_wrong(argv[0], "--at finds right, forward, distance and height by itself");

@@ -1,0 +1,8 @@
+// floor.h - a tiled floor, seen by the same look-at in a world of either hand.
+#ifndef CHAPTERS_02_CAMERAS_FLOOR_H
+#define CHAPTERS_02_CAMERAS_FLOOR_H
+
+// Draws both, right-handed on the left. Returns what main returns.
+int floor_picture(const char *path);
+
+#endif
