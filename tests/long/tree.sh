@@ -12,10 +12,10 @@ says() {
     make 2>&1 | grep -qF "$1"
 }
 make_quietly() {
-    make -j2 "$@" >"$scratch/log" 2>&1 || { tail -n 20 "$scratch/log"; return 1; }
+    make --no-print-directory -j2 "$@" >"$scratch/log" 2>&1 || { tail -n 20 "$scratch/log"; return 1; }
 }
 only_rebuilds_nothing() {
-    make | grep -v 'Nothing to do' && return 1
+    make --no-print-directory | grep -v 'Nothing to do' && return 1
     return 0
 }
 refused() {

@@ -5,7 +5,7 @@ set -u
 
 answers=$scratch/answers
 BUILD=build # whatever is under test: answers are judged by the ordinary build
-export CK_DEFAULT_TIMEOUT=1
+export NO_COLOR=1
 
 # Judges the folder of answers; what was said is in $scratch/said.
 judge() {
@@ -24,9 +24,9 @@ first_line_says() {
     head -n 1 "$scratch/said" | grep -qF -- "$1"
 }
 fits_80_columns() {
-    ! grep -nE '^.{81}' "$scratch/said" && ! grep -n ' $' "$scratch/said"
+    ! grep -nE '^.{80}' "$scratch/said" && ! grep -n ' $' "$scratch/said"
 }
-# A chapter with the solution's answers, but for one line: the sed command.
+# A chapter with the solution's answers, but for what the sed command changes.
 answer() {
     sed "$2" "solutions/$1.c" >"$answers/$1.c"
 }
@@ -34,29 +34,48 @@ fresh() {
     rm -rf "$answers"
     mkdir -p "$answers"
 }
+# Chapter 03 with a first statement of its first answer, and headers.
+answer_that_does() {
+    fresh
+    answer 03-screen "s|#include \"common/answers.h\"|&\n${2:-}|
+        s|return (Normalized){point.x|$1;\n    &|"
+    judge EX=03
+}
 
 fresh
 judge EX=01
 check 'a blank is not answered yet' first_line_says '01-corners  upper_left  is not answered yet'
-check 'and not called wrong' says_not 'wrong'
+check 'its slide is named' first_line_says 'slide: Finding vectors from the eye'
+check 'what is asked is said' says 'Give an expression for the upper left corner.'
+check 'a blank is not called wrong' says_not 'wrong'
 check 'what comes next is said' says 'Next: '
 
 fresh
-answer 01-corners 's|c.width / 2 \* c.right|c.width * c.right|g; s|#include "common/answers.h"|&\n#include <stdio.h>|; s|return c.distance \* c.forward - |printf("my d is %g\\n", c.distance);\n    &|'
+answer 01-corners 's|c.width / 2 \* c.right + c.height / 2|c.width * c.right + c.height|; s|#include "common/answers.h"|&\n#include <stdio.h>|; s|return c.distance \* c.forward - |printf("my d is %g\\n", c.distance);\n    &|'
 judge EX=01
-check 'the first wrong answer is at the top' first_line_says '01-corners  upper_left  is wrong:'
+check 'the first wrong answer is at the top' first_line_says '01-corners  upper_left'
 check 'what went in is shown' says 'eye (2, 2, -4)'
 check 'what was expected is shown' says 'expected   (-1, 1, 4)'
-check 'what came out is shown' says 'yours      (-2, 1, 4)'
+check 'what came out is shown' says 'yours      (-2, 2, 4)'
+check 'the mistake is named' says 'looks like d f - w r + h u: '
 check 'what the student printed is shown' says 'it printed my d is 4'
+check 'only the first wrong answer is shown' says_not '(2, 2, 4)'
 check 'what is right is counted' says '3 of 5'
 check 'all fits in 80 columns' fits_80_columns
+judge EX=01 ALL=1
+check 'with ALL=1 every wrong answer is shown' says 'yours      (2, 2, 4)'
 
 fresh
-answer 01-corners 's|return image_plane_vector(c, 0.3, 0.1)|return image_plane_vector(c, 0.3, 0.1) * 1|; s|(s - 0.5)|s|'
+answer 01-corners 's|(s - 0.5)|7 * (s - 0.5)|'
+judge EX=01
+check 'what no known mistake explains still gets help from a law' says '  but '
+check 'and is not called a mistake that it is not' says_not 'looks like'
+
+fresh
+answer 01-corners 's|(s - 0.5)|s|'
 judge EX=01
 check 'an answer that fails by another only waits' says 'waiting: across_30_up_10 (for image_plane_vector)'
-check 'the other one is what is wrong' first_line_says 'image_plane_vector  is wrong'
+check 'the other one is what is wrong' first_line_says 'image_plane_vector'
 
 fresh
 answer 01-corners ''
@@ -64,37 +83,61 @@ echo 'this is no C' >"$answers/05-quadratic.c"
 judge EX=05
 check 'a compile error is said, with the file' says "$answers/05-quadratic.c:"
 judge
-check 'a compile error in chapter 05 does not hide chapter 01' says '01-corners      5 of 5 right'
+check 'a compile error in chapter 05 does not hide chapter 01' says '01-corners       done'
+check 'nor is it hidden' says '05-quadratic     does not compile'
 check 'the first trouble is the top, not the worst' first_line_says '02-cameras'
 
-fresh
-answer 03-screen 's|return (Normalized){point.x|*(volatile int *)0 = 1;\n    &|'
-judge EX=03
-check 'a crash is said in words' says 'crashed (Segmentation fault)'
-check 'and its input is shown' says 'screen'
-
-fresh
-answer 03-screen 's|return (Normalized){point.x|for (volatile int i = 0; i < 1; i *= 2);\n    &|'
-judge EX=03
-check 'an endless loop is said in words' says 'still running'
-
-fresh
-answer 03-screen 's|#include "common/answers.h"|&\n#include <stdlib.h>|; s|return (Normalized){point.x|exit(0);\n    &|'
-judge EX=03
-check 'an exit is no pass' says 'ended the program by itself'
+answer_that_does '*(volatile int *)0 = 1'
+check 'a write to nowhere is said in words' says 'crashed: write to address 0'
+check 'and what went in is shown' says 'screen     640 x 480'
+answer_that_does 'return *(Normalized *)(volatile long)16'
+check 'a read from nowhere is said in words' says 'crashed: read of address 0x10'
+answer_that_does 'for (volatile int i = 0; i < 1; i *= 2);'
+check 'an endless loop is said in words' says 'was still running after 1 s (an endless loop?)'
+answer_that_does 'exit(0)' '#include <stdlib.h>'
+check 'an exit is no pass' says 'ended the program by itself (exit status 0)'
+answer_that_does 'volatile int zero = 0; zero = 7 \/ zero'
+check 'a division by zero is said in words' says 'divided a whole number by zero'
+answer_that_does 'abort()' '#include <stdlib.h>'
+check 'an abort is said in words' says 'it was aborted'
+answer_that_does 'volatile char big[10000]; big[0] = 1; if (point.x != 1e9) return screen_to_normalized((ScreenPoint){point.x + big[0], 0}, screen)'
+check 'endless recursion is said in words' says 'the stack is full'
+answer_that_does 'for (;;) { volatile char *p = malloc(1 << 20); p[0] = 1; }' '#include <stdlib.h>'
+check 'memory that runs out is said in words' says 'ran out of memory'
+answer_that_does 'close(4); for (;;) pause()' '#include <unistd.h>'
+check 'a closed pipe is said in words' says 'closed its pipe'
+answer_that_does 'write(4, "all tests passed, full marks, honestly; and this is longer than any header would be, so that it is read as one.", 112)' '#include <unistd.h>'
+check 'a forged answer is no answer' says 'answered with what is no answer'
+answer_that_does 'for (;;) puts("spam")' '#include <stdio.h>'
+check 'a flood ends' says 'printed more than a million characters'
+answer_that_does 'for (int i = 0; i < 9; i++) printf("%c[31mline %d\\n", 27, i)' '#include <stdio.h>'
+check 'a right answer may print' says '03-screen is right'
 
 fresh
 answer 03-screen 's|pixel_center|pixel_centre|'
 judge EX=03
 check 'a function that is not there is named' says 'pixel_center is not in this file'
 
+hint() {
+    make --no-print-directory hint EX=01 ANSWERS="$answers" >"$scratch/said" 2>&1
+}
+fresh
+hint
+check 'the first hint is the first' says 'hint 1 of'
+hint
+check 'the second hint is another' says 'hint 2 of'
+answer 01-corners 's|c.width / 2|c.width|'
+hint
+check 'after a change hints begin again' says 'hint 1 of'
+
 fresh
 for solution in solutions/*.c; do
     cp "$solution" "$answers"
 done
-judge
-check 'the solutions are all right' says 'All right, every chapter.'
-check 'and the exit status says so' judge
+check 'the solutions are judged right' judge
+check 'and the end of the road is said' says 'You have written a ray caster.'
+check 'with the picture drawn' says 'three-spheres.png'
+check 'and drawn by their code' test -s "build$answers/gallery/three-spheres.png"
 
 rm -rf "${BUILD:?}$answers"
 finish exercises

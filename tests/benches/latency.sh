@@ -1,0 +1,66 @@
+#!/bin/sh
+# latency.sh - from saving an answer to reading its verdict, in milliseconds.
+#
+# 'make watch' runs on a copy of the solutions; each save changes one line of one chapter, in turn
+# right and wrong. Between the saves, one bare 'cc -c' of the same file is timed, so that the ratio
+# says what the loop adds on this machine, today. Usage: latency.sh [SAVES]
+set -u
+. tests/library.sh
+saves=${1:-60}
+answers=$scratch/answers
+mkdir "$answers"
+cp solutions/*.c "$answers"
+mkfifo "$scratch/said"
+export NO_COLOR=1
+unset MAKEFLAGS MAKELEVEL
+
+make --no-print-directory watch ANSWERS="$answers" >"$scratch/said" 2>&1 &
+watcher=$!
+trap 'kill $watcher 2>/dev/null; rm -rf "$scratch" "build$answers"' EXIT
+exec 3<"$scratch/said"
+
+until_shown() {
+    while IFS= read -r line <&3; do
+        case $line in
+        Watching*) return ;;
+        esac
+    done
+}
+milliseconds() {
+    echo "$(($(date +%s%N) / 10000))" | awk '{ printf "%.2f", $1 / 100 }'
+}
+later() { # FROM TO
+    awk -v from="$1" -v to="$2" 'BEGIN { printf "%.1f\n", to - from }'
+}
+
+until_shown
+i=0
+while [ $i -lt "$saves" ]; do
+    for stem in 01-corners 03-screen 05-quadratic; do
+        if [ $((i % 2)) -eq 0 ]; then
+            sed "s/0\.5/0.25/; s/2 \* vec3_dot/vec3_dot/; \$a // $i" "solutions/$stem.c" >"$scratch/new"
+        else
+            sed "\$a // $i" "solutions/$stem.c" >"$scratch/new"
+        fi
+        from=$(milliseconds)
+        cp "$scratch/new" "$answers/$stem.c"
+        until_shown
+        to=$(milliseconds)
+        later "$from" "$to" >>"$scratch/verdicts"
+        from=$(milliseconds)
+        ${CC:-cc} -std=c11 -D_DEFAULT_SOURCE -Wno-psabi -I. -O1 -c -o "$scratch/bare.o" \
+            "$answers/$stem.c"
+        to=$(milliseconds)
+        later "$from" "$to" >>"$scratch/compiles"
+    done
+    i=$((i + 3))
+done
+
+percentile() { # SHARE FILE
+    sort -n "$2" | awk -v share="$1" '{ v[NR] = $1 } END { print v[int(share * (NR - 1) + 1.5)] }'
+}
+median=$(percentile 0.5 "$scratch/verdicts")
+bare=$(percentile 0.5 "$scratch/compiles")
+echo "save to verdict, $saves saves: median $median ms, 95th percentile $(percentile 0.95 "$scratch/verdicts") ms"
+echo "one bare cc -c of the same file: median $bare ms"
+awk -v a="$median" -v b="$bare" 'BEGIN { printf "ratio of the medians: %.2f\n", a / b }'
