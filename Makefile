@@ -271,11 +271,14 @@ endif
 # What the answering process holds besides the answer.
 answering = $(B)/tests/judge/answering.o $(B)/tests/judge/wire.o $(B)/judge/dispatch-$(1).o \
 	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
+# Between saving and reading stands the linker: the quickest that is there.
+QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
+	mold gold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
 $(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict .make/explain $(B)/weak.h \
 		build/blanks/%.c $(B)/judge/% $$(call answering,$$*)
-	@printf '%s\n' "COMPILE='$(CC) $(LANGUAGE) -O1 $(SANITIZER) $(FOR_ANSWERS) -c'" \
-		"LINK='$(LINK) -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc'" \
+	@printf '%s\n' "COMPILE='$(CC) $(LANGUAGE) -O1 -ffunction-sections $(SANITIZER) $(FOR_ANSWERS) -c'" \
+		"LINK='$(LINK) $(QUICK_LINKER) -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc'" \
 		"OBJECTS='$(call answering,$*)'" "REFERENCES='$(REFERENCES)'" \
 		'export COMPILE LINK OBJECTS REFERENCES' \
 		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh

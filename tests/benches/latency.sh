@@ -19,6 +19,15 @@ watcher=$!
 trap 'kill $watcher 2>/dev/null; rm -rf "$scratch" "build$answers"' EXIT
 exec 3<"$scratch/said"
 
+# The verdict is there when it says what is next, or that the chapter is right; what comes behind
+# (the chapter's picture) is waited for, too, but not timed.
+until_said() {
+    while IFS= read -r line <&3; do
+        case $line in
+        Next:* | *' is right. '*) return ;;
+        esac
+    done
+}
 until_shown() {
     while IFS= read -r line <&3; do
         case $line in
@@ -44,8 +53,9 @@ while [ $i -lt "$saves" ]; do
         fi
         from=$(milliseconds)
         cp "$scratch/new" "$answers/$stem.c"
-        until_shown
+        until_said
         to=$(milliseconds)
+        until_shown
         later "$from" "$to" >>"$scratch/verdicts"
         from=$(milliseconds)
         ${CC:-cc} -std=c11 -D_DEFAULT_SOURCE -Wno-psabi -I. -O1 -c -o "$scratch/bare.o" \

@@ -1,0 +1,126 @@
+# exercises.awk - what .make/verdict left, as a student reads it: the first thing that wants work, how
+# far all chapters are, what next. One process, since it stands between saving and reading.
+#
+#   -v verdicts=FOLDER -v answers=FOLDER -v stems='01-a 02-b' -v all=1 -v colour=1
+# Exit status: 0 all right, 1 something is wrong or does not compile, 2 only blanks are left.
+BEGIN {
+    count = split(stems, stem, " ")
+    for (i = 1; i <= count; i++)
+        read_table(stem[i])
+    next_stem = ""
+    for (i = 1; i <= count; i++)
+        if (state[stem[i]] != "right") {
+            if (next_stem == "")
+                next_stem = stem[i]
+            show_troubles(stem[i])
+            if (!all)
+                break
+        }
+    for (i = 1; i <= count; i++)
+        show_progress(stem[i])
+    print ""
+    if (next_stem != "") {
+        print "Next: " answers "/" next_stem ".c"
+        print "      the lesson is chapters/" next_stem "/README.md"
+    }
+    exit next_stem == "" ? 0 : is_wrong ? 1 : 2
+}
+
+# state: right, wrong, begun, blank; or compiler, linker, stopped.
+function read_table(s,   file, line, part, n, wrong, right, total, i, names) {
+    file = verdicts "/" s "/table"
+    while ((getline line < file) > 0) {
+        n = split(line, part, " ")
+        if (part[1] == "!") {
+            state[s] = part[2]
+            is_wrong = 1
+            return
+        }
+        if (part[1] ~ /^\+/) {
+            if (part[2] == "wrong")
+                extra[s] = extra[s] " " substr(part[1], 2)
+            continue
+        }
+        total++
+        right += part[2] == "right"
+        wrong += part[2] == "wrong"
+        if (part[2] == "wrong" || part[2] == "unanswered")
+            trouble[s] = trouble[s] " " part[1]
+        if (part[2] == "waiting") {
+            names = ""
+            for (i = 3; i <= n; i++)
+                names = names (i > 3 ? ", " : "") part[i]
+            part[1] = part[1] " (for " names ")"
+        }
+        listed[s, part[2]] = listed[s, part[2]] (listed[s, part[2]] == "" ? "" : ", ") part[1]
+    }
+    close(file)
+    counted[s] = right + 0 " of " total + 0
+    state[s] = total > 0 && right == total ? "right" : wrong ? "wrong" : right ? "begun" : "blank"
+    is_wrong = is_wrong || wrong
+}
+
+function show_troubles(s,   n, name, i) {
+    if (state[s] == "compiler" || state[s] == "linker" || state[s] == "stopped") {
+        print painted(s "  " (state[s] == "compiler" ? "does not compile:" \
+                              : state[s] == "linker" ? "cannot be linked:" : "could not be judged:"), "1")
+        show_file(verdicts "/" s "/words")
+        print ""
+        return
+    }
+    n = split(trouble[s], name, " ")
+    for (i = 1; i <= n && (i == 1 || all); i++) {
+        show_file(verdicts "/" s "/" name[i])
+        show_file(verdicts "/" s "/warnings")
+        print ""
+    }
+}
+
+function painted(text, code) {
+    return colour ? sprintf("%c[%sm%s%c[0m", 27, code, text, 27) : text
+}
+
+# Headings bold, what was expected green, what came red, what it looks like yellow.
+function show_file(file,   line, lines, code) {
+    code = ""
+    while ((getline line < file) > 0 && lines++ < 40) {
+        if (line ~ /^[0-9][0-9]-/)
+            line = painted(line, "1")
+        else if (line ~ /^  help:/)
+            line = painted(line, "33")
+        else if (line !~ /^             /)
+            code = line ~ /^  expected / ? "32" : line ~ /^  (yours|it) / ? "31" \
+                : line ~ /^  (looks like|but) / ? "33" : ""
+        print code == "" || substr(line, 14) == "" ? line : substr(line, 1, 13) painted(substr(line, 14), code)
+    }
+    close(file)
+}
+
+function show_progress(s,   words) {
+    words = state[s] == "compiler" ? "does not compile" : state[s] == "linker" ? "cannot be linked" \
+        : state[s] == "stopped" ? "could not be judged" : state[s] == "right" ? "done" \
+        : state[s] == "blank" ? "not yet" : counted[s]
+    printf "  %-16s %s\n", s, words (s == next_stem ? "   <- next" : "")
+    if (s == next_stem) {
+        show_names("wrong", listed[s, "wrong"])
+        show_names("waiting", listed[s, "waiting"])
+        show_names("not answered yet", listed[s, "unanswered"])
+    }
+    if (state[s] == "right" && extra[s] != "")
+        show_names("extra, no marks", "more digits in" extra[s])
+}
+
+function show_names(label, names,   word, n, i, line) {
+    if (names == "")
+        return
+    n = split(label ": " names, word, " ")
+    line = "                    " word[1]
+    for (i = 2; i <= n; i++) {
+        if (length(line) + 1 + length(word[i]) > 79) {
+            print line
+            line = "                     "
+        }
+        line = line " " word[i]
+    }
+    print line
+}
