@@ -31,38 +31,58 @@ static bool vec3_near(vec3 yours, vec3 expected, double tolerance)
            near(yours[2], expected[2], tolerance);
 }
 
-// Digits to show of two values: enough to see that they differ.
-#define SETTLE(met, text_of, yours, expected)                                                      \
-    do {                                                                                           \
-        int digits_ = 6;                                                                           \
-        while (digits_ < 17 &&                                                                     \
-               strcmp(text_of(yours, digits_).s, text_of(expected, digits_).s) == 0)               \
-            digits_++;                                                                             \
-        settle(met, text_of(yours, digits_).s, text_of(expected, digits_).s);                      \
-    } while (0)
+// Digits enough to see that two numbers differ, where they do.
+static int digits_that_tell(const double *yours, const double *expected, int count)
+{
+    int digits = 6;
+    for (int i = 0; i < count; i++)
+        while (digits < 17 && yours[i] != expected[i] &&
+               strcmp(number_text_to(yours[i], digits).s, number_text_to(expected[i], digits).s) ==
+                   0)
+            digits++;
+    return digits;
+}
+
+// One number, or several in parentheses, each under its like.
+static void settle_numbers(bool met, const double *yours, const double *expected, int count)
+{
+    char y[400] = "", e[400] = "";
+    if (met) {
+        settle(true, y, e);
+        return;
+    }
+    int digits = digits_that_tell(yours, expected, count);
+    size_t used = 0;
+    for (int i = 0; i < count; i++) {
+        Text a = number_text_to(yours[i], digits), b = number_text_to(expected[i], digits);
+        int wide = (int)(strlen(a.s) > strlen(b.s) ? strlen(a.s) : strlen(b.s));
+        if (record_is_missing()) // then yours is not shown
+            wide = 0;
+        const char *before = count == 1 ? "" : i == 0 ? "(" : ", ";
+        const char *behind = count > 1 && i == count - 1 ? ")" : "";
+        snprintf(y + used, sizeof y - used, "%s%*s%s", before, wide, a.s, behind);
+        snprintf(e + used, sizeof e - used, "%s%*s%s", before, wide, b.s, behind);
+        used = strlen(y);
+    }
+    settle(false, y, e);
+}
 
 void expect_number(double yours, double expected, double tolerance)
 {
-    SETTLE(near(yours, expected, tolerance), number_text_to, yours, expected);
+    settle_numbers(near(yours, expected, tolerance), &yours, &expected, 1);
 }
 
 void expect_vec3(vec3 yours, vec3 expected, double tolerance)
 {
-    SETTLE(vec3_near(yours, expected, tolerance), vec3_text_to, yours, expected);
-}
-
-static Text two_numbers(vec3 v, int digits)
-{
-    Text text;
-    snprintf(text.s, sizeof text.s, "(%.40s, %.40s)", number_text_to(v[0], digits).s,
-             number_text_to(v[1], digits).s);
-    return text;
+    const double y[3] = {yours[0], yours[1], yours[2]};
+    const double e[3] = {expected[0], expected[1], expected[2]};
+    settle_numbers(vec3_near(yours, expected, tolerance), y, e, 3);
 }
 
 void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance)
 {
-    vec3 yours = vec3_of(yours_x, yours_y, 0), expected = vec3_of(x, y, 0);
-    SETTLE(vec3_near(yours, expected, tolerance), two_numbers, yours, expected);
+    bool met = near(yours_x, x, tolerance) && near(yours_y, y, tolerance);
+    settle_numbers(met, (const double[]){yours_x, yours_y}, (const double[]){x, y}, 2);
 }
 
 void expect_camera(Camera yours, Camera expected, double tolerance)
@@ -74,12 +94,12 @@ void expect_camera(Camera yours, Camera expected, double tolerance)
                near(yours.distance, expected.distance, tolerance) &&
                near(yours.width, expected.width, tolerance) &&
                near(yours.height, expected.height, tolerance);
-    char y[CAMERA_WORDS], e[CAMERA_WORDS];
+    char y[CAMERA_WORDS] = "", e[CAMERA_WORDS] = "";
     int digits = 6;
-    do {
+    while (!met && strcmp(y, e) == 0 && digits <= 17) {
         camera_words(y, sizeof y, yours, digits);
-        camera_words(e, sizeof e, expected, digits);
-    } while (strcmp(y, e) == 0 && ++digits <= 17);
+        camera_words(e, sizeof e, expected, digits++);
+    }
     settle(met, y, e);
 }
 
