@@ -52,7 +52,7 @@ static void settle_numbers(bool met, const double *yours, const double *expected
         return;
     }
     int digits = digits_that_tell(yours, expected, count);
-    size_t used = 0;
+    size_t y_used = 0, e_used = 0;
     for (int i = 0; i < count; i++) {
         Text a = number_text_to(yours[i], digits), b = number_text_to(expected[i], digits);
         int wide = (int)(strlen(a.s) > strlen(b.s) ? strlen(a.s) : strlen(b.s));
@@ -60,9 +60,10 @@ static void settle_numbers(bool met, const double *yours, const double *expected
             wide = 0;
         const char *before = count == 1 ? "" : i == 0 ? "(" : ", ";
         const char *behind = count > 1 && i == count - 1 ? ")" : "";
-        snprintf(y + used, sizeof y - used, "%s%*s%s", before, wide, a.s, behind);
-        snprintf(e + used, sizeof e - used, "%s%*s%s", before, wide, b.s, behind);
-        used = strlen(y);
+        snprintf(y + y_used, sizeof y - y_used, "%s%*s%s", before, wide, a.s, behind);
+        snprintf(e + e_used, sizeof e - e_used, "%s%*s%s", before, wide, b.s, behind);
+        y_used = strlen(y);
+        e_used = strlen(e);
     }
     settle(false, y, e);
 }

@@ -91,6 +91,11 @@ mutants_of() {
     function mutate(line, code, at, length_of, rest, token, before, i) {
         code = line
         sub(/\/\/.*/, "", code)
+        declared = ""
+        if (match(code, /^ *[A-Za-z_][A-Za-z_0-9]* [a-z_]+ = /)) {
+            declared = substr(code, 1, RLENGTH - 3)
+            sub(/.* /, "", declared)
+        }
         before = ""
         for (at = 1; at <= length(code); at += length_of) {
             rest = substr(code, at)
@@ -141,6 +146,8 @@ mutants_of() {
     function change(line, at, length_of, others, other, count, i, text) {
         count = split(others, other, ",")
         for (i = 1; i <= count; i++) {
+            if (other[i] == declared) # a variable in its own first value: anything may come of it
+                continue
             sub(/;/, ",", other[i])
             text = substr(line, 1, at - 1) other[i] substr(line, at + length_of)
             if (!((FNR, text) in seen))
