@@ -15,8 +15,7 @@ export NO_COLOR=1
 unset MAKEFLAGS MAKELEVEL
 
 make --no-print-directory watch ANSWERS="$answers" >"$scratch/said" 2>&1 &
-watcher=$!
-trap 'kill $watcher 2>/dev/null; rm -rf "$scratch" "build$answers"' EXIT
+trap 'pkill -f "$answers"; rm -rf "$scratch" "build$answers"' EXIT
 exec 3<"$scratch/said"
 
 # The verdict is there when it says what is next, or that the chapter is right; what comes behind

@@ -12,12 +12,10 @@ judges_what_is_saved() {
     mkdir "$answers"
     cp solutions/*.c "$answers"
     POLL=$1 make --no-print-directory watch EX=03 ANSWERS="$answers" >"$scratch/said" 2>&1 &
-    watcher=$!
     wait_for 'Watching' && sed 's/1 - point.y/point.y/' solutions/03-screen.c >"$scratch/new" &&
         mv "$scratch/new" "$answers/03-screen.c" && wait_for 'looks like'
     status=$?
-    pkill -P "$watcher" 2>/dev/null
-    kill "$watcher" 2>/dev/null
+    pkill -f "$answers" # the loop, what it waits for, and make
     cat "$scratch/said"
     return $status
 }
