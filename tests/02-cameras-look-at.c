@@ -104,6 +104,7 @@ END_TEST
 START_TEST(up_may_lean_until_it_is_almost_along_the_view)
 {
     look_finds(deck_with(vec3_of(0, 0.001, 1), 2, 1), LEFT_HANDED, camera_of_the_deck());
+    look_finds(deck_with(vec3_of(0, 1e-7, 1), 2, 1), LEFT_HANDED, camera_of_the_deck());
 }
 END_TEST
 
@@ -157,6 +158,19 @@ START_TEST(a_look_at_keeps_the_rays_to_twelve_digits)
 }
 END_TEST
 
+// The cross product is then a hundred millionth long, and rounding shows: right must be made
+// perpendicular once more, or there is no camera. Extra: the deck's formula need not.
+START_TEST(up_may_be_almost_along_an_oblique_view)
+{
+    for (int i = 0; i < 15; i++) {
+        Camera c = random_camera(), found;
+        LookAt view = {c.origin, c.origin + c.distance * c.forward, c.forward + 1e-8 * c.up,
+                       c.width, c.width / c.height};
+        expect_fault(look(view, hand_of(c), &found), CAMERA_OK);
+    }
+}
+END_TEST
+
 void list_tests_of_look_at(void)
 {
     tests_of("camera_from_look_at");
@@ -171,4 +185,6 @@ void list_tests_of_look_at(void)
     test(the_look_at_of_any_camera_gives_it_back);
     test(a_look_at_keeps_the_rays_to_twelve_digits);
     list_refusals_of_look_at();
+    tests_of_extra("camera_from_look_at");
+    test(up_may_be_almost_along_an_oblique_view);
 }

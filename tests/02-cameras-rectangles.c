@@ -57,10 +57,15 @@ void finds(Form form, const vec3 *in, Camera expected)
     expect_found(fault, found, expected);
 }
 
+// Some large and some small: rounding grows with the numbers, so a rectangle is one by its size.
 void finds_random_cameras(Form form)
 {
     for (int i = 0; i < 15; i++) {
         Camera c = random_camera();
+        double size = i < 9 ? 1 : i % 2 == 0 ? 1e4 : 1e-4;
+        c.distance *= size;
+        c.width *= size;
+        c.height *= size;
         vec3 in[MOST_PARTS];
         take_apart(form, c, in);
         finds(form, in, c);
@@ -92,11 +97,17 @@ static const struct {
     {"a parallelogram that hardly leans",
      {{-1.001, 1, 4}, {0.999, 1, 4}, {-0.999, -1, 4}, {1.001, -1, 4}},
      RECTANGLE},
+    {"a parallelogram that leans by a ten millionth",
+     {{-1.0000001, 1, 4}, {0.9999999, 1, 4}, {-0.9999999, -1, 4}, {1.0000001, -1, 4}},
+     RECTANGLE},
     {"a rectangle but for one corner, astray",
      {{-1.5, 1, 4}, {0.5, 1, 4}, {-1.5, -1, 4}, {2.5, -1, 4}},
      RECTANGLE | AXIS},
     {"a rectangle but for one corner, hardly astray",
      {{-1, 1, 4}, {1, 1, 4}, {-1, -1, 4}, {1.001, -1, 4}},
+     RECTANGLE | AXIS},
+    {"a rectangle, far away, but for one corner, a millionth astray",
+     {{-1, 1, 1000}, {1, 1, 1000}, {-1, -1, 1000}, {1.000001, -1, 1000}},
      RECTANGLE | AXIS},
     {"a rectangle but for one corner, bent back",
      {{-1, 1, 4}, {1, 1, 4}, {-1, -1, 4}, {1, -1, 5}},
@@ -111,6 +122,12 @@ static const struct {
     {"a rectangle aside", {{0, 1, 4}, {2, 1, 4}, {0, -1, 4}, {2, -1, 4}}, AXIS},
     {"a rectangle hardly aside",
      {{-1.001, 1, 4}, {0.999, 1, 4}, {-1.001, -1, 4}, {0.999, -1, 4}},
+     AXIS},
+    {"a rectangle aside by four ten millionths",
+     {{-1.0000004, 1, 4}, {0.9999996, 1, 4}, {-1.0000004, -1, 4}, {0.9999996, -1, 4}},
+     AXIS},
+    {"a rectangle below by four ten millionths",
+     {{-1, 0.9999996, 4}, {1, 0.9999996, 4}, {-1, -1.0000004, 4}, {1, -1.0000004, 4}},
      AXIS},
     {"a rectangle above", {{-1, 2, 4}, {1, 2, 4}, {-1, 0, 4}, {1, 0, 4}}, AXIS},
     {"a rectangle hardly below",

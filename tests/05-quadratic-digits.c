@@ -1,6 +1,8 @@
 // 05-quadratic-digits.c - tests beyond the slide's formula, which loses digits; they cost no marks.
 #include "tests/05-quadratic.h"
 
+#include <stdlib.h>
+
 // ---- quadratic_roots, extra ---------------------------------------------------------------------
 
 // t^2 - 10^8 t + 1: the product of the roots is 1, their sum 10^8; so 10^-8 to 16 digits.
@@ -25,6 +27,72 @@ START_TEST(enormous_and_tiny_coefficients_neither_overflow_nor_vanish)
 {
     expect_roots_of((Quadratic){1e200, -3e200, 2e200}, two(1, 2), TOLERANCE);
     expect_roots_of((Quadratic){1e-200, -3e-200, 2e-200}, two(1, 2), TOLERANCE);
+}
+END_TEST
+
+// The same, its t counted in two thirds: then a and c are far apart.
+START_TEST(nearly_equal_roots_keep_their_digits_where_a_and_c_differ)
+{
+    Quadratic q = {2.25 * 94906265.625, 1.5 * -189812534, 94906268.375};
+    expect_roots_of(q, two(1 / 1.5, 94906268.375 / 94906265.625 / 1.5), 1e-12);
+}
+END_TEST
+
+// 1.25 (t - 1.5)(t - 3), times a power of two, for t times a power of two.
+START_TEST(coefficients_and_roots_may_be_of_any_size)
+{
+    for (int size = -900; size <= 900; size += 300)
+        for (int t = -400; t <= 400; t += 100)
+            if (abs(size + 2 * t) < 1000)
+                expect_roots_of((Quadratic){ldexp(1.25, size), ldexp(-5.625, size + t),
+                                            ldexp(5.625, size + 2 * t)},
+                                two(ldexp(1.5, t), ldexp(3, t)), ldexp(1e-12, t));
+}
+END_TEST
+
+START_TEST(where_b_is_0_or_nearly_coefficients_may_be_of_any_size)
+{
+    expect_roots_of((Quadratic){0x1p600, 0, -0x1p-600}, two(-0x1p-600, 0x1p-600), 0x1p-640);
+    expect_roots_of((Quadratic){0x1p-600, 0, -0x1p600}, two(-0x1p600, 0x1p600), 0x1p560);
+    expect_roots_of((Quadratic){0x1p600, 0x1p-1000, -0x1p-600}, two(-0x1p-600, 0x1p-600), 0x1p-640);
+    expect_roots_of((Quadratic){0x1p600, 0, -0x1p600}, two(-1, 1), 1e-12);
+    expect_roots_of((Quadratic){0x1p-600, 0, -0x1p-600}, two(-1, 1), 1e-12);
+    given_quadratic((Quadratic){0x1p-600, 0, 0x1p-600});
+    expect_no_roots(quadratic_roots((Quadratic){0x1p-600, 0, 0x1p-600}));
+}
+END_TEST
+
+START_TEST(where_c_is_0_coefficients_may_be_of_any_size)
+{
+    expect_roots_of((Quadratic){0x1p500, -0x3p-300, 0}, two(0, 0x3p-800), 0x1p-840);
+    expect_roots_of((Quadratic){0x1p-100, -0x3p-700, 0}, two(0, 0x3p-600), 0x1p-640);
+    expect_roots_of((Quadratic){0x1p-100, -0x3p700, 0}, two(0, 0x3p800), 0x1p760);
+}
+END_TEST
+
+// Then the roots are -c / b and -b / a to the last digit.
+START_TEST(b_may_outweigh_the_others_by_far)
+{
+    expect_roots_of((Quadratic){1, -0x1p400, 0}, two(0, 0x1p400), 0x1p360);
+    Quadratic q = {0x1p-300, -0x1p100, -0x1p-50};
+    given_quadratic(q);
+    given("looking at", "the first root");
+    expect_number(quadratic_roots(q).t[0], -0x1p-150, 0x1p-190);
+    given_quadratic(q);
+    given("looking at", "the second root");
+    expect_number(quadratic_roots(q).t[1], 0x1p400, 0x1p360);
+}
+END_TEST
+
+START_TEST(what_is_no_number_has_no_roots)
+{
+    const double none[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 9; i++) {
+        double q[] = {1, -3, 2};
+        q[i / 3] = none[i % 3];
+        given_quadratic((Quadratic){q[0], q[1], q[2]});
+        expect_no_roots(quadratic_roots((Quadratic){q[0], q[1], q[2]}));
+    }
 }
 END_TEST
 
@@ -100,6 +168,71 @@ START_TEST(directions_may_be_of_any_length)
 }
 END_TEST
 
+// Whatever is longest in the direction, and whichever way it goes.
+START_TEST(directions_of_any_length_may_go_any_way)
+{
+    double length[] = {1e-200, 1e200};
+    for (int i = 0; i < 12; i++) {
+        vec3 axis = vec3_of(0, 0, 0);
+        axis[i / 4] = i % 2 == 0 ? 1 : -1;
+        double l = length[i / 2 % 2];
+        Sphere sphere = {.center = 10 * axis, .radius = 5};
+        expect_meetings((Ray){vec3_of(0, 0, 0), l * axis}, sphere, two(5 / l, 15 / l),
+                        TOLERANCE / l);
+    }
+}
+END_TEST
+
+// Origin times direction is of no unusual size here; the direction is.
+START_TEST(a_long_direction_from_near_the_origin_of_the_world)
+{
+    Ray ray = {vec3_of(1e-200, 1e-200, 1e-200), 1e200 * vec3_of(2, 3, 6)};
+    expect_meetings(ray, whole_sphere(10, 3, 5), two(6e-200, 14e-200), 1e-209);
+}
+END_TEST
+
+// Each alone would do; together their squares are beyond the numbers.
+START_TEST(scene_and_direction_may_both_be_large_or_small)
+{
+    double size[] = {1e100, 1e-100};
+    for (int i = 0; i < 2; i++) {
+        Ray ray = {vec3_of(0, 0, 0), size[i] * vec3_of(2, 3, 6)};
+        Sphere sphere = whole_sphere(10, 3, 5);
+        sphere.center = sphere.center * size[i];
+        sphere.radius *= size[i];
+        expect_meetings(ray, sphere, two(6, 14), TOLERANCE);
+    }
+}
+END_TEST
+
+START_TEST(an_enormous_sphere_is_met_from_its_middle)
+{
+    Ray ray = {vec3_of(1, 2, 3), vec3_of(1, 0, 0)};
+    expect_meetings(ray, sphere_at(1, 2, 3, 1e200), two(-1e200, 1e200), 1e190);
+}
+END_TEST
+
+START_TEST(a_sphere_straight_ahead_is_met_however_far_it_is)
+{
+    Ray ray = {vec3_of(0, 0, 0), vec3_of(1, 0, 0)};
+    expect_meetings(ray, sphere_at(1e200, 0, 0, 1), two(1e200, 1e200), 1e190);
+}
+END_TEST
+
+START_TEST(what_is_no_number_meets_nothing)
+{
+    const double none[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 9; i++) {
+        Ray ray = ray_of_the_deck(1, 0.5);
+        Sphere sphere = unit_sphere();
+        vec3 *part[] = {&ray.origin, &ray.direction, &sphere.center};
+        (*part[i / 3])[i % 2] = none[i % 3];
+        given_ray_and_sphere(ray, sphere);
+        expect_no_roots(sphere_roots(ray, sphere));
+    }
+}
+END_TEST
+
 START_TEST(scenes_may_be_enormous_or_tiny)
 {
     double size[] = {1e200, 1e-200};
@@ -142,12 +275,24 @@ void list_tests_of_digits(void)
     test(a_small_root_beside_a_large_one_keeps_its_digits);
     test(roots_that_are_nearly_equal_keep_their_digits);
     test(enormous_and_tiny_coefficients_neither_overflow_nor_vanish);
+    test(nearly_equal_roots_keep_their_digits_where_a_and_c_differ);
+    test(coefficients_and_roots_may_be_of_any_size);
+    test(where_b_is_0_or_nearly_coefficients_may_be_of_any_size);
+    test(where_c_is_0_coefficients_may_be_of_any_size);
+    test(b_may_outweigh_the_others_by_far);
+    test(what_is_no_number_has_no_roots);
     tests_of_extra("sphere_roots");
     test(a_small_sphere_far_away_is_met_where_it_is);
     test(a_small_sphere_far_away_is_hit_or_missed_by_a_ten_millionth);
     test(a_grazing_ray_keeps_its_short_chord);
     test(points_on_small_distant_spheres_are_met);
     test(directions_may_be_of_any_length);
+    test(directions_of_any_length_may_go_any_way);
+    test(a_long_direction_from_near_the_origin_of_the_world);
+    test(scene_and_direction_may_both_be_large_or_small);
+    test(an_enormous_sphere_is_met_from_its_middle);
+    test(a_sphere_straight_ahead_is_met_however_far_it_is);
+    test(what_is_no_number_meets_nothing);
     test(scenes_may_be_enormous_or_tiny);
     test(a_ray_goes_from_one_end_of_the_numbers_to_the_other);
     test(next_to_a_huge_sphere_a_short_way_keeps_its_digits);

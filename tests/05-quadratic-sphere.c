@@ -34,6 +34,13 @@ START_TEST(a_tangent_line_meets_it_twice_in_one_place)
 }
 END_TEST
 
+START_TEST(a_line_that_touches_it_where_it_starts_meets_it_at_0)
+{
+    Ray ray = {vec3_of(3, 5, 0), vec3_of(0, 0, 2)};
+    expect_meetings(ray, sphere_at(3, 4, 0, 1), two(0, 0), ROOT_TOLERANCE);
+}
+END_TEST
+
 START_TEST(a_line_that_passes_beside_it_does_not_meet_it)
 {
     Ray ray = {vec3_of(-4, 1.25, 0), vec3_of(1, 0, 0)};
@@ -64,6 +71,7 @@ void list_tests_of_sphere(void)
     test(what_is_behind_the_origin_is_met_too);
     test(from_the_middle_it_is_met_on_both_sides);
     test(a_tangent_line_meets_it_twice_in_one_place);
+    test(a_line_that_touches_it_where_it_starts_meets_it_at_0);
     test(a_line_that_passes_beside_it_does_not_meet_it);
     test(the_chord_is_twice_the_radius_times_the_cosine);
 }

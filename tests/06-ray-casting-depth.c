@@ -3,9 +3,10 @@
 
 START_TEST(what_is_in_the_depth_before_does_not_matter)
 {
+    // The white one is seen by the pixel that would come behind the last.
     Sphere spheres[] = {sphere_at(10, 0, -10, 2, GREEN), sphere_at(0, 0, -10, 2, RED),
-                        sphere_at(0, 0, -20, 2, BLUE)};
-    Scene scene = scene_of(3, spheres);
+                        sphere_at(0, 0, -20, 2, BLUE), sphere_at(-10, -10, -10, 2, WHITE)};
+    Scene scene = scene_of(4, spheres);
     Resolution size = {3, 1};
     Image expected = image_of(size), image = odd_image(size);
     image_set(&expected, (Pixel){0, 0}, scene.background);
@@ -13,12 +14,14 @@ START_TEST(what_is_in_the_depth_before_does_not_matter)
     image_set(&expected, (Pixel){2, 0}, surfaces[GREEN].color);
     const double junk[] = {NAN, 0, -1, 1e-300, -INFINITY, 9};
     for (int i = 0; i < 6; i++) {
-        double depth[] = {junk[i], junk[i], junk[i]};
+        double depth[] = {junk[i], junk[i], junk[i], 1e9};
         given_scene(&scene);
         given_size(size);
         given("depth", "%g everywhere before", junk[i]);
         cast_object_order(&scene, camera_with_pixels_of_1(size), &image, depth);
         expect_same_image(&image, &expected);
+        given("looking at", "what is behind the last depth");
+        expect_number(depth[3], 1e9, 0);
     }
     image_free(&expected);
     image_free(&image);

@@ -1,7 +1,7 @@
 // laws.h - what must hold of an answer whatever the numbers, and the words for when it does not.
 //
-// Where no known mistake explains a wrong answer, a law that it breaks still helps: 'your vector goes
-// 2 along forward; the plane is 4 ahead'. For each exercise NAME there is
+// Where no known mistake explains a wrong answer, a law that it breaks still helps: 'your vector
+// goes 2 along forward; the plane is 4 ahead'. For each exercise NAME there is
 //
 //     void law_NAME(RESULT yours, PARAMETERS);
 //

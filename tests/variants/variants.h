@@ -16,7 +16,7 @@ typedef struct {
 
 #define VARIANT(exercise, answer, what)                                                            \
     {                                                                                              \
-        #exercise, (AnyFunction *)(answer), what                                                   \
+#exercise, (AnyFunction *)(answer), what                                                   \
     }
 
 // Of one stem; ends with a Variant whose exercise is NULL.
