@@ -273,11 +273,19 @@ answering = $(B)/tests/judge/answering.o $(B)/tests/judge/wire.o $(B)/judge/disp
 	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
 # Between saving and reading stands the linker: the quickest that is there.
 QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
-	mold gold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
+	gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
+# And the compiler, with all that every answer includes already read. Not optimised: that takes
+# longer than what it saves.
+QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections $(SANITIZER) $(FOR_STUDENTS)
+QUICK_HEADER := $(B)/judge/answer.h
+$(QUICK_HEADER): $(B)/weak.h $(wildcard common/*.h) $(B)/flags
+	$(Q)mkdir -p $(@D)
+	$(Q)(cat $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
+	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(findstring clang,$(FLAGS_NOW)),pch,gch) $@
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
-$(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict .make/explain $(B)/weak.h \
+$(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict .make/explain $(QUICK_HEADER) \
 		build/blanks/%.c $(B)/judge/% $$(call answering,$$*)
-	@printf '%s\n' "COMPILE='$(CC) $(LANGUAGE) -O1 -ffunction-sections $(SANITIZER) $(FOR_ANSWERS) -c'" \
+	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(QUICK_HEADER) -c'" \
 		"LINK='$(LINK) $(QUICK_LINKER) -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc'" \
 		"OBJECTS='$(call answering,$*)'" "REFERENCES='$(REFERENCES)'" \
 		'export COMPILE LINK OBJECTS REFERENCES' \

@@ -34,11 +34,8 @@ until_shown() {
         esac
     done
 }
-milliseconds() {
-    echo "$(($(date +%s%N) / 10000))" | awk '{ printf "%.2f", $1 / 100 }'
-}
-later() { # FROM TO
-    awk -v from="$1" -v to="$2" 'BEGIN { printf "%.1f\n", to - from }'
+microseconds() {
+    echo $(($(date +%s%N) / 1000))
 }
 
 until_shown
@@ -50,23 +47,23 @@ while [ $i -lt "$saves" ]; do
         else
             sed "\$a // $i" "solutions/$stem.c" >"$scratch/new"
         fi
-        from=$(milliseconds)
+        from=$(microseconds)
         cp "$scratch/new" "$answers/$stem.c"
         until_said
-        to=$(milliseconds)
+        to=$(microseconds)
         until_shown
-        later "$from" "$to" >>"$scratch/verdicts"
-        from=$(milliseconds)
+        echo $((to - from)) >>"$scratch/verdicts"
+        from=$(microseconds)
         ${CC:-cc} -std=c11 -D_DEFAULT_SOURCE -Wno-psabi -I. -O1 -c -o "$scratch/bare.o" \
             "$answers/$stem.c"
-        to=$(milliseconds)
-        later "$from" "$to" >>"$scratch/compiles"
+        to=$(microseconds)
+        echo $((to - from)) >>"$scratch/compiles"
     done
     i=$((i + 3))
 done
 
 percentile() { # SHARE FILE
-    sort -n "$2" | awk -v share="$1" '{ v[NR] = $1 } END { print v[int(share * (NR - 1) + 1.5)] }'
+    sort -n "$2" | awk -v share="$1" '{ v[NR] = $1 / 1000 } END { printf "%.1f", v[int(share * (NR - 1) + 1.5)] }'
 }
 median=$(percentile 0.5 "$scratch/verdicts")
 bare=$(percentile 0.5 "$scratch/compiles")
