@@ -20,11 +20,14 @@ endif
 ifeq ($(wildcard $(A)/.),)
 $(error ANSWERS=$(ANSWERS): no such folder)
 endif
+ifeq ($(wildcard $(STEMS:%=$(A)/%.c)),)
+$(error ANSWERS=$(ANSWERS): no answer in it, expected $(firstword $(STEMS)).c and the like)
+endif
 
 # SANITIZE=address,undefined builds beside the ordinary build, not over it.
 comma := ,
 B := build$(if $(SANITIZE),/sanitize-$(subst $(comma),-,$(SANITIZE)))
-OUT := $(B)/$(A)
+OUT := $(B)/$(A:/%=%)
 
 # ---- compiling --------------------------------------------------------------------------------
 
@@ -35,7 +38,9 @@ WERROR ?= $(if $(CI),-Werror)
 # of a build with one compiler and one set of flags, which the stamp below makes sure of.
 LANGUAGE := -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I.
 STRICT := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
-FOR_STUDENTS := -Wall -Wextra -Wno-unused-parameter
+# Two warnings are errors for everybody: what is left out there is found by luck or not at all.
+FOR_STUDENTS := -Wall -Wextra -Wno-unused-parameter -Werror=return-type \
+	-Werror=implicit-function-declaration
 SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all)
 WARNINGS = $(STRICT) $(WERROR)
 COMPILE = $(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER) $(WARNINGS) $(EXTRA) $(CPPFLAGS) -MMD -MP -c
@@ -154,10 +159,10 @@ $(OUT)/made: $(PROGRAMS) $(PICTURES) $(B)/compile_commands.json
 	@touch $@
 	@$(eval DONE := yes)
 
-all: $(OUT)/made ## build the programs and cast their pictures (ANSWERS=folder: with those)
+all: $(OUT)/made ## build, and cast the pictures (ANSWERS=folder: by those)
 	@echo "$(if $(DONE),Done,Nothing to do: all is up to date). Programs: $(OUT)/NN-stem. Pictures: $(GALLERY)/"
 
-setup: ## install what is missing, by the system's package manager (FOR=contributor: all of it)
+setup: ## install what is missing (FOR=contributor: all of it)
 	@.make/setup $(FOR)
 
 # ---- tests ------------------------------------------------------------------------------------
@@ -253,14 +258,14 @@ check-all: $(CHECKS) $(FOR_CHECKS) ## those that need longer, too
 EXERCISES := $(if $(filter command line environment,$(origin ANSWERS)),$(A),exercises)
 CHOSEN := $(if $(EX),$(filter $(EX)% 0$(EX)%,$(STEMS)),$(STEMS))
 ifeq ($(CHOSEN),)
-$(error EX=$(EX): no such chapter, expected one of $(STEMS))
+$(error EX=$(EX): no such chapter, expected 01 to $(lastword $(subst -, ,$(STEMS:%=0$(words $(STEMS))))))
 endif
 ifneq ($(filter debug reset hint,$(MAKECMDGOALS)),)
 ifneq ($(words $(CHOSEN)),1)
 $(error which chapter? Say, for example: make $(filter debug reset hint,$(MAKECMDGOALS)) EX=05)
 endif
 endif
-VERDICT := $(B)/$(EXERCISES)/verdict
+VERDICT := $(B)/$(EXERCISES:/%=%)/verdict
 VERDICTS := $(CHOSEN:%=$(VERDICT)/%/table)
 ifneq ($(filter exercises watch debug hint,$(MAKECMDGOALS)),)
 ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
@@ -275,13 +280,15 @@ answering = $(B)/tests/judge/answering.o $(B)/tests/judge/wire.o $(B)/judge/disp
 QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
 	gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
 # And the compiler, with all that every answer includes already read. Not optimised: that takes
-# longer than what it saves.
-QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections $(SANITIZER) $(FOR_STUDENTS)
+# longer than what it saves. An index beyond the end of an array is a crash, not luck.
+IS_CLANG := $(findstring clang,$(FLAGS_NOW))
+QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections $(SANITIZER) $(FOR_STUDENTS) \
+	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
 QUICK_HEADER := $(B)/judge/answer.h
 $(QUICK_HEADER): $(B)/weak.h $(wildcard common/*.h) $(B)/flags
 	$(Q)mkdir -p $(@D)
 	$(Q)(cat $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
-	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(findstring clang,$(FLAGS_NOW)),pch,gch) $@
+	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(IS_CLANG),pch,gch) $@
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
 $(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict .make/explain $(QUICK_HEADER) \
 		build/blanks/%.c $(B)/judge/% $$(call answering,$$*)
@@ -292,7 +299,7 @@ $(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict .make/explain $(
 		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh
 	@sh $(@D).sh
 
-exercises: $(VERDICTS) ## what is right, wrong or not answered yet (EX=05: one chapter)
+exercises: $(VERDICTS) ## what is right, wrong, not yet (EX=05: one chapter)
 	@.make/exercises $(VERDICT) $(EXERCISES) $(CHOSEN)
 
 watch: $(VERDICTS) ## judge again whenever an answer is saved
@@ -300,6 +307,7 @@ watch: $(VERDICTS) ## judge again whenever an answer is saved
 
 hint: $(VERDICTS) ## one hint more each time it is asked for (EX=05)
 	@name=$$(awk '$$1 !~ /^[+!]/ && $$2 != "right" { print $$1; exit }' $(VERDICT)/$(CHOSEN)/table); \
+		[ -n "$$name" ] || { echo "$(CHOSEN) needs no hint: make exercises EX=$(EX)"; exit 0; }; \
 		.make/hint exercises/$(CHOSEN).hints "$$name" $(call answer_in,$(EXERCISES),$(CHOSEN)) \
 		$(VERDICT)/$(CHOSEN).hint
 
@@ -312,7 +320,7 @@ debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call test_objects,$(CH
 reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
 	@.make/reset build/blanks/$(CHOSEN).c exercises/$(CHOSEN).c
 
-skeletons: $(BLANKS) ## write the blanks made from solutions/; refuses over a changed file
+skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
 	@.make/skeletons $(BLANKS)
 
 bench: $(JUDGES) ## how long from save to verdict

@@ -1,7 +1,7 @@
 // image.c - pixels in memory. Its PNG is in image_png.c.
 #include "common/image.h"
 
-#include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 bool image_create(Image *image, Resolution size, Message *message)
@@ -33,8 +33,12 @@ uint8_t byte_from_color(double c)
 
 void image_set(Image *image, Pixel pixel, Color color)
 {
-    assert(pixel.column >= 0 && pixel.column < image->size.width);
-    assert(pixel.row >= 0 && pixel.row < image->size.height);
+    if (pixel.column < 0 || pixel.column >= image->size.width || pixel.row < 0 ||
+        pixel.row >= image->size.height) {
+        fprintf(stderr, "image_set: column %d, row %d is not in an image of %d x %d\n",
+                pixel.column, pixel.row, image->size.width, image->size.height);
+        abort();
+    }
     uint8_t *rgb =
         image->rgb + 3 * ((size_t)pixel.row * (size_t)image->size.width + (size_t)pixel.column);
     for (int i = 0; i < 3; i++)

@@ -37,7 +37,7 @@ void image_free(Image *image);
 // 255 c, rounded, from 0 to 255; 0 where c is not a number.
 uint8_t byte_from_color(double c);
 
-// Colours one pixel; it must lie in the image.
+// Colours one pixel. It must lie in the image: where it does not, the program ends, and says so.
 void image_set(Image *image, Pixel pixel, Color color);
 
 // False, and a message, where it is plain before any work that path cannot be written.

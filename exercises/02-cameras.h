@@ -13,7 +13,9 @@
 
 // "Eye and four vectors": from the eye to the corners of the image plane.
 // CAMERA_NO_RECTANGLE where they do not end in the corners of a rectangle, CAMERA_OFF_AXIS where
-// the eye is not straight behind its middle; CAMERA_NO_DISTANCE, _WIDTH or _HEIGHT where one is 0.
+// the eye is not straight behind its middle; CAMERA_NO_DISTANCE, _WIDTH or _HEIGHT where one is 0;
+// CAMERA_NOT_FINITE where a number is infinite or none. 'Is' means to CAMERA_TOLERANCE (camera.h):
+// what rounding leaves is no reason to refuse.
 CameraFault camera_from_vectors(vec3 eye, Corners vectors, Camera *camera);
 
 // "Eye and four points": the corners themselves. The same reasons.
@@ -27,7 +29,8 @@ CameraFault camera_from_corner(vec3 eye, vec3 lower_left, vec3 across, vec3 up, 
 // through the point looked at; height = width / aspect. world says which hand the world has, and
 // with it on which side right is (camera.h).
 // CAMERA_NO_DIRECTION where at is the eye, CAMERA_UP_ALONG_VIEW where up is zero or along the
-// view; CAMERA_NO_WIDTH where the width is not positive, CAMERA_NO_HEIGHT where the aspect is not.
+// view (to CAMERA_TOLERANCE), CAMERA_NOT_FINITE as above; CAMERA_NO_WIDTH where the width is not
+// positive, CAMERA_NO_HEIGHT where the aspect is not.
 CameraFault camera_from_look_at(LookAt view, Handedness world, Camera *camera);
 
 // The width of an image plane that is seen under an angle (in degrees, 0 to 180, from its left edge

@@ -90,6 +90,8 @@ bool drawing_begin(Drawing *drawing, const char *program, const Command *command
     if (!image_path_is_writable(drawing->output, &message) ||
         !scene_load(drawing->scene_path, &drawing->scene, &message))
         return report(message.text);
+    if (drawing->scene.sphere_count == 0)
+        fprintf(stderr, "%s: warning: there are no spheres in it\n", drawing->scene_path);
     Resolution size = command->size.width > 0 ? command->size : drawing->scene.view.resolution;
     CameraFault fault = scene_camera(&drawing->scene.view, size, &drawing->camera);
     bool ready = true;

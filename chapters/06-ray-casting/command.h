@@ -18,7 +18,7 @@ typedef struct {
 #define COMMAND_OPTIONS(command)                                                                   \
     {"output",          'o',                                                                       \
      "FILE.png",        option_string,                                                             \
-     &(command).output, "the picture (gallery/SCENE.png beside the program)"},                     \
+     &(command).output, "the picture (gallery/SCENE.png)"},                                        \
     {                                                                                              \
         "size", 's', "WIDTHxHEIGHT", option_size, &(command).size,                                 \
             "of the picture (what the scene says)"                                                 \

@@ -77,7 +77,7 @@ int main(int argc, char **argv)
         COMMAND_OPTIONS(command),
         {"order", 0, "image|object", option_order, &order, "which loop is the outer (image)"},
         {0}};
-    Usage usage = {"[-o FILE.png] [-s WIDTHxHEIGHT] [--order image|object] [SCENE.nff]",
+    Usage usage = {"[OPTION]... [SCENE.nff]",
                    "Casts a scene, flat. Without arguments: the deck's three spheres."};
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)
@@ -92,7 +92,8 @@ int main(int argc, char **argv)
         explain(&drawing);
     if (!cast(&drawing, order))
         return EXIT_COULD_NOT;
-    if (argc == 1)
-        printf("\nThe picture: %s\n", drawing.output);
-    return drawing_end(&drawing);
+    int status = drawing_end(&drawing);
+    if (status == EXIT_DONE && command.output == NULL)
+        printf("%s%s\n", argc == 1 ? "\nThe picture: " : "", drawing.output);
+    return status;
 }

@@ -34,6 +34,8 @@ void call_answers_from(const char *path, int printed)
 {
     program = path;
     printed_file = printed;
+    // Behind what is there already, also when the judge has emptied the file in between.
+    fcntl(printed, F_SETFL, O_APPEND);
     signal(SIGPIPE, SIG_IGN);
 }
 
@@ -175,7 +177,7 @@ static void describe_signal(char *why, size_t size, int number)
     }
     const char *words = number == SIGFPE    ? "it divided a whole number by zero"
                         : number == SIGABRT ? "it was aborted (an assertion that failed?)"
-                        : number == SIGILL  ? "it reached an illegal instruction"
+                        : number == SIGILL  ? "it went beyond the end of an array"
                         : number == SIGKILL ? "it was killed"
                                             : strsignal(number);
     snprintf(why, size, "crashed: %s", words);

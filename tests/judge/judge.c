@@ -12,6 +12,7 @@
 #include "tests/judge/show.h"
 #include "tests/judge/suspects.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,18 +71,31 @@ static void show_sentence(FILE *out, const char *name)
     fprintf(out, "\n");
 }
 
-static void show_diagnosis(FILE *out, int exercise)
+static void show_mistake(FILE *out, const Mistake *mistake, const char *besides)
 {
     char words[1000];
+    // Behind the colon a sentence goes on: no capital, but for a letter that is a name.
+    char first = mistake->why[0];
+    bool word = islower((unsigned char)mistake->why[1]) || strncmp(mistake->why, "A ", 2) == 0;
+    snprintf(words, sizeof words, "%s: %c%s%s", mistake->formula,
+             word ? tolower((unsigned char)first) : first, mistake->why + 1, besides);
+    show_field(out, "looks like", words);
+    show_field(out, "you'd see", mistake->picture);
+}
+
+static void show_diagnosis(FILE *out, int exercise)
+{
     const Mistake *mistake = suspect(exercise, 0, false);
     const char *law = suspect_broke_law(exercise);
-    if (mistake != NULL) {
-        snprintf(words, sizeof words, "%s: %s", mistake->formula, mistake->why);
-        show_field(out, "looks like", words);
-        show_field(out, "you'd see", mistake->picture);
-    } else if (law != NULL) {
-        show_field(out, "but", law);
+    const char *besides = "";
+    if (mistake == NULL) {
+        mistake = suspect_in_part(exercise);
+        besides = " (Something else is not right yet, too.)";
     }
+    if (mistake != NULL)
+        show_mistake(out, mistake, besides);
+    else if (law != NULL)
+        show_field(out, "but", law);
 }
 
 static void tell(const char *folder, const Group *group, bool unanswered)
@@ -98,7 +112,9 @@ static void tell(const char *folder, const Group *group, bool unanswered)
     show_outcome(out, group->failed);
     if (!group->extra && record->missing[0] == '\0' && record->how[0] == '\0')
         show_diagnosis(out, number);
-    fprintf(out, "  try        make hint EX=%.2s\n", exercise->stem);
+    // A crash or a loop is found by looking, not by thinking.
+    fprintf(out, "  try        make %s EX=%.2s\n", record->how[0] != '\0' ? "debug" : "hint",
+            exercise->stem);
     fclose(out);
 
     out = create(folder, group->function, group->extra ? "+.debug" : ".debug");
@@ -165,6 +181,7 @@ int main(int argc, char **argv)
     records_catch_printed(fileno(printed));
     suspects_begin();
     run_tests(only ? argv[3] : NULL, NULL, ANSWERS_APART, &outcomes);
+    int status = only ? passes(argv[3]) : verdict(argv[2]);
     call_stop();
-    return only ? passes(argv[3]) : verdict(argv[2]);
+    return status;
 }

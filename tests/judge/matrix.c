@@ -29,6 +29,7 @@ static int run(const char *function, Outcomes *outcomes, bool extra)
     run_tests(function, NULL, ANSWERS_APART, outcomes);
     for (int i = 0; i < outcomes->count; i++)
         count += !outcomes->tests[i].passed && (extra || !outcomes->tests[i].extra);
+    records_end();
     return count;
 }
 

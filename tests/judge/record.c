@@ -13,15 +13,14 @@ static struct {
     int next; // the test that runs next
     Record records[];
 } * shared;
+static size_t shared_size;
 static Record *record;
 static int printed_file = -1;
 
 void records_begin(int tests)
 {
-    static size_t size;
-    if (shared != NULL)
-        munmap(shared, size);
-    size = sizeof *shared + (size_t)tests * sizeof(Record);
+    shared_size = sizeof *shared + (size_t)tests * sizeof(Record);
+    size_t size = shared_size;
     shared = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED) {
         perror("no memory for the records of the tests");
@@ -29,9 +28,16 @@ void records_begin(int tests)
     }
 }
 
-void record_is_extra(int test)
+void records_end(void)
 {
-    shared->records[test].extra = true;
+    munmap(shared, shared_size);
+}
+
+void record_is_of(int test, const char *function, bool extra)
+{
+    Record *it = &shared->records[test];
+    it->extra = extra;
+    snprintf(it->function, sizeof it->function, "%s", function);
 }
 
 void records_catch_printed(int file)
@@ -47,6 +53,11 @@ const Record *record_of(int test)
 Record *record_now(void)
 {
     return record;
+}
+
+int record_number(void)
+{
+    return (int)(record - shared->records);
 }
 
 void record_setup(void)

@@ -12,6 +12,7 @@ typedef struct {
     bool closed;         // the current case has met its expectation
     bool finished;       // the test came to its end
     bool extra;          // it costs no marks
+    char function[64];   // the exercise that it tests
     char given[2400];    // lines: name, tab, value
     char expected[1200]; // of the expectation that failed; empty where none did
     char yours[1200];
@@ -22,18 +23,20 @@ typedef struct {
 
 enum { CAMERA_WORDS = 1200 };
 
-// Before all tests: memory for so many, that of the run before is gone. Then one record a test, in
-// the order in which they run.
+// Before all tests: memory for so many. Then one record a test, in the order in which they run.
 void records_begin(int tests);
-void record_is_extra(int test);
+// After all that is to be read of them.
+void records_end(void);
+void record_is_of(int test, const char *function, bool extra);
 
 // What the answer prints goes to this file (a descriptor); it is emptied before each test.
 void records_catch_printed(int file);
 
 const Record *record_of(int test);
 
-// Of the test that is running.
+// Of the test that is running, and its number.
 Record *record_now(void);
+int record_number(void);
 void record_missing(const char *name); // this blank was called
 bool record_is_missing(void);          // was any?
 void record_keep_printed(void);

@@ -79,8 +79,7 @@ void run_tests(const char *function, const char *name, WhereAnswersAre where, Ou
     list_tests();
     records_begin(outcomes->count);
     for (int i = 0; i < outcomes->count; i++)
-        if (outcomes->tests[i].extra)
-            record_is_extra(i);
+        record_is_of(i, outcomes->tests[i].function, outcomes->tests[i].extra);
     if (where == ANSWERS_APART)
         srunner_set_fork_status(runner, CK_NOFORK);
     fflush(NULL); // forks must not print it again

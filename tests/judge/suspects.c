@@ -2,6 +2,7 @@
 #include "tests/judge/suspects.h"
 
 #include "tests/judge/record.h"
+#include "tests/judge/runner.h"
 #include "tests/laws/laws.h"
 
 #include <stdarg.h>
@@ -15,12 +16,14 @@ static struct {
     struct {
         const Mistake *mistake;
         bool innocent;
+        bool differs[MOST_TESTS]; // in which tests, where each is heard by itself
     } suspects[MOST_MISTAKES];
     bool called;
     char law[400];
 } cases[MOST_EXERCISES];
 
-static int current; // whose laws are looked at
+static int current;       // whose laws are looked at
+static bool test_by_test; // whether one test acquits in all others
 
 static void take_up(const Mistake *mistake)
 {
@@ -41,6 +44,12 @@ void suspects_begin(void)
             take_up(&mistakes[table][i]);
 }
 
+// In the tests of other exercises the reference answers.
+static bool is_on_trial(int exercise)
+{
+    return strcmp(record_now()->function, exercises[exercise].name) == 0;
+}
+
 // Only the last digits differ: what only extra tests can tell from right.
 static bool is_of_digits(const Mistake *mistake)
 {
@@ -51,12 +60,17 @@ static bool is_of_digits(const Mistake *mistake)
 // acquit nobody but those who are suspected of just that.
 bool suspect_next(int exercise, int *i)
 {
+    if (!is_on_trial(exercise))
+        return false;
     bool extra = record_now()->extra;
     cases[exercise].called = true;
-    for (++*i; *i < cases[exercise].count; ++*i)
-        if (!cases[exercise].suspects[*i].innocent &&
-            (!extra || is_of_digits(cases[exercise].suspects[*i].mistake)))
+    int test = record_number();
+    for (++*i; *i < cases[exercise].count; ++*i) {
+        bool out = test_by_test ? cases[exercise].suspects[*i].differs[test]
+                                : cases[exercise].suspects[*i].innocent;
+        if (!out && (!extra || is_of_digits(cases[exercise].suspects[*i].mistake)))
             return true;
+    }
     return false;
 }
 
@@ -67,7 +81,10 @@ AnyFunction *suspect_answer(int exercise, int i)
 
 void suspect_said(int exercise, int i, bool same)
 {
-    cases[exercise].suspects[i].innocent = !same;
+    if (test_by_test)
+        cases[exercise].suspects[i].differs[record_number()] = !same;
+    else
+        cases[exercise].suspects[i].innocent = !same;
 }
 
 const Mistake *suspect(int exercise, int nth, bool extra)
@@ -81,10 +98,51 @@ const Mistake *suspect(int exercise, int nth, bool extra)
     return NULL;
 }
 
+// How many failed tests a suspect explains; 0 where it contradicts one that passed, or the first
+// that failed.
+static int explains(int exercise, int i, const Outcomes *outcomes)
+{
+    int explained = 0;
+    bool first = true;
+    for (int test = 0; test < outcomes->count; test++) {
+        bool differs = cases[exercise].suspects[i].differs[test];
+        if (outcomes->tests[test].extra)
+            continue;
+        if (outcomes->tests[test].passed ? differs : first && differs)
+            return 0;
+        if (!outcomes->tests[test].passed) {
+            first = false;
+            explained += !differs;
+        }
+    }
+    return explained;
+}
+
+const Mistake *suspect_in_part(int exercise)
+{
+    static Outcomes again;
+    test_by_test = true;
+    run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &again);
+    test_by_test = false;
+    const Mistake *best = NULL;
+    int most = 0;
+    for (int i = 0; i < cases[exercise].count; i++) {
+        const Mistake *mistake = cases[exercise].suspects[i].mistake;
+        int explained = is_of_digits(mistake) ? 0 : explains(exercise, i, &again);
+        if (explained > 0 && explained == most)
+            best = NULL; // nobody alone
+        if (explained > most) {
+            most = explained;
+            best = mistake;
+        }
+    }
+    return best;
+}
+
 bool law_begin(int exercise)
 {
     current = exercise;
-    return cases[exercise].law[0] == '\0' && !record_now()->extra;
+    return is_on_trial(exercise) && cases[exercise].law[0] == '\0' && !record_now()->extra;
 }
 
 void law_broken(const char *format, ...)

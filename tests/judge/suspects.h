@@ -18,6 +18,12 @@ void suspects_begin(void);
 // was never called. extra: those too that only extra tests can tell from right.
 const Mistake *suspect(int exercise, int nth, bool extra);
 
+// Where nobody is left: who agreed on every call of all graded tests of the exercise that passed
+// and of the first that failed, and explains more of the failed ones than anybody else. Something
+// else is wrong, too, then. Runs the tests of the exercise again, to hear each suspect test by
+// test.
+const Mistake *suspect_in_part(int exercise);
+
 // The first law that was broken by an exercise, in words; NULL where none was.
 const char *suspect_broke_law(int exercise);
 

@@ -1,6 +1,8 @@
 // switchboard.c - who answers an exercise.
 #include "tests/judge/switchboard.h"
 
+#include "tests/judge/record.h"
+
 #include <stddef.h>
 #include <string.h>
 
@@ -38,7 +40,11 @@ void switch_to_process(const char *stem)
             answers[i] = NULL;
 }
 
+// A test of one exercise may call others of the stem to find out more; those are the reference
+// then, so that one mistake costs once.
 AnyFunction *local_answer(int i)
 {
+    if (answers[i] == NULL && strcmp(record_now()->function, exercises[i].name) != 0)
+        return exercises[i].reference;
     return answers[i];
 }

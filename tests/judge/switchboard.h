@@ -14,7 +14,8 @@ void switch_to_reference(void);
 // From now on this function answers the exercise. False where there is no exercise of this name.
 bool switch_one(const char *exercise, AnyFunction *answer);
 
-// From now on the answering process (call.h) answers the exercises of this stem.
+// From now on the answering process (call.h) answers the exercises of this stem, each in its own
+// tests.
 void switch_to_process(const char *stem);
 
 // The function that answers exercise number i in this process; NULL: ask the answering process.

@@ -33,6 +33,7 @@ answer() {
 fresh() {
     rm -rf "$answers"
     mkdir -p "$answers"
+    cp solutions/04-pixel-ray.c "$answers" # a folder without any answer is refused
 }
 # Chapter 03 with a first statement of its first answer, and headers.
 answer_that_does() {
@@ -72,6 +73,28 @@ check 'what no known mistake explains still gets help from a law' says '  but '
 check 'and is not called a mistake that it is not' says_not 'looks like'
 
 fresh
+answer 03-screen 's|1 - point.y|point.y|; s|#include "common/answers.h"|&\n#include <stdio.h>|; s|return (Normalized){point.x|puts("hello");\n    &|'
+judge EX=03
+check 'a mistake in one answer costs once, though tests of another call it' says '2 of 3'
+fresh
+answer 03-screen 's|pixel.row + 0.5|pixel.row|; s|#include "common/answers.h"|&\n#include <stdio.h>|; s|return (ScreenPoint){pixel|puts("hello");\n    &|'
+judge EX=03
+check 'what was printed is shown in whichever test fails' says 'it printed hello'
+fresh
+answer 05-quadratic '/^Roots quadratic_roots/,/^}/c Roots quadratic_roots(Quadratic q)\n{\n    double d = q.b * q.b - 4 * q.a * q.c;\n    if (d < 0)\n        return (Roots){0};\n    return (Roots){2, {(-q.b - sqrt(d)) / 2 * q.a, (-q.b + sqrt(d)) / 2 * q.a}};\n}'
+judge EX=05
+check 'a mistake is named though cases at the edge are not written yet' says 'C goes from left to right'
+check 'and that something else is not right is said' says 'Something else is not right yet'
+fresh
+answer 02-cameras 's|return camera_from_vectors(eye, vectors, camera);|camera_from_vectors(eye, vectors, camera);|'
+judge EX=02
+check 'a forgotten return is no pass' says 'does not compile'
+fresh
+answer 05-quadratic 's|i < roots.count|i <= roots.count|'
+judge EX=05
+check 'an index beyond the end is no pass' says 'went beyond the end of an array'
+
+fresh
 answer 01-corners 's|(s - 0.5)|s|'
 judge EX=01
 check 'an answer that fails by another only waits' says 'waiting: across_30_up_10 (for image_plane_vector)'
@@ -90,7 +113,7 @@ check 'the first trouble is the top, not the worst' first_line_says '02-cameras'
 answer_that_does '*(volatile int *)0 = 1'
 check 'a write to nowhere is said in words' says 'crashed: write to address 0'
 check 'and what went in is shown' says 'screen     640 x 480'
-answer_that_does 'return *(Normalized *)(volatile long)16'
+answer_that_does 'point.x = *(volatile double *)16'
 check 'a read from nowhere is said in words' says 'crashed: read of address 0x10'
 answer_that_does 'for (volatile int i = 0; i < 1; i *= 2);'
 check 'an endless loop is said in words' says 'was still running after 1 s (an endless loop?)'
@@ -117,6 +140,12 @@ fresh
 answer 03-screen 's|pixel_center|pixel_centre|'
 judge EX=03
 check 'a function that is not there is named' says 'pixel_center is not in this file'
+
+refused() {
+    ! judge && says 'no answer in it'
+}
+rm -f "$answers"/*
+check 'a folder without any answer is refused' refused
 
 hint() {
     make --no-print-directory hint EX=01 ANSWERS="$answers" >"$scratch/said" 2>&1
