@@ -89,7 +89,7 @@ function show_file(file,   line, lines, code) {
         else if (line ~ /^  help:/)
             line = painted(line, "33")
         else if (line !~ /^             /)
-            code = line ~ /^  expected / ? "32" : line ~ /^  (yours|it) / ? "31" \
+            code = line ~ /^  expected / ? "32" : line ~ /^  (yours|it)    / ? "31" \
                 : line ~ /^  (looks like|but) / ? "33" : ""
         print code == "" || substr(line, 14) == "" ? line : substr(line, 1, 13) painted(substr(line, 14), code)
     }
