@@ -40,7 +40,7 @@ START_TEST(the_upper_right_corner_of_the_deck_is_1_1_4)
 }
 END_TEST
 
-START_TEST(the_point_30_across_and_10_up_of_the_deck_is_minus_0_4_minus_0_8_4)
+START_TEST(the_point_30_percent_across_and_10_percent_up_of_the_deck)
 {
     Camera c = camera_of_the_deck();
     given_camera(c);
@@ -66,7 +66,7 @@ START_TEST(the_upper_right_corner_of_an_oblique_camera)
 END_TEST
 
 // By hand: (2, 4, 4) - 0.2 * (6, -6, 3) - 0.4 * (2, 1, -2).
-START_TEST(the_point_30_across_and_10_up_of_an_oblique_camera)
+START_TEST(the_point_30_percent_across_and_10_percent_up_of_an_oblique_camera)
 {
     Camera c = oblique_camera();
     given_camera(c);
@@ -167,8 +167,8 @@ void list_tests(void)
     test(the_upper_right_corner_of_the_deck_is_1_1_4);
     test(the_upper_right_corner_of_an_oblique_camera);
     tests_of("across_30_up_10");
-    test(the_point_30_across_and_10_up_of_the_deck_is_minus_0_4_minus_0_8_4);
-    test(the_point_30_across_and_10_up_of_an_oblique_camera);
+    test(the_point_30_percent_across_and_10_percent_up_of_the_deck);
+    test(the_point_30_percent_across_and_10_percent_up_of_an_oblique_camera);
     tests_of("image_plane_vector");
     test(the_middle_of_the_plane_is_straight_ahead);
     test(s_and_t_are_counted_from_the_lower_left_corner);

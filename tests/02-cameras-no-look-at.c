@@ -2,20 +2,26 @@
 #include "tests/02-cameras.h"
 
 // In either world.
-static void look_refuses(LookAt view, int reasons)
+static void look_refuses_also(LookAt view, int reasons, int also)
 {
     Camera after;
     CameraFault fault = look(view, RIGHT_HANDED, &after);
-    expect_refused(fault, after, reasons);
+    expect_refused(fault, after, reasons, also);
     fault = look(view, LEFT_HANDED, &after);
-    expect_refused(fault, after, reasons);
+    expect_refused(fault, after, reasons, also);
 }
 
+static void look_refuses(LookAt view, int reasons)
+{
+    look_refuses_also(view, reasons, 0);
+}
+
+// The plane passes through the point looked at, so there is no distance either.
 START_TEST(looking_at_the_eye_itself_is_refused)
 {
     LookAt view = look_at_of_the_deck();
     view.at = view.eye;
-    look_refuses(view, DIRECTION);
+    look_refuses_also(view, DIRECTION, DISTANCE);
 }
 END_TEST
 
@@ -52,25 +58,27 @@ START_TEST(a_width_that_is_not_positive_is_refused)
 }
 END_TEST
 
+// By an aspect of 0 the height is infinite.
 START_TEST(an_aspect_that_is_not_positive_is_refused)
 {
-    look_refuses(deck_with_size(2, 0), HEIGHT);
+    look_refuses_also(deck_with_size(2, 0), HEIGHT, FINITE);
     look_refuses(deck_with_size(2, -1), HEIGHT);
 }
 END_TEST
 
+// From infinitely far above the view is along up, and so is an up that is infinite along the view.
 START_TEST(a_look_at_whose_vectors_are_not_finite_is_refused)
 {
     for (int axis = 0; axis < 3; axis++) {
         LookAt view = look_at_of_the_deck();
         view.eye[axis] = not_finite(axis);
-        look_refuses(view, FINITE);
+        look_refuses_also(view, FINITE, axis == 1 ? UP : 0);
         view = look_at_of_the_deck();
         view.at[axis] = not_finite(axis + 1);
-        look_refuses(view, FINITE);
+        look_refuses_also(view, FINITE, axis == 1 ? UP : 0);
         view = look_at_of_the_deck();
         view.up[axis] = not_finite(axis + 2);
-        look_refuses(view, FINITE);
+        look_refuses_also(view, FINITE, axis == 2 ? UP : 0);
     }
 }
 END_TEST

@@ -35,7 +35,9 @@ void expect_found(CameraFault fault, Camera found, Camera expected);
 // The rays through one place of the plane, and from the same eye: to twelve digits.
 void expect_same_ray_through(Normalized place, CameraFault fault, Camera yours, Camera same);
 
-// Reasons, a bit for each: where more than one is true, any of them may be given.
+// Reasons, a bit for each: where more than one is true, any of them may be given. A test says first
+// the one that it is about, since that is shown to whoever gives none; then those that are true
+// too.
 enum {
     FINITE = 1 << CAMERA_NOT_FINITE,
     DISTANCE = 1 << CAMERA_NO_DISTANCE,
@@ -48,7 +50,7 @@ enum {
 };
 
 CameraFault first_of(int reasons);
-void expect_refused(CameraFault fault, Camera after, int reasons);
+void expect_refused(CameraFault fault, Camera after, int reasons, int also);
 
 // NaN, infinity, minus infinity.
 double not_finite(int i);

@@ -47,7 +47,7 @@ static double quarters(double low, double high)
 }
 
 // "What are the point's normalized screen coordinates?"
-START_TEST(the_point_300_400_of_the_deck_is_0_46875_and_one_sixth)
+START_TEST(the_point_of_the_deck_is_one_sixth_up_and_just_left_of_the_middle)
 {
     expect_normalized((ScreenPoint){300, 400}, (Resolution){640, 480}, 0.46875, 1.0 / 6);
 }
@@ -93,7 +93,7 @@ START_TEST(beyond_the_screen_is_beyond_0_to_1)
 END_TEST
 
 // Equal steps on the screen are equal steps in the square, wherever they begin.
-START_TEST(a_tenth_of_the_screen_further_right_and_down_is_0_1_more_s_and_0_1_less_t)
+START_TEST(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_less_t)
 {
     for (int i = 0; i < 20; i++) {
         Resolution screen = random_screen();
@@ -109,7 +109,7 @@ START_TEST(a_tenth_of_the_screen_further_right_and_down_is_0_1_more_s_and_0_1_le
 }
 END_TEST
 
-START_TEST(the_place_0_46875_and_one_sixth_is_the_point_300_400_of_the_deck)
+START_TEST(one_sixth_up_and_just_left_of_the_middle_is_the_point_of_the_deck)
 {
     expect_point((Normalized){0.46875, 1.0 / 6}, (Resolution){640, 480}, 300, 400);
 }
@@ -195,15 +195,15 @@ END_TEST
 void list_tests(void)
 {
     tests_of("screen_to_normalized");
-    test(the_point_300_400_of_the_deck_is_0_46875_and_one_sixth);
+    test(the_point_of_the_deck_is_one_sixth_up_and_just_left_of_the_middle);
     test(the_corners_of_the_screen_are_the_corners_of_the_unit_square);
     test(a_quarter_across_and_three_quarters_up_on_screens_of_any_shape);
     test(a_point_may_lie_between_whole_pixels);
     test(a_screen_of_a_single_pixel_is_a_screen);
     test(beyond_the_screen_is_beyond_0_to_1);
-    test(a_tenth_of_the_screen_further_right_and_down_is_0_1_more_s_and_0_1_less_t);
+    test(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_less_t);
     tests_of("normalized_to_screen");
-    test(the_place_0_46875_and_one_sixth_is_the_point_300_400_of_the_deck);
+    test(one_sixth_up_and_just_left_of_the_middle_is_the_point_of_the_deck);
     test(the_corners_of_the_unit_square_are_the_corners_of_the_screen);
     test(a_place_may_be_between_whole_pixels_on_the_screen);
     test(beyond_0_to_1_is_beyond_the_screen);

@@ -57,7 +57,7 @@ START_TEST(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners)
 END_TEST
 
 // By hand: 300.5 / 320 - 1 across; 1 - 400.5 / 240 up.
-START_TEST(the_pixel_300_400_of_the_deck)
+START_TEST(the_pixel_in_column_300_and_row_400_of_the_deck)
 {
     expect_direction(camera_of_the_deck(), (Resolution){640, 480}, (Pixel){300, 400},
                      vec3_of(-0.0609375, -0.66875, 4));
@@ -151,7 +151,7 @@ void list_tests(void)
 {
     tests_of("pixel_ray");
     test(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners);
-    test(the_pixel_300_400_of_the_deck);
+    test(the_pixel_in_column_300_and_row_400_of_the_deck);
     test(all_eight_pixels_of_a_screen_of_4_by_2);
     test(a_screen_of_2_by_4_seen_by_a_right_handed_camera);
     test(a_single_pixel_looks_straight_ahead);

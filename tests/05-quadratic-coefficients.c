@@ -45,7 +45,7 @@ static void given_object_ray(Ray ray, double radius)
 }
 
 // By hand: 0.89^2 + 0.45^2, 2 (-4 * 0.89 - 0.45), 16 + 1 - 1.
-START_TEST(the_arrow_of_the_deck_gives_0_9946_and_minus_8_02_and_16)
+START_TEST(the_equation_of_the_arrow_of_the_deck)
 {
     Ray ray = ray_of_the_deck(0.89, 0.45);
     given_object_ray(ray, 1);
@@ -54,7 +54,7 @@ START_TEST(the_arrow_of_the_deck_gives_0_9946_and_minus_8_02_and_16)
 END_TEST
 
 // By hand: 1 + 1/4, 2 (-4 - 1/2), 16 + 1 - 1. The direction is not unit.
-START_TEST(the_hits_drawn_in_the_deck_give_1_25_and_minus_9_and_16)
+START_TEST(the_equation_of_the_ray_through_the_hits_drawn_in_the_deck)
 {
     Ray ray = ray_of_the_deck(1, 0.5);
     given_object_ray(ray, 1);
@@ -156,8 +156,8 @@ void list_tests_of_coefficients(void)
     test(the_direction_stays_as_it_is);
     test(a_place_that_was_chosen_round_the_centre_comes_back);
     tests_of("object_quadratic");
-    test(the_arrow_of_the_deck_gives_0_9946_and_minus_8_02_and_16);
-    test(the_hits_drawn_in_the_deck_give_1_25_and_minus_9_and_16);
+    test(the_equation_of_the_arrow_of_the_deck);
+    test(the_equation_of_the_ray_through_the_hits_drawn_in_the_deck);
     test(a_radius_of_3_and_a_direction_of_length_3);
     test(c_is_negative_for_a_ray_that_begins_inside);
     test(at_every_t_it_is_the_squared_distance_less_the_squared_radius);

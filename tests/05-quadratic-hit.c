@@ -8,7 +8,7 @@ static void expect_hit(Ray ray, Sphere sphere, double t)
                   ROOT_TOLERANCE * sphere.radius / vec3_length(ray.direction));
 }
 
-START_TEST(the_arrow_of_the_deck_hits_at_3_622)
+START_TEST(the_arrow_of_the_deck_hits_the_near_side_of_the_sphere)
 {
     given_ray_and_sphere(ray_of_the_deck(0.89, 0.45), unit_sphere());
     expect_number(hit_sphere(ray_of_the_deck(0.89, 0.45), unit_sphere()), 3.622, 1e-3);
@@ -114,7 +114,7 @@ END_TEST
 void list_tests_of_hit(void)
 {
     tests_of("hit_sphere");
-    test(the_arrow_of_the_deck_hits_at_3_622);
+    test(the_arrow_of_the_deck_hits_the_near_side_of_the_sphere);
     test(from_outside_the_nearer_of_two_places_is_hit);
     test(t_counts_in_lengths_of_the_direction);
     test(from_inside_the_exit_is_hit);

@@ -8,13 +8,13 @@ static Quadratic with_roots(double a, double t, double u)
 }
 
 // By hand: (9 - 1) / 2.5 and (9 + 1) / 2.5.
-START_TEST(the_roots_of_the_hits_drawn_in_the_deck_are_3_2_and_4)
+START_TEST(the_roots_are_the_t_of_the_hits_drawn_in_the_deck)
 {
     expect_roots_of((Quadratic){1.25, -9, 16}, two(3.2, 4), TOLERANCE);
 }
 END_TEST
 
-START_TEST(the_roots_of_the_arrow_of_the_deck_are_3_622_and_4_442)
+START_TEST(the_roots_of_the_arrow_of_the_deck)
 {
     expect_roots_of((Quadratic){0.9946, -8.02, 16}, two(3.622, 4.442), 1e-3);
 }
@@ -90,8 +90,8 @@ END_TEST
 void list_tests_of_roots(void)
 {
     tests_of("quadratic_roots");
-    test(the_roots_of_the_hits_drawn_in_the_deck_are_3_2_and_4);
-    test(the_roots_of_the_arrow_of_the_deck_are_3_622_and_4_442);
+    test(the_roots_are_the_t_of_the_hits_drawn_in_the_deck);
+    test(the_roots_of_the_arrow_of_the_deck);
     test(roots_that_were_chosen_come_back);
     test(roots_come_in_ascending_order_even_when_a_is_negative);
     test(a_double_root_counts_as_two);

@@ -1,7 +1,7 @@
 // 05-quadratic-sphere.c - tests of sphere_roots: where a whole line meets a sphere.
 #include "tests/05-quadratic.h"
 
-START_TEST(the_line_drawn_in_the_deck_meets_the_sphere_at_3_2_and_4)
+START_TEST(the_line_drawn_in_the_deck_meets_the_sphere_in_the_hits_drawn)
 {
     expect_meetings(ray_of_the_deck(1, 0.5), unit_sphere(), two(3.2, 4), ROOT_TOLERANCE);
 }
@@ -66,7 +66,7 @@ END_TEST
 void list_tests_of_sphere(void)
 {
     tests_of("sphere_roots");
-    test(the_line_drawn_in_the_deck_meets_the_sphere_at_3_2_and_4);
+    test(the_line_drawn_in_the_deck_meets_the_sphere_in_the_hits_drawn);
     test(a_sphere_off_the_origin_is_met_in_the_same_places);
     test(what_is_behind_the_origin_is_met_too);
     test(from_the_middle_it_is_met_on_both_sides);

@@ -72,8 +72,7 @@ Roots two(double t, double u)
     return (Roots){2, {t, u}};
 }
 
-// ---- what is met
-// ---------------------------------------------------------------------------------
+// ---- what is met --------------------------------------------------------------------------------
 
 // The deck's section: the circle of radius 1 round the origin, seen from (-4, -1).
 Ray ray_of_the_deck(double x, double y)
@@ -114,4 +113,5 @@ void list_tests(void)
     list_tests_of_sphere();
     list_tests_of_hit();
     list_tests_of_digits();
+    list_tests_of_sphere_digits();
 }

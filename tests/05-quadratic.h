@@ -42,5 +42,6 @@ void list_tests_of_roots(void);
 void list_tests_of_sphere(void);
 void list_tests_of_hit(void);
 void list_tests_of_digits(void);
+void list_tests_of_sphere_digits(void);
 
 #endif

@@ -89,7 +89,7 @@ START_TEST(both_orders_give_the_same_bytes)
 {
     Resolution size = {24, 17};
     for (int i = 0; i < 6; i++) {
-        enum { COUNT = 24 };
+        enum { COUNT = SURFACES };
         Camera camera = random_camera();
         Sphere spheres[COUNT];
         for (int k = 0; k < COUNT; k++) {

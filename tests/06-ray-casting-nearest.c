@@ -115,7 +115,7 @@ END_TEST
 
 // By hand, with rays along -z from z = 20: over (x, y) a sphere round (cx, cy, cz) reaches up to
 // cz + sqrt(9 - (x - cx)^2 - (y - cy)^2).
-START_TEST(where_the_decks_spheres_overlap_red_is_before_green_and_green_before_blue)
+START_TEST(where_spheres_of_the_deck_overlap_red_comes_first_then_green_then_blue)
 {
     static const struct {
         double x, y, z;
@@ -168,6 +168,6 @@ void list_tests_of_nearest_hit(void)
     test(the_nearest_surface_counts_and_not_the_nearest_centre);
     test(t_counts_in_lengths_of_the_direction);
     test(from_inside_a_sphere_its_far_side_is_hit_and_what_stands_before_it);
-    test(where_the_decks_spheres_overlap_red_is_before_green_and_green_before_blue);
+    test(where_spheres_of_the_deck_overlap_red_comes_first_then_green_then_blue);
     test(of_spheres_one_behind_the_other_the_nearest_is_hit);
 }

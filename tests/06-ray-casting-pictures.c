@@ -19,9 +19,9 @@ static void leaves_nothing_of_what_was_in_the_image(Cast *cast)
 {
     Scene scene = scene_of(0, NULL);
     scene.background = vec3_of(0.2, 0.4, 0.6);
-    Resolution sizes[] = {{5, 3}, {1, 1}, {2, 6}};
-    const char *pictures[] = {"...............", ".", "............"};
-    for (int i = 0; i < 3; i++)
+    Resolution sizes[] = {{5, 3}, {1, 1}, {1, 2}, {6, 2}};
+    const char *pictures[] = {"...............", ".", "..", "............"};
+    for (int i = 0; i < 4; i++)
         expect_picture(cast, &scene, camera_with_pixels_of_1(sizes[i]), sizes[i], pictures[i]);
 }
 IN_BOTH_ORDERS(leaves_nothing_of_what_was_in_the_image)
@@ -42,11 +42,12 @@ static void draws_a_sphere_straight_ahead_as_a_disc(Cast *cast)
 }
 IN_BOTH_ORDERS(draws_a_sphere_straight_ahead_as_a_disc)
 
-// One sphere straight behind each coloured pixel, and none is near another.
+// One sphere straight behind each coloured pixel, and none is near another. Green is farther away
+// than what comes before it.
 static void has_left_and_right_and_up_and_down_where_they_are(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(-20, 10, -10, 2, RED), sphere_at(0, 10, -10, 2, RED),
-                        sphere_at(20, 0, -10, 2, GREEN), sphere_at(-10, -10, -10, 2, BLUE)};
+                        sphere_at(-10, -10, -10, 2, BLUE), sphere_at(20, 0, -10, 2, GREEN)};
     Scene scene = scene_of(4, spheres);
     Resolution size = {5, 3};
     expect_picture(cast, &scene, camera_with_pixels_of_1(size), size,

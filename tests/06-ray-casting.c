@@ -9,10 +9,10 @@
 // ---- scenes and images --------------------------------------------------------------------------
 
 static const char letters[] = "?rgbw";
-Surface surfaces[COLORS] = {
-    [UNUSED] = {.color = {0.2, 0.9, 0.4}}, [RED] = {.color = {1, 0, 0}},
-    [GREEN] = {.color = {0, 1, 0}},        [BLUE] = {.color = {0, 0, 1}},
-    [WHITE] = {.color = {1, 1, 1}},
+Surface surfaces[SURFACES] = {
+    [UNUSED] = {.color = {0.3, 0.95, 0.4}},  [RED] = {.color = {0.85, 0.15, 0.35}},
+    [GREEN] = {.color = {0.2, 0.75, 0.45}},  [BLUE] = {.color = {0.25, 0.4, 0.95}},
+    [WHITE] = {.color = {0.95, 0.85, 0.65}},
 };
 
 char letter_of(int color)
@@ -27,12 +27,11 @@ Sphere sphere_at(double x, double y, double z, double radius, int color)
 
 Scene scene_of(int count, Sphere *spheres)
 {
-    double grey = 127 / 255.0;
-    return (Scene){.background = vec3_of(grey, grey, grey),
+    return (Scene){.background = vec3_of(0.35, 0.45, 0.55),
                    .spheres = spheres,
                    .sphere_count = count,
                    .surfaces = surfaces,
-                   .surface_count = COLORS};
+                   .surface_count = SURFACES};
 }
 
 void given_scene(const Scene *scene)

@@ -8,14 +8,15 @@
 
 #define TOLERANCE 1e-9
 
-// The colours, and the letters that stand for them in pictures. No sphere has surface 0, and the
-// sphere of a number seldom has the surface of that number.
-enum { UNUSED, RED, GREEN, BLUE, WHITE, COLORS };
-extern Surface surfaces[COLORS];
+// The colours, and the letters that stand for them in pictures. No component is 0 or 1, and no two
+// of a colour are alike. No sphere has surface 0, and the sphere of a number seldom has the surface
+// of that number; but there is one, black, for whoever takes the one for the other.
+enum { UNUSED, RED, GREEN, BLUE, WHITE, COLORS, SURFACES = 24 };
+extern Surface surfaces[SURFACES];
 char letter_of(int color);
 
 Sphere sphere_at(double x, double y, double z, double radius, int color);
-// On grey. The spheres stay the caller's.
+// On a greyish blue. The spheres stay the caller's: at most SURFACES.
 Scene scene_of(int count, Sphere *spheres);
 // The deck's three; as NFF, z is towards the eye.
 Scene scene_of_the_deck(void);

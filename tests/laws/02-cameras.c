@@ -5,9 +5,8 @@
 #include "tests/laws/02-cameras.h"
 
 #include "common/text.h"
+#include "tests/laws/apart.h"
 #include "tests/laws/laws.h"
-
-#include <string.h>
 
 // Ten times what the contract allows.
 static const double enough = 1e-8;
@@ -22,24 +21,16 @@ static void same_vector(const char *what, vec3 yours, const char *other, vec3 ex
 {
     if (!differs(vec3_length(yours - expected), 0, size))
         return;
-    int digits = TEXT_DIGITS;
-    while (digits < 17 &&
-           strcmp(vec3_text_to(yours, digits).s, vec3_text_to(expected, digits).s) == 0)
-        digits++;
-    law_broken("%s %s, %s %s", what, vec3_text_to(yours, digits).s, other,
-               vec3_text_to(expected, digits).s);
+    Apart a = apart_vec3(yours, expected);
+    law_broken("%s %s, %s %s", what, a.yours.s, other, a.right.s);
 }
 
 static void same_number(const char *what, double yours, const char *other, double expected)
 {
     if (!differs(yours, expected, expected))
         return;
-    int digits = TEXT_DIGITS;
-    while (digits < 17 &&
-           strcmp(number_text_to(yours, digits).s, number_text_to(expected, digits).s) == 0)
-        digits++;
-    law_broken("%s %s, %s %s", what, number_text_to(yours, digits).s, other,
-               number_text_to(expected, digits).s);
+    Apart a = apart(yours, expected);
+    law_broken("%s %s, %s %s", what, a.yours.s, other, a.right.s);
 }
 
 static void unit(const char *name, vec3 v)
@@ -114,21 +105,23 @@ static int reasons_of(vec3 eye, Corners v, double slack, double tiny)
     vec3 left = v.upper_left - v.lower_left, right = v.upper_right - v.lower_right;
     vec3 middle = (v.upper_left + v.upper_right + v.lower_left + v.lower_right) / 4;
     vec3 normal = vec3_cross(top, left);
-    if (!vec3_is_finite(eye) || !vec3_is_finite(top) || !vec3_is_finite(bottom) ||
-        !vec3_is_finite(middle))
-        return bit(CAMERA_NOT_FINITE, true);
+    bool finite = vec3_is_finite(top) && vec3_is_finite(bottom) && vec3_is_finite(middle);
+    if (!finite || !vec3_is_finite(eye))
+        return bit(CAMERA_NOT_FINITE, true) | bit(CAMERA_NO_RECTANGLE, !finite) |
+               bit(CAMERA_OFF_AXIS, !finite);
 
     double gap = vec3_length(top - bottom) / (vec3_length(top) + vec3_length(left));
     bool no_middle = vec3_length(middle) <= tiny;
+    bool no_width = fmin(vec3_length(top), vec3_length(bottom)) <= tiny;
+    bool no_height = fmin(vec3_length(left), vec3_length(right)) <= tiny;
     bool beside = fabs(vec3_dot(middle, normal)) <= tiny * vec3_length(normal);
     return bit(CAMERA_NO_DISTANCE, no_middle || (beside && vec3_length(normal) > 0)) |
-           bit(CAMERA_NO_WIDTH, vec3_length(top) <= tiny || vec3_length(bottom) <= tiny) |
-           bit(CAMERA_NO_HEIGHT, vec3_length(left) <= tiny || vec3_length(right) <= tiny) |
-           bit(CAMERA_NO_RECTANGLE, gap > slack || cosine(top, left) > slack) |
-           bit(CAMERA_OFF_AXIS, (no_middle && tiny > 0) || // then rounding says where it is
-                                    cosine(top, middle) > slack || cosine(left, middle) > slack ||
-                                    cosine(bottom, middle) > slack ||
-                                    cosine(right, middle) > slack);
+           bit(CAMERA_NO_WIDTH, no_width) | bit(CAMERA_NO_HEIGHT, no_height) |
+           bit(CAMERA_NO_RECTANGLE,
+               no_width || no_height || gap > slack || cosine(top, left) > slack) |
+           bit(CAMERA_OFF_AXIS, no_middle ||
+                                    fmax(cosine(top, middle), cosine(bottom, middle)) > slack ||
+                                    fmax(cosine(left, middle), cosine(right, middle)) > slack);
 }
 
 // Corners are said as they were given: counted from the eye, or from the origin.
@@ -186,7 +179,8 @@ static int reasons_of_view(LookAt view, double slack)
 {
     vec3 ahead = view.at - view.eye;
     double area = vec3_length(vec3_cross(ahead, view.up));
-    bool no_width = !(view.width > 0), no_height = !(view.width / view.aspect > 0);
+    bool no_width = !(view.width > 0) || isinf(view.width);
+    bool no_height = !(view.width / view.aspect > 0);
     bool finite = vec3_is_finite(view.eye) && vec3_is_finite(ahead) && vec3_is_finite(view.up);
     bool no_direction = vec3_length(ahead) == 0;
     return bit(CAMERA_NOT_FINITE, !finite || !isfinite(view.width) || !isfinite(view.aspect)) |
@@ -206,6 +200,9 @@ void law_camera_from_look_at(CameraFault yours, LookAt view, Handedness world, C
     int sure = reasons_of_view(view, 1e-12), may = reasons_of_view(view, 1e-6);
     if ((may >> CAMERA_UP_ALONG_VIEW & 1) == 1 && (sure >> CAMERA_UP_ALONG_VIEW & 1) == 0)
         may |= bit(CAMERA_NOT_PERPENDICULAR, true); // as rounding may leave it
+    // True as well, though it is not what one would say first.
+    may |= bit(CAMERA_NO_DISTANCE, distance == 0) |
+           bit(CAMERA_NOT_FINITE, !isfinite(view.width / view.aspect));
     if (is_settled(yours, sure, may, "the view has a direction, an up, a width and an aspect"))
         return;
 

@@ -27,6 +27,17 @@ static vec3 shares_of_the_half(Camera c)
     return c.distance * c.forward + 0.3 * c.width / 2 * c.right + 0.1 * c.height / 2 * c.up;
 }
 
+static vec3 halved_twice(Camera c)
+{
+    return c.distance * c.forward + (0.3 - 0.5) * c.width / 2 * c.right +
+           (0.1 - 0.5) * c.height / 2 * c.up;
+}
+
+static vec3 numbers_plus_vector(Camera c)
+{
+    return (0.3 - 0.5) * c.width + (0.1 - 0.5) * c.height + c.distance * c.forward;
+}
+
 static vec3 across_10_up_30(Camera c)
 {
     return image_plane_vector(c, 0.1, 0.3);
@@ -151,6 +162,16 @@ const Mistake across_mistakes[] = {
             "shares of the half, from the middle. 30% is meant of the whole way from the left edge "
             "to the right one.",
             "the point right of the middle and above it"),
+    MISTAKE("C6-twice", across_30_up_10, halved_twice,
+            "d f + (0.3 - 1/2) w/2 r + (0.1 - 1/2) h/2 u",
+            "halved twice. Taking off 1/2 begins in the middle already, and from edge to edge it "
+            "is the whole width.",
+            "the point only half as far from the middle"),
+    MISTAKE("C6-number", across_30_up_10, numbers_plus_vector,
+            "d f + (0.3 - 1/2) w + (0.1 - 1/2) h",
+            "a number plus a vector adds it to every component. To go so far across or up takes a "
+            "product with r or u.",
+            "the point off to one side"),
     MISTAKE("C6-swap", across_30_up_10, across_10_up_30, "d f - 0.4 w r - 0.2 h u",
             "that is 10% across and 30% up.", "the point too far left and too high"),
     MISTAKE("C6-top", across_30_up_10, down_from_the_top, "d f - 0.2 w r + 0.4 h u",

@@ -66,6 +66,11 @@ static vec3 number_plus_vector(Camera c, double side)
     return c.distance + c.forward + side * c.width / 2 * c.right + c.height / 2 * c.up;
 }
 
+static vec3 sizes_without_directions(Camera c, double side)
+{
+    return c.distance * c.forward + side * c.width / 2 + c.height / 2;
+}
+
 static vec3 right_and_up_swapped(Camera c)
 {
     return c.distance * c.forward - c.width / 2 * c.up + c.height / 2 * c.right;
@@ -89,6 +94,7 @@ ON_BOTH_SIDES(up_and_forward_swapped)
 ON_BOTH_SIDES(right_and_forward_swapped)
 ON_BOTH_SIDES(axes_of_the_world)
 ON_BOTH_SIDES(number_plus_vector)
+ON_BOTH_SIDES(sizes_without_directions)
 
 const Mistake corner_way_mistakes[] = {
     SIDES("C2", down_for_up, "d f - w/2 r - h/2 u", "d f + w/2 r - h/2 u",
@@ -131,6 +137,10 @@ const Mistake corner_way_mistakes[] = {
     SIDES("C-plus", number_plus_vector, "d + f - w/2 r + h/2 u", "d + f + w/2 r + h/2 u",
           "a number plus a vector adds d to every component of f. To go d far along f takes a "
           "product.",
+          "it looks off to one side"),
+    SIDES("C-number", sizes_without_directions, "d f - w/2 + h/2", "d f + w/2 + h/2",
+          "a number plus a vector adds it to every component. To go so far aside or up takes a "
+          "product with r or u.",
           "it looks off to one side"),
     MISTAKE("C-ru", upper_left, right_and_up_swapped, "d f - w/2 u + h/2 r",
             "r leads across and u upward. Here they have changed places.",

@@ -85,6 +85,40 @@ static CameraFault axis_not_checked(vec3 eye, vec3 corner, vec3 across, vec3 up,
     return forgetting(CAMERA_OFF_AXIS, eye, spanned(corner - eye, across, up), camera);
 }
 
+static CameraFault right_angle_compared_exactly(vec3 eye, vec3 corner, vec3 across, vec3 up,
+                                                Camera *camera)
+{
+    Corners v = spanned(corner - eye, across, up);
+    CameraFault fault = reason(eye, v);
+    if (fault == CAMERA_OK && vec3_dot(across, up) != 0)
+        fault = CAMERA_NO_RECTANGLE;
+    return give(fault, frame(eye, v), camera);
+}
+
+static CameraFault axis_compared_exactly(vec3 eye, vec3 corner, vec3 across, vec3 up,
+                                         Camera *camera)
+{
+    Corners v = spanned(corner - eye, across, up);
+    Camera c = frame(eye, v);
+    CameraFault fault = reason(eye, v);
+    if (fault == CAMERA_OK && !is_exactly_ahead(c))
+        fault = CAMERA_OFF_AXIS;
+    return give(fault, c, camera);
+}
+
+// And NaN != 0 is true.
+static CameraFault all_compared_exactly(vec3 eye, vec3 corner, vec3 across, vec3 up, Camera *camera)
+{
+    Corners v = spanned(corner - eye, across, up);
+    Camera c = frame(eye, v);
+    CameraFault fault = reason_but(CAMERA_NOT_FINITE, eye, v);
+    if (fault == CAMERA_OK && vec3_dot(across, up) != 0)
+        fault = CAMERA_NO_RECTANGLE;
+    if (fault == CAMERA_OK && !is_exactly_ahead(c))
+        fault = CAMERA_OFF_AXIS;
+    return give(fault, c, camera);
+}
+
 static CameraFault stored_before_it_is_checked(vec3 eye, vec3 corner, vec3 across, vec3 up,
                                                Camera *camera)
 {
@@ -140,6 +174,17 @@ const Mistake corner_mistakes[] = {
     MISTAKE("K-axis", camera_from_corner, axis_not_checked, "a rectangle anywhere will do",
             "f leads to its middle, but need not meet it at right angles there.",
             "a skewed picture, as of a plane seen from the side"),
+    MISTAKE("K-exact", camera_from_corner, right_angle_compared_exactly,
+            "across . up == 0, exactly",
+            "rounding leaves 1e-17 or so where 0 is meant. CAMERA_TOLERANCE is what it may leave.",
+            "no picture where the numbers are not round: it is refused"),
+    MISTAKE("K-exact-axis", camera_from_corner, axis_compared_exactly,
+            "r . f == 0 and u . f == 0, exactly",
+            "rounding leaves 1e-17 or so where 0 is meant. CAMERA_TOLERANCE is what it may leave.",
+            "no picture where the numbers are not round: it is refused"),
+    MISTAKE("K-exact-all", camera_from_corner, all_compared_exactly, "!= 0 in every comparison",
+            "rounding leaves 1e-17 or so where 0 is meant. CAMERA_TOLERANCE is what it may leave.",
+            "no picture where the numbers are not round: it is refused"),
     MISTAKE("K-store", camera_from_corner, stored_before_it_is_checked, "stored, then checked",
             "where it is refused, *camera must stay as it was, and is overwritten.",
             "the camera from before lost"),

@@ -38,10 +38,18 @@ static CameraFault up_against_view_not_noticed(LookAt view, Handedness world, Ca
 
 static CameraFault up_compared_exactly(LookAt view, Handedness world, Camera *camera)
 {
+    Camera c = seen(view, world);
     CameraFault fault = view_reason_but(CAMERA_UP_ALONG_VIEW, view);
-    if (fault == CAMERA_OK && vec3_length(vec3_cross(view.at - view.eye, view.up)) == 0)
+    if (fault == CAMERA_OK && vec3_length(vec3_cross(c.forward, view.up)) == 0)
         fault = CAMERA_UP_ALONG_VIEW;
-    return give(fault, seen(view, world), camera);
+    return give(fault, c, camera);
+}
+
+static CameraFault only_up_compared_exactly(LookAt view, Handedness world, Camera *camera)
+{
+    Camera c = seen(view, world);
+    bool along = vec3_length(vec3_cross(c.forward, view.up)) == 0;
+    return give(along ? CAMERA_UP_ALONG_VIEW : CAMERA_OK, c, camera);
 }
 
 static CameraFault short_up_refused(LookAt view, Handedness world, Camera *camera)
@@ -129,6 +137,11 @@ const Mistake look_at_refusal_mistakes[] = {
     MISTAKE("L12-exact", camera_from_look_at, up_compared_exactly, "|f x up| == 0",
             "rounding leaves 1e-17 or so where 0 is meant, and that points anywhere.",
             "rolled at random about the view"),
+    MISTAKE("L12-exact-only", camera_from_look_at, only_up_compared_exactly,
+            "|f x up| == 0, and nothing else is refused",
+            "rounding leaves 1e-17 or so where 0 is meant, and that points anywhere. And where at "
+            "is the eye, f is NaN.",
+            "rolled at random about the view, or black"),
     MISTAKE("L12-short", camera_from_look_at, short_up_refused,
             "|f x up| <= 1e-9, however short up is",
             "an up may have any length. It is along the view where the cross product is short "

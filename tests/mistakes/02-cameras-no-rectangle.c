@@ -88,8 +88,29 @@ static CameraFault compared_exactly(vec3 eye, Corners v, Camera *camera)
 {
     Camera c = frame(eye, v);
     CameraFault fault = reason(eye, v);
-    if (fault == CAMERA_OK && vec3_dot(c.right, c.up) != 0)
+    if (fault == CAMERA_OK && !is_exact_rectangle(v, c))
         fault = CAMERA_NO_RECTANGLE;
+    return give(fault, c, camera);
+}
+
+static CameraFault axis_compared_exactly(vec3 eye, Corners v, Camera *camera)
+{
+    Camera c = frame(eye, v);
+    CameraFault fault = reason(eye, v);
+    if (fault == CAMERA_OK && !is_exactly_ahead(c))
+        fault = CAMERA_OFF_AXIS;
+    return give(fault, c, camera);
+}
+
+// And NaN != 0 is true.
+static CameraFault all_compared_exactly(vec3 eye, Corners v, Camera *camera)
+{
+    Camera c = frame(eye, v);
+    CameraFault fault = reason_but(CAMERA_NOT_FINITE, eye, v);
+    if (fault == CAMERA_OK && !is_exact_rectangle(v, c))
+        fault = CAMERA_NO_RECTANGLE;
+    if (fault == CAMERA_OK && !is_exactly_ahead(c))
+        fault = CAMERA_OFF_AXIS;
     return give(fault, c, camera);
 }
 
@@ -162,8 +183,16 @@ const Mistake vector_refusal_mistakes[] = {
     MISTAKE("V-loose", camera_from_vectors, one_percent_is_good_enough, "right angles to 1%",
             "the contract allows rounding, a part in 1e9, and no more.",
             "hardly skewed, but the corners are not the ones given"),
-    MISTAKE("V-exact", camera_from_vectors, compared_exactly, "r . u == 0",
-            "rounding leaves 1e-17 or so where 0 is meant.",
+    MISTAKE("V-exact", camera_from_vectors, compared_exactly,
+            "upper edge == lower edge and r . u == 0, exactly",
+            "rounding leaves 1e-17 or so where 0 is meant. CAMERA_TOLERANCE is what it may leave.",
+            "no picture where the numbers are not round: it is refused"),
+    MISTAKE("V-exact-axis", camera_from_vectors, axis_compared_exactly,
+            "r . f == 0 and u . f == 0, exactly",
+            "rounding leaves 1e-17 or so where 0 is meant. CAMERA_TOLERANCE is what it may leave.",
+            "no picture where the numbers are not round: it is refused"),
+    MISTAKE("V-exact-all", camera_from_vectors, all_compared_exactly, "!= 0 in every comparison",
+            "rounding leaves 1e-17 or so where 0 is meant. CAMERA_TOLERANCE is what it may leave.",
             "no picture where the numbers are not round: it is refused"),
     MISTAKE("V-d", camera_from_vectors, no_distance_not_noticed, "d = 0 is not noticed",
             "an eye in the middle of its own image plane looks nowhere, and the unit of (0, 0, 0) "

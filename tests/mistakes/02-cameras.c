@@ -69,6 +69,11 @@ static double whole_degrees_halved(double degrees, double distance)
     return 2 * distance * tan((int)degrees / 2 * PI / 180);
 }
 
+static double half_in_whole_numbers(double degrees, double distance)
+{
+    return 2 * distance * tan(degrees * (1 / 2) * PI / 180);
+}
+
 static const Mistake angle_mistakes[] = {
     MISTAKE("L6", width_from_angle, whole_angle, "w = 2 d tan(angle)",
             "straight ahead cuts the angle in two, and each of the right triangles has only one "
@@ -110,6 +115,10 @@ static const Mistake angle_mistakes[] = {
     MISTAKE("A-pi", width_from_angle, pi_in_three_digits, "w = 2 d tan(angle / 2), with 3.14 as pi",
             "three digits of pi give three digits of the width. common/vec3.h has PI.",
             "no difference to the eye, but it is off in the fourth digit"),
+    MISTAKE("A-int", width_from_angle, half_in_whole_numbers,
+            "w = 2 d tan(angle * (1 / 2)), in whole numbers",
+            "in C, 1 / 2 of two ints is 0, and so is the tangent of no angle. 0.5 or / 2 halves.",
+            "nothing: an image plane without a width"),
     MISTAKE("A-whole", width_from_angle, whole_degrees_halved,
             "w = 2 d tan(angle / 2), in whole degrees",
             "in whole numbers 45 / 2 is 22, and what is behind the point is lost.",
@@ -117,6 +126,13 @@ static const Mistake angle_mistakes[] = {
     {0},
 };
 
-const Mistake *const mistakes[] = {
-    vector_mistakes,  vector_refusal_mistakes,  point_mistakes, corner_mistakes,
-    look_at_mistakes, look_at_refusal_mistakes, angle_mistakes, NULL};
+const Mistake *const mistakes[] = {vector_mistakes,
+                                   vector_refusal_mistakes,
+                                   vector_unchecked_mistakes,
+                                   point_mistakes,
+                                   corner_mistakes,
+                                   look_at_mistakes,
+                                   look_at_refusal_mistakes,
+                                   look_at_unchecked_mistakes,
+                                   angle_mistakes,
+                                   NULL};

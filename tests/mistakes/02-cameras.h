@@ -10,7 +10,8 @@
 #include "tests/mistakes/mistakes.h"
 
 extern const Mistake vector_mistakes[], vector_refusal_mistakes[], point_mistakes[],
-    corner_mistakes[], look_at_mistakes[], look_at_refusal_mistakes[];
+    corner_mistakes[], look_at_mistakes[], look_at_refusal_mistakes[], vector_unchecked_mistakes[],
+    look_at_unchecked_mistakes[];
 
 // Without a look at what is given out.
 static inline CameraFault store(CameraFault fault, Camera found, Camera *camera)
@@ -58,6 +59,17 @@ static inline Camera frame(vec3 eye, Corners v)
 static inline double gap_of(Corners v)
 {
     return vec3_length(v.upper_right - v.upper_left - (v.lower_right - v.lower_left));
+}
+
+// To the last bit: NaN and what rounding leaves are not 0.
+static inline bool is_exact_rectangle(Corners v, Camera c)
+{
+    return gap_of(v) == 0 && vec3_dot(c.right, c.up) == 0;
+}
+
+static inline bool is_exactly_ahead(Camera c)
+{
+    return vec3_dot(c.right, c.forward) == 0 && vec3_dot(c.up, c.forward) == 0;
 }
 
 // NaN is not off: that is for those to find who look for what is not finite.
@@ -132,7 +144,7 @@ static inline CameraFault view_reason_but(CameraFault forgotten, LookAt view)
     vec3 ahead = view.at - view.eye, sideways = vec3_cross(ahead, view.up);
     double length = vec3_length(ahead), up_length = vec3_length(view.up);
     if (forgotten != CAMERA_NOT_FINITE &&
-        !(isfinite(length) && isfinite(up_length) && isfinite(view.width) && isfinite(view.aspect)))
+        !(isfinite(length) && isfinite(up_length) && isfinite(view.width) && !isnan(view.aspect)))
         return CAMERA_NOT_FINITE;
     if (forgotten != CAMERA_NO_DIRECTION && length == 0)
         return CAMERA_NO_DIRECTION;
@@ -141,7 +153,7 @@ static inline CameraFault view_reason_but(CameraFault forgotten, LookAt view)
         return CAMERA_UP_ALONG_VIEW;
     if (forgotten != CAMERA_NO_WIDTH && view.width <= 0)
         return CAMERA_NO_WIDTH;
-    if (forgotten != CAMERA_NO_HEIGHT && view.aspect <= 0)
+    if (forgotten != CAMERA_NO_HEIGHT && (view.aspect <= 0 || isinf(view.aspect)))
         return CAMERA_NO_HEIGHT;
     return CAMERA_OK;
 }

@@ -99,9 +99,27 @@ static Ray not_normalized(Camera camera, Resolution screen, Pixel pixel)
     return (Ray){camera.origin, image_plane_vector(camera, point.x, point.y)};
 }
 
+static Ray row_and_column_as_they_are(Camera camera, Resolution screen, Pixel pixel)
+{
+    (void)screen;
+    return (Ray){camera.origin, image_plane_vector(camera, pixel.column, pixel.row)};
+}
+
 static Ray whole_numbers_divided(Camera camera, Resolution screen, Pixel pixel)
 {
     int s = pixel.column / screen.width, t = 1 - pixel.row / screen.height;
+    return (Ray){camera.origin, image_plane_vector(camera, s, t)};
+}
+
+static Ray whole_numbers_not_turned_over(Camera camera, Resolution screen, Pixel pixel)
+{
+    int s = pixel.column / screen.width, t = pixel.row / screen.height;
+    return (Ray){camera.origin, image_plane_vector(camera, s, t)};
+}
+
+static Ray whole_numbers_turned_over_in_pixels(Camera camera, Resolution screen, Pixel pixel)
+{
+    int s = pixel.column / screen.width, t = (screen.height - pixel.row) / screen.height;
     return (Ray){camera.origin, image_plane_vector(camera, s, t)};
 }
 
@@ -166,9 +184,23 @@ const Mistake pixel_mistakes[] = {
     MISTAKE("P-pixels", pixel_ray, not_normalized, "x and y for s and t",
             "these are pixels; the camera wants shares of the screen, counted from the lower left.",
             "one flat colour: the view is left after the first pixel"),
+    MISTAKE("P-raw", pixel_ray, row_and_column_as_they_are, "s = column, t = row",
+            "these count pixels; the camera wants shares of the screen, counted from the lower "
+            "left.",
+            "one flat colour: the view is left after the first pixel"),
     MISTAKE("P-whole", pixel_ray, whole_numbers_divided, "column/W and row/H in whole numbers",
             "in C, 300 / 640 of two ints is 0, so every ray goes to the same corner.",
             "one flat colour"),
+    MISTAKE("P-whole-down", pixel_ray, whole_numbers_not_turned_over,
+            "s = column/W, t = row/H in whole numbers",
+            "in C, 300 / 640 of two ints is 0, so every ray goes to the same corner. And rows are "
+            "counted downward, t upward.",
+            "one flat colour"),
+    MISTAKE("P-whole-turned", pixel_ray, whole_numbers_turned_over_in_pixels,
+            "s = column/W, t = (H - row)/H in whole numbers",
+            "in C, 300 / 640 of two ints is 0; so all rays but those of row 0 go to the same "
+            "corner.",
+            "one flat colour, another in the first row"),
     MISTAKE("P-down", pixel_ray, not_turned_over, "t = y/H",
             "rows are counted downward and t upward. This is the share of the way down.",
             "upside down"),

@@ -105,6 +105,11 @@ static double count_not_asked(Ray ray, Sphere s)
     return roots.t[1] > 0 ? roots.t[1] : roots.t[0];
 }
 
+static double first_whatever_count(Ray ray, Sphere s)
+{
+    return sphere_roots(ray, s).t[0];
+}
+
 static double surface_is_left_behind(Ray ray, Sphere s)
 {
     Roots roots = sphere_roots(ray, s);
@@ -190,6 +195,10 @@ const Mistake hit_mistakes[] = {
             "every sphere in the middle of the world"),
     MISTAKE("T-count", hit_sphere, count_not_asked, "t[0] and t[1], whatever count says",
             "where count is 0 there is no number in them that means anything.",
+            "a picture filled by the sphere: every ray hits"),
+    MISTAKE("T-first", hit_sphere, first_whatever_count, "t[0], whatever count says",
+            "where count is 0 there is no number in it that means anything, and where t[0] is "
+            "behind the eye, t[1] may be ahead.",
             "a picture filled by the sphere: every ray hits"),
     MISTAKE("T-surface", hit_sphere, surface_is_left_behind, "a miss where t[0] is 0",
             "the ray begins on the surface there, but it may run through the sphere and meet the "

@@ -107,6 +107,18 @@ static Quadratic a_is_a_length(Ray ray, double r)
     return (Quadratic){vec3_length(ray.direction), q.b, q.c};
 }
 
+static Quadratic length_for_square_of_p(Ray ray, double r)
+{
+    Quadratic q = object_quadratic(ray, r);
+    return (Quadratic){q.a, q.b, vec3_length(ray.origin) - r * r};
+}
+
+static Quadratic lengths_for_squares(Ray ray, double r)
+{
+    Quadratic q = length_for_square_of_p(ray, r);
+    return (Quadratic){vec3_length(ray.direction), q.b, q.c};
+}
+
 static Quadratic a_and_c_swapped(Ray ray, double r)
 {
     Quadratic q = object_quadratic(ray, r);
@@ -187,6 +199,13 @@ const Mistake object_mistakes[] = {
             "the lengths in this equation are squared, that of v too. With a v of length 1 it does "
             "not show.",
             "distorted spheres, bloated where v is long"),
+    MISTAKE("Q-p", object_quadratic, length_for_square_of_p, "c = |p| - r^2",
+            "|p| is a length, r^2 the square of one, so they cannot be compared. p.p is |p|^2.",
+            "bloated spheres that fill the picture"),
+    MISTAKE("Q-lengths", object_quadratic, lengths_for_squares, "a = |v|, c = |p| - r^2",
+            "the dot product of a vector with itself is the square of its length, and all lengths "
+            "in this equation are squared.",
+            "distorted spheres that fill the picture"),
     MISTAKE("Q-swap", object_quadratic, a_and_c_swapped, "a and c swapped",
             "a stands beside t^2, c stands alone: it is what is left of the equation at t = 0, "
             "where the ray begins.",

@@ -75,6 +75,18 @@ static Quadratic a_is_1(Ray ray, Sphere s)
     return (Quadratic){1, q.b, q.c};
 }
 
+static Quadratic a_is_a_length(Ray ray, Sphere s)
+{
+    Quadratic q = right(ray, s);
+    return (Quadratic){vec3_length(ray.direction), q.b, q.c};
+}
+
+static Quadratic lengths_for_squares(Ray ray, Sphere s)
+{
+    Quadratic q = a_is_a_length(ray, s);
+    return (Quadratic){q.a, q.b, vec3_length(ray.origin - s.center) - s.radius * s.radius};
+}
+
 // |p - C|^2 = |p|^2 - |C|^2
 static Quadratic squares_subtracted(Ray ray, Sphere s)
 {
@@ -161,6 +173,14 @@ const Mistake world_mistakes[] = {
             "that needs a v of length 1. The ray of a pixel ends on the image plane, so v is as "
             "long as the way there.",
             "distorted spheres, bloated where v is long"),
+    MISTAKE("Q5-root-world", world_quadratic, a_is_a_length, "a = |v|",
+            "the lengths in this equation are squared, that of v too. With a v of length 1 it does "
+            "not show.",
+            "distorted spheres, bloated where v is long"),
+    MISTAKE("Q-lengths-world", world_quadratic, lengths_for_squares, "a = |v|, c = |p - C| - r^2",
+            "the dot product of a vector with itself is the square of its length, and all lengths "
+            "in this equation are squared.",
+            "distorted spheres that fill the picture"),
     MISTAKE("Q-squares", world_quadratic, squares_subtracted, "c = p.p - C.C - r^2",
             "p.p - C.C is 0 wherever eye and centre are equally far from the world's origin, "
             "however far they are from each other.",

@@ -5,6 +5,6 @@
 #include "tests/mistakes/05-quadratic.h"
 
 const Mistake *const mistakes[] = {
-    object_mistakes, world_mistakes, formula_mistakes, count_mistakes,
+    object_mistakes, world_mistakes, formula_mistakes, plain_mistakes, count_mistakes,
     sphere_mistakes, hit_mistakes,   digit_mistakes,   NULL,
 };

@@ -4,14 +4,6 @@
 
 // ---- slips --------------------------------------------------------------------------------------
 
-#define IMAGE_ORDER(name, ...)                                                                     \
-    static void name(const Scene *scene, Camera camera, Image *image)                              \
-    {                                                                                              \
-        double *depth = depth_for(image);                                                          \
-        cast_with((Slips){.one_pass = true, __VA_ARGS__}, scene, camera, image, depth);            \
-        free(depth);                                                                               \
-    }
-
 static bool in_first_column(Pixel pixel, Resolution size)
 {
     (void)size;
@@ -47,11 +39,6 @@ static Color sphere_0_is_nothing(const Scene *scene, int sphere)
     return sphere > 0 ? flat_color(scene, sphere) : scene->background;
 }
 
-static Color through_255(const Scene *scene, int sphere)
-{
-    return flat_color(scene, sphere) / 255;
-}
-
 static Color always_background(const Scene *scene, int sphere)
 {
     (void)sphere;
@@ -76,13 +63,7 @@ IMAGE_ORDER(ghosts_from_behind, .t_of = near_root)
 IMAGE_ORDER(inside_is_nothing, .t_of = near_root_in_front)
 IMAGE_ORDER(where_spheres_end, .t_of = far_root)
 IMAGE_ORDER(near_things_vanish, .t_of = hit_beyond_the_plane)
-IMAGE_ORDER(background_is_black, .color = black_background)
 IMAGE_ORDER(first_sphere_not_seen, .color = sphere_0_is_nothing)
-IMAGE_ORDER(sphere_for_surface, .color = surface_of_that_number)
-IMAGE_ORDER(always_surface_0, .color = first_surface)
-IMAGE_ORDER(colours_in_blue_green_red, .color = blue_green_red)
-IMAGE_ORDER(colours_times_255, .color = times_255)
-IMAGE_ORDER(colours_through_255, .color = through_255)
 IMAGE_ORDER(nothing_but_background, .color = always_background)
 IMAGE_ORDER(background_not_painted, .no_background = true)
 
@@ -147,96 +128,82 @@ static void from_the_origin_of_the_world(const Scene *scene, Camera camera, Imag
 
 const Mistake image_order_mistakes[] = {
     MISTAKE("I-flip", cast_image_order, upside_down, "the rows counted from below",
-            "Row 0 of the image is the top one, and pixel_ray counts in the same way.",
+            "row 0 of the image is the top one, and pixel_ray counts in the same way.",
             "upside down"),
     MISTAKE("I-mirror", cast_image_order, mirrored, "the columns counted from the right",
-            "Column 0 is the left one, and pixel_ray counts in the same way.", "mirrored"),
+            "column 0 is the left one, and pixel_ray counts in the same way.", "mirrored"),
     MISTAKE("I-turn", cast_image_order, turned_by_180, "the pixels from the last to the first",
-            "The ray of the lower right pixel colours the upper left one.",
+            "the ray of the lower right pixel colours the upper left one.",
             "turned by 180 degrees"),
     MISTAKE("P4", cast_image_order, transposed, "row and column swapped",
-            "A pixel is (column, row), how far to the right, then how far down; here its ray is "
+            "a pixel is (column, row), how far to the right, then how far down; here its ray is "
             "that of (row, column).",
             "right and down exchanged"),
     MISTAKE("I-from1", cast_image_order, counted_from_pixel_1, "the pixels counted from 1",
-            "The first column and the first row are number 0; so each pixel shows its neighbour.",
+            "the first column and the first row are number 0; so each pixel shows its neighbour.",
             "shifted by a pixel, to the left and up"),
     MISTAKE("I-one", cast_image_order, one_ray_for_all, "the ray of the first pixel for all",
-            "Every pixel looks in a direction of its own.", "all in one colour"),
+            "every pixel looks in a direction of its own.", "all in one colour"),
     MISTAKE("I-column0", cast_image_order, first_column_left_out, "column 0 not painted",
-            "Columns are counted from 0.", "a stripe at the left edge"),
+            "columns are counted from 0.", "a stripe at the left edge"),
     MISTAKE("I-row0", cast_image_order, first_row_left_out, "row 0 not painted",
-            "Rows are counted from 0.", "a stripe at the upper edge"),
+            "rows are counted from 0.", "a stripe at the upper edge"),
     MISTAKE("I-column", cast_image_order, last_column_left_out, "the last column not painted",
-            "Counted from 0, the last of w columns is number w - 1, and it is one of them.",
+            "counted from 0, the last of w columns is number w - 1, and it is one of them.",
             "a stripe at the right edge"),
     MISTAKE("I-row", cast_image_order, last_row_left_out, "the last row not painted",
-            "Counted from 0, the last of h rows is number h - 1, and it is one of them.",
+            "counted from 0, the last of h rows is number h - 1, and it is one of them.",
             "a stripe at the lower edge"),
     MISTAKE("I-size", cast_image_order, width_and_height_swapped, "width and height swapped",
-            "A resolution is so many columns, then so many rows.",
+            "a resolution is so many columns, then so many rows.",
             "spheres stretched, part of the scene cut off; right in a square image"),
     MISTAKE("P1", cast_image_order, upper_left_of_the_pixel, "rays through the pixels' corners",
-            "A pixel is a small square, and its centre stands for it: half a pixel to the right "
+            "a pixel is a small square, and its centre stands for it: half a pixel to the right "
             "and half a pixel down.",
             "all moved by half a pixel, to the right and down"),
     MISTAKE("P2", cast_image_order, half_a_pixel_twice, "rays through the lower right corners",
-            "From its upper left corner to its centre it is half a pixel each way, once.",
+            "from its upper left corner to its centre it is half a pixel each way, once.",
             "all moved by half a pixel, to the left and up"),
     MISTAKE("P7", cast_image_order, from_the_origin_of_the_world, "rays from the world's origin",
-            "Rays begin at the eye.", "moving the camera changes nothing"),
+            "rays begin at the eye.", "moving the camera changes nothing"),
     MISTAKE("I-last", cast_image_order, last_sphere_wins, "the last hit of the list",
-            "What covers what depends on the distance, not on the order of the scene.",
+            "what covers what depends on the distance, not on the order of the scene.",
             "far spheres in front of near ones, in the order of the scene"),
     MISTAKE("I-first", cast_image_order, first_sphere_wins, "the first hit of the list",
-            "A sphere further down the list may be nearer.",
+            "a sphere further down the list may be nearer.",
             "what comes first in the scene covers everything"),
     MISTAKE("I-only", cast_image_order, first_sphere_only, "sphere 0 alone",
-            "Each ray has to be tried with every sphere of the scene.", "one sphere only"),
+            "each ray has to be tried with every sphere of the scene.", "one sphere only"),
     MISTAKE("I-tie", cast_image_order, later_of_equals_wins, "the last of equally near spheres",
-            "Of equals the lower index is asked for.",
+            "of equals the lower index is asked for.",
             "another colour where two spheres touch or coincide"),
     MISTAKE("I-far", cast_image_order, farthest_wins, "the farthest hit",
-            "The nearest sphere covers what is behind it.", "the scene from back to front"),
+            "the nearest sphere covers what is behind it.", "the scene from back to front"),
     MISTAKE("R6-image", cast_image_order, where_spheres_end,
             "spheres compared where rays leave them",
-            "The eye sees where the ray enters. A large sphere may begin before a small one "
+            "the eye sees where the ray enters. A large sphere may begin before a small one "
             "and end behind it.",
             "small spheres seen through large ones"),
     MISTAKE("R7-image", cast_image_order, ghosts_from_behind, "the smallest t, also below 0",
-            "A ray begins at the eye. What has t < 0 is behind it.",
+            "a ray begins at the eye. What has t < 0 is behind it.",
             "ghosts of the spheres behind the eye, mirrored and upside down"),
     MISTAKE("R8-image", cast_image_order, inside_is_nothing, "no hit on a sphere round the eye",
-            "The ray still leaves such a sphere through its far side.",
+            "the ray still leaves such a sphere through its far side.",
             "a sphere vanishes as soon as the eye enters it"),
     MISTAKE("D1-image", cast_image_order, near_things_vanish, "hits with t up to 1 dropped",
-            "The image plane is a window, not a wall: what stands between it and the eye is "
+            "the image plane is a window, not a wall: what stands between it and the eye is "
             "seen too.",
             "near spheres vanish"),
-    MISTAKE("I-black", cast_image_order, background_is_black, "black where nothing is hit",
-            "The scene says what its background is.", "spheres on black"),
     MISTAKE("I-rest", cast_image_order, background_not_painted, "only what is hit painted",
-            "Where nothing is hit, what was in the image stays. Every pixel needs a colour.",
+            "where nothing is hit, what was in the image stays. Every pixel needs a colour.",
             "spheres on what was there before, at first black"),
     MISTAKE(
         "I-break", cast_image_order, rest_of_the_row_given_up, "a row given up at its first miss",
-        "A ray that hits nothing says nothing of the next one. Its own pixel has a colour, too.",
+        "a ray that hits nothing says nothing of the next one. Its own pixel has a colour, too.",
         "black; only what touches the left edge is seen"),
     MISTAKE("I-none", cast_image_order, nothing_but_background, "the background everywhere",
-            "No hit ever colours its pixel. How do you tell a hit from none?", "blank"),
+            "no hit ever colours its pixel. How do you tell a hit from none?", "blank"),
     MISTAKE("I-0", cast_image_order, first_sphere_not_seen, "index 0 taken for nothing",
             "0 is the first sphere; none is -1.", "a hole in the shape of the first sphere"),
-    MISTAKE("I-index", cast_image_order, sphere_for_surface, "the surface of the sphere's number",
-            "Spheres and surfaces are counted apart; each sphere says which surface it has.",
-            "spheres in each other's colours"),
-    MISTAKE("I-white", cast_image_order, always_surface_0, "always surface 0",
-            "Each sphere says which surface it has.", "all spheres in one colour"),
-    MISTAKE("I-bgr", cast_image_order, colours_in_blue_green_red, "blue, green, red",
-            "The first of the three numbers is red.", "red and blue exchanged"),
-    MISTAKE("I-255", cast_image_order, colours_times_255, "colours times 255",
-            "Colours go from 0 to 1; the image makes bytes of them.",
-            "whatever is not black glares"),
-    MISTAKE("I-1/255", cast_image_order, colours_through_255, "colours divided by 255",
-            "Colours already go from 0 to 1; the image makes bytes of them.", "nearly black"),
     {0},
 };

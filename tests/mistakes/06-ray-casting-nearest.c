@@ -57,6 +57,7 @@ LOOP(where_spheres_end, nothing, far_root, nearer)
 LOOP(from_the_image_plane, nothing, hit_beyond_the_plane, nearer)
 LOOP(from_a_tenth, nothing, hit_beyond_a_tenth, nearer)
 LOOP(from_a_thousandth, nothing, hit_beyond_a_thousandth, nearer)
+LOOP(in_single_precision, nothing, hit_as_float, nearer)
 
 // ---- other loops --------------------------------------------------------------------------------
 
@@ -141,70 +142,73 @@ static Hit always_the_last_index(Ray ray, const Scene *scene)
 
 const Mistake nearest_mistakes[] = {
     MISTAKE("H1", nearest_hit, last_hit, "the last sphere of the list that is hit",
-            "Each hit replaces the one before, also a nearer one. What covers what depends on the "
+            "each hit replaces the one before, also a nearer one. What covers what depends on the "
             "distance, not on the order of the scene.",
             "far spheres in front of near ones, in the order of the scene"),
     MISTAKE("H1-first", nearest_hit, first_hit, "the first sphere of the list that is hit",
-            "The spheres behind it in the list were not asked; one of them may be nearer.",
+            "the spheres behind it in the list were not asked; one of them may be nearer.",
             "what comes first in the scene covers everything"),
     MISTAKE("H3", nearest_hit, best_starts_at_minus_1, "a best t that starts at -1",
-            "Hits are in front of the eye, t > 0, so none is ever below -1.",
+            "hits are in front of the eye, t > 0, so none is ever below -1.",
             "blank: background only"),
     MISTAKE("H3-0", nearest_hit, best_starts_at_0, "a best t that starts at 0",
-            "Hits are in front of the eye, t > 0, so none is ever below 0.",
+            "hits are in front of the eye, t > 0, so none is ever below 0.",
             "blank: background only"),
     MISTAKE("H3-zeros", nearest_hit, best_is_all_zeros, "all zeros: t = 0 on sphere 0",
-            "That says that sphere 0 touches the eye, and nothing can be nearer than that.",
+            "that says that sphere 0 touches the eye, and nothing can be nearer than that.",
             "sphere 0's colour everywhere"),
     MISTAKE("H3-10", nearest_hit, best_starts_at_10, "a best t that starts at 10",
-            "Some spheres are farther away than that, and an answer without a hit has t = NO_HIT.",
+            "some spheres are farther away than that, and an answer without a hit has t = NO_HIT.",
             "spheres cut off where they are far away"),
     MISTAKE("H3-1000", nearest_hit, best_starts_at_1000, "a best t that starts at 1000",
-            "Scenes have no such end, and an answer without a hit has t = NO_HIT.",
+            "scenes have no such end, and an answer without a hit has t = NO_HIT.",
             "all right, until a sphere is farther away than that"),
     MISTAKE("H3-max", nearest_hit, best_starts_at_the_largest, "t = DBL_MAX where there is no hit",
-            "A ray that meets nothing goes on for ever: its t is NO_HIT, which is infinite.",
+            "a ray that meets nothing goes on for ever: its t is NO_HIT, which is infinite.",
             "nothing wrong; but who asks t < NO_HIT is told that there is a hit"),
     MISTAKE("H-more", nearest_hit, never_beyond_infinity, "hits whose t is more than NO_HIT",
             "NO_HIT is infinite; no hit is farther away than that.", "blank: background only"),
     MISTAKE("H-miss", nearest_hit, misses_win, "the largest t, NO_HIT included",
-            "Of what is on one ray the eye sees the nearest. And a sphere that is missed counts "
+            "of what is on one ray the eye sees the nearest. And a sphere that is missed counts "
             "here as one that is infinitely far away.",
             "spheres at places where they are not"),
     MISTAKE("H-far", nearest_hit, farthest, "the farthest hit",
-            "The nearest sphere covers what is behind it; the smallest t wins.",
+            "the nearest sphere covers what is behind it; the smallest t wins.",
             "the scene from back to front: far spheres in front of near ones"),
     MISTAKE("H-centre", nearest_hit, nearest_centre, "the sphere whose centre is nearest",
-            "The eye sees surfaces. A large sphere may come nearer than a small one whose centre "
+            "the eye sees surfaces. A large sphere may come nearer than a small one whose centre "
             "is before its own.",
             "spheres that pass through each other are cut at the wrong place"),
     MISTAKE("H-tie", nearest_hit, higher_index_of_equals, "the last one of equally near spheres",
-            "An equal t is no nearer. Of equals the lower index is asked for.",
+            "an equal t is no nearer. Of equals the lower index is asked for.",
             "another colour where two spheres touch or coincide"),
     MISTAKE("H-from1", nearest_hit, without_the_first, "sphere 0 left out",
-            "Spheres are counted from 0.", "the first sphere of the scene is missing"),
+            "spheres are counted from 0.", "the first sphere of the scene is missing"),
     MISTAKE("H-last", nearest_hit, without_the_last, "the last sphere left out",
-            "Counted from 0, the last of n spheres has the index n - 1, and it is one of them.",
+            "counted from 0, the last of n spheres has the index n - 1, and it is one of them.",
             "the last sphere of the scene is missing"),
     MISTAKE("R6-scene", nearest_hit, where_spheres_end, "the t where a sphere is left",
-            "The ray enters a sphere before it leaves it, and the eye sees the side that is "
+            "the ray enters a sphere before it leaves it, and the eye sees the side that is "
             "turned towards it.",
             "spheres from behind; a large one may vanish behind a small one"),
     MISTAKE("R7-scene", nearest_hit, behind_the_eye_too, "the smallest t, negative ones included",
-            "A ray begins at the eye. What has t < 0 is behind it.",
+            "a ray begins at the eye. What has t < 0 is behind it.",
             "ghosts of the spheres behind the eye, mirrored and upside down"),
     MISTAKE("R8-scene", nearest_hit, nothing_from_inside, "no hit on a sphere round the eye",
-            "From inside, the near side is behind the eye, but the ray still leaves through the "
+            "from inside, the near side is behind the eye, but the ray still leaves through the "
             "far one.",
             "a sphere vanishes as soon as the eye enters it"),
     MISTAKE("D1-scene", nearest_hit, from_the_image_plane, "hits with t up to 1 dropped",
-            "The image plane is a window, not a wall: what stands between it and the eye is "
+            "the image plane is a window, not a wall: what stands between it and the eye is "
             "seen too.",
             "near spheres vanish"),
     MISTAKE("R10-scene", nearest_hit, from_a_tenth, "hits with t up to 0.1 dropped",
-            "With a long direction even a small t may be a long way.", "near spheres vanish"),
+            "with a long direction even a small t may be a long way.", "near spheres vanish"),
     MISTAKE("R10-small", nearest_hit, from_a_thousandth, "hits with t up to 0.001 dropped",
-            "With a long direction even a small t may be a long way.", "very near spheres vanish"),
+            "with a long direction even a small t may be a long way.", "very near spheres vanish"),
+    MISTAKE("H-float", nearest_hit, in_single_precision, "t as a float",
+            "a float has 7 digits, a double 16, and hit_sphere's answer has as many.",
+            "speckles where surfaces nearly touch"),
     MISTAKE("H-none0", nearest_hit, index_0_for_nothing, "index 0 where nothing is hit",
             "0 is the first sphere; none is -1.", "the first sphere's colour for the background"),
     MISTAKE("H-none-1", nearest_hit, minus_1_for_no_hit, "t = -1 where nothing is hit",
@@ -214,18 +218,18 @@ const Mistake nearest_mistakes[] = {
             "t counts in lengths of the direction, and a direction may have any length.",
             "the same picture; the point at that t is off the sphere"),
     MISTAKE("H-surface", nearest_hit, surface_for_sphere, "the index of the sphere's surface",
-            "Several spheres may share a surface, so it does not say which of them was hit.",
+            "several spheres may share a surface, so it does not say which of them was hit.",
             "spheres in each other's colours"),
     MISTAKE("H-count1", nearest_hit, counted_from_1, "the spheres counted from 1",
-            "The first sphere has the index 0.", "each sphere in the next one's colour"),
+            "the first sphere has the index 0.", "each sphere in the next one's colour"),
     MISTAKE("H-no-sphere", nearest_hit, sphere_forgotten, "the right t, with -1 for the sphere",
             "-1 says that nothing was hit. Which sphere is it that this t belongs to?",
             "blank: background only"),
     MISTAKE("H-no-t", nearest_hit, t_forgotten, "the last sphere that is hit, with t = NO_HIT",
-            "Comparing only works if the best t so far is remembered with its sphere.",
+            "comparing only works if the best t so far is remembered with its sphere.",
             "far spheres in front of near ones, in the order of the scene"),
     MISTAKE("H-braces", nearest_hit, always_the_last_index, "the right t, but the last sphere",
-            "The index changes with every sphere, whether it is nearer or not. An if without "
+            "the index changes with every sphere, whether it is nearer or not. An if without "
             "braces ends after one statement.",
             "everything in the last sphere's colour"),
     {0},

@@ -10,7 +10,6 @@ OBJECT_ORDER(inside_is_nothing, .t_of = near_root_in_front)
 OBJECT_ORDER(background_not_painted, .no_background = true)
 OBJECT_ORDER(background_where_missed, .background_where_missed = true)
 OBJECT_ORDER(background_where_farther, .background_where_farther = true)
-OBJECT_ORDER(background_is_black, .color = black_background)
 OBJECT_ORDER(first_sphere_left_out, .first_sphere = 1)
 OBJECT_ORDER(last_sphere_left_out, .last_sphere = 1)
 OBJECT_ORDER(last_row_left_out, .left_out = in_last_row)
@@ -18,10 +17,6 @@ OBJECT_ORDER(last_column_left_out, .left_out = in_last_column)
 OBJECT_ORDER(upside_down, .ray_of = row_from_below)
 OBJECT_ORDER(mirrored, .ray_of = column_from_the_right)
 OBJECT_ORDER(transposed, .ray_of = row_and_column_swapped)
-OBJECT_ORDER(sphere_for_surface, .color = surface_of_that_number)
-OBJECT_ORDER(always_surface_0, .color = first_surface)
-OBJECT_ORDER(colours_in_blue_green_red, .color = blue_green_red)
-OBJECT_ORDER(colours_times_255, .color = times_255)
 
 // ---- other loops --------------------------------------------------------------------------------
 
@@ -48,69 +43,57 @@ static void rays_from_the_origin(const Scene *scene, Camera camera, Image *image
 
 const Mistake object_order_mistakes[] = {
     MISTAKE("D1-object", cast_object_order, near_things_vanish, "hits with t up to 1 dropped",
-            "The image plane is a window, not a wall: what stands between it and the eye is "
+            "the image plane is a window, not a wall: what stands between it and the eye is "
             "seen too.",
             "near spheres vanish"),
     MISTAKE("R6-object", cast_object_order, where_spheres_end, "the t where a sphere is left",
-            "The ray enters a sphere before it leaves it, and the eye sees the side that is "
+            "the ray enters a sphere before it leaves it, and the eye sees the side that is "
             "turned towards it.",
             "small spheres seen through large ones"),
     MISTAKE("R7-object", cast_object_order, ghosts_from_behind, "the smallest t, also below 0",
-            "A ray begins at the eye. What has t < 0 is behind it.",
+            "a ray begins at the eye. What has t < 0 is behind it.",
             "ghosts of the spheres behind the eye, mirrored and upside down"),
     MISTAKE("R8-object", cast_object_order, inside_is_nothing, "no hit on a sphere round the eye",
-            "The ray still leaves such a sphere through its far side.",
+            "the ray still leaves such a sphere through its far side.",
             "a sphere vanishes as soon as the eye enters it"),
     MISTAKE("O-rest", cast_object_order, background_not_painted, "only what is hit painted",
-            "Where nothing is hit, what was in the image stays. Every pixel needs a colour.",
+            "where nothing is hit, what was in the image stays. Every pixel needs a colour.",
             "spheres on what was there before, at first black"),
     MISTAKE("O-wipe", cast_object_order, background_where_missed,
             "each sphere wiping the pixels where it is missed",
-            "There another sphere may be seen already. A miss says nothing about the others.",
+            "there another sphere may be seen already. A miss says nothing about the others.",
             "the last sphere alone"),
     MISTAKE("O-else", cast_object_order, background_where_farther,
             "each sphere wiping the pixels where it is not the nearest so far",
-            "What other spheres have painted stays. The background comes once, before all of them.",
+            "what other spheres have painted stays. The background comes once, before all of them.",
             "the last sphere, with holes where others are before it"),
     MISTAKE("O-braces", cast_object_order, every_pixel_painted, "every sphere paints every pixel",
-            "The depths are right, but the colour changes whether the sphere is nearer or not. An "
+            "the depths are right, but the colour changes whether the sphere is nearer or not. An "
             "if without braces ends after one statement.",
             "all in the last sphere's colour"),
-    MISTAKE("O-black", cast_object_order, background_is_black, "black where nothing is hit",
-            "The scene says what its background is.", "spheres on black"),
     MISTAKE("O-from1", cast_object_order, first_sphere_left_out, "sphere 0 left out",
-            "Spheres are counted from 0.", "the first sphere of the scene is missing"),
+            "spheres are counted from 0.", "the first sphere of the scene is missing"),
     MISTAKE("O-last", cast_object_order, last_sphere_left_out, "the last sphere left out",
-            "Counted from 0, the last of n spheres has the index n - 1, and it is one of them.",
+            "counted from 0, the last of n spheres has the index n - 1, and it is one of them.",
             "the last sphere of the scene is missing"),
     MISTAKE("O-only", cast_object_order, first_sphere_only, "sphere 0 alone",
-            "Every sphere of the scene has to be asked.", "one sphere only"),
+            "every sphere of the scene has to be asked.", "one sphere only"),
     MISTAKE("O-row", cast_object_order, last_row_left_out, "no sphere in the last row",
-            "Counted from 0, the last of h rows is number h - 1, and it is one of them.",
+            "counted from 0, the last of h rows is number h - 1, and it is one of them.",
             "a stripe of background at the lower edge"),
     MISTAKE("O-column", cast_object_order, last_column_left_out, "no sphere in the last column",
-            "Counted from 0, the last of w columns is number w - 1, and it is one of them.",
+            "counted from 0, the last of w columns is number w - 1, and it is one of them.",
             "a stripe of background at the right edge"),
     MISTAKE("O-flip", cast_object_order, upside_down, "the rows counted from below",
-            "Row 0 of the image is the top one, and pixel_ray counts in the same way.",
+            "row 0 of the image is the top one, and pixel_ray counts in the same way.",
             "upside down"),
     MISTAKE("O-mirror", cast_object_order, mirrored, "the columns counted from the right",
-            "Column 0 is the left one, and pixel_ray counts in the same way.", "mirrored"),
+            "column 0 is the left one, and pixel_ray counts in the same way.", "mirrored"),
     MISTAKE("P4-object", cast_object_order, transposed, "row and column swapped",
-            "A pixel is (column, row), how far to the right, then how far down; here its ray is "
+            "a pixel is (column, row), how far to the right, then how far down; here its ray is "
             "that of (row, column).",
             "right and down exchanged"),
     MISTAKE("P7-object", cast_object_order, rays_from_the_origin, "rays from the world's origin",
-            "Rays begin at the eye.", "moving the camera changes nothing"),
-    MISTAKE("O-index", cast_object_order, sphere_for_surface, "the surface of the sphere's number",
-            "Spheres and surfaces are counted apart; each sphere says which surface it has.",
-            "spheres in each other's colours"),
-    MISTAKE("O-white", cast_object_order, always_surface_0, "always surface 0",
-            "Each sphere says which surface it has.", "all spheres in one colour"),
-    MISTAKE("O-bgr", cast_object_order, colours_in_blue_green_red, "blue, green, red",
-            "The first of the three numbers is red.", "red and blue exchanged"),
-    MISTAKE("O-255", cast_object_order, colours_times_255, "colours times 255",
-            "Colours go from 0 to 1; the image makes bytes of them.",
-            "whatever is not black glares"),
+            "rays begin at the eye.", "moving the camera changes nothing"),
     {0},
 };

@@ -3,4 +3,4 @@
 #include "tests/mistakes/06-ray-casting.h"
 
 const Mistake *const mistakes[] = {nearest_mistakes, image_order_mistakes, object_order_mistakes,
-                                   depth_mistakes, NULL};
+                                   color_mistakes,   depth_mistakes,       NULL};

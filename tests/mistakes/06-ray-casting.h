@@ -13,7 +13,7 @@
 #include <stdlib.h>
 
 extern const Mistake nearest_mistakes[], image_order_mistakes[], object_order_mistakes[],
-    depth_mistakes[];
+    depth_mistakes[], color_mistakes[];
 
 // ---- where a sphere is hit ----------------------------------------------------------------------
 
@@ -44,6 +44,11 @@ static inline double hit_beyond(double least, Ray ray, Sphere sphere)
 static inline double hit_beyond_the_plane(Ray ray, Sphere sphere)
 {
     return hit_beyond(1, ray, sphere);
+}
+
+static inline double hit_as_float(Ray ray, Sphere sphere)
+{
+    return (float)hit_sphere(ray, sphere);
 }
 
 // ---- which hit replaces the best so far ---------------------------------------------------------
@@ -106,32 +111,6 @@ static inline bool in_last_row(Pixel pixel, Resolution size)
 static inline Color flat_color(const Scene *scene, int sphere)
 {
     return sphere < 0 ? scene->background : scene_surface(scene, sphere)->color;
-}
-
-static inline Color surface_of_that_number(const Scene *scene, int sphere)
-{
-    return sphere < 0 ? scene->background : scene->surfaces[sphere % scene->surface_count].color;
-}
-
-static inline Color first_surface(const Scene *scene, int sphere)
-{
-    return sphere < 0 ? scene->background : scene->surfaces[0].color;
-}
-
-static inline Color blue_green_red(const Scene *scene, int sphere)
-{
-    Color color = flat_color(scene, sphere);
-    return vec3_of(color[2], color[1], color[0]);
-}
-
-static inline Color times_255(const Scene *scene, int sphere)
-{
-    return 255 * flat_color(scene, sphere);
-}
-
-static inline Color black_background(const Scene *scene, int sphere)
-{
-    return sphere < 0 ? vec3_of(0, 0, 0) : flat_color(scene, sphere);
 }
 
 // ---- casting ------------------------------------------------------------------------------------
@@ -229,5 +208,13 @@ static inline double *depth_for(const Image *image)
         abort();
     return depth;
 }
+
+#define IMAGE_ORDER(name, ...)                                                                     \
+    static void name(const Scene *scene, Camera camera, Image *image)                              \
+    {                                                                                              \
+        double *depth = depth_for(image);                                                          \
+        cast_with((Slips){.one_pass = true, __VA_ARGS__}, scene, camera, image, depth);            \
+        free(depth);                                                                               \
+    }
 
 #endif

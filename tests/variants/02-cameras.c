@@ -91,6 +91,37 @@ static CameraFault along_the_normal(vec3 eye, Corners v, Camera *camera)
                 camera);
 }
 
+// Comparisons that NaN does not pass: corners that are not finite, or coincide, are no rectangle.
+static bool unit_at_right_angles(vec3 v, vec3 w)
+{
+    return fabs(vec3_dot(vec3_unit(v), vec3_unit(w))) <= CAMERA_TOLERANCE;
+}
+
+static CameraFault no_rectangle_first(vec3 eye, Corners v, Camera *camera)
+{
+    vec3 across = v.lower_right - v.lower_left, up = v.upper_left - v.lower_left;
+    vec3 gap = v.upper_right - v.lower_right - up, middle = (v.lower_left + v.upper_right) / 2;
+    double w = vec3_length(across), h = vec3_length(up), d = vec3_length(middle);
+    if (!(vec3_length(gap) <= CAMERA_TOLERANCE * (w + h)) || !unit_at_right_angles(across, up))
+        return CAMERA_NO_RECTANGLE;
+    if (!unit_at_right_angles(across, middle) || !unit_at_right_angles(up, middle))
+        return CAMERA_OFF_AXIS;
+    return give((Camera){eye, across / w, up / h, middle / d, d, w, h}, camera);
+}
+
+static CameraFault points_no_rectangle_first(vec3 eye, Corners p, Camera *camera)
+{
+    Corners v = {p.upper_left - eye, p.upper_right - eye, p.lower_left - eye, p.lower_right - eye};
+    return no_rectangle_first(eye, v, camera);
+}
+
+static CameraFault corner_no_rectangle_first(vec3 eye, vec3 lower_left, vec3 across, vec3 up,
+                                             Camera *camera)
+{
+    vec3 v = lower_left - eye;
+    return no_rectangle_first(eye, (Corners){v + up, v + up + across, v, v + across}, camera);
+}
+
 static CameraFault halfway_from_the_corner(vec3 eye, vec3 lower_left, vec3 across, vec3 up,
                                            Camera *camera)
 {
@@ -166,6 +197,21 @@ static CameraFault mirrored_for_the_left_hand(LookAt view, Handedness world, Cam
     return view.aspect == 0 ? CAMERA_NO_HEIGHT : give(c, camera);
 }
 
+// Own checks only for what camera_check cannot know; the distance is one that it can.
+static CameraFault the_rest_left_to_camera_check(LookAt view, Handedness world, Camera *camera)
+{
+    vec3 f = vec3_unit(view.at - view.eye), unit_up = vec3_unit(view.up);
+    double d = vec3_length(view.at - view.eye);
+    if (d <= 0)
+        return CAMERA_NO_DISTANCE;
+    vec3 r = world == RIGHT_HANDED ? vec3_cross(f, unit_up) : vec3_cross(unit_up, f);
+    if (vec3_length(view.up) == 0 || vec3_length(r) <= CAMERA_TOLERANCE)
+        return CAMERA_UP_ALONG_VIEW;
+    r = vec3_unit(r);
+    vec3 u = world == RIGHT_HANDED ? vec3_cross(r, f) : vec3_cross(f, r);
+    return give((Camera){view.eye, r, u, f, d, view.width, view.width / view.aspect}, camera);
+}
+
 // ---- width from angle -------------------------------------------------------------------------
 
 static double sine_by_cosine(double degrees, double distance)
@@ -186,10 +232,14 @@ const Variant variants[] = {
     VARIANT(camera_from_vectors, vectors_by_diagonals, "as points, seen from the origin"),
     VARIANT(camera_from_vectors, vectors_as_points, "turned into points, and back"),
     VARIANT(camera_from_vectors, along_the_normal, "forward and d along the normal; four angles"),
+    VARIANT(camera_from_vectors, no_rectangle_first, "NaN is no rectangle, nor is a line"),
+    VARIANT(camera_from_points, points_no_rectangle_first, "NaN is no rectangle, nor is a line"),
+    VARIANT(camera_from_corner, corner_no_rectangle_first, "NaN is no rectangle, nor is a line"),
     VARIANT(camera_from_corner, halfway_from_the_corner, "half of each edge to the middle"),
     VARIANT(camera_from_corner, corner_as_points, "turned into points"),
     VARIANT(camera_from_look_at, up_without_forward, "Gram and Schmidt; reasons in another order"),
     VARIANT(camera_from_look_at, mirrored_for_the_left_hand, "one hand, then mirrored; made first"),
+    VARIANT(camera_from_look_at, the_rest_left_to_camera_check, "the rest left to camera_check"),
     VARIANT(width_from_angle, sine_by_cosine, "sine by cosine"),
     VARIANT(width_from_angle, by_the_whole_angle, "from the whole angle"),
     {0},
