@@ -289,8 +289,9 @@ $(QUICK_HEADER): $(B)/weak.h $(wildcard common/*.h) $(B)/flags
 	$(Q)mkdir -p $(@D)
 	$(Q)(cat $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
 	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(IS_CLANG),pch,gch) $@
+EXPLAIN := .make/explain $(wildcard .make/explaining/*.awk)
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
-$(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict .make/explain $(QUICK_HEADER) \
+$(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(QUICK_HEADER) \
 		build/blanks/%.c $(B)/judge/% $$(call answering,$$*)
 	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(QUICK_HEADER) -c'" \
 		"LINK='$(LINK) $(QUICK_LINKER) -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc'" \

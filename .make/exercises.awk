@@ -64,7 +64,9 @@ function show_troubles(s,   n, name, i) {
     if (state[s] == "compiler" || state[s] == "linker" || state[s] == "stopped") {
         print painted(s "  " (state[s] == "compiler" ? "does not compile:" \
                               : state[s] == "linker" ? "cannot be linked:" : "could not be judged:"), "1")
+        in_words = 1
         show_file(verdicts "/" s "/words")
+        in_words = 0
         print ""
         return
     }
@@ -88,7 +90,7 @@ function show_file(file,   line, lines, code) {
             line = painted(line, "1")
         else if (line ~ /^  help:/)
             line = painted(line, "33")
-        else if (line !~ /^             /)
+        else if (line !~ /^             / && !in_words)
             code = line ~ /^  expected / ? "32" : line ~ /^  (yours|it)    / ? "31" \
                 : line ~ /^  (looks like|but) / ? "33" : ""
         print code == "" || substr(line, 14) == "" ? line : substr(line, 1, 13) painted(substr(line, 14), code)

@@ -163,7 +163,7 @@ mutants_of() {
 prepare() {
     cp "solutions/$1.c" "$scratch/reference"
     make --no-print-directory V=1 ANSWERS="$scratch/reference" \
-        "build/$scratch/reference/tests/$1" >"$scratch/made" 2>&1 || {
+        "build$scratch/reference/tests/$1" >"$scratch/made" 2>&1 || {
         cat "$scratch/made"
         return 1
     }
@@ -178,7 +178,7 @@ prepare() {
         tail -n 1 "$scratch/made"
         return 1
     }
-    "build/$scratch/reference/tests/$1"
+    "build$scratch/reference/tests/$1"
 }
 
 mkdir "$scratch/reference" "$scratch/results"
@@ -187,7 +187,7 @@ for solution in solutions/*.c; do
     check "the solution of $stem passes its own tests" prepare "$stem"
     mutants_of "$stem" >>"$scratch/mutants"
 done
-rm -rf "${scratch:?}/reference" "build/${scratch:?}"
+rm -rf "${scratch:?}/reference" "build${scratch:?}"
 if [ "$failed" -ne 0 ]; then
     finish mutants
     exit 1

@@ -4,7 +4,8 @@ set -u
 . tests/library.sh
 
 cc=${CC:-cc}
-flags="-std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I. -Wall -Wextra -Wno-unused-parameter"
+flags="-std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I. -Wall -Wextra -Wno-unused-parameter
+    -Werror=return-type -Werror=implicit-function-declaration"
 
 # The compiler's words are in $scratch/words, what is made of them in $scratch/said.
 compile() {
@@ -37,7 +38,20 @@ only_their_own() {
     grep -q "^$answer:[0-9]" "$scratch/said" &&
         ! grep -E '^[^ |]+:[0-9]+:' "$scratch/said" | grep -vF "$answer:" &&
         ! grep -E '^In file|^ +from |^cc1|: In function|generated\.$|terminated' "$scratch/said" &&
-        ! grep -E '^.{101}| $' "$scratch/said"
+        ! grep -E '^.{80}| $' "$scratch/said"
+}
+# One mistake, one message, and that an error.
+alone() {
+    cat "$scratch/said"
+    [ "$(grep -cE "^$answer:[0-9:]+ (fatal )?(error|warning):" "$scratch/said")" -eq 1 ] &&
+        grep -qE "^$answer:[0-9:]+ error:" "$scratch/said" && only_their_own
+}
+# Broken like this, that is the help, and nothing else is said.
+explains() {
+    sentence=$1
+    broken "$2" "$3"
+    check "$sentence" helps "$4"
+    check "$sentence: alone" alone
 }
 
 # ---- the common five, and the missing return ----------------------------------------------------
@@ -71,7 +85,9 @@ broken 02-cameras 's|double distance = vec3_length(ahead)|double distance = ahea
 check 'a vector for a number, without a product, is told how to become one' \
     helps 'a vector stands where a number is wanted'
 broken 05-quadratic 's|vec3_dot(p, p) - radius|vec3_dot(p, radius) - radius|'
-check 'a number for a vector gets no such help' says_not 'help:'
+check 'a number for a vector gets no such help' says_not 'a vector stands'
+check 'but is told what is wanted' \
+    helps 'vec3_dot wants a vec3 there, and this is a double. Its prototype is double vec3_dot(vec3 v, vec3 w) in'
 
 broken 05-quadratic 's|double a = vec3_dot(v, v);|double a = v.x * v.x;|'
 check 'v.x is told to be v[0]' helps 'a vec3 has no parts with names: its components are v[0], v[1], v[2].'
@@ -81,8 +97,7 @@ check 'an undeclared name is told where to look' \
     helps 'nothing here is called nothing. Is it spelled as in the contract, exercises/05-quadratic.h?'
 broken 05-quadratic 's|roots = sphere_roots|roots = spere_roots|'
 check 'an undeclared function is told where to look' helps 'nothing here is called spere_roots.'
-check 'what only follows from an undeclared function is left out' \
-    [ "$(grep -c "^$answer:" "$scratch/said")" -eq 1 ]
+check 'what only follows from an undeclared function is left out' alone
 broken 01-corners 's|c.width / 2|width / 2|'
 check 'a part without its whole is told whose it is' helps 'width is a part of a Camera (common/camera.h)'
 broken 02-cameras 's|PI / 180|M_PI / 180|; s|^// Stores.*|#undef M_PI|'
@@ -106,8 +121,208 @@ check 'one left out in the middle: the prototype is shown' \
 
 broken 02-cameras 's|return 2 \* distance \* tan.*|if (distance > 3) return 2;|'
 check 'a missing return is told what comes of it' helps 'the function ends without return'
+check 'a missing return is an error, said once' alone
+broken 01-corners 's|return c.distance . c.forward + (s|c.distance * c.forward + (s|'
+check 'a result that is not given back is told where' \
+    says "lying about. Line $(line_of '    c.distance * c.forward + (s') computes something and does not give it back."
+check 'a result that is not given back: alone' alone
+broken 02-cameras 's|return 2 \* distance \* tan.*|return;|'
+check 'a return without a value is no missing return' helps 'this return gives nothing back'
 broken 01-corners 's|c.width / 2 \* c.right + c.height / 2 \* c.up;|w;|'
 check 'but not where the return is what is wrong' says_not 'ends without return'
+
+# ---- functions that nobody declared -------------------------------------------------------------
+
+explains 'dot is told to be vec3_dot' 05-quadratic 's|vec3_dot(p, p) - radius|dot(p, p) - radius|' \
+    'here its name is vec3_dot: double vec3_dot(vec3 v, vec3 w) in common/vec3.h.'
+explains 'cross is told to be vec3_cross' 02-cameras \
+    's|vec3_cross(forward, view.up)|cross(forward, view.up)|' 'here its name is vec3_cross:'
+explains 'normalize is told to be vec3_unit' 02-cameras \
+    's|vec3_unit(sideways)|\n        normalize(sideways)|' \
+    'here its name is vec3_unit: vec3 vec3_unit(vec3 v)'
+explains 'unit is told to be vec3_unit' 02-cameras 's|vec3_unit(sideways)|unit(sideways)|' \
+    'here its name is vec3_unit:'
+for name in length norm magnitude; do
+    explains "$name is told to be vec3_length" 05-quadratic \
+        "s|distance = vec3_length(p)|distance = $name(p)|" \
+        'here its name is vec3_length: double vec3_length(vec3 v)'
+done
+explains 'print is told to be printf' 05-quadratic \
+    's|    return NO_HIT|    print("x"); return NO_HIT|' 'in C its name is printf, of <stdio.h>.'
+explains 'the name the compiler thinks of is told its header' 02-cameras \
+    's|vec3_cross(f|vec3_cros(f|' \
+    'nothing here is called vec3_cros. vec3_cross is in common/vec3.h.'
+check 'the compiler may say what it thinks of' says "did you mean 'vec3_cross'?"
+
+# ---- types --------------------------------------------------------------------------------------
+
+explains 'a vector for a struct is told the struct' 04-pixel-ray \
+    's|return (Ray).*|return image_plane_vector(camera, place.s, place.t);|' \
+    'pixel_ray gives back a Ray (exercises/04-pixel-ray.h), and this is a vec3. Write (Ray){origin, direction}.'
+check 'a vector for a struct is no vector for a number' says_not 'number is wanted'
+explains 'a struct for a vector is told the vector' 01-corners \
+    's|return image_plane_vector.*|return c;|' \
+    'across_30_up_10 gives back a vec3 (exercises/01-corners.h), and this is a Camera. Write vec3_of(x, y, z).'
+explains 'a struct for a number is told its parts' 05-quadratic 's|return NO_HIT|return roots|' \
+    'hit_sphere gives back a double (exercises/05-quadratic.h), and this is a Roots. Its parts are count, t.'
+broken 05-quadratic 's|Roots roots = sphere_roots(ray|double roots = sphere_roots(ray|'
+check 'a variable of the wrong type is suspected' helps 'a double is wanted here, and this is a Roots. Is the type of the variable right?'
+explains 'the wrong argument is told what makes a right one' 04-pixel-ray \
+    's|pixel_center(pixel)|pixel|' \
+    'screen_to_normalized wants a ScreenPoint there, and this is a Pixel. pixel_center (exercises/03-screen.h) makes a ScreenPoint of a Pixel.'
+explains 'the wrong initializer is told what makes a right one' 04-pixel-ray \
+    's|Normalized place = .*|Normalized place = pixel_center(pixel);|' \
+    'a Normalized is wanted here, and this is a ScreenPoint. screen_to_normalized (exercises/03-screen.h) makes a Normalized of a ScreenPoint.'
+broken 06-ray-casting 's|pixel_ray(camera, image->size, pixel)|pixel_ray(camera, pixel, image->size)|'
+check 'arguments exchanged: the prototype is shown' \
+    helps 'pixel_ray wants a Resolution there, and this is a Pixel. Its prototype is Ray pixel_ray(Camera camera, Resolution screen, Pixel pixel)'
+check 'arguments exchanged: said once for each call' [ "$(grep -c "^$answer:" "$scratch/said")" -eq 2 ]
+
+explains 'a number has no parts' 01-corners 's|c.distance \* c.forward -|c.distance.forward -|' \
+    'c.distance is a number and has no parts. forward is a part of a Camera.'
+explains 'a part a Pixel does not have' 03-screen 's|pixel.row|pixel.y|' \
+    'the parts of a Pixel are column, row (common/screen.h).'
+explains 'a part a Normalized does not have' 04-pixel-ray 's|place.s|place.x|' \
+    'the parts of a Normalized are s, t (common/screen.h).'
+explains 'a part a Sphere does not have' 05-quadratic 's|sphere.center, ray|sphere.position, ray|' \
+    'the parts of a Sphere are center, radius, surface (common/sphere.h).'
+explains 'a part a ScreenPoint does not have' 03-screen 's|point.y /|point.row /|' \
+    'the parts of a ScreenPoint are x, y (common/screen.h).'
+explains 'a part a Roots does not have' 05-quadratic 's|(roots.t.i. > 0)|(roots.t1 > 0)|' \
+    'the parts of a Roots are count, t (exercises/05-quadratic.h).'
+explains 'a part a Ray does not have, where it is made' 04-pixel-ray \
+    's|return (Ray).*|return (Ray){.eye = camera.origin};|' \
+    'the parts of a Ray are origin, direction (common/ray.h).'
+broken 01-corners 's|c.width / 2|c.w / 2|'
+check 'a part a Camera does not have' \
+    helps 'the parts of a Camera are origin, right, up, forward, distance, width, height (common/camera.h).'
+
+explains '-> on a value' 01-corners 's|c.distance \* c.forward -|c->distance * c->forward -|' \
+    'c is no pointer: say c.distance.'
+explains '. on a pointer' 02-cameras 's| \*camera = found| camera.origin = found.origin|' \
+    'camera is a pointer: say camera->origin.'
+
+# ---- slips of the fingers, and other languages --------------------------------------------------
+
+explains 'retrun f(x)' 01-corners 's|return image_plane|retrun image_plane|' \
+    'retrun is misspelled: return.'
+explains 'retrun x' 01-corners 's|return c;|retrun c;|' 'retrun is misspelled: return.'
+explains 'retunr (struct)' 03-screen 's|return (Norm|retunr (Norm|' 'retunr is misspelled: return.'
+explains 'esle' 05-quadratic \
+    's|    return NO_HIT;|    if (ray.origin[0] > 0) return 1;\n    esle return NO_HIT;|' \
+    'esle is misspelled: else.'
+explains 'wihle' 05-quadratic 's|    return NO_HIT;|    wihle (1) return 1;\n    return NO_HIT;|' \
+    'wihle is misspelled: while.'
+explains 'fi' 05-quadratic 's|        if (roots.t|        fi (roots.t|' 'fi is misspelled: if.'
+explains 'flaot' 05-quadratic 's|double a = vec3_dot|flaot a = vec3_dot|' \
+    'flaot is misspelled: float.'
+explains 'doube' 05-quadratic 's|double a = vec3_dot|const doube a = vec3_dot|' \
+    'doube is misspelled: double.'
+broken 05-quadratic 's|for (int i|fro (int i|'
+check 'fro' helps 'fro is misspelled: for.'
+check 'fro, twice' [ "$(grep -c "^$answer:" "$scratch/said")" -eq 2 ]
+broken 05-quadratic 's|return NO_HIT|return white|'
+check 'what only looks like a keyword is none' says_not misspelled
+broken 05-quadratic 's|return NO_HIT|return reurn * 2|'
+check 'what stands where no keyword may is none' says_not misspelled
+
+dash=$(printf '\342\200\223')
+quotes=$(printf '\342\200\234x\342\200\235')
+cross=$(printf '\303\227')
+pasted='a character that is not C was pasted there: a dash, a quote, a sign or a space that only looks like one. Delete it and type it anew.'
+explains 'a pasted dash' 01-corners \
+    "s|c.forward - c.width|c.forward $dash c.width|; /^vec3 upper_right/,\$s|$dash|-|" "$pasted"
+explains 'pasted quotes' 05-quadratic \
+    "s|    return NO_HIT;|    puts($quotes);\n    return NO_HIT;|; s|#include .common/ans.*|#include <stdio.h>|" \
+    "$pasted"
+explains 'a pasted cross' 02-cameras "s|return 2 . distance|return 2 $cross distance|" "$pasted"
+
+explains 'std::' 02-cameras 's|return 2 .|return std::sqrt(2) *|' 'C has no std::'
+explains 'vec3(...)' 01-corners 's|return image_plane_vector.*|return vec3(0, 0, 0);|' \
+    'vec3 is a type and no function: write vec3_of(x, y, z).'
+explains '(vec3)(...)' 01-corners 's|return image_plane_vector.*|return (vec3)(0, 0, 0);|' \
+    'a vec3 is written vec3_of(x, y, z).'
+explains 'Ray(...)' 04-pixel-ray 's|return (Ray).*|return Ray(camera.origin, camera.up);|' \
+    'Ray is a type and no function: (Ray){origin, direction} makes one.'
+explains '(Ray)(...)' 04-pixel-ray 's|return (Ray).*|return (Ray)(camera.origin, camera.up);|' \
+    'a Ray is written (Ray){origin, direction}.'
+explains 'new Ray(...)' 04-pixel-ray 's|return (Ray).*|return new Ray(camera.origin, camera.up);|' \
+    'C has no new:'
+explains 'types in a call' 05-quadratic 's|return NO_HIT|return vec3_dot(vec3 p, v)|' \
+    'a call has values in its brackets, without their types.'
+explains 'return {...}' 03-screen 's|return (Normalized){|return {|' \
+    'braces make a value with their type in front of them: (Normalized){s, t}.'
+explains 'return {...} of a vector' 01-corners 's|return image_plane_vector.*|return {0, 0, 0};|' \
+    'a vec3 is written vec3_of(x, y, z).'
+lost='a, b is only b, in brackets too: what stands before the comma is lost.'
+explains 'return (a, b)' 03-screen 's|return (Normalized).*|return (point.x, point.y);|' \
+    "$lost A Normalized is written (Normalized){s, t}."
+explains 'return a, b' 03-screen 's|return (Normalized).*|return point.x, point.y;|' \
+    "$lost A Normalized is written (Normalized){s, t}."
+check 'a quote that went with another message is there' says 'return point.x, point.y;'
+explains 'return (a, b, c) of a vector' 01-corners \
+    's|return image_plane_vector.*|return (0, 0, 0);|' "$lost A vec3 is written vec3_of(x, y, z)."
+
+explains '^ of numbers' 05-quadratic 's|radius \* radius}|radius^2}|' \
+    '^ is exclusive or in C: write radius * radius.'
+explains '^ of parts' 03-screen 's|point.x / screen.width|point.x^2|' \
+    '^ is exclusive or in C: write point.x * point.x.'
+explains '^ of vectors' 05-quadratic 's|vec3_dot(p, p) - radius|p^2 - radius|' \
+    '^ is exclusive or in C: for v . v, write vec3_dot(p, p).'
+explains '**' 05-quadratic 's|radius \* radius}|radius**2}|' 'C has no **: write radius * radius.'
+explains '2c.distance' 01-corners \
+    's|return c.distance \* c.forward -|return 2c.distance * c.forward -|' \
+    'a * is missing: 2 * c.distance.'
+explains '2distance' 02-cameras 's|return 2 . distance|return 2distance|' \
+    'a * is missing: 2 * distance.'
+explains '2(distance)' 02-cameras 's|return 2 . distance|return 2(distance)|' \
+    'a * is missing before the bracket'
+
+# ---- semicolons and braces that say something else ----------------------------------------------
+
+broken 05-quadratic 's|for (int i = 0; i < roots.count; i++)|&;|'
+check 'a for that ends at once' \
+    helps "the ; behind for (...) in line $(line_of '; i++);') ends the loop: what follows is no longer part of it."
+check 'a for that ends at once: said once for each' [ "$(grep -c "^$answer:" "$scratch/said")" -eq 2 ]
+explains 'a variable of a loop, behind it' 05-quadratic 's|return NO_HIT|return roots.t[i]|' \
+    'i is known only inside the loop of line'
+
+# Without the } of that function.
+unclosed() {
+    awk -v name="$2" 'index($0, " " name "(") { in_it = 1 } in_it && /^}/ { in_it = 0; next } { print }' \
+        "solutions/$1.c" >"$scratch/$1.c"
+    compile "$1"
+    check "the } of $2 is missing" \
+        helps "a } is missing, in or before the function that begins in line $(line_of " $2(")."
+    check "the } of $2 is missing: alone" alone
+}
+unclosed 01-corners upper_left
+unclosed 05-quadratic object_quadratic
+unclosed 03-screen pixel_center
+explains 'a { too many' 05-quadratic 's|(roots.t.i. > 0)|& {|' \
+    'a } is missing, in or before the function that begins in line'
+explains 'a } too many' 05-quadratic 's|Roots roots = sphere_roots(ray, sphere);|& }|' \
+    'this stands outside of every function: before it there is a } too many.'
+
+# ---- the width ----------------------------------------------------------------------------------
+
+broken 01-corners 's|return c.distance \* c.forward - c.width|return c.distance * c.forward + 0 * vec3_length(c.up) * vec3_length(c.right) * c.right * nothing - c.width|'
+check 'long lines fit' only_their_own
+caret_is_in_step() {
+    cat "$scratch/said"
+    awk '/nothing.*c\./ { at = index($0, "nothing") }
+         /^[ |]*\^/ { in_step = at > 0 && index($0, "^") == at; exit }
+         END { exit !in_step }' "$scratch/said"
+}
+check 'where a line is cut, the caret stays below its word' caret_is_in_step
+wraps_at_words() {
+    cat "$scratch/said"
+    [ "$(sed -n 2p "$scratch/said" | cut -c 1-2)" = '  ' ] && ! sed -n 2p "$scratch/said" | grep '^   '
+}
+broken 05-quadratic 's|for (int i = 0; i < roots.count; i++)|for (int i = 0, i < roots.count, i++)|'
+sed "s|$answer|$scratch/a-long-path-to-where-a-student-works/exercises/05-quadratic.c|" "$scratch/words" |
+    .make/explain "$scratch/a-long-path-to-where-a-student-works/exercises/05-quadratic.c" >"$scratch/said"
+check 'long messages are wrapped, indented by two' wraps_at_words
 
 # ---- the rest -----------------------------------------------------------------------------------
 

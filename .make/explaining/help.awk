@@ -1,0 +1,297 @@
+# help.awk - a line of help for each of the common mistakes.
+function help(i,   line) {
+    line = code[line_number[i]]
+    if (pasted[i])
+        return "a character that is not C was pasted there: a dash, a quote, a sign or a space " \
+            "that only looks like one. Delete it and type it anew."
+    if (keyword[i] != "")
+        return slip[i] " is misspelled: " keyword[i] "."
+    if (missing_brace[i])
+        return help_brace(i)
+    if (outside[i])
+        return "this stands outside of every function: before it there is a } too many."
+    if (text[i] ~ /^(expected expression|unexpected type name)/)
+        return help_expression(i, line)
+    if (is_semicolon(i))
+        return help_semicolon(i)
+    if (text[i] ~ /invalid type argument of '->'|^member reference type .* is (not )?a pointer|is a pointer; did you mean/)
+        return help_arrow(i)
+    if (text[i] ~ /^request for member|^member reference base type/)
+        return help_parts(i)
+    if (text[i] ~ /no member named|does not refer to any field/)
+        return help_member(i)
+    if (text[i] ~ /^invalid operands to binary/ && behind[i] ~ /^\^/)
+        return help_power(i, "^ is exclusive or in C", line)
+    if (text[i] ~ /^invalid type argument of unary '\*'|^indirection requires pointer/ && line ~ /\*\*/)
+        return help_power(i, "C has no **", line)
+    if (text[i] ~ /^invalid (suffix|digit) .* (integer|decimal|floating) constant/)
+        return help_times(line)
+    if (text[i] ~ /^called object/)
+        return line ~ /(^|[^A-Za-z_0-9])[0-9.]+ *\(|\) *\(/ \
+            ? "a * is missing before the bracket: 2(x) is 2 * (x)." : ""
+    if (text[i] ~ /^conversion to non-scalar type|^used type '[A-Za-z]*' where arithmetic|^cannot convert a value of type .* to vector type|^invalid conversion between vector type/ &&
+        cast_to(line) != "")
+        return with_article(cast_to(line)) " is written " written(cast_to(line)) "."
+    if (is_comma(i) || wanted[i] != "" && comma_in[statement[i]])
+        return help_comma(i)
+    if (is_vector(i) && line ~ /\*/)
+        return "v * w multiplies component by component and is a vector; for a number, say " \
+            "vec3_dot(v, w)."
+    if (is_vector(i))
+        return "a vector stands where a number is wanted. v * w is a vector, too; for a number, " \
+            "say vec3_dot(v, w), vec3_length(v) or v[0]."
+    if (wanted[i] != "" && given[i] != "")
+        return help_types(i)
+    if (ends_at_once(line_number[i]) && text[i] ~ /clause does not guard|empty body/)
+        return help_loop(line_number[i])
+    if (text[i] ~ /^type defaults to 'int'|^type specifier missing/ && line ~ /^ *auto /)
+        return help_type_missing("auto")
+    if (is_unknown(i))
+        return help_unknown(i)
+    if (is_count(i))
+        return help_count(i)
+    if (text[i] ~ /^'return' with no value|should return a value/)
+        return "this return gives nothing back: behind it belongs what it is to give back."
+    if (is_missing_return(i))
+        return help_missing_return(lost_in[beginning(line_number[i])])
+    return ""
+}
+
+function help_missing_return(lost) {
+    return "the function ends without return: what it gives back is then whatever is lying about." \
+        (lost ? " Line " lost " computes something and does not give it back." : "")
+}
+
+function help_brace(i) {
+    if (line_number[i] < last_line && text[i] !~ /^function/)
+        return "a } is missing in line " line_number[i] "."
+    return "a } is missing, in or before the function that begins in line " open_function "."
+}
+
+# A type, or a { or [, where there should be a value.
+function help_expression(i, line,   type, how) {
+    type = text[i] ~ /^unexpected type|'[A-Za-z]/ ? quoted(text[i]) : ""
+    if (type != "") {
+        how = written(type)
+        if (substr(behind[i], length(type) + 1) ~ /^ *[({]/ && how != "")
+            return type " is a type and no function: " (type == "vec3" ? "write " how "." \
+                : how " makes one.")
+        return ahead[i] ~ /[(,] *$/ && how != "" \
+            ? "a call has values in its brackets, without their types." : ""
+    }
+    if (behind[i] !~ /^[{[]/)
+        return ""
+    type = type_here(i, line)
+    how = written(type)
+    return type == "vec3" ? "a vec3 is written " how "." \
+        : "braces make a value with their type in front of them" \
+          (how != "" ? ": " how "." : ", as in (Ray){origin, direction}.")
+}
+
+# The type that a return or an assignment wants.
+function type_here(i, line) {
+    read_headers()
+    if (line ~ /(^|[^A-Za-z_0-9])return[^A-Za-z_0-9]/)
+        return gives[function_at[beginning(line_number[i])]]
+    return type_of(expression_at_end(line_before(line, "=")), line_number[i])
+}
+
+function help_semicolon(i,   rest) {
+    rest = behind[i]
+    sub(/^\^?/, "", rest)
+    sub(/\/\/.*/, "", rest)
+    if (code[line_number[i]] ~ /(^|[^A-Za-z_0-9])for *\([^;]*(;[^;]*)?$/)
+        return "for (...; ...; ...) has two semicolons between its three parts."
+    if (quoted_line[i] == "")
+        return "a semicolon is missing in line " line_number[i] ", or at the end of the one before."
+    if (ahead[i] ~ /^ *$/)
+        return "a semicolon is missing at the end of line " code_before(line_number[i]) "."
+    gsub(/[ })]/, "", rest)
+    if (rest == "")
+        return "a semicolon is missing at the end of line " line_number[i] "."
+    return "in line " line_number[i] " a semicolon is missing, or an operator (2 t is 2 * t)."
+}
+
+# The last line with code in it, before this one.
+function code_before(number) {
+    for (number--; number > 0 && code[number] ~ /^ *$/; number--)
+        ;
+    return number
+}
+
+function help_arrow(i,   name, member) {
+    name = expression_at_end(ahead[i])
+    member = behind[i]
+    sub(/^(\.|->) */, "", member)
+    match(member, /^[A-Za-z_0-9]*/)
+    member = substr(member, 1, RLENGTH)
+    if (name == "" || member == "")
+        return ""
+    if (text[i] ~ /did you mean to use '->'/)
+        return name " is a pointer: say " name "->" member "."
+    return name " is no pointer: say " name "." member "."
+}
+
+function help_parts(i,   name, type, member) {
+    name = expression_at_end(ahead[i])
+    type = text[i] ~ /base type/ ? bare_type(quoted(text[i])) : type_of(name, line_number[i])
+    member = behind[i]
+    sub(/^(\.|->) */, "", member)
+    sub(/[^A-Za-z_0-9].*/, "", member)
+    read_headers()
+    if (type == "vec3" || type == "Color")
+        return "a vec3 has no parts with names: its components are v[0], v[1], v[2]."
+    if (is_number(type))
+        return (name == "" ? "this" : name) " is a number and has no parts." \
+            (member in field_of \
+                ? " " member " is a part of " with_article(field_of[member]) "." : "")
+    return "what stands before the dot has no parts with names: a number has none, and those of " \
+        "a vec3 are v[0], v[1], v[2]."
+}
+
+function help_member(i,   type) {
+    type = bare_type(quoted(text[i], text[i] !~ /^'/))
+    read_headers()
+    return type in members ? "the parts of " with_article(type) " are " members[type] " (" \
+        header_of[type] ")." : ""
+}
+
+function help_power(i, what, line,   name) {
+    name = ahead[i]
+    sub(/[ *]*$/, "", name)
+    name = expression_at_end(name)
+    if (name == "")
+        name = "x"
+    if (text[i] ~ /'vec3'/ || type_of(name, line_number[i]) == "vec3")
+        return what ": for v . v, write vec3_dot(" name ", " name ")."
+    return what ": write " name " * " name "."
+}
+
+function help_times(line,   digits, name) {
+    if (!match(" " line, /[^A-Za-z_0-9.][0-9][0-9.]*[A-Za-z_][A-Za-z_0-9.]*/))
+        return "a * is missing: 2x is 2 * x."
+    name = digits = substr(line, RSTART, RLENGTH - 1)
+    sub(/[A-Za-z_].*/, "", digits)
+    return "a * is missing: " digits " * " substr(name, length(digits) + 1) "."
+}
+
+# The type whose name stands in brackets before other brackets, if that is how students make one.
+function cast_to(line,   type) {
+    if (!match(line, /\([A-Za-z0-9]+\) *\(/))
+        return ""
+    type = substr(line, RSTART + 1, RLENGTH - 1)
+    sub(/\).*/, "", type)
+    return written(type) != "" ? type : ""
+}
+
+function help_comma(i,   type) {
+    type = wanted[i] != "" ? wanted[i] : type_here(i, code[line_number[i]])
+    return "a, b is only b, in brackets too: what stands before the comma is lost." \
+        (written(type) != "" ? " " toupper(substr(with_article(type), 1, 1)) \
+            substr(with_article(type), 2) " is written " written(type) "." : "")
+}
+
+function help_types(i,   here, what, called, by, how) {
+    read_headers()
+    here = function_at[beginning(line_number[i])]
+    called = text[i] ~ /argument|^passing/ ? called_at(i) : ""
+    if (text[i] ~ /returning/)
+        what = here " gives back " with_article(wanted[i]) \
+            (here in header_of ? " (" header_of[here] ")" : "")
+    else
+        what = called != "" ? called " wants " with_article(wanted[i]) " there" \
+            : with_article(wanted[i]) " is wanted here"
+    what = what ", and this is " with_article(given[i]) "."
+    by = makers(wanted[i], given[i], here)
+    if (by != "")
+        return what " " by " makes " with_article(wanted[i]) " of " with_article(given[i]) "."
+    if (given[i] == wanted[i] " *")
+        return what " A * in front of a pointer is what it points to."
+    if (wanted[i] == given[i] " *")
+        return what " A & in front makes a pointer to it."
+    if (called in prototype_of)
+        return what " Its prototype is  " prototype_of[called] "  in " header_of[called] "."
+    if (match(code[line_number[i]], "^ *(const )?" wanted[i] " +[A-Za-z_0-9]+ *="))
+        return what " Is the type of the variable right?"
+    how = written(wanted[i])
+    if (how != "")
+        return what " Write " how "."
+    return what (given[i] in members ? " Its parts are " members[given[i]] "." : "")
+}
+
+# The function whose argument is wrong.
+function called_at(i,   line) {
+    if (text[i] ~ / of '/)
+        return quoted(text[i])
+    line = ahead[i]
+    while (gsub(/\([^()]*\)/, "", line) > 0)
+        ;
+    return match(line, /[A-Za-z_0-9]+\([^()]*$/) ? line_before(substr(line, RSTART), "(") : ""
+}
+
+function help_loop(number) {
+    return "the ; behind " (code[number] ~ /(^|[^A-Za-z_0-9])for *\(/ \
+        ? "for (...) in line " number " ends the loop" \
+        : "the bracket in line " number " ends the statement") \
+        ": what follows is no longer part of it. Take the ; away."
+}
+
+function help_type_missing(name) {
+    return "C has no " name ": in front of a new variable stands its type, as in double x or " \
+        "vec3 v."
+}
+
+function help_unknown(i,   name, number, line) {
+    name = quoted(text[i])
+    number = line_number[i]
+    read_headers()
+    if (name == "M_PI")
+        return "C11 has no M_PI: say PI (common/vec3.h)."
+    if (name == "std")
+        return "C has no std:: - the functions of <math.h> have no such prefix, as in sqrt(x)."
+    if (name == "new")
+        return "C has no new: a struct is written (Ray){origin, direction}, a vec3 " \
+            "vec3_of(x, y, z)."
+    if (name ~ /^(let|var|auto|def)$/)
+        return help_type_missing(name)
+    if (library[i] != "")
+        return name " is in the standard library: #include " library[i]
+    if (name in defined_in && defined_in[name] > number && text[i] ~ /function '/)
+        return name " is defined further down, in line " defined_in[name] ": move it above its use."
+    if (name in header_of && !(header_of[name] in included) && header_of[name] != contract)
+        return name " is declared elsewhere: #include \"" header_of[name] "\""
+    if (text[i] ~ /^unknown type name/ && tolower(name) ~ /^(d?vec[34]?|vector3?|point3?|float3|double3)$/)
+        return "the type of points, vectors and colours is vec3 (common/vec3.h)."
+    if (name in known)
+        return known[name] in prototype_of ? "here its name is " known[name] ": " \
+            prototype_of[known[name]] "  in " header_of[known[name]] "." \
+            : "in C its name is " known[name] "."
+    if (name ~ /^(sqr|sq|square|squared)$/)
+        return "C has no square: write x * x."
+    line = loop_of(name, number)
+    if (line && ends_at_once(line))
+        return help_loop(line)
+    if (line)
+        return name " is known only inside the loop of line " line "."
+    if (name in field_of && text[i] !~ /function '/)
+        return name " is a part of a " field_of[name] " (" header_of[field_of[name]] \
+            "): say of which, as in c." name " for the " field_of[name] " c."
+    if (match(text[i] body[i], /did you mean '[A-Za-z_0-9]+'/)) {
+        line = quoted(substr(text[i] body[i], RSTART, RLENGTH))
+        if (line in header_of)
+            return "nothing here is called " name ". " line " is in " header_of[line] "."
+    }
+    return "nothing here is called " name ". Is it spelled as in the contract" \
+        ((getline line < contract) > 0 ? ", " contract : "") "?"
+}
+
+function help_count(i,   name) {
+    name = declared[i] != "" ? declared[i] : quoted(substr(text[i], index(text[i], "function")))
+    # clang tells the name only in its note, and none where the function is built in.
+    if (name == "" || text[i] ~ /function call/ && declared[i] == "")
+        return "look at the prototype of the function: it says what it takes."
+    read_headers()
+    if (name in prototype_of)
+        return "its prototype is  " prototype_of[name] "  in " header_of[name] "."
+    return "look at the prototype of " name ": it says what it takes."
+}
