@@ -151,6 +151,14 @@ refused() {
 rm -f "$answers"/*
 check 'a folder without any answer is refused' refused
 
+fresh
+rm -f "build$answers"/verdict/*.rewarded
+answer 01-corners ''
+judge
+check 'a chapter that has become right is rewarded, though others want work' says '01-corners is right.'
+judge
+check 'once' says_not '01-corners is right.'
+
 hint() {
     make --no-print-directory hint EX=01 ANSWERS="$answers" >"$scratch/said" 2>&1
 }
