@@ -181,7 +181,7 @@ START_TEST(arrays_from_malloc_hold_vectors)
             sum += many[i];
         free(many);
         given_number("count", count);
-        expect_vec3(sum, count * (count - 1) / 2 * vec3_of(1, 2, 3), 0);
+        expect_vec3(sum, count * (count - 1) * vec3_of(0.5, 1, 1.5), 0);
     }
 }
 END_TEST

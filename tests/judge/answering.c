@@ -83,13 +83,14 @@ static void say_crash(int number, siginfo_t *info, void *context)
     WireCrash crash = {.signal = number, .access = -1, .out_of_memory = allocation_failed};
     if (number == SIGSEGV || number == SIGBUS) {
         crash.address = (uint64_t)(uintptr_t)info->si_addr;
-        uintptr_t stack = (uintptr_t)&crash;
+        uintptr_t stack;
 #if defined(__x86_64__) && defined(__linux__)
         const ucontext_t *at = context;
         crash.access = (at->uc_mcontext.gregs[REG_ERR] & 2) != 0;
         stack = (uintptr_t)at->uc_mcontext.gregs[REG_RSP];
 #else
         (void)context;
+        stack = (uintptr_t)&crash;
 #endif
         uintptr_t address = (uintptr_t)info->si_addr;
         crash.stack_overflow = address + (1 << 16) > stack && address < stack + (1 << 16);

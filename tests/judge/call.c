@@ -30,9 +30,9 @@ static Wire wire;
 static uint64_t nonce;
 static char broken[MOST_EXERCISES][120]; // why an exercise is not called any more
 
-void call_answers_from(const char *path, int printed)
+void call_answers_from(const char *answering, int printed)
 {
-    program = path;
+    program = answering;
     printed_file = printed;
     // Behind what is there already, also when the judge has emptied the file in between.
     fcntl(printed, F_SETFL, O_APPEND);

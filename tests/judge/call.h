@@ -9,7 +9,7 @@
 #include "tests/judge/wire.h"
 
 // The program that answers, and the file that catches what it prints (a descriptor).
-void call_answers_from(const char *program, int printed);
+void call_answers_from(const char *answering, int printed);
 
 // Begins a call of exercise number i: put the arguments into what comes back.
 Wire *call_begin(int exercise);
