@@ -201,9 +201,18 @@ DISPATCHES := $(STEMS:%=$(B)/judge/dispatch-%.o)
 $(DISPATCHES:.o=.c): $(B)/judge/dispatch-%.c: tests/exercises.table .make/proxies.awk
 	$(Q)mkdir -p $(@D)
 	$(Q)awk -v make=dispatch -v stem=$* -f .make/proxies.awk $< > $@
-$(DISPATCHES) $(B)/judge/proxies.o: %.o: %.c $(B)/flags
+LENT := $(STEMS:%=$(B)/judge/lent-%.o)
+$(LENT:.o=.c): $(B)/judge/lent-%.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=lent -v stem=$* -f .make/proxies.awk $< > $@
+$(DISPATCHES) $(LENT) $(B)/judge/proxies.o: %.o: %.c $(B)/flags
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -o $@ $<
+# The judge's own: it answers what is lent, by the reference.
+LENDERS := $(STEMS:%=$(B)/judge/lender-%.o)
+$(LENDERS): $(B)/judge/lender-%.o: $(B)/judge/dispatch-%.c $(B)/reference.h $(B)/flags
+	$(call say,compile,$< as reference)
+	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
 BESIDE_REFERENCE := $(call parts,tests/mistakes/) $(call parts,tests/laws/) \
 	$(call parts,tests/variants/)
 $(BESIDE_REFERENCE): EXTRA = -include $(B)/reference.h
@@ -213,16 +222,17 @@ $(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/fla
 	$(call say,compile,$< as reference)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
-JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call wire same suspects switchboard) \
+JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call wire same suspects switchboard system_call) \
 	$(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
 JUDGES := $(STEMS:%=$(B)/judge/%)
 $(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) $(JUDGING) \
-		$(B)/tests/judge/judge.o $(B)/common.a
+		$(B)/judge/lender-%.o $(B)/tests/judge/judge.o $(B)/tests/judge/report.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
 $(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(B)/tests/variants/%.o $(JUDGING) $(B)/tests/judge/matrix.o $(B)/common.a
+		$(B)/tests/variants/%.o $(JUDGING) $(B)/judge/lender-%.o $(B)/tests/judge/matrix.o \
+		$(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -280,7 +290,7 @@ $(call changed,$(VERDICT),$(EXERCISES))
 endif
 # What the answering process holds besides the answer.
 answering = $(B)/tests/judge/answering.o $(B)/tests/judge/wire.o $(B)/judge/dispatch-$(1).o \
-	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
+	$(B)/judge/lent-$(1).o $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
 # Between saving and reading stands the linker: the quickest that is there.
 QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
 	gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
@@ -299,9 +309,8 @@ EXPLAIN := .make/explain $(wildcard .make/explaining/*.awk)
 $(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(QUICK_HEADER) \
 		build/blanks/%.c $(B)/judge/% $$(call answering,$$*)
 	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(QUICK_HEADER) -c'" \
-		"LINK='$(LINK) $(QUICK_LINKER) -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc'" \
-		"OBJECTS='$(call answering,$*)'" "REFERENCES='$(REFERENCES)'" \
-		'export COMPILE LINK OBJECTS REFERENCES' \
+		"LINK='$(LINK) $(QUICK_LINKER)'" "OBJECTS='$(call answering,$*)'" \
+		'export COMPILE LINK OBJECTS' \
 		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh
 	@sh $(@D).sh
 

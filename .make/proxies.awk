@@ -5,6 +5,8 @@
 #   -v make=proxies     for the judge: each exercise under its own name, asking whoever answers;
 #                       what came out is held against the mistakes and the laws
 #   -v make=dispatch -v stem=NN-stem   for the answering process: one call of one exercise
+#                       (stem=all: of any)
+#   -v make=lent -v stem=NN-stem       for it, too: lent_NAME asks the judge for the reference's answer
 #
 # How a type crosses the pipe follows from how it is passed: by value as it is; a const Scene with
 # its arrays; a Camera or an Image there and back; doubles one per pixel of the image, there and back.
@@ -47,8 +49,16 @@ make == "proxies" {
     table = table sprintf("    {\"%s\", \"%s\", \"%s\", \"%s\", (AnyFunction *)reference_%s},\n",
                           name, $1, $3, $4, name)
 }
+make == "lent" && $1 == stem {
+    if (!lent++) {
+        includes()
+        print "#include \"tests/judge/call.h\"\n"
+        include_contract()
+    }
+    lend()
+}
 make == "dispatch" {
-    if ($1 == stem) {
+    if ($1 == stem || stem == "all") {
         if (!dispatched++)
             dispatch_head()
         dispatch()
@@ -99,15 +109,9 @@ function proxy(   i, is_void, cast) {
     }
     print "    AnyFunction *local = local_answer(ME);\n    if (local != NULL) {"
     print "        " (is_void ? "" : "yours = ") "((" cast ")local)(" names ");"
-    print "    } else {\n        Wire *wire = call_begin(ME);"
-    for (i = 1; i <= count; i++)
-        put("        ", i)
-    print "        wire = call_finish(ME);"
-    if (!is_void)
-        print "        wire_get(wire, &yours, sizeof yours);"
-    for (i = 1; i <= count; i++)
-        get_back(i)
-    print "        call_end(ME);\n    }"
+    print "    } else {"
+    ask("        ", is_void)
+    print "    }"
     print "    for (int i = -1; suspect_next(ME, &i);) {"
     for (i = 1; i <= count; i++) {
         if (type[i] == "Camera *")
@@ -147,6 +151,29 @@ function proxy(   i, is_void, cast) {
     print "}\n"
 }
 
+# Puts the arguments, waits, gets what came out.
+function ask(indent, is_void,   i) {
+    print indent "Wire *wire = call_begin(ME);"
+    for (i = 1; i <= count; i++)
+        put(indent, i)
+    print indent "wire = call_finish(ME);"
+    if (!is_void)
+        print indent "wire_get(wire, &yours, sizeof yours);"
+    for (i = 1; i <= count; i++)
+        get_back(indent, i)
+    print indent "call_end(ME);"
+}
+
+function lend(   is_void) {
+    is_void = result == "void"
+    print result " lent_" name "(" list ");"
+    print result " lent_" name "(" list ")\n{\n    enum { ME = " number - 1 " };"
+    if (!is_void)
+        print "    " result " yours;"
+    ask("    ", is_void)
+    print (is_void ? "" : "    return yours;\n") "}\n"
+}
+
 function put(indent, i) {
     if (type[i] == "const Scene *")
         print indent "wire_put_scene(wire, " variable[i] ");"
@@ -160,13 +187,13 @@ function put(indent, i) {
         print indent "wire_put(wire, &" variable[i] ", sizeof " variable[i] ");"
 }
 
-function get_back(i) {
+function get_back(indent, i) {
     if (type[i] == "Camera *")
-        print "        wire_get(wire, " variable[i] ", sizeof *" variable[i] ");"
+        print indent "wire_get(wire, " variable[i] ", sizeof *" variable[i] ");"
     if (type[i] == "Image *")
-        print "        wire_get_pixels(wire, " variable[i] ");"
+        print indent "wire_get_pixels(wire, " variable[i] ");"
     if (type[i] == "double *")
-        print "        wire_get_into_doubles(wire, " variable[i] ", image);"
+        print indent "wire_get_into_doubles(wire, " variable[i] ", image);"
 }
 
 # Before the first exercise of a stem.
@@ -176,9 +203,14 @@ function include_contract() {
     included[$1] = 1
 }
 
-function dispatch_head() {
+function dispatch_head(   line, part) {
     includes()
-    include_contract()
+    if (stem == "all")
+        while ((getline line < FILENAME) > 0)
+            if (split(line, part, FS) > 1 && line !~ /^#/ && !seen[part[1]]++)
+                print "#include \"exercises/" part[1] ".h\""
+    if (stem != "all")
+        include_contract()
     print "#include \"tests/judge/dispatch.h\"\n"
     print "bool dispatch(int exercise, Wire *in, Wire *wire)\n{\n    switch (exercise) {"
 }

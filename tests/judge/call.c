@@ -2,7 +2,10 @@
 #include "tests/judge/call.h"
 
 #include "tests/judge/answering.h"
+#include "tests/judge/dispatch.h"
+#include "tests/judge/exercise.h"
 #include "tests/judge/record.h"
+#include "tests/judge/system_call.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -20,6 +23,8 @@ enum {
     MOST_EXERCISES = 100,
     MOST_PRINTED = 1 << 20,  // bytes in one test
     MOST_MEMORY = 512 << 20, // bytes
+    MOST_IDLE = 2,           // seconds without any work done: it waits for something
+    MOST_WAIT = 60,          // seconds in all, on a machine that is very busy
 };
 
 static const char *program;
@@ -28,7 +33,11 @@ static pid_t pid; // 0: none is running
 static int calls_out = -1, answers_in = -1;
 static Wire wire;
 static uint64_t nonce;
-static char broken[MOST_EXERCISES][120]; // why an exercise is not called any more
+static struct {
+    How how;
+    char why[120]; // an exercise is not called any more
+} broken[MOST_EXERCISES];
+static bool is_lent[MOST_EXERCISES], was_lent[MOST_EXERCISES];
 
 void call_answers_from(const char *answering, int printed)
 {
@@ -39,7 +48,17 @@ void call_answers_from(const char *answering, int printed)
     signal(SIGPIPE, SIG_IGN);
 }
 
-// The seconds that one call may take; more where the machine is slow or checks every access.
+void call_lend(int exercise)
+{
+    is_lent[exercise] = true;
+}
+
+bool call_has_lent(int exercise)
+{
+    return was_lent[exercise];
+}
+
+// The seconds of work that one call may take; more where every access is checked.
 static double most_seconds(void)
 {
     static double seconds;
@@ -82,9 +101,12 @@ static void become_answering(const int calls[2], const int answers[2])
 #ifndef __SANITIZE_ADDRESS__ // whose shadow is larger than any limit
     limit(RLIMIT_AS, MOST_MEMORY);
 #endif
-    char *const arguments[] = {(char *)"answering", NULL};
+    const char *confine = getenv("CONFINE"); // tests/grading/confine.c, for hostile answers
     char *const environment[] = {NULL};
-    execve(program, arguments, environment);
+    if (confine != NULL)
+        execve(confine, (char *[]){"confine", "answer", (char *)program, NULL}, environment);
+    else
+        execve(program, (char *[]){"answering", NULL}, environment);
     _exit(127);
 }
 
@@ -136,28 +158,60 @@ void call_stop(void)
 
 static void break_off(int exercise)
 {
-    record_how(broken[exercise]);
+    record_how(broken[exercise].how, broken[exercise].why);
 }
 
 Wire *call_begin(int exercise)
 {
-    if (broken[exercise][0] != '\0')
+    if (broken[exercise].why[0] != '\0')
         break_off(exercise);
     wire_clear(&wire);
     return &wire;
 }
 
-// Moves all bytes, in or out, before the deadline. 1 done, 0 too late, -1 the other end is closed.
-static int move(bool out, void *bytes, size_t size, double deadline)
+// What ends a call: the work that it has done, not the time that has passed, or a busy machine
+// would fail a right answer.
+typedef struct {
+    double work_before, work, since, idle_since;
+} Patience;
+
+// The seconds that the process has worked.
+static double work_done(void)
+{
+    clockid_t clock;
+    struct timespec time;
+    if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &time) != 0)
+        return 0;
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static Patience patience(void)
+{
+    double work = work_done();
+    return (Patience){work, work, now(), now()};
+}
+
+static bool is_over(Patience *patience)
+{
+    double work = work_done();
+    if (work > patience->work + 1e-4)
+        patience->idle_since = now();
+    patience->work = work;
+    return work - patience->work_before > most_seconds() ||
+           now() - patience->idle_since > MOST_IDLE || now() - patience->since > MOST_WAIT;
+}
+
+// Moves all bytes, in or out. 1 done, 0 too late, -1 the other end is closed.
+static int move(bool out, void *bytes, size_t size, Patience *left)
 {
     char *place = bytes;
     while (size > 0) {
-        double left = deadline - now();
-        if (left <= 0)
-            return 0;
         struct pollfd end = {out ? calls_out : answers_in, out ? POLLOUT : POLLIN, 0};
-        if (poll(&end, 1, (int)(1000 * left) + 1) <= 0)
+        if (poll(&end, 1, 50) <= 0) {
+            if (is_over(left))
+                return 0;
             continue;
+        }
         ssize_t n = out ? write(calls_out, place, size) : read(answers_in, place, size);
         if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR))
             return -1;
@@ -179,6 +233,7 @@ static void describe_signal(char *why, size_t size, int number)
                         : number == SIGABRT ? "it was aborted (an assertion that failed?)"
                         : number == SIGILL  ? "it went beyond the end of an array"
                         : number == SIGKILL ? "it was killed"
+                        : number == SIGSYS  ? "it asked the system for what no answer needs"
                                             : strsignal(number);
     snprintf(why, size, "crashed: %s", words);
 }
@@ -188,6 +243,9 @@ static void describe_crash(char *why, size_t size, const WireCrash *crash)
     static const char *const access[] = {"read of", "write to"};
     if (crash->stack_overflow)
         snprintf(why, size, "crashed: the stack is full (it calls itself without end?)");
+    else if (crash->signal == SIGSYS)
+        snprintf(why, size, "wanted %s, which no answer needs",
+                 system_call_purpose(crash->system_call));
     else if (crash->out_of_memory)
         snprintf(why, size, "ran out of memory");
     else if (crash->signal == SIGSEGV || crash->signal == SIGBUS)
@@ -210,39 +268,69 @@ static void describe_end(char *why, size_t size, int status)
         snprintf(why, size, "ended the program by itself (exit status %d)", WEXITSTATUS(status));
 }
 
-// Sends and receives. Where no answer comes, false, the reason in why, and the process is gone.
-static bool exchange(int exercise, char *why, size_t size)
+static int send(int kind, int exercise, Wire *message, Patience *left)
 {
+    WireHeader header = {WIRE_MAGIC, exercise, nonce, message->size, kind, ""};
+    int moved = move(true, &header, sizeof header, left);
+    return moved == 1 ? move(true, message->bytes, message->size, left) : moved;
+}
+
+// 2 where it came and is sane.
+static int receive(WireHeader *header, Wire *message, Patience *left)
+{
+    int moved = move(false, header, sizeof *header, left);
+    wire_clear(message);
+    if (moved != 1 || header->magic != WIRE_MAGIC || header->nonce != nonce ||
+        header->exercise < 0 || header->exercise >= MOST_EXERCISES ||
+        memchr(header->missing, '\0', sizeof header->missing) == NULL ||
+        !wire_make_room(message, header->size))
+        return moved;
+    message->size = (size_t)header->size;
+    moved = move(false, message->bytes, message->size, left);
+    return moved == 1 ? 2 : moved;
+}
+
+// The process asks for another exercise of its chapter: the reference answers, where it is lent.
+static bool lend(int exercise, Wire *question)
+{
+    static Wire answer;
+    wire_clear(&answer);
+    if (!is_lent[exercise] || !dispatch(exercise, question, &answer))
+        return false;
+    was_lent[exercise] = true;
+    Patience left = patience();
+    return send(WIRE_LENT, exercise, &answer, &left) == 1;
+}
+
+// Sends and receives. Where no answer comes, why, and the process is gone.
+static bool exchange(int exercise, How *how, char *why, size_t size)
+{
+    *how = HOW_CRASHED;
     if (pid == 0 && !start()) {
         snprintf(why, size, "could not be started: %s", strerror(errno));
         return false;
     }
     if (getrandom(&nonce, sizeof nonce, 0) != sizeof nonce)
         nonce++;
-    WireHeader call = {WIRE_MAGIC, exercise, nonce, wire.size, WIRE_CALL, ""};
     WireHeader answer = {0};
-    double deadline = now() + most_seconds();
-    int moved = move(true, &call, sizeof call, deadline);
-    if (moved == 1)
-        moved = move(true, wire.bytes, wire.size, deadline);
+    Patience left = patience();
+    int moved = send(WIRE_CALL, exercise, &wire, &left);
     // A process that is gone may have said why.
     if (moved != 0)
-        moved = move(false, &answer, sizeof answer, deadline);
-    bool sane = moved == 1 && answer.magic == WIRE_MAGIC && answer.nonce == nonce &&
-                answer.exercise == exercise && answer.size <= WIRE_MOST_BYTES &&
-                memchr(answer.missing, '\0', sizeof answer.missing) != NULL;
-    wire_clear(&wire);
-    if (sane) {
-        static const uint8_t nothing[4096];
-        for (uint64_t left = answer.size; left > 0; left -= left < 4096 ? left : 4096)
-            wire_put(&wire, nothing, left < 4096 ? (size_t)left : 4096);
-        moved = move(false, wire.bytes, (size_t)answer.size, deadline);
-    }
-    if (moved == 0)
-        snprintf(why, size, "was still running after %g s (an endless loop?)", most_seconds());
-    else if (moved < 0)
+        moved = receive(&answer, &wire, &left);
+    while (moved == 2 && answer.kind == WIRE_ASK && lend(answer.exercise, &wire))
+        moved = receive(&answer, &wire, &left);
+    bool sane = moved == 2 && answer.exercise == exercise;
+    if (moved == 0) {
+        *how = HOW_TIMED_OUT;
+        snprintf(why, size,
+                 left.work - left.work_before > most_seconds()
+                     ? "was still running after %g s (an endless loop?)"
+                     : "waited for something that never comes",
+                 most_seconds());
+    } else if (moved < 0) {
         describe_end(why, size, stop(true));
-    else if (sane && answer.kind == WIRE_CRASH && answer.size == sizeof(WireCrash)) {
+    } else if (sane && answer.kind == WIRE_CRASH && wire.size == sizeof(WireCrash)) {
         WireCrash crash;
         memcpy(&crash, wire.bytes, sizeof crash);
         describe_crash(why, size, &crash);
@@ -259,7 +347,8 @@ static bool exchange(int exercise, char *why, size_t size)
 
 Wire *call_finish(int exercise)
 {
-    if (!exchange(exercise, broken[exercise], sizeof broken[exercise]))
+    if (!exchange(exercise, &broken[exercise].how, broken[exercise].why,
+                  sizeof broken[exercise].why))
         break_off(exercise);
     return &wire;
 }
@@ -268,7 +357,8 @@ void call_end(int exercise)
 {
     if (wire_is_read(&wire))
         return;
-    snprintf(broken[exercise], sizeof broken[exercise], "answered with what is no answer");
+    broken[exercise].how = HOW_CRASHED;
+    snprintf(broken[exercise].why, sizeof broken[exercise].why, "answered with what is no answer");
     stop(false);
     break_off(exercise);
 }

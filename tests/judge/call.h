@@ -11,6 +11,10 @@
 // The program that answers, and the file that catches what it prints (a descriptor).
 void call_answers_from(const char *answering, int printed);
 
+// From now on the process may ask for this exercise, and the reference answers. Did it?
+void call_lend(int exercise);
+bool call_has_lent(int exercise);
+
 // Begins a call of exercise number i: put the arguments into what comes back.
 Wire *call_begin(int exercise);
 

@@ -3,11 +3,16 @@
 //   PROGRAM ANSWERS FOLDER           all tests. FOLDER/table gets a line per function:
 //                                    NAME right | wrong | unanswered | waiting NAME, a + before
 //                                    the name for its extra tests; FOLDER/NAME what to tell
-//                                    the student, FOLDER/NAME.debug where gdb stops for it
-//   PROGRAM ANSWERS --only NAME      exit status 0 where NAME passes all its graded tests
+//                                    the student, FOLDER/NAME.debug where gdb stops for it,
+//                                    FOLDER/report all of it for a program (report.h)
+//   PROGRAM ANSWERS --only NAME LENT...   exit status 0 where NAME passes all its graded tests
+//   while
+//                                    the reference answers those that are lent; prints which
+//                                    of them NAME asked for
 //
 // The student's code is in the process ANSWERS. This one never loads, parses or runs any of it.
 #include "tests/judge/call.h"
+#include "tests/judge/report.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/show.h"
 #include "tests/judge/suspects.h"
@@ -83,25 +88,17 @@ static void show_mistake(FILE *out, const Mistake *mistake, const char *besides)
     show_field(out, "you'd see", mistake->picture);
 }
 
-static void show_diagnosis(FILE *out, int exercise)
+static void show_diagnosis(FILE *out, Diagnosis it)
 {
-    const Mistake *mistake = suspect(exercise, 0, false);
-    const char *law = suspect_broke_law(exercise);
-    const char *besides = "";
-    if (mistake == NULL) {
-        mistake = suspect_in_part(exercise);
-        besides = " (Something else is not right yet, too.)";
-    }
-    if (mistake != NULL)
-        show_mistake(out, mistake, besides);
-    else if (law != NULL)
-        show_field(out, "but", law);
+    if (it.mistake != NULL)
+        show_mistake(out, it.mistake, it.in_part ? " (Something else is not right yet, too.)" : "");
+    else if (it.law != NULL)
+        show_field(out, "but", it.law);
 }
 
-static void tell(const char *folder, const Group *group, bool unanswered)
+static void tell(const char *folder, const Group *group, bool unanswered, Diagnosis diagnosis)
 {
-    int number = exercise_number(group->function);
-    const Exercise *exercise = &exercises[number];
+    const Exercise *exercise = &exercises[exercise_number(group->function)];
     const Record *record = group->failed->record;
     FILE *out = create(folder, group->function, group->extra ? "+" : "");
     show_header(out, exercise, unanswered ? "  is not answered yet" : "");
@@ -110,8 +107,7 @@ static void tell(const char *folder, const Group *group, bool unanswered)
     else
         show_sentence(out, group->failed->name);
     show_outcome(out, group->failed);
-    if (!group->extra && record->missing[0] == '\0' && record->how[0] == '\0')
-        show_diagnosis(out, number);
+    show_diagnosis(out, diagnosis);
     // A crash or a loop is found by looking, not by thinking.
     fprintf(out, "  try        make %s EX=%.2s\n", record->how[0] != '\0' ? "debug" : "hint",
             exercise->stem);
@@ -124,7 +120,7 @@ static void tell(const char *folder, const Group *group, bool unanswered)
 
 static int verdict(const char *folder)
 {
-    FILE *table = create(folder, "table.new", "");
+    FILE *table = create(folder, "table.new", ""), *report = create(folder, "report", "");
     bool all_right = true;
     Group group;
     for (int i = 0; i < outcomes.count;) {
@@ -140,11 +136,19 @@ static int verdict(const char *folder)
             fprintf(table, "waiting %s\n", missing);
         else
             fprintf(table, "wrong\n");
-        if (group.failed != NULL)
-            tell(folder, &group, unanswered);
+        Diagnosis diagnosis = {0};
+        if (group.failed != NULL) {
+            const Record *record = group.failed->record;
+            if (!group.extra && record->missing[0] == '\0' && record->how[0] == '\0')
+                diagnosis = diagnose(exercise_number(group.function));
+            tell(folder, &group, unanswered, diagnosis);
+        }
+        if (!group.extra)
+            report_function(report, group.function, group.failed, diagnosis);
         all_right = all_right && (group.extra || group.failed == NULL);
     }
     fclose(table);
+    fclose(report);
     char from[4096], to[4096];
     snprintf(from, sizeof from, "%s/table.new", folder);
     snprintf(to, sizeof to, "%s/table", folder);
@@ -155,19 +159,33 @@ static int verdict(const char *folder)
     return all_right ? 0 : 1;
 }
 
-static int passes(const char *function)
+static int passes(char **lent)
 {
     bool good = outcomes.count > 0;
     for (int i = 0; i < outcomes.count; i++)
         good = good && (outcomes.tests[i].passed || outcomes.tests[i].extra);
-    return good && exercise_number(function) >= 0 ? 0 : 1;
+    for (; *lent != NULL; lent++)
+        if (call_has_lent(exercise_number(*lent)))
+            printf("%s\n", *lent);
+    return good ? 0 : 1;
+}
+
+static void lend(char **names)
+{
+    for (; *names != NULL; names++) {
+        if (exercise_number(*names) < 0) {
+            fprintf(stderr, "%s: no such exercise\n", *names);
+            exit(2);
+        }
+        call_lend(exercise_number(*names));
+    }
 }
 
 int main(int argc, char **argv)
 {
-    bool only = argc == 4 && strcmp(argv[2], "--only") == 0;
+    bool only = argc >= 4 && strcmp(argv[2], "--only") == 0;
     if (argc != 3 && !only) {
-        fprintf(stderr, "Usage: %s ANSWERS FOLDER | ANSWERS --only NAME\n", argv[0]);
+        fprintf(stderr, "Usage: %s ANSWERS FOLDER | ANSWERS --only NAME LENT...\n", argv[0]);
         return 2;
     }
     FILE *printed = tmpfile();
@@ -179,9 +197,10 @@ int main(int argc, char **argv)
     switch_to_process(slash != NULL ? slash + 1 : argv[0]);
     call_answers_from(argv[1], fileno(printed));
     records_catch_printed(fileno(printed));
-    suspects_begin();
+    if (only)
+        lend(argv + 4);
     run_tests(only ? argv[3] : NULL, NULL, ANSWERS_APART, &outcomes);
-    int status = only ? passes(argv[3]) : verdict(argv[2]);
+    int status = only ? passes(argv + 4) : verdict(argv[2]);
     call_stop();
     return status;
 }

@@ -89,9 +89,10 @@ bool record_is_missing(void)
     return record->missing[0] != '\0';
 }
 
-void record_how(const char *why)
+void record_how(How ended, const char *why)
 {
     record_keep_printed();
+    record->ended = ended;
     snprintf(record->how, sizeof record->how, "%s", why);
     ck_abort_msg("%s", why);
 }

@@ -7,6 +7,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+// Why there was no answer, where there was none.
+typedef enum { HOW_ANSWERED, HOW_CRASHED, HOW_TIMED_OUT } How;
+
 typedef struct {
     int cases;           // how many began
     bool closed;         // the current case has met its expectation
@@ -16,7 +19,8 @@ typedef struct {
     char given[2400];    // lines: name, tab, value
     char expected[1200]; // of the expectation that failed; empty where none did
     char yours[1200];
-    char missing[64];   // the first blank that was called; empty where none was
+    char missing[64]; // the first blank that was called; empty where none was
+    How ended;
     char how[160];      // why there was no answer, in words; empty where there was
     char printed[1500]; // what the answer printed in this test, to begin with
 } Record;
@@ -40,7 +44,7 @@ int record_number(void);
 void record_missing(const char *name); // this blank was called
 bool record_is_missing(void);          // was any?
 void record_keep_printed(void);
-void record_how(const char *why); // there was no answer: ends the test
+void record_how(How ended, const char *why); // there was no answer: ends the test
 
 // The fixtures round each test.
 void record_setup(void);

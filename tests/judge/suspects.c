@@ -22,6 +22,7 @@ static struct {
     char law[400];
 } cases[MOST_EXERCISES];
 
+static bool awake;        // since suspects_begin
 static int current;       // whose laws are looked at
 static bool test_by_test; // whether one test acquits in all others
 
@@ -39,6 +40,7 @@ static void take_up(const Mistake *mistake)
 void suspects_begin(void)
 {
     memset(cases, 0, sizeof cases);
+    awake = true;
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++)
             take_up(&mistakes[table][i]);
@@ -142,7 +144,7 @@ const Mistake *suspect_in_part(int exercise)
 bool law_begin(int exercise)
 {
     current = exercise;
-    return is_on_trial(exercise) && cases[exercise].law[0] == '\0' && !record_now()->extra;
+    return awake && is_on_trial(exercise) && cases[exercise].law[0] == '\0' && !record_now()->extra;
 }
 
 void law_broken(const char *format, ...)
@@ -158,4 +160,20 @@ void law_broken(const char *format, ...)
 const char *suspect_broke_law(int exercise)
 {
     return cases[exercise].law[0] == '\0' ? NULL : cases[exercise].law;
+}
+
+Diagnosis diagnose(int exercise)
+{
+    static Outcomes again;
+    if (!awake)
+        suspects_begin();
+    run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &again);
+    Diagnosis it = {.mistake = suspect(exercise, 0, false)};
+    if (it.mistake == NULL) {
+        it.mistake = suspect_in_part(exercise);
+        it.in_part = it.mistake != NULL;
+    }
+    if (it.mistake == NULL)
+        it.law = suspect_broke_law(exercise);
+    return it;
 }

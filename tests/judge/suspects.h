@@ -24,6 +24,15 @@ const Mistake *suspect(int exercise, int nth, bool extra);
 // test.
 const Mistake *suspect_in_part(int exercise);
 
+// All of that about an exercise whose tests have failed: they are run again, now beside the
+// mistakes and the laws, which most answers never need.
+typedef struct {
+    const Mistake *mistake; // NULL: not a known one
+    bool in_part;           // something else is wrong, too
+    const char *law;        // NULL: there is a mistake, or no law is broken
+} Diagnosis;
+Diagnosis diagnose(int exercise);
+
 // The first law that was broken by an exercise, in words; NULL where none was.
 const char *suspect_broke_law(int exercise);
 

@@ -9,21 +9,26 @@ void wire_clear(Wire *wire)
     wire->bad = false;
 }
 
+bool wire_make_room(Wire *wire, uint64_t size)
+{
+    if (size > WIRE_MOST_BYTES)
+        return false;
+    if (size <= wire->room)
+        return true;
+    size_t room = 2 * (size_t)size + 256;
+    uint8_t *bytes = realloc(wire->bytes, room);
+    if (bytes == NULL)
+        return false;
+    wire->bytes = bytes;
+    wire->room = room;
+    return true;
+}
+
 void wire_put(Wire *wire, const void *value, size_t size)
 {
-    if (size > WIRE_MOST_BYTES - wire->size) {
+    if (size > WIRE_MOST_BYTES || !wire_make_room(wire, wire->size + size)) {
         wire->bad = true;
         return;
-    }
-    if (wire->size + size > wire->room) {
-        size_t room = 2 * (wire->size + size) + 256;
-        uint8_t *bytes = realloc(wire->bytes, room);
-        if (bytes == NULL) {
-            wire->bad = true;
-            return;
-        }
-        wire->bytes = bytes;
-        wire->room = room;
     }
     if (size > 0)
         memcpy(wire->bytes + wire->size, value, size);

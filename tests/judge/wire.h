@@ -34,7 +34,8 @@ typedef struct {
 } WireHeader;
 
 enum { WIRE_MAGIC = 0x52617943 };
-enum { WIRE_CALL, WIRE_ANSWER, WIRE_CRASH };
+// The judge calls and lends, the answering process answers, asks for what is lent, or crashes.
+enum { WIRE_CALL, WIRE_ANSWER, WIRE_CRASH, WIRE_ASK, WIRE_LENT };
 
 // The message of a crash.
 typedef struct {
@@ -43,9 +44,11 @@ typedef struct {
     uint64_t address;
     int32_t stack_overflow;
     int32_t out_of_memory; // an allocation had failed before
+    int32_t system_call;   // of SIGSYS: which one is forbidden
 } WireCrash;
 
 void wire_clear(Wire *wire);
+bool wire_make_room(Wire *wire, uint64_t size); // for a message of so many bytes
 void wire_put(Wire *wire, const void *value, size_t size);
 void wire_get(Wire *wire, void *value, size_t size);
 bool wire_is_read(const Wire *wire); // to its end, and nothing was bad
