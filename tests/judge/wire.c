@@ -52,6 +52,31 @@ bool wire_is_read(const Wire *wire)
     return !wire->bad && wire->read == wire->size;
 }
 
+static void put_zeros_behind(Wire *wire, const void *value, size_t used, size_t size)
+{
+    static const uint8_t zeros[16];
+    wire_put(wire, value, used);
+    wire_put(wire, zeros, size - used);
+}
+
+void wire_put_camera(Wire *wire, const Camera *camera)
+{
+    put_zeros_behind(wire, camera, offsetof(Camera, height) + sizeof camera->height,
+                     sizeof *camera);
+}
+
+void wire_put_sphere(Wire *wire, const Sphere *sphere)
+{
+    put_zeros_behind(wire, sphere, offsetof(Sphere, surface) + sizeof sphere->surface,
+                     sizeof *sphere);
+}
+
+static void put_surface(Wire *wire, const Surface *surface)
+{
+    put_zeros_behind(wire, surface, offsetof(Surface, refraction) + sizeof surface->refraction,
+                     sizeof *surface);
+}
+
 static void put_items(Wire *wire, const void *items, int count, size_t size)
 {
     wire_put(wire, &count, sizeof count);
@@ -80,8 +105,12 @@ void wire_put_scene(Wire *wire, const Scene *scene)
 {
     wire_put(wire, &scene->view, sizeof scene->view);
     wire_put(wire, &scene->background, sizeof scene->background);
-    put_items(wire, scene->spheres, scene->sphere_count, sizeof *scene->spheres);
-    put_items(wire, scene->surfaces, scene->surface_count, sizeof *scene->surfaces);
+    wire_put(wire, &scene->sphere_count, sizeof scene->sphere_count);
+    for (int i = 0; i < scene->sphere_count; i++)
+        wire_put_sphere(wire, &scene->spheres[i]);
+    wire_put(wire, &scene->surface_count, sizeof scene->surface_count);
+    for (int i = 0; i < scene->surface_count; i++)
+        put_surface(wire, &scene->surfaces[i]);
     put_items(wire, scene->lights, scene->light_count, sizeof *scene->lights);
 }
 

@@ -5,6 +5,7 @@
 #ifndef TESTS_JUDGE_WIRE_H
 #define TESTS_JUDGE_WIRE_H
 
+#include "common/camera.h"
 #include "common/image.h"
 #include "common/scene.h"
 
@@ -52,6 +53,10 @@ bool wire_make_room(Wire *wire, uint64_t size); // for a message of so many byte
 void wire_put(Wire *wire, const void *value, size_t size);
 void wire_get(Wire *wire, void *value, size_t size);
 bool wire_is_read(const Wire *wire); // to its end, and nothing was bad
+
+// What ends in padding: the padding crosses as zeros, or it could carry what the judge had there.
+void wire_put_camera(Wire *wire, const Camera *camera);
+void wire_put_sphere(Wire *wire, const Sphere *sphere);
 
 void wire_put_scene(Wire *wire, const Scene *scene);
 void wire_get_scene(Wire *wire, Scene *scene); // free it with scene_free
