@@ -1,25 +1,64 @@
-// random.c - numbers that look random and are the same in every run.
+// random.c - numbers that look random, and that whoever knows the seed can have again.
 //
 // SplitMix64 (Steele, Lea, Flood, 'Fast Splittable Pseudorandom Number Generators'). Each test
-// begins with the same seed, whatever ran before it.
+// begins anew, whatever ran before it: from 2015, or, where the environment has SEED, from that
+// seed and the test's name. What is made from a SEED is hidden from whoever is judged.
+#include "tests/judge/record.h"
 #include "tests/judge/test.h"
 
+#include <ctype.h>
+#include <errno.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 
-static uint64_t state;
+static bool seeded;
+static uint64_t seed, state;
 
-void random_begin(void)
+void random_take_seed(void)
 {
-    state = 2015;
+    const char *wanted = getenv("SEED");
+    seeded = wanted != NULL;
+    if (!seeded)
+        return;
+    char *end;
+    errno = 0;
+    long long number = strtoll(wanted, &end, 10);
+    if (!isdigit((unsigned char)wanted[0]) || *end != '\0' || errno != 0) {
+        fprintf(stderr, "SEED=%s: expected a whole number from 0 to %lld\n", wanted,
+                (long long)INT64_MAX);
+        exit(2);
+    }
+    seed = (uint64_t)number;
+}
+
+static uint64_t mixed(uint64_t z)
+{
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+static uint64_t next(void)
+{
+    return mixed(state += 0x9e3779b97f4a7c15u);
+}
+
+void random_begin(const char *test)
+{
+    state = seeded ? seed : 2015;
+    if (!seeded)
+        return;
+    for (; *test != '\0'; test++)
+        state = next() ^ (unsigned char)*test;
+    state = next();
 }
 
 double random_number(double low, double high)
 {
-    uint64_t z = (state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return low + (high - low) * (double)(z >> 11) / 9007199254740992.0;
+    if (seeded)
+        record_now()->hidden = true;
+    return low + (high - low) * (double)(next() >> 11) / 9007199254740992.0;
 }
 
 vec3 random_vec3(double low, double high)

@@ -33,9 +33,10 @@ void records_end(void)
     munmap(shared, shared_size);
 }
 
-void record_is_of(int test, const char *function, bool extra)
+void record_is_of(int test, const char *name, const char *function, bool extra)
 {
     Record *it = &shared->records[test];
+    it->name = name;
     it->extra = extra;
     snprintf(it->function, sizeof it->function, "%s", function);
 }
@@ -63,7 +64,7 @@ int record_number(void)
 void record_setup(void)
 {
     record = &shared->records[shared->next++];
-    random_begin();
+    random_begin(record->name);
     if (printed_file >= 0 && ftruncate(printed_file, 0) != 0)
         perror("what the answer prints");
 }

@@ -15,6 +15,8 @@ typedef struct {
     bool closed;         // the current case has met its expectation
     bool finished;       // the test came to its end
     bool extra;          // it costs no marks
+    bool hidden;         // it used random numbers of a SEED, which are not to be told
+    const char *name;    // of the test
     char function[64];   // the exercise that it tests
     char given[2400];    // lines: name, tab, value
     char expected[1200]; // of the expectation that failed; empty where none did
@@ -31,7 +33,7 @@ enum { CAMERA_WORDS = 1200 };
 void records_begin(int tests);
 // After all that is to be read of them.
 void records_end(void);
-void record_is_of(int test, const char *function, bool extra);
+void record_is_of(int test, const char *name, const char *function, bool extra);
 
 // What the answer prints goes to this file (a descriptor); it is emptied before each test.
 void records_catch_printed(int file);

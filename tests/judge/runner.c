@@ -70,6 +70,7 @@ static void say_how(char *how, size_t size, const char *message)
 
 void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes)
 {
+    random_take_seed();
     outcomes->count = 0;
     listing.function_wanted = function;
     listing.name_wanted = name;
@@ -79,7 +80,8 @@ void run_tests(const char *function, const char *name, WhereAnswersAre where, Ou
     list_tests();
     records_begin(outcomes->count);
     for (int i = 0; i < outcomes->count; i++)
-        record_is_of(i, outcomes->tests[i].function, outcomes->tests[i].extra);
+        record_is_of(i, outcomes->tests[i].name, outcomes->tests[i].function,
+                     outcomes->tests[i].extra);
     if (where == ANSWERS_APART)
         srunner_set_fork_status(runner, CK_NOFORK);
     fflush(NULL); // forks must not print it again

@@ -46,9 +46,10 @@ void expect_same_ray(Ray yours, Ray expected, double tolerance);
 void expect_law(bool holds, const char *expected, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-// Numbers that look random and are the same in every run, from the same seed in each test:
-// uniform from low to high.
-void random_begin(void);
+// Numbers that look random, uniform from low to high: the same in every run and in each test, or,
+// where the environment has SEED, others for each seed and test.
+void random_take_seed(void); // from the environment; exits with 2 where it is no seed
+void random_begin(const char *test);
 double random_number(double low, double high);
 vec3 random_vec3(double low, double high);
 vec3 random_unit(void);
