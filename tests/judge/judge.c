@@ -140,7 +140,7 @@ static int verdict(const char *folder)
         if (group.failed != NULL) {
             const Record *record = group.failed->record;
             if (!group.extra && record->missing[0] == '\0' && record->how[0] == '\0')
-                diagnosis = diagnose(exercise_number(group.function));
+                diagnosis = diagnose(exercise_number(group.function), record->hidden);
             tell(folder, &group, unanswered, diagnosis);
         }
         if (!group.extra)

@@ -35,7 +35,7 @@ static int run(const char *function, Outcomes *outcomes, bool extra)
 
 static void check_law(const char *what, const char *name, int exercise)
 {
-    const char *law = suspect_broke_law(exercise);
+    const char *law = suspect_broke_law(exercise, true);
     settle(law == NULL, what, name, law == NULL ? "" : law);
 }
 

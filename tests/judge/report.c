@@ -38,9 +38,13 @@ void report_function(FILE *out, const char *function, const Outcome *failed, Dia
     const Record *record = failed->record;
     put(out, "state", state_of(function, record));
     put(out, "test", failed->name);
-    put(out, "given", record->given);
-    put(out, "expected", record->expected);
-    put(out, "yours", record->missing[0] == '\0' ? record->yours : "");
+    if (record->hidden) {
+        put(out, "hidden", "yes");
+    } else {
+        put(out, "given", record->given);
+        put(out, "expected", record->expected);
+        put(out, "yours", record->missing[0] == '\0' ? record->yours : "");
+    }
     put(out, "missing", record->missing);
     put(out, "how", record->expected[0] == '\0' ? failed->how : "");
     if (diagnosis.mistake != NULL) {

@@ -73,6 +73,14 @@ static void show_printed(FILE *out, const char *text)
 void show_outcome(FILE *out, const Outcome *outcome)
 {
     const Record *record = outcome->record;
+    if (record->hidden) {
+        show_field(out, "given", "random numbers of this run, not shown");
+        if (record->missing[0] != '\0')
+            show_field(out, "yours", "not answered yet");
+        else if (record->expected[0] == '\0')
+            show_field(out, "it", outcome->how);
+        return;
+    }
     show_given(out, record->given);
     if (record->expected[0] != '\0') {
         show_field(out, "expected", record->expected);

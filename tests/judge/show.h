@@ -12,7 +12,7 @@ enum { SHOW_COLUMNS = 79 };
 void show_field(FILE *out, const char *label, const char *words);
 
 // What went in, what was expected, what came out or how it ended, and the first lines of what was
-// printed.
+// printed. Where the test is hidden, only how it ended.
 void show_outcome(FILE *out, const Outcome *outcome);
 
 #endif

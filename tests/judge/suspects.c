@@ -20,6 +20,7 @@ static struct {
     } suspects[MOST_MISTAKES];
     bool called;
     char law[400];
+    bool law_is_hidden; // broken in a test that is
 } cases[MOST_EXERCISES];
 
 static bool awake;        // since suspects_begin
@@ -141,28 +142,38 @@ const Mistake *suspect_in_part(int exercise)
     return best;
 }
 
+// The first is kept; one that may be told is better than one that may not.
+static bool law_is_wanted(int exercise)
+{
+    return cases[exercise].law[0] == '\0' ||
+           (cases[exercise].law_is_hidden && !record_now()->hidden);
+}
+
 bool law_begin(int exercise)
 {
     current = exercise;
-    return awake && is_on_trial(exercise) && cases[exercise].law[0] == '\0' && !record_now()->extra;
+    return awake && is_on_trial(exercise) && law_is_wanted(exercise) && !record_now()->extra;
 }
 
 void law_broken(const char *format, ...)
 {
-    if (cases[current].law[0] != '\0')
+    if (!law_is_wanted(current))
         return;
+    cases[current].law_is_hidden = record_now()->hidden;
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(cases[current].law, sizeof cases[current].law, format, arguments);
     va_end(arguments);
 }
 
-const char *suspect_broke_law(int exercise)
+const char *suspect_broke_law(int exercise, bool hidden)
 {
-    return cases[exercise].law[0] == '\0' ? NULL : cases[exercise].law;
+    if (cases[exercise].law[0] == '\0' || (cases[exercise].law_is_hidden && !hidden))
+        return NULL;
+    return cases[exercise].law;
 }
 
-Diagnosis diagnose(int exercise)
+Diagnosis diagnose(int exercise, bool hidden)
 {
     static Outcomes again;
     if (!awake)
@@ -173,7 +184,7 @@ Diagnosis diagnose(int exercise)
         it.mistake = suspect_in_part(exercise);
         it.in_part = it.mistake != NULL;
     }
-    if (it.mistake == NULL)
-        it.law = suspect_broke_law(exercise);
+    if (it.mistake == NULL && !hidden)
+        it.law = suspect_broke_law(exercise, false);
     return it;
 }

@@ -29,12 +29,13 @@ const Mistake *suspect_in_part(int exercise);
 typedef struct {
     const Mistake *mistake; // NULL: not a known one
     bool in_part;           // something else is wrong, too
-    const char *law;        // NULL: there is a mistake, or no law is broken
+    const char *law;        // NULL: there is a mistake, or no law is broken that may be told
 } Diagnosis;
-Diagnosis diagnose(int exercise);
+Diagnosis diagnose(int exercise, bool hidden); // hidden: the first test that failed is
 
-// The first law that was broken by an exercise, in words; NULL where none was.
-const char *suspect_broke_law(int exercise);
+// The first law that was broken by an exercise, in words; NULL where none was. hidden: where it was
+// broken only in hidden tests, too; the words tell their numbers.
+const char *suspect_broke_law(int exercise, bool hidden);
 
 // For the proxies. Goes to the next mistake of the exercise that is still suspected, from -1.
 bool suspect_next(int exercise, int *i);
