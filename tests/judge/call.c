@@ -238,6 +238,7 @@ static void describe_signal(char *why, size_t size, int number)
     snprintf(why, size, "crashed: %s", words);
 }
 
+// An address or an exit status could be a number of a hidden test.
 static void describe_crash(char *why, size_t size, const WireCrash *crash)
 {
     static const char *const access[] = {"read of", "write to"};
@@ -248,11 +249,14 @@ static void describe_crash(char *why, size_t size, const WireCrash *crash)
                  system_call_purpose(crash->system_call));
     else if (crash->out_of_memory)
         snprintf(why, size, "ran out of memory");
-    else if (crash->signal == SIGSEGV || crash->signal == SIGBUS)
-        snprintf(why, size, "crashed: %s address %s%llx",
-                 crash->access < 0 ? "access to" : access[crash->access != 0],
-                 crash->address == 0 ? "" : "0x", (unsigned long long)crash->address);
-    else
+    else if (crash->signal == SIGSEGV || crash->signal == SIGBUS) {
+        const char *how = crash->access < 0 ? "access to" : access[crash->access != 0];
+        if (record_now()->hidden && crash->address != 0)
+            snprintf(why, size, "crashed: %s a wrong address", how);
+        else
+            snprintf(why, size, "crashed: %s address %s%llx", how, crash->address == 0 ? "" : "0x",
+                     (unsigned long long)crash->address);
+    } else
         describe_signal(why, size, crash->signal);
 }
 
@@ -264,8 +268,27 @@ static void describe_end(char *why, size_t size, int status)
         describe_signal(why, size, WTERMSIG(status));
     else if (WEXITSTATUS(status) == 127)
         snprintf(why, size, "could not be started: %s", program);
+    else if (record_now()->hidden)
+        snprintf(why, size, "ended the program by itself");
     else
         snprintf(why, size, "ended the program by itself (exit status %d)", WEXITSTATUS(status));
+}
+
+// What blank was called is the word of a process that may lie.
+static bool is_name_or_empty(const char *missing, size_t size)
+{
+    return memchr(missing, '\0', size) != NULL &&
+           (missing[0] == '\0' || exercise_number(missing) >= 0);
+}
+
+// So is why it crashed.
+static bool is_crash(const WireHeader *answer)
+{
+    WireCrash crash;
+    if (answer->kind != WIRE_CRASH || wire.size != sizeof crash)
+        return false;
+    memcpy(&crash, wire.bytes, sizeof crash);
+    return crash.signal > 0 && crash.signal < NSIG;
 }
 
 static int send(int kind, int exercise, Wire *message, Patience *left)
@@ -282,7 +305,7 @@ static int receive(WireHeader *header, Wire *message, Patience *left)
     wire_clear(message);
     if (moved != 1 || header->magic != WIRE_MAGIC || header->nonce != nonce ||
         header->exercise < 0 || header->exercise >= MOST_EXERCISES ||
-        memchr(header->missing, '\0', sizeof header->missing) == NULL ||
+        !is_name_or_empty(header->missing, sizeof header->missing) ||
         !wire_make_room(message, header->size))
         return moved;
     message->size = (size_t)header->size;
@@ -319,7 +342,7 @@ static bool exchange(int exercise, How *how, char *why, size_t size)
     if (moved != 0)
         moved = receive(&answer, &wire, &left);
     while (moved == 2 && answer.kind == WIRE_ASK && lend(answer.exercise, &wire))
-        moved = receive(&answer, &wire, &left);
+        moved = is_over(&left) ? 0 : receive(&answer, &wire, &left);
     bool sane = moved == 2 && answer.exercise == exercise;
     if (moved == 0) {
         *how = HOW_TIMED_OUT;
@@ -330,7 +353,7 @@ static bool exchange(int exercise, How *how, char *why, size_t size)
                  most_seconds());
     } else if (moved < 0) {
         describe_end(why, size, stop(true));
-    } else if (sane && answer.kind == WIRE_CRASH && wire.size == sizeof(WireCrash)) {
+    } else if (sane && is_crash(&answer)) {
         WireCrash crash;
         memcpy(&crash, wire.bytes, sizeof crash);
         describe_crash(why, size, &crash);

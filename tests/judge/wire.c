@@ -122,6 +122,9 @@ void wire_get_scene(Wire *wire, Scene *scene)
     scene->spheres = get_items(wire, &scene->sphere_count, sizeof *scene->spheres);
     scene->surfaces = get_items(wire, &scene->surface_count, sizeof *scene->surfaces);
     scene->lights = get_items(wire, &scene->light_count, sizeof *scene->lights);
+    for (int i = 0; i < scene->sphere_count; i++)
+        if (scene->spheres[i].surface < 0 || scene->spheres[i].surface >= scene->surface_count)
+            wire->bad = true;
 }
 
 static size_t pixels_of(const Image *image)

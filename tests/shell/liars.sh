@@ -1,0 +1,84 @@
+#!/bin/sh
+# liars.sh - answering processes that speak the judge's language, and lie.
+#
+# What comes through the pipe was written by hostile code: nothing of it is believed or shown unless
+# it can be true.
+set -u
+. tests/library.sh
+
+folder=$scratch/verdict
+mkdir "$folder"
+export ASAN_OPTIONS=detect_leaks=0
+
+# An answering process that, in the place of an answer, sends a header and bytes behind it, so
+# changed.
+lies() {
+    cat >"$scratch/liar.c" <<EOF
+#include "tests/judge/answering.h"
+#include "tests/judge/wire.h"
+
+#include <string.h>
+#include <unistd.h>
+
+int main(void)
+{
+    static char bytes[1 << 20];
+    WireHeader header;
+    WireCrash crash = {.signal = 11, .access = 1};
+    while (read(CALLS_IN, &header, sizeof header) == sizeof header) {
+        for (size_t left = header.size; left > 0;)
+            left -= (size_t)read(CALLS_IN, bytes, left);
+        header.kind = WIRE_ANSWER;
+        header.size = sizeof(vec3);
+        memset(bytes, 0, sizeof bytes);
+        $1
+        if (header.kind == WIRE_CRASH)
+            memcpy(bytes, &crash, sizeof crash);
+        if (write(ANSWERS_OUT, &header, sizeof header) < 0 ||
+            write(ANSWERS_OUT, bytes, header.size) < 0)
+            return 1;
+    }
+    return 0;
+}
+EOF
+    rm -f "$folder"/*
+    # shellcheck disable=SC2086 # the compiler's flags are words
+    $COMPILER -o "$scratch/liar" "$scratch/liar.c" -lm || return 1
+    shift
+    env "$@" "$BUILD/judge/01-corners" "$scratch/liar" "$folder" >"$scratch/said" 2>&1
+    [ $? -eq 1 ]
+}
+table_says() {
+    cat "$folder/table"
+    grep -qx "$1" "$folder/table"
+}
+is_no_answer() {
+    table_says 'upper_left wrong' && cat "$folder/upper_left" &&
+        grep -qx '  it         answered with what is no answer' "$folder/upper_left"
+}
+tells() {
+    cat "$folder/upper_left"
+    grep -qx "  it         $1" "$folder/upper_left"
+}
+
+check 'zeros are judged' lies ''
+check 'and are wrong' table_says 'upper_left wrong'
+check 'a blank may say its name' lies 'strcpy(header.missing, "upper_left");'
+check 'and is not answered yet' table_says 'upper_left unanswered'
+
+check 'a name that is none is judged' lies 'strcpy(header.missing, "\033[2Jright");'
+check 'and is no answer' is_no_answer
+check 'a name and more is judged' lies 'strcpy(header.missing, "upper_left right");'
+check 'and is no answer' is_no_answer
+check 'a name without an end is judged' lies 'memset(header.missing, 97, sizeof header.missing);'
+check 'and is no answer' is_no_answer
+
+crash='header.kind = WIRE_CRASH; header.size = sizeof crash;'
+check 'a crash is judged' lies "$crash crash.address = 4096;"
+check 'and told' tells 'crashed: write to address 0x1000'
+check 'a crash by no signal is judged' lies "$crash crash.signal = 123456789;"
+check 'and is no answer' is_no_answer
+check 'a crash by a negative signal is judged' lies "$crash crash.signal = -1;"
+check 'and is no answer' is_no_answer
+
+finish liars
