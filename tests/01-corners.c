@@ -126,6 +126,31 @@ START_TEST(the_corners_do_not_depend_on_where_the_eye_is)
 }
 END_TEST
 
+START_TEST(the_upper_right_corner_does_not_depend_on_where_the_eye_is)
+{
+    for (int i = 0; i < 10; i++) {
+        Camera c = random_camera();
+        given_camera(c);
+        given("seen along", "forward, right, up");
+        expect_vec3(along_axes(c, upper_right(c)), vec3_of(c.distance, c.width / 2, c.height / 2),
+                    tolerance);
+    }
+}
+END_TEST
+
+// From the middle: a fifth of the width to the left, two fifths of the height down.
+START_TEST(the_point_30_percent_across_and_10_percent_up_of_any_camera)
+{
+    for (int i = 0; i < 10; i++) {
+        Camera c = random_camera();
+        given_camera(c);
+        given("seen along", "forward, right, up");
+        expect_vec3(along_axes(c, across_30_up_10(c)),
+                    vec3_of(c.distance, -c.width / 5, -2 * c.height / 5), tolerance);
+    }
+}
+END_TEST
+
 START_TEST(unit_distance_halves_the_plane_of_a_camera_with_distance_2)
 {
     Camera c = camera_of_the_deck(), same = c;
@@ -153,6 +178,15 @@ START_TEST(unit_distance_gives_the_same_rays)
         expect_number(same.height * c.distance, c.height, tolerance);
         given_camera(c);
         expect_vec3(same.origin, c.origin, 0);
+        given_camera(c);
+        given("seen", "right");
+        expect_vec3(same.right, c.right, tolerance);
+        given_camera(c);
+        given("seen", "up");
+        expect_vec3(same.up, c.up, tolerance);
+        given_camera(c);
+        given("seen", "forward");
+        expect_vec3(same.forward, c.forward, tolerance);
     }
 }
 END_TEST
@@ -166,9 +200,11 @@ void list_tests(void)
     tests_of("upper_right");
     test(the_upper_right_corner_of_the_deck_is_1_1_4);
     test(the_upper_right_corner_of_an_oblique_camera);
+    test(the_upper_right_corner_does_not_depend_on_where_the_eye_is);
     tests_of("across_30_up_10");
     test(the_point_30_percent_across_and_10_percent_up_of_the_deck);
     test(the_point_30_percent_across_and_10_percent_up_of_an_oblique_camera);
+    test(the_point_30_percent_across_and_10_percent_up_of_any_camera);
     tests_of("image_plane_vector");
     test(the_middle_of_the_plane_is_straight_ahead);
     test(s_and_t_are_counted_from_the_lower_left_corner);

@@ -49,6 +49,12 @@ START_TEST(a_corner_and_two_vectors_that_leave_no_distance_width_or_height_are_r
 }
 END_TEST
 
+START_TEST(a_corner_and_two_vectors_pushed_out_of_shape_or_place_are_refused)
+{
+    refuses_what_was_pushed(CORNER);
+}
+END_TEST
+
 START_TEST(a_corner_and_two_vectors_that_are_not_finite_are_refused)
 {
     refuses_what_is_not_finite(CORNER);
@@ -65,5 +71,6 @@ void list_tests_of_corner(void)
     test(two_vectors_that_are_not_at_right_angles_are_refused);
     test(a_corner_and_two_vectors_of_a_rectangle_not_straight_ahead_are_refused);
     test(a_corner_and_two_vectors_that_leave_no_distance_width_or_height_are_refused);
+    test(a_corner_and_two_vectors_pushed_out_of_shape_or_place_are_refused);
     test(a_corner_and_two_vectors_that_are_not_finite_are_refused);
 }

@@ -32,22 +32,27 @@ START_TEST(an_up_of_zero_is_refused)
 END_TEST
 
 // Once in round numbers, then where rounding leaves a little to the side.
-START_TEST(an_up_along_the_view_is_refused)
+static void look_refuses_an_up_along_the_view(double sign)
 {
-    LookAt view = deck_with(vec3_of(0, 0, 5), 2, 1);
+    LookAt view = deck_with(vec3_of(0, 0, 5 * sign), 2, 1);
     look_refuses(view, UP);
     for (int i = 0; i < 10; i++) {
         vec3 forward = random_unit();
         view.at = view.eye + 3 * forward;
-        view.up = random_number(0.1, 9) * forward;
+        view.up = sign * random_number(0.1, 9) * forward;
         look_refuses(view, UP);
     }
+}
+
+START_TEST(an_up_along_the_view_is_refused)
+{
+    look_refuses_an_up_along_the_view(1);
 }
 END_TEST
 
 START_TEST(an_up_against_the_view_is_refused)
 {
-    look_refuses(deck_with(vec3_of(0, 0, -5), 2, 1), UP);
+    look_refuses_an_up_along_the_view(-1);
 }
 END_TEST
 
@@ -55,6 +60,8 @@ START_TEST(a_width_that_is_not_positive_is_refused)
 {
     look_refuses(deck_with_size(0, 1), WIDTH | HEIGHT);
     look_refuses(deck_with_size(-2, 1), WIDTH | HEIGHT);
+    for (int i = 0; i < 5; i++)
+        look_refuses(deck_with_size(-random_number(0.1, 9), 1.5), WIDTH | HEIGHT);
 }
 END_TEST
 
@@ -63,6 +70,8 @@ START_TEST(an_aspect_that_is_not_positive_is_refused)
 {
     look_refuses_also(deck_with_size(2, 0), HEIGHT, FINITE);
     look_refuses(deck_with_size(2, -1), HEIGHT);
+    for (int i = 0; i < 5; i++)
+        look_refuses(deck_with_size(3, -random_number(0.1, 9)), HEIGHT);
 }
 END_TEST
 

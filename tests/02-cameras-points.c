@@ -49,6 +49,12 @@ START_TEST(four_points_that_leave_no_distance_width_or_height_are_refused)
 }
 END_TEST
 
+START_TEST(four_points_pushed_out_of_shape_or_place_are_refused)
+{
+    refuses_what_was_pushed(POINTS);
+}
+END_TEST
+
 START_TEST(four_points_that_are_not_finite_are_refused)
 {
     refuses_what_is_not_finite(POINTS);
@@ -65,5 +71,6 @@ void list_tests_of_points(void)
     test(four_points_that_are_no_rectangle_are_refused);
     test(four_points_of_a_rectangle_not_straight_ahead_are_refused);
     test(four_points_that_leave_no_distance_width_or_height_are_refused);
+    test(four_points_pushed_out_of_shape_or_place_are_refused);
     test(four_points_that_are_not_finite_are_refused);
 }

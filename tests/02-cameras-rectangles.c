@@ -41,12 +41,20 @@ static void put(Form form, vec3 eye, const vec3 *vectors, vec3 *in)
     }
 }
 
-static void take_apart(Form form, Camera c, vec3 *in)
+static void vectors_of(Camera c, vec3 *vectors)
 {
     vec3 middle = c.distance * c.forward;
     vec3 right = 0.5 * c.width * c.right, up = 0.5 * c.height * c.up;
-    vec3 vectors[] = {middle - right + up, middle + right + up, middle - right - up,
-                      middle + right - up};
+    vectors[0] = middle - right + up;
+    vectors[1] = middle + right + up;
+    vectors[2] = middle - right - up;
+    vectors[3] = middle + right - up;
+}
+
+static void take_apart(Form form, Camera c, vec3 *in)
+{
+    vec3 vectors[4];
+    vectors_of(c, vectors);
     put(form, c.origin, vectors, in);
 }
 
@@ -171,6 +179,35 @@ void refuses(Form form, int reasons)
         given("corners of", "%s", no_cameras[i].what);
         CameraFault fault = ask(form, in, &after);
         expect_refused(fault, after, no_cameras[i].reasons, 0);
+    }
+}
+
+void refuses_what_was_pushed(Form form)
+{
+    for (int i = 0; i < 12; i++) {
+        Camera c = random_camera(), after;
+        double by = random_number(0.1, 0.9);
+        vec3 aside = by * c.width * c.right, ahead = by * c.distance * c.forward;
+        const struct {
+            const char *what;
+            vec3 upper, lower, lower_right; // how far these are pushed, the last one more
+            int reasons;
+        } pushes[] = {
+            {"a rectangle pushed aside", aside, aside, 0 * aside, AXIS},
+            {"a rectangle pushed to a parallelogram", aside, -aside, 0 * aside, RECTANGLE},
+            {"a rectangle pushed until it leans", ahead, -ahead, 0 * aside, AXIS},
+            {"a rectangle, one corner pushed", 0 * aside, 0 * aside, aside, RECTANGLE | AXIS},
+        };
+        int push = i % (form == CORNER ? 3 : 4);
+        vec3 vectors[4], in[MOST_PARTS];
+        vectors_of(c, vectors);
+        for (int k = 0; k < 4; k++)
+            vectors[k] += k < 2 ? pushes[push].upper : pushes[push].lower;
+        vectors[3] += pushes[push].lower_right;
+        put(form, c.origin, vectors, in);
+        given("corners of", "%s", pushes[push].what);
+        CameraFault fault = ask(form, in, &after);
+        expect_refused(fault, after, pushes[push].reasons, 0);
     }
 }
 

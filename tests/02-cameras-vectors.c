@@ -48,6 +48,12 @@ START_TEST(four_vectors_that_leave_no_distance_width_or_height_are_refused)
 }
 END_TEST
 
+START_TEST(four_vectors_pushed_out_of_shape_or_place_are_refused)
+{
+    refuses_what_was_pushed(VECTORS);
+}
+END_TEST
+
 START_TEST(four_vectors_that_are_not_finite_are_refused)
 {
     refuses_what_is_not_finite(VECTORS);
@@ -64,5 +70,6 @@ void list_tests_of_vectors(void)
     test(four_vectors_that_end_in_no_rectangle_are_refused);
     test(four_vectors_to_a_rectangle_not_straight_ahead_are_refused);
     test(four_vectors_that_leave_no_distance_width_or_height_are_refused);
+    test(four_vectors_pushed_out_of_shape_or_place_are_refused);
     test(four_vectors_that_are_not_finite_are_refused);
 }

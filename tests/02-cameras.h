@@ -68,6 +68,8 @@ void finds_random_cameras(Form form);
 void keeps_the_rays(Form form);
 // Asks for each rectangle that is none, or not straight ahead, and whose first reason is of these.
 void refuses(Form form, int reasons);
+// Asks for the rectangles of random cameras, pushed out of shape or place.
+void refuses_what_was_pushed(Form form);
 // Asks for each number in turn not finite, in what is otherwise the deck's camera.
 void refuses_what_is_not_finite(Form form);
 

@@ -35,11 +35,6 @@ static void expect_center(int column, int row, double x, double y)
     expect_pair(yours.x, yours.y, x, y, pixel_tolerance);
 }
 
-static Resolution random_screen(void)
-{
-    return (Resolution){(int)random_number(1, 2000), (int)random_number(1, 2000)};
-}
-
 // A random number of quarters: short to read, and rarely whole.
 static double quarters(double low, double high)
 {
@@ -96,15 +91,26 @@ END_TEST
 START_TEST(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_less_t)
 {
     for (int i = 0; i < 20; i++) {
-        Resolution screen = random_screen();
-        ScreenPoint from = {quarters(-screen.width, screen.width),
-                            quarters(-screen.height, screen.height)};
+        Resolution screen = random_screen(1, 2000);
+        double x = quarters(-screen.width, screen.width);
+        ScreenPoint from = {x, quarters(-screen.height, screen.height)};
         ScreenPoint to = {from.x + screen.width * 0.1, from.y + screen.height * 0.1};
         given_screen(screen);
         given("points", "%s, %s", pair_text(from.x, from.y).s, pair_text(to.x, to.y).s);
         given("seen", "how far s and t move");
         Normalized a = screen_to_normalized(from, screen), b = screen_to_normalized(to, screen);
         expect_pair(b.s - a.s, b.t - a.t, 0.1, -0.1, tolerance);
+    }
+}
+END_TEST
+
+START_TEST(a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom)
+{
+    for (int i = 0; i < 20; i++) {
+        Resolution screen = random_screen(1, 2000);
+        double s = random_number(-1, 2), t = random_number(-1, 2);
+        double below = screen.height * t; // the bottom edge is, of the point
+        expect_normalized((ScreenPoint){screen.width * s, screen.height - below}, screen, s, t);
     }
 }
 END_TEST
@@ -143,8 +149,9 @@ END_TEST
 START_TEST(to_the_square_and_back_is_the_same_point)
 {
     for (int i = 0; i < 50; i++) {
-        Resolution screen = random_screen();
-        ScreenPoint point = {quarters(-9, 2000), quarters(-9, 2000)};
+        Resolution screen = random_screen(1, 2000);
+        double x = quarters(-9, 2000);
+        ScreenPoint point = {x, quarters(-9, 2000)};
         given_screen(screen);
         given("point", "%s", pair_text(point.x, point.y).s);
         Normalized place = screen_to_normalized(point, screen);
@@ -159,8 +166,9 @@ END_TEST
 START_TEST(to_the_screen_and_back_is_the_same_place)
 {
     for (int i = 0; i < 50; i++) {
-        Resolution screen = random_screen();
-        Normalized place = {quarters(-1, 2) + 0.01, quarters(-1, 2) + 0.1};
+        Resolution screen = random_screen(1, 2000);
+        double s = quarters(-1, 2) + 0.01;
+        Normalized place = {s, quarters(-1, 2) + 0.1};
         given_screen(screen);
         given("(s, t)", "%s", pair_text(place.s, place.t).s);
         ScreenPoint point = normalized_to_screen(place, screen);
@@ -192,6 +200,18 @@ START_TEST(the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner)
 }
 END_TEST
 
+// The first point that a pixel has is (column, row), the last ones are short of the next pixel's.
+START_TEST(the_centre_of_any_pixel_is_half_way_to_the_next_pixel)
+{
+    for (int i = 0; i < 20; i++) {
+        Pixel pixel = random_pixel((Resolution){5000, 5000});
+        Pixel next = {pixel.column + 1, pixel.row + 1};
+        expect_center(pixel.column, pixel.row, (pixel.column + next.column) / 2.0,
+                      (pixel.row + next.row) / 2.0);
+    }
+}
+END_TEST
+
 void list_tests(void)
 {
     tests_of("screen_to_normalized");
@@ -202,6 +222,7 @@ void list_tests(void)
     test(a_screen_of_a_single_pixel_is_a_screen);
     test(beyond_the_screen_is_beyond_0_to_1);
     test(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_less_t);
+    test(a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom);
     tests_of("normalized_to_screen");
     test(one_sixth_up_and_just_left_of_the_middle_is_the_point_of_the_deck);
     test(the_corners_of_the_unit_square_are_the_corners_of_the_screen);
@@ -213,4 +234,5 @@ void list_tests(void)
     test(the_first_pixel_is_half_a_pixel_right_of_and_below_the_corner);
     test(column_is_x_and_row_is_y);
     test(the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner);
+    test(the_centre_of_any_pixel_is_half_way_to_the_next_pixel);
 }

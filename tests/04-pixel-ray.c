@@ -117,8 +117,8 @@ START_TEST(opposite_pixels_are_opposite_each_other_around_straight_ahead)
 {
     for (int i = 0; i < 20; i++) {
         Camera c = random_camera();
-        Resolution screen = {(int)random_number(2, 50), (int)random_number(2, 50)};
-        Pixel pixel = {(int)random_number(0, screen.width), (int)random_number(0, screen.height)};
+        Resolution screen = random_screen(2, 50);
+        Pixel pixel = random_pixel(screen);
         Pixel opposite = {screen.width - 1 - pixel.column, screen.height - 1 - pixel.row};
         given_pixel(c, screen, pixel);
         given("and pixel", "column %d, row %d", opposite.column, opposite.row);
@@ -134,8 +134,8 @@ START_TEST(every_ray_meets_the_plane_in_the_middle_of_its_pixel)
 {
     for (int i = 0; i < 50; i++) {
         Camera c = random_camera();
-        Resolution screen = {(int)random_number(1, 900), (int)random_number(1, 900)};
-        Pixel pixel = {(int)random_number(0, screen.width), (int)random_number(0, screen.height)};
+        Resolution screen = random_screen(1, 900);
+        Pixel pixel = random_pixel(screen);
         double column_width = c.width / screen.width, row_height = c.height / screen.height;
         given_pixel(c, screen, pixel);
         given("seen", "where the ray meets the plane: from its left edge, from its top");

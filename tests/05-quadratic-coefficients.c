@@ -27,11 +27,15 @@ START_TEST(a_place_that_was_chosen_round_the_centre_comes_back)
 {
     for (int i = 0; i < 20; i++) {
         vec3 place = random_vec3(-9, 9);
-        Sphere sphere = {.center = random_vec3(-9, 9), .radius = random_number(0.1, 5)};
+        Sphere sphere = random_sphere(9, 0.1, 5);
         Ray ray = {sphere.center + place, random_vec3(-2, 2)};
         given_ray_and_sphere(ray, sphere);
         given("looking at", "the origin");
-        expect_vec3(to_object_coordinates(ray, sphere).origin, place, TOLERANCE);
+        Ray seen = to_object_coordinates(ray, sphere);
+        expect_vec3(seen.origin, place, TOLERANCE);
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the direction");
+        expect_vec3(seen.direction, ray.direction, TOLERANCE);
     }
 }
 END_TEST
@@ -90,7 +94,7 @@ static double distance_squared_less_radius_squared(Ray ray, vec3 center, double 
 START_TEST(at_every_t_it_is_the_squared_distance_less_the_squared_radius)
 {
     for (int i = 0; i < 30; i++) {
-        Ray ray = {random_vec3(-5, 5), random_vec3(-2, 2)};
+        Ray ray = random_ray(5, 2);
         double radius = random_number(0.1, 5), t = random_number(-3, 3);
         given_object_ray(ray, radius);
         given("looking at", "a t^2 + b t + c for t = %s", number_text_to(t, 10).s);
@@ -136,8 +140,8 @@ END_TEST
 START_TEST(in_the_world_too_it_is_the_squared_distance_less_the_squared_radius)
 {
     for (int i = 0; i < 30; i++) {
-        Ray ray = {random_vec3(-5, 5), random_vec3(-2, 2)};
-        Sphere sphere = {.center = random_vec3(-5, 5), .radius = random_number(0.1, 5)};
+        Ray ray = random_ray(5, 2);
+        Sphere sphere = random_sphere(5, 0.1, 5);
         double t = random_number(-3, 3);
         given_ray_and_sphere(ray, sphere);
         given("looking at", "a t^2 + b t + c for t = %s", number_text_to(t, 10).s);

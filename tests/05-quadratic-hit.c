@@ -40,12 +40,20 @@ START_TEST(from_inside_the_exit_is_hit)
     expect_hit(ray, sphere_at(1, 1, 1, 3), 1);
     ray.direction = vec3_of(0, 0, -2);
     expect_hit(ray, sphere_at(1, 1, 1, 3), 2);
+    for (int i = 0; i < 10; i++) {
+        Aimed inside = random_inside();
+        expect_hit(inside.ray, inside.sphere, inside.far);
+    }
 }
 END_TEST
 
 START_TEST(what_is_behind_is_not_hit)
 {
     expect_hit(ray_of_the_deck(-1, -0.5), unit_sphere(), NO_HIT);
+    for (int i = 0; i < 10; i++) {
+        Aimed behind = random_behind();
+        expect_hit(behind.ray, behind.sphere, NO_HIT);
+    }
 }
 END_TEST
 
@@ -53,6 +61,10 @@ START_TEST(what_is_beside_is_not_hit)
 {
     Ray ray = {vec3_of(-4, 1.25, 0), vec3_of(1, 0, 0)};
     expect_hit(ray, unit_sphere(), NO_HIT);
+    for (int i = 0; i < 10; i++) {
+        Aimed past = random_beside();
+        expect_hit(past.ray, past.sphere, NO_HIT);
+    }
 }
 END_TEST
 

@@ -36,6 +36,10 @@ START_TEST(roots_come_in_ascending_order_even_when_a_is_negative)
 {
     expect_roots_of(with_roots(-1, 2, 3), two(2, 3), TOLERANCE);
     expect_roots_of(with_roots(-4, -7, 1), two(-7, 1), TOLERANCE);
+    for (int i = 0; i < 10; i++) {
+        double a = -random_number(0.1, 5), t = random_number(-9, 9), gap = random_number(0.1, 9);
+        expect_roots_of(with_roots(a, t, t + gap), two(t, t + gap), TOLERANCE);
+    }
 }
 END_TEST
 
@@ -44,6 +48,10 @@ START_TEST(a_double_root_counts_as_two)
     expect_roots_of((Quadratic){1, -8, 16}, two(4, 4), TOLERANCE);
     expect_roots_of((Quadratic){2, 12, 18}, two(-3, -3), TOLERANCE);
     expect_roots_of((Quadratic){3, 0, 0}, two(0, 0), TOLERANCE);
+    for (int i = 0; i < 10; i++) { // in whole numbers, which are exact
+        double a = floor(random_number(1, 10)), t = floor(random_number(-99, 100));
+        expect_roots_of(with_roots(a, t, t), two(t, t), TOLERANCE);
+    }
 }
 END_TEST
 
@@ -53,6 +61,14 @@ START_TEST(there_are_no_roots_where_the_parabola_stays_on_one_side)
     for (int i = 0; i < 4; i++) {
         given_quadratic(none[i]);
         expect_no_roots(quadratic_roots(none[i]));
+    }
+    // a ((t - lowest)^2 + above^2)
+    for (int i = 0; i < 10; i++) {
+        double a = random_number(0.1, 5) * (i % 2 == 0 ? 1 : -1);
+        double lowest = random_number(-9, 9), above = random_number(0.1, 3);
+        Quadratic q = {a, -2 * a * lowest, a * (lowest * lowest + above * above)};
+        given_quadratic(q);
+        expect_no_roots(quadratic_roots(q));
     }
 }
 END_TEST
@@ -74,6 +90,10 @@ START_TEST(where_a_is_0_it_is_a_line_with_one_root)
 {
     expect_roots_of((Quadratic){0, 2, -6}, (Roots){1, {3}}, TOLERANCE);
     expect_roots_of((Quadratic){0, -4, 0}, (Roots){1, {0}}, TOLERANCE);
+    for (int i = 0; i < 10; i++) {
+        double b = random_number(0.1, 5) * (i % 2 == 0 ? 1 : -1), t = random_number(-9, 9);
+        expect_roots_of((Quadratic){0, b, -b * t}, (Roots){1, {t}}, TOLERANCE);
+    }
 }
 END_TEST
 

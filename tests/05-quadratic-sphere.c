@@ -1,6 +1,13 @@
 // 05-quadratic-sphere.c - tests of sphere_roots: where a whole line meets a sphere.
 #include "tests/05-quadratic.h"
 
+static void expect_aimed(Aimed aimed)
+{
+    given("made so", "that the angle at the surface is known");
+    expect_meetings(aimed.ray, aimed.sphere, two(aimed.near, aimed.far),
+                    ROOT_TOLERANCE * aimed.sphere.radius / vec3_length(aimed.ray.direction));
+}
+
 START_TEST(the_line_drawn_in_the_deck_meets_the_sphere_in_the_hits_drawn)
 {
     expect_meetings(ray_of_the_deck(1, 0.5), unit_sphere(), two(3.2, 4), ROOT_TOLERANCE);
@@ -17,6 +24,8 @@ END_TEST
 START_TEST(what_is_behind_the_origin_is_met_too)
 {
     expect_meetings(ray_of_the_deck(-1, -0.5), unit_sphere(), two(-4, -3.2), ROOT_TOLERANCE);
+    for (int i = 0; i < 10; i++)
+        expect_aimed(i % 2 == 0 ? random_behind() : random_inside());
 }
 END_TEST
 
@@ -49,17 +58,18 @@ START_TEST(a_line_that_passes_beside_it_does_not_meet_it)
     ray = ray_of_the_deck(1, -0.5);
     given_ray_and_sphere(ray, unit_sphere());
     expect_no_roots(sphere_roots(ray, unit_sphere()));
+    for (int i = 0; i < 10; i++) {
+        Aimed past = random_beside();
+        given_ray_and_sphere(past.ray, past.sphere);
+        expect_no_roots(sphere_roots(past.ray, past.sphere));
+    }
 }
 END_TEST
 
 START_TEST(the_chord_is_twice_the_radius_times_the_cosine)
 {
-    for (int i = 0; i < 50; i++) {
-        Aimed aimed = random_aimed(random_number(0.1, 1000));
-        given("made so", "that the angle at the surface is known");
-        expect_meetings(aimed.ray, aimed.sphere, two(aimed.near, aimed.far),
-                        ROOT_TOLERANCE * aimed.sphere.radius / vec3_length(aimed.ray.direction));
-    }
+    for (int i = 0; i < 50; i++)
+        expect_aimed(random_aimed(random_number(0.1, 1000)));
 }
 END_TEST
 

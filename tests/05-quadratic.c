@@ -93,7 +93,7 @@ Sphere sphere_at(double x, double y, double z, double radius)
 Aimed random_aimed(double radii_away)
 {
     Aimed aimed;
-    aimed.sphere = (Sphere){.center = random_vec3(-5, 5), .radius = random_number(0.1, 3)};
+    aimed.sphere = random_sphere(5, 0.1, 3);
     vec3 normal = random_unit(), back = random_unit();
     while (vec3_dot(normal, back) < 0.3)
         back = random_unit();
@@ -103,6 +103,32 @@ Aimed random_aimed(double radii_away)
     aimed.ray = (Ray){point + distance * back, -length * back};
     aimed.near = distance / length;
     aimed.far = (distance + 2 * r * vec3_dot(normal, back)) / length;
+    return aimed;
+}
+
+Aimed random_inside(void)
+{
+    for (;;) {
+        Aimed aimed = random_aimed(-random_number(0.05, 1.9));
+        double to_exit = aimed.far * vec3_length(aimed.ray.direction) / aimed.sphere.radius;
+        if (to_exit > 0.05)
+            return aimed;
+    }
+}
+
+Aimed random_behind(void)
+{
+    return random_aimed(-random_number(2.1, 100));
+}
+
+// From beside a point next to the sphere, where the ray is at right angles to its radius.
+Aimed random_beside(void)
+{
+    Aimed aimed = {.sphere = random_sphere(5, 0.1, 3), .near = NO_HIT, .far = NO_HIT};
+    vec3 direction = random_unit(), aside = vec3_unit(vec3_cross(direction, random_unit()));
+    double r = aimed.sphere.radius, away = random_number(-100, 100) * r;
+    vec3 passed = aimed.sphere.center + random_number(1.05, 3) * r * aside;
+    aimed.ray = (Ray){passed - away * direction, random_number(0.1, 10) * direction};
     return aimed;
 }
 

@@ -35,6 +35,11 @@ typedef struct {
 } Aimed;
 
 Aimed random_aimed(double radii_away);
+// Rays from inside a random sphere, with near behind; away from one, with both behind; and past
+// one, with neither.
+Aimed random_inside(void);
+Aimed random_behind(void);
+Aimed random_beside(void);
 
 // The tests, a file each.
 void list_tests_of_coefficients(void);

@@ -1,6 +1,8 @@
 // 06-ray-casting-depth.c - tests of object order: its depth, and that image order agrees.
 #include "tests/06-ray-casting.h"
 
+#include "exercises/04-pixel-ray.h"
+
 START_TEST(what_is_in_the_depth_before_does_not_matter)
 {
     // The white one is seen by the pixel that would come behind the last.
@@ -75,6 +77,29 @@ START_TEST(the_depth_goes_row_by_row_and_counts_in_lengths_of_the_direction)
 }
 END_TEST
 
+START_TEST(the_depth_of_spheres_one_behind_the_other_is_that_of_the_nearest)
+{
+    Resolution size = {5, 3};
+    int hits = 0;
+    for (int i = 0; i < 12 || hits < 4; i++) {
+        Sphere spheres[SHELLS];
+        Camera camera = random_camera();
+        random_shells(camera, spheres);
+        Scene scene = scene_of(SHELLS, spheres);
+        Pixel pixel = random_pixel(size);
+        vec3 direction = pixel_ray(camera, size, pixel).direction;
+        int seen = shell_seen(camera.origin, direction, SHELLS, spheres);
+        if (seen == -2)
+            continue;
+        double t = seen < 0 ? NO_HIT
+                            : distance_seen(camera.origin, direction, spheres[seen]) /
+                                  vec3_length(direction);
+        expect_depth(&scene, camera, size, pixel, t);
+        hits += seen >= 0;
+    }
+}
+END_TEST
+
 START_TEST(where_there_is_nothing_every_depth_is_no_hit)
 {
     Scene scene = scene_of(0, NULL);
@@ -123,6 +148,7 @@ void list_tests_of_depth(void)
     test(what_is_in_the_depth_before_does_not_matter);
     test(the_depth_straight_ahead_is_the_t_of_the_nearest_hit);
     test(the_depth_goes_row_by_row_and_counts_in_lengths_of_the_direction);
+    test(the_depth_of_spheres_one_behind_the_other_is_that_of_the_nearest);
     test(where_there_is_nothing_every_depth_is_no_hit);
     test(both_orders_give_the_same_bytes);
 }

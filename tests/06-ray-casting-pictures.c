@@ -165,11 +165,16 @@ static void draws_what_cones_say_of_spheres_one_behind_the_other(Cast *cast)
 {
     Resolution size = {16, 9};
     int checked = 0;
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 12 || checked < 6; i++) {
         Sphere spheres[SHELLS];
         Camera camera = random_camera();
         random_shells(camera, spheres);
         Scene scene = scene_of(SHELLS, spheres);
+        Surface painted[SURFACES] = {{.color = scene.background}};
+        for (int color = RED; color < COLORS; color++)
+            painted[color].color = random_vec3(0.1, 0.9);
+        scene.background = random_vec3(0.1, 0.9);
+        scene.surfaces = painted;
         char picture[16 * 9 + 1] = "";
         bool doubtful = false;
         for (int k = 0; k < 16 * 9; k++) {
@@ -183,7 +188,6 @@ static void draws_what_cones_say_of_spheres_one_behind_the_other(Cast *cast)
         expect_picture(cast, &scene, camera, size, picture);
         checked++;
     }
-    ck_assert_int_ge(checked, 6);
 }
 IN_BOTH_ORDERS(draws_what_cones_say_of_spheres_one_behind_the_other)
 

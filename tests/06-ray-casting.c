@@ -109,21 +109,20 @@ Image odd_image(Resolution size)
     return image;
 }
 
-static const Surface *surface_of_letter(char letter)
+static Color color_of_letter(const Scene *scene, char letter)
 {
     const char *place = strchr(letters, letter);
-    return letter == '.' || place == NULL ? NULL : &surfaces[place - letters];
+    return letter == '.' || place == NULL ? scene->background
+                                          : scene->surfaces[place - letters].color;
 }
 
 void expect_picture(Cast *cast, const Scene *scene, Camera camera, Resolution size,
                     const char *expected)
 {
     Image picture = image_of(size), image = odd_image(size);
-    for (int i = 0; expected[i] != '\0'; i++) {
-        const Surface *surface = surface_of_letter(expected[i]);
+    for (int i = 0; expected[i] != '\0'; i++)
         image_set(&picture, (Pixel){i % size.width, i / size.width},
-                  surface == NULL ? scene->background : surface->color);
-    }
+                  color_of_letter(scene, expected[i]));
     given_scene(scene);
     given_camera(camera);
     given_size(size);

@@ -84,11 +84,38 @@ Camera random_camera(void)
     vec3 up = vec3_cross(right, forward);
     if (random_number(0, 1) < 0.5)
         up = -up; // the other hand
-    return (Camera){.origin = random_vec3(-5, 5),
+    // One by one: in what order an initialiser asks is not said.
+    vec3 origin = random_vec3(-5, 5);
+    double distance = random_number(0.5, 6), width = random_number(0.5, 4);
+    return (Camera){.origin = origin,
                     .right = right,
                     .up = up,
                     .forward = forward,
-                    .distance = random_number(0.5, 6),
-                    .width = random_number(0.5, 4),
+                    .distance = distance,
+                    .width = width,
                     .height = random_number(0.5, 4)};
+}
+
+Ray random_ray(double origin, double direction)
+{
+    vec3 from = random_vec3(-origin, origin);
+    return (Ray){from, random_vec3(-direction, direction)};
+}
+
+Sphere random_sphere(double center, double low, double high)
+{
+    vec3 place = random_vec3(-center, center);
+    return (Sphere){.center = place, .radius = random_number(low, high)};
+}
+
+Resolution random_screen(int low, int below)
+{
+    int width = (int)random_number(low, below);
+    return (Resolution){width, (int)random_number(low, below)};
+}
+
+Pixel random_pixel(Resolution screen)
+{
+    int column = (int)random_number(0, screen.width);
+    return (Pixel){column, (int)random_number(0, screen.height)};
 }

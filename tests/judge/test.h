@@ -54,6 +54,11 @@ double random_number(double low, double high);
 vec3 random_vec3(double low, double high);
 vec3 random_unit(void);
 Camera random_camera(void); // far from special: every number counts
+// Each number of origin, direction and center is between minus that and that.
+Ray random_ray(double origin, double direction);
+Sphere random_sphere(double center, double low, double high); // radius: low to high
+Resolution random_screen(int low, int below);
+Pixel random_pixel(Resolution screen);
 
 // Where gdb stops: the case of this number begins (the first is 1).
 void case_begins(int number);
