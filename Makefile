@@ -208,7 +208,7 @@ $(LENT:.o=.c): $(B)/judge/lent-%.c: tests/exercises.table .make/proxies.awk
 $(DISPATCHES) $(LENT) $(B)/judge/proxies.o: %.o: %.c $(B)/flags
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -o $@ $<
-# The judge's own: it answers what is lent, by the reference.
+# The same by the reference: the judge's, for what it lends, and the matrix's.
 LENDERS := $(STEMS:%=$(B)/judge/lender-%.o)
 $(LENDERS): $(B)/judge/lender-%.o: $(B)/judge/dispatch-%.c $(B)/reference.h $(B)/flags
 	$(call say,compile,$< as reference)
@@ -229,10 +229,11 @@ $(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$
 		$(B)/judge/lender-%.o $(B)/tests/judge/judge.o $(B)/tests/judge/report.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+# The matrix: the same, and in the place of the answering process a table that the reference fills.
 MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
 $(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(B)/tests/variants/%.o $(JUDGING) $(B)/judge/lender-%.o $(B)/tests/judge/matrix.o \
-		$(B)/common.a
+		$(B)/tests/variants/%.o $(filter-out %/call.o,$(JUDGING)) $(B)/judge/lender-%.o \
+		$(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm

@@ -2,17 +2,21 @@
 //
 // Each mistake must fail a test of its function and be named from its values; each test must be
 // failed by a mistake, or it cannot fail and is worth nothing; no right answer, however it is
-// written, may be failed or accused.
+// written, may be failed or accused; and an answer that only knows the public inputs by heart must
+// fail wherever there is a SEED, and not be told the others.
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
+#include "tests/judge/table.h"
 #include "tests/variants/variants.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static Outcomes all, some;
 static bool failed_by_some[MOST_TESTS];
 static int passed, failed, mistake_count, variant_count;
+static bool told; // whether a failed test of the last run may tell its numbers
 
 static void settle(bool good, const char *what, const char *name, const char *why)
 {
@@ -27,8 +31,12 @@ static int run(const char *function, Outcomes *outcomes, bool extra)
     int count = 0;
     suspects_begin();
     run_tests(function, NULL, ANSWERS_APART, outcomes);
-    for (int i = 0; i < outcomes->count; i++)
-        count += !outcomes->tests[i].passed && (extra || !outcomes->tests[i].extra);
+    told = false;
+    for (int i = 0; i < outcomes->count; i++) {
+        const Outcome *test = &outcomes->tests[i];
+        count += !test->passed && (extra || !test->extra);
+        told = told || (!test->passed && !test->record->hidden);
+    }
     records_end();
     return count;
 }
@@ -83,9 +91,44 @@ static void check_variant(const Variant *variant)
     check_law("right answer breaks a law:", variant->what, exercise);
 }
 
+static void check_by_heart(const char *function, const char *seed)
+{
+    setenv("SEED", seed, 1);
+    for (int garbage = 0; garbage < 2; garbage++) {
+        table_recite(garbage == 0 ? 0x00 : 0xff);
+        settle(run(function, &some, false) > 0, "the public inputs by heart are enough for",
+               function, seed);
+        settle(!told, "hidden inputs may be told:", function, seed);
+    }
+}
+
+static void check_table(const char *stem)
+{
+    char *seed = getenv("SEED");
+    seed = seed == NULL ? NULL : strdup(seed);
+    switch_to_process(stem);
+    for (int i = 0; exercises[i].name != NULL; i++) {
+        const char *function = exercises[i].name;
+        if (strcmp(exercises[i].stem, stem) != 0)
+            continue;
+        unsetenv("SEED");
+        table_learn();
+        run(function, &some, true);
+        table_recite(0xff);
+        settle(run(function, &some, true) == 0, "by heart fails, though nothing is new:", function,
+               "");
+        for (int k = 0; seed == NULL && k < 3; k++)
+            check_by_heart(function, (const char *[]){"1", "20150921", "9223372036854775807"}[k]);
+        if (seed != NULL)
+            check_by_heart(function, seed);
+    }
+    free(seed);
+}
+
 int main(int argc, char **argv)
 {
     const char *slash = strrchr(argv[0], '/');
+    const char *stem = slash != NULL ? slash + 1 : argv[0];
     (void)argc;
     check_reference();
     for (int table = 0; mistakes[table] != NULL; table++)
@@ -95,8 +138,8 @@ int main(int argc, char **argv)
         settle(failed_by_some[i], "test", all.tests[i].name, "no mistake fails it");
     for (; variants[variant_count].exercise != NULL; variant_count++)
         check_variant(&variants[variant_count]);
-    printf("matrix of %s (%d mistakes, %d tests, %d right answers): %d passed, %d failed\n",
-           slash != NULL ? slash + 1 : argv[0], mistake_count, all.count, variant_count, passed,
-           failed);
+    check_table(stem);
+    printf("matrix of %s (%d mistakes, %d tests, %d right answers): %d passed, %d failed\n", stem,
+           mistake_count, all.count, variant_count, passed, failed);
     return failed == 0 ? 0 : 1;
 }

@@ -1,0 +1,93 @@
+// table.c - an answer that knows by heart what it was asked before, and nothing else.
+#include "tests/judge/table.h"
+
+#include "tests/judge/call.h"
+#include "tests/judge/dispatch.h"
+
+#include <stdio.h>
+#include <string.h>
+
+typedef struct Line {
+    struct Line *next;
+    int exercise;
+    Wire question, answer;
+} Line;
+
+static Line *lines;
+static bool learning;
+static uint8_t garbage;
+static Wire wire;
+
+void table_learn(void)
+{
+    while (lines != NULL) {
+        Line *line = lines;
+        lines = line->next;
+        free(line->question.bytes);
+        free(line->answer.bytes);
+        free(line);
+    }
+    learning = true;
+}
+
+void table_recite(uint8_t otherwise)
+{
+    learning = false;
+    garbage = otherwise;
+}
+
+static const Line *look_up(int exercise, const Wire *question)
+{
+    for (const Line *line = lines; line != NULL; line = line->next)
+        if (line->exercise == exercise && line->question.size == question->size &&
+            memcmp(line->question.bytes, question->bytes, question->size) == 0)
+            return line;
+    return NULL;
+}
+
+static void learn(int exercise, const Wire *question, const Wire *answer)
+{
+    Line *line = calloc(1, sizeof *line);
+    if (line == NULL)
+        abort();
+    line->exercise = exercise;
+    wire_put(&line->question, question->bytes, question->size);
+    wire_put(&line->answer, answer->bytes, answer->size);
+    line->next = lines;
+    lines = line;
+}
+
+Wire *call_begin(int exercise)
+{
+    (void)exercise;
+    wire_clear(&wire);
+    return &wire;
+}
+
+Wire *call_finish(int exercise)
+{
+    Wire answer = {0};
+    if (!dispatch(exercise, &wire, &answer)) {
+        fprintf(stderr, "a question that cannot be read\n");
+        abort();
+    }
+    const Line *line = look_up(exercise, &wire);
+    if (learning && line == NULL)
+        learn(exercise, &wire, &answer);
+    else if (line != NULL)
+        memcpy(answer.bytes, line->answer.bytes, answer.size);
+    else
+        memset(answer.bytes, garbage, answer.size);
+    wire_clear(&wire);
+    wire_put(&wire, answer.bytes, answer.size);
+    free(answer.bytes);
+    return &wire;
+}
+
+void call_end(int exercise)
+{
+    if (!wire_is_read(&wire)) {
+        fprintf(stderr, "exercise %d: an answer that cannot be read\n", exercise);
+        abort();
+    }
+}

@@ -1,0 +1,16 @@
+// table.h - an answer that knows by heart what it was asked before, and nothing else.
+//
+// In the matrix it stands in the place of the answering process (call.h): while it learns, the
+// reference tells it what to say; then it says what it learned, and garbage to any other question.
+#ifndef TESTS_JUDGE_TABLE_H
+#define TESTS_JUDGE_TABLE_H
+
+#include <stdint.h>
+
+// Forgets, and learns from now on.
+void table_learn(void);
+
+// Says from now on what it learned; each byte of anything else is garbage.
+void table_recite(uint8_t garbage);
+
+#endif
