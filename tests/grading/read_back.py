@@ -1,0 +1,130 @@
+"""read_back.py - readers of the reports' formats that share nothing with their writers.
+
+Perl's and libxml's where they are installed, python's own, and one of a few lines for CSV, which
+reads what RFC 4180 allows and nothing else.
+"""
+import html.parser
+import json
+import re
+import shutil
+import subprocess
+
+TAP_READER = r"""
+use TAP::Parser; binmode STDOUT, ':raw'; local $/; my $tap = <STDIN>;
+my $parser = TAP::Parser->new({ tap => $tap });
+while (my $result = $parser->next) {
+    print $result->is_ok ? 'ok ' : 'not ok ', $result->has_skip ? 'skip ' : '',
+        $result->has_todo ? 'todo ' : '', $result->description, "\n" if $result->is_test;
+    print "bail\n" if $result->is_bailout;
+    print "unknown ", $result->raw, "\n" if $result->is_unknown;
+}
+print "errors ", scalar($parser->parse_errors), " planned ", $parser->tests_planned, " version ",
+    $parser->version, "\n";
+"""
+JSON_READER = (
+    "local $/; print JSON::PP->new->ascii->canonical->encode(JSON::PP->new->utf8->decode(<STDIN>))"
+)
+
+
+def has_perl(module: str) -> bool:
+    return (
+        bool(shutil.which("perl"))
+        and subprocess.run(
+            ["perl", f"-M{module}", "-e", "1"], capture_output=True, check=False
+        ).returncode
+        == 0
+    )
+
+
+def run(command: list, data: bytes) -> bytes:
+    done = subprocess.run(command, input=data, capture_output=True, timeout=60, check=False)
+    if done.returncode != 0 or done.stderr:
+        raise ValueError(f"{command[0]}: {done.stderr.decode(errors='replace')[:500]}")
+    return done.stdout
+
+
+def perl_tap(data: bytes) -> list:
+    """Perl's reader knows version 13; what we use of 14 is in it."""
+    data = data.replace(b"TAP version 14\n", b"TAP version 13\n", 1)
+    return run(["perl", "-e", TAP_READER], data).decode("utf-8").splitlines()
+
+
+def perl_json(data: bytes):
+    return json.loads(run(["perl", "-MJSON::PP", "-e", JSON_READER], data))
+
+
+def xmllint(data: bytes, path: str) -> str:
+    return run(["xmllint", "--nonet", "--xpath", path, "-"], data).decode("utf-8").strip()
+
+
+def tap_points(data: bytes) -> list:
+    """Pairs of ok and description, of a TAP 14 that has nothing else than its writer promised."""
+    lines = data.decode("utf-8").split("\n")
+    assert lines.pop() == "" and lines[0] == "TAP version 14"
+    points, inside = [], False
+    for line in lines[2:]:
+        if inside:
+            inside = line != "  ..."
+            assert not inside or re.fullmatch(
+                r'  (severity: \w+|comment:|message: "([^"\\]|\\.)*"|  - "([^"\\]|\\.)*")', line
+            ), line
+        elif line == "  ---":
+            inside = True
+        elif not line.startswith("# "):
+            ok, place, words = re.fullmatch(r"(ok|not ok) (\d+) - (.*)", line).groups()
+            points.append((ok == "ok", words))
+            assert int(place) == len(points)
+    assert lines[1] == f"1..{len(points)}" and not inside
+    return points
+
+
+def strict_csv(data: bytes) -> list:
+    """RFC 4180, section 2: CRLF ends each record; a quote only in quotes, doubled."""
+    text, rows, row, at = data.decode("utf-8"), [], [], 0
+    while at < len(text):
+        quoted = re.compile(r'"((?:[^"]|"")*)"').match(text, at)
+        plain = re.compile(r'[^",\r\n]*').match(text, at)
+        row.append(quoted[1].replace('""', '"') if quoted else plain[0])
+        at = (quoted or plain).end()
+        if text.startswith("\r\n", at):
+            rows.append(row)
+            row, at = [], at + 2
+        elif text.startswith(",", at):
+            at += 1
+        else:
+            raise ValueError(f"no comma and no end of line at {at}: {text[at - 20:at + 20]!r}")
+    assert not row
+    return rows
+
+
+class Page(html.parser.HTMLParser):
+    """What a page is made of: its tags, attributes, URLs and words."""
+
+    def __init__(self, text: str):
+        super().__init__(convert_charrefs=True)
+        self.tags, self.attributes, self.urls, self.words, self.open = [], set(), [], [], []
+        self.other = []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, name, attributes):
+        self.tags.append(name)
+        self.attributes |= {key for key, _ in attributes}
+        self.urls += [(key, value) for key, value in attributes if key in ("href", "src")]
+        if name not in ("meta", "img"):
+            self.open.append(name)
+
+    def handle_endtag(self, name):
+        assert self.open.pop() == name, name
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+    def handle_comment(self, data):
+        self.other.append(data)
+
+    def handle_pi(self, data):
+        self.other.append(data)
+
+    def unknown_decl(self, data):
+        self.other.append(data)
