@@ -32,7 +32,7 @@ endif
 # SANITIZE=address,undefined builds beside the ordinary build, not over it.
 comma := ,
 B := build$(if $(SANITIZE),/sanitize-$(subst $(comma),-,$(SANITIZE)))
-OUT := $(B)/$(A:/%=%)
+BUILT := $(B)/$(A:/%=%)
 
 # ---- compiling --------------------------------------------------------------------------------
 
@@ -107,11 +107,11 @@ FOR_ANSWERS = $(FOR_STUDENTS) -include $(B)/weak.h
 # An answer counts as changed when its text has changed: dates deceive where files are moved back.
 changed = $(shell .make/changed $(1) $(foreach s,$(STEMS),$(s):$(call answer_in,$(2),$(s))))
 answer_in = $(or $(wildcard $(1)/$(2).c),build/blanks/$(2).c)
-ANSWER_OBJECTS := $(STEMS:%=$(OUT)/%.o)
+ANSWER_OBJECTS := $(STEMS:%=$(BUILT)/%.o)
 ifneq ($(A),solutions)
-$(call changed,$(OUT),$(A))
+$(call changed,$(BUILT),$(A))
 $(ANSWER_OBJECTS): WARNINGS = $(FOR_ANSWERS)
-$(ANSWER_OBJECTS): $(OUT)/%.o: $(OUT)/%.sum $(B)/flags $(B)/weak.h build/blanks/%.c $(SETUP_FIRST)
+$(ANSWER_OBJECTS): $(BUILT)/%.o: $(BUILT)/%.sum $(B)/flags $(B)/weak.h build/blanks/%.c $(SETUP_FIRST)
 	$(call say,compile,$(call answer_in,$(A),$*))
 	$(Q)$(COMPILE) -o $@ $(call answer_in,$(A),$*)
 	@sed -i.bak 's|$(call answer_in,$(A),$*)||' $(@:.o=.d) && rm -f $(@:.o=.d.bak)
@@ -119,11 +119,11 @@ endif
 
 # ---- programs, scenes, pictures ---------------------------------------------------------------
 
-PROGRAMS := $(STEMS:%=$(OUT)/%)
+PROGRAMS := $(STEMS:%=$(BUILT)/%)
 chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c)))
 
 .SECONDEXPANSION:
-$(PROGRAMS): $(OUT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(B)/common.a
+$(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
 
@@ -142,32 +142,32 @@ $(SCENES): $(B)/scenes/%.nff: $$(B)/chapters/06-ray-casting/$$(firstword $$(subs
 	$(Q)mkdir -p $(@D)
 	$(Q)$< $(ARGUMENTS) > $@
 
-GALLERY := $(OUT)/gallery
+GALLERY := $(BUILT)/gallery
 CHAPTER_PICTURES := $(filter-out 06%,$(STEMS))
 PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(GENERATED) \
 	$(notdir $(basename $(wildcard chapters/06-ray-casting/*.nff))))
-$(CHAPTER_PICTURES:%=$(GALLERY)/%.png): $(GALLERY)/%.png: $(OUT)/%
+$(CHAPTER_PICTURES:%=$(GALLERY)/%.png): $(GALLERY)/%.png: $(BUILT)/%
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$< --picture $@
-$(GALLERY)/%.png: chapters/06-ray-casting/%.nff $(OUT)/06-ray-casting
+$(GALLERY)/%.png: chapters/06-ray-casting/%.nff $(BUILT)/06-ray-casting
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(OUT)/06-ray-casting -o $@ $<
-$(GALLERY)/%.png: $(B)/scenes/%.nff $(OUT)/06-ray-casting
+	$(Q)$(BUILT)/06-ray-casting -o $@ $<
+$(GALLERY)/%.png: $(B)/scenes/%.nff $(BUILT)/06-ray-casting
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(OUT)/06-ray-casting -o $@ $<
+	$(Q)$(BUILT)/06-ray-casting -o $@ $<
 
 # The stamp tells whether there was anything to do.
-$(OUT)/made: $(PROGRAMS) $(PICTURES) $(B)/compile_commands.json
+$(BUILT)/made: $(PROGRAMS) $(PICTURES) $(B)/compile_commands.json
 	@touch $@
 	@$(eval DONE := yes)
 
-all: $(OUT)/made ## build, and cast the pictures (ANSWERS=folder: by those)
-	@echo "$(if $(DONE),Done,Nothing to do: all is up to date). Programs: $(OUT)/NN-stem. Pictures: $(GALLERY)/"
+all: $(BUILT)/made ## build, and cast the pictures (ANSWERS=folder: by those)
+	@echo "$(if $(DONE),Done,Nothing to do: all is up to date). Programs: $(BUILT)/NN-stem. Pictures: $(GALLERY)/"
 
-setup: ## install what is missing (FOR=contributor: all of it)
+setup: ## install what is missing (FOR=instructor, contributor)
 	@.make/setup $(FOR)
 
 # ---- tests ------------------------------------------------------------------------------------
@@ -184,8 +184,8 @@ parts = $(patsubst %.c,$(B)/%.o,$(wildcard $(1)*.c))
 earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
 test_objects = $(call parts,tests/$(1)) $(TESTING) $(B)/tests/judge/main.o \
 	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
-TESTS := $(STEMS:%=$(OUT)/tests/%)
-$(TESTS): $(OUT)/tests/%: $(OUT)/%.o $$(call test_objects,$$*)
+TESTS := $(STEMS:%=$(BUILT)/tests/%)
+$(TESTS): $(BUILT)/tests/%: $(BUILT)/%.o $$(call test_objects,$$*)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -197,7 +197,7 @@ $(B)/reference.h: tests/exercises.table .make/proxies.awk
 $(B)/judge/proxies.c: tests/exercises.table .make/proxies.awk
 	$(Q)mkdir -p $(@D)
 	$(Q)awk -v make=proxies -f .make/proxies.awk $< > $@
-DISPATCHES := $(STEMS:%=$(B)/judge/dispatch-%.o)
+DISPATCHES := $(patsubst %,$(B)/judge/dispatch-%.o,$(STEMS) all)
 $(DISPATCHES:.o=.c): $(B)/judge/dispatch-%.c: tests/exercises.table .make/proxies.awk
 	$(Q)mkdir -p $(@D)
 	$(Q)awk -v make=dispatch -v stem=$* -f .make/proxies.awk $< > $@
@@ -255,17 +255,22 @@ $(SAME): $(B)/tests/judge/same_picture.o
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS)
 
-# What the shell scripts among the tests are told.
-FOR_TESTS = PROGRAMS='$(OUT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
+KIT := $(B)/grading
+CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
+	command -v objdump)
+
+# What the shell scripts among the tests are told. Grading has no sanitizers: a sandbox has no room.
+GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
+FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(TESTS) $(MATRICES)
-FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) $(JUDGES)
+FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
-	@$(FOR_TESTS) .make/check $(OUT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
+	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
 # What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it.
 check-all: $(CHECKS) $(FOR_CHECKS) ## those that need longer, too
-	@$(FOR_TESTS) .make/check $(OUT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
+	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
 
 # ---- the exercises ----------------------------------------------------------------------------
 
@@ -336,6 +341,74 @@ debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call test_objects,$(CH
 reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
 	@.make/reset build/blanks/$(CHOSEN).c exercises/$(CHOSEN).c
 
+# ---- grading ----------------------------------------------------------------------------------
+#
+# Everything that a sandbox shows of this tree is in KIT: the headers that an answer may include; for
+# each stem what the answering process holds besides the answer, linked in advance (which takes a
+# tenth of the time then); and the commands that use them.
+CONFINE := $(KIT)/confine
+SECCOMP_LIBS = $(if $(CAN_GRADE),$(shell pkg-config --libs libseccomp),$(error grading needs python3, \
+	objdump and libseccomp: 'make setup FOR=instructor' installs them))
+$(CONFINE): tests/grading/confine.c $(B)/flags
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) $(LANGUAGE) $(CFLAGS) $(STRICT) $(WERROR) -static -o $@ $< $(SECCOMP_LIBS)
+
+KIT_HEADER := $(KIT)/headers/answer.h
+$(KIT_HEADER): $(QUICK_HEADER) $(wildcard common/*.h exercises/*.h)
+	$(Q)mkdir -p $(@D)/common $(@D)/exercises
+	$(Q)cp common/*.h $(@D)/common && cp exercises/*.h $(@D)/exercises && cp $< $@
+	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(IS_CLANG),pch,gch) $@
+
+# The blanks, weak: of an answer from which functions are missing, those are not answered yet.
+KIT_BLANKS := $(STEMS:%=$(KIT)/link/blank-%.o)
+$(KIT_BLANKS): $(KIT)/link/blank-%.o: build/blanks/%.c $(B)/weak.h $(B)/flags
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c -o $@ $<
+
+library = $(shell $(CC) -print-file-name=$(1))
+C_LIBRARIES = $(foreach l,libm.a libc.a libgcc.a libgcc_eh.a,$(call library,$(l)))
+# What answers may be expected to call of the C library.
+IN_ADVANCE := printf fprintf snprintf puts fputs putchar malloc calloc free qsort memcpy memset \
+	strcmp rand abort __assert_fail sqrt fabs pow sin cos tan acos atan2 hypot floor ceil round fmin \
+	fmax fma fmod exp log copysign
+$(B)/tests/grading/entry.o: EXTRA = -fno-stack-protector
+KIT_LINKS := $(STEMS:%=$(KIT)/link/%.o)
+$(KIT_LINKS): $(KIT)/link/%.o: $(B)/tests/grading/entry.o $$(call answering,$$*)
+$(KIT)/link/%.o:
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)ld -r -o $@ $(IN_ADVANCE:%=-u %) $(foreach o,crt1.o crti.o crtbeginT.o,$(call library,$(o))) $^ \
+		--start-group $(C_LIBRARIES) --end-group
+
+# All chapters in one process, which draws a picture; and the picture that it should be.
+$(KIT)/link/all.o: $(B)/tests/grading/entry.o $(patsubst %,$(B)/tests/judge/%.o,answering wire) \
+	$(B)/judge/dispatch-all.o
+KIT_LINKS += $(KIT)/link/all.o
+LAST := $(lastword $(filter 06%,$(STEMS)))
+DRAW := $(B)/judge/picture
+$(DRAW): $(B)/tests/grading/picture.o $(B)/chapters/$(LAST)/scene_camera.o $(JUDGING) \
+		$(call parts,tests/mistakes/$(LAST)) $(B)/judge/lender-$(LAST).o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+SCENE_TO_DRAW := chapters/06-ray-casting/three-spheres.nff
+$(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
+	$(Q)$(DRAW) reference $(SCENE_TO_DRAW) $@
+
+$(KIT)/commands: Makefile $(if $(and $(UNSAFE),$(if $(CAN_GRADE),,yes)),,$(CONFINE)) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) $(B)/common.a .make/calls.awk \
+		$(KIT)/expected.png $(STEMS:%=$(B)/solutions/%.o)
+	$(Q)for s in $(STEMS); do cp $(B)/solutions/$$s.o $(KIT)/link/right-$$s.o; done
+	$(Q)cp $(B)/common.a $(KIT)/link/ && cp .make/calls.awk $(KIT)/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
+	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \
+		'COMPILE=$(CC) $(QUICK_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \
+		'LINK=ld -static -s -z noexecstack -e graded_start' \
+		'LIBRARIES=--start-group $(abspath $(KIT)/link/common.a) $(C_LIBRARIES) --end-group $(foreach \
+		o,crtend.o crtn.o,$(call library,$(o)))' > $@
+
+grade: $(KIT)/commands $(JUDGES) ## mark a class: SUBMISSIONS=dir OUT=build/grades
+	@[ -n '$(SUBMISSIONS)' ] || { echo 'grade what? Say: make grade SUBMISSIONS=folder' >&2; exit 2; }
+	@python3 -B tests/grading/grade.py $(KIT) '$(SUBMISSIONS)' --out '$(or $(OUT),build/grades)' $(if $(POLICY),--policy '$(POLICY)')
+
 skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
 	@.make/skeletons $(BLANKS)
 
@@ -369,5 +442,5 @@ clean: ## remove what was built
 help: ## this
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all setup check check-all bench exercises watch hint debug reset skeletons format format-check tidy clean help
+.PHONY: all setup check check-all bench grade exercises watch hint debug reset skeletons format format-check tidy clean help
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

@@ -18,6 +18,9 @@ bool switch_one(const char *exercise, AnyFunction *answer);
 // tests.
 void switch_to_process(const char *stem);
 
+// From now on it answers everything, in whatever test.
+void switch_all_to_process(void);
+
 // The function that answers exercise number i in this process; NULL: ask the answering process.
 AnyFunction *local_answer(int i);
 

@@ -1,0 +1,93 @@
+"""sandbox - what stands between hostile code and this machine.
+
+Compiling and linking: in a file system that shows the compiler and one folder (bubblewrap), and under
+Landlock, seccomp and limits (confine.c). Judging: the judge in a file system of its own, the answers
+under confine. Where user namespaces are not to be had, confine alone does it.
+"""
+import os
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+# What a compiler needs of the system; nothing of people's.
+SYSTEM = ["/usr/bin", "/usr/lib", "/usr/lib32", "/usr/lib64", "/usr/libexec", "/usr/include", "/bin", "/lib",
+          "/lib32", "/lib64", "/etc/alternatives", "/etc/ld.so.cache"]
+ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C", "TMPDIR": "/tmp"}
+
+
+@dataclass(frozen=True)
+class Sandbox:
+    name: str          # as the reports say it
+    bubblewrap: bool
+    confine: str       # the program; '' where there is none
+    unsafe: bool = False
+
+    def compiler(self, folder: Path, readable: list[str], command: list[str]) -> list[str]:
+        """The command, that can write to the folder, and read it and what is readable."""
+        if self.confine:
+            # /tmp is the sandbox's own there; without bubblewrap the folder has to do (run sets TMPDIR).
+            writable = ["/tmp"] if self.bubblewrap else []
+            command = [self.confine, "compile", str(folder), *writable, "-", *readable, *SYSTEM, "--", *command]
+        return self.view(folder, [*readable, self.confine], command)
+
+    def view(self, folder: Path, readable: list[str], command: list[str]) -> list[str]:
+        """The command in a file system that has only the folder and what is readable."""
+        if not self.bubblewrap:
+            return command
+        view = ["bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL",
+                "--hostname", "sandbox", "--dev", "/dev", "--proc", "/proc", "--size", str(64 << 20),
+                "--tmpfs", "/tmp"]
+        for place in SYSTEM:
+            if os.path.islink(place) and os.path.isdir(place):
+                view += ["--symlink", os.readlink(place), place]
+            elif os.path.exists(place):
+                view += ["--ro-bind", place, place]
+        for place in readable:
+            if place:
+                view += ["--ro-bind", place, place]
+        return [*view, "--bind", str(folder), str(folder), "--chdir", str(folder), "--", *command]
+
+    def run(self, command: list[str], folder: Path, seconds: float, environment: dict[str, str] | None = None) -> bool:
+        """Whether it ended by itself, and well. Nothing of it is left then."""
+        there = {**ENVIRONMENT, **(environment or {})}
+        if not self.bubblewrap:
+            there["TMPDIR"] = str(folder)
+        process = subprocess.Popen(command, cwd=folder, env=there, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            return process.wait(seconds) == 0
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+            return False
+
+
+def _works(command: list[str]) -> str | None:
+    try:
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=20, text=True)
+    except (OSError, subprocess.TimeoutExpired):
+        return None
+    return done.stdout if done.returncode == 0 else None
+
+
+def choose(confine: Path, wanted: str, unsafe: bool) -> Sandbox:
+    """The best that this machine has; with a name, that one or none. SystemExit where there is none."""
+    kernel = (_works([str(confine), "probe"]) or "").split() if confine.exists() else []
+    bubblewrap = shutil.which("bwrap") is not None and _works(
+        ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]) is not None
+    if wanted not in ("", "bubblewrap", "landlock", "none"):
+        raise SystemExit(f"SANDBOX={wanted}: expected bubblewrap, landlock or none")
+    if "seccomp" in kernel and bubblewrap and wanted in ("", "bubblewrap"):
+        also = ", Landlock" if "landlock" in kernel else ""
+        return Sandbox(f"bubblewrap{also}, seccomp", True, str(confine))
+    if "seccomp" in kernel and "landlock" in kernel and wanted in ("", "landlock"):
+        return Sandbox("Landlock, seccomp", False, str(confine))
+    if unsafe and wanted in ("", "none"):
+        return Sandbox("none", False, "", True)
+    missing = {"bubblewrap": bubblewrap, "Landlock": "landlock" in kernel, "seccomp": "seccomp" in kernel}
+    raise SystemExit(
+        "grade: no sandbox here" + (f" of the kind SANDBOX={wanted}" if wanted else "") + ". It takes seccomp, and "
+        "bubblewrap or Landlock; missing:\n  " + ", ".join(name for name, there in missing.items() if not there) +
+        "\n  'make setup FOR=instructor' installs what can be installed. UNSAFE=1 runs what students wrote\n"
+        "  as you, with all that you may do; every report will say so.")
