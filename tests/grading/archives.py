@@ -42,7 +42,7 @@ def read_whole(search, parts, size: int, read) -> int:
     except Exception as error:  # whatever the libraries make of what is broken on purpose
         answers.unreadable(search, parts, f"cannot be read: {why(error)}")
         return answers.LARGEST
-    if len(raw) != size:  # larger than an answer may be, or not
+    if len(raw) != size:
         answers.unreadable(search, parts, "cannot be read: it is not as long as the archive says")
     else:
         answers.found(search, parts, raw)

@@ -49,11 +49,13 @@ class Bombs(Archive):
         self.assertTrue(self.bounded().empty)
 
     def test_a_zip_of_100000_empty_members_is_looked_at_in_part(self):
-        whole = zipped((FIVE, b"x"), ("e", b""))
-        at, empty, end = whole.index(b"PK\1\2"), whole.rindex(b"PK\1\2"), whole.index(b"PK\5\6")
-        table = whole[at:empty] + whole[empty:end] * 100000
+        whole = zipped(("01-corners.c", b"x"), (FIVE, b"x"), ("e", b""))
+        one, five, empty = (b"PK\1\2" + entry for entry in
+                            whole[:whole.index(b"PK\5\6")].split(b"PK\1\2")[1:])
+        at, table = whole.index(b"PK\1\2"), five + empty * 100000 + one
         self.archive("anna.zip", whole[:at] + table + end_of_zip(len(table), at))
         collected = self.bounded()
+        self.assertEqual(collected.answers["01-corners"].state, "missing")
         self.assertEqual(self.five(collected)[0], "found")
         self.assertEqual(collected.words, "holds more than 50000 members; no more were looked at")
 
