@@ -6,6 +6,7 @@
 passed=0
 failed=0
 here=$(pwd)
+unset SEED # the public inputs, unless a test says otherwise
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 
