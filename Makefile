@@ -349,10 +349,10 @@ reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
 CONFINE := $(KIT)/confine
 SECCOMP_LIBS = $(if $(CAN_GRADE),$(shell pkg-config --libs libseccomp),$(error grading needs python3, \
 	objdump and libseccomp: 'make setup FOR=instructor' installs them))
-$(CONFINE): tests/grading/confine.c $(B)/flags
+$(CONFINE): $(patsubst %,$(B)/tests/grading/confine/%.o,confine landlock system_calls)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(LANGUAGE) $(CFLAGS) $(STRICT) $(WERROR) -static -o $@ $< $(SECCOMP_LIBS)
+	$(Q)$(LINK) -static -o $@ $^ $(SECCOMP_LIBS)
 
 KIT_HEADER := $(KIT)/headers/answer.h
 $(KIT_HEADER): $(QUICK_HEADER) $(wildcard common/*.h exercises/*.h)
@@ -372,9 +372,9 @@ C_LIBRARIES = $(foreach l,libm.a libc.a libgcc.a libgcc_eh.a,$(call library,$(l)
 IN_ADVANCE := printf fprintf snprintf puts fputs putchar malloc calloc free qsort memcpy memset \
 	strcmp rand abort __assert_fail sqrt fabs pow sin cos tan acos atan2 hypot floor ceil round fmin \
 	fmax fma fmod exp log copysign
-$(B)/tests/grading/entry.o: EXTRA = -fno-stack-protector
+$(B)/tests/grading/confine/entry.o: EXTRA = -fno-stack-protector
 KIT_LINKS := $(STEMS:%=$(KIT)/link/%.o)
-$(KIT_LINKS): $(KIT)/link/%.o: $(B)/tests/grading/entry.o $$(call answering,$$*)
+$(KIT_LINKS): $(KIT)/link/%.o: $(B)/tests/grading/confine/entry.o $$(call answering,$$*)
 $(KIT)/link/%.o:
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
@@ -382,7 +382,7 @@ $(KIT)/link/%.o:
 		--start-group $(C_LIBRARIES) --end-group
 
 # All chapters in one process, which draws a picture; and the picture that it should be.
-$(KIT)/link/all.o: $(B)/tests/grading/entry.o $(patsubst %,$(B)/tests/judge/%.o,answering wire) \
+$(KIT)/link/all.o: $(B)/tests/grading/confine/entry.o $(patsubst %,$(B)/tests/judge/%.o,answering wire) \
 	$(B)/judge/dispatch-all.o
 KIT_LINKS += $(KIT)/link/all.o
 LAST := $(lastword $(filter 06%,$(STEMS)))
@@ -418,7 +418,7 @@ bench: $(JUDGES) ## how long from save to verdict
 # ---- the habits of the house ------------------------------------------------------------------
 
 C_SOURCES = $(wildcard common/*.[ch] chapters/*/*.[ch] exercises/*.h solutions/*.c \
-	tests/*.[ch] tests/*/*.[ch])
+	tests/*.[ch] tests/*/*.[ch] tests/grading/confine/*.[ch])
 format: ## lay out the C sources (clang-format)
 	clang-format -i $(C_SOURCES)
 
