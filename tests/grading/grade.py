@@ -17,12 +17,11 @@ import time
 import traceback
 from pathlib import Path
 
+from collect import submissions
 import exercises as table
-import policy as policies
-import report_text
-import reports
-import submissions
 from marking import Bench, mark, read_kit
+import policy as policies
+from report import files, text
 from sandbox import choose
 
 MOST_SECONDS = 600      # for one submission, whatever happens
@@ -126,7 +125,7 @@ class Grader:
 
     def record(self, submission) -> dict | None:
         try:
-            return reports.read_record(str(self.results(submission)))
+            return files.read_record(str(self.results(submission)))
         except (OSError, ValueError):
             return None
 
@@ -170,7 +169,7 @@ class Grader:
         return DONE
 
     def write(self, submission, record: dict) -> None:
-        reports.write_submission(record, str(self.results(submission).parent))
+        files.write_submission(record, str(self.results(submission).parent))
 
     def give_up_on(self, submission, status: str, words: str) -> None:
         """Where the process that marks did not come to its end."""
@@ -320,8 +319,8 @@ def main() -> int:
         print(f"{len(todo)} of {len(found)} submissions are of this shard; {missing} of the class have no result yet.\n"
               "When all shards are done, 'make grade' once more, without SHARD, writes the reports.")
         return 0 if given.shard else 1
-    reports.write_class(records, str(grader.out))
-    print(report_text.closing(records))
+    files.write_class(records, str(grader.out))
+    print(text.closing(records))
     print(f"Took {time.monotonic() - began:.1f} s. Reports: {given.out}/index.html")
     return 0
 

@@ -14,8 +14,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Optional
 
+from collect.names import short, visible
 import exercises as table
-from names import short, visible
 
 DEFAULT = Path(__file__).resolve().parent / "policy"
 NUMBER = re.compile(r"\d{1,5}(\.\d{1,2})?", re.ASCII)

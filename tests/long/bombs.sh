@@ -5,4 +5,4 @@ if ! command -v python3 >/dev/null 2>&1; then
     echo "bombs: 0 passed, 0 failed"
     exit 0
 fi
-exec python3 -B tests/grading/run_tests.py bombs test_bombs
+exec python3 -B tests/grading/check/run_tests.py bombs test_bombs

@@ -5,5 +5,5 @@ if ! command -v python3 >/dev/null 2>&1; then
     echo "submissions: 0 passed, 0 failed"
     exit 0
 fi
-exec python3 -B tests/grading/run_tests.py submissions test_names test_submissions test_folders test_archives \
+exec python3 -B tests/grading/check/run_tests.py submissions test_names test_submissions test_folders test_archives \
     test_broken_archives test_policy

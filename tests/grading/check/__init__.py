@@ -1,0 +1,1 @@
+"""check - the tests of the grader. run_tests.py runs them."""

@@ -1,0 +1,1 @@
+"""collect - what is a submission, and the answers that are found in it."""

@@ -1,0 +1,1 @@
+"""report - everything that is written of marked submissions."""

@@ -1,0 +1,85 @@
+"""figures.py - a class in figures: how the scores lie, and what went wrong most.
+
+Everybody counts, also who handed in nothing.
+"""
+import statistics
+
+from .comment import mistake_words, sentence
+
+BINS = 10
+MOST = 8  # that many are explained again
+
+
+def percent(record: dict) -> float:
+    return 100 * record["score"] / record["max"] if record["max"] > 0 else 0
+
+
+def bins(records: list) -> list:
+    """Pairs: '0-9', how many; the last is 90-100, in percent of what could be had."""
+    count = [0] * BINS
+    for record in records:
+        count[min(max(int(percent(record) / BINS), 0), BINS - 1)] += 1
+    ends = [f"{10 * i}-{10 * i + 9 if i < BINS - 1 else 100}" for i in range(BINS)]
+    return list(zip(ends, count))
+
+
+def quartiles(records: list) -> tuple:
+    """Lower quartile, median, upper quartile of the scores."""
+    scores = [record["score"] for record in records]
+    if len(scores) < 2:
+        return tuple(scores * 3) if scores else (0, 0, 0)
+    return tuple(statistics.quantiles(scores, n=4, method="inclusive"))
+
+
+def trouble(function: dict):
+    """What kind of thing went wrong, as a key and a sentence; None where nothing did."""
+    if function["state"] in ("timed out", "crashed"):
+        return function["state"], f"{function['state']}: {function['how'] or sentence(function)}"
+    if function["state"] != "wrong":
+        return None
+    if function["mistake"]:
+        return "mistake " + function["mistake"]["id"], mistake_words(function["mistake"])
+    return "test " + function["test"], "fails: " + sentence(function)
+
+
+def most_made(records: list) -> list:
+    """Dicts: stem, function, sentence, who (their records), the most frequent first."""
+    made = {}
+    for record in records:
+        for stem in record["stems"]:
+            if stem["state"] != "judged":
+                continue
+            for function in stem["functions"]:
+                found = trouble(function)
+                if found:
+                    key = (stem["stem"], function["name"], found[0])
+                    made.setdefault(
+                        key,
+                        {
+                            "stem": stem["stem"],
+                            "function": function["name"],
+                            "sentence": found[1],
+                            "who": [],
+                        },
+                    )["who"].append(record)
+    # Of equals, those that have a name first: they can be explained.
+    order = sorted(
+        made, key=lambda key: (-len(made[key]["who"]), not key[2].startswith("mistake"), key)
+    )
+    shared = [key for key in order if len(made[key]["who"]) > 1]
+    return [made[key] for key in (shared or order)[:MOST]]
+
+
+def not_answered(records: list) -> list:
+    """Pairs: what ('06-ray-casting nearest_hit', or a stem without its file), how many."""
+    count = {}
+    for record in records:
+        for stem in record["stems"]:
+            if stem["state"] == "missing":
+                count[stem["stem"]] = count.get(stem["stem"], 0) + 1
+            elif stem["state"] == "judged":
+                for function in stem["functions"]:
+                    if function["state"] == "unanswered":
+                        what = f"{stem['stem']} {function['name']}"
+                        count[what] = count.get(what, 0) + 1
+    return sorted(count.items(), key=lambda pair: (-pair[1], pair[0]))[:MOST]

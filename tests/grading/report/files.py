@@ -1,0 +1,72 @@
+"""files.py - writes every report that is a file, each whole or not at all.
+
+A file is written beside its place and then renamed, so a reader, or a grader that was killed, finds
+the older one or the new one and nothing between. results.json comes last: where it is, all is.
+"""
+import glob
+import json
+import os
+import secrets
+import time
+
+from .ci import grades_tap, junit_xml
+from .gradebook import grades_csv
+from .gradescope import results_json
+from .html import submission_page
+from .html_class import class_page
+
+STALE = 3600  # seconds; what is older was left by a grader that was killed
+
+
+def put(folder: str, name: str, content) -> None:
+    data = content if isinstance(content, bytes) else content.encode("utf-8")
+    pattern = os.path.join(glob.escape(folder), f".{name}.*.new")
+    for left in glob.glob(pattern):
+        try:
+            if time.time() - os.lstat(left).st_mtime > STALE:
+                os.unlink(left)
+        except OSError:
+            pass  # another grader was there first
+    new = os.path.join(folder, f".{name}.{secrets.token_hex(6)}.new")
+    try:
+        with open(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666), "wb") as file:
+            file.write(data)
+        os.replace(new, os.path.join(folder, name))
+    except BaseException:
+        if os.path.lexists(new):
+            os.unlink(new)
+        raise
+
+
+def write_submission(record: dict, folder_path: str) -> None:
+    """index.html and results.json, in the folder that already holds the record's pictures."""
+    os.makedirs(folder_path, exist_ok=True)
+    page, results = submission_page(record, folder_path), results_json(record)
+    put(folder_path, "index.html", page)
+    put(folder_path, "results.json", results)
+
+
+def write_class(records: list, out_path: str) -> None:
+    os.makedirs(out_path, exist_ok=True)
+    reports = {
+        "grades.csv": grades_csv,
+        "junit.xml": junit_xml,
+        "grades.tap": grades_tap,
+        "index.html": class_page,
+    }
+    for name, report in reports.items():
+        put(out_path, name, report(records))
+
+
+def read_record(results_json_path: str) -> dict:
+    """The record that write_submission kept; ValueError where the file is none of ours."""
+    with open(results_json_path, encoding="utf-8") as file:
+        results = json.load(file)
+    try:
+        record = dict(results["extra_data"]["record"])
+        record["submission"], record["stems"]
+    except (KeyError, TypeError) as error:
+        raise ValueError(f"{results_json_path} holds no record") from error
+    # Links lead to where it lies, whatever it was called when it was written.
+    record["folder"] = os.path.basename(os.path.dirname(os.path.abspath(results_json_path)))
+    return record

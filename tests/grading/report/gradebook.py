@@ -1,0 +1,44 @@
+"""gradebook.py - grades.csv: one row per submission, for the grade book.
+
+RFC 4180, UTF-8, lines end in CRLF. A spreadsheet runs a cell that begins with = + - or @, so such a
+cell begins with an apostrophe instead; and since some split at semicolons, whatever is more than
+letters, digits and a few signs is quoted.
+"""
+import csv
+import io
+import re
+
+from visible import clean, number
+from .points import in_order
+
+RUNS = "=+-@\t\r\n" + "＝＋－＠"  # the wide ones are signs, too, where Excel speaks Japanese
+PLAIN = re.compile(r"[\w ./:-]*", re.ASCII)
+
+
+def cell(text: str) -> str:
+    return "'" + text if text.lstrip(" ")[:1] and text.lstrip(" ")[0] in RUNS else text
+
+
+def stems_of(records: list) -> list:
+    return sorted({stem["stem"] for record in records for stem in record["stems"]})
+
+
+def grades_csv(records: list) -> str:
+    records = in_order([clean(record) for record in records])
+    stems = stems_of(records)
+    rows = [["submission", "status", "score", "max"] + stems]
+    for record in records:
+        marks = {stem["stem"]: stem["score"] for stem in record["stems"]}
+        status = record["status"] + (" (UNSAFE: no sandbox)" if record["unsafe"] else "")
+        rows.append(
+            [record["submission"], status, number(record["score"]), number(record["max"])]
+            + [number(marks.get(stem, 0)) for stem in stems]
+        )
+    out = io.StringIO(newline="")
+    for row in rows:
+        row = [cell(text) for text in row]
+        plain = all(PLAIN.fullmatch(text) for text in row)
+        csv.writer(
+            out, lineterminator="\r\n", quoting=csv.QUOTE_MINIMAL if plain else csv.QUOTE_ALL
+        ).writerow(row)
+    return out.getvalue()

@@ -1,0 +1,102 @@
+"""text.py - the terminal at the end: the table, the scores, what to explain again.
+
+80 columns. A long class is shortened to who needs a look: those without an ordinary result, and the
+lowest scores; everybody is in grades.csv.
+"""
+from visible import clean, fitted, number
+from .comment import wrapped
+from .figures import bins, most_made, not_answered, quartiles
+from .gradebook import stems_of
+from .points import UNSAFE, in_order
+
+COLUMNS = 79
+LONG_CLASS = 40  # up to so many are all shown
+SHOWN_OF_LONG = 12  # of each kind, else
+
+
+def who_is_shown(records: list) -> list:
+    if len(records) <= LONG_CLASS:
+        return records
+    odd = [record for record in records if record["status"] != "graded"][:SHOWN_OF_LONG]
+    rest = [record for record in records if record["status"] == "graded"]
+    low = sorted(rest, key=lambda record: record["score"])[:SHOWN_OF_LONG]
+    chosen = {id(record) for record in odd + low}
+    return [record for record in records if id(record) in chosen]
+
+
+def table(records: list) -> list:
+    stems, shown = stems_of(records), who_is_shown(records)
+    column = 6 if len(stems) <= 6 else 5
+    status = max([6] + [len(record["status"]) for record in shown])
+    name = COLUMNS - (1 + status) - 7 - column * len(stems)
+    lines = [
+        fitted("submission", name)
+        + " "
+        + fitted("status", status)
+        + "  score"
+        + "".join(stem[:2].rjust(column) for stem in stems)
+    ]
+    for record in shown:
+        marks = {stem["stem"]: number(stem["score"]) for stem in record["stems"]}
+        lines.append(
+            fitted(record["submission"], name)
+            + " "
+            + fitted(record["status"], status)
+            + number(record["score"]).rjust(7)
+            + "".join(marks.get(stem, "").rjust(column) for stem in stems)
+        )
+    if len(shown) < len(records):
+        lines.append(
+            f"... and {len(records) - len(shown)} more; above are those without an ordinary "
+            "result and the lowest."
+        )
+        lines.append("Everybody is in grades.csv and index.html.")
+    return lines
+
+
+def distribution(records: list) -> list:
+    counted = bins(records)
+    unit = max(1, max(count for _, count in counted) / 50)
+    lines = ["Scores, in percent of what could be had"]
+    for ends, count in reversed(counted):
+        bar = "#" * max(round(count / unit), 1 if count else 0)
+        lines.append(f"  {ends:>6}  {bar + (' ' if bar else '')}{count or ''}".rstrip())
+    low, middle, high = quartiles(records)
+    lines.append(f"  median {number(middle)}, the middle half from {number(low)} to {number(high)}")
+    return lines
+
+
+def mistakes(records: list) -> list:
+    lines = []
+    for made in most_made(records):
+        lines += [f"  {len(made['who']):>3} of {len(records)}  {made['stem']}  {made['function']}"]
+        lines += wrapped("", made["sentence"], 6)
+    if lines:
+        lines = ["Made most: what to explain again next week"] + lines
+    blanks = [f"{what} ({count})" for what, count in not_answered(records)]
+    if blanks:
+        lines += ["Not answered, or no file"] + wrapped("", ", ".join(blanks), 6)
+    return lines
+
+
+def closing(records: list) -> str:
+    records = in_order([clean(record) for record in records])
+    if not records:
+        return "No submissions.\n"
+    seeds = sorted({str(record["seed"]) for record in records})
+    boxes = sorted({record["sandbox"] for record in records if record["sandbox"]})
+    loud = [UNSAFE] if any(record["unsafe"] for record in records) else []
+    blocks = [
+        loud,
+        table(records),
+        distribution(records),
+        mistakes(records),
+        wrapped(
+            "",
+            f"{len(records)} submissions. Seed {', '.join(seeds)}. "
+            f"Sandbox: {'; '.join(boxes) or 'none'}.",
+            0,
+        ),
+        loud,
+    ]
+    return "\n\n".join("\n".join(block) for block in blocks if block) + "\n"
