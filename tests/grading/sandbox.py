@@ -1,9 +1,11 @@
-"""sandbox - what stands between hostile code and this machine.
+"""sandbox.py - what stands between hostile code and this machine.
 
 Compiling and linking: in a file system that shows the compiler and one folder (bubblewrap), and under
 Landlock, seccomp and limits (confine.c). Judging: the judge in a file system of its own, the answers
 under confine. Where user namespaces are not to be had, confine alone does it.
 """
+from __future__ import annotations
+
 import os
 import shutil
 import subprocess
@@ -27,8 +29,8 @@ class Sandbox:
         """The command, that can write to the folder, and read it and what is readable."""
         if self.confine:
             # /tmp is the sandbox's own there; without bubblewrap the folder has to do (run sets TMPDIR).
-            writable = ["/tmp"] if self.bubblewrap else []
-            command = [self.confine, "compile", str(folder), *writable, "-", *readable, *SYSTEM, "--", *command]
+            writable = [str(folder), "/tmp"] if self.bubblewrap else [str(folder)]
+            command = [self.confine, "compile", *writable, "-", *readable, *SYSTEM, "--", *command]
         return self.view(folder, [*readable, self.confine], command)
 
     def view(self, folder: Path, readable: list[str], command: list[str]) -> list[str]:
@@ -48,9 +50,9 @@ class Sandbox:
                 view += ["--ro-bind", place, place]
         return [*view, "--bind", str(folder), str(folder), "--chdir", str(folder), "--", *command]
 
-    def run(self, command: list[str], folder: Path, seconds: float, environment: dict[str, str] | None = None) -> bool:
+    def run(self, command: list[str], folder: Path, seconds: float, environment: dict[str, str]) -> bool:
         """Whether it ended by itself, and well. Nothing of it is left then."""
-        there = {**ENVIRONMENT, **(environment or {})}
+        there = {**ENVIRONMENT, **environment}
         if not self.bubblewrap:
             there["TMPDIR"] = str(folder)
         process = subprocess.Popen(command, cwd=folder, env=there, stdin=subprocess.DEVNULL,
@@ -63,7 +65,8 @@ class Sandbox:
             return False
 
 
-def _works(command: list[str]) -> str | None:
+def says(command: list[str]) -> str | None:
+    """What it prints, where it works."""
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=20, text=True)
     except (OSError, subprocess.TimeoutExpired):
@@ -73,8 +76,8 @@ def _works(command: list[str]) -> str | None:
 
 def choose(confine: Path, wanted: str, unsafe: bool) -> Sandbox:
     """The best that this machine has; with a name, that one or none. SystemExit where there is none."""
-    kernel = (_works([str(confine), "probe"]) or "").split() if confine.exists() else []
-    bubblewrap = shutil.which("bwrap") is not None and _works(
+    kernel = (says([str(confine), "probe"]) or "").split() if confine.exists() else []
+    bubblewrap = shutil.which("bwrap") is not None and says(
         ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]) is not None
     if wanted not in ("", "bubblewrap", "landlock", "none"):
         raise SystemExit(f"SANDBOX={wanted}: expected bubblewrap, landlock or none")
@@ -85,9 +88,10 @@ def choose(confine: Path, wanted: str, unsafe: bool) -> Sandbox:
         return Sandbox("Landlock, seccomp", False, str(confine))
     if unsafe and wanted in ("", "none"):
         return Sandbox("none", False, "", True)
-    missing = {"bubblewrap": bubblewrap, "Landlock": "landlock" in kernel, "seccomp": "seccomp" in kernel}
+    there = {"bubblewrap": bubblewrap, "Landlock": "landlock" in kernel, "seccomp": "seccomp" in kernel}
+    kind = f" of the kind SANDBOX={wanted}" if wanted else ""
     raise SystemExit(
-        "grade: no sandbox here" + (f" of the kind SANDBOX={wanted}" if wanted else "") + ". It takes seccomp, and "
-        "bubblewrap or Landlock; missing:\n  " + ", ".join(name for name, there in missing.items() if not there) +
-        "\n  'make setup FOR=instructor' installs what can be installed. UNSAFE=1 runs what students wrote\n"
+        f"grade: no sandbox here{kind}. It takes seccomp, and bubblewrap or Landlock; missing:\n"
+        f"  {', '.join(name for name in there if not there[name])}\n"
+        "  'make setup FOR=instructor' installs what can be installed. UNSAFE=1 runs what students wrote\n"
         "  as you, with all that you may do; every report will say so.")

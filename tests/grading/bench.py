@@ -1,0 +1,89 @@
+"""bench.py - where one submission is worked on, each step in a sandbox of its own.
+
+The steps are shell, so that one sandbox serves all files of a submission. What they are shown of this
+project is the kit, which the Makefile makes.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from sandbox import Sandbox
+
+COMPILE_SECONDS = 60   # for a submission's files together; each has five of work (confine.c)
+JUDGE_SECONDS = 240    # for all its functions; each has one of work a call (judge/call.c)
+
+COMPILE = 'for stem; do $COMPILE -o "$stem.o" "$stem.c" 2>"$stem.words"; done; true'
+LINK = '''for stem; do
+    $LINK -o "$stem.exe" "$stem.o" "$KIT/link/$stem.o" "$KIT/link/blank-$stem.o" $LIBRARIES \\
+        2>"$stem.words"
+done; true'''
+JUDGE = 'for stem; do mkdir -p "$stem.d" && "$JUDGES/$stem" "$stem.exe" "$stem.d"; done; true'
+# Which functions that failed call others that are not right, and for each a program with those lent.
+LEND = '''for stem; do
+    objdump -r "$stem.o" |
+        awk -v table="$stem.d/table" -v states="wrong waiting" -f "$KIT/calls.awk" >"$stem.calls"
+    while read -r name others; do
+        lent=""
+        for other in $others; do lent="$lent --defsym=$other=lent_$other"; done
+        $LINK $lent -o "$stem.$name.exe" "$stem.o" "$KIT/link/$stem.o" "$KIT/link/blank-$stem.o" \\
+            $LIBRARIES
+    done <"$stem.calls"
+done; true'''
+JUDGE_LENT = '''for stem; do
+    while read -r name others; do
+        "$JUDGES/$stem" "$stem.$name.exe" --only "$name" $others >"$stem.$name.asked" &&
+            : >"$stem.$name.passed"
+    done <"$stem.calls"
+done; true'''
+# One process of all chapters, which draws a picture. Chapters that use one name for two helpers do not
+# fit into one process, and there is none then.
+LINK_ALL = '$LINK -o all.exe "$@" "$KIT"/link/all.o "$KIT"/link/blank-*.o $LIBRARIES'
+DRAW = '"$JUDGES/picture" all.exe "$JUDGES/scene.nff" yours.png'
+
+
+@dataclass(frozen=True)
+class Kit:
+    folder: Path
+    judges: Path
+    commands: dict[str, str]   # COMPILE, LINK, LIBRARIES
+
+    def environment(self) -> dict[str, str]:
+        return {**self.commands, "KIT": str(self.folder), "JUDGES": str(self.judges)}
+
+
+def read_kit(folder: Path) -> Kit:
+    lines = (folder / "commands").read_text().splitlines()
+    commands = dict(line.split("=", 1) for line in lines)
+    return Kit(folder, Path(commands.pop("JUDGES")), commands)
+
+
+def shell(script: str, words: list[str]) -> list[str]:
+    return ["/bin/sh", "-c", script, "sh", *words]
+
+
+@dataclass(frozen=True)
+class Bench:
+    kit: Kit
+    sandbox: Sandbox
+    folder: Path
+    seed: int
+
+    def compile(self, script: str, words: list[str]) -> bool:
+        return self._build(script, words, ["headers"])
+
+    def link(self, script: str, words: list[str]) -> bool:
+        return self._build(script, words, ["link", "calls.awk"])
+
+    def _build(self, script: str, words: list[str], of_kit: list[str]) -> bool:
+        readable = [str(self.kit.folder / name) for name in of_kit]
+        command = self.sandbox.compiler(self.folder, readable, shell(script, words))
+        return self.sandbox.run(command, self.folder, COMPILE_SECONDS, self.kit.environment())
+
+    def judge(self, script: str, words: list[str]) -> bool:
+        readable = [str(self.kit.judges), self.sandbox.confine]
+        command = self.sandbox.view(self.folder, readable, shell(script, words))
+        environment = {**self.kit.environment(), "SEED": str(self.seed)}
+        if self.sandbox.confine:
+            environment["CONFINE"] = self.sandbox.confine
+        return self.sandbox.run(command, self.folder, JUDGE_SECONDS, environment)

@@ -1,0 +1,130 @@
+"""grader.py - one submission from its folder or archive to its results.json.
+
+What has results already, of the same files, seed, policy, tests and sandbox, is kept: so a grader that
+was stopped goes on where it was.
+"""
+from __future__ import annotations
+
+import argparse
+import hashlib
+import resource
+import shutil
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+import exercises as table
+import policy as policies
+from bench import Bench, read_kit
+from collect import submissions
+from collect.answers import Collected
+from collect.submissions import Submission
+from marking import mark
+from report import files
+from sandbox import choose
+from settings import seed_of_class
+
+DONE, KEPT = 0, 3       # exit statuses of the process that marks
+# Hostile archives get less memory and time than the process that opens them has.
+COLLECTING = {resource.RLIMIT_AS: 2 << 30, resource.RLIMIT_CPU: 60}
+
+
+def sum_of_files(paths: list[Path]) -> str:
+    total = hashlib.sha256()
+    for path in paths:
+        total.update(path.read_bytes())
+    return total.hexdigest()
+
+
+@contextmanager
+def limited(limits: dict[int, int]):
+    before = {what: resource.getrlimit(what) for what in limits}
+    for what, most in limits.items():
+        hard = before[what][1]
+        soft = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        resource.setrlimit(what, (soft, hard))
+    try:
+        yield
+    finally:
+        for what, limit in before.items():
+            resource.setrlimit(what, limit)
+
+
+class Grader:
+    """What does not change from one submission to the next."""
+
+    def __init__(self, given: argparse.Namespace):
+        self.out = given.out.resolve()
+        self.exercises = table.read()
+        self.stems = table.stems(self.exercises)
+        self.policy = policies.load(given.policy, self.exercises)
+        self.kit = read_kit(given.kit.resolve())
+        self.sandbox = choose(given.kit.resolve() / "confine", given.sandbox, given.unsafe)
+        self.out.mkdir(parents=True, exist_ok=True)
+        self.seed = seed_of_class(self.out, given.seed)
+        part, parts = given.shard or (1, 1)
+        self.work = self.out / ".work" / f"{part}-of-{parts}"
+        judges = sorted(path for path in self.kit.judges.iterdir() if path.name in self.stems)
+        confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
+        self.tests = sum_of_files([given.policy, table.TABLE, *judges,
+                                   *sorted((self.kit.folder / "link").iterdir()),
+                                   self.kit.folder / "commands", *confine])
+
+    def key(self, collected: Collected) -> str:
+        """Changes with everything that the marks depend on."""
+        parts = [submissions.digest(collected), str(self.seed), self.tests, self.sandbox.name]
+        if self.policy.due is not None:
+            parts.append(str(collected.when))
+        return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+
+    def place(self, submission: Submission) -> Path:
+        return self.out / submission.folder
+
+    def record(self, submission: Submission) -> dict | None:
+        try:
+            return files.read_record(str(self.place(submission) / "results.json"))
+        except (OSError, ValueError):
+            return None
+
+    def mark(self, submission: Submission) -> int:
+        """In a process of its own; gives its exit status."""
+        began = time.monotonic()
+        with limited(COLLECTING):
+            collected = submissions.collect(submission, self.stems)
+        key = self.key(collected)
+        old = self.record(submission)
+        if old is not None and old.get("key") == key:
+            return KEPT
+        bench = Bench(self.kit, self.sandbox, self.work / submission.folder, self.seed)
+        record = mark(bench, collected, self.exercises,
+                      lambda stem, name: policies.points(self.policy, stem, name))
+        when = policies.came_in(self.policy, submission, collected)
+        record["score"], record["late"] = policies.late(self.policy, when, record["score"])
+        record.update(key=key, submission=submission.name, folder=submission.folder,
+                      seconds=round(time.monotonic() - began, 2))
+        self.keep_pictures(record, self.place(submission), bench.folder)
+        files.write_submission(record, str(self.place(submission)))
+        shutil.rmtree(bench.folder, ignore_errors=True)
+        return DONE
+
+    def keep_pictures(self, record: dict, place: Path, drawn_in: Path) -> None:
+        place.mkdir(exist_ok=True)
+        for name, source in (("expected.png", self.kit.folder), ("yours.png", drawn_in)):
+            if name in record["pictures"].values():
+                shutil.copyfile(source / name, place / name)
+            else:
+                (place / name).unlink(missing_ok=True)
+
+    def give_up_on(self, submission: Submission, status: str, words: str) -> None:
+        """A result where the process that marks did not come to its end."""
+        stems = []
+        for stem in self.stems:
+            most = sum(policies.points(self.policy, stem, exercise.name)
+                       for exercise in self.exercises if exercise.stem == stem)
+            stems.append({"stem": stem, "file": "", "state": "not judged", "words": words,
+                          "functions": [], "score": 0, "max": most})
+        record = {"submission": submission.name, "folder": submission.folder, "status": status,
+                  "words": words, "score": 0, "max": sum(stem["max"] for stem in stems), "late": "",
+                  "stems": stems, "pictures": {}, "key": "", "seed": self.seed, "seconds": 0,
+                  "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
+        files.write_submission(record, str(self.place(submission)))

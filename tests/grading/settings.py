@@ -1,0 +1,69 @@
+"""settings.py - what the grader is told: by its arguments, by make's variables, by earlier graders."""
+from __future__ import annotations
+
+import argparse
+import os
+import secrets
+from pathlib import Path
+
+import policy
+
+LARGEST_SEED = 2**63 - 1
+
+
+def stop(words: str) -> None:
+    raise SystemExit(f"grade: {words}")
+
+
+def number(name: str, text: str, least: int, most: int) -> int:
+    if not (text.isascii() and text.isdigit()) or not least <= int(text) <= most:
+        stop(f"{name}={text}: expected a whole number from {least} to {most}")
+    return int(text)
+
+
+def shard(text: str) -> tuple[int, int]:
+    """Which part of the class, of how many."""
+    part, _, parts = text.partition("/")
+    n = number("SHARD", parts or "x", 1, 10000)
+    return number("SHARD", part, 1, n), n
+
+
+def arguments() -> argparse.Namespace:
+    there = os.environ.get
+    parser = argparse.ArgumentParser(prog="grade.py", description="Marks a folder of submissions.")
+    parser.add_argument("kit", type=Path)
+    parser.add_argument("submissions", type=Path)
+    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--policy", type=Path, default=policy.DEFAULT)
+    parser.add_argument("--seed", default=there("SEED", ""))
+    parser.add_argument("--jobs", default=there("JOBS", ""))
+    parser.add_argument("--shard", default=there("SHARD", ""))
+    parser.add_argument("--sandbox", default=there("SANDBOX", ""))
+    parser.add_argument("--unsafe", action="store_true", default=there("UNSAFE", "") not in ("", "0"))
+    given = parser.parse_args()
+    given.jobs = number("JOBS", given.jobs, 1, 1024) if given.jobs else len(os.sched_getaffinity(0))
+    given.shard = shard(given.shard) if given.shard else None
+    given.seed = number("SEED", given.seed, 0, LARGEST_SEED) if given.seed else None
+    if not given.submissions.is_dir():
+        stop(f"SUBMISSIONS={given.submissions}: no such folder")
+    return given
+
+
+def seed_of_class(out: Path, wanted: int | None) -> int:
+    """The first grader draws it, and all others, later or elsewhere, take it."""
+    path = out / ".seed"
+    if wanted is None and path.exists():
+        return number(str(path), path.read_text().strip(), 0, LARGEST_SEED)
+    seed = secrets.randbelow(LARGEST_SEED + 1) if wanted is None else wanted
+    new = path.with_suffix(f".{secrets.token_hex(6)}")
+    new.write_text(f"{seed}\n")
+    try:
+        if wanted is None:
+            os.link(new, path)      # fails where another was first
+        else:
+            os.replace(new, path)
+    except FileExistsError:
+        return seed_of_class(out, None)
+    finally:
+        new.unlink(missing_ok=True)
+    return seed
