@@ -13,13 +13,13 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
-import exercises as table
-import policy as policies
 from bench import Bench, read_kit
 from collect import submissions
 from collect.answers import Collected
 from collect.submissions import Submission
+import exercises as table
 from marking import mark
+import policy as policies
 from report import files
 from sandbox import choose
 from settings import seed_of_class

@@ -9,9 +9,9 @@ from __future__ import annotations
 import re
 import shutil
 from pathlib import Path
+from building import build
 
 from bench import DRAW, JUDGE, JUDGE_LENT, LEND, LINK_ALL, Bench
-from building import build
 
 ESCAPES = {"n": "\n", "t": "\t", "\\": "\\"}  # of tests/judge/report.c
 

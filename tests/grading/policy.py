@@ -14,8 +14,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Optional
 
-from collect.names import short, visible
 import exercises as table
+from visible import brief, number, why
 
 DEFAULT = Path(__file__).resolve().parent / "policy"
 NUMBER = re.compile(r"\d{1,5}(\.\d{1,2})?", re.ASCII)
@@ -47,15 +47,11 @@ def rounded(marks) -> float:
     return float(Decimal(str(marks)).quantize(Decimal("0.01"), ROUND_HALF_UP))
 
 
-def plain(number: float) -> str:
-    return f"{number:.2f}".rstrip("0").rstrip(".")
-
-
 # ---- reading ----------------------------------------------------------------------------------
 
 def number_in(text: str, least, most) -> Fraction:
     if not NUMBER.fullmatch(text) or not least <= Fraction(text) <= most:
-        raise PolicyError(f"{short(visible(text))}, expected a number from {least} to {most} "
+        raise PolicyError(f"{brief(text)}, expected a number from {least} to {most} "
                           "with at most two decimals")
     return Fraction(text)
 
@@ -72,7 +68,7 @@ def time_in(text: str) -> datetime:
                             tzinfo=timezone(-offset if zone[0] == "-" else offset))
         return datetime(year, month, day, hour, minute, second).astimezone()
     except (AttributeError, ValueError, OverflowError, OSError):
-        raise PolicyError(f"{short(visible(text)) or 'nothing'} is no time, expected {A_TIME}") \
+        raise PolicyError(f"{brief(text) or 'nothing'} is no time, expected {A_TIME}") \
             from None
 
 
@@ -92,15 +88,14 @@ def times_in(path: Path) -> dict:
                     raise PolicyError(f"{where}: {len(row)} cells, "
                                       "expected a submission and a time")
                 if row[0] in times:
-                    raise PolicyError(f"{where}: {short(visible(row[0]))} stands here twice, "
+                    raise PolicyError(f"{where}: {brief(row[0])} stands here twice, "
                                       "expected once")
                 try:
                     times[row[0]] = int(time_in(row[1].strip()).timestamp())
                 except PolicyError as error:
                     raise PolicyError(f"{where}: {error}") from None
     except (OSError, UnicodeError, csv.Error) as error:
-        raise PolicyError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}, "
-                          "expected a CSV file") from None
+        raise PolicyError(f"{path}: cannot be read: {why(error)}, expected a CSV file") from None
     return times
 
 
@@ -111,11 +106,11 @@ def points_line(words: list, known: list, weights: dict) -> None:
         raise PolicyError("expected 'points CHAPTER NUMBER' or 'points CHAPTER FUNCTION NUMBER'")
     stem, function = words[0], words[1] if len(words) == 3 else ""
     if stem not in [*stems, "others"] or (stem == "others" and function):
-        raise PolicyError(f"no chapter is called {short(visible(stem))}, "
+        raise PolicyError(f"no chapter is called {brief(stem)}, "
                           f"expected {', '.join(stems)}, or 'others' and a number")
     functions = [exercise.name for exercise in known if exercise.stem == stem]
     if function and function not in functions:
-        raise PolicyError(f"{stem} has no function {short(visible(function))}, "
+        raise PolicyError(f"{stem} has no function {brief(function)}, "
                           f"expected {', '.join(functions)}")
     if (stem, function) in weights:
         raise PolicyError(f"points of {' '.join(words[:-1])} are given twice, expected once")
@@ -134,7 +129,7 @@ def line_into(policy: Policy, words: list, known: list, weights: dict, folder: P
         match = LATE.fullmatch(rest)
         if rest != "none":
             if not match:
-                raise PolicyError(f"late {short(visible(rest))}: expected 'late none' or "
+                raise PolicyError(f"late {brief(rest)}: expected 'late none' or "
                                   "'late 10% per day, at most 50%' (or per hour)")
             policy.percent = number_in(match[1], 0, 100)
             policy.unit = match[2]
@@ -144,7 +139,7 @@ def line_into(policy: Policy, words: list, known: list, weights: dict, folder: P
             raise PolicyError("times of what, expected 'files' or the name of a CSV file")
         policy.times = None if rest == "files" else times_in(folder / rest)
     else:
-        raise PolicyError(f"{short(visible(setting))} is no setting, "
+        raise PolicyError(f"{brief(setting)} is no setting, "
                           "expected points, due, grace, late or times")
 
 
@@ -158,8 +153,8 @@ def shared(known: list, weights: dict, at: dict) -> dict:
         equal = [name for name in functions if (stem, name) not in weights]
         own = sum(weights.get((stem, name), 0) for name in functions)
         if own > left or (not equal and own != left):
-            raise PolicyError(f"{at[stem]}: functions of {stem} have {plain(own / 100)} points, "
-                              f"expected {'at most ' if equal else ''}{plain(left / 100)}, "
+            raise PolicyError(f"{at[stem]}: functions of {stem} have {number(own / 100)} points, "
+                              f"expected {'at most ' if equal else ''}{number(left / 100)}, "
                               "the chapter's")
         left -= own
         for name in functions:
@@ -175,10 +170,9 @@ def load(path, known: list) -> Policy:
     try:
         lines = path.read_text(encoding="utf-8-sig").split("\n")
     except (OSError, UnicodeError) as error:
-        raise PolicyError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}, "
-                          "expected a policy") from None
+        raise PolicyError(f"{path}: cannot be read: {why(error)}, expected a policy") from None
     policy, weights, given, at = Policy(), {}, set(), {}
-    for number, line in enumerate(lines, 1):
+    for place, line in enumerate(lines, 1):
         words = line.split("#")[0].split()
         try:
             if words and words[0] in given and words[0] != "points":
@@ -186,10 +180,10 @@ def load(path, known: list) -> Policy:
             if words:
                 line_into(policy, words, known, weights, path.parent)
                 given.add(words[0])
-                at[words[1] if len(words) > 1 else ""] = number
+                at[words[1] if len(words) > 1 else ""] = place
         except PolicyError as error:
             # What is wrong in another file names that file's line.
-            raise PolicyError(f"{path}:{number}: {error}") from None
+            raise PolicyError(f"{path}:{place}: {error}") from None
     try:
         policy.shares = shared(known, weights, at)
     except PolicyError as error:
@@ -232,5 +226,5 @@ def late(policy: Policy, when: Optional[int], score: float) -> tuple:
     words = f"due {policy.due:%Y-%m-%d %H:%M %z}, {duration(after)} late: "
     if not percent:
         return left, words + "that costs nothing"
-    return left, words + (f"{plain(float(percent))}% off, "
-                          f"{plain(rounded(score))} became {plain(left)}")
+    return left, words + (f"{number(float(percent))}% off, "
+                          f"{number(rounded(score))} became {number(left)}")

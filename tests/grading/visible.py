@@ -1,23 +1,26 @@
 """visible.py - what others wrote, made safe to print: nothing in it acts, everything shows.
 
-Names of files and compilers' words quote students. Control characters, direction overrides, halves
-of surrogates and what is no character at all become escapes that can be read (\\x1b, \\u202e), so
-that no format has to be asked what it makes of them. Saying it twice changes nothing.
+Control characters, direction overrides, halves of surrogates and what is no character at all become
+escapes that can be read (\\x1b, \\u202e), so that no format has to be asked what it makes of them.
+visible() is for words, and saying it twice changes nothing; spelled() is for names, and no two names
+come out alike.
 """
-import unicodedata
+from __future__ import annotations
 
-LONGEST = 10_000  # characters of one string; the record cuts earlier, this is the net below it
+import re
+
+LONGEST = 10_000  # characters of one string; whoever quotes cuts earlier, this is the net below it
+# Printable, says Unicode, and yet not to be seen.
+BLANK = re.compile("[\u034f\u115f\u1160\u17b4\u17b5\u2800\u3164\uffa0\ufe00-\ufe0f"
+                   "\U000e0100-\U000e01ef]")
+LETTERS = {"\n": "\\n", "\r": "\\r", "\t": "\\t", "\\": "\\\\"}
 
 
-def escape(character: str) -> str:
+def escaped(character: str) -> str:
     code = ord(character)
-    if character in "\n\r\t":
-        return {"\n": "\\n", "\r": "\\r", "\t": "\\t"}[character]
-    if 0xDC80 <= code <= 0xDCFF:  # a byte that was no UTF-8, as os.fsdecode hands it on
-        return f"\\x{code - 0xDC00:02x}"
-    if code < 0x100:
-        return f"\\x{code:02x}"
-    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
+    return LETTERS.get(character) or (
+        f"\\x{code:02x}" if code < 0x100 else
+        f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}")
 
 
 def visible(text: str, lines: bool = False) -> str:
@@ -28,44 +31,38 @@ def visible(text: str, lines: bool = False) -> str:
         text = text[:LONGEST] + " ... (cut)"
     if text.isprintable():
         return text
+    # A byte that was no UTF-8, as os.fsdecode hands it on, is shown as that byte.
+    text = re.sub("[\udc80-\udcff]", lambda m: f"\\x{ord(m[0]) - 0xdc00:02x}", text)
     keep = "\n" if lines else ""
-    return "".join(c if c.isprintable() or c in keep else escape(c) for c in text)
+    return "".join(c if c.isprintable() or c in keep else escaped(c) for c in text)
 
 
-def clean(record: dict) -> dict:
-    """A copy of a submission's record in which every string is visible."""
-
-    def copy(value, lines=False):
-        if isinstance(value, str):
-            return visible(value, lines)
-        if isinstance(value, dict):
-            # Only a compiler has several lines to say, and says them of a stem.
-            return {visible(k): copy(v, k == "words" and "stem" in value) for k, v in value.items()}
-        if isinstance(value, (list, tuple)):
-            return [copy(one) for one in value]
-        return value
-
-    return copy(record)
+def spelled(text: str, ascii_only: bool = False) -> str:
+    """One line in which everything is to be seen; two texts never give the same line."""
+    shown = []
+    for i, character in enumerate(text):
+        if character == " ":
+            # At the ends, or after another, a space is lost on most readers.
+            hidden = i in (0, len(text) - 1) or text[i - 1] == " "
+        else:
+            hidden = (character == "\\" or not character.isprintable()
+                      or bool(BLANK.match(character)) or (ascii_only and not character.isascii()))
+        shown.append(escaped(character) if hidden else character)
+    return "".join(shown)
 
 
-def width(text: str) -> int:
-    """Columns on a terminal: East Asian characters take two, what stands on another takes none."""
-    if text.isascii():
-        return len(text)
-    return sum(
-        0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1
-        for c in text
-    )
+def brief(text: str, most: int = 160) -> str:
+    """A name inside a sentence: spelled; what is too long loses its middle, since the ends tell more."""
+    text = spelled(text)
+    if len(text) <= most:
+        return text
+    return text[:most // 3] + " ... " + text[len(text) - most + most // 3 + 5:]
 
 
-def fitted(text: str, columns: int) -> str:
-    """Cut or padded to exactly so many columns."""
-    text = text[: 4 * columns]
-    if width(text) > columns:
-        while width(text) > columns - 2:
-            text = text[:-1]
-        text += ".."
-    return text + " " * (columns - width(text))
+def why(error: Exception) -> str:
+    """What an error says, for a sentence of ours."""
+    words = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    return brief(words.strip())
 
 
 def number(marks: float) -> str:

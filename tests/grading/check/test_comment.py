@@ -4,10 +4,11 @@ import os
 import pathlib
 
 from report.ci import grades_tap, junit_xml
+from report.columns import fitted, width
 from report.comment import fields, function_lines, stem_lines, stem_says
 from report.gradescope import results_json
 from report.html import submission_page
-from visible import fitted, number, visible, width
+from visible import number, visible
 from .make_records import function, record, stem
 from .sentences import check
 

@@ -3,13 +3,14 @@ import unicodedata
 import unittest
 
 from collect import names
+from visible import brief, spelled
 
 
 class Visible(unittest.TestCase):
     def test_plain_names_stay_as_they_are(self):
         for name in ("anna", "Zoë Müller-Łukasz", "李小龙", "week 3/05-quadratic.c", "-rf",
                      "it's \"so\""):
-            self.assertEqual(names.visible(name), name)
+            self.assertEqual(spelled(name), name)
 
     def test_what_moves_or_hides_text_is_escaped(self):
         for raw, shown in ((b"a\nb", "a\\nb"), (b"\x1b[2J", "\\x1b[2J"), (b"\xff", "\\udcff"),
@@ -17,13 +18,13 @@ class Visible(unittest.TestCase):
                            ("\u200b".encode(), "\\u200b"), ("\u2028".encode(), "\\u2028"),
                            ("\u3164".encode(), "\\u3164"), (b"\x7f", "\\x7f"),
                            ("\U000e0041".encode(), "\\U000e0041"), (b"\r\t", "\\r\\t")):
-            self.assertEqual(names.visible(names.decoded(raw)), shown)
+            self.assertEqual(spelled(names.decoded(raw)), shown)
 
     def test_spaces_that_a_reader_would_lose_are_escaped(self):
-        self.assertEqual(names.visible(" a  b "), "\\x20a \\x20b\\x20")
+        self.assertEqual(spelled(" a  b "), "\\x20a \\x20b\\x20")
 
     def test_what_looks_like_an_escape_is_not_one(self):
-        self.assertEqual(names.visible("a\\nb"), "a\\\\nb")
+        self.assertEqual(spelled("a\\nb"), "a\\\\nb")
 
     def test_no_two_short_names_are_shown_alike(self):
         alphabet = [b"\\", b"n", b"\n", b" ", b"\xc3\xa9", b"e\xcc\x81", b"\xff", b"x20"]
@@ -35,7 +36,7 @@ class Visible(unittest.TestCase):
                          ["\\xe9", "e\\u0301", "ö"])
 
     def test_a_long_text_keeps_its_ends(self):
-        cut = names.short("a" * 500 + "b" * 500)
+        cut = brief("a" * 500 + "b" * 500)
         self.assertEqual((len(cut), cut[0], cut[-1]), (160, "a", "b"))
 
 

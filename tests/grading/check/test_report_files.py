@@ -12,7 +12,7 @@ import time
 import xml.dom.minidom
 
 from report import files
-from visible import clean
+from report.points import clean
 from . import read_back
 from .hostile_records import hostile_class
 from .sample_records import ordinary_class

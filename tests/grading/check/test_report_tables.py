@@ -6,10 +6,12 @@ import random
 import re
 
 from report.ci import grades_tap, junit_xml
+from report.columns import width
 from report.gradebook import grades_csv
 from report.gradescope import results_json
+from report.points import clean
 from report.text import closing
-from visible import clean, visible, width
+from visible import visible
 from . import read_back
 from .hostile_records import HOSTILE, hostile_class
 from .make_records import function, record, stem

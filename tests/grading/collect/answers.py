@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Optional
 
-from .names import short, visible
+from visible import brief
 
 LARGEST = 256 * 1024     # of one answer; the references have 5 KB
 PLACES = 5               # that are named; the rest are counted
@@ -73,7 +73,7 @@ def ended_early(search: Search, words: str) -> None:
 
 
 def place_of(parts) -> str:
-    return short(visible("/".join(parts)))
+    return brief("/".join(parts))
 
 
 def as_text(raw: bytes) -> Optional[bytes]:

@@ -11,9 +11,9 @@ import tarfile
 import zipfile
 import zlib
 
+from visible import brief, why
 from . import answers
-from .folders import FILE, Enough
-from .names import short, visible
+from .folders import Enough, opened_file
 
 MEMBERS = 50000
 TOTAL = 64 * 1024 * 1024    # of the archive, and of what is decompressed
@@ -23,11 +23,6 @@ CHUNK = 64 * 1024
 OTHERS = {b"Rar!": "RAR", b"7z\xbc\xaf": "7-Zip", b"\xfd7zX": "xz", b"BZh": "bzip2"}
 ZIP = (b"PK\3\4", b"PK\5\6", b"PK\7\10")  # a member, an empty archive, one in parts
 LEADS_OUT = "a member's path leads out of the archive; it is refused"
-
-
-def why(error: Exception) -> str:
-    words = getattr(error, "strerror", None) or str(error) or type(error).__name__
-    return short(visible(words.strip()))
 
 
 def read_whole(search, parts, size: int, read) -> int:
@@ -53,7 +48,7 @@ def parts_of(search, name: str) -> list:
     """Folders and name of a member; [] where it is nothing to look at."""
     parts = [part for part in name.split("/") if part not in ("", ".")]
     if name.startswith("/") or ".." in parts or re.match("[A-Za-z]:", name):
-        answers.note(search, f"{LEADS_OUT}: {short(visible(name))}")
+        answers.note(search, f"{LEADS_OUT}: {brief(name)}")
         return []
     if not parts or "__MACOSX" in parts:
         return []
@@ -202,10 +197,8 @@ def look_in_tar(search, stream) -> None:
 # ---- either -----------------------------------------------------------------------------------
 
 def look(search, path: bytes) -> None:
-    with open(os.open(path, FILE), "rb") as file:
+    with opened_file(path) as file:
         status = os.fstat(file.fileno())
-        if not stat.S_ISREG(status.st_mode):
-            raise OSError(0, "it is not a file")
         if status.st_size > TOTAL:
             answers.ended_early(search, f"the archive is larger than {TOTAL >> 20} MB; "
                                         "it was not read")

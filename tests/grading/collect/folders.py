@@ -9,6 +9,7 @@ import stat
 from collections import deque
 from itertools import islice
 
+from visible import why
 from . import answers
 from .names import decoded
 
@@ -24,22 +25,22 @@ class Enough(Exception):
     """Nothing more is looked at; the words say why."""
 
 
+def opened_file(name, folder=None):
+    """A regular file; OSError where it is something else."""
+    file = open(os.open(name, FILE, dir_fd=folder), "rb")
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+        file.close()
+        raise OSError(0, "it is not a file")
+    return file
+
+
 def read(name, folder=None) -> tuple:
     """A regular file's bytes, one more than an answer may have, and when it was written."""
-    with open(os.open(name, FILE, dir_fd=folder), "rb", buffering=0) as file:
-        status = os.fstat(file.fileno())
-        if not stat.S_ISREG(status.st_mode):
-            raise OSError(0, "it is not a file")
-        raw = b""
-        while len(raw) <= answers.LARGEST:
-            piece = file.read(answers.LARGEST + 1 - len(raw))
-            if not piece:
-                break
-            raw += piece
-        return raw, int(status.st_mtime)
+    with opened_file(name, folder) as file:
+        return file.read(answers.LARGEST + 1), int(os.fstat(file.fileno()).st_mtime)
 
 
-def opened(root: int, parts) -> int:
+def opened_folder(root: int, parts) -> int:
     folder = os.dup(root)
     for part in parts:
         try:
@@ -63,7 +64,7 @@ def look_at(search, folder: int, parts, entry) -> int:
         try:
             raw, when = read(entry.name, folder)
         except OSError as error:
-            answers.unreadable(search, parts, f"cannot be read: {error.strerror}")
+            answers.unreadable(search, parts, f"cannot be read: {why(error)}")
             return 0
         search.when = max(search.when or when, when)
         answers.found(search, parts, raw)
@@ -103,14 +104,14 @@ def look(search, path: bytes) -> None:
             if len(parts) > DEPTH:
                 raise Enough(f"holds folders more than {DEPTH} deep; those were not looked at")
             try:
-                folder = opened(root, parts)
+                folder = opened_folder(root, parts)
                 try:
                     waiting.extend(look_in(search, folder, parts, left))
                 finally:
                     os.close(folder)
             except OSError as error:
                 place = answers.place_of(map(decoded, parts)) or "the folder"
-                answers.note(search, f"{place} cannot be read: {error.strerror}")
+                answers.note(search, f"{place} cannot be read: {why(error)}")
     except Enough as enough:
         answers.ended_early(search, str(enough))
     finally:

@@ -8,45 +8,15 @@ import re
 import unicodedata
 from collections import defaultdict
 
+from visible import spelled
+
 LONGEST = 200  # bytes; file systems allow 255, and temporary names need room
 RESERVED = {"grades.csv", "junit.xml", "grades.tap", "index.html"}
-# Printable, says Unicode, and yet not to be seen.
-BLANK = re.compile("[\u034f\u115f\u1160\u17b4\u17b5\u2800\u3164\uffa0\ufe00-\ufe0f"
-                   "\U000e0100-\U000e01ef]")
-LETTERS = {"\n": "\\n", "\r": "\\r", "\t": "\\t", "\\": "\\\\"}
 
 
 def decoded(raw: bytes) -> str:
     """As UTF-8; a byte that is none becomes a lone surrogate, whatever the locale."""
     return raw.decode("utf-8", "surrogateescape")
-
-
-def escaped(character: str) -> str:
-    code = ord(character)
-    return LETTERS.get(character) or (
-        f"\\x{code:02x}" if code < 0x100 else
-        f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}")
-
-
-def visible(text: str, ascii_only: bool = False) -> str:
-    """One line in which everything is to be seen; two texts never give the same line."""
-    shown = []
-    for i, character in enumerate(text):
-        if character == " ":
-            # At the ends, or after another, a space is lost on most readers.
-            hidden = i in (0, len(text) - 1) or text[i - 1] == " "
-        else:
-            hidden = (character == "\\" or not character.isprintable()
-                      or bool(BLANK.match(character)) or (ascii_only and not character.isascii()))
-        shown.append(escaped(character) if hidden else character)
-    return "".join(shown)
-
-
-def short(text: str, most: int = 160) -> str:
-    """What is too long loses its middle: the ends tell more."""
-    if len(text) <= most:
-        return text
-    return text[:most // 3] + " ... " + text[len(text) - most + most // 3 + 5:]
 
 
 def shown(raws: list) -> list:
@@ -56,7 +26,7 @@ def shown(raws: list) -> list:
     alike = defaultdict(int)
     for text in texts:
         alike[unicodedata.normalize("NFKC", text)] += 1
-    return [visible(text, ascii_only=alike[unicodedata.normalize("NFKC", text)] > 1)
+    return [spelled(text, ascii_only=alike[unicodedata.normalize("NFKC", text)] > 1)
             for text in texts]
 
 

@@ -11,6 +11,7 @@ import os
 from dataclasses import dataclass
 from typing import Iterable
 
+from visible import why
 from . import answers, archives, folders, names
 from .answers import Collected
 
@@ -37,7 +38,7 @@ def kind_of(entry) -> tuple:
             return ("archive" if entry.name.lower().endswith(SUFFIXES) else "other"), ""
         return "other", ""
     except OSError as error:
-        return "unreadable", f"cannot be read: {error.strerror}"
+        return "unreadable", f"cannot be read: {why(error)}"
 
 
 def find(directory) -> tuple:
@@ -72,7 +73,7 @@ def collect(submission: Submission, stems: Iterable[str]) -> Collected:
         search = answers.search_for(stems)
         answers.note(search, "reading it takes more memory than a submission may have")
     except Exception as error:
-        answers.note(search, f"cannot be read: {archives.why(error)}")
+        answers.note(search, f"cannot be read: {why(error)}")
     return answers.all_of(search)
 
 

@@ -7,8 +7,8 @@ failure, never in <system-out>: GitLab obeys tags that it finds there.
 import json
 import xml.etree.ElementTree as ElementTree
 
-from visible import clean, number
-from .points import UNSAFE, in_order, points
+from visible import number
+from .points import UNSAFE, any_unsafe, clean_class, points
 
 
 def comment_text(point: dict) -> str:
@@ -46,9 +46,9 @@ def counts(cases: list) -> dict:
 
 
 def junit_xml(records: list) -> bytes:
-    records = in_order([clean(record) for record in records])
+    records = clean_class(records)
     told = [points(record) for record in records]
-    unsafe = any(record["unsafe"] for record in records)
+    unsafe = any_unsafe(records)
     root = ElementTree.Element(
         "testsuites",
         {
@@ -89,10 +89,10 @@ def quoted(text: str) -> str:
 
 
 def grades_tap(records: list) -> str:
-    records = in_order([clean(record) for record in records])
+    records = clean_class(records)
     told = [(record, point) for record in records for point in points(record)]
     lines = ["TAP version 14", f"1..{len(told)}"]
-    if any(record["unsafe"] for record in records):
+    if any_unsafe(records):
         lines.append(f"# {UNSAFE}")
     for place, (record, point) in enumerate(told, 1):
         well = point["outcome"] in ("passed", "skipped")

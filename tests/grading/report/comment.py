@@ -4,10 +4,7 @@ Fields first (a label, words), which pages lay out by themselves; then the same 
 columns, as 'make exercises' prints them. Hidden inputs are described, never printed, whatever the
 record holds.
 """
-from visible import width
-
-COLUMNS, LABEL = 79, 13  # as in tests/judge/show.c
-NO_BREAK = "\u00a0"  # the judge's ~: a blank at which no line ends
+from .columns import LABEL, NO_BREAK, wrapped
 
 
 def sentence(function: dict) -> str:
@@ -67,34 +64,6 @@ def fields(stem: str, function: dict) -> list:
         told.append(("but", function["law"].replace("~", NO_BREAK)))
     told.append(("try", what_to_try(stem, function)))
     return [(label, words) for label, words in told if words]
-
-
-def words_of(text: str):
-    """Split at blanks, but a vector stays in one piece where it fits."""
-    word, depth = "", 0
-    for part in text.split(" "):
-        word += (" " if word else "") + part
-        depth += part.count("(") - part.count(")")
-        if depth <= 0:
-            yield word
-            word, depth = "", 0
-        elif width(word) >= COLUMNS - LABEL:
-            yield from word.split(" ")
-            word, depth = "", 0
-    if word:
-        yield word
-
-
-def wrapped(label: str, words: str, indent: int = LABEL) -> list:
-    """A label, then words that wrap under each other."""
-    lines, line = [], label.ljust(indent)
-    for word in filter(None, words_of(words)):
-        blank = " " if len(line) > indent else ""
-        if blank and width(line) + 1 + width(word) > COLUMNS:
-            lines.append(line)
-            line, blank = " " * indent, ""
-        line += blank + word
-    return [line.replace(NO_BREAK, " ").rstrip() for line in lines + [line]]
 
 
 def function_lines(stem: str, function: dict) -> list:

@@ -10,6 +10,17 @@ BINS = 10
 MOST = 8  # that many are explained again
 
 
+def stems_of(records: list) -> list:
+    return sorted({stem["stem"] for record in records for stem in record["stems"]})
+
+
+def circumstances(records: list) -> list:
+    """Pairs of a label and words: what the class was marked with."""
+    seeds = sorted({str(record["seed"]) for record in records})
+    boxes = sorted({record["sandbox"] for record in records if record["sandbox"]})
+    return [("seed", ", ".join(seeds)), ("sandbox", "; ".join(boxes) or "none")]
+
+
 def percent(record: dict) -> float:
     return 100 * record["score"] / record["max"] if record["max"] > 0 else 0
 

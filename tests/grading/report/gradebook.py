@@ -8,8 +8,9 @@ import csv
 import io
 import re
 
-from visible import clean, number
-from .points import in_order
+from visible import number
+from .figures import stems_of
+from .points import clean_class
 
 RUNS = "=+-@\t\r\n" + "＝＋－＠"  # the wide ones are signs, too, where Excel speaks Japanese
 PLAIN = re.compile(r"[\w ./:-]*", re.ASCII)
@@ -19,12 +20,8 @@ def cell(text: str) -> str:
     return "'" + text if text.lstrip(" ")[:1] and text.lstrip(" ")[0] in RUNS else text
 
 
-def stems_of(records: list) -> list:
-    return sorted({stem["stem"] for record in records for stem in record["stems"]})
-
-
 def grades_csv(records: list) -> str:
-    records = in_order([clean(record) for record in records])
+    records = clean_class(records)
     stems = stems_of(records)
     rows = [["submission", "status", "score", "max"] + stems]
     for record in records:

@@ -5,8 +5,8 @@ whole record lies in extra_data, and class reports are made from it.
 """
 import json
 
-from visible import clean, number
-from .points import UNSAFE, points
+from visible import number
+from .points import UNSAFE, clean, points
 
 
 def summary(record: dict) -> str:

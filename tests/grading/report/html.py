@@ -2,8 +2,9 @@
 
 One file that needs no network and no script; pictures are inside it.
 """
-from visible import clean, number
+from visible import number
 from .comment import fields, stem_lines
+from .points import clean
 from .tree import address, banner, data_url, page, read_picture, tag
 
 

@@ -1,9 +1,8 @@
 """html_class.py - the page of the class: everybody's marks, and what to explain again."""
-from visible import clean, number
-from .figures import bins, most_made, not_answered, quartiles
-from .gradebook import stems_of
+from visible import number
+from .figures import bins, circumstances, most_made, not_answered, quartiles, stems_of
 from .html import share
-from .points import in_order
+from .points import clean_class
 from .tree import address, banner, page, tag
 
 
@@ -147,13 +146,7 @@ def gallery(records: list):
 
 
 def facts(records: list):
-    seeds = sorted({str(record["seed"]) for record in records})
-    boxes = sorted({record["sandbox"] for record in records if record["sandbox"]})
-    rows = [
-        ("class", f"{len(records)} submissions"),
-        ("seed", ", ".join(seeds)),
-        ("sandbox", "; ".join(boxes) or "none"),
-    ]
+    rows = [("class", f"{len(records)} submissions"), *circumstances(records)]
     files = []
     for name in ("grades.csv", "junit.xml", "grades.tap"):
         files += [", " if files else "", tag("a", name, href=address(name))]
@@ -166,7 +159,7 @@ def facts(records: list):
 
 
 def class_page(records: list) -> str:
-    records = in_order([{**clean(record), "folder": record["folder"]} for record in records])
+    records = clean_class(records)
     return page(
         "Grades",
         tag("header", banner(records), tag("h1", "Grades"), facts(records)),

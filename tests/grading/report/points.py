@@ -1,8 +1,9 @@
-"""points.py - a record as a flat list: what has a result of its own in a report.
+"""points.py - records as reports read them: nothing in them acts, and what has a result is a flat list.
 
 One point per function of a stem that was judged; one for a stem that was not; one for a submission
 without stems. So every report counts the same things, and nothing that a student wrote adds one.
 """
+from visible import visible
 from .comment import function_lines, stem_lines, stem_says, sentence, waiting_words
 
 UNSAFE = "UNSAFE: graded without a sandbox (UNSAFE=1). These marks may be forged."
@@ -80,6 +81,27 @@ def points(record: dict) -> list:
     return found
 
 
-def in_order(records: list) -> list:
-    """Reports do not depend on who was marked first."""
-    return sorted(records, key=lambda record: (record["submission"], record["folder"]))
+def clean(record: dict) -> dict:
+    """A copy in which every string is visible."""
+
+    def copy(value, lines=False):
+        if isinstance(value, str):
+            return visible(value, lines)
+        if isinstance(value, dict):
+            # Only a compiler has several lines to say, and says them of a stem.
+            return {visible(k): copy(v, k == "words" and "stem" in value) for k, v in value.items()}
+        if isinstance(value, (list, tuple)):
+            return [copy(one) for one in value]
+        return value
+
+    return copy(record)
+
+
+def clean_class(records: list) -> list:
+    """In an order that does not depend on who was marked first. Folders are not words, and stay."""
+    cleaned = [{**clean(record), "folder": record["folder"]} for record in records]
+    return sorted(cleaned, key=lambda record: (record["submission"], record["folder"]))
+
+
+def any_unsafe(records: list) -> bool:
+    return any(record["unsafe"] for record in records)

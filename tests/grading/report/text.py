@@ -3,13 +3,11 @@
 80 columns. A long class is shortened to who needs a look: those without an ordinary result, and the
 lowest scores; everybody is in grades.csv.
 """
-from visible import clean, fitted, number
-from .comment import wrapped
-from .figures import bins, most_made, not_answered, quartiles
-from .gradebook import stems_of
-from .points import UNSAFE, in_order
+from visible import number
+from .columns import COLUMNS, fitted, wrapped
+from .figures import bins, circumstances, most_made, not_answered, quartiles, stems_of
+from .points import UNSAFE, any_unsafe, clean_class
 
-COLUMNS = 79
 LONG_CLASS = 40  # up to so many are all shown
 SHOWN_OF_LONG = 12  # of each kind, else
 
@@ -80,23 +78,17 @@ def mistakes(records: list) -> list:
 
 
 def closing(records: list) -> str:
-    records = in_order([clean(record) for record in records])
+    records = clean_class(records)
     if not records:
         return "No submissions.\n"
-    seeds = sorted({str(record["seed"]) for record in records})
-    boxes = sorted({record["sandbox"] for record in records if record["sandbox"]})
-    loud = [UNSAFE] if any(record["unsafe"] for record in records) else []
+    (_, seeds), (_, boxes) = circumstances(records)
+    loud = [UNSAFE] if any_unsafe(records) else []
     blocks = [
         loud,
         table(records),
         distribution(records),
         mistakes(records),
-        wrapped(
-            "",
-            f"{len(records)} submissions. Seed {', '.join(seeds)}. "
-            f"Sandbox: {'; '.join(boxes) or 'none'}.",
-            0,
-        ),
+        wrapped("", f"{len(records)} submissions. Seed {seeds}. Sandbox: {boxes}.", 0),
         loud,
     ]
     return "\n\n".join("\n".join(block) for block in blocks if block) + "\n"

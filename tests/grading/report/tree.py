@@ -10,7 +10,7 @@ import stat
 import xml.etree.ElementTree as ElementTree
 from urllib.parse import quote
 
-from .points import UNSAFE
+from .points import UNSAFE, any_unsafe
 
 POLICY = "default-src 'none'; img-src data: 'self'; style-src 'unsafe-inline'"
 STYLE = pathlib.Path(__file__).with_name("report.css").read_text(encoding="utf-8")
@@ -66,7 +66,7 @@ def page(title: str, *body) -> str:
 
 def banner(records: list):
     """None where all were graded in a sandbox."""
-    if not any(record["unsafe"] for record in records):
+    if not any_unsafe(records):
         return None
     return tag("p", tag("strong", UNSAFE), class_="unsafe", role="alert")
 
