@@ -5,4 +5,4 @@ if [ -z "$KIT" ]; then
     echo "grading: 0 passed, 0 failed"
     exit 0
 fi
-exec python3 -B tests/grading/check/test_grade.py long
+exec python3 -B tests/grading/check/run_tests.py "grading, long" test_regrade

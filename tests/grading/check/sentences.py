@@ -2,14 +2,14 @@
 passed = failed = 0
 
 
-def check(sentence: str, holds) -> None:
-    """holds: what is asserted; what is not shown says where to look."""
+def check(sentence: str, holds, seen: object = "") -> None:
+    """holds: what is asserted; seen: what was there instead."""
     global passed, failed
     if holds:
         passed += 1
     else:
         failed += 1
-        print(f"not ok: {sentence}")
+        print(f"not ok: {sentence}" + (f"\n    saw {str(seen)[:600]}" if seen != "" else ""))
 
 
 def skip(why: str) -> None:

@@ -1,0 +1,99 @@
+"""test_regrade.py - a grader that is killed, shared, and started again gives the same marks."""
+from __future__ import annotations
+
+import os
+import random
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+from .sentences import check, skip
+from .small_class import SEED, build_class, command, grade, records, right
+
+
+def kept(done: subprocess.CompletedProcess) -> int:
+    """How many were not marked again."""
+    return done.stderr.count("(kept)")
+
+
+def same_marks(folder: Path, work: Path, found: dict[str, dict]) -> None:
+    for name, settings in {"one job": {"JOBS": "1"}, "four jobs": {"JOBS": "4"}}.items():
+        grade(folder, work / name, **settings)
+        check(f"same seed, same marks with {name}", records(work / name) == found)
+    if "bubblewrap" in next(iter(found.values()))["sandbox"]:
+        grade(folder, work / "landlock", SANDBOX="landlock")
+        theirs = records(work / "landlock")
+        check("same marks under Landlock alone",
+              {name: record["stems"] for name, record in theirs.items()}
+              == {name: record["stems"] for name, record in found.items()},
+              {name: record["status"] for name, record in theirs.items()})
+
+
+def killed_and_started_again(folder: Path, work: Path, found: dict[str, dict]) -> None:
+    chance = random.Random(7)
+    out = work / "killed"
+    for kill in ("SIGKILL", "SIGINT", "SIGTERM", "SIGKILL", "SIGKILL", "SIGKILL"):
+        grader = subprocess.Popen(command(folder, out), env={**os.environ, "SEED": SEED, "JOBS": "2"},
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        time.sleep(chance.uniform(0.2, 1.6))
+        grader.send_signal(signal.Signals[kill])
+        grader.communicate()
+        whole = records(out)    # json.loads fails on half a file
+        check(f"what is there after {kill} is whole", all(whole[name] == found[name] for name in whole))
+    before = {path: path.stat().st_mtime_ns for path in out.glob("*/results.json")}
+    done = grade(folder, out)
+    check("started again, it does what is left", done.returncode == 0 and records(out) == found,
+          done.stderr[-500:])
+    check("and nothing twice", all(path.stat().st_mtime_ns == at for path, at in before.items())
+          and kept(done) == len(before), done.stderr)
+    check("no half of a file is left",
+          not list(out.glob("*/.*.new")) and not list((out / ".work").glob("*-of-*/*")))
+    again = grade(folder, out)
+    check("a third time there is nothing to do", kept(again) == len(found), again.stderr)
+
+
+def what_has_changed_is_marked_again(folder: Path, work: Path) -> None:
+    copy, out = work / "changing", work / "changed"
+    shutil.copytree(folder, copy)
+    grade(copy, out)
+    (copy / "nothing" / "03-screen.c").write_text(right("03-screen"))
+    done = grade(copy, out)
+    check("only what was handed in again is marked again", kept(done) == len(records(out)) - 1, done.stderr)
+    check("and has its new marks", records(out)["nothing"]["score"] == 12)
+    check("another seed marks all again", kept(grade(copy, out, SEED="1")) == 0)
+
+
+def shards_share_the_work(folder: Path, work: Path, found: dict[str, dict]) -> None:
+    if shutil.which("parallel") is None:
+        skip("sharing the work: no GNU parallel (make setup FOR=contributor)")
+        return
+    out = work / "shards"
+    done = subprocess.run(["parallel", "--will-cite", "-j3", f"SHARD={{}} {' '.join(command(folder, out))}",
+                           ":::", "1/3", "2/3", "3/3"],
+                          env={**os.environ, "SEED": SEED, "JOBS": "1"}, capture_output=True, text=True)
+    check("three shards under GNU parallel end well", done.returncode == 0, done.stderr[-500:])
+    check("together they have done all, with the same marks", records(out) == found)
+    merged = grade(folder, out)
+    check("once more merges: nothing is marked again",
+          kept(merged) == len(found) and merged.returncode == 0, merged.stderr[-500:])
+    check("and the class's reports are there", (out / "grades.csv").exists())
+
+
+def test_again() -> None:
+    with tempfile.TemporaryDirectory() as temporary:
+        work = Path(temporary)
+        folder = work / "class"
+        build_class(folder)
+        grade(folder, work / "out")
+        found = records(work / "out")
+        check("every submission has one result", len(found) == 16, list(found))
+        same_marks(folder, work, found)
+        killed_and_started_again(folder, work, found)
+        what_has_changed_is_marked_again(folder, work)
+        shards_share_the_work(folder, work, found)
+
+
+TESTS = [test_again]
