@@ -9,7 +9,7 @@ import tarfile
 import zipfile
 import zlib
 
-from .test_submissions import Scratch
+from .scratch import Scratch
 
 FIVE = "05-quadratic.c"
 MB = 1024 * 1024

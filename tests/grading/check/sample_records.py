@@ -9,20 +9,19 @@ import random
 import re
 import sys
 
+import exercises as table
 from report.files import write_class, write_submission
 from report.text import closing
 from .make_records import ball, function, record, stem
 
-TREE = pathlib.Path(__file__).resolve().parents[3]
+MISTAKES = pathlib.Path(__file__).resolve().parents[2] / "mistakes"
 
 
 def exercises() -> dict:
     """stem -> list of (function, slide, prompt)."""
     found = {}
-    for line in (TREE / "tests/exercises.table").read_text(encoding="utf-8").splitlines():
-        if line and not line.startswith("#"):
-            name, prototype, slide, prompt = [part.strip() for part in line.split(" | ")]
-            found.setdefault(name, []).append((re.search(r"(\w+)\(", prototype)[1], slide, prompt))
+    for each in table.read():
+        found.setdefault(each.stem, []).append((each.name, each.slide, each.prompt))
     return found
 
 
@@ -31,7 +30,7 @@ def mistakes() -> dict:
     """function -> list of mistakes, from the C that knows them."""
     found = {}
     string = r'((?:"(?:[^"\\]|\\.)*"\s*)+)'
-    for path in sorted((TREE / "tests/mistakes").glob("*.c")):
+    for path in sorted(MISTAKES.glob("*.c")):
         for each in re.finditer(
             rf"MISTAKE\({string},\s*(\w+),\s*\w+,\s*{string},\s*{string},\s*{string}\)",
             path.read_text(encoding="utf-8"),

@@ -9,7 +9,7 @@ import zipfile
 
 from collect import submissions
 from .packing import FIVE, Archive, member, tarred, zipped
-from .test_submissions import STEMS
+from .scratch import STEMS
 
 
 class WellMade(Archive):

@@ -4,7 +4,7 @@ import time
 import unittest
 
 from collect import answers, folders
-from .test_submissions import Scratch
+from .scratch import Scratch
 
 
 class Folder(Scratch):
