@@ -6,4 +6,4 @@ if ! command -v python3 >/dev/null 2>&1; then
     exit 0
 fi
 exec python3 -B tests/grading/check/run_tests.py submissions test_names test_submissions test_folders test_archives \
-    test_broken_archives test_policy
+    test_broken_archives test_policy test_crew

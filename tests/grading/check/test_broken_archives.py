@@ -2,7 +2,6 @@
 import gzip
 import os
 import tarfile
-import unittest
 import zipfile
 import zlib
 
@@ -79,7 +78,3 @@ class Broken(Archive):
     def test_names_in_words_are_visible(self):
         collected = self.tar(("../\n\x1b[2J" + FIVE, b"x"))
         self.assertTrue(collected.words.isprintable())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -222,7 +222,3 @@ class Text(unittest.TestCase):
     def test_what_holds_nothing_but_bytes_is_not_text(self):
         for raw in (b"a\0b", b"\xff\xfea", b"\xff\xfe\0\xd8", b"\xff\xfea\0\0\0", b"\x7fELF\0"):
             self.assertIsNone(answers.as_text(raw))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -223,7 +223,3 @@ class CameIn(Scratch):
             with self.assertRaises(policy.PolicyError) as caught:
                 self.came_in(text)
             self.assertRegex(str(caught.exception), f":1: .*came in.csv:{line}: .*expected")
-
-
-if __name__ == "__main__":
-    unittest.main()

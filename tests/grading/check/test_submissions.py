@@ -2,7 +2,6 @@
 import os
 import shutil
 import socket
-import unittest
 from types import SimpleNamespace
 
 from collect import submissions
@@ -95,7 +94,3 @@ class Digest(Scratch):
         first = submissions.digest(self.collect())
         os.rename(self.room / "anna" / "05-quadratic.c", self.room / "anna" / "01-corners.c")
         self.assertNotEqual(submissions.digest(self.collect()), first)
-
-
-if __name__ == "__main__":
-    unittest.main()
