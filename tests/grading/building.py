@@ -7,7 +7,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from bench import COMPILE, LINK, Bench
+from workbench import COMPILE, LINK, Workbench
 from visible import visible
 
 MOST_WORDS = 2000      # characters that are quoted of a compiler
@@ -27,7 +27,7 @@ def quoted(path: Path, hide: Path) -> str:
     return visible("\n".join(lines[:MOST_LINES] + ["..."] * cut), lines=True)
 
 
-def compile_words(bench: Bench, stem: str) -> str:
+def compile_words(bench: Workbench, stem: str) -> str:
     words = quoted(bench.folder / f"{stem}.words", bench.kit.folder)
     if words and not any(sign in words for sign in CUT_SHORT):
         return words
@@ -35,7 +35,7 @@ def compile_words(bench: Bench, stem: str) -> str:
             f"or 16 MB of file\n{words}").strip()
 
 
-def link_words(bench: Bench, stem: str) -> str:
+def link_words(bench: Workbench, stem: str) -> str:
     words = quoted(bench.folder / f"{stem}.words", bench.kit.folder)
     known = [f"{name} is not in this file (or is static)"
              for name in re.findall(r"undefined reference to [`'](\w+)'", words)]
@@ -44,7 +44,7 @@ def link_words(bench: Bench, stem: str) -> str:
     return "\n".join(dict.fromkeys(known)) or words or "the linker was stopped"
 
 
-def build(bench: Bench, answers: dict) -> tuple[list[str], dict[str, tuple[str, str]]]:
+def build(bench: Workbench, answers: dict) -> tuple[list[str], dict[str, tuple[str, str]]]:
     """The stems that became programs; and of those that did not, the state and the words."""
     there = [stem for stem, answer in answers.items() if answer.state == "found"]
     for stem in there:

@@ -5,6 +5,7 @@ result. Of several crews (shards) each does a part, and no two do the same one.
 """
 from __future__ import annotations
 
+import ctypes
 import fcntl
 import hashlib
 import os
@@ -49,6 +50,13 @@ class Progress:
             print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
+def end_with_parent() -> None:
+    """However that ends. What this one starts does the same (bubblewrap, confine.c)."""
+    PR_SET_PDEATHSIG = 1
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
 def start(grader: Grader, submission) -> int:
     sys.stdout.flush()
     sys.stderr.flush()
@@ -57,6 +65,7 @@ def start(grader: Grader, submission) -> int:
         return child
     status = 1
     try:
+        end_with_parent()
         os.setsid()
         for stopping in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             signal.signal(stopping, signal.SIG_DFL)
@@ -100,6 +109,8 @@ def mark_all(grader: Grader, submissions: list, jobs: int) -> None:
             code = os.waitstatus_to_exitcode(status)
             if code not in (DONE, KEPT) and time.monotonic() - began > MOST_SECONDS:
                 grader.give_up_on(submission, "timed out", f"took more than {MOST_SECONDS} s in all")
+            elif code == -signal.SIGXCPU:
+                grader.give_up_on(submission, "timed out", "takes more than a minute to be read")
             elif code not in (DONE, KEPT):
                 grader.give_up_on(submission, "crashed",
                                   f"the grader itself ended early ({code}): please report it")

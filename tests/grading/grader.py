@@ -13,7 +13,7 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
-from bench import Bench, read_kit
+from workbench import Workbench, read_kit
 from collect import submissions
 from collect.answers import Collected
 from collect.submissions import Submission
@@ -70,11 +70,11 @@ class Grader:
                                    *sorted((self.kit.folder / "link").iterdir()),
                                    self.kit.folder / "commands", *confine])
 
-    def key(self, collected: Collected) -> str:
+    def key(self, collected: Collected, when: int | None) -> str:
         """Changes with everything that the marks depend on."""
         parts = [submissions.digest(collected), str(self.seed), self.tests, self.sandbox.name]
         if self.policy.due is not None:
-            parts.append(str(collected.when))
+            parts.append(str(when))
         return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
     def place(self, submission: Submission) -> Path:
@@ -91,17 +91,18 @@ class Grader:
         began = time.monotonic()
         with limited(COLLECTING):
             collected = submissions.collect(submission, self.stems)
-        key = self.key(collected)
+        when = policies.came_in(self.policy, submission, collected)
+        key = self.key(collected, when)
         old = self.record(submission)
         if old is not None and old.get("key") == key:
             return KEPT
-        bench = Bench(self.kit, self.sandbox, self.work / submission.folder, self.seed)
+        bench = Workbench(self.kit, self.sandbox, self.work / submission.folder, self.seed)
         record = mark(bench, collected, self.exercises,
                       lambda stem, name: policies.points(self.policy, stem, name))
-        when = policies.came_in(self.policy, submission, collected)
         record["score"], record["late"] = policies.late(self.policy, when, record["score"])
         record.update(key=key, submission=submission.name, folder=submission.folder,
-                      seconds=round(time.monotonic() - began, 2))
+                      seconds=round(time.monotonic() - began, 2),
+                      steps={step: round(seconds, 3) for step, seconds in bench.seconds.items()})
         self.keep_pictures(record, self.place(submission), bench.folder)
         files.write_submission(record, str(self.place(submission)))
         shutil.rmtree(bench.folder, ignore_errors=True)
@@ -119,12 +120,12 @@ class Grader:
         """A result where the process that marks did not come to its end."""
         stems = []
         for stem in self.stems:
-            most = sum(policies.points(self.policy, stem, exercise.name)
-                       for exercise in self.exercises if exercise.stem == stem)
+            most = policies.rounded(sum(policies.points(self.policy, stem, exercise.name)
+                                        for exercise in self.exercises if exercise.stem == stem))
             stems.append({"stem": stem, "file": "", "state": "not judged", "words": words,
                           "functions": [], "score": 0, "max": most})
         record = {"submission": submission.name, "folder": submission.folder, "status": status,
-                  "words": words, "score": 0, "max": sum(stem["max"] for stem in stems), "late": "",
+                  "words": words, "score": 0, "max": policies.rounded(sum(stem["max"] for stem in stems)), "late": "",
                   "stems": stems, "pictures": {}, "key": "", "seed": self.seed, "seconds": 0,
                   "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
         files.write_submission(record, str(self.place(submission)))

@@ -9,9 +9,10 @@ from __future__ import annotations
 import re
 import shutil
 from pathlib import Path
-from building import build
 
-from bench import DRAW, JUDGE, JUDGE_LENT, LEND, LINK_ALL, Bench
+from building import build
+from policy import rounded
+from workbench import DRAW, JUDGE, JUDGE_LENT, LEND, LINK_ALL, Workbench
 
 ESCAPES = {"n": "\n", "t": "\t", "\\": "\\"}  # of tests/judge/report.c
 
@@ -34,11 +35,12 @@ def read_report(path: Path) -> dict[str, dict[str, str]]:
     return functions
 
 
-def lend(bench: Bench, reports: dict[str, dict]) -> dict[str, dict[str, list[str]]]:
+def lend(bench: Workbench, reports: dict[str, dict]) -> dict[str, dict[str, list[str]]]:
     """STEM -> FUNCTION -> those of its stem that it asked for, when it passed with them lent."""
     stems = []
     for stem, functions in reports.items():
-        states = [function["state"] for function in functions.values() if function["state"] != "right"]
+        states = [function.get("state") for function in functions.values()
+                  if function.get("state") != "right"]
         if len(states) > 1 and set(states) - {"unanswered"}:
             stems.append(stem)
     if not stems or not bench.link(LEND, stems):
@@ -64,7 +66,7 @@ def waiting(asked: dict[str, list[str]]) -> dict[str, list[str]]:
         good.update(more)
 
 
-def draw(bench: Bench, answered: list[str], stems) -> bool:
+def draw(bench: Workbench, answered: list[str], stems) -> bool:
     """Whether yours.png is there: what all the answers draw together, the reference where there is none."""
     files = [f"{stem}.o" if stem in answered else str(bench.kit.folder / "link" / f"right-{stem}.o")
              for stem in stems]
@@ -98,7 +100,7 @@ def function_part(exercise, found: dict[str, str], waits_for: list[str] | None) 
     return part
 
 
-def stem_parts(bench: Bench, answers: dict, exercises: list) -> tuple[list[dict], bool]:
+def stem_parts(bench: Workbench, answers: dict, exercises: list) -> tuple[list[dict], bool]:
     """Each stem's part of the record, but for its marks; and whether there is a picture."""
     linked, trouble = build(bench, answers)
     if linked:
@@ -124,12 +126,12 @@ def stem_parts(bench: Bench, answers: dict, exercises: list) -> tuple[list[dict]
 
 
 def add_marks(stem: dict, exercises: list, points) -> None:
-    stem["max"] = sum(points(stem["stem"], exercise.name)
-                      for exercise in exercises if exercise.stem == stem["stem"])
+    stem["max"] = rounded(sum(points(stem["stem"], exercise.name)
+                              for exercise in exercises if exercise.stem == stem["stem"]))
     for function in stem["functions"]:
         function["max"] = points(stem["stem"], function["name"])
         function["score"] = function["max"] if function["state"] in ("right", "waiting") else 0
-    stem["score"] = sum(function["score"] for function in stem["functions"])
+    stem["score"] = rounded(sum(function["score"] for function in stem["functions"]))
 
 
 def status_of(stems: list[dict]) -> tuple[str, str]:
@@ -145,7 +147,7 @@ def status_of(stems: list[dict]) -> tuple[str, str]:
     return "graded", ""
 
 
-def mark(bench: Bench, collected, exercises: list, points) -> dict:
+def mark(bench: Workbench, collected, exercises: list, points) -> dict:
     """The record, but for names and lateness. points(stem, function): what it is worth."""
     shutil.rmtree(bench.folder, ignore_errors=True)
     bench.folder.mkdir(parents=True)
@@ -154,6 +156,6 @@ def mark(bench: Bench, collected, exercises: list, points) -> dict:
         add_marks(stem, exercises, points)
     status, words = ("empty", collected.words) if collected.empty else status_of(stems)
     return {"status": status, "words": words or collected.words, "stems": stems,
-            "score": sum(stem["score"] for stem in stems), "max": sum(stem["max"] for stem in stems),
+            "score": rounded(sum(stem["score"] for stem in stems)), "max": rounded(sum(stem["max"] for stem in stems)),
             "pictures": {"expected": "expected.png", "yours": "yours.png"} if is_drawn else {},
             "seed": bench.seed, "sandbox": bench.sandbox.name, "unsafe": bench.sandbox.unsafe}

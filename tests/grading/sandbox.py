@@ -36,7 +36,7 @@ class Sandbox:
     def view(self, folder: Path, readable: list[str], command: list[str]) -> list[str]:
         """The command in a file system that has only the folder and what is readable."""
         if not self.bubblewrap:
-            return command
+            return [self.confine, "attended", "--", *command] if self.confine else command
         view = ["bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL",
                 "--hostname", "sandbox", "--dev", "/dev", "--proc", "/proc", "--size", str(64 << 20),
                 "--tmpfs", "/tmp"]

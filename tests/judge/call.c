@@ -108,7 +108,7 @@ static void become_answering(const int calls[2], const int answers[2])
 #ifndef __SANITIZE_ADDRESS__ // whose shadow is larger than any limit
     limit(RLIMIT_AS, MOST_MEMORY);
 #endif
-    const char *confine = getenv("CONFINE"); // tests/grading/confine.c, for hostile answers
+    const char *confine = getenv("CONFINE"); // tests/grading/confine/, for hostile answers
     char *const environment[] = {NULL};
     if (confine != NULL)
         execve(confine, (char *[]){"confine", "answer", (char *)program, NULL}, environment);

@@ -34,6 +34,7 @@ def records(out: Path) -> dict[str, dict]:
     for path in sorted(out.glob("*/results.json")):
         record = json.loads(path.read_text())["extra_data"]["record"]
         record.pop("seconds", None)
+        record.pop("steps", None)
         found[path.parent.name] = record
     return found
 

@@ -32,6 +32,36 @@ def same_marks(folder: Path, work: Path, found: dict[str, dict]) -> None:
               {name: record["status"] for name, record in theirs.items()})
 
 
+def at_work_in(folder: Path) -> list[str]:
+    """The processes that have to do with this folder."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            words = (process / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+            if str(folder) in words or os.readlink(process / "cwd").startswith(str(folder)):
+                found.append(words)
+        except OSError:
+            pass  # it has ended
+    return found
+
+
+def nothing_is_left_of_a_kill(folder: Path, work: Path, sandbox: str) -> None:
+    out = work / f"killed under {sandbox}"
+    endless = work / f"endless {sandbox}"
+    (endless / "a").mkdir(parents=True)
+    shutil.copy(folder / "endless" / "01-corners.c", endless / "a")
+    grader = subprocess.Popen(command(endless, out), env={**os.environ, "SEED": SEED, "SANDBOX": sandbox},
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    until = time.monotonic() + 20
+    while not any("answering" in words for words in at_work_in(out)) and time.monotonic() < until:
+        time.sleep(0.02)
+    check(f"an endless answer is at work under {sandbox}", time.monotonic() < until)
+    grader.kill()
+    grader.wait()
+    time.sleep(0.5)
+    check(f"a kill under {sandbox} ends it, too", at_work_in(out) == [], at_work_in(out))
+
+
 def killed_and_started_again(folder: Path, work: Path, found: dict[str, dict]) -> None:
     chance = random.Random(7)
     out = work / "killed"
@@ -91,6 +121,9 @@ def test_again() -> None:
         found = records(work / "out")
         check("every submission has one result", len(found) == 16, list(found))
         same_marks(folder, work, found)
+        for sandbox in ("bubblewrap", "landlock"):
+            if sandbox in next(iter(found.values()))["sandbox"].lower():
+                nothing_is_left_of_a_kill(folder, work, sandbox)
         killed_and_started_again(folder, work, found)
         what_has_changed_is_marked_again(folder, work)
         shards_share_the_work(folder, work, found)

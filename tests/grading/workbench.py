@@ -1,11 +1,12 @@
-"""bench.py - where one submission is worked on, each step in a sandbox of its own.
+"""workbench.py - where one submission is worked on, each step in a sandbox of its own.
 
 The steps are shell, so that one sandbox serves all files of a submission. What they are shown of this
 project is the kit, which the Makefile makes.
 """
 from __future__ import annotations
 
-from dataclasses import dataclass
+import time
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from sandbox import Sandbox
@@ -13,10 +14,13 @@ from sandbox import Sandbox
 COMPILE_SECONDS = 60   # for a submission's files together; each has five of work (confine.c)
 JUDGE_SECONDS = 240    # for all its functions; each has one of work a call (judge/call.c)
 
-COMPILE = 'for stem; do $COMPILE -o "$stem.o" "$stem.c" 2>"$stem.words"; done; true'
+# A compiler that is stopped leaves half a file.
+COMPILE = '''for stem; do
+    $COMPILE -o "$stem.o" "$stem.c" 2>"$stem.words" || rm -f "$stem.o"
+done; true'''
 LINK = '''for stem; do
     $LINK -o "$stem.exe" "$stem.o" "$KIT/link/$stem.o" "$KIT/link/blank-$stem.o" $LIBRARIES \\
-        2>"$stem.words"
+        2>"$stem.words" || rm -f "$stem.exe"
 done; true'''
 JUDGE = 'for stem; do mkdir -p "$stem.d" && "$JUDGES/$stem" "$stem.exe" "$stem.d"; done; true'
 # Which functions that failed call others that are not right, and for each a program with those lent.
@@ -63,22 +67,23 @@ def shell(script: str, words: list[str]) -> list[str]:
 
 
 @dataclass(frozen=True)
-class Bench:
+class Workbench:
     kit: Kit
     sandbox: Sandbox
     folder: Path
     seed: int
+    seconds: dict[str, float] = field(default_factory=lambda: {"compile": 0.0, "link": 0.0, "judge": 0.0})
 
     def compile(self, script: str, words: list[str]) -> bool:
-        return self._build(script, words, ["headers"])
+        return self._build("compile", script, words, ["headers"])
 
     def link(self, script: str, words: list[str]) -> bool:
-        return self._build(script, words, ["link", "calls.awk"])
+        return self._build("link", script, words, ["link", "calls.awk"])
 
-    def _build(self, script: str, words: list[str], of_kit: list[str]) -> bool:
+    def _build(self, step: str, script: str, words: list[str], of_kit: list[str]) -> bool:
         readable = [str(self.kit.folder / name) for name in of_kit]
         command = self.sandbox.compiler(self.folder, readable, shell(script, words))
-        return self.sandbox.run(command, self.folder, COMPILE_SECONDS, self.kit.environment())
+        return self._run(step, command, COMPILE_SECONDS, self.kit.environment())
 
     def judge(self, script: str, words: list[str]) -> bool:
         readable = [str(self.kit.judges), self.sandbox.confine]
@@ -86,4 +91,10 @@ class Bench:
         environment = {**self.kit.environment(), "SEED": str(self.seed)}
         if self.sandbox.confine:
             environment["CONFINE"] = self.sandbox.confine
-        return self.sandbox.run(command, self.folder, JUDGE_SECONDS, environment)
+        return self._run("judge", command, JUDGE_SECONDS, environment)
+
+    def _run(self, step: str, command: list[str], most: float, environment: dict[str, str]) -> bool:
+        began = time.monotonic()
+        done = self.sandbox.run(command, self.folder, most, environment)
+        self.seconds[step] += time.monotonic() - began
+        return done
