@@ -1,7 +1,7 @@
 """sandbox.py - what stands between hostile code and this machine.
 
 Compiling and linking: in a file system that shows the compiler and one folder (bubblewrap), and under
-Landlock, seccomp and limits (confine.c). Judging: the judge in a file system of its own, the answers
+Landlock, seccomp and limits (confine/). Judging: the judge in a file system of its own, the answers
 under confine. Where user namespaces are not to be had, confine alone does it.
 """
 from __future__ import annotations

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from sandbox import Sandbox
 
-COMPILE_SECONDS = 60   # for a submission's files together; each has five of work (confine.c)
+COMPILE_SECONDS = 60   # for a submission's files together; each has five of work (confine/)
 JUDGE_SECONDS = 240    # for all its functions; each has one of work a call (judge/call.c)
 
 # A compiler that is stopped leaves half a file.
