@@ -412,8 +412,9 @@ grade: $(KIT)/commands $(JUDGES) ## mark a class: SUBMISSIONS=dir OUT=build/grad
 skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
 	@.make/skeletons $(BLANKS)
 
-bench: $(JUDGES) ## how long from save to verdict
+bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute
 	@tests/benches/latency.sh
+	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')
 
 # ---- the habits of the house ------------------------------------------------------------------
 

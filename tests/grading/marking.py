@@ -156,6 +156,7 @@ def mark(bench: Workbench, collected, exercises: list, points) -> dict:
         add_marks(stem, exercises, points)
     status, words = ("empty", collected.words) if collected.empty else status_of(stems)
     return {"status": status, "words": words or collected.words, "stems": stems,
-            "score": rounded(sum(stem["score"] for stem in stems)), "max": rounded(sum(stem["max"] for stem in stems)),
+            "score": rounded(sum(stem["score"] for stem in stems)),
+            "max": rounded(sum(stem["max"] for stem in stems)),
             "pictures": {"expected": "expected.png", "yours": "yours.png"} if is_drawn else {},
             "seed": bench.seed, "sandbox": bench.sandbox.name, "unsafe": bench.sandbox.unsafe}
