@@ -409,6 +409,9 @@ grade: $(KIT)/commands $(JUDGES) ## mark a class: SUBMISSIONS=dir OUT=build/grad
 	@[ -n '$(SUBMISSIONS)' ] || { echo 'grade what? Say: make grade SUBMISSIONS=folder' >&2; exit 2; }
 	@python3 -B tests/grading/grade.py $(KIT) '$(SUBMISSIONS)' --out '$(or $(OUT),build/grades)' $(if $(POLICY),--policy '$(POLICY)')
 
+gradescope: ## build/gradescope.zip, an autograder for Gradescope
+	@python3 -B tests/grading/recipes/gradescope.py build/gradescope.zip
+
 skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
 	@.make/skeletons $(BLANKS)
 
@@ -443,5 +446,5 @@ clean: ## remove what was built
 help: ## this
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all setup check check-all bench grade exercises watch hint debug reset skeletons format format-check tidy clean help
+.PHONY: all setup check check-all bench grade gradescope exercises watch hint debug reset skeletons format format-check tidy clean help
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
