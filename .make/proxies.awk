@@ -2,6 +2,9 @@
 #
 #   -v make=weak        a pragma per exercise: its definition gives way to another
 #   -v make=reference   a define per exercise: the reference goes by reference_NAME
+#                       (-v stem=NN-stem: only of that chapter, right_NAME: it calls the other chapters
+#                       by their contract names)
+#   -v make=rights      for a picture: a table of those
 #   -v make=proxies     for the judge: each exercise under its own name, asking whoever answers;
 #                       what came out is held against the mistakes and the laws
 #   -v make=dispatch -v stem=NN-stem   for the answering process: one call of one exercise
@@ -38,8 +41,15 @@ BEGIN {
 make == "weak" {
     print "#pragma weak " name
 }
-make == "reference" {
-    print "#define " name " reference_" name
+make == "reference" && (stem == "" || stem == $1) {
+    print "#define " name " " (stem == "" ? "reference_" : "right_") name
+}
+make == "rights" {
+    if (number == 1)
+        print "// Made from tests/exercises.table by .make/proxies.awk.\n" \
+            "#include \"tests/judge/exercise.h\"\n"
+    print "void right_" name "(void);"
+    table = table "    right_" name ",\n"
 }
 make == "proxies" {
     if (number == 1)
@@ -67,6 +77,8 @@ make == "dispatch" {
 END {
     if (make == "proxies")
         print "const Exercise exercises[] = {\n" table "    {0},\n};"
+    if (make == "rights")
+        print "extern AnyFunction *const rights[];\nAnyFunction *const rights[] = {\n" table "};"
     if (make == "dispatch")
         print "    default:\n        return false;\n    }\n}"
 }

@@ -39,7 +39,8 @@ def link_words(bench: Workbench, stem: str) -> str:
     words = quoted(bench.folder / f"{stem}.words", bench.kit.folder)
     known = [f"{name} is not in this file (or is static)"
              for name in re.findall(r"undefined reference to [`'](\w+)'", words)]
-    known += [f"{name} is there already: give yours another name"
+    known += ["leave main out: the tests have one" if name == "main" else
+              f"{name} is there already: give yours another name"
               for name in re.findall(r"multiple definition of [`'](\w+)'", words)]
     return "\n".join(dict.fromkeys(known)) or words or "the linker was stopped"
 

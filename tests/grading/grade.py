@@ -16,7 +16,10 @@ from report import files, text
 from settings import arguments, stop
 
 
-def mention(others: list) -> None:
+def mention(others: list, stems: list, folder) -> None:
+    answers = [name for name in others if name in [f"{stem}.c" for stem in stems]]
+    if answers:
+        stop(f"{folder} holds {answers[0]} itself: it is one submission. Name the folder that it lies in.")
     if others:
         more = f" and {len(others) - 5} more" if len(others) > 5 else ""
         print(f"Not submissions (neither folder nor archive): {', '.join(others[:5])}{more}", file=sys.stderr)
@@ -31,7 +34,7 @@ def main() -> int:
     except PolicyError as error:
         stop(str(error))
     found, others = submissions.find(given.submissions)
-    mention(others)
+    mention(others, grader.stems, given.submissions)
     todo = of_shard(found, given.shard)
     lock = alone(grader.work)
     began = time.monotonic()

@@ -66,11 +66,9 @@ def waiting(asked: dict[str, list[str]]) -> dict[str, list[str]]:
         good.update(more)
 
 
-def draw(bench: Workbench, answered: list[str], stems) -> bool:
-    """Whether yours.png is there: what all the answers draw together, the reference where there is none."""
-    files = [f"{stem}.o" if stem in answered else str(bench.kit.folder / "link" / f"right-{stem}.o")
-             for stem in stems]
-    return bench.link(LINK_ALL, files) and bench.judge(DRAW, [])
+def draw(bench: Workbench, answered: list[str]) -> bool:
+    """Whether yours.png is there: what the answers draw together, and right ones where there are none."""
+    return bench.link(LINK_ALL, [f"{stem}.o" for stem in answered]) and bench.judge(DRAW, answered)
 
 
 # ---- the record ----------------------------------------------------------------------------------
@@ -122,7 +120,7 @@ def stem_parts(bench: Workbench, answers: dict, exercises: list) -> tuple[list[d
                       "functions": functions})
     right = all(part["functions"] and all(function["state"] == "right" for function in part["functions"])
                 for part in parts)
-    return parts, bool(linked) and not right and draw(bench, linked, answers)
+    return parts, bool(linked) and not right and draw(bench, linked)
 
 
 def add_marks(stem: dict, exercises: list, points) -> None:
@@ -144,6 +142,9 @@ def status_of(stems: list[dict]) -> tuple[str, str]:
             for function in stem["functions"]:
                 if function["state"] == state:
                     return state, f"{stem['stem']}: {function['name']} {function['how']}"
+    for stem in stems:
+        if stem["state"] in ("twice", "not judged"):
+            return "graded", f"{stem['stem']}: {stem['words']}"
     return "graded", ""
 
 

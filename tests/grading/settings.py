@@ -32,9 +32,9 @@ def arguments() -> argparse.Namespace:
     there = os.environ.get
     parser = argparse.ArgumentParser(prog="grade.py", description="Marks a folder of submissions.")
     parser.add_argument("kit", type=Path)
-    parser.add_argument("submissions", type=Path)
-    parser.add_argument("--out", type=Path, required=True)
-    parser.add_argument("--policy", type=Path, default=policy.DEFAULT)
+    parser.add_argument("submissions", type=Path, nargs="?", default=there("SUBMISSIONS") or None)
+    parser.add_argument("--out", type=Path, default=there("OUT", "build/grades"))
+    parser.add_argument("--policy", type=Path, default=there("POLICY") or policy.DEFAULT)
     parser.add_argument("--seed", default=there("SEED", ""))
     parser.add_argument("--jobs", default=there("JOBS", ""))
     parser.add_argument("--shard", default=there("SHARD", ""))
@@ -44,6 +44,8 @@ def arguments() -> argparse.Namespace:
     given.jobs = number("JOBS", given.jobs, 1, 1024) if given.jobs else len(os.sched_getaffinity(0))
     given.shard = shard(given.shard) if given.shard else None
     given.seed = number("SEED", given.seed, 0, LARGEST_SEED) if given.seed else None
+    if given.submissions is None:
+        stop("grade what? Say: make grade SUBMISSIONS=folder")
     if not given.submissions.is_dir():
         stop(f"SUBMISSIONS={given.submissions}: no such folder")
     return given

@@ -43,7 +43,7 @@ done; true'''
 # One process of all chapters, which draws a picture. Chapters that use one name for two helpers do not
 # fit into one process, and there is none then.
 LINK_ALL = '$LINK -o all.exe "$@" "$KIT"/link/all.o "$KIT"/link/blank-*.o $LIBRARIES'
-DRAW = '"$JUDGES/picture" all.exe "$JUDGES/scene.nff" yours.png'
+DRAW = '"$JUDGES/picture" all.exe "$JUDGES/scene.nff" yours.png "$@"'
 
 
 @dataclass(frozen=True)

@@ -147,6 +147,9 @@ def answer_from(stem: str, seen: Seen) -> Answer:
         return Answer("unreadable", seen.places[0], words="; ".join(words))
     if seen.differ:
         words.insert(0, f"{seen.count} files are called {stem}.c and are not the same: {places}")
+        if {f"{room}/{stem}.c" for room in ("exercises", "solutions")} <= {
+                "/".join(place.split("/")[-2:]) for place in seen.places}:
+            words.append("this is a copy of the toolkit; hand in its exercises/")
         return Answer("twice", words="; ".join(words))
     if seen.count > 1:
         words.insert(0, f"{seen.count} files with the same text count as one: {places}")

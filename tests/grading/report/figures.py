@@ -45,7 +45,9 @@ def quartiles(records: list) -> tuple:
 def trouble(function: dict):
     """What kind of thing went wrong, as a key and a sentence; None where nothing did."""
     if function["state"] in ("timed out", "crashed"):
-        return function["state"], f"{function['state']}: {function['how'] or sentence(function)}"
+        how = function["how"] or sentence(function)
+        said = how.startswith(function["state"])
+        return function["state"], how if said else f"{function['state']}: {how}"
     if function["state"] != "wrong":
         return None
     if function["mistake"]:
@@ -86,7 +88,7 @@ def not_answered(records: list) -> list:
     count = {}
     for record in records:
         for stem in record["stems"]:
-            if stem["state"] == "missing":
+            if stem["state"] == "missing" and stem["max"]:
                 count[stem["stem"]] = count.get(stem["stem"], 0) + 1
             elif stem["state"] == "judged":
                 for function in stem["functions"]:

@@ -15,7 +15,8 @@ def summary(record: dict) -> str:
     lines = [UNSAFE] if record["unsafe"] else []
     lines.append(f"{record['status']}: {score}")
     lines += [line for line in (record["words"], record["late"]) if line]
-    lines.append("'make exercises' says the same of your files, in your own copy.")
+    if any(stem["functions"] for stem in record["stems"]):
+        lines.append("'make exercises' says the same of your files, but for the random inputs of this run.")
     return "\n".join(lines)
 
 

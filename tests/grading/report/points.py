@@ -33,6 +33,8 @@ def points(record: dict) -> list:
     """Dicts: stem, name, number, state, outcome, message, lines, score, max. Names are unique."""
     found = []
     for place, stem in enumerate(record["stems"], 1):
+        if stem["state"] == "missing" and not stem["max"]:
+            continue  # it was not asked for
         number = str(int(stem["stem"][:2])) if stem["stem"][:2].isdecimal() else f"x{place}"
         if stem["state"] != "judged":
             found.append(
