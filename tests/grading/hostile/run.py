@@ -1,7 +1,7 @@
-"""test_hostile.py - a class of nothing but attacks, with honest answers among them: no mark that was not
+"""run.py - a class of nothing but attacks, with honest answers among them: no mark that was not
 earned, no byte leaked, no process left, no honest mark changed, and every verdict in words.
 
-    test_hostile.py [SANDBOX | PART-OF-A-NAME]...    bubblewrap and landlock, and all submissions, unless
+    run.py [SANDBOX | PART-OF-A-NAME]...    bubblewrap and landlock, and all submissions, unless
                                      some are named; with 'none' it shows that the attacks are real, and
                                      that the machine survives them
 
@@ -18,14 +18,14 @@ import sys
 import tempfile
 from pathlib import Path
 
-import hostile_archives as archives
-import hostile_controls as controls
-import hostile_corpus as corpus
-import hostile_made as made
-import hostile_reports as reports
-import hostile_room as room
+import archives
+import controls
+import corpus
+import made
+import reports
+import room
 
-TREE = Path(__file__).resolve().parents[2]
+TREE = Path(__file__).resolve().parents[3]
 SEED = "20151104"
 SECONDS = 1200  # for the whole class, once
 KINDS = ["bubblewrap", "landlock"]

@@ -1,4 +1,4 @@
-"""hostile_controls.py - honest submissions among the hostile ones: right answers in every shape, wrong
+"""controls.py - honest submissions among the hostile ones: right answers in every shape, wrong
 ones, blanks, and right answers under names that no one should have. All keep their marks.
 """
 from __future__ import annotations
@@ -10,7 +10,7 @@ import tarfile
 import zipfile
 from pathlib import Path
 
-from hostile_corpus import Expected, blank
+from corpus import Expected, blank
 
 # As bytes: a file system takes any but / and NUL.
 ODD_NAMES = [

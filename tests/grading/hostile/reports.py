@@ -1,4 +1,4 @@
-"""hostile_reports.py - what must hold of the reports on a hostile class, whatever was handed in.
+"""reports.py - what must hold of the reports on a hostile class, whatever was handed in.
 
 Each function gives the complaints: an empty list where all is well.
 """
@@ -11,7 +11,7 @@ import re
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-from hostile_corpus import STATUSES, Expected
+from corpus import STATUSES, Expected
 
 PAID = {"right", "waiting"}
 # What a submission returns when it could do what it must not be able to.

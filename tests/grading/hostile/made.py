@@ -1,4 +1,4 @@
-"""hostile_made.py - the hostile submissions that are no single file of text: links, pipes, folders, and
+"""made.py - the hostile submissions that are no single file of text: links, pipes, folders, and
 bytes that are no text.
 
 Each function makes one below the class's folder, from the honest answers (stem -> text), and returns
@@ -11,7 +11,7 @@ import random
 import socket
 from pathlib import Path
 
-from hostile_corpus import FOLDER, Expected, completed
+from corpus import FOLDER, Expected, completed
 
 CORNERS, SCREEN = "01-corners.c", "03-screen.c"
 LOOP = """

@@ -1,4 +1,4 @@
-"""hostile_room.py - where the hostile class is graded: limits and a process namespace round the grader,
+"""room.py - where the hostile class is graded: limits and a process namespace round the grader,
 so that the machine survives a failure of the test itself, and eyes for what it leaves behind.
 """
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""hostile_corpus.py - reads tests/grading/hostile/*.c: what each tries, and what must come of it.
+"""corpus.py - reads tests/grading/hostile/*.c: what each tries, and what must come of it.
 
 The first lines of a file say it:
 
@@ -19,7 +19,7 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parent / "hostile"
+FOLDER = Path(__file__).resolve().parent
 STATUSES = {"graded", "does not compile", "empty", "timed out", "crashed"}
 KEYS = {"stem", "expect", "earns", "says", "rest", "needs"}
 

@@ -1,6 +1,6 @@
-"""hostile_archives.py - hostile archives: paths and links that lead out, bombs, lies and noise.
+"""archives.py - hostile archives: paths and links that lead out, bombs, lies and noise.
 
-Each function makes one, as in hostile_made.py.
+Each function makes one, as in made.py.
 """
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import tarfile
 import zipfile
 from pathlib import Path
 
-from hostile_corpus import Expected
-from hostile_made import CORNERS, NOTHING_THERE, SCREEN
+from corpus import Expected
+from made import CORNERS, NOTHING_THERE, SCREEN
 
 
 def zipped(path: Path, *members, method=zipfile.ZIP_DEFLATED) -> None:
