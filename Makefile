@@ -173,7 +173,8 @@ setup: ## install what is missing (FOR=instructor, contributor)
 # ---- tests ------------------------------------------------------------------------------------
 
 # What every program of tests is made of: its list of tests, and the words for given and expected.
-TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect runner show random)
+TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
+	show random)
 COMMON_TESTS := $(patsubst tests/common/%.c,$(B)/tests/common/%,$(wildcard tests/common/*.c))
 $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/main.o $(B)/common.a
 	$(call say,link,$@)
@@ -205,7 +206,7 @@ LENT := $(STEMS:%=$(B)/judge/lent-%.o)
 $(LENT:.o=.c): $(B)/judge/lent-%.c: tests/exercises.table .make/proxies.awk
 	$(Q)mkdir -p $(@D)
 	$(Q)awk -v make=lent -v stem=$* -f .make/proxies.awk $< > $@
-$(DISPATCHES) $(LENT) $(B)/judge/proxies.o: %.o: %.c $(B)/flags
+$(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies layouts exercises): %.o: %.c $(B)/flags
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -o $@ $<
 # The same by the reference: the judge's, for what it lends, and the matrix's.
@@ -414,6 +415,49 @@ skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over change
 
 bench: $(JUDGES) ## how long from save to verdict
 	@tests/benches/latency.sh
+
+# ---- the handout ------------------------------------------------------------------------------
+
+# What the tests ask and what is right, as a table without any test or answer in it (tests/told/).
+$(B)/judge/layouts.c $(B)/judge/exercises.c: $(B)/judge/%.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=$* -f .make/proxies.awk $< > $@
+TABLE := $(B)/told
+TOLD := $(patsubst %,$(B)/tests/told/%.o,layout table) $(B)/judge/layouts.o
+REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,wire same suspects switchboard) $(TOLD) \
+	$(patsubst %,$(B)/tests/told/%.o,replay expect)
+$(STEMS:%=$(B)/told/path/%.c): $(B)/told/path/%.c:
+	$(Q)mkdir -p $(@D)
+	$(Q)printf '#include "tests/told/replay.h"\n\nconst char told_path[] = "%s";\n' $(TABLE)/$*.table > $@
+$(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags
+	$(Q)$(COMPILE) -o $@ $<
+TELLERS := $(STEMS:%=$(B)/told/tell/%)
+$(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
+		$(filter-out %/call.o,$(JUDGING)) $(TOLD) $(patsubst %,$(B)/tests/told/%.o,tell here) \
+		$(B)/judge/dispatch-%.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+TABLES := $(STEMS:%=$(TABLE)/%.table)
+$(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
+	$(call say,tell,$@)
+	$(Q)$< $@
+
+# The table by itself, and right answers written otherwise, held against it.
+TABLE_CHECKS := $(STEMS:%=$(B)/told/check/%)
+$(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told/check.o \
+		$(B)/judge/exercises.o $(B)/common.a | $(TABLE)/%.table
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+TABLE_VARIANTS := $(STEMS:%=$(B)/told/variants/%)
+$(TABLE_VARIANTS): $(B)/told/variants/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/variants/%.o \
+		$(patsubst %,$(B)/tests/told/%.o,variants here) $(B)/judge/dispatch-%.o \
+		$(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES) $(B)/common.a | $(TABLE)/%.table
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
 # ---- the habits of the house ------------------------------------------------------------------
 
