@@ -375,6 +375,7 @@ lent = $(B)/judge/lent-$(1).o
 earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
 for_debug = $(call test_objects,$(1))
 #]
+#~ include .make/handout.mk
 # Between saving and reading stands the linker: the quickest that is there.
 QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
 	gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
@@ -406,7 +407,9 @@ watch: $(VERDICTS) ## judge again whenever an answer is saved
 	@.make/watch $(VERDICT) $(EXERCISES) $(CHOSEN)
 
 hint: $(VERDICTS) ## one hint more each time it is asked for (EX=05)
-	@name=$$(awk '$$1 !~ /^[+!]/ && $$2 != "right" { print $$1; exit }' $(VERDICT)/$(CHOSEN)/table); \
+	@name=$$(awk '$$1 !~ /^[+!]/ && $$2 != "right" { \
+			if ($$2 ~ /^(wrong|unanswered)$$/ && wants == "") wants = $$1; else waits = $$1 } \
+			END { print wants != "" ? wants : waits }' $(VERDICT)/$(CHOSEN)/table); \
 		[ -n "$$name" ] || { echo "$(CHOSEN) needs no hint: make exercises EX=$(EX)"; exit 0; }; \
 		.make/hint exercises/$(CHOSEN).hints "$$name" $(call answer_in,$(EXERCISES),$(CHOSEN)) \
 		$(VERDICT)/$(CHOSEN).hint
@@ -495,7 +498,6 @@ skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over change
 bench: $(JUDGES) ## how long from save to verdict
 	@tests/benches/latency.sh
 #]
-#~ include .make/handout.mk
 
 # ---- the habits of the house ------------------------------------------------------------------
 

@@ -20,8 +20,9 @@ BEGIN {
         show_progress(stem[i])
     print ""
     if (next_stem != "") {
-        print "Next: " answers "/" next_stem ".c"
-        print "      the lesson is chapters/" next_stem "/README.md"
+        work = trouble[next_stem] == "" && stands_on[next_stem] != "" ? stands_on[next_stem] : next_stem
+        print "Next: " answers "/" work ".c"
+        print "      the lesson is chapters/" work "/README.md"
     }
     exit next_stem == "" ? 0 : is_wrong ? 1 : 2
 }
@@ -107,7 +108,7 @@ function show_progress(s,   words) {
     if (s == next_stem) {
         show_names("wrong", listed[s, "wrong"])
         show_names("waiting", listed[s, "waiting"])
-        show_names("not to be told yet", listed[s, "unsure"])
+        show_names("cannot be told yet", listed[s, "unsure"])
         show_standing(s)
         show_names("not answered yet", listed[s, "unanswered"])
     }
@@ -116,12 +117,15 @@ function show_progress(s,   words) {
 }
 
 # Where there is no reference: which answers of earlier chapters these stand on that are not right.
-function show_standing(s,   file, line, names) {
+function show_standing(s,   file, line, names, earlier) {
     file = verdicts "/" s "/stands"
     while ((getline line < file) > 0) {
+        earlier = substr(line, 1, index(line, " ") - 1)
         names = substr(line, index(line, " ") + 1)
         gsub(/ /, ", ", names)
-        show_names("stands on your " substr(line, 1, index(line, " ") - 1) ", which is not right yet", names)
+        show_names("stands on your " earlier ", which is not right yet", names)
+        if (stands_on[s] == "")
+            stands_on[s] = earlier
     }
     close(file)
 }

@@ -39,7 +39,7 @@ END {
         print text[i] > (folder[1] "/table.new")
     }
     printf "" > (folder[1] "/stands")
-    for (i = count; i > 1; i--) {
+    for (i = 2; i <= count; i++) {
         stem = folder[i]
         sub(/.*\//, "", stem)
         if (stands[stem] != "")

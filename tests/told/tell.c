@@ -1,6 +1,7 @@
 // tell.c - makes the table of a stem from its tests, the reference and the mistakes.
 //
 //   PROGRAM FILE
+//   PROGRAM --formulas    says what the mistakes compute, a line each: what no handout may hold
 //
 // First each test runs as it is, and its calls are written down. Then it runs again and again with
 // one result changed a little, to find out what else it takes for right: the table is as strict
@@ -218,6 +219,17 @@ static void find_out(ToldTest *test)
     }
 }
 
+// Where one test of the function wants the very direction, the others may not say otherwise.
+static void agree_on_lengths(void)
+{
+    for (int i = 0; i < told.test_count; i++)
+        for (int k = 0; k < told.tests[i].call_count; k++)
+            for (int j = 0; !told.tests[i].calls[k].length_is_free && j < told.test_count; j++)
+                for (int l = 0; l < told.tests[j].call_count; l++)
+                    if (strcmp(told.tests[i].function, told.tests[j].function) == 0)
+                        told.tests[j].calls[l].length_is_free = 0;
+}
+
 // ---- the table ----------------------------------------------------------------------------------
 
 static void add_test(const Outcome *outcome)
@@ -250,8 +262,18 @@ static void add_mistake(const Mistake *mistake)
                       .digits = strncmp(mistake->id, "X-", 2) == 0};
 }
 
+static int say_formulas(void)
+{
+    for (int table = 0; mistakes[table] != NULL; table++)
+        for (int i = 0; mistakes[table][i].id != NULL; i++)
+            puts(mistakes[table][i].formula);
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
+    if (argc == 2 && strcmp(argv[1], "--formulas") == 0)
+        return say_formulas();
     const char *slash = strrchr(argv[0], '/');
     FILE *file = argc == 2 ? fopen(argv[1], "wb") : NULL;
     if (file == NULL) {
@@ -264,6 +286,7 @@ int main(int argc, char **argv)
     records_end();
     for (int i = 0; i < all.count; i++)
         add_test(&all.tests[i]);
+    agree_on_lengths();
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++)
             add_mistake(&mistakes[table][i]);
