@@ -8,7 +8,7 @@ typedef struct {
     const char *id;       // C2, as the field's list of mistakes has it, or a name of our own
     const char *exercise; // the function that it answers wrongly
     AnyFunction *answer;
-    const char *formula; // what it computes, as the slide would write it: d f - w r + h u
+    const char *formula; // what it computes, as the slide would write it
     const char *why;     // why that is wrong, in terms of the picture; whole sentences
     const char *picture; // what its author would see: 'everything at half its size'
 } Mistake;

@@ -18,26 +18,43 @@ none_of_these() {
 # No file of the handout, but for the lessons, has any of these lines (fixed strings).
 holds_none_of() {
     [ -s "$1" ] || { echo "nothing to look for"; return 1; }
-    ! find "$scratch/tree" -type f ! -path '*/chapters/*/README.md' \
-        -exec grep -aHFf "$1" {} +
+    ! find "$scratch/tree" -type f ! -path '*/chapters/*/README.md' -exec grep -aoHFf "$1" {} +
 }
 
+# Made from a copy of the tree, with an answer in it, and no git.
+elsewhere() {
+    mkdir "$scratch/copy" "$scratch/out" &&
+        cp -r .make .github .clang-format .editorconfig .gitignore Makefile README.md common chapters \
+            exercises tests "$scratch/copy" &&
+        echo '// my answer' >>"$scratch/copy/exercises/01-corners.c" &&
+        SOURCE_DATE_EPOCH=$(git log -1 --format=%ct) && export SOURCE_DATE_EPOCH &&
+        (cd "$scratch/copy" && .make/handout "$scratch/out" "$here/build/told" "$here/build/blanks") &&
+        cmp "$archive" "$scratch/out/handout.tar.gz"
+}
+same_again() {
+    make_handout && cmp "$archive" "$scratch/first.tar.gz"
+}
+in_one_folder() {
+    ! grep -v '^ray-casting/' "$scratch/names"
+}
+nobody_s() {
+    tar tvzf "$archive" --numeric-owner >"$scratch/long"
+    awk '$2 != "0/0" { print; bad = 1 } { dates[$4 $5] } END { exit bad || length(dates) != 1 }' \
+        "$scratch/long"
+}
+dated() {
+    SOURCE_DATE_EPOCH=86400 make_handout && tar tvzf "$archive" | grep -q '1970-01-02'
+}
 check 'make handout makes the archive' make_handout
 cp "$archive" "$scratch/first.tar.gz"
 check 'it can be unpacked' look_into "$archive"
-check 'a second one has the same bytes' eval 'make_handout && cmp "$archive" "$scratch/first.tar.gz"'
-check 'so has one that an answer in exercises/ was made beside' eval '
-    cp exercises/01-corners.c "$scratch/kept.c" &&
-    echo "// my answer" >>exercises/01-corners.c && make_handout
-    cp "$scratch/kept.c" exercises/01-corners.c && cmp "$archive" "$scratch/first.tar.gz"'
-check 'names are sorted and of one folder' eval '
-    LC_ALL=C sort -c "$scratch/names" && ! grep -v "^ray-casting/" "$scratch/names"'
-check 'nobody owns it, and no date is of today' eval '
-    tar tvzf "$archive" --numeric-owner >"$scratch/long" &&
-    ! grep -v " 0/0 " "$scratch/long" && [ "$(awk "{ print \$4, \$5 }" "$scratch/long" | sort -u | wc -l)" -eq 1 ]'
-check 'the date can be said' eval '
-    SOURCE_DATE_EPOCH=86400 make_handout && tar tvzf "$archive" | grep -q 1970-01-02'
-check 'and changed back' eval 'make_handout && cmp "$archive" "$scratch/first.tar.gz"'
+check 'a second one has the same bytes' same_again
+check 'so has one made elsewhere, where exercises/ has answers in it' elsewhere
+unset SOURCE_DATE_EPOCH
+check 'all of it is in one folder' in_one_folder
+check 'nobody owns it, and all of it has one date' nobody_s
+check 'the date can be said' dated
+check 'and then it is as before' same_again
 
 check 'there are no solutions in it' none_of_these 'solutions'
 check 'nor tests of the chapters' none_of_these '/tests/[0-9][0-9]-'
@@ -46,22 +63,21 @@ check 'nor what makes the tables' none_of_these '/tests/told/(tell|here|variants
 check 'nor graders, benches and the like' none_of_these \
     '/tests/(shell|long|benches|fuzz|grading|hostile)|\.git/|\.ci/|CONTRIBUTING'
 
-for solution in solutions/*.c; do
-    stem=$(basename "$solution" .c)
-    awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 } inside && !/\/\/~/' \
-        "$solution" | sed 's/^ *//; s/ *$//' | awk 'length > 25' |
-        grep -vxFf exercises/"$stem".h >>"$scratch/lines"
-done
-# What a blank gives, everybody has.
-sed 's/^ *//; s/ *$//' build/blanks/*.c | awk 'length > 25' >"$scratch/given"
-grep -vxFf "$scratch/given" "$scratch/lines" >"$scratch/secret"
+# Lines that are somebody's answer: not those that a blank, common/ or a chapter has, too.
+awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 } inside && !/\/\/~/' solutions/*.c |
+    sed 's/^ *//; s/ *$//' | awk 'length > 25' | sort -u |
+    while IFS= read -r line; do
+        cat build/blanks/*.c common/*.[ch] chapters/*/*.[ch] | grep -qF -- "$line" || echo "$line"
+    done >"$scratch/secret"
 check 'no line of a solution is in it' holds_none_of "$scratch/secret"
 for teller in build/told/tell/*; do
     "$teller" --formulas
-done | awk 'length > 5' | sort -u >"$scratch/formulas"
+done | grep '[-+*/^|=]' | awk 'length > 7' | sort -u >"$scratch/formulas"
 check 'no formula of a mistake is in it' holds_none_of "$scratch/formulas"
-check 'a lesson calls programs where they are' eval '
-    ! grep -r "build/solutions" "$scratch/tree"'
+names_no_solutions() {
+    ! grep -rI 'solutions/' "$scratch/tree" --include='*.md'
+}
+check 'a lesson calls programs where they are' names_no_solutions
 
 links_lead_somewhere() {
     status=0
@@ -80,6 +96,9 @@ marked() {
         awk -f .make/handout.awk | tr -d '\n' | grep -qx ace
 }
 check 'what is between marks is left out, what is behind them is taken' marked
-check 'marks that do not match are refused' eval '! echo "#[" | awk -f .make/handout.awk'
+unmatched() {
+    ! echo '#[' | awk -f .make/handout.awk
+}
+check 'marks that do not match are refused' unmatched
 
 finish handout
