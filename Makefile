@@ -387,7 +387,7 @@ QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections $(SANITIZER) $(FOR_STUDENTS) \
 QUICK_HEADER := $(B)/judge/answer.h
 $(QUICK_HEADER): $(B)/weak.h $(wildcard common/*.h) $(B)/flags
 	$(Q)mkdir -p $(@D)
-	$(Q)(cat $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
+	$(Q)(grep -v system_header $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
 	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(IS_CLANG),pch,gch) $@
 EXPLAIN := .make/explain $(wildcard .make/explaining/*.awk)
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
