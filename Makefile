@@ -279,7 +279,9 @@ $(SAME): $(B)/tests/judge/same_picture.o
 
 # What the tests ask and what is right, as a table that no test and no answer can be read from
 # (tests/told/): made here, and all that a handout has to judge by.
+#[
 TABLE := $(B)/told
+#]
 #~ TABLE := tests/told
 $(B)/judge/layouts.c $(B)/judge/exercises.c: $(B)/judge/%.c: tests/exercises.table .make/proxies.awk
 	$(Q)mkdir -p $(@D)
@@ -301,6 +303,7 @@ $(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
 #[ Where the tables come from; and right answers written otherwise, held against them.
 TELLERS := $(STEMS:%=$(B)/told/tell/%)
 $(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
@@ -422,8 +425,8 @@ debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call for_debug,$(CHOSE
 
 reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
 	@.make/reset build/blanks/$(CHOSEN).c exercises/$(CHOSEN).c
-
 #[
+
 # ---- grading ----------------------------------------------------------------------------------
 #
 # Everything that a sandbox shows of this tree is in KIT: the headers that an answer may include; for
