@@ -33,7 +33,10 @@ const ToldCall *told_now(void)
 __attribute__((constructor)) static void read_table(void)
 {
     FILE *file = fopen(told_path, "rb");
-    if (file == NULL || !told_read(file, &told) || told.mistake_count > MOST_MISTAKES) {
+    bool good = file != NULL && told_read(file, &told) && told.mistake_count <= MOST_MISTAKES;
+    for (int i = 0; good && i < told.test_count; i++)
+        good = exercise_number(told.tests[i].function) >= 0;
+    if (!good) {
         fprintf(stderr, "%s: cannot be read, or is no table of this version\n", told_path);
         exit(2);
     }
