@@ -90,6 +90,19 @@ links_lead_somewhere() {
     return $status
 }
 check 'the links of its pages lead somewhere' links_lead_somewhere
+# What its files include and its scripts call is in it.
+is_whole() {
+    status=0
+    for name in $(
+        find "$scratch/tree" -name '*.[ch]' -exec sed -n 's/^#include "\(.*\)".*/\1/p' {} + | sort -u
+        grep -rhoE '\.make/[a-z]+(\.(awk|mk))?' "$scratch/tree/ray-casting/.make" \
+            "$scratch/tree/ray-casting/Makefile" | sort -u
+    ); do
+        [ -e "$scratch/tree/ray-casting/$name" ] || { echo "$name"; status=1; }
+    done
+    return $status
+}
+check 'nothing that it needs is missing' is_whole
 
 marked() {
     printf '%s\n' 'a' '#[ why' 'b' '#]' '#~ c' '<!--[ why -->' 'd' '<!--] -->' '<!--~ e -->' |

@@ -75,6 +75,18 @@ static void carry_text(Stream *stream, char **text)
         carry_byte(stream, (uint8_t *)*text + i);
 }
 
+static uint64_t bits_of(double number)
+{
+    uint64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
+static bool same_bits(double a, double b)
+{
+    return bits_of(a) == bits_of(b);
+}
+
 static void carry_number(Stream *stream, double *number)
 {
     bool small = *number >= 0 && *number < SMALL && *number == floor(*number) && !signbit(*number);
@@ -84,8 +96,7 @@ static void carry_number(Stream *stream, double *number)
         *number = byte;
         return;
     }
-    uint64_t bits, read = 0;
-    memcpy(&bits, number, sizeof bits);
+    uint64_t bits = bits_of(*number), read = 0;
     for (int i = 0; i < 8; i++) {
         byte = (uint8_t)(bits >> 8 * i);
         carry_byte(stream, &byte);
@@ -99,11 +110,6 @@ static void carry_numbers(Stream *stream, Numbers *numbers)
     numbers->at = carry_items(stream, numbers->at, &numbers->count, sizeof *numbers->at);
     for (int i = 0; i < numbers->count; i++)
         carry_number(stream, &numbers->at[i]);
-}
-
-static bool same_bits(double a, double b)
-{
-    return memcmp(&a, &b, sizeof a) == 0;
 }
 
 // What differs: how far behind the last difference, and the number.

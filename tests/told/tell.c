@@ -184,7 +184,7 @@ static int reasons_of(const ToldTest *test, int call)
 {
     Numbers result = copy_of(&test->calls[call].results[0]);
     int reasons = 0;
-    for (int fault = 0; fault < CAMERA_FAULTS; fault++) {
+    for (int fault = 0; result.count > 0 && fault < CAMERA_FAULTS; fault++) {
         result.at[0] = fault;
         reasons |= accepts(test, call, &result) ? 1 << fault : 0;
     }
