@@ -315,7 +315,7 @@ $(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/mista
 TABLES := $(STEMS:%=$(TABLE)/%.table)
 $(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
 	$(call say,tell,$@)
-	$(Q)ASAN_OPTIONS=detect_leaks=0 $< $@
+	$(Q)env -u SEED ASAN_OPTIONS=detect_leaks=0 $< $@
 TABLE_VARIANTS := $(STEMS:%=$(B)/told/variants/%)
 $(TABLE_VARIANTS): $(B)/told/variants/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/variants/%.o \
 		$(patsubst %,$(B)/tests/told/%.o,variants here) $(B)/judge/dispatch-%.o \
