@@ -307,7 +307,8 @@ $(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told
 #[ Where the tables come from; and right answers written otherwise, held against them.
 TELLERS := $(STEMS:%=$(B)/told/tell/%)
 $(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(filter-out %/call.o,$(JUDGING)) $(TOLD) $(patsubst %,$(B)/tests/told/%.o,tell here) \
+		$(filter-out %/call.o,$(JUDGING)) $(TOLD) \
+		$(patsubst %,$(B)/tests/told/%.o,tell asked takes here) \
 		$(B)/judge/dispatch-%.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)

@@ -59,7 +59,7 @@ check 'and then it is as before' same_again
 check 'there are no solutions in it' none_of_these 'solutions'
 check 'nor tests of the chapters' none_of_these '/tests/[0-9][0-9]-'
 check 'nor mistakes, variants, laws' none_of_these '/tests/(mistakes|variants|laws|exact)'
-check 'nor what makes the tables' none_of_these '/tests/told/(tell|here|variants)|matrix'
+check 'nor what makes the tables' none_of_these '/tests/told/(tell|asked|takes|here|variants)|matrix'
 check 'nor graders, benches and the like' none_of_these \
     '/tests/(shell|long|benches|fuzz|grading|hostile)|\.git/|\.ci/|CONTRIBUTING'
 
