@@ -6,12 +6,25 @@ set -u
 export NO_COLOR=1 LC_ALL=C
 unset ANSWERS # a student's are in exercises/
 
+archive=build/handout.tar.gz
+make_handout() {
+    make --no-print-directory -s handout
+}
+dated() {
+    SOURCE_DATE_EPOCH=86400 make_handout && tar tvzf $archive | grep -q '1970-01-02'
+}
+same_again() {
+    make_handout && cmp $archive "$scratch/first.tar.gz"
+}
 # From a clone the archive is the same, byte by byte.
 from_a_clone() {
-    git clone -q . "$scratch/clone" && (cd "$scratch/clone" && make --no-print-directory -s handout) &&
-        cmp build/handout.tar.gz "$scratch/clone/build/handout.tar.gz"
+    git clone -q . "$scratch/clone" && (cd "$scratch/clone" && make_handout) &&
+        cmp $archive "$scratch/clone/build/handout.tar.gz"
 }
 make --no-print-directory -s all handout >/dev/null || exit 1
+cp $archive "$scratch/first.tar.gz"
+check 'the date can be said' dated
+check 'a second archive has the same bytes' same_again
 if [ -z "$(git status --porcelain 2>&1)" ]; then
     check 'a clone makes the same archive' from_a_clone
 else
@@ -121,7 +134,7 @@ watches_what_stands_on() {
 for compiler in gcc clang; do
     command -v $compiler >/dev/null || continue
     tree=$scratch/my-course-$compiler
-    mkdir "$scratch/unpacked" && tar xzf build/handout.tar.gz -C "$scratch/unpacked" &&
+    mkdir "$scratch/unpacked" && tar xzf $archive -C "$scratch/unpacked" &&
         mv "$scratch/unpacked/ray-casting" "$tree" && rmdir "$scratch/unpacked"
 
     check "$compiler: it builds from a clean folder" inside make setup all
