@@ -1,7 +1,7 @@
 # Ray casting, step by step. 'make help' lists what can be made; README.md says what for.
 #
-# Which answers are linked is chosen here and nowhere else: ANSWERS=solutions (the default),
-# ANSWERS=exercises (yours), or any folder. What it lacks is filled with blanks.
+# Which answers are linked is chosen here and nowhere else: ANSWERS=exercises (yours),
+# ANSWERS=solutions, or any folder. What it lacks is filled with blanks.
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .DEFAULT_GOAL := all
@@ -9,8 +9,11 @@
 # As many at a time as there are processors, unless -j says otherwise.
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
+#[ Between '#[' and '#]' stands what the students' handout lacks; behind '#~' what it has instead.
 ANSWERS ?= solutions
-STEMS := $(sort $(notdir $(basename $(wildcard solutions/*.c))))
+#]
+#~ ANSWERS ?= exercises
+STEMS := $(sort $(notdir $(basename $(wildcard exercises/*.h))))
 
 # Answers inside the tree are named from its top, others by their whole path.
 A := $(patsubst $(CURDIR)/%,%,$(abspath $(ANSWERS)))
@@ -92,11 +95,16 @@ $(B)/common.a: $(patsubst %.c,$(B)/%.o,$(wildcard common/*.c))
 
 # ---- answers ----------------------------------------------------------------------------------
 
-# Blanks are made from the solutions; where a folder lacks an answer, the blank stands in.
+# Where a folder lacks an answer, the blank stands in.
 BLANKS := $(STEMS:%=build/blanks/%.c)
+#[ Blanks are made from the solutions.
 build/blanks/%.c: solutions/%.c .make/blank.awk
 	$(Q)mkdir -p $(@D)
 	$(Q)awk -f .make/blank.awk $< > $@
+#]
+#~ build/blanks/%.c: tests/told/blanks/%.c
+#~ 	$(Q)mkdir -p $(@D)
+#~ 	$(Q)cp $< $@
 
 # Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
 # reference in the place of one of them (.make/verdict).
@@ -143,21 +151,26 @@ $(SCENES): $(B)/scenes/%.nff: $$(B)/chapters/06-ray-casting/$$(firstword $$(subs
 	$(Q)$< $(ARGUMENTS) > $@
 
 GALLERY := $(BUILT)/gallery
+#[
+TRY :=
+#]
+#~ # A picture that needs what is not answered yet is no error: that is said, in one line.
+#~ TRY = .make/draw $@
 CHAPTER_PICTURES := $(filter-out 06%,$(STEMS))
 PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(GENERATED) \
 	$(notdir $(basename $(wildcard chapters/06-ray-casting/*.nff))))
 $(CHAPTER_PICTURES:%=$(GALLERY)/%.png): $(GALLERY)/%.png: $(BUILT)/%
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$< --picture $@
+	$(Q)$(TRY) $< --picture $@
 $(GALLERY)/%.png: chapters/06-ray-casting/%.nff $(BUILT)/06-ray-casting
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(BUILT)/06-ray-casting -o $@ $<
+	$(Q)$(TRY) $(BUILT)/06-ray-casting -o $@ $<
 $(GALLERY)/%.png: $(B)/scenes/%.nff $(BUILT)/06-ray-casting
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(BUILT)/06-ray-casting -o $@ $<
+	$(Q)$(TRY) $(BUILT)/06-ray-casting -o $@ $<
 
 # The stamp tells whether there was anything to do.
 $(BUILT)/made: $(PROGRAMS) $(PICTURES) $(B)/compile_commands.json
@@ -173,15 +186,32 @@ setup: ## install what is missing (FOR=instructor, contributor)
 # ---- tests ------------------------------------------------------------------------------------
 
 # What every program of tests is made of: its list of tests, and the words for given and expected.
-TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect runner show random)
+TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
+	show random)
 COMMON_TESTS := $(patsubst tests/common/%.c,$(B)/tests/common/%,$(wildcard tests/common/*.c))
 $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/main.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
+# The answering process, for each stem: one call of one exercise, as a message.
+DISPATCHES := $(patsubst %,$(B)/judge/dispatch-%.o,$(STEMS) all)
+$(DISPATCHES:.o=.c): $(B)/judge/dispatch-%.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=dispatch -v stem=$* -f .make/proxies.awk $< > $@
+#[
+LENT := $(STEMS:%=$(B)/judge/lent-%.o)
+$(LENT:.o=.c): $(B)/judge/lent-%.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=lent -v stem=$* -f .make/proxies.awk $< > $@
+#]
+$(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies layouts exercises rights): %.o: %.c $(B)/flags
+	$(call say,compile,$<)
+	$(Q)$(COMPILE) -o $@ $<
+
+earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
+#[ The tests themselves, the mistakes and the laws.
 # A stem's tests, calling the answers directly: that answer, and the reference for the stems before.
 parts = $(patsubst %.c,$(B)/%.o,$(wildcard $(1)*.c))
-earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
 test_objects = $(call parts,tests/$(1)) $(TESTING) $(B)/tests/judge/main.o \
 	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
 TESTS := $(STEMS:%=$(BUILT)/tests/%)
@@ -197,17 +227,6 @@ $(B)/reference.h: tests/exercises.table .make/proxies.awk
 $(B)/judge/proxies.c: tests/exercises.table .make/proxies.awk
 	$(Q)mkdir -p $(@D)
 	$(Q)awk -v make=proxies -f .make/proxies.awk $< > $@
-DISPATCHES := $(patsubst %,$(B)/judge/dispatch-%.o,$(STEMS) all)
-$(DISPATCHES:.o=.c): $(B)/judge/dispatch-%.c: tests/exercises.table .make/proxies.awk
-	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=dispatch -v stem=$* -f .make/proxies.awk $< > $@
-LENT := $(STEMS:%=$(B)/judge/lent-%.o)
-$(LENT:.o=.c): $(B)/judge/lent-%.c: tests/exercises.table .make/proxies.awk
-	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=lent -v stem=$* -f .make/proxies.awk $< > $@
-$(DISPATCHES) $(LENT) $(B)/judge/proxies.o $(B)/judge/rights.o: %.o: %.c $(B)/flags
-	$(call say,compile,$<)
-	$(Q)$(COMPILE) -o $@ $<
 # The same by the reference: the judge's, for what it lends, and the matrix's.
 LENDERS := $(STEMS:%=$(B)/judge/lender-%.o)
 $(LENDERS): $(B)/judge/lender-%.o: $(B)/judge/dispatch-%.c $(B)/reference.h $(B)/flags
@@ -254,6 +273,58 @@ $(B)/tests/judge/same_picture.o: EXTRA = $(PNG_CFLAGS)
 $(SAME): $(B)/tests/judge/same_picture.o
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS)
+#]
+
+# ---- tests without the tests ------------------------------------------------------------------
+
+# What the tests ask and what is right, as a table that no test and no answer can be read from
+# (tests/told/): made here, and all that a handout has to judge by.
+#[
+TABLE := $(B)/told
+#]
+#~ TABLE := tests/told
+$(B)/judge/layouts.c $(B)/judge/exercises.c: $(B)/judge/%.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=$* -f .make/proxies.awk $< > $@
+$(STEMS:%=$(B)/told/path/%.c): $(B)/told/path/%.c:
+	$(Q)mkdir -p $(@D)
+	$(Q)printf '#include "tests/told/replay.h"\n\nconst char told_path[] = "%s";\n' \
+		$(TABLE)/$*.table > $@
+$(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags
+	$(Q)$(COMPILE) -o $@ $<
+TOLD := $(patsubst %,$(B)/tests/told/%.o,layout table) $(B)/judge/layouts.o
+REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,wire same suspects switchboard) $(TOLD) \
+	$(patsubst %,$(B)/tests/told/%.o,replay expect)
+
+# A table by itself: what is right passes, and each mistake's values are failed and named.
+TABLE_CHECKS := $(STEMS:%=$(B)/told/check/%)
+$(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told/check.o \
+		$(B)/judge/exercises.o $(B)/common.a | $(TABLE)/%.table
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+#[ Where the tables come from; and right answers written otherwise, held against them.
+TELLERS := $(STEMS:%=$(B)/told/tell/%)
+$(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
+		$(filter-out %/call.o,$(JUDGING)) $(TOLD) \
+		$(patsubst %,$(B)/tests/told/%.o,tell asked takes here) \
+		$(B)/judge/dispatch-%.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+TABLES := $(STEMS:%=$(TABLE)/%.table)
+$(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
+	$(call say,tell,$@)
+	$(Q)env -u SEED ASAN_OPTIONS=detect_leaks=0 $< $@
+TABLE_VARIANTS := $(STEMS:%=$(B)/told/variants/%)
+$(TABLE_VARIANTS): $(B)/told/variants/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/variants/%.o \
+		$(patsubst %,$(B)/tests/told/%.o,variants here) $(B)/judge/dispatch-%.o \
+		$(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES) $(B)/common.a \
+		| $(TABLE)/%.table
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
 KIT := $(B)/grading
 CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
@@ -263,7 +334,7 @@ CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v py
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
-CHECKS := $(COMMON_TESTS) $(TESTS) $(MATRICES)
+CHECKS := $(COMMON_TESTS) $(TESTS) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
 FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
@@ -272,6 +343,11 @@ check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 check-all: $(CHECKS) $(FOR_CHECKS) ## those that need longer, too
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
 
+handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
+build/handout.tar.gz: $(TABLES) $(BLANKS) FORCE
+	@.make/handout $(@D) $(TABLE) build/blanks
+.PHONY: handout FORCE
+#]
 # ---- the exercises ----------------------------------------------------------------------------
 
 # 'make exercises' judges what stands in exercises/, unless another folder is named. The chapters
@@ -287,6 +363,7 @@ $(error which chapter? Say, for example: make $(filter debug reset hint,$(MAKECM
 endif
 endif
 VERDICT := $(B)/$(EXERCISES:/%=%)/verdict
+ALL_VERDICTS := $(STEMS:%=$(VERDICT)/%/table)
 VERDICTS := $(CHOSEN:%=$(VERDICT)/%/table)
 ifneq ($(filter exercises watch debug hint,$(MAKECMDGOALS)),)
 ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
@@ -296,7 +373,13 @@ $(call changed,$(VERDICT),$(EXERCISES))
 endif
 # What the answering process holds besides the answer.
 answering = $(B)/tests/judge/answering.o $(B)/tests/judge/wire.o $(B)/judge/dispatch-$(1).o \
-	$(B)/judge/lent-$(1).o $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
+	$(lent) $(earlier_answers) $(B)/common.a
+#[ With the reference for the chapters before, one mistake costs once; and the judge lends.
+lent = $(B)/judge/lent-$(1).o
+earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
+for_debug = $(call test_objects,$(1))
+#]
+#~ include .make/handout.mk
 # Between saving and reading stands the linker: the quickest that is there.
 QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
 	gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
@@ -308,15 +391,16 @@ QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections $(SANITIZER) $(FOR_STUDENTS) \
 QUICK_HEADER := $(B)/judge/answer.h
 $(QUICK_HEADER): $(B)/weak.h $(wildcard common/*.h) $(B)/flags
 	$(Q)mkdir -p $(@D)
-	$(Q)(cat $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
+	$(Q)(grep -v system_header $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
 	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(IS_CLANG),pch,gch) $@
 EXPLAIN := .make/explain $(wildcard .make/explaining/*.awk)
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
-$(VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(QUICK_HEADER) \
+$(ALL_VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(QUICK_HEADER) \
 		build/blanks/%.c $(B)/judge/% $$(call answering,$$*)
 	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(QUICK_HEADER) -c'" \
 		"LINK='$(LINK) $(QUICK_LINKER)'" "OBJECTS='$(call answering,$*)'" \
-		'export COMPILE LINK OBJECTS' \
+		$(if $(value stands_on),"STANDS_ON='$(call stands_on,$*)'") \
+		'export COMPILE LINK OBJECTS STANDS_ON' \
 		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh
 	@sh $(@D).sh
 
@@ -327,19 +411,22 @@ watch: $(VERDICTS) ## judge again whenever an answer is saved
 	@.make/watch $(VERDICT) $(EXERCISES) $(CHOSEN)
 
 hint: $(VERDICTS) ## one hint more each time it is asked for (EX=05)
-	@name=$$(awk '$$1 !~ /^[+!]/ && $$2 != "right" { print $$1; exit }' $(VERDICT)/$(CHOSEN)/table); \
+	@name=$$(awk '$$1 !~ /^[+!]/ && $$2 != "right" { \
+			if ($$2 ~ /^(wrong|unanswered)$$/ && wants == "") wants = $$1; else waits = $$1 } \
+			END { print wants != "" ? wants : waits }' $(VERDICT)/$(CHOSEN)/table); \
 		[ -n "$$name" ] || { echo "$(CHOSEN) needs no hint: make exercises EX=$(EX)"; exit 0; }; \
 		.make/hint exercises/$(CHOSEN).hints "$$name" $(call answer_in,$(EXERCISES),$(CHOSEN)) \
 		$(VERDICT)/$(CHOSEN).hint
 
-debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call test_objects,$(CHOSEN))) ## gdb at the call that failed (EX=05)
+debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call for_debug,$(CHOSEN))) ## gdb at the call that failed (EX=05)
 	@mkdir -p $(B)/debug
 	@$(CC) $(LANGUAGE) -g3 -O0 $(CHECK_CFLAGS) -o $(B)/debug/$(CHOSEN) $(call answer_in,$(EXERCISES),$(CHOSEN)) \
-		$(call test_objects,$(CHOSEN)) $(CHECK_LIBS) $(PNG_LIBS) -lm
+		$(call for_debug,$(CHOSEN)) $(CHECK_LIBS) $(PNG_LIBS) -lm
 	@.make/debug $(VERDICT)/$(CHOSEN) $(CHOSEN) $(B)/debug/$(CHOSEN)
 
 reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
 	@.make/reset build/blanks/$(CHOSEN).c exercises/$(CHOSEN).c
+#[
 
 # ---- grading ----------------------------------------------------------------------------------
 #
@@ -428,6 +515,7 @@ skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over change
 bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute
 	@tests/benches/latency.sh
 	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')
+#]
 
 # ---- the habits of the house ------------------------------------------------------------------
 
@@ -454,7 +542,8 @@ clean: ## remove what was built
 	rm -rf build
 
 help: ## this
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' Makefile
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' Makefile \
+		$(filter %handout.mk,$(MAKEFILE_LIST))
 
 .PHONY: all setup check check-all bench grade gradescope exercises watch hint debug reset skeletons format format-check tidy clean help
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

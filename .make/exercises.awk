@@ -20,14 +20,15 @@ BEGIN {
         show_progress(stem[i])
     print ""
     if (next_stem != "") {
-        print "Next: " answers "/" next_stem ".c"
-        print "      the lesson is chapters/" next_stem "/README.md"
+        work = trouble[next_stem] == "" && stands_on[next_stem] != "" ? stands_on[next_stem] : next_stem
+        print "Next: " answers "/" work ".c"
+        print "      the lesson is chapters/" work "/README.md"
     }
     exit next_stem == "" ? 0 : is_wrong ? 1 : 2
 }
 
 # state: right, wrong, begun, blank; or compiler, linker, stopped.
-function read_table(s,   file, line, part, n, wrong, right, total, i, names) {
+function read_table(s,   file, line, part, n, wrong, unsure, right, total, i, names) {
     file = verdicts "/" s "/table"
     while ((getline line < file) > 0) {
         n = split(line, part, " ")
@@ -46,18 +47,19 @@ function read_table(s,   file, line, part, n, wrong, right, total, i, names) {
         wrong += part[2] == "wrong"
         if (part[2] == "wrong" || part[2] == "unanswered")
             trouble[s] = trouble[s] " " part[1]
-        if (part[2] == "waiting") {
+        unsure += part[2] == "unsure"
+        if (part[2] == "waiting" || part[2] == "unsure") {
             names = ""
             for (i = 3; i <= n; i++)
                 names = names (i > 3 ? ", " : "") part[i]
-            part[1] = part[1] " (for " names ")"
+            part[1] = part[1] (part[2] == "waiting" ? " (for " : " (it calls ") names ")"
         }
         listed[s, part[2]] = listed[s, part[2]] (listed[s, part[2]] == "" ? "" : ", ") part[1]
     }
     close(file)
     counted[s] = right + 0 " of " total + 0
-    state[s] = total > 0 && right == total ? "right" : wrong ? "wrong" : right ? "begun" : "blank"
-    is_wrong = is_wrong || wrong
+    state[s] = total > 0 && right == total ? "right" : wrong + unsure ? "wrong" : right ? "begun" : "blank"
+    is_wrong = is_wrong || wrong + unsure
 }
 
 function show_troubles(s,   n, name, i) {
@@ -106,10 +108,26 @@ function show_progress(s,   words) {
     if (s == next_stem) {
         show_names("wrong", listed[s, "wrong"])
         show_names("waiting", listed[s, "waiting"])
+        show_names("cannot be told yet", listed[s, "unsure"])
+        show_standing(s)
         show_names("not answered yet", listed[s, "unanswered"])
     }
     if (state[s] == "right" && extra[s] != "")
         show_names("extra, no marks", "more digits in" extra[s])
+}
+
+# Where there is no reference: which answers of earlier chapters these stand on that are not right.
+function show_standing(s,   file, line, names, earlier) {
+    file = verdicts "/" s "/stands"
+    while ((getline line < file) > 0) {
+        earlier = substr(line, 1, index(line, " ") - 1)
+        names = substr(line, index(line, " ") + 1)
+        gsub(/ /, ", ", names)
+        show_names("stands on your " earlier ", which is not right yet", names)
+        if (stands_on[s] == "")
+            stands_on[s] = earlier
+    }
+    close(file)
 }
 
 function show_names(label, names,   word, n, i, line) {

@@ -10,6 +10,8 @@
 #   -v make=dispatch -v stem=NN-stem   for the answering process: one call of one exercise
 #                       (stem=all: of any)
 #   -v make=lent -v stem=NN-stem       for it, too: lent_NAME asks the judge for the reference's answer
+#   -v make=layouts     which types each takes and gives, as words (tests/told/layout.h)
+#   -v make=exercises   their names, where there is no reference
 #
 # How a type crosses the pipe follows from how it is passed: by value as it is; a const Scene with
 # its arrays; a Camera or an Image there and back; doubles one per pixel of the image, there and back.
@@ -39,7 +41,8 @@ BEGIN {
     }
 }
 make == "weak" {
-    print "#pragma weak " name
+    # What is in another chapter is not declared here, which clang warns of, but not in system headers.
+    print (number == 1 ? "#pragma GCC system_header\n" : "") "#pragma weak " name
 }
 make == "reference" && (stem == "" || stem == $1) {
     print "#define " name " " (stem == "" ? "reference_" : "right_") name
@@ -67,6 +70,15 @@ make == "lent" && $1 == stem {
     }
     lend()
 }
+make == "layouts" {
+    print (number == 1 ? "#include \"tests/told/layout.h\"\n\nconst Layout layouts[] = {\n" : "") \
+        "    {\"" layout(0) "\", \"" layout(1) "\"},"
+}
+make == "exercises" {
+    print (number == 1 ? "#include \"tests/judge/exercise.h\"\n\n#include <stddef.h>\n\n" \
+           "const Exercise exercises[] = {\n" : "") \
+        sprintf("    {\"%s\", \"%s\", \"%s\", \"%s\", NULL},", name, $1, $3, $4)
+}
 make == "dispatch" {
     if ($1 == stem || stem == "all") {
         if (!dispatched++)
@@ -75,12 +87,31 @@ make == "dispatch" {
     }
 }
 END {
+    if (make == "layouts")
+        print "};"
+    if (make == "exercises")
+        print "    {0},\n};"
     if (make == "proxies")
         print "const Exercise exercises[] = {\n" table "    {0},\n};"
     if (make == "rights")
         print "extern AnyFunction *const rights[];\nAnyFunction *const rights[] = {\n" table "};"
     if (make == "dispatch")
         print "    default:\n        return false;\n    }\n}"
+}
+
+# The types that go in, or that come out.
+function layout(out,   i, word, words) {
+    words = out && result != "void" ? " " result : ""
+    for (i = 1; i <= count; i++) {
+        word = type[i]
+        if (out && word !~ /^(Camera|Image|double) \*$/)
+            continue
+        if (word ~ /^(Image|double) \*$/)
+            word = word == "double *" ? "Doubles" : out ? "Pixels" : "Image"
+        gsub(/^const | \*$/, "", word)
+        words = words " " word
+    }
+    return substr(words, 2)
 }
 
 function includes() {

@@ -2,9 +2,6 @@
 // what is true of any ray and sphere that were built from their hits.
 #include "tests/05-quadratic.h"
 
-#include <stdio.h>
-#include <string.h>
-
 // ---- saying it ----------------------------------------------------------------------------------
 
 void given_quadratic(Quadratic q)
@@ -23,31 +20,6 @@ void expect_quadratic(Quadratic yours, double a, double b, double c)
 {
     given("in order", "a, b, c");
     expect_vec3(vec3_of(yours.a, yours.b, yours.c), vec3_of(a, b, c), TOLERANCE);
-}
-
-static Text roots_text(Roots roots, int digits)
-{
-    Text text;
-    if (roots.count == 1)
-        snprintf(text.s, sizeof text.s, "1 root, %.50s", number_text_to(roots.t[0], digits).s);
-    else if (roots.count == 2)
-        snprintf(text.s, sizeof text.s, "2 roots, %.50s and %.50s",
-                 number_text_to(roots.t[0], digits).s, number_text_to(roots.t[1], digits).s);
-    else
-        snprintf(text.s, sizeof text.s, "%d roots", roots.count);
-    return text;
-}
-
-void expect_roots(Roots yours, Roots expected, double within)
-{
-    bool same = yours.count == expected.count;
-    for (int i = 0; same && i < expected.count; i++)
-        same = fabs(yours.t[i] - expected.t[i]) <= within;
-    int digits = 6;
-    while (digits < 17 && !same &&
-           strcmp(roots_text(yours, digits).s, roots_text(expected, digits).s) == 0)
-        digits++;
-    expect_law(same, roots_text(expected, digits).s, "%s", roots_text(yours, digits).s);
 }
 
 void expect_no_roots(Roots yours)

@@ -4,6 +4,7 @@
 
 #include "exercises/05-quadratic.h"
 
+#include "tests/judge/expect_roots.h"
 #include "tests/judge/test.h"
 
 #define TOLERANCE 1e-9
@@ -13,8 +14,6 @@
 void given_quadratic(Quadratic q);
 void given_ray_and_sphere(Ray ray, Sphere sphere);
 void expect_quadratic(Quadratic yours, double a, double b, double c);
-// Where there are fewer roots, the t that are none do not matter.
-void expect_roots(Roots yours, Roots expected, double within);
 void expect_no_roots(Roots yours);
 void expect_roots_of(Quadratic q, Roots expected, double within);
 void expect_meetings(Ray ray, Sphere sphere, Roots expected, double within);

@@ -82,7 +82,8 @@ static void show_mistake(FILE *out, const Mistake *mistake, const char *besides)
     // Behind the colon a sentence goes on: no capital, but for a letter that is a name.
     char first = mistake->why[0];
     bool word = islower((unsigned char)mistake->why[1]) || strncmp(mistake->why, "A ", 2) == 0;
-    snprintf(words, sizeof words, "%s: %c%s%s", mistake->formula,
+    const char *formula = mistake->formula;
+    snprintf(words, sizeof words, "%s: %c%s%s", formula != NULL ? formula : "a known mistake",
              word ? tolower((unsigned char)first) : first, mistake->why + 1, besides);
     show_field(out, "looks like", words);
     show_field(out, "you'd see", mistake->picture);

@@ -5,7 +5,7 @@
 
 static void put(FILE *out, const char *key, const char *value)
 {
-    if (value[0] == '\0')
+    if (value == NULL || value[0] == '\0')
         return;
     fprintf(out, "%s\t", key);
     for (const char *c = value; *c != '\0'; c++) {

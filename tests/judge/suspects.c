@@ -1,9 +1,9 @@
 // suspects.c - which known mistake a wrong answer is.
 #include "tests/judge/suspects.h"
 
+#include "tests/judge/law.h"
 #include "tests/judge/record.h"
 #include "tests/judge/runner.h"
-#include "tests/laws/laws.h"
 
 #include <stdarg.h>
 #include <stdio.h>

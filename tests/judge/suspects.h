@@ -6,8 +6,8 @@
 #ifndef TESTS_JUDGE_SUSPECTS_H
 #define TESTS_JUDGE_SUSPECTS_H
 
+#include "tests/judge/mistake.h"
 #include "tests/judge/switchboard.h"
-#include "tests/mistakes/mistakes.h"
 
 #include <stdbool.h>
 

@@ -10,7 +10,6 @@
 #ifndef TESTS_LAWS_H
 #define TESTS_LAWS_H
 
-// Says which law is broken, in a sentence with the numbers. Only the first of an exercise is kept.
-void law_broken(const char *format, ...) __attribute__((format(printf, 1, 2)));
+#include "tests/judge/law.h"
 
 #endif

@@ -5,25 +5,13 @@
 #ifndef TESTS_MISTAKES_H
 #define TESTS_MISTAKES_H
 
-#include "tests/judge/switchboard.h"
+#include "tests/judge/mistake.h"
 
 #include <stddef.h>
-
-typedef struct {
-    const char *id;       // C2, as the field's list of mistakes has it, or a name of our own
-    const char *exercise; // the function that it answers wrongly
-    AnyFunction *answer;
-    const char *formula; // what it computes, as the slide would write it: d f - w r + h u
-    const char *why;     // why that is wrong, in terms of the picture; whole sentences
-    const char *picture; // what its author would see: 'everything at half its size'
-} Mistake;
 
 #define MISTAKE(id, exercise, answer, formula, why, picture)                                       \
     {                                                                                              \
         id, #exercise, (AnyFunction *)(answer), formula, why, picture                              \
     }
-
-// The tables of one stem, and NULL; each table ends with a Mistake whose id is NULL.
-extern const Mistake *const mistakes[];
 
 #endif

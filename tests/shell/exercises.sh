@@ -170,6 +170,10 @@ check 'the second hint is another' says 'hint 2 of'
 answer 01-corners 's|c.width / 2|c.width|'
 hint
 check 'after a change hints begin again' says 'hint 1 of'
+fresh
+answer 01-corners 's|(s - 0.5)|s|'
+hint
+check 'a hint is for what is wrong, not for what waits' says 'image_plane_vector  hint 1 of'
 
 fresh
 for solution in solutions/*.c; do

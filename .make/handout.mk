@@ -1,0 +1,27 @@
+# What a handout has instead of tests, solutions and references: tables of what is right (tests/told/),
+# and the student's own earlier answers. Included by the handout's Makefile.
+
+# The judge asks what the table says.
+JUDGES := $(STEMS:%=$(B)/judge/%)
+$(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/told/path/%.o $(B)/judge/exercises.o \
+		$(patsubst %,$(B)/tests/judge/%.o,call judge report system_call) \
+		$(B)/tests/told/lends_nothing.o $(B)/common.a | $(TABLE)/%.table
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+# The toolkit itself, whatever stands in exercises/.
+CHECKS := $(COMMON_TESTS) $(TABLE_CHECKS)
+check: $(CHECKS) $(JUDGES) $(BLANKS) ## the tests of the toolkit
+	@CC='$(CC)' MAKEFLAGS= .make/check $(B)/log $(CHECKS) tests/told/blanks.sh
+
+# A chapter stands on the answers of the earlier ones: each is judged first, and what it was
+# compiled to (the blank, where it does not compile) is linked with the later ones.
+earlier_answers = $(patsubst %,$(VERDICT)/%/answer.o,$(call earlier,$(1)))
+stands_on = $(patsubst %,$(VERDICT)/%,$(call earlier,$(1)))
+$(STEMS:%=$(VERDICT)/%/answer.o): $(VERDICT)/%/answer.o: $(VERDICT)/%/table ;
+
+# The calls of a table, made directly.
+for_debug = $(B)/tests/told/debug.o $(B)/told/path/$(1).o $(TOLD) $(B)/tests/judge/wire.o \
+	$(B)/tests/judge/same.o $(B)/judge/exercises.o $(B)/judge/dispatch-$(1).o \
+	$(call earlier_answers,$(1)) $(B)/common.a

@@ -1,0 +1,110 @@
+#!/bin/sh
+# handout.sh - the students' archive: what is in it, what is not, and that it is the same each time.
+set -u
+. tests/library.sh
+
+archive=build/handout.tar.gz
+make_handout() {
+    make --no-print-directory -s handout
+}
+# The archive unpacked, and the names in it.
+look_into() {
+    rm -rf "$scratch/tree" && mkdir "$scratch/tree" && tar xzf "$1" -C "$scratch/tree" &&
+        tar tzf "$1" >"$scratch/names"
+}
+none_of_these() {
+    ! grep -E "$1" "$scratch/names"
+}
+# No file of the handout, but for the lessons, has any of these lines (fixed strings).
+holds_none_of() {
+    [ -s "$1" ] || { echo "nothing to look for"; return 1; }
+    ! find "$scratch/tree" -type f ! -path '*/chapters/*/README.md' -exec grep -aoHFf "$1" {} +
+}
+
+# Made from a copy of the tree, with an answer in it, and no git.
+elsewhere() {
+    mkdir "$scratch/copy" "$scratch/out" &&
+        cp -r .make .github .clang-format .editorconfig .gitignore Makefile README.md common chapters \
+            exercises tests "$scratch/copy" &&
+        echo '// my answer' >>"$scratch/copy/exercises/01-corners.c" &&
+        SOURCE_DATE_EPOCH=$(git log -1 --format=%ct) && export SOURCE_DATE_EPOCH &&
+        (cd "$scratch/copy" && .make/handout "$scratch/out" "$here/build/told" "$here/build/blanks") &&
+        cmp "$archive" "$scratch/out/handout.tar.gz"
+}
+in_one_folder() {
+    ! grep -v '^ray-casting/' "$scratch/names"
+}
+nobody_s() {
+    tar tvzf "$archive" --numeric-owner >"$scratch/long"
+    awk '$2 != "0/0" { print; bad = 1 } { dates[$4 $5] } END { exit bad || length(dates) != 1 }' \
+        "$scratch/long"
+}
+check 'make handout makes the archive' make_handout
+check 'it can be unpacked' look_into "$archive"
+check 'made elsewhere, where exercises/ has answers in it, it has the same bytes' elsewhere
+unset SOURCE_DATE_EPOCH
+check 'all of it is in one folder' in_one_folder
+check 'nobody owns it, and all of it has one date' nobody_s
+
+check 'there are no solutions in it' none_of_these 'solutions'
+check 'nor tests of the chapters' none_of_these '/tests/[0-9][0-9]-'
+check 'nor mistakes, variants, laws' none_of_these '/tests/(mistakes|variants|laws|exact)'
+check 'nor what makes the tables' none_of_these '/tests/told/(tell|asked|takes|here|variants)|/judge/(matrix|table)'
+check 'nor graders, benches and the like' none_of_these \
+    '/tests/(shell|long|benches|fuzz|grading|hostile)|\.git/|\.ci/|CONTRIBUTING'
+only_for_students() {
+    ! grep -nE '^(grade|bench|skeletons|handout|check-all):|^KIT' "$scratch/tree/ray-casting/Makefile"
+}
+check 'its Makefile makes nothing that is not for students' only_for_students
+
+# Lines that are somebody's answer: not those that a blank, common/ or a chapter has, too.
+awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 } inside && !/\/\/~/' solutions/*.c |
+    sed 's/^ *//; s/ *$//' | awk 'length > 25' | sort -u >"$scratch/answers"
+cat build/blanks/*.c common/*.[ch] chapters/*/*.[ch] |
+    awk 'FNR == NR { given = given "\n" $0; next } index(given, $0) == 0' - "$scratch/answers" >"$scratch/secret"
+check 'no line of a solution is in it' holds_none_of "$scratch/secret"
+for teller in build/told/tell/*; do
+    "$teller" --formulas
+done | grep '[-+*/^|=]' | awk 'length > 7' | sort -u >"$scratch/formulas"
+check 'no formula of a mistake is in it' holds_none_of "$scratch/formulas"
+names_no_solutions() {
+    ! grep -rI 'solutions/' "$scratch/tree" --include='*.md'
+}
+check 'a lesson calls programs where they are' names_no_solutions
+
+links_lead_somewhere() {
+    status=0
+    for page in "$scratch"/tree/ray-casting/README.md "$scratch"/tree/ray-casting/chapters/*/README.md; do
+        # shellcheck disable=SC2013 # links have no blanks
+        for link in $(grep -o '](\([^)#]*\)' "$page" | sed 's/^](//' | grep -v '^http'); do
+            [ -e "$(dirname "$page")/$link" ] || { echo "$page: $link"; status=1; }
+        done
+    done
+    return $status
+}
+check 'the links of its pages lead somewhere' links_lead_somewhere
+# What its files include and its scripts call is in it.
+is_whole() {
+    status=0
+    for name in $(
+        find "$scratch/tree" -name '*.[ch]' -exec sed -n 's/^#include "\(.*\)".*/\1/p' {} + | sort -u
+        grep -rhoE '\.make/[a-z]+(\.(awk|mk))?' "$scratch/tree/ray-casting/.make" \
+            "$scratch/tree/ray-casting/Makefile" | sort -u
+    ); do
+        [ -e "$scratch/tree/ray-casting/$name" ] || { echo "$name"; status=1; }
+    done
+    return $status
+}
+check 'nothing that it needs is missing' is_whole
+
+marked() {
+    printf '%s\n' 'a' '#[ why' 'b' '#]' '#~ c' '<!--[ why -->' 'd' '<!--] -->' '<!--~ e -->' |
+        awk -f .make/handout.awk | tr -d '\n' | grep -qx ace
+}
+check 'what is between marks is left out, what is behind them is taken' marked
+unmatched() {
+    ! echo '#[' | awk -f .make/handout.awk
+}
+check 'marks that do not match are refused' unmatched
+
+finish handout

@@ -1,0 +1,138 @@
+// asked.c - what a test asks, from the other end of the pipe, where the reference answers.
+#include "tests/told/asked.h"
+
+#include "tests/judge/call.h"
+#include "tests/judge/record.h"
+#include "tests/judge/runner.h"
+#include "tests/told/here.h"
+
+#include <string.h>
+
+static ToldTest *writing; // the test whose calls are written down; NULL while one is changed
+static Wire arguments, answer;
+static Resolution size; // of the image of the call
+
+static struct {
+    int call; // this one is changed; the others are as they were
+    const Numbers *result;
+} change = {.call = -1};
+static int call_number;
+
+static void fail(const char *why)
+{
+    fprintf(stderr, "%s: %s, %s\n", record_now()->function, record_now()->name, why);
+    exit(1);
+}
+
+static int which_result(ToldCall *call, Numbers *result)
+{
+    for (int i = 0; i < call->result_count; i++)
+        if (numbers_same(&call->results[i], result)) {
+            numbers_free(result);
+            return i;
+        }
+    call->results = told_grow(call->results, &call->result_count, sizeof *call->results);
+    call->results[call->result_count - 1] = *result;
+    return call->result_count - 1;
+}
+
+static int result_of(ToldCall *call, int exercise, AnyFunction *function)
+{
+    Numbers result = {0};
+    answer_here(exercise, function, &arguments, &answer);
+    if (!layout_read(layouts[exercise].results, &answer, &size, &result))
+        fail("a result that tests/told/layout.c cannot read");
+    return which_result(call, &result);
+}
+
+// What a student needs to know of what goes in. What the test looks at is not what the table does.
+static char *given_lines(void)
+{
+    static const char *const looks[] = {"looking at\t", "seen\t", "seen along\t", "compared\t",
+                                        "in order\t"};
+    const char *line = record_now()->closed ? "" : record_now()->given;
+    char *lines = calloc(1, strlen(line) + 1);
+    while (lines != NULL && *line != '\0') {
+        size_t length = strcspn(line, "\n") + 1;
+        bool looked = false;
+        for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++)
+            looked = looked || strncmp(line, looks[i], strlen(looks[i])) == 0;
+        if (!looked)
+            strncat(lines, line, length);
+        line += length;
+    }
+    return lines;
+}
+
+static void write_down(int exercise)
+{
+    writing->calls = told_grow(writing->calls, &writing->call_count, sizeof *writing->calls);
+    ToldCall *call = &writing->calls[writing->call_count - 1];
+    call->given = given_lines();
+    if (!layout_read(layouts[exercise].arguments, &arguments, &size, &call->arguments))
+        fail("arguments that tests/told/layout.c cannot read");
+    result_of(call, exercise, exercises[exercise].reference);
+    for (int table = 0; mistakes[table] != NULL; table++)
+        for (int i = 0; mistakes[table][i].id != NULL; i++) {
+            const Mistake *mistake = &mistakes[table][i];
+            if (exercise_number(mistake->exercise) != exercise)
+                continue;
+            int which = result_of(call, exercise, mistake->answer);
+            call->of_mistake =
+                told_grow(call->of_mistake, &call->mistake_count, sizeof *call->of_mistake);
+            call->of_mistake[call->mistake_count - 1] = which;
+        }
+}
+
+Wire *call_begin(int exercise)
+{
+    (void)exercise;
+    wire_clear(&arguments);
+    return &arguments;
+}
+
+Wire *call_finish(int exercise)
+{
+    if (writing != NULL)
+        write_down(exercise);
+    // The image's size is among the arguments.
+    static Numbers ignored;
+    arguments.read = 0;
+    layout_read(layouts[exercise].arguments, &arguments, &size, &ignored);
+    answer_here(exercise, exercises[exercise].reference, &arguments, &answer);
+    if (writing == NULL && call_number++ == change.call) {
+        wire_clear(&answer);
+        layout_write(layouts[exercise].results, change.result, &size, &answer);
+    }
+    return &answer;
+}
+
+void call_end(int exercise)
+{
+    (void)exercise;
+}
+
+static bool passes(const ToldTest *test)
+{
+    static Outcomes one;
+    run_tests(test->function, test->name, ANSWERS_APART, &one);
+    bool passed = one.count == 1 && one.tests[0].passed;
+    records_end();
+    return passed;
+}
+
+bool asked_of(ToldTest *test)
+{
+    writing = test;
+    bool passed = passes(test);
+    writing = NULL;
+    return passed;
+}
+
+bool asked_again(const ToldTest *test, int call, const Numbers *result)
+{
+    call_number = 0;
+    change.call = call;
+    change.result = result;
+    return passes(test);
+}

@@ -1,0 +1,14 @@
+// asked.h - what a test asks of the function that it is about, and what it says to other answers.
+#ifndef TESTS_TOLD_ASKED_H
+#define TESTS_TOLD_ASKED_H
+
+#include "tests/told/told.h"
+
+// Runs the test, and writes its calls down: what goes in, what the reference and each mistake make
+// of it. False where the reference does not pass.
+bool asked_of(ToldTest *test);
+
+// Runs it again with another result of one of its calls. Whether it passes.
+bool asked_again(const ToldTest *test, int call, const Numbers *result);
+
+#endif

@@ -1,0 +1,35 @@
+// layout.h - what crosses the pipe, as a list of numbers: to write it down, and to compare.
+//
+// A message is values of known types, one behind the other, as they lie in memory. As numbers it
+// is the same on every machine: no padding, no fourth lane, no order of bytes.
+#ifndef TESTS_TOLD_LAYOUT_H
+#define TESTS_TOLD_LAYOUT_H
+
+#include "tests/judge/wire.h"
+
+typedef struct {
+    int count, room;
+    double *at; // from malloc
+} Numbers;
+
+void numbers_add(Numbers *numbers, double x);
+void numbers_free(Numbers *numbers);
+
+// Of each exercise, in their order: the types of what goes in and of what comes out, as words. Made
+// by .make/proxies.awk. Image is a picture with its size, Pixels one of the size that went in;
+// Doubles are one for each of its pixels.
+typedef struct {
+    const char *arguments, *results;
+} Layout;
+
+extern const Layout layouts[];
+
+// From a message to numbers and back. size is the image's: found among the arguments, needed for
+// the results. False where the message is not of these types.
+bool layout_read(const char *types, Wire *wire, Resolution *size, Numbers *numbers);
+bool layout_write(const char *types, const Numbers *numbers, Resolution *size, Wire *wire);
+
+// As near as rounding leaves two ways to compute the same thing (same.h).
+bool numbers_same(const Numbers *a, const Numbers *b);
+
+#endif

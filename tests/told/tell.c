@@ -1,0 +1,79 @@
+// tell.c - makes the table of a stem from its tests, the reference and the mistakes.
+//
+//   PROGRAM FILE
+//   PROGRAM --formulas    says what the mistakes compute, a line each: what no handout may hold
+//
+// First each test runs as it is, and its calls are written down. Then it runs again and again with
+// one result changed a little, to find out what else it takes for right: the table is as strict
+// as the test, and no tolerance is said twice.
+#include "tests/told/asked.h"
+#include "tests/told/takes.h"
+
+#include "tests/judge/record.h"
+#include "tests/judge/runner.h"
+
+#include <string.h>
+
+static Told told;
+static Outcomes all;
+
+static void add_test(const Outcome *outcome)
+{
+    ToldTest test = {.function = (char *)outcome->function,
+                     .name = (char *)outcome->name,
+                     .extra = outcome->extra};
+    bool passed = asked_of(&test);
+    if (!passed || test.call_count == 0) {
+        fprintf(stderr, "%s: %s\n", test.name,
+                passed ? "asks nothing" : "the reference does not pass");
+        exit(1);
+    }
+    takes_for_right(&test);
+    told.tests = told_grow(told.tests, &told.test_count, sizeof *told.tests);
+    told.tests[told.test_count - 1] = test;
+}
+
+static void add_mistake(const Mistake *mistake)
+{
+    told.mistakes = told_grow(told.mistakes, &told.mistake_count, sizeof *told.mistakes);
+    told.mistakes[told.mistake_count - 1] =
+        (ToldMistake){.function = (char *)mistake->exercise,
+                      .why = (char *)mistake->why,
+                      .picture = (char *)mistake->picture,
+                      .digits = strncmp(mistake->id, "X-", 2) == 0};
+}
+
+static int say_formulas(void)
+{
+    for (int table = 0; mistakes[table] != NULL; table++)
+        for (int i = 0; mistakes[table][i].id != NULL; i++)
+            puts(mistakes[table][i].formula);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc == 2 && strcmp(argv[1], "--formulas") == 0)
+        return say_formulas();
+    const char *slash = strrchr(argv[0], '/');
+    FILE *file = argc == 2 ? fopen(argv[1], "wb") : NULL;
+    if (file == NULL) {
+        fprintf(stderr, "Usage: %s FILE\n", argv[0]);
+        return 2;
+    }
+    switch_to_process(slash != NULL ? slash + 1 : argv[0]);
+    run_tests(NULL, NULL, ANSWERS_APART, &all);
+    records_end();
+    for (int i = 0; i < all.count; i++)
+        add_test(&all.tests[i]);
+    agree_on_lengths(&told);
+    for (int table = 0; mistakes[table] != NULL; table++)
+        for (int i = 0; mistakes[table][i].id != NULL; i++)
+            add_mistake(&mistakes[table][i]);
+    bool written = told_write(file, &told);
+    if (fclose(file) != 0 || !written) {
+        perror(argv[1]);
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,67 @@
+// variants.c - no right answer, however it is written, is failed or accused by the table.
+#include "tests/told/here.h"
+#include "tests/told/replay.h"
+
+#include "tests/judge/call.h"
+#include "tests/judge/runner.h"
+#include "tests/judge/show.h"
+#include "tests/judge/suspects.h"
+#include "tests/variants/variants.h"
+
+#include <string.h>
+
+static Outcomes outcomes;
+static Wire arguments, answer;
+static AnyFunction *answering;
+
+Wire *call_begin(int exercise)
+{
+    (void)exercise;
+    wire_clear(&arguments);
+    return &arguments;
+}
+
+Wire *call_finish(int exercise)
+{
+    answer_here(exercise, answering, &arguments, &answer);
+    return &answer;
+}
+
+void call_end(int exercise)
+{
+    (void)exercise;
+}
+
+static bool is_right(const Variant *variant)
+{
+    bool good = true;
+    answering = variant->answer;
+    suspects_begin();
+    run_tests(variant->exercise, NULL, ANSWERS_APART, &outcomes);
+    for (int i = 0; i < outcomes.count; i++) {
+        if (outcomes.tests[i].passed || outcomes.tests[i].extra)
+            continue;
+        printf("not ok: right answer fails: %s: %s: %s\n", variant->exercise, variant->what,
+               outcomes.tests[i].name);
+        show_outcome(stdout, &outcomes.tests[i]);
+        good = false;
+    }
+    const Mistake *accused = suspect(exercise_number(variant->exercise), 0, false);
+    if (accused != NULL)
+        printf("not ok: right answer is accused: %s: %s: %s\n", variant->exercise, variant->what,
+               accused->why);
+    records_end();
+    return good && accused == NULL;
+}
+
+int main(int argc, char **argv)
+{
+    const char *slash = strrchr(argv[0], '/'), *stem = slash != NULL ? slash + 1 : argv[0];
+    int passed = 0, failed = 0;
+    (void)argc;
+    switch_to_process(stem);
+    for (int i = 0; variants[i].exercise != NULL; i++)
+        *(is_right(&variants[i]) ? &passed : &failed) += 1;
+    printf("right answers by the table of %s: %d passed, %d failed\n", stem, passed, failed);
+    return failed == 0 && passed > 0 ? 0 : 1;
+}
