@@ -429,85 +429,8 @@ reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
 #[
 
 # ---- grading ----------------------------------------------------------------------------------
-#
-# Everything that a sandbox shows of this tree is in KIT: the headers that an answer may include; for
-# each stem what the answering process holds besides the answer, linked in advance (which takes a
-# tenth of the time then); and the commands that use them.
-CONFINE := $(KIT)/confine
-SECCOMP_LIBS = $(if $(CAN_GRADE),$(shell pkg-config --libs libseccomp),$(error grading needs python3, \
-	objdump and libseccomp: 'make setup FOR=instructor' installs them))
-$(CONFINE): $(patsubst %,$(B)/tests/grading/confine/%.o,confine landlock system_calls)
-	$(call say,link,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(LINK) -static -o $@ $^ $(SECCOMP_LIBS)
 
-KIT_HEADER := $(KIT)/headers/answer.h
-$(KIT_HEADER): $(QUICK_HEADER) $(wildcard common/*.h exercises/*.h)
-	$(Q)mkdir -p $(@D)/common $(@D)/exercises
-	$(Q)cp common/*.h $(@D)/common && cp exercises/*.h $(@D)/exercises && cp $< $@
-	$(Q)cd $(@D) && $(CC) $(QUICK_FLAGS) -x c-header -o $(@F).$(if $(IS_CLANG),pch,gch) $(@F)
-
-# The blanks, weak: of an answer from which functions are missing, those are not answered yet.
-KIT_BLANKS := $(STEMS:%=$(KIT)/link/blank-%.o)
-$(KIT_BLANKS): $(KIT)/link/blank-%.o: build/blanks/%.c $(B)/weak.h $(B)/flags
-	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c -o $@ $<
-
-library = $(shell $(CC) -print-file-name=$(1))
-C_LIBRARIES = $(foreach l,libm.a libc.a libgcc.a libgcc_eh.a,$(call library,$(l)))
-# What answers may be expected to call of the C library.
-IN_ADVANCE := printf fprintf snprintf puts fputs putchar malloc calloc free qsort memcpy memset \
-	strcmp rand abort __assert_fail sqrt fabs tan floor ceil round fmin fmax
-$(B)/tests/grading/confine/entry.o: EXTRA = -fno-stack-protector
-KIT_LINKS := $(STEMS:%=$(KIT)/link/%.o)
-$(KIT_LINKS): $(KIT)/link/%.o: $(B)/tests/grading/confine/entry.o $$(call answering,$$*)
-$(KIT)/link/%.o:
-	$(call say,link,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)ld -r -S -o $@ $(IN_ADVANCE:%=-u %) $(foreach o,crt1.o crti.o crtbeginT.o,$(call library,$(o))) $^ \
-		--start-group $(C_LIBRARIES) --end-group
-
-# All chapters in one process, which draws a picture; and the picture that it should be.
-$(KIT)/link/all.o: $(B)/tests/grading/confine/entry.o $(patsubst %,$(B)/tests/judge/%.o,answering wire) \
-	$(B)/judge/dispatch-all.o
-KIT_LINKS += $(KIT)/link/all.o
-LAST := $(lastword $(filter 06%,$(STEMS)))
-RIGHTS := $(STEMS:%=$(B)/judge/right-%.o)
-$(RIGHTS): $(B)/judge/right-%.o: solutions/%.c tests/exercises.table .make/proxies.awk $(B)/flags
-	$(call say,compile,$< for pictures)
-	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=reference -v stem=$* -f .make/proxies.awk tests/exercises.table > $(@:.o=.h)
-	$(Q)$(COMPILE) -include $(@:.o=.h) -o $@ $<
-$(B)/judge/rights.c: tests/exercises.table .make/proxies.awk
-	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=rights -f .make/proxies.awk $< > $@
-DRAW := $(B)/judge/picture
-$(DRAW): $(B)/tests/grading/picture.o $(RIGHTS) $(B)/judge/rights.o $(B)/chapters/$(LAST)/scene_camera.o $(JUDGING) \
-		$(call parts,tests/mistakes/$(LAST)) $(B)/judge/lender-$(LAST).o $(B)/common.a
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
-SCENE_TO_DRAW := chapters/06-ray-casting/three-spheres.nff
-$(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
-	$(Q)$(DRAW) nobody $(SCENE_TO_DRAW) $@
-
-$(KIT)/commands: Makefile $(if $(and $(UNSAFE),$(if $(CAN_GRADE),,yes)),,$(CONFINE)) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) $(B)/common.a .make/calls.awk \
-		$(KIT)/expected.png
-	$(Q)cp $(B)/common.a $(KIT)/link/ && cp .make/calls.awk $(KIT)/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
-	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \
-		'COMPILE=$(CC) $(QUICK_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \
-		'LINK=ld -static -s -z noexecstack -e graded_start' \
-		'LIBRARIES=--start-group $(abspath $(KIT)/link/common.a) $(C_LIBRARIES) --end-group $(foreach \
-		o,crtend.o crtn.o,$(call library,$(o)))' > $@
-
-# By the environment, where any folder's name is just a name.
-grade: export SUBMISSIONS := $(SUBMISSIONS)
-grade: export OUT := $(or $(OUT),build/grades)
-grade: export POLICY := $(POLICY)
-grade: $(KIT)/commands $(JUDGES) ## mark a class: SUBMISSIONS=dir OUT=build/grades
-	@python3 -B tests/grading/grade.py $(KIT)
-
-gradescope: ## build/gradescope.zip, an autograder for Gradescope
-	@python3 -B tests/grading/recipes/gradescope.py build/gradescope.zip
+include .make/grading.mk
 
 skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
 	@.make/skeletons $(BLANKS)
@@ -543,7 +466,7 @@ clean: ## remove what was built
 
 help: ## this
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' Makefile \
-		$(filter %handout.mk,$(MAKEFILE_LIST))
+		$(filter %.mk,$(MAKEFILE_LIST))
 
 .PHONY: all setup check check-all bench grade gradescope exercises watch hint debug reset skeletons format format-check tidy clean help
 -include $(shell find $(B) -name '*.d' 2>/dev/null)
