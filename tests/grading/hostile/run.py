@@ -29,6 +29,7 @@ TREE = Path(__file__).resolve().parents[3]
 SEED = "20151104"
 SECONDS = 1200  # for the whole class, once
 KINDS = ["bubblewrap", "landlock"]
+FLAGS = ["CC", "CFLAGS", "CPPFLAGS", "LDFLAGS", "WERROR", "CI"]  # with others, all would be built again
 NO_SANDBOX = b"no sandbox here"
 counts = {"passed": 0, "failed": 0}
 
@@ -62,8 +63,7 @@ def grade(places: dict, kind: str, home_secret: str) -> dict:
                    "HOSTILE_CANARY": home_secret}
     if kind == "none":
         environment["UNSAFE"] = "1"
-    if "CC" in os.environ:
-        environment["CC"] = os.environ["CC"]
+    environment.update({name: os.environ[name] for name in FLAGS if name in os.environ})
     command = ["make", "--no-print-directory", "grade", f"SUBMISSIONS={places['SUBMISSIONS']}", f"OUT={places['OUT']}",
                f"SEED={SEED}"]
     return room.run(command, places["TREE"], environment, SECONDS, places["SCRATCH"] / "log")
