@@ -50,6 +50,7 @@ def build(bench: Workbench, answers: dict) -> tuple[list[str], dict[str, tuple[s
     there = [stem for stem, answer in answers.items() if answer.state == "found"]
     for stem in there:
         (bench.folder / f"{stem}.c").write_bytes(answers[stem].text)
+        (bench.folder / f"{stem}.d").mkdir()
     if there:
         bench.compile(COMPILE, there)
     compiled = [stem for stem in there if (bench.folder / f"{stem}.o").exists()]

@@ -92,7 +92,7 @@ def function_part(exercise, found: dict[str, str], waits_for: list[str] | None) 
         part["mistake"] = {key: found.get(key, "") for key in ("formula", "why", "picture")}
         part["mistake"]["id"] = found["mistake"]
     if not part["hidden"]:
-        part.update({key: found.get(key, "") for key in ("expected", "yours", "law")})
+        part.update({key: found.get(key, "").replace("~", " ") for key in ("expected", "yours", "law")})
         part["given"] = [line.replace("~", " ").split("\t", 1)
                          for line in found.get("given", "").splitlines() if "\t" in line]
     return part

@@ -28,6 +28,8 @@ enum {
     MOST_MEMORY = 512 << 20, // bytes
     MOST_IDLE = 2,           // seconds without any work done: it waits for something
     MOST_WAIT = 60,          // seconds in all, on a machine that is very busy
+    MOST_CALLS = 5,          // times the work of one call, for all calls of an exercise together
+    LENT_ROOM = 4096,        // bytes by which a question may be larger than the call
 };
 
 static const char *program;
@@ -40,6 +42,8 @@ static struct {
     How how;
     char why[120]; // an exercise is not called any more
 } broken[MOST_EXERCISES];
+static double work_of[MOST_EXERCISES]; // seconds, so far
+static size_t size_of_call;
 static bool is_lent[MOST_EXERCISES], was_lent[MOST_EXERCISES];
 
 void call_answers_from(const char *answering, int printed)
@@ -325,7 +329,9 @@ static bool lend(int exercise, Wire *question)
 {
     static Wire answer;
     wire_clear(&answer);
-    if (!is_lent[exercise] || !dispatch(exercise, question, &answer))
+    // No more work for the judge than it has asked for itself.
+    if (!is_lent[exercise] || question->size > size_of_call + LENT_ROOM ||
+        !dispatch(exercise, question, &answer))
         return false;
     was_lent[exercise] = true;
     Patience left = patience();
@@ -344,6 +350,7 @@ static bool exchange(int exercise, How *how, char *why, size_t size)
         nonce++;
     WireHeader answer = {0};
     Patience left = patience();
+    size_of_call = wire.size;
     int moved = send(WIRE_CALL, exercise, &wire, &left);
     // A process that is gone may have said why.
     if (moved != 0)
@@ -369,7 +376,12 @@ static bool exchange(int exercise, How *how, char *why, size_t size)
     } else {
         if (answer.missing[0] != '\0')
             record_missing(answer.missing);
-        return true;
+        work_of[exercise] += work_done() - left.work_before;
+        if (work_of[exercise] <= MOST_CALLS * most_seconds())
+            return true;
+        *how = HOW_TIMED_OUT;
+        snprintf(why, size, "needs far too long: %g s, in its calls together",
+                 MOST_CALLS * most_seconds());
     }
     stop(false);
     return false;
