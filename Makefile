@@ -445,10 +445,10 @@ bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a min
 C_SOURCES = $(wildcard common/*.[ch] chapters/*/*.[ch] exercises/*.h solutions/*.c \
 	tests/*.[ch] tests/*/*.[ch] tests/grading/confine/*.[ch])
 format: ## lay out the C sources (clang-format)
-	clang-format -i $(C_SOURCES)
+	@clang-format -i $(C_SOURCES)
 
 format-check: ## fails where 'make format' would change something
-	clang-format --dry-run -Werror $(C_SOURCES)
+	@clang-format --dry-run -Werror $(C_SOURCES)
 
 # Not in tests/mistakes, where bugs are what is wanted.
 tidy: $(B)/compile_commands.json ## look for bugs (clang-tidy)

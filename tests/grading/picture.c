@@ -1,4 +1,5 @@
-// picture - a scene drawn by a student's answers, and by right ones for the chapters that lack; small.
+// picture - a scene drawn by a student's answers, and by right ones for the chapters that lack;
+// small.
 //
 //   PROGRAM ANSWERS SCENE FILE.png STEM...   the process ANSWERS has these chapters. Exit status 1
 //                                            where there is no picture

@@ -50,6 +50,8 @@ def arguments() -> argparse.Namespace:
         stop("grade what? Say: make grade SUBMISSIONS=folder")
     if not given.submissions.is_dir():
         stop(f"SUBMISSIONS={given.submissions}: no such folder")
+    if given.submissions.resolve() in [given.out.resolve(), *given.out.resolve().parents]:
+        stop(f"OUT={given.out} lies in SUBMISSIONS={given.submissions}, where each folder is a submission")
     return given
 
 

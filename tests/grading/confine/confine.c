@@ -37,7 +37,8 @@ enum {
     ANSWER_SECONDS = 120, // of work in all; the judge stops one call long before
     COMPILE_MEMORY = 1024 * MEGABYTE,
     COMPILE_FILE = 16 * MEGABYTE,
-    COMPILE_SECONDS = 5, // of work for each file
+    COMPILE_SECONDS = 5,      // of work for each file
+    COMPILE_PROCESSES = 4096, // of this user in all, where there is no name space of users
 };
 
 void give_up(const char *what)
@@ -99,6 +100,7 @@ static void start_compiler(char **places, char **command)
     limit(RLIMIT_FSIZE, COMPILE_FILE);
     limit(RLIMIT_AS, COMPILE_MEMORY);
     limit(RLIMIT_CPU, COMPILE_SECONDS);
+    limit(RLIMIT_NPROC, COMPILE_PROCESSES);
     limit(RLIMIT_NOFILE, 64);
     allow_compiler();
     execv(command[0], command);
