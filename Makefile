@@ -241,8 +241,8 @@ $(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/fla
 	$(call say,compile,$< as reference)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
-JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call wire same suspects switchboard system_call) \
-	$(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
+JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call process ending wire same suspects \
+	switchboard system_call) $(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
 JUDGES := $(STEMS:%=$(B)/judge/%)
 $(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) $(JUDGING) \
 		$(B)/judge/lender-%.o $(B)/tests/judge/judge.o $(B)/tests/judge/report.o $(B)/common.a

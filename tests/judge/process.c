@@ -1,0 +1,194 @@
+// process.c - the answering process, and its pipes.
+#include "tests/judge/process.h"
+
+#include "tests/judge/answering.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+#include <time.h>
+#include <unistd.h>
+
+enum {
+    MOST_PRINTED = 1 << 20,  // bytes in one test
+    MOST_MEMORY = 512 << 20, // bytes
+    MOST_IDLE = 2,           // seconds without any work done: it waits for something
+    MOST_WAIT = 60,          // seconds in all, on a machine that is very busy
+};
+
+static const char *program;
+static int printed_file = -1;
+static pid_t pid; // 0: none is running
+static int calls_out = -1, answers_in = -1;
+
+void process_begin(const char *answering, int printed)
+{
+    program = answering;
+    printed_file = printed;
+    // Behind what is there already, also when the judge has emptied the file in between.
+    fcntl(printed, F_SETFL, O_APPEND);
+    signal(SIGPIPE, SIG_IGN);
+#ifdef __linux__
+    if (getenv("CONFINE") != NULL)
+        prctl(PR_SET_PDEATHSIG, SIGKILL); // a grader that is killed leaves nothing behind
+#endif
+}
+
+// More where every access is checked.
+double process_most_work(void)
+{
+    static double seconds;
+    if (seconds == 0) {
+        const char *wanted = getenv("CALL_SECONDS");
+        seconds = wanted != NULL ? strtod(wanted, NULL) : 0;
+        if (!(seconds > 0))
+            seconds = 1;
+    }
+    return seconds;
+}
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static void limit(int what, rlim_t most)
+{
+    struct rlimit limits = {most, most};
+    setrlimit(what, &limits);
+}
+
+static void become_answering(const int calls[2], const int answers[2])
+{
+    // Through high numbers, so that none of the four is closed by placing another.
+    int in = fcntl(calls[0], F_DUPFD, 20), out = fcntl(answers[1], F_DUPFD, 20);
+    int print = fcntl(printed_file, F_DUPFD, 20);
+    int null = open("/dev/null", O_RDONLY);
+    if (in < 0 || out < 0 || print < 0 || dup2(null, STDIN_FILENO) < 0 ||
+        dup2(print, STDOUT_FILENO) < 0 || dup2(print, STDERR_FILENO) < 0 ||
+        dup2(in, CALLS_IN) < 0 || dup2(out, ANSWERS_OUT) < 0)
+        _exit(126);
+    for (int i = ANSWERS_OUT + 1; i < 64; i++)
+        close(i);
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_FSIZE, MOST_PRINTED);
+#ifndef __SANITIZE_ADDRESS__ // whose shadow is larger than any limit
+    limit(RLIMIT_AS, MOST_MEMORY);
+#endif
+    const char *confine = getenv("CONFINE"); // tests/grading/confine/, for hostile answers
+    char *const environment[] = {NULL};
+    if (confine != NULL)
+        execve(confine, (char *[]){"confine", "answer", (char *)program, NULL}, environment);
+    else
+        execve(program, (char *[]){"answering", NULL}, environment);
+    _exit(127);
+}
+
+bool process_start(void)
+{
+    if (pid != 0)
+        return true;
+    int calls[2], answers[2];
+    if (pipe(calls) != 0 || pipe(answers) != 0)
+        return false;
+    fflush(NULL);
+    pid = fork();
+    if (pid == 0)
+        become_answering(calls, answers);
+    close(calls[0]);
+    close(answers[1]);
+    calls_out = calls[1];
+    answers_in = answers[0];
+    fcntl(calls_out, F_SETFL, O_NONBLOCK);
+    fcntl(answers_in, F_SETFL, O_NONBLOCK);
+    if (pid < 0)
+        pid = 0;
+    return pid > 0;
+}
+
+int process_stop(bool wait_for_it)
+{
+    int status = -1;
+    if (pid == 0)
+        return status;
+    close(calls_out);
+    close(answers_in);
+    double until = now() + (wait_for_it ? 0.2 : 0);
+    pid_t ended = 0;
+    while ((ended = waitpid(pid, &status, WNOHANG)) == 0 && now() < until)
+        poll(NULL, 0, 1);
+    if (ended != pid) {
+        kill(pid, SIGKILL);
+        waitpid(pid, NULL, 0);
+        status = -1;
+    }
+    pid = 0;
+    return status;
+}
+
+double process_work(void)
+{
+    clockid_t clock;
+    struct timespec time;
+    if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &time) != 0)
+        return 0;
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+Patience patience_begin(void)
+{
+    double work = process_work();
+    return (Patience){work, work, now(), now()};
+}
+
+bool patience_is_over(Patience *patience)
+{
+    double work = process_work();
+    if (work > patience->work + 1e-4)
+        patience->idle_since = now();
+    patience->work = work;
+    return work - patience->work_before > process_most_work() ||
+           now() - patience->idle_since > MOST_IDLE || now() - patience->since > MOST_WAIT;
+}
+
+static int move(bool out, void *bytes, size_t size, Patience *left)
+{
+    char *place = bytes;
+    while (size > 0) {
+        struct pollfd end = {out ? calls_out : answers_in, out ? POLLOUT : POLLIN, 0};
+        bool ready = poll(&end, 1, 50) > 0;
+        // Bytes that drip one by one are no answer, either.
+        if ((!ready || place != bytes) && patience_is_over(left))
+            return 0;
+        if (!ready)
+            continue;
+        ssize_t n = out ? write(calls_out, place, size) : read(answers_in, place, size);
+        if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR))
+            return -1;
+        if (n > 0) {
+            place += n;
+            size -= (size_t)n;
+        }
+    }
+    return 1;
+}
+
+int process_send(const void *bytes, size_t size, Patience *patience)
+{
+    return move(true, (void *)bytes, size, patience);
+}
+
+int process_receive(void *bytes, size_t size, Patience *patience)
+{
+    return move(false, bytes, size, patience);
+}

@@ -1,0 +1,34 @@
+// process.h - the answering process: its beginning and end, its pipes, and the patience with it.
+#ifndef TESTS_JUDGE_PROCESS_H
+#define TESTS_JUDGE_PROCESS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// What is started, through confine where the environment has CONFINE; and the file that catches
+// what it prints (a descriptor).
+void process_begin(const char *program, int printed);
+
+// Starts it where it is not running. False, and errno, where that fails.
+bool process_start(void);
+
+// Ends it. Its wait status where it ended by itself, within a moment; else -1.
+int process_stop(bool wait_for_it);
+
+// The seconds that it has worked, and those that one call may take: CALL_SECONDS, or 1.
+double process_work(void);
+double process_most_work(void);
+
+// What ends a call: the work that it has done, not the time that has passed, or a busy machine
+// would fail a right answer. But a process that does nothing for some seconds waits in vain.
+typedef struct {
+    double work_before, work, since, idle_since;
+} Patience;
+Patience patience_begin(void);
+bool patience_is_over(Patience *patience);
+
+// Moves all bytes, out or in. 1 done, 0 the patience is over, -1 the other end is closed.
+int process_send(const void *bytes, size_t size, Patience *patience);
+int process_receive(void *bytes, size_t size, Patience *patience);
+
+#endif
