@@ -36,7 +36,7 @@ mkdir "$scratch/bin"
 printf '#!/bin/sh\nexit 127\n' >"$scratch/bin/git"
 chmod +x "$scratch/bin/git"
 inside() {
-    (cd "$tree" && env -u HOME -u MAKEFLAGS PATH="$scratch/bin:$PATH" CC="$compiler" "$@") >"$scratch/said" 2>&1
+    (cd "$tree" && env -u HOME -u MAKEFLAGS -u MAKELEVEL PATH="$scratch/bin:$PATH" CC="$compiler" "$@") >"$scratch/said" 2>&1
 }
 fails() {
     ! inside "$@"
