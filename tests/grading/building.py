@@ -5,7 +5,6 @@ The words are the compiler's: cut, harmless on a terminal, and without the place
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 from workbench import COMPILE, LINK, Workbench
 from visible import visible
@@ -15,28 +14,29 @@ MOST_LINES = 30
 CUT_SHORT = ("signal terminated program", "limit exceeded", "out of memory")
 
 
-def quoted(path: Path, hide: Path) -> str:
+def quoted(bench: Workbench, name: str) -> str:
     try:
-        with open(path, "rb") as file:
+        with open(bench.folder / name, "rb") as file:
             raw = file.read(8 * MOST_WORDS)
     except OSError:
         return ""
-    text = raw.decode("utf-8", "replace").replace(f"{hide}/headers/", "").replace("‘", "'").replace("’", "'")
+    text = raw.decode("utf-8", "replace").replace("‘", "'").replace("’", "'")
+    text = text.replace(f"{bench.kit.folder}/headers/", "")
     lines = text[:MOST_WORDS].splitlines()
     cut = len(text) > MOST_WORDS or len(lines) > MOST_LINES
     return visible("\n".join(lines[:MOST_LINES] + ["..."] * cut), lines=True)
 
 
 def compile_words(bench: Workbench, stem: str) -> str:
-    words = quoted(bench.folder / f"{stem}.words", bench.kit.folder)
+    words = quoted(bench, f"{stem}.words")
     if words and not any(sign in words for sign in CUT_SHORT):
-        return words
+        return quoted(bench, f"{stem}.help") or words
     return ("the compiler was stopped: it needed more than 5 seconds, a gigabyte of memory, "
             f"or 16 MB of file\n{words}").strip()
 
 
 def link_words(bench: Workbench, stem: str) -> str:
-    words = quoted(bench.folder / f"{stem}.words", bench.kit.folder)
+    words = quoted(bench, f"{stem}.words")
     known = [f"{name} is not in this file (or is static)"
              for name in re.findall(r"undefined reference to [`'](\w+)'", words)]
     known += ["leave main out: the tests have one" if name == "main" else

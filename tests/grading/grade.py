@@ -11,18 +11,34 @@ import time
 from collect import submissions
 from crew import alone, mark_all, of_shard
 from grader import Grader
-from policy import PolicyError
+from policy import PolicyError, came_in
 from report import files, text
 from settings import arguments, stop
+from visible import visible
 
 
-def mention(others: list, stems: list, folder) -> None:
+def mention(found: list, others: list, stems: list, folder) -> None:
     answers = [name for name in others if name in [f"{stem}.c" for stem in stems]]
-    if answers:
+    if not found and answers:
         stop(f"{folder} holds {answers[0]} itself: it is one submission. Name the folder that it lies in.")
+    if not found:
+        stop(f"{folder} holds no submission: no folder, no archive")
+    for name in answers:
+        print(f"{name} lies loose in {folder}: put it into a folder of its owner's", file=sys.stderr)
     if others:
         more = f" and {len(others) - 5} more" if len(others) > 5 else ""
         print(f"Not submissions (neither folder nor archive): {', '.join(others[:5])}{more}", file=sys.stderr)
+
+
+def mention_times(policy, found: list) -> None:
+    if policy.times is None:
+        return
+    known = {name for submission in found for name in (submission.name, submission.folder)}
+    for name in sorted(set(policy.times) - known):
+        print(f"No submission is called {visible(name)}, whose time is given", file=sys.stderr)
+    without = [submission.name for submission in found if came_in(policy, submission, None) is None]
+    if without:
+        print(f"Without a time, taken as on time: {', '.join(without)}", file=sys.stderr)
 
 
 def main() -> int:
@@ -34,9 +50,11 @@ def main() -> int:
     except PolicyError as error:
         stop(str(error))
     found, others = submissions.find(given.submissions)
-    mention(others, grader.stems, given.submissions)
+    mention(found, others, grader.stems, given.submissions)
+    mention_times(grader.policy, found)
     todo = of_shard(found, given.shard)
     lock = alone(grader.work)
+    grader.begin()
     began = time.monotonic()
     try:
         mark_all(grader, todo, given.jobs)

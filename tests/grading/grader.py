@@ -60,8 +60,7 @@ class Grader:
         self.policy = policies.load(given.policy, self.exercises)
         self.kit = read_kit(given.kit.resolve())
         self.sandbox = choose(given.kit.resolve() / "confine", given.sandbox, given.unsafe)
-        self.out.mkdir(parents=True, exist_ok=True)
-        self.seed = seed_of_class(self.out, given.seed)
+        self.seed, self.wanted_seed = 0, given.seed
         part, parts = given.shard or (1, 1)
         self.work = self.out / ".work" / f"{part}-of-{parts}"
         judges = sorted(path for path in self.kit.judges.iterdir() if path.name in self.stems)
@@ -69,6 +68,10 @@ class Grader:
         self.tests = sum_of_files([given.policy, table.TABLE, *judges,
                                    *sorted((self.kit.folder / "link").iterdir()),
                                    self.kit.folder / "commands", *confine])
+
+    def begin(self) -> None:
+        """When it is clear that there is something to mark, and nobody else does."""
+        self.seed = seed_of_class(self.out, self.wanted_seed)
 
     def key(self, collected: Collected, when: int | None) -> str:
         """Changes with everything that the marks depend on."""

@@ -80,7 +80,7 @@ def choose(confine: Path, wanted: str, unsafe: bool) -> Sandbox:
     bubblewrap = shutil.which("bwrap") is not None and says(
         ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]) is not None
     if wanted not in ("", "bubblewrap", "landlock", "none"):
-        raise SystemExit(f"SANDBOX={wanted}: expected bubblewrap, landlock or none")
+        raise SystemExit(f"grade: SANDBOX={wanted}: expected bubblewrap or landlock")
     if "seccomp" in kernel and bubblewrap and wanted in ("", "bubblewrap"):
         also = ", Landlock" if "landlock" in kernel else ""
         return Sandbox(f"bubblewrap{also}, seccomp", True, str(confine))

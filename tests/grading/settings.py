@@ -3,7 +3,9 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import secrets
+import sys
 from pathlib import Path
 
 import policy
@@ -24,8 +26,9 @@ def number(name: str, text: str, least: int, most: int) -> int:
 def shard(text: str) -> tuple[int, int]:
     """Which part of the class, of how many."""
     part, _, parts = text.partition("/")
-    n = number("SHARD", parts or "x", 1, 10000)
-    return number("SHARD", part, 1, n), n
+    if not re.fullmatch(r"[0-9]{1,5}/[0-9]{1,5}", text, re.ASCII) or not 1 <= int(part) <= int(parts) <= 10000:
+        stop(f"SHARD={text}: expected i/n, such as 1/4, with i from 1 to n, and n at most 10000")
+    return int(part), int(parts)
 
 
 def arguments() -> argparse.Namespace:
@@ -49,7 +52,8 @@ def arguments() -> argparse.Namespace:
     if given.submissions is None:
         stop("grade what? Say: make grade SUBMISSIONS=folder")
     if not given.submissions.is_dir():
-        stop(f"SUBMISSIONS={given.submissions}: no such folder")
+        what = "is a file: name the folder that it lies in" if given.submissions.exists() else "no such folder"
+        stop(f"SUBMISSIONS={given.submissions}: {what}")
     if given.submissions.resolve() in [given.out.resolve(), *given.out.resolve().parents]:
         stop(f"OUT={given.out} lies in SUBMISSIONS={given.submissions}, where each folder is a submission")
     return given
@@ -61,6 +65,8 @@ def seed_of_class(out: Path, wanted: int | None) -> int:
     if wanted is None and path.exists():
         return number(str(path), path.read_text().strip(), 0, LARGEST_SEED)
     seed = secrets.randbelow(LARGEST_SEED + 1) if wanted is None else wanted
+    if path.exists() and (before := path.read_text().strip()) != str(seed):
+        print(f"The seed of {out} was {before} and is {seed} now: all is marked again.", file=sys.stderr)
     new = path.with_suffix(f".{secrets.token_hex(6)}")
     new.write_text(f"{seed}\n")
     try:

@@ -14,9 +14,13 @@ from sandbox import Sandbox
 COMPILE_SECONDS = 60   # for a submission's files together; each has five of work (confine/)
 JUDGE_SECONDS = 240    # for all its functions; each has one of work a call (judge/call.c)
 
-# A compiler that is stopped leaves half a file.
-COMPILE = '''for stem; do
-    $COMPILE -o "$stem.o" "$stem.c" 2>"$stem.words" || rm -f "$stem.o"
+# A compiler that is stopped leaves half a file. What it said is explained as 'make exercises' does.
+COMPILE = '''ln -s "$KIT/headers/common" "$KIT/headers/exercises" "$KIT/headers/.make" .
+for stem; do
+    $COMPILE -o "$stem.o" "$stem.c" 2>"$stem.words" || {
+        rm -f "$stem.o"
+        .make/explain "$stem.c" <"$stem.words" >"$stem.help"
+    }
 done; true'''
 LINK = '''for stem; do
     $LINK -o "$stem.exe" "$stem.o" "$KIT/link/$stem.o" "$KIT/link/blank-$stem.o" $LIBRARIES \\

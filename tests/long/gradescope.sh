@@ -1,5 +1,10 @@
 #!/bin/sh
 # gradescope.sh - the archive for Gradescope, in a folder that is laid out as it is there.
+if [ -n "${BRIEF:-}" ]; then
+    echo "skipped: the autograder's archive (BRIEF)"
+    echo "gradescope: 0 passed, 0 failed"
+    exit 0
+fi
 set -u
 . tests/library.sh
 if [ -z "${KIT:-}" ]; then

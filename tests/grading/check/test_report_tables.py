@@ -113,7 +113,7 @@ def test_text():
     ]
     check(
         "median and quartiles are right",
-        "median 4.5, the middle half from 2.75 to 6.25" in closing(eight),
+        "median 4.5 of 8, the middle half from 2.75 to 6.25" in closing(eight),
     )
     check(
         "each score is in its tenth",

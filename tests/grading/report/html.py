@@ -18,7 +18,7 @@ def kind(state: str) -> str:
 
 
 def share(score: float, most: float) -> str:
-    return "full" if score >= most else "none" if score <= 0 else "some"
+    return "unasked" if not most else "full" if score >= most else "none" if score <= 0 else "some"
 
 
 def marks(record: dict):
@@ -28,7 +28,7 @@ def marks(record: dict):
             tag("td", tag("a", stem["stem"], href="#" + stem["stem"])),
             tag(
                 "td",
-                stem["state"] if stem["state"] != "judged" else "",
+                "counts nothing" if not stem["max"] else stem["state"] if stem["state"] != "judged" else "",
                 class_="warn" if stem["state"] != "judged" else None,
             ),
             tag("td", of(stem), class_=share(stem["score"], stem["max"])),

@@ -29,8 +29,8 @@ def distribution(records: list):
     shapes.append(tag("text", "100", x=343, y=134))
     low, middle, high = quartiles(records)
     words = (
-        f"Median {number(middle)}; the middle half lies between {number(low)} and "
-        f"{number(high)}."
+        f"Median {number(middle)} of {number(max(record['max'] for record in records))}; "
+        f"the middle half lies between {number(low)} and {number(high)}."
     )
     label = "; ".join(f"{ends} percent: {count}" for ends, count in counted if count)
     return tag(

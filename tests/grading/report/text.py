@@ -9,6 +9,7 @@ from .figures import bins, circumstances, most_made, not_answered, quartiles, st
 from .points import UNSAFE, any_unsafe, clean_class
 
 LONG_CLASS = 40  # up to so many are all shown
+MOST_LATE = 12  # that are named
 SHOWN_OF_LONG = 12  # of each kind, else
 
 
@@ -60,7 +61,8 @@ def distribution(records: list) -> list:
         bar = "#" * max(round(count / unit), 1 if count else 0)
         lines.append(f"  {ends:>6}  {bar + (' ' if bar else '')}{count or ''}".rstrip())
     low, middle, high = quartiles(records)
-    lines.append(f"  median {number(middle)}, the middle half from {number(low)} to {number(high)}")
+    most = number(max(record["max"] for record in records))
+    lines.append(f"  median {number(middle)} of {most}, the middle half from {number(low)} to {number(high)}")
     return lines
 
 
@@ -77,6 +79,15 @@ def mistakes(records: list) -> list:
     return lines
 
 
+def late(records: list) -> list:
+    those = [record["submission"] for record in records if record["late"]]
+    if not those:
+        return []
+    named = ", ".join(fitted(name, 24).rstrip() for name in those[:MOST_LATE])
+    named += " and more" if len(those) > MOST_LATE else ""
+    return [f"Late, or nobody knows when: {len(those)}"] + wrapped("", named, 6)
+
+
 def closing(records: list) -> str:
     records = clean_class(records)
     if not records:
@@ -88,6 +99,7 @@ def closing(records: list) -> str:
         table(records),
         distribution(records),
         mistakes(records),
+        late(records),
         wrapped("", f"{len(records)} submissions. Seed {seeds}. Sandbox: {boxes}.", 0),
         loud,
     ]
