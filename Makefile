@@ -130,8 +130,11 @@ endif
 PROGRAMS := $(STEMS:%=$(BUILT)/%)
 chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c)))
 
+# Figures of every chapter show the camera of the first.
+SHOWS_CAMERA := $(B)/chapters/01-corners/plane.o
+
 .SECONDEXPANSION:
-$(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(B)/common.a
+$(PROGRAMS): $(BUILT)/%: $$(sort $$(call chapter_objects,$$*) $(SHOWS_CAMERA)) $(ANSWER_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
 
@@ -171,6 +174,32 @@ $(GALLERY)/%.png: $(B)/scenes/%.nff $(BUILT)/06-ray-casting
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(TRY) $(BUILT)/06-ray-casting -o $@ $<
+
+# ---- figures ----------------------------------------------------------------------------------
+
+# A layout chapters/NN-stem/NAME.gp, and the data that the chapter's program computes for it, are a
+# script (common/plot.h); FIGURE=name: only that one.
+FIGURES := $(BUILT)/figures
+LAYOUTS := $(wildcard chapters/*/$(or $(FIGURE),*).gp)
+ifeq ($(LAYOUTS),)
+$(error FIGURE=$(FIGURE): no such figure, expected one of $(sort $(notdir $(basename $(wildcard chapters/*/*.gp)))))
+endif
+SCRIPTS := $(patsubst %,$(FIGURES)/%.gp,$(notdir $(basename $(LAYOUTS))))
+layout_of = $(wildcard chapters/*/$(1).gp)
+stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
+# Beside another's answers, what is right.
+RIGHT := $(if $(filter-out solutions,$(A)),$(B)/solutions/figures)
+$(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call layout_of,$$*) common/plot.gp \
+		$(RIGHT:%=%/$$*.gp)
+	$(Q)mkdir -p $(@D)
+	$(Q)$< --figure $* $(RIGHT:%=--right %/$*.gp) > $@
+$(RIGHT:%=%/%.gp): FORCE
+	$(Q)$(MAKE) --no-print-directory -s ANSWERS=solutions $@
+
+figures: $(SCRIPTS) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME= SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
+	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
+		.make/figures $(FIGURES) $(sort $(notdir $(basename $(LAYOUTS))))
+.PHONY: figures
 
 # The stamp tells whether there was anything to do.
 $(BUILT)/made: $(PROGRAMS) $(PICTURES) $(B)/compile_commands.json

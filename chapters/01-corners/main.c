@@ -3,6 +3,7 @@
 // Tells the story of the slides 'Camera' and 'Finding vectors from the eye to the image plane' with
 // the deck's camera, or with the reader's own. Its picture is the image plane itself, each place
 // coloured by the direction of its vector, with the three answers as dots.
+#include "chapters/01-corners/figures.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"
@@ -67,21 +68,25 @@ static Color color_of_vector(Pixel pixel, void *given)
 
 int main(int argc, char **argv)
 {
-    Camera c = camera_of_the_deck();
-    double s = 0, t = 1;
+    View view = {camera_of_the_deck(), 0, 1};
+    FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
-        CAMERA_OPTIONS(c),
-        {"s", 's', "S", option_number, &s, "across the plane, 0 to 1"},
-        {"t", 't', "T", option_number, &t, "up the plane, 0 to 1"},
+        CAMERA_OPTIONS(view.camera),
+        {"s", 's', "S", option_number, &view.s, "across the plane, 0 to 1"},
+        {"t", 't', "T", option_number, &view.t, "up the plane, 0 to 1"},
         {"picture", 0, "FILE.png", option_string, &picture, "draw the image plane instead"},
+        FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...",
                    "From the eye to the image plane, step by step. Without options:\n"
                    "the deck's camera, and the way to its upper left corner."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
+    Camera c = view.camera;
     story_needs_camera(argv[0], c);
+    if (figure.name != NULL)
+        return corners_figure(argv[0], figure, &view);
     if (picture != NULL)
         return picture_write(picture, (Resolution){PICTURE, PICTURE}, color_of_vector, &c);
 
@@ -89,7 +94,7 @@ int main(int argc, char **argv)
     story_heading("The camera <p, r, u, f, d, w, h>");
     story_camera(c);
     the_three_questions(c);
-    the_way(c, s, t);
+    the_way(c, view.s, view.t);
     doubling(c);
     return story_end();
 }

@@ -1,0 +1,12 @@
+// plane.h - the camera as a figure shows it: its eye, its image plane, its pixels.
+#ifndef CHAPTERS_01_CORNERS_PLANE_H
+#define CHAPTERS_01_CORNERS_PLANE_H
+
+#include "common/camera.h"
+#include "common/plot.h"
+
+// $eye, $plane (the outline), $grid (the lines between columns x rows pixels; none for 1 x 1),
+// d, w, h, and the frame right, up, forward, from whose right side the figure is seen.
+void plane_data(Plot *plot, Camera camera, int columns, int rows);
+
+#endif

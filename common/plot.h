@@ -1,0 +1,67 @@
+// plot.h - figures: numbers and a layout become one gnuplot script that needs nothing else.
+//
+// A figure is a layout, chapters/NN-stem/NAME.gp, and the data that the chapter's program computes
+// for it: numbers, points, vectors, tables. The script that is written holds both, behind
+// common/plot.gp (formats, themes, projection), so that 'gnuplot NAME.gp' draws it anywhere.
+//
+// All data are the world's: the script projects them. Where the data of right answers are given
+// too (--right), those are index 0 of each block, and what is drawn dashed beside them, yours, is
+// index 1.
+#ifndef COMMON_PLOT_H
+#define COMMON_PLOT_H
+
+#include "common/options.h"
+#include "common/vec3.h"
+
+#include <stdio.h>
+
+typedef struct Plot Plot;
+
+// NAME = x, and NAME_text = "x" to 4 digits, as labels show it.
+void plot_number(Plot *plot, const char *name, double x);
+
+// NAME = "text"; backslashes, quotes and the like are taken care of. UTF-8.
+void plot_text(Plot *plot, const char *name, const char *text);
+
+// $NAME: x y z, and NAME_text = "(x, y, z)".
+void plot_point(Plot *plot, const char *name, vec3 point);
+
+// $NAME: x y z of where it starts, x y z of the vector, and NAME_text = "(x, y, z)" of the vector.
+void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector);
+
+// $NAME: a table, row by row; columns says what they are. Numbers that are not finite are NaN.
+void plot_block(Plot *plot, const char *name, const char *columns);
+void plot_row(Plot *plot, int count, const double *numbers);
+void plot_gap(Plot *plot); // an empty line: what follows is not joined with what went before
+void plot_block_end(Plot *plot);
+
+// What the picture has to show: a point, or a sphere of a radius.
+void plot_fit(Plot *plot, vec3 center, double radius);
+
+// NAME_x, NAME_y, NAME_z and NAME_text: a direction that the layout computes with.
+void plot_direction(Plot *plot, const char *name, vec3 v);
+
+// A figure's name, and what writes its data.
+typedef struct {
+    const char *name;
+    void (*data)(Plot *plot, void *given);
+} Figure;
+
+// What the command line says about figures.
+typedef struct {
+    const char *name;  // which; NULL where a story or a picture is wanted
+    const char *right; // the script of the same figure by right answers; NULL: there is none
+} FigureCommand;
+
+#define FIGURE_OPTIONS(command)                                                                    \
+    {"figure", 0, "NAME", option_string, &(command).name, "print a figure's gnuplot script"},      \
+    {                                                                                              \
+        "right", 0, "FILE.gp", option_string, &(command).right, "the same, right: both are shown"  \
+    }
+
+// Prints the script. chapter is the folder of the layouts; figures ends with one that has no name.
+// Returns what main returns; messages name the program.
+int plot_figure(const char *program, const char *chapter, const Figure *figures,
+                FigureCommand command, void *given);
+
+#endif

@@ -1,0 +1,154 @@
+"""figure.py - one figure as a test sees it: its script's data, and the marks in its SVG.
+
+Marks are found by the title of the plot that drew them (title "eye" in the layout), on the canvas:
+960 by 540 units, x to the right, y up. Where they belong is computed here once more, from the
+numbers of the test, by its own formulas.
+"""
+import math
+import os
+import re
+import shlex
+import subprocess
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+SVG = "{http://www.w3.org/2000/svg}"
+XLINK = "{http://www.w3.org/1999/xlink}"
+PROGRAMS = os.environ.get("PROGRAMS", "build/solutions")
+
+
+def numbers(text):
+    return [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", text)]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def plus(a, b, factor=1.0):
+    return tuple(x + factor * y for x, y in zip(a, b))
+
+
+def times(factor, a):
+    return tuple(factor * x for x in a)
+
+
+class Figure:
+    """A figure by a chapter's program, drawn by gnuplot as SVG."""
+
+    def __init__(self, program, name, *options, settings=""):
+        command = [os.path.join(PROGRAMS, program), "--figure", name, *map(str, options)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+        if done.returncode != 0:
+            raise AssertionError(f"{shlex.join(command)}: {done.stderr.strip()}")
+        self.script = done.stdout
+        self.variables = dict(re.findall(r"^(\w+) = (.*)$", self.script, re.M))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "figure.gp")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(self.script)
+            drawn = subprocess.run(
+                ["gnuplot", "-e", f"output='figure'; {settings}", path], cwd=folder,
+                capture_output=True, text=True, check=False, timeout=60)
+            if drawn.returncode != 0 or drawn.stderr:
+                raise AssertionError(f"gnuplot, {name}: {drawn.stderr.strip()}")
+            self.svg = ElementTree.parse(os.path.join(folder, "figure.svg")).getroot()
+        _, _, self.width, self.height = map(float, self.svg.get("viewBox").split())
+        self.plots = {}
+        for group in self.svg.iter(SVG + "g"):
+            title = group.find(SVG + "title")
+            if title is not None:
+                self.plots.setdefault(title.text, []).append(group)
+
+    # ---- the data -----------------------------------------------------------------------------
+
+    def number(self, name):
+        return float(self.variables[name])
+
+    def text(self, name):
+        return self.variables[name].strip('"')
+
+    def block(self, name, index=0):
+        """The rows of a data block, as lists of numbers; empty lines are left out."""
+        body = re.search(r"^\$" + re.escape(name) + r" << EOD\n(.*?)^EOD$", self.script, re.M | re.S)
+        if body is None:
+            raise AssertionError(f"no block ${name} in the script")
+        parts = re.split(r"\n\n\n", body.group(1))
+        rows = [line for line in parts[index].splitlines() if line and not line.startswith("#")]
+        return [[float(word) for word in re.sub(r'"[^"]*"', "nan", row).split()] for row in rows]
+
+    # ---- the marks ----------------------------------------------------------------------------
+
+    def up(self, x, y):
+        return (x, self.height - y)
+
+    def groups(self, title):
+        if title not in self.plots:
+            raise AssertionError(f"nothing is titled {title!r}; there are {sorted(self.plots)}")
+        return self.plots[title]
+
+    def dots(self, title):
+        """The middles of the points."""
+        return [self.up(*numbers(use.get("transform"))[:2])
+                for group in self.groups(title) for use in group.iter(SVG + "use")]
+
+    def tips(self, title):
+        """The tips of the arrows."""
+        found = []
+        for group in self.groups(title):
+            for head in group.iter(SVG + "polygon"):
+                flat = numbers(head.get("points"))
+                found.append(self.up(flat[4], flat[5]))
+        return found
+
+    def lines(self, title):
+        """The places on lines, one list a path."""
+        found = []
+        for group in self.groups(title):
+            for path in group.iter(SVG + "path"):
+                flat = numbers(path.get("d"))
+                found.append([self.up(x, y) for x, y in zip(flat[::2], flat[1::2])])
+        return found
+
+    def polygons(self, title):
+        """The corners of what is filled."""
+        found = []
+        for group in self.groups(title):
+            for shape in group.iter(SVG + "polygon"):
+                flat = numbers(shape.get("points"))
+                found.append([self.up(x, y) for x, y in zip(flat[::2], flat[1::2])])
+        return found
+
+    def labels(self):
+        """All text with the place of its anchor: (text, x, y)."""
+        found = []
+        for group in self.svg.iter(SVG + "g"):
+            move = re.match(r"translate\(([^,]*),([^)]*)\)", group.get("transform") or "")
+            for text in group.findall(SVG + "text"):
+                if move:
+                    words = "".join(text.itertext()).strip()
+                    found.append((words, *self.up(float(move[1]), float(move[2]))))
+        return found
+
+    # ---- where a place of the world belongs ---------------------------------------------------
+
+    def see(self, right, up, forward, room=(0.10, 0.90, 0.12, 0.82), azimuth=28, elevation=16):
+        """Looks from the right side of a frame, at what $fit says has to be seen."""
+        a, e = math.radians(azimuth), math.radians(elevation)
+        side = plus(times(math.cos(a), right), forward, -math.sin(a))
+        self.axes = (plus(times(math.cos(a), forward), right, math.sin(a)),
+                     plus(times(math.cos(e), up), side, -math.sin(e)),
+                     plus(times(math.sin(e), up), side, math.cos(e)))
+        low, high = [math.inf] * 2, [-math.inf] * 2
+        for *place, radius in self.block("fit"):
+            for i in range(2):
+                low[i] = min(low[i], dot(place, self.axes[i]) - radius)
+                high[i] = max(high[i], dot(place, self.axes[i]) + radius)
+        spans = (self.width * (room[1] - room[0]), self.height * (room[3] - room[2]))
+        self.scale = min(spans[i] / (high[i] - low[i]) for i in range(2))
+        self.center = [(low[i] + high[i]) / 2 for i in range(2)]
+        self.middle = (self.width * (room[0] + room[1]) / 2, self.height * (room[2] + room[3]) / 2)
+
+    def place(self, point):
+        return tuple(self.middle[i] + self.scale * (dot(point, self.axes[i]) - self.center[i])
+                     for i in range(2))

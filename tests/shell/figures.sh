@@ -1,0 +1,26 @@
+#!/bin/sh
+# figures.sh - what the figures show is so: each chapter's, by computations of their own.
+#
+# Needs gnuplot to draw and Python to read; CAMERAS says how many random ones are tried.
+set -u
+. tests/library.sh
+
+if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
+    echo "skipped: figures, which need gnuplot and Python (make setup FOR=contributor)"
+    finish figures
+    exit
+fi
+export PROGRAMS CAMERAS="${CAMERAS:-5}" PYTHONDONTWRITEBYTECODE=1
+for test in tests/figures/[0-9]*.py; do
+    python3 "$test" >"$scratch/log" 2>&1
+    counts=$(sed -n '$s/.*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$scratch/log")
+    if [ -z "$counts" ]; then
+        echo "not ok: $test did not come to its end"
+        tail -n 5 "$scratch/log"
+        counts="0 1"
+    fi
+    grep -v ' passed, ' "$scratch/log"
+    passed=$((passed + ${counts% *}))
+    failed=$((failed + ${counts#* }))
+done
+finish figures
