@@ -206,6 +206,29 @@ void plot_direction(Plot *plot, const char *name, vec3 v)
     define_label(plot, name, vec3_text_to(v, LABEL_DIGITS).s);
 }
 
+// ---- flat ---------------------------------------------------------------------------------------
+
+static void define_part(Plot *plot, const char *name, const char *part, double x)
+{
+    char key[100];
+    snprintf(key, sizeof key, "%s_%s", name, part);
+    define(plot, key, isfinite(x) ? number_text_to(x, DATA_DIGITS).s : "NaN");
+    define_label(plot, key, number_text(x).s);
+}
+
+void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
+               const char *second_name, double second)
+{
+    char columns[100];
+    snprintf(columns, sizeof columns, "%s %s", first_name, second_name);
+    plot_block(plot, name, columns);
+    plot_row(plot, 2, (const double[]){first, second});
+    plot_block_end(plot);
+    define_label(plot, name, pair_text(first, second).s);
+    define_part(plot, name, first_name, first);
+    define_part(plot, name, second_name, second);
+}
+
 // ---- the script -------------------------------------------------------------------------------
 
 // All of a file, for freeing; NULL and a message where it cannot be read.

@@ -154,6 +154,32 @@ flat = 'flat_w = width * (word(room, 2) - word(room, 1)); flat_h = height * (wor
 U(panel, x) = zero_x[panel] + size[panel] * x
 V(panel, y) = zero_y[panel] + size[panel] * y
 
+# ---- flat: axes, single marks, and what is yours -------------------------------------------------------
+
+# '$once using (x):(y) ...' draws one mark at a place that the layout computes.
+$once << EOD
+0
+EOD
+$square << EOD
+# the corners of the unit square, from the lower left on
+0 0
+1 0
+1 1
+0 1
+0 0
+EOD
+axis = sprintf("vectors head filled size %g,16,90 lw 1", 9)
+leg = "vectors nohead lw 2.2"
+least(a, b) = a < b ? a : b
+most(a, b) = a > b ? a : b
+
+# A point that is yours is a ring beside the right one's dot: pt mark(who).
+mark(who) = who == 0 ? 7 : 6
+# What yours is, in words, where it is wrong: your("place_text"); else nothing.
+your(name) = exists("your_".name) ? value("your_".name) : ""
+# Larger: for what a figure comes to.
+large(s) = tex ? "\\large ".s : "{/*1.25 ".s."}"
+
 # ---- the end --------------------------------------------------------------------------------------
 
 # A layout says title and description before it plots; a figure in words is just these.

@@ -41,6 +41,18 @@ void plot_fit(Plot *plot, vec3 center, double radius);
 // NAME_x, NAME_y, NAME_z and NAME_text: a direction that the layout computes with.
 void plot_direction(Plot *plot, const char *name, vec3 v);
 
+// ---- flat
+// ----------------------------------------------------------------------------------------
+
+// $NAME: first second, NAME_text = "(first, second)", and the two alone as NAME_<first's name> and
+// NAME_<second's>, each with its _text: plot_pair(plot, "point", "x", 300, "y", 400). Labels have
+// as many digits as the stories, so that no half pixel is lost.
+void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
+               const char *second_name, double second);
+
+// ---- a chapter's figures
+// -------------------------------------------------------------------------
+
 // A figure's name, and what writes its data.
 typedef struct {
     const char *name;

@@ -2,6 +2,7 @@
 //
 // The deck's point (300, 400) on 640 x 480, normalized and back; the corners; pixel centres. Its
 // picture colours each pixel by its own coordinates: red is s, green is t.
+#include "chapters/03-screen/figures.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"
@@ -9,6 +10,7 @@
 #include "exercises/03-screen.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static void show_point(const char *label, ScreenPoint point, Resolution screen)
 {
@@ -52,28 +54,45 @@ static Color color_of_place(Pixel pixel, void *given)
     return vec3_of(place.s, place.t, 0.25);
 }
 
+// What was not given is the deck's; but pixels that are to be seen want a small screen.
+static void complete(Resolution *screen, double point[2], FigureCommand figure)
+{
+    bool deck = figure.name == NULL || strcmp(figure.name, "pixel-grid") != 0 || screen->width > 0;
+    if (screen->width == 0)
+        *screen = deck ? (Resolution){640, 480} : (Resolution){8, 6};
+    if (isnan(point[0])) {
+        point[0] = deck ? 300 : 3;
+        point[1] = deck ? 400 : 4;
+    }
+}
+
 int main(int argc, char **argv)
 {
-    Resolution screen = {640, 480};
-    double point[2] = {300, 400};
+    Resolution screen = {0, 0};
+    double point[2] = {NAN, NAN};
     Pixel pixel = {-1, -1};
+    FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
         {"point", 'p', "X,Y", option_pair, point, "a point of the screen (300,400)"},
         {"pixel", 0, "COLUMN,ROW", option_pixel, &pixel, "a pixel (the one the point is in)"},
         {"size", 's', "WIDTHxHEIGHT", option_size, &screen, "of the screen (640x480)"},
         {"picture", 0, "FILE.png", option_string, &picture, "draw instead: red is s, green is t"},
+        FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...", "Screen points, normalized and back. Without options: the point\n"
                                   "(300, 400) on a screen of 640 x 480."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
+    complete(&screen, point, figure);
     if (pixel.column < 0) // floor; the last pixel holds the far edge too
         pixel = (Pixel){(int)fmax(0, fmin(floor(point[0]), screen.width - 1)),
                         (int)fmax(0, fmin(floor(point[1]), screen.height - 1))};
     if (pixel.column >= screen.width || pixel.row >= screen.height)
         options_wrong(argv[0], "--pixel: (%d, %d) is not on a screen of %d x %d", pixel.column,
                       pixel.row, screen.width, screen.height);
+    if (figure.name != NULL)
+        return screen_figure(argv[0], figure, &(Spot){screen, {point[0], point[1]}, pixel});
     if (picture != NULL)
         return picture_write(picture, screen, color_of_place, &screen);
     tell(point[0], point[1], pixel, screen);
