@@ -229,6 +229,11 @@ void plot_pair(Plot *plot, const char *name, const char *first_name, double firs
     define_part(plot, name, second_name, second);
 }
 
+void plot_label(Plot *plot, const char *name, const char *text)
+{
+    define_label(plot, name, text);
+}
+
 // ---- the script -------------------------------------------------------------------------------
 
 // All of a file, for freeing; NULL and a message where it cannot be read.

@@ -50,6 +50,9 @@ void plot_direction(Plot *plot, const char *name, vec3 v);
 void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
                const char *second_name, double second);
 
+// NAME_text = text, with minus signs: for numbers in other words than the above.
+void plot_label(Plot *plot, const char *name, const char *text);
+
 // ---- a chapter's figures
 // -------------------------------------------------------------------------
 

@@ -2,6 +2,7 @@
 //
 // Follows one pixel from its column and row to its ray. Its picture colours each pixel by the
 // direction of its ray: red along x, green along y, blue along z.
+#include "chapters/04-pixel-ray/figures.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"
@@ -55,6 +56,7 @@ int main(int argc, char **argv)
 {
     View view = {camera_of_the_deck(), {640, 480}};
     Pixel pixel = {-1, -1};
+    FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
         {"pixel", 'p', "COLUMN,ROW", option_pixel, &pixel,
@@ -62,6 +64,7 @@ int main(int argc, char **argv)
         {"size", 's', "WIDTHxHEIGHT", option_size, &view.screen, "of the screen (640x480)"},
         CAMERA_OPTIONS(view.camera),
         {"picture", 0, "FILE.png", option_string, &picture, "draw instead: directions as colours"},
+        FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...", "From a pixel to its ray, step by step. Without options: pixel\n"
                                   "(300, 400) of 640 x 480, and the deck's camera."};
@@ -74,6 +77,8 @@ int main(int argc, char **argv)
     if (pixel.column >= view.screen.width || pixel.row >= view.screen.height)
         options_wrong(argv[0], "--pixel: (%d, %d) is not on a screen of %d x %d", pixel.column,
                       pixel.row, view.screen.width, view.screen.height);
+    if (figure.name != NULL)
+        return pixel_ray_figure(argv[0], figure, &(Aim){view.camera, view.screen, pixel});
     if (picture != NULL)
         return picture_write(picture, view.screen, color_of_direction, &view);
 
