@@ -40,7 +40,8 @@ if (step >= 5) {
     set label 6 math("t = ").t_is at words_x(1),words_y(8, 2) tc rgb green
     set label 7 "= ".place_t_text at words_x(1)+18,words_y(9, 3) tc rgb green
 }
-set label 8 wrong ? sprintf("yours: %s %s", your("center_text"), your("place_text")) : "" at left,16 tc rgb orange
+your_center = your("center_text") eq "" ? "" : sprintf("centre %s, ", your("center_text"))
+if (wrong) { set label 8 "yours: ".your_center.math("(s, t) = ").your("place_text") at 0.05*width,16 tc rgb orange }
 
 plot $square using (left+$1*(right_edge-left)):(bottom+$2*(top-bottom)) with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step2 $square using @corners with filledcurves closed fc rgb orange fs transparent solid 0.35 noborder title "pixel", \
@@ -55,11 +56,11 @@ plot $square using (left+$1*(right_edge-left)):(bottom+$2*(top-bottom)) with fil
     @step3 @who $sample index who using (U(1,$1)):(V(1,-$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb ink title "center", \
     @step4 $once using (left):(bottom-axis_gap):(right_edge-left):(0) with @axis lc rgb grey title "s axis", \
     @step4 $once using (right_edge+14):(bottom-axis_gap):(math("s")) with labels tc rgb ink title "s", \
-    @step4 @who $sample index who using (U(1,$1)):(V(1,-$2)):(AT($3)-U(1,$1)):(bottom-axis_gap-V(1,-$2)) with @leg lc rgb blue dt dash(who) title "to s", \
+    @step4 @who $sample index who using (U(1,$1)):(V(1,-$2)):(AT($3)-U(1,$1)):(bottom-axis_gap-V(1,-$2)) with @stroke lc rgb blue dt dash(who) title "to s", \
     @step4 $sample index 0 using (AT($3)):(bottom-30):(short($3)) with labels tc rgb blue title "s of the center", \
     @step4 for [end=0:2*whole-1] $once using (AT(end)):(bottom-30):(abs(end-place_s)*size[1]*screen_W<48?"":sprintf("%d",end)) with labels tc rgb ink title "s of the edge", \
     @step5 $once using (right_edge+axis_gap):(bottom):(0):(top-bottom) with @axis lc rgb grey title "t axis", \
     @step5 $once using (right_edge+axis_gap):(top+14):(math("t")) with labels tc rgb ink title "t", \
-    @step5 @who $sample index who using (U(1,$1)):(V(1,-$2)):(right_edge+axis_gap-U(1,$1)):(UP($4)-V(1,-$2)) with @leg lc rgb green dt dash(who) title "to t", \
+    @step5 @who $sample index who using (U(1,$1)):(V(1,-$2)):(right_edge+axis_gap-U(1,$1)):(UP($4)-V(1,-$2)) with @stroke lc rgb green dt dash(who) title "to t", \
     @step5 $sample index 0 using (right_edge+22):(UP($4)):(short($4)) with labels left tc rgb green title "t of the center", \
     @step5 for [end=0:2*whole-1] $once using (right_edge+22):(UP(end)):(abs(end-place_t)*size[1]*screen_H<20?"":sprintf("%d",end)) with labels left tc rgb ink title "t of the edge"

@@ -48,9 +48,9 @@ plot $square using (U(1,$1*screen_W)):(V(1,-$2*screen_H)) with filledcurves clos
     $once using (left-26):(V(1,-screen_H)):(screen_H_text) with labels right tc rgb ink title "H", \
     $once using (U(1,0)):(V(1,0)) with points pt 5 ps 0.5 lc rgb pink title "origin of the screen", \
     $once using (left-10):(top+30):("origin") with labels tc rgb pink title "origin", \
-    $once using (U(1,0)):(V(1,-point_y)):(size[1]*point_x):(0) with @leg lc rgb blue title "x of the point", \
+    $once using (U(1,0)):(V(1,-point_y)):(size[1]*point_x):(0) with @stroke lc rgb blue title "x of the point", \
     $once using (U(1,point_x*part)):(V(1,-point_y)+13*under):(fits(size[1]*point_x,point_x_text)) with labels tc rgb blue title "x, label", \
-    $once using (U(1,point_x)):(V(1,0)):(0):(-size[1]*point_y) with @leg lc rgb green title "y of the point", \
+    $once using (U(1,point_x)):(V(1,0)):(0):(-size[1]*point_y) with @stroke lc rgb green title "y of the point", \
     $once using (U(1,point_x)+8*side):(V(1,-point_y/2)):(fits(size[1]*point_y,point_y_text)) with @beside tc rgb green title "y, label", \
     $point using (U(1,$1)):(V(1,-$2)) with @dot lc rgb orange title "point", \
     $point using (U(1,$1)+10*side):(V(1,-$2)+14*over):(point_text) with @beside tc rgb orange title "point, label", \
@@ -66,11 +66,11 @@ plot $square using (U(1,$1*screen_W)):(V(1,-$2*screen_H)) with filledcurves clos
     @step2 $once using (square_left-10):(bottom-30):("origin") with labels tc rgb pink title "origin", \
     @step3 $once using (0.49*width):(between):(0.14*width):(0) with @arrow lc rgb ink title "mapping", \
     @step3 $once using (0.56*width):(between+18):(math("s = x/").screen_W_text) with labels tc rgb blue title "s = x/W", \
-    @step3 @who $place index who using (U(2,0)):(V(2,$2)):(size[2]*$1):(0) with @leg lc rgb blue dt dash(who) title "s of the point", \
-    @step3 $place index 0 using (U(2,$1*part)):(V(2,$2)+13*under):(fits(size[2]*$1,s_is)) with labels tc rgb blue title "s, label", \
-    @step4 $once using (0.56*width):(between-20):(math("t = 1 − y/").screen_H_text) with labels tc rgb green title "t = 1 - y/H", \
+    @step4 @who $place index who using (U(2,0)):(V(2,$2)):(size[2]*$1):(0) with @stroke lc rgb blue dt dash(who) title "s of the point", \
+    @step4 $place index 0 using (U(2,$1*part)):(V(2,$2)+13*under):(fits(size[2]*$1,s_is)) with labels tc rgb blue title "s, label", \
+    @step3 $once using (0.56*width):(between-20):(math("t = 1 − y/").screen_H_text) with labels tc rgb green title "t = 1 - y/H", \
     @step4 $place index 0 using (U(2,$1)):(V(2,1)):(0):(size[2]*($2-1)) with vectors nohead lw 0.8 lc rgb green title "from the top", \
     @step4 $place index 0 using (U(2,$1)+8*side):(V(2,($2+1)/2)):(fits(size[2]*(1-$2),from_top)) with @beside tc rgb green title "from the top, label", \
-    @step4 @who $place index who using (U(2,$1)):(V(2,0)):(0):(size[2]*$2) with @leg lc rgb green dt dash(who) title "t of the point", \
-    @step5 @who $place index who using (U(2,$1)):(V(2,$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb orange title "place", \
-    @step5 $place index 0 using (U(2,$1)+10*side):(V(2,$2)+14*over):(math("(s, t)")) with @beside tc rgb orange title "place, label"
+    @step4 @who $place index who using (U(2,$1)):(V(2,0)):(0):(size[2]*$2) with @stroke lc rgb green dt dash(who) title "t of the point", \
+    @step4 @who $place index who using (U(2,$1)):(V(2,$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb orange title "place", \
+    @step4 $place index 0 using (U(2,$1)+10*side):(V(2,$2)+14*over):(math("(s, t)")) with @beside tc rgb orange title "place, label"

@@ -45,13 +45,13 @@ plot $square using (XS(1,$1)):(YT(1,$2)) with filledcurves closed fc rgb orange 
     $once using (XS(1,1)):(YT(1,1)):(XS(2,0)-XS(1,1)):(YT(2,1)-YT(1,1)) with vectors nohead lw 0.8 lc rgb grey title "lens", \
     $once using (XS(1,1)):(YT(1,0)):(XS(2,0)-XS(1,1)):(YT(2,0)-YT(1,0)) with vectors nohead lw 0.8 lc rgb grey title "lens", \
     $once using (U(2,0)):(V(2,0)) with points pt 5 ps 0.5 lc rgb pink title "origin of the screen", \
-    @step2 @who $center index who using (XS(1,0)):(V(1,-$2)):(U(1,$1)-XS(1,0)):(0) with @leg lc rgb blue dt dash(who) title "half across", \
-    @step2 @who $center index who using (U(1,$1)):(YT(1,1)):(0):(V(1,-$2)-YT(1,1)) with @leg lc rgb green dt dash(who) title "half down", \
+    @step2 @who $center index who using (XS(1,0)):(V(1,-$2)):(U(1,$1)-XS(1,0)):(0) with @stroke lc rgb blue dt dash(who) title "half across", \
+    @step2 @who $center index who using (U(1,$1)):(YT(1,1)):(0):(V(1,-$2)-YT(1,1)) with @stroke lc rgb green dt dash(who) title "half down", \
     @step2 @who $center index who using (U(1,$1)):(V(1,-$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb ink title "center under the lens", \
     @step2 $once using (XS(1,0.25)):(YT(1,0.5)-13):("½") with labels tc rgb blue title "half", \
     @step2 $once using (XS(1,0.5)+9):(YT(1,0.75)):("½") with labels left tc rgb green title "half", \
-    @step2 @who $center index who using (U(2,0)):(V(2,-$2)):(size[2]*$1):(0) with @leg lc rgb blue dt dash(who) title "x of the center", \
-    @step2 @who $center index who using (U(2,$1)):(V(2,0)):(0):(-size[2]*$2) with @leg lc rgb green dt dash(who) title "y of the center", \
+    @step2 @who $center index who using (U(2,0)):(V(2,-$2)):(size[2]*$1):(0) with @stroke lc rgb blue dt dash(who) title "x of the center", \
+    @step2 @who $center index who using (U(2,$1)):(V(2,0)):(0):(-size[2]*$2) with @stroke lc rgb green dt dash(who) title "y of the center", \
     @step2 @who $center index who using (U(2,$1)):(V(2,-$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb ink title "center", \
     @step3 $square using (U(3,$1)):(V(3,$2)) with filledcurves closed fc rgb surface fs solid noborder title "square, surface", \
     @step3 $square using (U(3,$1)):(V(3,$2)) with @lines lc rgb ink title "square", \
@@ -59,16 +59,16 @@ plot $square using (XS(1,$1)):(YT(1,$2)) with filledcurves closed fc rgb orange 
     @step3 $once using (between-58):(level):(116):(0) with @arrow lc rgb ink title "mapping", \
     @step3 $once using (between):(level+18):(math("s = x/").screen_W_text) with labels tc rgb blue title "s = x/W", \
     @step3 $once using (between):(level-20):(math("t = 1 − y/").screen_H_text) with labels tc rgb green title "t = 1 - y/H", \
-    @step3 @who $place index who using (U(3,0)):(V(3,$2)):(size[3]*$1):(0) with @leg lc rgb blue dt dash(who) title "s", \
-    @step3 @who $place index who using (U(3,$1)):(V(3,0)):(0):(size[3]*$2) with @leg lc rgb green dt dash(who) title "t", \
+    @step3 @who $place index who using (U(3,0)):(V(3,$2)):(size[3]*$1):(0) with @stroke lc rgb blue dt dash(who) title "s", \
+    @step3 @who $place index who using (U(3,$1)):(V(3,0)):(0):(size[3]*$2) with @stroke lc rgb green dt dash(who) title "t", \
     @step3 @who $place index who using (U(3,$1)):(V(3,$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb ink title "place", \
     @step4 $once using (U(3,0.5)):(V(3,0)-10):(0):(-46) with @arrow lc rgb ink title "mapping to the world", \
     @step4 $once using (U(3,0.5)+14):(V(3,0)-32):(math("v(s, t)")) with labels left tc rgb pink title "v(s, t)", \
     @step4 $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "plane, surface", \
     @step4 $plane using @point with @lines lc rgb ink title "plane", \
     @step4 $plane every ::3::3 using @point with points pt 5 ps 0.5 lc rgb pink title "origin of the plane", \
-    @step4 @who $along_s index who using @vector with @leg lc rgb blue dt dash(who) title "s on the plane", \
-    @step4 @who $along_t index who using @vector with @leg lc rgb green dt dash(who) title "t on the plane", \
+    @step4 @who $along_s index who using @vector with @stroke lc rgb blue dt dash(who) title "s on the plane", \
+    @step4 @who $along_t index who using @vector with @stroke lc rgb green dt dash(who) title "t on the plane", \
     @step5 @who $ray index who using @vector with @axis lc rgb blue dt dash(who) title "ray", \
     @step5 $ray index 0 using @ray_end:(math("p + t v")) with labels left tc rgb blue title "ray, label", \
     @step4 @who $vector index who using @vector with @arrow lc rgb pink dt dash(who) title "vector", \

@@ -1,0 +1,44 @@
+"""flat.py - figures in two dimensions: where a place of a panel belongs; and what all figures say."""
+import os
+import subprocess
+import tempfile
+
+
+class Panel:
+    """What lies between low and high, each x and y, as large as a room of the canvas allows."""
+
+    def __init__(self, figure, room, low, high):
+        left, right, bottom, top = room
+        self.unit = min(figure.width * (right - left) / (high[0] - low[0]),
+                        figure.height * (top - bottom) / (high[1] - low[1]))
+        self.middle = (figure.width * (left + right) / 2, figure.height * (bottom + top) / 2)
+        self.center = [(a + b) / 2 for a, b in zip(low, high)]
+
+    def place(self, x, y):
+        return tuple(self.middle[i] + self.unit * (at - self.center[i]) for i, at in enumerate((x, y)))
+
+
+def line(figure, title):
+    """The places on the first line of a title; none where a wrong answer left nothing to draw."""
+    found = figure.lines(title)
+    return found[0] if found else []
+
+
+def number(x):
+    """A number as stories and labels of screens show it: to 6 digits, with a minus sign."""
+    return f"{x if x else 0:.6g}".replace("-", "−")
+
+
+def pair(x, y):
+    return f"({number(x)}, {number(y)})"
+
+
+def in_words(figure):
+    """The figure in words, its title in the first line."""
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "figure.gp"), "w", encoding="utf-8") as file:
+            file.write(figure.script)
+        subprocess.run(["gnuplot", "-e", "format='txt'; output='figure'", "figure.gp"], cwd=folder,
+                       check=True, timeout=60)
+        with open(os.path.join(folder, "figure.txt"), encoding="utf-8") as file:
+            return file.read()
