@@ -177,7 +177,7 @@ most(a, b) = a > b ? a : b
 mark(who) = who == 0 ? 7 : 6
 # What yours is, in words, where it is wrong: your("place_text"); else nothing.
 your(name) = exists("your_".name) ? value("your_".name) : ""
-# Larger: for what a figure comes to.
+# Larger, for what a figure comes to; not of math(), which SVG would show small.
 large(s) = tex ? "\\large ".s : "{/*1.25 ".s."}"
 
 # ---- the end --------------------------------------------------------------------------------------

@@ -35,7 +35,7 @@ part = crowded && side < 0 ? 1 / 3.0 : 1 / 2.0
 fits(length, text) = abs(length) < 12 * strlen(text) ? "" : text
 
 if (step >= 5) {
-    set label 1 large(math("(s, t)").sprintf(" = ( %s ,  %s ) = %s", s_is, t_is, place_text)) at width/2,84 center tc rgb ink
+    set label 1 large(sprintf("( %s ,  %s ) = %s", s_is, t_is, place_text)) at width/2,84 center tc rgb ink
     set label 2 wrong ? "yours: ".your("place_text") : "" at width/2,48 center tc rgb orange
 }
 plot $square using (U(1,$1*screen_W)):(V(1,-$2*screen_H)) with filledcurves closed fc rgb surface fs solid noborder title "screen, surface", \

@@ -48,8 +48,8 @@ plot $square using (XS(1,$1)):(YT(1,$2)) with filledcurves closed fc rgb orange 
     @step2 @who $center index who using (XS(1,0)):(V(1,-$2)):(U(1,$1)-XS(1,0)):(0) with @stroke lc rgb blue dt dash(who) title "half across", \
     @step2 @who $center index who using (U(1,$1)):(YT(1,1)):(0):(V(1,-$2)-YT(1,1)) with @stroke lc rgb green dt dash(who) title "half down", \
     @step2 @who $center index who using (U(1,$1)):(V(1,-$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb ink title "center under the lens", \
-    @step2 $once using (XS(1,0.25)):(YT(1,0.5)-13):("½") with labels tc rgb blue title "half", \
-    @step2 $once using (XS(1,0.5)+9):(YT(1,0.75)):("½") with labels left tc rgb green title "half", \
+    @step2 $once using (XS(1,0.25)):(YT(1,0.5)-13):("½") with labels tc rgb ink title "half", \
+    @step2 $once using (XS(1,0.5)+9):(YT(1,0.75)):("½") with labels left tc rgb ink title "half", \
     @step2 @who $center index who using (U(2,0)):(V(2,-$2)):(size[2]*$1):(0) with @stroke lc rgb blue dt dash(who) title "x of the center", \
     @step2 @who $center index who using (U(2,$1)):(V(2,0)):(0):(-size[2]*$2) with @stroke lc rgb green dt dash(who) title "y of the center", \
     @step2 @who $center index who using (U(2,$1)):(V(2,-$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb ink title "center", \

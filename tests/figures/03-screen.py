@@ -50,7 +50,7 @@ def screen_to_unit(size, at, options):
         checks.near(title, line(figure, title), [panel.place(*a), panel.place(*b)])
     y_text = f"({number(y)})" if y < 0 else number(y)
     shows(figure, pair(x, y), number(across), number(down), f"s = x/{number(across)}", f"t = 1 − y/{number(down)}",
-          f"(s, t) = ( {number(x)}/{number(across)} , 1 − {y_text}/{number(down)} ) = {pair(s, t)}")
+          f"( {number(x)}/{number(across)} , 1 − {y_text}/{number(down)} ) = {pair(s, t)}")
     words = in_words(figure)
     for text in (f"{number(across)} by {number(down)} pixels", pair(x, y), pair(s, t)):
         checks.that(f"the words have {text}", text in words, words)
