@@ -33,15 +33,15 @@ set label 1 sprintf("%s%s × %s pixels", whole ? "" : "part of ", screen_W_text,
 if (step >= 2) { set label 2 "pixel ".pixel_text at words_x(0),words_y(2, 1) tc rgb orange }
 if (step >= 3) { set label 3 "centre ".center_text at words_x(0),words_y(3, 2) tc rgb ink }
 if (step >= 4) {
-    set label 4 math("s = ").s_is at words_x(1),words_y(5, 0) tc rgb blue
+    set label 4 math("s")." = ".s_is at words_x(1),words_y(5, 0) tc rgb blue
     set label 5 "= ".place_s_text at words_x(1)+18,words_y(6, 1) tc rgb blue
 }
 if (step >= 5) {
-    set label 6 math("t = ").t_is at words_x(1),words_y(8, 2) tc rgb green
+    set label 6 math("t")." = ".t_is at words_x(1),words_y(8, 2) tc rgb green
     set label 7 "= ".place_t_text at words_x(1)+18,words_y(9, 3) tc rgb green
 }
 your_center = your("center_text") eq "" ? "" : sprintf("centre %s, ", your("center_text"))
-if (wrong) { set label 8 "yours: ".your_center.math("(s, t) = ").your("place_text") at 0.05*width,16 tc rgb orange }
+if (wrong) { set label 8 "yours: ".your_center.math("(s, t)")." = ".your("place_text") at 0.05*width,16 tc rgb orange }
 
 plot $square using (left+$1*(right_edge-left)):(bottom+$2*(top-bottom)) with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step2 $square using @corners with filledcurves closed fc rgb orange fs transparent solid 0.35 noborder title "pixel", \

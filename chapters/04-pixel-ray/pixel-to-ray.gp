@@ -29,7 +29,7 @@ ray_end = "(X($1+$4,$2+$5,$3+$6)+8):(Y($1+$4,$2+$5,$3+$6))"
 
 set label 1 "pixel ".pixel_text at middle_1,captions center tc rgb ink
 if (step >= 2) { set label 2 "centre ".center_text at U(2,screen_W/2),captions center tc rgb ink }
-if (step >= 3) { set label 3 math("(s, t) = ").place_text at @caption_3 tc rgb ink }
+if (step >= 3) { set label 3 math("(s, t)")." = ".place_text at @caption_3 tc rgb ink }
 if (step >= 4) { set label 4 math("v = d f + (s − ½) w r + (t − ½) h u").sprintf(" = %s", v_text) at 0.05*width,72 tc rgb pink }
 if (step >= 5) { set label 5 sprintf("ray: %s from %s = %s", math("p + t v"), math("p"), origin_text) at 0.05*width,46 tc rgb blue }
 # Yours: the first link that is another.
