@@ -4,7 +4,7 @@ import random
 
 from check import Checks, holds_for_every
 from figure import Figure
-from flat import Panel, in_words, line, number, pair
+from flat import Panel, in_words, line, number, pair, stroke
 
 checks = Checks("figures of 03-screen")
 DOT = 0.05  # canvas units
@@ -47,7 +47,7 @@ def screen_to_unit(size, at, options):
     for title, panel, a, b in (("x of the point", screen, (0, -y), (x, -y)), ("y of the point", screen, (x, 0), (x, -y)),
                                ("s of the point", square, (0, t), (s, t)), ("t of the point", square, (s, 0), (s, t)),
                                ("from the top", square, (s, 1), (s, t))):
-        checks.near(title, line(figure, title), [panel.place(*a), panel.place(*b)])
+        stroke(checks, figure, title, panel.place(*a), panel.place(*b))
     y_text = f"({number(y)})" if y < 0 else number(y)
     shows(figure, pair(x, y), number(across), number(down), f"s = x/{number(across)}", f"t = 1 − y/{number(down)}",
           f"( {number(x)}/{number(across)} , 1 − {y_text}/{number(down)} ) = {pair(s, t)}")

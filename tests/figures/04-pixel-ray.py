@@ -5,7 +5,7 @@ import random
 from cameras import DECK, corners, options_of, some_camera
 from check import Checks, holds_for_every
 from figure import Figure, plus, times
-from flat import Panel, in_words, line, number, pair
+from flat import Panel, in_words, line, number, pair, stroke
 
 checks = Checks("figures of 04-pixel-ray")
 DOT = 0.05  # canvas units
@@ -36,7 +36,7 @@ def lens_and_screen(figure, size, pixel):
     x, y = column + 0.5, row + 0.5
     for title, panel, a in (("half across", lens, (column, -y)), ("half down", lens, (x, -row)),
                             ("x of the center", screen, (0, -y)), ("y of the center", screen, (x, 0))):
-        checks.near(title, line(figure, title), [panel.place(*a), panel.place(x, -y)])
+        stroke(checks, figure, title, panel.place(*a), panel.place(x, -y))
     checks.same("the centre's data", figure.block("center"), [[x, y]])
     checks.near("the centre under the lens", figure.dots("center under the lens"), lens.place(x, -y), DOT)
     checks.near("the centre", figure.dots("center"), screen.place(x, -y), DOT)
@@ -48,8 +48,8 @@ def unit_square(figure, s, t):
     checks.near("its origin is its lower left corner", figure.dots("origin of the square"), square.place(0, 0))
     checks.same("the place's data", figure.block("place"), [[s, t]])
     checks.near("the place", figure.dots("place"), square.place(s, t), DOT)
-    checks.near("its s", line(figure, "s"), [square.place(0, t), square.place(s, t)])
-    checks.near("its t", line(figure, "t"), [square.place(s, 0), square.place(s, t)])
+    stroke(checks, figure, "s", square.place(0, t), square.place(s, t))
+    stroke(checks, figure, "t", square.place(s, 0), square.place(s, t))
 
 
 def world(figure, c, s, t):
@@ -68,8 +68,8 @@ def world(figure, c, s, t):
     checks.near("the plane", line(figure, "plane"),
                 [at(0, 1), at(1, 1), at(1, 0), at(0, 0), at(0, 1)])
     checks.near("its origin is its lower left corner", figure.dots("origin of the plane"), at(0, 0))
-    checks.near("s on the plane", line(figure, "s on the plane"), [at(0, t), at(s, t)])
-    checks.near("t on the plane", line(figure, "t on the plane"), [at(s, 0), at(s, t)])
+    stroke(checks, figure, "s on the plane", at(0, t), at(s, t))
+    stroke(checks, figure, "t on the plane", at(s, 0), at(s, t))
 
 
 def pixel_to_ray(c, size, pixel, options):

@@ -24,6 +24,12 @@ def line(figure, title):
     return found[0] if found else []
 
 
+def stroke(checks, figure, title, start, end):
+    """A single line from here to there; too short to see, it may be missing."""
+    if max(abs(a - b) for a, b in zip(start, end)) > 0.1:
+        checks.near(title, line(figure, title), [start, end])
+
+
 def number(x):
     """A number as stories and labels of screens show it: to 6 digits, with a minus sign."""
     return f"{x if x else 0:.6g}".replace("-", "−")
