@@ -6,7 +6,7 @@ wide and h = %s high; lines lead from the eye to its corners. Arrows x, y, z sho
     eye_text, right_text, up_text, forward_text, d_text, w_text, h_text, \
     origin_is_far ? ", here below the camera, their origin being too far off" : "")
 steps = 4
-room = "0.06 0.88 0.05 0.93"
+room = "0.06 0.86 0.05 0.93"
 if (!turned) azimuth = 32
 @see
 
@@ -23,12 +23,12 @@ plot $x_axis using @vector with @axis lc rgb grey title "x axis", \
     @step2 @who $plane index who using @point with @thick lc rgb ink dt dash(who) title "plane", \
     @step2 @who $ahead index who using @vector with @leg lc rgb ink dt dash(who) title "ahead", \
     @step2 $ahead index 0 using @tip with @dot lc rgb ink title "middle", \
-    @step2 $ahead index 0 using (@half_x):(@half_y - 14):(math("d").sprintf(" = %s", d_text)) with labels tc rgb ink title "d", \
+    @step2 $ahead index 0 using (@half_x):(@half_y - 14):(math("d = ").d_text) with labels tc rgb ink title "d", \
     @step2 $upper_edge index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb ink title "w", \
-    @step2 $upper_edge index 0 using (@half_x + 8):(@half_y + gap + 14):(math("w").sprintf(" = %s", w_text)) \
+    @step2 $upper_edge index 0 using (@half_x + 8):(@half_y + gap + 14):(math("w = ").w_text) \
         with labels left tc rgb ink title "w, label", \
     @step2 $right_edge index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb ink title "h", \
-    @step2 $right_edge index 0 using (@half_x + gap + 10):(@half_y):(math("h").sprintf(" = %s", h_text)) \
+    @step2 $right_edge index 0 using (left_at(@half_x + gap + 10, long("h = ".h_text, text_size))):(@half_y):(math("h = ").h_text) \
         with labels left tc rgb ink title "h, label", \
     @step4 @who $to_corners index who using @vector with @leg lc rgb blue dt dash(who) title "to the corners", \
     $right_arrow using @vector with @arrow lc rgb orange title "r", \

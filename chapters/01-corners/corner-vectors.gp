@@ -7,6 +7,8 @@ middle, one of half the width aside to either edge, one of half the height up. H
 steps = 5
 left = "d f − (w/2) r + (h/2) u"
 right = "d f + (w/2) r + (h/2) u"
+left_is = "= ".upper_left_text
+right_is = "= ".upper_right_text
 # Room beside the plane for what is written there.
 room = sprintf("0.08 %g 0.06 0.86", 1 - (long(right, text_size) + 20) / width)
 if (!turned) azimuth = 34
@@ -21,11 +23,11 @@ plot $plane index 0 using @point with filledcurves closed fc rgb surface fs soli
     @step2 $ahead index 0 using (@tip_x - 10):(@tip_y + 27):(math("−(w/2) r")) \
         with labels tc rgb orange title "aside left, label", \
     @step2 @who $up_left index who using @vector with @arrow lc rgb green dt dash(who) title "up left", \
-    @step2 $up_left index 0 using (@half_x - 8):(@half_y - 12):(math("+(h/2) u")) with labels right tc rgb green title "up left, label", \
+    @step2 $up_left index 0 using (right_at(@half_x - 8, long("+(h/2) u", text_size))):(@half_y - 12):(math("+(h/2) u")) with labels right tc rgb green title "up left, label", \
     @step3 @who $upper_left index who using @vector with @arrow lc rgb blue dt dash(who) title "upper left", \
     @step3 $upper_left index 0 using (right_at(@tip_x, long(left, text_size))):(@tip_y + 40):(math(left)) \
         with labels right tc rgb blue title "upper left, label", \
-    @step3 $upper_left index 0 using (right_at(@tip_x, long(upper_left_text, text_size))):(@tip_y + 18):("= ".upper_left_text) \
+    @step3 $upper_left index 0 using (right_at(@tip_x, long(left_is, text_size))):(@tip_y + 18):(left_is) \
         with labels right tc rgb blue title "upper left, numbers", \
     @step4 @who $aside_right index who using @vector with @arrow lc rgb orange dt dash(who) title "aside right", \
     @step4 $aside_right index 0 using (@tip_x + 10):(@tip_y - 8):(math("+(w/2) r")) \
@@ -35,7 +37,7 @@ plot $plane index 0 using @point with filledcurves closed fc rgb surface fs soli
     @step5 @who $upper_right index who using @vector with @arrow lc rgb blue dt dash(who) title "upper right", \
     @step5 $upper_right index 0 using (@tip_x + 10):(@tip_y + 24):(math(right)) \
         with labels left tc rgb blue title "upper right, label", \
-    @step5 $upper_right index 0 using (left_at(@tip_x + 10, long(upper_right_text, text_size))):(@tip_y + 2):("= ".upper_right_text) \
+    @step5 $upper_right index 0 using (left_at(@tip_x + 10, long(right_is, text_size))):(@tip_y + 2):(right_is) \
         with labels left tc rgb blue title "upper right, numbers", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using (@point_x - 14):(@point_y - 10):(math("p")) with labels tc rgb blue title "p"

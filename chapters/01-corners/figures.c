@@ -50,9 +50,13 @@ static void world_axes(Plot *plot, Camera c)
 // A quarter of the camera long; in the deck's that is 1, the length of a unit vector.
 static void frame_arrows(Plot *plot, Camera c)
 {
-    plot_vector(plot, "right_arrow", c.origin, largest(c) / 4 * c.right);
-    plot_vector(plot, "up_arrow", c.origin, largest(c) / 4 * c.up);
-    plot_vector(plot, "forward_arrow", c.origin, largest(c) / 4 * c.forward);
+    const vec3 frame[] = {c.right, c.up, c.forward};
+    static const char *const names[] = {"right_arrow", "up_arrow", "forward_arrow"};
+    for (int i = 0; i < 3; i++) {
+        vec3 arrow = largest(c) / 4 * frame[i];
+        plot_vector(plot, names[i], c.origin, arrow);
+        plot_fit(plot, c.origin + 1.2 * arrow, 0); // where its name stands
+    }
 }
 
 static void camera_frame(Plot *plot, void *given)

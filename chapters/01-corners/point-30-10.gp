@@ -21,15 +21,15 @@ plot $plane index 0 using @point with filledcurves closed fc rgb surface fs soli
     $column index 0 using @vector with @leg lc rgb green title "column", \
     $row index 0 using @vector with @leg lc rgb orange title "row", \
     $across index 0 using (@point_x):(@point_y - gap):@moved with @dimension lc rgb orange title "across", \
-    $across index 0 using (@half_x):(@half_y - gap - 14):(percent_across_text." ".percent) with labels tc rgb orange title "across, label", \
+    $across index 0 using (middle_at(@half_x, long(percent_across_text." %", text_size))):(@half_y - gap - 14):(percent_across_text." ".percent) with labels tc rgb orange title "across, label", \
     $upward index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb green title "up", \
-    $upward index 0 using (@half_x + gap + 8):(@half_y):(percent_up_text." ".percent) with labels left tc rgb green title "up, label", \
+    $upward index 0 using (left_at(@half_x + gap + 8, long(percent_up_text." %", text_size))):(@half_y):(percent_up_text." ".percent) with labels left tc rgb green title "up, label", \
     @step2 @who $ahead index who using @vector with @arrow lc rgb pink dt dash(who) title "ahead", \
     @step2 $ahead index 0 using (@half_x):(@half_y + 18):(math("d f")) with labels tc rgb pink title "d f", \
     @step2 @who $aside index who using @vector with @arrow lc rgb orange dt dash(who) title "aside", \
     @step2 @who $up_or_down index who using @vector with @arrow lc rgb green dt dash(who) title "up or down", \
-    @step2 $aside index 0 using (@half_x):(@half_y + (t < 0.5 ? 22 : -22)):(math("(s − ½) w r")) with labels tc rgb orange title "aside, label", \
-    @step2 $up_or_down index 0 using (@half_x + 8):(@half_y):(math("(t − ½) h u")) with labels left tc rgb green title "up or down, label", \
+    @step2 $aside index 0 using (middle_at(@half_x, long("(s − ½) w r", text_size))):(@half_y + (t < 0.5 ? 22 : -22)):(math("(s − ½) w r")) with labels tc rgb orange title "aside, label", \
+    @step2 $up_or_down index 0 using (left_at(@half_x + 8, long("(t − ½) h u", text_size))):(@half_y):(math("(t − ½) h u")) with labels left tc rgb green title "up or down, label", \
     @step3 @who $vector index who using @vector with @arrow lc rgb blue dt dash(who) title "vector", \
     @step3 $vector index 0 using @tip with @dot lc rgb blue title "point", \
     $eye using @point with @dot lc rgb blue title "eye", \

@@ -17,77 +17,50 @@ shift_y[3] = -height / 2.0
 shift_x[4] = width / 2.0
 shift_y[4] = -height / 2.0
 
-# In the middle of a panel: its title, above, and what was found, below. Where yours is another,
-# that is said under it.
-center = width / 4.0
-title_y = height - 24
-found_y = height / 2.0 + 34
-if (!exists("your_look_at_found")) your_look_at_found = ""
-if (!exists("your_points_found")) your_points_found = ""
-if (!exists("your_corner_found")) your_corner_found = ""
-if (!exists("your_vectors_found")) your_vectors_found = ""
-title_place = "(shift_x[panel] + center):(shift_y[panel] + title_y)"
-found_place = "(shift_x[panel] + center):(shift_y[panel] + found_y)"
-yours_place = "(shift_x[panel] + center):(shift_y[panel] + found_y - 18)"
-yours(text) = text eq "" ? "" : small("yours: ".text)
+# A panel for each form. In the middle: its title, above, and what was found, below; where yours is
+# another, that is said under it.
+forms = "look_at points corner vectors"
+array titles[4] = ["look-at", "eye and four points", "eye, lower left corner, two vectors", "eye and four vectors"]
+found(panel) = value(word(forms, panel)."_found")
+your_name(panel) = "your_".word(forms, panel)."_found"
+yours(panel) = exists(your_name(panel)) ? small("yours: ".value(your_name(panel))) : ""
+title_place = "(shift_x[panel] + width / 4.0):(shift_y[panel] + height - 24)"
+found_place = "(shift_x[panel] + width / 4.0):(shift_y[panel] + height / 2.0 + 34)"
+yours_place = "(shift_x[panel] + width / 4.0):(shift_y[panel] + height / 2.0 + 16)"
 set arrow 1 from width / 2.0, 12 rto 0, height - 24 nohead lc rgb faint
 set arrow 2 from 12, height / 2.0 rto width - 24, 0 nohead lc rgb faint
-short = "vectors head filled size 9,18,90 lw 1.8"
 
-plot $eye using @title_place:("look-at") with labels tc rgb ink title "look_at", \
-    $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "look_at surface", \
-    @step5 @who $look_at_plane index who using @point with @thick lc rgb ink dt dash(who) title "look_at plane", \
+# A panel at each of the first four steps; in the fifth, what was found, in all of them.
+panels = "for [panel=1:(step < 4 ? step : 4)]"
+this = "panel - 1"
+short = "vectors head filled size 9,18,90 lw 1.8"
+gap = 12
+
+plot @panels $eye using @title_place:(titles[panel]) with labels tc rgb ink title "title", \
+    @panels $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
+    @step5 @who @panels $planes index who every :::@this::@this using @point with @thick lc rgb ink dt dash(who) title "found", \
     $view index 0 using @vector with @leg lc rgb pink dt 3 title "view", \
     $at index 0 using @point with @dot lc rgb pink title "at", \
     $at index 0 using (@point_x - 12):(@point_y + 12):(small("at")) with labels tc rgb pink title "at, label", \
     $up_arrow using @vector with @arrow lc rgb green title "up", \
     $up_arrow using (@tip_x):(@tip_y + 14):(small("up")) with labels tc rgb green title "up, label", \
-    $across index 0 using (@point_x):(Y($1+up_x*h,$2+up_y*h,$3+up_z*h) + 12):@moved with @dimension lc rgb ink title "width", \
-    $across index 0 using (@half_x + 6):(Y($1+$4/2+up_x*h,$2+$5/2+up_y*h,$3+$6/2+up_z*h) + 24):(small(math("w")." = ".w_text)) with labels left tc rgb ink title "width, label", \
-    $look_at_plane index 0 every ::2::2 using (@point_x + 10):(@point_y + 22):(small(math("w/h")." = ".aspect_text)) with labels left tc rgb ink title "aspect", \
-    $eye using @point with @dot lc rgb blue title "look_at eye", \
-    $eye using (@point_x):(@point_y - 16):(small("eye")) with labels tc rgb blue title "look_at eye, label", \
-    @step2 @panel2 $eye using @title_place:("eye and four points") with labels tc rgb ink title "points", \
-    @step2 @panel2 $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "points surface", \
-    @step5 @who @panel2 $points_plane index who using @point with @thick lc rgb ink dt dash(who) title "points plane", \
-    @step2 @panel2 $points index 0 using @point with @dot lc rgb orange title "points", \
-    @step2 @panel2 $eye using @point with @dot lc rgb blue title "points eye", \
-    @step2 @panel2 $eye using (@point_x):(@point_y - 16):(small("eye")) with labels tc rgb blue title "points eye, label", \
-    @step3 @panel3 $eye using @title_place:("eye, lower left corner, two vectors") with labels tc rgb ink title "corner", \
-    @step3 @panel3 $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "corner surface", \
-    @step5 @who @panel3 $corner_plane index who using @point with @thick lc rgb ink dt dash(who) title "corner plane", \
+    $upper_edge index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb ink title "w", \
+    $upper_edge index 0 using (@half_x + 6):(@half_y + gap + 12):(small(math("w = ").w_text)) with labels left tc rgb ink title "w, label", \
+    $lower_right index 0 using (@point_x + 10):(@point_y + 22):(small(math("w/h = ").aspect_text)) \
+        with labels left tc rgb ink title "aspect, label", \
+    @step2 @panel2 $upper_left index 0 using @point with @dot lc rgb orange title "points", \
+    @step2 @panel2 $upper_right index 0 using @point with @dot lc rgb orange title "points", \
+    @step2 @panel2 $lower_left index 0 using @point with @dot lc rgb orange title "points", \
+    @step2 @panel2 $lower_right index 0 using @point with @dot lc rgb orange title "points", \
     @step3 @panel3 $across index 0 using @vector with @arrow lc rgb orange title "across", \
     @step3 @panel3 $upward index 0 using @vector with @arrow lc rgb green title "upward", \
     @step3 @panel3 $lower_left index 0 using @point with @dot lc rgb ink title "lower left", \
-    @step3 @panel3 $eye using @point with @dot lc rgb blue title "corner eye", \
-    @step3 @panel3 $eye using (@point_x):(@point_y - 16):(small("eye")) with labels tc rgb blue title "corner eye, label", \
-    @step4 @panel4 $eye using @title_place:("eye and four vectors") with labels tc rgb ink title "vectors", \
-    @step4 @panel4 $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "vectors surface", \
-    @step5 @who @panel4 $vectors_plane index who using @point with @thick lc rgb ink dt dash(who) title "vectors plane", \
     @step4 @panel4 $vectors index 0 using @vector with @arrow lc rgb blue title "vectors", \
-    @step4 @panel4 $eye using @point with @dot lc rgb blue title "vectors eye", \
-    @step4 @panel4 $eye using (@point_x):(@point_y - 16):(small("eye")) with labels tc rgb blue title "vectors eye, label", \
-    @step5 @who $look_at_frame index who every ::0::0 using @vector with @short lc rgb orange dt dash(who) title "look_at r", \
-    @step5 @who $look_at_frame index who every ::1::1 using @vector with @short lc rgb green dt dash(who) title "look_at u", \
-    @step5 @who $look_at_frame index who every ::2::2 using @vector with @short lc rgb pink dt dash(who) title "look_at f", \
-    @step5 $look_at_frame index 0 using @beyond:(math(word("r u f", int($0) + 1))) with labels tc rgb ink title "look_at r u f", \
-    @step5 $eye using @found_place:(small(look_at_found)) with labels tc rgb grey title "look_at found", \
-    @step5 $eye using @yours_place:(yours(your_look_at_found)) with labels tc rgb grey title "look_at yours", \
-    @step5 @who @panel2 $points_frame index who every ::0::0 using @vector with @short lc rgb orange dt dash(who) title "points r", \
-    @step5 @who @panel2 $points_frame index who every ::1::1 using @vector with @short lc rgb green dt dash(who) title "points u", \
-    @step5 @who @panel2 $points_frame index who every ::2::2 using @vector with @short lc rgb pink dt dash(who) title "points f", \
-    @step5 @panel2 $points_frame index 0 using @beyond:(math(word("r u f", int($0) + 1))) with labels tc rgb ink title "points r u f", \
-    @step5 @panel2 $eye using @found_place:(small(points_found)) with labels tc rgb grey title "points found", \
-    @step5 @panel2 $eye using @yours_place:(yours(your_points_found)) with labels tc rgb grey title "points yours", \
-    @step5 @who @panel3 $corner_frame index who every ::0::0 using @vector with @short lc rgb orange dt dash(who) title "corner r", \
-    @step5 @who @panel3 $corner_frame index who every ::1::1 using @vector with @short lc rgb green dt dash(who) title "corner u", \
-    @step5 @who @panel3 $corner_frame index who every ::2::2 using @vector with @short lc rgb pink dt dash(who) title "corner f", \
-    @step5 @panel3 $corner_frame index 0 using @beyond:(math(word("r u f", int($0) + 1))) with labels tc rgb ink title "corner r u f", \
-    @step5 @panel3 $eye using @found_place:(small(corner_found)) with labels tc rgb grey title "corner found", \
-    @step5 @panel3 $eye using @yours_place:(yours(your_corner_found)) with labels tc rgb grey title "corner yours", \
-    @step5 @who @panel4 $vectors_frame index who every ::0::0 using @vector with @short lc rgb orange dt dash(who) title "vectors r", \
-    @step5 @who @panel4 $vectors_frame index who every ::1::1 using @vector with @short lc rgb green dt dash(who) title "vectors u", \
-    @step5 @who @panel4 $vectors_frame index who every ::2::2 using @vector with @short lc rgb pink dt dash(who) title "vectors f", \
-    @step5 @panel4 $vectors_frame index 0 using @beyond:(math(word("r u f", int($0) + 1))) with labels tc rgb ink title "vectors r u f", \
-    @step5 @panel4 $eye using @found_place:(small(vectors_found)) with labels tc rgb grey title "vectors found", \
-    @step5 @panel4 $eye using @yours_place:(yours(your_vectors_found)) with labels tc rgb grey title "vectors yours"
+    @panels $eye using @point with @dot lc rgb blue title "eye", \
+    @panels $eye using (@point_x):(@point_y - 16):(small("eye")) with labels tc rgb blue title "eye, label", \
+    @step5 @who @panels $frames index who every ::0:@this:0:@this using @vector with @short lc rgb orange dt dash(who) title "r", \
+    @step5 @who @panels $frames index who every ::1:@this:1:@this using @vector with @short lc rgb green dt dash(who) title "u", \
+    @step5 @who @panels $frames index who every ::2:@this:2:@this using @vector with @short lc rgb pink dt dash(who) title "f", \
+    @step5 @panels $frames index 0 every :::@this::@this using @beyond:(math(word("r u f", int($0) + 1))) with labels tc rgb ink title "r u f", \
+    @step5 @panels $eye using @found_place:(small(found(panel))) with labels tc rgb grey title "found, in numbers", \
+    @step5 @panels $eye using @yours_place:(yours(panel)) with labels tc rgb grey title "yours, in numbers"

@@ -14,97 +14,90 @@ typedef struct {
     vec3 up;
 } Given;
 
-static double largest(Camera c)
-{
-    return fmax(c.distance, fmax(c.width, c.height));
-}
-
 static void vector_row(Plot *plot, vec3 from, vec3 v)
 {
     plot_row(plot, 6, (const double[]){from[0], from[1], from[2], v[0], v[1], v[2]});
 }
 
-// Where a form gives no camera, its plane and frame shrink into the eye.
-static Camera shrunk(vec3 eye)
+// A camera that exercise 02 found from a form. Where it says there is none, all is in the eye.
+typedef struct {
+    const char *form;
+    CameraFault fault;
+    Camera camera;
+} Found;
+
+static Found found_from(const char *form, CameraFault fault, Camera camera, vec3 eye)
 {
-    return (Camera){.origin = eye};
+    return (Found){form, fault, fault == CAMERA_OK ? camera : (Camera){.origin = eye}};
 }
 
-// $FORM_plane and $FORM_frame, the camera that was found: its outline, and its right, up and
-// forward from the middle of the plane; FORM_found, its d, w and h in words.
-static void plot_found(Plot *plot, const char *form, vec3 eye, CameraFault fault, Camera found)
+// FORM_found: its d, w and h, or why there is none.
+static void plot_words(Plot *plot, Found found)
 {
     char name[60];
     Text words;
-    Camera c = fault == CAMERA_OK ? found : shrunk(eye);
-    vec3 middle = c.origin + image_plane_vector(c, 0.5, 0.5);
-    double length = largest(c) / 6;
-    snprintf(name, sizeof name, "%s_plane", form);
-    plane_outline(plot, name, c);
-    snprintf(name, sizeof name, "%s_frame", form);
-    plot_block(plot, name, "x y z of the middle, x y z of an arrow: right, up, forward");
-    vector_row(plot, middle, length * c.right);
-    vector_row(plot, middle, length * c.up);
-    vector_row(plot, middle, length * c.forward);
-    plot_block_end(plot);
-    if (fault == CAMERA_OK)
+    if (found.fault == CAMERA_OK)
         snprintf(words.s, sizeof words.s, "d = %.40s, w = %.40s, h = %.40s",
-                 number_text_to(c.distance, 4).s, number_text_to(c.width, 4).s,
-                 number_text_to(c.height, 4).s);
+                 number_text_to(found.camera.distance, 4).s,
+                 number_text_to(found.camera.width, 4).s, number_text_to(found.camera.height, 4).s);
     else
-        snprintf(words.s, sizeof words.s, "no camera: %.100s", camera_fault_text(fault));
-    snprintf(name, sizeof name, "%s_found", form);
+        snprintf(words.s, sizeof words.s, "no camera: %.100s", camera_fault_text(found.fault));
+    snprintf(name, sizeof name, "%s_found", found.form);
     plot_text(plot, name, words.s);
 }
 
-static void plot_look_at(Plot *plot, LookAt view, Handedness hand)
+// $planes and $frames of all that was found, with an empty line between two cameras.
+static void plot_found(Plot *plot, const Found *found, int count)
 {
+    for (int i = 0; i < count; i++)
+        plot_words(plot, found[i]);
+    plot_block(plot, "planes", "x y z of the corners, from the upper left on");
+    for (int i = 0; i < count; i++) {
+        if (i > 0)
+            plot_gap(plot);
+        plane_rows(plot, found[i].camera);
+    }
+    plot_block_end(plot);
+    plot_block(plot, "frames",
+               "x y z of the plane's middle, x y z of an arrow: right, up, forward");
+    for (int i = 0; i < count; i++) {
+        Camera c = found[i].camera;
+        vec3 middle = c.origin + image_plane_vector(c, 0.5, 0.5);
+        double length = fmax(c.distance, fmax(c.width, c.height)) / 6;
+        if (i > 0)
+            plot_gap(plot);
+        vector_row(plot, middle, length * c.right);
+        vector_row(plot, middle, length * c.up);
+        vector_row(plot, middle, length * c.forward);
+    }
+    plot_block_end(plot);
+}
+
+// What is given, form by form.
+static void plot_forms(Plot *plot, vec3 eye, Forms forms)
+{
+    LookAt view = forms.look_at;
+    vec3 up = vec3_length(view.at - view.eye) / 4 * vec3_unit(view.up);
     plot_point(plot, "at", view.at);
     plot_direction(plot, "look_up", view.up);
-    plot_vector(plot, "up_arrow", view.eye,
-                vec3_length(view.at - view.eye) / 4 * vec3_unit(view.up));
-    plot_vector(plot, "view", view.eye, view.at - view.eye);
     plot_number(plot, "aspect", view.aspect);
-    Camera found = {0};
-    CameraFault fault = camera_from_look_at(view, hand, &found);
-    plot_found(plot, "look_at", view.eye, fault, found);
-}
+    plot_vector(plot, "view", view.eye, view.at - view.eye);
+    plot_vector(plot, "up_arrow", view.eye, up);
+    plot_fit(plot, view.eye + 1.2 * up, 0);
 
-static void plot_points(Plot *plot, vec3 eye, Corners points)
-{
-    const vec3 corners[] = {points.upper_left, points.upper_right, points.lower_left,
-                            points.lower_right};
-    plot_block(plot, "points", "x y z: upper left, upper right, lower left, lower right");
-    for (int i = 0; i < 4; i++)
-        plot_row(plot, 3, (const double[]){corners[i][0], corners[i][1], corners[i][2]});
+    plot_block(plot, "vectors", "x y z of the eye, x y z to a corner: upper left, right; lower");
+    vector_row(plot, eye, forms.vectors.upper_left);
+    vector_row(plot, eye, forms.vectors.upper_right);
+    vector_row(plot, eye, forms.vectors.lower_left);
+    vector_row(plot, eye, forms.vectors.lower_right);
     plot_block_end(plot);
-    Camera found = {0};
-    CameraFault fault = camera_from_points(eye, points, &found);
-    plot_found(plot, "points", eye, fault, found);
-}
-
-static void plot_corner(Plot *plot, vec3 eye, Forms forms)
-{
-    vec3 corner = forms.points.lower_left;
-    plot_point(plot, "lower_left", corner);
-    plot_vector(plot, "across", corner, forms.across);
-    plot_vector(plot, "upward", corner, forms.upward);
-    Camera found = {0};
-    CameraFault fault = camera_from_corner(eye, corner, forms.across, forms.upward, &found);
-    plot_found(plot, "corner", eye, fault, found);
-}
-
-static void plot_vectors(Plot *plot, vec3 eye, Corners vectors)
-{
-    plot_block(plot, "vectors", "x y z of the eye, x y z to the corners, in the order of $points");
-    vector_row(plot, eye, vectors.upper_left);
-    vector_row(plot, eye, vectors.upper_right);
-    vector_row(plot, eye, vectors.lower_left);
-    vector_row(plot, eye, vectors.lower_right);
-    plot_block_end(plot);
-    Camera found = {0};
-    CameraFault fault = camera_from_vectors(eye, vectors, &found);
-    plot_found(plot, "vectors", eye, fault, found);
+    plot_point(plot, "upper_left", forms.points.upper_left);
+    plot_point(plot, "upper_right", forms.points.upper_right);
+    plot_point(plot, "lower_left", forms.points.lower_left);
+    plot_point(plot, "lower_right", forms.points.lower_right);
+    plot_vector(plot, "across", forms.points.lower_left, forms.across);
+    plot_vector(plot, "upper_edge", forms.points.upper_left, forms.across);
+    plot_vector(plot, "upward", forms.points.lower_left, forms.upward);
 }
 
 // Each form as it is given, and the camera that exercise 02 finds from it.
@@ -112,13 +105,23 @@ static void camera_forms(Plot *plot, void *given)
 {
     const Given *g = given;
     Camera c = g->camera;
+    vec3 eye = c.origin;
     Forms forms = forms_of(c);
     forms.look_at.up = g->up;
     plane_data(plot, c, 1, 1);
-    plot_look_at(plot, forms.look_at, hand_of(c));
-    plot_points(plot, c.origin, forms.points);
-    plot_corner(plot, c.origin, forms);
-    plot_vectors(plot, c.origin, forms.vectors);
+    plot_forms(plot, eye, forms);
+
+    Camera at = {0}, points = {0}, corner = {0}, vectors = {0};
+    CameraFault from_at = camera_from_look_at(forms.look_at, hand_of(c), &at);
+    CameraFault from_points = camera_from_points(eye, forms.points, &points);
+    CameraFault from_corner =
+        camera_from_corner(eye, forms.points.lower_left, forms.across, forms.upward, &corner);
+    CameraFault from_vectors = camera_from_vectors(eye, forms.vectors, &vectors);
+    const Found found[] = {found_from("look_at", from_at, at, eye),
+                           found_from("points", from_points, points, eye),
+                           found_from("corner", from_corner, corner, eye),
+                           found_from("vectors", from_vectors, vectors, eye)};
+    plot_found(plot, found, 4);
 }
 
 static const Figure figures[] = {{"camera-forms", camera_forms}, {0}};
