@@ -192,7 +192,7 @@ RIGHT := $(if $(filter-out solutions,$(A)),$(B)/solutions/figures)
 $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call layout_of,$$*) common/plot.gp \
 		$(RIGHT:%=%/$$*.gp)
 	$(Q)mkdir -p $(@D)
-	$(Q)$< --figure $* $(RIGHT:%=--right %/$*.gp) > $@
+	$(Q)$< --figure $* $(RIGHT:%=--beside %/$*.gp) > $@
 $(RIGHT:%=%/%.gp): FORCE
 	$(Q)$(MAKE) --no-print-directory -s ANSWERS=solutions $@
 

@@ -6,7 +6,7 @@ wide and h = %s high; lines lead from the eye to its corners. Arrows x, y, z sho
     eye_text, right_text, up_text, forward_text, d_text, w_text, h_text, \
     origin_is_far ? ", here below the camera, their origin being too far off" : "")
 steps = 4
-room = "0.06 0.86 0.05 0.93"
+room = "0.06 0.86 0.09 0.94"
 if (!turned) azimuth = 32
 @see
 

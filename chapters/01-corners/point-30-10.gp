@@ -12,6 +12,8 @@ if (!turned) azimuth = 42
 @see
 
 gap = 14
+# What is written at the legs, on the side where there is room.
+legs_x(x) = middle_at(x + (s > 0.5 ? -55 : 55), 110)
 set label 1 math(formula)."  = ".vector_text at 24, height - 34 left tc rgb blue
 set label 2 sprintf("%s = %s,   %s = %s", math("s"), s_text, math("t"), t_text) at 24, height - 60 left tc rgb ink
 if (exists("your_vector_text")) set label 3 "yours: ".your_vector_text at 24, height - 86 left tc rgb blue
@@ -25,11 +27,12 @@ plot $plane index 0 using @point with filledcurves closed fc rgb surface fs soli
     $upward index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb green title "up", \
     $upward index 0 using (left_at(@half_x + gap + 8, long(percent_up_text." %", text_size))):(@half_y):(percent_up_text." ".percent) with labels left tc rgb green title "up, label", \
     @step2 @who $ahead index who using @vector with @arrow lc rgb pink dt dash(who) title "ahead", \
-    @step2 $ahead index 0 using (@half_x):(@half_y + 18):(math("d f")) with labels tc rgb pink title "d f", \
+    @step2 $ahead index 0 using (@half_x):(@half_y + (t < 0.5 ? 18 : -18)):(math("d f")) with labels tc rgb pink title "d f", \
     @step2 @who $aside index who using @vector with @arrow lc rgb orange dt dash(who) title "aside", \
     @step2 @who $up_or_down index who using @vector with @arrow lc rgb green dt dash(who) title "up or down", \
     @step2 $aside index 0 using (middle_at(@half_x, long("(s − ½) w r", text_size))):(@half_y + (t < 0.5 ? 22 : -22)):(math("(s − ½) w r")) with labels tc rgb orange title "aside, label", \
-    @step2 $up_or_down index 0 using (left_at(@half_x + 8, long("(t − ½) h u", text_size))):(@half_y):(math("(t − ½) h u")) with labels left tc rgb green title "up or down, label", \
+    @step2 $up_or_down index 0 using (legs_x(@point_x)):(@point_y + 0.4 * scale * seen_y($4,$5,$6)):(math("(t − ½) h u")) \
+        with labels tc rgb green title "up or down, label", \
     @step3 @who $vector index who using @vector with @arrow lc rgb blue dt dash(who) title "vector", \
     @step3 $vector index 0 using @tip with @dot lc rgb blue title "point", \
     $eye using @point with @dot lc rgb blue title "eye", \

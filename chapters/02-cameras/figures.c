@@ -31,7 +31,7 @@ static Found found_from(const char *form, CameraFault fault, Camera camera, vec3
     return (Found){form, fault, fault == CAMERA_OK ? camera : (Camera){.origin = eye}};
 }
 
-// FORM_found: its d, w and h, or why there is none.
+// FORM_found: its d, w and h.
 static void plot_words(Plot *plot, Found found)
 {
     char name[60];
@@ -41,7 +41,7 @@ static void plot_words(Plot *plot, Found found)
                  number_text_to(found.camera.distance, 4).s,
                  number_text_to(found.camera.width, 4).s, number_text_to(found.camera.height, 4).s);
     else
-        snprintf(words.s, sizeof words.s, "no camera: %.100s", camera_fault_text(found.fault));
+        snprintf(words.s, sizeof words.s, "no camera");
     snprintf(name, sizeof name, "%s_found", found.form);
     plot_text(plot, name, words.s);
 }
@@ -63,7 +63,7 @@ static void plot_found(Plot *plot, const Found *found, int count)
     for (int i = 0; i < count; i++) {
         Camera c = found[i].camera;
         vec3 middle = c.origin + image_plane_vector(c, 0.5, 0.5);
-        double length = fmax(c.distance, fmax(c.width, c.height)) / 6;
+        double length = fmax(c.distance, fmax(c.width, c.height)) / 5;
         if (i > 0)
             plot_gap(plot);
         vector_row(plot, middle, length * c.right);

@@ -1,6 +1,7 @@
 """corners.py - the figures of chapter 01 show what is so."""
 import os
 import random
+import tempfile
 
 from cameras import DECK, corners, label, label_of, legs, options_of, some_camera
 from check import Checks, holds_for_every, on_the_canvas
@@ -47,7 +48,7 @@ def eye(figure, c):
 
 def camera_frame(c, options, shape):
     figure = drawn("camera-frame", options, shape)
-    figure.see(c["r"], c["u"], c["f"], room=(0.06, 0.86, 0.05, 0.93), azimuth=32)
+    figure.see(c["r"], c["u"], c["f"], room=(0.06, 0.86, 0.09, 0.94), azimuth=32)
     eye(figure, c)
     outline(figure, "plane", c)
     long = max(c["d"], c["w"], c["h"]) / 4
@@ -143,12 +144,34 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
           ",   ".join(f"{n}/d = {label(c[n] / c['d'])}" for n in "dwh"))
 
 
+def yours_beside_right():
+    """Another camera in the place of a wrong answer: both are drawn, the other one dashed."""
+    wrong = dict(DECK, w=3)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "right.gp")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(Figure("01-corners", "corner-vectors").script)
+        figure = Figure("01-corners", "corner-vectors", "--width", wrong["w"], "--beside", path)
+        same = Figure("01-corners", "corner-vectors", "--beside", path)
+    words = len("d f + (w/2) r + (h/2) u")
+    figure.see(DECK["r"], DECK["u"], DECK["f"], room=(0.08, 1 - (LETTER * words + 20) / 960, 0.06, 0.86), azimuth=34)
+    ends = [plus(c["p"], legs(c, 1, 1)) for c in (DECK, wrong)]
+    checks.near("right and yours", figure.tips("upper right"), [figure.place(p) for p in ends])
+    dashed = [path.get("stroke-dasharray") for group in figure.groups("upper right")
+              for path in group.iter() if "M" in (path.get("d") or "") and "Z" not in path.get("d")]
+    checks.that("yours is dashed, and it alone", [d is not None for d in dashed] == [False, True], str(dashed))
+    checks.that("what is dashed is said", "solid: right, dashed: yours" in [w for w, _, _ in figure.labels()])
+    checks.that("what is right has nothing beside it", len(same.tips("upper right")) == 1)
+    on_the_canvas(checks, "yours beside right", figure)
+
+
 FIGURES = {"camera-frame": camera_frame, "corner-vectors": corner_vectors,
            "point-30-10": point_30_10, "double-dwh": double_dwh}
 for name, test in FIGURES.items():
     for canvas in SHAPES:
         test(DECK, [], canvas)
     holds_for_every(checks, "01-corners", name)
+yours_beside_right()
 dice = random.Random(1)
 for i in range(int(os.environ.get("CAMERAS", "5"))):
     camera, across, up = some_camera(dice), dice.uniform(0, 1), dice.uniform(0, 1)

@@ -30,7 +30,7 @@ def camera_forms(c, options, shape, up=None):
     figure = Figure("02-cameras", "camera-forms", *options, settings=f"shape='{shape}'")
     on_the_canvas(checks, f"camera-forms {' '.join(map(str, options))}", figure)
     wide = SHAPES[shape]
-    figure.see(c["r"], c["u"], c["f"], room=(0.04, 0.5 - 96 / wide, 0.60, 0.87), azimuth=34)
+    figure.see(c["r"], c["u"], c["f"], room=(0.04, 0.5 - 96 / wide, 0.62, 0.87), azimuth=34)
 
     def place(form, point):
         column, row = FORMS[form]
@@ -38,7 +38,7 @@ def camera_forms(c, options, shape, up=None):
 
     upper_left, upper_right, lower_right, lower_left = points = corners(c)
     middle = plus(c["p"], c["f"], c["d"])
-    size = max(c["d"], c["w"], c["h"]) / 6
+    size = max(c["d"], c["w"], c["h"]) / 5
     checks.near("the eyes", figure.dots("eye"), [place(form, c["p"]) for form in FORMS])
     for panel, form in enumerate(FORMS):
         checks.near(f"{form}: the plane that is found", figure.strokes("found")[panel][:4],
