@@ -172,6 +172,7 @@ V(panel, y) = zero_y[panel] + size[panel] * y
 
 # How long a text is at most, in units of the canvas; and where to anchor it, at x, or as near to x as
 # the canvas allows: its left end, its middle, its right end.
+# (small and percent are for labels of plots, where gnuplot reads a backslash twice.)
 text_size = 17
 small_size = 14
 long(text, size) = 0.6 * size * strlen(text)
@@ -179,8 +180,8 @@ between(low, x, high) = x < low ? low : x > high ? high : x
 left_at(x, long) = between(12, x, width - 12 - long)
 middle_at(x, long) = between(12 + long / 2, x, width - 12 - long / 2)
 right_at(x, long) = between(12 + long, x, width - 12)
-small(text) = tex ? "{\\small ".text."}" : sprintf("{/*%g %s}", small_size / 17.0, text)
-percent = tex ? "\\%" : "%"
+small(text) = tex ? '\\small '.text : sprintf("{/*%g %s}", small_size / 17.0, text)
+percent = tex ? '\\%' : "%"
 
 # Places on the canvas, to add to: a point's, a vector's tip, its middle; what a vector adds to a place;
 # and where the name of an arrow stands.

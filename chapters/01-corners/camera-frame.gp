@@ -23,12 +23,12 @@ plot $x_axis using @vector with @axis lc rgb grey title "x axis", \
     @step2 @who $plane index who using @point with @thick lc rgb ink dt dash(who) title "plane", \
     @step2 @who $ahead index who using @vector with @leg lc rgb ink dt dash(who) title "ahead", \
     @step2 $ahead index 0 using @tip with @dot lc rgb ink title "middle", \
-    @step2 $ahead index 0 using (@half_x):(@half_y - 14):(math("d = ").d_text) with labels tc rgb ink title "d", \
+    @step2 $ahead index 0 using (@half_x):(@half_y - 14):(math("d")." = ".d_text) with labels tc rgb ink title "d", \
     @step2 $upper_edge index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb ink title "w", \
-    @step2 $upper_edge index 0 using (@half_x + 8):(@half_y + gap + 14):(math("w = ").w_text) \
+    @step2 $upper_edge index 0 using (@half_x + 8):(@half_y + gap + 14):(math("w")." = ".w_text) \
         with labels left tc rgb ink title "w, label", \
     @step2 $right_edge index 0 using (@point_x + gap):(@point_y):@moved with @dimension lc rgb ink title "h", \
-    @step2 $right_edge index 0 using (left_at(@half_x + gap + 10, long("h = ".h_text, text_size))):(@half_y):(math("h = ").h_text) \
+    @step2 $right_edge index 0 using (left_at(@half_x + gap + 10, long("h = ".h_text, text_size))):(@half_y):(math("h")." = ".h_text) \
         with labels left tc rgb ink title "h, label", \
     @step4 @who $to_corners index who using @vector with @leg lc rgb blue dt dash(who) title "to the corners", \
     $right_arrow using @vector with @arrow lc rgb orange title "r", \

@@ -45,8 +45,8 @@ plot @panels $eye using @title_place:(titles[panel]) with labels tc rgb ink titl
     $up_arrow index 0 using @vector with @arrow lc rgb green title "up", \
     $up_arrow index 0 using (@tip_x):(@tip_y + 14):(small("up")) with labels tc rgb green title "up, label", \
     $upper_edge index 0 using (@point_x):(@point_y + gap):@moved with @dimension lc rgb ink title "w", \
-    $upper_edge index 0 using (@half_x + 6):(@half_y + gap + 12):(small(math("w = ").w_text)) with labels left tc rgb ink title "w, label", \
-    $lower_right index 0 using (@point_x + 10):(@point_y + 22):(small(math("w/h = ").aspect_text)) \
+    $upper_edge index 0 using (@half_x + 6):(@half_y + gap + 12):(small(math("w")." = ".w_text)) with labels left tc rgb ink title "w, label", \
+    $lower_right index 0 using (@point_x + 10):(@point_y + 22):(small(math("w/h")." = ".aspect_text)) \
         with labels left tc rgb ink title "aspect, label", \
     @step2 @panel2 $upper_left index 0 using @point with @dot lc rgb orange title "points", \
     @step2 @panel2 $upper_right index 0 using @point with @dot lc rgb orange title "points", \
