@@ -4,7 +4,7 @@ import random
 import tempfile
 
 from cameras import DECK, corners, label, label_of, legs, options_of, some_camera
-from check import Checks, holds_for_every, on_the_canvas
+from check import Checks, holds_for_every, on_the_canvas, told_in_words
 from figure import Figure, plus, times
 
 checks = Checks("figures of 01-corners")
@@ -14,7 +14,9 @@ LETTER = 0.6 * 17
 
 def drawn(name, options, shape):
     figure = Figure("01-corners", name, *options, settings=f"shape='{shape}'")
-    on_the_canvas(checks, f"{name} {' '.join(map(str, options))}", figure)
+    named = f"{name} {' '.join(map(str, options))}"
+    on_the_canvas(checks, named, figure)
+    told_in_words(checks, named, figure)
     return figure
 
 

@@ -3,7 +3,7 @@ import os
 import random
 
 from cameras import DECK, corners, label, label_of, options_of, some_camera
-from check import Checks, holds_for_every, on_the_canvas
+from check import Checks, holds_for_every, on_the_canvas, told_in_words
 from figure import Figure, dot, plus, times
 
 checks = Checks("figures of 02-cameras")
@@ -19,6 +19,11 @@ def cross(v, w):
     return (v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0])
 
 
+def in_panel(drawn, panel):
+    """One of what is drawn once in each panel; nothing where there are fewer."""
+    return drawn[panel:panel + 1]
+
+
 def ends_of(figure, title):
     """Where an arrow or a line starts and ends."""
     stroke, tips = figure.strokes(title)[0], figure.tips(title)
@@ -28,7 +33,9 @@ def ends_of(figure, title):
 def camera_forms(c, options, shape, up=None):
     up = up or c["u"]
     figure = Figure("02-cameras", "camera-forms", *options, settings=f"shape='{shape}'")
-    on_the_canvas(checks, f"camera-forms {' '.join(map(str, options))}", figure)
+    named = f"camera-forms {' '.join(map(str, options))}"
+    on_the_canvas(checks, named, figure)
+    told_in_words(checks, named, figure)
     wide = SHAPES[shape]
     figure.see(c["r"], c["u"], c["f"], room=(0.04, 0.5 - 96 / wide, 0.62, 0.87), azimuth=34)
 
@@ -41,11 +48,11 @@ def camera_forms(c, options, shape, up=None):
     size = max(c["d"], c["w"], c["h"]) / 5
     checks.near("the eyes", figure.dots("eye"), [place(form, c["p"]) for form in FORMS])
     for panel, form in enumerate(FORMS):
-        checks.near(f"{form}: the plane that is found", figure.strokes("found")[panel][:4],
+        checks.near(f"{form}: the plane that is found", [p for found in in_panel(figure.strokes("found"), panel) for p in found[:4]],
                     [place(form, p) for p in points])
         for name in "ruf":
-            arrow = [figure.strokes(name)[panel][0], figure.tips(name)[panel]]
-            checks.near(f"{form}: {name} that is found", arrow,
+            start = [shaft[0] for shaft in in_panel(figure.strokes(name), panel)]
+            checks.near(f"{form}: {name} that is found", start + in_panel(figure.tips(name), panel),
                         [place(form, middle), place(form, plus(middle, c[name], size))])
 
     checks.near("the point looked at", figure.dots("at"), place("look-at", middle))
