@@ -20,14 +20,15 @@ aside_of(x) = middle_at(x + (s > 0.5 ? -long_leg : long_leg) / 2, long_leg)
 below = t < 0.5 ? 1 : -1
 across_is = percent_across_text." %"
 upward_is = percent_up_text." %"
-if (step >= 3) set label 1 math(formula)."  = ".vector_text at 24, height - 34 left tc rgb blue
-set label 2 sprintf("%s = %s,   %s = %s", math("s"), s_text, math("t"), t_text) at 24, height - 60 left tc rgb ink
+if (step >= 3) set label 1 math(formula)."  = ".vector_text at 24, height - 60 left tc rgb blue
+set label 2 sprintf("%s = %s,   %s = %s", math("s"), s_text, math("t"), t_text) at 24, height - 34 left tc rgb ink
 if (step >= 3 && exists("your_vector_text")) set label 3 "yours: ".your_vector_text at 24, height - 86 left tc rgb blue
 plot $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     $grid index 0 using @point with lines lw 0.4 lc rgb grey title "grid", \
     @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     $column index 0 using @vector with @leg lc rgb green title "column", \
     $row index 0 using @vector with @leg lc rgb orange title "row", \
+    $column index 0 using @tip with @dot lc rgb ink title "place", \
     $across index 0 using (@point_x):(@point_y - gap):@moved with @dimension lc rgb orange title "across", \
     $across index 0 using (middle_at(@half_x, long(across_is, text_size))):(@half_y - gap - 14):(percent_across_text." ".percent) \
         with labels tc rgb orange title "across, label", \

@@ -112,6 +112,7 @@ def point_30_10(c, options, shape, s=0.3, t=0.1):
     vector, point = legs(c, 2 * s - 1, 2 * t - 1), place_of(c, s, t)
     checks.same("the point's data", figure.block("vector")[0], [*c["p"], *vector])
     checks.near("the point", figure.dots("point"), figure.place(point))
+    checks.near("its place", figure.dots("place"), figure.place(point))
     checks.near("the arrow to the point", figure.tips("vector"), figure.place(point))
     eye(figure, c)
     outline(figure, "plane", c)
