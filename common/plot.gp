@@ -97,6 +97,10 @@ thick = "lines lw 2.2"
 hair = "lines lw 0.8"
 arrow = sprintf("vectors head filled size %g,18,90 lw 2.2", 12)
 dimension = sprintf("vectors heads filled size %g,16,90 lw 1", 8)
+# Without a head; of the world; and a plane that what is behind it shines through.
+leg = "vectors nohead lw 1.2"
+axis = sprintf("vectors head filled size %g,18,90 lw 1", 9)
+glass = "transparent solid 0.6"
 dot = sprintf("points pt 7 ps %g", 0.55)
 ring = sprintf("points pt 6 ps %g lw 2", 0.55)
 
@@ -104,6 +108,8 @@ ring = sprintf("points pt 6 ps %g lw 2", 0.55)
 
 # across and above are the paper's two directions, near points out of it. They are unit vectors,
 # at right angles, made of the camera's own: right, up, forward.
+# A layout may turn it: if (!turned) azimuth = 40.
+turned = exists("azimuth")
 if (!exists("azimuth")) azimuth = 28
 if (!exists("elevation")) elevation = 16
 set angles degrees
@@ -118,8 +124,17 @@ along_forward(x, y, z) = forward_x * x + forward_y * y + forward_z * z
 seen_x(x, y, z) = across(along_right(x, y, z), along_forward(x, y, z))
 seen_y(x, y, z) = above(along_right(x, y, z), along_up(x, y, z), along_forward(x, y, z))
 seen_near(x, y, z) = near(along_right(x, y, z), along_up(x, y, z), along_forward(x, y, z))
-X(x, y, z) = middle_x + scale * (seen_x(x, y, z) - center_x)
-Y(x, y, z) = middle_y + scale * (seen_y(x, y, z) - center_y)
+X(x, y, z) = shift_x[panel] + middle_x + scale * (seen_x(x, y, z) - center_x)
+Y(x, y, z) = shift_y[panel] + middle_y + scale * (seen_y(x, y, z) - center_y)
+# Several pictures side by side: panel 2 stands where panel 1 does, but for shift_x[2] to the right and
+# shift_y[2] up; '@panel2 $DATA using @point ...' draws in it.
+panel = 1
+array shift_x[8]
+array shift_y[8]
+do for [i = 1:8] { shift_x[i] = 0; shift_y[i] = 0 }
+panel2 = "for [panel=2:2]"
+panel3 = "for [panel=3:3]"
+panel4 = "for [panel=4:4]"
 
 # '@see' chooses scale and center so that $fit fills the room left, right, bottom, top of the canvas.
 room = "0.10 0.90 0.12 0.82"
@@ -145,7 +160,6 @@ half_way = "(X($1+$4/2,$2+$5/2,$3+$6/2)):(Y($1+$4/2,$2+$5/2,$3+$6/2))"
 array zero_x[8]
 array zero_y[8]
 array size[8]
-panel = 1
 flat = 'flat_w = width * (word(room, 2) - word(room, 1)); flat_h = height * (word(room, 4) - word(room, 3)); \
     size[panel] = flat_w / (high_x - low_x); tall = flat_h / (high_y - low_y); \
     size[panel] = size[panel] < tall ? size[panel] : tall; \
@@ -179,6 +193,32 @@ mark(who) = who == 0 ? 7 : 6
 your(name) = exists("your_".name) ? value("your_".name) : ""
 # Larger, for what a figure comes to; not of math(), which SVG would show small.
 large(s) = tex ? "\\large ".s : "{/*1.25 ".s."}"
+
+# ---- labels: on the canvas, whatever the numbers ----------------------------------------------------
+
+# How long a text is at most, in units of the canvas; and where to anchor it, at x, or as near to x as
+# the canvas allows: its left end, its middle, its right end.
+# (small and percent are for labels of plots, where gnuplot reads a backslash twice.)
+text_size = 17
+small_size = 14
+long(text, size) = 0.6 * size * strlen(text)
+between(low, x, high) = x < low ? low : x > high ? high : x
+left_at(x, long) = between(12, x, width - 12 - long)
+middle_at(x, long) = between(12 + long / 2, x, width - 12 - long / 2)
+right_at(x, long) = between(12 + long, x, width - 12)
+small(text) = tex ? '\\small '.text : sprintf("{/*%g %s}", small_size / 17.0, text)
+percent = tex ? '\\%' : "%"
+
+# Places on the canvas, to add to: a point's, a vector's tip, its middle; what a vector adds to a place;
+# and where the name of an arrow stands.
+point_x = "X($1,$2,$3)"
+point_y = "Y($1,$2,$3)"
+tip_x = "X($1+$4,$2+$5,$3+$6)"
+tip_y = "Y($1+$4,$2+$5,$3+$6)"
+half_x = "X($1+$4/2,$2+$5/2,$3+$6/2)"
+half_y = "Y($1+$4/2,$2+$5/2,$3+$6/2)"
+moved = "(scale*seen_x($4,$5,$6)):(scale*seen_y($4,$5,$6))"
+beyond = "(X($1+1.2*$4,$2+1.2*$5,$3+1.2*$6)):(Y($1+1.2*$4,$2+1.2*$5,$3+1.2*$6))"
 
 # ---- the end --------------------------------------------------------------------------------------
 

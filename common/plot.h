@@ -71,7 +71,7 @@ typedef struct {
 #define FIGURE_OPTIONS(command)                                                                    \
     {"figure", 0, "NAME", option_string, &(command).name, "print a figure's gnuplot script"},      \
     {                                                                                              \
-        "beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both shown"     \
+        "beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both are shown" \
     }
 
 // Prints the script. chapter is the folder of the layouts; figures ends with one that has no name.

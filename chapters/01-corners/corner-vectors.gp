@@ -1,30 +1,43 @@
 # corner-vectors.gp - the two upper corners, each a sum of three legs (slide 'Finding vectors').
 title = "From the eye to the upper corners"
-description = sprintf("From the eye, the upper left corner of the image plane is at %s, the upper right \
-one at %s: d f ahead to the middle, half the width aside, half the height up. Here d is %s, w %s, h %s.", \
+description = sprintf("From the eye p, the upper left corner of the image plane is at \
+d f − (w/2) r + (h/2) u = %s, the upper right one at d f + (w/2) r + (h/2) u = %s: an arrow d f ahead to the \
+middle, one of half the width aside to either edge, one of half the height up. Here d is %s, w %s, h %s.", \
     upper_left_text, upper_right_text, d_text, w_text, h_text)
 steps = 5
-room = "0.08 0.70 0.08 0.84"
+left = "d f − (w/2) r + (h/2) u"
+right = "d f + (w/2) r + (h/2) u"
+left_is = "= ".upper_left_text
+right_is = "= ".upper_right_text
+# Room beside the plane for what is written there.
+room = sprintf("0.08 %g 0.06 0.86", 1 - (long(right, text_size) + 20) / width)
+if (!turned) azimuth = 34
 @see
 
-plot $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
-    $grid using @point with @hair lc rgb faint title "grid", \
-    $plane using @point with @lines lc rgb ink title "plane", \
-    $ahead using @vector with @arrow lc rgb pink title "ahead", \
-    $ahead using @half_way:(math("d f")) with labels tc rgb pink offset 2,-1 title "d f", \
-    @step2 $aside_left using @vector with @arrow lc rgb orange title "aside left", \
-    @step2 $aside_left using @half_way:(math("−(w/2) r")) with labels tc rgb orange offset 1,1 title "w/2", \
-    @step2 $up_left using @vector with @arrow lc rgb green title "up left", \
-    @step2 $up_left using @half_way:(math("+(h/2) u")) with labels right tc rgb green offset -1,0 title "h/2", \
+plot $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
+    $grid index 0 using @point with @hair lc rgb faint title "grid", \
+    @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
+    @who $ahead index who using @vector with @arrow lc rgb pink dt dash(who) title "ahead", \
+    $ahead index 0 using (@half_x):(@half_y - 18):(math("d f")) with labels tc rgb pink title "d f", \
+    @step2 @who $aside_left index who using @vector with @arrow lc rgb orange dt dash(who) title "aside left", \
+    @step2 $ahead index 0 using (@tip_x - 10):(@tip_y + 27):(math("−(w/2) r")) \
+        with labels tc rgb orange title "aside left, label", \
+    @step2 @who $up_left index who using @vector with @arrow lc rgb green dt dash(who) title "up left", \
+    @step2 $up_left index 0 using (right_at(@half_x - 8, long("+(h/2) u", text_size))):(@half_y - 12):(math("+(h/2) u")) with labels right tc rgb green title "up left, label", \
     @step3 @who $upper_left index who using @vector with @arrow lc rgb blue dt dash(who) title "upper left", \
-    @step3 $upper_left index 0 using @tip:(math("d f − (w/2) r + (h/2) u").sprintf(" = %s", upper_left_text)) \
-        with labels right tc rgb blue offset 0,1 title "upper left, label", \
-    @step4 $aside_right using @vector with @arrow lc rgb orange title "aside right", \
-    @step4 $aside_right using @half_way:(math("+(w/2) r")) with labels tc rgb orange offset 2,1 title "w/2", \
-    @step4 $up_right using @vector with @arrow lc rgb green title "up right", \
-    @step4 $up_right using @half_way:(math("+(h/2) u")) with labels left tc rgb green offset 1,0 title "h/2", \
+    @step3 $upper_left index 0 using (right_at(@tip_x, long(left, text_size))):(@tip_y + 40):(math(left)) \
+        with labels right tc rgb blue title "upper left, label", \
+    @step3 $upper_left index 0 using (right_at(@tip_x, long(left_is, text_size))):(@tip_y + 18):(left_is) \
+        with labels right tc rgb blue title "upper left, numbers", \
+    @step4 @who $aside_right index who using @vector with @arrow lc rgb orange dt dash(who) title "aside right", \
+    @step4 $aside_right index 0 using (@tip_x + 10):(@tip_y - 8):(math("+(w/2) r")) \
+        with labels left tc rgb orange title "aside right, label", \
+    @step4 @who $up_right index who using @vector with @arrow lc rgb green dt dash(who) title "up right", \
+    @step4 $up_right index 0 using (@half_x + 10):(@half_y):(math("+(h/2) u")) with labels left tc rgb green title "up right, label", \
     @step5 @who $upper_right index who using @vector with @arrow lc rgb blue dt dash(who) title "upper right", \
-    @step5 $upper_right index 0 using @tip:(math("d f + (w/2) r + (h/2) u").sprintf(" = %s", upper_right_text)) \
-        with labels left tc rgb blue offset 1,1 title "upper right, label", \
+    @step5 $upper_right index 0 using (@tip_x + 10):(@tip_y + 24):(math(right)) \
+        with labels left tc rgb blue title "upper right, label", \
+    @step5 $upper_right index 0 using (left_at(@tip_x + 10, long(right_is, text_size))):(@tip_y + 2):(right_is) \
+        with labels left tc rgb blue title "upper right, numbers", \
     $eye using @point with @dot lc rgb blue title "eye", \
-    $eye using @point:(math("p")) with labels tc rgb blue offset -1.5,-0.7 title "p"
+    $eye using (@point_x - 14):(@point_y - 10):(math("p")) with labels tc rgb blue title "p"

@@ -68,7 +68,7 @@ static Color color_of_vector(Pixel pixel, void *given)
 
 int main(int argc, char **argv)
 {
-    View view = {camera_of_the_deck(), 0, 1};
+    View view = {camera_of_the_deck(), NAN, NAN};
     FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
@@ -85,7 +85,11 @@ int main(int argc, char **argv)
         options_wrong(argv[0], "expected options only");
     Camera c = view.camera;
     story_needs_camera(argv[0], c);
-    if (figure.name != NULL)
+    // The story goes to the upper left corner, the figures to the slide's 30% across and 10% up.
+    bool drawn = figure.name != NULL;
+    view.s = isnan(view.s) ? (drawn ? 0.3 : 0) : view.s;
+    view.t = isnan(view.t) ? (drawn ? 0.1 : 1) : view.t;
+    if (drawn)
         return corners_figure(argv[0], figure, &view);
     if (picture != NULL)
         return picture_write(picture, (Resolution){PICTURE, PICTURE}, color_of_vector, &c);

@@ -9,14 +9,19 @@ static void place(Plot *plot, Camera c, double s, double t)
     plot_row(plot, 3, (const double[]){p[0], p[1], p[2]});
 }
 
-static void outline(Plot *plot, Camera c)
+void plane_rows(Plot *plot, Camera c)
 {
     static const double corners[5][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}, {0, 1}};
-    plot_block(plot, "plane", "x y z of the corners, from the upper left on");
     for (int i = 0; i < 5; i++) {
         place(plot, c, corners[i][0], corners[i][1]);
         plot_fit(plot, c.origin + image_plane_vector(c, corners[i][0], corners[i][1]), 0);
     }
+}
+
+void plane_outline(Plot *plot, const char *name, Camera c)
+{
+    plot_block(plot, name, "x y z of the corners, from the upper left on");
+    plane_rows(plot, c);
     plot_block_end(plot);
 }
 
@@ -46,6 +51,6 @@ void plane_data(Plot *plot, Camera camera, int columns, int rows)
     plot_number(plot, "h", camera.height);
     plot_point(plot, "eye", camera.origin);
     plot_fit(plot, camera.origin, 0);
-    outline(plot, camera);
+    plane_outline(plot, "plane", camera);
     pixels(plot, camera, columns, rows);
 }

@@ -2,7 +2,9 @@
 //
 // The same camera in all five forms of the slides, there and back; then which hand the world has,
 // the angle that NFF gives, and what is no camera. Its picture (floor.c) shows both hands.
+#include "chapters/02-cameras/figures.h"
 #include "chapters/02-cameras/floor.h"
+#include "chapters/02-cameras/forms.h"
 #include "common/answers.h"
 #include "common/options.h"
 #include "common/story.h"
@@ -20,24 +22,6 @@ static bool option_hand(const char *text, void *into)
 {
     *(int *)into = strcmp(text, "left") == 0 ? LEFT_HANDED : RIGHT_HANDED;
     return strcmp(text, "left") == 0 || strcmp(text, "right") == 0;
-}
-
-// In a right-handed world, right x up points back at the viewer.
-static Handedness hand_of(Camera c)
-{
-    return vec3_dot(vec3_cross(c.right, c.up), c.forward) > 0 ? LEFT_HANDED : RIGHT_HANDED;
-}
-
-static LookAt look_at_of(Camera c)
-{
-    return (LookAt){c.origin, c.origin + image_plane_vector(c, 0.5, 0.5), c.up, c.width,
-                    c.width / c.height};
-}
-
-static Corners vectors_of(Camera c)
-{
-    return (Corners){image_plane_vector(c, 0, 1), image_plane_vector(c, 1, 1),
-                     image_plane_vector(c, 0, 0), image_plane_vector(c, 1, 0)};
 }
 
 static void show_corners(Corners corners)
@@ -76,12 +60,8 @@ static void show_back(const char *form, CameraFault fault, Camera found, Camera 
 
 static void five_forms(Camera c)
 {
-    LookAt view = look_at_of(c);
-    Corners vectors = vectors_of(c);
-    Corners points = {c.origin + vectors.upper_left, c.origin + vectors.upper_right,
-                      c.origin + vectors.lower_left, c.origin + vectors.lower_right};
-    vec3 across = vectors.lower_right - vectors.lower_left;
-    vec3 upward = vectors.upper_left - vectors.lower_left;
+    Forms forms = forms_of(c);
+    LookAt view = forms.look_at;
 
     story_heading("1. A frame <p, r, u, f, d, w, h>: %s", hands[hand_of(c)]);
     story_camera(c);
@@ -93,24 +73,25 @@ static void five_forms(Camera c)
                number_text(view.aspect).s);
     story_heading("3. Eye and four points");
     story_line("eye", "%s", vec3_text(c.origin).s);
-    show_corners(points);
+    show_corners(forms.points);
     story_heading("4. Eye, lower left corner, two vectors");
     story_line("eye", "%s", vec3_text(c.origin).s);
-    story_line("  lower left corner", "%s", vec3_text(points.lower_left).s);
-    story_line("  across, up", "%s, %s", vec3_text(across).s, vec3_text(upward).s);
+    story_line("  lower left corner", "%s", vec3_text(forms.points.lower_left).s);
+    story_line("  across, up", "%s, %s", vec3_text(forms.across).s, vec3_text(forms.upward).s);
     story_heading("5. Eye and four vectors");
     story_line("eye", "%s", vec3_text(c.origin).s);
-    show_corners(vectors);
+    show_corners(forms.vectors);
 
     story_heading("And back: the frame found from each");
     Camera found = c;
     CameraFault fault = camera_from_look_at(view, hand_of(c), &found);
     show_back("from the look-at", fault, found, c);
-    fault = camera_from_points(c.origin, points, &found);
+    fault = camera_from_points(c.origin, forms.points, &found);
     show_back("from four points", fault, found, c);
-    fault = camera_from_corner(c.origin, points.lower_left, across, upward, &found);
+    fault =
+        camera_from_corner(c.origin, forms.points.lower_left, forms.across, forms.upward, &found);
     show_back("from corner and vectors", fault, found, c);
-    fault = camera_from_vectors(c.origin, vectors, &found);
+    fault = camera_from_vectors(c.origin, forms.vectors, &found);
     show_back("from four vectors", fault, found, c);
 }
 
@@ -119,7 +100,7 @@ static void both_hands(Camera c)
     story_heading("The same look-at, in a world of either hand");
     for (Handedness hand = RIGHT_HANDED; hand <= LEFT_HANDED; hand++) {
         Camera found = c;
-        CameraFault fault = camera_from_look_at(look_at_of(c), hand, &found);
+        CameraFault fault = camera_from_look_at(forms_of(c).look_at, hand, &found);
         if (answers_missing() > 0)
             story_line(hands[hand], "not answered yet");
         else if (fault != CAMERA_OK)
@@ -142,10 +123,10 @@ static void angles(Camera c)
 static void refusals(Camera c)
 {
     Camera none = c;
-    LookAt nowhere = look_at_of(c), along = nowhere;
+    LookAt nowhere = forms_of(c).look_at, along = nowhere;
     nowhere.at = nowhere.eye;
     along.up = 2 * (along.at - along.eye);
-    Corners skew = vectors_of(c), aside = skew;
+    Corners skew = forms_of(c).vectors, aside = skew;
     skew.upper_right += 0.1 * c.width * c.right;
     aside.upper_left += c.width * c.right;
     aside.upper_right += c.width * c.right;
@@ -197,6 +178,7 @@ int main(int argc, char **argv)
     vec3 at = no;
     double aspect = NAN;
     int hand = -1;
+    FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
         CAMERA_OPTIONS(c),
@@ -204,6 +186,7 @@ int main(int argc, char **argv)
         {"aspect", 0, "RATIO", option_number, &aspect, "its width / height (1)"},
         {"picture", 0, "FILE.png", option_string, &picture, "draw a floor in worlds of both hands"},
         {"hand", 0, "left|right", option_hand, &hand, "the hand of its world (right)"},
+        FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...", "One camera in the five forms of the deck, there and back.\n"
                                   "Without options: the deck's camera."};
@@ -230,6 +213,8 @@ int main(int argc, char **argv)
         c = camera_looking_at(argv[0], view, hand < 0 ? RIGHT_HANDED : (Handedness)hand);
     }
     story_needs_camera(argv[0], c);
+    if (figure.name != NULL)
+        return cameras_figure(argv[0], figure, c, up);
 
     printf("02-cameras: one camera, told in five ways\n");
     if (given(at)) {

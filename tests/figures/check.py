@@ -1,7 +1,8 @@
 """check.py - the checks of figures: how they are counted, and what holds for every figure."""
+import re
 import sys
 
-from figure import Figure
+from figure import NUMBER, Figure
 
 NEAR = 0.1  # canvas units, that is, pixels of the SVG
 
@@ -56,13 +57,46 @@ def steps_only_add(checks, program, name, steps, *options):
         before = (marks, labels)
 
 
+def on_the_canvas(checks, name, figure):
+    """No text is cut off, as wide as it may be."""
+    for text in figure.texts():
+        left, low, right, high = text.box
+        checks.that(f"{name}: {text.words!r} is on the canvas",
+                    left >= 0 and low >= 0 and right <= figure.width and high <= figure.height,
+                    f"from {left:.0f}, {low:.0f} to {right:.0f}, {high:.0f}"
+                    f" of {figure.width:.0f} by {figure.height:.0f}")
+
+
+def is_a_scale(texts):
+    """The numbers along an axis: bare, and three or more."""
+    return len(texts) >= 3 and all(re.fullmatch(NUMBER, text.words) for text in texts)
+
+
+def told_in_words(checks, name, figure):
+    """Who does not see the figure is told the numbers that it shows."""
+    title, description = figure.in_words()
+    checks.that(f"{name}: it has a title", title != "")
+    checks.that(f"{name}: it is told in words", len(description) > len(title), description)
+    checks.that(f"{name}: no number that is none is told",
+                not re.search(r"\bnan\b|\binf|not answered", title + description, re.I), description)
+    told = set(re.findall(NUMBER, description))
+    plots = {}
+    for text in figure.texts():
+        plots.setdefault(text.title or text.words, []).append(text)
+        checks.that(f"{name}: {text.words!r} has no hyphen for a minus",
+                    not re.search(r"(?<!\w)-\s?\d", text.words))
+    for texts in plots.values():
+        for text in [] if is_a_scale(texts) else texts:
+            checks.that(f"{name}: {text.words!r} is told in words, too", told.issuperset(text.numbers()),
+                        f"its numbers are {text.numbers()}, those told {sorted(told)}")
+
+
 def holds_for_every(checks, program, name, *options):
-    """What no figure does without; labels inside the canvas, in both shapes and themes."""
+    """What no figure does without; text on the canvas, in both shapes; the same in words."""
     for shape in ("16:9", "4:3"):
         figure = Figure(program, name, *options, settings=f"shape='{shape}'")
         checks.that(f"{name}, {shape}: there is text", len(figure.labels()) > 0)
-        for text, x, y in figure.labels():
-            checks.that(f"{name}, {shape}: {text!r} is on the canvas",
-                        0 <= x <= figure.width and 0 <= y <= figure.height, f"at {x}, {y}")
+        on_the_canvas(checks, f"{name}, {shape}", figure)
+    told_in_words(checks, name, figure)
     steps = int(figure.variables.get("steps", "1"))
     steps_only_add(checks, program, name, steps, *options)

@@ -17,6 +17,10 @@ XLINK = "{http://www.w3.org/1999/xlink}"
 PROGRAMS = os.environ.get("PROGRAMS", "build/solutions")
 
 
+# As labels and descriptions write it, with a minus sign.
+NUMBER = r"(?<![\w.])−?\d+(?:\.\d+)?(?:e[+−]?\d+)?"
+
+
 def numbers(text):
     return [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e-?\d+)?", text)]
 
@@ -33,6 +37,37 @@ def times(factor, a):
     return tuple(factor * x for x in a)
 
 
+class Text:
+    """One line of text on the canvas, and the box that it takes there: at most so wide."""
+
+    EM = 0.6  # a character's mean width, in its size
+
+    def __init__(self, figure, group, text, title):
+        self.title = title  # of the plot that drew it; None where none did
+        self.words = "".join(text.itertext()).strip()
+        move = re.match(r"translate\(([^,]*),([^)]*)\)", group.get("transform"))
+        self.x, self.y = figure.up(float(move[1]), float(move[2]))
+        self.color = group.get("fill")
+        size = float(group.get("font-size"))
+        # On the line, that is, neither index nor exponent: those are names and formulas.
+        self.plain, long, raised = "", 0.0, 0.0
+        for span in text.iter():
+            raised += float((span.get("dy") or "0").replace("px", ""))
+            self.plain += (span.text or "") if abs(raised) < 0.01 else " "
+            long += self.EM * float(span.get("font-size") or size) * len(span.text or "")
+        left = {"start": 0, "middle": -long / 2, "end": -long}[group.get("text-anchor") or "start"]
+        flat = (left, -0.25 * size, left + long, 0.8 * size)
+        if "rotate" in group.get("transform"):
+            flat = (-flat[3], flat[0], -flat[1], flat[2])
+        self.box = (self.x + flat[0], self.y + flat[1], self.x + flat[2], self.y + flat[3])
+
+    def numbers(self):
+        """The numbers that it shows, as it shows them; not those of formulas: w/2, 2 d, ½, 1/2."""
+        data = re.sub(r"[^\W\d_]\s?/\s?\d+|\)\s?/\s?\d+|\b1/2\b", " ", self.plain)
+        data = re.sub(r"\b\d+\s?(?=[^\W\d_](?![^\W\d_]))", " ", data)
+        return re.findall(NUMBER, data)
+
+
 class Figure:
     """A figure by a chapter's program, drawn by gnuplot as SVG."""
 
@@ -44,14 +79,7 @@ class Figure:
         self.script = done.stdout
         self.variables = dict(re.findall(r"^(\w+) = (.*)$", self.script, re.M))
         with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "figure.gp")
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(self.script)
-            drawn = subprocess.run(
-                ["gnuplot", "-e", f"output='figure'; {settings}", path], cwd=folder,
-                capture_output=True, text=True, check=False, timeout=60)
-            if drawn.returncode != 0 or drawn.stderr:
-                raise AssertionError(f"gnuplot, {name}: {drawn.stderr.strip()}")
+            self.draw(folder, settings)
             self.svg = ElementTree.parse(os.path.join(folder, "figure.svg")).getroot()
         _, _, self.width, self.height = map(float, self.svg.get("viewBox").split())
         self.plots = {}
@@ -59,6 +87,15 @@ class Figure:
             title = group.find(SVG + "title")
             if title is not None:
                 self.plots.setdefault(title.text, []).append(group)
+
+    def draw(self, folder, settings):
+        path = os.path.join(folder, "figure.gp")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.script)
+        drawn = subprocess.run(["gnuplot", "-e", f"output='figure'; {settings}", path], cwd=folder,
+                               capture_output=True, text=True, check=False, timeout=60)
+        if drawn.returncode != 0 or drawn.stderr:
+            raise AssertionError(f"gnuplot, {path}: {drawn.stderr.strip()}")
 
     # ---- the data -----------------------------------------------------------------------------
 
@@ -110,6 +147,17 @@ class Figure:
                 found.append([self.up(x, y) for x, y in zip(flat[::2], flat[1::2])])
         return found
 
+    def strokes(self, title):
+        """The same, one list a stroke, and without the outlines of arrowheads."""
+        found = []
+        for group in self.groups(title):
+            for path in group.iter(SVG + "path"):
+                for stroke in path.get("d").split("M")[1:]:
+                    flat = numbers(stroke)
+                    if "Z" not in stroke:
+                        found.append([self.up(x, y) for x, y in zip(flat[::2], flat[1::2])])
+        return found
+
     def polygons(self, title):
         """The corners of what is filled."""
         found = []
@@ -119,16 +167,25 @@ class Figure:
                 found.append([self.up(x, y) for x, y in zip(flat[::2], flat[1::2])])
         return found
 
+    def texts(self):
+        """All text, with what is needed to say how much of the canvas it takes."""
+        drawn_by = {text: title for title, groups in self.plots.items() for group in groups
+                    for text in group.iter(SVG + "text")}
+        return [Text(self, group, text, drawn_by.get(text)) for group in self.svg.iter(SVG + "g")
+                for text in group.findall(SVG + "text")
+                if (group.get("transform") or "").startswith("translate")]
+
     def labels(self):
         """All text with the place of its anchor: (text, x, y)."""
-        found = []
-        for group in self.svg.iter(SVG + "g"):
-            move = re.match(r"translate\(([^,]*),([^)]*)\)", group.get("transform") or "")
-            for text in group.findall(SVG + "text"):
-                if move:
-                    words = "".join(text.itertext()).strip()
-                    found.append((words, *self.up(float(move[1]), float(move[2]))))
-        return found
+        return [(text.words, text.x, text.y) for text in self.texts()]
+
+    def in_words(self):
+        """Its title, and itself in words: what the script says where no picture is wanted."""
+        with tempfile.TemporaryDirectory() as folder:
+            self.draw(folder, "format='txt'")
+            with open(os.path.join(folder, "figure.txt"), encoding="utf-8") as file:
+                title, _, description = file.read().partition("\n\n")
+        return title.strip(), description.strip()
 
     # ---- where a place of the world belongs ---------------------------------------------------
 
