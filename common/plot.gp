@@ -182,7 +182,6 @@ $square << EOD
 0 1
 0 0
 EOD
-axis = sprintf("vectors head filled size %g,18,90 lw 1", 9)
 stroke = "vectors nohead lw 2.2"
 least(a, b) = a < b ? a : b
 most(a, b) = a > b ? a : b

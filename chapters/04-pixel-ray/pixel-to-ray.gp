@@ -1,7 +1,7 @@
 # pixel-to-ray.gp - from a pixel to its ray, one chain (slide 'Mapping from Pixel to Camera Ray').
 title = "From a pixel to its ray"
 description = sprintf("The pixel in column %s, row %s of a screen of %s by %s pixels is a square; its centre is the \
-point %s of the screen. In the unit square that is (s, t) = %s. On the image plane, the vector from the eye to \
+point %s of the screen. In the unit square, with s = x/W and t = 1 − y/H, that is (s, t) = %s. On the image plane, the vector from the eye to \
 there is v = d f + (s − ½) w r + (t − ½) h u = %s. The ray starts at the eye, p = %s, and its points are p + t v.", \
     pixel_column_text, pixel_row_text, screen_W_text, screen_H_text, center_text, place_text, v_text, origin_text)
 steps = 5
