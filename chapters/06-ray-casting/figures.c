@@ -1,0 +1,270 @@
+// figures.c - what the figures of chapter 06 show, in numbers.
+#include "chapters/06-ray-casting/figures.h"
+
+#include "chapters/06-ray-casting/explain.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/05-quadratic.h"
+#include "exercises/06-ray-casting.h"
+
+#include <string.h>
+
+#define FOLDER "chapters/06-ray-casting"
+
+// ---- image order, and the whole of ray casting ------------------------------------------------
+
+// What each ray of the drawn pixels hits first; what hits nothing keeps the background.
+static void cast_cells(Plot *plot, const Shown *shown)
+{
+    const Scene *scene = shown->shot.scene;
+    int cells = 0;
+    shown_cells_begin(plot, "pixels");
+    for (int i = 0; i < shown->grid.width * shown->grid.height; i++) {
+        Pixel cell = {i % shown->grid.width, i / shown->grid.width};
+        Hit hit = nearest_hit(pixel_ray(shown->shot.camera, shown->grid, cell), scene);
+        if (!is_sphere(scene, hit.sphere))
+            continue;
+        shown_cell(plot, shown, cell, scene_surface(scene, hit.sphere)->color);
+        cells++;
+    }
+    shown_cells_end(plot, shown, cells);
+}
+
+static void ray_casting(Plot *plot, void *given)
+{
+    const Shown *shown = given;
+    plot_include(plot, "common/spheres.gp");
+    shown_data(plot, shown);
+    cast_cells(plot, shown);
+}
+
+// The pixel that meets nothing and is nearest to a place up and to the left; its ray goes on.
+static void missing_ray(Plot *plot, const Shown *shown)
+{
+    double best = INFINITY;
+    Ray ray = {shown->ray.origin, vec3_of(0, 0, 0)};
+    for (int i = 0; i < shown->grid.width * shown->grid.height; i++) {
+        Pixel cell = {i % shown->grid.width, i / shown->grid.width};
+        Ray r = pixel_ray(shown->shot.camera, shown->grid, cell);
+        double x = (cell.column + 0.5) / shown->grid.width - 0.2;
+        double y = (cell.row + 0.5) / shown->grid.height - 0.2;
+        if (nearest_hit(r, shown->shot.scene).sphere < 0 && x * x + y * y < best) {
+            best = x * x + y * y;
+            ray = r;
+        }
+    }
+    plot_number(plot, "misses", best < INFINITY);
+    shown_ray(plot, "miss", ray, shown_end(shown), shown_end(shown));
+}
+
+static void image_order(Plot *plot, void *given)
+{
+    const Shown *shown = given;
+    ray_casting(plot, given);
+    missing_ray(plot, shown);
+}
+
+// ---- object order -----------------------------------------------------------------------------
+
+enum { OUTLINE_PLACES = 72, LINES = 6 };
+
+// A place of the circle that is the sphere's outline as the eye sees it: there the line of sight
+// touches the sphere, at right angles to its radius.
+static vec3 outline_place(Camera c, Sphere sphere, double angle)
+{
+    vec3 axis = sphere.center - c.origin;
+    double away = vec3_length(axis);
+    double flat = sphere.radius / away;
+    vec3 aside =
+        vec3_unit(vec3_cross(fabs(vec3_dot(axis, c.up)) < 0.9 * away ? c.up : c.right, axis));
+    vec3 up = vec3_unit(vec3_cross(axis, aside));
+    return c.origin + (1 - flat * flat) * axis +
+           sphere.radius * sqrt(1 - flat * flat) * (cos(angle) * aside + sin(angle) * up);
+}
+
+static void outline_on_plane(Plot *plot, Camera c, Sphere sphere)
+{
+    plot_block(plot, "outline", "x y z of the outline on the image plane");
+    for (int i = 0; i <= OUTLINE_PLACES; i++) {
+        vec3 v = outline_place(c, sphere, 2 * PI * i / OUTLINE_PLACES) - c.origin;
+        double ahead = vec3_dot(v, c.forward);
+        vec3 p = c.origin + c.distance / ahead * v;
+        bool seen = ahead > 0;
+        plot_row(plot, 3,
+                 (const double[]){seen ? p[0] : NAN, seen ? p[1] : NAN, seen ? p[2] : NAN});
+    }
+    plot_block_end(plot);
+}
+
+static void lines_to_eye(Plot *plot, Camera c, Sphere sphere)
+{
+    char name[20];
+    for (int i = 0; i < LINES; i++) {
+        vec3 from = outline_place(c, sphere, 2 * PI * (i + 0.25) / LINES);
+        snprintf(name, sizeof name, "line_%d", i + 1);
+        shown_ray(plot, name, (Ray){c.origin, from - c.origin}, 1, 1);
+    }
+    plot_number(plot, "lines_to_eye", LINES);
+}
+
+// The sphere that the pixel's ray hits, else the one that most pixels show.
+static int the_object(const Shown *shown)
+{
+    const Scene *scene = shown->shot.scene;
+    if (shown->hit_count > 0)
+        return shown->hits[0].sphere;
+    return shown->sphere_count > 0 ? shown->spheres[0] : scene->sphere_count > 0 ? 0 : -1;
+}
+
+// The pixels that one sphere would colour, were it alone.
+static void cells_of(Plot *plot, const Shown *shown, int object)
+{
+    const Scene *scene = shown->shot.scene;
+    int cells = 0;
+    shown_cells_begin(plot, "pixels");
+    for (int i = 0; object >= 0 && i < shown->grid.width * shown->grid.height; i++) {
+        Pixel cell = {i % shown->grid.width, i / shown->grid.width};
+        Ray ray = pixel_ray(shown->shot.camera, shown->grid, cell);
+        if (hit_sphere(ray, scene->spheres[object]) < NO_HIT) {
+            shown_cell(plot, shown, cell, scene_surface(scene, object)->color);
+            cells++;
+        }
+    }
+    shown_cells_end(plot, shown, cells);
+}
+
+static void object_order(Plot *plot, void *given)
+{
+    const Shown *shown = given;
+    int object = the_object(shown);
+    plot_include(plot, "common/spheres.gp");
+    shown_data(plot, shown);
+    cells_of(plot, shown, object);
+    plot_text(plot, "object_name", object < 0 ? "" : sphere_name(object).s);
+    // No sphere, no outline: a point takes its place.
+    Sphere sphere = {.center = shown->shot.camera.origin + shown->shot.camera.forward};
+    if (object >= 0)
+        sphere = shown->shot.scene->spheres[object];
+    outline_on_plane(plot, shown->shot.camera, sphere);
+    lines_to_eye(plot, shown->shot.camera, sphere);
+}
+
+// ---- nearest hit ------------------------------------------------------------------------------
+
+enum { MOST_CIRCLES = 8 };
+
+// A sphere as its ray meets it: turned round the ray into the paper, measured in the ray's t.
+typedef struct {
+    int sphere;
+    double t, aside, radius; // aside: from the ray to the middle
+} Circle;
+
+static Circle circle_of(const Shown *shown, int sphere)
+{
+    Sphere s = shown->shot.scene->spheres[sphere];
+    vec3 v = shown->ray.direction, p = s.center - shown->ray.origin;
+    double length = vec3_length(v);
+    double t = vec3_dot(p, v) / vec3_dot(v, v);
+    vec3 off = p - t * v;
+    double side = vec3_dot(off, shown->shot.camera.up) < 0 ? -1 : 1;
+    return (Circle){sphere, t, side * vec3_length(off) / length, s.radius / length};
+}
+
+// How little it matters: spheres that are met first, those that the ray passes by closely next.
+static double far_off(Circle circle)
+{
+    double gap = fabs(circle.aside) - circle.radius;
+    return gap > 0 ? gap + 1e6 : fabs(circle.t);
+}
+
+static int choose_circles(const Shown *shown, Circle *circles)
+{
+    int count = 0;
+    for (int i = 0; i < shown->shot.scene->sphere_count; i++) {
+        Circle circle = circle_of(shown, i);
+        int place = count < MOST_CIRCLES ? count : MOST_CIRCLES;
+        for (; place > 0 && far_off(circle) < far_off(circles[place - 1]); place--)
+            if (place < MOST_CIRCLES)
+                circles[place] = circles[place - 1];
+        if (place < MOST_CIRCLES)
+            circles[place] = circle;
+        if (count < MOST_CIRCLES)
+            count++;
+    }
+    return count;
+}
+
+// What becomes of a sphere: 0 missed, 1 behind the eye, 2 hit but farther, 3 the nearest hit.
+static int fate(const Shown *shown, Circle circle, Roots roots)
+{
+    if (roots.count == 0)
+        return 0;
+    if (shown->hit_count > 0 && shown->hits[0].sphere == circle.sphere)
+        return 3;
+    return hit_sphere(shown->ray, shown->shot.scene->spheres[circle.sphere]) < NO_HIT ? 2 : 1;
+}
+
+static void nearest_hit_data(Plot *plot, void *given)
+{
+    const Shown *shown = given;
+    const Scene *scene = shown->shot.scene;
+    Circle circles[MOST_CIRCLES];
+    int count = choose_circles(shown, circles);
+    double low_t = -0.5, high_t = 1.2, low_side = -0.2, high_side = 0.2;
+    plot_number(plot, "balls", count);
+    plot_number(plot, "all_balls", scene->sphere_count);
+    plot_block(plot, "circles", "number t aside radius rgb fate root root hit");
+    for (int i = 0; i < count; i++) {
+        Circle c = circles[i];
+        Roots roots = sphere_roots(shown->ray, scene->spheres[c.sphere]);
+        double hit = hit_sphere(shown->ray, scene->spheres[c.sphere]);
+        bool two = roots.count == 2;
+        plot_row(plot, 9,
+                 (const double[]){c.sphere, c.t, c.aside, c.radius,
+                                  rgb_number(scene_surface(scene, c.sphere)->color),
+                                  fate(shown, c, roots), two ? roots.t[0] : NAN,
+                                  two ? roots.t[1] : NAN, hit < NO_HIT ? hit : NAN});
+        low_t = fmin(low_t, c.t - c.radius);
+        high_t = fmax(high_t, c.t + c.radius);
+        low_side = fmin(low_side, c.aside - c.radius);
+        high_side = fmax(high_side, c.aside + c.radius);
+    }
+    if (count == 0)
+        plot_row(plot, 9, (const double[]){-1, NAN, NAN, NAN, 0, 0, NAN, NAN, NAN});
+    plot_block_end(plot);
+    plot_number(plot, "low_x", low_t);
+    plot_number(plot, "high_x", high_t);
+    plot_number(plot, "low_y", low_side);
+    plot_number(plot, "high_y", high_side);
+    bool any = shown->hit_count > 0;
+    plot_number(plot, "all_hits", shown->hit_count);
+    plot_number(plot, "nearest", any ? shown->hits[0].t : 0);
+    plot_text(plot, "nearest_name", any ? sphere_name(shown->hits[0].sphere).s : "");
+}
+
+// ---- all --------------------------------------------------------------------------------------
+
+static const Figure figures[] = {
+    {"object-order", object_order},   {"image-order", image_order},
+    {"ray-casting", ray_casting},     {"nearest-hit", nearest_hit_data},
+    {"explain", explain_figure_data}, {0}};
+
+const char *figure_scene(const char *name)
+{
+    static const char *const scenes[][2] = {
+        {"object-order", FOLDER "/figures/one-sphere.nff"},
+        {"image-order", FOLDER "/figures/one-sphere.nff"},
+        {"ray-casting", FOLDER "/figures/four-spheres.nff"},
+        {"nearest-hit", FOLDER "/figures/along-a-ray.nff"},
+    };
+    for (int i = 0; i < 4; i++)
+        if (strcmp(scenes[i][0], name) == 0)
+            return scenes[i][1];
+    return FOLDER "/three-spheres.nff";
+}
+
+int casting_figure(const char *program, FigureCommand command, Shot shot)
+{
+    Shown shown;
+    shown_choose(&shown, shot);
+    return plot_figure(program, FOLDER, figures, command, &shown);
+}

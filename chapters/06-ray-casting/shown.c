@@ -1,0 +1,279 @@
+// shown.c - what a figure shows of a scene, and its data, by the answers of chapters 01 to 06.
+#include "chapters/06-ray-casting/shown.h"
+
+#include "chapters/01-corners/plane.h"
+#include "exercises/01-corners.h"
+#include "exercises/03-screen.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/05-quadratic.h"
+#include "exercises/06-ray-casting.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { COARSE = 16, RAY_PLACES = 240 };
+
+Text sphere_name(int sphere)
+{
+    Text name = {""};
+    char *s = name.s + 8;
+    *s = '\0';
+    for (int i = sphere; i >= 0; i = i / 26 - 1)
+        *--s = (char)('A' + i % 26);
+    memmove(name.s, s, strlen(s) + 1);
+    return name;
+}
+
+bool is_sphere(const Scene *scene, int sphere)
+{
+    return sphere >= 0 && sphere < scene->sphere_count;
+}
+
+double rgb_number(Color color)
+{
+    return 65536.0 * byte_from_color(color[0]) + 256.0 * byte_from_color(color[1]) +
+           byte_from_color(color[2]);
+}
+
+// ---- choosing ---------------------------------------------------------------------------------
+
+int hits_of(Ray ray, const Scene *scene, Hit *hits, int room)
+{
+    int count = 0;
+    Hit nearest = nearest_hit(ray, scene);
+    bool any = is_sphere(scene, nearest.sphere) && nearest.t < NO_HIT;
+    if (any)
+        hits[count++] = nearest;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        double t = hit_sphere(ray, scene->spheres[i]);
+        if (!(t < NO_HIT) || (any && i == nearest.sphere))
+            continue;
+        int place = count < room ? count : room;
+        for (; place > any && t < hits[place - 1].t; place--)
+            if (place < room)
+                hits[place] = hits[place - 1];
+        if (place < room)
+            hits[place] = (Hit){t, i};
+        count++;
+    }
+    return count;
+}
+
+// A picture of that shape with few pixels, where it has too many to be drawn.
+static Resolution grid_of(Resolution size)
+{
+    int longer = size.width > size.height ? size.width : size.height;
+    if (longer <= MOST_CELLS)
+        return size;
+    Resolution grid = {(size.width * COARSE + longer / 2) / longer,
+                       (size.height * COARSE + longer / 2) / longer};
+    return (Resolution){grid.width > 0 ? grid.width : 1, grid.height > 0 ? grid.height : 1};
+}
+
+static int hits_through(const Shown *shown, Pixel cell)
+{
+    const Scene *scene = shown->shot.scene;
+    Ray ray = pixel_ray(shown->shot.camera, shown->grid, cell);
+    int count = 0;
+    for (int i = 0; i < scene->sphere_count; i++)
+        count += hit_sphere(ray, scene->spheres[i]) < NO_HIT;
+    return count;
+}
+
+// The pixel in the middle of the cell whose ray meets most; of several, one near the middle.
+static Pixel telling_pixel(const Shown *shown)
+{
+    Resolution grid = shown->grid, size = shown->shot.size;
+    double best = -1;
+    Pixel cell = {0, 0};
+    for (int i = 0; i < grid.width * grid.height; i++) {
+        Pixel here = {i % grid.width, i / grid.width};
+        double aside = (here.column + 0.5) / grid.width - 0.5;
+        double up = (here.row + 0.5) / grid.height - 0.5;
+        double score = hits_through(shown, here) - (aside * aside + up * up);
+        if (score > best) {
+            best = score;
+            cell = here;
+        }
+    }
+    return (Pixel){(2 * cell.column + 1) * size.width / (2 * grid.width),
+                   (2 * cell.row + 1) * size.height / (2 * grid.height)};
+}
+
+// From inside or right beside a sphere there is no outline, or one that leaves no room for others.
+static bool can_be_drawn(const Shown *shown, const Sphere *sphere)
+{
+    double away = vec3_length(sphere->center - shown->shot.camera.origin) - sphere->radius;
+    return away > 0 && sphere->radius < 6 * away;
+}
+
+static void show_sphere(Shown *shown, int sphere)
+{
+    if (!is_sphere(shown->shot.scene, sphere) || shown->sphere_count >= MOST_SPHERES ||
+        !can_be_drawn(shown, &shown->shot.scene->spheres[sphere]))
+        return;
+    for (int i = 0; i < shown->sphere_count; i++)
+        if (shown->spheres[i] == sphere)
+            return;
+    shown->spheres[shown->sphere_count++] = sphere;
+}
+
+void shown_choose(Shown *shown, Shot shot)
+{
+    *shown = (Shown){.shot = shot, .grid = grid_of(shot.size)};
+    if (shot.pixel.column < 0)
+        shown->shot.pixel = telling_pixel(shown);
+    shown->ray = pixel_ray(shot.camera, shot.size, shown->shot.pixel);
+    shown->hit_count = hits_of(shown->ray, shot.scene, shown->hits, MOST_HITS);
+    for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++)
+        show_sphere(shown, shown->hits[i].sphere);
+    for (int i = 0; i < shown->grid.width * shown->grid.height; i++) {
+        Pixel cell = {i % shown->grid.width, i / shown->grid.width};
+        show_sphere(shown,
+                    nearest_hit(pixel_ray(shot.camera, shown->grid, cell), shot.scene).sphere);
+    }
+}
+
+// ---- data -------------------------------------------------------------------------------------
+
+static void spheres(Plot *plot, const Shown *shown)
+{
+    const Scene *scene = shown->shot.scene;
+    plot_number(plot, "balls", shown->sphere_count);
+    plot_number(plot, "all_balls", scene->sphere_count);
+    plot_block(plot, "spheres", "number x y z radius rgb");
+    for (int i = 0; i < shown->sphere_count; i++) {
+        int number = shown->spheres[i];
+        const Sphere *s = &scene->spheres[number];
+        plot_row(plot, 6,
+                 (const double[]){number, s->center[0], s->center[1], s->center[2], s->radius,
+                                  rgb_number(scene_surface(scene, number)->color)});
+        plot_fit(plot, s->center, s->radius);
+    }
+    if (shown->sphere_count == 0) // gnuplot does without rows, but complains
+        plot_row(plot, 6, (const double[]){0, 0, 0, 0, 0, 0});
+    plot_block_end(plot);
+}
+
+// A rectangle of the image plane, of a pixel among so many.
+static void rectangle(Plot *plot, Camera camera, Resolution size, Pixel pixel, double rgb)
+{
+    static const int corners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+    for (int i = 0; i < 5; i++) {
+        ScreenPoint corner = {pixel.column + corners[i][0], pixel.row + corners[i][1]};
+        Normalized place = screen_to_normalized(corner, size);
+        vec3 p = camera.origin + image_plane_vector(camera, place.s, place.t);
+        plot_row(plot, 6, (const double[]){p[0], p[1], p[2], rgb, pixel.column, pixel.row});
+    }
+    plot_gap(plot);
+}
+
+void shown_cells_begin(Plot *plot, const char *name)
+{
+    plot_block(plot, name, "x y z of the corners, rgb, column row");
+}
+
+void shown_cell(Plot *plot, const Shown *shown, Pixel cell, Color color)
+{
+    rectangle(plot, shown->shot.camera, shown->grid, cell, rgb_number(color));
+}
+
+void shown_cells_end(Plot *plot, const Shown *shown, int cells)
+{
+    vec3 eye = shown->shot.camera.origin;
+    if (cells == 0) // a place without an area
+        plot_row(plot, 6, (const double[]){eye[0], eye[1], eye[2], 0, -1, -1});
+    plot_block_end(plot);
+    plot_number(plot, "cells", cells);
+}
+
+void shown_ray(Plot *plot, const char *name, Ray ray, double end, double solid)
+{
+    plot_block(plot, name, "x y z t, 1 where it is drawn bold");
+    for (int i = 0; i <= RAY_PLACES; i++) {
+        double t = end * i / RAY_PLACES;
+        vec3 p = ray.origin + t * ray.direction;
+        plot_row(plot, 5, (const double[]){p[0], p[1], p[2], t, t <= solid});
+        if (t < solid && end * (i + 1) / RAY_PLACES > solid) { // bold exactly up to there
+            p = ray.origin + solid * ray.direction;
+            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], solid, 1});
+        }
+    }
+    plot_block_end(plot);
+    plot_fit(plot, ray.origin + end * ray.direction, 0);
+}
+
+// Where a ray crosses the image plane. Rays may be of any length, so that is not always t = 1.
+static double plane_t(Camera c, Ray ray)
+{
+    return c.distance / vec3_dot(ray.direction, c.forward);
+}
+
+double shown_end(const Shown *shown)
+{
+    int hits = shown->hit_count < MOST_HITS ? shown->hit_count : MOST_HITS;
+    double end = 1.2 * plane_t(shown->shot.camera, shown->ray);
+    for (int i = 0; i < hits; i++)
+        if (1.1 * shown->hits[i].t > end)
+            end = 1.1 * shown->hits[i].t;
+    // A ray that meets nothing goes on as far as there are spheres.
+    for (int i = 0; i < shown->sphere_count && hits == 0; i++) {
+        vec3 center = shown->shot.scene->spheres[shown->spheres[i]].center;
+        double t = vec3_length(center - shown->ray.origin) / vec3_length(shown->ray.direction);
+        if (t > end)
+            end = t;
+    }
+    return end;
+}
+
+static void hits(Plot *plot, const Shown *shown)
+{
+    const Scene *scene = shown->shot.scene;
+    bool any = shown->hit_count > 0;
+    plot_number(plot, "all_hits", shown->hit_count);
+    plot_block(plot, "hits", "x y z t sphere");
+    for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++) {
+        Hit hit = shown->hits[i];
+        vec3 p = shown->ray.origin + hit.t * shown->ray.direction;
+        plot_row(plot, 5, (const double[]){p[0], p[1], p[2], hit.t, hit.sphere});
+    }
+    if (!any) // the eye, and no number
+        plot_row(plot, 5, (const double[]){NAN, NAN, NAN, NAN, -1});
+    plot_block_end(plot);
+    plot_number(plot, "nearest", any ? shown->hits[0].t : 0);
+    plot_text(plot, "nearest_name", any ? sphere_name(shown->hits[0].sphere).s : "");
+    plot_number(
+        plot, "pixel_rgb",
+        rgb_number(any ? scene_surface(scene, shown->hits[0].sphere)->color : scene->background));
+}
+
+static void the_pixel(Plot *plot, const Shown *shown)
+{
+    Shot shot = shown->shot;
+    char text[60];
+    snprintf(text, sizeof text, "(%d, %d)", shot.pixel.column, shot.pixel.row);
+    plot_text(plot, "pixel_text", text);
+    snprintf(text, sizeof text, "%d × %d", shot.size.width, shot.size.height);
+    plot_text(plot, "size_text", text);
+    snprintf(text, sizeof text, "%d × %d", shown->grid.width, shown->grid.height);
+    plot_text(plot, "grid_text", text);
+    plot_number(plot, "coarse",
+                shot.size.width != shown->grid.width || shot.size.height != shown->grid.height);
+    plot_block(plot, "pixel", "x y z of the corners, rgb, column row");
+    rectangle(plot, shot.camera, shot.size, shot.pixel, 0);
+    plot_block_end(plot);
+    plot_point(plot, "crossing",
+               shown->ray.origin + plane_t(shot.camera, shown->ray) * shown->ray.direction);
+}
+
+void shown_data(Plot *plot, const Shown *shown)
+{
+    Shot shot = shown->shot;
+    plane_data(plot, shot.camera, shown->grid.width, shown->grid.height);
+    plot_direction(plot, "at", shot.camera.origin);
+    spheres(plot, shown);
+    the_pixel(plot, shown);
+    shown_ray(plot, "ray", shown->ray, shown_end(shown),
+              shown->hit_count > 0 ? shown->hits[0].t : shown_end(shown));
+    hits(plot, shown);
+}
