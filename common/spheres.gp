@@ -29,6 +29,8 @@ linear(byte) = (byte / 255.0) ** 2.2
 bright(rgb) = 0.2126 * linear(rgb / 65536) + 0.7152 * linear(rgb / 256 % 256) + 0.0722 * linear(rgb % 256)
 mixed(byte, k) = int(byte + abs(k) * ((k < 0 ? 0 : 255) - byte) + 0.5)
 shade(rgb, k) = sprintf("#%02x%02x%02x", mixed(rgb / 65536, k), mixed(rgb / 256 % 256, k), mixed(rgb % 256, k))
+pale(rgb) = rgb_of(shade(int(rgb), dark ? -0.6 : 0.6))
+rgb_of(text) = int("0x".text[2:*])
 outline(rgb) = shade(rgb, dark ? 0.5 : -0.5)
 on_ball(rgb) = bright(rgb) > 0.18 ? "#000000" : "#ffffff"
 
@@ -75,9 +77,9 @@ on_arc(i, list, which, phi) = arc_n(which, phi) > 0 && beyond(i, list, words(lis
     ball_r[i] * arc_y(which, phi), ball_r[i] * arc_n(which, phi)) ? ball_y[i] + ball_r[i] * arc_y(which, phi) : NaN
 
 # What draws sphere i: its shades, its outline, its great circles.
-layers = 8
+layers = 16
 disc(i, list, k) = sprintf("'+' using (disc_x(%d,'%s',%g,$0)):(disc_y(%d,'%s',%g,$0)) with filledcurves closed \
-fc rgb '%s' fs solid noborder title '%s %s', ", i, list, k, i, list, k, shade(ball_rgb[i], 0.6 * k - 0.3), \
+fc rgb '%s' fs solid noborder title '%s %s', ", i, list, k, i, list, k, shade(ball_rgb[i], 0.55 * k - 0.3), \
     k > 0 ? "shade of" : words(list) > 0 && word(list, 1) eq "0" ? "before the plane, sphere" : "sphere", \
     ball_name(ball_number[i]))
 discs(i, list, m) = m < 0 ? "" : discs(i, list, m - 1).disc(i, list, m / (layers + 0.0))
@@ -107,9 +109,10 @@ spot_x(i, k) = ball_x[i] + (k == 0 ? 0 : 0.6 * ball_r[i] * cos(45 * k + 22))
 spot_y(i, k) = ball_y[i] + (k == 0 ? 0 : 0.6 * ball_r[i] * sin(45 * k + 22))
 spot_seen(i, k) = !hidden(spot_x(i, k), spot_y(i, k), ball_n[i] + ball_r[i] * (k == 0 ? 1 : 0.8))
 spot(i, k) = k > 8 || spot_seen(i, k) ? k : spot(i, k + 1)
-name_at(i, k) = k > 8 || ball_r[i] < 10 ? "" : sprintf("'+' every ::0::0 using (%g):(%g):('%s') with labels \
-tc rgb '%s' title 'name of %s', ", spot_x(i, k), spot_y(i, k), ball_name(ball_number[i]), on_ball(ball_rgb[i]), \
-    ball_name(ball_number[i]))
+letter_size(i) = ball_r[i] > 24 ? 17 : ball_r[i] > 6 + 6 * strlen(ball_name(ball_number[i])) ? 12 : 0
+name_at(i, k) = k > 8 || letter_size(i) == 0 ? "" : sprintf("'+' every ::0::0 using (%g):(%g):('%s') with labels \
+font ',%d' tc rgb '%s' title 'name of %s', ", spot_x(i, k), spot_y(i, k), ball_name(ball_number[i]), letter_size(i), \
+    on_ball(ball_rgb[i]), ball_name(ball_number[i]))
 
 # Which of the other spheres divide i: farther ones that it meets.
 meets(i, j) = i != j && ball_n[j] < ball_n[i] && apart(i, j) < ball_r[i] + ball_r[j] && h_of(i, j) > -ball_r[i]
@@ -120,10 +123,13 @@ spheres = 'set samples 145; count = 0; behind = ""; before = ""; names = ""; \
         ball_y[count] = Y($2,$3,$4), ball_n[count] = N($2,$3,$4), ball_r[count] = scale * $5, ball_rgb[count] = int($6), \
         ball_h[count] = scale * (along_forward(at_x, at_y, at_z) + d - along_forward($2,$3,$4)), 1) nooutput; \
     plane_side = near(0, 0, 1) < 0 ? -1 : 1; plane_x = plane_side * across(0, 1); \
-    plane_y = plane_side * above(0, 0, 1); plane_n = plane_side * near(0, 0, 1); layers = balls > 12 ? 3 : 8; \
+    plane_y = plane_side * above(0, 0, 1); plane_n = plane_side * near(0, 0, 1); layers = balls > 12 ? 4 : 16; \
     do for [i=1:balls] { order[1 + farther(i)] = i; ball_h[i] = plane_side * ball_h[i]; divided[i] = dividers(i, balls) }; \
     do for [k=1:balls] { i = order[k]; \
         if (ball_h[i] > -ball_r[i]) { behind = behind.ball(i, divided[i]) }; \
         if (ball_h[i] <= -ball_r[i]) { before = before.ball(i, divided[i]) } \
         else { if (ball_h[i] < ball_r[i]) { before = before.ball(i, "0".divided[i]) } }; \
         names = names.name_at(i, spot(i, 0)) }'
+
+# A ray's bold part, where it is seen.
+bold = "(X($1,$2,$3)):($5 == 1 && seen($1,$2,$3) ? Y($1,$2,$3) : NaN)"

@@ -51,8 +51,8 @@ void explain_figure_data(Plot *plot, void *given)
     Shot shot = shown->shot;
     ScreenPoint point = pixel_center(shot.pixel);
     Normalized place = screen_to_normalized(point, shot.size);
-    plot_include(plot, "common/spheres.gp");
     shown_data(plot, shown);
+    plot_include(plot, "common/spheres.gp");
     plot_number(plot, "screen_x", point.x);
     plot_number(plot, "screen_y", point.y);
     plot_number(plot, "s", place.s);

@@ -32,8 +32,8 @@ static void cast_cells(Plot *plot, const Shown *shown)
 static void ray_casting(Plot *plot, void *given)
 {
     const Shown *shown = given;
-    plot_include(plot, "common/spheres.gp");
     shown_data(plot, shown);
+    plot_include(plot, "common/spheres.gp");
     cast_cells(plot, shown);
 }
 
@@ -65,7 +65,7 @@ static void image_order(Plot *plot, void *given)
 
 // ---- object order -----------------------------------------------------------------------------
 
-enum { OUTLINE_PLACES = 72, LINES = 6 };
+enum { OUTLINE_PLACES = 72, LINES = 6, LINE_PLACES = 160 };
 
 // A place of the circle that is the sphere's outline as the eye sees it: there the line of sight
 // touches the sphere, at right angles to its radius.
@@ -95,15 +95,29 @@ static void outline_on_plane(Plot *plot, Camera c, Sphere sphere)
     plot_block_end(plot);
 }
 
+// The lines as places, as hidden parts are left out; and the arrowheads half way to the plane.
 static void lines_to_eye(Plot *plot, Camera c, Sphere sphere)
 {
-    char name[20];
+    vec3 v[LINES];
+    for (int i = 0; i < LINES; i++)
+        v[i] = outline_place(c, sphere, 2 * PI * (i + 0.25) / LINES) - c.origin;
+    plot_block(plot, "lines", "x y z t, 1 where it is drawn bold");
     for (int i = 0; i < LINES; i++) {
-        vec3 from = outline_place(c, sphere, 2 * PI * (i + 0.25) / LINES);
-        snprintf(name, sizeof name, "line_%d", i + 1);
-        shown_ray(plot, name, (Ray){c.origin, from - c.origin}, 1, 1);
+        for (int k = 0; k <= LINE_PLACES; k++) {
+            vec3 p = c.origin + (double)k / LINE_PLACES * v[i];
+            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], (double)k / LINE_PLACES, 1});
+        }
+        plot_gap(plot);
     }
-    plot_number(plot, "lines_to_eye", LINES);
+    plot_block_end(plot);
+    plot_block(plot, "heads", "x y z of the start, x y z of the vector");
+    for (int i = 0; i < LINES; i++) {
+        double ahead = vec3_dot(v[i], c.forward);
+        vec3 w = (ahead > 0 ? fmin(1, c.distance / ahead) : 1) * v[i], p = c.origin + 0.8 * w;
+        plot_row(plot, 6,
+                 (const double[]){p[0], p[1], p[2], -0.3 * w[0], -0.3 * w[1], -0.3 * w[2]});
+    }
+    plot_block_end(plot);
 }
 
 // The sphere that the pixel's ray hits, else the one that most pixels show.
@@ -134,18 +148,20 @@ static void cells_of(Plot *plot, const Shown *shown, int object)
 
 static void object_order(Plot *plot, void *given)
 {
-    const Shown *shown = given;
+    Shown *shown = given;
     int object = the_object(shown);
-    plot_include(plot, "common/spheres.gp");
+    if (object >= 0)
+        shown_only(shown, object);
     shown_data(plot, shown);
+    plot_include(plot, "common/spheres.gp");
     cells_of(plot, shown, object);
     plot_text(plot, "object_name", object < 0 ? "" : sphere_name(object).s);
     // No sphere, no outline: a point takes its place.
     Sphere sphere = {.center = shown->shot.camera.origin + shown->shot.camera.forward};
     if (object >= 0)
         sphere = shown->shot.scene->spheres[object];
-    outline_on_plane(plot, shown->shot.camera, sphere);
-    lines_to_eye(plot, shown->shot.camera, sphere);
+    outline_on_plane(plot, shown->camera, sphere);
+    lines_to_eye(plot, shown->camera, sphere);
 }
 
 // ---- nearest hit ------------------------------------------------------------------------------
@@ -203,42 +219,104 @@ static int fate(const Shown *shown, Circle circle, Roots roots)
     return hit_sphere(shown->ray, shown->shot.scene->spheres[circle.sphere]) < NO_HIT ? 2 : 1;
 }
 
-static void nearest_hit_data(Plot *plot, void *given)
+// The lowest lane beside the axis in which an interval meets no other.
+static int lane_of(const Roots *intervals, const int *lanes, int count, Roots roots)
 {
-    const Shown *shown = given;
-    const Scene *scene = shown->shot.scene;
-    Circle circles[MOST_CIRCLES];
-    int count = choose_circles(shown, circles);
-    double low_t = -0.5, high_t = 1.2, low_side = -0.2, high_side = 0.2;
-    plot_number(plot, "balls", count);
-    plot_number(plot, "all_balls", scene->sphere_count);
-    plot_block(plot, "circles", "number t aside radius rgb fate root root hit");
+    int lane = 0;
+    for (int i = 0; i < count; i++)
+        if (lanes[i] == lane && intervals[i].count > 0 && intervals[i].t[0] <= roots.t[1] &&
+            roots.t[0] <= intervals[i].t[1]) {
+            lane++;
+            i = -1;
+        }
+    return lane;
+}
+
+static void circle_data(Plot *plot, const Shown *shown, const Circle *circles, int count)
+{
+    Roots intervals[MOST_CIRCLES];
+    int lanes[MOST_CIRCLES];
+    plot_block(plot, "circles", "number t aside radius rgb fate root root hit lane");
     for (int i = 0; i < count; i++) {
         Circle c = circles[i];
-        Roots roots = sphere_roots(shown->ray, scene->spheres[c.sphere]);
+        const Scene *scene = shown->shot.scene;
         double hit = hit_sphere(shown->ray, scene->spheres[c.sphere]);
-        bool two = roots.count == 2;
-        plot_row(plot, 9,
+        intervals[i] = sphere_roots(shown->ray, scene->spheres[c.sphere]);
+        bool met = intervals[i].count > 0;
+        lanes[i] = met ? lane_of(intervals, lanes, i, intervals[i]) : 0;
+        plot_row(plot, 10,
                  (const double[]){c.sphere, c.t, c.aside, c.radius,
                                   rgb_number(scene_surface(scene, c.sphere)->color),
-                                  fate(shown, c, roots), two ? roots.t[0] : NAN,
-                                  two ? roots.t[1] : NAN, hit < NO_HIT ? hit : NAN});
-        low_t = fmin(low_t, c.t - c.radius);
-        high_t = fmax(high_t, c.t + c.radius);
-        low_side = fmin(low_side, c.aside - c.radius);
-        high_side = fmax(high_side, c.aside + c.radius);
+                                  fate(shown, c, intervals[i]), met ? intervals[i].t[0] : NAN,
+                                  met ? intervals[i].t[1] : NAN, hit < NO_HIT ? hit : NAN,
+                                  lanes[i]});
     }
     if (count == 0)
-        plot_row(plot, 9, (const double[]){-1, NAN, NAN, NAN, 0, 0, NAN, NAN, NAN});
+        plot_row(plot, 10, (const double[]){0, 0, 0, 0, 0, 0, NAN, NAN, NAN, 0});
     plot_block_end(plot);
+    plot_block(plot, "roots", "t");
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < intervals[i].count; k++)
+            plot_row(plot, 1, &intervals[i].t[k]);
+    plot_row(plot, 1, (const double[]){NAN});
+    plot_block_end(plot);
+}
+
+// The names of the spheres of some fate, as "A, C".
+static void names(Plot *plot, const char *name, const Shown *shown, const Circle *circles,
+                  int count, int low, int high)
+{
+    char text[200] = "";
+    for (int i = 0; i < count; i++) {
+        Roots roots = sphere_roots(shown->ray, shown->shot.scene->spheres[circles[i].sphere]);
+        int its = fate(shown, circles[i], roots);
+        size_t used = strlen(text);
+        if (its >= low && its <= high)
+            snprintf(text + used, sizeof text - used, "%s%s", used > 0 ? ", " : "",
+                     sphere_name(circles[i].sphere).s);
+    }
+    plot_text(plot, name, text);
+}
+
+// What has to be seen: the eye, v, and all circles.
+static void bounds(Plot *plot, const Circle *circles, int count)
+{
+    double low_t = -0.5, high_t = 1.2, low_side = -0.2, high_side = 0.2;
+    for (int i = 0; i < count; i++) {
+        low_t = fmin(low_t, circles[i].t - circles[i].radius);
+        high_t = fmax(high_t, circles[i].t + circles[i].radius);
+        low_side = fmin(low_side, circles[i].aside - circles[i].radius);
+        high_side = fmax(high_side, circles[i].aside + circles[i].radius);
+    }
     plot_number(plot, "low_x", low_t);
     plot_number(plot, "high_x", high_t);
     plot_number(plot, "low_y", low_side);
     plot_number(plot, "high_y", high_side);
+}
+
+static void nearest_hit_data(Plot *plot, void *given)
+{
+    const Shown *shown = given;
+    Circle circles[MOST_CIRCLES];
+    int count = choose_circles(shown, circles);
     bool any = shown->hit_count > 0;
+    plot_number(plot, "balls", count);
+    plot_number(plot, "all_balls", shown->shot.scene->sphere_count);
+    circle_data(plot, shown, circles, count);
+    bounds(plot, circles, count);
+    names(plot, "missed_names", shown, circles, count, 0, 0);
+    names(plot, "behind_names", shown, circles, count, 1, 1);
+    names(plot, "hit_names", shown, circles, count, 2, 3);
     plot_number(plot, "all_hits", shown->hit_count);
     plot_number(plot, "nearest", any ? shown->hits[0].t : 0);
     plot_text(plot, "nearest_name", any ? sphere_name(shown->hits[0].sphere).s : "");
+    plot_block(plot, "closest", "t");
+    plot_row(plot, 1, (const double[]){any ? shown->hits[0].t : NAN});
+    plot_block_end(plot);
+    plot_block(plot, "along", "t of the eye");
+    plot_row(plot, 1, (const double[]){0});
+    plot_block_end(plot);
+    plot_include(plot, "common/spheres.gp");
 }
 
 // ---- all --------------------------------------------------------------------------------------
@@ -248,18 +326,34 @@ static const Figure figures[] = {
     {"ray-casting", ray_casting},     {"nearest-hit", nearest_hit_data},
     {"explain", explain_figure_data}, {0}};
 
+// The scenes of the figures, and pixels whose hits can be seen from where a figure looks.
+static const struct {
+    const char *name, *scene;
+    Pixel pixel;
+} own[] = {
+    {"object-order", FOLDER "/figures/one-sphere.nff", {5, 3}},
+    {"image-order", FOLDER "/figures/one-sphere.nff", {5, 3}},
+    {"ray-casting", FOLDER "/figures/four-spheres.nff", {4, 4}},
+    {"nearest-hit", FOLDER "/figures/along-a-ray.nff", {0, 0}},
+    {NULL, FOLDER "/three-spheres.nff", {-1, -1}},
+};
+
+static int own_of(const char *name)
+{
+    int i = 0;
+    while (own[i].name != NULL && strcmp(own[i].name, name) != 0)
+        i++;
+    return i;
+}
+
 const char *figure_scene(const char *name)
 {
-    static const char *const scenes[][2] = {
-        {"object-order", FOLDER "/figures/one-sphere.nff"},
-        {"image-order", FOLDER "/figures/one-sphere.nff"},
-        {"ray-casting", FOLDER "/figures/four-spheres.nff"},
-        {"nearest-hit", FOLDER "/figures/along-a-ray.nff"},
-    };
-    for (int i = 0; i < 4; i++)
-        if (strcmp(scenes[i][0], name) == 0)
-            return scenes[i][1];
-    return FOLDER "/three-spheres.nff";
+    return own[own_of(name)].scene;
+}
+
+Pixel figure_pixel(const char *name)
+{
+    return own[own_of(name)].pixel;
 }
 
 int casting_figure(const char *program, FigureCommand command, Shot shot)

@@ -7,6 +7,9 @@
 // The scene that a figure shows where none is named, by its path from the top of the project.
 const char *figure_scene(const char *name);
 
+// The pixel of that scene; column -1: any.
+Pixel figure_pixel(const char *name);
+
 // Prints a figure's script; returns what main returns.
 int casting_figure(const char *program, FigureCommand command, Shot shot);
 

@@ -91,6 +91,8 @@ static int answer(const char *program, Command command, Question question)
                          figure_scene(figure ? question.figure.name : "explain")))
         return EXIT_COULD_NOT;
     Resolution size = drawing.size;
+    if (figure && pixel.column < 0 && command.scene_path == NULL && command.size.width == 0)
+        pixel = figure_pixel(question.figure.name);
     if (pixel.column >= size.width || pixel.row >= size.height)
         options_wrong(program, "%s: (%d, %d) is not in a picture of %d x %d pixels",
                       question.explained.column >= 0 ? "--explain" : "--pixel", pixel.column,

@@ -118,6 +118,44 @@ static void show_sphere(Shown *shown, int sphere)
     shown->spheres[shown->sphere_count++] = sphere;
 }
 
+// Scenes have their image plane in their midst, where it hides half of them. Nearer to the eye, and
+// smaller by as much, it makes the same rays (chapter 01).
+static Camera with_plane_before_spheres(const Shown *shown)
+{
+    Camera c = shown->shot.camera;
+    double room = INFINITY;
+    for (int i = 0; i < shown->sphere_count; i++) {
+        Sphere s = shown->shot.scene->spheres[shown->spheres[i]];
+        double ahead = vec3_dot(s.center - c.origin, c.forward) - s.radius;
+        if (ahead > 0 && ahead < room)
+            room = ahead;
+    }
+    if (!(room < c.distance))
+        return c;
+    double factor = fmax(0.6 * room / c.distance, 0.2);
+    c.distance *= factor;
+    c.width *= factor;
+    c.height *= factor;
+    return c;
+}
+
+// A step that visits all of so many cells, and far from where it has just been: where there is not
+// room for all spheres, those that are shown come from all over the picture.
+static int stride(int cells)
+{
+    int step = (int)(0.618 * cells) + 1;
+    for (int a = step, b = cells; b != 1 && cells > 1;) {
+        int rest = a % b;
+        a = b;
+        b = rest;
+        if (b == 0) { // a common divisor
+            a = ++step;
+            b = cells;
+        }
+    }
+    return step;
+}
+
 void shown_choose(Shown *shown, Shot shot)
 {
     *shown = (Shown){.shot = shot, .grid = grid_of(shot.size)};
@@ -127,11 +165,21 @@ void shown_choose(Shown *shown, Shot shot)
     shown->hit_count = hits_of(shown->ray, shot.scene, shown->hits, MOST_HITS);
     for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++)
         show_sphere(shown, shown->hits[i].sphere);
-    for (int i = 0; i < shown->grid.width * shown->grid.height; i++) {
-        Pixel cell = {i % shown->grid.width, i / shown->grid.width};
+    int cells = shown->grid.width * shown->grid.height, step = stride(cells);
+    for (int i = 0; i < cells; i++) {
+        int there = (int)((long)i * step % cells);
+        Pixel cell = {there % shown->grid.width, there / shown->grid.width};
         show_sphere(shown,
                     nearest_hit(pixel_ray(shot.camera, shown->grid, cell), shot.scene).sphere);
     }
+    shown->camera = with_plane_before_spheres(shown);
+}
+
+void shown_only(Shown *shown, int sphere)
+{
+    shown->sphere_count = 0;
+    show_sphere(shown, sphere);
+    shown->camera = with_plane_before_spheres(shown);
 }
 
 // ---- data -------------------------------------------------------------------------------------
@@ -175,7 +223,7 @@ void shown_cells_begin(Plot *plot, const char *name)
 
 void shown_cell(Plot *plot, const Shown *shown, Pixel cell, Color color)
 {
-    rectangle(plot, shown->shot.camera, shown->grid, cell, rgb_number(color));
+    rectangle(plot, shown->camera, shown->grid, cell, rgb_number(color));
 }
 
 void shown_cells_end(Plot *plot, const Shown *shown, int cells)
@@ -260,18 +308,33 @@ static void the_pixel(Plot *plot, const Shown *shown)
     plot_number(plot, "coarse",
                 shot.size.width != shown->grid.width || shot.size.height != shown->grid.height);
     plot_block(plot, "pixel", "x y z of the corners, rgb, column row");
-    rectangle(plot, shot.camera, shot.size, shot.pixel, 0);
+    rectangle(plot, shown->camera, shot.size, shot.pixel, 0);
     plot_block_end(plot);
     plot_point(plot, "crossing",
-               shown->ray.origin + plane_t(shot.camera, shown->ray) * shown->ray.direction);
+               shown->ray.origin + plane_t(shown->camera, shown->ray) * shown->ray.direction);
+}
+
+static void centers(Plot *plot, const Shown *shown)
+{
+    Resolution grid = shown->grid;
+    plot_block(plot, "centers", "x y z of the pixels' centres");
+    for (int i = 0; i < grid.width * grid.height; i++) {
+        Pixel cell = {i % grid.width, i / grid.width};
+        Normalized place = screen_to_normalized(pixel_center(cell), grid);
+        vec3 p = shown->camera.origin + image_plane_vector(shown->camera, place.s, place.t);
+        plot_row(plot, 3, (const double[]){p[0], p[1], p[2]});
+    }
+    plot_block_end(plot);
 }
 
 void shown_data(Plot *plot, const Shown *shown)
 {
     Shot shot = shown->shot;
-    plane_data(plot, shot.camera, shown->grid.width, shown->grid.height);
+    plane_data(plot, shown->camera, shown->grid.width, shown->grid.height);
+    plot_number(plot, "plane_t", shown->camera.distance / shot.camera.distance);
     plot_direction(plot, "at", shot.camera.origin);
     spheres(plot, shown);
+    centers(plot, shown);
     the_pixel(plot, shown);
     shown_ray(plot, "ray", shown->ray, shown_end(shown),
               shown->hit_count > 0 ? shown->hits[0].t : shown_end(shown));

@@ -19,6 +19,7 @@ enum { MOST_SPHERES = 50, MOST_HITS = 4, MOST_CELLS = 24 };
 
 typedef struct {
     Shot shot;
+    Camera camera;   // of the same rays, its image plane before the spheres
     Resolution grid; // what is drawn of the pixels: all, or a coarser picture
     Ray ray;         // of the pixel
     Hit hits[MOST_HITS];
@@ -40,6 +41,9 @@ int hits_of(Ray ray, const Scene *scene, Hit *hits, int room);
 // Chooses. Shown are the spheres that rays of the drawn pixels hit first, and those in hits; not
 // one that the eye is in or at, as it has no outline to draw.
 void shown_choose(Shown *shown, Shot shot);
+
+// Leaves one sphere of those that are shown, or that are not.
+void shown_only(Shown *shown, int sphere);
 
 // The camera and its pixels (plane.h), the spheres (common/spheres.gp), and of the one pixel: its
 // $pixel, its $ray, its $hits.
