@@ -20,6 +20,8 @@ array order[100]
 least(a, b) = a < b ? a : b
 most(a, b) = a > b ? a : b
 
+# Smaller letters, of the same size in all formats.
+small(s) = tex ? "{\\small ".s."}" : "{/*0.8 ".s."}"
 # Sphere 0 is A, as in the lesson; after Z comes AA.
 letter(i) = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"[i % 26 + 1:i % 26 + 1]
 ball_name(i) = i < 26 ? letter(int(i)) : ball_name(int(i) / 26 - 1).letter(int(i))
@@ -109,10 +111,10 @@ spot_x(i, k) = ball_x[i] + (k == 0 ? 0 : 0.6 * ball_r[i] * cos(45 * k + 22))
 spot_y(i, k) = ball_y[i] + (k == 0 ? 0 : 0.6 * ball_r[i] * sin(45 * k + 22))
 spot_seen(i, k) = !hidden(spot_x(i, k), spot_y(i, k), ball_n[i] + ball_r[i] * (k == 0 ? 1 : 0.8))
 spot(i, k) = k > 8 || spot_seen(i, k) ? k : spot(i, k + 1)
-letter_size(i) = ball_r[i] > 24 ? 17 : ball_r[i] > 6 + 6 * strlen(ball_name(ball_number[i])) ? 12 : 0
-name_at(i, k) = k > 8 || letter_size(i) == 0 ? "" : sprintf("'+' every ::0::0 using (%g):(%g):('%s') with labels \
-font ',%d' tc rgb '%s' title 'name of %s', ", spot_x(i, k), spot_y(i, k), ball_name(ball_number[i]), letter_size(i), \
-    on_ball(ball_rgb[i]), ball_name(ball_number[i]))
+letters(i, name) = ball_r[i] > 24 ? name : ball_r[i] > 6 + 6 * strlen(name) ? small(name) : ""
+name_at(i, k) = k > 8 || letters(i, ball_name(ball_number[i])) eq "" ? "" : sprintf("'+' every ::0::0 \
+using (%g):(%g):(letters(%d,'%s')) with labels tc rgb '%s' title 'name of %s', ", spot_x(i, k), spot_y(i, k), i, \
+    ball_name(ball_number[i]), on_ball(ball_rgb[i]), ball_name(ball_number[i]))
 
 # Which of the other spheres divide i: farther ones that it meets.
 meets(i, j) = i != j && ball_n[j] < ball_n[i] && apart(i, j) < ball_r[i] + ball_r[j] && h_of(i, j) > -ball_r[i]

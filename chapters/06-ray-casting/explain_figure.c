@@ -59,6 +59,9 @@ void explain_figure_data(Plot *plot, void *given)
     plot_number(plot, "t", place.t);
     plot_vector(plot, "vector_v", shot.camera.origin,
                 image_plane_vector(shot.camera, place.s, place.t));
+    // To the plane as it is drawn, which may be nearer than where the vector ends.
+    plot_vector(plot, "arrow", shot.camera.origin,
+                image_plane_vector(shown->camera, place.s, place.t));
     plot_direction(plot, "p", shown->ray.origin);
     plot_direction(plot, "v", shown->ray.direction);
     Outcome outcome = outcome_of(shown->ray, shot.scene, MOST_DRAWN);

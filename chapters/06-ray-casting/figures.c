@@ -166,7 +166,7 @@ static void object_order(Plot *plot, void *given)
 
 // ---- nearest hit ------------------------------------------------------------------------------
 
-enum { MOST_CIRCLES = 8 };
+enum { MOST_CIRCLES = 8, MOST_MISSED = 2 };
 
 // A sphere as its ray meets it: turned round the ray into the paper, measured in the ray's t.
 typedef struct {
@@ -185,11 +185,13 @@ static Circle circle_of(const Shown *shown, int sphere)
     return (Circle){sphere, t, side * vec3_length(off) / length, s.radius / length};
 }
 
+#define PASSED 1e9 // more than any t
+
 // How little it matters: spheres that are met first, those that the ray passes by closely next.
 static double far_off(Circle circle)
 {
     double gap = fabs(circle.aside) - circle.radius;
-    return gap > 0 ? gap + 1e6 : fabs(circle.t);
+    return gap > 0 ? PASSED + gap : fmin(fabs(circle.t), PASSED);
 }
 
 static int choose_circles(const Shown *shown, Circle *circles)
@@ -206,6 +208,10 @@ static int choose_circles(const Shown *shown, Circle *circles)
         if (count < MOST_CIRCLES)
             count++;
     }
+    // Of many spheres, no more misses than say so.
+    if (shown->shot.scene->sphere_count > MOST_CIRCLES)
+        while (count > MOST_MISSED && far_off(circles[count - MOST_MISSED - 1]) > PASSED)
+            count--;
     return count;
 }
 
@@ -281,7 +287,7 @@ static void names(Plot *plot, const char *name, const Shown *shown, const Circle
 // What has to be seen: the eye, v, and all circles.
 static void bounds(Plot *plot, const Circle *circles, int count)
 {
-    double low_t = -0.5, high_t = 1.2, low_side = -0.2, high_side = 0.2;
+    double low_t = -0.1, high_t = 1.2, low_side = -0.1, high_side = 0.1;
     for (int i = 0; i < count; i++) {
         low_t = fmin(low_t, circles[i].t - circles[i].radius);
         high_t = fmax(high_t, circles[i].t + circles[i].radius);

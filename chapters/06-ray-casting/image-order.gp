@@ -31,4 +31,4 @@ plot @behind \
     @step5 $eye using (width / 2):(44):(sprintf("%d pixel centres hit", cells)) with labels tc rgb ink title "count", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
-    $eye using (16):(height - 20):(note." ") with labels left tc rgb grey font ",13" title "note"
+    $eye using (16):(height - 20):(small(note." ")) with labels left tc rgb grey title "note"

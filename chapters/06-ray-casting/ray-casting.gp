@@ -35,4 +35,4 @@ plot @behind \
     @step3 @who $hits index who every ::0::0 using @point with @dot lc rgb ink title "closest hit", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
-    $eye using (16):(height - 20):(note." ") with labels left tc rgb grey font ",13" title "note"
+    $eye using (16):(height - 20):(small(note." ")) with labels left tc rgb grey title "note"
