@@ -135,3 +135,8 @@ spheres = 'set samples 145; count = 0; behind = ""; before = ""; names = ""; \
 
 # A ray's bold part, where it is seen.
 bold = "(X($1,$2,$3)):($5 == 1 && seen($1,$2,$3) ? Y($1,$2,$3) : NaN)"
+# What is left out of the picture, or drawn elsewhere; a function, as not all layouts have these numbers.
+drawn(_) = (coarse || balls < all_balls || plane_t < 1 ? "Drawn: " : " ").(coarse ? sprintf("%s of %s pixels", \
+    grid_text, size_text) : "").(coarse && balls < all_balls ? ", " : "").(balls < all_balls ? \
+    sprintf("%d of %d spheres", balls, all_balls) : "").(plane_t == 1 ? "" : \
+    (coarse || balls < all_balls ? ", " : "")."the image plane at t = ".plane_t_text)

@@ -1,11 +1,9 @@
 # explain.gp - the whole story of one pixel, in steps (slide 'Ray casting process').
-note = (coarse ? sprintf("Drawn with %s of %s pixels. ", grid_text, size_text) : ""). \
-    (balls < all_balls ? sprintf("Drawn are %d of %d spheres. ", balls, all_balls) : ""). \
-    (plane_t < 1 ? sprintf("The image plane is drawn nearer, at t = %s: the same rays.", plane_t_text) : "")
+note = drawn(0)
 # Of sphere k of those that are told of: its numbers, and what they say.
-of(what, k) = value(sprintf("%s_%d_text", what, k))
-number(what, k) = value(sprintf("%s_%d", what, k))
-called(k) = value(sprintf("name_%d", k))
+of(what, k) = k > told ? "" : value(sprintf("%s_%d_text", what, k))
+number(what, k) = k > told ? 0 : value(sprintf("%s_%d", what, k))
+called(k) = k > told ? "" : value(sprintf("name_%d", k))
 coefficients(k) = called(k).":  ".math("a")." = ".of("a", k).",  ".math("b")." = ".of("b", k).",  ".math("c")." = ".of("c", k)
 ends(k) = number("roots", k) < 1 ? "no root: missed" : math("t")." = ".of("root_0", k)." and ".of("root_1", k). \
     (number("root_1", k) > 0 ? "" : ": behind")
@@ -58,4 +56,4 @@ plot @behind \
     @step6 $eye using (left + 34):(line(7.4 + 1.9 * told)):("colour ".bytes_text) with labels left tc rgb ink title "words 9", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
-    $eye using (16):(20):(small(note." ")) with labels left tc rgb grey title "note"
+    $eye using (16):(20):(small(note)) with labels left tc rgb grey title "note"

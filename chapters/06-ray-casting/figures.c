@@ -337,8 +337,8 @@ static const struct {
     const char *name, *scene;
     Pixel pixel;
 } own[] = {
-    {"object-order", FOLDER "/figures/one-sphere.nff", {5, 3}},
-    {"image-order", FOLDER "/figures/one-sphere.nff", {5, 3}},
+    {"object-order", FOLDER "/figures/one-sphere.nff", {5, 2}},
+    {"image-order", FOLDER "/figures/one-sphere.nff", {5, 2}},
     {"ray-casting", FOLDER "/figures/four-spheres.nff", {4, 4}},
     {"nearest-hit", FOLDER "/figures/along-a-ray.nff", {0, 0}},
     {NULL, FOLDER "/three-spheres.nff", {-1, -1}},

@@ -1,7 +1,5 @@
 # image-order.gp - for each pixel its ray, and what it hits (slide 'Image order').
-note = (coarse ? sprintf("Drawn with %s of %s pixels. ", grid_text, size_text) : ""). \
-    (balls < all_balls ? sprintf("Drawn are %d of %d spheres. ", balls, all_balls) : ""). \
-    (plane_t < 1 ? sprintf("The image plane is drawn nearer, at t = %s: the same rays.", plane_t_text) : "")
+note = drawn(0)
 title = "Image order: for each pixel, find the object that colours it"
 description = sprintf("From the eye a ray goes through the centre of pixel %s of %s and %s. ", pixel_text, size_text, \
     all_hits == 0 ? "meets no sphere" : sprintf("meets sphere %s at t = %s", nearest_name, nearest_text)). \
@@ -31,4 +29,4 @@ plot @behind \
     @step5 $eye using (width / 2):(44):(sprintf("%d pixel centres hit", cells)) with labels tc rgb ink title "count", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
-    $eye using (16):(height - 20):(small(note." ")) with labels left tc rgb grey title "note"
+    $eye using (16):(height - 20):(small(note)) with labels left tc rgb grey title "note"

@@ -1,7 +1,5 @@
 # object-order.gp - for one object, the pixels that it colours (slide 'Object order').
-note = (coarse ? sprintf("Drawn with %s of %s pixels. ", grid_text, size_text) : ""). \
-    (balls < all_balls ? sprintf("Drawn are %d of %d spheres. ", balls, all_balls) : ""). \
-    (plane_t < 1 ? sprintf("The image plane is drawn nearer, at t = %s: the same rays.", plane_t_text) : "")
+note = drawn(0)
 title = "Object order: for each object, find the pixels that it colours"
 description = sprintf("Lines go from the outline of sphere %s to the eye; where they cross the image plane is the sphere's \
 outline in the picture. It would colour the %d of the %s pixels that are drawn whose centres are inside. %s", \
@@ -29,4 +27,4 @@ plot @behind \
         with labels tc rgb ink title "count", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
-    $eye using (16):(height - 20):(small(note." ")) with labels left tc rgb grey title "note"
+    $eye using (16):(height - 20):(small(note)) with labels left tc rgb grey title "note"

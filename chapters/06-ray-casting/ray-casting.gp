@@ -1,7 +1,5 @@
 # ray-casting.gp - one ray, all it meets, and the colour of what is closest (slide 'Ray casting').
-note = (coarse ? sprintf("Drawn with %s of %s pixels. ", grid_text, size_text) : ""). \
-    (balls < all_balls ? sprintf("Drawn are %d of %d spheres. ", balls, all_balls) : ""). \
-    (plane_t < 1 ? sprintf("The image plane is drawn nearer, at t = %s: the same rays.", plane_t_text) : "")
+note = drawn(0)
 title = "Ray casting: the closest hit colours the pixel"
 description = sprintf("The ray of pixel %s of %s goes from the eye through the image plane. ", pixel_text, size_text). \
     (all_hits == 0 ? "It meets no sphere, so the pixel keeps the background. " : \
@@ -29,10 +27,10 @@ plot @behind \
     @names \
     @step3 $hits index 0 using @point:(0):(under($0) + 10 - Y($1,$2,$3)) with vectors nohead lw 0.8 lc rgb grey \
         title "leader", \
-    @step3 $hits index 0 using (all_hits ? X($1,$2,$3) - 6 : width / 2):(under($0)): \
-        (all_hits ? hit_words($0, $4, $5) : "the ray meets nothing") with labels right tc rgb ink title "t of the hits", \
+    @step3 $hits index 0 using ($5 < 0 ? width / 2 : X($1,$2,$3) - 6):(under($0)): \
+        ($5 >= 0 ? hit_words($0, $4, $5) : all_hits || $0 > 0 ? "" : "the ray meets nothing") with labels right tc rgb ink title "t of the hits", \
     @step3 @who $hits index who every ::1 using @point with @ring lc rgb ink title "farther hits", \
     @step3 @who $hits index who every ::0::0 using @point with @dot lc rgb ink title "closest hit", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
-    $eye using (16):(height - 20):(small(note." ")) with labels left tc rgb grey title "note"
+    $eye using (16):(height - 20):(small(note)) with labels left tc rgb grey title "note"

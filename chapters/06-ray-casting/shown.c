@@ -198,7 +198,7 @@ static void spheres(Plot *plot, const Shown *shown)
                                   rgb_number(scene_surface(scene, number)->color)});
         plot_fit(plot, s->center, s->radius);
     }
-    if (shown->sphere_count == 0) // gnuplot does without rows, but complains
+    if (shown->sphere_count == 0) // gnuplot complains of no rows
         plot_row(plot, 6, (const double[]){0, 0, 0, 0, 0, 0});
     plot_block_end(plot);
 }
@@ -260,7 +260,7 @@ static double plane_t(Camera c, Ray ray)
 double shown_end(const Shown *shown)
 {
     int hits = shown->hit_count < MOST_HITS ? shown->hit_count : MOST_HITS;
-    double end = 1.2 * plane_t(shown->shot.camera, shown->ray);
+    double end = 1.2 * plane_t(shown->camera, shown->ray);
     for (int i = 0; i < hits; i++)
         if (1.1 * shown->hits[i].t > end)
             end = 1.1 * shown->hits[i].t;
@@ -285,8 +285,9 @@ static void hits(Plot *plot, const Shown *shown)
         vec3 p = shown->ray.origin + hit.t * shown->ray.direction;
         plot_row(plot, 5, (const double[]){p[0], p[1], p[2], hit.t, hit.sphere});
     }
-    if (!any) // the eye, and no number
-        plot_row(plot, 5, (const double[]){NAN, NAN, NAN, NAN, -1});
+    // The first hit and the others are drawn apart, and gnuplot complains where there are no rows.
+    plot_row(plot, 5, (const double[]){NAN, NAN, NAN, NAN, -1});
+    plot_row(plot, 5, (const double[]){NAN, NAN, NAN, NAN, -1});
     plot_block_end(plot);
     plot_number(plot, "nearest", any ? shown->hits[0].t : 0);
     plot_text(plot, "nearest_name", any ? sphere_name(shown->hits[0].sphere).s : "");
