@@ -20,8 +20,10 @@ array order[100]
 least(a, b) = a < b ? a : b
 most(a, b) = a > b ? a : b
 
-# Smaller letters, of the same size in all formats.
+# Smaller letters, of the same size in all formats; around letters in italics it takes '@little',
+# because a font inside of a size ends it in SVG.
 small(s) = tex ? "{\\small ".s."}" : "{/*0.8 ".s."}"
+little = tex ? "" : sprintf("font ',%g'", 0.8 * (format eq "png" ? 25.5 : format eq "pdf" ? 6.02 : 17))
 # Sphere 0 is A, as in the lesson; after Z comes AA.
 letter(i) = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"[i % 26 + 1:i % 26 + 1]
 ball_name(i) = i < 26 ? letter(int(i)) : ball_name(int(i) / 26 - 1).letter(int(i))
@@ -79,7 +81,7 @@ on_arc(i, list, which, phi) = arc_n(which, phi) > 0 && beyond(i, list, words(lis
     ball_r[i] * arc_y(which, phi), ball_r[i] * arc_n(which, phi)) ? ball_y[i] + ball_r[i] * arc_y(which, phi) : NaN
 
 # What draws sphere i: its shades, its outline, its great circles.
-layers = 16
+layers = 10
 disc(i, list, k) = sprintf("'+' using (disc_x(%d,'%s',%g,$0)):(disc_y(%d,'%s',%g,$0)) with filledcurves closed \
 fc rgb '%s' fs solid noborder title '%s %s', ", i, list, k, i, list, k, shade(ball_rgb[i], 0.55 * k - 0.3), \
     k > 0 ? "shade of" : words(list) > 0 && word(list, 1) eq "0" ? "before the plane, sphere" : "sphere", \
@@ -125,7 +127,7 @@ spheres = 'set samples 145; count = 0; behind = ""; before = ""; names = ""; \
         ball_y[count] = Y($2,$3,$4), ball_n[count] = N($2,$3,$4), ball_r[count] = scale * $5, ball_rgb[count] = int($6), \
         ball_h[count] = scale * (along_forward(at_x, at_y, at_z) + d - along_forward($2,$3,$4)), 1) nooutput; \
     plane_side = near(0, 0, 1) < 0 ? -1 : 1; plane_x = plane_side * across(0, 1); \
-    plane_y = plane_side * above(0, 0, 1); plane_n = plane_side * near(0, 0, 1); layers = balls > 12 ? 4 : 16; \
+    plane_y = plane_side * above(0, 0, 1); plane_n = plane_side * near(0, 0, 1); layers = balls > 12 ? 4 : 10; \
     do for [i=1:balls] { order[1 + farther(i)] = i; ball_h[i] = plane_side * ball_h[i]; divided[i] = dividers(i, balls) }; \
     do for [k=1:balls] { i = order[k]; \
         if (ball_h[i] > -ball_r[i]) { behind = behind.ball(i, divided[i]) }; \

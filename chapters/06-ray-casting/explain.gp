@@ -39,16 +39,16 @@ plot @behind \
     @step4 $hits index 0 using @point with @ring lc rgb ink title "hits", \
     @step5 @who $hits index who every ::0::0 using @point with @dot lc rgb orange title "closest hit", \
     $eye using (left):(line(0)):("pixel ".pixel_text." of ".size_text) with labels left tc rgb ink title "words 1", \
-    $eye using (left):(line(1)):(small(sprintf("centre (%s, %s)", screen_x_text, screen_y_text))) with labels left \
+    $eye using (left):(line(1)):(sprintf("centre (%s, %s)", screen_x_text, screen_y_text)) with labels @little left \
         tc rgb ink title "words 2", \
-    $eye using (left):(line(2)):(small(math("s")." = ".s_text.",  ".math("t")." = ".t_text)) with labels left \
+    $eye using (left):(line(2)):(math("s")." = ".s_text.",  ".math("t")." = ".t_text) with labels @little left \
         tc rgb ink title "words 3", \
-    @step2 $eye using (left):(line(3.2)):(small(math("v")." = ".vector_v_text)) with labels left tc rgb blue title "words 4", \
-    @step3 $eye using (left):(line(4.2)):(small("ray  ".math("p + t v").",  ".math("p")." = ".p_text)) with labels left \
+    @step2 $eye using (left):(line(3.2)):(math("v")." = ".vector_v_text) with labels @little left tc rgb blue title "words 4", \
+    @step3 $eye using (left):(line(4.2)):("ray  ".math("p + t v").",  ".math("p")." = ".p_text) with labels @little left \
         tc rgb blue title "words 5", \
-    @step4 for [k=1:told] $eye using (left):(line(3.9 + 1.9 * k)):(small(coefficients(k))) with labels left \
+    @step4 for [k=1:told] $eye using (left):(line(3.9 + 1.9 * k)):(coefficients(k)) with labels @little left \
         tc rgb ink title "words 6", \
-    @step4 for [k=1:told] $eye using (left + 20):(line(4.7 + 1.9 * k)):(small(solved(k))) with labels left \
+    @step4 for [k=1:told] $eye using (left + 20):(line(4.7 + 1.9 * k)):(solved(k)) with labels @little left \
         tc rgb grey title "words 7", \
     @step5 $eye using (left):(line(6.2 + 1.9 * told)):(verdict) with labels left tc rgb orange title "words 8", \
     @step6 $eye using (left + 12):(line(7.4 + 1.9 * told)) with points pt 5 ps 1.6 lc rgb int(pixel_rgb) title "swatch", \

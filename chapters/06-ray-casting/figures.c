@@ -341,7 +341,7 @@ static const struct {
     {"image-order", FOLDER "/figures/one-sphere.nff", {5, 2}},
     {"ray-casting", FOLDER "/figures/four-spheres.nff", {4, 4}},
     {"nearest-hit", FOLDER "/figures/along-a-ray.nff", {0, 0}},
-    {NULL, FOLDER "/three-spheres.nff", {-1, -1}},
+    {NULL, FOLDER "/three-spheres.nff", {300, 200}},
 };
 
 static int own_of(const char *name)

@@ -18,8 +18,8 @@ plot @behind \
     @step3 $pixel using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
     $grid using @point with @hair lc rgb faint title "grid", \
     $plane using @point with @lines lc rgb ink title "plane", \
+    $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
     @before \
-    $centers using @point with points pt 7 ps (coarse ? 0.08 : 0.15) lc rgb grey title "centres", \
     @step2 $pixel using @point with @thick lc rgb ink title "outline of the pixel", \
     @step2 $ray index 0 using @point with lines lw 1.2 dt 3 lc rgb blue title "ray, all of it", \
     @step2 @who $ray index who using @bold with lines lw 2.2 dt dash(who) lc rgb blue title "ray", \

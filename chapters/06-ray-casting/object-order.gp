@@ -16,12 +16,12 @@ plot @behind \
         title "your pixels", \
     $grid using @point with @hair lc rgb faint title "grid", \
     $plane using @point with @lines lc rgb ink title "plane", \
+    @step4 $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
     @before \
     @step2 $lines using @point with lines lw 1.2 dt 3 lc rgb blue title "lines to the eye, all of them", \
     @step2 $lines using @bold with lines lw 1.6 lc rgb blue title "lines to the eye", \
     @step2 $heads using @vector with vectors head filled size 12,18,90 lw 1.6 lc rgb blue title "towards the eye", \
     @step3 $outline using @point with @thick lc rgb ink title "outline on the plane", \
-    @step4 $centers using @point with points pt 7 ps (coarse ? 0.08 : 0.15) lc rgb ink title "centres", \
     @names \
     @step4 $eye using (width / 2):(44):(sprintf("%d pixel centres inside the outline of %s", cells, object_name)) \
         with labels tc rgb ink title "count", \
