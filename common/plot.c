@@ -260,8 +260,11 @@ static void write_script(Plot *plot, const Figure *figure, const char *head, con
     fprintf(plot->script, "name = \"%s\"\n%s\n# ---- the data\n\n", figure->name, head);
     figure->data(plot, given);
     fclose(plot->fit);
-    fprintf(plot->script, "$fit << EOD\n# x y z radius of what has to be seen\n%sEOD\n",
-            plot->fit_text);
+    // What is right has to be seen, too.
+    const char *right;
+    size_t size = right_of(plot, "$fit", " << EOD\n", "EOD\n", &right);
+    fprintf(plot->script, "$fit << EOD\n# x y z radius of what has to be seen\n%s%.*sEOD\n",
+            plot->fit_text, (int)size, size > 0 ? right : "");
     fprintf(plot->script, "wrong = %d\n@legend\n\n# ---- the layout\n\n%s\n@finish\n", plot->wrong,
             layout);
 }

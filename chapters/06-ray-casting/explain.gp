@@ -37,7 +37,7 @@ plot @behind \
     @step2 @who $arrow index who using @vector with @arrow lc rgb blue dt dash(who) title "vector from the eye", \
     @names \
     @step4 $hits index 0 using @point with @ring lc rgb ink title "hits", \
-    @step5 @who $hits index who every ::0::0 using @point with @dot lc rgb orange title "closest hit", \
+    @step5 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb orange title "closest hit", \
     $eye using (left):(line(0)):("pixel ".pixel_text." of ".size_text) with labels left tc rgb ink title "words 1", \
     $eye using (left):(line(1)):(sprintf("centre (%s, %s)", screen_x_text, screen_y_text)) with labels @little left \
         tc rgb ink title "words 2", \

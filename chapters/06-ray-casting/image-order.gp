@@ -23,7 +23,7 @@ plot @behind \
     @step2 $pixel using @point with @thick lc rgb ink title "outline of the pixel", \
     @step2 $ray index 0 using @point with lines lw 1.2 dt 3 lc rgb blue title "ray, all of it", \
     @step2 @who $ray index who using @bold with lines lw 2.2 dt dash(who) lc rgb blue title "ray", \
-    @step3 @who $hits index who every ::0::0 using @point with @dot lc rgb ink title "closest hit", \
+    @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     @step4 for [who=0:wrong] $miss index who using @bold with lines lw 1.2 dt dash(who) lc rgb grey title "ray that misses", \
     @names \
     @step5 $eye using (width / 2):(44):(sprintf("%d pixel centres hit", cells)) with labels tc rgb ink title "count", \

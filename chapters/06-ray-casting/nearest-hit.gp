@@ -57,7 +57,7 @@ plot $circles index 0 using (x($2)):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : 
     @step3 $along using (x(0)):(axis - 3):(0):(on_ray - axis + 3) with vectors nohead lw 1 dt 2 lc rgb blue title "t = 0", \
     @step4 @who $closest index who using (x($1)):(on_ray):(0):(axis - on_ray) with vectors nohead lw 1.4 dt dash(who) \
         lc rgb orange title "closest, down", \
-    @step4 @who $closest index who using (x($1)):(on_ray) with @dot lc rgb orange title "closest", \
+    @step4 @who $closest index who using (x($1)):(on_ray) with points pt (who ? 8 : 7) ps 0.6 lc rgb orange title "closest", \
     @step4 $closest index 0 using (x($1)):(axis) with @dot lc rgb orange title "closest on the axis", \
     @step4 $closest index 0 using (x($1)):(62):(0):(24) with @arrow lc rgb orange title "this one", \
     @step4 $along using (words_x):(44):(all_hits ? "smallest ".math("t")." > 0:  ".math("t")." = ".nearest_text. \

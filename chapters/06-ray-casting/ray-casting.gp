@@ -30,7 +30,7 @@ plot @behind \
     @step3 $hits index 0 using ($5 < 0 ? width / 2 : X($1,$2,$3) - 6):(under($0)): \
         ($5 >= 0 ? hit_words($0, $4, $5) : all_hits || $0 > 0 ? "" : "the ray meets nothing") with labels right tc rgb ink title "t of the hits", \
     @step3 @who $hits index who every ::1 using @point with @ring lc rgb ink title "farther hits", \
-    @step3 @who $hits index who every ::0::0 using @point with @dot lc rgb ink title "closest hit", \
+    @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
     $eye using (16):(height - 20):(small(note)) with labels left tc rgb grey title "note"
