@@ -18,10 +18,10 @@ description = sprintf("Pixel %s of %s has its centre at (%s, %s); s is %s, t is 
     (all_hits == 0 ? "Nothing is hit: background. " : \
     sprintf("The smallest t > 0 is %s, on sphere %s. ", nearest_text, nearest_name)).sprintf("The colour is %s. ", bytes_text).note
 steps = 6
-room = shape eq "4:3" ? "0.04 0.50 0.14 0.90" : "0.04 0.58 0.14 0.90"
+room = shape eq "4:3" ? "0.04 0.46 0.14 0.90" : "0.04 0.56 0.14 0.90"
 @see
 @spheres
-left = width * (shape eq "4:3" ? 0.54 : 0.62)
+left = width * (shape eq "4:3" ? 0.49 : 0.595)
 line(k) = height - 48 - 27 * k
 
 plot @behind \
@@ -48,7 +48,7 @@ plot @behind \
         tc rgb blue title "words 5", \
     @step4 for [k=1:told] $eye using (left):(line(3.9 + 1.9 * k)):(coefficients(k)) with labels @little left \
         tc rgb ink title "words 6", \
-    @step4 for [k=1:told] $eye using (left + 20):(line(4.7 + 1.9 * k)):(solved(k)) with labels @little left \
+    @step4 for [k=1:told] $eye using (left + 18):(line(4.7 + 1.9 * k)):(solved(k)) with labels @little left \
         tc rgb grey title "words 7", \
     @step5 $eye using (left):(line(6.2 + 1.9 * told)):(verdict) with labels left tc rgb orange title "words 8", \
     @step6 $eye using (left + 12):(line(7.4 + 1.9 * told)) with points pt 5 ps 1.6 lc rgb int(pixel_rgb) title "swatch", \

@@ -194,11 +194,22 @@ static double far_off(Circle circle)
     return gap > 0 ? PASSED + gap : fmin(fabs(circle.t), PASSED);
 }
 
+// So far off or so large that nothing else would be left to see.
+static bool out_of_reach(const Shown *shown, Circle circle)
+{
+    double reach = 1.2;
+    for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++)
+        reach = fmax(reach, shown->hits[i].t);
+    return fabs(circle.t) + fabs(circle.aside) + circle.radius > 12 * reach;
+}
+
 static int choose_circles(const Shown *shown, Circle *circles)
 {
     int count = 0;
     for (int i = 0; i < shown->shot.scene->sphere_count; i++) {
         Circle circle = circle_of(shown, i);
+        if (out_of_reach(shown, circle))
+            continue;
         int place = count < MOST_CIRCLES ? count : MOST_CIRCLES;
         for (; place > 0 && far_off(circle) < far_off(circles[place - 1]); place--)
             if (place < MOST_CIRCLES)

@@ -47,6 +47,8 @@ plot $circles index 0 using (x($2)):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : 
         title "ticks", \
     @step2 for [k=0:ticks] $along using (x(tick_at(k))):(axis - 16):(small(gprintf("%g", tick_at(k)))) \
         with labels tc rgb grey title "numbers", \
+    @step2 $circles index 0 using (x($7) - 1):(above_axis($10)):(x($8) - x($7) + 2):(0) with vectors nohead lw 7 \
+        lc rgb grey title "intervals, outline", \
     @step2 $circles index 0 using (x($7)):(above_axis($10)):(x($8) - x($7)):(0):5 with vectors nohead lw 5 \
         lc rgb variable title "intervals", \
     @step2 $circles index 0 using ($6 > 0 ? x($8) + 4 : width / 2):(above_axis($10)):($6 > 0 ? small(ball_name($1)) : "") \

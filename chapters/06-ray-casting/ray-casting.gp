@@ -7,6 +7,9 @@ description = sprintf("The ray of pixel %s of %s goes from the eye through the i
         all_hits, all_balls, nearest_name, nearest_text)). \
     sprintf("%d of the %s pixels that are drawn show a sphere. %s", cells, grid_text, note)
 hit_words(i, t, ball) = math("t").sprintf(" = %.4g, sphere %s%s", t, ball_name(ball), i == 0 ? ": closest" : "")
+# The words of a hit are at the left of the line to it, or where that is too near to the edge, at the right.
+at_left(i, ball, x) = ball >= 0 && x > (i == 0 ? 330 : 240)
+nothing(i) = all_hits == 0 && i == 0 ? "the ray meets nothing" : ""
 under(k) = 96 - 24 * k
 steps = 5
 room = "0.04 0.96 0.24 0.93"
@@ -27,8 +30,10 @@ plot @behind \
     @names \
     @step3 $hits index 0 using @point:(0):(under($0) + 10 - Y($1,$2,$3)) with vectors nohead lw 0.8 lc rgb grey \
         title "leader", \
-    @step3 $hits index 0 using ($5 < 0 ? width / 2 : X($1,$2,$3) - 6):(under($0)): \
-        ($5 >= 0 ? hit_words($0, $4, $5) : all_hits || $0 > 0 ? "" : "the ray meets nothing") with labels right tc rgb ink title "t of the hits", \
+    @step3 $hits index 0 using ($5 < 0 ? width / 2 : X($1,$2,$3) - 6):(under($0)):(at_left($0, $5, $5 < 0 ? 0 : X($1,$2,$3)) ? \
+        hit_words($0, $4, $5) : "") with labels right tc rgb ink title "t of the hits", \
+    @step3 $hits index 0 using ($5 < 0 ? width * 0.4 : X($1,$2,$3) + 6):(under($0)):($5 < 0 || \
+        at_left($0, $5, $5 < 0 ? 0 : X($1,$2,$3)) ? nothing($0) : hit_words($0, $4, $5)) with labels left tc rgb ink title "t, other side", \
     @step3 @who $hits index who every ::1 using @point with @ring lc rgb ink title "farther hits", \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     $eye using @point with @dot lc rgb blue title "eye", \

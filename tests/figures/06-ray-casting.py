@@ -243,6 +243,8 @@ def ray_casting(scene, pixel, options=None):
     checks.near("the dot of the closest hit", figure.dots("closest hit"), places[:1])
     checks.near("the rings of the farther hits", figure.dots("farther hits"), places[1:])
     texts = " ".join(text for text, _, _ in figure.labels())
+    checks.that("no label is but a number", not any(
+        re.fullmatch(r"-?[0-9.]+", text) for text, _, _ in figure.labels()), texts)
     for t, sphere in hits[:4]:
         name = f"{t:.4g}, sphere {chr(ord('A') + sphere)}"
         checks.that("a hit's t is told", name in texts, f"{name} in {texts}")
@@ -272,8 +274,8 @@ def image_order(scene, pixel, options=None):
     if figure.number("misses"):
         end = figure.block("miss")[-1][:3]
         checks.that("the ray that misses misses", not world.hits(plus(tuple(end), world.eye, -1)))
-    checks.that("the pixels are counted", any(
-        text == f"{len(cast(world))} pixel centres hit" for text, _, _ in figure.labels()))
+    checks.that("the pixel centres are counted", any(
+        re.fullmatch(f"{len(cast(world))} pixel centres? hit", text) for text, _, _ in figure.labels()))
 
 
 def object_order(scene, pixel, options=None):
@@ -362,7 +364,7 @@ def nearest_hit(scene, pixel, options=None):
 def explain_figure(scene, pixel, options=None):
     world = World(scene)
     figure = Figure(PROGRAM, "explain", *(scene_options(scene, pixel) if options is None else options))
-    nearer = see(figure, world, (0.04, 0.58, 0.14, 0.90))
+    nearer = see(figure, world, (0.04, 0.56, 0.14, 0.90))
     v = world.pixel(*pixel)
     hits = world.hits(v)
     checks.same("s and t", [figure.number("s"), figure.number("t")],
