@@ -16,7 +16,8 @@ title = "One pixel, explained"
 description = sprintf("Pixel %s of %s has its centre at (%s, %s); s is %s, t is %s; the vector from the eye is %s. ", \
     pixel_text, size_text, screen_x_text, screen_y_text, s_text, t_text, vector_v_text).all_plain(1). \
     (all_hits == 0 ? "Nothing is hit: background. " : \
-    sprintf("The smallest t > 0 is %s, on sphere %s. ", nearest_text, nearest_name)).sprintf("The colour is %s. ", bytes_text).note
+    sprintf("The smallest t > 0 is %s, on sphere %s. ", nearest_text, nearest_name)). \
+    sprintf("The colour is %s. ", bytes_text).note
 steps = 6
 room = shape eq "4:3" ? "0.04 0.46 0.14 0.90" : "0.04 0.56 0.14 0.90"
 @see

@@ -26,7 +26,8 @@ plot @behind \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     @step4 for [who=0:wrong] $miss index who using @bold with lines lw 1.2 dt dash(who) lc rgb grey title "ray that misses", \
     @names \
-    @step5 $eye using (width / 2):(44):(sprintf("%d pixel centre%s hit", cells, cells == 1 ? "" : "s")) with labels tc rgb ink title "count", \
+    @step5 $eye using (width / 2):(44):(sprintf("%d pixel centre%s hit", cells, cells == 1 ? "" : "s")) \
+        with labels tc rgb ink title "count", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
     $eye using (16):(height - 20):(small(note)) with labels left tc rgb grey title "note"

@@ -41,7 +41,8 @@ plot $circles index 0 using (x($2)):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : 
     $along using (x(0.5)):(on_ray):(math("v")) with labels tc rgb blue offset 0,0.8 title "v, label", \
     $circles index 0 using (x($2)):(V(1,$3) + ($3 < 0 ? -0.5 : 0.5) * size[1]*$4):(inside_text($1,$6,size[1]*$4)) \
         with labels tc rgb ink title "names", \
-    @step2 $along using (x(low_x)):(axis):(x(high_x) - x(low_x) + 14):(0) with vectors head filled size 10,16,90 lw 1 lc rgb grey title "axis", \
+    @step2 $along using (x(low_x)):(axis):(x(high_x) - x(low_x) + 14):(0) \
+        with vectors head filled size 10,16,90 lw 1 lc rgb grey title "axis", \
     @step2 $along using (x(high_x) + 24):(axis):(math("t")) with labels tc rgb grey title "t", \
     @step2 for [k=0:ticks] $along using (x(tick_at(k))):(axis - 3):(0):(6) with vectors nohead lw 1 lc rgb grey \
         title "ticks", \

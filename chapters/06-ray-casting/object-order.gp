@@ -23,7 +23,8 @@ plot @behind \
     @step2 $heads using @vector with vectors head filled size 12,18,90 lw 1.6 lc rgb blue title "towards the eye", \
     @step3 $outline using @point with @thick lc rgb ink title "outline on the plane", \
     @names \
-    @step4 $eye using (width / 2):(44):(sprintf("%d pixel centre%s inside the outline of %s", cells, cells == 1 ? "" : "s", object_name)) \
+    @step4 $eye using (width / 2):(44):(sprintf("%d pixel centre%s inside the outline of %s", \
+        cells, cells == 1 ? "" : "s", object_name)) \
         with labels tc rgb ink title "count", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \

@@ -33,7 +33,8 @@ plot @behind \
     @step3 $hits index 0 using ($5 < 0 ? width / 2 : X($1,$2,$3) - 6):(under($0)):(at_left($0, $5, $5 < 0 ? 0 : X($1,$2,$3)) ? \
         hit_words($0, $4, $5) : "") with labels right tc rgb ink title "t of the hits", \
     @step3 $hits index 0 using ($5 < 0 ? width * 0.4 : X($1,$2,$3) + 6):(under($0)):($5 < 0 || \
-        at_left($0, $5, $5 < 0 ? 0 : X($1,$2,$3)) ? nothing($0) : hit_words($0, $4, $5)) with labels left tc rgb ink title "t, other side", \
+        at_left($0, $5, $5 < 0 ? 0 : X($1,$2,$3)) ? nothing($0) : hit_words($0, $4, $5)) \
+        with labels left tc rgb ink title "t, other side", \
     @step3 @who $hits index who every ::1 using @point with @ring lc rgb ink title "farther hits", \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     $eye using @point with @dot lc rgb blue title "eye", \
