@@ -189,7 +189,8 @@ layout_of = $(wildcard chapters/*/$(1).gp)
 stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
 # Beside another's answers, what is right.
 RIGHT := $(if $(filter-out solutions,$(A)),$(B)/solutions/figures)
-$(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call layout_of,$$*) common/plot.gp \
+$(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call layout_of,$$*) $(wildcard common/*.gp) \
+		$$(wildcard chapters/$$(call stem_of,$$*)/*.nff chapters/$$(call stem_of,$$*)/figures/*.nff) \
 		$(RIGHT:%=%/$$*.gp)
 	$(Q)mkdir -p $(@D)
 	$(Q)$< --figure $* $(RIGHT:%=--beside %/$*.gp) > $@

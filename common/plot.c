@@ -13,6 +13,7 @@
 enum { LABEL_DIGITS = 4, DATA_DIGITS = 12 };
 
 struct Plot {
+    const char *program;
     FILE *script;
     FILE *fit; // rows of $fit
     char *fit_text;
@@ -24,6 +25,7 @@ struct Plot {
     const char *columns;
     char *right; // the script by right answers; NULL where there is none
     bool wrong;  // something differs from it
+    bool failed; // a file could not be read; that has been said
 };
 
 // A label has a minus sign, not a hyphen.
@@ -258,6 +260,16 @@ static char *text_of_file(const char *program, const char *path)
     return text;
 }
 
+void plot_include(Plot *plot, const char *path)
+{
+    char *text = text_of_file(plot->program, path);
+    if (text == NULL)
+        plot->failed = true;
+    else
+        fprintf(plot->script, "%s\n", text);
+    free(text);
+}
+
 static const Figure *figure_named(const char *program, const Figure *figures, const char *name)
 {
     for (const Figure *figure = figures; figure->name != NULL; figure++)
@@ -276,7 +288,8 @@ static void write_script(Plot *plot, const Figure *figure, const char *head, con
     fprintf(plot->script, "name = \"%s\"\n%s\n# ---- the data\n\n", figure->name, head);
     figure->data(plot, given);
     fclose(plot->fit);
-    const char *right; // has to be seen, too
+    // What is right has to be seen, too.
+    const char *right;
     size_t size = right_of(plot, "$fit", " << EOD\n", "EOD\n", &right);
     fprintf(plot->script, "$fit << EOD\n# x y z radius of what has to be seen\n%s%.*sEOD\n",
             plot->fit_text, (int)size, size > 0 ? right : "");
@@ -293,7 +306,7 @@ int plot_figure(const char *program, const char *chapter, const Figure *figures,
     snprintf(path, sizeof path, "%s/%s.gp", chapter, figure->name);
     char *head = text_of_file(program, HEAD);
     char *layout = head != NULL ? text_of_file(program, path) : NULL;
-    Plot plot = {.script = open_memstream(&script, &size)};
+    Plot plot = {.program = program, .script = open_memstream(&script, &size)};
     plot.fit = open_memstream(&plot.fit_text, &plot.fit_size);
     if (command.right != NULL && layout != NULL)
         plot.right = text_of_file(program, command.right);
@@ -301,7 +314,7 @@ int plot_figure(const char *program, const char *chapter, const Figure *figures,
     if (layout != NULL && (command.right == NULL || plot.right != NULL)) {
         write_script(&plot, figure, head, layout, given);
         fflush(plot.script);
-        status = answers_report();
+        status = plot.failed ? EXIT_COULD_NOT : answers_report();
         if (status == EXIT_DONE && (fputs(script, stdout) == EOF || fflush(stdout) != 0)) {
             fprintf(stderr, "%s: the script could not be printed\n", program);
             status = EXIT_COULD_NOT;

@@ -41,8 +41,10 @@ void plot_fit(Plot *plot, vec3 center, double radius);
 // NAME_x, NAME_y, NAME_z and NAME_text: a direction that the layout computes with.
 void plot_direction(Plot *plot, const char *name, vec3 v);
 
-// ---- flat
-// ----------------------------------------------------------------------------------------
+// Puts a file of gnuplot's words here: what some layouts have in common, common/NAME.gp.
+void plot_include(Plot *plot, const char *path);
+
+// ---- flat: pairs of numbers -------------------------------------------------------------------
 
 // $NAME: first second, NAME_text = "(first, second)", and the two alone as NAME_<first's name> and
 // NAME_<second's>, each with its _text: plot_pair(plot, "point", "x", 300, "y", 400). Labels have
@@ -53,8 +55,7 @@ void plot_pair(Plot *plot, const char *name, const char *first_name, double firs
 // NAME_text = text, with minus signs: for numbers in other words than the above.
 void plot_label(Plot *plot, const char *name, const char *text);
 
-// ---- a chapter's figures
-// -------------------------------------------------------------------------
+// ---- a chapter's figures ----------------------------------------------------------------------
 
 // A figure's name, and what writes its data.
 typedef struct {

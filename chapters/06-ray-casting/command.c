@@ -65,48 +65,73 @@ static bool report(const char *text)
     return false;
 }
 
+// Which scene; false where there is none to be found.
+static bool find_scene(Drawing *drawing, const Command *command, const char *own_scene)
+{
+    if (command->scene_path == NULL)
+        return find_own_scene(drawing->scene_path, sizeof drawing->scene_path, drawing->program,
+                              own_scene);
+    if (strlen(command->scene_path) >= sizeof drawing->scene_path)
+        return report("the path of the scene is too long");
+    strcpy(drawing->scene_path, command->scene_path);
+    return true;
+}
+
+static bool find_output(Drawing *drawing, const Command *command)
+{
+    Message message;
+    if (command->output == NULL) {
+        if (!gallery_path(drawing->output, sizeof drawing->output, drawing->program,
+                          drawing->scene_path))
+            return false;
+    } else {
+        if (strlen(command->output) >= sizeof drawing->output)
+            return report("the path of the picture is too long");
+        strcpy(drawing->output, command->output);
+    }
+    return image_path_is_writable(drawing->output, &message) || report(message.text);
+}
+
+// The scene that was found, read, and its camera.
+static bool load(Drawing *drawing, const Command *command)
+{
+    Message message;
+    if (!scene_load(drawing->scene_path, &drawing->scene, &message))
+        return report(message.text);
+    if (drawing->scene.sphere_count == 0)
+        fprintf(stderr, "%s: warning: there are no spheres in it\n", drawing->scene_path);
+    drawing->size = command->size.width > 0 ? command->size : drawing->scene.view.resolution;
+    CameraFault fault = scene_camera(&drawing->scene.view, drawing->size, &drawing->camera);
+    if (fault == CAMERA_OK)
+        return true;
+    message_set(&message, "%.300s: its viewpoint is no camera: %s", drawing->scene_path,
+                camera_fault_text(fault));
+    scene_free(&drawing->scene);
+    return report(message.text);
+}
+
+bool drawing_prepare(Drawing *drawing, const char *program, const Command *command,
+                     const char *own_scene)
+{
+    *drawing = (Drawing){.program = program};
+    return find_scene(drawing, command, own_scene) && load(drawing, command);
+}
+
 bool drawing_begin(Drawing *drawing, const char *program, const Command *command,
                    const char *own_scene)
 {
     Message message;
     *drawing = (Drawing){.program = program};
-    if (command->scene_path != NULL) {
-        if (strlen(command->scene_path) >= sizeof drawing->scene_path)
-            return report("the path of the scene is too long");
-        strcpy(drawing->scene_path, command->scene_path);
-    } else if (!find_own_scene(drawing->scene_path, sizeof drawing->scene_path, program,
-                               own_scene)) {
+    if (!find_scene(drawing, command, own_scene) || !find_output(drawing, command) ||
+        !load(drawing, command))
         return false;
-    }
-    if (command->output != NULL) {
-        if (strlen(command->output) >= sizeof drawing->output)
-            return report("the path of the picture is too long");
-        strcpy(drawing->output, command->output);
-    } else if (!gallery_path(drawing->output, sizeof drawing->output, program,
-                             drawing->scene_path)) {
-        return false;
-    }
-
-    if (!image_path_is_writable(drawing->output, &message) ||
-        !scene_load(drawing->scene_path, &drawing->scene, &message))
-        return report(message.text);
-    if (drawing->scene.sphere_count == 0)
-        fprintf(stderr, "%s: warning: there are no spheres in it\n", drawing->scene_path);
-    Resolution size = command->size.width > 0 ? command->size : drawing->scene.view.resolution;
-    CameraFault fault = scene_camera(&drawing->scene.view, size, &drawing->camera);
-    bool ready = true;
-    if (fault != CAMERA_OK) {
-        message_set(&message, "%.300s: its viewpoint is no camera: %s", drawing->scene_path,
-                    camera_fault_text(fault));
-        ready = report(message.text);
-    }
-    if (ready && !image_create(&drawing->image, size, &message))
-        ready = report(message.text);
-    if (!ready)
+    if (!image_create(&drawing->image, drawing->size, &message)) {
         scene_free(&drawing->scene);
-    if (ready && isatty(STDERR_FILENO))
+        return report(message.text);
+    }
+    if (isatty(STDERR_FILENO))
         drawing->image.progress = show_progress;
-    return ready;
+    return true;
 }
 
 int drawing_end(Drawing *drawing)

@@ -28,6 +28,7 @@ typedef struct {
 typedef struct {
     const char *program;
     Scene scene;
+    Resolution size;
     Camera camera;
     Image image;
     char scene_path[4096];
@@ -38,6 +39,10 @@ typedef struct {
 // path from the top of the project. False, and the reason on stderr, where something is missing.
 bool drawing_begin(Drawing *drawing, const char *program, const Command *command,
                    const char *own_scene);
+
+// The same without an image, and without a file for it: scene, size and camera.
+bool drawing_prepare(Drawing *drawing, const char *program, const Command *command,
+                     const char *own_scene);
 
 // Writes the picture; what main returns.
 int drawing_end(Drawing *drawing);

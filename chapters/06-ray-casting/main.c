@@ -1,8 +1,11 @@
 // main.c - chapter 06: the picture.
 //
 // Casts a scene, pixel by pixel (image order) or sphere by sphere (object order). Without
-// arguments it casts the deck's three spheres, and sketches them on the terminal too.
+// arguments it casts the deck's three spheres, and sketches them on the terminal too. With
+// --explain it tells the story of one pixel instead; with --figure it draws how that is found.
 #include "chapters/06-ray-casting/command.h"
+#include "chapters/06-ray-casting/explain.h"
+#include "chapters/06-ray-casting/figures.h"
 #include "chapters/06-ray-casting/needs.h"
 #include "common/answers.h"
 #include "common/story.h"
@@ -54,7 +57,7 @@ static void sketch(const Drawing *drawing)
     }
 }
 
-static void explain(const Drawing *drawing)
+static void tell(const Drawing *drawing)
 {
     const Scene *scene = &drawing->scene;
     printf("06-ray-casting: the picture\n");
@@ -69,13 +72,51 @@ static void explain(const Drawing *drawing)
     sketch(drawing);
 }
 
+// What is asked of one pixel, instead of the picture.
+typedef struct {
+    Pixel explained, pixel; // column -1: none is named
+    FigureCommand figure;
+} Question;
+
+static int answer(const char *program, Command command, Question question)
+{
+    static Drawing drawing;
+    bool figure = question.figure.name != NULL;
+    Pixel pixel = question.explained.column >= 0 ? question.explained : question.pixel;
+    if (command.output != NULL)
+        options_wrong(program, "-o: no picture is drawn with %s",
+                      figure ? "--figure" : "--explain");
+    if (!picture_needs_are_met(IMAGE_ORDER) ||
+        !drawing_prepare(&drawing, program, &command,
+                         figure_scene(figure ? question.figure.name : "explain")))
+        return EXIT_COULD_NOT;
+    Resolution size = drawing.size;
+    if (figure && pixel.column < 0 && command.scene_path == NULL && command.size.width == 0)
+        pixel = figure_pixel(question.figure.name);
+    if (pixel.column >= size.width || pixel.row >= size.height)
+        options_wrong(program, "%s: (%d, %d) is not in a picture of %d x %d pixels",
+                      question.explained.column >= 0 ? "--explain" : "--pixel", pixel.column,
+                      pixel.row, size.width, size.height);
+    Shot shot = {&drawing.scene, drawing.camera, size, pixel};
+    int status = figure ? casting_figure(program, question.figure, shot)
+                        : explain(&shot, drawing.scene_path);
+    scene_free(&drawing.scene);
+    return status;
+}
+
 int main(int argc, char **argv)
 {
     Command command = {0};
     Order order = IMAGE_ORDER;
+    Question question = {.explained = {-1, -1}, .pixel = {-1, -1}};
     const Option options[] = {
         COMMAND_OPTIONS(command),
         {"order", 0, "image|object", option_order, &order, "which loop is the outer (image)"},
+        {"explain", 0, "COLUMN,ROW", option_pixel, &question.explained,
+         "tell the story of one pixel instead"},
+        {"pixel", 0, "COLUMN,ROW", option_pixel, &question.pixel,
+         "the one whose ray a figure shows"},
+        FIGURE_OPTIONS(question.figure),
         {0}};
     Usage usage = {"[OPTION]... [SCENE.nff]",
                    "Casts a scene, flat. Without arguments: the deck's three spheres."};
@@ -83,13 +124,17 @@ int main(int argc, char **argv)
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);
     command.scene_path = argv[first];
+    if (question.figure.name != NULL || question.explained.column >= 0)
+        return answer(argv[0], command, question);
+    if (question.pixel.column >= 0)
+        options_wrong(argv[0], "--pixel belongs to --figure; did you mean --explain?");
 
     static Drawing drawing;
     if (!picture_needs_are_met(order) ||
         !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))
         return EXIT_COULD_NOT;
     if (argc == 1)
-        explain(&drawing);
+        tell(&drawing);
     if (!cast(&drawing, order))
         return EXIT_COULD_NOT;
     int status = drawing_end(&drawing);

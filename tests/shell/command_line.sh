@@ -216,6 +216,40 @@ done
 expect 'wrong usage makes no picture' 'there is one' [ ! -e size.png ]
 expect_usage "'\?\[2Jx'" 'escape codes are not passed on' -s "$(printf '\033[2Jx')"
 
+# ---- one pixel, explained, and figures ------------------------------------------------------------
+
+expect_exit 0 'a pixel is explained' --explain 9,4 good.nff
+expect 'the story goes to stdout' "$said" [ ! -s "$work/said/err" ]
+for words in 'pixel (column, row)         (9, 4)' 'normalized (s, t)' 'vector from the eye' \
+    'a, b, c' 'b^2 - 4ac' 'roots' 'In all: 1 hit, 0 behind the eye, 0 missed.' ': nearest' \
+    'as bytes, round(255 c)      255, 255, 255  #ffffff' 'in the picture              255, 255, 255, the same'; do
+    expect "the story says $words" "$(cat "$work/said/out")" grep -qF -e "$words" "$work/said/out"
+done
+expect 'the story fits into 80 columns' 'it does not' \
+    [ "$(awk 'length > longest { longest = length } END { print longest }' "$work/said/out")" -le 80 ]
+expect 'a story makes no picture' 'there is one' [ ! -e "$programs/gallery/good.png" ]
+expect_exit 0 'a pixel of the background is explained' --explain 0,0 good.nff
+expect 'the background is named' "$said" grep -q 'of the background' "$work/said/out"
+expect_exit 0 '-s is taken for the story' -s 40x20 --explain 39,19 good.nff
+expect_exit 0 'without a scene the story is of the own scene' --explain 300,200
+expect 'the own scene is named' "$said" grep -q three-spheres.nff "$work/said/out"
+for pixel in 20,0 0,10 500,500; do
+    expect_usage 'not in a picture of 20 x 10' "the pixel $pixel is outside" --explain "$pixel" good.nff
+done
+for pixel in '' 5 5,5,5 -1,0 a,b 1.5,2 5x5; do
+    expect_usage 'COLUMN,ROW' "the pixel '$pixel' is refused" --explain "$pixel" good.nff
+done
+expect_usage '-o: no picture' 'a story has no file' --explain 9,4 -o no.png good.nff
+expect_usage 'pixel belongs to --figure' '--pixel alone is refused' --pixel 9,4 good.nff
+expect_says 2 'expected object-order or' 'an unknown figure is refused' --figure sideways good.nff
+expect_says 1 '^no\.nff: .*No such file' 'a missing scene is named in the story' --explain 9,4 no.nff
+expect_says 1 '^no\.nff: .*No such file' 'a missing scene is named for a figure' --figure ray-casting no.nff
+printf '%b' "${view}s 0 0 0 -1\n" > bad.nff
+expect_says 1 '^bad\.nff:7: .*radius' 'a bad scene has no story' --explain 9,4 bad.nff
+(cd / && "$program" --explain 9,4 "$work/in/good.nff" > "$work/said/out" 2> "$work/said/err")
+status=$?
+expect 'a pixel is explained from any folder' "$(cat "$work/said/err")" [ $status -eq 0 ]
+
 # ---- scenes that are none -----------------------------------------------------------------------
 
 expect_bad_scene 1 "'v'" 'an empty scene is refused' ''

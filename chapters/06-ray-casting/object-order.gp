@@ -1,0 +1,31 @@
+# object-order.gp - for one object, the pixels that it colours (slide 'Object order').
+note = drawn(0)
+title = "Object order: for each object, find the pixels that it colours"
+description = sprintf("Lines go from the outline of sphere %s to the eye; where they cross the image plane is the sphere's \
+outline in the picture. It would colour the %d of the %s pixels that are drawn whose centres are inside. %s", \
+    object_name, cells, grid_text, note)
+steps = 4
+room = "0.04 0.96 0.16 0.93"
+@see
+@spheres
+
+plot @behind \
+    $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
+    @step4 $pixels index 0 using @point:4 with filledcurves closed fc rgb variable fs solid noborder title "pixels", \
+    for [_=4:wrong * step:1000] $pixels index wrong using @point:4 with lines lw 2.2 dt 2 lc rgb variable \
+        title "your pixels", \
+    $grid using @point with @hair lc rgb faint title "grid", \
+    $plane using @point with @lines lc rgb ink title "plane", \
+    @step4 $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
+    @before \
+    @step2 $lines using @point with lines lw 1.2 dt 3 lc rgb blue title "lines to the eye, all of them", \
+    @step2 $lines using @bold with lines lw 1.6 lc rgb blue title "lines to the eye", \
+    @step2 $heads using @vector with vectors head filled size 12,18,90 lw 1.6 lc rgb blue title "towards the eye", \
+    @step3 $outline using @point with @thick lc rgb ink title "outline on the plane", \
+    @names \
+    @step4 $eye using (width / 2):(44):(sprintf("%d pixel centre%s inside the outline of %s", \
+        cells, cells == 1 ? "" : "s", object_name)) \
+        with labels tc rgb ink title "count", \
+    $eye using @point with @dot lc rgb blue title "eye", \
+    $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
+    $eye using (16):(height - 20):(small(note)) with labels left tc rgb grey title "note"

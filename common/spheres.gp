@@ -1,0 +1,144 @@
+# spheres.gp - spheres before and behind the image plane, as shaded discs with great circles.
+#
+# $spheres has a row for each of 'balls' spheres: number x y z radius rgb (65536 r + 256 g + b).
+# '@spheres', after @see, makes three lists for the plot command: @behind is what the image plane is
+# drawn over, @before what is drawn over it, @names the letters. seen(x, y, z) is 1 where neither a
+# sphere nor the image plane hides a place of the world.
+#
+# Far spheres are drawn first. Where two meet, a plane through their common circle divides them, and
+# of the nearer one just what is beyond it is drawn: so neither hides too much. The image plane
+# divides a sphere that sticks out of it in the same way; it is number 0 among what divides.
+array ball_number[100]
+array ball_x[100] # on the canvas, and how near; in the canvas' units
+array ball_y[100]
+array ball_n[100]
+array ball_r[100]
+array ball_rgb[100]
+array ball_h[100] # from its middle to the image plane, towards whoever looks
+array divided[100] # by which: "2 5"
+array order[100]
+least(a, b) = a < b ? a : b
+most(a, b) = a > b ? a : b
+
+# Smaller letters, of the same size in all formats; around letters in italics it takes '@little',
+# because a font inside of a size ends it in SVG.
+small(s) = tex ? "{\\small ".s."}" : "{/*0.8 ".s."}"
+little = tex ? "" : sprintf("font ',%g'", 0.8 * (format eq "png" ? 25.5 : format eq "pdf" ? 6.02 : 17))
+# Sphere 0 is A, as in the lesson; after Z comes AA.
+letter(i) = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"[i % 26 + 1:i % 26 + 1]
+ball_name(i) = i < 26 ? letter(int(i)) : ball_name(int(i) / 26 - 1).letter(int(i))
+
+# Colours: how bright; and with some of black (k < 0) or white mixed in.
+linear(byte) = (byte / 255.0) ** 2.2
+bright(rgb) = 0.2126 * linear(rgb / 65536) + 0.7152 * linear(rgb / 256 % 256) + 0.0722 * linear(rgb % 256)
+mixed(byte, k) = int(byte + abs(k) * ((k < 0 ? 0 : 255) - byte) + 0.5)
+shade(rgb, k) = sprintf("#%02x%02x%02x", mixed(rgb / 65536, k), mixed(rgb / 256 % 256, k), mixed(rgb % 256, k))
+pale(rgb) = rgb_of(shade(int(rgb), dark ? -0.6 : 0.6))
+rgb_of(text) = int("0x".text[2:*])
+outline(rgb) = shade(rgb, dark ? 0.5 : -0.5)
+on_ball(rgb) = bright(rgb) > 0.18 ? "#000000" : "#ffffff"
+
+# Of sphere i what lies beyond divider j is seen: the places from its middle with n.place >= h.
+apart(i, j) = sqrt((ball_x[i] - ball_x[j])**2 + (ball_y[i] - ball_y[j])**2 + (ball_n[i] - ball_n[j])**2)
+n_x(i, j) = j == 0 ? plane_x : (ball_x[i] - ball_x[j]) / apart(i, j)
+n_y(i, j) = j == 0 ? plane_y : (ball_y[i] - ball_y[j]) / apart(i, j)
+n_n(i, j) = j == 0 ? plane_n : (ball_n[i] - ball_n[j]) / apart(i, j)
+h_of(i, j) = j == 0 ? ball_h[i] : (ball_r[j]**2 - ball_r[i]**2 - apart(i, j)**2) / (2 * apart(i, j))
+
+# In direction phi from its middle it is seen from 'from' to 'upto'; there n has the part a, and b
+# towards whoever looks.
+upto1(r, a, b, h) = a * r >= h ? r : r * r * (a * a + b * b) < h * h ? 0 : \
+    (h * a + b * sqrt(r * r * (a * a + b * b) - h * h)) / (a * a + b * b)
+from1(r, a, b, h) = -a * r >= h ? 0 : r * r * (a * a + b * b) < h * h ? 0 : \
+    (h * a - b * sqrt(r * r * (a * a + b * b) - h * h)) / (a * a + b * b)
+n_along(i, j, phi) = n_x(i, j) * cos(phi) + n_y(i, j) * sin(phi)
+upto(i, list, m, phi) = m == 0 ? ball_r[i] : least(upto(i, list, m - 1, phi), \
+    upto1(ball_r[i], n_along(i, int(word(list, m)), phi), n_n(i, int(word(list, m))), h_of(i, int(word(list, m)))))
+from(i, list, m, phi) = m == 0 ? 0 : most(from(i, list, m - 1, phi), \
+    from1(ball_r[i], n_along(i, int(word(list, m)), phi), n_n(i, int(word(list, m))), h_of(i, int(word(list, m)))))
+beyond(i, list, m, x, y, n) = m == 0 ? 1 : n_x(i, int(word(list, m))) * x + n_y(i, int(word(list, m))) * y + \
+    n_n(i, int(word(list, m))) * n < h_of(i, int(word(list, m))) ? 0 : beyond(i, list, m - 1, x, y, n)
+
+# Shade k, from 0 (the whole disc) to 1, is a smaller disc, nearer to a light at the upper left.
+lit(r, k, phi) = 0.32 * k * r * cos(phi - 125) + sqrt((r * (1 - 0.66 * k))**2 - (0.32 * k * r * sin(phi - 125))**2)
+rim(i, list, k, phi) = list eq "" ? lit(ball_r[i], k, phi) : \
+    most(0, least(lit(ball_r[i], k, phi), upto(i, list, words(list), phi)))
+inner(i, list, phi) = list eq "" ? 0 : from(i, list, words(list), phi)
+# Once round the rim in 145 places; where something divides it, also back along its inner rim.
+turn(list, at) = list eq "" ? 2.5 * at : at <= 72 ? 5 * at : 720 - 5 * at
+way(i, list, k, at) = list eq "" || at <= 72 ? rim(i, list, k, turn(list, at)) : \
+    least(inner(i, list, turn(list, at)), rim(i, list, k, turn(list, at)))
+disc_x(i, list, k, at) = ball_x[i] + way(i, list, k, at) * cos(turn(list, at))
+disc_y(i, list, k, at) = ball_y[i] + way(i, list, k, at) * sin(turn(list, at))
+edge_x(i, list, phi) = ball_x[i] + rim(i, list, 0, phi) * cos(phi)
+edge_y(i, list, phi) = inner(i, list, phi) < rim(i, list, 0, phi) ? ball_y[i] + rim(i, list, 0, phi) * sin(phi) : NaN
+
+# Great circles, one level, one facing the eye: only what is towards whoever looks.
+arc_x(which, phi) = which == 0 ? across(cos(phi), sin(phi)) : across(cos(phi), 0)
+arc_y(which, phi) = which == 0 ? above(cos(phi), 0, sin(phi)) : above(cos(phi), sin(phi), 0)
+arc_n(which, phi) = which == 0 ? near(cos(phi), 0, sin(phi)) : near(cos(phi), sin(phi), 0)
+on_arc(i, list, which, phi) = arc_n(which, phi) > 0 && beyond(i, list, words(list), ball_r[i] * arc_x(which, phi), \
+    ball_r[i] * arc_y(which, phi), ball_r[i] * arc_n(which, phi)) ? ball_y[i] + ball_r[i] * arc_y(which, phi) : NaN
+
+# What draws sphere i: its shades, its outline, its great circles.
+layers = 10
+disc(i, list, k) = sprintf("'+' using (disc_x(%d,'%s',%g,$0)):(disc_y(%d,'%s',%g,$0)) with filledcurves closed \
+fc rgb '%s' fs solid noborder title '%s %s', ", i, list, k, i, list, k, shade(ball_rgb[i], 0.55 * k - 0.3), \
+    k > 0 ? "shade of" : words(list) > 0 && word(list, 1) eq "0" ? "before the plane, sphere" : "sphere", \
+    ball_name(ball_number[i]))
+discs(i, list, m) = m < 0 ? "" : discs(i, list, m - 1).disc(i, list, m / (layers + 0.0))
+rims(i, list) = sprintf("'+' using (edge_x(%d,'%s',2.5*$0)):(edge_y(%d,'%s',2.5*$0)) with lines lw 1 \
+lc rgb '%s' title 'outline of %s', ", i, list, i, list, outline(ball_rgb[i]), ball_name(ball_number[i]))
+arc(i, list, which) = sprintf("'+' using (ball_x[%d]+ball_r[%d]*arc_x(%d,2.5*$0)):(on_arc(%d,'%s',%d,2.5*$0)) \
+with lines lw 0.8 lc rgb '%s' title 'great circle of %s', ", i, i, which, i, list, which, \
+    shade(ball_rgb[i], bright(ball_rgb[i]) > 0.18 ? -0.4 : 0.4), ball_name(ball_number[i]))
+ball(i, list) = discs(i, list, layers).arc(i, list, 0).arc(i, list, 1).rims(i, list)
+
+# A place of the canvas, and how near: is it behind the image plane, or in or behind a sphere?
+in_right(x, y, n) = sin(azimuth) * x - cos(azimuth) * (sin(elevation) * y - cos(elevation) * n)
+in_up(x, y, n) = cos(elevation) * y + sin(elevation) * n
+in_forward(x, y, n) = cos(azimuth) * x + sin(azimuth) * (sin(elevation) * y - cos(elevation) * n)
+from_eye(x, y, n) = (to_plane = (d * scale - in_forward(x, y, n)) / near(0, 0, 1), to_plane > 1e-6 * scale * d && \
+    abs(in_right(x, y, n) + to_plane * near(1, 0, 0)) < scale * w / 2 && \
+    abs(in_up(x, y, n) + to_plane * near(0, 1, 0)) < scale * h / 2)
+behind_plane(x, y, n) = from_eye(x - X(at_x, at_y, at_z), y - Y(at_x, at_y, at_z), n - N(at_x, at_y, at_z))
+N(x, y, z) = scale * seen_near(x, y, z)
+behind_ball(i, x, y, n) = (off2 = (x - ball_x[i])**2 + (y - ball_y[i])**2, \
+    off2 < ball_r[i]**2 && n < ball_n[i] + sqrt(ball_r[i]**2 - off2) - 1e-4 * ball_r[i])
+hidden(x, y, n) = (sum [_i=1:balls] behind_ball(_i, x, y, n)) > 0 || behind_plane(x, y, n)
+seen(x, y, z) = balls > 0 ? !hidden(X(x, y, z), Y(x, y, z), N(x, y, z)) : !behind_plane(X(x, y, z), Y(x, y, z), N(x, y, z))
+
+# A letter on sphere i: in its middle, or in the first of eight places round it that is seen.
+spot_x(i, k) = ball_x[i] + (k == 0 ? 0 : 0.6 * ball_r[i] * cos(45 * k + 22))
+spot_y(i, k) = ball_y[i] + (k == 0 ? 0 : 0.6 * ball_r[i] * sin(45 * k + 22))
+spot_seen(i, k) = !hidden(spot_x(i, k), spot_y(i, k), ball_n[i] + ball_r[i] * (k == 0 ? 1 : 0.8))
+spot(i, k) = k > 8 || spot_seen(i, k) ? k : spot(i, k + 1)
+letters(i, name) = ball_r[i] > 24 ? name : ball_r[i] > 6 + 6 * strlen(name) ? small(name) : ""
+name_at(i, k) = k > 8 || letters(i, ball_name(ball_number[i])) eq "" ? "" : sprintf("'+' every ::0::0 \
+using (%g):(%g):(letters(%d,'%s')) with labels tc rgb '%s' title 'name of %s', ", spot_x(i, k), spot_y(i, k), i, \
+    ball_name(ball_number[i]), on_ball(ball_rgb[i]), ball_name(ball_number[i]))
+
+# Which of the other spheres divide i: farther ones that it meets.
+meets(i, j) = i != j && ball_n[j] < ball_n[i] && apart(i, j) < ball_r[i] + ball_r[j] && h_of(i, j) > -ball_r[i]
+dividers(i, j) = j == 0 ? "" : dividers(i, j - 1).(meets(i, j) ? sprintf(" %d", j) : "")
+farther(i) = sum [_j=1:balls] (ball_n[_j] < ball_n[i] || (ball_n[_j] == ball_n[i] && _j < i))
+spheres = 'set samples 145; count = 0; behind = ""; before = ""; names = ""; \
+    stats $spheres index 0 using (count = count + 1, ball_number[count] = $1, ball_x[count] = X($2,$3,$4), \
+        ball_y[count] = Y($2,$3,$4), ball_n[count] = N($2,$3,$4), ball_r[count] = scale * $5, ball_rgb[count] = int($6), \
+        ball_h[count] = scale * (along_forward(at_x, at_y, at_z) + d - along_forward($2,$3,$4)), 1) nooutput; \
+    plane_side = near(0, 0, 1) < 0 ? -1 : 1; plane_x = plane_side * across(0, 1); \
+    plane_y = plane_side * above(0, 0, 1); plane_n = plane_side * near(0, 0, 1); layers = balls > 12 ? 4 : 10; \
+    do for [i=1:balls] { order[1 + farther(i)] = i; ball_h[i] = plane_side * ball_h[i]; divided[i] = dividers(i, balls) }; \
+    do for [k=1:balls] { i = order[k]; \
+        if (ball_h[i] > -ball_r[i]) { behind = behind.ball(i, divided[i]) }; \
+        if (ball_h[i] <= -ball_r[i]) { before = before.ball(i, divided[i]) } \
+        else { if (ball_h[i] < ball_r[i]) { before = before.ball(i, "0".divided[i]) } }; \
+        names = names.name_at(i, spot(i, 0)) }'
+
+# A ray's bold part, where it is seen.
+bold = "(X($1,$2,$3)):($5 == 1 && seen($1,$2,$3) ? Y($1,$2,$3) : NaN)"
+# What is left out of the picture, or drawn elsewhere; a function, as not all layouts have these numbers.
+drawn(_) = (coarse || balls < all_balls || plane_t < 1 ? "Drawn: " : " ").(coarse ? sprintf("%s of %s pixels", \
+    grid_text, size_text) : "").(coarse && balls < all_balls ? ", " : "").(balls < all_balls ? \
+    sprintf("%d of %d spheres", balls, all_balls) : "").(plane_t == 1 ? "" : \
+    (coarse || balls < all_balls ? ", " : "")."the image plane at t = ".plane_t_text)
