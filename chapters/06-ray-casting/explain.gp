@@ -13,8 +13,8 @@ plain(k) = sprintf("Sphere %s: a = %s, b = %s, c = %s, discriminant %s, %s. ", c
 all_plain(k) = k > told ? "" : plain(k).all_plain(k + 1)
 verdict = all_hits == 0 ? "no hit: background" : "smallest ".math("t")." > 0:  ".nearest_text.", sphere ".nearest_name
 title = "One pixel, explained"
-description = sprintf("Pixel %s of %s has its centre at (%s, %s); s is %s, t is %s; the vector from the eye is %s. ", \
-    pixel_text, size_text, screen_x_text, screen_y_text, s_text, t_text, vector_v_text).all_plain(1). \
+description = sprintf("Pixel %s of %s has its centre at (%s, %s); s is %s, t is %s; the vector from the eye, %s, is %s. ", \
+    pixel_text, size_text, screen_x_text, screen_y_text, s_text, t_text, p_text, vector_v_text).all_plain(1). \
     (all_hits == 0 ? "Nothing is hit: background. " : \
     sprintf("The smallest t > 0 is %s, on sphere %s. ", nearest_text, nearest_name)). \
     sprintf("The colour is %s. ", bytes_text).note
