@@ -1,7 +1,7 @@
 # ray-casting.gp - one ray, all it meets, and the colour of what is closest (slide 'Ray casting').
 note = drawn(0)
 # In words: the rows of $hits behind the comment and the first, which is the closest.
-farther(i) = i > |$hits| || i > 9 ? "" : (i < 3 || words($hits[i]) < 5 ? "" : \
+farther(i) = i > |$hits| || i > 9 ? "" : (i < 3 || words($hits[i]) < 5 || word($hits[i], 5) eq "-1" ? "" : \
     sprintf("It meets sphere %s at t = %.4g. ", ball_name(int(word($hits[i], 5) + 0)), word($hits[i], 4) + 0)).farther(i + 1)
 title = "Ray casting: the closest hit colours the pixel"
 description = sprintf("The ray of pixel %s of %s goes from the eye through the image plane. ", pixel_text, size_text). \
