@@ -187,14 +187,28 @@ endif
 SCRIPTS := $(patsubst %,$(FIGURES)/%.gp,$(notdir $(basename $(LAYOUTS))))
 layout_of = $(wildcard chapters/*/$(1).gp)
 stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
-# Beside another's answers, what is right.
+# Beside another's answers, what is right, and what the judge says is wrong.
+#[
 RIGHT := $(if $(filter-out solutions,$(A)),$(B)/solutions/figures)
-$(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call layout_of,$$*) common/plot.gp \
-		$(RIGHT:%=%/$$*.gp)
+ifneq ($(RIGHT),)
+RIGHT_PROGRAMS := $(STEMS:%=$(B)/solutions/%)
+$(RIGHT_PROGRAMS): $(B)/solutions/%: $$(sort $$(call chapter_objects,$$*) $(SHOWS_CAMERA)) \
+		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
+RIGHT_SCRIPTS := $(SCRIPTS:$(FIGURES)/%=$(RIGHT)/%)
+$(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(B)/solutions/$$(call stem_of,$$*) $$(call layout_of,$$*) common/plot.gp
 	$(Q)mkdir -p $(@D)
-	$(Q)$< --figure $* $(RIGHT:%=--right %/$*.gp) > $@
-$(RIGHT:%=%/%.gp): FORCE
-	$(Q)$(MAKE) --no-print-directory -s ANSWERS=solutions $@
+	$(Q)$< --figure $* > $@
+endif
+#]
+#~ RIGHT := tests/told/figures
+# With something missing, a figure is not yet; that is said in one line.
+$(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call layout_of,$$*) common/plot.gp \
+		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(ALL_VERDICTS))
+	$(Q)mkdir -p $(@D)
+	$(Q)$(if $(RIGHT),.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp --note "$$(awk \
+		-v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c)",$< --figure $* > $@)
 
 figures: $(SCRIPTS) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME= SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
@@ -394,7 +408,8 @@ endif
 VERDICT := $(B)/$(EXERCISES:/%=%)/verdict
 ALL_VERDICTS := $(STEMS:%=$(VERDICT)/%/table)
 VERDICTS := $(CHOSEN:%=$(VERDICT)/%/table)
-ifneq ($(filter exercises watch debug hint,$(MAKECMDGOALS)),)
+JUDGING_FOR := $(filter exercises watch debug hint $(if $(RIGHT),figures),$(MAKECMDGOALS))
+ifneq ($(JUDGING_FOR),)
 ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
 $(info Building the judge, once; that takes a moment ...)
 endif
