@@ -251,6 +251,9 @@ $(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies layouts exercises righ
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -o $@ $<
 
+# What the judge draws of a wrong answer.
+DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector place section \
+	equation pictures)
 earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
 #[ The tests themselves, the mistakes and the laws.
 # A stem's tests, calling the answers directly: that answer, and the reference for the stems before.
@@ -284,11 +287,12 @@ $(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/fla
 	$(call say,compile,$< as reference)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
-JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call process ending wire same suspects \
-	switchboard system_call) $(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
+JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call corners kept process ending wire same \
+	suspects switchboard system_call) $(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
 JUDGES := $(STEMS:%=$(B)/judge/%)
 $(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) $(JUDGING) \
-		$(B)/judge/lender-%.o $(B)/tests/judge/judge.o $(B)/tests/judge/report.o $(B)/common.a
+		$(B)/judge/lender-%.o $(B)/judge/layouts.o $(DRAWING) \
+		$(patsubst %,$(B)/tests/judge/%.o,judge report right) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 # The matrix: the same, and in the place of the answering process a table that the reference fills.
