@@ -224,14 +224,27 @@ static void fit_what_is_wrong(Plot *plot, vec3 place)
         plot_fit(plot, place, 0);
 }
 
-// A block without any row: gnuplot warns of what has none.
-static const char no_rows[] = "NaN NaN NaN NaN NaN NaN NaN NaN\n";
+// Of a block that has no row, or none without a NaN, one far off the canvas: gnuplot 5.4 warns of
+// the one, and crashes on labels of the other.
+static const char nowhere[] = "1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9\n";
+
+static bool has_rows(const char *rows)
+{
+    while (*rows != '\0') {
+        size_t length = strcspn(rows, "\n");
+        const char *none = strstr(rows, "NaN");
+        if (length > 0 && (none == NULL || none > rows + length))
+            return true;
+        rows += length + (rows[length] == '\n');
+    }
+    return false;
+}
 
 static bool end_block(Plot *plot)
 {
     fclose(plot->rows);
     char name[100];
-    const char *right, *yours = plot->rows_size > 0 ? plot->rows_text : no_rows;
+    const char *right, *yours = has_rows(plot->rows_text) ? plot->rows_text : nowhere;
     bool is_wrong = false;
     snprintf(name, sizeof name, "$%s", plot->block);
     fprintf(plot->script, "%s << EOD\n# %s\n", name, plot->columns);

@@ -178,10 +178,10 @@ beside = 'set label 90 "right:" at beside_x, height - 36 left tc rgb blue front;
     set label 92 "yours:" at beside_x, height - 62 left tc rgb orange front; \
     set label 93 yours_text at beside_x + 64, height - 62 left noenhanced tc rgb orange front; \
     set label 94 off_text at beside_x, height - 88 left noenhanced font small tc rgb ink front; \
-    set label 95 wrap(why, beside_room) at beside_x, height - 112 left noenhanced font small tc rgb grey front'
+    set label 95 wrap(why, beside_room) at beside_x, height - (off_text eq "" ? 88 : 112) left noenhanced font small tc rgb grey front'
 # The same for who does not see it.
-beside_words = 'sprintf("Right is %s, yours is %s, drawn dashed: %s.", answer_text, yours_text, off_text). \
-    (why eq "" ? "" : " ".why)'
+beside_words(_) = sprintf("Right is %s; yours, drawn dashed, is %s%s.", answer_text, yours_text, \
+    off_text eq "" ? "" : ", ".off_text).(why eq "" ? "" : " ".why)
 
 # ---- the end --------------------------------------------------------------------------------------
 

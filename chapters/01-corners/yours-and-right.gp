@@ -2,7 +2,7 @@
 #
 # The judge draws wrong answers of chapters 01 and 04 by this layout, too.
 title = asked.": yours beside the right one"
-description = sprintf("The image plane, and two vectors from %s to it. ", eye_text).@beside_words
+description = sprintf("The image plane, and two vectors from %s to it. ", eye_text).beside_words(0)
 steps = 3
 room = "0.10 0.95 0.05 0.90"
 @see

@@ -65,6 +65,17 @@ static void write_figure(const char *path, Wrong *wrong)
     }
 }
 
+static void replace_all(char *text, size_t size, const char *old, const char *new)
+{
+    size_t from = strlen(old), to = strlen(new);
+    for (char *at = strstr(text, old); at != NULL; at = strstr(at + to, old)) {
+        if (strlen(text) + to - from >= size)
+            return;
+        memmove(at + to, at + from, strlen(at + from) + 1);
+        memcpy(at, new, to);
+    }
+}
+
 // Behind 'looks like' a formula with minus signs stands in the terminal; here they are drawn.
 static void why_of(char *why, size_t size, Diagnosis diagnosis)
 {
@@ -73,13 +84,8 @@ static void why_of(char *why, size_t size, Diagnosis diagnosis)
     if (mistake != NULL)
         snprintf(why, size, "%s%s%s", mistake->formula != NULL ? mistake->formula : "",
                  mistake->formula != NULL ? ": " : "", mistake->why);
-    for (char *hyphen = strstr(why, "- "); hyphen != NULL; hyphen = strstr(hyphen, "- ")) {
-        size_t minus = strlen("\u2212");
-        if (strlen(why) + minus > size)
-            return;
-        memmove(hyphen + minus, hyphen + 1, strlen(hyphen));
-        memcpy(hyphen, "\u2212", minus);
-    }
+    replace_all(why, size, "+-", "\u00b1");
+    replace_all(why, size, "- ", "\u2212 ");
 }
 
 void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosis diagnosis)

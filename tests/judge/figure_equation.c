@@ -79,6 +79,12 @@ static Range range_of(Quadratic q, Roots roots)
     return (Range){middle - aside, middle + aside};
 }
 
+static void add_values(Range *f, Quadratic q, Range t)
+{
+    for (int i = 0; i <= SAMPLES; i++)
+        range_add(f, value(q, t.low + (t.high - t.low) * i / SAMPLES));
+}
+
 // Of a curve, what is not far above or below the other.
 static void write_curve(Plot *plot, const char *name, Quadratic q, Range t, Range f)
 {
@@ -132,17 +138,21 @@ void write_equation(Plot *plot, void *given)
 {
     const Wrong *wrong = given;
     Range t = range_of(equation.right, equation.right_roots), f = {0, 0};
+    add_values(&f, equation.right, t);
     Roots yours = equation.your_roots, seen = shown(yours, &t);
-    range_try(&t, 0);
-    for (int i = 0; i <= SAMPLES; i++)
-        range_add(&f, value(equation.right, t.low + (t.high - t.low) * i / SAMPLES));
+    if (!equation.are_roots && equation.yours.a != 0) {
+        Range other = range_of(equation.yours, yours);
+        if (range_try(&t, other.low) && range_try(&t, other.high))
+            add_values(&f, equation.yours, other);
+    }
+    if (t.low > 0 && t.low < t.high - t.low)
+        t.low = 0;
     plot_text(plot, "asked", wrong->function);
     plot_text(plot, "why", wrong->why);
     plot_number(plot, "are_roots", equation.are_roots);
     plot_label(plot, "equation", quadratic_words(equation.right).s);
     write_curve(plot, "curve", equation.right, t, f);
-    if (!equation.are_roots)
-        write_curve(plot, "your_curve", equation.yours, t, f);
+    write_curve(plot, "your_curve", equation.yours, t, f);
     figure_marks(plot, "answer", equation.right_roots.t, equation.right_roots.count, 1);
     figure_marks(plot, "yours", seen.t, seen.count, 1);
     plot_number(plot, "low", t.low);

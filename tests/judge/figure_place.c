@@ -44,7 +44,8 @@ bool read_place(Wrong *wrong)
         places.into = to_screen ? whole_screen(screen) : unit_square();
     } else {
         WIRE_GET(wrong->question, pixel);
-        places.into = (Panel){pixel.column, pixel.row, 1, 1, true};
+        places.from = places.into = (Panel){pixel.column, pixel.row, 1, 1, true};
+        memcpy(places.given, (const double[]){pixel.column, pixel.row}, sizeof places.given);
     }
     wire_get(wrong->right, places.right, sizeof places.right);
     wire_get(wrong->yours, places.yours, sizeof places.yours);
@@ -103,11 +104,9 @@ void write_place(Plot *plot, void *given)
     plot_text(plot, "asked", wrong->function);
     plot_text(plot, "why", wrong->why);
     plot_number(plot, "has_given", places.has_given);
-    if (places.has_given) {
-        write_panel(plot, "from", places.from, &places.given, 1);
-        write_dot(plot, "given", places.given);
-        plot_label(plot, "given", pair_text(places.given[0], places.given[1]).s);
-    }
+    write_panel(plot, "from", places.from, &places.given, places.has_given);
+    write_dot(plot, "given", places.given);
+    plot_label(plot, "given", pair_text(places.given[0], places.given[1]).s);
     write_panel(plot, "into", places.into, answers, 2);
     write_dot(plot, "answer", places.right);
     write_dot(plot, "yours", places.yours);

@@ -1,6 +1,6 @@
 # equation.gp - a quadratic as its parabola over the t axis: its roots, or another quadratic.
 title = asked.": yours beside the right one"
-description = sprintf("The parabola f(t) of the quadratic with %s, over the t axis. ", equation_text).@beside_words
+description = sprintf("The parabola f(t) of the quadratic with %s, over the t axis. ", equation_text).beside_words(0)
 steps = 2
 beside_room = 100
 @beside
@@ -12,12 +12,6 @@ $here << EOD
 0
 EOD
 two = are_roots ? "for [_=1:0]" : "for [_=0:0]"
-if (are_roots) {
-$your_curve << EOD
-NaN NaN
-EOD
-}
-
 plot $here using (across(low)):(upward(0)):(across(high)-across(low)):(0) with vectors head filled size 9,18,90 lw 1 lc rgb grey title "axis", \
     $here using (across(high)):(upward(0)):(math("t")) with labels left offset 0.8,0 tc rgb grey title "t", \
     $ticks using (across($2)):(upward(0)-4):(0):(8) with vectors nohead lw 1 lc rgb grey title "ticks", \
