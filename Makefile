@@ -207,8 +207,9 @@ endif
 $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call layout_of,$$*) common/plot.gp \
 		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(ALL_VERDICTS))
 	$(Q)mkdir -p $(@D)
-	$(Q)$(if $(RIGHT),.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp --note "$$(awk \
-		-v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c)",$< --figure $* > $@)
+	$(Q)$(if $(RIGHT),note=$$(awk -v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c); \
+		.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
+		--figure $* > $@)
 
 figures: $(SCRIPTS) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME= SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
@@ -391,8 +392,8 @@ check-all: $(CHECKS) $(FOR_CHECKS) ## those that need longer, too
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
 
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
-build/handout.tar.gz: $(TABLES) $(BLANKS) FORCE
-	@.make/handout $(@D) $(TABLE) build/blanks
+build/handout.tar.gz: $(TABLES) $(BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) FORCE
+	@.make/handout $(@D) $(TABLE) build/blanks $(or $(RIGHT),$(FIGURES))
 .PHONY: handout FORCE
 #]
 # ---- the exercises ----------------------------------------------------------------------------

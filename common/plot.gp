@@ -86,6 +86,11 @@ italic(s) = strlen(s) == 0 ? "" : \
     (is_letter(s[1:1]) ? "{/'DejaVu Serif':Italic ".s[1:1]."}" : s[1:1]).italic(s[2:*])
 math(s) = tex ? "$".s."$" : italic(s)
 
+# An expression that an exercise asks for: answer("d f − ½ w r"). A handout's layouts have answer("").
+answer(s) = s eq "" ? "" : math(s)
+# An expression and what it comes to, or only that.
+equals(expression, value) = expression eq "" ? value : expression." = ".value
+
 # ---- steps, and what is yours ---------------------------------------------------------------------
 
 # A layout says how many steps it has: steps = 5.

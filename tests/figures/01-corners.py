@@ -55,10 +55,32 @@ def corner_vectors(c, options):
     checks.near("the outline of the plane", figure.lines("plane")[0], outline)
 
 
+def yours_and_right(c, options, yours=None):
+    """The point 30% across and 10% up; by default, who counts from the middle of the plane."""
+    figure = Figure("01-corners", "yours-and-right", *options)
+    figure.see(c["r"], c["u"], c["f"], room=(0.10, 0.95, 0.05, 0.90))
+    right = legs(c, -0.4, -0.8)
+    yours = yours or legs(c, 0.6, 0.2)
+    checks.same("yours and right: data", [figure.block("answer")[0], figure.block("yours")[0]],
+                [[*c["p"], *right], [*c["p"], *yours]])
+    checks.near("yours and right: right", figure.tips("right"), figure.place(plus(c["p"], right)))
+    checks.near("yours and right: yours", figure.tips("yours"), figure.place(plus(c["p"], yours)))
+    return figure
+
+
+def is_said(figure, off):
+    checks.that("yours and right: what it is off by", figure.text("off_text") == off, figure.text("off_text"))
+
+
 corner_vectors(DECK, [])
+is_said(yours_and_right(DECK, []), "off by (1, 1, 0) = ½ w r + ½ h u")
+is_said(yours_and_right(DECK, ["--yours", "-0.4,0.8,4"], (-0.4, 0.8, 4)), "off by (0, 1.6, 0) = 4/5 h u")
+is_said(yours_and_right(DECK, ["--yours", "0.123,0.4567,4"], (0.123, 0.4567, 4)), "off by (0.523, 1.257, 0)")
+holds_for_every(checks, "01-corners", "yours-and-right")
 holds_for_every(checks, "01-corners", "corner-vectors")
 dice = random.Random(1)
 for _ in range(int(os.environ.get("CAMERAS", "5"))):
     camera = some_camera(dice)
     corner_vectors(camera, options_of(camera))
+    yours_and_right(camera, options_of(camera))
 checks.end()

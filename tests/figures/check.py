@@ -63,6 +63,6 @@ def holds_for_every(checks, program, name, *options):
         checks.that(f"{name}, {shape}: there is text", len(figure.labels()) > 0)
         for text, x, y in figure.labels():
             checks.that(f"{name}, {shape}: {text!r} is on the canvas",
-                        0 <= x <= figure.width and 0 <= y <= figure.height, f"at {x}, {y}")
+                        0 <= x <= figure.width and -figure.strip <= y <= figure.height, f"at {x}, {y}")
     steps = int(figure.variables.get("steps", "1"))
     steps_only_add(checks, program, name, steps, *options)

@@ -28,7 +28,8 @@ elsewhere() {
             exercises tests "$scratch/copy" &&
         echo '// my answer' >>"$scratch/copy/exercises/01-corners.c" &&
         SOURCE_DATE_EPOCH=$(date -r "$scratch/tree/ray-casting/Makefile" +%s) && export SOURCE_DATE_EPOCH &&
-        (cd "$scratch/copy" && .make/handout "$scratch/out" "$here/build/told" "$here/build/blanks") &&
+        (cd "$scratch/copy" && .make/handout "$scratch/out" "$here/build/told" "$here/build/blanks" \
+            "$here/build/solutions/figures") &&
         cmp "$archive" "$scratch/out/handout.tar.gz"
 }
 in_one_folder() {
