@@ -378,7 +378,7 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
         print_quoted(out, note, false);
         fprintf(out, "\n");
     }
-    fprintf(out, "%s%s\n%s\n@legend\n" DATA_END "\n%s\n@finish\n", head, DATA_BEGIN, data, layout);
+    fprintf(out, "%s%s\n%s" DATA_END "\n@legend\n%s\n@finish\n", head, DATA_BEGIN, data, layout);
     free(plot->fit_text);
     free(data);
 }

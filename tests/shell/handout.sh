@@ -68,6 +68,61 @@ for teller in build/told/tell/*; do
     "$teller" --formulas
 done | grep '[-+*/^|=]' | awk 'length > 7' | sort -u >"$scratch/formulas"
 check 'no formula of a mistake is in it' holds_none_of "$scratch/formulas"
+# Expressions that the slides ask for, in whatever dress: no letters' spaces, no decoration.
+plain() {
+    sed 's/[ *·(){}\\]//g; s/−/-/g; s/½/1\/2/g; s/²/^2/g' "$@"
+}
+cat >"$scratch/expressions" <<'EOF'
+df-w/2r
+df+w/2r
+-w/2r
++w/2r
++h/2u
+s-1/2w
+t-1/2h
+s-0.5w
+1-y/H
+x/W
+1-t*H
+column+1/2
+column+0.5
+-b±
+-b+√
+-b+sqrt
+4ac
+b^2-4
+2pv
+pp-r^2
+p-c
+EOF
+layouts_hold_no_answer() {
+    status=0
+    for layout in "$scratch"/tree/ray-casting/chapters/*/*.gp "$scratch"/tree/ray-casting/tests/judge/layouts/*.gp \
+        "$scratch"/tree/ray-casting/tests/told/figures/*.gp; do
+        plain "$layout" | grep -nF -f "$scratch/expressions" && { echo "in $layout: mark it as answer(\"...\")"; status=1; }
+    done
+    return $status
+}
+check 'no layout of a figure says what an exercise asks for' layouts_hold_no_answer
+marked_in_full() {
+    grep -q 'answer("d f − (w/2) r + (h/2) u")' chapters/01-corners/corner-vectors.gp &&
+        grep -q 'answer("")' "$scratch/tree/ray-casting/chapters/01-corners/corner-vectors.gp"
+}
+check 'though here they do' marked_in_full
+# What is right is there for every figure: variables, and blocks of numbers.
+right_data_are_numbers() {
+    status=0
+    for layout in chapters/*/*.gp; do
+        data=$scratch/tree/ray-casting/tests/told/figures/${layout##*/}
+        [ -s "$data" ] || { echo "$data"; status=1; }
+        awk '/^\$[a-z_]+ << EOD$/ { inside = 1; next } /^EOD$/ { inside = 0; next }
+            inside ? !/^(#|$)/ && /[^-0-9.e Na]/ : NF && !/^(#|[a-z_]+ = ("[^"]*"|[-0-9.eNa]+)$)/ {
+                print FILENAME ": " $0; bad = 1 }
+            END { exit bad }' "$data" || status=1
+    done
+    return $status
+}
+check 'what is right of each figure is in it, as numbers' right_data_are_numbers
 names_no_solutions() {
     ! grep -rI 'solutions/' "$scratch/tree" --include='*.md'
 }
