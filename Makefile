@@ -253,7 +253,7 @@ $(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies layouts exercises righ
 	$(Q)$(COMPILE) -o $@ $<
 
 # What the judge draws of a wrong answer.
-DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector place section \
+DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector camera place section \
 	equation pictures)
 earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
 #[ The tests themselves, the mistakes and the laws.

@@ -154,3 +154,20 @@ Text figure_off(double right, double yours)
         snprintf(text.s, sizeof text.s, "off by %.60s", number_text_to(yours - right, 4).s);
     return text;
 }
+
+bool figure_near(vec3 yours, vec3 right, double size)
+{
+    return vec3_is_finite(yours) && vec3_length(yours - right) <= FIGURE_FAR * size;
+}
+
+void figure_frame(Plot *plot, vec3 right, vec3 up, vec3 forward)
+{
+    plot_direction(plot, "right", right);
+    plot_direction(plot, "up", up);
+    plot_direction(plot, "forward", forward);
+}
+
+bool figure_same_place(vec3 a, vec3 b)
+{
+    return vec3_length(a - b) <= 1e-9 * (1 + vec3_length(b));
+}

@@ -55,6 +55,14 @@ void figure_ticks(Plot *plot, Range range, double unit);
 // A row for each t, and its place.
 void figure_marks(Plot *plot, const char *name, const double *t, int count, double unit);
 
+// Whether it is finite, and no farther than so many sizes from what is right.
+enum { FIGURE_FAR = 20 };
+bool figure_near(vec3 yours, vec3 right, double size);
+bool figure_same_place(vec3 a, vec3 b); // to 9 digits
+
+// From whose right side the figure is seen.
+void figure_frame(Plot *plot, vec3 right, vec3 up, vec3 forward);
+
 // What is off, from 3.2 to 3.6: "off by 0.4"; nothing where one is none.
 Text figure_off(double right, double yours);
 

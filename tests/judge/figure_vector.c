@@ -1,4 +1,4 @@
-// figure_vector.c - vectors from the eye to the image plane, and rays; cameras by their vectors.
+// figure_vector.c - vectors from the eye to the image plane, and rays.
 #include "tests/judge/figure.h"
 
 #include "common/beside.h"
@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { GRID = 8, FAR = 20 };
+enum { GRID = 8 };
 
 // ---- a vector or a ray from the eye
 // -----------------------------------------------------------------
@@ -20,11 +20,6 @@ static struct {
     Ray right, yours;
     bool is_ray;
 } view;
-
-static bool near_enough(vec3 yours, vec3 right, double size)
-{
-    return vec3_is_finite(yours) && vec3_length(yours - right) <= FAR * size;
-}
 
 bool read_vector(Wrong *wrong)
 {
@@ -42,8 +37,8 @@ bool read_vector(Wrong *wrong)
     }
     double size = vec3_length(view.right.direction), length = vec3_length(view.yours.direction);
     return right_corners(wrong->record, c, view.corners) && (!view.is_ray || length > 0) &&
-           near_enough(view.yours.origin, view.right.origin, size) &&
-           (near_enough(view.yours.direction, view.right.direction, size) ||
+           figure_near(view.yours.origin, view.right.origin, size) &&
+           (figure_near(view.yours.direction, view.right.direction, size) ||
             (view.is_ray && isfinite(length)));
 }
 
@@ -81,13 +76,6 @@ static void write_plane(Plot *plot)
         plot_fit(plot, view.camera.origin + view.corners[i], 0);
 }
 
-static void write_frame(Plot *plot, vec3 right, vec3 up, vec3 forward)
-{
-    plot_direction(plot, "right", right);
-    plot_direction(plot, "up", up);
-    plot_direction(plot, "forward", forward);
-}
-
 // The length of a ray is free: drawn as long as the right one.
 static Ray as_long_as(Ray ray, Ray right)
 {
@@ -122,11 +110,6 @@ static Text ray_off(Ray right, Ray yours)
     return text;
 }
 
-static bool same_place(vec3 a, vec3 b)
-{
-    return vec3_length(a - b) <= 1e-9 * (1 + vec3_length(b));
-}
-
 void write_vector(Plot *plot, void *given)
 {
     const Wrong *wrong = given;
@@ -134,12 +117,12 @@ void write_vector(Plot *plot, void *given)
     Ray right = view.right, yours = view.yours;
     plot_text(plot, "asked", wrong->function);
     plot_text(plot, "why", wrong->why);
-    write_frame(plot, c.right, c.up, c.forward);
+    figure_frame(plot, c.right, c.up, c.forward);
     plot_point(plot, "eye", c.origin);
     plot_fit(plot, c.origin, 0);
     write_plane(plot);
     if (view.is_ray) {
-        bool moved = !same_place(yours.origin, right.origin);
+        bool moved = !figure_same_place(yours.origin, right.origin);
         beside_words(plot, ray_words(right, moved).s, ray_words(yours, moved).s,
                      ray_off(right, yours).s);
         yours = as_long_as(yours, right);
@@ -165,15 +148,15 @@ bool read_ray(Wrong *wrong)
     WIRE_GET(wrong->yours, view.yours);
     radius = sphere.radius;
     double size = radius + vec3_length(view.right.origin) + vec3_length(view.right.direction);
-    return near_enough(view.yours.origin, view.right.origin, size) &&
-           near_enough(view.yours.direction, view.right.direction, size);
+    return figure_near(view.yours.origin, view.right.origin, size) &&
+           figure_near(view.yours.direction, view.right.direction, size);
 }
 
 void write_ray(Plot *plot, void *given)
 {
     const Wrong *wrong = given;
     Ray right = view.right, yours = view.yours;
-    bool moved = !same_place(yours.origin, right.origin);
+    bool moved = !figure_same_place(yours.origin, right.origin);
     // Seen from aside, the sphere's centre not in front of the ray.
     vec3 along = vec3_unit(right.direction);
     vec3 up = -right.origin - vec3_dot(-right.origin, along) * along;
@@ -183,97 +166,10 @@ void write_ray(Plot *plot, void *given)
     plot_text(plot, "asked", wrong->function);
     plot_text(plot, "why", wrong->why);
     plot_number(plot, "radius", radius);
-    write_frame(plot, vec3_cross(along, up), up, along);
+    figure_frame(plot, vec3_cross(along, up), up, along);
     plot_point(plot, "center", vec3_of(0, 0, 0));
     plot_fit(plot, vec3_of(0, 0, 0), radius);
     beside_words(plot, ray_words(right, true).s, ray_words(yours, true).s,
                  moved ? ray_off(right, yours).s : "");
     beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
-}
-
-// ---- a camera: ahead to the plane, its width, its height
-// ----------------------------------------------
-
-static struct {
-    Camera right, yours;
-} cameras;
-
-static bool is_drawable(Camera c, double size)
-{
-    return vec3_is_finite(c.origin) && vec3_is_finite(c.right) && vec3_is_finite(c.up) &&
-           vec3_is_finite(c.forward) && fabs(c.distance) * vec3_length(c.forward) <= FAR * size &&
-           fabs(c.width) * vec3_length(c.right) <= FAR * size &&
-           fabs(c.height) * vec3_length(c.up) <= FAR * size;
-}
-
-bool read_camera(Wrong *wrong)
-{
-    CameraFault right = CAMERA_OK, yours = CAMERA_OK;
-    if (strcmp(layouts[wrong->kept->exercise].results, "Camera") != 0) {
-        WIRE_GET(wrong->right, right);
-        WIRE_GET(wrong->yours, yours);
-    }
-    WIRE_GET(wrong->right, cameras.right);
-    WIRE_GET(wrong->yours, cameras.yours);
-    Camera c = cameras.right;
-    double size = c.distance + c.width + c.height;
-    return right == CAMERA_OK && yours == CAMERA_OK && is_drawable(cameras.yours, size) &&
-           near_enough(cameras.yours.origin, c.origin, size);
-}
-
-static void write_arms(Plot *plot, const char *name, Camera c)
-{
-    const vec3 arms[] = {c.distance * c.forward, c.width * c.right, c.height * c.up};
-    plot_block(plot, name, "x y z of its start, x y z of the vector: d f, w r, h u");
-    for (int i = 0; i < 3; i++) {
-        vec3 p = c.origin, v = arms[i];
-        plot_row(plot, 6, (const double[]){p[0], p[1], p[2], v[0], v[1], v[2]});
-        plot_fit(plot, p + v, 0);
-    }
-    plot_block_end(plot);
-    plot_fit(plot, c.origin, 0);
-}
-
-static void add_part(Text *words, const char *name, const char *value)
-{
-    size_t used = strlen(words->s);
-    snprintf(words->s + used, sizeof words->s - used, "%s%s %s", used > 0 ? ", " : "", name, value);
-}
-
-static void compare_vectors(Text *right, Text *yours, const char *name, vec3 a, vec3 b)
-{
-    if (same_place(b, a))
-        return;
-    add_part(right, name, vec3_text_to(a, 4).s);
-    add_part(yours, name, vec3_text_to(b, 4).s);
-}
-
-static void compare_numbers(Text *right, Text *yours, const char *name, double a, double b)
-{
-    if (fabs(a - b) <= 1e-9 * (1 + fabs(a)))
-        return;
-    add_part(right, name, number_text_to(a, 4).s);
-    add_part(yours, name, number_text_to(b, 4).s);
-}
-
-// Only what differs.
-void write_camera(Plot *plot, void *given)
-{
-    const Wrong *wrong = given;
-    Camera a = cameras.right, b = cameras.yours;
-    Text right = {""}, yours = {""};
-    compare_numbers(&right, &yours, "d", a.distance, b.distance);
-    compare_numbers(&right, &yours, "w", a.width, b.width);
-    compare_numbers(&right, &yours, "h", a.height, b.height);
-    compare_vectors(&right, &yours, "eye", a.origin, b.origin);
-    compare_vectors(&right, &yours, "r", a.right, b.right);
-    compare_vectors(&right, &yours, "u", a.up, b.up);
-    compare_vectors(&right, &yours, "f", a.forward, b.forward);
-    plot_text(plot, "asked", wrong->function);
-    plot_text(plot, "why", wrong->why);
-    write_frame(plot, a.right, a.up, a.forward);
-    plot_point(plot, "eye", a.origin);
-    write_arms(plot, "answer", a);
-    write_arms(plot, "yours", b);
-    beside_words(plot, right.s, yours.s, "");
 }
