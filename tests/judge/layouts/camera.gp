@@ -9,7 +9,7 @@ step_name(i) = i == 0 ? "d f" : i == 1 ? "w r" : "h u"
 step_color(i) = i == 0 ? pink : i == 1 ? orange : green
 
 plot for [i=0:2] $answer every ::i::i using @vector with @arrow lc rgb step_color(i) title "right ".step_name(i), \
-    $answer using @tip:(math(step_name($0))) with labels offset 1.2,0.7 tc rgb ink title "steps", \
+    $answer using @tip:(math(step_name($0))) with labels left offset 0.9,0.4 tc rgb ink title "steps", \
     for [i=0:2] @step2 $yours every ::i::i using @vector with @arrow lc rgb step_color(i) dt 2 title "yours ".step_name(i), \
     @step2 $yours every ::0::0 using @point with @ring lc rgb ink title "yours, eye", \
     $eye using @point with @dot lc rgb ink title "eye", \

@@ -2,7 +2,7 @@
 title = asked.": yours beside the right one"
 description = sprintf("The parabola f(t) of the quadratic with %s, over the t axis. ", equation_text).beside_words(0)
 steps = 2
-beside_room = 100
+beside_room = width / 8
 @beside
 minus(x) = x < 0 ? sprintf("−%g", -x) : sprintf("%g", x)
 # Both axes have scales of their own here.

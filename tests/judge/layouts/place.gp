@@ -5,7 +5,7 @@ title = asked.": yours beside the right one"
 description = (has_given ? sprintf("On the left the place %s that went in; on the right ", given_text) : "In a pixel, ").\
     "what came out. ".beside_words(0)
 steps = 2
-beside_room = 100
+beside_room = width / 8
 @beside
 panel = 1; room = "0.08 0.42 0.12 0.66"
 low_x = from_low_x; high_x = from_high_x; low_y = from_low_y; high_y = from_high_y

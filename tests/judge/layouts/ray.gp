@@ -5,7 +5,7 @@ steps = 2
 room = "0.08 0.92 0.08 0.70"
 azimuth = 16
 elevation = 12
-beside_room = 100
+beside_room = width / 8
 @see
 @beside
 

@@ -4,7 +4,7 @@
 title = asked.": yours beside the right one"
 description = "A ray from left to right, the spheres near it, and its t axis. ".beside_words(0)
 steps = 2
-beside_room = 100
+beside_room = width / 8
 @beside
 room = "0.06 0.94 0.30 0.70"
 low_x = low; high_x = high; low_y = bottom; high_y = top
