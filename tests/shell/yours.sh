@@ -2,6 +2,7 @@
 # yours.sh - a wrong answer is drawn beside the right one: under its verdict, and in every figure.
 #
 # Needs gnuplot to draw and Python to read.
+# shellcheck disable=SC2016 # what is in single quotes is meant as it stands
 set -u
 . tests/library.sh
 
