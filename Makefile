@@ -187,15 +187,31 @@ endif
 SCRIPTS := $(patsubst %,$(FIGURES)/%.gp,$(notdir $(basename $(LAYOUTS))))
 layout_of = $(wildcard chapters/*/$(1).gp)
 stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
-# Beside another's answers, what is right.
+figure_files = $(call layout_of,$(1)) $(wildcard common/*.gp \
+	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
+# Beside another's answers, what is right, and what the judge says is wrong.
+#[
 RIGHT := $(if $(filter-out solutions,$(A)),$(B)/solutions/figures)
-$(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call layout_of,$$*) $(wildcard common/*.gp) \
-		$$(wildcard chapters/$$(call stem_of,$$*)/*.nff chapters/$$(call stem_of,$$*)/figures/*.nff) \
-		$(RIGHT:%=%/$$*.gp)
+ifneq ($(RIGHT),)
+RIGHT_PROGRAMS := $(STEMS:%=$(B)/solutions/%)
+$(RIGHT_PROGRAMS): $(B)/solutions/%: $$(sort $$(call chapter_objects,$$*) $(SHOWS_CAMERA)) \
+		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
+RIGHT_SCRIPTS := $(SCRIPTS:$(FIGURES)/%=$(RIGHT)/%)
+$(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(B)/solutions/$$(call stem_of,$$*) $$(call figure_files,$$*)
 	$(Q)mkdir -p $(@D)
-	$(Q)$< --figure $* $(RIGHT:%=--beside %/$*.gp) > $@
-$(RIGHT:%=%/%.gp): FORCE
-	$(Q)$(MAKE) --no-print-directory -s ANSWERS=solutions $@
+	$(Q)$< --figure $* > $@
+endif
+#]
+#~ RIGHT := tests/told/figures
+# With something missing, a figure is not yet; that is said in one line.
+$(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,$$*) \
+		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(ALL_VERDICTS))
+	$(Q)mkdir -p $(@D)
+	$(Q)$(if $(RIGHT),note=$$(awk -v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c); \
+		.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
+		--figure $* > $@)
 
 figures: $(SCRIPTS) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME= SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
@@ -238,6 +254,9 @@ $(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies layouts exercises righ
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -o $@ $<
 
+# What the judge draws of a wrong answer.
+DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector camera place section \
+	equation pictures)
 earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
 #[ The tests themselves, the mistakes and the laws.
 # A stem's tests, calling the answers directly: that answer, and the reference for the stems before.
@@ -271,11 +290,12 @@ $(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/fla
 	$(call say,compile,$< as reference)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
-JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call process ending wire same suspects \
-	switchboard system_call) $(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
+JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call corners kept process ending wire same \
+	suspects switchboard system_call) $(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
 JUDGES := $(STEMS:%=$(B)/judge/%)
 $(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) $(JUDGING) \
-		$(B)/judge/lender-%.o $(B)/tests/judge/judge.o $(B)/tests/judge/report.o $(B)/common.a
+		$(B)/judge/lender-%.o $(B)/judge/layouts.o $(DRAWING) \
+		$(patsubst %,$(B)/tests/judge/%.o,judge report right) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 # The matrix: the same, and in the place of the answering process a table that the reference fills.
@@ -374,8 +394,8 @@ check-all: $(CHECKS) $(FOR_CHECKS) ## those that need longer, too
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
 
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
-build/handout.tar.gz: $(TABLES) $(BLANKS) FORCE
-	@.make/handout $(@D) $(TABLE) build/blanks
+build/handout.tar.gz: $(TABLES) $(BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) FORCE
+	@.make/handout $(@D) $(TABLE) build/blanks $(or $(RIGHT),$(FIGURES))
 .PHONY: handout FORCE
 #]
 # ---- the exercises ----------------------------------------------------------------------------
@@ -395,7 +415,8 @@ endif
 VERDICT := $(B)/$(EXERCISES:/%=%)/verdict
 ALL_VERDICTS := $(STEMS:%=$(VERDICT)/%/table)
 VERDICTS := $(CHOSEN:%=$(VERDICT)/%/table)
-ifneq ($(filter exercises watch debug hint,$(MAKECMDGOALS)),)
+JUDGING_FOR := $(filter exercises watch debug hint $(if $(RIGHT),figures),$(MAKECMDGOALS))
+ifneq ($(JUDGING_FOR),)
 ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
 $(info Building the judge, once; that takes a moment ...)
 endif
@@ -424,9 +445,10 @@ $(QUICK_HEADER): $(B)/weak.h $(wildcard common/*.h) $(B)/flags
 	$(Q)(grep -v system_header $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
 	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(IS_CLANG),pch,gch) $@
 EXPLAIN := .make/explain $(wildcard .make/explaining/*.awk)
+JUDGES_LAYOUTS := common/plot.gp chapters/01-corners/yours-and-right.gp $(wildcard tests/judge/layouts/*.gp)
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
 $(ALL_VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(QUICK_HEADER) \
-		build/blanks/%.c $(B)/judge/% $$(call answering,$$*)
+		build/blanks/%.c $(B)/judge/% $$(call answering,$$*) $(JUDGES_LAYOUTS)
 	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(QUICK_HEADER) -c'" \
 		"LINK='$(LINK) $(QUICK_LINKER)'" "OBJECTS='$(call answering,$*)'" \
 		$(if $(value stands_on),"STANDS_ON='$(call stands_on,$*)'") \

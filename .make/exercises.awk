@@ -2,9 +2,11 @@
 # far all chapters are, what next. One process, since it stands between saving and reading.
 #
 #   -v verdicts=FOLDER -v answers=FOLDER -v stems='01-a 02-b' -v all=1 -v colour=1
+#   -v figures=FOLDER -v gnuplot=1    FOLDER/drawn gets the names of the figures that are shown
 # Exit status: 0 all right, 1 something is wrong or does not compile, 2 only blanks are left.
 BEGIN {
     count = split(stems, stem, " ")
+    printf "" > (verdicts "/drawn")
     for (i = 1; i <= count; i++)
         read_table(stem[i])
     next_stem = ""
@@ -74,7 +76,7 @@ function show_troubles(s,   n, name, i) {
     }
     n = split(trouble[s], name, " ")
     for (i = 1; i <= n && (i == 1 || all); i++) {
-        show_file(verdicts "/" s "/" name[i])
+        show_file(verdicts "/" s "/" name[i], name[i])
         show_file(verdicts "/" s "/warnings")
         print ""
     }
@@ -85,9 +87,11 @@ function painted(text, code) {
 }
 
 # Headings bold, what was expected green, what came red, what it looks like yellow.
-function show_file(file,   line, lines, code) {
+function show_file(file, name,   line, lines, code) {
     code = ""
     while ((getline line < file) > 0 && lines++ < 40) {
+        if (name != "" && line ~ /^  try /)
+            show_figure(name)
         if (line ~ /^[0-9][0-9]-/)
             line = painted(line, "1")
         else if (line ~ /^  help:/)
@@ -98,6 +102,16 @@ function show_file(file,   line, lines, code) {
         print code == "" || substr(line, 14) == "" ? line : substr(line, 1, 13) painted(substr(line, 14), code)
     }
     close(file)
+}
+
+# Where the judge has left one: a picture, or the script of a figure, which is drawn then.
+function show_figure(name,   line) {
+    if ((getline line < (figures "/" name ".png")) >= 0)
+        print "  see        " figures "/" name ".png"
+    else if (gnuplot != "" && (getline line < (figures "/" name ".gp")) >= 0) {
+        print "  see        " figures "/" name ".svg"
+        print name > (verdicts "/drawn")
+    }
 }
 
 function show_progress(s,   words) {

@@ -4,7 +4,8 @@
 # The judge asks what the table says.
 JUDGES := $(STEMS:%=$(B)/judge/%)
 $(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/told/path/%.o $(B)/judge/exercises.o \
-		$(patsubst %,$(B)/tests/judge/%.o,call process ending judge report system_call) \
+		$(patsubst %,$(B)/tests/judge/%.o,call kept process ending judge report system_call) \
+		$(DRAWING) $(B)/tests/told/right.o \
 		$(B)/tests/told/lends_nothing.o $(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)

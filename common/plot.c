@@ -13,7 +13,6 @@
 enum { LABEL_DIGITS = 4, DATA_DIGITS = 12 };
 
 struct Plot {
-    const char *program;
     FILE *script;
     FILE *fit; // rows of $fit
     char *fit_text;
@@ -23,19 +22,25 @@ struct Plot {
     size_t rows_size;
     const char *block;
     const char *columns;
-    char *right; // the script by right answers; NULL where there is none
-    bool wrong;  // something differs from it
+    char *right; // the data by right answers; NULL where there are none
+    bool wrong;  // something differs from them
     bool failed; // a file could not be read; that has been said
 };
 
-// A label has a minus sign, not a hyphen.
-static void print_label(FILE *out, const char *text)
+// A string of gnuplot's, and nothing else: no command can begin in it. A label of numbers has a
+// minus sign, not a hyphen.
+static void print_quoted(FILE *out, const char *text, bool is_label)
 {
-    for (; *text != '\0'; text++)
-        if (*text == '-')
+    putc('"', out);
+    for (; *text != '\0'; text++) {
+        if (*text == '"' || *text == '\\')
+            putc('\\', out);
+        if (*text == '-' && is_label)
             fputs("\u2212", out);
-        else
-            putc(*text, out);
+        else // a backquote would run what is between two of them
+            putc((unsigned char)*text < ' ' ? ' ' : *text == '`' ? '\'' : *text, out);
+    }
+    putc('"', out);
 }
 
 static void print_number(FILE *out, double x)
@@ -45,7 +50,7 @@ static void print_number(FILE *out, double x)
 
 // ---- what is right ----------------------------------------------------------------------------
 
-// The lines of the right script that define name: from after "NAME<between>" up to end. Returns how
+// The lines of the right data that define name: from after "NAME<between>" up to end. Returns how
 // many characters; 0 where there are none.
 static size_t right_of(const Plot *plot, const char *name, const char *between, const char *end,
                        const char **begin)
@@ -60,12 +65,25 @@ static size_t right_of(const Plot *plot, const char *name, const char *between, 
     return stop != NULL ? (size_t)(stop - *begin) : 0;
 }
 
+// A number as data or a label has it; next is behind it, or at its begin where there is none.
+static double number_at(const char *text, const char **next)
+{
+    bool minus = strncmp(text, "\u2212", strlen("\u2212")) == 0;
+    const char *digits = text + (minus ? strlen("\u2212") : 0);
+    char *end;
+    double x = strtod(digits, &end);
+    *next = end == digits ? text : end;
+    if (end != digits && end[0] == 'e') // 1e−7
+        x *= pow(10, number_at(end + 1, next));
+    return minus ? -x : x;
+}
+
 // The same words, and the same numbers as far as rounding goes?
 static bool same_numbers(const char *a, const char *a_end, const char *b, const char *b_end)
 {
     while (a < a_end && b < b_end) {
-        char *a_next, *b_next;
-        double x = strtod(a, &a_next), y = strtod(b, &b_next);
+        const char *a_next, *b_next;
+        double x = number_at(a, &a_next), y = number_at(b, &b_next);
         if ((a_next == a) != (b_next == b))
             return false;
         if (a_next == a) {
@@ -83,52 +101,61 @@ static bool same_numbers(const char *a, const char *a_end, const char *b, const 
 
 // ---- data -------------------------------------------------------------------------------------
 
-static void define(Plot *plot, const char *name, const char *value)
+// Where something else is right, that goes by the name, and yours by your_NAME.
+static void define_both(Plot *plot, const char *name, const char *value, bool is_wrong)
 {
     const char *right;
     size_t size = right_of(plot, name, " = ", "\n", &right);
-    if (size > 0 && !same_numbers(right, right + size, value, value + strlen(value))) {
-        fprintf(plot->script, "%s = %.*s\nyour_", name, (int)size, right);
-        plot->wrong = true;
-    }
-    fprintf(plot->script, "%s = %s\n", name, value);
+    if (size > 0)
+        fprintf(plot->script, "%s = %.*s\n", name, (int)size, right);
+    if (size == 0 || is_wrong)
+        fprintf(plot->script, "%s%s = %s\n", size > 0 ? "your_" : "", name, value);
+    plot->wrong = plot->wrong || (size > 0 && is_wrong);
 }
 
-static void define_label(Plot *plot, const char *name, const char *label)
+// Whether it differs from what is right.
+static bool define(Plot *plot, const char *name, const char *value)
+{
+    const char *right;
+    size_t size = right_of(plot, name, " = ", "\n", &right);
+    bool is_wrong = size > 0 && !same_numbers(right, right + size, value, value + strlen(value));
+    define_both(plot, name, value, is_wrong);
+    return is_wrong;
+}
+
+// It is wrong where the numbers are that it shows: what rounding leaves of 0 reads otherwise, too.
+static void define_label(Plot *plot, const char *name, const char *label, bool is_wrong)
 {
     char key[100], *value;
     size_t size;
     FILE *quoted = open_memstream(&value, &size);
-    putc('"', quoted);
-    print_label(quoted, label);
-    putc('"', quoted);
+    print_quoted(quoted, label, true);
     fclose(quoted);
     snprintf(key, sizeof key, "%s_text", name);
-    define(plot, key, value);
+    define_both(plot, key, value, is_wrong);
     free(value);
 }
 
 void plot_number(Plot *plot, const char *name, double x)
 {
-    define(plot, name, isfinite(x) ? number_text_to(x, DATA_DIGITS).s : "NaN");
-    define_label(plot, name, number_text_to(x, LABEL_DIGITS).s);
+    bool is_wrong = define(plot, name, isfinite(x) ? number_text_to(x, DATA_DIGITS).s : "NaN");
+    define_label(plot, name, number_text_to(x, LABEL_DIGITS).s, is_wrong);
 }
 
-void plot_text(Plot *plot, const char *name, const char *text)
+static void define_text(Plot *plot, const char *name, const char *text, bool is_label)
 {
     char *value;
     size_t size;
     FILE *quoted = open_memstream(&value, &size);
-    putc('"', quoted);
-    for (; *text != '\0'; text++) {
-        if (*text == '"' || *text == '\\' || *text == '`')
-            putc('\\', quoted);
-        putc((unsigned char)*text < ' ' ? ' ' : *text, quoted);
-    }
-    putc('"', quoted);
+    print_quoted(quoted, text, is_label);
     fclose(quoted);
     define(plot, name, value);
     free(value);
+}
+
+void plot_text(Plot *plot, const char *name, const char *text)
+{
+    define_text(plot, name, text, false);
 }
 
 void plot_block(Plot *plot, const char *name, const char *columns)
@@ -153,27 +180,24 @@ void plot_gap(Plot *plot)
     putc('\n', plot->rows);
 }
 
-void plot_block_end(Plot *plot)
+// ---- what has to be seen ----------------------------------------------------------------------
+
+// What is right has to be seen whatever is wrong, in rows of $fit.
+static size_t right_fit(const Plot *plot, const char **rows)
 {
-    fclose(plot->rows);
-    char name[100];
-    const char *right;
-    snprintf(name, sizeof name, "$%s", plot->block);
-    fprintf(plot->script, "%s << EOD\n# %s\n", name, plot->columns);
-    // The right script has its own comment line first.
-    size_t size = right_of(plot, name, " << EOD\n", "EOD\n", &right);
-    if (size > 0) {
-        const char *end = right + size, *rows = strchr(right, '\n') + 1;
-        fprintf(plot->script, "%.*s\n\n", (int)(end - rows), rows);
-        if (!same_numbers(rows, end, plot->rows_text, plot->rows_text + plot->rows_size))
-            plot->wrong = true;
-    }
-    fprintf(plot->script, "%sEOD\n", plot->rows_text);
-    free(plot->rows_text);
+    size_t size = right_of(plot, "$fit", " << EOD\n", "EOD\n", rows);
+    const char *line = size > 0 ? strchr(*rows, '\n') : NULL; // the comment
+    if (line == NULL)
+        return 0;
+    size -= (size_t)(line + 1 - *rows);
+    *rows = line + 1;
+    return size;
 }
 
 void plot_fit(Plot *plot, vec3 center, double radius)
 {
+    if (!vec3_is_finite(center) || !isfinite(radius))
+        return;
     const double numbers[] = {center[0], center[1], center[2], radius};
     for (int i = 0; i < 4; i++) {
         print_number(plot->fit, numbers[i]);
@@ -181,41 +205,133 @@ void plot_fit(Plot *plot, vec3 center, double radius)
     }
 }
 
+// What is wrong, where that is near enough to leave the rest of the figure legible.
+static void fit_what_is_wrong(Plot *plot, vec3 place)
+{
+    enum { TIMES = 3 };
+    const char *row;
+    double x, y, z, radius, far = 0, away = INFINITY;
+    vec3 first = place;
+    int used, count = 0;
+    for (size_t left = right_fit(plot, &row); left > 0; left -= (size_t)used, row += used) {
+        if (sscanf(row, "%lf %lf %lf %lf\n%n", &x, &y, &z, &radius, &used) != 4)
+            return;
+        vec3 seen = vec3_of(x, y, z);
+        first = count++ == 0 ? seen : first;
+        far = fmax(far, vec3_length(seen - first) + radius);
+        away = fmin(away, vec3_length(place - seen));
+    }
+    if (away <= TIMES * far)
+        plot_fit(plot, place, 0);
+}
+
+// Of a block that has no row, or none without a NaN, as many far off the canvas, at least one:
+// gnuplot 5.4 warns of the one, and crashes on labels of the other.
+static char *nowhere(const char *rows)
+{
+    char *text;
+    size_t size;
+    FILE *instead = open_memstream(&text, &size);
+    do {
+        fputs("1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9\n", instead);
+        rows = strchr(rows, '\n');
+    } while (rows != NULL && *++rows != '\0');
+    fclose(instead);
+    return text;
+}
+
+static bool has_rows(const char *rows)
+{
+    while (*rows != '\0') {
+        size_t length = strcspn(rows, "\n");
+        const char *none = strstr(rows, "NaN");
+        if (length > 0 && (none == NULL || none > rows + length))
+            return true;
+        rows += length + (rows[length] == '\n');
+    }
+    return false;
+}
+
+static bool end_block(Plot *plot)
+{
+    fclose(plot->rows);
+    char name[100];
+    if (!has_rows(plot->rows_text)) {
+        char *instead = nowhere(plot->rows_text);
+        free(plot->rows_text);
+        plot->rows_text = instead;
+    }
+    const char *right, *yours = plot->rows_text;
+    bool is_wrong = false;
+    snprintf(name, sizeof name, "$%s", plot->block);
+    fprintf(plot->script, "%s << EOD\n# %s\n", name, plot->columns);
+    // The right data have their own comment line first.
+    size_t size = right_of(plot, name, " << EOD\n", "EOD\n", &right);
+    if (size > 0) {
+        const char *end = right + size, *rows = strchr(right, '\n') + 1;
+        is_wrong = !same_numbers(rows, end, yours, yours + strlen(yours));
+        fprintf(plot->script, "%.*s\n\n", (int)(end - rows), rows);
+    }
+    fprintf(plot->script, "%sEOD\n", yours);
+    free(plot->rows_text);
+    plot->wrong = plot->wrong || is_wrong;
+    return is_wrong;
+}
+
+void plot_block_end(Plot *plot)
+{
+    end_block(plot);
+}
+
 void plot_point(Plot *plot, const char *name, vec3 point)
 {
     plot_block(plot, name, "x y z");
     plot_row(plot, 3, (const double[]){point[0], point[1], point[2]});
-    plot_block_end(plot);
-    define_label(plot, name, vec3_text_to(point, LABEL_DIGITS).s);
+    bool is_wrong = end_block(plot);
+    define_label(plot, name, vec3_text_to(point, LABEL_DIGITS).s, is_wrong);
+    if (is_wrong)
+        fit_what_is_wrong(plot, point);
 }
 
 void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector)
 {
     plot_block(plot, name, "x y z of its start, x y z of the vector");
     plot_row(plot, 6, (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2]});
-    plot_block_end(plot);
-    define_label(plot, name, vec3_text_to(vector, LABEL_DIGITS).s);
+    bool is_wrong = end_block(plot);
+    define_label(plot, name, vec3_text_to(vector, LABEL_DIGITS).s, is_wrong);
+    if (is_wrong)
+        fit_what_is_wrong(plot, from + vector);
 }
 
 void plot_direction(Plot *plot, const char *name, vec3 v)
 {
     static const char axes[] = "xyz";
+    bool is_wrong = false;
     for (int i = 0; i < 3; i++) {
         char key[100];
         snprintf(key, sizeof key, "%s_%c", name, axes[i]);
-        define(plot, key, number_text_to(v[i], DATA_DIGITS).s);
+        bool differs =
+            define(plot, key, isfinite(v[i]) ? number_text_to(v[i], DATA_DIGITS).s : "NaN");
+        is_wrong = is_wrong || differs;
     }
-    define_label(plot, name, vec3_text_to(v, LABEL_DIGITS).s);
+    define_label(plot, name, vec3_text_to(v, LABEL_DIGITS).s, is_wrong);
 }
 
-// ---- flat ---------------------------------------------------------------------------------------
+void plot_label(Plot *plot, const char *name, const char *label)
+{
+    char key[100];
+    snprintf(key, sizeof key, "%s_text", name);
+    define_text(plot, key, label, true);
+}
+
+// ---- flat: pairs of numbers -------------------------------------------------------------------
 
 static void define_part(Plot *plot, const char *name, const char *part, double x)
 {
     char key[100];
     snprintf(key, sizeof key, "%s_%s", name, part);
-    define(plot, key, isfinite(x) ? number_text_to(x, DATA_DIGITS).s : "NaN");
-    define_label(plot, key, number_text(x).s);
+    bool is_wrong = define(plot, key, isfinite(x) ? number_text_to(x, DATA_DIGITS).s : "NaN");
+    define_label(plot, key, number_text(x).s, is_wrong);
 }
 
 void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
@@ -225,28 +341,22 @@ void plot_pair(Plot *plot, const char *name, const char *first_name, double firs
     snprintf(columns, sizeof columns, "%s %s", first_name, second_name);
     plot_block(plot, name, columns);
     plot_row(plot, 2, (const double[]){first, second});
-    plot_block_end(plot);
-    define_label(plot, name, pair_text(first, second).s);
+    bool is_wrong = end_block(plot);
+    define_label(plot, name, pair_text(first, second).s, is_wrong);
     define_part(plot, name, first_name, first);
     define_part(plot, name, second_name, second);
-}
-
-void plot_label(Plot *plot, const char *name, const char *text)
-{
-    define_label(plot, name, text);
 }
 
 // ---- the script -------------------------------------------------------------------------------
 
 // All of a file, for freeing; NULL and a message where it cannot be read.
-static char *text_of_file(const char *program, const char *path)
+static char *text_of_file(const char *path)
 {
     char *text = NULL;
     size_t size;
     FILE *file = fopen(path, "r"), *copy = open_memstream(&text, &size);
     if (file == NULL || copy == NULL) {
-        fprintf(stderr, "%s: cannot read %s: figures are drawn from the top of the project\n",
-                program, path);
+        fprintf(stderr, "cannot read %s: figures are drawn from the top of the project\n", path);
         if (copy != NULL)
             fclose(copy);
         free(text);
@@ -262,7 +372,7 @@ static char *text_of_file(const char *program, const char *path)
 
 void plot_include(Plot *plot, const char *path)
 {
-    char *text = text_of_file(plot->program, path);
+    char *text = text_of_file(path);
     if (text == NULL)
         plot->failed = true;
     else
@@ -282,19 +392,63 @@ static const Figure *figure_named(const char *program, const Figure *figures, co
     exit(EXIT_WRONG_USAGE);
 }
 
-static void write_script(Plot *plot, const Figure *figure, const char *head, const char *layout,
-                         void *given)
+#define DATA_BEGIN "\n# ---- the data\n"
+#define DATA_END "\n# ---- the layout\n"
+
+// Of a script by right answers, the data: what stands between the two. All of it where it is only
+// those.
+static void keep_data(char *script)
 {
-    fprintf(plot->script, "name = \"%s\"\n%s\n# ---- the data\n\n", figure->name, head);
+    char *begin = strstr(script, DATA_BEGIN);
+    if (begin != NULL)
+        memmove(script, begin, strlen(begin) + 1);
+    char *end = strstr(script, DATA_END);
+    if (end != NULL)
+        *end = '\0';
+}
+
+// Whether something is wrong has to be known at the top, and is only behind the data.
+static void write_script(Plot *plot, FILE *out, const Figure *figure, const char *head,
+                         const char *layout, const char *note, void *given)
+{
+    char *data;
+    size_t size;
+    plot->script = open_memstream(&data, &size);
+    plot->fit = open_memstream(&plot->fit_text, &plot->fit_size);
     figure->data(plot, given);
     fclose(plot->fit);
-    // What is right has to be seen, too.
-    const char *right;
-    size_t size = right_of(plot, "$fit", " << EOD\n", "EOD\n", &right);
-    fprintf(plot->script, "$fit << EOD\n# x y z radius of what has to be seen\n%s%.*sEOD\n",
-            plot->fit_text, (int)size, size > 0 ? right : "");
-    fprintf(plot->script, "wrong = %d\n@legend\n\n# ---- the layout\n\n%s\n@finish\n", plot->wrong,
-            layout);
+    const char *rows = "";
+    int right = (int)right_fit(plot, &rows);
+    fprintf(plot->script, "$fit << EOD\n# x y z radius of what has to be seen\n%.*s%sEOD\n", right,
+            rows, plot->fit_text);
+    fclose(plot->script);
+    fprintf(out, "name = \"%s\"\nwrong = %d\n", figure->name, plot->wrong);
+    if (note != NULL && plot->wrong) {
+        fprintf(out, "note = ");
+        print_quoted(out, note, false);
+        fprintf(out, "\n");
+    }
+    fprintf(out, "%s%s\n%s" DATA_END "\n@legend\n%s\n@finish\n", head, DATA_BEGIN, data, layout);
+    free(plot->fit_text);
+    free(data);
+}
+
+bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
+                 const char *note, void *given)
+{
+    char *head_text = text_of_file(HEAD);
+    char *layout_text = head_text != NULL ? text_of_file(layout) : NULL;
+    Plot plot = {.right = right != NULL && layout_text != NULL ? text_of_file(right) : NULL};
+    bool read = layout_text != NULL && (right == NULL || plot.right != NULL);
+    if (plot.right != NULL)
+        keep_data(plot.right);
+    if (read)
+        write_script(&plot, out, figure, head_text, layout_text, note, given);
+    read = read && !plot.failed;
+    free(plot.right);
+    free(layout_text);
+    free(head_text);
+    return read;
 }
 
 int plot_figure(const char *program, const char *chapter, const Figure *figures,
@@ -304,29 +458,14 @@ int plot_figure(const char *program, const char *chapter, const Figure *figures,
     char path[300], *script = NULL;
     size_t size;
     snprintf(path, sizeof path, "%s/%s.gp", chapter, figure->name);
-    char *head = text_of_file(program, HEAD);
-    char *layout = head != NULL ? text_of_file(program, path) : NULL;
-    Plot plot = {.program = program, .script = open_memstream(&script, &size)};
-    plot.fit = open_memstream(&plot.fit_text, &plot.fit_size);
-    if (command.right != NULL && layout != NULL)
-        plot.right = text_of_file(program, command.right);
-    int status = EXIT_COULD_NOT;
-    if (layout != NULL && (command.right == NULL || plot.right != NULL)) {
-        write_script(&plot, figure, head, layout, given);
-        fflush(plot.script);
-        status = plot.failed ? EXIT_COULD_NOT : answers_report();
-        if (status == EXIT_DONE && (fputs(script, stdout) == EOF || fflush(stdout) != 0)) {
-            fprintf(stderr, "%s: the script could not be printed\n", program);
-            status = EXIT_COULD_NOT;
-        }
-    } else {
-        fclose(plot.fit);
+    FILE *out = open_memstream(&script, &size);
+    bool written = plot_script(out, path, figure, command.right, command.note, given);
+    fclose(out);
+    int status = written ? answers_report() : EXIT_COULD_NOT;
+    if (status == EXIT_DONE && (fputs(script, stdout) == EOF || fflush(stdout) != 0)) {
+        fprintf(stderr, "%s: the script could not be printed\n", program);
+        status = EXIT_COULD_NOT;
     }
-    fclose(plot.script);
-    free(plot.fit_text);
-    free(plot.right);
-    free(layout);
-    free(head);
     free(script);
     return status;
 }

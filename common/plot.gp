@@ -11,6 +11,8 @@ if (!exists("theme")) theme = "light"
 if (!exists("shape")) shape = "16:9"
 if (!exists("step")) step = 1000
 if (!exists("output")) output = name
+if (!exists("wrong")) wrong = 0
+if (!exists("note")) note = ""
 set encoding utf8
 set minussign
 set macros
@@ -32,25 +34,33 @@ pink = dark ? "#e893c6" : "#a03a7c"
 
 width = shape eq "4:3" ? 720 : 960
 height = 540
+# Words in lines of at most n letters; how many lines.
+cut(s, n) = n <= 1 ? strlen(s) + 1 : s[n:n] eq " " ? n : cut(s, n - 1)
+wrap(s, n) = strlen(s) <= n ? s : s[1:cut(s, n + 1) - 1]."\n".wrap(s[cut(s, n + 1) + 1:*], n)
+lines_of(s, n) = strlen(s) <= n ? 1 : 1 + lines_of(s[cut(s, n + 1) + 1:*], n)
+# Below the canvas, where something is wrong, a strip for words on it.
+strip_lines = lines_of(note, width / 9)
+strip = wrong ? 24 + 18 * (strip_lines > 2 ? strip_lines : 2) : 0
+tall_cm = (height + strip) / 60.0
 tex = format eq "tex"
 # Text, lines and points come out at other sizes in each terminal: these make them one.
 cairo = format eq "png" || format eq "pdf" || tex
 if (format eq "svg") {
-    set terminal svg size width,height font "DejaVu Sans,17" enhanced background rgb background
+    set terminal svg size width,(height + strip) font "DejaVu Sans,17" enhanced background rgb background
     set output output.".svg"
 }
 if (format eq "pdf") {
-    set terminal pdfcairo size (width / 60.0) cm,(height / 60.0) cm font "DejaVu Sans,6.02" fontscale 1 \
+    set terminal pdfcairo size (width / 60.0) cm,tall_cm cm font "DejaVu Sans,6.02" fontscale 1 \
         enhanced linewidth 0.945 background rgb background
     set output output.".pdf"
 }
 if (format eq "png") {
-    set terminal pngcairo size 2 * width,2 * height font "DejaVu Sans,25.5" enhanced linewidth 2 pointscale 4 \
+    set terminal pngcairo size 2 * width,2 * (height + strip) font "DejaVu Sans,25.5" enhanced linewidth 2 pointscale 4 \
         background rgb background
     set output output.".png"
 }
 if (tex) {
-    set terminal cairolatex pdf input colortext size (width / 60.0) cm,(height / 60.0) cm \
+    set terminal cairolatex pdf input colortext size (width / 60.0) cm,tall_cm cm \
         linewidth 0.945 background rgb background
     set output output.".tex"
 }
@@ -66,7 +76,7 @@ set rmargin at screen 1
 set bmargin at screen 0
 set tmargin at screen 1
 set xrange [0:width]
-set yrange [0:height]
+set yrange [-strip:height]
 
 # ---- text -----------------------------------------------------------------------------------------
 
@@ -145,7 +155,7 @@ see = 'set autoscale; stats $fit using (seen_x($1,$2,$3)-$4):(seen_y($1,$2,$3)-$
     middle_y = height * (word(room, 3) + word(room, 4)) / 2; \
     scale = width * (word(room, 2) - word(room, 1)) / (high_max_x - low_min_x); \
     tall = height * (word(room, 4) - word(room, 3)) / (high_max_y - low_min_y); \
-    scale = scale < tall ? scale : tall; set xrange [0:width]; set yrange [0:height]'
+    scale = scale < tall ? scale : tall; set xrange [0:width]; set yrange [-strip:height]'
 
 # Columns of data as places on the canvas: x y z, or x y z and a vector dx dy dz.
 point = "(X($1,$2,$3)):(Y($1,$2,$3))"
@@ -219,11 +229,35 @@ half_y = "Y($1+$4/2,$2+$5/2,$3+$6/2)"
 moved = "(scale*seen_x($4,$5,$6)):(scale*seen_y($4,$5,$6))"
 beyond = "(X($1+1.2*$4,$2+1.2*$5,$3+1.2*$6)):(Y($1+1.2*$4,$2+1.2*$5,$3+1.2*$6))"
 
+# ---- yours beside the right one --------------------------------------------------------------------
+
+# Small letters, the same in every format.
+small_font = format eq "png" ? ",20.5" : format eq "pdf" ? ",4.84" : ",13.7"
+
+# '@beside' writes down, at the upper left, what is right, what is yours, by how much it is off, and why.
+why = ""
+beside_x = 24
+beside_room = 36
+beside = 'set label 90 "right:" at beside_x, height - 36 left tc rgb blue front; \
+    set label 91 answer_text at beside_x + 64, height - 36 left noenhanced tc rgb blue front; \
+    set label 92 "yours:" at beside_x, height - 62 left tc rgb orange front; \
+    set label 93 yours_text at beside_x + 64, height - 62 left noenhanced tc rgb orange front; \
+    set label 94 off_text at beside_x, height - 88 left noenhanced font small_font tc rgb ink front; \
+    set label 95 wrap(why, beside_room) at beside_x, height - (off_text eq "" ? 88 : 112) left noenhanced font small_font tc rgb grey front'
+# The same for who does not see it.
+beside_words(_) = sprintf("Right is %s; yours, drawn dashed, is %s%s.", answer_text, yours_text, \
+    off_text eq "" ? "" : ", ".off_text).(why eq "" ? "" : " ".why)
+
 # ---- the end --------------------------------------------------------------------------------------
 
 # A layout says title and description before it plots; a figure in words is just these.
+differs = " Some of it differs from what is right: that is drawn dashed, beside what is right."
 finish = 'unset output; \
-    if (format eq "txt") { set print output.".txt"; print title; print ""; print description; unset print }'
+    if (format eq "txt") { set print output.".txt"; print title; print ""; \
+        print description.(wrong ? differs : "").(wrong && note ne "" ? " ".note : ""); unset print }'
 
-# Where something is wrong, a word on what is dashed.
-legend = 'if (wrong) { set label 99 "solid: right, dashed: yours" at width - 16, 16 right tc rgb grey front }'
+# Where something is wrong, a word on what is dashed, and why.
+legend = 'if (wrong) { \
+    set arrow 99 from 0, 0 to width, 0 nohead lc rgb faint lw 1; \
+    set label 99 "solid: right\ndashed: yours" at width - 16, -24 right font small_font tc rgb grey front; \
+    set label 98 wrap(note, width / 9) at 16, -24 left noenhanced font small_font tc rgb ink front }'

@@ -6,7 +6,7 @@
 //
 // All data are the world's: the script projects them. Where the data of right answers are given
 // too (--beside), those are index 0 of each block, and what is drawn dashed beside them, yours, is
-// index 1.
+// index 1; of variables, NAME is right and your_NAME is yours.
 #ifndef COMMON_PLOT_H
 #define COMMON_PLOT_H
 
@@ -22,6 +22,9 @@ void plot_number(Plot *plot, const char *name, double x);
 
 // NAME = "text"; backslashes, quotes and the like are taken care of. UTF-8.
 void plot_text(Plot *plot, const char *name, const char *text);
+
+// NAME_text = "text": numbers in words, with minus signs for hyphens.
+void plot_label(Plot *plot, const char *name, const char *label);
 
 // $NAME: x y z, and NAME_text = "(x, y, z)".
 void plot_point(Plot *plot, const char *name, vec3 point);
@@ -52,9 +55,6 @@ void plot_include(Plot *plot, const char *path);
 void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
                const char *second_name, double second);
 
-// NAME_text = text, with minus signs: for numbers in other words than the above.
-void plot_label(Plot *plot, const char *name, const char *text);
-
 // ---- a chapter's figures ----------------------------------------------------------------------
 
 // A figure's name, and what writes its data.
@@ -67,17 +67,24 @@ typedef struct {
 typedef struct {
     const char *name;  // which; NULL where a story or a picture is wanted
     const char *right; // the script of the same figure by right answers; NULL: there is none
+    const char *note;  // what is said where something differs; NULL: nothing
 } FigureCommand;
 
 #define FIGURE_OPTIONS(command)                                                                    \
     {"figure", 0, "NAME", option_string, &(command).name, "print a figure's gnuplot script"},      \
+        {"beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both shown"},  \
     {                                                                                              \
-        "beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both are shown" \
+        "note", 0, "WORDS", option_string, &(command).note, "what to say where they differ"        \
     }
 
 // Prints the script. chapter is the folder of the layouts; figures ends with one that has no name.
 // Returns what main returns; messages name the program.
 int plot_figure(const char *program, const char *chapter, const Figure *figures,
                 FigureCommand command, void *given);
+
+// The script alone, for who is no program of a chapter, by the layout in that file. False, and a
+// message on stderr, where a file cannot be read.
+bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
+                 const char *note, void *given);
 
 #endif

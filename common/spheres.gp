@@ -17,13 +17,9 @@ array ball_rgb[100]
 array ball_h[100] # from its middle to the image plane, towards whoever looks
 array divided[100] # by which: "2 5"
 array order[100]
-least(a, b) = a < b ? a : b
-most(a, b) = a > b ? a : b
 
-# Smaller letters, of the same size in all formats; around letters in italics it takes '@little',
-# because a font inside of a size ends it in SVG.
-small(s) = tex ? "{\\small ".s."}" : "{/*0.8 ".s."}"
-little = tex ? "" : sprintf("font ',%g'", 0.8 * (format eq "png" ? 25.5 : format eq "pdf" ? 6.02 : 17))
+# Smaller letters around letters in italics: '@little', because a font inside of a size ends it in SVG.
+little = tex ? "" : "font small_font"
 # Sphere 0 is A, as in the lesson; after Z comes AA.
 letter(i) = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"[i % 26 + 1:i % 26 + 1]
 ball_name(i) = i < 26 ? letter(int(i)) : ball_name(int(i) / 26 - 1).letter(int(i))

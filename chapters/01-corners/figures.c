@@ -2,6 +2,7 @@
 #include "chapters/01-corners/figures.h"
 
 #include "chapters/01-corners/plane.h"
+#include "common/beside.h"
 #include "exercises/01-corners.h"
 
 static double largest(Camera c)
@@ -164,11 +165,29 @@ static void double_dwh(Plot *plot, void *given)
     plot_block_end(plot);
 }
 
-static const Figure figures[] = {{"camera-frame", camera_frame},
-                                 {"corner-vectors", corner_vectors},
-                                 {"point-30-10", point_30_10},
-                                 {"double-dwh", double_dwh},
-                                 {0}};
+// ---- yours and right --------------------------------------------------------------------------
+
+// An example: the point 30% across and 10% up, and who counts from the middle of the plane, which
+// is half a width and half a height from the corner.
+static void yours_and_right(Plot *plot, void *given)
+{
+    const View *view = given;
+    Camera c = view->camera;
+    vec3 right = across_30_up_10(c), yours = view->yours;
+    bool example = isnan(yours[0]);
+    if (example)
+        yours = image_plane_vector(c, 0.3 + 0.5, 0.1 + 0.5);
+    plane_data(plot, c, 8, 8);
+    plot_text(plot, "asked", "across_30_up_10");
+    plot_text(plot, "why", example ? "Is (0, 0) the corner or the centre?" : "");
+    beside_vectors(plot, c.origin, right, c.origin, yours);
+    beside_words(plot, vec3_text(right).s, vec3_text(yours).s, beside_off(c, yours - right).s);
+}
+
+static const Figure figures[] = {
+    {"camera-frame", camera_frame},       {"corner-vectors", corner_vectors},
+    {"point-30-10", point_30_10},         {"double-dwh", double_dwh},
+    {"yours-and-right", yours_and_right}, {0}};
 
 int corners_figure(const char *program, FigureCommand command, const View *view)
 {

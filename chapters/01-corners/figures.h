@@ -5,10 +5,11 @@
 #include "common/camera.h"
 #include "common/plot.h"
 
-// A camera, and a place on its image plane.
+// A camera, a place on its image plane, and somebody's answer (NaN: nobody's).
 typedef struct {
     Camera camera;
     double s, t;
+    vec3 yours;
 } View;
 
 // Prints a figure's script; returns what main returns.

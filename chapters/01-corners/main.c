@@ -68,7 +68,7 @@ static Color color_of_vector(Pixel pixel, void *given)
 
 int main(int argc, char **argv)
 {
-    View view = {camera_of_the_deck(), NAN, NAN};
+    View view = {camera_of_the_deck(), NAN, NAN, vec3_of(NAN, NAN, NAN)};
     FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
@@ -76,6 +76,7 @@ int main(int argc, char **argv)
         {"s", 's', "S", option_number, &view.s, "across the plane, 0 to 1"},
         {"t", 't', "T", option_number, &view.t, "up the plane, 0 to 1"},
         {"picture", 0, "FILE.png", option_string, &picture, "draw the image plane instead"},
+        {"yours", 0, "X,Y,Z", option_vec3, &view.yours, "in the figure yours-and-right"},
         FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...",

@@ -163,9 +163,26 @@ def yours_beside_right():
     dashed = [path.get("stroke-dasharray") for group in figure.groups("upper right")
               for path in group.iter() if "M" in (path.get("d") or "") and "Z" not in path.get("d")]
     checks.that("yours is dashed, and it alone", [d is not None for d in dashed] == [False, True], str(dashed))
-    checks.that("what is dashed is said", "solid: right, dashed: yours" in [w for w, _, _ in figure.labels()])
+    checks.that("what is dashed is said", "dashed: yours" in " ".join(w for w, _, _ in figure.labels()))
     checks.that("what is right has nothing beside it", len(same.tips("upper right")) == 1)
     on_the_canvas(checks, "yours beside right", figure)
+
+
+def yours_and_right(c, options, yours=None):
+    """The point 30% across and 10% up; by default, who counts from the middle of the plane."""
+    figure = Figure("01-corners", "yours-and-right", *options)
+    figure.see(c["r"], c["u"], c["f"], room=(0.10, 0.95, 0.05, 0.90))
+    right = legs(c, -0.4, -0.8)
+    yours = yours or legs(c, 0.6, 0.2)
+    checks.same("yours and right: data", [figure.block("answer")[0], figure.block("yours")[0]],
+                [[*c["p"], *right], [*c["p"], *yours]])
+    checks.near("yours and right: right", figure.tips("right"), figure.place(plus(c["p"], right)))
+    checks.near("yours and right: yours", figure.tips("yours"), figure.place(plus(c["p"], yours)))
+    return figure
+
+
+def is_said(figure, off):
+    checks.that("yours and right: what it is off by", figure.text("off_text") == off, figure.text("off_text"))
 
 
 FIGURES = {"camera-frame": camera_frame, "corner-vectors": corner_vectors,
@@ -181,4 +198,9 @@ for i in range(int(os.environ.get("CAMERAS", "5"))):
     for test in FIGURES.values():
         more = [] if test in (camera_frame, corner_vectors) else [across, up]
         test(camera, options_of(camera) + (["-s", across, "-t", up] if more else []), list(SHAPES)[i % 2], *more)
+    yours_and_right(camera, options_of(camera))
+is_said(yours_and_right(DECK, []), "off by (1, 1, 0) = ½ w r + ½ h u")
+is_said(yours_and_right(DECK, ["--yours", "-0.4,0.8,4"], (-0.4, 0.8, 4)), "off by (0, 1.6, 0) = 4/5 h u")
+is_said(yours_and_right(DECK, ["--yours", "0.123,0.4567,4"], (0.123, 0.4567, 4)), "off by (0.523, 1.257, 0)")
+holds_for_every(checks, "01-corners", "yours-and-right")
 checks.end()

@@ -62,7 +62,7 @@ def on_the_canvas(checks, name, figure):
     for text in figure.texts():
         left, low, right, high = text.box
         checks.that(f"{name}: {text.words!r} is on the canvas",
-                    left >= 0 and low >= 0 and right <= figure.width and high <= figure.height,
+                    left >= 0 and low >= -figure.strip and right <= figure.width and high <= figure.height,
                     f"from {left:.0f}, {low:.0f} to {right:.0f}, {high:.0f}"
                     f" of {figure.width:.0f} by {figure.height:.0f}")
 

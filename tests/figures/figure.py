@@ -70,19 +70,23 @@ class Text:
 
 
 class Figure:
-    """A figure by a chapter's program, drawn by gnuplot as SVG."""
+    """A figure by a chapter's program, or by a script that is there, drawn by gnuplot as SVG."""
 
-    def __init__(self, program, name, *options, settings=""):
-        command = [os.path.join(PROGRAMS, program), "--figure", name, *map(str, options)]
-        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
-        if done.returncode != 0:
-            raise AssertionError(f"{shlex.join(command)}: {done.stderr.strip()}")
-        self.script = done.stdout
+    def __init__(self, program, name, *options, settings="", script=None):
+        if script is None:
+            command = [os.path.join(PROGRAMS, program), "--figure", name, *map(str, options)]
+            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+            if done.returncode != 0:
+                raise AssertionError(f"{shlex.join(command)}: {done.stderr.strip()}")
+            script = done.stdout
+        self.script = script
         self.variables = dict(re.findall(r"^(\w+) = (.*)$", self.script, re.M))
         with tempfile.TemporaryDirectory() as folder:
             self.draw(folder, settings)
             self.svg = ElementTree.parse(os.path.join(folder, "figure.svg")).getroot()
-        _, _, self.width, self.height = map(float, self.svg.get("viewBox").split())
+        _, _, self.width, tall = map(float, self.svg.get("viewBox").split())
+        self.height = 540.0
+        self.strip = tall - self.height  # of words on what is wrong, below the canvas
         self.plots = {}
         for group in self.svg.iter(SVG + "g"):
             title = group.find(SVG + "title")
@@ -112,7 +116,8 @@ class Figure:
         if body is None:
             raise AssertionError(f"no block ${name} in the script")
         parts = re.split(r"\n\n\n", body.group(1))
-        rows = [line for line in parts[index].splitlines() if line and not line.startswith("#")]
+        rows = [line for line in parts[index].splitlines()
+                if line and not line.startswith("#") and not line.startswith("1e9 ")]  # that is nowhere
         return [[float(word) for word in re.sub(r'"[^"]*"', "nan", row).split()] for row in rows]
 
     # ---- the marks ----------------------------------------------------------------------------

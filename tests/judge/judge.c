@@ -1,10 +1,12 @@
 // judge.c - the tests of a stem against an answering process: the verdict.
 //
-//   PROGRAM ANSWERS FOLDER           all tests. FOLDER/table gets a line per function:
+//   PROGRAM ANSWERS FOLDER [FIGURES]
+//                                    all tests. FOLDER/table gets a line per function:
 //                                    NAME right | wrong | unanswered | waiting NAME, a + before
 //                                    the name for its extra tests; FOLDER/NAME what to tell
 //                                    the student, FOLDER/NAME.debug where gdb stops for it,
-//                                    FOLDER/report all of it for a program (report.h)
+//                                    FOLDER/report all of it for a program (report.h);
+//                                    FIGURES/NAME.gp or .png what can be drawn of it (figure.h)
 //   PROGRAM ANSWERS --only NAME LENT...   exit status 0 where NAME passes all its graded tests
 //   while
 //                                    the reference answers those that are lent; prints which
@@ -12,6 +14,8 @@
 //
 // The student's code is in the process ANSWERS. This one never loads, parses or runs any of it.
 #include "tests/judge/call.h"
+#include "tests/judge/figure.h"
+#include "tests/judge/kept.h"
 #include "tests/judge/report.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/show.h"
@@ -119,7 +123,18 @@ static void tell(const char *folder, const Group *group, bool unanswered, Diagno
     fclose(out);
 }
 
-static int verdict(const char *folder)
+// A figure of an older answer is none of this one.
+static void draw(const char *figures, const Group *group, Diagnosis diagnosis)
+{
+    if (figures == NULL || group->extra)
+        return;
+    figure_forget(figures, group->function);
+    if (group->failed != NULL)
+        figure_write(figures, group->failed->record, kept_of((int)(group->failed - outcomes.tests)),
+                     diagnosis);
+}
+
+static int verdict(const char *folder, const char *figures)
 {
     FILE *table = create(folder, "table.new", ""), *report = create(folder, "report", "");
     bool all_right = true;
@@ -144,6 +159,7 @@ static int verdict(const char *folder)
                 diagnosis = diagnose(exercise_number(group.function), record->hidden);
             tell(folder, &group, unanswered, diagnosis);
         }
+        draw(figures, &group, diagnosis);
         if (!group.extra)
             report_function(report, group.function, group.failed, diagnosis);
         all_right = all_right && (group.extra || group.failed == NULL);
@@ -185,8 +201,9 @@ static void lend(char **names)
 int main(int argc, char **argv)
 {
     bool only = argc >= 4 && strcmp(argv[2], "--only") == 0;
-    if (argc != 3 && !only) {
-        fprintf(stderr, "Usage: %s ANSWERS FOLDER | ANSWERS --only NAME LENT...\n", argv[0]);
+    if (argc != 3 && argc != 4 && !only) {
+        fprintf(stderr, "Usage: %s ANSWERS FOLDER [FIGURES] | ANSWERS --only NAME LENT...\n",
+                argv[0]);
         return 2;
     }
     FILE *printed = tmpfile();
@@ -200,8 +217,10 @@ int main(int argc, char **argv)
     records_catch_printed(fileno(printed));
     if (only)
         lend(argv + 4);
+    keep_calls(!only);
     run_tests(only ? argv[3] : NULL, NULL, ANSWERS_APART, &outcomes);
-    int status = only ? passes(argv + 4) : verdict(argv[2]);
+    keep_calls(false);
+    int status = only ? passes(argv + 4) : verdict(argv[2], argv[3]);
     call_stop();
     return status;
 }

@@ -164,6 +164,11 @@ for compiler in gcc clang; do
     check "$compiler: a wrong answer is no success" fails make exercises EX=03
     check "$compiler: what went in is shown" says 'screen     640 x 480'
     check "$compiler: the mistake is named" says 'looks like a known mistake: y counts down'
+    if command -v gnuplot >/dev/null; then
+        check "$compiler: and drawn" says 'see        build/exercises/figures/screen_to_normalized.svg'
+        check "$compiler: beside what is right" grep -q '(0.46875, 0.166667); yours' \
+            "$tree/build/exercises/figures/screen_to_normalized.txt"
+    fi
     check "$compiler: what stands on it is not called wrong" fails make exercises EX=04
     check "$compiler: but that is said" says 'cannot be told yet: pixel_ray'
     check "$compiler: with what it stands on" says 'stands on your 03-screen, which is not right yet:'
@@ -178,6 +183,15 @@ for compiler in gcc clang; do
     inside make exercises EX=04
     check "$compiler: and what stands on it" says 'stands on your 03-screen'
     answers
+    spoil 01-corners 's|c.distance \* c.forward - c.width / 2|c.distance * c.forward - c.width|'
+    if command -v gnuplot >/dev/null; then
+        check "$compiler: figures are drawn" inside make figures FORMAT=svg
+        check "$compiler: what is wrong is named in them" grep -q 'upper_left: the whole width' \
+            "$tree/build/exercises/figures/corner-vectors.svg"
+        blank 01-corners
+        check "$compiler: what lacks an answer stops no other" inside make figures FORMAT=svg
+        check "$compiler: and is said to be" says 'not yet   build/exercises/figures/corner-vectors: needs'
+    fi
     spoil 01-corners 's|(s - 0.5)|s|'
     check "$compiler: inside a chapter" fails make exercises EX=01
     check "$compiler: what calls what is wrong is not told" says 'cannot be told yet: across_30_up_10'

@@ -28,7 +28,8 @@ elsewhere() {
             exercises tests "$scratch/copy" &&
         echo '// my answer' >>"$scratch/copy/exercises/01-corners.c" &&
         SOURCE_DATE_EPOCH=$(date -r "$scratch/tree/ray-casting/Makefile" +%s) && export SOURCE_DATE_EPOCH &&
-        (cd "$scratch/copy" && .make/handout "$scratch/out" "$here/build/told" "$here/build/blanks") &&
+        (cd "$scratch/copy" && .make/handout "$scratch/out" "$here/build/told" "$here/build/blanks" \
+            "$here/build/solutions/figures") &&
         cmp "$archive" "$scratch/out/handout.tar.gz"
 }
 in_one_folder() {
@@ -67,6 +68,20 @@ for teller in build/told/tell/*; do
     "$teller" --formulas
 done | grep '[-+*/^|=]' | awk 'length > 7' | sort -u >"$scratch/formulas"
 check 'no formula of a mistake is in it' holds_none_of "$scratch/formulas"
+# What is right is there for every figure: variables, and blocks of numbers.
+right_data_are_numbers() {
+    status=0
+    for layout in chapters/*/*.gp; do
+        data=$scratch/tree/ray-casting/tests/told/figures/${layout##*/}
+        [ -s "$data" ] || { echo "$data"; status=1; }
+        awk '/^\$[a-z_]+ << EOD$/ { inside = 1; next } /^EOD$/ { inside = 0; next }
+            inside ? !/^(#|$)/ && /[^-0-9.e Na]/ : NF && !/^(#|[a-z_]+ = ("[^"]*"|[-0-9.eNa]+)$)/ {
+                print FILENAME ": " $0; bad = 1 }
+            END { exit bad }' "$data" || status=1
+    done
+    return $status
+}
+check 'what is right of each figure is in it, as numbers' right_data_are_numbers
 names_no_solutions() {
     ! grep -rI 'solutions/' "$scratch/tree" --include='*.md'
 }

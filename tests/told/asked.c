@@ -2,6 +2,7 @@
 #include "tests/told/asked.h"
 
 #include "tests/judge/call.h"
+#include "tests/judge/corners.h"
 #include "tests/judge/record.h"
 #include "tests/judge/runner.h"
 #include "tests/told/here.h"
@@ -64,6 +65,21 @@ static char *given_lines(void)
     return lines;
 }
 
+// A figure of a vector or a ray from the eye shows the image plane.
+static void add_corners(ToldCall *call, Layout layout)
+{
+    Camera camera;
+    vec3 corners[4];
+    if (strncmp(layout.arguments, "Camera", 6) != 0 ||
+        (strcmp(layout.results, "vec3") != 0 && strcmp(layout.results, "Ray") != 0))
+        return;
+    arguments.read = 0;
+    wire_get(&arguments, &camera, sizeof camera);
+    reference_corners(camera, corners);
+    for (int i = 0; i < 12; i++)
+        numbers_add(&call->corners, corners[i / 3][i % 3]);
+}
+
 static void write_down(int exercise)
 {
     writing->calls = told_grow(writing->calls, &writing->call_count, sizeof *writing->calls);
@@ -71,6 +87,7 @@ static void write_down(int exercise)
     call->given = given_lines();
     if (!layout_read(layouts[exercise].arguments, &arguments, &size, &call->arguments))
         fail("arguments that tests/told/layout.c cannot read");
+    add_corners(call, layouts[exercise]);
     result_of(call, exercise, exercises[exercise].reference);
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++) {

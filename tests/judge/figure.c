@@ -1,0 +1,173 @@
+// figure.c - a wrong answer beside the right one: which kind it is, and its file.
+#include "tests/judge/figure.h"
+
+#include "tests/judge/right.h"
+#include "tests/judge/switchboard.h"
+#include "tests/told/layout.h"
+
+#include <stdio.h>
+#include <string.h>
+
+// By what goes in and what comes out, as words (layout.h); the first that fits. Arguments: how they
+// begin.
+static const struct {
+    const char *arguments, *results;
+    const char *layout;
+    FigureReader *read;
+    FigureWriter *write;
+} kinds[] = {
+    {"Camera", "vec3", "chapters/01-corners/yours-and-right.gp", read_vector, write_vector},
+    {"Camera", "Ray", "chapters/01-corners/yours-and-right.gp", read_vector, write_vector},
+    {"", "Camera", "tests/judge/layouts/camera.gp", read_camera, write_camera},
+    {"", "CameraFault Camera", "tests/judge/layouts/camera.gp", read_camera, write_camera},
+    {"", "Normalized", "tests/judge/layouts/place.gp", read_place, write_place},
+    {"", "ScreenPoint", "tests/judge/layouts/place.gp", read_place, write_place},
+    {"Ray Sphere", "Ray", "tests/judge/layouts/ray.gp", read_ray, write_ray},
+    {"Ray", "Quadratic", "tests/judge/layouts/equation.gp", read_equation, write_equation},
+    {"Quadratic", "Roots", "tests/judge/layouts/equation.gp", read_equation, write_equation},
+    {"Ray Sphere", "Roots", "tests/judge/layouts/section.gp", read_section, write_section},
+    {"Ray Sphere", "double", "tests/judge/layouts/section.gp", read_section, write_section},
+    {"Ray Scene", "Hit", "tests/judge/layouts/section.gp", read_section, write_section},
+};
+
+static bool path_of(char *path, size_t size, const char *folder, const char *function,
+                    const char *ending)
+{
+    return snprintf(path, size, "%s/%s%s", folder, function, ending) < (int)size;
+}
+
+void figure_forget(const char *folder, const char *function)
+{
+    static const char *const endings[] = {".gp", ".svg", ".txt", ".png"};
+    char path[4096];
+    for (int i = 0; i < 4; i++)
+        if (path_of(path, sizeof path, folder, function, endings[i]))
+            remove(path);
+}
+
+static void write_figure(const char *path, Wrong *wrong)
+{
+    Layout types = layouts[wrong->kept->exercise];
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
+        if (strcmp(types.results, kinds[i].results) != 0 ||
+            strncmp(types.arguments, kinds[i].arguments, strlen(kinds[i].arguments)) != 0)
+            continue;
+        bool good = kinds[i].read(wrong) && !wrong->question->bad && !wrong->right->bad &&
+                    !wrong->yours->bad;
+        FILE *file = good ? fopen(path, "w") : NULL;
+        if (file == NULL)
+            return;
+        Figure figure = {wrong->function, kinds[i].write};
+        good = plot_script(file, kinds[i].layout, &figure, NULL, NULL, wrong);
+        if (fclose(file) != 0 || !good)
+            remove(path);
+        return;
+    }
+}
+
+static void replace_all(char *text, size_t size, const char *old, const char *new)
+{
+    size_t from = strlen(old), to = strlen(new);
+    for (char *at = strstr(text, old); at != NULL; at = strstr(at + to, old)) {
+        if (strlen(text) + to - from >= size)
+            return;
+        memmove(at + to, at + from, strlen(at + from) + 1);
+        memcpy(at, new, to);
+    }
+}
+
+// Behind 'looks like' a formula with minus signs stands in the terminal; here they are drawn.
+static void why_of(char *why, size_t size, Diagnosis diagnosis)
+{
+    const Mistake *mistake = diagnosis.mistake;
+    why[0] = '\0';
+    if (mistake != NULL)
+        snprintf(why, size, "%s%s%s", mistake->formula != NULL ? mistake->formula : "",
+                 mistake->formula != NULL ? ": " : "", mistake->why);
+    replace_all(why, size, "+-", "\u00b1");
+    replace_all(why, size, "- ", "\u2212 ");
+}
+
+void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosis diagnosis)
+{
+    static Wire right;
+    char path[4096], why[1000];
+    const char *function = record->function;
+    if (record->hidden || record->missing[0] != '\0' || kept == NULL ||
+        exercise_number(function) != kept->exercise || !right_answer(record, kept, &right))
+        return;
+    why_of(why, sizeof why, diagnosis);
+    Wrong wrong = {function, record, kept, &kept->question, &right, &kept->answer, why};
+    bool is_picture = strncmp(layouts[kept->exercise].results, "Pixels", 6) == 0;
+    if (!path_of(path, sizeof path, folder, function, is_picture ? ".png" : ".gp"))
+        return;
+    kept->question.read = kept->answer.read = right.read = 0;
+    if (is_picture)
+        write_pictures(&wrong, path);
+    else
+        write_figure(path, &wrong);
+}
+
+// ---- for the kinds ------------------------------------------------------------------------------
+
+void range_add(Range *range, double x)
+{
+    range->low = fmin(range->low, x);
+    range->high = fmax(range->high, x);
+}
+
+bool range_try(Range *range, double x)
+{
+    enum { TIMES = 8 };
+    Range wider = *range;
+    range_add(&wider, x);
+    if (!(wider.high - wider.low <= TIMES * (range->high - range->low)))
+        return false;
+    *range = wider;
+    return true;
+}
+
+void figure_ticks(Plot *plot, Range range, double unit)
+{
+    static const double steps[] = {1, 2, 5};
+    double step = 0, power = pow(10, floor(log10((range.high - range.low) / 10)));
+    for (int i = 0; (range.high - range.low) / (step = power * steps[i % 3]) > 8; i++)
+        power *= i % 3 == 2 ? 10 : 1;
+    plot_block(plot, "ticks", "t, its place");
+    for (double n = ceil(range.low / step); n * step <= range.high; n++)
+        plot_row(plot, 2, (const double[]){n * step, n * step * unit});
+    plot_block_end(plot);
+}
+
+void figure_marks(Plot *plot, const char *name, const double *t, int count, double unit)
+{
+    plot_block(plot, name, "t, its place");
+    for (int i = 0; i < count; i++)
+        plot_row(plot, 2, (const double[]){t[i], t[i] * unit});
+    plot_block_end(plot);
+}
+
+Text figure_off(double right, double yours)
+{
+    Text text = {""};
+    if (isfinite(right) && isfinite(yours))
+        snprintf(text.s, sizeof text.s, "off by %.60s", number_text_to(yours - right, 4).s);
+    return text;
+}
+
+bool figure_near(vec3 yours, vec3 right, double size)
+{
+    return vec3_is_finite(yours) && vec3_length(yours - right) <= FIGURE_FAR * size;
+}
+
+void figure_frame(Plot *plot, vec3 right, vec3 up, vec3 forward)
+{
+    plot_direction(plot, "right", right);
+    plot_direction(plot, "up", up);
+    plot_direction(plot, "forward", forward);
+}
+
+bool figure_same_place(vec3 a, vec3 b)
+{
+    return vec3_length(a - b) <= 1e-9 * (1 + vec3_length(b));
+}

@@ -1,0 +1,69 @@
+// figure.h - a wrong answer beside the right one, as numbers for a layout.
+//
+// Of a function whose test failed, FOLDER/FUNCTION.gp is a script for gnuplot (common/plot.h), or
+// FOLDER/FUNCTION.png a picture; neither where there is nothing to draw: no answer, one that is not
+// finite or far beyond what can be shown beside the right one, or inputs that are not to be told.
+#ifndef TESTS_JUDGE_FIGURE_H
+#define TESTS_JUDGE_FIGURE_H
+
+#include "common/plot.h"
+#include "tests/judge/kept.h"
+#include "tests/judge/record.h"
+#include "tests/judge/suspects.h"
+
+// Removes what is there of an older answer.
+void figure_forget(const char *folder, const char *function);
+
+void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosis diagnosis);
+
+// ---- kinds of answers ---------------------------------------------------------------------------
+
+// One call. The wires are read from their beginning.
+typedef struct {
+    const char *function;
+    const Record *record;
+    Kept *kept;
+    Wire *question, *right, *yours;
+    const char *why; // the mistake's sentence; empty where there is none
+} Wrong;
+
+// Each reads the call; false where it cannot be drawn. Then its data are written.
+typedef bool FigureReader(Wrong *wrong);
+typedef void FigureWriter(Plot *plot, void *wrong);
+
+FigureReader read_vector, read_ray, read_camera, read_place, read_section, read_equation;
+FigureWriter write_vector, write_ray, write_camera, write_place, write_section, write_equation;
+
+// Mine, expected, and where they differ, side by side.
+bool write_pictures(Wrong *wrong, const char *path);
+
+// ---- for those --------------------------------------------------------------------------------
+
+// A value of which the wire holds the bytes.
+#define WIRE_GET(wire, value) wire_get(wire, &(value), sizeof(value))
+
+// From low to high. What would make it many times as wide is left out.
+typedef struct {
+    double low, high;
+} Range;
+void range_add(Range *range, double x);
+bool range_try(Range *range, double x); // false: left out
+
+// $ticks: round numbers of the range, and where they are: times unit.
+void figure_ticks(Plot *plot, Range range, double unit);
+
+// A row for each t, and its place.
+void figure_marks(Plot *plot, const char *name, const double *t, int count, double unit);
+
+// Whether it is finite, and no farther than so many sizes from what is right.
+enum { FIGURE_FAR = 20 };
+bool figure_near(vec3 yours, vec3 right, double size);
+bool figure_same_place(vec3 a, vec3 b); // to 9 digits
+
+// From whose right side the figure is seen.
+void figure_frame(Plot *plot, vec3 right, vec3 up, vec3 forward);
+
+// What is off, from 3.2 to 3.6: "off by 0.4"; nothing where one is none.
+Text figure_off(double right, double yours);
+
+#endif

@@ -1,0 +1,169 @@
+// figure_equation.c - the parabola of a quadratic, and its roots on the t axis.
+#include "tests/judge/figure.h"
+
+#include "common/beside.h"
+#include "exercises/05-quadratic.h"
+#include "tests/told/layout.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { SAMPLES = 120 };
+
+static struct {
+    bool are_roots; // the equation is given; else it is the answer
+    Quadratic right, yours;
+    Roots right_roots, your_roots;
+} equation;
+
+static double value(Quadratic q, double t)
+{
+    return (q.a * t + q.b) * t + q.c;
+}
+
+static bool is_finite(Quadratic q)
+{
+    return isfinite(q.a) && isfinite(q.b) && isfinite(q.c);
+}
+
+static bool are_drawable(Roots roots)
+{
+    bool good = roots.count >= 0 && roots.count <= 2;
+    for (int i = 0; good && i < roots.count; i++)
+        good = isfinite(roots.t[i]);
+    return good;
+}
+
+bool read_equation(Wrong *wrong)
+{
+    equation.are_roots = strcmp(layouts[wrong->kept->exercise].results, "Roots") == 0;
+    equation.right_roots = equation.your_roots = (Roots){0};
+    if (equation.are_roots) {
+        WIRE_GET(wrong->question, equation.right);
+        equation.yours = equation.right;
+        WIRE_GET(wrong->right, equation.right_roots);
+        WIRE_GET(wrong->yours, equation.your_roots);
+        return are_drawable(equation.your_roots) && is_finite(equation.right) &&
+               (equation.right.a != 0 || equation.right.b != 0);
+    }
+    WIRE_GET(wrong->right, equation.right);
+    WIRE_GET(wrong->yours, equation.yours);
+    return is_finite(equation.yours) && equation.right.a != 0;
+}
+
+// Where the parabola turns, found by looking: a third of the range is given up at a time.
+static double turning_point(Quadratic q)
+{
+    double reach = 1 + (fabs(q.b) + fabs(q.c)) / fabs(q.a), low = -reach, high = reach;
+    for (int i = 0; i < 200; i++) {
+        double t = low + (high - low) / 3, u = high - (high - low) / 3;
+        if ((value(q, t) < value(q, u)) == (q.a > 0))
+            high = u;
+        else
+            low = t;
+    }
+    return (low + high) / 2;
+}
+
+// So far to both sides that it has come back to 0 and gone on as far.
+static Range range_of(Quadratic q, Roots roots)
+{
+    if (q.a == 0) {
+        double root = roots.count > 0 ? roots.t[0] : 0, aside = fmax(1, fabs(root));
+        return (Range){root - aside, root + aside};
+    }
+    double middle = turning_point(q), depth = fabs(value(q, middle)), aside = 1e-3;
+    double enough = depth > 1e-9 * (1 + fabs(q.c)) ? 2 * depth : fabs(q.a);
+    while (fabs(value(q, middle + aside) - value(q, middle)) < enough)
+        aside *= 1.1;
+    return (Range){middle - aside, middle + aside};
+}
+
+static void add_values(Range *f, Quadratic q, Range t)
+{
+    for (int i = 0; i <= SAMPLES; i++)
+        range_add(f, value(q, t.low + (t.high - t.low) * i / SAMPLES));
+}
+
+// Of a curve, what is not far above or below the other.
+static void write_curve(Plot *plot, const char *name, Quadratic q, Range t, Range f)
+{
+    double room = 0.3 * (f.high - f.low);
+    bool begun = false;
+    plot_block(plot, name, "t f(t)");
+    for (int i = 0; i <= SAMPLES; i++) {
+        double at = t.low + (t.high - t.low) * i / SAMPLES, height = value(q, at);
+        bool seen = height >= f.low - room && height <= f.high + room;
+        if (seen)
+            plot_row(plot, 2, (const double[]){at, height});
+        else if (begun) // two empty lines would end the block
+            plot_gap(plot);
+        begun = seen;
+    }
+    plot_block_end(plot);
+}
+
+static Text quadratic_words(Quadratic q)
+{
+    Text text;
+    snprintf(text.s, sizeof text.s, "a = %.40s, b = %.40s, c = %.40s", number_text(q.a).s,
+             number_text(q.b).s, number_text(q.c).s);
+    return text;
+}
+
+static Text root_words(Roots roots, bool all_shown)
+{
+    Text text;
+    const char *beyond = all_shown ? "" : " (not in the figure)";
+    if (roots.count == 0)
+        snprintf(text.s, sizeof text.s, "no root");
+    else if (roots.count == 1)
+        snprintf(text.s, sizeof text.s, "t = %.40s%s", number_text(roots.t[0]).s, beyond);
+    else
+        snprintf(text.s, sizeof text.s, "t = %.40s and %.40s%s", number_text(roots.t[0]).s,
+                 number_text(roots.t[1]).s, beyond);
+    return text;
+}
+
+static Roots shown(Roots roots, Range *t)
+{
+    Roots some = {0};
+    for (int i = 0; i < roots.count; i++)
+        if (range_try(t, roots.t[i]))
+            some.t[some.count++] = roots.t[i];
+    return some;
+}
+
+void write_equation(Plot *plot, void *given)
+{
+    const Wrong *wrong = given;
+    Range t = range_of(equation.right, equation.right_roots), f = {0, 0};
+    add_values(&f, equation.right, t);
+    Roots yours = equation.your_roots, seen = shown(yours, &t);
+    if (!equation.are_roots && equation.yours.a != 0) {
+        Range other = range_of(equation.yours, yours);
+        if (range_try(&t, other.low) && range_try(&t, other.high))
+            add_values(&f, equation.yours, other);
+    }
+    if (t.low > 0 && t.low < t.high - t.low)
+        t.low = 0;
+    plot_text(plot, "asked", wrong->function);
+    plot_text(plot, "why", wrong->why);
+    plot_number(plot, "are_roots", equation.are_roots);
+    plot_label(plot, "equation", quadratic_words(equation.right).s);
+    write_curve(plot, "curve", equation.right, t, f);
+    write_curve(plot, "your_curve", equation.yours, t, f);
+    figure_marks(plot, "answer", equation.right_roots.t, equation.right_roots.count, 1);
+    figure_marks(plot, "yours", seen.t, seen.count, 1);
+    plot_number(plot, "low", t.low);
+    plot_number(plot, "high", t.high);
+    plot_number(plot, "bottom", f.low);
+    plot_number(plot, "top", f.high);
+    figure_ticks(plot, t, 1);
+    if (equation.are_roots)
+        beside_words(plot, root_words(equation.right_roots, true).s,
+                     root_words(yours, seen.count == yours.count).s, "");
+    else
+        beside_words(plot, quadratic_words(equation.right).s, quadratic_words(equation.yours).s,
+                     "");
+}

@@ -1,0 +1,164 @@
+// figure_section.c - where a ray meets spheres: the section through the ray, and its t axis.
+#include "tests/judge/figure.h"
+
+#include "common/beside.h"
+#include "common/ray.h"
+#include "common/scene.h"
+#include "exercises/05-quadratic.h"
+#include "tests/told/layout.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_SPHERES = 100 };
+
+// The places of an answer: at most two; which sphere, where that is asked.
+typedef struct {
+    int count, sphere;
+    double t[2];
+} Places;
+
+static struct {
+    Ray ray;
+    int count;
+    Sphere spheres[MOST_SPHERES];
+    Places right, yours;
+    bool are_roots, has_index;
+} section;
+
+static void read_spheres(Wire *question, bool whole_scene)
+{
+    Scene scene;
+    section.count = 1;
+    if (!whole_scene) {
+        WIRE_GET(question, section.spheres[0]);
+        return;
+    }
+    wire_get_scene(question, &scene);
+    section.count = scene.sphere_count < MOST_SPHERES ? scene.sphere_count : MOST_SPHERES;
+    for (int i = 0; i < section.count; i++)
+        section.spheres[i] = scene.spheres[i];
+    scene_free(&scene);
+}
+
+static Places read_places(Wire *wire, const char *results)
+{
+    Places places = {0, -1, {NO_HIT, NO_HIT}};
+    Roots roots = {0};
+    Hit hit = {0};
+    if (strcmp(results, "Roots") == 0) {
+        WIRE_GET(wire, roots);
+        places = (Places){roots.count, -1, {roots.t[0], roots.t[1]}};
+    } else if (strcmp(results, "Hit") == 0) {
+        WIRE_GET(wire, hit);
+        places = (Places){hit.t != NO_HIT, hit.sphere, {hit.t, NO_HIT}};
+    } else {
+        WIRE_GET(wire, places.t[0]);
+        places.count = places.t[0] != NO_HIT;
+    }
+    return places;
+}
+
+static bool are_drawable(Places places)
+{
+    bool good = places.count >= 0 && places.count <= 2;
+    for (int i = 0; good && i < places.count; i++)
+        good = isfinite(places.t[i]);
+    return good;
+}
+
+bool read_section(Wrong *wrong)
+{
+    Layout types = layouts[wrong->kept->exercise];
+    section.has_index = strcmp(types.results, "Hit") == 0;
+    section.are_roots = strcmp(types.results, "Roots") == 0;
+    WIRE_GET(wrong->question, section.ray);
+    read_spheres(wrong->question, section.has_index);
+    section.right = read_places(wrong->right, types.results);
+    section.yours = read_places(wrong->yours, types.results);
+    return are_drawable(section.right) && are_drawable(section.yours) &&
+           (section.right.count > 0 || section.yours.count > 0) &&
+           vec3_length(section.ray.direction) > 0;
+}
+
+// Along the ray and aside from it, each sphere turned round the ray into the paper: the first
+// below.
+static void write_spheres(Plot *plot, Range *x, Range *y)
+{
+    vec3 along = vec3_unit(section.ray.direction), below = vec3_of(0, 0, 0);
+    plot_block(plot, "spheres", "along the ray, aside, radius, which");
+    for (int i = 0; i < section.count; i++) {
+        vec3 center = section.spheres[i].center - section.ray.origin;
+        double r = section.spheres[i].radius, ahead = vec3_dot(center, along);
+        vec3 away = center - ahead * along;
+        if (vec3_length(below) == 0)
+            below = away;
+        double aside = vec3_length(away) * (vec3_dot(away, below) < 0 ? 1 : -1);
+        plot_row(plot, 4, (const double[]){ahead, aside, r, i});
+        if (i == 0)
+            *x = (Range){ahead - r, ahead + r};
+        range_add(x, ahead - r);
+        range_add(x, ahead + r);
+        range_add(y, aside - r);
+        range_add(y, aside + r);
+    }
+    plot_block_end(plot);
+}
+
+static Text words_of(Places places, bool all_shown)
+{
+    Text text;
+    const char *beyond = all_shown ? "" : " (not in the figure)";
+    if (places.count == 0)
+        snprintf(text.s, sizeof text.s, section.are_roots ? "no root" : "no hit");
+    else if (places.count == 2)
+        snprintf(text.s, sizeof text.s, "t = %.40s and %.40s%s", number_text(places.t[0]).s,
+                 number_text(places.t[1]).s, beyond);
+    else if (section.has_index)
+        snprintf(text.s, sizeof text.s, "sphere %d at t = %.40s%s", places.sphere,
+                 number_text(places.t[0]).s, beyond);
+    else
+        snprintf(text.s, sizeof text.s, "t = %.40s%s", number_text(places.t[0]).s, beyond);
+    return text;
+}
+
+// Those that can be seen beside the others.
+static Places shown(Places places, Range *x, double unit)
+{
+    Places some = {0, places.sphere, {0, 0}};
+    for (int i = 0; i < places.count; i++)
+        if (range_try(x, places.t[i] * unit))
+            some.t[some.count++] = places.t[i];
+    return some;
+}
+
+void write_section(Plot *plot, void *given)
+{
+    const Wrong *wrong = given;
+    double unit = vec3_length(section.ray.direction);
+    Range x = {0, unit}, y = {0, 0};
+    Places right = section.right, yours = section.yours;
+    plot_text(plot, "asked", wrong->function);
+    plot_text(plot, "why", wrong->why);
+    plot_number(plot, "unit", unit);
+    write_spheres(plot, &x, &y);
+    for (int i = 0; i < right.count; i++)
+        range_add(&x, right.t[i] * unit);
+    bool has_eye = range_try(&x, 0), has_arrow = has_eye && range_try(&x, unit);
+    Places seen = shown(yours, &x, unit);
+    figure_marks(plot, "answer", right.t, right.count, unit);
+    figure_marks(plot, "yours", seen.t, seen.count, unit);
+    plot_number(plot, "has_eye", has_eye);
+    plot_number(plot, "has_arrow", has_arrow);
+    double margin = 0.04 * (x.high - x.low);
+    plot_number(plot, "low", x.low - margin);
+    plot_number(plot, "high", x.high + margin);
+    plot_number(plot, "bottom", y.low);
+    plot_number(plot, "top", y.high);
+    figure_ticks(plot, (Range){x.low / unit, x.high / unit}, unit);
+    Text off = {""};
+    if (right.count == 1 && yours.count == 1)
+        off = figure_off(right.t[0], yours.t[0]);
+    beside_words(plot, words_of(right, true).s, words_of(yours, seen.count == yours.count).s,
+                 off.s);
+}

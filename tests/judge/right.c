@@ -1,0 +1,20 @@
+// right.c - what is right for a call that was kept, by the reference.
+#include "tests/judge/right.h"
+
+#include "tests/judge/corners.h"
+#include "tests/judge/dispatch.h"
+
+bool right_answer(const Record *record, Kept *kept, Wire *right)
+{
+    (void)record;
+    kept->question.read = 0;
+    wire_clear(right);
+    return dispatch(kept->exercise, &kept->question, right);
+}
+
+bool right_corners(const Record *record, Camera camera, vec3 corners[4])
+{
+    (void)record;
+    reference_corners(camera, corners);
+    return true;
+}
