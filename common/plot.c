@@ -14,7 +14,8 @@ enum { LABEL_DIGITS = 4, DATA_DIGITS = 12 };
 
 struct Plot {
     FILE *script;
-    FILE *fit; // rows of $fit
+    FILE *included; // what stands before the data
+    FILE *fit;      // rows of $fit
     char *fit_text;
     size_t fit_size;
     FILE *rows; // of the block that is being written
@@ -376,7 +377,7 @@ void plot_include(Plot *plot, const char *path)
     if (text == NULL)
         plot->failed = true;
     else
-        fprintf(plot->script, "%s\n", text);
+        fprintf(plot->included, "%s\n", text);
     free(text);
 }
 
@@ -411,11 +412,13 @@ static void keep_data(char *script)
 static void write_script(Plot *plot, FILE *out, const Figure *figure, const char *head,
                          const char *layout, const char *note, void *given)
 {
-    char *data;
-    size_t size;
+    char *data, *included;
+    size_t size, included_size;
     plot->script = open_memstream(&data, &size);
+    plot->included = open_memstream(&included, &included_size);
     plot->fit = open_memstream(&plot->fit_text, &plot->fit_size);
     figure->data(plot, given);
+    fclose(plot->included);
     fclose(plot->fit);
     const char *rows = "";
     int right = (int)right_fit(plot, &rows);
@@ -428,8 +431,10 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
         print_quoted(out, note, false);
         fprintf(out, "\n");
     }
-    fprintf(out, "%s%s\n%s" DATA_END "\n@legend\n%s\n@finish\n", head, DATA_BEGIN, data, layout);
+    fprintf(out, "%s\n%s" DATA_BEGIN "\n%s" DATA_END "\n@legend\n%s\n@finish\n", head, included,
+            data, layout);
     free(plot->fit_text);
+    free(included);
     free(data);
 }
 

@@ -44,7 +44,7 @@ void plot_fit(Plot *plot, vec3 center, double radius);
 // NAME_x, NAME_y, NAME_z and NAME_text: a direction that the layout computes with.
 void plot_direction(Plot *plot, const char *name, vec3 v);
 
-// Puts a file of gnuplot's words here: what some layouts have in common, common/NAME.gp.
+// Puts a file of gnuplot's words before the data: what some layouts have in common, common/NAME.gp.
 void plot_include(Plot *plot, const char *path);
 
 // ---- flat: pairs of numbers -------------------------------------------------------------------

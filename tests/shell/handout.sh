@@ -74,8 +74,8 @@ right_data_are_numbers() {
     for layout in chapters/*/*.gp; do
         data=$scratch/tree/ray-casting/tests/told/figures/${layout##*/}
         [ -s "$data" ] || { echo "$data"; status=1; }
-        awk '/^\$[a-z_]+ << EOD$/ { inside = 1; next } /^EOD$/ { inside = 0; next }
-            inside ? !/^(#|$)/ && /[^-0-9.e Na]/ : NF && !/^(#|[a-z_]+ = ("[^"]*"|[-0-9.eNa]+)$)/ {
+        awk '/^\$[a-z_0-9]+ << EOD$/ { inside = 1; next } /^EOD$/ { inside = 0; next }
+            inside ? !/^(#|$)/ && /[^-0-9.e Na]/ : NF && !/^(#|[a-zA-Z_0-9]+ = ("[^"]*"|[-0-9.eNa]+)$)/ {
                 print FILENAME ": " $0; bad = 1 }
             END { exit bad }' "$data" || status=1
     done
