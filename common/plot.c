@@ -106,10 +106,15 @@ static void define_label(Plot *plot, const char *name, const char *label)
     free(value);
 }
 
-void plot_number(Plot *plot, const char *name, double x)
+void plot_number_to(Plot *plot, const char *name, double x, int digits)
 {
     define(plot, name, isfinite(x) ? number_text_to(x, DATA_DIGITS).s : "NaN");
-    define_label(plot, name, number_text_to(x, LABEL_DIGITS).s);
+    define_label(plot, name, number_text_to(x, digits).s);
+}
+
+void plot_number(Plot *plot, const char *name, double x)
+{
+    plot_number_to(plot, name, x, LABEL_DIGITS);
 }
 
 void plot_text(Plot *plot, const char *name, const char *text)

@@ -96,6 +96,7 @@ lines = "lines lw 1.2"
 thick = "lines lw 2.2"
 hair = "lines lw 0.8"
 arrow = sprintf("vectors head filled size %g,18,90 lw 2.2", 12)
+thin_arrow = sprintf("vectors head filled size %g,18,90 lw 1.2", 9)
 dimension = sprintf("vectors heads filled size %g,16,90 lw 1", 8)
 dot = sprintf("points pt 7 ps %g", 0.55)
 ring = sprintf("points pt 6 ps %g lw 2", 0.55)
@@ -153,6 +154,51 @@ flat = 'flat_w = width * (word(room, 2) - word(room, 1)); flat_h = height * (wor
     zero_y[panel] = height * (word(room, 3) + word(room, 4)) / 2 - size[panel] * (low_y + high_y) / 2'
 U(panel, x) = zero_x[panel] + size[panel] * x
 V(panel, y) = zero_y[panel] + size[panel] * y
+
+# ---- numbers that are computed here, and what is not there --------------------------------------------
+
+# A number with a minus sign; smaller text.
+number(x) = (x < 0 ? "−" : "").sprintf("%.10g", abs(x))
+small(s) = tex ? "{\\small ".s."}" : "{/*0.8 ".s."}"
+# Where yours is another number, both: said after the right one; or how many marks of yours to draw.
+differs(name) = exists("your_".name)
+yours(name) = differs(name) ? ", yours ".value("your_".name."_text") : ""
+# A label needs a place, even one that says nothing: gnuplot 5.4 crashes where it has none.
+here(x) = x == x ? x : 0
+cross = sprintf("points pt 2 ps %g lw 2", 0.55)
+square = sprintf("points pt 4 ps %g lw 2", 0.8)
+least(x, y) = x < y ? x : y
+most(x, y) = x > y ? x : y
+
+# ---- a line past a circle: labels that touch neither ------------------------------------------------
+
+# '@beside', after '@see': where the line (direction line_x, line_y, line_z, speed long) and the circle
+# (ball_x, ball_y, ball_z, radius r) are on the canvas. off_x, off_y, off_z is at right angles to the line,
+# away from the circle's centre.
+beside = 'line_u = seen_x(line_x, line_y, line_z); line_v = seen_y(line_x, line_y, line_z); \
+    off_u = seen_x(off_x, off_y, off_z); off_v = seen_y(off_x, off_y, off_z); \
+    ball_u = X(ball_x, ball_y, ball_z); ball_v = Y(ball_x, ball_y, ball_z)'
+t_u(t) = ball_u + scale * (off_u * away + line_u * speed * (t - t_nearest))
+t_v(t) = ball_v + scale * (off_v * away + line_v * speed * (t - t_nearest))
+# Half the width of a label of n characters, and how far from the line its middle has to be.
+half(n) = 4.9 * n + 2
+clear(n) = 9 + half(n) * abs(off_u) + 10 * abs(off_v)
+beside_u(x, n) = x + off_u * sgn(n) * clear(abs(n))
+beside_v(y, n) = y + off_v * sgn(n) * clear(abs(n))
+# From a box with this middle, half so wide and high, to the circle.
+from_circle(u, v, w, h) = sqrt(most(abs(u - ball_u) - w, 0)**2 + most(abs(v - ball_v) - h, 0)**2) - scale * r
+# '@beside_roots': hit0_u, hit0_v, hit1_u, hit1_v for the labels of n0 and n1 characters at the two roots,
+# moved apart until they touch neither the circle nor each other.
+label_u(t, n, e) = beside_u(t_u(t), n) + e * line_u
+label_v(t, n, e) = beside_v(t_v(t), n) + e * line_v
+from_label(e) = most(abs(label_u(t0, n0, -e0 - e) - label_u(t1, n1, e1 + e)) - half(n0) - half(n1), \
+    abs(label_v(t0, n0, -e0 - e) - label_v(t1, n1, e1 + e)) - 22)
+beside_roots = 'e0 = 0; e1 = 0; apart = 0; \
+    while (from_circle(label_u(t0, n0, -e0), label_v(t0, n0, -e0), half(n0), 10) < 4) { e0 = e0 + 3 }; \
+    while (from_circle(label_u(t1, n1, e1), label_v(t1, n1, e1), half(n1), 10) < 4) { e1 = e1 + 3 }; \
+    while (from_label(apart) < 4) { apart = apart + 3 }; \
+    hit0_u = here(label_u(t0, n0, -e0 - apart)); hit0_v = here(label_v(t0, n0, -e0 - apart)); \
+    hit1_u = here(label_u(t1, n1, e1 + apart)); hit1_v = here(label_v(t1, n1, e1 + apart))'
 
 # ---- the end --------------------------------------------------------------------------------------
 
