@@ -187,16 +187,18 @@ beside_u(x, n) = x + off_u * sgn(n) * clear(abs(n))
 beside_v(y, n) = y + off_v * sgn(n) * clear(abs(n))
 # From a box with this middle, half so wide and high, to the circle.
 from_circle(u, v, w, h) = sqrt(most(abs(u - ball_u) - w, 0)**2 + most(abs(v - ball_v) - h, 0)**2) - scale * r
+# Do a label of n characters at u, v and one of m at x, y overlap?
+overlap(u, v, n, x, y, m) = abs(u - x) < half(n) + half(m) + 4 && abs(v - y) < 22
 # '@beside_roots': hit0_u, hit0_v, hit1_u, hit1_v for the labels of n0 and n1 characters at the two roots,
-# moved apart until they touch neither the circle nor each other.
+# moved apart until they touch neither the circle nor each other. (Where there is no root, NaN < 4 holds.)
 label_u(t, n, e) = beside_u(t_u(t), n) + e * line_u
 label_v(t, n, e) = beside_v(t_v(t), n) + e * line_v
 from_label(e) = most(abs(label_u(t0, n0, -e0 - e) - label_u(t1, n1, e1 + e)) - half(n0) - half(n1), \
     abs(label_v(t0, n0, -e0 - e) - label_v(t1, n1, e1 + e)) - 22)
 beside_roots = 'e0 = 0; e1 = 0; apart = 0; \
-    while (from_circle(label_u(t0, n0, -e0), label_v(t0, n0, -e0), half(n0), 10) < 4) { e0 = e0 + 3 }; \
-    while (from_circle(label_u(t1, n1, e1), label_v(t1, n1, e1), half(n1), 10) < 4) { e1 = e1 + 3 }; \
-    while (from_label(apart) < 4) { apart = apart + 3 }; \
+    while (from_circle(label_u(t0, n0, -e0), label_v(t0, n0, -e0), half(n0), 10) < 4 && e0 < width) { e0 = e0 + 3 }; \
+    while (from_circle(label_u(t1, n1, e1), label_v(t1, n1, e1), half(n1), 10) < 4 && e1 < width) { e1 = e1 + 3 }; \
+    while (from_label(apart) < 4 && apart < width) { apart = apart + 3 }; \
     hit0_u = here(label_u(t0, n0, -e0 - apart)); hit0_v = here(label_v(t0, n0, -e0 - apart)); \
     hit1_u = here(label_u(t1, n1, e1 + apart)); hit1_v = here(label_v(t1, n1, e1 + apart))'
 

@@ -120,7 +120,8 @@ static void stretch(Plot *plot, const Section *s, const char *name, double from,
 // power of ten.
 static double stride(const Section *s)
 {
-    double most = (s->high - s->low) / 1.5, least = (s->high - s->low) / (s->near ? TICKS : FAR_TICKS);
+    double most = (s->high - s->low) / (s->near ? 1.5 : 2.5);
+    double least = (s->high - s->low) / (s->near ? TICKS : FAR_TICKS);
     if (least <= 1 && 1 <= most)
         return 1;
     double ten = pow(10, floor(log10(least)));
@@ -172,7 +173,7 @@ void section_data(Plot *plot, const Section *s)
     double begin = s->near ? 0 : s->t > 0 ? s->low : s->high;
     plot_point(plot, "origin", s->ray.origin);
     plot_point(plot, "p", section_point(s, begin));
-    double first = s->near ? 0 : step * ceil(s->low / step);
+    double first = s->near ? 0 : s->t > 0 ? s->low : s->high - step;
     plot_vector(plot, "v", section_point(s, first), step * s->ray.direction);
     stretch(plot, s, "ahead", fmin(fmax(s->low, 0), s->high), s->high);
     stretch(plot, s, "behind", s->low, fmax(fmin(s->high, 0), s->low));
