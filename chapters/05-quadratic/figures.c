@@ -145,6 +145,7 @@ static void parabola_data(Plot *plot, void *given)
     plot_number(plot, "f_high", f[1]);
     coefficients(plot, "", q);
     root_numbers(plot, "", roots);
+    plot_number_to(plot, "hit", hit_sphere(m->ray, m->sphere), digits_of(roots));
     plot_number_to(plot, "f_nearest", value(q, section.t), 4);
     mark(plot, "hit0", m->ray, root_of(roots, 0));
     mark(plot, "hit1", m->ray, root_of(roots, 1));
@@ -170,10 +171,18 @@ static double rounded(double radius)
     return ldexp(round(ldexp(fraction, 20)), exponent - 20);
 }
 
+// v is as long as the radius or shorter, down to its half: a power of two.
+static double speed_for(double radius)
+{
+    int exponent;
+    frexp(radius, &exponent);
+    return ldexp(1, exponent - 1);
+}
+
 static Meeting situation(int i, double radius)
 {
     return (Meeting){{vec3_of(situations[i].x * radius, situations[i].y * radius, 0),
-                      vec3_of(1, 0, 0)},
+                      vec3_of(speed_for(radius), 0, 0)},
                      {.center = vec3_of(0, 0, 0), .radius = radius}};
 }
 
@@ -211,9 +220,10 @@ static void curve(Plot *plot, const char *name, double radius, bool ahead)
         Quadratic q = quadratic_of(&m);
         for (int k = 0; k <= SAMPLES; k++) {
             double x = (situations[i].middle + 1.75 * (2.0 * k / SAMPLES - 1)) * radius;
-            double t = x - m.ray.origin[0], f = value(q, t);
+            double t = (x - m.ray.origin[0]) / m.ray.direction[0], f = value(q, t);
             bool shown = f <= 2.4 * radius * radius && f >= -1.2 * radius * radius;
-            if (shown && (t >= 0) == ahead)
+            // Both have the place next to t = 0, so that no gap is seen.
+            if (shown && (ahead ? t >= 0 : t < 0.02))
                 plot_row(plot, 3, (const double[]){i + 1, x, f});
         }
         // Where all of it is on the other side, or out of the picture.
@@ -228,6 +238,7 @@ static void discriminant_data(Plot *plot, void *given)
     const Meeting *m = given;
     double radius = rounded(m->sphere.radius);
     plot_number(plot, "r", radius);
+    plot_number(plot, "v", speed_for(radius));
     plot_block(plot, "rays", "panel x y of p, x y of v, middle of the panel");
     for (int i = 0; i < SITUATIONS; i++) {
         Ray ray = situation(i, radius).ray;
@@ -252,6 +263,9 @@ static void discriminant_data(Plot *plot, void *given)
         coefficients(plot, prefix, quadratic_of(&one));
         root_numbers(plot, prefix, quadratic_roots(quadratic_of(&one)));
         plot_number(plot, joined(prefix, "hit"), hit_sphere(one.ray, one.sphere));
+        plot_number(plot, joined(prefix, "x"), one.ray.origin[0]);
+        plot_number(plot, joined(prefix, "y"), one.ray.origin[1]);
+        plot_number(plot, joined(prefix, "middle"), situations[i].middle * radius);
     }
 }
 
@@ -275,18 +289,36 @@ static Meeting moved(const Meeting *m)
     return moved;
 }
 
-// The world's axes, as long as what is seen.
-static void axes(Plot *plot, const char *name, const Section *s, vec3 origin, double size)
+// The world's axes on the paper, as far as they are not seen from their end; center is where that
+// is seen in the world.
+static void axes(Plot *plot, const char *name, const Section *s, vec3 center, double low,
+                 double high)
 {
-    plot_block(plot, name, "x y z of an axis's low end, x y z from there to its high end");
+    plot_block(plot, name, "x y z of an axis's low end, x y z from there to its high end, which");
     for (int i = 0; i < 3; i++) {
         vec3 axis = vec3_of(i == 0, i == 1, i == 2);
         if (hypot(vec3_dot(axis, s->right), vec3_dot(axis, s->up)) < 1e-6)
             continue;
-        vec3 low = origin - 0.6 * size * axis, way = 2 * size * axis;
-        plot_row(plot, 6, (const double[]){low[0], low[1], low[2], way[0], way[1], way[2]});
+        vec3 from = low * axis, way = (high - low) * axis;
+        plot_row(plot, 7,
+                 (const double[]){from[0], from[1], from[2], way[0], way[1], way[2], i + 1});
+        plot_fit(plot, center + from, 0);
+        plot_fit(plot, center + from + way, 0);
     }
     plot_block_end(plot);
+}
+
+// The world's origin and c from there; where that is far away, only c's end, and no axes.
+static void world_axes(Plot *plot, const Section *s)
+{
+    vec3 c = s->sphere.center, zero = vec3_of(0, 0, 0);
+    double away = vec3_length(c);
+    bool near = away <= 8 * s->size;
+    plot_number(plot, "near_origin", near);
+    vec3 shown = near ? c : 3 * s->size / away * c;
+    plot_vector(plot, "c", c - shown, shown);
+    double length = near ? fmax(0.5 * away, 1.4 * s->size) : 0;
+    axes(plot, "world_axes", s, near ? zero : c, -0.5 * s->size * near, length);
 }
 
 static void world_object(Plot *plot, void *given)
@@ -309,12 +341,14 @@ static void world_object(Plot *plot, void *given)
     mark(plot, "world_hit1", m.ray, root_of(world_roots, 1));
     mark(plot, "object_hit0", object_ray, root_of(object_roots, 0));
     mark(plot, "object_hit1", object_ray, root_of(object_roots, 1));
+    plot_number(plot, "hit", hit_sphere(m.ray, m.sphere));
+    plot_number(plot, "t0", root_of(object_roots, 0));
+    plot_number(plot, "t1", root_of(object_roots, 1));
     plot_point(plot, "object_p", object_ray.origin);
     plot_vector(plot, "object_v", object_ray.origin, object_ray.direction);
-    plot_vector(plot, "c", vec3_of(0, 0, 0), m.sphere.center);
-    axes(plot, "world_axes", &section, vec3_of(0, 0, 0), section.size);
-    axes(plot, "object_axes", &section, vec3_of(0, 0, 0), section.size);
-    plot_fit(plot, vec3_of(0, 0, 0), 0);
+    world_axes(plot, &section);
+    axes(plot, "object_axes", &section, m.sphere.center, -1.35 * m.sphere.radius,
+         1.35 * m.sphere.radius);
 }
 
 static const Figure figures[] = {{"ray-sphere", ray_sphere},
