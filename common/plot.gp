@@ -164,7 +164,7 @@ small(s) = tex ? "{\\small ".s."}" : "{/*0.8 ".s."}"
 differs(name) = exists("your_".name)
 yours(name) = differs(name) ? ", yours ".value("your_".name."_text") : ""
 # A label needs a place, even one that says nothing: gnuplot 5.4 crashes where it has none.
-here(x) = x == x ? x : 0
+here(x) = x == x ? x : 100
 cross = sprintf("points pt 2 ps %g lw 2", 0.55)
 square = sprintf("points pt 4 ps %g lw 2", 0.8)
 least(x, y) = x < y ? x : y

@@ -85,6 +85,7 @@ static void ray_sphere(Plot *plot, void *given)
     for (int i = 0; i < count_of(roots); i++)
         section_include(&section, roots.t[i]);
     section_include(&section, hit);
+    section_end(&section);
     section_data(plot, &section);
 
     plot_point(plot, "object_p", to_object_coordinates(m->ray, m->sphere).origin);
@@ -137,6 +138,7 @@ static void parabola_data(Plot *plot, void *given)
     Section section = section_level(m->ray, m->sphere);
     for (int i = 0; i < count_of(roots); i++)
         section_include(&section, roots.t[i]);
+    section_end(&section);
     section_data(plot, &section);
 
     double f[2];
@@ -331,6 +333,7 @@ static void world_object(Plot *plot, void *given)
         section_include(&section, root_of(world_roots, i));
         section_include(&section, root_of(object_roots, i));
     }
+    section_end(&section);
     section_data(plot, &section);
     Ray object_ray = to_object_coordinates(m.ray, m.sphere);
     coefficients(plot, "world_", world);
@@ -345,10 +348,11 @@ static void world_object(Plot *plot, void *given)
     plot_number(plot, "t0", root_of(object_roots, 0));
     plot_number(plot, "t1", root_of(object_roots, 1));
     plot_point(plot, "object_p", object_ray.origin);
-    plot_vector(plot, "object_v", object_ray.origin, object_ray.direction);
+    plot_vector(plot, "object_v", object_ray.origin + section.first * object_ray.direction,
+                section.stride * object_ray.direction);
     world_axes(plot, &section);
-    axes(plot, "object_axes", &section, m.sphere.center, -1.35 * m.sphere.radius,
-         1.35 * m.sphere.radius);
+    double length = 1.6 * fmax(m.sphere.radius, 0.2 * section.size);
+    axes(plot, "object_axes", &section, m.sphere.center, -length, length);
 }
 
 static const Figure figures[] = {{"ray-sphere", ray_sphere},

@@ -85,6 +85,26 @@ void section_include(Section *s, double t)
     s->high = fmax(s->high, t + margin);
 }
 
+// 1, 2 or 5 of a power of ten where 1 itself will not do.
+static double stride(const Section *s)
+{
+    double most = (s->high - s->low) / (s->near ? 1.5 : 2.5);
+    double least = (s->high - s->low) / (s->near ? TICKS : FAR_TICKS);
+    if (least <= 1 && 1 <= most)
+        return 1;
+    double ten = pow(10, floor(log10(least)));
+    for (int i = 0; i < 2; i++)
+        if (least <= (i == 0 ? 2 : 5) * ten)
+            return (i == 0 ? 2 : 5) * ten;
+    return 10 * ten;
+}
+
+void section_end(Section *s)
+{
+    s->stride = stride(s);
+    s->first = s->near ? 0 : s->t > 0 ? s->low : s->high - s->stride;
+}
+
 vec3 section_point(const Section *section, double t)
 {
     return section->ray.origin + t * section->ray.direction;
@@ -116,23 +136,9 @@ static void stretch(Plot *plot, const Section *s, const char *name, double from,
     plot_block_end(plot);
 }
 
-// From mark to mark on the line: 1, unless that is too near or too far; then 1, 2 or 5 of another
-// power of ten.
-static double stride(const Section *s)
+static void ticks(Plot *plot, const Section *s)
 {
-    double most = (s->high - s->low) / (s->near ? 1.5 : 2.5);
-    double least = (s->high - s->low) / (s->near ? TICKS : FAR_TICKS);
-    if (least <= 1 && 1 <= most)
-        return 1;
-    double ten = pow(10, floor(log10(least)));
-    for (int i = 0; i < 2; i++)
-        if (least <= (i == 0 ? 2 : 5) * ten)
-            return (i == 0 ? 2 : 5) * ten;
-    return 10 * ten;
-}
-
-static void ticks(Plot *plot, const Section *s, double step)
-{
+    double step = s->stride;
     plot_block(plot, "ticks", "x y z t");
     double margin = 0.02 * (s->high - s->low);
     for (double i = ceil((s->low - margin / 10) / step); i * step <= s->high - margin; i++) {
@@ -158,12 +164,11 @@ static void see(Plot *plot, const Section *s)
 
 void section_data(Plot *plot, const Section *s)
 {
-    double step = stride(s);
     see(plot, s);
     plot_number(plot, "r", s->sphere.radius);
     plot_number(plot, "near_p", s->near);
     plot_direction(plot, "velocity", s->ray.direction);
-    plot_number(plot, "stride", step);
+    plot_number(plot, "stride", s->stride);
     plot_number(plot, "t_nearest", s->t);
     plot_number(plot, "away", s->away);
     plot_point(plot, "center", s->sphere.center);
@@ -173,12 +178,11 @@ void section_data(Plot *plot, const Section *s)
     double begin = s->near ? 0 : s->t > 0 ? s->low : s->high;
     plot_point(plot, "origin", s->ray.origin);
     plot_point(plot, "p", section_point(s, begin));
-    double first = s->near ? 0 : s->t > 0 ? s->low : s->high - step;
-    plot_vector(plot, "v", section_point(s, first), step * s->ray.direction);
+    plot_vector(plot, "v", section_point(s, s->first), s->stride * s->ray.direction);
     stretch(plot, s, "ahead", fmin(fmax(s->low, 0), s->high), s->high);
     stretch(plot, s, "behind", s->low, fmax(fmin(s->high, 0), s->low));
     plot_point(plot, "end", section_point(s, s->high));
-    ticks(plot, s, step);
+    ticks(plot, s);
     plot_point(plot, "nearest", s->nearest);
     plot_vector(plot, "apart", s->sphere.center, s->nearest - s->sphere.center);
 }

@@ -23,6 +23,8 @@ typedef struct {
     // How much of the line is shown.
     double low, high; // from which t to which
     bool near;        // is p in sight, or too far away for that?
+    double stride;    // from mark to mark: 1, unless that is too near or too far
+    double first;     // where the arrow of v starts: at p, where that is in sight
 } Section;
 
 // With the world's up as far as possible up on the paper, and seen from where z is positive.
@@ -36,6 +38,9 @@ void section_include(Section *section, double t);
 
 // A point of the line.
 vec3 section_point(const Section *section, double t);
+
+// When all that it has to show is included: how it is marked.
+void section_end(Section *section);
 
 // The paper's directions, and $center, $circle, $radius, $p (or, where that is too far away, the end
 // of the line towards it), $v, $ahead and $behind (of p), $ticks, $nearest, $apart (from the centre

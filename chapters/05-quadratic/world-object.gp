@@ -28,8 +28,8 @@ object_x(x, y, z) = X(x, y, z) + scale * seen_x(ball_x, ball_y, ball_z) + side
 object_y(x, y, z) = Y(x, y, z) + scale * seen_y(ball_x, ball_y, ball_z)
 object_point = "(object_x($1,$2,$3)):(object_y($1,$2,$3))"
 object_vector = object_point.":(scale*seen_x($4,$5,$6)):(scale*seen_y($4,$5,$6))"
-n0 = 2
-n1 = 2
+n0 = 4
+n1 = 4
 @beside_roots
 touches = t0 == t1
 color(t) = abs(t - hit) <= 1e-6 * abs(hit) ? orange : t > 0 ? pink : grey
@@ -42,7 +42,7 @@ v_label = stride == 1 ? "v" : stride_text." v"
 
 plot $circle using @point with filledcurves closed fc rgb surface fs solid noborder title "disc", \
     for [_=1:near_origin] $world_axes using @vector with @thin_arrow lc rgb grey title "axes", \
-    $world_axes using (X($1+1.07*$4,$2+1.07*$5,$3+1.07*$6)):(Y($1+1.07*$4,$2+1.07*$5,$3+1.07*$6)): \
+    $world_axes using (X($1+$4,$2+$5,$3+$6) + 10):(Y($1+$4,$2+$5,$3+$6) - 6): \
         (near_origin ? small(math(axis_name($7))) : "") with labels tc rgb grey title "axes, labels", \
     $circle using @point with @lines lc rgb ink title "circle", \
     $behind index wrong using @point with @lines lc rgb grey dt 3 title "behind p", \
@@ -50,6 +50,7 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     $c using @vector with @arrow lc rgb green title "c", \
     $c using (X($1+0.5*$4,$2+0.5*$5,$3+0.5*$6)-13*off_u):(Y($1+0.5*$4,$2+0.5*$5,$3+0.5*$6)-13*off_v):(math("c")) \
         with labels tc rgb green title "c, label", \
+    $c using (X($1,$2,$3)):(Y($1,$2,$3) - 14):(near_origin ? "" : small("from (0, 0, 0)")) with labels tc rgb green title "c, start", \
     $v using @vector with @arrow lc rgb blue title "v", \
     $v using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
         (math(v_label)) with labels tc rgb blue title "v, label", \
@@ -61,12 +62,12 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     @step2 $center using (0.5 * width):(0.84 * height + 18):(math("− c")) with labels tc rgb green title "moved, label", \
     @step2 $circle using (X($1,$2,$3) + side):(Y($1,$2,$3)) with filledcurves closed fc rgb surface fs solid noborder title "object disc", \
     @step2 $object_axes using @object_vector with @thin_arrow lc rgb grey title "object axes", \
-    @step2 $object_axes using (object_x($1+1.07*$4,$2+1.07*$5,$3+1.07*$6)):(object_y($1+1.07*$4,$2+1.07*$5,$3+1.07*$6)): \
+    @step2 $object_axes using (object_x($1+$4,$2+$5,$3+$6) + 10):(object_y($1+$4,$2+$5,$3+$6) - 6): \
         (small(math(axis_name($7)))) with labels tc rgb grey title "object axes, labels", \
     @step2 $circle using (X($1,$2,$3) + side):(Y($1,$2,$3)) with @lines lc rgb ink title "object circle", \
     @step2 $behind index wrong using (X($1,$2,$3) + side):(Y($1,$2,$3)) with @lines lc rgb grey dt 3 title "behind p − c", \
     @step2 $ahead index wrong using (X($1,$2,$3) + side):(Y($1,$2,$3)) with @lines lc rgb blue title "p − c + t v", \
-    for [_=1:step >= 2 && near_p] for [who=0:wrong] $object_v index who using @object_vector with @arrow lc rgb blue dt dash(who) title "object v", \
+    @step2 @who $object_v index who using @object_vector with @arrow lc rgb blue dt dash(who) title "object v", \
     for [_=1:step >= 2 && near_p] $object_p using @object_point with @dot lc rgb blue title "p − c", \
     @step2 $v using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label)) + side):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
         (math(v_label)) with labels tc rgb blue title "object v, label", \
