@@ -26,7 +26,7 @@ F(f) = axis + 0.11 * height * f / r**2
 middle(i) = width * (i - 0.5) / 5
 left_of(i) = width * (i - 1) / 5.0
 last = least(5, step)
-shown(panel, x) = panel <= step ? x : NaN
+only(i, panel, x) = panel == i ? x : NaN
 one = "$circle every ::0::0"
 
 plot for [i=1:4] @one using (left_of(i + 1)):(24):(0):(height - 48) with vectors nohead lw 0.8 lc rgb faint title "between", \
@@ -37,25 +37,25 @@ plot for [i=1:4] @one using (left_of(i + 1)):(24):(0):(height - 48) with vectors
     for [i=1:last] @one using (left_of(i) + 8):(axis):(width / 5.0 - 16):(0) with @thin_arrow lc rgb grey title "axis", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(axis - 5):(0):(10) with vectors nohead lw 2 lc rgb blue title "t = 0", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(axis - 16):(small("0")) with labels tc rgb blue title "t = 0, label", \
-    $rays using (shown($1,U($1,$2))):(V($1,$3)):(size[1]*(of($1,"middle")+1.75*r-$2)):(0) with vectors nohead lw 1.2 lc rgb blue title "ray", \
-    $rays using (shown($1,U($1,$6-1.75*r))):(V($1,$3)):(size[1]*($2-$6+1.75*r)):(0) with vectors nohead lw 1.2 dt 3 lc rgb grey title "behind p", \
-    @who $behind index who using (shown($1,U($1,$2))):(F($3)) with @lines lc rgb grey dt dash(who) title "f, t < 0", \
-    @who $ahead index who using (shown($1,U($1,$2))):(F($3)) with @thick lc rgb green dt dash(who) title "f", \
-    $back using (shown($1,U($1,$2))):(axis):(0):(V($1,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb grey title "behind, vertical", \
-    $later using (shown($1,U($1,$2))):(axis):(0):(V($1,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb pink title "later, vertical", \
-    $used using (shown($1,U($1,$2))):(axis):(0):(V($1,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb orange title "used, vertical", \
-    $rays using (shown($1,U($1,$2))):(V($1,$3)):(size[1]*$4):(size[1]*$5) with @arrow lc rgb blue title "v", \
-    $rays using (shown($1,U($1,$2))):(V($1,$3)) with @dot lc rgb blue title "p", \
+    for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)):(size[1]*(of($1,"middle")+1.75*r-$2)):(0) with vectors nohead lw 1.2 lc rgb blue title "ray", \
+    for [i=1:last] $rays using (only(i,$1,U($1,$6-1.75*r))):(V($1,$3)):(size[1]*($2-$6+1.75*r)):(0) with vectors nohead lw 1.2 dt 3 lc rgb grey title "behind p", \
+    @who for [i=1:last] $behind index who using (only(i,$1,U($1,$2))):(F($3)) with @lines lc rgb grey dt dash(who) title "f, t < 0", \
+    @who for [i=1:last] $ahead index who using (only(i,$1,U($1,$2))):(F($3)) with @thick lc rgb green dt dash(who) title "f", \
+    for [i=1:last] $back using (only(i,$1,U($1,$2))):(axis):(0):(V($1,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb grey title "behind, vertical", \
+    for [i=1:last] $later using (only(i,$1,U($1,$2))):(axis):(0):(V($1,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb pink title "later, vertical", \
+    for [i=1:last] $used using (only(i,$1,U($1,$2))):(axis):(0):(V($1,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb orange title "used, vertical", \
+    for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)):(size[1]*$4):(size[1]*$5) with @arrow lc rgb blue title "v", \
+    for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)) with @dot lc rgb blue title "p", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(V(i, of(i, "y")) - 15):(small(math("p"))) with labels tc rgb blue title "p, label", \
     for [i=1:last] @one using (U(i, of(i, "x") + v / 2)):(V(i, of(i, "y")) + 15):(small(math("v"))) with labels tc rgb blue title "v, label", \
-    $back using (shown($1,U($1,$2))):(axis) with @cross lc rgb grey title "root behind", \
-    $back using (shown($1,U($1,$2))):(V($1,$3)) with @cross lc rgb grey title "place behind", \
-    $later using (shown($1,U($1,$2))):(axis) with @ring lc rgb pink title "later root", \
-    $later using (shown($1,U($1,$2))):(V($1,$3)) with @ring lc rgb pink title "later place", \
-    $used using (shown($1,U($1,$2))):(axis) with @dot lc rgb orange title "root used", \
-    $used using (shown($1,U($1,$2))):(V($1,$3)) with @dot lc rgb orange title "hit", \
-    for [_=1:wrong] $used index wrong using (shown($1,U($1,$2))):(axis) with @square lc rgb ink title "your root used", \
-    for [_=1:wrong] $later index wrong using (shown($1,U($1,$2))):(axis) with @square lc rgb ink title "your later root", \
-    for [_=1:wrong] $back index wrong using (shown($1,U($1,$2))):(axis) with @square lc rgb ink title "your root behind", \
+    for [i=1:last] $back using (only(i,$1,U($1,$2))):(axis) with @cross lc rgb grey title "root behind", \
+    for [i=1:last] $back using (only(i,$1,U($1,$2))):(V($1,$3)) with @cross lc rgb grey title "place behind", \
+    for [i=1:last] $later using (only(i,$1,U($1,$2))):(axis) with @ring lc rgb pink title "later root", \
+    for [i=1:last] $later using (only(i,$1,U($1,$2))):(V($1,$3)) with @ring lc rgb pink title "later place", \
+    for [i=1:last] $used using (only(i,$1,U($1,$2))):(axis) with @dot lc rgb orange title "root used", \
+    for [i=1:last] $used using (only(i,$1,U($1,$2))):(V($1,$3)) with @dot lc rgb orange title "hit", \
+    for [_=1:wrong] for [i=1:last] $used index wrong using (only(i,$1,U($1,$2))):(axis) with @square lc rgb ink title "your root used", \
+    for [_=1:wrong] for [i=1:last] $later index wrong using (only(i,$1,U($1,$2))):(axis) with @square lc rgb ink title "your later root", \
+    for [_=1:wrong] for [i=1:last] $back index wrong using (only(i,$1,U($1,$2))):(axis) with @square lc rgb ink title "your root behind", \
     for [i=1:last] @one using (middle(i)):(60):(used(i, math("t"))) with labels tc rgb (of(i, "hit") > 0 ? orange : grey) title "used", \
     for [i=1:last] @one using (middle(i)):(34):(small(roots(i))) with labels tc rgb grey title "roots"

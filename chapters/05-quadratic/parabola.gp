@@ -77,4 +77,5 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     for [_=1:step >= 3 && differs("t0")] $hit0 index differs("t0") using (X($1,$2,$3)):(axis) with @square lc rgb ink title "your t0", \
     for [_=1:step >= 3 && differs("t1")] $hit1 index differs("t1") using (X($1,$2,$3)):(axis) with @square lc rgb ink title "your t1", \
     @step4 $hit1 using @point with @look1 lc rgb color(t1) title "second hit", \
-    @step4 $hit0 using @point with @look0 lc rgb color(t0) title "first hit"
+    @step4 $hit0 using @point with @look0 lc rgb color(t0) title "first hit", \
+    for [_=1:step >= 4 && roots == 0] $nearest using @point with @square lc rgb grey title "nearest point"
