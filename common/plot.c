@@ -71,7 +71,7 @@ static bool same_numbers(const char *a, const char *a_end, const char *b, const 
                 return false;
             continue;
         }
-        if (!(fabs(x - y) <= 1e-9 * (1 + fabs(x)) || (isnan(x) && isnan(y))))
+        if (!(x == y || fabs(x - y) <= 1e-9 * (1 + fabs(x)) || (isnan(x) && isnan(y))))
             return false;
         a = a_next;
         b = b_next;

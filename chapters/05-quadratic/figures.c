@@ -138,6 +138,7 @@ static void parabola_data(Plot *plot, void *given)
     Section section = section_level(m->ray, m->sphere);
     for (int i = 0; i < count_of(roots); i++)
         section_include(&section, roots.t[i]);
+    section_include(&section, -q.b / (2 * q.a)); // the lowest point, should it be elsewhere
     section_end(&section);
     section_data(plot, &section);
 
@@ -157,20 +158,22 @@ static void parabola_data(Plot *plot, void *given)
 
 // ---- discriminant ------------------------------------------------------------------------------
 
+static const double half_panel = 1.75; // in radii, as in the layout
+
 // Five rays along x against the same sphere, in object coordinates; the numbers of where they start
 // are short in binary, so that the tangent is one, exactly.
 static const struct {
     double x, y;   // of p, in radii
     double middle; // of the panel
-} situations[SITUATIONS] = {{-2, 1.5, -0.4}, {-2, 1, -0.4}, {-2, 0.5, -0.4}, {-0.25, 0.5, 0.25},
-                            {1.25, 0.5, 0.45}};
+} situations[SITUATIONS] = {
+    {-2, 1.5, -0.4}, {-2, 1, -0.4}, {-2, 0.5, -0.4}, {-0.25, 0.5, 0.25}, {1.25, 0.5, 0.45}};
 
-// The radius to 20 binary digits, so that its square, times small numbers, is exact.
+// The radius to 24 binary digits, so that its square, times small numbers, is exact.
 static double rounded(double radius)
 {
     int exponent;
     double fraction = frexp(radius, &exponent);
-    return ldexp(round(ldexp(fraction, 20)), exponent - 20);
+    return ldexp(round(ldexp(fraction, 24)), exponent - 24);
 }
 
 // v is as long as the radius or shorter, down to its half: a power of two.
@@ -205,6 +208,8 @@ static void roots_of_kind(Plot *plot, const char *name, double radius, Kind kind
                 (kind == BEHIND && t > 0))
                 continue;
             vec3 point = m.ray.origin + t * m.ray.direction;
+            if (fabs(point[0] - situations[i].middle * radius) > half_panel * radius)
+                continue;
             plot_row(plot, 4, (const double[]){i + 1, point[0], point[1], t});
             any = true;
         }
@@ -221,7 +226,7 @@ static void curve(Plot *plot, const char *name, double radius, bool ahead)
         Meeting m = situation(i, radius);
         Quadratic q = quadratic_of(&m);
         for (int k = 0; k <= SAMPLES; k++) {
-            double x = (situations[i].middle + 1.75 * (2.0 * k / SAMPLES - 1)) * radius;
+            double x = (situations[i].middle + half_panel * (2.0 * k / SAMPLES - 1)) * radius;
             double t = (x - m.ray.origin[0]) / m.ray.direction[0], f = value(q, t);
             bool shown = f <= 2.4 * radius * radius && f >= -1.2 * radius * radius;
             // Both have the place next to t = 0, so that no gap is seen.
@@ -244,8 +249,9 @@ static void discriminant_data(Plot *plot, void *given)
     plot_block(plot, "rays", "panel x y of p, x y of v, middle of the panel");
     for (int i = 0; i < SITUATIONS; i++) {
         Ray ray = situation(i, radius).ray;
-        plot_row(plot, 6, (const double[]){i + 1, ray.origin[0], ray.origin[1], ray.direction[0],
-                                           ray.direction[1], situations[i].middle * radius});
+        plot_row(plot, 6,
+                 (const double[]){i + 1, ray.origin[0], ray.origin[1], ray.direction[0],
+                                  ray.direction[1], situations[i].middle * radius});
     }
     plot_block_end(plot);
     plot_block(plot, "circle", "x y");

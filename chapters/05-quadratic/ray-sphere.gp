@@ -10,7 +10,9 @@ r is %s. |p + t v|² = r² in object coordinates has a = %s, b = %s, c = %s, and
     hit > 0 ? sprintf(" The hit is at t = %s.", hit_text) : roots > 0 ? " Nothing is in front of p." : "")
 verdict = hit > 0 ? math("t").sprintf(" = %s is the hit", hit_text) : roots > 0 ? "no root > 0: no hit" : \
     sprintf("no root: nearest is %s from ", away_text).math("c")
+your_hit_words = differs("hit") ? (your_hit > 0 ? yours("hit") : ", yours: none") : ""
 steps = 5
+if (wrong) { set label 99 "right: solid, yours: dashed, squares" }
 
 # Room for the labels of the roots; and for the numbers, in a corner that line and circle leave free,
 # else beside both.
@@ -81,11 +83,11 @@ plot @step2 $circle using @point with filledcurves closed fc rgb surface fs soli
     $ticks index wrong using (beside_u(X($1,$2,$3), -strlen(mark($4)))):(beside_v(Y($1,$2,$3), -strlen(mark($4)))): \
         (beside_center(beside_u(X($1,$2,$3), -2), beside_v(Y($1,$2,$3), -2)) ? "" : small(mark($4))) \
         with labels tc rgb grey title "t", \
-    $v using @vector with @arrow lc rgb blue title "v", \
-    $v using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
+    $v index wrong using @vector with @arrow lc rgb blue title "v", \
+    $v index wrong using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
         (math(v_label)) with labels tc rgb blue title "v, label", \
-    for [_=1:near_p] $p using @point with @dot lc rgb blue title "p", \
-    $p using (beside_u(X($1,$2,$3), p_side) - 6 * line_u):(beside_v(Y($1,$2,$3), p_side) - 6 * line_v): \
+    for [_=1:near_p] $p index wrong using @point with @dot lc rgb blue title "p", \
+    $p index wrong using (beside_u(X($1,$2,$3), p_side) - 6 * line_u):(beside_v(Y($1,$2,$3), p_side) - 6 * line_v): \
         (math(p_label)) with labels tc rgb blue title "p, label", \
     for [_=1:step >= 2 && !small_ball] $radius using @vector with @thin_arrow lc rgb ink title "r", \
     @step2 $radius using (X($1+$4/2,$2+$5/2,$3+$6/2)+9*(line_u+off_u)):(Y($1+$4/2,$2+$5/2,$3+$6/2)+9*(line_v+off_v)): \
@@ -101,16 +103,16 @@ plot @step2 $circle using @point with filledcurves closed fc rgb surface fs soli
     for [_=1:step >= 4 && roots == 0] $nearest using @point with @square lc rgb grey title "nearest point", \
     @step4 $nearest using (beside_u(X($1,$2,$3), 9)):(beside_v(Y($1,$2,$3), 9)):(roots == 0 ? math("t")." = ".t_nearest_text : "") \
         with labels tc rgb grey title "nearest, label", \
-    @step4 $hit0 using @point with @ring lc rgb color(t0) title "t0", \
-    @step4 $hit1 using @point with @ring lc rgb color(t1) title "t1", \
+    @step4 $hit0 index 0 using @point with @ring lc rgb color(t0) title "t0", \
+    @step4 $hit1 index 0 using @point with @ring lc rgb color(t1) title "t1", \
     for [_=1:step >= 4 && differs("t0")] $hit0 index differs("t0") using @point with @square lc rgb ink title "your t0", \
     for [_=1:step >= 4 && differs("t1")] $hit1 index differs("t1") using @point with @square lc rgb ink title "your t1", \
     @step4 $center using (hit0_u):(hit0_v):(roots == 2 ? math(touches ? "t_0 = t_1 = " : "t_0 = ").t0_text : "") \
         with labels tc rgb color(t0) title "t0, label", \
     @step4 $center using (hit1_u):(hit1_v):(roots == 2 && !touches ? math("t_1 = ").t1_text : "") \
         with labels tc rgb color(t1) title "t1, label", \
-    @step5 $used using @point with @dot lc rgb orange title "the hit", \
+    @step5 $used index 0 using @point with @dot lc rgb orange title "the hit", \
     for [_=1:step >= 5 && differs("hit")] $used index differs("hit") using @point with @square lc rgb orange title "your hit", \
-    @step5 $center using (text_x):(say(5)):(verdict) with labels left tc rgb orange title "verdict", \
+    @step5 $center using (text_x):(say(5)):(verdict.your_hit_words) with labels left tc rgb orange title "verdict", \
     @step3 $center using (text_x):(say(6)):(moved ? small(math("p").sprintf(" stands for ").math("p − c").sprintf(" = %s", object_p_text)) : "") \
         with labels left tc rgb grey title "p − c"

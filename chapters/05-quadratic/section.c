@@ -122,8 +122,8 @@ static void circle(Plot *plot, const Section *s)
     plot_block(plot, "circle", "x y z, round the sphere in the plane of the ray and the centre");
     for (int i = 0; i <= CIRCLE; i++) {
         double angle = 2 * PI * i / CIRCLE;
-        row_of(plot, s->sphere.center +
-                         s->sphere.radius * (cos(angle) * s->right + sin(angle) * s->up));
+        row_of(plot,
+               s->sphere.center + s->sphere.radius * (cos(angle) * s->right + sin(angle) * s->up));
     }
     plot_block_end(plot);
 }
@@ -173,8 +173,7 @@ void section_data(Plot *plot, const Section *s)
     plot_number(plot, "away", s->away);
     plot_point(plot, "center", s->sphere.center);
     circle(plot, s);
-    plot_vector(plot, "radius", s->sphere.center,
-                s->sphere.radius * (s->line - s->off) / sqrt(2));
+    plot_vector(plot, "radius", s->sphere.center, s->sphere.radius * (s->line - s->off) / sqrt(2));
     double begin = s->near ? 0 : s->t > 0 ? s->low : s->high;
     plot_point(plot, "origin", s->ray.origin);
     plot_point(plot, "p", section_point(s, begin));

@@ -42,9 +42,9 @@ vec3 section_point(const Section *section, double t);
 // When all that it has to show is included: how it is marked.
 void section_end(Section *section);
 
-// The paper's directions, and $center, $circle, $radius, $p (or, where that is too far away, the end
-// of the line towards it), $v, $ahead and $behind (of p), $ticks, $nearest, $apart (from the centre
-// to there).
+// The paper's directions, and $center, $circle, $radius, $p (or, where that is too far away, the
+// end of the line towards it), $v, $ahead and $behind (of p), $ticks, $nearest, $apart (from the
+// centre to there).
 void section_data(Plot *plot, const Section *section);
 
 #endif

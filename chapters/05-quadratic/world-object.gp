@@ -16,6 +16,8 @@ round the origin; |p + t v|² = r² has a = %s, b = %s, c = %s, and roots: %s.",
     world_a_text, world_b_text, world_c_text, plain("world"), object_p_text, object_a_text, object_b_text, object_c_text, \
     plain("object"))
 steps = 4
+if (wrong) { set label 99 "right: solid, yours: dashed, squares" }
+lift = wrong ? 20 : 0
 
 # The world in the left half; the other half is the same, moved.
 azimuth = 90
@@ -37,6 +39,7 @@ look0 = color(t0) eq orange ? dot : ring
 look1 = touches || color(t1) eq orange ? dot : ring
 left_text = 0.245 * width
 right_text = 0.755 * width
+taken(u, v) = object_roots > 0 && (overlap(u, v, 1, hit0_u, hit0_v, 2) || overlap(u, v, 1, hit1_u, hit1_v, 2))
 axis_name(i) = word("x y z", int(i))
 v_label = stride == 1 ? "v" : stride_text." v"
 
@@ -51,11 +54,11 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     $c using (X($1+0.5*$4,$2+0.5*$5,$3+0.5*$6)-13*off_u):(Y($1+0.5*$4,$2+0.5*$5,$3+0.5*$6)-13*off_v):(math("c")) \
         with labels tc rgb green title "c, label", \
     $c using (X($1,$2,$3)):(Y($1,$2,$3) - 14):(near_origin ? "" : small("from (0, 0, 0)")) with labels tc rgb green title "c, start", \
-    $v using @vector with @arrow lc rgb blue title "v", \
-    $v using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
+    $v index wrong using @vector with @arrow lc rgb blue title "v", \
+    $v index wrong using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
         (math(v_label)) with labels tc rgb blue title "v, label", \
-    for [_=1:near_p] $p using @point with @dot lc rgb blue title "p", \
-    $p using (beside_u(X($1,$2,$3), -2)):(beside_v(Y($1,$2,$3), -2)):(math(near_p ? "p" : "to p")) with labels tc rgb blue title "p, label", \
+    for [_=1:near_p] $p index wrong using @point with @dot lc rgb blue title "p", \
+    $p index wrong using (beside_u(X($1,$2,$3), -2)):(beside_v(Y($1,$2,$3), -2)):(math(near_p ? "p" : "to p")) with labels tc rgb blue title "p, label", \
     $center using @point with @dot lc rgb ink title "centre", \
     $center using (left_text):(height - 28):("world") with labels tc rgb ink title "world", \
     @step2 $center using (left_text + 0.205 * width):(0.84 * height):(0.10 * width):(0) with @arrow lc rgb green title "moved", \
@@ -63,34 +66,37 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     @step2 $circle using (X($1,$2,$3) + side):(Y($1,$2,$3)) with filledcurves closed fc rgb surface fs solid noborder title "object disc", \
     @step2 $object_axes using @object_vector with @thin_arrow lc rgb grey title "object axes", \
     @step2 $object_axes using (object_x($1+$4,$2+$5,$3+$6) + 10):(object_y($1+$4,$2+$5,$3+$6) - 6): \
-        (small(math(axis_name($7)))) with labels tc rgb grey title "object axes, labels", \
+        (taken(object_x($1+$4,$2+$5,$3+$6) + 10 - side, object_y($1+$4,$2+$5,$3+$6) - 6) ? "" : small(math(axis_name($7)))) \
+        with labels tc rgb grey title "object axes, labels", \
     @step2 $circle using (X($1,$2,$3) + side):(Y($1,$2,$3)) with @lines lc rgb ink title "object circle", \
     @step2 $behind index wrong using (X($1,$2,$3) + side):(Y($1,$2,$3)) with @lines lc rgb grey dt 3 title "behind p − c", \
     @step2 $ahead index wrong using (X($1,$2,$3) + side):(Y($1,$2,$3)) with @lines lc rgb blue title "p − c + t v", \
     @step2 @who $object_v index who using @object_vector with @arrow lc rgb blue dt dash(who) title "object v", \
-    for [_=1:step >= 2 && near_p] $object_p using @object_point with @dot lc rgb blue title "p − c", \
-    @step2 $v using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label)) + side):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
+    for [_=1:step >= 2 && near_p] $object_p index 0 using @object_point with @dot lc rgb blue title "p − c", \
+    @step2 $v index wrong using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label)) + side):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
         (math(v_label)) with labels tc rgb blue title "object v, label", \
-    @step2 $p using (beside_u(X($1,$2,$3), -5) + side):(beside_v(Y($1,$2,$3), -5)):(math(near_p ? "p − c" : "to p − c")) \
+    for [_=1:step >= 2 && differs("object_p_text")] $object_p index differs("object_p_text") using @object_point \
+        with @square lc rgb ink title "your p − c", \
+    @step2 $p index wrong using (beside_u(X($1,$2,$3), -5) + side):(beside_v(Y($1,$2,$3), -5)):(math(near_p ? "p − c" : "to p − c")) \
         with labels tc rgb blue title "p − c, label", \
     @step2 $center using (right_text):(height - 28):("object") with labels tc rgb ink title "object", \
-    @step3 $center using (left_text):(126):(math("|(p + t v) − c|^2 = r^2")) with labels tc rgb ink title "world equation", \
-    @step3 $center using (right_text):(126):(math("|p + t v|^2 = r^2")) with labels tc rgb ink title "object equation", \
-    @step3 $center using (left_text):(98):(small(math("p")." = ".origin_text.",  ".math("c")." = ".center_text)) with labels tc rgb grey title "p and c", \
-    @step3 $center using (right_text):(98):(small(math("p")." stands for ".math("p − c")." = ".object_p_text)) with labels tc rgb grey title "p for p − c", \
-    @step3 $center using (left_text):(72):(small(coefficients("world"))) with labels tc rgb grey title "world a, b, c", \
-    @step3 $center using (right_text):(72):(small(coefficients("object"))) with labels tc rgb grey title "object a, b, c", \
-    @step4 $world_hit1 using @point with @look1 lc rgb color(t1) title "t1", \
-    @step4 $world_hit0 using @point with @look0 lc rgb color(t0) title "t0", \
-    @step4 $object_hit1 using @object_point with @look1 lc rgb color(t1) title "object t1", \
-    @step4 $object_hit0 using @object_point with @look0 lc rgb color(t0) title "object t0", \
+    @step3 $center using (left_text):(lift + 126):(math("|(p + t v) − c|^2 = r^2")) with labels tc rgb ink title "world equation", \
+    @step3 $center using (right_text):(lift + 126):(math("|p + t v|^2 = r^2")) with labels tc rgb ink title "object equation", \
+    @step3 $center using (left_text):(lift + 98):(small(math("p")." = ".origin_text.",  ".math("c")." = ".center_text)) with labels tc rgb grey title "p and c", \
+    @step3 $center using (right_text):(lift + 98):(small(math("p")." stands for ".math("p − c")." = ".object_p_text)) with labels tc rgb grey title "p for p − c", \
+    @step3 $center using (left_text):(lift + 72):(small(coefficients("world"))) with labels tc rgb grey title "world a, b, c", \
+    @step3 $center using (right_text):(lift + 72):(small(coefficients("object"))) with labels tc rgb grey title "object a, b, c", \
+    @step4 $world_hit1 index 0 using @point with @look1 lc rgb color(t1) title "t1", \
+    @step4 $world_hit0 index 0 using @point with @look0 lc rgb color(t0) title "t0", \
+    @step4 $object_hit1 index 0 using @object_point with @look1 lc rgb color(t1) title "object t1", \
+    @step4 $object_hit0 index 0 using @object_point with @look0 lc rgb color(t0) title "object t0", \
     for [_=1:step >= 4 && differs("world_t0")] $world_hit0 index differs("world_t0") using @point with @square lc rgb ink title "your t0", \
     for [_=1:step >= 4 && differs("world_t1")] $world_hit1 index differs("world_t1") using @point with @square lc rgb ink title "your t1", \
     for [_=1:step >= 4 && differs("object_t0")] $object_hit0 index differs("object_t0") using @object_point with @square lc rgb ink title "your object t0", \
     for [_=1:step >= 4 && differs("object_t1")] $object_hit1 index differs("object_t1") using @object_point with @square lc rgb ink title "your object t1", \
     @step4 for [i=0:1] $center using (hit0_u + i * side):(hit0_v):(object_roots > 0 ? math("t_0") : "") with labels tc rgb color(t0) title "t0, label", \
     @step4 for [i=0:1] $center using (hit1_u + i * side):(hit1_v):(object_roots > 1 && !touches ? math("t_1") : "") with labels tc rgb color(t1) title "t1, label", \
-    @step4 $center using (left_text):(42):(found("world", math("t"))) with labels tc rgb orange title "world roots", \
-    @step4 $center using (right_text):(42):(found("object", math("t"))) with labels tc rgb orange title "object roots", \
-    @step4 $center using (left_text):(18):(small(your_coefficients("world"))) with labels tc rgb ink title "your world a, b, c", \
-    @step4 $center using (right_text):(18):(small(your_coefficients("object"))) with labels tc rgb ink title "your object a, b, c"
+    @step4 $center using (left_text):(lift + 42):(found("world", math("t"))) with labels tc rgb orange title "world roots", \
+    @step4 $center using (right_text):(lift + 42):(found("object", math("t"))) with labels tc rgb orange title "object roots", \
+    @step4 $center using (left_text):(lift + 18):(small(your_coefficients("world"))) with labels tc rgb ink title "your world a, b, c", \
+    @step4 $center using (right_text):(lift + 18):(small(your_coefficients("object"))) with labels tc rgb ink title "your object a, b, c"

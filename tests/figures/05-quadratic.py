@@ -185,22 +185,22 @@ def parabola(m):
     for u, v in points:
         t = m.t + (u - panel.place(m.nearest)[0]) / (panel.scale * length(m.v))
         drawn.append((m.f(t), v, abs(2 * dot(m.v, m.v) * (t - m.t)) / (panel.scale * length(m.v))))
+    checks.that("there is a parabola", len(points) > 20, str(len(points)))
+    if not points:
+        return figure
     k = sum((v - axis) * f for f, v, _ in drawn) / sum(f * f for f, _, _ in drawn)
     checks.that("f goes up on the paper", k > 0)
-    checks.that("there is a parabola", len(points) > 20, str(len(points)))
     off = [abs(axis + k * f - v) - 0.01 * k * slope for f, v, slope in drawn]
     checks.that("each point of the parabola is f(t) above its t", max(off) < 0.1, str(max(off)))
     for i, t in enumerate(m.roots):
         checks.near(f"root {i} on the axis", figure.dots(f"t{i}"), (panel.place(m.at(t))[0], axis))
-        line = figure.lines(f"t{i}, vertical")[0]
-        checks.near(f"the vertical of root {i}", [line[0], line[-1]],
-                    [panel.place(m.at(t)), (panel.place(m.at(t))[0], axis)])
+        ends = [place for line in figure.lines(f"t{i}, vertical") for place in (line[0], line[-1])]
+        checks.near(f"the vertical of root {i}", ends, [panel.place(m.at(t)), (panel.place(m.at(t))[0], axis)])
     _, _, c, _ = m.coefficients()
     off_the_top = any("off the top" in text for text, _, _ in figure.labels())
-    highest = max(row[1] for row in figure.block("parabola"))
     if figure.number("near_p"):
         checks.that("what is off the top is said to be", off_the_top == (c > figure.number("f_high")))
-        checks.that("and is not drawn", off_the_top or abs(c) <= max(highest, abs(c)))
+        checks.near("f(0)", figure.dots("f(0)"), [] if off_the_top else [(panel.place(m.p)[0], axis + k * c)])
     return figure
 
 
