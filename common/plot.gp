@@ -159,7 +159,10 @@ V(panel, y) = zero_y[panel] + size[panel] * y
 
 # A number with a minus sign; smaller text.
 number(x) = (x < 0 ? "−" : "").sprintf("%.10g", abs(x))
-small(s) = tex ? "{\\small ".s."}" : "{/*0.8 ".s."}"
+small(s) = tex ? "{\\small ".s."}" : "{/*0.8 ".slim(s)."}"
+# The SVG of gnuplot 5.4 forgets the size after a change of font that is none of size.
+slim(s) = strstrt(s, ":Italic ") == 0 ? s : \
+    s[1:strstrt(s, ":Italic ")+6]."*0.99".slim(s[strstrt(s, ":Italic ")+7:*])
 # Where yours is another number, both: said after the right one; or how many marks of yours to draw.
 differs(name) = exists("your_".name)
 yours(name) = differs(name) ? ", yours ".value("your_".name."_text") : ""

@@ -38,7 +38,7 @@ plot for [i=1:4] @one using (left_of(i + 1)):(24):(0):(height - 48) with vectors
     for [i=1:last] $circle using (U(i,$1)):(V(i,$2)) with filledcurves closed fc rgb surface fs solid noborder title "disc", \
     for [i=1:last] $circle using (U(i,$1)):(V(i,$2)) with @lines lc rgb ink title "circle", \
     for [i=1:last] @one using (middle(i)):(height - 26):(names[i]) with labels tc rgb ink title "name", \
-    for [i=1:last] @one using (middle(i)):(height - 54):(small(math("b^2−4ac = ").of(i, "D_text"))) with labels tc rgb ink title "discriminant", \
+    for [i=1:last] @one using (middle(i)):(height - 54):(small(math("b^2−4 a c = ").of(i, "D_text"))) with labels tc rgb ink title "discriminant", \
     for [i=1:last] @one using (left_of(i) + 8):(axis):(width / 5.0 - 16):(0) with @thin_arrow lc rgb grey title "axis", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(axis - 5):(0):(10) with vectors nohead lw 2 lc rgb blue title "t = 0", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(axis - 16):(small("0")) with labels tc rgb blue title "t = 0, label", \
@@ -52,7 +52,7 @@ plot for [i=1:4] @one using (left_of(i + 1)):(24):(0):(height - 48) with vectors
     for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)):(size[1]*$4):(size[1]*$5) with @arrow lc rgb blue title "v", \
     for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)) with @dot lc rgb blue title "p", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(V(i, of(i, "y")) - 15):(small(math("p"))) with labels tc rgb blue title "p, label", \
-    for [i=1:last] @one using (U(i, of(i, "x") + v / 2)):(V(i, of(i, "y")) + 15):(small(math("v"))) with labels tc rgb blue title "v, label", \
+    for [i=1:last] @one using (U(i, of(i, "x") + 0.5 * v)):(V(i, of(i, "y")) + 15):(small(math("v"))) with labels tc rgb blue title "v, label", \
     for [i=1:last] $back index 0 using (only(i,$1,U($1,$2))):(axis) with @cross lc rgb grey title "root behind", \
     for [i=1:last] $back index 0 using (only(i,$1,U($1,$2))):(V($1,$3)) with @cross lc rgb grey title "place behind", \
     for [i=1:last] $later index 0 using (only(i,$1,U($1,$2))):(axis) with @ring lc rgb pink title "later root", \

@@ -166,14 +166,14 @@ static const struct {
     double x, y;   // of p, in radii
     double middle; // of the panel
 } situations[SITUATIONS] = {
-    {-2, 1.5, -0.4}, {-2, 1, -0.4}, {-2, 0.5, -0.4}, {-0.25, 0.5, 0.25}, {1.25, 0.5, 0.45}};
+    {-2.25, 1.5, -0.6}, {-2.25, 1, -0.6}, {-2.25, 0.5, -0.6}, {-0.5, 0.5, 0.2}, {1.25, 0.5, 0.5}};
 
-// The radius to 24 binary digits, so that its square, times small numbers, is exact.
+// The radius to 22 binary digits, so that its square, times small numbers, is exact.
 static double rounded(double radius)
 {
     int exponent;
     double fraction = frexp(radius, &exponent);
-    return ldexp(round(ldexp(fraction, 24)), exponent - 24);
+    return ldexp(round(ldexp(fraction, 22)), exponent - 22);
 }
 
 // v is as long as the radius or shorter, down to its half: a power of two.

@@ -204,7 +204,7 @@ def parabola(m):
     return figure
 
 
-SITUATIONS = [(-2, 1.5), (-2, 1), (-2, 0.5), (-0.25, 0.5), (1.25, 0.5)]
+SITUATIONS = [(-2.25, 1.5), (-2.25, 1), (-2.25, 0.5), (-0.5, 0.5), (1.25, 0.5)]
 
 
 def discriminant(r):
