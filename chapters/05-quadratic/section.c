@@ -141,9 +141,11 @@ static void ticks(Plot *plot, const Section *s)
     double step = s->stride;
     plot_block(plot, "ticks", "x y z t");
     double margin = 0.02 * (s->high - s->low);
-    for (double i = ceil((s->low - margin / 10) / step); i * step <= s->high - margin; i++) {
-        vec3 p = section_point(s, i * step);
-        plot_row(plot, 4, (const double[]){p[0], p[1], p[2], i * step});
+    double from = ceil((s->low - margin / 10) / step);
+    for (int i = 0; i <= TICKS && (from + i) * step <= s->high - margin; i++) {
+        double t = (from + i) * step;
+        vec3 p = section_point(s, t);
+        plot_row(plot, 4, (const double[]){p[0], p[1], p[2], t});
     }
     plot_block_end(plot);
 }
