@@ -64,7 +64,7 @@ static void roots_of_kind(Plot *plot, const char *name, double radius, Kind kind
         }
     }
     if (!any)
-        plot_row(plot, 4, (const double[]){NAN, NAN, NAN, NAN});
+        plot_row(plot, 4, (const double[]){1, NAN, NAN, NAN});
     plot_block_end(plot);
 }
 

@@ -11,6 +11,7 @@ the ray and the circle. ", polynomial("t²"), c_text).( \
         t_nearest_text, f_nearest_text) : \
     touches ? sprintf("The parabola touches the axis, and the line the circle, at t = %s.", t0_text) : \
     sprintf("The parabola crosses the axis, and the line the circle, at t0 = %s and t1 = %s.", t0_text, t1_text))
+text_w = most(330, 60 + 9.4 * strlen(polynomial("t²")))
 steps = 4
 if (wrong) { set label 99 "right: solid, yours: dashed, squares" }
 
@@ -21,9 +22,9 @@ room = "0.10 0.92 0.05 0.44"
 @see
 @beside
 half_f = scale * speed * sqrt((f_high - f_nearest) / a)
-at_left = !wrong && t_u(t_nearest) - half_f > 370
-at_right = !wrong && !at_left && t_u(t_nearest) + half_f < width - 370
-text_x = at_right ? width - 350 : 24
+at_left = !wrong && t_u(t_nearest) - half_f > text_w + 40
+at_right = !wrong && !at_left && t_u(t_nearest) + half_f < width - text_w - 40
+text_x = at_right ? width - text_w - 10 : 24
 f_bottom = height * 0.60
 f_top = height * (at_left || at_right ? 0.96 : wrong ? 0.75 : 0.80)
 f_scale = (f_top - f_bottom) / (f_high - f_low)

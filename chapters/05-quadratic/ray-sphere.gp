@@ -28,16 +28,16 @@ room = fill(x_low)
 @see
 @beside
 @beside_roots
-if (roots == 2) {
-    x_low = x_low + most(0, 8 - least(hit0_u - half(n0), hit1_u - half(n1))) / width
-    x_high = x_high - most(0, most(hit0_u + half(n0), hit1_u + half(n1)) + 8 - width) / width
-}
+over_left(u, n) = roots == 2 ? most(0, 8.0 - u + half(n)) / width : 0
+over_right(u, n) = roots == 2 ? most(0, u + half(n) + 8.0 - width) / width : 0
+x_low = x_low + most(over_left(hit0_u, n0), over_left(hit1_u, n1))
+x_high = x_high - most(over_right(hit0_u, n0), over_right(hit1_u, n1))
 room = fill(x_low)
 @see
 @beside
 row = 27
-box_w = (moved ? 280 : 230) + (wrong ? 110 : 0)
-box_h = row * (moved ? 7 : 6)
+box_w = most(230, moved ? 7.9 * (2 + strlen(object_p_text)) : 0) + (wrong ? 110 : 0)
+box_h = row * (moved ? 8 : 6)
 x_left = 26
 x_right = width - 20 - box_w
 y_top = height - 36
@@ -52,6 +52,11 @@ if (!free(text_x, text_y)) {
     room = fill((x_left + box_w + 10.0) / width + (steep ? 0.1 : 0))
     @see
     @beside
+    @beside_roots
+    x_high = x_high - most(over_right(hit0_u, n0), over_right(hit1_u, n1))
+    room = fill((x_left + box_w + 10.0) / width + (steep ? 0.1 : 0))
+    @see
+    @beside
 }
 say(k) = text_y - k * row
 @beside_roots
@@ -62,6 +67,9 @@ p_label = near_p ? "p" : "to p"
 n_p = strlen(p_label)
 taken(u, v, n) = roots == 2 && (overlap(u, v, n, hit0_u, hit0_v, n0) || overlap(u, v, n, hit1_u, hit1_v, n1))
 p_side = taken(beside_u(t_u(0), 1) - 6 * line_u, beside_v(t_v(0), 1) - 6 * line_v, 1) ? -n_p : n_p
+v_u = t_u(v_first + stride / 2.0)
+v_v = t_v(v_first + stride / 2.0)
+v_side = (taken(beside_u(v_u, 1), beside_v(v_v, 1), strlen(v_label)) ? -1 : 1) * strlen(v_label)
 mark(t) = t == 0 ? (p_side < 0 ? "" : "t = 0") : roots == 0 && abs(t - t_nearest) * speed * scale < 12 ? "" : number(t)
 end_label = !near_p && t_nearest < 0 ? "" : "p + t v"
 small_ball = scale * r < 45
@@ -84,7 +92,7 @@ plot @step2 $circle using @point with filledcurves closed fc rgb surface fs soli
         (beside_center(beside_u(X($1,$2,$3), -2), beside_v(Y($1,$2,$3), -2)) ? "" : small(mark($4))) \
         with labels tc rgb grey title "t", \
     $v index wrong using @vector with @arrow lc rgb blue title "v", \
-    $v index wrong using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
+    $v index wrong using (beside_u(v_u, v_side)):(beside_v(v_v, v_side)): \
         (math(v_label)) with labels tc rgb blue title "v, label", \
     for [_=1:near_p] $p index wrong using @point with @dot lc rgb blue title "p", \
     $p index wrong using (beside_u(X($1,$2,$3), p_side) - 6 * line_u):(beside_v(Y($1,$2,$3), p_side) - 6 * line_v): \
@@ -114,5 +122,6 @@ plot @step2 $circle using @point with filledcurves closed fc rgb surface fs soli
     @step5 $used index 0 using @point with @dot lc rgb orange title "the hit", \
     for [_=1:step >= 5 && differs("hit")] $used index differs("hit") using @point with @square lc rgb orange title "your hit", \
     @step5 $center using (text_x):(say(5)):(verdict.your_hit_words) with labels left tc rgb orange title "verdict", \
-    @step3 $center using (text_x):(say(6)):(moved ? small(math("p").sprintf(" stands for ").math("p − c").sprintf(" = %s", object_p_text)) : "") \
-        with labels left tc rgb grey title "p − c"
+    @step3 $center using (text_x):(say(6)):(moved ? small(math("p")." stands for ".math("p − c")." =") : "") \
+        with labels left tc rgb grey title "p − c", \
+    @step3 $center using (text_x):(say(7)):(moved ? small(object_p_text) : "") with labels left tc rgb grey title "p − c, numbers"

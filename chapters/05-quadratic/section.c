@@ -147,6 +147,9 @@ static void ticks(Plot *plot, const Section *s)
         vec3 p = section_point(s, t);
         plot_row(plot, 4, (const double[]){p[0], p[1], p[2], t});
     }
+    // So far away that whole t are one double: the table is not empty all the same.
+    if (!(from * step <= s->high - margin))
+        plot_row(plot, 4, (const double[]){s->nearest[0], s->nearest[1], s->nearest[2], s->t});
     plot_block_end(plot);
 }
 
@@ -171,6 +174,7 @@ void section_data(Plot *plot, const Section *s)
     plot_number(plot, "near_p", s->near);
     plot_direction(plot, "velocity", s->ray.direction);
     plot_number(plot, "stride", s->stride);
+    plot_number(plot, "v_first", s->first);
     plot_number(plot, "t_nearest", s->t);
     plot_number(plot, "away", s->away);
     plot_point(plot, "center", s->sphere.center);

@@ -42,6 +42,11 @@ right_text = 0.755 * width
 taken(u, v) = object_roots > 0 && (overlap(u, v, 1, hit0_u, hit0_v, 2) || overlap(u, v, 1, hit1_u, hit1_v, 2))
 axis_name(i) = word("x y z", int(i))
 v_label = stride == 1 ? "v" : stride_text." v"
+v_u = t_u(v_first + stride / 2.0)
+v_v = t_v(v_first + stride / 2.0)
+v_side = (taken(beside_u(v_u, 1), beside_v(v_v, 1)) ? -1 : 1) * strlen(v_label)
+p_side = taken(beside_u(t_u(0), -1), beside_v(t_v(0), -1)) ? 1 : -1
+split = 7.9 * (12 + strlen(origin_text.center_text)) > 0.47 * width ? 22 : 0
 
 plot $circle using @point with filledcurves closed fc rgb surface fs solid noborder title "disc", \
     for [_=1:near_origin] $world_axes using @vector with @thin_arrow lc rgb grey title "axes", \
@@ -55,10 +60,10 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
         with labels tc rgb green title "c, label", \
     $c using (X($1,$2,$3)):(Y($1,$2,$3) - 14):(near_origin ? "" : small("from (0, 0, 0)")) with labels tc rgb green title "c, start", \
     $v index wrong using @vector with @arrow lc rgb blue title "v", \
-    $v index wrong using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
+    $v index wrong using (beside_u(v_u, v_side)):(beside_v(v_v, v_side)): \
         (math(v_label)) with labels tc rgb blue title "v, label", \
     for [_=1:near_p] $p index wrong using @point with @dot lc rgb blue title "p", \
-    $p index wrong using (beside_u(X($1,$2,$3), -2)):(beside_v(Y($1,$2,$3), -2)):(math(near_p ? "p" : "to p")) with labels tc rgb blue title "p, label", \
+    $p index wrong using (beside_u(X($1,$2,$3), 2 * p_side)):(beside_v(Y($1,$2,$3), 2 * p_side)):(math(near_p ? "p" : "to p")) with labels tc rgb blue title "p, label", \
     $center using @point with @dot lc rgb ink title "centre", \
     $center using (left_text):(height - 28):("world") with labels tc rgb ink title "world", \
     @step2 $center using (left_text + 0.205 * width):(0.84 * height):(0.10 * width):(0) with @arrow lc rgb green title "moved", \
@@ -73,16 +78,17 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     @step2 $ahead index wrong using (X($1,$2,$3) + side):(Y($1,$2,$3)) with @lines lc rgb blue title "p − c + t v", \
     @step2 @who $object_v index who using @object_vector with @arrow lc rgb blue dt dash(who) title "object v", \
     for [_=1:step >= 2 && near_p] $object_p index 0 using @object_point with @dot lc rgb blue title "p − c", \
-    @step2 $v index wrong using (beside_u(X($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label)) + side):(beside_v(Y($1+$4/2,$2+$5/2,$3+$6/2), strlen(v_label))): \
+    @step2 $v index wrong using (beside_u(v_u, v_side) + side):(beside_v(v_v, v_side)): \
         (math(v_label)) with labels tc rgb blue title "object v, label", \
     for [_=1:step >= 2 && differs("object_p_text")] $object_p index differs("object_p_text") using @object_point \
         with @square lc rgb ink title "your p − c", \
-    @step2 $p index wrong using (beside_u(X($1,$2,$3), -5) + side):(beside_v(Y($1,$2,$3), -5)):(math(near_p ? "p − c" : "to p − c")) \
+    @step2 $p index wrong using (beside_u(X($1,$2,$3), 5 * p_side) + side):(beside_v(Y($1,$2,$3), 5 * p_side)):(math(near_p ? "p − c" : "to p − c")) \
         with labels tc rgb blue title "p − c, label", \
     @step2 $center using (right_text):(height - 28):("object") with labels tc rgb ink title "object", \
-    @step3 $center using (left_text):(lift + 126):(math("|(p + t v) − c|^2 = r^2")) with labels tc rgb ink title "world equation", \
-    @step3 $center using (right_text):(lift + 126):(math("|p + t v|^2 = r^2")) with labels tc rgb ink title "object equation", \
-    @step3 $center using (left_text):(lift + 98):(small(math("p")." = ".origin_text.",  ".math("c")." = ".center_text)) with labels tc rgb grey title "p and c", \
+    @step3 $center using (left_text):(lift + split + 126):(math("|(p + t v) − c|^2 = r^2")) with labels tc rgb ink title "world equation", \
+    @step3 $center using (right_text):(lift + split + 126):(math("|p + t v|^2 = r^2")) with labels tc rgb ink title "object equation", \
+    @step3 $center using (left_text):(lift + split + 98):(small(math("p")." = ".origin_text.(split ? "" : ",  ".math("c")." = ".center_text))) with labels tc rgb grey title "p and c", \
+    @step3 $center using (left_text):(lift + 98):(split ? small(math("c")." = ".center_text) : "") with labels tc rgb grey title "c, on its own", \
     @step3 $center using (right_text):(lift + 98):(small(math("p")." stands for ".math("p − c")." = ".object_p_text)) with labels tc rgb grey title "p for p − c", \
     @step3 $center using (left_text):(lift + 72):(small(coefficients("world"))) with labels tc rgb grey title "world a, b, c", \
     @step3 $center using (right_text):(lift + 72):(small(coefficients("object"))) with labels tc rgb grey title "object a, b, c", \
