@@ -9,7 +9,7 @@ r is %s. |p + t v|² = r² in object coordinates has a = %s, b = %s, c = %s, and
     sprintf("the line meets the circle at t0 = %s and t1 = %s.", t0_text, t1_text)).( \
     hit > 0 ? sprintf(" The hit is at t = %s.", hit_text) : roots > 0 ? " Nothing is in front of p." : "")
 verdict = hit > 0 ? math("t").sprintf(" = %s is the hit", hit_text) : roots > 0 ? "no root > 0: no hit" : \
-    sprintf("no root: nearest is %s from ", away_text).math("c")
+    "no root: ".math("c").sprintf(" is %s away", away_text)
 your_hit_words = differs("hit") ? (your_hit > 0 ? yours("hit") : ", yours: none") : ""
 steps = 5
 if (wrong) { set label 99 "right: solid, yours: dashed, squares" }
@@ -36,7 +36,7 @@ room = fill(x_low)
 @see
 @beside
 row = 27
-box_w = most(230, moved ? 7.9 * (2 + strlen(object_p_text)) : 0) + (wrong ? 110 : 0)
+box_w = most(250, moved ? 7.9 * (2 + strlen(object_p_text)) : 0) + (wrong ? 110 : 0)
 box_h = row * (moved ? 8 : 6)
 x_left = 26
 x_right = width - 20 - box_w

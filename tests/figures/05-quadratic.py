@@ -297,7 +297,7 @@ for title in ("ray-sphere", "parabola", "discriminant", "world-object"):
 
 # Miss, tangent, inside, behind, through the centre, far away: each with what it says.
 CASES = [
-    (((-4, 2, 0), (1, 0, 0), (0, 0, 0), 1), "nearest is 2 from c", "no root"),
+    (((-4, 2, 0), (1, 0, 0), (0, 0, 0), 1), "no root: c is 2 away", "no root"),
     (((-4, -1, 0), (1, 0, 0), (0, 0, 0), 1), "t0 = t1 = 4", "t0 = t1 = 4"),
     (((0.2, 0, 0), (1, 0.5, 0), (0, 0, 0), 1), "is the hit", "t1 = "),
     (((-4, -1, 0), (-1, -0.5, 0), (0, 0, 0), 1), "no root > 0", "t0 = −4"),
