@@ -102,6 +102,8 @@ static double stride(const Section *s)
 void section_end(Section *s)
 {
     s->stride = stride(s);
+    if (s->near) // the tip of v, too, has to be seen
+        s->high = fmax(s->high, 1.1 * s->stride);
     s->first = s->near ? 0 : s->t > 0 ? s->low : s->high - s->stride;
 }
 
