@@ -24,6 +24,8 @@ BEGIN {
     described = 1
     next
 }
+# Rings and crosses are hairlines in the SVG of gnuplot 5.4, whatever their width.
+/id=.gpPt/ { sub(/stroke-width=.[0-9.]+/, "stroke-width='0.6") }
 {
     gsub(/font-family="DejaVu Sans"/, "font-family=\"DejaVu Sans, Verdana, sans-serif\"")
     gsub(/font-family="DejaVu Serif"/, "font-family=\"DejaVu Serif, Georgia, serif\"")

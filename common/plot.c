@@ -92,7 +92,7 @@ static bool same_numbers(const char *a, const char *a_end, const char *b, const 
                 return false;
             continue;
         }
-        if (!(fabs(x - y) <= 1e-9 * (1 + fabs(x)) || (isnan(x) && isnan(y))))
+        if (!(x == y || fabs(x - y) <= 1e-9 * (1 + fabs(x)) || (isnan(x) && isnan(y))))
             return false;
         a = a_next;
         b = b_next;
@@ -137,10 +137,15 @@ static void define_label(Plot *plot, const char *name, const char *label, bool i
     free(value);
 }
 
-void plot_number(Plot *plot, const char *name, double x)
+void plot_number_to(Plot *plot, const char *name, double x, int digits)
 {
     bool is_wrong = define(plot, name, isfinite(x) ? number_text_to(x, DATA_DIGITS).s : "NaN");
-    define_label(plot, name, number_text_to(x, LABEL_DIGITS).s, is_wrong);
+    define_label(plot, name, number_text_to(x, digits).s, is_wrong);
+}
+
+void plot_number(Plot *plot, const char *name, double x)
+{
+    plot_number_to(plot, name, x, LABEL_DIGITS);
 }
 
 static void define_text(Plot *plot, const char *name, const char *text, bool is_label)

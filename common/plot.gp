@@ -39,7 +39,8 @@ cut(s, n) = n <= 1 ? strlen(s) + 1 : s[n:n] eq " " ? n : cut(s, n - 1)
 wrap(s, n) = strlen(s) <= n ? s : s[1:cut(s, n + 1) - 1]."\n".wrap(s[cut(s, n + 1) + 1:*], n)
 lines_of(s, n) = strlen(s) <= n ? 1 : 1 + lines_of(s[cut(s, n + 1) + 1:*], n)
 # Below the canvas, where something is wrong, a strip for words on it.
-strip_lines = lines_of(note, width / 9)
+note_room = (width - 220) / 8
+strip_lines = lines_of(note, note_room)
 strip = wrong ? 24 + 18 * (strip_lines > 2 ? strip_lines : 2) : 0
 tall_cm = (height + strip) / 60.0
 tex = format eq "tex"
@@ -106,6 +107,7 @@ lines = "lines lw 1.2"
 thick = "lines lw 2.2"
 hair = "lines lw 0.8"
 arrow = sprintf("vectors head filled size %g,18,90 lw 2.2", 12)
+thin_arrow = sprintf("vectors head filled size %g,18,90 lw 1.2", 9)
 dimension = sprintf("vectors heads filled size %g,16,90 lw 1", 8)
 # Without a head; of the world; and a plane that what is behind it shines through.
 leg = "vectors nohead lw 1.2"
@@ -215,7 +217,10 @@ between(low, x, high) = x < low ? low : x > high ? high : x
 left_at(x, long) = between(12, x, width - 12 - long)
 middle_at(x, long) = between(12 + long / 2, x, width - 12 - long / 2)
 right_at(x, long) = between(12 + long, x, width - 12)
-small(text) = tex ? '\\small '.text : sprintf("{/*%g %s}", small_size / 17.0, text)
+small(text) = tex ? '\\small '.text : sprintf("{/*%g %s}", small_size / 17.0, slim(text))
+# The SVG of gnuplot 5.4 forgets a size after a change of font that has none.
+slim(s) = strstrt(s, ":Italic ") == 0 ? s : \
+    s[1:strstrt(s, ":Italic ")+6]."*0.99".slim(s[strstrt(s, ":Italic ")+7:*])
 percent = tex ? '\\%' : "%"
 
 # Places on the canvas, to add to: a point's, a vector's tip, its middle; what a vector adds to a place;
@@ -260,4 +265,4 @@ finish = 'unset output; \
 legend = 'if (wrong) { \
     set arrow 99 from 0, 0 to width, 0 nohead lc rgb faint lw 1; \
     set label 99 "solid: right\ndashed: yours" at width - 16, -24 right font small_font tc rgb grey front; \
-    set label 98 wrap(note, width / 9) at 16, -24 left noenhanced font small_font tc rgb ink front }'
+    set label 98 wrap(note, note_room) at 16, -24 left noenhanced font small_font tc rgb ink front }'

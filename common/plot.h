@@ -17,8 +17,9 @@
 
 typedef struct Plot Plot;
 
-// NAME = x, and NAME_text = "x" to 4 digits, as labels show it.
+// NAME = x, and NAME_text = "x" as labels show it: to 4 digits, or to as many as are said.
 void plot_number(Plot *plot, const char *name, double x);
+void plot_number_to(Plot *plot, const char *name, double x, int digits);
 
 // NAME = "text"; backslashes, quotes and the like are taken care of. UTF-8.
 void plot_text(Plot *plot, const char *name, const char *text);

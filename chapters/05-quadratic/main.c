@@ -3,6 +3,7 @@
 // The slide's derivation line by line in numbers, a, b, c, the roots and the hit; the same in
 // world coordinates; and where each of them loses its digits (digits.c).
 #include "chapters/05-quadratic/digits.h"
+#include "chapters/05-quadratic/figures.h"
 #include "common/answers.h"
 #include "common/options.h"
 #include "common/picture.h"
@@ -150,28 +151,31 @@ static Color color_of_depth(Pixel pixel, void *given)
 
 int main(int argc, char **argv)
 {
-    Ray ray = {vec3_of(-4, -1, 0), vec3_of(0.89, 0.45, 0)};
-    Sphere sphere = {.center = vec3_of(0, 0, 0), .radius = 1};
+    Meeting given = meeting_of_the_deck();
+    FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
-        {"origin", 'o', "X,Y,Z", option_vec3, &ray.origin, "p, of the ray"},
-        {"direction", 'd', "X,Y,Z", option_vec3, &ray.direction, "v, of any length but 0"},
-        {"center", 'c', "X,Y,Z", option_vec3, &sphere.center, "c, of the sphere"},
-        {"radius", 'r', "R", option_number, &sphere.radius, "r, more than 0"},
+        {"origin", 'o', "X,Y,Z", option_vec3, &given.ray.origin, "p, of the ray"},
+        {"direction", 'd', "X,Y,Z", option_vec3, &given.ray.direction, "v, of any length but 0"},
+        {"center", 'c', "X,Y,Z", option_vec3, &given.sphere.center, "c, of the sphere"},
+        {"radius", 'r', "R", option_number, &given.sphere.radius, "r, more than 0"},
         {"picture", 0, "FILE.png", option_string, &picture, "draw a sphere by its depth instead"},
+        FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...", "A ray and a sphere: the quadratic, its roots, the hit. Without\n"
                                   "options: the ray and the circle of the deck's drawing."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
-    if (!(sphere.radius > 0))
+    if (!(given.sphere.radius > 0))
         options_wrong(argv[0], "--radius: expected more than 0");
-    if (vec3_dot(ray.direction, ray.direction) == 0)
+    if (vec3_dot(given.ray.direction, given.ray.direction) == 0)
         options_wrong(argv[0], "--direction: expected a length other than 0");
+    if (figure.name != NULL)
+        return quadratic_figure(argv[0], figure, &given);
     if (picture != NULL) {
         Resolution screen = {480, 480};
         return picture_write(picture, screen, color_of_depth, &screen);
     }
-    tell(ray, sphere);
+    tell(given.ray, given.sphere);
     return story_end();
 }

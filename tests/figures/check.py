@@ -59,7 +59,7 @@ def steps_only_add(checks, program, name, steps, *options):
 
 def on_the_canvas(checks, name, figure):
     """No text is cut off, as wide as it may be."""
-    for text in figure.texts():
+    for text in (text for text in figure.texts() if text.words):
         left, low, right, high = text.box
         checks.that(f"{name}: {text.words!r} is on the canvas",
                     left >= 0 and low >= -figure.strip and right <= figure.width and high <= figure.height,
@@ -67,9 +67,13 @@ def on_the_canvas(checks, name, figure):
                     f" of {figure.width:.0f} by {figure.height:.0f}")
 
 
+AXES = ("t", "numbers")  # titles of the plots that write numbers along one
+
+
 def is_a_scale(texts):
     """The numbers along an axis: bare, and three or more."""
-    return len(texts) >= 3 and all(re.fullmatch(NUMBER, text.words) for text in texts)
+    return texts[0].title in AXES or \
+        len(texts) >= 3 and all(re.fullmatch(NUMBER, text.words) for text in texts)
 
 
 def told_in_words(checks, name, figure):
