@@ -45,13 +45,16 @@ if (format eq "pdf") {
     set output output.".pdf"
 }
 if (format eq "png") {
-    set terminal pngcairo size 2 * width,2 * height font "DejaVu Sans,25.5" enhanced linewidth 2 pointscale 4 \
+    set terminal pngcairo size 2 * width,2 * height font "DejaVu Sans,25.5" enhanced linewidth 2 pointscale 4 dashlength 0.5 \
         background rgb background
     set output output.".png"
 }
 if (tex) {
-    set terminal cairolatex pdf input colortext size (width / 60.0) cm,(height / 60.0) cm \
-        linewidth 0.945 background rgb background
+    # The slides' own font, as large as the others' looks; \small and \large beside it. Labels are made fit
+    # for LaTeX by .make/figure-tex.awk.
+    set terminal cairolatex pdf input colortext header '\def\small{\fontsize{7.5}{9}\selectfont}\
+\def\large{\fontsize{11}{13}\selectfont}\fontsize{9}{11}\selectfont' size (width / 60.0) cm,(height / 60.0) cm \
+        linewidth 1.89 background rgb background
     set output output.".tex"
 }
 if (format eq "txt") {
@@ -75,6 +78,11 @@ is_letter(c) = strstrt("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", c
 italic(s) = strlen(s) == 0 ? "" : \
     (is_letter(s[1:1]) ? "{/'DejaVu Serif':Italic ".s[1:1]."}" : s[1:1]).italic(s[2:*])
 math(s) = tex ? "$".s."$" : italic(s)
+# Smaller and larger text, mathematics in it or not. (LaTeX's terminal takes a label that begins with a
+# brace for something else; .make/figure-tex.awk drops the bar.)
+sized(s, by) = s eq "" ? "" : (tex ? "¦" : "").sprintf("{/*%g %s}", by, s)
+small(s) = sized(s, 0.8)
+large(s) = sized(s, 1.25)
 
 # ---- steps, and what is yours ---------------------------------------------------------------------
 

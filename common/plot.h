@@ -5,7 +5,7 @@
 // common/plot.gp (formats, themes, projection), so that 'gnuplot NAME.gp' draws it anywhere.
 //
 // All data are the world's: the script projects them. Where the data of right answers are given
-// too (--right), those are index 0 of each block, and what is drawn dashed beside them, yours, is
+// too (--beside), those are index 0 of each block, and what is drawn dashed beside them, yours, is
 // index 1.
 #ifndef COMMON_PLOT_H
 #define COMMON_PLOT_H
@@ -56,7 +56,7 @@ typedef struct {
 #define FIGURE_OPTIONS(command)                                                                    \
     {"figure", 0, "NAME", option_string, &(command).name, "print a figure's gnuplot script"},      \
     {                                                                                              \
-        "right", 0, "FILE.gp", option_string, &(command).right, "the same, right: both are shown"  \
+        "beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both are shown" \
     }
 
 // Prints the script. chapter is the folder of the layouts; figures ends with one that has no name.
