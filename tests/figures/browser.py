@@ -3,6 +3,7 @@ import base64
 import fcntl
 import json
 import os
+import select
 import shutil
 import signal
 import tempfile
@@ -46,6 +47,8 @@ class Browser:
 
     def message(self):
         while b"\0" not in self.rest:
+            if not select.select([self.back], [], [], 60)[0]:
+                raise AssertionError("the browser says nothing any more")
             part = os.read(self.back, 1 << 16)
             if not part:
                 raise AssertionError("the browser has gone")
