@@ -178,14 +178,17 @@ $(GALLERY)/%.png: $(B)/scenes/%.nff $(BUILT)/06-ray-casting
 # ---- figures ----------------------------------------------------------------------------------
 
 # A layout chapters/NN-stem/NAME.gp, and the data that the chapter's program computes for it, are a
-# script (common/plot.h); FIGURE=name: only that one.
+# script (common/plot.h), which gnuplot draws (.make/figures). FIGURE=name: only that one, or several
+# with commas.
 FIGURES := $(BUILT)/figures
-LAYOUTS := $(wildcard chapters/*/$(or $(FIGURE),*).gp)
-ifeq ($(LAYOUTS),)
-$(error FIGURE=$(FIGURE): no such figure, expected one of $(sort $(notdir $(basename $(wildcard chapters/*/*.gp)))))
+LAYOUTS := $(wildcard chapters/*/*.gp)
+FIGURE_NAMES := $(sort $(notdir $(basename $(LAYOUTS))))
+FIGURES_WANTED := $(or $(subst $(comma), ,$(FIGURE)),$(FIGURE_NAMES))
+ifneq ($(filter-out $(FIGURE_NAMES),$(FIGURES_WANTED)),)
+$(error FIGURE=$(FIGURE): no such figure, expected one of $(FIGURE_NAMES))
 endif
-SCRIPTS := $(patsubst %,$(FIGURES)/%.gp,$(notdir $(basename $(LAYOUTS))))
-layout_of = $(wildcard chapters/*/$(1).gp)
+SCRIPTS := $(FIGURE_NAMES:%=$(FIGURES)/%.gp)
+layout_of = $(filter %/$(1).gp,$(LAYOUTS))
 stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
 figure_files = $(call layout_of,$(1)) $(wildcard common/*.gp \
 	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
@@ -213,20 +216,55 @@ $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,
 		.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
 		--figure $* > $@)
 
-figures: $(SCRIPTS) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME= SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
+figures: $(FIGURES_WANTED:%=$(FIGURES)/%.gp) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
-		.make/figures $(FIGURES) $(sort $(notdir $(basename $(LAYOUTS))))
+		.make/figures $(FIGURES) $(FIGURES_WANTED)
+	@.make/gallery $(BUILT) $(B)/scenes
+	@echo "All on a page: $(PAGE)"
 .PHONY: figures
 
+# 'make' draws them for the web. Where gnuplot was missing and has come, they are drawn again. What
+# wrong answers make impossible to draw is said, and stops nothing else.
+DRAWN := $(BUILT)/drawn
+ifeq ($(shell cat $(DRAWN) 2>/dev/null),without gnuplot)
+$(shell command -v gnuplot >/dev/null && rm -f $(DRAWN))
+endif
+$(DRAWN): $(SCRIPTS) .make/figures .make/figure $(wildcard .make/figure-*.awk)
+	@FORMAT=svg THEME= SHAPE= STEPS= .make/figures $(FIGURES) $(FIGURE_NAMES); status=$$?; \
+		case $$status in 0) : > $@ ;; 3) echo 'without gnuplot' > $@ ;; \
+			*) $(if $(filter solutions,$(A)),exit $$status,: > $@) ;; esac
+
+# All of it on a page.
+PAGE := $(GALLERY)/index.html
+$(PAGE): $(PICTURES) $(DRAWN) .make/gallery .make/gallery.css $(wildcard $(GALLERY)/*.png) \
+		$(wildcard chapters/*/README.md chapters/*/picture.txt)
+	@.make/gallery $(BUILT) $(B)/scenes
+
+#[
+# ---- slides -----------------------------------------------------------------------------------
+
+# chapters/slides.tex shows how figures become slides: light and dark, in steps. The figures it takes
+# are read from it; SLIDES=talk.tex: slides of your own, written alike.
+SLIDES ?= chapters/slides.tex
+ON_SLIDES := $(filter $(FIGURE_NAMES),$(shell grep -o '^[^%]*{[a-z0-9-]*}' $(SLIDES) 2>/dev/null | tr '{}' '\n\n' | sort -u))
+slides: $(ON_SLIDES:%=$(FIGURES)/%.gp) ## figures on Beamer slides, in steps (needs LaTeX: make setup FOR=lecturer)
+	@.make/slides --ready
+	@FORMAT=tex THEME= SHAPE= STEPS=1 .make/figures $(FIGURES) $(ON_SLIDES)
+	@.make/slides $(FIGURES) $(SLIDES)
+.PHONY: slides
+#]
+
 # The stamp tells whether there was anything to do.
-$(BUILT)/made: $(PROGRAMS) $(PICTURES) $(B)/compile_commands.json
+$(BUILT)/made: $(PROGRAMS) $(PICTURES) $(PAGE) $(B)/compile_commands.json
 	@touch $@
 	@$(eval DONE := yes)
 
-all: $(BUILT)/made ## build, and cast the pictures (ANSWERS=folder: by those)
-	@echo "$(if $(DONE),Done,Nothing to do: all is up to date). Programs: $(BUILT)/NN-stem. Pictures: $(GALLERY)/"
+all: $(BUILT)/made ## build, cast the pictures and draw the figures (ANSWERS=folder: by those)
+	@if [ -s $(DRAWN) ]; then figures="no figures, for gnuplot is missing ('make setup' installs it)"; \
+		else figures='figures: $(FIGURES)/'; fi; \
+	echo "$(if $(DONE),Done,Nothing to do: all is up to date). Programs: $(BUILT)/NN-stem. Pictures: $(GALLERY)/, $$figures; all on a page: $(PAGE)"
 
-setup: ## install what is missing (FOR=instructor, contributor)
+setup: ## install what is missing (FOR=lecturer, instructor, contributor)
 	@.make/setup $(FOR)
 
 # ---- tests ------------------------------------------------------------------------------------
@@ -415,7 +453,7 @@ endif
 VERDICT := $(B)/$(EXERCISES:/%=%)/verdict
 ALL_VERDICTS := $(STEMS:%=$(VERDICT)/%/table)
 VERDICTS := $(CHOSEN:%=$(VERDICT)/%/table)
-JUDGING_FOR := $(filter exercises watch debug hint $(if $(RIGHT),figures),$(MAKECMDGOALS))
+JUDGING_FOR := $(filter exercises watch debug hint $(if $(RIGHT),all figures slides),$(or $(MAKECMDGOALS),all))
 ifneq ($(JUDGING_FOR),)
 ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
 $(info Building the judge, once; that takes a moment ...)

@@ -56,13 +56,17 @@ if (format eq "pdf") {
     set output output.".pdf"
 }
 if (format eq "png") {
-    set terminal pngcairo size 2 * width,2 * (height + strip) font "DejaVu Sans,25.5" enhanced linewidth 2 pointscale 4 \
+    set terminal pngcairo size 2 * width,2 * (height + strip) font "DejaVu Sans,25.5" enhanced linewidth 2 \
+        pointscale 4 dashlength 0.5 \
         background rgb background
     set output output.".png"
 }
 if (tex) {
-    set terminal cairolatex pdf input colortext size (width / 60.0) cm,tall_cm cm \
-        linewidth 0.945 background rgb background
+    # The slides' own font, as large as the others' looks; \small and \large beside it. Labels are made fit
+    # for LaTeX by .make/figure-tex.awk.
+    set terminal cairolatex pdf input colortext header '\def\small{\fontsize{7.5}{9}\selectfont}\
+\def\large{\fontsize{11}{13}\selectfont}\fontsize{9}{11}\selectfont' size (width / 60.0) cm,tall_cm cm \
+        linewidth 1.89 background rgb background
     set output output.".tex"
 }
 if (format eq "txt") {
@@ -86,6 +90,14 @@ is_letter(c) = strstrt("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", c
 italic(s) = strlen(s) == 0 ? "" : \
     (is_letter(s[1:1]) ? "{/'DejaVu Serif':Italic ".s[1:1]."}" : s[1:1]).italic(s[2:*])
 math(s) = tex ? "$".s."$" : italic(s)
+# Smaller and larger text, mathematics in it or not. (LaTeX's terminal takes a label that begins with a
+# brace for something else; .make/figure-tex.awk drops the bar.)
+sized(s, by) = s eq "" ? "" : (tex ? "¦" : "").sprintf("{/*%g %s}", by, slim(s))
+# The SVG of gnuplot 5.4 forgets a size after a change of font that has none.
+slim(s) = strstrt(s, ":Italic ") == 0 ? s : \
+    s[1:strstrt(s, ":Italic ")+6]."*0.99".slim(s[strstrt(s, ":Italic ")+7:*])
+small(s) = sized(s, 0.8)
+large(s) = sized(s, 1.25)
 
 # ---- steps, and what is yours ---------------------------------------------------------------------
 
@@ -202,14 +214,12 @@ most(a, b) = a > b ? a : b
 mark(who) = who == 0 ? 7 : 6
 # What yours is, in words, where it is wrong: your("place_text"); else nothing.
 your(name) = exists("your_".name) ? value("your_".name) : ""
-# Larger, for what a figure comes to; not of math(), which SVG would show small.
-large(s) = tex ? "\\large ".s : "{/*1.25 ".s."}"
 
 # ---- labels: on the canvas, whatever the numbers ----------------------------------------------------
 
 # How long a text is at most, in units of the canvas; and where to anchor it, at x, or as near to x as
 # the canvas allows: its left end, its middle, its right end.
-# (small and percent are for labels of plots, where gnuplot reads a backslash twice.)
+# (percent is for labels of plots, where gnuplot reads a backslash twice.)
 text_size = 17
 small_size = 14
 long(text, size) = 0.6 * size * strlen(text)
@@ -217,10 +227,6 @@ between(low, x, high) = x < low ? low : x > high ? high : x
 left_at(x, long) = between(12, x, width - 12 - long)
 middle_at(x, long) = between(12 + long / 2, x, width - 12 - long / 2)
 right_at(x, long) = between(12 + long, x, width - 12)
-small(text) = tex ? '\\small '.text : sprintf("{/*%g %s}", small_size / 17.0, slim(text))
-# The SVG of gnuplot 5.4 forgets a size after a change of font that has none.
-slim(s) = strstrt(s, ":Italic ") == 0 ? s : \
-    s[1:strstrt(s, ":Italic ")+6]."*0.99".slim(s[strstrt(s, ":Italic ")+7:*])
 percent = tex ? '\\%' : "%"
 
 # Places on the canvas, to add to: a point's, a vector's tip, its middle; what a vector adds to a place;

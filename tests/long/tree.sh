@@ -2,6 +2,7 @@
 # tree.sh - the tree as its users have it: a copy, the README's commands, answers in exercises/.
 set -u
 . tests/library.sh
+. tests/figures/scripts.sh
 
 tree=$scratch/tree
 mkdir "$tree"
@@ -27,6 +28,22 @@ check 'a second make does nothing and says so' only_rebuilds_nothing
 check 'every picture is there' test -s build/solutions/gallery/three-spheres.png
 check 'the picture in the README is the one that is cast' \
     "$here/$BUILD/tests/same_picture" .github/sunflower.png build/solutions/gallery/sunflower.png
+
+check 'and a page of all' test -s build/solutions/gallery/index.html
+if command -v gnuplot >/dev/null; then
+    check 'with every figure, light and dark' test -s build/solutions/figures/corner-vectors-dark.svg
+    rm -r build/solutions/figures build/solutions/drawn
+fi
+check 'without gnuplot make goes on' without gnuplot make_quietly
+check 'and says what to install' grep -qF "no figures, for gnuplot is missing ('make setup' installs it)" "$scratch/log"
+check 'the scripts are written' test -s build/solutions/figures/corner-vectors.gp
+check 'make figures is no success then' refused without gnuplot make figures
+check 'and says what to install' grep -qF "gnuplot is missing, so no figure is drawn: 'make setup' installs it." "$scratch/log"
+check 'without gnuplot a second make does nothing' without gnuplot only_rebuilds_nothing
+if command -v gnuplot >/dev/null; then
+    check 'once it is there, make goes on' make_quietly
+    check 'and draws' test -s build/solutions/figures/corner-vectors-dark.svg
+fi
 
 for file in exercises/*.c; do
     printf 'this is no C at all {{{\n' >"$file"

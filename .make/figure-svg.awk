@@ -1,4 +1,4 @@
-# figures.awk - makes gnuplot's SVG one that can be read aloud, and that shows the same everywhere.
+# figure-svg.awk - makes gnuplot's SVG one that can be read aloud, and that shows the same everywhere.
 #
 # words: the figure in words, its title in the first line. Fonts get a family to fall back on.
 function escaped(text)
@@ -13,7 +13,9 @@ BEGIN {
     while ((getline line < words) > 0)
         description = description (description == "" ? "" : " ") line
 }
-/^<svg/ { sub(/<svg/, "<svg role=\"img\" aria-labelledby=\"title description\" xml:space=\"preserve\"") }
+/^<svg/ {
+    sub(/<svg/, "<svg role=\"img\" aria-labelledby=\"title description\" xml:space=\"preserve\"")
+}
 /<title>/ && !titled {
     print "<title id=\"title\">" escaped(title) "</title>"
     titled = 1

@@ -1,0 +1,79 @@
+#!/bin/sh
+# gallery.sh - the page of pictures and figures, in a headless Chromium.
+if [ -n "${BRIEF:-}" ]; then
+    echo "skipped: the page of pictures, which is tested once (BRIEF)"
+    echo "gallery: 0 passed, 0 failed"
+    exit 0
+fi
+set -u
+. tests/library.sh
+. tests/figures/scripts.sh
+export PYTHONDONTWRITEBYTECODE=1
+
+if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
+    echo "skipped: the page of pictures, which needs gnuplot and Python (make setup FOR=contributor)"
+    finish gallery
+    exit
+fi
+built=$scratch/solutions
+page=$built/gallery/index.html
+mkdir -p "$built/gallery"
+scripts_into "$built/figures" || exit 1
+for chapter in chapters/0[1-5]-*; do
+    stem=${chapter#chapters/}
+    "$PROGRAMS/$stem" --picture "$built/gallery/$stem.png" || exit 1
+done
+for scene in chapters/06-ray-casting/*.nff "$BUILD"/scenes/*.nff; do
+    "$PROGRAMS/06-ray-casting" -s 160x120 -o "$built/gallery/$(basename "$scene" .nff).png" "$scene" || exit 1
+done
+# A picture whose name is not fit for a page.
+cp "$built/gallery/sunflower.png" "$built/gallery/a \"<b>\" & c#1 50%?.png"
+
+draw() {
+    # shellcheck disable=SC2086 # names are words
+    env "$@" .make/figures "$built/figures" $names
+}
+says() {
+    grep -qF -- "$1" "$page"
+}
+says_not() {
+    ! says "$1"
+}
+check 'a page is made without any figure' .make/gallery "$built" "$BUILD/scenes"
+check 'and says so' says 'No figure is drawn yet'
+first=$(echo "$names" | cut -d' ' -f2)
+check 'figures are drawn' draw FORMAT=svg,png SHAPE=16:9,4:3 STEPS=1
+check 'the page is made' .make/gallery "$built" "$BUILD/scenes"
+check 'it links what is there' says "../figures/$first-dark.png"
+check 'each step' says "../figures/$first-4x3-step1-dark.svg"
+check 'and not what is not' says_not "../figures/$first.pdf"
+cp "$page" "$scratch/before.html"
+check 'the page has the same bytes' .make/gallery "$built" "$BUILD/scenes"
+check 'every time' cmp "$page" "$scratch/before.html"
+# What is left of an older script is not linked.
+echo '# another' >>"$built/figures/$first.gp"
+check 'with another script' draw FORMAT=svg THEME=light,dark
+check 'the page is made once more' .make/gallery "$built" "$BUILD/scenes"
+check 'and does not link what was drawn before' says_not "../figures/$first.png"
+check 'but what is drawn now' says "../figures/$first-dark.svg"
+check 'all again' draw FORMAT=svg,png,pdf,tex
+check 'and for details' draw FORMAT=svg SHAPE=16:9,4:3 STEPS=1
+check 'for the browser' .make/gallery "$built" "$BUILD/scenes"
+
+if ! python3 -c 'import sys; sys.path.insert(0, "tests/figures"); import browser; sys.exit(not browser.found())'; then
+    echo "skipped: the page in a browser, which needs Chromium (make setup FOR=contributor)"
+    finish gallery
+    exit
+fi
+# shellcheck disable=SC2086
+python3 tests/figures/gallery.py "$page" "$(echo $names | wc -w)" >"$scratch/log" 2>&1
+counts=$(sed -n '$s/.*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$scratch/log")
+if [ -z "$counts" ]; then
+    echo 'not ok: the browser did not come to its end'
+    tail -n 5 "$scratch/log"
+    counts="0 1"
+fi
+grep -v ' passed, ' "$scratch/log"
+passed=$((passed + ${counts% *}))
+failed=$((failed + ${counts#* }))
+finish gallery
