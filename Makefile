@@ -130,11 +130,13 @@ endif
 PROGRAMS := $(STEMS:%=$(BUILT)/%)
 chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c)))
 
-# Figures of every chapter show the camera of the first.
+# What later chapters show of earlier ones: the camera in figures, and how a scene is drawn.
 SHOWS_CAMERA := $(B)/chapters/01-corners/plane.o
+DRAWS_SCENES := $(patsubst %,$(B)/chapters/06-ray-casting/%.o,command needs scene_camera)
+shared_objects = $(SHOWS_CAMERA) $(if $(filter 07% 08%,$(1)),$(DRAWS_SCENES))
 
 .SECONDEXPANSION:
-$(PROGRAMS): $(BUILT)/%: $$(sort $$(call chapter_objects,$$*) $(SHOWS_CAMERA)) $(ANSWER_OBJECTS) $(B)/common.a
+$(PROGRAMS): $(BUILT)/%: $$(sort $$(call chapter_objects,$$*) $$(call shared_objects,$$*)) $(ANSWER_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
 
@@ -159,7 +161,7 @@ TRY :=
 #]
 #~ # A picture that needs what is not answered yet is no error: that is said, in one line.
 #~ TRY = .make/draw $@
-CHAPTER_PICTURES := $(filter-out 06%,$(STEMS))
+CHAPTER_PICTURES := $(filter-out 06% 07%,$(STEMS))
 PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(GENERATED) \
 	$(notdir $(basename $(wildcard chapters/06-ray-casting/*.nff))))
 $(CHAPTER_PICTURES:%=$(GALLERY)/%.png): $(GALLERY)/%.png: $(BUILT)/%

@@ -83,7 +83,8 @@ bool drawing_begin(Drawing *drawing, const char *program, const Command *command
             return report("the path of the picture is too long");
         strcpy(drawing->output, command->output);
     } else if (!gallery_path(drawing->output, sizeof drawing->output, program,
-                             drawing->scene_path)) {
+                             command->picture_name != NULL ? command->picture_name
+                                                           : drawing->scene_path)) {
         return false;
     }
 

@@ -58,7 +58,7 @@ static const Type types[] = {
                      V(Corners, lower_right)}},
     {TYPE(Viewpoint), {V(Viewpoint, from), V(Viewpoint, at), V(Viewpoint, up), D(Viewpoint, angle),
                        I(Viewpoint, resolution.width), I(Viewpoint, resolution.height)}},
-    {TYPE(Light), {V(Light, position), V(Light, color)}},
+    {TYPE(Light), {V(Light, position), V(Light, color), I(Light, kind)}},
     {TYPE(Surface), {V(Surface, color), D(Surface, diffuse), D(Surface, specular),
                      D(Surface, shine), D(Surface, transmittance), D(Surface, refraction)}},
 };
@@ -179,6 +179,7 @@ static void walk_word(Walk *walk, const char *name)
 {
     if (strcmp(name, "Scene") == 0) {
         walk_type(walk, "Viewpoint", NULL);
+        walk_type(walk, "vec3", NULL);
         walk_type(walk, "vec3", NULL);
         walk_items(walk, "Sphere");
         walk_items(walk, "Surface");
