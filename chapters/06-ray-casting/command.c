@@ -3,6 +3,7 @@
 
 #include "chapters/06-ray-casting/scene_camera.h"
 #include "common/picture.h"
+#include "common/whole_file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -88,7 +89,7 @@ bool drawing_begin(Drawing *drawing, const char *program, const Command *command
         return false;
     }
 
-    if (!image_path_is_writable(drawing->output, &message) ||
+    if (!file_path_is_writable(drawing->output, &message) ||
         !scene_load(drawing->scene_path, &drawing->scene, &message))
         return report(message.text);
     if (drawing->scene.sphere_count == 0)

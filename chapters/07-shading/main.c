@@ -3,6 +3,7 @@
 // Draws a scene shaded. Without arguments it makes the deck's closing slide again: three spheres,
 // flat and shaded, side by side.
 #include "chapters/06-ray-casting/command.h"
+#include "chapters/07-shading/export.h"
 #include "chapters/07-shading/render.h"
 #include "chapters/07-shading/story.h"
 #include "common/picture.h"
@@ -25,6 +26,12 @@ static bool option_term(const char *text, void *into)
             return true;
         }
     return false;
+}
+
+static bool option_format(const char *text, void *into)
+{
+    *(ExportFormat *)into = strcmp(text, "pov") == 0 ? EXPORT_POV : EXPORT_PBRT;
+    return strcmp(text, "pov") == 0 || strcmp(text, "pbrt") == 0;
 }
 
 static bool option_count(const char *text, void *into)
@@ -62,11 +69,29 @@ static bool draw_both(Drawing *drawing, Style style)
     return true;
 }
 
+static int write_export(const Drawing *drawing, ExportFormat format, Style style, bool flat)
+{
+    const char *slash = strrchr(drawing->scene_path, '/');
+    Export what = {format,
+                   &drawing->scene,
+                   drawing->camera,
+                   drawing->image.size,
+                   style.depth,
+                   flat,
+                   word_text(slash != NULL ? slash + 1 : drawing->scene_path)};
+    Message message;
+    if (export_scene(&what, drawing->output, &message))
+        return EXIT_DONE;
+    fprintf(stderr, "%s: %s\n", drawing->program, message.text);
+    return EXIT_COULD_NOT;
+}
+
 int main(int argc, char **argv)
 {
     Command command = {0};
     Style style = {.samples = 1, .depth = 5, .gamma = 1};
     Term term = TERM_ALL;
+    ExportFormat format = EXPORT_NONE;
     bool flat = false;
     double ambient = -1;
     vec3 sun = vec3_of(0, 0, 0);
@@ -79,6 +104,8 @@ int main(int argc, char **argv)
         {"ambient", 0, "A", option_number, &ambient, "light that is everywhere (0.1)"},
         {"sun", 0, "X,Y,Z", option_vec3, &sun, "a distant light from there, no others"},
         {"gamma", 0, "G", option_number, &style.gamma, "of the display (1: leave as is)"},
+        {"export", 0, "pov|pbrt", option_format, &format,
+         "write the scene for them instead (to -o)"},
         {0}};
     Usage usage = {"[OPTION]... [SCENE.nff]",
                    "Casts a scene, shaded. Without a scene: the deck's three spheres, flat and\n"
@@ -90,8 +117,10 @@ int main(int argc, char **argv)
         options_wrong(argv[0], "--samples: expected 1 to 64");
     if (!(style.gamma > 0))
         options_wrong(argv[0], "--gamma: expected more than 0");
+    if (format != EXPORT_NONE && command.output == NULL)
+        options_wrong(argv[0], "--export: expected -o FILE as well");
     command.scene_path = argv[first];
-    bool closing = argv[first] == NULL && !flat && term == TERM_ALL;
+    bool closing = argv[first] == NULL && !flat && term == TERM_ALL && format == EXPORT_NONE;
     if (closing)
         command.picture_name = "still-something-missing";
 
@@ -108,6 +137,8 @@ int main(int argc, char **argv)
         scene->lights = &distant;
         scene->light_count = 1;
     }
+    if (format != EXPORT_NONE)
+        return write_export(&drawing, format, style, flat);
     if (argc == 1)
         tell_shading(&drawing);
     keep_term(scene, flat ? TERM_FLAT : term);
