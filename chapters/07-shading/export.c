@@ -60,14 +60,13 @@ static void write_pov(FILE *out, const Export *what)
 {
     const Scene *scene = what->scene;
     Camera c = what->camera;
-    fprintf(
-        out,
-        "// %s for POV-Ray 3.7, %s. Draw it, with the numbers of the picture not bent by gamma:\n"
-        "//   povray +I%s +W%d +H%d -A -D File_Gamma=1\n"
-        "#version 3.7;\n"
-        "global_settings { assumed_gamma 1 adc_bailout 0 max_trace_level %d }\n",
-        what->name.s, what->flat ? "flat" : "shaded", "FILE.pov", what->size.width,
-        what->size.height, what->depth > 0 ? what->depth + 1 : 1);
+    fprintf(out,
+            "// %s for POV-Ray 3.7, %s. Draw it with this file's name in place of FILE:\n"
+            "//   povray +IFILE +W%d +H%d -A\n"
+            "#version 3.7;\n"
+            "global_settings { assumed_gamma srgb adc_bailout 0 max_trace_level %d }\n",
+            what->name.s, what->flat ? "flat" : "shaded", what->size.width, what->size.height,
+            what->depth > 0 ? what->depth + 1 : 1);
     pov_vector(out, "background { color rgb ", scene->background, " }\n");
     pov_vector(out, "camera {\n  location ", c.origin, "\n");
     pov_vector(out, "  direction ", c.distance * c.forward, "\n");
