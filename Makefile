@@ -162,12 +162,23 @@ TRY :=
 #~ # A picture that needs what is not answered yet is no error: that is said, in one line.
 #~ TRY = .make/draw $@
 CHAPTER_PICTURES := $(filter-out 06% 07%,$(STEMS))
-PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(GENERATED) \
+# Light, term by term, and together with the flat one, as on the closing slide.
+TERMS := ambient diffuse specular
+SHADED := still-something-missing $(TERMS:%=07-%)
+PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(SHADED) $(GENERATED) \
 	$(notdir $(basename $(wildcard chapters/06-ray-casting/*.nff))))
 $(CHAPTER_PICTURES:%=$(GALLERY)/%.png): $(GALLERY)/%.png: $(BUILT)/%
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(TRY) $< --picture $@
+$(TERMS:%=$(GALLERY)/07-%.png): $(GALLERY)/07-%.png: chapters/06-ray-casting/three-spheres.nff $(BUILT)/07-shading
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(TRY) $(BUILT)/07-shading --term $* --depth 0 -o $@ $<
+$(GALLERY)/still-something-missing.png: chapters/06-ray-casting/three-spheres.nff $(BUILT)/07-shading
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(TRY) $(BUILT)/07-shading -o $@
 $(GALLERY)/%.png: chapters/06-ray-casting/%.nff $(BUILT)/06-ray-casting
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)

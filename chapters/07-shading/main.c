@@ -13,6 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+// Where the story is told unless told: near the highlight of the red sphere.
+static const Pixel in_the_light = {430, 130};
+
 static const struct {
     const char *word;
     Term term;
@@ -94,9 +97,11 @@ int main(int argc, char **argv)
     ExportFormat format = EXPORT_NONE;
     bool flat = false;
     double ambient = -1;
+    Pixel pixel = {-1, -1};
     vec3 sun = vec3_of(0, 0, 0);
     const Option options[] = {
         COMMAND_OPTIONS(command),
+        {"explain", 0, "COLUMN,ROW", option_pixel, &pixel, "the light at a pixel, in numbers"},
         {"flat", 0, NULL, option_flag, &flat, "leave the shading out"},
         {"term", 0, "NAME", option_term, &term, "only ambient, diffuse or specular light"},
         {"depth", 0, "N", option_count, &style.depth, "mirrors to follow a ray through (5)"},
@@ -139,8 +144,13 @@ int main(int argc, char **argv)
     }
     if (format != EXPORT_NONE)
         return write_export(&drawing, format, style, flat);
-    if (argc == 1)
-        tell_shading(&drawing);
+    if (pixel.column >= drawing.image.size.width || pixel.row >= drawing.image.size.height)
+        options_wrong(argv[0], "--explain: (%d, %d) is not in a picture of %d x %d", pixel.column,
+                      pixel.row, drawing.image.size.width, drawing.image.size.height);
+    if (argc == 1 || pixel.column >= 0)
+        tell_shading(&drawing, argc == 1 ? in_the_light : pixel);
+    if (pixel.column >= 0)
+        return story_end();
     keep_term(scene, flat ? TERM_FLAT : term);
     if (!closing)
         render(scene, drawing.camera, style, &drawing.image);

@@ -38,11 +38,10 @@ static void tell_light(const Scene *scene, int i, Ray ray, vec3 point, vec3 norm
                    .s);
 }
 
-void tell_shading(const Drawing *drawing)
+void tell_shading(const Drawing *drawing, Pixel pixel)
 {
     const Scene *scene = &drawing->scene;
     Resolution screen = drawing->image.size;
-    Pixel pixel = {screen.width / 2, screen.height / 2};
     Ray ray = pixel_ray(drawing->camera, screen, pixel);
     Hit hit = nearest_hit(ray, scene);
     printf("07-shading: light, and what a surface makes of it\n");

@@ -4,7 +4,7 @@
 
 #include "chapters/06-ray-casting/command.h"
 
-// What the ray through the middle of the picture sees, term by term.
-void tell_shading(const Drawing *drawing);
+// What the ray of a pixel sees, term by term.
+void tell_shading(const Drawing *drawing, Pixel pixel);
 
 #endif
