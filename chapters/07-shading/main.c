@@ -4,6 +4,7 @@
 // flat and shaded, side by side.
 #include "chapters/06-ray-casting/command.h"
 #include "chapters/07-shading/export.h"
+#include "chapters/07-shading/figures.h"
 #include "chapters/07-shading/render.h"
 #include "chapters/07-shading/story.h"
 #include "common/picture.h"
@@ -98,6 +99,7 @@ int main(int argc, char **argv)
     bool flat = false;
     double ambient = -1;
     Pixel pixel = {-1, -1};
+    FigureCommand figure = {0};
     vec3 sun = vec3_of(0, 0, 0);
     const Option options[] = {
         COMMAND_OPTIONS(command),
@@ -111,6 +113,7 @@ int main(int argc, char **argv)
         {"gamma", 0, "G", option_number, &style.gamma, "of the display (1: leave as is)"},
         {"export", 0, "pov|pbrt", option_format, &format,
          "write the scene for them instead (to -o)"},
+        FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]... [SCENE.nff]",
                    "Casts a scene, shaded. Without a scene: the deck's three spheres, flat and\n"
@@ -142,6 +145,8 @@ int main(int argc, char **argv)
         scene->lights = &distant;
         scene->light_count = 1;
     }
+    if (figure.name != NULL)
+        return shading_figure(figure, &drawing);
     if (format != EXPORT_NONE)
         return write_export(&drawing, format, style, flat);
     if (pixel.column >= drawing.image.size.width || pixel.row >= drawing.image.size.height)
