@@ -17,7 +17,7 @@
 vec3 surface_normal(Sphere sphere, vec3 point);
 
 // The ray from a place towards a light (scene.h). Of a point light, t = 1 is the light itself; of
-// a distant one the direction is the light's, the same from everywhere.
+// a distant one the direction is the light's own, as long as it is, the same from everywhere.
 Ray ray_to_light(vec3 from, Light light);
 
 // What is there without any light: kd times the surface's colour, times the ambient light,
@@ -28,7 +28,8 @@ Color ambient_term(Color surface, double kd, Color ambient);
 // and the way to the light; nothing where the light is behind the surface.
 Color diffuse_term(Color surface, double kd, Color light, vec3 normal, vec3 to_light);
 
-// The direction in which a mirror sends a ray on. As long as the one that comes in.
+// The direction in which a mirror sends a ray on, whichever side it comes from. As long as the one
+// that comes in.
 vec3 mirror_direction(vec3 direction, vec3 normal);
 
 // Phong's highlight, in the colour of the light: ks times the light, times the cosine between the
@@ -61,7 +62,8 @@ Color trace_ray(const Scene *scene, Ray ray, int depth);
 // Each number at least 0 and at most 1.
 Color clamp_color(Color color);
 
-// For a display of this gamma: each number to the power of 1 / gamma. Numbers are 0 to 1.
+// For a display of this gamma, which is positive: each number to the power of 1 / gamma. Numbers
+// are 0 to 1.
 Color gamma_encode(Color color, double gamma);
 
 #endif

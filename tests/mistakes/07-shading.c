@@ -1,0 +1,10 @@
+// 07-shading.c - wrong answers to exercise 07, a file each for what they go wrong in.
+//
+// In formulas n is the normal, l the way to the light, e that to the eye, v a direction; c and r
+// are the sphere's centre and radius.
+#include "tests/mistakes/07-shading.h"
+
+const Mistake *const mistakes[] = {
+    normal_mistakes, light_mistakes,   mirror_mistakes, ambient_mistakes, diffuse_mistakes,
+    phong_mistakes,  halfway_mistakes, clamp_mistakes,  gamma_mistakes,   NULL,
+};
