@@ -7,6 +7,7 @@
 
 #include "common/camera.h"
 #include "common/image.h"
+#include "common/ray.h"
 #include "common/scene.h"
 
 #include <stdbool.h>
