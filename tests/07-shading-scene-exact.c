@@ -68,8 +68,8 @@ static Exact first_meeting(Look *look, Way way, int i)
 
 static bool arrives(Look *look, Way way, const Light *light)
 {
-    way.along =
-        light->kind == LIGHT_DISTANT ? exact(light->position) : plus(exact(light->position), -1, way.from);
+    way.along = light->kind == LIGHT_DISTANT ? exact(light->position)
+                                             : plus(exact(light->position), -1, way.from);
     bool free = true;
     for (int i = 0; i < look->scene->sphere_count; i++) {
         Exact t = first_meeting(look, way, i);

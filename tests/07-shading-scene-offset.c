@@ -89,8 +89,8 @@ END_TEST
 START_TEST(round_the_origin_of_the_world_the_radius_counts)
 {
     expect_off(sphere_round(vec3_of(0, 0, 0), 1e6), vec3_of(0, 0, 1e6), vec3_of(0, 0, 1), 1e6);
-    expect_off(sphere_round(vec3_of(0, 0, 0), 7e5), vec3_of(2e5, 3e5, 6e5),
-               vec3_of(2, 3, 6) / 7, 7e5);
+    expect_off(sphere_round(vec3_of(0, 0, 0), 7e5), vec3_of(2e5, 3e5, 6e5), vec3_of(2, 3, 6) / 7,
+               7e5);
 }
 END_TEST
 

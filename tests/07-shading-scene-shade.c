@@ -106,9 +106,10 @@ START_TEST(a_light_that_is_hidden_takes_nothing_from_the_others)
         world_seen_from_above(0.4, 3);
         for (int i = 0; i < 3; i++)
             put_light(&world, LIGHT_POINT,
-                      i == hidden ? vec3_of(-at_60_degrees[0], at_60_degrees[1], 0)
-                                  : at_60_degrees,
-                      i == 0 ? yellow : i == 1 ? blue : red);
+                      i == hidden ? vec3_of(-at_60_degrees[0], at_60_degrees[1], 0) : at_60_degrees,
+                      i == 0   ? yellow
+                      : i == 1 ? blue
+                               : red);
         put_sphere(&world, vec3_of(-at_60_degrees[0], at_60_degrees[1], 0) / 2, 1, dull());
         Color all = yellow + blue + red;
         Color others = all - world.lights[hidden].color;
@@ -164,8 +165,7 @@ START_TEST(how_long_the_direction_of_the_ray_is_does_not_matter)
     put_light(&world, LIGHT_POINT, at_60_degrees, yellow);
     for (int i = 0; i < 4; i++)
         expect_shade(&world, (Ray){vec3_of(0, 4, 0), vec3_of(0, -lengths[i], 0)},
-                     (Hit){4 / lengths[i], 0},
-                     ambient + diffuse(0.5, yellow) + 0.4 / 8 * yellow);
+                     (Hit){4 / lengths[i], 0}, ambient + diffuse(0.5, yellow) + 0.4 / 8 * yellow);
 }
 END_TEST
 
@@ -191,8 +191,7 @@ START_TEST(a_hit_that_rounding_put_a_hair_inside_the_sphere_is_lit)
         double size = pow(10, i);
         for (int side = -1; side <= 1; side++) {
             empty_world(&world);
-            put_sphere(&world, vec3_of(0, -size, 0), size,
-                       surface_of(dull().color, 0.5, 0.4, 3));
+            put_sphere(&world, vec3_of(0, -size, 0), size, surface_of(dull().color, 0.5, 0.4, 3));
             put_light(&world, LIGHT_POINT, size * at_60_degrees, yellow);
             Ray ray = {vec3_of(0, 4 * size, 0), vec3_of(0, -size, 0)};
             expect_shade(&world, ray, (Hit){4 + side * 5e-11, 0},
@@ -205,7 +204,8 @@ START_TEST(a_hit_that_rounding_put_a_hair_inside_the_sphere_is_lit)
 }
 END_TEST
 
-// A crumb of a thousandth of the sphere, twice as far above it, in the way of the light.
+// The crumb is 1e-5 of the radius above it, and half as large: in the way of the light from above,
+// beside the way of the other, whose mirror image meets the eye.
 START_TEST(a_crumb_close_to_the_surface_casts_its_shadow)
 {
     for (int i = -6; i <= 8; i += 2) {
@@ -215,10 +215,9 @@ START_TEST(a_crumb_close_to_the_surface_casts_its_shadow)
         put_sphere(&world, vec3_of(0, 1e-5 * size, 0), 5e-6 * size, dull());
         put_light(&world, LIGHT_DISTANT, vec3_of(0, 1, 0), yellow);
         put_light(&world, LIGHT_DISTANT, at_60_degrees, blue);
-        // From aside, to pass below the crumb; the mirrored blue light is 30 degrees off.
-        Ray ray = {size * vec3_of(-3.4641016151377545871, 2, 0), -size * vec3_of(-3.4641016151377545871, 2, 0)};
-        expect_shade(&world, ray, (Hit){1, 0},
-                     ambient + diffuse(0.5, blue) + 0.4 * blue);
+        vec3 eye = 0.5 * size * vec3_of(-at_60_degrees[0], at_60_degrees[1], 0);
+        Ray ray = {eye, -eye};
+        expect_shade(&world, ray, (Hit){1, 0}, ambient + diffuse(0.5, blue) + 0.4 * blue);
     }
 }
 END_TEST
