@@ -1,0 +1,6 @@
+// 07-shading.c - wrong answers to exercise 07: their tables.
+#include "tests/mistakes/07-shading-scene.h"
+
+const Mistake *const mistakes[] = {
+    offset_mistakes,      fixed_offset_mistakes, shadow_mistakes,       shade_mistakes,
+    shade_light_mistakes, mirror_mistakes,       mirror_depth_mistakes, NULL};
