@@ -92,8 +92,6 @@ GIVES(weaker_with_the_square, return both_of(l) / vec3_dot(l.to_light, l.to_ligh
 GIVES(weaker_with_the_distance, return both_of(l) / vec3_length(l.to_light))
 GIVES(light_reversed, l.to_light = -l.to_light; return both_of(l))
 GIVES(eye_for_light, l.to_light = l.to_eye; return both_of(l))
-GIVES(backs_lit, l.normal = vec3_dot(l.normal, l.to_light) < 0 ? -l.normal : l.normal;
-      return both_of(l))
 GIVES(each_clamped, Color sum = both_of(l); for (int i = 0; i < 3; i++) sum[i] = fmin(1, sum[i]);
       return sum)
 GIVES(as_if_all_distant, l.to_light += l.point; return both_of(l))
@@ -234,10 +232,6 @@ const Mistake shade_light_mistakes[] = {
     MISTAKE("L-eye", shade, eye_for_light, "the way to the eye for the way to the light",
             "the eye is where the ray comes from; the light is elsewhere.",
             "as if there were a lamp at the eye"),
-    MISTAKE("S4-shade", shade, backs_lit, "|n.l|",
-            "where the normal points away from the light there is none. (Outside, the surface's "
-            "own shadow hides that; it still has to be 0.)",
-            "all right from outside; hollow spheres lit at their backs"),
     MISTAKE("L-clamp", shade, each_clamped, "each light at most 1",
             "what is too bright is cut off at the very end, by clamp_color.",
             "all right, but for bright lights in mirrors"),
