@@ -72,7 +72,14 @@ START_TEST(the_highlight_is_where_the_mirrored_light_meets_the_eye)
     vec3 eye = vec3_of(-at_60_degrees[0], at_60_degrees[1], 0);
     expect_shade(&world, (Ray){eye, -eye / 2}, HIT_AT_2,
                  ambient + diffuse(0.5, yellow) + 0.4 * yellow);
-    eye = at_60_degrees / 2;
+}
+END_TEST
+
+START_TEST(where_the_mirrored_light_goes_away_from_the_eye_there_is_no_highlight)
+{
+    world_seen_from_above(0.4, 3);
+    put_light(&world, LIGHT_POINT, at_60_degrees, yellow);
+    vec3 eye = at_60_degrees / 2;
     expect_shade(&world, (Ray){eye, -eye / 2}, HIT_AT_2, ambient + diffuse(0.5, yellow));
 }
 END_TEST
@@ -246,6 +253,7 @@ void list_tests_of_shade(void)
     test(a_dull_surface_has_no_highlight);
     test(aslant_there_is_less_of_both);
     test(the_highlight_is_where_the_mirrored_light_meets_the_eye);
+    test(where_the_mirrored_light_goes_away_from_the_eye_there_is_no_highlight);
     test(lights_add_up);
     test(in_the_shadow_the_ambient_light_is_left);
     test(a_light_that_is_hidden_takes_nothing_from_the_others);

@@ -144,7 +144,7 @@ END_TEST
 
 // Hit at (3, 0, 4), where the normal is (3, 0, 4) / 5: what came along -z leaves along (24, 0, 7).
 // Other spheres wait straight on, along the normal, the other way round, and back where it came
-// from.
+// from; and a lamp inside the ball, where nobody should see it.
 START_TEST(the_angle_out_is_the_angle_in)
 {
     const vec3 hit = {3, 0, 4}, mirrored = {0.96, 0, 0.28};
@@ -152,9 +152,10 @@ START_TEST(the_angle_out_is_the_angle_in)
     put_sphere(&world, vec3_of(0, 0, 0), 5, mirror(green, 0.5));
     put_sphere(&world, hit + 10 * mirrored, 1, surface_of(pink, 0.7, 0, 1));
     put_sphere(&world, hit - 10 * mirrored, 1, surface_of(green, 0.9, 0, 1));
-    put_sphere(&world, hit + 2 * hit, 1, surface_of(green, 0.8, 0, 1));
+    put_sphere(&world, hit + 3 * hit, 1, surface_of(green, 0.8, 0, 1));
     put_sphere(&world, vec3_of(3, 0, -20), 1, surface_of(green, 0.6, 0, 1));
     put_sphere(&world, vec3_of(3, 0, 20), 1, surface_of(green, 0.4, 0, 1));
+    put_light(&world, LIGHT_POINT, vec3_of(1, 2, 0), white);
     expect_trace(&world, (Ray){vec3_of(3, 0, 10), vec3_of(0, 0, -2)}, 1,
                  ambient_of(0) + 0.5 * ambient_of(1));
     expect_trace(&world, (Ray){vec3_of(3, 0, 10), vec3_of(0, 0, -2)}, 5,
@@ -202,17 +203,18 @@ START_TEST(mirrors_may_be_close_together_in_scenes_of_any_size)
 }
 END_TEST
 
-// Whatever a ball alone mirrors is not itself.
+// Whatever a ball alone mirrors is not itself, also where the eye is close to it and the origin of
+// the world is far away.
 START_TEST(a_ball_does_not_see_itself)
 {
     for (int i = 0; i < 40; i++) {
-        double size = random_scale(1e6), away = pow(10, random_number(0, 4));
+        double size = random_scale(1e6), away = pow(10, random_number(0, 5));
         empty_world(&world);
         world.scene.background = random_color();
         vec3 center = size * away * random_unit();
         double ks = random_number(0.2, 0.9);
         put_sphere(&world, center, size, mirror(random_color(), ks));
-        double distance = random_number(1.5, 9);
+        double distance = 1 + pow(10, random_number(-6, 1));
         vec3 from = center + distance * size * random_unit();
         vec3 at = center + 0.6 * size * random_unit();
         expect_trace(&world, (Ray){from, at - from}, 1 + i % 3,

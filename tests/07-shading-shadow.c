@@ -95,17 +95,33 @@ START_TEST(how_long_the_direction_of_a_distant_light_is_does_not_matter)
 }
 END_TEST
 
-START_TEST(one_of_many_spheres_is_enough)
+static void expect_hidden_by_one_of_four(int which)
 {
-    for (int i = 0; i < 4; i++) {
-        World world;
-        empty_world(&world);
-        for (int k = 0; k < 4; k++)
-            put_sphere(&world, k == i ? vec3_of(0, 0, 5) : vec3_of(3 + k, 0, 5), 1, dull());
-        expect_visible(&world, origin, point_light(0, 0, 10), 0);
-        expect_visible(&world, origin, distant_light(0, 0, 10), 0);
-        expect_visible(&world, vec3_of(0, 5, 0), point_light(0, 5, 10), 1);
-    }
+    World world;
+    empty_world(&world);
+    for (int i = 0; i < 4; i++)
+        put_sphere(&world, i == which ? vec3_of(0, 0, 5) : vec3_of(3 + i, 0, 5), 1, dull());
+    expect_visible(&world, origin, point_light(0, 0, 10), 0);
+    expect_visible(&world, origin, distant_light(0, 0, 10), 0);
+    expect_visible(&world, vec3_of(0, 5, 0), point_light(0, 5, 10), 1);
+}
+
+START_TEST(the_first_of_many_spheres_is_enough)
+{
+    expect_hidden_by_one_of_four(0);
+}
+END_TEST
+
+START_TEST(the_last_of_many_spheres_is_enough)
+{
+    expect_hidden_by_one_of_four(3);
+}
+END_TEST
+
+START_TEST(one_among_many_spheres_is_enough)
+{
+    expect_hidden_by_one_of_four(1);
+    expect_hidden_by_one_of_four(2);
 }
 END_TEST
 
@@ -147,8 +163,8 @@ END_TEST
 
 START_TEST(what_is_close_to_the_place_hides_a_light_too)
 {
-    const double gaps[] = {1e-2, 1e-4, 1e-6, 1e-8};
-    for (int i = 0; i < 4; i++) {
+    const double gaps[] = {3e-2, 3e-3, 3e-4, 3e-5, 3e-6, 3e-7, 3e-8};
+    for (int i = 0; i < 7; i++) {
         const World *world = sphere_on_the_axis(1 + gaps[i], 1);
         expect_visible(world, origin, point_light(0, 0, 100), 0);
         expect_visible(world, origin, distant_light(0, 0, 1), 0);
@@ -232,7 +248,9 @@ void list_tests_of_visibility(void)
     test(what_is_behind_the_place_hides_nothing);
     test(a_distant_light_is_beyond_everything);
     test(how_long_the_direction_of_a_distant_light_is_does_not_matter);
-    test(one_of_many_spheres_is_enough);
+    test(the_first_of_many_spheres_is_enough);
+    test(the_last_of_many_spheres_is_enough);
+    test(one_among_many_spheres_is_enough);
     test(two_spheres_hide_a_light_no_more_than_one);
     test(of_spheres_only_those_in_between_count);
     test(from_inside_a_sphere_only_lights_inside_it_are_seen);

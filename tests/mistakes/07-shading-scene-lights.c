@@ -90,7 +90,6 @@ GIVES(halfway, return diffuse_of(l) + halfway_term(l.ks, l.shine, l.visible *l.c
                                                    l.to_light, l.to_eye))
 GIVES(weaker_with_the_square, return both_of(l) / vec3_dot(l.to_light, l.to_light))
 GIVES(weaker_with_the_distance, return both_of(l) / vec3_length(l.to_light))
-GIVES(light_reversed, l.to_light = -l.to_light; return both_of(l))
 GIVES(eye_for_light, l.to_light = l.to_eye; return both_of(l))
 GIVES(each_clamped, Color sum = both_of(l); for (int i = 0; i < 3; i++) sum[i] = fmin(1, sum[i]);
       return sum)
@@ -227,8 +226,6 @@ const Mistake shade_light_mistakes[] = {
     MISTAKE("L-root", shade, weaker_with_the_distance, "light divided by the distance",
             "here lights are as bright as they say, however far.",
             "dark, but right beside the lamps"),
-    MISTAKE("S2-shade", shade, light_reversed, "the light vector reversed",
-            "from the point to the light it is l - p.", "dark where it should be lit"),
     MISTAKE("L-eye", shade, eye_for_light, "the way to the eye for the way to the light",
             "the eye is where the ray comes from; the light is elsewhere.",
             "as if there were a lamp at the eye"),

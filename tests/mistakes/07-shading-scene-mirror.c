@@ -86,11 +86,6 @@ static vec3 back(vec3 direction, vec3 normal)
     return -direction;
 }
 
-static vec3 mirrored_and_reversed(vec3 direction, vec3 normal)
-{
-    return -mirror_direction(direction, normal);
-}
-
 static vec3 along_the_normal(vec3 direction, vec3 normal)
 {
     (void)direction;
@@ -100,11 +95,6 @@ static vec3 along_the_normal(vec3 direction, vec3 normal)
 static vec3 without_the_2(vec3 direction, vec3 normal)
 {
     return direction - vec3_dot(direction, normal) * normal;
-}
-
-static vec3 plus_for_minus(vec3 direction, vec3 normal)
-{
-    return direction + 2 * vec3_dot(direction, normal) * normal;
 }
 
 static vec3 start_at_the_eye(Sphere sphere, vec3 point, vec3 normal, Ray ray, double t)
@@ -121,10 +111,8 @@ static vec3 start_at_the_centre(Sphere sphere, vec3 point, vec3 normal, Ray ray,
 
 MIRROR(not_mirrored, .direction = straight_on)
 MIRROR(sent_back, .direction = back)
-MIRROR(reversed, .direction = mirrored_and_reversed)
 MIRROR(normal_for_direction, .direction = along_the_normal)
 MIRROR(once_the_normal, .direction = without_the_2)
-MIRROR(normal_added, .direction = plus_for_minus)
 MIRROR(from_the_eye, .start = start_at_the_eye)
 MIRROR(from_the_centre, .start = start_at_the_centre)
 MIRROR(no_offset, .start = start_there)
@@ -273,25 +261,21 @@ MIRROR(no_lights, .own = ambient_only)
 MIRROR(no_highlights, .own = without_highlight)
 
 const Mistake mirror_mistakes[] = {
-    MISTAKE("T-straight", trace_ray, not_mirrored, "the ray goes straight on",
-            "a mirror sends it back at the same angle: mirror_direction.",
-            "as if everything were of thin glass"),
+    MISTAKE("T-into", trace_ray, not_mirrored,
+            "a direction into the surface: v, v + 2 (v.n) n or -(v - 2 (v.n) n)",
+            "a mirror sends the ray away from its surface, at the same angle: mirror_direction. "
+            "This one meets the same place again.",
+            "shiny things too bright, and nothing in them but themselves"),
     MISTAKE("T-back", trace_ray, sent_back, "the ray goes back where it came from",
             "only straight ahead. Else the angle out is the angle in, on the other side of the "
             "normal: mirror_direction.",
             "every mirror shows what is behind the eye"),
-    MISTAKE("T-reversed", trace_ray, reversed, "the mirrored direction reversed",
-            "that leads into the surface. mirror_direction gives the way on, away from it.",
-            "every ball shows its own inside"),
     MISTAKE("T-normal", trace_ray, normal_for_direction, "along the normal",
             "the angle out is the angle in: mirror_direction.",
             "mirrors show the same from wherever one looks"),
     MISTAKE("T-once", trace_ray, once_the_normal, "v - (v.n) n",
             "that is the way along the surface. Twice as much mirrors it: mirror_direction.",
             "mirrors show what lies beside them"),
-    MISTAKE("T-plus", trace_ray, normal_added, "v + 2 (v.n) n",
-            "that leads into the surface. v.n is negative already: minus.",
-            "every ball shows its own inside"),
     MISTAKE("T-eye", trace_ray, from_the_eye, "the mirrored ray from the eye",
             "it begins where the mirror was hit.", "mirrors show what lies beside the eye"),
     MISTAKE("T-centre", trace_ray, from_the_centre, "the mirrored ray from the centre",

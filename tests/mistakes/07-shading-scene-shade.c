@@ -95,7 +95,6 @@ AT(surface_0, p.surface = &scene->surfaces[0])
 AT(surface_of_sphere_0, p.surface = scene_surface(scene, 0))
 AT(normal_not_turned, p.normal = surface_normal(scene->spheres[hit.sphere], p.point);
    p.start = off_surface(scene->spheres[hit.sphere], p.point, p.normal))
-AT(normal_not_turned_but_start, p.normal = surface_normal(scene->spheres[hit.sphere], p.point))
 AT(normal_reversed, p.normal = -p.normal;
    p.start = off_surface(scene->spheres[hit.sphere], p.point, p.normal))
 AT(normal_not_unit, p.normal *= scene->spheres[hit.sphere].radius)
@@ -106,7 +105,6 @@ AT(eye_at_the_origin, p.to_eye = -p.point)
 AT(point_as_if_unit, p = place_of(scene, (Ray){ray.origin, vec3_unit(ray.direction)}, hit))
 AT(seen_from_the_eye, p.start = ray.origin)
 START_AT(no_offset, start_there)
-START_AT(offset_inward, start_inward)
 START_AT(offset_outward, start_outward)
 START_AT(offset_along_the_ray, start_back_along_the_ray)
 START_AT(offset_1e_3, start_a_thousandth_off)
@@ -118,7 +116,9 @@ const Mistake shade_mistakes[] = {
             "the scene has a light that is everywhere, too: add its term once.",
             "pitch-black shadows"),
     MISTAKE("S-only-ambient", shade, ambient_alone, "ambient alone",
-            "each light that arrives adds its diffuse and its specular term.",
+            "each light that arrives adds its diffuse and its specular term. If you add them: does "
+            "the ray to the light start on the eye's side of the surface, or below it? And does "
+            "the vector point to the light, or away from it?",
             "flat and dark spheres"),
     MISTAKE("S-flat", shade, flat, "the surface's colour",
             "that is chapter 06: now the lights decide how much of it is seen.",
@@ -164,10 +164,6 @@ const Mistake shade_mistakes[] = {
             "from inside the other side of the surface is seen: turn the normal round where it "
             "points away from the eye.",
             "hollow spheres dark inside, lit by what is outside"),
-    MISTAKE("S-turn-terms", shade, normal_not_turned_but_start,
-            "the normal outward, inside too; but the start of the shadow ray inside",
-            "the terms need the normal that is turned to the eye, too.",
-            "hollow spheres dark inside"),
     MISTAKE("W3-shade", shade, normal_reversed, "the normal turned away from the eye",
             "it has to point to the side of the eye: where normal and direction of the ray have a "
             "positive dot product, turn it round.",
@@ -195,12 +191,9 @@ const Mistake shade_mistakes[] = {
             "rounding leaves p on either side of its surface, and from below the surface hides "
             "every light: off_surface.",
             "black speckles all over what should be lit"),
-    MISTAKE("S-below", shade, offset_inward, "visibility from p moved inward",
-            "off_surface moves to the side of the normal, and that has to be the eye's.",
-            "everything in its own shadow"),
-    MISTAKE("S-outside", shade, offset_outward, "visibility from p moved outward, inside too",
-            "from inside the ray to the light has to start inside: give off_surface the normal "
-            "that is turned to the eye.",
+    MISTAKE("S-outside", shade, offset_outward, "inside, the normal turned only for one of the two",
+            "the terms and off_surface both need the normal that is turned to the eye; else the "
+            "surface hides its own light.",
             "hollow spheres dark inside"),
     MISTAKE("S-back", shade, offset_along_the_ray, "visibility from o + (1 - 1e-9) t v",
             "that depends on how far the eye is. How coarse the numbers are depends on the sphere: "

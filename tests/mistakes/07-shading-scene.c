@@ -39,12 +39,6 @@ static vec3 always_inward(Sphere sphere, vec3 point, vec3 normal)
     return point - step * size_of(sphere) * vec3_unit(point - sphere.center);
 }
 
-static vec3 away_from_the_world(Sphere sphere, vec3 point, vec3 normal)
-{
-    (void)sphere, (void)normal;
-    return (1 + step) * point;
-}
-
 static vec3 in_every_coordinate(Sphere sphere, vec3 point, vec3 normal)
 {
     (void)normal;
@@ -131,9 +125,6 @@ const Mistake offset_mistakes[] = {
     MISTAKE("O-inward", off_surface, always_inward, "p - e s (p - c) / |p - c|",
             "that is always inward. The normal says to which side; mostly it is outward.",
             "everything in its own shadow, but for hollow spheres"),
-    MISTAKE("O-world", off_surface, away_from_the_world, "(1 + e) p",
-            "that moves away from the origin of the world, whichever way the surface faces.",
-            "speckles on whatever faces the origin of the world"),
     MISTAKE("O-plus", off_surface, in_every_coordinate, "p + e s",
             "a vector plus a number adds it to each coordinate. Multiply the normal by it, and "
             "add that.",

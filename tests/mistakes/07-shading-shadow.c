@@ -55,7 +55,6 @@ SHADOW(beyond_the_light, ray_to_light(from, light), 0, NO_HIT)
 SHADOW(reach_1_for_all, ray_to_light(from, light), 0, 1)
 SHADOW(unit_and_reach_1, unit_ray(from, light), 0, reach_of(light))
 SHADOW(t_against_the_distance, ray_to_light(from, light), 0, way_to(from, light))
-SHADOW(distance_to_distant_too, unit_ray(from, light), 0, way_to(from, light))
 SHADOW(way_reversed, reversed(from, light), 0, reach_of(light))
 SHADOW(place_not_subtracted, ((Ray){from, light.position}), 0, reach_of(light))
 SHADOW(place_always_subtracted, ((Ray){from, light.position - from}), 0, reach_of(light))
@@ -63,7 +62,6 @@ SHADOW(distant_as_point, ((Ray){from, light.position - from}), 0, 1)
 SHADOW(from_the_origin_of_the_world, ((Ray){from - from, light.position}), 0, reach_of(light))
 SHADOW(place_for_direction, ((Ray){light.position, from}), 0, reach_of(light))
 SHADOW(beyond_the_place, from_the_light(from, light), 0, NO_HIT)
-SHADOW(distant_light_at_its_tip, from_the_light(from, light), 0, 1)
 SHADOW(hits_from_a_thousandth, ray_to_light(from, light), 1e-3, reach_of(light))
 SHADOW(hits_from_a_ten_thousandth, ray_to_light(from, light), 1e-4, reach_of(light))
 SHADOW(hits_from_a_hundred_thousandth, ray_to_light(from, light), 1e-5, reach_of(light))
@@ -235,10 +233,6 @@ const Mistake shadow_mistakes[] = {
             "t counts in lengths of the direction, which is as long as the way to the light: it is "
             "at t = 1.",
             "shadows of things behind the lamp"),
-    MISTAKE("V-length", visibility, distance_to_distant_too,
-            "hits nearer than the length of the direction, of a distant light too",
-            "how long the direction to a distant light is says nothing; it is beyond everything.",
-            "in sunlight only what is very close casts a shadow"),
     MISTAKE("V-reversed", visibility, way_reversed, "the ray away from the light",
             "from the place to the light it is l - p, and what is on the other side of the place "
             "is in nobody's way.",
@@ -262,11 +256,6 @@ const Mistake shadow_mistakes[] = {
     MISTAKE("V-through", visibility, beyond_the_place, "any hit of the ray from the light",
             "what is behind the place is not between the two: 0 < t < 1 only.",
             "what stands in front of something is dark as well"),
-    MISTAKE("V-tip", visibility, distant_light_at_its_tip,
-            "the ray from p + d, of a distant light too",
-            "the direction of a distant light has no end to start from: the light is beyond "
-            "everything.",
-            "in sunlight only what is very close casts a shadow"),
     MISTAKE("V-1e-3", visibility, hits_from_a_thousandth, "hits with t > 0.001",
             "what is close to the surface casts a shadow, too. p is off its surface already: t > "
             "0.",
