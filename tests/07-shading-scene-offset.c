@@ -88,6 +88,8 @@ END_TEST
 
 START_TEST(round_the_origin_of_the_world_the_radius_counts)
 {
+    vec3 up = vec3_of(0, 1, 0);
+    expect_off(sphere_round(-2.5e5 * up, 1e6), 7.5e5 * up, up, 1.25e6);
     expect_off(sphere_round(vec3_of(0, 0, 0), 1e6), vec3_of(0, 0, 1e6), vec3_of(0, 0, 1), 1e6);
     expect_off(sphere_round(vec3_of(0, 0, 0), 7e5), vec3_of(2e5, 3e5, 6e5), vec3_of(2, 3, 6) / 7,
                7e5);
