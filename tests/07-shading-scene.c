@@ -96,13 +96,60 @@ Ray random_view(const World *world, double size)
     return (Ray){from, random_number(0.1, 3) * (at - from)};
 }
 
+// ---- mirrors ------------------------------------------------------------------------------------
+
+Surface mirror(Color color, double specular)
+{
+    return surface_of(color, 0.5, specular, 3);
+}
+
+Color ambient_of(const World *world, int sphere)
+{
+    const Surface *surface = scene_surface(&world->scene, sphere);
+    return surface->diffuse * surface->color * world->scene.ambient;
+}
+
+Color lit_from_the_eye(const World *world, int sphere, Color light)
+{
+    const Surface *surface = scene_surface(&world->scene, sphere);
+    return ambient_of(world, sphere) + surface->diffuse * surface->color * light +
+           surface->specular * light;
+}
+
+Color to_and_fro(Color first, double ks, Color second, double other_ks, int depth)
+{
+    Color sum = vec3_of(0, 0, 0);
+    double share = 1;
+    for (int i = 0; i <= depth; i++) {
+        sum += share * (i % 2 == 0 ? first : second);
+        share *= i % 2 == 0 ? ks : other_ks;
+    }
+    return sum;
+}
+
 // ---- saying it ----------------------------------------------------------------------------------
+
+static void given_light_called(const char *label, const Light *light)
+{
+    given(label, "%s %s, colour %s",
+          light->kind == LIGHT_DISTANT ? "distant, towards" : "point, at",
+          vec3_text_to(light->position, 10).s, vec3_text(light->color).s);
+}
 
 void given_light(const Light *light)
 {
-    given(light->kind == LIGHT_DISTANT ? "distant light" : "point light", "%s %s, colour %s",
-          light->kind == LIGHT_DISTANT ? "direction" : "at", vec3_text_to(light->position, 10).s,
-          vec3_text(light->color).s);
+    given_light_called("light", light);
+}
+
+static void given_lights(const Scene *scene)
+{
+    if (scene->light_count == 0)
+        given("lights", "none");
+    for (int i = 0; i < scene->light_count; i++) {
+        char label[16];
+        snprintf(label, sizeof label, "light %d", i % 100);
+        given_light_called(label, &scene->lights[i]);
+    }
 }
 
 static void given_sphere_number(const Scene *scene, int i, bool with_surface)
@@ -132,10 +179,7 @@ void given_world(const World *world)
     given_spheres(&world->scene, true);
     given("ambient", "%s", vec3_text(world->scene.ambient).s);
     given("background", "%s", vec3_text(world->scene.background).s);
-    if (world->scene.light_count == 0)
-        given("lights", "none");
-    for (int i = 0; i < world->scene.light_count; i++)
-        given_light(&world->lights[i]);
+    given_lights(&world->scene);
 }
 
 void expect_visible(const World *world, vec3 from, Light light, double expected)

@@ -42,6 +42,15 @@ double random_scale(double most);
 // Towards one of the spheres, from anywhere, inside spheres too.
 Ray random_view(const World *world, double size);
 
+// ---- mirrors ------------------------------------------------------------------------------------
+
+Surface mirror(Color color, double specular);
+Color ambient_of(const World *world, int sphere);
+// What a sphere looks like from where the light is, straight ahead.
+Color lit_from_the_eye(const World *world, int sphere, Color light);
+// Two mirrors that face each other: the first, the second in it, the first in that ...
+Color to_and_fro(Color first, double ks, Color second, double other_ks, int depth);
+
 // ---- saying it ----------------------------------------------------------------------------------
 
 void given_world(const World *world);
@@ -66,5 +75,9 @@ void list_tests_of_off_surface(void);
 void list_tests_of_visibility(void);
 void list_tests_of_shade(void);
 void list_tests_of_trace_ray(void);
+// Those of scenes of any size, and random ones.
+void list_more_tests_of_visibility(void);
+void list_more_tests_of_shade(void);
+void list_more_tests_of_trace_ray(void);
 
 #endif

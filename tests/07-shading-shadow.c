@@ -1,6 +1,6 @@
 // 07-shading-shadow.c - tests of visibility: what is between a place and a light.
 //
-// Expected: places on an axis, eclipses by similar triangles, and random scenes in long double.
+// Expected: by hand, mostly on an axis. More of them, random ones, are in 07-shading-scene-any.c.
 #include "tests/07-shading-scene.h"
 
 // One or more spheres on the z axis, given by centre and radius; seen from the origin.
@@ -196,46 +196,6 @@ START_TEST(glass_hides_a_light_like_anything_else)
 }
 END_TEST
 
-// The shadow of a sphere in the light of a point is a cone: its half angle has the sine
-// radius / distance. Places behind the sphere, a little inside that cone and a little outside.
-START_TEST(in_an_eclipse_the_shadow_is_a_cone)
-{
-    for (int i = 0; i < 20; i++) {
-        World world;
-        empty_world(&world);
-        double scale = random_scale(1e6), moon = random_number(0.2, 2), away = random_number(3, 9);
-        vec3 sun = random_vec3(-5, 5), axis = random_unit();
-        vec3 aside = vec3_unit(vec3_cross(axis, random_unit()));
-        double sine = moon / away, tangent = sine / sqrt(1 - sine * sine);
-        double behind = away + random_number(2.1, 9);
-        put_sphere(&world, (sun + away * axis) * scale, moon * scale, dull());
-        Light light = {.position = sun * scale, .color = {1, 1, 1}, .kind = LIGHT_POINT};
-        for (int k = 0; k < 2; k++) {
-            double within = k == 0 ? random_number(0, 0.99) : random_number(1.01, 1.3);
-            vec3 place = sun + behind * axis + within * behind * tangent * aside;
-            expect_visible(&world, place * scale, light, k);
-        }
-    }
-}
-END_TEST
-
-START_TEST(any_spheres_hide_any_light_as_geometry_has_it)
-{
-    double visible;
-    for (int i = 0, seen = 0, hidden = 0; i < 40 || seen < 8 || hidden < 8;) {
-        World world;
-        double size = random_scale(1e6);
-        random_world(&world, 5, 1, size);
-        vec3 from = random_vec3(-6, 6) * size;
-        if (!exact_visibility(&world, from, world.lights[0], &visible))
-            continue;
-        expect_visible(&world, from, world.lights[0], visible);
-        i++;
-        *(visible > 0 ? &seen : &hidden) += 1;
-    }
-}
-END_TEST
-
 void list_tests_of_visibility(void)
 {
     tests_of("visibility");
@@ -258,6 +218,5 @@ void list_tests_of_visibility(void)
     test(what_is_close_to_the_place_hides_a_light_too);
     test(what_is_close_to_a_light_hides_it_too);
     test(glass_hides_a_light_like_anything_else);
-    test(in_an_eclipse_the_shadow_is_a_cone);
-    test(any_spheres_hide_any_light_as_geometry_has_it);
+    list_more_tests_of_visibility();
 }

@@ -34,14 +34,14 @@ static Lit shadowless(Lit l)
 
 typedef Color Give(Lit lit);
 
-static Color shade_with(Give *give, const Scene *scene, int first, int count, Ray ray, Hit hit)
+static Color shade_with(Give *give, const Scene *scene, Ray ray, Hit hit)
 {
     Sphere sphere = scene->spheres[hit.sphere];
     const Surface *s = scene_surface(scene, hit.sphere);
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 normal = normal_turned(sphere, point, ray);
     Color sum = ambient_term(s->color, s->diffuse, scene->ambient);
-    for (int i = first; i < count && i < scene->light_count; i++) {
+    for (int i = 0; i < scene->light_count; i++) {
         Light light = scene->lights[i];
         sum += give((Lit){.scene = scene,
                           .surface = s,
@@ -66,7 +66,7 @@ static Color shade_with(Give *give, const Scene *scene, int first, int count, Ra
     }                                                                                              \
     static Color name(const Scene *scene, Ray ray, Hit hit)                                        \
     {                                                                                              \
-        return shade_with(give_##name, scene, 0, scene->light_count, ray, hit);                    \
+        return shade_with(give_##name, scene, ray, hit);                                           \
     }
 
 GIVES(no_diffuse, return specular_of(l))
@@ -94,87 +94,6 @@ GIVES(eye_for_light, l.to_light = l.to_eye; return both_of(l))
 GIVES(each_clamped, Color sum = both_of(l); for (int i = 0; i < 3; i++) sum[i] = fmin(1, sum[i]);
       return sum)
 GIVES(as_if_all_distant, l.to_light += l.point; return both_of(l))
-
-static Color first_light(const Scene *scene, Ray ray, Hit hit)
-{
-    return shade_with(both_of, scene, 0, 1, ray, hit);
-}
-
-static Color last_light(const Scene *scene, Ray ray, Hit hit)
-{
-    return shade_with(both_of, scene, scene->light_count > 0 ? scene->light_count - 1 : 0,
-                      scene->light_count, ray, hit);
-}
-
-static Color but_the_first(const Scene *scene, Ray ray, Hit hit)
-{
-    return shade_with(both_of, scene, 1, scene->light_count, ray, hit);
-}
-
-static Color but_the_last(const Scene *scene, Ray ray, Hit hit)
-{
-    return shade_with(both_of, scene, 0, scene->light_count - 1, ray, hit);
-}
-
-// Which lights arrive.
-static bool arrives(const Scene *scene, Ray ray, Hit hit, int light)
-{
-    Sphere sphere = scene->spheres[hit.sphere];
-    vec3 point = ray.origin + hit.t * ray.direction;
-    vec3 start = off_surface(sphere, point, normal_turned(sphere, point, ray));
-    return visibility(scene, start, scene->lights[light]) > 0;
-}
-
-static int first_hidden(const Scene *scene, Ray ray, Hit hit)
-{
-    int i = 0;
-    while (i < scene->light_count && arrives(scene, ray, hit, i))
-        i++;
-    return i;
-}
-
-static Color until_one_is_hidden(const Scene *scene, Ray ray, Hit hit)
-{
-    return shade_with(both_of, scene, 0, first_hidden(scene, ray, hit), ray, hit);
-}
-
-static Color ambient_where_any_is_hidden(const Scene *scene, Ray ray, Hit hit)
-{
-    bool all = first_hidden(scene, ray, hit) == scene->light_count;
-    return shade_with(both_of, scene, 0, all ? scene->light_count : 0, ray, hit);
-}
-
-static Color black_in_shadow(const Scene *scene, Ray ray, Hit hit)
-{
-    for (int i = 0; i < scene->light_count; i++)
-        if (arrives(scene, ray, hit, i))
-            return shade(scene, ray, hit);
-    return scene->light_count == 0 ? shade(scene, ray, hit) : vec3_of(0, 0, 0);
-}
-
-static Color black_where_any_is_hidden(const Scene *scene, Ray ray, Hit hit)
-{
-    bool all = first_hidden(scene, ray, hit) == scene->light_count;
-    return all ? shade(scene, ray, hit) : vec3_of(0, 0, 0);
-}
-
-// Ambient light as if it came from each light, and were hidden with it.
-static Color ambient_shadowed(const Scene *scene, Ray ray, Hit hit)
-{
-    const Surface *s = scene_surface(scene, hit.sphere);
-    Color ambient = ambient_term(s->color, s->diffuse, scene->ambient), sum = -ambient;
-    for (int i = 0; i < scene->light_count; i++)
-        sum += arrives(scene, ray, hit, i) ? ambient : vec3_of(0, 0, 0);
-    return shade(scene, ray, hit) + sum;
-}
-
-static Color background_in_shadow(const Scene *scene, Ray ray, Hit hit)
-{
-    for (int i = 0; i < scene->light_count; i++)
-        if (arrives(scene, ray, hit, i))
-            return shade(scene, ray, hit);
-    return scene->background;
-}
 
 const Mistake shade_light_mistakes[] = {
     MISTAKE("L-diffuse", shade, no_diffuse, "no diffuse term",
@@ -236,31 +155,5 @@ const Mistake shade_light_mistakes[] = {
             "only a distant light has a direction; the way to a point light is l - p. And that is "
             "what ray_to_light is for.",
             "light as of the sun, from somewhere beside the lamp"),
-    MISTAKE("L-first", shade, first_light, "the first light only", "all of them add up.",
-            "too dark, shadows of one lamp only"),
-    MISTAKE("L-last", shade, last_light, "the last light only",
-            "each light overwrites the one before. They add up: +=.",
-            "too dark, shadows of one lamp only"),
-    MISTAKE("L-from1", shade, but_the_first, "light 0 left out", "lights are counted from 0.",
-            "the first lamp is off"),
-    MISTAKE("L-but-last", shade, but_the_last, "the last light left out",
-            "counted from 0, the last of n lights has the index n - 1, and it is one of them.",
-            "the last lamp is off"),
-    MISTAKE("L-break", shade, until_one_is_hidden, "lights up to the first that is hidden",
-            "the next one may arrive all the same: go on with it.",
-            "shadows of one lamp darken others"),
-    MISTAKE("L-any", shade, ambient_where_any_is_hidden, "ambient only, where any light is hidden",
-            "a hidden light takes nothing from the others.",
-            "shadows of one lamp where another shines"),
-    MISTAKE("L-black", shade, black_in_shadow, "black where no light arrives",
-            "the ambient light is everywhere, in the shadow too.", "pitch-black shadows"),
-    MISTAKE("L-black-any", shade, black_where_any_is_hidden, "black where any light is hidden",
-            "the ambient light is everywhere; and the other lights may arrive.",
-            "pitch-black shadows, also where another lamp shines"),
-    MISTAKE("L-ambient", shade, ambient_shadowed, "ambient with each light that arrives",
-            "ambient light comes from nowhere and nothing hides it: add it once.",
-            "pitch-black shadows; pale where several lights arrive"),
-    MISTAKE("L-sky", shade, background_in_shadow, "the background where no light arrives",
-            "the surface is still there, in ambient light.", "holes where shadows should be"),
     {0},
 };

@@ -1,6 +1,4 @@
-// 07-shading-scene.h - what wrong answers about a whole scene share: shading with slips.
-//
-// Each place where people slip is a member of Slips; what is not named is right.
+// 07-shading-scene.h - what wrong answers about a whole scene share: where a ray may wrongly start.
 #ifndef TESTS_MISTAKES_07_SHADING_SCENE_H
 #define TESTS_MISTAKES_07_SHADING_SCENE_H
 
@@ -10,7 +8,8 @@
 #include "tests/mistakes/mistakes.h"
 
 extern const Mistake offset_mistakes[], fixed_offset_mistakes[], shadow_mistakes[],
-    shade_mistakes[], shade_light_mistakes[], mirror_mistakes[], mirror_depth_mistakes[];
+    shadow_sphere_mistakes[], shade_mistakes[], shade_light_mistakes[], hidden_light_mistakes[],
+    mirror_mistakes[], seen_mistakes[], mirror_depth_mistakes[];
 
 // ---- where a ray starts -------------------------------------------------------------------------
 
@@ -51,6 +50,12 @@ static inline vec3 start_back_along_the_ray(Sphere sphere, vec3 point, vec3 norm
 STEP(start_a_thousandth_off, 1e-3)
 STEP(start_a_millionth_off, 1e-6)
 STEP(start_a_billionth_off, 1e-9)
+
+// Up to which t something is before the light.
+static inline double reach_of(Light light)
+{
+    return light.kind == LIGHT_DISTANT ? NO_HIT : 1;
+}
 
 // The normal at a hit, on the side from which the ray came.
 static inline vec3 normal_turned(Sphere sphere, vec3 point, Ray ray)

@@ -71,7 +71,7 @@ static void expect_step(vec3 yours, vec3 expected, const ToldCall *call)
     if (near(off[0], 0, tolerance) && near(off[1], 0, tolerance) && near(off[2], 0, tolerance))
         expected = nearest;
     record_now()->closed = false;
-    given("right, too", "from %s to %s times as far from the point as expected",
+    given("as right", "from %s to %s times as far from the point as expected",
           number_text(call->least).s, number_text(call->most).s);
     expect_vec3(yours, expected, tolerance);
 }
