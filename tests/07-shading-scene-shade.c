@@ -187,6 +187,8 @@ START_TEST(inside_a_sphere_the_surface_is_turned_to_the_eye)
     put_light(&world, LIGHT_DISTANT, vec3_of(0, 1, 0), red);
     expect_shade(&world, (Ray){vec3_of(0, 2, 0), vec3_of(0, 2, 0)}, HIT_AT_2,
                  ambient + diffuse(1, yellow) + 0.4 * yellow);
+    expect_shade(&world, (Ray){vec3_of(0, 5, 0), vec3_of(0, 0.5, 0)}, HIT_AT_2,
+                 ambient + diffuse(1, yellow) + 0.4 * yellow);
 }
 END_TEST
 

@@ -14,6 +14,9 @@ void empty_world(World *world)
                            .surfaces = world->surfaces,
                            .surface_count = 1,
                            .lights = world->lights};
+    // What is behind the last light glares, for whoever counts one too far.
+    for (int i = 0; i < MOST_THINGS; i++)
+        world->lights[i] = distant_light(0.3, 0.5, 0.2);
 }
 
 int put_sphere(World *world, vec3 center, double radius, Surface surface)
