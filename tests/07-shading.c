@@ -2,6 +2,8 @@
 // numbers, and vectors that were built from the angles that they must have.
 #include "tests/07-shading.h"
 
+#include "tests/07-shading-scene.h"
+
 void given_color(const char *name, Color color)
 {
     given_vec3(name, color);
@@ -44,4 +46,8 @@ void list_tests(void)
     list_tests_of_phong();
     list_tests_of_halfway();
     list_tests_of_colors();
+    list_tests_of_off_surface();
+    list_tests_of_visibility();
+    list_tests_of_shade();
+    list_tests_of_trace_ray();
 }

@@ -4,7 +4,12 @@
 // are the sphere's centre and radius.
 #include "tests/mistakes/07-shading.h"
 
+#include "tests/mistakes/07-shading-scene.h"
+
 const Mistake *const mistakes[] = {
-    normal_mistakes, light_mistakes,   mirror_mistakes, ambient_mistakes, diffuse_mistakes,
-    phong_mistakes,  halfway_mistakes, clamp_mistakes,  gamma_mistakes,   NULL,
+    normal_mistakes,        light_mistakes,  mirror_mistakes,       ambient_mistakes,
+    diffuse_mistakes,       phong_mistakes,  halfway_mistakes,      clamp_mistakes,
+    gamma_mistakes,         offset_mistakes, fixed_offset_mistakes, shadow_mistakes,
+    shadow_sphere_mistakes, shade_mistakes,  shade_light_mistakes,  hidden_light_mistakes,
+    mirrored_mistakes,      seen_mistakes,   mirror_depth_mistakes, NULL,
 };

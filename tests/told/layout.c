@@ -206,6 +206,12 @@ static bool walk_words(Walk *walk, const char *words)
     return !walk->bad && !walk->wire->bad;
 }
 
+bool layout_is_step(const Layout *layout)
+{
+    return strcmp(layout->arguments, "Sphere vec3 vec3") == 0 &&
+           strcmp(layout->results, "vec3") == 0;
+}
+
 // Where there are fewer roots, the t that are none do not matter.
 static void clear_what_is_no_root(double *roots)
 {

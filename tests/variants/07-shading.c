@@ -1,6 +1,7 @@
 // 07-shading.c - right answers to exercise 07, written otherwise.
 #include "exercises/07-shading.h"
 
+#include "tests/variants/07-shading-scene.h"
 #include "tests/variants/variants.h"
 
 static const Color black = {0, 0, 0};
@@ -215,5 +216,17 @@ const Variant variants[] = {
     VARIANT(clamp_color, clamped_by_a_helper, "a helper function"),
     VARIANT(gamma_encode, encoded_by_logarithms, "by logarithms"),
     VARIANT(gamma_encode, encoded_after_clamping, "clamped first"),
+    VARIANT(off_surface, a_billionth, "1e-9 of the size"),
+    VARIANT(off_surface, as_little_as_allowed, "as little as the contract allows"),
+    VARIANT(off_surface, as_far_as_allowed, "as far as the contract allows"),
+    VARIANT(off_surface, by_the_length_of_the_centre, "the length of the centre for its largest"),
+    VARIANT(off_surface, with_a_loop, "coordinate by coordinate"),
+    VARIANT(visibility, by_the_nearest_hit, "by nearest_hit"),
+    VARIANT(visibility, in_lengths, "unit directions and lengths"),
+    VARIANT(visibility, by_distances, "the distance of each centre from the way"),
+    VARIANT(shade, skipping_hidden_lights, "sums of their own, lights backward"),
+    VARIANT(shade, all_in_one, "all formulas in place"),
+    VARIANT(trace_ray, from_the_last_mirror_back, "unit directions, as far off as allowed"),
+    VARIANT(trace_ray, in_a_loop, "a loop, as little off as allowed"),
     {0},
 };
