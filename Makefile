@@ -130,11 +130,13 @@ endif
 PROGRAMS := $(STEMS:%=$(BUILT)/%)
 chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c)))
 
-# Figures of every chapter show the camera of the first.
+# What later chapters show of earlier ones: the camera in figures, and how a scene is drawn.
 SHOWS_CAMERA := $(B)/chapters/01-corners/plane.o
+DRAWS_SCENES := $(patsubst %,$(B)/chapters/06-ray-casting/%.o,command needs scene_camera)
+shared_objects = $(SHOWS_CAMERA) $(if $(filter 07% 08%,$(1)),$(DRAWS_SCENES))
 
 .SECONDEXPANSION:
-$(PROGRAMS): $(BUILT)/%: $$(sort $$(call chapter_objects,$$*) $(SHOWS_CAMERA)) $(ANSWER_OBJECTS) $(B)/common.a
+$(PROGRAMS): $(BUILT)/%: $$(sort $$(call chapter_objects,$$*) $$(call shared_objects,$$*)) $(ANSWER_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
 
@@ -159,13 +161,24 @@ TRY :=
 #]
 #~ # A picture that needs what is not answered yet is no error: that is said, in one line.
 #~ TRY = .make/draw $@
-CHAPTER_PICTURES := $(filter-out 06%,$(STEMS))
-PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(GENERATED) \
+CHAPTER_PICTURES := $(filter-out 06% 07%,$(STEMS))
+# Light, term by term, and together with the flat one, as on the closing slide.
+TERMS := ambient diffuse specular
+SHADED := still-something-missing $(TERMS:%=07-%)
+PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(SHADED) $(GENERATED) \
 	$(notdir $(basename $(wildcard chapters/06-ray-casting/*.nff))))
 $(CHAPTER_PICTURES:%=$(GALLERY)/%.png): $(GALLERY)/%.png: $(BUILT)/%
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(TRY) $< --picture $@
+$(TERMS:%=$(GALLERY)/07-%.png): $(GALLERY)/07-%.png: chapters/06-ray-casting/three-spheres.nff $(BUILT)/07-shading
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(TRY) $(BUILT)/07-shading --term $* --depth 0 -o $@ $<
+$(GALLERY)/still-something-missing.png: chapters/06-ray-casting/three-spheres.nff $(BUILT)/07-shading
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(TRY) $(BUILT)/07-shading -o $@
 $(GALLERY)/%.png: chapters/06-ray-casting/%.nff $(BUILT)/06-ray-casting
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)
@@ -197,7 +210,7 @@ figure_files = $(call layout_of,$(1)) $(wildcard common/*.gp \
 RIGHT := $(if $(filter-out solutions,$(A)),$(B)/solutions/figures)
 ifneq ($(RIGHT),)
 RIGHT_PROGRAMS := $(STEMS:%=$(B)/solutions/%)
-$(RIGHT_PROGRAMS): $(B)/solutions/%: $$(sort $$(call chapter_objects,$$*) $(SHOWS_CAMERA)) \
+$(RIGHT_PROGRAMS): $(B)/solutions/%: $$(sort $$(call chapter_objects,$$*) $$(call shared_objects,$$*)) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm

@@ -224,9 +224,9 @@ function put(indent, i) {
         print indent "wire_put_image(wire, " variable[i] ");"
     else if (type[i] == "double *")
         print indent "wire_put_doubles(wire, " variable[i] ", image);"
-    else if (type[i] ~ /^(Camera|Sphere)( \*)?$/)
-        print indent "wire_put_" tolower(substr(type[i], 1, 6)) "(wire, " (type[i] ~ /\*$/ ? "" : "&") \
-            variable[i] ");"
+    else if (type[i] ~ /^(Camera( \*)?|Sphere|Light|Hit)$/)
+        print indent "wire_put_" tolower(substr(type[i] " ", 1, index(type[i] " ", " ") - 1)) "(wire, " \
+            (type[i] ~ /\*$/ ? "" : "&") variable[i] ");"
     else if (type[i] ~ /\*$/)
         print indent "wire_put(wire, " variable[i] ", sizeof *" variable[i] ");"
     else

@@ -40,11 +40,7 @@ uint8_t byte_from_color(double c);
 // Colours one pixel. It must lie in the image: where it does not, the program ends, and says so.
 void image_set(Image *image, Pixel pixel, Color color);
 
-// False, and a message, where it is plain before any work that path cannot be written.
-bool image_path_is_writable(const char *path, Message *message);
-
-// Writes a PNG, whole or not at all: on failure an older picture stays as it was. A device
-// or a pipe is written to directly. False, and a message, where it could not.
+// Writes a PNG, whole or not at all (whole_file.h). False, and a message, where it could not.
 bool image_write_png(const Image *image, const char *path, Message *message);
 
 #endif

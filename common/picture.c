@@ -3,6 +3,7 @@
 
 #include "common/answers.h"
 #include "common/options.h"
+#include "common/whole_file.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -26,7 +27,7 @@ int picture_write(const char *path, Resolution size, Color (*color)(Pixel pixel,
 {
     Image image;
     Message message;
-    if (!image_path_is_writable(path, &message) || !image_create(&image, size, &message)) {
+    if (!file_path_is_writable(path, &message) || !image_create(&image, size, &message)) {
         fprintf(stderr, "%s\n", message.text);
         return EXIT_COULD_NOT;
     }

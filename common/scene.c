@@ -123,9 +123,12 @@ static bool read_view_part(Reader *reader, int part)
     }
 }
 
+// NFF leaves the brightness of a light without colour to the program. Until all are counted:
+static const Color not_said = {-1, -1, -1};
+
 static bool read_light(Reader *reader)
 {
-    double n[6] = {0, 0, 0, 1, 1, 1};
+    double n[6] = {0};
     NffLine *line = &reader->line;
     if (line->word_count != 4 && line->word_count != 7)
         return nff_wrong(line, "%d numbers, expected l X Y Z or l X Y Z R G B",
@@ -135,6 +138,8 @@ static bool read_light(Reader *reader)
     Light light = {.position = vec3_of(n[0], n[1], n[2])};
     if (!read_color(line, n + 3, &light.color))
         return false;
+    if (line->word_count == 4)
+        light.color = not_said;
     return APPEND(reader->scene->lights, reader->scene->light_count, light);
 }
 
@@ -220,6 +225,15 @@ static bool is_complete(Reader *reader)
     return true;
 }
 
+// Many lights are not as much brighter as they are many.
+static void set_brightness(Scene *scene)
+{
+    double each = 1 / sqrt(scene->light_count);
+    for (int i = 0; i < scene->light_count; i++)
+        if (scene->lights[i].color[0] == not_said[0])
+            scene->lights[i].color = vec3_of(each, each, each);
+}
+
 static void warn_of_left_out(const Reader *reader, Message *warning)
 {
     if (reader->cones > 0 || reader->polygons > 0)
@@ -244,6 +258,8 @@ bool scene_read(FILE *file, const char *name, Scene *scene, Message *message, Me
     while (good && nff_next(&reader->line))
         good = read_entity(reader);
     good = good && !reader->line.failed && is_complete(reader);
+    scene->ambient = vec3_of(SCENE_AMBIENT, SCENE_AMBIENT, SCENE_AMBIENT);
+    set_brightness(scene);
     warn_of_left_out(reader, warning);
     if (!good)
         scene_free(scene);

@@ -3,7 +3,7 @@
 //   b R G B                       background colour, black until told
 //   v                             viewpoint, then on lines of their own: from X Y Z, at X Y Z,
 //                                 up X Y Z, angle A, hither H, resolution W H
-//   l X Y Z [R G B]               light
+//   l X Y Z [R G B]               light; without a colour white, 1 / sqrt(lights)
 //   f R G B Kd Ks Shine T IoR     fill of the spheres that follow, white until told
 //   s X Y Z R                     sphere
 //   #                             comment, to the end of the line
@@ -20,6 +20,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#define SCENE_AMBIENT 0.1
+
 // Where the picture is taken from. Turning it into a camera is exercise 02.
 typedef struct {
     vec3 from, at, up;
@@ -27,9 +29,14 @@ typedef struct {
     Resolution resolution; // pixels are square
 } Viewpoint;
 
+// A point light stands at its position; a distant one, like the sun, lies in that direction from
+// everywhere. NFF has point lights.
+typedef enum { LIGHT_POINT, LIGHT_DISTANT } LightKind;
+
 typedef struct {
-    vec3 position;
-    Color color;
+    vec3 position; // or the direction to a distant one, any length but 0
+    Color color;   // how bright it is
+    LightKind kind;
 } Light;
 
 // A fill: the colour and what chapter 07 makes of it.
@@ -42,6 +49,7 @@ typedef struct {
 typedef struct {
     Viewpoint view;
     Color background;
+    Color ambient; // light that is everywhere; NFF has none: SCENE_AMBIENT of white
     Sphere *spheres;
     int sphere_count;
     Surface *surfaces; // at least one, white, for what comes before the first f

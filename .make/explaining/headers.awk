@@ -87,7 +87,7 @@ function list_function(line, file,   name, more) {
     gives[name] = bare_type(line)
 }
 
-# Functions of the chapters, other than this one, that make one type of another.
+# Functions of this chapter and of those before it, but this one, that make one type of another.
 function makers(wanted, given, but,   i, name, arguments, found) {
     if (is_number(wanted) || wanted == "vec3" || !(wanted in members))
         return ""
@@ -95,7 +95,8 @@ function makers(wanted, given, but,   i, name, arguments, found) {
         name = functions[i]
         arguments = substr(prototype_of[name], index(prototype_of[name], "("))
         if (name != but && gives[name] == wanted && header_of[name] ~ /^exercises/ &&
-            has_word(arguments, given) && !has_word(arguments, wanted))
+            header_of[name] <= contract && has_word(arguments, given) &&
+            !has_word(arguments, wanted))
             found = found (found == "" ? "" : " or ") name " (" header_of[name] ")"
     }
     return found

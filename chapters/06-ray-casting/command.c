@@ -3,6 +3,7 @@
 
 #include "chapters/06-ray-casting/scene_camera.h"
 #include "common/picture.h"
+#include "common/whole_file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -82,14 +83,15 @@ static bool find_output(Drawing *drawing, const Command *command)
     Message message;
     if (command->output == NULL) {
         if (!gallery_path(drawing->output, sizeof drawing->output, drawing->program,
-                          drawing->scene_path))
+                          command->picture_name != NULL ? command->picture_name
+                                                        : drawing->scene_path))
             return false;
     } else {
         if (strlen(command->output) >= sizeof drawing->output)
             return report("the path of the picture is too long");
         strcpy(drawing->output, command->output);
     }
-    return image_path_is_writable(drawing->output, &message) || report(message.text);
+    return file_path_is_writable(drawing->output, &message) || report(message.text);
 }
 
 // The scene that was found, read, and its camera.

@@ -10,9 +10,10 @@
 #include "common/scene.h"
 
 typedef struct {
-    const char *output;     // -o; NULL: the gallery
-    Resolution size;        // -s; width 0: as the scene says
-    const char *scene_path; // NULL: the chapter's own
+    const char *output;       // -o; NULL: the gallery
+    Resolution size;          // -s; width 0: as the scene says
+    const char *scene_path;   // NULL: the chapter's own
+    const char *picture_name; // without -o, in the gallery; NULL: the scene's
 } Command;
 
 #define COMMAND_OPTIONS(command)                                                                   \

@@ -1,6 +1,7 @@
 // image.c - tests of common/image.c, common/image_png.c and common/screen.h.
 // Expected: the conventions that they declare. What was written is read back by libpng itself.
 #include "common/image.h"
+#include "common/whole_file.h"
 
 #include "tests/judge/test.h"
 
@@ -547,7 +548,7 @@ static bool is_refused_read_only(const Image *image)
         return true;
     return !image_write_png(image, in_folder("new.png").s, &message) &&
            strstr(message.text, strerror(EACCES)) != NULL &&
-           !image_path_is_writable(in_folder("new.png").s, &message) &&
+           !file_path_is_writable(in_folder("new.png").s, &message) &&
            !image_write_png(image, in_folder("old.png").s, &message) &&
            strstr(message.text, strerror(EACCES)) != NULL;
 }
@@ -618,16 +619,16 @@ START_TEST(whether_a_path_can_be_written_is_known_before_any_work)
     folder_begin();
     ck_assert_int_eq(chdir(folder), 0);
     put_file(in_folder("old.png").s, "older");
-    ck_assert(image_path_is_writable(in_folder("old.png").s, &message));
-    ck_assert(image_path_is_writable(in_folder("new.png").s, &message));
-    ck_assert(image_path_is_writable("new.png", &message));
-    ck_assert(image_path_is_writable("/dev/full", &message));
+    ck_assert(file_path_is_writable(in_folder("old.png").s, &message));
+    ck_assert(file_path_is_writable(in_folder("new.png").s, &message));
+    ck_assert(file_path_is_writable("new.png", &message));
+    ck_assert(file_path_is_writable("/dev/full", &message));
     ck_assert_str_eq(message.text, "");
-    ck_assert(!image_path_is_writable(folder, &message));
+    ck_assert(!file_path_is_writable(folder, &message));
     ck_assert_ptr_nonnull(strstr(message.text, "is a folder"));
-    ck_assert(!image_path_is_writable(in_folder("no/a.png").s, &message));
+    ck_assert(!file_path_is_writable(in_folder("no/a.png").s, &message));
     ck_assert_ptr_nonnull(strstr(message.text, strerror(ENOENT)));
-    ck_assert(!image_path_is_writable(in_folder("old.png/").s, &message));
+    ck_assert(!file_path_is_writable(in_folder("old.png/").s, &message));
     ck_assert_ptr_nonnull(strstr(message.text, strerror(ENOTDIR)));
     expect_file(in_folder("old.png").s, "older");
     expect_int(files_in_folder(), 1);
@@ -665,6 +666,6 @@ void list_tests(void)
     test(a_read_only_folder_is_refused_and_the_older_picture_stays);
     test(a_read_only_picture_is_refused_and_stays);
     test(a_write_that_breaks_in_the_middle_leaves_the_older_picture_and_nothing_else);
-    tests_of("image_path_is_writable");
+    tests_of("file_path_is_writable");
     test(whether_a_path_can_be_written_is_known_before_any_work);
 }

@@ -167,7 +167,8 @@ START_TEST(a_light_is_white_or_has_a_colour)
     Scene scene = scene_of("l 1 2 3\n" VIEW "l -4 5 6 0.5 0.25 1\n");
     expect_int(scene.light_count, 2);
     expect_vec3(scene.lights[0].position, vec3_of(1, 2, 3), 0);
-    expect_vec3(scene.lights[0].color, vec3_of(1, 1, 1), 0);
+    // Without a colour white, of two lights the square root of a half.
+    expect_vec3(scene.lights[0].color, vec3_of(sqrt(0.5), sqrt(0.5), sqrt(0.5)), 1e-15);
     expect_vec3(scene.lights[1].position, vec3_of(-4, 5, 6), 0);
     expect_vec3(scene.lights[1].color, vec3_of(0.5, 0.25, 1), 0);
     scene_free(&scene);

@@ -64,7 +64,7 @@ class Text:
     def numbers(self):
         """The numbers that it shows, as it shows them; not those of formulas: w/2, 2 d, ½, 1/2."""
         data = re.sub(r"[^\W\d_]\s?/\s?\d+|\)\s?/\s?\d+|\b1/2\b", " ", self.plain)
-        data = re.sub(r"\b\d+(?:\.\d+)?\s?(?=[^\W\d_](?![^\W\d_]))", " ", data)
+        data = re.sub(r"\b\d+(?:\.\d+)?(?!e[+−]?\d)\s?(?=[^\W\d_](?![^\W\d_]))", " ", data)
         data = re.sub(r"\b\d+(?=[^\W\d_]{2}(?!\w))", " ", data)  # 4ac
         return re.findall(NUMBER, data)
 

@@ -1,8 +1,11 @@
 // same_picture.c - do two PNG files hold the same picture?
 //
 // The same size and the same decoded 8-bit RGB, however each was encoded. Exit status 0 where they
-// do, 1 with the first difference where not, 2 where one cannot be read.
+// do, 1 with the first difference where not, 2 where one cannot be read. ONE.png OTHER.png PIXELS:
+// so many may differ; with MEAN, by more than 1, and all by at most so much on average.
+#include <math.h>
 #include <png.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -22,27 +25,46 @@ static png_bytep read_picture(const char *path, png_image *image)
     return pixels;
 }
 
+// How far apart two pixels are: the largest of three differences of bytes.
+static int apart(const png_byte *a, const png_byte *b)
+{
+    int most = 0;
+    for (int i = 0; i < 3; i++) {
+        int d = abs(a[i] - b[i]);
+        most = d > most ? d : most;
+    }
+    return most;
+}
+
 int main(int argc, char **argv)
 {
-    if (argc != 3) {
-        fprintf(stderr, "Usage: %s ONE.png OTHER.png\n", argv[0]);
+    if (argc < 3 || argc > 5) {
+        fprintf(stderr, "Usage: %s ONE.png OTHER.png [PIXELS [MEAN]]\n", argv[0]);
         return 2;
     }
+    long allowed = argc > 3 ? atol(argv[3]) : 0;
+    double most_mean = argc > 4 ? atof(argv[4]) : NAN;
     png_image one, other;
     png_bytep a = read_picture(argv[1], &one), b = read_picture(argv[2], &other);
-    int status = 0;
-    if (one.width != other.width || one.height != other.height) {
+    bool same = one.width == other.width && one.height == other.height;
+    if (!same)
         printf("%u x %u pixels against %u x %u\n", one.width, one.height, other.width,
                other.height);
-        status = 1;
+    size_t pixels = (size_t)one.width * one.height, first = 0;
+    long different = 0;
+    double sum = 0;
+    for (size_t i = 0; same && i < pixels; i++) {
+        int d = apart(a + 3 * i, b + 3 * i);
+        sum += d;
+        if (d > (isnan(most_mean) ? 0 : 1) && different++ == 0)
+            first = i;
     }
-    for (size_t i = 0; status == 0 && i < PNG_IMAGE_SIZE(one); i++)
-        if (a[i] != b[i]) {
-            size_t pixel = i / 3;
-            printf("differ first in column %zu, row %zu\n", pixel % one.width, pixel / one.width);
-            status = 1;
-        }
+    if (different > allowed || sum / (double)pixels > most_mean) {
+        printf("%ld pixels differ, first in column %zu, row %zu; by %g on average\n", different,
+               first % one.width, first / one.width, sum / (double)pixels);
+        same = false;
+    }
     free(a);
     free(b);
-    return status;
+    return same ? 0 : 1;
 }

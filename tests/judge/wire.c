@@ -54,7 +54,7 @@ bool wire_is_read(const Wire *wire)
 
 static void put_zeros_behind(Wire *wire, const void *value, size_t used, size_t size)
 {
-    static const uint8_t zeros[16];
+    static const uint8_t zeros[32];
     wire_put(wire, value, used);
     wire_put(wire, zeros, size - used);
 }
@@ -71,16 +71,20 @@ void wire_put_sphere(Wire *wire, const Sphere *sphere)
                      sizeof *sphere);
 }
 
+void wire_put_hit(Wire *wire, const Hit *hit)
+{
+    put_zeros_behind(wire, hit, offsetof(Hit, sphere) + sizeof hit->sphere, sizeof *hit);
+}
+
+void wire_put_light(Wire *wire, const Light *light)
+{
+    put_zeros_behind(wire, light, offsetof(Light, kind) + sizeof light->kind, sizeof *light);
+}
+
 static void put_surface(Wire *wire, const Surface *surface)
 {
     put_zeros_behind(wire, surface, offsetof(Surface, refraction) + sizeof surface->refraction,
                      sizeof *surface);
-}
-
-static void put_items(Wire *wire, const void *items, int count, size_t size)
-{
-    wire_put(wire, &count, sizeof count);
-    wire_put(wire, items, (size_t)count * size);
 }
 
 static void *get_items(Wire *wire, int *count, size_t size)
@@ -105,13 +109,16 @@ void wire_put_scene(Wire *wire, const Scene *scene)
 {
     wire_put(wire, &scene->view, sizeof scene->view);
     wire_put(wire, &scene->background, sizeof scene->background);
+    wire_put(wire, &scene->ambient, sizeof scene->ambient);
     wire_put(wire, &scene->sphere_count, sizeof scene->sphere_count);
     for (int i = 0; i < scene->sphere_count; i++)
         wire_put_sphere(wire, &scene->spheres[i]);
     wire_put(wire, &scene->surface_count, sizeof scene->surface_count);
     for (int i = 0; i < scene->surface_count; i++)
         put_surface(wire, &scene->surfaces[i]);
-    put_items(wire, scene->lights, scene->light_count, sizeof *scene->lights);
+    wire_put(wire, &scene->light_count, sizeof scene->light_count);
+    for (int i = 0; i < scene->light_count; i++)
+        wire_put_light(wire, &scene->lights[i]);
 }
 
 void wire_get_scene(Wire *wire, Scene *scene)
@@ -119,6 +126,7 @@ void wire_get_scene(Wire *wire, Scene *scene)
     *scene = (Scene){0};
     wire_get(wire, &scene->view, sizeof scene->view);
     wire_get(wire, &scene->background, sizeof scene->background);
+    wire_get(wire, &scene->ambient, sizeof scene->ambient);
     scene->spheres = get_items(wire, &scene->sphere_count, sizeof *scene->spheres);
     scene->surfaces = get_items(wire, &scene->surface_count, sizeof *scene->surfaces);
     scene->lights = get_items(wire, &scene->light_count, sizeof *scene->lights);

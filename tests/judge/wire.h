@@ -7,6 +7,7 @@
 
 #include "common/camera.h"
 #include "common/image.h"
+#include "common/ray.h"
 #include "common/scene.h"
 
 #include <stdbool.h>
@@ -57,6 +58,8 @@ bool wire_is_read(const Wire *wire); // to its end, and nothing was bad
 // What ends in padding: the padding crosses as zeros, or it could carry what the judge had there.
 void wire_put_camera(Wire *wire, const Camera *camera);
 void wire_put_sphere(Wire *wire, const Sphere *sphere);
+void wire_put_light(Wire *wire, const Light *light);
+void wire_put_hit(Wire *wire, const Hit *hit);
 
 void wire_put_scene(Wire *wire, const Scene *scene);
 void wire_get_scene(Wire *wire, Scene *scene); // free it with scene_free

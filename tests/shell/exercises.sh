@@ -181,8 +181,8 @@ for solution in solutions/*.c; do
 done
 check 'the solutions are judged right' judge
 check 'and the end of the road is said' says 'You have written a ray caster.'
-check 'with the picture drawn' says 'three-spheres.png'
-check 'and drawn by their code' test -s "build$answers/gallery/three-spheres.png"
+check 'with the picture drawn' says 'still-something-missing.png'
+check 'and drawn by their code' test -s "build$answers/gallery/still-something-missing.png"
 
 rm -rf "${BUILD:?}$answers"
 finish exercises

@@ -61,6 +61,21 @@ static void expect_ray(Ray yours, Ray expected, const ToldCall *call)
     expect_vec3(yours.direction, expected.direction, tolerance);
 }
 
+// As far as the right step, or some times as far.
+static void expect_step(vec3 yours, vec3 expected, const ToldCall *call)
+{
+    double tolerance = call->tolerance;
+    vec3 from = vec3_at(&call->arguments, STEP_FROM), step = expected - from;
+    double times = vec3_dot(yours - from, step) / vec3_dot(step, step);
+    vec3 nearest = from + fmin(fmax(times, call->least), call->most) * step, off = yours - nearest;
+    if (near(off[0], 0, tolerance) && near(off[1], 0, tolerance) && near(off[2], 0, tolerance))
+        expected = nearest;
+    record_now()->closed = false;
+    given("as right", "from %s to %s times as far from the point as expected",
+          number_text(call->least).s, number_text(call->most).s);
+    expect_vec3(yours, expected, tolerance);
+}
+
 // Any reason that the test takes for right; and then the camera, which stays as it was where it is
 // refused.
 static void expect_fault_and_camera(const Numbers *yours, const ToldCall *call)
@@ -125,6 +140,8 @@ void told_expect(const char *results, const ToldCall *call, const Numbers *yours
         record_how(HOW_CRASHED, "answered with what is no answer");
     if (strcmp(results, "double") == 0) {
         expect_number(yours->at[0], expected->at[0], tolerance);
+    } else if (call->most > 0) {
+        expect_step(vec3_at(yours, 0), vec3_at(expected, 0), call);
     } else if (strcmp(results, "vec3") == 0) {
         expect_vec3(vec3_at(yours, 0), vec3_at(expected, 0), tolerance);
     } else if (strcmp(results, "Camera") == 0) {

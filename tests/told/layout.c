@@ -58,7 +58,7 @@ static const Type types[] = {
                      V(Corners, lower_right)}},
     {TYPE(Viewpoint), {V(Viewpoint, from), V(Viewpoint, at), V(Viewpoint, up), D(Viewpoint, angle),
                        I(Viewpoint, resolution.width), I(Viewpoint, resolution.height)}},
-    {TYPE(Light), {V(Light, position), V(Light, color)}},
+    {TYPE(Light), {V(Light, position), V(Light, color), I(Light, kind)}},
     {TYPE(Surface), {V(Surface, color), D(Surface, diffuse), D(Surface, specular),
                      D(Surface, shine), D(Surface, transmittance), D(Surface, refraction)}},
 };
@@ -180,6 +180,7 @@ static void walk_word(Walk *walk, const char *name)
     if (strcmp(name, "Scene") == 0) {
         walk_type(walk, "Viewpoint", NULL);
         walk_type(walk, "vec3", NULL);
+        walk_type(walk, "vec3", NULL);
         walk_items(walk, "Sphere");
         walk_items(walk, "Surface");
         walk_items(walk, "Light");
@@ -203,6 +204,12 @@ static bool walk_words(Walk *walk, const char *words)
     for (; sscanf(words, " %31s%n", name, &used) == 1; words += used)
         walk_word(walk, name);
     return !walk->bad && !walk->wire->bad;
+}
+
+bool layout_is_step(const Layout *layout)
+{
+    return strcmp(layout->arguments, "Sphere vec3 vec3") == 0 &&
+           strcmp(layout->results, "vec3") == 0;
 }
 
 // Where there are fewer roots, the t that are none do not matter.

@@ -24,6 +24,10 @@ typedef struct {
 
 extern const Layout layouts[];
 
+// Whether what comes out is a point of a sphere, moved; that point begins at this argument.
+enum { STEP_FROM = 5 };
+bool layout_is_step(const Layout *layout);
+
 // From a message to numbers and back. size is the image's: found among the arguments, needed for
 // the results. False where the message is not of these types.
 bool layout_read(const char *types, Wire *wire, Resolution *size, Numbers *numbers);

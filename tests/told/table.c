@@ -16,7 +16,7 @@ typedef struct {
 // What is said of a mistake is for who makes it: not for reading the file.
 enum { UNREAD = 0xd5 };
 
-static const char magic[] = "ray casting, told: 2";
+static const char magic[] = "ray casting, told: 3";
 enum { MOST_COUNT = 1 << 24, SMALL = 248, WIDE = 255 };
 
 void *told_grow(void *items, int *count, size_t size)
@@ -154,6 +154,8 @@ static void carry_call(Stream *stream, ToldCall *call)
     carry_number(stream, &call->tolerance);
     carry_count(stream, &call->reasons);
     carry_count(stream, &call->length_is_free);
+    carry_number(stream, &call->least);
+    carry_number(stream, &call->most);
     carry_numbers(stream, &call->corners);
     stream->bad = stream->bad || call->result_count == 0;
 }

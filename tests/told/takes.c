@@ -76,13 +76,38 @@ static bool length_is_free(const ToldTest *test, int call)
     return free;
 }
 
+static bool accepts_step(const ToldTest *test, int call, double times)
+{
+    Numbers result = copy_of(&test->calls[call].results[0]);
+    const double *from = test->calls[call].arguments.at + STEP_FROM;
+    for (int i = 0; i < result.count; i++)
+        result.at[i] = from[i] + times * (result.at[i] - from[i]);
+    bool accepted = asked_again(test, call, &result);
+    numbers_free(&result);
+    return accepted;
+}
+
+// By powers of 2, as the contract has it.
+static void steps_of(const ToldTest *test, int call, double *least, double *most)
+{
+    const double end = 256;
+    *least = *most = 1;
+    while (*least > 1 / end && accepts_step(test, call, *least / 2))
+        *least /= 2;
+    while (*most < end && accepts_step(test, call, *most * 2))
+        *most *= 2;
+}
+
 void takes_for_right(ToldTest *test)
 {
-    const char *results = layouts[exercise_number(test->function)].results;
+    const Layout *layout = &layouts[exercise_number(test->function)];
+    const char *results = layout->results;
     for (int i = 0; i < test->call_count; i++) {
         ToldCall *call = &test->calls[i];
         if (strcmp(results, "Ray") == 0)
             call->length_is_free = length_is_free(test, i);
+        if (layout_is_step(layout))
+            steps_of(test, i, &call->least, &call->most);
         if (strncmp(results, "CameraFault", 11) == 0)
             call->reasons = reasons_of(test, i);
         if (strcmp(results, "Pixels") != 0 && strcmp(results, "CameraFault") != 0)

@@ -21,6 +21,7 @@ typedef struct {
     double tolerance;   // within which the test takes a number for right; absolute
     int reasons;        // which CameraFaults it takes for right, a bit each
     int length_is_free; // whether it takes the direction of a ray for right in any length
+    double least, most; // of a step from a point: how many times as far is right, too; else 0
     Numbers corners;    // of the image plane, from the eye, where a vector to it is asked for
 } ToldCall;
 

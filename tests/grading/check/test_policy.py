@@ -12,7 +12,7 @@ import policy
 
 # What the course asks: functions of each chapter, counted by hand.
 COUNTS = {"01-corners": 5, "02-cameras": 5, "03-screen": 3, "04-pixel-ray": 1, "05-quadratic": 6,
-          "06-ray-casting": 3}
+          "06-ray-casting": 3, "07-shading": 13}
 DUE = int(datetime(2025, 11, 14, 22, 59, tzinfo=timezone.utc).timestamp())
 HOUR = 3600
 
@@ -54,7 +54,7 @@ class Table(Scratch):
         self.assertEqual(known[0], exercises.Exercise(
             "01-corners", "upper_left", "Finding vectors from the eye",
             "Give an expression for the upper left corner."))
-        self.assertEqual(known[-1].name, "cast_object_order")
+        self.assertEqual(known[-1].name, "gamma_encode")
 
     def test_a_line_that_is_no_exercise_is_an_error(self):
         self.file.write_text("# title\n01-a | int f(void) | slide\n")
@@ -65,8 +65,8 @@ class Points(Scratch):
     def test_the_policy_of_the_house_is_a_hundred_points(self):
         known = exercises.read()
         ours = policy.load(policy.DEFAULT, known)
-        each = {"01-corners": 3, "02-cameras": 4, "03-screen": 4, "04-pixel-ray": 7,
-                "05-quadratic": 5, "06-ray-casting": 7}
+        each = {"01-corners": 2, "02-cameras": 3, "03-screen": 3, "04-pixel-ray": 5,
+                "05-quadratic": 4, "06-ray-casting": 5, "07-shading": 2}
         for exercise in known:
             given = exercise.name == "sphere_roots"  # made of the student's other answers
             self.assertEqual(policy.points(ours, exercise.stem, exercise.name),

@@ -1,0 +1,79 @@
+// render.c - a shaded picture, by the answers of chapters 04 and 07.
+#include "chapters/07-shading/render.h"
+
+#include "chapters/06-ray-casting/needs.h"
+#include "common/answers.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/07-shading.h"
+
+void keep_term(Scene *scene, Term term)
+{
+    if (term == TERM_AMBIENT || term == TERM_FLAT)
+        scene->light_count = 0;
+    if (term == TERM_DIFFUSE || term == TERM_SPECULAR)
+        scene->ambient = vec3_of(0, 0, 0);
+    if (term == TERM_FLAT)
+        scene->ambient = vec3_of(1, 1, 1);
+    for (int i = 0; i < scene->surface_count && term != TERM_ALL; i++) {
+        Surface *surface = &scene->surfaces[i];
+        surface->diffuse = term == TERM_FLAT ? 1 : term == TERM_SPECULAR ? 0 : surface->diffuse;
+        surface->specular = term == TERM_SPECULAR ? surface->specular : 0;
+    }
+}
+
+// A sample is a pixel of a finer screen.
+static Color color_of_pixel(const Scene *scene, Camera camera, Style style, Resolution screen,
+                            Pixel pixel)
+{
+    int n = style.samples;
+    Resolution fine = {screen.width * n, screen.height * n};
+    Color sum = vec3_of(0, 0, 0);
+    for (int i = 0; i < n * n; i++) {
+        Pixel sample = {pixel.column * n + i % n, pixel.row * n + i / n};
+        sum += clamp_color(trace_ray(scene, pixel_ray(camera, fine, sample), style.depth));
+    }
+    Color mean = sum / (n * n);
+    return style.gamma == 1 ? mean : gamma_encode(mean, style.gamma);
+}
+
+void render(const Scene *scene, Camera camera, Style style, Image *image)
+{
+    for (int row = 0; row < image->size.height; row++)
+        for (int column = 0; column < image->size.width; column++) {
+            Pixel pixel = {column, row};
+            image_set(image, pixel, color_of_pixel(scene, camera, style, image->size, pixel));
+        }
+}
+
+bool shading_needs_are_met(void)
+{
+    const Light lamp = {.position = vec3_of(0, 9, -9), .color = vec3_of(1, 1, 1)};
+    Surface white = {.color = vec3_of(1, 1, 1), .diffuse = 1, .specular = 1};
+    Sphere ball = {.center = vec3_of(0, 0, 0), .radius = 1};
+    Light light = lamp;
+    Scene scene = {.spheres = &ball,
+                   .sphere_count = 1,
+                   .surfaces = &white,
+                   .surface_count = 1,
+                   .lights = &light,
+                   .light_count = 1};
+    Ray ray = {vec3_of(0, 0, -4), vec3_of(0, 0, 1)};
+    vec3 point = vec3_of(0, 0, -1), normal = surface_normal(ball, point);
+    Color white_light = lamp.color;
+
+    ray_to_light(point, lamp);
+    ambient_term(white.color, 1, white_light);
+    diffuse_term(white.color, 1, white_light, normal, lamp.position);
+    mirror_direction(ray.direction, normal);
+    phong_term(1, 1, white_light, normal, lamp.position, -ray.direction);
+    off_surface(ball, point, normal);
+    visibility(&scene, point, lamp);
+    shade(&scene, ray, (Hit){3, 0});
+    clamp_color(trace_ray(&scene, ray, 1));
+    bool met = answers_missing() == 0;
+    answers_forget();
+    if (met)
+        return picture_needs_are_met(IMAGE_ORDER);
+    shade(&scene, ray, (Hit){3, 0});
+    return false;
+}

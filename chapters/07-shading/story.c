@@ -1,0 +1,73 @@
+// story.c - the light at one point, in numbers: normal, light vector, each term, their sum.
+#include "chapters/07-shading/story.h"
+
+#include "common/story.h"
+#include "common/text.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/06-ray-casting.h"
+#include "exercises/07-shading.h"
+
+#include <stdio.h>
+
+static void tell_light(const Scene *scene, int i, Ray ray, vec3 point, vec3 normal, vec3 start,
+                       const Surface *surface)
+{
+    Light light = scene->lights[i];
+    vec3 to_light = ray_to_light(point, light).direction;
+    double arrives = visibility(scene, start, light);
+    story_heading("Light %d, %s", i + 1, vec3_text(light.color).s);
+    story_line("from the point to it", "%s, unit %s", vec3_text(to_light).s,
+               vec3_text_to(vec3_unit(to_light), 4).s);
+    story_line("arrives", "%s", arrives > 0 ? "yes" : "no: something is in between");
+    story_line("cosine with the normal", "%s",
+               number_text(vec3_dot(normal, vec3_unit(to_light))).s);
+    story_line("diffuse", "%s",
+               vec3_text_to(diffuse_term(surface->color, surface->diffuse, light.color * arrives,
+                                         normal, to_light),
+                            4)
+                   .s);
+    story_line("specular, Phong", "%s",
+               vec3_text_to(phong_term(surface->specular, surface->shine, light.color * arrives,
+                                       normal, to_light, -ray.direction),
+                            4)
+                   .s);
+    story_line("specular, half-way", "%s",
+               vec3_text_to(halfway_term(surface->specular, surface->shine, light.color * arrives,
+                                         normal, to_light, -ray.direction),
+                            4)
+                   .s);
+}
+
+void tell_shading(const Drawing *drawing, Pixel pixel)
+{
+    const Scene *scene = &drawing->scene;
+    Resolution screen = drawing->image.size;
+    Ray ray = pixel_ray(drawing->camera, screen, pixel);
+    Hit hit = nearest_hit(ray, scene);
+    printf("07-shading: light, and what a surface makes of it\n");
+    story_heading("What pixel (%d, %d) sees", pixel.column, pixel.row);
+    if (hit.sphere < 0) {
+        story_line("nothing", "the background, %s", vec3_text(scene->background).s);
+        return;
+    }
+    Sphere sphere = scene->spheres[hit.sphere];
+    const Surface *surface = scene_surface(scene, hit.sphere);
+    vec3 point = ray.origin + hit.t * ray.direction;
+    vec3 normal = surface_normal(sphere, point);
+    vec3 start = off_surface(sphere, point, normal);
+    story_line("sphere", "%c, t = %s", 'A' + hit.sphere % 26, number_text(hit.t).s);
+    story_line("point", "%s", vec3_text(point).s);
+    story_line("normal", "%s", vec3_text(normal).s);
+    story_line("off the surface by", "%s", number_text(vec3_length(start - point)).s);
+    story_line("colour, Kd, Ks, Shine", "%s, %s, %s, %s", vec3_text(surface->color).s,
+               number_text(surface->diffuse).s, number_text(surface->specular).s,
+               number_text(surface->shine).s);
+    story_line("ambient", "%s",
+               vec3_text(ambient_term(surface->color, surface->diffuse, scene->ambient)).s);
+    for (int i = 0; i < scene->light_count; i++)
+        tell_light(scene, i, ray, point, normal, start, surface);
+    story_heading("Together");
+    story_line("shade", "%s", vec3_text_to(shade(scene, ray, hit), 4).s);
+    story_line("with mirrors", "%s", vec3_text_to(trace_ray(scene, ray, 5), 4).s);
+    story_line("clamped", "%s", vec3_text_to(clamp_color(trace_ray(scene, ray, 5)), 4).s);
+}

@@ -1,0 +1,10 @@
+// story.h - the light at one point, in numbers.
+#ifndef CHAPTERS_07_SHADING_STORY_H
+#define CHAPTERS_07_SHADING_STORY_H
+
+#include "chapters/06-ray-casting/command.h"
+
+// What the ray of a pixel sees, term by term.
+void tell_shading(const Drawing *drawing, Pixel pixel);
+
+#endif

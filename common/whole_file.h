@@ -1,0 +1,23 @@
+// whole_file.h - files that are written whole or not at all.
+//
+// What is new is written beside its place under another name and renamed when it is complete, so
+// that whoever looks sees the old file or the new one, never half of one.
+#ifndef COMMON_WHOLE_FILE_H
+#define COMMON_WHOLE_FILE_H
+
+#include "common/text.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+// Writes what is given to a file. False, and a message that names path, where it could not.
+typedef bool FileWriter(FILE *file, const void *given, const char *path, Message *message);
+
+// False, and a message, where it is plain before any work that path cannot be written.
+bool file_path_is_writable(const char *path, Message *message);
+
+// On failure an older file stays as it was. A device or a pipe is written to directly. False, and a
+// message, where it could not.
+bool file_write_whole(const char *path, FileWriter *write, const void *given, Message *message);
+
+#endif

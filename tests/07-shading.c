@@ -1,0 +1,53 @@
+// 07-shading.c - tests of exercise 07. Expected: terms worked by hand with cosines that are short
+// numbers, and vectors that were built from the angles that they must have.
+#include "tests/07-shading.h"
+
+#include "tests/07-shading-scene.h"
+
+void given_color(const char *name, Color color)
+{
+    given_vec3(name, color);
+}
+
+void given_light(Light light)
+{
+    given("light", "%s %s, colour %s", light.kind == LIGHT_POINT ? "point, at" : "distant, towards",
+          vec3_text_to(light.position, 10).s, vec3_text_to(light.color, 10).s);
+}
+
+Sphere sphere_at(double x, double y, double z, double radius)
+{
+    return (Sphere){.center = vec3_of(x, y, z), .radius = radius};
+}
+
+Color random_color(double low, double high)
+{
+    return random_vec3(low, high);
+}
+
+vec3 random_across(vec3 unit)
+{
+    for (;;) {
+        vec3 across = vec3_cross(unit, random_unit());
+        if (vec3_length(across) > 0.1)
+            return vec3_unit(across);
+    }
+}
+
+vec3 turned(vec3 from, double degrees, vec3 towards)
+{
+    return cos(degrees * PI / 180) * from + sin(degrees * PI / 180) * towards;
+}
+
+void list_tests(void)
+{
+    list_tests_of_vectors();
+    list_tests_of_terms();
+    list_tests_of_phong();
+    list_tests_of_halfway();
+    list_tests_of_colors();
+    list_tests_of_off_surface();
+    list_tests_of_visibility();
+    list_tests_of_shade();
+    list_tests_of_trace_ray();
+}

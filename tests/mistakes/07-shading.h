@@ -1,0 +1,18 @@
+// 07-shading.h - what the wrong answers to exercise 07 share.
+#ifndef TESTS_MISTAKES_07_SHADING_H
+#define TESTS_MISTAKES_07_SHADING_H
+
+#include "exercises/07-shading.h"
+
+#include "tests/mistakes/mistakes.h"
+
+extern const Mistake normal_mistakes[], light_mistakes[], mirror_mistakes[], ambient_mistakes[],
+    diffuse_mistakes[], phong_mistakes[], halfway_mistakes[], clamp_mistakes[], gamma_mistakes[];
+
+// All three alike.
+static inline vec3 grey(double x)
+{
+    return vec3_of(x, x, x);
+}
+
+#endif
