@@ -153,7 +153,7 @@ int main(int argc, char **argv)
         options_wrong(argv[0], "--explain: (%d, %d) is not in a picture of %d x %d", pixel.column,
                       pixel.row, drawing.image.size.width, drawing.image.size.height);
     if (argc == 1 || pixel.column >= 0)
-        tell_shading(&drawing, argc == 1 ? in_the_light : pixel);
+        tell_shading(&drawing, argc == 1 ? in_the_light : pixel, style.depth);
     if (pixel.column >= 0)
         return story_end();
     keep_term(scene, flat ? TERM_FLAT : term);

@@ -38,7 +38,7 @@ static void tell_light(const Scene *scene, int i, Ray ray, vec3 point, vec3 norm
                    .s);
 }
 
-void tell_shading(const Drawing *drawing, Pixel pixel)
+void tell_shading(const Drawing *drawing, Pixel pixel, int depth)
 {
     const Scene *scene = &drawing->scene;
     Resolution screen = drawing->image.size;
@@ -68,6 +68,6 @@ void tell_shading(const Drawing *drawing, Pixel pixel)
         tell_light(scene, i, ray, point, normal, start, surface);
     story_heading("Together");
     story_line("shade", "%s", vec3_text_to(shade(scene, ray, hit), 4).s);
-    story_line("with mirrors", "%s", vec3_text_to(trace_ray(scene, ray, 5), 4).s);
-    story_line("clamped", "%s", vec3_text_to(clamp_color(trace_ray(scene, ray, 5)), 4).s);
+    story_line("with mirrors", "%s", vec3_text_to(trace_ray(scene, ray, depth), 4).s);
+    story_line("clamped", "%s", vec3_text_to(clamp_color(trace_ray(scene, ray, depth)), 4).s);
 }

@@ -4,7 +4,7 @@
 
 #include "chapters/06-ray-casting/command.h"
 
-// What the ray of a pixel sees, term by term.
-void tell_shading(const Drawing *drawing, Pixel pixel);
+// What the ray of a pixel sees, term by term, and through so many mirrors.
+void tell_shading(const Drawing *drawing, Pixel pixel, int depth);
 
 #endif

@@ -104,4 +104,31 @@ if command -v python3 >/dev/null; then
 else
     echo 'skipped: the reader of pbrt files, which needs Python'
 fi
+
+# The lesson's last picture takes too long to be drawn here: some pixels of it.
+pixels_of_the_lesson() {
+    for pixel in 240,180 130,140 330,250 200,300 10,10; do
+        "$program" -s 480x360 --depth 3 --explain $pixel "$BUILD/scenes/sphereflake-7381.nff" >"$scratch/told" || return 1
+        PIXEL=$pixel python3 - "$scratch/told" <<'PY' || return 1
+import os
+import re
+import sys
+sys.path.insert(0, "tests/figures")
+import png
+column, row = map(int, os.environ["PIXEL"].split(","))
+at = 3 * (row * 480 + column)
+drawn = png.pixels("chapters/07-shading/sphereflake.png")[at:at + 3]
+with open(sys.argv[1]) as told:
+    color = re.findall(r"(?:clamped|background,) +\((.*)\)", told.read())[-1]
+wanted = [255 * float(part) for part in color.split(",")]
+print(column, row, list(drawn), wanted)
+sys.exit(max(abs(a - b) for a, b in zip(drawn, wanted)) > 1)
+PY
+    done
+}
+if command -v python3 >/dev/null; then
+    check "the lesson's last picture is what the program draws" pixels_of_the_lesson
+else
+    echo 'skipped: pixels of the last picture, which need Python'
+fi
 finish shading
