@@ -311,6 +311,13 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
+# Every engine of chapter 08 against the first.
+ENGINES := $(B)/tests/fast/same
+$(ENGINES): $(ENGINES).o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
+
 SAME := $(B)/tests/same_picture
 $(B)/tests/judge/same_picture.o: EXTRA = $(PNG_CFLAGS)
 $(SAME): $(B)/tests/judge/same_picture.o
@@ -377,7 +384,7 @@ CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v py
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
-CHECKS := $(COMMON_TESTS) $(TESTS) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
+CHECKS := $(COMMON_TESTS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
 FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)

@@ -12,8 +12,6 @@
 
 #include <stdlib.h>
 
-enum { DEEPEST = 128 };
-
 typedef struct {
     const Work *work;
     const Paint *paints;
@@ -47,19 +45,21 @@ static Hit ask_leaf(const ByRay *by_ray, const Node *leaf, Ray ray, Hit nearest)
 
 static Hit nearest_on_the_way(const ByRay *by_ray, Ray ray)
 {
+    if (by_ray->work->scene->sphere_count == 0)
+        return (Hit){NO_HIT, -1};
     const Node *nodes = by_ray->hierarchy.nodes;
     vec3 inverse = vec3_of(1, 1, 1) / ray.direction;
     struct {
         int node;
         double entry;
-    } waiting[DEEPEST];
+    } waiting[HIERARCHY_DEEPEST];
     int count = 0, node = 0;
     Hit nearest = {NO_HIT, -1};
     double enters = entry(&nodes[0].box, ray.origin, inverse);
     for (;;) {
         // A box may begin a rounding behind a hit in it.
         if (enters < NO_HIT && enters <= nearest.t * (1 + 1e-9)) {
-            if (nodes[node].count > 0 || count + 1 >= DEEPEST) {
+            if (nodes[node].count > 0) {
                 nearest = ask_leaf(by_ray, &nodes[node], ray, nearest);
             } else {
                 int near = node + 1, far = nodes[node].first;

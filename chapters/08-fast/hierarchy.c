@@ -4,7 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { BINS = 16, LEAF = 4 };
+// Deeper than DEEP it is cut into halves, so that no hierarchy is deeper than HIERARCHY_DEEPEST.
+enum { BINS = 16, LEAF = 4, DEEP = 64 };
 
 typedef struct {
     Hierarchy *hierarchy;
@@ -118,7 +119,7 @@ static int divide(const Builder *builder, Cut cut, int first, int count)
     return front - first;
 }
 
-static void build(const Builder *builder, int first, int count)
+static void build(const Builder *builder, int first, int count, int depth)
 {
     Hierarchy *hierarchy = builder->hierarchy;
     Node *node = &hierarchy->nodes[hierarchy->node_count++];
@@ -137,11 +138,11 @@ static void build(const Builder *builder, int first, int count)
     bool worth = cut.cost + surface(node->box) < count * surface(node->box);
     if (count <= LEAF && !worth)
         return;
-    int half = isfinite(cut.cost) ? divide(builder, cut, first, count) : count / 2;
+    int half = isfinite(cut.cost) && depth < DEEP ? divide(builder, cut, first, count) : count / 2;
     node->count = 0;
-    build(builder, first, half);
+    build(builder, first, half, depth + 1);
     node->first = hierarchy->node_count;
-    build(builder, first + half, count - half);
+    build(builder, first + half, count - half, depth + 1);
 }
 
 bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene)
@@ -156,7 +157,7 @@ bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene)
     for (int i = 0; i < scene->sphere_count; i++)
         hierarchy->order[i] = i;
     Builder builder = {hierarchy, scene->spheres};
-    build(&builder, 0, scene->sphere_count);
+    build(&builder, 0, scene->sphere_count, 0);
     return true;
 }
 

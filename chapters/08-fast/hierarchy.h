@@ -28,6 +28,9 @@ typedef struct {
     int *order; // indices of the scene's spheres
 } Hierarchy;
 
+// How many boxes in one another there are at most.
+enum { HIERARCHY_DEEPEST = 128 };
+
 // False where memory is short. Boxes are a little larger than their spheres: what rounding lets a
 // ray hit lies in them, too.
 bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene);
