@@ -129,7 +129,24 @@ endif
 
 # Chapter 08 asks nothing: it is the answers of the others, faster.
 PROGRAMS := $(patsubst %,$(BUILT)/%,$(STEMS) 08-fast)
-chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c)))
+chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c %_lanes.c,$(wildcard \
+	chapters/$(1)/*.c))) $(foreach k,$(LANES_KINDS),$(patsubst %.c,$(B)/%.$(k).o,$(wildcard \
+	chapters/$(1)/*_lanes.c)))
+
+# The loops in NAME_lanes.c are compiled for several instruction sets; which of them a processor has
+# is asked when the program runs (chapters/08-fast/lanes.c). Nowhere but there may multiplications
+# be fused with additions: what these loops decide, they decide with a margin.
+LANES_KINDS := baseline $(if $(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),avx2 avx512)
+FOR_avx2 := -mavx2 -mfma
+FOR_avx512 := $(FOR_avx2) -mavx512f -mavx512vl -mavx512bw -mavx512dq -mprefer-vector-width=512
+FOR_LANES := -O3 -fopenmp-simd -fno-math-errno -fno-trapping-math -ffp-contract=fast
+define lanes_rule
+$(B)/%.$(1).o: %.c $(B)/flags $(SETUP_FIRST)
+	$$(call say,compile,$$< for $(1))
+	$$(Q)mkdir -p $$(@D)
+	$$(Q)$$(COMPILE) $$(FOR_LANES) $$(FOR_$(1)) -DLANES_KIND=$(1) -o $$@ $$<
+endef
+$(foreach k,$(LANES_KINDS),$(eval $(call lanes_rule,$(k))))
 
 # What later chapters show of earlier ones: the camera in figures, and how a scene is drawn.
 SHOWS_CAMERA := $(B)/chapters/01-corners/plane.o

@@ -39,5 +39,7 @@ bool cast_plain(const Work *work, Message *message);
 bool cast_object(const Work *work, Message *message);
 // 3. A bounding volume hierarchy: every ray asks the spheres on its way.
 bool cast_bvh(const Work *work, Message *message);
+// 6. Object order with bins: every tile asks the spheres in it, near ones first.
+bool cast_bins(const Work *work, Message *message);
 
 #endif

@@ -8,6 +8,7 @@ const Engine engines[] = {
     {"plain", "every pixel asks every sphere", cast_plain},
     {"object", "every sphere asks the pixels of its rectangle", cast_object},
     {"bvh", "every ray asks the spheres on its way", cast_bvh},
+    {"bins", "every tile asks the spheres in it, near ones first", cast_bins},
     {0},
 };
 

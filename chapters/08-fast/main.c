@@ -48,7 +48,7 @@ int main(int argc, char **argv)
     int threads = 1;
     const Option options[] = {
         COMMAND_OPTIONS(command),
-        {"engine", 'e', "NAME", option_engine, &engine, "plain, object or bvh (bvh)"},
+        {"engine", 'e', "NAME", option_engine, &engine, "plain, object, bvh or bins (bvh)"},
         {"threads", 't', "N", option_threads, &threads, "at the same time, 1 to 256 (1)"},
         {0}};
     Usage usage = {
