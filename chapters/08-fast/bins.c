@@ -47,7 +47,7 @@ static void place_some(void *given, int part)
     int first = part * PLACES, count = work->scene->sphere_count - first;
     if (count > PLACES)
         count = PLACES;
-    Positions positions;
+    Positions positions = {0};
     for (int i = 0; i < count; i++) {
         const Sphere *sphere = &work->scene->spheres[first + i];
         vec3 c = sphere->center - work->camera.origin;
@@ -57,7 +57,7 @@ static void place_some(void *given, int part)
         positions.radius[i] = sphere->radius;
     }
     Place *places = casting->places + first;
-    casting->tiling.lanes->place(&casting->eye, &positions, count, places);
+    casting->tiling.lanes->place(&casting->eye, &positions, first, count, places);
     long long entries = 0;
     for (int i = 0; i < count; i++)
         entries += ((places[i].right - places[i].left) / TILE_WIDTH + 2) *
@@ -77,7 +77,7 @@ static void cast_tile(void *given, int tile)
 
 // Where spheres overlap a lot, all bins at once would take too much memory: then it is the bins of
 // some rows of tiles at a time.
-static bool cast_rows(Casting *casting, const Bins *by_depth)
+static bool cast_rows(Casting *casting, int count)
 {
     const Work *work = casting->tiling.work;
     int rows = (work->image->size.height + TILE_HEIGHT - 1) / TILE_HEIGHT;
@@ -87,7 +87,7 @@ static bool cast_rows(Casting *casting, const Bins *by_depth)
     for (int top = 0; top < rows && fits; top += step) {
         int bottom = top + step < rows ? top + step : rows;
         casting->top = top;
-        fits = bins_by_tile(&casting->bins, casting->places, by_depth, casting->columns, top,
+        fits = bins_by_tile(&casting->bins, casting->tiling.places, count, casting->columns, top,
                             bottom, work->threads);
         if (fits)
             in_parallel(work->threads, casting->columns * (bottom - top), cast_tile, casting);
@@ -99,22 +99,21 @@ static bool cast_rows(Casting *casting, const Bins *by_depth)
 bool cast_bins(const Work *work, Message *message)
 {
     Resolution screen = work->image->size;
-    int count = work->scene->sphere_count, parts = (count + PLACES - 1) / PLACES;
+    int count = work->scene->sphere_count, parts = (count + PLACES - 1) / PLACES, visible = -1;
     Place *places = malloc(((size_t)count + 1) * sizeof *places);
+    Place *sorted = malloc(((size_t)count + 1) * sizeof *places);
     Paint *paints = paints_of(work->scene);
-    Casting casting = {{work, bins_lanes[lanes_best()], places, paints}, eye_of(work), places,
+    Casting casting = {{work, bins_lanes[lanes_best()], sorted, paints}, eye_of(work), places,
                        {0}, (screen.width + TILE_WIDTH - 1) / TILE_WIDTH, 0, 0};
-    bool fits = places != NULL && paints != NULL;
-    if (fits) {
+    if (places != NULL && sorted != NULL && paints != NULL) {
         in_parallel(parts < 40 ? 1 : work->threads, parts, place_some, &casting);
-        Bins by_depth;
-        fits = bins_by_depth(&by_depth, places, count, work->threads) &&
-               cast_rows(&casting, &by_depth);
-        bins_free(&by_depth);
+        visible = places_by_depth(places, count, sorted, work->threads);
     }
-    if (!fits)
-        message_set(message, "no memory for the bins of %d spheres", count);
     free(places);
+    bool done = visible >= 0 && cast_rows(&casting, visible);
+    if (!done)
+        message_set(message, "no memory for the bins of %d spheres", count);
+    free(sorted);
     free(paints);
-    return fits;
+    return done;
 }

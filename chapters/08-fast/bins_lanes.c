@@ -27,7 +27,8 @@ static inline float coarse(float x)
     return x;
 }
 
-static void place(const Eye *eye, const Positions *positions, int count, Place *places)
+static void place(const Eye *eye, const Positions *positions, int first, int count,
+                  Place *places)
 {
     double left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], near[PLACES];
     const double *rx = eye->right, *ux = eye->up, *fx = eye->forward;
@@ -61,7 +62,7 @@ static void place(const Eye *eye, const Positions *positions, int count, Place *
     }
     for (int i = 0; i < count; i++)
         places[i] = (Place){(uint16_t)left[i], (uint16_t)right[i], (uint16_t)top[i],
-                            (uint16_t)bottom[i], coarse((float)near[i])};
+                            (uint16_t)bottom[i], coarse((float)near[i]), first + i};
 }
 
 // ---- the pixels of a tile ---------------------------------------------------------------------
@@ -144,6 +145,15 @@ static void ask(Tile *restrict tile, const Outline *restrict sphere)
     }
 }
 
+static bool unsure(const Tile *tile)
+{
+    int all = 0;
+#pragma omp simd reduction(| : all)
+    for (int i = 0; i < TILE_WIDTH * TILE_HEIGHT; i++)
+        all |= tile->color[i];
+    return (all & UNSURE) != 0;
+}
+
 static void paint(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart)
 {
     for (int row = 0; row < rows; row++) {
@@ -157,4 +167,4 @@ static void paint(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t 
     }
 }
 
-const BinsLanes LANES(bins) = {place, clear, farthest, ask, paint};
+const BinsLanes LANES(bins) = {place, clear, farthest, ask, unsure, paint};

@@ -4,6 +4,7 @@
 
 #include "chapters/08-fast/lanes.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -16,6 +17,7 @@ enum { PLACE_DROPPED = 15 };
 typedef struct {
     uint16_t left, right, top, bottom;
     float near;
+    int sphere;
 } Place;
 
 // Spheres as seen from the eye, and the camera: its axes, and from the plane at distance 1 to
@@ -57,14 +59,16 @@ typedef struct {
 } Outline;
 
 typedef struct {
-    // Where so many spheres are.
-    void (*place)(const Eye *eye, const Positions *positions, int count, Place *places);
+    // Where so many spheres are; the first one is this one.
+    void (*place)(const Eye *eye, const Positions *positions, int first, int count, Place *places);
     // Nothing seen yet, in so many columns and rows; there is nothing to see in the others.
     void (*clear)(Tile *tile, int columns, int rows, int color);
     // The largest s.
     float (*farthest)(const Tile *tile, Part part);
     // A sphere asks the pixels of its part.
     void (*ask)(Tile *tile, const Outline *sphere);
+    // Is any pixel unsure?
+    bool (*unsure)(const Tile *tile);
     // Writes bytes of red, green and blue; rows of the image are so many bytes apart.
     void (*paint)(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart);
 } BinsLanes;

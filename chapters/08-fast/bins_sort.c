@@ -14,14 +14,13 @@ enum { FEW = 10000 }; // not worth a second thread
 
 typedef struct {
     const Place *places;
-    const int *order; // NULL: as they are
     int count;
-    bool by_depth;
+    Place *sorted;            // by depth; NULL: by tile
     uint32_t nearest;         // by depth: of all
     int columns, top, bottom; // by tile
+    int *items;
     int bin_count, shares;
     size_t *counts; // of each share, bin after bin; then where it fills
-    int *items;
 } Sort;
 
 static uint32_t depth_of(Place place)
@@ -31,15 +30,14 @@ static uint32_t depth_of(Place place)
     return bits >> PLACE_DROPPED;
 }
 
-// The bins of a place: some columns of some rows.
-static inline Part bins_of(const Sort *sort, Place place)
+static bool visible(Place place)
 {
-    if (place.left >= place.right || place.top >= place.bottom)
-        return (Part){0};
-    if (sort->by_depth) {
-        int bin = (int)(depth_of(place) - sort->nearest);
-        return (Part){bin, bin + 1, 0, 1};
-    }
+    return place.left < place.right && place.top < place.bottom;
+}
+
+// The tiles of a place that are in the bins: some columns of some rows.
+static inline Part tiles_of(const Sort *sort, Place place)
+{
     int top = place.top / TILE_HEIGHT, bottom = (place.bottom - 1) / TILE_HEIGHT + 1;
     return (Part){place.left / TILE_WIDTH, (place.right - 1) / TILE_WIDTH + 1,
                   (top > sort->top ? top : sort->top) - sort->top,
@@ -51,36 +49,48 @@ static int share_begins(const Sort *sort, int share)
     return (int)((long long)sort->count * share / sort->shares);
 }
 
+// Counts, or fills, one share.
+static void do_share(const Sort *sort, int share, bool fill)
+{
+    size_t *next = sort->counts + (size_t)share * (size_t)sort->bin_count;
+    for (int i = share_begins(sort, share); i < share_begins(sort, share + 1); i++) {
+        Place place = sort->places[i];
+        if (sort->sorted != NULL) {
+            size_t *bin = &next[depth_of(place) - sort->nearest];
+            if (visible(place) && fill)
+                sort->sorted[*bin] = place;
+            *bin += visible(place);
+            continue;
+        }
+        Part tiles = tiles_of(sort, place);
+        for (int row = tiles.top; row < tiles.bottom; row++) {
+            for (int column = tiles.left; column < tiles.right; column++) {
+                size_t *bin = &next[row * sort->columns + column];
+                if (fill)
+                    sort->items[*bin] = i;
+                ++*bin;
+            }
+        }
+    }
+}
+
 static void count_share(void *given, int share)
 {
-    const Sort *sort = given;
-    size_t *counts = sort->counts + (size_t)share * (size_t)sort->bin_count;
-    for (int i = share_begins(sort, share); i < share_begins(sort, share + 1); i++) {
-        Part bins = bins_of(sort, sort->places[sort->order ? sort->order[i] : i]);
-        for (int row = bins.top; row < bins.bottom; row++)
-            for (int column = bins.left; column < bins.right; column++)
-                counts[row * sort->columns + column]++;
-    }
+    do_share(given, share, false);
 }
 
 static void fill_share(void *given, int share)
 {
-    const Sort *sort = given;
-    size_t *next = sort->counts + (size_t)share * (size_t)sort->bin_count;
-    for (int i = share_begins(sort, share); i < share_begins(sort, share + 1); i++) {
-        int item = sort->order ? sort->order[i] : i;
-        Part bins = bins_of(sort, sort->places[item]);
-        for (int row = bins.top; row < bins.bottom; row++)
-            for (int column = bins.left; column < bins.right; column++)
-                sort->items[next[row * sort->columns + column]++] = item;
-    }
+    do_share(given, share, true);
 }
 
-static size_t add_up(Sort *sort, size_t *start)
+// From how many to where.
+static size_t add_up(const Sort *sort, size_t *start)
 {
     size_t sum = 0;
     for (int bin = 0; bin < sort->bin_count; bin++) {
-        start[bin] = sum;
+        if (start != NULL)
+            start[bin] = sum;
         for (int share = 0; share < sort->shares; share++) {
             size_t *count = &sort->counts[(size_t)share * (size_t)sort->bin_count + (size_t)bin];
             size_t here = *count;
@@ -88,28 +98,21 @@ static size_t add_up(Sort *sort, size_t *start)
             sum += here;
         }
     }
-    start[sort->bin_count] = sum;
+    if (start != NULL)
+        start[sort->bin_count] = sum;
     return sum;
 }
 
-static bool fill_bins(Sort *sort, Bins *bins, int threads)
+static bool count_all(Sort *sort, int threads)
 {
     sort->shares = sort->count < FEW ? 1 : threads;
     sort->counts = calloc((size_t)sort->shares * (size_t)sort->bin_count, sizeof *sort->counts);
-    bins->start = malloc(((size_t)sort->bin_count + 1) * sizeof *bins->start);
-    bins->items = NULL;
-    if (sort->counts != NULL && bins->start != NULL) {
+    if (sort->counts != NULL)
         in_parallel(sort->shares, sort->shares, count_share, sort);
-        size_t sum = add_up(sort, bins->start);
-        sort->items = bins->items = malloc((sum + 1) * sizeof *bins->items);
-        if (bins->items != NULL)
-            in_parallel(sort->shares, sort->shares, fill_share, sort);
-    }
-    free(sort->counts);
-    return bins->items != NULL;
+    return sort->counts != NULL;
 }
 
-bool bins_by_depth(Bins *bins, const Place *places, int count, int threads)
+int places_by_depth(const Place *places, int count, Place *sorted, int threads)
 {
     uint32_t nearest = UINT32_MAX, farthest = 0;
     for (int i = 0; i < count; i++) {
@@ -117,21 +120,30 @@ bool bins_by_depth(Bins *bins, const Place *places, int count, int threads)
         nearest = depth < nearest ? depth : nearest;
         farthest = depth > farthest ? depth : farthest;
     }
-    Sort sort = {.places = places, .count = count, .by_depth = true, .nearest = nearest};
-    sort.bin_count = sort.columns = count > 0 ? (int)(farthest - nearest) + 1 : 1;
-    if (!fill_bins(&sort, bins, threads))
-        return false;
-    bins->start[1] = bins->start[sort.bin_count];
-    return true;
+    Sort sort = {.places = places, .count = count, .sorted = sorted, .nearest = nearest};
+    sort.bin_count = count > 0 ? (int)(farthest - nearest) + 1 : 1;
+    if (!count_all(&sort, threads))
+        return -1;
+    int result = (int)add_up(&sort, NULL);
+    in_parallel(sort.shares, sort.shares, fill_share, &sort);
+    free(sort.counts);
+    return result;
 }
 
-bool bins_by_tile(Bins *bins, const Place *places, const Bins *by_depth, int columns, int top,
-                  int bottom, int threads)
+bool bins_by_tile(Bins *bins, const Place *places, int count, int columns, int top, int bottom,
+                  int threads)
 {
-    Sort sort = {.places = places, .order = by_depth->items, .count = (int)by_depth->start[1],
-                 .columns = columns, .top = top, .bottom = bottom};
-    sort.bin_count = columns * (bottom - top);
-    return fill_bins(&sort, bins, threads);
+    Sort sort = {.places = places, .count = count, .columns = columns, .top = top,
+                 .bottom = bottom, .bin_count = columns * (bottom - top)};
+    *bins = (Bins){NULL, malloc(((size_t)sort.bin_count + 1) * sizeof *bins->start)};
+    if (bins->start == NULL || !count_all(&sort, threads))
+        return false;
+    size_t sum = add_up(&sort, bins->start);
+    sort.items = bins->items = malloc((sum + 1) * sizeof *bins->items);
+    if (bins->items != NULL)
+        in_parallel(sort.shares, sort.shares, fill_share, &sort);
+    free(sort.counts);
+    return bins->items != NULL;
 }
 
 void bins_free(Bins *bins)

@@ -122,7 +122,7 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
 }
 
 // Which of the spheres does a pixel see? Most of them its ray misses by far.
-static int decide(const Here *here, Pixel pixel, const int *spheres, size_t count)
+static int decide(const Here *here, Pixel pixel, const int *bin, size_t count)
 {
     const Work *work = here->tiling->work;
     Ray ray = pixel_ray(work->camera, work->image->size, pixel);
@@ -130,26 +130,29 @@ static int decide(const Here *here, Pixel pixel, const int *spheres, size_t coun
     double vv = vec3_dot(v, v);
     Hit nearest = {NO_HIT, -1};
     for (size_t i = 0; i < count; i++) {
-        Sphere sphere = work->scene->spheres[spheres[i]];
+        int number = here->tiling->places[bin[i]].sphere;
+        Sphere sphere = work->scene->spheres[number];
         vec3 c = sphere.center - ray.origin, w = vec3_cross(c, v);
         double square = sphere.radius * sphere.radius;
         if (vec3_dot(w, w) > 1.000001 * square * vv + 1e-18 * vec3_dot(c, c) * vv)
             continue;
         double t = hit_sphere(ray, sphere);
-        if (t < nearest.t || (t == nearest.t && t < NO_HIT && spheres[i] < nearest.sphere))
-            nearest = (Hit){t, spheres[i]};
+        if (t < nearest.t || (t == nearest.t && t < NO_HIT && number < nearest.sphere))
+            nearest = (Hit){t, number};
     }
     return nearest.sphere;
 }
 
-static void decide_unsure(Here *here, const int *spheres, size_t count)
+static void decide_unsure(Here *here, const int *bin, size_t count)
 {
+    if (!here->tiling->lanes->unsure(&here->pixels))
+        return;
     for (int row = 0; row < here->rows; row++) {
         for (int column = 0; column < here->columns; column++) {
             int *seen = &here->pixels.color[row * TILE_WIDTH + column];
             if (*seen & UNSURE)
                 *seen = color_of(here->tiling,
-                                 decide(here, pixel_at(here, column, row), spheres, count));
+                                 decide(here, pixel_at(here, column, row), bin, count));
         }
     }
 }
@@ -163,26 +166,29 @@ static Part part_of(const Here *here, Place place)
 }
 
 // Returns how many of the spheres may be seen at all.
-static size_t ask_all(Here *here, const int *spheres, size_t count)
+static size_t ask_all(Here *here, const int *bin, size_t count)
 {
     const Tiling *tiling = here->tiling;
     const Part all = {0, here->columns, 0, here->rows};
     float farthest = INFINITY;
     int until_next_look = UNTIL_NEXT_LOOK;
     for (size_t i = 0; i < count; i++) {
-        if (i + 4 < count)
-            __builtin_prefetch(&tiling->work->scene->spheres[spheres[i + 4]]);
-        Place place = tiling->places[spheres[i]];
+        if (i + 16 < count)
+            __builtin_prefetch(&tiling->places[bin[i + 16]]);
+        if (i + 8 < count)
+            __builtin_prefetch(
+                &tiling->work->scene->spheres[tiling->places[bin[i + 8]].sphere]);
+        Place place = tiling->places[bin[i]];
         float nearest = place.near * (float)here->shortest;
         if (nearest > farthest + here->slack)
             return i;
         Outline outline = {.part = part_of(here, place)};
         if (nearest > tiling->lanes->farthest(&here->pixels, outline.part) + here->slack)
             continue;
-        if (outline_of(here, spheres[i], &outline))
+        if (outline_of(here, place.sphere, &outline))
             tiling->lanes->ask(&here->pixels, &outline);
         else
-            ask_in_double(here, spheres[i], outline.part, nearest);
+            ask_in_double(here, place.sphere, outline.part, nearest);
         if (--until_next_look == 0) {
             farthest = tiling->lanes->farthest(&here->pixels, all);
             until_next_look = UNTIL_NEXT_LOOK;
@@ -196,7 +202,7 @@ static double nearest_to(double x, int first, int count)
     return fmin(fmax(x, first), first + count) - x;
 }
 
-void tile_cast(const Tiling *tiling, Pixel corner, const int *spheres, size_t count)
+void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
 {
     Image *image = tiling->work->image;
     Camera camera = tiling->work->camera;
@@ -214,7 +220,7 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *spheres, size_t co
     here.shortest = 0.999999 * sqrt(camera.distance * camera.distance + x * x + y * y);
     here.slack = 0;
     tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
-    decide_unsure(&here, spheres, ask_all(&here, spheres, count));
+    decide_unsure(&here, bin, ask_all(&here, bin, count));
     tiling->lanes->paint(
         &here.pixels, here.columns, here.rows,
         image->rgb + 3 * ((size_t)corner.row * (size_t)width + (size_t)corner.column),

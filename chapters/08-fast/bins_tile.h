@@ -10,12 +10,12 @@
 typedef struct {
     const Work *work;
     const BinsLanes *lanes;
-    const Place *places;
+    const Place *places; // near ones first
     const Paint *paints;
 } Tiling;
 
-// Colours the tile whose upper left pixel this is, by the spheres that are in it: so many, near
-// ones first.
-void tile_cast(const Tiling *tiling, Pixel corner, const int *spheres, size_t count);
+// Colours the tile whose upper left pixel this is, by the spheres whose places these are: so
+// many, near ones first.
+void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count);
 
 #endif
