@@ -11,7 +11,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { UNTIL_NEXT_LOOK = 8 }; // spheres, until the tile is searched again for its farthest pixel
+enum { UNTIL_NEXT_LOOK = 16 }; // spheres, until the tile is searched again for its farthest pixel
 
 typedef struct {
     const Tiling *tiling;
@@ -178,6 +178,10 @@ static size_t ask_all(Here *here, const int *bin, size_t count)
         if (i + 8 < count)
             __builtin_prefetch(
                 &tiling->work->scene->spheres[tiling->places[bin[i + 8]].sphere]);
+        if (--until_next_look == 0) {
+            farthest = tiling->lanes->farthest(&here->pixels, all);
+            until_next_look = UNTIL_NEXT_LOOK;
+        }
         Place place = tiling->places[bin[i]];
         float nearest = place.near * (float)here->shortest;
         if (nearest > farthest + here->slack)
@@ -189,10 +193,6 @@ static size_t ask_all(Here *here, const int *bin, size_t count)
             tiling->lanes->ask(&here->pixels, &outline);
         else
             ask_in_double(here, place.sphere, outline.part, nearest);
-        if (--until_next_look == 0) {
-            farthest = tiling->lanes->farthest(&here->pixels, all);
-            until_next_look = UNTIL_NEXT_LOOK;
-        }
     }
     return count;
 }
