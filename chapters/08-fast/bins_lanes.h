@@ -45,18 +45,34 @@ typedef struct {
     int left, right, top, bottom;
 } Part;
 
-// A sphere as a tile sees it. x and y columns and rows from the pixel (column, row), a ray v has
-//   D = d + dx x + dy y + dxx x^2 + dxy x y + dyy y^2    and    b = b + bx x + by y,
-// and meets the sphere at t |v|^2 = b - sqrt(D). Nearer than s it is where D > u^2, u = b - s, or
-// where u < 0 and D > 0; by less than doubt + slope |u| it may be otherwise.
+// The rays of a tile: the first pixel's, and what is added from column to column and row to row;
+// and the products of these two with themselves and one another.
 typedef struct {
-    float column, row;
-    float d, dx, dy, dxx, dxy, dyy;
-    float b, bx, by;
-    float doubt, slope;
-    Part part;
-    int color;
-} Outline;
+    double first[3], column[3], row[3];
+    double columns, rows, both;
+} Rays;
+
+// Spheres that may be seen: the centre from the eye, the radius; a pixel in the middle of its part
+// of the tile, and how far that reaches from there.
+typedef struct {
+    double x[LANES], y[LANES], z[LANES], radius[LANES];
+    double column[LANES], row[LANES], half_width[LANES], half_height[LANES];
+} Candidates;
+
+// Spheres as a tile sees them. Columns and rows counted from the pixel (x, y), a ray v has
+//   D = d + dx x + dy y + dxx x^2 + dxy x y + dyy y^2    and    b = b + bx x + by y,
+// and meets the sphere at t |v|^2 = b - sqrt(D). That is nearer than s where D > u^2, u = b - s, or
+// where u < 0 and D > 0; where these differ by less than doubt, float cannot tell. b is off by at
+// most b_error, and s by s_error.
+typedef struct {
+    float x[LANES], y[LANES];
+    float d[LANES], dx[LANES], dy[LANES], dxx[LANES], dxy[LANES], dyy[LANES];
+    float b[LANES], bx[LANES], by[LANES];
+    float doubt[LANES], b_error[LANES], s_error[LANES];
+    // 0 where float is not to be trusted: where the eye is in the sphere or close to it, or it is
+    // partly beside or behind the eye, or of an extraordinary size.
+    int safe[LANES];
+} Outlines;
 
 typedef struct {
     // Where so many spheres are; the first one is this one.
@@ -65,8 +81,10 @@ typedef struct {
     void (*clear)(Tile *tile, int columns, int rows, int color);
     // The largest s.
     float (*farthest)(const Tile *tile, Part part);
-    // A sphere asks the pixels of its part.
-    void (*ask)(Tile *tile, const Outline *sphere);
+    // What the tile sees of so many candidates.
+    void (*outline)(const Rays *rays, const Candidates *candidates, int count, Outlines *outlines);
+    // Sphere number n of these asks the pixels of its part; what was seen may be off by slack.
+    void (*ask)(Tile *tile, const Outlines *outlines, int n, Part part, float slack, int color);
     // Is any pixel unsure?
     bool (*unsure)(const Tile *tile);
     // Writes bytes of red, green and blue; rows of the image are so many bytes apart.

@@ -15,7 +15,7 @@ enum { FEW = 10000 }; // not worth a second thread
 typedef struct {
     const Place *places;
     int count;
-    Place *sorted;            // by depth; NULL: by tile
+    Place *sorted;            // by depth
     uint32_t nearest;         // by depth: of all
     int columns, top, bottom; // by tile
     int *items;
@@ -30,7 +30,7 @@ static uint32_t depth_of(Place place)
     return bits >> PLACE_DROPPED;
 }
 
-static bool visible(Place place)
+static bool is_visible(Place place)
 {
     return place.left < place.right && place.top < place.bottom;
 }
@@ -49,39 +49,53 @@ static int share_begins(const Sort *sort, int share)
     return (int)((long long)sort->count * share / sort->shares);
 }
 
-// Counts, or fills, one share.
-static void do_share(const Sort *sort, int share, bool fill)
+static size_t *counts_of(const Sort *sort, int share)
 {
-    size_t *next = sort->counts + (size_t)share * (size_t)sort->bin_count;
-    for (int i = share_begins(sort, share); i < share_begins(sort, share + 1); i++) {
-        Place place = sort->places[i];
-        if (sort->sorted != NULL) {
-            size_t *bin = &next[depth_of(place) - sort->nearest];
-            if (visible(place) && fill)
-                sort->sorted[*bin] = place;
-            *bin += visible(place);
-            continue;
-        }
-        Part tiles = tiles_of(sort, place);
-        for (int row = tiles.top; row < tiles.bottom; row++) {
-            for (int column = tiles.left; column < tiles.right; column++) {
-                size_t *bin = &next[row * sort->columns + column];
-                if (fill)
-                    sort->items[*bin] = i;
-                ++*bin;
-            }
-        }
+    return sort->counts + (size_t)share * (size_t)sort->bin_count;
+}
+
+static void count_depths(void *given, int share)
+{
+    const Sort *sort = given;
+    size_t *counts = counts_of(sort, share);
+    const Place *end = sort->places + share_begins(sort, share + 1);
+    for (const Place *place = sort->places + share_begins(sort, share); place < end; place++)
+        counts[depth_of(*place) - sort->nearest] += is_visible(*place);
+}
+
+static void fill_depths(void *given, int share)
+{
+    const Sort *sort = given;
+    size_t *next = counts_of(sort, share);
+    const Place *end = sort->places + share_begins(sort, share + 1);
+    for (const Place *place = sort->places + share_begins(sort, share); place < end; place++)
+        if (is_visible(*place))
+            sort->sorted[next[depth_of(*place) - sort->nearest]++] = *place;
+}
+
+static void count_tiles(void *given, int share)
+{
+    const Sort *sort = given;
+    size_t *counts = counts_of(sort, share);
+    for (int i = share_begins(sort, share), end = share_begins(sort, share + 1); i < end; i++) {
+        Part tiles = tiles_of(sort, sort->places[i]);
+        for (int row = tiles.top; row < tiles.bottom; row++)
+            for (int column = tiles.left; column < tiles.right; column++)
+                counts[row * sort->columns + column]++;
     }
 }
 
-static void count_share(void *given, int share)
+static void fill_tiles(void *given, int share)
 {
-    do_share(given, share, false);
-}
-
-static void fill_share(void *given, int share)
-{
-    do_share(given, share, true);
+    const Sort *sort = given;
+    size_t *next = counts_of(sort, share);
+    int *items = sort->items;
+    for (int i = share_begins(sort, share), end = share_begins(sort, share + 1); i < end; i++) {
+        Part tiles = tiles_of(sort, sort->places[i]);
+        for (int row = tiles.top; row < tiles.bottom; row++)
+            for (int column = tiles.left; column < tiles.right; column++)
+                items[next[row * sort->columns + column]++] = i;
+    }
 }
 
 // From how many to where.
@@ -103,7 +117,7 @@ static size_t add_up(const Sort *sort, size_t *start)
     return sum;
 }
 
-static bool count_all(Sort *sort, int threads)
+static bool count_all(Sort *sort, void (*count_share)(void *given, int share), int threads)
 {
     sort->shares = sort->count < FEW ? 1 : threads;
     sort->counts = calloc((size_t)sort->shares * (size_t)sort->bin_count, sizeof *sort->counts);
@@ -122,10 +136,10 @@ int places_by_depth(const Place *places, int count, Place *sorted, int threads)
     }
     Sort sort = {.places = places, .count = count, .sorted = sorted, .nearest = nearest};
     sort.bin_count = count > 0 ? (int)(farthest - nearest) + 1 : 1;
-    if (!count_all(&sort, threads))
+    if (!count_all(&sort, count_depths, threads))
         return -1;
     int result = (int)add_up(&sort, NULL);
-    in_parallel(sort.shares, sort.shares, fill_share, &sort);
+    in_parallel(sort.shares, sort.shares, fill_depths, &sort);
     free(sort.counts);
     return result;
 }
@@ -136,12 +150,12 @@ bool bins_by_tile(Bins *bins, const Place *places, int count, int columns, int t
     Sort sort = {.places = places, .count = count, .columns = columns, .top = top,
                  .bottom = bottom, .bin_count = columns * (bottom - top)};
     *bins = (Bins){NULL, malloc(((size_t)sort.bin_count + 1) * sizeof *bins->start)};
-    if (bins->start == NULL || !count_all(&sort, threads))
+    if (bins->start == NULL || !count_all(&sort, count_tiles, threads))
         return false;
     size_t sum = add_up(&sort, bins->start);
     sort.items = bins->items = malloc((sum + 1) * sizeof *bins->items);
     if (bins->items != NULL)
-        in_parallel(sort.shares, sort.shares, fill_share, &sort);
+        in_parallel(sort.shares, sort.shares, fill_tiles, &sort);
     free(sort.counts);
     return bins->items != NULL;
 }

@@ -1,7 +1,7 @@
 // bins_tile.c - one tile of the screen: its spheres ask its pixels, the near ones first, until the
 // rest is hidden behind what was seen.
 //
-// Float decides where its error cannot matter; the bounds are in outline_of. What it leaves open is
+// Float decides where its error cannot matter (bins_lanes.c). What it leaves open is
 // decided by chapter 06's functions, in double, at the end.
 #include "chapters/08-fast/bins_tile.h"
 
@@ -17,10 +17,16 @@ typedef struct {
     const Tiling *tiling;
     Pixel corner;
     int columns, rows;
-    vec3 first, column, row; // the first pixel's ray, and from pixel to pixel
-    double shortest;         // at most the length of any of its rays
-    float slack;             // how far off any s in it may be
+    Rays rays;
+    float shortest; // at most the length of any of them
+    float slack;    // how far off any s may be
     Tile pixels;
+    // Who is to ask next.
+    int waiting;
+    Candidates candidates;
+    int spheres[LANES];
+    Part parts[LANES];
+    float nearest[LANES]; // s is not less
 } Here;
 
 static Pixel pixel_at(const Here *here, int column, int row)
@@ -36,64 +42,7 @@ static int color_of(const Tiling *tiling, int sphere)
     return rgb[0] | rgb[1] << 8 | rgb[2] << 16;
 }
 
-// How far lies the sphere's rectangle from the middle, along the columns or the rows?
-static double reach(int first, int end, double middle)
-{
-    return fmax(middle - first, end - 1 - middle);
-}
-
-// The sphere as the tile sees it. False where float is not to be trusted with it: where the eye is
-// in it or close to it, or it is partly beside or behind the eye, or of an extraordinary size.
-//
-// By Lagrange's identity D = b^2 - |v|^2 (|c|^2 - r^2) is r^2 |v|^2 - |c x v|^2: there no large
-// numbers cancel. Counted from the middle of the sphere's rectangle, no term is much larger than D
-// gets in it, so float has D to some 2^-24 of their sum.
-static bool outline_of(Here *here, int number, Outline *outline)
-{
-    const Tiling *tiling = here->tiling;
-    Sphere sphere = tiling->work->scene->spheres[number];
-    Part part = outline->part;
-    vec3 c = sphere.center - tiling->work->camera.origin;
-    double x = floor((part.left + part.right) / 2.0), y = floor((part.top + part.bottom) / 2.0);
-    vec3 v = here->first + x * here->column + y * here->row;
-    double half_x = reach(part.left, part.right, x), half_y = reach(part.top, part.bottom, y);
-
-    double square = sphere.radius * sphere.radius, apart = vec3_dot(c, c);
-    vec3 w = vec3_cross(c, v), wx = vec3_cross(c, here->column), wy = vec3_cross(c, here->row);
-    double vv = vec3_dot(v, v), ww = vec3_dot(w, w);
-    double d = square * vv - ww;
-    double dx = 2 * (square * vec3_dot(v, here->column) - vec3_dot(w, wx));
-    double dy = 2 * (square * vec3_dot(v, here->row) - vec3_dot(w, wy));
-    double dxx = square * vec3_dot(here->column, here->column) - vec3_dot(wx, wx);
-    double dxy = 2 * (square * vec3_dot(here->column, here->row) - vec3_dot(wx, wy));
-    double dyy = square * vec3_dot(here->row, here->row) - vec3_dot(wy, wy);
-    double b = vec3_dot(c, v), bx = vec3_dot(c, here->column), by = vec3_dot(c, here->row);
-
-    // The sum of the terms, and the most and the least that b may be.
-    double d_sum = fabs(d) + (fabs(dx) + fabs(dxx) * half_x) * half_x +
-                   (fabs(dy) + fabs(dyy) * half_y) * half_y + fabs(dxy) * half_x * half_y;
-    double b_range = fabs(bx) * half_x + fabs(by) * half_y, b_sum = fabs(b) + b_range;
-    if (!(apart - square > 1e-3 * apart && b - b_range > 1e-6 * b_sum && b_sum < 1e15 &&
-          d_sum > 1e-30 && d_sum < 1e30))
-        return false;
-
-    // Each term is rounded at most six times, in float; and double is not exact either.
-    double d_error = 4 * FLT_EPSILON * d_sum +
-                     1e-14 * (square * vv + sqrt(ww * vv * apart));
-    double b_error = 3 * FLT_EPSILON * b_sum;
-    double u_error = b_error + here->slack;
-    // A square root near 0 magnifies its error, so D that small is doubtful, too.
-    double doubt = 0x1p-16 * d_sum + 2 * d_error + u_error * u_error;
-    double s_error = b_error + FLT_EPSILON * b_sum + d_error / sqrt(doubt);
-    if (here->slack < s_error)
-        here->slack = (float)(s_error * (1 + 1e-6));
-    *outline = (Outline){(float)x, (float)y, (float)d, (float)dx, (float)dy, (float)dxx,
-                         (float)dxy, (float)dyy, (float)b, (float)bx, (float)by, (float)doubt,
-                         (float)(2 * u_error), part, color_of(tiling, number)};
-    return true;
-}
-
-// The same by double, pixel by pixel.
+// A sphere asks its pixels in double.
 static void ask_in_double(Here *here, int number, Part part, float nearest)
 {
     const Work *work = here->tiling->work;
@@ -165,36 +114,84 @@ static Part part_of(const Here *here, Place place)
                   top > 0 ? top : 0, bottom < here->rows ? bottom : here->rows};
 }
 
+static void ask_waiting(Here *here)
+{
+    const BinsLanes *lanes = here->tiling->lanes;
+    Outlines outlines;
+    lanes->outline(&here->rays, &here->candidates, here->waiting, &outlines);
+    for (int i = 0; i < here->waiting; i++) {
+        if (outlines.safe[i]) {
+            lanes->ask(&here->pixels, &outlines, i, here->parts[i], here->slack,
+                       color_of(here->tiling, here->spheres[i]));
+            here->slack = fmaxf(here->slack, outlines.s_error[i]);
+        } else {
+            ask_in_double(here, here->spheres[i], here->parts[i], here->nearest[i]);
+        }
+    }
+    here->waiting = 0;
+}
+
+static void await(Here *here, int number, Part part, float nearest)
+{
+    int i = here->waiting++;
+    const Work *work = here->tiling->work;
+    Sphere sphere = work->scene->spheres[number];
+    vec3 c = sphere.center - work->camera.origin;
+    Candidates *to = &here->candidates;
+    to->x[i] = c[0];
+    to->y[i] = c[1];
+    to->z[i] = c[2];
+    to->radius[i] = sphere.radius;
+    int column = (part.left + part.right) / 2, row = (part.top + part.bottom) / 2;
+    to->column[i] = column;
+    to->row[i] = row;
+    to->half_width[i] = column - part.left;
+    to->half_height[i] = row - part.top;
+    here->spheres[i] = number;
+    here->parts[i] = part;
+    here->nearest[i] = nearest;
+}
+
 // Returns how many of the spheres may be seen at all.
 static size_t ask_all(Here *here, const int *bin, size_t count)
 {
     const Tiling *tiling = here->tiling;
     const Part all = {0, here->columns, 0, here->rows};
     float farthest = INFINITY;
-    int until_next_look = UNTIL_NEXT_LOOK;
-    for (size_t i = 0; i < count; i++) {
+    size_t i;
+    for (i = 0; i < count; i++) {
         if (i + 16 < count)
             __builtin_prefetch(&tiling->places[bin[i + 16]]);
         if (i + 8 < count)
             __builtin_prefetch(
                 &tiling->work->scene->spheres[tiling->places[bin[i + 8]].sphere]);
-        if (--until_next_look == 0) {
+        if (i % UNTIL_NEXT_LOOK == UNTIL_NEXT_LOOK - 1)
             farthest = tiling->lanes->farthest(&here->pixels, all);
-            until_next_look = UNTIL_NEXT_LOOK;
-        }
         Place place = tiling->places[bin[i]];
-        float nearest = place.near * (float)here->shortest;
+        float nearest = place.near * here->shortest;
         if (nearest > farthest + here->slack)
-            return i;
-        Outline outline = {.part = part_of(here, place)};
-        if (nearest > tiling->lanes->farthest(&here->pixels, outline.part) + here->slack)
+            break;
+        Part part = part_of(here, place);
+        if (nearest > tiling->lanes->farthest(&here->pixels, part) + here->slack)
             continue;
-        if (outline_of(here, place.sphere, &outline))
-            tiling->lanes->ask(&here->pixels, &outline);
-        else
-            ask_in_double(here, place.sphere, outline.part, nearest);
+        await(here, place.sphere, part, nearest);
+        if (here->waiting == LANES)
+            ask_waiting(here);
     }
-    return count;
+    ask_waiting(here);
+    return i;
+}
+
+static Rays rays_from(vec3 first, vec3 column, vec3 row)
+{
+    Rays rays = {.columns = vec3_dot(column, column), .rows = vec3_dot(row, row),
+                 .both = vec3_dot(column, row)};
+    for (int i = 0; i < 3; i++) {
+        rays.first[i] = first[i];
+        rays.column[i] = column[i];
+        rays.row[i] = row[i];
+    }
+    return rays;
 }
 
 static double nearest_to(double x, int first, int count)
@@ -212,13 +209,15 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
     here.corner = corner;
     here.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
     here.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
-    here.first = pixel_ray(camera, image->size, corner).direction;
-    here.column = camera.width / width * camera.right;
-    here.row = -camera.height / height * camera.up;
+    here.rays = rays_from(pixel_ray(camera, image->size, corner).direction,
+                          camera.width / width * camera.right,
+                          -camera.height / height * camera.up);
     double x = camera.width / width * nearest_to(width / 2.0, corner.column, here.columns);
     double y = camera.height / height * nearest_to(height / 2.0, corner.row, here.rows);
-    here.shortest = 0.999999 * sqrt(camera.distance * camera.distance + x * x + y * y);
+    here.shortest =
+        0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
     here.slack = 0;
+    here.waiting = 0;
     tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
     decide_unsure(&here, bin, ask_all(&here, bin, count));
     tiling->lanes->paint(
