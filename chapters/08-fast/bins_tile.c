@@ -120,6 +120,8 @@ static void ask_waiting(Here *here)
     Outlines outlines;
     lanes->outline(&here->rays, &here->candidates, here->waiting, &outlines);
     for (int i = 0; i < here->waiting; i++) {
+        if (here->nearest[i] > lanes->farthest(&here->pixels, here->parts[i]) + here->slack)
+            continue;
         if (outlines.safe[i]) {
             lanes->ask(&here->pixels, &outlines, i, here->parts[i], here->slack,
                        color_of(here->tiling, here->spheres[i]));
@@ -172,10 +174,8 @@ static size_t ask_all(Here *here, const int *bin, size_t count)
         if (nearest > farthest + here->slack)
             break;
         Part part = part_of(here, place);
-        if (nearest > tiling->lanes->farthest(&here->pixels, part) + here->slack)
-            continue;
         await(here, place.sphere, part, nearest);
-        if (here->waiting == LANES)
+        if (here->waiting == LANES / 2)
             ask_waiting(here);
     }
     ask_waiting(here);
