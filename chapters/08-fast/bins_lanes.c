@@ -222,16 +222,23 @@ static bool unsure(const Tile *tile)
     return (all & UNSURE) != 0;
 }
 
+static inline void paint_row(const int *restrict color, int columns, uint8_t *restrict rgb)
+{
+    for (int i = 0; i < columns; i++) {
+        rgb[3 * i] = (uint8_t)color[i];
+        rgb[3 * i + 1] = (uint8_t)(color[i] >> 8);
+        rgb[3 * i + 2] = (uint8_t)(color[i] >> 16);
+    }
+}
+
 static void paint(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart)
 {
-    for (int row = 0; row < rows; row++) {
-        const int *restrict color = &tile->color[row * TILE_WIDTH];
-        uint8_t *restrict to = rgb + (size_t)row * apart;
-        for (int i = 0; i < columns; i++) {
-            to[3 * i] = (uint8_t)color[i];
-            to[3 * i + 1] = (uint8_t)(color[i] >> 8);
-            to[3 * i + 2] = (uint8_t)(color[i] >> 16);
-        }
+    for (int row = 0; row < rows; row++, rgb += apart) {
+        // Of a number of columns that it knows the compiler makes more.
+        if (columns == TILE_WIDTH)
+            paint_row(&tile->color[row * TILE_WIDTH], TILE_WIDTH, rgb);
+        else
+            paint_row(&tile->color[row * TILE_WIDTH], columns, rgb);
     }
 }
 

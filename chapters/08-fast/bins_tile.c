@@ -11,7 +11,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { UNTIL_NEXT_LOOK = 16 }; // spheres, until the tile is searched again for its farthest pixel
+enum { UNTIL_NEXT_LOOK = 16, AT_ONCE = 8 }; // spheres, until the tile is searched again for its farthest pixel
 
 typedef struct {
     const Tiling *tiling;
@@ -28,6 +28,11 @@ typedef struct {
     Part parts[LANES];
     float nearest[LANES]; // s is not less
 } Here;
+
+static float larger(float a, float b)
+{
+    return a > b ? a : b;
+}
 
 static Pixel pixel_at(const Here *here, int column, int row)
 {
@@ -64,7 +69,7 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
             } else if (at < *s) {
                 *s = (float)at;
                 *seen = color | (*seen & UNSURE);
-                here->slack = fmaxf(here->slack, (float)(FLT_EPSILON * at));
+                here->slack = larger(here->slack, (float)(FLT_EPSILON * at));
             }
         }
     }
@@ -114,10 +119,31 @@ static Part part_of(const Here *here, Place place)
                   top > 0 ? top : 0, bottom < here->rows ? bottom : here->rows};
 }
 
+// Where a candidate is, from the eye, and where the pixels that it may ask.
+static void set_candidate(Here *here, int i)
+{
+    const Work *work = here->tiling->work;
+    const Sphere *sphere = &work->scene->spheres[here->spheres[i]];
+    Candidates *to = &here->candidates;
+    vec3 c = sphere->center - work->camera.origin;
+    to->x[i] = c[0];
+    to->y[i] = c[1];
+    to->z[i] = c[2];
+    to->radius[i] = sphere->radius;
+    Part part = here->parts[i];
+    int column = (part.left + part.right) / 2, row = (part.top + part.bottom) / 2;
+    to->column[i] = column;
+    to->row[i] = row;
+    to->half_width[i] = column - part.left;
+    to->half_height[i] = row - part.top;
+}
+
 static void ask_waiting(Here *here)
 {
     const BinsLanes *lanes = here->tiling->lanes;
     Outlines outlines;
+    for (int i = 0; i < here->waiting; i++)
+        set_candidate(here, i);
     lanes->outline(&here->rays, &here->candidates, here->waiting, &outlines);
     for (int i = 0; i < here->waiting; i++) {
         if (here->nearest[i] > lanes->farthest(&here->pixels, here->parts[i]) + here->slack)
@@ -125,7 +151,7 @@ static void ask_waiting(Here *here)
         if (outlines.safe[i]) {
             lanes->ask(&here->pixels, &outlines, i, here->parts[i], here->slack,
                        color_of(here->tiling, here->spheres[i]));
-            here->slack = fmaxf(here->slack, outlines.s_error[i]);
+            here->slack = larger(here->slack, outlines.s_error[i]);
         } else {
             ask_in_double(here, here->spheres[i], here->parts[i], here->nearest[i]);
         }
@@ -136,19 +162,6 @@ static void ask_waiting(Here *here)
 static void await(Here *here, int number, Part part, float nearest)
 {
     int i = here->waiting++;
-    const Work *work = here->tiling->work;
-    Sphere sphere = work->scene->spheres[number];
-    vec3 c = sphere.center - work->camera.origin;
-    Candidates *to = &here->candidates;
-    to->x[i] = c[0];
-    to->y[i] = c[1];
-    to->z[i] = c[2];
-    to->radius[i] = sphere.radius;
-    int column = (part.left + part.right) / 2, row = (part.top + part.bottom) / 2;
-    to->column[i] = column;
-    to->row[i] = row;
-    to->half_width[i] = column - part.left;
-    to->half_height[i] = row - part.top;
     here->spheres[i] = number;
     here->parts[i] = part;
     here->nearest[i] = nearest;
@@ -164,9 +177,6 @@ static size_t ask_all(Here *here, const int *bin, size_t count)
     for (i = 0; i < count; i++) {
         if (i + 16 < count)
             __builtin_prefetch(&tiling->places[bin[i + 16]]);
-        if (i + 8 < count)
-            __builtin_prefetch(
-                &tiling->work->scene->spheres[tiling->places[bin[i + 8]].sphere]);
         if (i % UNTIL_NEXT_LOOK == UNTIL_NEXT_LOOK - 1)
             farthest = tiling->lanes->farthest(&here->pixels, all);
         Place place = tiling->places[bin[i]];
@@ -174,8 +184,9 @@ static size_t ask_all(Here *here, const int *bin, size_t count)
         if (nearest > farthest + here->slack)
             break;
         Part part = part_of(here, place);
+        __builtin_prefetch(&tiling->work->scene->spheres[place.sphere]);
         await(here, place.sphere, part, nearest);
-        if (here->waiting == LANES / 2)
+        if (here->waiting == AT_ONCE)
             ask_waiting(here);
     }
     ask_waiting(here);
