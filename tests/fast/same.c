@@ -1,9 +1,11 @@
 // same.c - every engine gives chapter 06's picture: on scenes that are awkward, and on random ones.
 //
 // Usage: same [SCENES [FIRST]]: so many random scenes, from number FIRST on (100, 1). Each is drawn
-// by plain and by every other engine, with one thread and with three. The last line counts.
+// by plain and by every other engine, with one thread and with three, and with every instruction set
+// that the engine was compiled for. The last line counts.
 #include "chapters/06-ray-casting/scene_camera.h"
 #include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/lanes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -162,7 +164,8 @@ static void at_random(unsigned number)
 static void fail(const char *name, const Engine *engine, int threads, const char *why)
 {
     failed++;
-    printf("not ok: %s, %s, %d threads: %s\n", name, engine->name, threads, why);
+    printf("not ok: %s, %s for %s, %d threads: %s\n", name, engine->name,
+           lanes_names[lanes_best()], threads, why);
 }
 
 static void compare(const char *name, const Engine *engine, const Work *plain, int threads)
@@ -191,6 +194,17 @@ static void compare(const char *name, const Engine *engine, const Work *plain, i
     image_free(&image);
 }
 
+// Engines that are not compiled for several instruction sets are tried once.
+static int least(const Engine *engine)
+{
+    static const char *const with_lanes[] = {"packet", "tiles", "bins"};
+    for (size_t i = 0; i < sizeof with_lanes / sizeof with_lanes[0]; i++)
+        if (strcmp(engine->name, with_lanes[i]) == 0)
+            return LANES_BASELINE;
+    lanes_at_most = LANES_AVX512;
+    return (int)lanes_best();
+}
+
 static void try_scene(const char *name)
 {
     Message message;
@@ -203,7 +217,12 @@ static void try_scene(const char *name)
     engines[0].cast(&work, &message);
     for (const Engine *engine = engines; engine->name != NULL; engine++)
         for (int threads = engine == engines ? 3 : 1; threads <= 3; threads += 2)
-            compare(name, engine, &work, threads);
+            for (int kind = least(engine); kind < LANES_KINDS; kind++) {
+                lanes_at_most = (LanesKind)kind;
+                if (lanes_best() == lanes_at_most)
+                    compare(name, engine, &work, threads);
+            }
+    lanes_at_most = LANES_AVX512;
     image_free(&image);
 }
 
