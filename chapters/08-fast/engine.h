@@ -18,6 +18,9 @@ typedef struct {
     Camera camera;
     Image *image; // every pixel is set
     int threads;  // at least 1
+    // Where not NULL: when casting began, on the clock of clock.h. What was built before, a
+    // hierarchy, is good for every camera.
+    double *built;
 } Work;
 
 typedef struct {
@@ -39,6 +42,10 @@ bool cast_plain(const Work *work, Message *message);
 bool cast_object(const Work *work, Message *message);
 // 3. A bounding volume hierarchy: every ray asks the spheres on its way.
 bool cast_bvh(const Work *work, Message *message);
+// 4. The same with 16 rays at a time.
+bool cast_packet(const Work *work, Message *message);
+// 5. A tile's whole frustum asks.
+bool cast_tiles(const Work *work, Message *message);
 // 6. Object order with bins: every tile asks the spheres in it, near ones first.
 bool cast_bins(const Work *work, Message *message);
 

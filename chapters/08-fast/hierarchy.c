@@ -14,11 +14,22 @@ typedef struct {
 
 static const Box nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 
+// Not fmin and fmax: what they make of what is not a number costs a call.
+static inline double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 static Box around_both(Box a, Box b)
 {
     for (int i = 0; i < 3; i++) {
-        a.low[i] = fmin(a.low[i], b.low[i]);
-        a.high[i] = fmax(a.high[i], b.high[i]);
+        a.low[i] = smaller(a.low[i], b.low[i]);
+        a.high[i] = larger(a.high[i], b.high[i]);
     }
     return a;
 }
@@ -62,8 +73,8 @@ static Cut best_cut_along(const Builder *builder, int axis, int first, int count
     const int *order = builder->hierarchy->order + first;
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < count; i++) {
-        low = fmin(low, builder->spheres[order[i]].center[axis]);
-        high = fmax(high, builder->spheres[order[i]].center[axis]);
+        low = smaller(low, builder->spheres[order[i]].center[axis]);
+        high = larger(high, builder->spheres[order[i]].center[axis]);
     }
     Cut cut = {axis, low, BINS / (high - low), 0, INFINITY};
     if (!(high > low) || !isfinite(cut.scale))
@@ -123,7 +134,7 @@ static void build(const Builder *builder, int first, int count, int depth)
 {
     Hierarchy *hierarchy = builder->hierarchy;
     Node *node = &hierarchy->nodes[hierarchy->node_count++];
-    *node = (Node){nothing, first, count};
+    *node = (Node){.box = nothing, .first = first, .count = count};
     for (int i = first; i < first + count; i++)
         node->box = around_both(node->box, around_sphere(builder->spheres[hierarchy->order[i]]));
     if (count <= 1)
@@ -139,9 +150,9 @@ static void build(const Builder *builder, int first, int count, int depth)
     if (count <= LEAF && !worth)
         return;
     int half = isfinite(cut.cost) && depth < DEEP ? divide(builder, cut, first, count) : count / 2;
-    node->count = 0;
+    node->axis = cut.axis;
     build(builder, first, half, depth + 1);
-    node->first = hierarchy->node_count;
+    node->other = hierarchy->node_count;
     build(builder, first + half, count - half, depth + 1);
 }
 

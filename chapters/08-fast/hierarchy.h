@@ -15,11 +15,14 @@ typedef struct {
     double low[3], high[3];
 } Box;
 
-// A leaf holds count spheres, from first on in the order of the hierarchy; an inner node, count 0,
-// has two children: the one behind it, and number first.
+// A node holds count spheres, from first on in the order of the hierarchy. It has two children, or
+// none: a leaf. The one is behind it, the other is number other; along axis the one's are before
+// the other's.
 typedef struct {
     Box box;
     int first, count;
+    int other; // 0: none
+    int axis;
 } Node;
 
 typedef struct {

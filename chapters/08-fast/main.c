@@ -3,13 +3,13 @@
 // Casts a scene as chapter 06 does, by an engine of one's choice, and says how many rays a second.
 #include "chapters/06-ray-casting/command.h"
 #include "chapters/06-ray-casting/needs.h"
+#include "chapters/08-fast/clock.h"
 #include "chapters/08-fast/engine.h"
 #include "common/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 static bool option_engine(const char *text, void *into)
@@ -24,13 +24,6 @@ static bool option_threads(const char *text, void *into)
     long threads = strtol(text, &end, 10);
     *(int *)into = (int)threads;
     return end != text && *end == '\0' && threads >= 1 && threads <= 256;
-}
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 static void list_engines(void)
@@ -66,14 +59,17 @@ int main(int argc, char **argv)
         return EXIT_COULD_NOT;
     if (argc == 1)
         list_engines();
-    Work work = {&drawing.scene, drawing.camera, &drawing.image, threads};
+    double began = clock_seconds(), built = began;
+    Work work = {&drawing.scene, drawing.camera, &drawing.image, threads, &built};
     Message message;
-    double began = seconds();
     if (!engine->cast(&work, &message)) {
         fprintf(stderr, "%s: %s\n", argv[0], message.text);
         return EXIT_COULD_NOT;
     }
-    double took = seconds() - began;
+    double took = clock_seconds() - built;
+    if (built > began)
+        fprintf(stderr, "%s: built in %s ms\n", engine->name,
+                number_text_to(1e3 * (built - began), 3).s);
     Resolution size = drawing.image.size;
     fprintf(stderr, "%s: %d x %d rays among %d spheres in %s ms, %s million a second\n",
             engine->name, size.width, size.height, drawing.scene.sphere_count,

@@ -213,7 +213,7 @@ static void try_scene(const char *name)
     if (scene_camera(&scene.view, scene.view.resolution, &camera) != CAMERA_OK ||
         !image_create(&image, scene.view.resolution, &message))
         return; // a random view along up
-    Work work = {&scene, camera, &image, 1};
+    Work work = {&scene, camera, &image, 1, NULL};
     engines[0].cast(&work, &message);
     for (const Engine *engine = engines; engine->name != NULL; engine++)
         for (int threads = engine == engines ? 3 : 1; threads <= 3; threads += 2)
