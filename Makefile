@@ -127,8 +127,26 @@ endif
 
 # ---- programs, scenes, pictures ---------------------------------------------------------------
 
-PROGRAMS := $(STEMS:%=$(BUILT)/%)
-chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c)))
+# Chapter 08 asks nothing: it is the answers of the others, faster.
+PROGRAMS := $(patsubst %,$(BUILT)/%,$(STEMS) 08-fast)
+chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c %_lanes.c,$(wildcard \
+	chapters/$(1)/*.c))) $(foreach k,$(LANES_KINDS),$(patsubst %.c,$(B)/%.$(k).o,$(wildcard \
+	chapters/$(1)/*_lanes.c)))
+
+# The loops in NAME_lanes.c are compiled for several instruction sets; which of them a processor has
+# is asked when the program runs (chapters/08-fast/lanes.c). Nowhere but there may multiplications
+# be fused with additions: what these loops decide, they decide with a margin.
+LANES_KINDS := baseline $(if $(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),avx2 avx512)
+FOR_avx2 := -mavx2 -mfma
+FOR_avx512 := $(FOR_avx2) -mavx512f -mavx512vl -mavx512bw -mavx512dq -mprefer-vector-width=512
+FOR_LANES := -O3 -fopenmp-simd -fno-math-errno -fno-trapping-math -ffp-contract=fast
+define lanes_rule
+$(B)/%.$(1).o: %.c $(B)/flags $(SETUP_FIRST)
+	$$(call say,compile,$$< for $(1))
+	$$(Q)mkdir -p $$(@D)
+	$$(Q)$$(COMPILE) $$(FOR_LANES) $$(FOR_$(1)) -DLANES_KIND=$(1) -o $$@ $$<
+endef
+$(foreach k,$(LANES_KINDS),$(eval $(call lanes_rule,$(k))))
 
 # What later chapters show of earlier ones: the camera in figures, and how a scene is drawn.
 SHOWS_CAMERA := $(B)/chapters/01-corners/plane.o
@@ -138,7 +156,7 @@ shared_objects = $(SHOWS_CAMERA) $(if $(filter 07% 08%,$(1)),$(DRAWS_SCENES))
 .SECONDEXPANSION:
 $(PROGRAMS): $(BUILT)/%: $$(sort $$(call chapter_objects,$$*) $$(call shared_objects,$$*)) $(ANSWER_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
 # Scenes that a program writes: chapters/NN-stem/NAME_nff.c, and what it is told.
 GENERATED := sphereflake-91 sphereflake-820 sphereflake-7381 sunflower
@@ -369,6 +387,13 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
+# Every engine of chapter 08 against the first.
+ENGINES := $(B)/tests/fast/same
+$(ENGINES): $(ENGINES).o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
+
 SAME := $(B)/tests/same_picture
 $(B)/tests/judge/same_picture.o: EXTRA = $(PNG_CFLAGS)
 $(SAME): $(B)/tests/judge/same_picture.o
@@ -435,7 +460,7 @@ CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v py
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
-CHECKS := $(COMMON_TESTS) $(TESTS) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
+CHECKS := $(COMMON_TESTS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
 FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)

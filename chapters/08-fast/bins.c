@@ -1,0 +1,134 @@
+// bins.c - step 6: object order with bins. Every sphere goes into the bins of the tiles it is in,
+// near ones first; then every tile asks the spheres of its bin, until what is left is hidden.
+//
+// A tile's pixels stay in the cache for as long as it takes (Fuchs et al., 'Pixel-Planes 5', 1989);
+// most of what is far behind is never looked at.
+#include "chapters/08-fast/bins_sort.h"
+#include "chapters/08-fast/bins_tile.h"
+#include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/parallel.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+
+static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
+
+typedef struct {
+    Tiling tiling;
+    Eye eye;
+    Place *places;
+    Bins bins;
+    int columns, top; // of tiles; the first row in the bins
+    atomic_llong entries;
+} Casting;
+
+static void get(double to[3], vec3 from)
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i];
+}
+
+static Eye eye_of(const Work *work)
+{
+    Camera camera = work->camera;
+    Eye eye = {.width = work->image->size.width, .height = work->image->size.height};
+    get(eye.right, camera.right);
+    get(eye.up, camera.up);
+    get(eye.forward, camera.forward);
+    eye.across = eye.width * camera.distance / camera.width;
+    eye.down = eye.height * camera.distance / camera.height;
+    return eye;
+}
+
+static void place_some(void *given, int part)
+{
+    Casting *casting = given;
+    const Work *work = casting->tiling.work;
+    int first = part * PLACES, count = work->scene->sphere_count - first;
+    if (count > PLACES)
+        count = PLACES;
+    Positions positions = {0};
+    for (int i = 0; i < count; i++) {
+        const Sphere *sphere = &work->scene->spheres[first + i];
+        vec3 c = sphere->center - work->camera.origin;
+        positions.x[i] = c[0];
+        positions.y[i] = c[1];
+        positions.z[i] = c[2];
+        positions.radius[i] = sphere->radius;
+    }
+    Place *places = casting->places + first;
+    casting->tiling.lanes->place(&casting->eye, &positions, first, count, places);
+    long long entries = 0;
+    for (int i = 0; i < count; i++)
+        entries += ((places[i].right - places[i].left) / TILE_WIDTH + 2) *
+                   ((places[i].bottom - places[i].top) / TILE_HEIGHT + 2);
+    atomic_fetch_add(&casting->entries, entries);
+}
+
+static void cast_tile(void *given, int tile)
+{
+    const Casting *casting = given;
+    size_t start = casting->bins.start[tile];
+    Pixel corner = {tile % casting->columns * TILE_WIDTH,
+                    (casting->top + tile / casting->columns) * TILE_HEIGHT};
+    tile_cast(&casting->tiling, corner, casting->bins.items + start,
+              casting->bins.start[tile + 1] - start);
+}
+
+// Where spheres overlap a lot, all bins at once would take too much memory: then it is the bins of
+// some rows of tiles at a time.
+static bool cast_rows(Casting *casting, int count)
+{
+    const Work *work = casting->tiling.work;
+    int rows = (work->image->size.height + TILE_HEIGHT - 1) / TILE_HEIGHT;
+    long long room = 4LL * work->scene->sphere_count + (1 << 20);
+    int step = (int)(rows / (casting->entries / room + 1)) + 1;
+    bool fits = true;
+    for (int top = 0; top < rows && fits; top += step) {
+        int bottom = top + step < rows ? top + step : rows;
+        casting->top = top;
+        fits = bins_by_tile(&casting->bins, casting->tiling.places, count, casting->columns, top,
+                            bottom, work->threads);
+        if (fits)
+            in_parallel(work->threads, casting->columns * (bottom - top), cast_tile, casting);
+        bins_free(&casting->bins);
+    }
+    return fits;
+}
+
+// Memory in pages as large as the system has them: there are fewer to be found and cleared.
+static Place *places_for(int count)
+{
+    const size_t page = 1 << 21, size = ((size_t)count + 1) * sizeof(Place);
+    if (size < page)
+        return malloc(size);
+    Place *places = aligned_alloc(page, (size + page - 1) / page * page);
+#ifdef MADV_HUGEPAGE
+    if (places != NULL)
+        madvise(places, size, MADV_HUGEPAGE);
+#endif
+    return places;
+}
+
+bool cast_bins(const Work *work, Message *message)
+{
+    Resolution screen = work->image->size;
+    int count = work->scene->sphere_count, parts = (count + PLACES - 1) / PLACES, visible = -1;
+    Place *places = places_for(count);
+    Place *sorted = places_for(count);
+    Paint *paints = paints_of(work->scene);
+    Casting casting = {{work, bins_lanes[lanes_best()], sorted, paints}, eye_of(work), places,
+                       {0}, (screen.width + TILE_WIDTH - 1) / TILE_WIDTH, 0, 0};
+    if (places != NULL && sorted != NULL && paints != NULL) {
+        in_parallel(parts < 40 ? 1 : work->threads, parts, place_some, &casting);
+        visible = places_by_depth(places, count, sorted, work->threads);
+    }
+    free(places);
+    bool done = visible >= 0 && cast_rows(&casting, visible);
+    if (!done)
+        message_set(message, "no memory for the bins of %d spheres", count);
+    free(sorted);
+    free(paints);
+    return done;
+}

@@ -1,0 +1,96 @@
+// bins_lanes.h - the inner loops of step 6, as numbers and arrays.
+#ifndef CHAPTERS_08_FAST_BINS_LANES_H
+#define CHAPTERS_08_FAST_BINS_LANES_H
+
+#include "chapters/08-fast/lanes.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { TILE_WIDTH = 32, TILE_HEIGHT = 32 };
+
+// Where on the screen a sphere is (columns left to right - 1, rows top to bottom - 1), and how near
+// it comes to the eye: a little less rather than more, and without the last PLACE_DROPPED bits of
+// the float, so that places can be sorted by what is left.
+enum { PLACE_DROPPED = 15 };
+typedef struct {
+    uint16_t left, right, top, bottom;
+    float near;
+    int sphere;
+} Place;
+
+// Spheres as seen from the eye, and the camera: its axes, and from the plane at distance 1 to
+// pixels.
+enum { PLACES = 256 };
+typedef struct {
+    double x[PLACES], y[PLACES], z[PLACES], radius[PLACES];
+} Positions;
+typedef struct {
+    double right[3], up[3], forward[3];
+    double across, down; // pixels per unit of the plane
+    double width, height;
+} Eye;
+
+// The pixels of a tile. s is how far the nearest surface is, as t |v|^2; a pixel that float cannot
+// decide has UNSURE in its colour.
+enum { UNSURE = 1 << 24 };
+typedef struct {
+    float s[TILE_HEIGHT * TILE_WIDTH];
+    int color[TILE_HEIGHT * TILE_WIDTH]; // red, 256 green, 65536 blue
+} Tile;
+
+// A part of a tile.
+typedef struct {
+    int left, right, top, bottom;
+} Part;
+
+// The rays of a tile: the first pixel's, and what is added from column to column and row to row;
+// and the products of these two with themselves and one another.
+typedef struct {
+    double first[3], column[3], row[3];
+    double columns, rows, both;
+} Rays;
+
+// Spheres that may be seen: the centre from the eye, the radius; a pixel in the middle of its part
+// of the tile, and how far that reaches from there.
+typedef struct {
+    double x[LANES], y[LANES], z[LANES], radius[LANES];
+    double column[LANES], row[LANES], half_width[LANES], half_height[LANES];
+} Candidates;
+
+// Spheres as a tile sees them. Columns and rows counted from the pixel (x, y), a ray v has
+//   D = d + dx x + dy y + dxx x^2 + dxy x y + dyy y^2    and    b = b + bx x + by y,
+// and meets the sphere at t |v|^2 = b - sqrt(D). That is nearer than s where D > u^2, u = b - s, or
+// where u < 0 and D > 0; where these differ by less than doubt, float cannot tell. b is off by at
+// most b_error, and s by s_error.
+typedef struct {
+    float x[LANES], y[LANES];
+    float d[LANES], dx[LANES], dy[LANES], dxx[LANES], dxy[LANES], dyy[LANES];
+    float b[LANES], bx[LANES], by[LANES];
+    float doubt[LANES], b_error[LANES], s_error[LANES];
+    // 0 where float is not to be trusted: where the eye is in the sphere or close to it, or it is
+    // partly beside or behind the eye, or of an extraordinary size.
+    int safe[LANES];
+} Outlines;
+
+typedef struct {
+    // Where so many spheres are; the first one is this one.
+    void (*place)(const Eye *eye, const Positions *positions, int first, int count, Place *places);
+    // Nothing seen yet, in so many columns and rows; there is nothing to see in the others.
+    void (*clear)(Tile *tile, int columns, int rows, int color);
+    // The largest s.
+    float (*farthest)(const Tile *tile, Part part);
+    // What the tile sees of so many candidates.
+    void (*outline)(const Rays *rays, const Candidates *candidates, int count, Outlines *outlines);
+    // Sphere number n of these asks the pixels of its part; what was seen may be off by slack.
+    void (*ask)(Tile *tile, const Outlines *outlines, int n, Part part, float slack, int color);
+    // Is any pixel unsure?
+    bool (*unsure)(const Tile *tile);
+    // Writes bytes of red, green and blue; rows of the image are so many bytes apart.
+    void (*paint)(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart);
+} BinsLanes;
+
+extern const BinsLanes bins_baseline, bins_avx2, bins_avx512;
+
+#endif

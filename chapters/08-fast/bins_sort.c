@@ -1,0 +1,167 @@
+// bins_sort.c - a counting sort: count what goes into each bin, add up where each begins, fill.
+//
+// Every thread has a share of the items and counts by itself. Where bin b begins for share p is then
+// known beforehand: behind what all shares have in earlier bins, and earlier shares in this one. So
+// all fill at the same time, without asking each other, and items stay in order.
+#include "chapters/08-fast/bins_sort.h"
+
+#include "chapters/08-fast/parallel.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { FEW = 10000 }; // not worth a second thread
+
+typedef struct {
+    const Place *places;
+    int count;
+    Place *sorted;            // by depth
+    uint32_t nearest;         // by depth: of all
+    int columns, top, bottom; // by tile
+    int *items;
+    int bin_count, shares;
+    size_t *counts; // of each share, bin after bin; then where it fills
+} Sort;
+
+static uint32_t depth_of(Place place)
+{
+    uint32_t bits;
+    memcpy(&bits, &place.near, sizeof bits); // floats that are not negative sort as their bits do
+    return bits >> PLACE_DROPPED;
+}
+
+static bool is_visible(Place place)
+{
+    return place.left < place.right && place.top < place.bottom;
+}
+
+// The tiles of a place that are in the bins: some columns of some rows.
+static inline Part tiles_of(const Sort *sort, Place place)
+{
+    int top = place.top / TILE_HEIGHT, bottom = (place.bottom - 1) / TILE_HEIGHT + 1;
+    return (Part){place.left / TILE_WIDTH, (place.right - 1) / TILE_WIDTH + 1,
+                  (top > sort->top ? top : sort->top) - sort->top,
+                  (bottom < sort->bottom ? bottom : sort->bottom) - sort->top};
+}
+
+static int share_begins(const Sort *sort, int share)
+{
+    return (int)((long long)sort->count * share / sort->shares);
+}
+
+static size_t *counts_of(const Sort *sort, int share)
+{
+    return sort->counts + (size_t)share * (size_t)sort->bin_count;
+}
+
+static void count_depths(void *given, int share)
+{
+    const Sort *sort = given;
+    size_t *counts = counts_of(sort, share);
+    const Place *end = sort->places + share_begins(sort, share + 1);
+    for (const Place *place = sort->places + share_begins(sort, share); place < end; place++)
+        counts[depth_of(*place) - sort->nearest] += is_visible(*place);
+}
+
+static void fill_depths(void *given, int share)
+{
+    const Sort *sort = given;
+    size_t *next = counts_of(sort, share);
+    const Place *end = sort->places + share_begins(sort, share + 1);
+    for (const Place *place = sort->places + share_begins(sort, share); place < end; place++)
+        if (is_visible(*place))
+            sort->sorted[next[depth_of(*place) - sort->nearest]++] = *place;
+}
+
+static void count_tiles(void *given, int share)
+{
+    const Sort *sort = given;
+    size_t *counts = counts_of(sort, share);
+    for (int i = share_begins(sort, share), end = share_begins(sort, share + 1); i < end; i++) {
+        Part tiles = tiles_of(sort, sort->places[i]);
+        for (int row = tiles.top; row < tiles.bottom; row++)
+            for (int column = tiles.left; column < tiles.right; column++)
+                counts[row * sort->columns + column]++;
+    }
+}
+
+static void fill_tiles(void *given, int share)
+{
+    const Sort *sort = given;
+    size_t *next = counts_of(sort, share);
+    int *items = sort->items;
+    for (int i = share_begins(sort, share), end = share_begins(sort, share + 1); i < end; i++) {
+        Part tiles = tiles_of(sort, sort->places[i]);
+        for (int row = tiles.top; row < tiles.bottom; row++)
+            for (int column = tiles.left; column < tiles.right; column++)
+                items[next[row * sort->columns + column]++] = i;
+    }
+}
+
+// From how many to where.
+static size_t add_up(const Sort *sort, size_t *start)
+{
+    size_t sum = 0;
+    for (int bin = 0; bin < sort->bin_count; bin++) {
+        if (start != NULL)
+            start[bin] = sum;
+        for (int share = 0; share < sort->shares; share++) {
+            size_t *count = &sort->counts[(size_t)share * (size_t)sort->bin_count + (size_t)bin];
+            size_t here = *count;
+            *count = sum;
+            sum += here;
+        }
+    }
+    if (start != NULL)
+        start[sort->bin_count] = sum;
+    return sum;
+}
+
+static bool count_all(Sort *sort, void (*count_share)(void *given, int share), int threads)
+{
+    sort->shares = sort->count < FEW ? 1 : threads;
+    sort->counts = calloc((size_t)sort->shares * (size_t)sort->bin_count, sizeof *sort->counts);
+    if (sort->counts != NULL)
+        in_parallel(sort->shares, sort->shares, count_share, sort);
+    return sort->counts != NULL;
+}
+
+int places_by_depth(const Place *places, int count, Place *sorted, int threads)
+{
+    uint32_t nearest = UINT32_MAX, farthest = 0;
+    for (int i = 0; i < count; i++) {
+        uint32_t depth = depth_of(places[i]);
+        nearest = depth < nearest ? depth : nearest;
+        farthest = depth > farthest ? depth : farthest;
+    }
+    Sort sort = {.places = places, .count = count, .sorted = sorted, .nearest = nearest};
+    sort.bin_count = count > 0 ? (int)(farthest - nearest) + 1 : 1;
+    if (!count_all(&sort, count_depths, threads))
+        return -1;
+    int result = (int)add_up(&sort, NULL);
+    in_parallel(sort.shares, sort.shares, fill_depths, &sort);
+    free(sort.counts);
+    return result;
+}
+
+bool bins_by_tile(Bins *bins, const Place *places, int count, int columns, int top, int bottom,
+                  int threads)
+{
+    Sort sort = {.places = places, .count = count, .columns = columns, .top = top,
+                 .bottom = bottom, .bin_count = columns * (bottom - top)};
+    *bins = (Bins){NULL, malloc(((size_t)sort.bin_count + 1) * sizeof *bins->start)};
+    if (bins->start == NULL || !count_all(&sort, count_tiles, threads))
+        return false;
+    size_t sum = add_up(&sort, bins->start);
+    sort.items = bins->items = malloc((sum + 1) * sizeof *bins->items);
+    if (bins->items != NULL)
+        in_parallel(sort.shares, sort.shares, fill_tiles, &sort);
+    free(sort.counts);
+    return bins->items != NULL;
+}
+
+void bins_free(Bins *bins)
+{
+    free(bins->items);
+    free(bins->start);
+}

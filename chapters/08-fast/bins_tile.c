@@ -1,0 +1,238 @@
+// bins_tile.c - one tile of the screen: its spheres ask its pixels, the near ones first, until the
+// rest is hidden behind what was seen.
+//
+// Float decides where its error cannot matter (bins_lanes.c). What it leaves open is
+// decided by chapter 06's functions, in double, at the end.
+#include "chapters/08-fast/bins_tile.h"
+
+#include "exercises/04-pixel-ray.h"
+#include "exercises/05-quadratic.h"
+
+#include <float.h>
+#include <math.h>
+
+enum { UNTIL_NEXT_LOOK = 16, AT_ONCE = 8 }; // spheres, until the tile is searched again for its farthest pixel
+
+typedef struct {
+    const Tiling *tiling;
+    Pixel corner;
+    int columns, rows;
+    Rays rays;
+    float shortest; // at most the length of any of them
+    float slack;    // how far off any s may be
+    Tile pixels;
+    // Who is to ask next.
+    int waiting;
+    Candidates candidates;
+    int spheres[LANES];
+    Part parts[LANES];
+    float nearest[LANES]; // s is not less
+} Here;
+
+static float larger(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+static Pixel pixel_at(const Here *here, int column, int row)
+{
+    return (Pixel){here->corner.column + column, here->corner.row + row};
+}
+
+static int color_of(const Tiling *tiling, int sphere)
+{
+    const Scene *scene = tiling->work->scene;
+    int surface = sphere < 0 ? scene->surface_count : scene->spheres[sphere].surface;
+    const uint8_t *rgb = tiling->paints[surface].rgb;
+    return rgb[0] | rgb[1] << 8 | rgb[2] << 16;
+}
+
+// A sphere asks its pixels in double.
+static void ask_in_double(Here *here, int number, Part part, float nearest)
+{
+    const Work *work = here->tiling->work;
+    int color = color_of(here->tiling, number);
+    for (int row = part.top; row < part.bottom; row++) {
+        for (int column = part.left; column < part.right; column++) {
+            float *s = &here->pixels.s[row * TILE_WIDTH + column];
+            int *seen = &here->pixels.color[row * TILE_WIDTH + column];
+            if (nearest > *s + here->slack)
+                continue;
+            Ray ray = pixel_ray(work->camera, work->image->size, pixel_at(here, column, row));
+            double t = hit_sphere(ray, work->scene->spheres[number]);
+            if (t == NO_HIT)
+                continue;
+            double at = t * vec3_dot(ray.direction, ray.direction);
+            double margin = 2 * here->slack + 4 * FLT_EPSILON * at;
+            if (!(at < FLT_MAX && fabs(at - *s) > margin)) {
+                *seen |= UNSURE;
+            } else if (at < *s) {
+                *s = (float)at;
+                *seen = color | (*seen & UNSURE);
+                here->slack = larger(here->slack, (float)(FLT_EPSILON * at));
+            }
+        }
+    }
+}
+
+// Which of the spheres does a pixel see? Most of them its ray misses by far.
+static int decide(const Here *here, Pixel pixel, const int *bin, size_t count)
+{
+    const Work *work = here->tiling->work;
+    Ray ray = pixel_ray(work->camera, work->image->size, pixel);
+    vec3 v = ray.direction;
+    double vv = vec3_dot(v, v);
+    Hit nearest = {NO_HIT, -1};
+    for (size_t i = 0; i < count; i++) {
+        int number = here->tiling->places[bin[i]].sphere;
+        Sphere sphere = work->scene->spheres[number];
+        vec3 c = sphere.center - ray.origin, w = vec3_cross(c, v);
+        double square = sphere.radius * sphere.radius;
+        if (vec3_dot(w, w) > 1.000001 * square * vv + 1e-18 * vec3_dot(c, c) * vv)
+            continue;
+        double t = hit_sphere(ray, sphere);
+        if (t < nearest.t || (t == nearest.t && t < NO_HIT && number < nearest.sphere))
+            nearest = (Hit){t, number};
+    }
+    return nearest.sphere;
+}
+
+static void decide_unsure(Here *here, const int *bin, size_t count)
+{
+    if (!here->tiling->lanes->unsure(&here->pixels))
+        return;
+    for (int row = 0; row < here->rows; row++) {
+        for (int column = 0; column < here->columns; column++) {
+            int *seen = &here->pixels.color[row * TILE_WIDTH + column];
+            if (*seen & UNSURE)
+                *seen = color_of(here->tiling,
+                                 decide(here, pixel_at(here, column, row), bin, count));
+        }
+    }
+}
+
+static Part part_of(const Here *here, Place place)
+{
+    int left = place.left - here->corner.column, right = place.right - here->corner.column;
+    int top = place.top - here->corner.row, bottom = place.bottom - here->corner.row;
+    return (Part){left > 0 ? left : 0, right < here->columns ? right : here->columns,
+                  top > 0 ? top : 0, bottom < here->rows ? bottom : here->rows};
+}
+
+// Where a candidate is, from the eye, and where the pixels that it may ask.
+static void set_candidate(Here *here, int i)
+{
+    const Work *work = here->tiling->work;
+    const Sphere *sphere = &work->scene->spheres[here->spheres[i]];
+    Candidates *to = &here->candidates;
+    vec3 c = sphere->center - work->camera.origin;
+    to->x[i] = c[0];
+    to->y[i] = c[1];
+    to->z[i] = c[2];
+    to->radius[i] = sphere->radius;
+    Part part = here->parts[i];
+    int column = (part.left + part.right) / 2, row = (part.top + part.bottom) / 2;
+    to->column[i] = column;
+    to->row[i] = row;
+    to->half_width[i] = column - part.left;
+    to->half_height[i] = row - part.top;
+}
+
+static void ask_waiting(Here *here)
+{
+    const BinsLanes *lanes = here->tiling->lanes;
+    Outlines outlines;
+    for (int i = 0; i < here->waiting; i++)
+        set_candidate(here, i);
+    lanes->outline(&here->rays, &here->candidates, here->waiting, &outlines);
+    for (int i = 0; i < here->waiting; i++) {
+        if (here->nearest[i] > lanes->farthest(&here->pixels, here->parts[i]) + here->slack)
+            continue;
+        if (outlines.safe[i]) {
+            lanes->ask(&here->pixels, &outlines, i, here->parts[i], here->slack,
+                       color_of(here->tiling, here->spheres[i]));
+            here->slack = larger(here->slack, outlines.s_error[i]);
+        } else {
+            ask_in_double(here, here->spheres[i], here->parts[i], here->nearest[i]);
+        }
+    }
+    here->waiting = 0;
+}
+
+static void await(Here *here, int number, Part part, float nearest)
+{
+    int i = here->waiting++;
+    here->spheres[i] = number;
+    here->parts[i] = part;
+    here->nearest[i] = nearest;
+}
+
+// Returns how many of the spheres may be seen at all.
+static size_t ask_all(Here *here, const int *bin, size_t count)
+{
+    const Tiling *tiling = here->tiling;
+    const Part all = {0, here->columns, 0, here->rows};
+    float farthest = INFINITY;
+    size_t i;
+    for (i = 0; i < count; i++) {
+        if (i + 16 < count)
+            __builtin_prefetch(&tiling->places[bin[i + 16]]);
+        if (i % UNTIL_NEXT_LOOK == UNTIL_NEXT_LOOK - 1)
+            farthest = tiling->lanes->farthest(&here->pixels, all);
+        Place place = tiling->places[bin[i]];
+        float nearest = place.near * here->shortest;
+        if (nearest > farthest + here->slack)
+            break;
+        Part part = part_of(here, place);
+        __builtin_prefetch(&tiling->work->scene->spheres[place.sphere]);
+        await(here, place.sphere, part, nearest);
+        if (here->waiting == AT_ONCE)
+            ask_waiting(here);
+    }
+    ask_waiting(here);
+    return i;
+}
+
+static Rays rays_from(vec3 first, vec3 column, vec3 row)
+{
+    Rays rays = {.columns = vec3_dot(column, column), .rows = vec3_dot(row, row),
+                 .both = vec3_dot(column, row)};
+    for (int i = 0; i < 3; i++) {
+        rays.first[i] = first[i];
+        rays.column[i] = column[i];
+        rays.row[i] = row[i];
+    }
+    return rays;
+}
+
+static double nearest_to(double x, int first, int count)
+{
+    return fmin(fmax(x, first), first + count) - x;
+}
+
+void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
+{
+    Image *image = tiling->work->image;
+    Camera camera = tiling->work->camera;
+    int width = image->size.width, height = image->size.height;
+    Here here;
+    here.tiling = tiling;
+    here.corner = corner;
+    here.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
+    here.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
+    here.rays = rays_from(pixel_ray(camera, image->size, corner).direction,
+                          camera.width / width * camera.right,
+                          -camera.height / height * camera.up);
+    double x = camera.width / width * nearest_to(width / 2.0, corner.column, here.columns);
+    double y = camera.height / height * nearest_to(height / 2.0, corner.row, here.rows);
+    here.shortest =
+        0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
+    here.slack = 0;
+    here.waiting = 0;
+    tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
+    decide_unsure(&here, bin, ask_all(&here, bin, count));
+    tiling->lanes->paint(
+        &here.pixels, here.columns, here.rows,
+        image->rgb + 3 * ((size_t)corner.row * (size_t)width + (size_t)corner.column),
+        3 * (size_t)width);
+}

@@ -1,0 +1,21 @@
+// bins_tile.h - one tile of the screen, and the spheres of its bin.
+#ifndef CHAPTERS_08_FAST_BINS_TILE_H
+#define CHAPTERS_08_FAST_BINS_TILE_H
+
+#include "chapters/08-fast/bins_lanes.h"
+#include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/paint.h"
+
+// What all tiles share.
+typedef struct {
+    const Work *work;
+    const BinsLanes *lanes;
+    const Place *places; // near ones first
+    const Paint *paints;
+} Tiling;
+
+// Colours the tile whose upper left pixel this is, by the spheres whose places these are: so
+// many, near ones first.
+void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count);
+
+#endif

@@ -1,0 +1,23 @@
+// engines.c - the list of engines.
+#include "chapters/08-fast/engine.h"
+
+#include <stddef.h>
+#include <string.h>
+
+const Engine engines[] = {
+    {"plain", "every pixel asks every sphere", cast_plain},
+    {"object", "every sphere asks the pixels of its rectangle", cast_object},
+    {"bvh", "every ray asks the spheres on its way", cast_bvh},
+    {"packet", "16 rays at a time ask the spheres on their way", cast_packet},
+    {"tiles", "a tile of pixels asks the spheres in its frustum", cast_tiles},
+    {"bins", "every tile asks the spheres in it, near ones first", cast_bins},
+    {0},
+};
+
+const Engine *engine_named(const char *name)
+{
+    for (const Engine *engine = engines; engine->name != NULL; engine++)
+        if (strcmp(engine->name, name) == 0)
+            return engine;
+    return NULL;
+}

@@ -1,0 +1,180 @@
+// hierarchy.c - building a bounding volume hierarchy: where to cut, and cutting.
+#include "chapters/08-fast/hierarchy.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+// Deeper than DEEP it is cut into halves, so that no hierarchy is deeper than HIERARCHY_DEEPEST.
+enum { BINS = 16, LEAF = 4, DEEP = 64 };
+
+typedef struct {
+    Hierarchy *hierarchy;
+    const Sphere *spheres;
+} Builder;
+
+static const Box nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+// Not fmin and fmax: what they make of what is not a number costs a call.
+static inline double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static Box around_both(Box a, Box b)
+{
+    for (int i = 0; i < 3; i++) {
+        a.low[i] = smaller(a.low[i], b.low[i]);
+        a.high[i] = larger(a.high[i], b.high[i]);
+    }
+    return a;
+}
+
+static Box around_sphere(Sphere sphere)
+{
+    Box box;
+    for (int i = 0; i < 3; i++) {
+        double more = 1e-6 * sphere.radius + 1e-12 * fabs(sphere.center[i]);
+        box.low[i] = sphere.center[i] - sphere.radius - more;
+        box.high[i] = sphere.center[i] + sphere.radius + more;
+    }
+    return box;
+}
+
+// Half of it, which will do for comparing.
+static double surface(Box box)
+{
+    double x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
+    return box.low[0] > box.high[0] ? 0 : x * y + y * z + z * x;
+}
+
+// ---- where to cut -----------------------------------------------------------------------------
+
+typedef struct {
+    int axis;
+    double low, scale; // bin = (center - low) * scale
+    int bin;           // the first bin of the second child
+    double cost;       // spheres times surface, both children
+} Cut;
+
+static int bin_of(Cut cut, Sphere sphere)
+{
+    int bin = (int)((sphere.center[cut.axis] - cut.low) * cut.scale);
+    return bin < BINS ? bin : BINS - 1;
+}
+
+// The cheapest cut along an axis; infinite where all centres are in one place.
+static Cut best_cut_along(const Builder *builder, int axis, int first, int count)
+{
+    const int *order = builder->hierarchy->order + first;
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < count; i++) {
+        low = smaller(low, builder->spheres[order[i]].center[axis]);
+        high = larger(high, builder->spheres[order[i]].center[axis]);
+    }
+    Cut cut = {axis, low, BINS / (high - low), 0, INFINITY};
+    if (!(high > low) || !isfinite(cut.scale))
+        return cut;
+
+    Box boxes[BINS];
+    int counts[BINS] = {0};
+    for (int i = 0; i < BINS; i++)
+        boxes[i] = nothing;
+    for (int i = 0; i < count; i++) {
+        Sphere sphere = builder->spheres[order[i]];
+        int bin = bin_of(cut, sphere);
+        boxes[bin] = around_both(boxes[bin], around_sphere(sphere));
+        counts[bin]++;
+    }
+    // From the right: what the second child would cost. Then from the left: both together.
+    double right[BINS];
+    Box box = nothing;
+    for (int i = BINS - 1, n = 0; i > 0; i--) {
+        box = around_both(box, boxes[i]);
+        n += counts[i];
+        right[i] = n * surface(box);
+    }
+    box = nothing;
+    for (int i = 1, n = 0; i < BINS; i++) {
+        box = around_both(box, boxes[i - 1]);
+        n += counts[i - 1];
+        double cost = n * surface(box) + right[i];
+        if (n > 0 && n < count && cost < cut.cost) {
+            cut.cost = cost;
+            cut.bin = i;
+        }
+    }
+    return cut;
+}
+
+// ---- cutting ----------------------------------------------------------------------------------
+
+// Brings those before the cut to the front; how many they are.
+static int divide(const Builder *builder, Cut cut, int first, int count)
+{
+    int *order = builder->hierarchy->order;
+    int front = first, back = first + count - 1;
+    while (front <= back) {
+        if (bin_of(cut, builder->spheres[order[front]]) < cut.bin) {
+            front++;
+        } else {
+            int other = order[back];
+            order[back--] = order[front];
+            order[front] = other;
+        }
+    }
+    return front - first;
+}
+
+static void build(const Builder *builder, int first, int count, int depth)
+{
+    Hierarchy *hierarchy = builder->hierarchy;
+    Node *node = &hierarchy->nodes[hierarchy->node_count++];
+    *node = (Node){.box = nothing, .first = first, .count = count};
+    for (int i = first; i < first + count; i++)
+        node->box = around_both(node->box, around_sphere(builder->spheres[hierarchy->order[i]]));
+    if (count <= 1)
+        return;
+    Cut cut = {.cost = INFINITY};
+    for (int axis = 0; axis < 3; axis++) {
+        Cut other = best_cut_along(builder, axis, first, count);
+        if (other.cost < cut.cost)
+            cut = other;
+    }
+    // A step down costs about as much as asking a sphere.
+    bool worth = cut.cost + surface(node->box) < count * surface(node->box);
+    if (count <= LEAF && !worth)
+        return;
+    int half = isfinite(cut.cost) && depth < DEEP ? divide(builder, cut, first, count) : count / 2;
+    node->axis = cut.axis;
+    build(builder, first, half, depth + 1);
+    node->other = hierarchy->node_count;
+    build(builder, first + half, count - half, depth + 1);
+}
+
+bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene)
+{
+    size_t count = (size_t)scene->sphere_count;
+    *hierarchy = (Hierarchy){.nodes = malloc((2 * count + 1) * sizeof(Node)),
+                             .order = malloc((count + 1) * sizeof(int))};
+    if (hierarchy->nodes == NULL || hierarchy->order == NULL) {
+        hierarchy_free(hierarchy);
+        return false;
+    }
+    for (int i = 0; i < scene->sphere_count; i++)
+        hierarchy->order[i] = i;
+    Builder builder = {hierarchy, scene->spheres};
+    build(&builder, 0, scene->sphere_count, 0);
+    return true;
+}
+
+void hierarchy_free(Hierarchy *hierarchy)
+{
+    free(hierarchy->nodes);
+    free(hierarchy->order);
+    *hierarchy = (Hierarchy){0};
+}

@@ -1,0 +1,29 @@
+// paint.h - the bytes of what a scene's spheres look like, found once.
+#ifndef CHAPTERS_08_FAST_PAINT_H
+#define CHAPTERS_08_FAST_PAINT_H
+
+#include "common/image.h"
+#include "common/scene.h"
+
+#include <stdbool.h>
+
+typedef struct {
+    uint8_t rgb[3];
+} Paint;
+
+// One for each surface, and behind the last the background. Free it with free; NULL where memory is
+// short.
+Paint *paints_of(const Scene *scene);
+
+// Colours a pixel by the sphere that it sees, -1 for none. Unlike image_set this may be called by
+// several threads, for different pixels.
+static inline void paint_pixel(Image *image, size_t pixel, const Scene *scene, const Paint *paints,
+                               int sphere)
+{
+    const Paint *paint =
+        &paints[sphere < 0 ? scene->surface_count : scene->spheres[sphere].surface];
+    for (int i = 0; i < 3; i++)
+        image->rgb[3 * pixel + (size_t)i] = paint->rgb[i];
+}
+
+#endif

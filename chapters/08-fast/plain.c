@@ -1,0 +1,39 @@
+// plain.c - step 1: chapter 06's loop. Every pixel asks every sphere.
+//
+// What all others are held against. The only thing added is that rows may be shared out.
+#include "chapters/08-fast/engine.h"
+
+#include "chapters/08-fast/paint.h"
+#include "chapters/08-fast/parallel.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/06-ray-casting.h"
+
+#include <stdlib.h>
+
+typedef struct {
+    const Work *work;
+    const Paint *paints;
+} Plain;
+
+static void cast_row(void *given, int row)
+{
+    const Plain *plain = given;
+    const Work *work = plain->work;
+    Resolution screen = work->image->size;
+    for (int column = 0; column < screen.width; column++) {
+        Hit hit = nearest_hit(pixel_ray(work->camera, screen, (Pixel){column, row}), work->scene);
+        size_t pixel = (size_t)row * (size_t)screen.width + (size_t)column;
+        paint_pixel(work->image, pixel, work->scene, plain->paints, hit.sphere);
+    }
+}
+
+bool cast_plain(const Work *work, Message *message)
+{
+    Paint *paints = paints_of(work->scene);
+    Plain plain = {work, paints};
+    if (paints == NULL)
+        return message_set(message, "no memory for %d colours", work->scene->surface_count);
+    in_parallel(work->threads, work->image->size.height, cast_row, &plain);
+    free(paints);
+    return true;
+}
