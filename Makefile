@@ -318,6 +318,12 @@ $(ENGINES): $(ENGINES).o $(filter-out %/main.o,$(call chapter_objects,08-fast)) 
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
+# Numbers as they are read against the C library's.
+NUMBERS := $(B)/tests/exact/numbers
+$(NUMBERS): $(NUMBERS).o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+
 SAME := $(B)/tests/same_picture
 $(B)/tests/judge/same_picture.o: EXTRA = $(PNG_CFLAGS)
 $(SAME): $(B)/tests/judge/same_picture.o
@@ -384,7 +390,7 @@ CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v py
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
-CHECKS := $(COMMON_TESTS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
+CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
 FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
