@@ -151,7 +151,17 @@ $(NFF_PROGRAMS): %: %.o $(B)/common.a
 $(B)/scenes/sphereflake-91.nff: ARGUMENTS = 2
 $(B)/scenes/sphereflake-820.nff: ARGUMENTS = 3
 $(B)/scenes/sphereflake-7381.nff: ARGUMENTS = 4
-$(SCENES): $(B)/scenes/%.nff: $$(B)/chapters/06-ray-casting/$$(firstword $$(subst -, ,$$*))_nff
+#[ What takes long is for the bench alone.
+RANDOM := random-1000 random-100000 random-1000000
+BENCH_SCENES := chapters/06-ray-casting/three-spheres.nff $(patsubst %,$(B)/scenes/%.nff, \
+	$(filter sphereflake%,$(GENERATED)) sphereflake-66430 sphereflake-597871 $(RANDOM))
+SCENES += $(filter-out $(SCENES) chapters/%,$(BENCH_SCENES))
+$(B)/scenes/sphereflake-66430.nff: ARGUMENTS = 5
+$(B)/scenes/sphereflake-597871.nff: ARGUMENTS = 6
+$(RANDOM:%=$(B)/scenes/%.nff): $(B)/scenes/random-%.nff: ARGUMENTS = $*
+#]
+generator_of = $(B)/$(basename $(wildcard chapters/*/$(firstword $(subst -, ,$(1)))_nff.c))
+$(SCENES): $(B)/scenes/%.nff: $$(call generator_of,$$*)
 	$(call say,scene,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$< $(ARGUMENTS) > $@
@@ -391,7 +401,7 @@ GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
-FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
+FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
@@ -491,7 +501,31 @@ include .make/grading.mk
 skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
 	@.make/skeletons $(BLANKS)
 
-bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute
+# Chapter 08's engines; with PEERS=1 beside Embree, POV-Ray and Tachyon. The linker puts the
+# bench's clock round what builds hierarchies.
+PEERS :=
+ENGINE_BENCH := $(B)/tests/benches/engines$(if $(PEERS),-and-peers)
+ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+	$(STEMS:%=$(B)/solutions/%.o)
+PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers embree programs,none)) \
+	$(if $(PEERS),$(B)/chapters/07-shading/export.o)
+$(B)/tests/benches/peers/embree.o: EXTRA = -O3 -march=native -fopenmp-simd
+$(B)/tests/benches/peers/programs.o: EXTRA = $(PNG_CFLAGS)
+$(ENGINE_BENCH): $(patsubst %,$(B)/tests/benches/%.o,engines report) $(PEER_OBJECTS) \
+		$(ENGINE_OBJECTS) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -Wl,--wrap=hierarchy_build -o $@ $^ $(if $(PEERS),-lembree3) $(PNG_LIBS) -lm -pthread
+WAIT_BENCH := $(if $(PEERS),$(B)/tests/benches/peers/embree_wait)
+$(B)/tests/benches/peers/embree_wait.o: EXTRA = -O3 -march=native -fopenmp-simd $(PNG_CFLAGS)
+$(B)/tests/benches/peers/embree_wait: %: %.o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm
+bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: others, too)
+	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
+bench-wait: $(WAIT_BENCH) $(BUILT)/08-fast $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
+	@PROGRAMS='$(BUILT)' PEER='$(WAIT_BENCH)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
+bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
+	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-wait
 	@tests/benches/latency.sh
 	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')
 #]
