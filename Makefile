@@ -158,7 +158,7 @@ BENCH_SCENES := chapters/06-ray-casting/three-spheres.nff $(patsubst %,$(B)/scen
 SCENES += $(filter-out $(SCENES) chapters/%,$(BENCH_SCENES))
 $(B)/scenes/sphereflake-66430.nff: ARGUMENTS = 5
 $(B)/scenes/sphereflake-597871.nff: ARGUMENTS = 6
-$(RANDOM:%=$(B)/scenes/%.nff): $(B)/scenes/random-%.nff: ARGUMENTS = $*
+$(RANDOM:%=$(B)/scenes/%.nff): ARGUMENTS = $(*:random-%=%)
 #]
 generator_of = $(B)/$(basename $(wildcard chapters/*/$(firstword $(subst -, ,$(1)))_nff.c))
 $(SCENES): $(B)/scenes/%.nff: $$(call generator_of,$$*)
@@ -516,14 +516,15 @@ $(ENGINE_BENCH): $(patsubst %,$(B)/tests/benches/%.o,engines report) $(PEER_OBJE
 	$(call say,link,$@)
 	$(Q)$(LINK) -Wl,--wrap=hierarchy_build -o $@ $^ $(if $(PEERS),-lembree3) $(PNG_LIBS) -lm -pthread
 WAIT_BENCH := $(if $(PEERS),$(B)/tests/benches/peers/embree_wait)
-$(B)/tests/benches/peers/embree_wait.o: EXTRA = -O3 -march=native -fopenmp-simd $(PNG_CFLAGS)
-$(B)/tests/benches/peers/embree_wait: %: %.o
+$(B)/tests/benches/peers/embree_wait.o: EXTRA = $(PNG_CFLAGS)
+$(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o $(ENGINE_OBJECTS) \
+		$(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm
+	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
 bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: others, too)
 	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
-bench-wait: $(WAIT_BENCH) $(BUILT)/08-fast $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
-	@PROGRAMS='$(BUILT)' PEER='$(WAIT_BENCH)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
+bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/08-fast $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
+	@PROGRAMS='$(BUILT)' BUILD='$(B)' PEERS='$(PEERS)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
 bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
 	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-wait
 	@tests/benches/latency.sh

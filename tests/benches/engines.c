@@ -6,8 +6,8 @@
 // All that is measured of a scene takes turns, round after round, so that what else the machine
 // does meets all alike; medians are said, with the quartiles. Every picture is compared with that
 // of the hierarchy first, and what differs has no number: of the engines each pixel, of peers what
-// is sphere and what is not, but for one pixel in two thousand on silhouettes. Who would take too
-// long casts a smaller picture.
+// is sphere and what is not, but for one pixel in two thousand on silhouettes. Who would take more
+// than SECONDS (3) casts a smaller picture.
 #include "chapters/06-ray-casting/scene_camera.h"
 #include "chapters/08-fast/hierarchy.h"
 #include "tests/benches/measure.h"
@@ -19,9 +19,8 @@
 #include <string.h>
 #include <time.h>
 
-// A picture takes at most LONGEST seconds, all rounds of one at most LONGEST_ALL.
-#define LONGEST 3.0
-#define LONGEST_ALL 15.0
+// All rounds of one take not much longer than so many pictures of SECONDS.
+#define MOST_PICTURES 5
 enum { MOST_THREADS = 8, MOST_CHOSEN = 16, SMALLEST = 64 };
 
 Measured measured;
@@ -49,6 +48,7 @@ typedef struct {
     int threads[MOST_THREADS];
     const char *engines[MOST_CHOSEN]; // none: all
     Resolution size;
+    double longest;
 } Plan;
 
 static bool is_chosen(const Plan *plan, const char *name)
@@ -94,8 +94,8 @@ static bool is_background(const Scene *scene, const uint8_t *rgb)
     return true;
 }
 
-// Peers may see other colours (gamma); what is background is the colour of most of those pixels
-// that are background by the hierarchy: the first of them.
+// How many pixels. Peers may write other colours (gamma): their background is what they show at the
+// first pixel where the hierarchy has background.
 static int different(const Work *mine, const Image *expected, bool peer)
 {
     size_t pixels = (size_t)expected->size.width * (size_t)expected->size.height;
@@ -115,7 +115,7 @@ static int different(const Work *mine, const Image *expected, bool peer)
 
 // ---- one engine, one number of threads -------------------------------------------------------
 
-// By trying small pictures: the largest that takes no longer than LONGEST.
+// By trying small pictures: the largest that takes not too long.
 static Resolution size_for(const Engine *engine, const Scene *scene, const Plan *plan, int threads)
 {
     Resolution size = plan->size;
@@ -127,9 +127,9 @@ static Resolution size_for(const Engine *engine, const Scene *scene, const Plan 
         work_begin(&work, &image, scene, size, threads);
         bool done = cast_once(engine, &work, &build, &cast);
         image_free(&image);
-        if (!done || 4 * cast > LONGEST)
+        if (!done || 4 * cast > plan->longest)
             return size;
-        if (cast * part * part < LONGEST)
+        if (cast * part * part < plan->longest)
             break;
     }
     return plan->size;
@@ -156,9 +156,9 @@ static bool is_same_picture(const Engine *engine, const Scene *scene, Row *row, 
     return done;
 }
 
-static void measure_round(Row *row, const Scene *scene)
+static void measure_round(Row *row, const Scene *scene, const Plan *plan)
 {
-    if (row->rounds > 0 && row->spent > LONGEST_ALL)
+    if (row->rounds > 0 && row->spent > MOST_PICTURES * plan->longest)
         return;
     Work work;
     Image image;
@@ -200,16 +200,16 @@ static void measure_scene(const char *path, const Plan *plan, Report *report)
     count = add_rows(rows, count, peers, &scene, plan);
     for (int round = 0; round < plan->rounds; round++)
         for (int i = 0; i < count; i++)
-            measure_round(&rows[i], &scene);
+            measure_round(&rows[i], &scene, plan);
     report_scene(report, path, scene.sphere_count, rows, count);
     scene_free(&scene);
 }
 
 int main(int argc, char **argv)
 {
-    Plan plan = {.rounds = 7, .size = {1920, 1080}};
+    Plan plan = {.rounds = 7, .size = {1920, 1080}, .longest = 3};
     Report report = {0};
-    for (int c; (c = getopt(argc, argv, "r:s:t:e:o:")) != -1;)
+    for (int c; (c = getopt(argc, argv, "r:s:t:e:l:o:")) != -1;)
         if (c == 'r')
             plan.rounds = atoi(optarg);
         else if (c == 's' && sscanf(optarg, "%dx%d", &plan.size.width, &plan.size.height) == 2)
@@ -218,6 +218,8 @@ int main(int argc, char **argv)
             plan.threads[plan.thread_counts++] = atoi(optarg);
         else if (c == 'e' && plan.chosen < MOST_CHOSEN)
             plan.engines[plan.chosen++] = optarg;
+        else if (c == 'l')
+            plan.longest = atof(optarg);
         else if (c != 'o' || (report.csv = fopen(optarg, "w")) == NULL)
             return 2;
     if (plan.thread_counts == 0)

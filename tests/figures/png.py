@@ -52,7 +52,9 @@ def pixels(path):
 
 def colors(line, width, depth, palette):
     """What the indices of a row stand for, the first in the highest bits."""
+    found = b""
     for i in range(width):
         byte, bit = divmod(i * depth, 8)
         index = line[byte] >> (8 - depth - bit) & ((1 << depth) - 1)
-        yield from palette[3 * index:3 * index + 3]
+        found += palette[3 * index:3 * index + 3]
+    return found

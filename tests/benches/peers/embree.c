@@ -19,8 +19,6 @@ typedef struct {
     float eye[3], corner[3], right[3], down[3]; // directions: corner + column right + row down
 } Peer;
 
-static const RTCSceneFlags robust = RTC_SCENE_FLAG_ROBUST;
-
 // ---- spheres ----------------------------------------------------------------------------------
 
 static void bounds_of(const struct RTCBoundsFunctionArguments *of)
@@ -63,7 +61,7 @@ static bool build(Peer *peer, RTCDevice device, bool user, const float *spheres)
     RTCGeometry geometry = rtcNewGeometry(device, user ? RTC_GEOMETRY_TYPE_USER
                                                        : RTC_GEOMETRY_TYPE_SPHERE_POINT);
     peer->scene = rtcNewScene(device);
-    rtcSetSceneFlags(peer->scene, robust);
+    
     if (user) {
         rtcSetGeometryUserPrimitiveCount(geometry, count);
         rtcSetGeometryUserData(geometry, (void *)(size_t)spheres);

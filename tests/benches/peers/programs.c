@@ -38,25 +38,34 @@ static bool read_picture(const char *path, Image *image, int more_rows, int more
     return good || message_set(message, "%.200s: not the picture that was asked for", path);
 }
 
-// Runs a command and adds up the seconds in the lines that begin so: the number in parentheses, or
-// the first.
-static bool seconds_said(const char *command, const char *start, double *seconds)
+// Their clocks tick in thousandths, or tenths of them: of a picture of no time, so much.
+#define LEAST 1e-4
+
+// The seconds in a line that begins so: the number in parentheses, or the first.
+static void take_seconds(const char *text, const char *start, double *seconds)
+{
+    if (strncmp(text, start, strlen(start)) != 0)
+        return;
+    const char *number = strchr(text, '(');
+    number = number != NULL ? number + 1 : text + strcspn(text, "0123456789");
+    *seconds = fmax(atof(number), LEAST);
+}
+
+// Runs a command and takes from what it prints how long it built and cast. False where it fails or
+// does not say.
+static bool run(const char *command, const char *build, const char *cast)
 {
     char line[4096];
     FILE *pipe = popen(command, "r");
-    *seconds = 0;
     while (pipe != NULL && fgets(line, sizeof line, pipe) != NULL) {
         // Progress is written over itself.
-        char *last = strrchr(line, '\r');
-        char *text = last != NULL ? last + 1 : line;
+        const char *last = strrchr(line, '\r');
+        const char *text = last != NULL ? last + 1 : line;
         text += strspn(text, " ");
-        if (strncmp(text, start, strlen(start)) != 0)
-            continue;
-        char *number = strchr(text, '(');
-        number = number != NULL ? number + 1 : text + strcspn(text, "0123456789");
-        *seconds += atof(number);
+        take_seconds(text, build, &measured.build);
+        take_seconds(text, cast, &measured.cast);
     }
-    return pipe != NULL && pclose(pipe) == 0;
+    return pipe != NULL && pclose(pipe) == 0 && measured.cast > 0;
 }
 
 // Scenes are written once, not for every round.
@@ -84,7 +93,7 @@ bool cast_povray(const Work *work, Message *message)
         return false;
     snprintf(command, sizeof command, "povray '+I%s' '+O%s' +W%d +H%d +WT%d -A -D 2>&1", path,
              picture, size.width, size.height, work->threads);
-    if (!seconds_said(command, "Trace Time:", &measured.cast) || measured.cast == 0)
+    if (!run(command, "Bounding Time:", "Trace Time:"))
         return message_set(message, "povray fails, or does not say how long it took");
     return read_picture(picture, work->image, 0, 0, message);
 }
@@ -134,7 +143,7 @@ bool cast_tachyon(const Work *work, Message *message)
     snprintf(command, sizeof command,
              "tachyon '%s' -lowestshade -numthreads %d -format PNG -o '%s' 2>&1", path,
              work->threads, picture);
-    if (!seconds_said(command, "Ray Tracing Time:", &measured.cast) || measured.cast == 0)
+    if (!run(command, "Preprocessing Time:", "Ray Tracing Time:"))
         return message_set(message, "tachyon fails, or does not say how long it took");
     return read_picture(picture, work->image, 1, 1, message);
 }
