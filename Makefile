@@ -504,6 +504,11 @@ skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over change
 # Chapter 08's engines; with PEERS=1 beside Embree, POV-Ray and Tachyon. The linker puts the
 # bench's clock round what builds hierarchies.
 PEERS :=
+ifneq ($(PEERS),)
+ifeq ($(shell echo '#include <embree3/rtcore.h>' | $(CC) -E -x c - >/dev/null 2>&1 && echo yes),)
+$(error PEERS=$(PEERS) needs Embree 3: libembree-dev of Debian 12, embree3 elsewhere)
+endif
+endif
 ENGINE_BENCH := $(B)/tests/benches/engines$(if $(PEERS),-and-peers)
 ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
 	$(STEMS:%=$(B)/solutions/%.o)
@@ -535,11 +540,12 @@ bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a min
 
 C_SOURCES = $(wildcard common/*.[ch] chapters/*/*.[ch] exercises/*.h solutions/*.c \
 	tests/*.[ch] tests/*/*.[ch] tests/grading/confine/*.[ch])
+FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)
 format: ## lay out the C sources (clang-format)
-	@clang-format -i $(C_SOURCES)
+	@clang-format -i $(FORMATTED)
 
 format-check: ## fails where 'make format' would change something
-	@clang-format --dry-run -Werror $(C_SOURCES)
+	@clang-format --dry-run -Werror $(FORMATTED)
 
 # Not in tests/mistakes, where bugs are what is wanted.
 tidy: $(B)/compile_commands.json ## look for bugs (clang-tidy)

@@ -58,10 +58,10 @@ static bool build(Peer *peer, RTCDevice device, bool user, const float *spheres)
 {
     double began = seconds_now();
     unsigned count = (unsigned)peer->work->scene->sphere_count;
-    RTCGeometry geometry = rtcNewGeometry(device, user ? RTC_GEOMETRY_TYPE_USER
-                                                       : RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    RTCGeometry geometry =
+        rtcNewGeometry(device, user ? RTC_GEOMETRY_TYPE_USER : RTC_GEOMETRY_TYPE_SPHERE_POINT);
     peer->scene = rtcNewScene(device);
-    
+
     if (user) {
         rtcSetGeometryUserPrimitiveCount(geometry, count);
         rtcSetGeometryUserData(geometry, (void *)(size_t)spheres);
@@ -91,9 +91,9 @@ static void set_rays(Peer *peer)
         peer->eye[i] = (float)camera->origin[i];
         peer->right[i] = (float)right;
         peer->down[i] = (float)down;
-        peer->corner[i] = (float)(camera->distance * camera->forward[i] +
-                                  (0.5 - size.width / 2.0) * right +
-                                  (0.5 - size.height / 2.0) * down);
+        peer->corner[i] =
+            (float)(camera->distance * camera->forward[i] + (0.5 - size.width / 2.0) * right +
+                    (0.5 - size.height / 2.0) * down);
     }
 }
 
@@ -163,7 +163,8 @@ static bool cast(const Work *work, Message *message, int lanes, bool user)
         spheres[4 * i + 3] = (float)work->scene->spheres[i].radius;
     }
     Peer peer = {.work = work, .paints = paints, .lanes = lanes};
-    bool done = build(&peer, device, user, spheres) || message_set(message, "Embree reports an error");
+    bool done =
+        build(&peer, device, user, spheres) || message_set(message, "Embree reports an error");
     set_rays(&peer);
     double began = seconds_now();
     int rows = lanes / TILE;

@@ -35,8 +35,7 @@ static void read_scene(FILE *file, Scene *scene)
                 (Sphere){vec3_of(n[0], n[1], n[2]), n[3], scene->surface_count - 1};
         } else if (sscanf(line, "f %lf %lf %lf", &n[0], &n[1], &n[2]) == 3) {
             scene->surfaces = grown(scene->surfaces, scene->surface_count, sizeof *scene->surfaces);
-            scene->surfaces[scene->surface_count++] =
-                (Surface){.color = vec3_of(n[0], n[1], n[2])};
+            scene->surfaces[scene->surface_count++] = (Surface){.color = vec3_of(n[0], n[1], n[2])};
         } else if (sscanf(line, "b %lf %lf %lf", &n[0], &n[1], &n[2]) == 3) {
             scene->background = vec3_of(n[0], n[1], n[2]);
         } else if (sscanf(line, "from %lf %lf %lf", &n[0], &n[1], &n[2]) == 3) {

@@ -87,8 +87,13 @@ bool cast_povray(const Work *work, Message *message)
     Resolution size = work->image->size;
     snprintf(path, sizeof path, "%.400s/peer.pov", scratch());
     snprintf(picture, sizeof picture, "%.400s/povray.png", scratch());
-    Export what = {.format = EXPORT_POV, .scene = work->scene, .camera = work->camera,
-                   .size = size, .depth = 1, .flat = true, .name = {"peer"}};
+    Export what = {.format = EXPORT_POV,
+                   .scene = work->scene,
+                   .camera = work->camera,
+                   .size = size,
+                   .depth = 1,
+                   .flat = true,
+                   .name = {"peer"}};
     if (is_new(last, sizeof last, work) && !export_scene(&what, path, message))
         return false;
     snprintf(command, sizeof command, "povray '+I%s' '+O%s' +W%d +H%d +WT%d -A -D 2>&1", path,
