@@ -514,7 +514,8 @@ ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS
 	$(STEMS:%=$(B)/solutions/%.o)
 PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers embree programs,none)) \
 	$(if $(PEERS),$(B)/chapters/07-shading/export.o)
-$(B)/tests/benches/peers/embree.o: EXTRA = -O3 -march=native -fopenmp-simd
+$(B)/tests/benches/peers/embree.o: EXTRA = -O3 -march=native -fopenmp-simd -fno-math-errno \
+	-fno-trapping-math -ffp-contract=fast -mprefer-vector-width=512
 $(B)/tests/benches/peers/programs.o: EXTRA = $(PNG_CFLAGS)
 $(ENGINE_BENCH): $(patsubst %,$(B)/tests/benches/%.o,engines report) $(PEER_OBJECTS) \
 		$(ENGINE_OBJECTS) $(B)/common.a
