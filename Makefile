@@ -531,6 +531,12 @@ bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes
 	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
 bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/08-fast $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
 	@PROGRAMS='$(BUILT)' BUILD='$(B)' PEERS='$(PEERS)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
+$(B)/tests/benches/pictures.o: EXTRA = $(PNG_CFLAGS)
+$(B)/tests/benches/pictures: %: %.o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lz
+bench-pictures: $(B)/tests/benches/pictures $(BUILT)/07-shading $(BUILT)/08-fast $(SCENES) ## a PNG by libpng's settings: time and size
+	@tests/benches/pictures.sh $(B) $(BUILT)
 bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
 	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-wait
 	@tests/benches/latency.sh
