@@ -168,7 +168,17 @@ $(NFF_PROGRAMS): %: %.o $(B)/common.a
 $(B)/scenes/sphereflake-91.nff: ARGUMENTS = 2
 $(B)/scenes/sphereflake-820.nff: ARGUMENTS = 3
 $(B)/scenes/sphereflake-7381.nff: ARGUMENTS = 4
-$(SCENES): $(B)/scenes/%.nff: $$(B)/chapters/06-ray-casting/$$(firstword $$(subst -, ,$$*))_nff
+#[ What takes long is for the bench alone.
+RANDOM := random-1000 random-100000 random-1000000
+BENCH_SCENES := chapters/06-ray-casting/three-spheres.nff $(patsubst %,$(B)/scenes/%.nff, \
+	$(filter sphereflake%,$(GENERATED)) sphereflake-66430 sphereflake-597871 $(RANDOM))
+SCENES += $(filter-out $(SCENES) chapters/%,$(BENCH_SCENES))
+$(B)/scenes/sphereflake-66430.nff: ARGUMENTS = 5
+$(B)/scenes/sphereflake-597871.nff: ARGUMENTS = 6
+$(RANDOM:%=$(B)/scenes/%.nff): ARGUMENTS = $(*:random-%=%)
+#]
+generator_of = $(B)/$(basename $(wildcard chapters/*/$(firstword $(subst -, ,$(1)))_nff.c))
+$(SCENES): $(B)/scenes/%.nff: $$(call generator_of,$$*)
 	$(call say,scene,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$< $(ARGUMENTS) > $@
@@ -394,6 +404,12 @@ $(ENGINES): $(ENGINES).o $(filter-out %/main.o,$(call chapter_objects,08-fast)) 
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
+# Numbers as they are read against the C library's.
+NUMBERS := $(B)/tests/exact/numbers
+$(NUMBERS): $(NUMBERS).o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+
 SAME := $(B)/tests/same_picture
 $(B)/tests/judge/same_picture.o: EXTRA = $(PNG_CFLAGS)
 $(SAME): $(B)/tests/judge/same_picture.o
@@ -460,8 +476,8 @@ CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v py
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
-CHECKS := $(COMMON_TESTS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
-FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(SCENES) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
+CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
+FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
@@ -563,7 +579,44 @@ include .make/grading.mk
 skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
 	@.make/skeletons $(BLANKS)
 
-bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute
+# Chapter 08's engines; with PEERS=1 beside Embree, POV-Ray and Tachyon. The linker puts the
+# bench's clock round what builds hierarchies.
+PEERS :=
+ifneq ($(PEERS),)
+ifeq ($(shell echo '#include <embree3/rtcore.h>' | $(CC) -E -x c - >/dev/null 2>&1 && echo yes),)
+$(error PEERS=$(PEERS) needs Embree 3: libembree-dev of Debian 12, embree3 elsewhere)
+endif
+endif
+ENGINE_BENCH := $(B)/tests/benches/engines$(if $(PEERS),-and-peers)
+ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+	$(STEMS:%=$(B)/solutions/%.o)
+PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers embree programs,none)) \
+	$(if $(PEERS),$(B)/chapters/07-shading/export.o)
+$(B)/tests/benches/peers/embree.o: EXTRA = -O3 -march=native -fopenmp-simd -fno-math-errno \
+	-fno-trapping-math -ffp-contract=fast -mprefer-vector-width=512
+$(B)/tests/benches/peers/programs.o: EXTRA = $(PNG_CFLAGS)
+$(ENGINE_BENCH): $(patsubst %,$(B)/tests/benches/%.o,engines report) $(PEER_OBJECTS) \
+		$(ENGINE_OBJECTS) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -Wl,--wrap=hierarchy_build -o $@ $^ $(if $(PEERS),-lembree3) $(PNG_LIBS) -lm -pthread
+WAIT_BENCH := $(if $(PEERS),$(B)/tests/benches/peers/embree_wait)
+$(B)/tests/benches/peers/embree_wait.o: EXTRA = $(PNG_CFLAGS)
+$(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o $(ENGINE_OBJECTS) \
+		$(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
+bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: others, too)
+	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
+bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/08-fast $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
+	@PROGRAMS='$(BUILT)' BUILD='$(B)' PEERS='$(PEERS)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
+$(B)/tests/benches/pictures.o: EXTRA = $(PNG_CFLAGS)
+$(B)/tests/benches/pictures: %: %.o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lz
+bench-pictures: $(B)/tests/benches/pictures $(BUILT)/07-shading $(BUILT)/08-fast $(SCENES) ## a PNG by libpng's settings: time and size
+	@tests/benches/pictures.sh $(B) $(BUILT)
+bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
+	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-wait
 	@tests/benches/latency.sh
 	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')
 #]
@@ -572,11 +625,12 @@ bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a min
 
 C_SOURCES = $(wildcard common/*.[ch] chapters/*/*.[ch] exercises/*.h solutions/*.c \
 	tests/*.[ch] tests/*/*.[ch] tests/grading/confine/*.[ch])
+FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)
 format: ## lay out the C sources (clang-format)
-	@clang-format -i $(C_SOURCES)
+	@clang-format -i $(FORMATTED)
 
 format-check: ## fails where 'make format' would change something
-	@clang-format --dry-run -Werror $(C_SOURCES)
+	@clang-format --dry-run -Werror $(FORMATTED)
 
 # Not in tests/mistakes, where bugs are what is wanted.
 tidy: $(B)/compile_commands.json ## look for bugs (clang-tidy)

@@ -40,7 +40,8 @@ uint8_t byte_from_color(double c);
 // Colours one pixel. It must lie in the image: where it does not, the program ends, and says so.
 void image_set(Image *image, Pixel pixel, Color color);
 
-// Writes a PNG, whole or not at all (whole_file.h). False, and a message, where it could not.
+// Writes a PNG, whole or not at all (whole_file.h); one of at most 256 colours as a palette and
+// indices, which decode to the same. False, and a message, where it could not.
 bool image_write_png(const Image *image, const char *path, Message *message);
 
 #endif

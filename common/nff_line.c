@@ -1,7 +1,8 @@
 // nff_line.c - a scene file line by line.
 //
-// A scene may be anything: empty, truncated, binary, without an end. One line at a time is held,
-// of a length that no honest scene needs, so that nothing a file says makes it costly to refuse.
+// A scene may be anything: empty, truncated, binary, without an end. One piece at a time is held,
+// and no line may be longer than an honest scene needs, so that nothing a file says makes it costly
+// to refuse.
 #include "common/nff_line.h"
 
 #include <errno.h>
@@ -12,6 +13,7 @@
 void nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message)
 {
     *line = (NffLine){.file = file, .file_name = file_name, .message = message};
+    line->next = line->end = line->held;
 }
 
 bool nff_wrong(NffLine *line, const char *format, ...)
@@ -28,44 +30,75 @@ bool nff_wrong(NffLine *line, const char *format, ...)
     return false;
 }
 
-// One line without its end, into text. False at the end of the file or on an error.
-static bool read_text(NffLine *line)
+// Moves what is left to the front, and reads more behind it. False where there is no more.
+static bool hold_more(NffLine *line)
 {
-    size_t length = 0;
-    int c;
+    size_t left = (size_t)(line->end - line->next);
+    memmove(line->held, line->next, left);
     errno = 0;
-    while ((c = getc(line->file)) != EOF && c != '\n') {
-        if (c == '\0')
-            return nff_wrong(line, "a zero byte: this is no text, expected an NFF scene");
-        if (length == NFF_LONGEST_LINE)
-            return nff_wrong(line, "a line of more than %d characters, expected an NFF scene",
-                             NFF_LONGEST_LINE);
-        line->text[length++] = (char)c;
-    }
-    line->text[length] = '\0';
-    if (ferror(line->file))
-        return nff_wrong(line, "cannot be read: %s", strerror(errno));
-    return c == '\n' || length > 0;
+    size_t more = fread(line->held + left, 1, NFF_HELD - left, line->file);
+    if (ferror(line->file) && line->error == 0)
+        line->error = errno;
+    line->next = line->held;
+    line->end = line->held + left + more;
+    *line->end = '\0';
+    return more > 0;
 }
 
-static bool split(NffLine *line)
+// One line without its end, a 0 in the place of that. NULL at the end of the file or on an error.
+static char *read_text(NffLine *line)
 {
-    static const char blanks[] = " \t\r\f\v";
+    char *stop;
+    do {
+        size_t held = (size_t)(line->end - line->next);
+        stop = memchr(line->next, '\n', held);
+        size_t length = stop != NULL ? (size_t)(stop - line->next) : held;
+        size_t seen = length <= NFF_LONGEST_LINE ? length : NFF_LONGEST_LINE + 1;
+        if (memchr(line->next, '\0', seen) != NULL)
+            nff_wrong(line, "a zero byte: this is no text, expected an NFF scene");
+        else if (length > NFF_LONGEST_LINE)
+            nff_wrong(line, "a line of more than %d characters, expected an NFF scene",
+                      NFF_LONGEST_LINE);
+        if (line->failed)
+            return NULL;
+    } while (stop == NULL && hold_more(line));
+    if (stop == NULL && ferror(line->file))
+        nff_wrong(line, "cannot be read: %s", strerror(line->error));
+    if (stop == NULL && (line->failed || line->next == line->end))
+        return NULL;
+    char *text = line->next;
+    line->next = stop != NULL ? stop + 1 : line->end;
+    if (stop != NULL)
+        *stop = '\0';
+    return text;
+}
+
+static bool is_blank(char c)
+{
+    return c == ' ' || (c >= '\t' && c <= '\r'); // \t \n \v \f \r
+}
+
+static bool split(NffLine *line, char *text)
+{
     static const char byte_order_mark[] = "\xEF\xBB\xBF";
-    char *text = line->text;
     if (line->number == 1 && strncmp(text, byte_order_mark, 3) == 0)
         text += 3;
-    text[strcspn(text, "#")] = '\0';
     line->word_count = 0;
-    for (text += strspn(text, blanks); *text != '\0'; text += strspn(text, blanks)) {
+    for (;;) {
+        while (is_blank(*text))
+            text++;
+        if (*text == '\0' || *text == '#')
+            return true;
         if (line->word_count == NFF_MOST_WORDS)
             return nff_wrong(line, "more than %d words in a line", NFF_MOST_WORDS);
         line->words[line->word_count++] = text;
-        text += strcspn(text, blanks);
-        if (*text != '\0')
-            *text++ = '\0';
+        while (*text != '\0' && *text != '#' && !is_blank(*text))
+            text++;
+        bool last = *text == '\0' || *text == '#';
+        *text++ = '\0';
+        if (last)
+            return true;
     }
-    return true;
 }
 
 bool nff_next(NffLine *line)
@@ -74,14 +107,27 @@ bool nff_next(NffLine *line)
         if (line->number == INT_MAX)
             return nff_wrong(line, "more lines than can be counted");
         line->number++;
-        if (!read_text(line)) {
-            if (!line->failed && line->number > 1)
-                line->number--; // the end of the file is in its last line
-            return false;
-        }
-        if (!split(line))
+        char *text = read_text(line);
+        if (text == NULL && !line->failed && line->number > 1)
+            line->number--; // the end of the file is in its last line
+        if (text == NULL || !split(line, text))
             return false;
     } while (line->word_count == 0);
+    return true;
+}
+
+bool nff_plain(NffLine *line, char letter, int count, double *numbers)
+{
+    const char *text = line->next;
+    if (*text++ != letter || line->number == INT_MAX)
+        return false;
+    for (int i = 0; i < count; i++)
+        if (*text != ' ' || (text = read_number(text + 1, &numbers[i])) == NULL)
+            return false;
+    if (*text != '\n' || text - line->next > NFF_LONGEST_LINE)
+        return false;
+    line->next += text + 1 - line->next;
+    line->number++;
     return true;
 }
 

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { NFF_LONGEST_LINE = 1000, NFF_MOST_WORDS = 16 };
+enum { NFF_LONGEST_LINE = 1000, NFF_MOST_WORDS = 16, NFF_HELD = 1 << 16 };
 
 typedef struct {
     FILE *file;
@@ -18,7 +18,9 @@ typedef struct {
     bool failed;
     int word_count;
     const char *words[NFF_MOST_WORDS]; // of the current line; at least one
-    char text[NFF_LONGEST_LINE + 1];
+    char *next, *end;                  // what is held of the file and not read yet; *end is 0
+    int error;                         // errno of a read that failed
+    char held[NFF_HELD + 1];
 } NffLine;
 
 void nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message);
@@ -26,6 +28,11 @@ void nff_begin(NffLine *line, FILE *file, const char *file_name, Message *messag
 // Goes to the next line that has words, comments left out. False at the end of the file, and
 // where the file cannot be read; then failed is set.
 bool nff_next(NffLine *line);
+
+// Goes to the next line and reads it where it is a plain one: this letter, so many numbers, each
+// behind one blank, and the end of the line. Most lines of long scenes are, and this is quick.
+// Where it is anything else false, and nothing has happened; nff_next says what it is.
+bool nff_plain(NffLine *line, char letter, int count, double *numbers);
 
 // Passes over lines of numbers that the toolkit has no use for. False where the file ends before,
 // or something else comes.

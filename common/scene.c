@@ -158,15 +158,18 @@ static bool read_fill(Reader *reader)
     return APPEND(reader->scene->surfaces, reader->scene->surface_count, fill);
 }
 
-static bool read_sphere(Reader *reader)
+static bool add_sphere(Reader *reader, const double *n)
 {
-    double n[4];
-    if (!nff_numbers(&reader->line, "s X Y Z RADIUS", 4, 4, n))
-        return false;
     if (n[3] <= 0)
         return nff_wrong(&reader->line, "a radius of %g, expected more than 0", n[3]);
     Sphere sphere = {vec3_of(n[0], n[1], n[2]), n[3], reader->scene->surface_count - 1};
     return APPEND(reader->scene->spheres, reader->scene->sphere_count, sphere);
+}
+
+static bool read_sphere(Reader *reader)
+{
+    double n[4];
+    return nff_numbers(&reader->line, "s X Y Z RADIUS", 4, 4, n) && add_sphere(reader, n);
 }
 
 static bool skip_cone(Reader *reader)
@@ -206,6 +209,21 @@ static bool read_entity(Reader *reader)
             return read_view_part(reader, view_parts[i].part);
     return nff_wrong(&reader->line, "'%s', expected one of v b l f s (or c p pp, or #)",
                      word_text(word).s);
+}
+
+static bool read_entities(Reader *reader)
+{
+    double n[4];
+    for (;;)
+        if (nff_plain(&reader->line, 's', 4, n)) {
+            if (!add_sphere(reader, n))
+                return false;
+        } else {
+            if (!nff_next(&reader->line))
+                return true;
+            if (!read_entity(reader))
+                return false;
+        }
 }
 
 static bool is_complete(Reader *reader)
@@ -255,9 +273,7 @@ bool scene_read(FILE *file, const char *name, Scene *scene, Message *message, Me
 
     const Surface white = {.color = vec3_of(1, 1, 1), .diffuse = 1};
     bool good = APPEND(scene->surfaces, scene->surface_count, white);
-    while (good && nff_next(&reader->line))
-        good = read_entity(reader);
-    good = good && !reader->line.failed && is_complete(reader);
+    good = good && read_entities(reader) && !reader->line.failed && is_complete(reader);
     scene->ambient = vec3_of(SCENE_AMBIENT, SCENE_AMBIENT, SCENE_AMBIENT);
     set_brightness(scene);
     warn_of_left_out(reader, warning);

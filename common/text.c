@@ -4,7 +4,9 @@
 #include "common/answers.h"
 
 #include <ctype.h>
+#include <float.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -75,8 +77,66 @@ static bool begins_as_a_number(const char *text)
     return isdigit((unsigned char)*text) != 0;
 }
 
+static const char *read_digits(const char *text, uint64_t *digits)
+{
+    for (unsigned digit; (digit = (unsigned)*text - '0') < 10; text++)
+        *digits = 10 * *digits + digit;
+    return text;
+}
+
+// The power of ten behind an 'e', added to what is there; NULL where it is none, or a large one.
+static const char *read_power(const char *text, int *power)
+{
+    bool negative = *text == '-';
+    text += negative || *text == '+';
+    uint64_t digits = 0;
+    const char *end = read_digits(text, &digits);
+    if (end == text || end - text > 4)
+        return NULL;
+    *power += negative ? -(int)digits : (int)digits;
+    return end;
+}
+
+// strtod for most of what is written down, and much quicker: the digits without their point are a
+// whole number, and that and a power of ten up to 22 are doubles without any rounding; so that one
+// multiplication or division of the two rounds once, as strtod does (Clinger, 'How to Read Floating
+// Point Numbers Accurately', 1990). NULL where it is not so simple, or no number.
+static const char *read_short_number(const char *text, double *number)
+{
+    static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                    1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                    1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    enum { MOST_DIGITS = 19, MOST_POWER = 22 }; // 19 digits fit in 64 bits
+    bool negative = *text == '-';
+    text += negative || *text == '+';
+    uint64_t digits = 0;
+    const char *end = read_digits(text, &digits);
+    long count = end - text;
+    int power = 0;
+    if (*end == '.') {
+        const char *fraction = end + 1;
+        end = read_digits(fraction, &digits);
+        count += end - fraction;
+        power = -(int)(end - fraction);
+    }
+    if (count == 0 || count > MOST_DIGITS || digits > (uint64_t)1 << DBL_MANT_DIG)
+        return NULL;
+    if ((*end == 'e' || *end == 'E') && (end = read_power(end + 1, &power)) == NULL)
+        return NULL;
+    if (power < -MOST_POWER || power > MOST_POWER || *end == 'x' || *end == 'X')
+        return NULL;
+    double value = (double)digits;
+    value = power < 0 ? value / powers[-power] : value * powers[power];
+    *number = negative ? -value : value;
+    return end;
+}
+
 const char *read_number(const char *text, double *number)
 {
+    // Where doubles are computed with more digits than they hold, they are rounded twice.
+    const char *short_end = FLT_EVAL_METHOD == 0 ? read_short_number(text, number) : NULL;
+    if (short_end != NULL)
+        return short_end;
     if (!begins_as_a_number(text))
         return NULL;
     char *end;

@@ -122,8 +122,9 @@ static Image read_back(const char *path)
     png_image png = {.version = PNG_IMAGE_VERSION};
     if (png_image_begin_read_from_file(&png, path) == 0)
         ck_abort_msg("%s", png.message);
-    // Eight bits of red, green and blue: no alpha, no palette, not linear.
-    ck_assert_uint_eq(png.format, PNG_FORMAT_RGB);
+    // Eight bits of red, green and blue: no alpha, not linear. A palette holds the same.
+    ck_assert_uint_eq(png.format & ~PNG_FORMAT_FLAG_COLORMAP, PNG_FORMAT_RGB);
+    png.format = PNG_FORMAT_RGB;
     Image image = image_of((int)png.width, (int)png.height);
     if (png_image_finish_read(&png, NULL, image.rgb, 0, NULL) == 0)
         ck_abort_msg("%s", png.message);
@@ -304,6 +305,30 @@ START_TEST(a_picture_is_read_back_as_it_was_written)
         image_free(&image);
     }
     expect_int(files_in_folder(), 1);
+    folder_end();
+}
+END_TEST
+
+START_TEST(of_whatever_number_of_colours_a_picture_is_read_back_as_it_was_written)
+{
+    const int counts[] = {1, 2, 3, 4, 5, 16, 17, 255, 256, 257, 1000};
+    folder_begin();
+    for (size_t k = 0; k < sizeof counts / sizeof counts[0]; k++)
+        for (int width = 33; width <= 40; width++) {
+            // Runs, and single pixels.
+            Image image = image_of(width, 61);
+            for (int i = 0; i < width * 61; i++) {
+                int color = i % 4 == 0 ? i / 2 : i;
+                color = (i < 500 ? color / 50 : color) % counts[k];
+                image.rgb[3 * i] = (uint8_t)(color * 7);
+                image.rgb[3 * i + 1] = (uint8_t)(color / 256 + 3);
+                image.rgb[3 * i + 2] = (uint8_t)(255 - color);
+            }
+            given("colours", "%d", counts[k]);
+            expect_written(&image, in_folder("a.png").s);
+            expect_picture(in_folder("a.png").s, &image);
+            image_free(&image);
+        }
     folder_end();
 }
 END_TEST
@@ -652,6 +677,7 @@ void list_tests(void)
     test(the_longest_sides_are_16384);
     tests_of("image_write_png");
     test(a_picture_is_read_back_as_it_was_written);
+    test(of_whatever_number_of_colours_a_picture_is_read_back_as_it_was_written);
     test(the_first_row_of_the_file_is_the_top_one);
     test(the_same_image_gives_the_same_file);
     test(an_older_picture_is_replaced_and_keeps_its_permissions);

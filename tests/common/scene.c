@@ -239,6 +239,31 @@ START_TEST(two_hundred_thousand_spheres_are_read)
 }
 END_TEST
 
+// A file is read piece by piece. Where two meet, any part of a line may stand.
+START_TEST(lines_are_whole_wherever_the_pieces_of_a_file_meet)
+{
+    enum { PIECE = 1 << 16 };
+    static char text[PIECE + 1000];
+    for (size_t start = PIECE - 70; start <= PIECE + 2; start++) {
+        size_t used = (size_t)sprintf(text, "%s", VIEW);
+        int line = 6;
+        for (; used + 500 < start; line++)
+            used += (size_t)sprintf(text + used, "#%*s\n", 99, "");
+        used += (size_t)sprintf(text + used, "#%*s\n", (int)(start - used) - 2, "");
+        sprintf(text + used, "s 1.25 -2.5 3.75e1 0.5\nf .5 .5 .5 1 0 0 0 1\ns  4 5 6 7 # 8\n");
+        Scene scene = scene_of(text);
+        given("first sphere", "at byte %d", (int)start);
+        expect_int(scene.sphere_count, 2);
+        expect_vec3(scene.spheres[0].center, vec3_of(1.25, -2.5, 37.5), 0);
+        expect_vec3(scene.spheres[1].center, vec3_of(4, 5, 6), 0);
+        expect_int(scene.surface_count, 2);
+        scene_free(&scene);
+        strcat(text, "x");
+        expect_refused(text, line + 5, "'x'");
+    }
+}
+END_TEST
+
 // ---- what the toolkit has no use for --------------------------------------------------------
 
 START_TEST(cones_and_polygons_are_left_out_with_one_warning)
@@ -583,6 +608,7 @@ void list_tests(void)
     test(lines_may_end_as_on_windows_or_not_at_all);
     test(a_byte_order_mark_is_no_word);
     test(two_hundred_thousand_spheres_are_read);
+    test(lines_are_whole_wherever_the_pieces_of_a_file_meet);
     tests_of("scene_read leaving out");
     test(cones_and_polygons_are_left_out_with_one_warning);
     test(a_scene_of_spheres_only_has_no_warning);

@@ -1,0 +1,234 @@
+// engines.c - how many rays a second: engines, scenes, threads, and peers, in one run.
+//
+// Usage: engines [-r ROUNDS] [-s WIDTHxHEIGHT] [-t THREADS]... [-e ENGINE]... [-o FILE.csv]
+// SCENE...
+//
+// All that is measured of a scene takes turns, round after round, so that what else the machine
+// does meets all alike; medians are said, with the quartiles. Every picture is compared with that
+// of the hierarchy first, and what differs has no number: of the engines each pixel, of peers what
+// is sphere and what is not, but for one pixel in two thousand on silhouettes. Who would take more
+// than SECONDS (3) casts a smaller picture.
+#include "chapters/06-ray-casting/scene_camera.h"
+#include "chapters/08-fast/hierarchy.h"
+#include "tests/benches/measure.h"
+#include "tests/benches/report.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+// All rounds of one take not much longer than so many pictures of SECONDS.
+#define MOST_PICTURES 5
+enum { MOST_THREADS = 8, MOST_CHOSEN = 16, SMALLEST = 64 };
+
+Measured measured;
+
+double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+// The linker puts this in the place of hierarchy_build (--wrap): building is not casting.
+bool __real_hierarchy_build(Hierarchy *hierarchy, const Scene *scene);
+bool __wrap_hierarchy_build(Hierarchy *hierarchy, const Scene *scene);
+bool __wrap_hierarchy_build(Hierarchy *hierarchy, const Scene *scene)
+{
+    double began = seconds_now();
+    bool built = __real_hierarchy_build(hierarchy, scene);
+    measured.build += seconds_now() - began;
+    return built;
+}
+
+typedef struct {
+    int rounds, thread_counts, chosen;
+    int threads[MOST_THREADS];
+    const char *engines[MOST_CHOSEN]; // none: all
+    Resolution size;
+    double longest;
+} Plan;
+
+static bool is_chosen(const Plan *plan, const char *name)
+{
+    for (int i = 0; i < plan->chosen; i++)
+        if (strcmp(plan->engines[i], name) == 0)
+            return true;
+    return plan->chosen == 0;
+}
+
+// ---- one picture ------------------------------------------------------------------------------
+
+static bool work_begin(Work *work, Image *image, const Scene *scene, Resolution size, int threads)
+{
+    Message message;
+    *work = (Work){.scene = scene, .image = image, .threads = threads};
+    if (scene_camera(&scene->view, size, &work->camera) == CAMERA_OK &&
+        image_create(image, size, &message))
+        return true;
+    fprintf(stderr, "%s: no camera, or no image\n", measured.scene_path);
+    exit(1);
+}
+
+static bool cast_once(const Engine *engine, const Work *work, double *build, double *cast)
+{
+    Message message;
+    measured.build = measured.cast = 0;
+    double began = seconds_now();
+    bool done = engine->cast(work, &message);
+    double all = seconds_now() - began;
+    *build = measured.build;
+    *cast = measured.cast > 0 ? measured.cast : all - measured.build;
+    if (!done)
+        fprintf(stderr, "%s: %s: %s\n", measured.scene_path, engine->name, message.text);
+    return done;
+}
+
+static bool is_background(const Scene *scene, const uint8_t *rgb)
+{
+    for (int i = 0; i < 3; i++)
+        if (rgb[i] != byte_from_color(scene->background[i]))
+            return false;
+    return true;
+}
+
+// How many pixels. Peers may write other colours (gamma): their background is what they show at the
+// first pixel where the hierarchy has background.
+static int different(const Work *mine, const Image *expected, bool peer)
+{
+    size_t pixels = (size_t)expected->size.width * (size_t)expected->size.height;
+    const uint8_t *theirs = NULL;
+    int count = 0;
+    for (size_t i = 0; i < pixels; i++) {
+        const uint8_t *rgb = mine->image->rgb + 3 * i, *right = expected->rgb + 3 * i;
+        bool background = is_background(mine->scene, right);
+        if (background && theirs == NULL)
+            theirs = rgb;
+        bool same = peer ? background == (theirs != NULL && memcmp(rgb, theirs, 3) == 0)
+                         : memcmp(rgb, right, 3) == 0;
+        count += !same;
+    }
+    return count;
+}
+
+// ---- one engine, one number of threads -------------------------------------------------------
+
+// By trying small pictures: the largest that takes not too long.
+static Resolution size_for(const Engine *engine, const Scene *scene, const Plan *plan, int threads)
+{
+    Resolution size = plan->size;
+    for (int part = SMALLEST; part > 1; part /= 2) {
+        size = (Resolution){plan->size.width / part, plan->size.height / part};
+        Work work;
+        Image image;
+        double build, cast;
+        work_begin(&work, &image, scene, size, threads);
+        bool done = cast_once(engine, &work, &build, &cast);
+        image_free(&image);
+        if (!done || 4 * cast > plan->longest)
+            return size;
+        if (cast * part * part < plan->longest)
+            break;
+    }
+    return plan->size;
+}
+
+static bool is_same_picture(const Engine *engine, const Scene *scene, Row *row, bool peer)
+{
+    Work work, expected;
+    Image image, right;
+    double build, cast;
+    work_begin(&expected, &right, scene, row->size, 2);
+    work_begin(&work, &image, scene, row->size, row->threads);
+    bool done = cast_once(engine_named("bvh"), &expected, &build, &cast) &&
+                cast_once(engine, &work, &build, &cast);
+    if (done) {
+        row->different = different(&work, &right, peer);
+        done = row->different <= (peer ? row->size.width * row->size.height / 2000 : 0);
+        if (!done)
+            fprintf(stderr, "%s: %s, %d threads: another picture, %d pixels\n", measured.scene_path,
+                    engine->name, row->threads, row->different);
+    }
+    image_free(&image);
+    image_free(&right);
+    return done;
+}
+
+static void measure_round(Row *row, const Scene *scene, const Plan *plan)
+{
+    if (row->rounds > 0 && row->spent > MOST_PICTURES * plan->longest)
+        return;
+    Work work;
+    Image image;
+    double build, cast;
+    work_begin(&work, &image, scene, row->size, row->threads);
+    memset(image.rgb, 1, 3 * (size_t)row->size.width * (size_t)row->size.height);
+    if (cast_once(row->engine, &work, &build, &cast)) {
+        row->build[row->rounds] = build;
+        row->cast[row->rounds++] = cast;
+        row->spent += build + cast;
+    }
+    image_free(&image);
+}
+
+static int add_rows(Row *rows, int count, const Engine *list, const Scene *scene, const Plan *plan)
+{
+    for (const Engine *engine = list; engine->name != NULL; engine++)
+        for (int t = 0; is_chosen(plan, engine->name) && t < plan->thread_counts; t++) {
+            Row *row = &rows[count];
+            *row = (Row){.engine = engine, .threads = plan->threads[t], .peer = list == peers};
+            row->size = size_for(engine, scene, plan, row->threads);
+            if (count < MOST_ROWS && is_same_picture(engine, scene, row, row->peer))
+                count++;
+        }
+    return count;
+}
+
+static void measure_scene(const char *path, const Plan *plan, Report *report)
+{
+    Scene scene;
+    Message message;
+    if (!scene_load(path, &scene, &message)) {
+        fprintf(stderr, "%s\n", message.text);
+        exit(1);
+    }
+    measured.scene_path = path;
+    static Row rows[MOST_ROWS + 1];
+    int count = add_rows(rows, 0, engines, &scene, plan);
+    count = add_rows(rows, count, peers, &scene, plan);
+    for (int round = 0; round < plan->rounds; round++)
+        for (int i = 0; i < count; i++)
+            measure_round(&rows[i], &scene, plan);
+    report_scene(report, path, scene.sphere_count, rows, count);
+    scene_free(&scene);
+}
+
+int main(int argc, char **argv)
+{
+    Plan plan = {.rounds = 7, .size = {1920, 1080}, .longest = 3};
+    Report report = {0};
+    for (int c; (c = getopt(argc, argv, "r:s:t:e:l:o:")) != -1;)
+        if (c == 'r')
+            plan.rounds = atoi(optarg);
+        else if (c == 's' && sscanf(optarg, "%dx%d", &plan.size.width, &plan.size.height) == 2)
+            continue;
+        else if (c == 't' && plan.thread_counts < MOST_THREADS)
+            plan.threads[plan.thread_counts++] = atoi(optarg);
+        else if (c == 'e' && plan.chosen < MOST_CHOSEN)
+            plan.engines[plan.chosen++] = optarg;
+        else if (c == 'l')
+            plan.longest = atof(optarg);
+        else if (c != 'o' || (report.csv = fopen(optarg, "w")) == NULL)
+            return 2;
+    if (plan.thread_counts == 0)
+        plan.threads[plan.thread_counts++] = 1;
+    if (plan.rounds < 1 || plan.rounds > MOST_ROUNDS)
+        plan.rounds = MOST_ROUNDS;
+    report_begin(&report);
+    for (int i = optind; i < argc; i++)
+        measure_scene(argv[i], &plan, &report);
+    report_end(&report);
+    return 0;
+}

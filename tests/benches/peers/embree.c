@@ -1,0 +1,192 @@
+// embree.c - Embree 3 as a peer: its own sphere points, and user geometry with a test of 16 lanes.
+//
+// Built for this machine's instructions (-march=native), as Embree is. It takes only fields of
+// what it is given, never a vec3 by value.
+#include "chapters/08-fast/paint.h"
+#include "chapters/08-fast/parallel.h"
+#include "tests/benches/measure.h"
+
+#include <embree3/rtcore.h>
+#include <stdlib.h>
+
+enum { LANES = 16, TILE = 4 }; // packets of 4 x 4 pixels, or 4 x 2
+
+typedef struct {
+    const Work *work;
+    const Paint *paints;
+    RTCScene scene;
+    int lanes;
+    float eye[3], corner[3], right[3], down[3]; // directions: corner + column right + row down
+} Peer;
+
+// ---- spheres ----------------------------------------------------------------------------------
+
+static void bounds_of(const struct RTCBoundsFunctionArguments *of)
+{
+    const float *s = (const float *)of->geometryUserPtr + 4 * (size_t)of->primID;
+    *of->bounds_o = (struct RTCBounds){s[0] - s[3], s[1] - s[3], s[2] - s[3], 0,
+                                       s[0] + s[3], s[1] + s[3], s[2] + s[3], 0};
+}
+
+// The discriminant from the ray's distance, r^2 - |l|^2: in float the textbook's loses its digits.
+static void ask_16(const struct RTCIntersectFunctionNArguments *of)
+{
+    struct RTCRayHit16 *to = (struct RTCRayHit16 *)of->rayhit;
+    struct RTCRay16 *ray = &to->ray;
+    const float *s = (const float *)of->geometryUserPtr + 4 * (size_t)of->primID;
+    float x = s[0], y = s[1], z = s[2], r = s[3];
+    const int *valid = of->valid;
+    unsigned sphere = of->primID, geometry = of->geomID;
+#pragma omp simd
+    for (int i = 0; i < LANES; i++) {
+        float dx = ray->dir_x[i], dy = ray->dir_y[i], dz = ray->dir_z[i];
+        float fx = x - ray->org_x[i], fy = y - ray->org_y[i], fz = z - ray->org_z[i];
+        float a = 1 / (dx * dx + dy * dy + dz * dz);
+        float middle = (fx * dx + fy * dy + fz * dz) * a;
+        float lx = fx - middle * dx, ly = fy - middle * dy, lz = fz - middle * dz;
+        float D = (r * r - (lx * lx + ly * ly + lz * lz)) * a;
+        float half = __builtin_sqrtf(D > 0 ? D : 0);
+        float t = middle - half > ray->tnear[i] ? middle - half : middle + half;
+        int hit = (valid[i] != 0) & (D >= 0) & (t > ray->tnear[i]) & (t < ray->tfar[i]);
+        ray->tfar[i] = hit ? t : ray->tfar[i];
+        to->hit.primID[i] = hit ? sphere : to->hit.primID[i];
+        to->hit.geomID[i] = hit ? geometry : to->hit.geomID[i];
+    }
+}
+
+static bool build(Peer *peer, RTCDevice device, bool user, const float *spheres)
+{
+    double began = seconds_now();
+    unsigned count = (unsigned)peer->work->scene->sphere_count;
+    RTCGeometry geometry =
+        rtcNewGeometry(device, user ? RTC_GEOMETRY_TYPE_USER : RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    peer->scene = rtcNewScene(device);
+
+    if (user) {
+        rtcSetGeometryUserPrimitiveCount(geometry, count);
+        rtcSetGeometryUserData(geometry, (void *)(size_t)spheres);
+        rtcSetGeometryBoundsFunction(geometry, bounds_of, NULL);
+        rtcSetGeometryIntersectFunction(geometry, ask_16);
+    } else {
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, spheres,
+                                   0, 4 * sizeof(float), count);
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(peer->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(peer->scene);
+    measured.build += seconds_now() - began;
+    return rtcGetDeviceError(device) == RTC_ERROR_NONE;
+}
+
+// ---- rays -------------------------------------------------------------------------------------
+
+static void set_rays(Peer *peer)
+{
+    const Camera *camera = &peer->work->camera;
+    Resolution size = peer->work->image->size;
+    for (int i = 0; i < 3; i++) {
+        double right = camera->width / size.width * camera->right[i];
+        double down = -camera->height / size.height * camera->up[i];
+        peer->eye[i] = (float)camera->origin[i];
+        peer->right[i] = (float)right;
+        peer->down[i] = (float)down;
+        peer->corner[i] =
+            (float)(camera->distance * camera->forward[i] + (0.5 - size.width / 2.0) * right +
+                    (0.5 - size.height / 2.0) * down);
+    }
+}
+
+static void paint(const Peer *peer, int column, int row, unsigned geometry, unsigned sphere)
+{
+    size_t pixel = (size_t)row * (size_t)peer->work->image->size.width + (size_t)column;
+    paint_pixel(peer->work->image, pixel, peer->work->scene, peer->paints,
+                geometry == RTC_INVALID_GEOMETRY_ID ? -1 : (int)sphere);
+}
+
+// Packets of RTCRayHit8 and RTCRayHit16 differ in type only.
+#define CAST_PACKET(N)                                                                             \
+    static void cast_packet_##N(const Peer *peer, int left, int top)                               \
+    {                                                                                              \
+        struct RTCRayHit##N packet;                                                                \
+        int valid[N];                                                                              \
+        Resolution size = peer->work->image->size;                                                 \
+        for (int i = 0; i < N; i++) {                                                              \
+            int column = left + i % TILE, row = top + i / TILE;                                    \
+            valid[i] = column < size.width && row < size.height ? -1 : 0;                          \
+            float x = (float)column, y = (float)row;                                               \
+            packet.ray.org_x[i] = peer->eye[0];                                                    \
+            packet.ray.org_y[i] = peer->eye[1];                                                    \
+            packet.ray.org_z[i] = peer->eye[2];                                                    \
+            packet.ray.dir_x[i] = peer->corner[0] + x * peer->right[0] + y * peer->down[0];        \
+            packet.ray.dir_y[i] = peer->corner[1] + x * peer->right[1] + y * peer->down[1];        \
+            packet.ray.dir_z[i] = peer->corner[2] + x * peer->right[2] + y * peer->down[2];        \
+            packet.ray.tnear[i] = packet.ray.time[i] = 0;                                          \
+            packet.ray.tfar[i] = INFINITY;                                                         \
+            packet.ray.mask[i] = ~0u;                                                              \
+            packet.ray.id[i] = packet.ray.flags[i] = 0;                                            \
+            packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;              \
+        }                                                                                          \
+        struct RTCIntersectContext context;                                                        \
+        rtcInitIntersectContext(&context);                                                         \
+        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;                                       \
+        rtcIntersect##N(valid, peer->scene, &context, &packet);                                    \
+        for (int i = 0; i < N; i++)                                                                \
+            if (valid[i] != 0)                                                                     \
+                paint(peer, left + i % TILE, top + i / TILE, packet.hit.geomID[i],                 \
+                      packet.hit.primID[i]);                                                       \
+    }
+CAST_PACKET(8)
+CAST_PACKET(16)
+
+static void cast_band(void *given, int band)
+{
+    const Peer *peer = given;
+    int rows = peer->lanes / TILE;
+    for (int left = 0; left < peer->work->image->size.width; left += TILE)
+        (peer->lanes == 8 ? cast_packet_8 : cast_packet_16)(peer, left, band * rows);
+}
+
+static bool cast(const Work *work, Message *message, int lanes, bool user)
+{
+    char threads[40];
+    snprintf(threads, sizeof threads, "threads=%d,set_affinity=0", work->threads);
+    RTCDevice device = rtcNewDevice(threads);
+    int count = work->scene->sphere_count;
+    float *spheres = malloc(((size_t)count + 1) * 4 * sizeof *spheres);
+    Paint *paints = paints_of(work->scene);
+    if (device == NULL || spheres == NULL || paints == NULL)
+        return message_set(message, "Embree cannot be set up");
+    for (int i = 0; i < count; i++) {
+        for (int k = 0; k < 3; k++)
+            spheres[4 * i + k] = (float)work->scene->spheres[i].center[k];
+        spheres[4 * i + 3] = (float)work->scene->spheres[i].radius;
+    }
+    Peer peer = {.work = work, .paints = paints, .lanes = lanes};
+    bool done =
+        build(&peer, device, user, spheres) || message_set(message, "Embree reports an error");
+    set_rays(&peer);
+    double began = seconds_now();
+    int rows = lanes / TILE;
+    if (done)
+        in_parallel(work->threads, (work->image->size.height + rows - 1) / rows, cast_band, &peer);
+    measured.cast = seconds_now() - began;
+    rtcReleaseScene(peer.scene);
+    rtcReleaseDevice(device);
+    free(paints);
+    free(spheres);
+    return done;
+}
+
+bool cast_embree_8(const Work *work, Message *message)
+{
+    return cast(work, message, 8, false);
+}
+bool cast_embree_16(const Work *work, Message *message)
+{
+    return cast(work, message, 16, false);
+}
+bool cast_embree_user(const Work *work, Message *message)
+{
+    return cast(work, message, 16, true);
+}

@@ -1,0 +1,3 @@
+#!/bin/sh
+# numbers.sh - numbers as they are read against the C library's, ten million (tests/exact/numbers.c).
+"$BUILD/tests/exact/numbers" 1500000
