@@ -14,7 +14,8 @@
 
 static bool option_engine(const char *text, void *into)
 {
-    *(const Engine **)into = engine_named(text);
+    // Hierarchies take longer to build than bins to cast, and a picture is cast once.
+    *(const Engine **)into = engine_named(strcmp(text, "auto") == 0 ? "bins" : text);
     return *(const Engine **)into != NULL;
 }
 
@@ -37,11 +38,12 @@ static void list_engines(void)
 int main(int argc, char **argv)
 {
     Command command = {0};
-    const Engine *engine = engine_named("bvh");
+    const Engine *engine = engine_named("bins");
     int threads = 1;
     const Option options[] = {
         COMMAND_OPTIONS(command),
-        {"engine", 'e', "NAME", option_engine, &engine, "plain, object, bvh or bins (bvh)"},
+        {"engine", 'e', "NAME", option_engine, &engine,
+         "plain, object, bvh, packet, tiles, bins (auto)"},
         {"threads", 't', "N", option_threads, &threads, "at the same time, 1 to 256 (1)"},
         {0}};
     Usage usage = {

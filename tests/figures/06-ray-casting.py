@@ -7,11 +7,10 @@ import math
 import os
 import random
 import re
-import struct
 import subprocess
 import tempfile
-import zlib
 
+import png
 from check import NEAR, Checks, holds_for_every
 from figure import Figure, PROGRAMS, dot, plus, times
 
@@ -392,32 +391,6 @@ def explain_figure(scene, pixel, options=None):
 
 # ---- the story in words -------------------------------------------------------------------------------
 
-def png_pixel(path, column, row):
-    """One pixel of a PNG of 8-bit RGB."""
-    with open(path, "rb") as file:
-        data = file.read()
-    at, body = 8, b""
-    while at < len(data):
-        size, kind = struct.unpack(">I4s", data[at:at + 8])
-        if kind == b"IHDR":
-            width, _, depth, color = struct.unpack(">IIBB", data[at + 8:at + 18])
-        if kind == b"IDAT":
-            body += data[at + 8:at + 8 + size]
-        at += 12 + size
-    assert (depth, color) == (8, 2)
-    flat, line, before = zlib.decompress(body), None, bytearray(3 * width)
-    for y in range(row + 1):
-        start = y * (3 * width + 1)
-        kind, line = flat[start], bytearray(flat[start + 1:start + 1 + 3 * width])
-        for i in range(3 * width):
-            left, up = (line[i - 3] if i >= 3 else 0), before[i]
-            corner = before[i - 3] if i >= 3 else 0
-            near = min((left, up, corner), key=lambda x: abs(left + up - corner - x))
-            line[i] = (line[i] + (0, left, up, (left + up) // 2, near)[kind]) % 256
-        before = line
-    return tuple(line[3 * column:3 * column + 3])
-
-
 def run(*arguments):
     return subprocess.run([os.path.join(PROGRAMS, PROGRAM), *map(str, arguments)], capture_output=True,
                           text=True, check=False, timeout=60)
@@ -457,7 +430,7 @@ def story(scene, pixel):
                 int(in_words.group(4), 16) == rgb(world.color(v)), in_words.group(0))
     for order in ("image", "object"):
         run("--order", order, "-o", picture, path)
-        checks.that(f"the picture has it, too, in {order} order", png_pixel(picture, *pixel) == color)
+        checks.that(f"the picture has it, too, in {order} order", png.pixel(picture, *pixel) == color)
     checks.that("the story says so", "the same" in text and "another" not in text)
 
 

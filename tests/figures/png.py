@@ -1,4 +1,7 @@
-"""png.py - a PNG of 8-bit RGB or of a palette: red, green, blue, pixel by pixel from the upper left."""
+"""png.py - the colours of a PNG, of 8-bit RGB or with a palette: red, green, blue, pixel by pixel.
+
+From the upper left on, row by row, as one bytearray.
+"""
 import struct
 import zlib
 
@@ -18,43 +21,44 @@ def predicted(kind, left, above, corner):
     return min((left, above, corner), key=lambda x: abs(left + above - corner - x))
 
 
-def size(path):
-    with open(path, "rb") as file:
-        return struct.unpack(">II", file.read(24)[16:])
+def rows(raw, height, line, step):
+    """The bytes of each row; step bytes to the left stands what a filter compares with."""
+    before = bytes(line)
+    for row in range(height):
+        kind, *rest = raw[row * (line + 1):(row + 1) * (line + 1)]
+        now = bytearray(rest)
+        for i in range(line if kind else 0):
+            left, corner = (now[i - step], before[i - step]) if i >= step else (0, 0)
+            now[i] = (now[i] + predicted(kind, left, before[i], corner)) & 255
+        yield now
+        before = now
+
+
+def by_palette(row, width, depth, palette):
+    """A row of indices, several to a byte, as colours."""
+    found = bytearray()
+    for column in range(width):
+        bit = column * depth
+        index = row[bit // 8] >> (8 - depth - bit % 8) & ((1 << depth) - 1)
+        found += palette[3 * index:3 * index + 3]
+    return found
 
 
 def pixels(path):
     with open(path, "rb") as file:
-        data = file.read()
-    packed, palette = b"", None
-    for name, body in chunks(data):
-        if name == b"IHDR":
-            width, height, depth, kind = struct.unpack(">IIBB", body[:10])
-            assert (depth, kind) == (8, 2) or kind == 3, f"{path}: not 8-bit RGB, no palette"
-        if name == b"PLTE":
-            palette = body
-        if name == b"IDAT":
-            packed += body
-    raw = zlib.decompress(packed)
-    bits = depth if palette else 24
-    line, step = (bits * width + 7) // 8, (bits + 7) // 8
-    found, before = bytearray(), bytes(line)
-    for row in range(height):
-        kind, *rest = raw[row * (line + 1):(row + 1) * (line + 1)]
-        now = bytearray(rest)
-        for i in range(line):
-            left, corner = (now[i - step], before[i - step]) if i >= step else (0, 0)
-            now[i] = (now[i] + predicted(kind, left, before[i], corner)) & 255
-        found += colors(now, width, depth, palette) if palette else now
-        before = now
-    return found
+        parts = list(chunks(file.read()))
+    width, height, depth, kind = struct.unpack(">IIBB", dict(parts)[b"IHDR"][:10])
+    raw = zlib.decompress(b"".join(body for name, body in parts if name == b"IDAT"))
+    if kind == 3:
+        palette = dict(parts)[b"PLTE"]
+        return bytearray().join(by_palette(row, width, depth, palette)
+                                for row in rows(raw, height, (width * depth + 7) // 8, 1))
+    assert (depth, kind) == (8, 2), f"{path}: neither 8-bit RGB nor a palette"
+    return bytearray().join(rows(raw, height, 3 * width, 3))
 
 
-def colors(line, width, depth, palette):
-    """What the indices of a row stand for, the first in the highest bits."""
-    found = b""
-    for i in range(width):
-        byte, bit = divmod(i * depth, 8)
-        index = line[byte] >> (8 - depth - bit) & ((1 << depth) - 1)
-        found += palette[3 * index:3 * index + 3]
-    return found
+def pixel(path, column, row):
+    with open(path, "rb") as file:
+        width, = struct.unpack(">I", file.read(20)[16:])
+    at = 3 * (row * width + column)
+    return tuple(pixels(path)[at:at + 3])
