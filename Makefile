@@ -579,8 +579,7 @@ include .make/grading.mk
 skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
 	@.make/skeletons $(BLANKS)
 
-# Chapter 08's engines; with PEERS=1 beside Embree, POV-Ray and Tachyon. The linker puts the
-# bench's clock round what builds hierarchies.
+# Chapter 08's engines; with PEERS=1 beside Embree, POV-Ray and Tachyon.
 PEERS :=
 ifneq ($(PEERS),)
 ifeq ($(shell echo '#include <embree3/rtcore.h>' | $(CC) -E -x c - >/dev/null 2>&1 && echo yes),)
@@ -598,7 +597,7 @@ $(B)/tests/benches/peers/programs.o: EXTRA = $(PNG_CFLAGS)
 $(ENGINE_BENCH): $(patsubst %,$(B)/tests/benches/%.o,engines report) $(PEER_OBJECTS) \
 		$(ENGINE_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) -Wl,--wrap=hierarchy_build -o $@ $^ $(if $(PEERS),-lembree3) $(PNG_LIBS) -lm -pthread
+	$(Q)$(LINK) -o $@ $^ $(if $(PEERS),-lembree3) $(PNG_LIBS) -lm -pthread
 WAIT_BENCH := $(if $(PEERS),$(B)/tests/benches/peers/embree_wait)
 $(B)/tests/benches/peers/embree_wait.o: EXTRA = $(PNG_CFLAGS)
 $(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o $(ENGINE_OBJECTS) \

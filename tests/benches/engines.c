@@ -9,7 +9,7 @@
 // is sphere and what is not, but for one pixel in two thousand on silhouettes. Who would take more
 // than SECONDS (3) casts a smaller picture.
 #include "chapters/06-ray-casting/scene_camera.h"
-#include "chapters/08-fast/hierarchy.h"
+#include "chapters/08-fast/clock.h"
 #include "tests/benches/measure.h"
 #include "tests/benches/report.h"
 
@@ -17,31 +17,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 // All rounds of one take not much longer than so many pictures of SECONDS.
 #define MOST_PICTURES 5
 enum { MOST_THREADS = 8, MOST_CHOSEN = 16, SMALLEST = 64 };
 
 Measured measured;
-
-double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-// The linker puts this in the place of hierarchy_build (--wrap): building is not casting.
-bool __real_hierarchy_build(Hierarchy *hierarchy, const Scene *scene);
-bool __wrap_hierarchy_build(Hierarchy *hierarchy, const Scene *scene);
-bool __wrap_hierarchy_build(Hierarchy *hierarchy, const Scene *scene)
-{
-    double began = seconds_now();
-    bool built = __real_hierarchy_build(hierarchy, scene);
-    measured.build += seconds_now() - began;
-    return built;
-}
 
 typedef struct {
     int rounds, thread_counts, chosen;
@@ -76,11 +57,13 @@ static bool cast_once(const Engine *engine, const Work *work, double *build, dou
 {
     Message message;
     measured.build = measured.cast = 0;
-    double began = seconds_now();
-    bool done = engine->cast(work, &message);
-    double all = seconds_now() - began;
-    *build = measured.build;
-    *cast = measured.cast > 0 ? measured.cast : all - measured.build;
+    double began = clock_seconds(), built = began;
+    Work timed = *work;
+    timed.built = &built;
+    bool done = engine->cast(&timed, &message);
+    double ended = clock_seconds();
+    *build = measured.cast > 0 ? measured.build : built - began;
+    *cast = measured.cast > 0 ? measured.cast : ended - built;
     if (!done)
         fprintf(stderr, "%s: %s: %s\n", measured.scene_path, engine->name, message.text);
     return done;

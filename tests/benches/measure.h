@@ -4,16 +4,14 @@
 
 #include "chapters/08-fast/engine.h"
 
-// What the engine that is being measured spends, in seconds. Who builds something that another
-// camera could use adds it to build; who measures the casting himself (another program) sets cast.
+// Seconds, by a peer that measures itself: what another camera could use, and the casting. An
+// engine says when its casting begins (Work.built).
 typedef struct {
     double build, cast;
     const char *scene_path;
 } Measured;
 
 extern Measured measured;
-
-double seconds_now(void);
 
 // Other ray casters, behind the same interface; none unless PEERS=1. The last one has no name.
 extern const Engine peers[];

@@ -2,6 +2,7 @@
 //
 // Built for this machine's instructions (-march=native), as Embree is. It takes only fields of
 // what it is given, never a vec3 by value.
+#include "chapters/08-fast/clock.h"
 #include "chapters/08-fast/paint.h"
 #include "chapters/08-fast/parallel.h"
 #include "tests/benches/measure.h"
@@ -56,7 +57,7 @@ static void ask_16(const struct RTCIntersectFunctionNArguments *of)
 
 static bool build(Peer *peer, RTCDevice device, bool user, const float *spheres)
 {
-    double began = seconds_now();
+    double began = clock_seconds();
     unsigned count = (unsigned)peer->work->scene->sphere_count;
     RTCGeometry geometry =
         rtcNewGeometry(device, user ? RTC_GEOMETRY_TYPE_USER : RTC_GEOMETRY_TYPE_SPHERE_POINT);
@@ -75,7 +76,7 @@ static bool build(Peer *peer, RTCDevice device, bool user, const float *spheres)
     rtcAttachGeometry(peer->scene, geometry);
     rtcReleaseGeometry(geometry);
     rtcCommitScene(peer->scene);
-    measured.build += seconds_now() - began;
+    measured.build += clock_seconds() - began;
     return rtcGetDeviceError(device) == RTC_ERROR_NONE;
 }
 
@@ -166,11 +167,11 @@ static bool cast(const Work *work, Message *message, int lanes, bool user)
     bool done =
         build(&peer, device, user, spheres) || message_set(message, "Embree reports an error");
     set_rays(&peer);
-    double began = seconds_now();
+    double began = clock_seconds();
     int rows = lanes / TILE;
     if (done)
         in_parallel(work->threads, (work->image->size.height + rows - 1) / rows, cast_band, &peer);
-    measured.cast = seconds_now() - began;
+    measured.cast = clock_seconds() - began;
     rtcReleaseScene(peer.scene);
     rtcReleaseDevice(device);
     free(paints);

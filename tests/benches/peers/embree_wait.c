@@ -12,11 +12,6 @@
 
 Measured measured;
 
-double seconds_now(void)
-{
-    return 0;
-}
-
 static void *grown(void *items, int count, size_t size)
 {
     return count == 0 || (count >= 64 && (count & (count - 1)) == 0)
