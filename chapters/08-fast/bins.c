@@ -118,8 +118,13 @@ bool cast_bins(const Work *work, Message *message)
     Place *places = places_for(count);
     Place *sorted = places_for(count);
     Paint *paints = paints_of(work->scene);
-    Casting casting = {{work, bins_lanes[lanes_best()], sorted, paints}, eye_of(work), places,
-                       {0}, (screen.width + TILE_WIDTH - 1) / TILE_WIDTH, 0, 0};
+    Casting casting = {{work, bins_lanes[lanes_best()], sorted, paints},
+                       eye_of(work),
+                       places,
+                       {0},
+                       (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,
+                       0,
+                       0};
     if (places != NULL && sorted != NULL && paints != NULL) {
         in_parallel(parts < 40 ? 1 : work->threads, parts, place_some, &casting);
         visible = places_by_depth(places, count, sorted, work->threads);

@@ -34,8 +34,7 @@ static inline float coarse(float x)
     return x;
 }
 
-static void place(const Eye *eye, const Positions *positions, int first, int count,
-                  Place *places)
+static void place(const Eye *eye, const Positions *positions, int first, int count, Place *places)
 {
     double left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], near[PLACES];
     const double *rx = eye->right, *ux = eye->up, *fx = eye->forward;
@@ -69,7 +68,7 @@ static void place(const Eye *eye, const Positions *positions, int first, int cou
         near[i] = nearest > 1e-15 && square < 1e30 ? nearest : 0;
     }
     for (int i = 0; i < count; i++)
-        places[i] = (Place){(uint16_t)left[i], (uint16_t)right[i], (uint16_t)top[i],
+        places[i] = (Place){(uint16_t)left[i],   (uint16_t)right[i],     (uint16_t)top[i],
                             (uint16_t)bottom[i], coarse((float)near[i]), first + i};
 }
 
@@ -153,8 +152,7 @@ static void outline(const Rays *rays, const Candidates *from, int count, Outline
         bool safe = (apart - square > 1e-3 * apart) & (b - b_range > 1e-6 * b_sum) &
                     (b_sum < 1e15) & (d_sum > 1e-30) & (d_sum < 1e30);
         // Each term is rounded at most six times, in float; and double is not exact either.
-        double d_error =
-            4 * FLT_EPSILON * d_sum + 1e-14 * (square * vv + sqrt(ww * vv * apart));
+        double d_error = 4 * FLT_EPSILON * d_sum + 1e-14 * (square * vv + sqrt(ww * vv * apart));
         // A square root near 0 magnifies its error, so D that small is doubtful, too.
         double doubt = 0x1p-16 * d_sum + 2 * d_error;
         to->x[i] = (float)column;

@@ -1,8 +1,8 @@
 // bins_sort.c - a counting sort: count what goes into each bin, add up where each begins, fill.
 //
-// Every thread has a share of the items and counts by itself. Where bin b begins for share p is then
-// known beforehand: behind what all shares have in earlier bins, and earlier shares in this one. So
-// all fill at the same time, without asking each other, and items stay in order.
+// Every thread has a share of the items and counts by itself. Where bin b begins for share p is
+// then known beforehand: behind what all shares have in earlier bins, and earlier shares in this
+// one. So all fill at the same time, without asking each other, and items stay in order.
 #include "chapters/08-fast/bins_sort.h"
 
 #include "chapters/08-fast/parallel.h"
@@ -147,8 +147,12 @@ int places_by_depth(const Place *places, int count, Place *sorted, int threads)
 bool bins_by_tile(Bins *bins, const Place *places, int count, int columns, int top, int bottom,
                   int threads)
 {
-    Sort sort = {.places = places, .count = count, .columns = columns, .top = top,
-                 .bottom = bottom, .bin_count = columns * (bottom - top)};
+    Sort sort = {.places = places,
+                 .count = count,
+                 .columns = columns,
+                 .top = top,
+                 .bottom = bottom,
+                 .bin_count = columns * (bottom - top)};
     *bins = (Bins){NULL, malloc(((size_t)sort.bin_count + 1) * sizeof *bins->start)};
     if (bins->start == NULL || !count_all(&sort, count_tiles, threads))
         return false;

@@ -11,7 +11,10 @@
 #include <float.h>
 #include <math.h>
 
-enum { UNTIL_NEXT_LOOK = 16, AT_ONCE = 8 }; // spheres, until the tile is searched again for its farthest pixel
+enum {
+    UNTIL_NEXT_LOOK = 16,
+    AT_ONCE = 8
+}; // spheres, until the tile is searched again for its farthest pixel
 
 typedef struct {
     const Tiling *tiling;
@@ -105,8 +108,8 @@ static void decide_unsure(Here *here, const int *bin, size_t count)
         for (int column = 0; column < here->columns; column++) {
             int *seen = &here->pixels.color[row * TILE_WIDTH + column];
             if (*seen & UNSURE)
-                *seen = color_of(here->tiling,
-                                 decide(here, pixel_at(here, column, row), bin, count));
+                *seen =
+                    color_of(here->tiling, decide(here, pixel_at(here, column, row), bin, count));
         }
     }
 }
@@ -195,7 +198,8 @@ static size_t ask_all(Here *here, const int *bin, size_t count)
 
 static Rays rays_from(vec3 first, vec3 column, vec3 row)
 {
-    Rays rays = {.columns = vec3_dot(column, column), .rows = vec3_dot(row, row),
+    Rays rays = {.columns = vec3_dot(column, column),
+                 .rows = vec3_dot(row, row),
                  .both = vec3_dot(column, row)};
     for (int i = 0; i < 3; i++) {
         rays.first[i] = first[i];
@@ -221,18 +225,16 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
     here.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
     here.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
     here.rays = rays_from(pixel_ray(camera, image->size, corner).direction,
-                          camera.width / width * camera.right,
-                          -camera.height / height * camera.up);
+                          camera.width / width * camera.right, -camera.height / height * camera.up);
     double x = camera.width / width * nearest_to(width / 2.0, corner.column, here.columns);
     double y = camera.height / height * nearest_to(height / 2.0, corner.row, here.rows);
-    here.shortest =
-        0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
+    here.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
     here.slack = 0;
     here.waiting = 0;
     tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
     decide_unsure(&here, bin, ask_all(&here, bin, count));
-    tiling->lanes->paint(
-        &here.pixels, here.columns, here.rows,
-        image->rgb + 3 * ((size_t)corner.row * (size_t)width + (size_t)corner.column),
-        3 * (size_t)width);
+    tiling->lanes->paint(&here.pixels, here.columns, here.rows,
+                         image->rgb +
+                             3 * ((size_t)corner.row * (size_t)width + (size_t)corner.column),
+                         3 * (size_t)width);
 }

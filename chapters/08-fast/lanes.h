@@ -22,15 +22,22 @@ extern LanesKind lanes_at_most;
 
 // A table with one entry for each kind that was compiled.
 #ifdef __x86_64__
-#define LANES_TABLE(name) {&name##_baseline, &name##_avx2, &name##_avx512}
+#define LANES_TABLE(name)                                                                          \
+    {                                                                                              \
+        &name##_baseline, &name##_avx2, &name##_avx512                                             \
+    }
 #else
-#define LANES_TABLE(name) {&name##_baseline, &name##_baseline, &name##_baseline}
+#define LANES_TABLE(name)                                                                          \
+    {                                                                                              \
+        &name##_baseline, &name##_baseline, &name##_baseline                                       \
+    }
 #endif
 
-#ifdef LANES_KIND
+#ifndef LANES_KIND
+#define LANES_KIND baseline
+#endif
 #define LANES_PASTE(name, kind) name##_##kind
 #define LANES_NAMED(name, kind) LANES_PASTE(name, kind)
 #define LANES(name) LANES_NAMED(name, LANES_KIND)
-#endif
 
 #endif

@@ -1,8 +1,8 @@
 // same.c - every engine gives chapter 06's picture: on scenes that are awkward, and on random ones.
 //
 // Usage: same [SCENES [FIRST]]: so many random scenes, from number FIRST on (100, 1). Each is drawn
-// by plain and by every other engine, with one thread and with three, and with every instruction set
-// that the engine was compiled for. The last line counts.
+// by plain and by every other engine, with one thread and with three, and with every instruction
+// set that the engine was compiled for. The last line counts.
 #include "chapters/06-ray-casting/scene_camera.h"
 #include "chapters/08-fast/engine.h"
 #include "chapters/08-fast/lanes.h"
@@ -164,8 +164,8 @@ static void at_random(unsigned number)
 static void fail(const char *name, const Engine *engine, int threads, const char *why)
 {
     failed++;
-    printf("not ok: %s, %s for %s, %d threads: %s\n", name, engine->name,
-           lanes_names[lanes_best()], threads, why);
+    printf("not ok: %s, %s for %s, %d threads: %s\n", name, engine->name, lanes_names[lanes_best()],
+           threads, why);
 }
 
 static void compare(const char *name, const Engine *engine, const Work *plain, int threads)
