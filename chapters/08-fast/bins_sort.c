@@ -175,8 +175,8 @@ bool bins_by_tile(Bins *bins, const Place *places, int count, int columns, int t
     *bins = (Bins){NULL, malloc(((size_t)sort.bin_count + 1) * sizeof *bins->start)};
     sort.corners = calloc((size_t)threads * (size_t)(columns + 1) * (size_t)(bottom - top + 1),
                           sizeof *sort.corners);
-    bool counted = bins->start != NULL && sort.corners != NULL &&
-                   count_all(&sort, count_tiles, threads);
+    bool counted =
+        bins->start != NULL && sort.corners != NULL && count_all(&sort, count_tiles, threads);
     free(sort.corners);
     if (!counted)
         return false;

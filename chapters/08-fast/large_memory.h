@@ -1,4 +1,4 @@
-// large_memory.h - memory for arrays that are filled once, in large pages where the system has them.
+// large_memory.h - memory for large arrays, in large pages where the system has them.
 #ifndef CHAPTERS_08_FAST_LARGE_MEMORY_H
 #define CHAPTERS_08_FAST_LARGE_MEMORY_H
 
