@@ -6,11 +6,11 @@
 #include "chapters/08-fast/bins_sort.h"
 #include "chapters/08-fast/bins_tile.h"
 #include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/large_memory.h"
 #include "chapters/08-fast/parallel.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <sys/mman.h>
 
 static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
 
@@ -97,26 +97,12 @@ static bool cast_rows(Casting *casting, int count)
     return fits;
 }
 
-// Memory in pages as large as the system has them: there are fewer to be found and cleared.
-static Place *places_for(int count)
-{
-    const size_t page = 1 << 21, size = ((size_t)count + 1) * sizeof(Place);
-    if (size < page)
-        return malloc(size);
-    Place *places = aligned_alloc(page, (size + page - 1) / page * page);
-#ifdef MADV_HUGEPAGE
-    if (places != NULL)
-        madvise(places, size, MADV_HUGEPAGE);
-#endif
-    return places;
-}
-
 bool cast_bins(const Work *work, Message *message)
 {
     Resolution screen = work->image->size;
     int count = work->scene->sphere_count, parts = (count + PLACES - 1) / PLACES, visible = -1;
-    Place *places = places_for(count);
-    Place *sorted = places_for(count);
+    const size_t size = ((size_t)count + 1) * sizeof(Place);
+    Place *places = large_memory(size), *sorted = large_memory(size);
     Paint *paints = paints_of(work->scene);
     Casting casting = {{work, bins_lanes[lanes_best()], sorted, paints},
                        eye_of(work),

@@ -1,8 +1,8 @@
 // bins_tile.c - one tile of the screen: its spheres ask its pixels, the near ones first, until the
 // rest is hidden behind what was seen.
 //
-// Float decides where its error cannot matter (bins_lanes.c). What it leaves open is
-// decided by chapter 06's functions, in double, at the end.
+// Float decides where its error cannot matter (bins_lanes.c). What it leaves open is decided by
+// chapter 06's functions, in double, at the end.
 #include "chapters/08-fast/bins_tile.h"
 
 #include "exercises/04-pixel-ray.h"
@@ -11,10 +11,8 @@
 #include <float.h>
 #include <math.h>
 
-enum {
-    UNTIL_NEXT_LOOK = 16,
-    AT_ONCE = 8
-}; // spheres, until the tile is searched again for its farthest pixel
+// Spheres that are made ready together, and until the farthest pixel is looked for again.
+enum { AT_ONCE = 8, UNTIL_NEXT_LOOK = 16 };
 
 typedef struct {
     const Tiling *tiling;
@@ -27,9 +25,9 @@ typedef struct {
     // Who is to ask next.
     int waiting;
     Candidates candidates;
-    int spheres[LANES];
-    Part parts[LANES];
-    float nearest[LANES]; // s is not less
+    int spheres[AT_ONCE];
+    Part parts[AT_ONCE];
+    float nearest[AT_ONCE]; // s is not less
 } Here;
 
 static float larger(float a, float b)
@@ -50,7 +48,7 @@ static int color_of(const Tiling *tiling, int sphere)
     return rgb[0] | rgb[1] << 8 | rgb[2] << 16;
 }
 
-// A sphere asks its pixels in double.
+// A sphere asks its pixels in double. (A t that float does not hold is left open as well.)
 static void ask_in_double(Here *here, int number, Part part, float nearest)
 {
     const Work *work = here->tiling->work;
@@ -67,7 +65,7 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
                 continue;
             double at = t * vec3_dot(ray.direction, ray.direction);
             double margin = 2 * here->slack + 4 * FLT_EPSILON * at;
-            if (!(at < FLT_MAX && fabs(at - *s) > margin)) {
+            if (!(at > 1e-30 && at < 1e30 && fabs(at - *s) > margin)) {
                 *seen |= UNSURE;
             } else if (at < *s) {
                 *s = (float)at;
@@ -90,8 +88,8 @@ static int decide(const Here *here, Pixel pixel, const int *bin, size_t count)
         int number = here->tiling->places[bin[i]].sphere;
         Sphere sphere = work->scene->spheres[number];
         vec3 c = sphere.center - ray.origin, w = vec3_cross(c, v);
-        double square = sphere.radius * sphere.radius;
-        if (vec3_dot(w, w) > 1.000001 * square * vv + 1e-18 * vec3_dot(c, c) * vv)
+        double square = sphere.radius * sphere.radius, ww = vec3_dot(w, w);
+        if (ww > 1e-250 && ww > 1.000001 * square * vv + 1e-18 * vec3_dot(c, c) * vv)
             continue;
         double t = hit_sphere(ray, sphere);
         if (t < nearest.t || (t == nearest.t && t < NO_HIT && number < nearest.sphere))

@@ -33,10 +33,11 @@ extern LanesKind lanes_at_most;
     }
 #endif
 
-#ifdef LANES_KIND
+#ifndef LANES_KIND
+#define LANES_KIND baseline
+#endif
 #define LANES_PASTE(name, kind) name##_##kind
 #define LANES_NAMED(name, kind) LANES_PASTE(name, kind)
 #define LANES(name) LANES_NAMED(name, LANES_KIND)
-#endif
 
 #endif
