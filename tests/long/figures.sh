@@ -1,5 +1,5 @@
 #!/bin/sh
-# figures.sh - figures of 250 cameras, rays and scenes in each chapter (CAMERAS=n: of n); and all
+# figures.sh - figures of 100 cameras, rays and scenes in each chapter (CAMERAS=n: of n); and all
 # files that make figures makes.
 if [ -n "${BRIEF:-}" ]; then
     echo "skipped: hundreds of figures of each kind, which are tested once (BRIEF)"
@@ -26,7 +26,7 @@ counted() {
     passed=$((passed + ${counts% *}))
     failed=$((failed + ${counts#* }))
 }
-CAMERAS=${CAMERAS:-250} counted sh tests/shell/figures.sh
+CAMERAS=${CAMERAS:-100} counted sh tests/shell/figures.sh
 
 # Draws by the rules of the environment; says what was said.
 drawn=$scratch/figures
