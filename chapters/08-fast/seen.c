@@ -29,6 +29,7 @@ typedef struct {
     View view;
     See *see;
     Walk *walk;
+    PaintTile *paint;
 } Cast;
 
 static int parts(int of, int at_a_time)
@@ -148,15 +149,6 @@ static void set_view(Cast *cast, float *x, float *y)
 
 // ---- tiles ------------------------------------------------------------------------------------
 
-// Four bytes at a time are copied faster than three; not at the end of a row, where the next pixel
-// may be another thread's.
-static void paint_row(uint8_t *rgb, const int *colors, int count)
-{
-    for (int i = 0; i < count - 1; i++)
-        memcpy(rgb + (size_t)i * 3, &colors[i], 4);
-    memcpy(rgb + ((size_t)count - 1) * 3, &colors[count - 1], 3);
-}
-
 static void decide(const Cast *cast, Pixel pixel)
 {
     const Work *work = cast->work;
@@ -176,14 +168,13 @@ static void cast_tile(void *given, int part)
     int left = tile.column * BLOCK, top = tile.row * BLOCK;
     int right = left + TILE < image->size.width ? left + TILE : image->size.width;
     int bottom = top + TILE < image->size.height ? top + TILE : image->size.height;
-    for (int row = top; row < bottom; row++) {
-        const int *colors = tile.colors + (row - top) * TILE;
-        size_t place = (size_t)row * (size_t)image->size.width + (size_t)left;
-        paint_row(image->rgb + 3 * place, colors, right - left);
-        for (int column = left; tile.doubts && column < right; column++)
-            if (colors[column - left] == IN_DOUBT)
+    size_t place = (size_t)top * (size_t)image->size.width + (size_t)left;
+    cast->paint(&tile, right - left, bottom - top, image->rgb + 3 * place,
+                3 * (size_t)image->size.width);
+    for (int row = top; tile.doubts && row < bottom; row++)
+        for (int column = left; column < right; column++)
+            if (tile.colors[(row - top) * TILE + column - left] == IN_DOUBT)
                 decide(cast, (Pixel){column, row});
-    }
 }
 
 // ---- both -------------------------------------------------------------------------------------
@@ -212,8 +203,10 @@ static bool cast_in_floats(Cast *cast, float *x, float *y)
 static bool cast_by(const Work *work, Message *message, Walk *walk, bool wide)
 {
     static See *const sees[LANES_KINDS] = LANES_TABLE(see);
+    static PaintTile *const paint_tiles[LANES_KINDS] = LANES_TABLE(paint_tile);
     size_t count = (size_t)work->scene->sphere_count;
-    Cast cast = {.work = work, .walk = walk, .see = sees[lanes_best()]};
+    Cast cast = {
+        .work = work, .walk = walk, .see = sees[lanes_best()], .paint = paint_tiles[lanes_best()]};
     Paint *paints = paints_of(work->scene);
     float *x = malloc(((size_t)work->image->size.width + TILE) * sizeof *x);
     float *y = malloc(((size_t)work->image->size.height + TILE) * sizeof *y);

@@ -62,8 +62,8 @@ typedef struct {
     const float *x, *y;                       // of each column of pixels, of each row
 } View;
 
-// The colours of a tile's pixels, row by row. A colour is three bytes and a zero, in the order of
-// an image's, so IN_DOUBT is none.
+// The colours of a tile's pixels, row by row. A colour is the three bytes of an image and a zero,
+// so IN_DOUBT is none.
 enum { IN_DOUBT = -1 };
 typedef struct {
     int column, row; // its first block
@@ -78,5 +78,8 @@ extern See see_baseline, see_avx2, see_avx512;
 typedef void Walk(const View *view, Tile *tile);
 extern Walk walk_packets_baseline, walk_packets_avx2, walk_packets_avx512;
 extern Walk walk_frustum_baseline, walk_frustum_avx2, walk_frustum_avx512;
+// ... and the bytes of its pixels, in rows that are so far apart.
+typedef void PaintTile(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart);
+extern PaintTile paint_tile_baseline, paint_tile_avx2, paint_tile_avx512;
 
 #endif
