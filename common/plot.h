@@ -17,6 +17,8 @@
 
 typedef struct Plot Plot;
 
+// ---- by name: numbers, words, points, vectors (plot.c) ----------------------------------------
+
 // NAME = x, and NAME_text = "x" as labels show it: to 4 digits, or to as many as are said.
 void plot_number(Plot *plot, const char *name, double x);
 void plot_number_to(Plot *plot, const char *name, double x, int digits);
@@ -33,22 +35,8 @@ void plot_point(Plot *plot, const char *name, vec3 point);
 // $NAME: x y z of where it starts, x y z of the vector, and NAME_text = "(x, y, z)" of the vector.
 void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector);
 
-// $NAME: a table, row by row; columns says what they are. Numbers that are not finite are NaN.
-void plot_block(Plot *plot, const char *name, const char *columns);
-void plot_row(Plot *plot, int count, const double *numbers);
-void plot_gap(Plot *plot); // an empty line: what follows is not joined with what went before
-void plot_block_end(Plot *plot);
-
-// What the picture has to show: a point, or a sphere of a radius.
-void plot_fit(Plot *plot, vec3 center, double radius);
-
 // NAME_x, NAME_y, NAME_z and NAME_text: a direction that the layout computes with.
 void plot_direction(Plot *plot, const char *name, vec3 v);
-
-// Puts a file of gnuplot's words before the data: what some layouts have in common, common/NAME.gp.
-void plot_include(Plot *plot, const char *path);
-
-// ---- flat: pairs of numbers -------------------------------------------------------------------
 
 // $NAME: first second, NAME_text = "(first, second)", and the two alone as NAME_<first's name> and
 // NAME_<second's>, each with its _text: plot_pair(plot, "point", "x", 300, "y", 400). Labels have
@@ -56,7 +44,23 @@ void plot_include(Plot *plot, const char *path);
 void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
                const char *second_name, double second);
 
-// ---- a chapter's figures ----------------------------------------------------------------------
+// ---- tables (plot_block.c) --------------------------------------------------------------------
+
+// $NAME: a table, row by row; columns says what they are. Numbers that are not finite are NaN.
+void plot_block(Plot *plot, const char *name, const char *columns);
+void plot_row(Plot *plot, int count, const double *numbers);
+void plot_gap(Plot *plot);       // an empty line: what follows is not joined with what went before
+bool plot_block_end(Plot *plot); // whether it differs from what is right
+
+// ---- what the layout starts from (plot_fit.c, plot_script.c) ----------------------------------
+
+// What the picture has to show: a point, or a sphere of a radius.
+void plot_fit(Plot *plot, vec3 center, double radius);
+
+// Puts a file of gnuplot's words before the data: what some layouts have in common, common/NAME.gp.
+void plot_include(Plot *plot, const char *path);
+
+// ---- a chapter's figures (plot_script.c) ------------------------------------------------------
 
 // A figure's name, and what writes its data.
 typedef struct {
