@@ -1,5 +1,5 @@
-// scene.c - tests of common/scene.c and common/nff_line.c: what an NFF file means, and every way
-// in which a file is none.
+// scene.c - tests of common/scene.c and common/nff_*.c: what an NFF file means, and every way in
+// which a file is none.
 // Expected: the format as common/scene.h describes it. Each error is checked for its line too.
 #include "common/scene.h"
 

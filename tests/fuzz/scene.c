@@ -2,7 +2,7 @@
 //
 //   clang -std=c11 -D_DEFAULT_SOURCE -Wno-psabi -I. -g -O1 -fno-sanitize-recover=all
 //         -fsanitize=fuzzer,address,undefined tests/fuzz/scene.c
-//         common/scene.c common/nff_line.c common/text.c common/answers.c -lm -o fuzz-scene
+//         common/scene.c common/nff_*.c common/text.c common/answers.c -lm -o fuzz-scene
 //   ./fuzz-scene -dict=tests/fuzz/nff.dict -max_len=4096 -max_total_time=60 SCRATCH
 //         tests/fuzz/corpus
 //

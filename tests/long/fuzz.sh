@@ -12,7 +12,7 @@ fi
 builds() {
     clang -std=c11 -D_DEFAULT_SOURCE -Wno-psabi -I. -g -O1 \
         -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -o "$scratch/fuzz" \
-        tests/fuzz/scene.c common/scene.c common/nff_line.c common/text.c common/answers.c -lm
+        tests/fuzz/scene.c common/scene.c common/nff_*.c common/text.c common/answers.c -lm
 }
 # New finds go to the scratch folder; the kept corpus is only read.
 runs() {

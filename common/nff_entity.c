@@ -1,0 +1,177 @@
+// nff_entity.c - what the lines of an NFF file mean. How they are read is nff_line.c; the
+// viewpoint, nff_view.c.
+#include "common/nff.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Room for one more behind count items: the array doubles whenever it is full.
+static void *room_for_one(void *items, int count, size_t size)
+{
+    if (count != 0 && (count & (count - 1)) != 0)
+        return items;
+    if (count > INT_MAX / 2)
+        return NULL;
+    return realloc(items, size * (count == 0 ? 1 : 2 * (size_t)count));
+}
+
+#define APPEND(items, count, item)                                                                 \
+    append((void **)&(items), &(count), &(item), sizeof(item), &reader->line)
+
+static bool append(void **items, int *count, const void *item, size_t size, NffLine *line)
+{
+    void *grown = room_for_one(*items, *count, size);
+    if (grown == NULL)
+        return nff_wrong(line, "no memory for more than %d of these", *count);
+    *items = grown;
+    memcpy((char *)grown + (size_t)*count * size, item, size);
+    (*count)++;
+    return true;
+}
+
+// ---- colours and lights -----------------------------------------------------------------------
+
+static bool read_color(NffLine *line, const double *rgb, Color *color)
+{
+    for (int i = 0; i < 3; i++)
+        if (rgb[i] < 0 || rgb[i] > 1)
+            return nff_wrong(line, "a colour of %g, expected 0 to 1", rgb[i]);
+    *color = vec3_of(rgb[0], rgb[1], rgb[2]);
+    return true;
+}
+
+static bool read_background(NffReader *reader)
+{
+    double n[3];
+    return nff_numbers(&reader->line, "b R G B", 3, 3, n) &&
+           read_color(&reader->line, n, &reader->scene->background);
+}
+
+// NFF leaves the brightness of a light without colour to the program. Until all are counted:
+static const Color not_said = {-1, -1, -1};
+
+static bool read_light(NffReader *reader)
+{
+    double n[6] = {0};
+    NffLine *line = &reader->line;
+    if (line->word_count != 4 && line->word_count != 7)
+        return nff_wrong(line, "%d numbers, expected l X Y Z or l X Y Z R G B",
+                         line->word_count - 1);
+    if (!nff_numbers(line, "l X Y Z [R G B]", 3, 6, n))
+        return false;
+    Light light = {.position = vec3_of(n[0], n[1], n[2])};
+    if (!read_color(line, n + 3, &light.color))
+        return false;
+    if (line->word_count == 4)
+        light.color = not_said;
+    return APPEND(reader->scene->lights, reader->scene->light_count, light);
+}
+
+// Many lights are not as much brighter as they are many.
+static void set_brightness(Scene *scene)
+{
+    double each = 1 / sqrt(scene->light_count);
+    for (int i = 0; i < scene->light_count; i++)
+        if (scene->lights[i].color[0] == not_said[0])
+            scene->lights[i].color = vec3_of(each, each, each);
+}
+
+// ---- spheres and their fills ------------------------------------------------------------------
+
+static bool read_fill(NffReader *reader)
+{
+    double n[8];
+    Surface fill;
+    if (!nff_numbers(&reader->line, "f R G B Kd Ks Shine T IoR", 8, 8, n) ||
+        !read_color(&reader->line, n, &fill.color))
+        return false;
+    fill.diffuse = n[3];
+    fill.specular = n[4];
+    fill.shine = n[5];
+    fill.transmittance = n[6];
+    fill.refraction = n[7];
+    return APPEND(reader->scene->surfaces, reader->scene->surface_count, fill);
+}
+
+static bool add_sphere(NffReader *reader, const double *n)
+{
+    if (n[3] <= 0)
+        return nff_wrong(&reader->line, "a radius of %g, expected more than 0", n[3]);
+    Sphere sphere = {vec3_of(n[0], n[1], n[2]), n[3], reader->scene->surface_count - 1};
+    return APPEND(reader->scene->spheres, reader->scene->sphere_count, sphere);
+}
+
+static bool read_sphere(NffReader *reader)
+{
+    double n[4];
+    return nff_numbers(&reader->line, "s X Y Z RADIUS", 4, 4, n) && add_sphere(reader, n);
+}
+
+// ---- what is left out -------------------------------------------------------------------------
+
+static bool skip_cone(NffReader *reader)
+{
+    reader->cones++;
+    return nff_numbers(&reader->line, "c, and nothing else", 0, 0, NULL) &&
+           nff_skip(&reader->line, 2);
+}
+
+static bool skip_polygon(NffReader *reader)
+{
+    double vertices;
+    NffLine *line = &reader->line;
+    if (!nff_numbers(line, "p or pp, then the number of vertices", 1, 1, &vertices))
+        return false;
+    if (vertices != floor(vertices) || vertices < 3 || vertices > INT_MAX)
+        return nff_wrong(line, "a polygon of %g vertices, expected a whole number from 3",
+                         vertices);
+    reader->polygons++;
+    return nff_skip(line, (int)vertices);
+}
+
+// ---- line after line --------------------------------------------------------------------------
+
+static bool read_entity(NffReader *reader)
+{
+    static const struct {
+        const char *word;
+        bool (*read)(NffReader *);
+    } entities[] = {{"s", read_sphere},  {"f", read_fill},    {"b", read_background},
+                    {"v", nff_view},     {"l", read_light},   {"c", skip_cone},
+                    {"p", skip_polygon}, {"pp", skip_polygon}};
+    const char *word = reader->line.words[0];
+    for (size_t i = 0; i < sizeof entities / sizeof entities[0]; i++)
+        if (strcmp(word, entities[i].word) == 0)
+            return entities[i].read(reader);
+    int part = nff_view_part(word);
+    if (part != 0)
+        return nff_read_view_part(reader, part);
+    return nff_wrong(&reader->line, "'%s', expected one of v b l f s (or c p pp, or #)",
+                     word_text(word).s);
+}
+
+static bool read_entities(NffReader *reader)
+{
+    double n[4];
+    for (;;)
+        if (nff_plain(&reader->line, 's', 4, n)) {
+            if (!add_sphere(reader, n))
+                return false;
+        } else {
+            if (!nff_next(&reader->line))
+                return !reader->line.failed;
+            if (!read_entity(reader))
+                return false;
+        }
+}
+
+bool nff_entities(NffReader *reader)
+{
+    Scene *scene = reader->scene;
+    const Surface white = {.color = vec3_of(1, 1, 1), .diffuse = 1};
+    if (!APPEND(scene->surfaces, scene->surface_count, white) || !read_entities(reader))
+        return false;
+    set_brightness(scene);
+    return true;
+}
