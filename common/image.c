@@ -39,8 +39,7 @@ void image_set(Image *image, Pixel pixel, Color color)
                 pixel.column, pixel.row, image->size.width, image->size.height);
         abort();
     }
-    uint8_t *rgb =
-        image->rgb + 3 * ((size_t)pixel.row * (size_t)image->size.width + (size_t)pixel.column);
+    uint8_t *rgb = image_bytes(image, pixel);
     for (int i = 0; i < 3; i++)
         rgb[i] = byte_from_color(color[i]);
     if (++image->set_count % IMAGE_PROGRESS_STEP == 0 && image->progress != NULL)

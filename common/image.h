@@ -10,6 +10,7 @@
 #include "common/vec3.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 // Red, green, blue, each from 0 to 1.
@@ -33,6 +34,17 @@ enum { IMAGE_PROGRESS_STEP = 1024 };
 // A black image. False, and a message, where the size is out of range or memory is short.
 bool image_create(Image *image, Resolution size, Message *message);
 void image_free(Image *image);
+
+// Where a pixel, which must lie in the image, stands among all of them, and its three bytes.
+static inline size_t image_index(const Image *image, Pixel pixel)
+{
+    return (size_t)pixel.row * (size_t)image->size.width + (size_t)pixel.column;
+}
+
+static inline uint8_t *image_bytes(const Image *image, Pixel pixel)
+{
+    return image->rgb + 3 * image_index(image, pixel);
+}
 
 // 255 c, rounded, from 0 to 255; 0 where c is not a number.
 uint8_t byte_from_color(double c);

@@ -53,7 +53,7 @@ static void write_by_palette(png_structp png, Palette *palette, const Image *ima
 {
     uint8_t indices[IMAGE_MAX_SIDE];
     int width = image->size.width;
-    const uint8_t *rgb = image->rgb + 3 * (size_t)row * (size_t)width;
+    const uint8_t *rgb = image_bytes(image, (Pixel){0, row});
     for (int i = 0; i < width; i++, rgb += 3)
         indices[i] = i > 0 && memcmp(rgb, rgb - 3, 3) == 0 ? indices[i - 1]
                                                            : (uint8_t)(*slot_of(palette, rgb) - 1);
@@ -111,7 +111,7 @@ static bool encode(png_structp png, png_infop info, const Image *image, Palette 
         if (flat)
             write_by_palette(png, palette, image, row);
         else
-            png_write_row(png, image->rgb + 3 * (size_t)row * (size_t)image->size.width);
+            png_write_row(png, image_bytes(image, (Pixel){0, row}));
     png_write_end(png, info);
     return true;
 }

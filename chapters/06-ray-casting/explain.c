@@ -186,7 +186,7 @@ static bool pixel_as_cast(const Shot *shot, uint8_t rgb[3])
         !image_create(&image, shot->size, &message))
         return false;
     cast_image_order(shot->scene, shot->camera, &image);
-    memcpy(rgb, image.rgb + 3 * (shot->pixel.row * (long)image.size.width + shot->pixel.column), 3);
+    memcpy(rgb, image_bytes(&image, shot->pixel), 3);
     image_free(&image);
     return true;
 }

@@ -21,7 +21,7 @@ static void picture_data(Plot *plot, const char *name, const Image *image)
     for (int row = image->size.height - 1; row >= 0; row--) {
         double numbers[COLUMNS];
         for (int column = 0; column < image->size.width; column++) {
-            const uint8_t *rgb = image->rgb + 3 * (row * image->size.width + column);
+            const uint8_t *rgb = image_bytes(image, (Pixel){column, row});
             numbers[column] = 65536.0 * rgb[0] + 256.0 * rgb[1] + rgb[2];
         }
         plot_row(plot, image->size.width, numbers);

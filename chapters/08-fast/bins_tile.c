@@ -231,8 +231,6 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
     here.waiting = 0;
     tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
     decide_unsure(&here, bin, ask_all(&here, bin, count));
-    tiling->lanes->paint(&here.pixels, here.columns, here.rows,
-                         image->rgb +
-                             3 * ((size_t)corner.row * (size_t)width + (size_t)corner.column),
+    tiling->lanes->paint(&here.pixels, here.columns, here.rows, image_bytes(image, corner),
                          3 * (size_t)width);
 }

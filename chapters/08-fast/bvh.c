@@ -24,10 +24,11 @@ static void cast_row(void *given, int row)
     const Work *work = by_ray->work;
     Resolution screen = work->image->size;
     for (int column = 0; column < screen.width; column++) {
+        Pixel pixel = {column, row};
         Hit hit = hierarchy_nearest(&by_ray->hierarchy, work->scene,
-                                    pixel_ray(work->camera, screen, (Pixel){column, row}));
-        size_t pixel = (size_t)row * (size_t)screen.width + (size_t)column;
-        paint_pixel(work->image, pixel, work->scene, by_ray->paints, hit.sphere);
+                                    pixel_ray(work->camera, screen, pixel));
+        paint_pixel(work->image, image_index(work->image, pixel), work->scene, by_ray->paints,
+                    hit.sphere);
     }
 }
 

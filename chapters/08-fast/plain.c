@@ -21,9 +21,10 @@ static void cast_row(void *given, int row)
     const Work *work = plain->work;
     Resolution screen = work->image->size;
     for (int column = 0; column < screen.width; column++) {
-        Hit hit = nearest_hit(pixel_ray(work->camera, screen, (Pixel){column, row}), work->scene);
-        size_t pixel = (size_t)row * (size_t)screen.width + (size_t)column;
-        paint_pixel(work->image, pixel, work->scene, plain->paints, hit.sphere);
+        Pixel pixel = {column, row};
+        Hit hit = nearest_hit(pixel_ray(work->camera, screen, pixel), work->scene);
+        paint_pixel(work->image, image_index(work->image, pixel), work->scene, plain->paints,
+                    hit.sphere);
     }
 }
 

@@ -18,11 +18,6 @@ static Pixel pixel_number(const Image *image, int i)
     return (Pixel){i % image->size.width, i / image->size.width};
 }
 
-static const uint8_t *bytes_at(const Image *image, Pixel pixel)
-{
-    return image->rgb + 3 * (pixel.row * image->size.width + pixel.column);
-}
-
 static bool are(const uint8_t *bytes, Color color)
 {
     return bytes[0] == byte_from_color(color[0]) && bytes[1] == byte_from_color(color[1]) &&
@@ -54,7 +49,7 @@ static bool colours_are_of_the_scene(const Scene *scene, const Image *image)
     int strange = 0;
     Pixel first = {0, 0};
     for (int i = pixel_count(image); i-- > 0;) {
-        const uint8_t *bytes = bytes_at(image, pixel_number(image, i));
+        const uint8_t *bytes = image_bytes(image, pixel_number(image, i));
         if (!is_background(bytes, scene) && coloured_so(bytes, any, scene).sphere < 0) {
             strange++;
             first = pixel_number(image, i);
@@ -62,7 +57,7 @@ static bool colours_are_of_the_scene(const Scene *scene, const Image *image)
     }
     if (strange == 0)
         return true;
-    const uint8_t *bytes = bytes_at(image, first);
+    const uint8_t *bytes = image_bytes(image, first);
     law_broken("%d of %d pixels are not set, or not to a colour of the scene; the first, in "
                "column %d, row %d, is red %d, green %d, blue %d",
                strange, pixel_count(image), first.column, first.row, bytes[0], bytes[1], bytes[2]);
@@ -91,9 +86,9 @@ static bool is_not_turned(const Image *yours, const Image *right)
             Pixel here = pixel_number(right, i), there = turned(turn, here, size);
             if (there.column >= size.width || there.row >= size.height)
                 continue;
-            const uint8_t *bytes = bytes_at(yours, here);
-            same = memcmp(bytes, bytes_at(right, there), 3) == 0;
-            different = different || memcmp(bytes, bytes_at(right, here), 3) != 0;
+            const uint8_t *bytes = image_bytes(yours, here);
+            same = memcmp(bytes, image_bytes(right, there), 3) == 0;
+            different = different || memcmp(bytes, image_bytes(right, here), 3) != 0;
         }
         if (same && different) {
             law_broken("the picture is the right one %s", turns[turn]);
@@ -158,7 +153,7 @@ static void law_of_pictures(const Scene *scene, Camera camera, const Image *your
     }
     if (fine && wrong < pixels) {
         Pixel pixel = pixel_number(&right, wrong);
-        say_what_is_shown(pixel, bytes_at(yours, pixel), pixel_ray(camera, right.size, pixel),
+        say_what_is_shown(pixel, image_bytes(yours, pixel), pixel_ray(camera, right.size, pixel),
                           scene);
     }
     image_free(&right);

@@ -100,8 +100,8 @@ static void set_rays(Peer *peer)
 
 static void paint(const Peer *peer, int column, int row, unsigned geometry, unsigned sphere)
 {
-    size_t pixel = (size_t)row * (size_t)peer->work->image->size.width + (size_t)column;
-    paint_pixel(peer->work->image, pixel, peer->work->scene, peer->paints,
+    Image *image = peer->work->image;
+    paint_pixel(image, image_index(image, (Pixel){column, row}), peer->work->scene, peer->paints,
                 geometry == RTC_INVALID_GEOMETRY_ID ? -1 : (int)sphere);
 }
 

@@ -58,7 +58,7 @@ static int write_png(const Image *image, const char *path)
                  PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
     for (int row = 0; row < image->size.height; row++)
-        png_write_row(png, image->rgb + 3 * (size_t)row * (size_t)image->size.width);
+        png_write_row(png, image_bytes(image, (Pixel){0, row}));
     png_write_end(png, info);
     return fclose(file);
 }

@@ -31,7 +31,7 @@ static bool read_picture(const char *path, Image *image, int more_rows, int more
     bool good = rgb != NULL && (int)png.width == width && (int)png.height == height &&
                 png_image_finish_read(&png, NULL, rgb, 0, NULL) != 0;
     for (int row = 0; good && row < image->size.height; row++)
-        memcpy(image->rgb + 3 * (size_t)row * (size_t)image->size.width,
+        memcpy(image_bytes(image, (Pixel){0, row}),
                rgb + 3 * (size_t)(row + more_rows) * (size_t)width, 3 * (size_t)image->size.width);
     free(rgb);
     png_image_free(&png);
