@@ -8,7 +8,7 @@
 static void vector(Plot *plot, const char *name, vec3 from, vec3 v)
 {
     plot_block(plot, name, "x y z of its start, x y z of the vector");
-    plot_row(plot, 6, (const double[]){from[0], from[1], from[2], v[0], v[1], v[2]});
+    plot_row_vector(plot, from, v);
     plot_block_end(plot);
     plot_fit(plot, from, 0);
     plot_fit(plot, from + v, 0);

@@ -75,7 +75,7 @@ void plot_label(Plot *plot, const char *name, const char *label)
 void plot_point(Plot *plot, const char *name, vec3 point)
 {
     plot_block(plot, name, "x y z");
-    plot_row(plot, 3, (const double[]){point[0], point[1], point[2]});
+    plot_row_point(plot, point);
     bool is_wrong = plot_block_end(plot);
     define_label(plot, name, vec3_text_to(point, LABEL_DIGITS).s, is_wrong);
     if (is_wrong)
@@ -85,7 +85,7 @@ void plot_point(Plot *plot, const char *name, vec3 point)
 void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector)
 {
     plot_block(plot, name, "x y z of its start, x y z of the vector");
-    plot_row(plot, 6, (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2]});
+    plot_row_vector(plot, from, vector);
     bool is_wrong = plot_block_end(plot);
     define_label(plot, name, vec3_text_to(vector, LABEL_DIGITS).s, is_wrong);
     if (is_wrong)

@@ -49,6 +49,8 @@ void plot_pair(Plot *plot, const char *name, const char *first_name, double firs
 // $NAME: a table, row by row; columns says what they are. Numbers that are not finite are NaN.
 void plot_block(Plot *plot, const char *name, const char *columns);
 void plot_row(Plot *plot, int count, const double *numbers);
+void plot_row_point(Plot *plot, vec3 point);              // x y z
+void plot_row_vector(Plot *plot, vec3 from, vec3 vector); // x y z of its start, x y z of the vector
 void plot_gap(Plot *plot);       // an empty line: what follows is not joined with what went before
 bool plot_block_end(Plot *plot); // whether it differs from what is right
 

@@ -19,6 +19,16 @@ void plot_row(Plot *plot, int count, const double *numbers)
     putc('\n', plot->rows);
 }
 
+void plot_row_point(Plot *plot, vec3 point)
+{
+    plot_row(plot, 3, (const double[]){point[0], point[1], point[2]});
+}
+
+void plot_row_vector(Plot *plot, vec3 from, vec3 vector)
+{
+    plot_row(plot, 6, (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2]});
+}
+
 void plot_gap(Plot *plot)
 {
     putc('\n', plot->rows);

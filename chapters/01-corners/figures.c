@@ -73,9 +73,7 @@ static void camera_frame(Plot *plot, void *given)
     plot_edge(plot, "right_edge", c, lower_right, image_plane_vector(c, 1, 1));
     plot_block(plot, "to_corners", "x y z of the eye, x y z of the vector to a corner");
     for (int i = 0; i < 4; i++)
-        plot_row(plot, 6,
-                 (const double[]){c.origin[0], c.origin[1], c.origin[2], corners[i][0],
-                                  corners[i][1], corners[i][2]});
+        plot_row_vector(plot, c.origin, corners[i]);
     plot_block_end(plot);
 }
 
@@ -151,17 +149,14 @@ static void double_dwh(Plot *plot, void *given)
     plot_block(plot, "rays", "x y z of the eye, x y z along a ray");
     for (int i = 0; i < 5; i++) {
         vec3 v = farthest * image_plane_vector(c, places[i][0], places[i][1]);
-        plot_row(plot, 6,
-                 (const double[]){c.origin[0], c.origin[1], c.origin[2], v[0], v[1], v[2]});
+        plot_row_vector(plot, c.origin, v);
         plot_fit(plot, c.origin + v, 0);
     }
     plot_block_end(plot);
     const Camera cameras[] = {c, twice, unit};
     plot_block(plot, "same_place", "x y z where the last ray goes through each plane");
-    for (int i = 0; i < 3; i++) {
-        vec3 p = cameras[i].origin + image_plane_vector(cameras[i], view->s, view->t);
-        plot_row(plot, 3, (const double[]){p[0], p[1], p[2]});
-    }
+    for (int i = 0; i < 3; i++)
+        plot_row_point(plot, cameras[i].origin + image_plane_vector(cameras[i], view->s, view->t));
     plot_block_end(plot);
 }
 

@@ -5,8 +5,7 @@
 
 static void place(Plot *plot, Camera c, double s, double t)
 {
-    vec3 p = c.origin + image_plane_vector(c, s, t);
-    plot_row(plot, 3, (const double[]){p[0], p[1], p[2]});
+    plot_row_point(plot, c.origin + image_plane_vector(c, s, t));
 }
 
 void plane_rows(Plot *plot, Camera c)

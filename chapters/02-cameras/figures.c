@@ -14,11 +14,6 @@ typedef struct {
     vec3 up;
 } Given;
 
-static void vector_row(Plot *plot, vec3 from, vec3 v)
-{
-    plot_row(plot, 6, (const double[]){from[0], from[1], from[2], v[0], v[1], v[2]});
-}
-
 // A camera that exercise 02 found from a form. Where it says there is none, all is in the eye.
 typedef struct {
     const char *form;
@@ -66,9 +61,9 @@ static void plot_found(Plot *plot, const Found *found, int count)
         double length = fmax(c.distance, fmax(c.width, c.height)) / 5;
         if (i > 0)
             plot_gap(plot);
-        vector_row(plot, middle, length * c.right);
-        vector_row(plot, middle, length * c.up);
-        vector_row(plot, middle, length * c.forward);
+        plot_row_vector(plot, middle, length * c.right);
+        plot_row_vector(plot, middle, length * c.up);
+        plot_row_vector(plot, middle, length * c.forward);
     }
     plot_block_end(plot);
 }
@@ -86,10 +81,10 @@ static void plot_forms(Plot *plot, vec3 eye, Forms forms)
     plot_fit(plot, view.eye + 1.2 * up, 0);
 
     plot_block(plot, "vectors", "x y z of the eye, x y z to a corner: upper left, right; lower");
-    vector_row(plot, eye, forms.vectors.upper_left);
-    vector_row(plot, eye, forms.vectors.upper_right);
-    vector_row(plot, eye, forms.vectors.lower_left);
-    vector_row(plot, eye, forms.vectors.lower_right);
+    plot_row_vector(plot, eye, forms.vectors.upper_left);
+    plot_row_vector(plot, eye, forms.vectors.upper_right);
+    plot_row_vector(plot, eye, forms.vectors.lower_left);
+    plot_row_vector(plot, eye, forms.vectors.lower_right);
     plot_block_end(plot);
     plot_point(plot, "upper_left", forms.points.upper_left);
     plot_point(plot, "upper_right", forms.points.upper_right);

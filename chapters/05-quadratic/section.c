@@ -114,18 +114,13 @@ vec3 section_point(const Section *section, double t)
 
 // ---- what is drawn -----------------------------------------------------------------------------
 
-static void row_of(Plot *plot, vec3 p)
-{
-    plot_row(plot, 3, (const double[]){p[0], p[1], p[2]});
-}
-
 static void circle(Plot *plot, const Section *s)
 {
     plot_block(plot, "circle", "x y z, round the sphere in the plane of the ray and the centre");
     for (int i = 0; i <= CIRCLE; i++) {
         double angle = 2 * PI * i / CIRCLE;
-        row_of(plot,
-               s->sphere.center + s->sphere.radius * (cos(angle) * s->right + sin(angle) * s->up));
+        plot_row_point(plot, s->sphere.center +
+                                 s->sphere.radius * (cos(angle) * s->right + sin(angle) * s->up));
     }
     plot_block_end(plot);
 }
@@ -133,8 +128,8 @@ static void circle(Plot *plot, const Section *s)
 static void stretch(Plot *plot, const Section *s, const char *name, double from, double to)
 {
     plot_block(plot, name, "x y z of the two ends");
-    row_of(plot, section_point(s, from));
-    row_of(plot, section_point(s, to));
+    plot_row_point(plot, section_point(s, from));
+    plot_row_point(plot, section_point(s, to));
     plot_block_end(plot);
 }
 

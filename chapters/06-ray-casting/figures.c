@@ -115,8 +115,7 @@ static void lines_to_eye(Plot *plot, Camera c, Sphere sphere)
     for (int i = 0; i < LINES; i++) {
         double ahead = vec3_dot(v[i], c.forward);
         vec3 w = (ahead > 0 ? fmin(1, c.distance / ahead) : 1) * v[i], p = c.origin + 0.8 * w;
-        plot_row(plot, 6,
-                 (const double[]){p[0], p[1], p[2], -0.3 * w[0], -0.3 * w[1], -0.3 * w[2]});
+        plot_row_vector(plot, p, -0.3 * w);
     }
     plot_block_end(plot);
 }

@@ -150,8 +150,8 @@ static void centers(Plot *plot, const Shown *shown)
     for (int i = 0; i < grid.width * grid.height; i++) {
         Pixel cell = {i % grid.width, i / grid.width};
         Normalized place = screen_to_normalized(pixel_center(cell), grid);
-        vec3 p = shown->camera.origin + image_plane_vector(shown->camera, place.s, place.t);
-        plot_row(plot, 3, (const double[]){p[0], p[1], p[2]});
+        plot_row_point(plot,
+                       shown->camera.origin + image_plane_vector(shown->camera, place.s, place.t));
     }
     plot_block_end(plot);
 }

@@ -44,9 +44,8 @@ static void write_arms(Plot *plot, const char *name, Camera c)
     const vec3 arms[] = {c.distance * c.forward, c.width * c.right, c.height * c.up};
     plot_block(plot, name, "x y z of its start, x y z of the vector: d f, w r, h u");
     for (int i = 0; i < 3; i++) {
-        vec3 p = c.origin, v = arms[i];
-        plot_row(plot, 6, (const double[]){p[0], p[1], p[2], v[0], v[1], v[2]});
-        plot_fit(plot, p + v, 0);
+        plot_row_vector(plot, c.origin, arms[i]);
+        plot_fit(plot, c.origin + arms[i], 0);
     }
     plot_block_end(plot);
     plot_fit(plot, c.origin, 0);

@@ -50,25 +50,20 @@ static vec3 place(double across, double up)
     return view.camera.origin + bottom + up * (top - bottom);
 }
 
-static void row_of(Plot *plot, vec3 p)
-{
-    plot_row(plot, 3, (const double[]){p[0], p[1], p[2]});
-}
-
 static void write_plane(Plot *plot)
 {
     plot_block(plot, "plane", "x y z of the corners, from the upper left on");
     for (int i = 0; i < 5; i++)
-        row_of(plot, view.camera.origin + view.corners[i % 4]);
+        plot_row_point(plot, view.camera.origin + view.corners[i % 4]);
     plot_block_end(plot);
     plot_block(plot, "grid", "x y z of the two ends of a line");
     for (int i = 1; i < GRID; i++) {
         double part = (double)i / GRID;
-        row_of(plot, place(part, 0));
-        row_of(plot, place(part, 1));
+        plot_row_point(plot, place(part, 0));
+        plot_row_point(plot, place(part, 1));
         plot_gap(plot);
-        row_of(plot, place(0, part));
-        row_of(plot, place(1, part));
+        plot_row_point(plot, place(0, part));
+        plot_row_point(plot, place(1, part));
         plot_gap(plot);
     }
     plot_block_end(plot);
