@@ -23,6 +23,30 @@ check() {
     fi
 }
 
+# What a command said is kept in $scratch/said by the tests that ask whether words are in it.
+says() {
+    tail -n 20 "$scratch/said"
+    grep -qF -- "$1" "$scratch/said"
+}
+says_not() {
+    ! says "$1"
+}
+
+# Runs another test, whose last line is that of 'finish', and adds what it has counted.
+counted() {
+    "$@" >"$scratch/.counted" 2>&1
+    counts=$(sed -n '$s/.*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$scratch/.counted")
+    if [ -n "$counts" ]; then
+        sed '$d' "$scratch/.counted" | head -n 40
+    else
+        echo "not ok: '$*' did not come to its end"
+        tail -n 5 "$scratch/.counted"
+        counts="0 1"
+    fi
+    passed=$((passed + ${counts% *}))
+    failed=$((failed + ${counts#* }))
+}
+
 finish() {
     echo "$1: $passed passed, $failed failed"
     [ "$failed" -eq 0 ]

@@ -17,15 +17,6 @@ if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
     exit
 fi
 
-# Adds what another test has counted to what is counted here.
-counted() {
-    "$@" >"$scratch/counted" 2>&1
-    counts=$(sed -n '$s/.*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$scratch/counted")
-    sed '$d' "$scratch/counted" | head -n 40
-    [ -n "$counts" ] || { tail -n 5 "$scratch/counted"; counts="0 1"; }
-    passed=$((passed + ${counts% *}))
-    failed=$((failed + ${counts#* }))
-}
 CAMERAS=${CAMERAS:-100} counted sh tests/shell/figures.sh
 
 # Draws by the rules of the environment; says what was said.
@@ -41,10 +32,6 @@ without_a_word() {
     status=$?
     cat "$scratch/said"
     [ $status -eq 0 ] && [ "$(wc -l <"$scratch/said")" -eq 1 ]
-}
-says() {
-    cat "$scratch/said"
-    grep -qF -- "$1" "$scratch/said"
 }
 fails() {
     ! "$@"

@@ -11,14 +11,6 @@ export NO_COLOR=1
 judge() {
     make --no-print-directory exercises ANSWERS="$answers" "$@" >"$scratch/said" 2>&1
 }
-says() {
-    cat "$scratch/said"
-    grep -qF -- "$1" "$scratch/said"
-}
-says_not() {
-    cat "$scratch/said"
-    ! grep -qF -- "$1" "$scratch/said"
-}
 first_line_says() {
     cat "$scratch/said"
     head -n 1 "$scratch/said" | grep -qF -- "$1"

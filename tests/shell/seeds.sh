@@ -70,10 +70,6 @@ judge() {
     env "$@" make --no-print-directory exercises ANSWERS="$answers" EX=01 >"$scratch/said" 2>&1
     rm -rf "build$scratch"
 }
-says() {
-    cat "$scratch/said"
-    grep -qF -- "$1" "$scratch/said"
-}
 tells_no_number() {
     cat "$scratch/said"
     grep -q '^  given      random numbers of this run, not shown$' "$scratch/said" &&

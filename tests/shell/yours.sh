@@ -34,14 +34,6 @@ spoil() {
     sed "$2" "solutions/$1.c" >"$answers/$1.c"
     ! cmp -s "solutions/$1.c" "$answers/$1.c"
 }
-says() {
-    cat "$scratch/said"
-    grep -qF -- "$1" "$scratch/said"
-}
-says_not() {
-    cat "$scratch/said"
-    ! grep -qF -- "$1" "$scratch/said"
-}
 mkdir "$scratch/bin"
 for tool in /usr/bin/* /bin/* "$(command -v make)"; do
     [ "${tool##*/}" = gnuplot ] || ln -sf "$tool" "$scratch/bin/${tool##*/}"
