@@ -37,7 +37,8 @@ static void spot_data(Plot *plot, const char *name, Pixel pixel)
     plot_block_end(plot);
 }
 
-// The pixel with the largest (or, negated, smallest) value among those that see a sphere.
+// Of the pixels that see a sphere the one where the value is largest; the middle one where none
+// does.
 static Pixel most(const Drawing *drawing, double (*value)(const Drawing *, Ray, Hit))
 {
     const Resolution screen = {COLUMNS, ROWS};

@@ -8,6 +8,7 @@
 #include "chapters/08-fast/engine.h"
 #include "chapters/08-fast/large_memory.h"
 #include "chapters/08-fast/parallel.h"
+#include "chapters/08-fast/view.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -19,23 +20,17 @@ typedef struct {
     Eye eye;
     Place *places;
     Bins bins;
-    int columns, top; // of tiles; the first row in the bins
-    atomic_llong entries;
+    int columns, top;     // of tiles; the first row in the bins
+    atomic_llong entries; // at most so many in the bins of all tiles
 } Casting;
-
-static void get(double to[3], vec3 from)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = from[i];
-}
 
 static Eye eye_of(const Work *work)
 {
     Camera camera = work->camera;
     Eye eye = {.width = work->image->size.width, .height = work->image->size.height};
-    get(eye.right, camera.right);
-    get(eye.up, camera.up);
-    get(eye.forward, camera.forward);
+    view_store(eye.right, camera.right);
+    view_store(eye.up, camera.up);
+    view_store(eye.forward, camera.forward);
     eye.across = eye.width * camera.distance / camera.width;
     eye.down = eye.height * camera.distance / camera.height;
     return eye;
@@ -76,7 +71,7 @@ static void cast_tile(void *given, int tile)
               casting->bins.start[tile + 1] - start);
 }
 
-// Where spheres overlap a lot, all bins at once would take too much memory: then it is the bins of
+// Where spheres cover a lot, all bins at once would take too much memory: then it is the bins of
 // some rows of tiles at a time.
 static bool cast_rows(Casting *casting, int count)
 {
@@ -104,14 +99,12 @@ bool cast_bins(const Work *work, Message *message)
     const size_t size = ((size_t)count + 1) * sizeof(Place);
     Place *places = large_memory(size), *sorted = large_memory(size);
     Paint *paints = paints_of(work->scene);
-    Casting casting = {{work, bins_lanes[lanes_best()], sorted, paints},
-                       eye_of(work),
-                       places,
-                       {0},
-                       (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,
-                       0,
-                       0};
+    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], sorted, paints},
+                       .eye = eye_of(work),
+                       .places = places,
+                       .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH};
     if (places != NULL && sorted != NULL && paints != NULL) {
+        // What so few parts take is less than a second thread costs.
         in_parallel(parts < 40 ? 1 : work->threads, parts, place_some, &casting);
         visible = places_by_depth(places, count, sorted, work->threads);
     }

@@ -25,6 +25,7 @@ static inline double root(double x)
     return (double)sqrtf((float)x) * (1 + 1e-6);
 }
 
+// Towards 0, to what places are sorted by.
 static inline float coarse(float x)
 {
     uint32_t bits;
@@ -34,6 +35,7 @@ static inline float coarse(float x)
     return x;
 }
 
+// The outline of each sphere becomes pixels, and how near it comes to the eye a float.
 static void place(const Eye *eye, const Positions *positions, int first, int count, Place *places)
 {
     double left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], near[PLACES];
@@ -173,6 +175,8 @@ static void outline(const Rays *rays, const Candidates *from, int count, Outline
     }
 }
 
+// One sphere asks its pixels, 16 in a row at a time. sure is how far D is above u^2: where it is
+// above the margin the sphere is surely nearer, where it is below -margin surely not.
 static void ask(Tile *restrict tile, const Outlines *restrict of, int n, Part part, float slack,
                 int color)
 {

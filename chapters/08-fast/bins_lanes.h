@@ -32,7 +32,7 @@ typedef struct {
     double width, height;
 } Eye;
 
-// The pixels of a tile. s is how far the nearest surface is, as t |v|^2; a pixel that float cannot
+// The pixels of a tile. s is how far the nearest surface is, as t v.v; a pixel that float cannot
 // decide has UNSURE in its colour.
 enum { UNSURE = 1 << 24 };
 typedef struct {
@@ -59,11 +59,13 @@ typedef struct {
     double column[LANES], row[LANES], half_width[LANES], half_height[LANES];
 } Candidates;
 
-// Spheres as a tile sees them. Columns and rows counted from the pixel (x, y), a ray v has
-//   D = d + dx x + dy y + dxx x^2 + dxy x y + dyy y^2    and    b = b + bx x + by y,
-// and meets the sphere at t |v|^2 = b - sqrt(D). That is nearer than s where D > u^2, u = b - s, or
-// where u < 0 and D > 0; where these differ by less than doubt, float cannot tell. b is off by at
-// most b_error, and s by s_error.
+// Spheres as a tile sees them. D is a quarter of chapter 05's discriminant, c the centre from the
+// eye, v the ray. For the ray x columns and y rows from the pixel (x, y)
+//   D   = d + dx x + dy y + dxx x^2 + dxy x y + dyy y^2
+//   c.v = b + bx x + by y
+// and it meets the sphere at t v.v = c.v - sqrt(D). With u = c.v - s that is nearer than s where
+// D > u^2, or where u < 0 and D > 0; where these differ by less than doubt, float cannot tell. c.v
+// is off by at most b_error, and the new s by s_error.
 typedef struct {
     float x[LANES], y[LANES];
     float d[LANES], dx[LANES], dy[LANES], dxx[LANES], dxy[LANES], dyy[LANES];

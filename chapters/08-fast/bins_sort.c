@@ -22,7 +22,7 @@ typedef struct {
     int *items;
     int bin_count, shares;
     size_t *counts;  // of each share, bin after bin; then where it fills
-    size_t *corners; // by tile, of each share
+    size_t *corners; // by tile, of each share; less than 0 wraps round, and adds up right
 } Sort;
 
 static uint32_t depth_of(Place place)
@@ -78,7 +78,7 @@ static void fill_depths(void *given, int share)
 // A place is in some columns of some rows. Where it begins and ends is noted at the four corners,
 // and adding up along rows and columns gives the counts (Crow, 'Summed-Area Tables for Texture
 // Mapping', 1984, the other way round): four steps for each place, however many tiles, and none
-// that the processor has to guess.
+// that makes the processor guess where a loop ends.
 static void count_tiles(void *given, int share)
 {
     const Sort *sort = given;
@@ -117,7 +117,8 @@ static void fill_tiles(void *given, int share)
     }
 }
 
-// From how many to where.
+// From how many there are to where they begin: a prefix sum. start: where each bin does; may be
+// NULL. Returns how many there are in all.
 static size_t add_up(const Sort *sort, size_t *start)
 {
     size_t sum = 0;

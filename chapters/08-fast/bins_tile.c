@@ -5,6 +5,8 @@
 // chapter 06's functions, in double, at the end.
 #include "chapters/08-fast/bins_tile.h"
 
+#include "chapters/08-fast/nearest.h"
+#include "chapters/08-fast/view.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 
@@ -22,7 +24,7 @@ typedef struct {
     float shortest; // at most the length of any of them
     float slack;    // how far off any s may be
     Tile pixels;
-    // Who is to ask next.
+    // The spheres that are to ask next.
     int waiting;
     Candidates candidates;
     int spheres[AT_ONCE];
@@ -76,7 +78,8 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
     }
 }
 
-// Which of the spheres does a pixel see? Most of them its ray misses by far.
+// Which of the spheres does a pixel see? Most of them its ray misses by far: |c x v| / |v| is how
+// far it passes from the centre, and the margins are many times what rounding does to that.
 static int decide(const Here *here, Pixel pixel, const int *bin, size_t count)
 {
     const Work *work = here->tiling->work;
@@ -91,9 +94,7 @@ static int decide(const Here *here, Pixel pixel, const int *bin, size_t count)
         double square = sphere.radius * sphere.radius, ww = vec3_dot(w, w);
         if (ww > 1e-250 && ww > 1.000001 * square * vv + 1e-18 * vec3_dot(c, c) * vv)
             continue;
-        double t = hit_sphere(ray, sphere);
-        if (t < nearest.t || (t == nearest.t && t < NO_HIT && number < nearest.sphere))
-            nearest = (Hit){t, number};
+        nearest = nearer(nearest, (Hit){hit_sphere(ray, sphere), number});
     }
     return nearest.sphere;
 }
@@ -160,6 +161,7 @@ static void ask_waiting(Here *here)
     here->waiting = 0;
 }
 
+// A sphere waits until AT_ONCE of them can be made ready together.
 static void await(Here *here, int number, Part part, float nearest)
 {
     int i = here->waiting++;
@@ -168,7 +170,8 @@ static void await(Here *here, int number, Part part, float nearest)
     here->nearest[i] = nearest;
 }
 
-// Returns how many of the spheres may be seen at all.
+// Returns how many of the spheres may be seen at all. Places and spheres are fetched into the cache
+// before they are needed, for the bin names them in no order of memory.
 static size_t ask_all(Here *here, const int *bin, size_t count)
 {
     const Tiling *tiling = here->tiling;
@@ -199,14 +202,13 @@ static Rays rays_from(vec3 first, vec3 column, vec3 row)
     Rays rays = {.columns = vec3_dot(column, column),
                  .rows = vec3_dot(row, row),
                  .both = vec3_dot(column, row)};
-    for (int i = 0; i < 3; i++) {
-        rays.first[i] = first[i];
-        rays.column[i] = column[i];
-        rays.row[i] = row[i];
-    }
+    view_store(rays.first, first);
+    view_store(rays.column, column);
+    view_store(rays.row, row);
     return rays;
 }
 
+// How far it is from x to the columns (or rows) of the tile; with a sign, and 0 inside.
 static double nearest_to(double x, int first, int count)
 {
     return fmin(fmax(x, first), first + count) - x;
@@ -226,6 +228,7 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
                           camera.width / width * camera.right, -camera.height / height * camera.up);
     double x = camera.width / width * nearest_to(width / 2.0, corner.column, here.columns);
     double y = camera.height / height * nearest_to(height / 2.0, corner.row, here.rows);
+    // A little less, so that rounding makes it no longer than any.
     here.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
     here.slack = 0;
     here.waiting = 0;

@@ -1,10 +1,11 @@
-// hierarchy.c - building a bounding volume hierarchy: where to cut, and cutting.
+// hierarchy.c - building a bounding volume hierarchy: where to split, and splitting.
 #include "chapters/08-fast/hierarchy.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-// Deeper than DEEP it is cut into halves, so that no hierarchy is deeper than HIERARCHY_DEEPEST.
+// BINS: so many slices along an axis. LEAF: more spheres than these are split even where that does
+// not pay. Deeper than DEEP they are just halved, so that no node is deeper than HIERARCHY_DEEPEST.
 enum { BINS = 16, LEAF = 4, DEEP = 64 };
 
 typedef struct {
@@ -45,30 +46,23 @@ static Box around_sphere(Sphere sphere)
     return box;
 }
 
-// Half of it, which will do for comparing.
-static double surface(Box box)
-{
-    double x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
-    return box.low[0] > box.high[0] ? 0 : x * y + y * z + z * x;
-}
-
-// ---- where to cut -----------------------------------------------------------------------------
+// ---- where to split ---------------------------------------------------------------------------
 
 typedef struct {
     int axis;
     double low, scale; // bin = (center - low) * scale
     int bin;           // the first bin of the second child
     double cost;       // spheres times surface, both children
-} Cut;
+} Split;
 
-static int bin_of(Cut cut, Sphere sphere)
+static int bin_of(Split split, Sphere sphere)
 {
-    int bin = (int)((sphere.center[cut.axis] - cut.low) * cut.scale);
+    int bin = (int)((sphere.center[split.axis] - split.low) * split.scale);
     return bin < BINS ? bin : BINS - 1;
 }
 
-// The cheapest cut along an axis; infinite where all centres are in one place.
-static Cut best_cut_along(const Builder *builder, int axis, int first, int count)
+// The cheapest split along an axis; infinite where all centres are in one place.
+static Split best_split_along(const Builder *builder, int axis, int first, int count)
 {
     const int *order = builder->hierarchy->order + first;
     double low = INFINITY, high = -INFINITY;
@@ -76,9 +70,9 @@ static Cut best_cut_along(const Builder *builder, int axis, int first, int count
         low = smaller(low, builder->spheres[order[i]].center[axis]);
         high = larger(high, builder->spheres[order[i]].center[axis]);
     }
-    Cut cut = {axis, low, BINS / (high - low), 0, INFINITY};
-    if (!(high > low) || !isfinite(cut.scale))
-        return cut;
+    Split split = {axis, low, BINS / (high - low), 0, INFINITY};
+    if (!(high > low) || !isfinite(split.scale))
+        return split;
 
     Box boxes[BINS];
     int counts[BINS] = {0};
@@ -86,7 +80,7 @@ static Cut best_cut_along(const Builder *builder, int axis, int first, int count
         boxes[i] = nothing;
     for (int i = 0; i < count; i++) {
         Sphere sphere = builder->spheres[order[i]];
-        int bin = bin_of(cut, sphere);
+        int bin = bin_of(split, sphere);
         boxes[bin] = around_both(boxes[bin], around_sphere(sphere));
         counts[bin]++;
     }
@@ -96,30 +90,30 @@ static Cut best_cut_along(const Builder *builder, int axis, int first, int count
     for (int i = BINS - 1, n = 0; i > 0; i--) {
         box = around_both(box, boxes[i]);
         n += counts[i];
-        right[i] = n * surface(box);
+        right[i] = n * box_surface(&box);
     }
     box = nothing;
     for (int i = 1, n = 0; i < BINS; i++) {
         box = around_both(box, boxes[i - 1]);
         n += counts[i - 1];
-        double cost = n * surface(box) + right[i];
-        if (n > 0 && n < count && cost < cut.cost) {
-            cut.cost = cost;
-            cut.bin = i;
+        double cost = n * box_surface(&box) + right[i];
+        if (n > 0 && n < count && cost < split.cost) {
+            split.cost = cost;
+            split.bin = i;
         }
     }
-    return cut;
+    return split;
 }
 
-// ---- cutting ----------------------------------------------------------------------------------
+// ---- splitting --------------------------------------------------------------------------------
 
-// Brings those before the cut to the front; how many they are.
-static int divide(const Builder *builder, Cut cut, int first, int count)
+// Brings those before the split to the front; how many they are.
+static int partition(const Builder *builder, Split split, int first, int count)
 {
     int *order = builder->hierarchy->order;
     int front = first, back = first + count - 1;
     while (front <= back) {
-        if (bin_of(cut, builder->spheres[order[front]]) < cut.bin) {
+        if (bin_of(split, builder->spheres[order[front]]) < split.bin) {
             front++;
         } else {
             int other = order[back];
@@ -139,18 +133,19 @@ static void build(const Builder *builder, int first, int count, int depth)
         node->box = around_both(node->box, around_sphere(builder->spheres[hierarchy->order[i]]));
     if (count <= 1)
         return;
-    Cut cut = {.cost = INFINITY};
+    Split split = {.cost = INFINITY};
     for (int axis = 0; axis < 3; axis++) {
-        Cut other = best_cut_along(builder, axis, first, count);
-        if (other.cost < cut.cost)
-            cut = other;
+        Split other = best_split_along(builder, axis, first, count);
+        if (other.cost < split.cost)
+            split = other;
     }
     // A step down costs about as much as asking a sphere.
-    bool worth = cut.cost + surface(node->box) < count * surface(node->box);
+    bool worth = split.cost + box_surface(&node->box) < count * box_surface(&node->box);
     if (count <= LEAF && !worth)
         return;
-    int half = isfinite(cut.cost) && depth < DEEP ? divide(builder, cut, first, count) : count / 2;
-    node->axis = cut.axis;
+    int half =
+        isfinite(split.cost) && depth < DEEP ? partition(builder, split, first, count) : count / 2;
+    node->axis = split.axis;
     build(builder, first, half, depth + 1);
     node->other = hierarchy->node_count;
     build(builder, first + half, count - half, depth + 1);

@@ -15,6 +15,14 @@ typedef struct {
     double low[3], high[3];
 } Box;
 
+// Half of it, which will do for comparing; 0 of a box that holds nothing.
+static inline double box_surface(const Box *box)
+{
+    double x = box->high[0] - box->low[0], y = box->high[1] - box->low[1];
+    double z = box->high[2] - box->low[2];
+    return box->low[0] > box->high[0] ? 0 : x * y + y * z + z * x;
+}
+
 // A node holds count spheres, from first on in the order of the hierarchy. It has two children, or
 // none: a leaf. The one is behind it, the other is number other; along axis the one's are before
 // the other's.

@@ -25,8 +25,8 @@ static Way way_of(Ray ray)
     return way;
 }
 
-// What of the way lies between two opposite sides of a box. What is not a number, in the plane of
-// a side, changes nothing.
+// What of the way lies between two opposite sides of a box. In the plane of a side that is 0 times
+// infinity, which is no number; comparing with it is false, so it changes nothing.
 static inline void clip(const Way *way, int axis, const Box *box, double *enters, double *leaves)
 {
     double low = box->low[axis], high = box->high[axis];
@@ -49,13 +49,13 @@ static inline double entry(const Box *box, const Way *way)
 }
 
 // Whether the ray passes so far beside the sphere that rounding makes no hit of it: by Pythagoras,
-// which is quicker than chapter 05, and less exact.
+// which is quicker than chapter 05, and less exact. The margins are many times what is rounded off
+// on either way.
 static inline bool surely_misses(const Way *way, Ray ray, const Sphere *sphere)
 {
     vec3 p = sphere->center - ray.origin;
-    double along = vec3_dot(p, ray.direction), distance = vec3_dot(p, p), r = sphere->radius;
-    return distance - along * along * way->per_squared >
-           r * r * (1 + 1e-9) + distance * 1e-12 + 1e-250;
+    double along = vec3_dot(p, ray.direction), pp = vec3_dot(p, p), r = sphere->radius;
+    return pp - along * along * way->per_squared > r * r * (1 + 1e-9) + pp * 1e-12 + 1e-250;
 }
 
 static Hit ask_leaf(const Hierarchy *hierarchy, const Scene *scene, const Node *leaf, Ray ray,
@@ -65,9 +65,7 @@ static Hit ask_leaf(const Hierarchy *hierarchy, const Scene *scene, const Node *
         int sphere = hierarchy->order[i];
         if (surely_misses(way, ray, &scene->spheres[sphere]))
             continue;
-        double t = hit_sphere(ray, scene->spheres[sphere]);
-        if (t < nearest.t || (t == nearest.t && t < NO_HIT && sphere < nearest.sphere))
-            nearest = (Hit){t, sphere};
+        nearest = nearer(nearest, (Hit){hit_sphere(ray, scene->spheres[sphere]), sphere});
     }
     return nearest;
 }
@@ -81,7 +79,7 @@ Hit hierarchy_nearest(const Hierarchy *hierarchy, const Scene *scene, Ray ray)
     struct {
         int node;
         double entry;
-    } waiting[HIERARCHY_DEEPEST];
+    } waiting[HIERARCHY_DEEPEST]; // a stack: the farther child, while the nearer one is walked
     int count = 0, node = 0;
     Hit nearest = {NO_HIT, -1};
     double enters = entry(&nodes[0].box, &way);

@@ -1,7 +1,7 @@
 // packet.h - 16 rays at a time: what they see so far, and asking one sphere.
 //
-// The number that is compared is s = t |v|^2, so that nothing need be divided. A hit is known to
-// lie between two bounds; which sphere is nearest is known where the bounds of all others begin
+// What is compared is t v.v = c.v - sqrt(D) (seen.h), so that nothing need be divided. It is known
+// to lie between two bounds; which sphere is nearest is known where the bounds of all others begin
 // behind the end of its own.
 #ifndef CHAPTERS_08_FAST_PACKET_H
 #define CHAPTERS_08_FAST_PACKET_H
@@ -55,8 +55,9 @@ static inline float aside(const Seen *seen, float x, float y)
     return a * a + b * b + c * c;
 }
 
-// Whether any ray may hit the sphere before what it surely hits: D >= 0, and either c.v - end <= 0
-// or its square is at most D. This leaves the square roots to the few that need them.
+// Whether any ray may hit the sphere before what it surely hits: D >= 0, and c.v - sqrt(D) <= end,
+// which is so where c.v - end is not positive or its square is at most D. This leaves the square
+// roots to the few that need them. D is that of the larger sphere, so none is left out.
 static inline bool packet_may_see(const Packet *packet, const Seen *seen)
 {
     int any = 0;
@@ -76,8 +77,8 @@ static inline float root(float d)
     return sqrtf(d > 0 ? d : 0);
 }
 
-// Ray i hits a sphere between begin and end, or not at all where they are infinite; may be that it
-// hits it from begin on where only end is.
+// What ray i learns of a sphere: it hits it between begin and end; or perhaps, from begin on, where
+// end is infinite; or not at all, where both are.
 static inline void packet_take(Packet *packet, int i, int color, float begin, float end)
 {
     float old_begin = packet->begin[i], old_end = packet->end[i], rival = packet->rival[i];
@@ -90,6 +91,7 @@ static inline void packet_take(Packet *packet, int i, int color, float begin, fl
     packet->rival[i] = loser < rival ? loser : rival;
 }
 
+// Asks a sphere. The larger of the two that stand for it is entered first, the smaller one last.
 static inline void packet_see(Packet *packet, const Seen *seen, int color)
 {
 #pragma omp simd
@@ -118,7 +120,7 @@ static inline void packet_see_around(Packet *packet, const Seen *seen, int color
     }
 }
 
-// Where no other may be hit before the nearest is, or none at all, that is certain.
+// Hands the 16 colours to the tile. The nearest is certain where no other can begin before its end.
 static inline void packet_end(const Packet *packet, int column, int row, Tile *tile)
 {
     int colors[LANES], doubts = 0;

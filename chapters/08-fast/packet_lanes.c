@@ -15,6 +15,7 @@ static float direction(const View *view, int axis, float x, float y)
     return (float)view->ahead[axis] + x * (float)view->right[axis] + y * (float)view->up[axis];
 }
 
+// Never of 0: infinity times 0 would be no number.
 static float inverse(float x)
 {
     return 1 / (fabsf(x) > 1e-30F ? x : 1e-30F);
@@ -34,7 +35,7 @@ static void inverse_of(Inverse *of, const View *view, const Packet *packet)
         of->middle[axis] = direction(view, axis, packet->x[LANES / 2], packet->y[LANES / 2]);
 }
 
-// Whether any ray enters the box before what it surely hits.
+// Whether any ray enters the box before what it surely hits: the slabs of nearest.c, for 16 rays.
 static inline bool packet_enters(const Inverse *of, const SeenNode *node)
 {
     float low_x = node->low[0], low_y = node->low[1], low_z = node->low[2];
@@ -68,6 +69,7 @@ static void ask_leaf(Packet *packet, Inverse *of, const View *view, const SeenNo
     }
 }
 
+// Depth first, and of two children the one that the ray in the middle meets first.
 static void walk(Packet *packet, const View *view, int column, int row)
 {
     Inverse of;

@@ -47,6 +47,7 @@ static int color_of(Paint paint)
     return color;
 }
 
+// The spheres in the order of the hierarchy, as arrays that lanes can read.
 static void line_up(void *given, int part)
 {
     Cast *cast = given;
@@ -75,6 +76,7 @@ static void see_spheres(void *given, int part)
     atomic_fetch_or(&cast->found, found);
 }
 
+// Boxes as floats, from the eye, a little larger (SeenNode).
 static void see_nodes(void *given, int part)
 {
     Cast *cast = given;
@@ -101,6 +103,7 @@ static void see_nodes(void *given, int part)
     }
 }
 
+// The spheres that the eye is in: every ray hits them, so they have no outline.
 static void find_around(Cast *cast)
 {
     for (int i = 0; i < cast->work->scene->sphere_count; i++) {
@@ -149,6 +152,7 @@ static void set_view(Cast *cast, float *x, float *y)
 
 // ---- tiles ------------------------------------------------------------------------------------
 
+// What is in doubt: step 3, in double.
 static void decide(const Cast *cast, Pixel pixel)
 {
     const Work *work = cast->work;

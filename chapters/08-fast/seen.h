@@ -3,7 +3,8 @@
 // A float has 7 digits: enough for nearly every pixel, and where it is not, that can be known. A
 // ray goes from the eye along v = (x, y, 1), by the camera's axes; a sphere round c of radius r is
 // |c x v| / |v| beside it. So the ray meets it where D = r^2 |v|^2 - |c x v|^2 >= 0, at
-// t = (c.v - sqrt(D)) / v.v: nothing cancels, however far the sphere is.
+// t = (c.v - sqrt(D)) / v.v: nothing cancels, however far the sphere is. (D is a quarter of chapter
+// 05's discriminant, by Lagrange's identity |c x v|^2 = |c|^2 |v|^2 - (c.v)^2.)
 //
 // With u = 2^-24, what rounds a number to a float: rounding c and v and computing puts c x v off by
 // less than 6u |c||v|, D by less than e (r + e) |v|^2, and c.v by less than e |v|, where

@@ -50,7 +50,7 @@ static void frustum_begin(Frustum *frustum, const View *view, const Tile *tile)
         for (int k = 0; k < view->around_count; k++)
             packet_see_around(&frustum->packets[i], &view->seen[view->around[k]],
                               view->colors[view->around[k]]);
-        if (column >= view->columns || row >= view->rows) // beyond the screen
+        if (column >= view->columns || row >= view->rows) // beyond the screen all is hidden
             memset(frustum->packets[i].end, 0, sizeof frustum->packets[i].end);
     }
 }
@@ -85,6 +85,7 @@ static unsigned frustum_enters(const Frustum *frustum, const View *view, const W
     return enters;
 }
 
+// Whether any of the packets that were shown the sphere may see it.
 static bool show(Frustum *frustum, const View *view, const Tile *tile, int sphere)
 {
     const Seen *seen = &view->seen[sphere];
@@ -119,6 +120,7 @@ static float largest(const float *x)
     return result;
 }
 
+// Spheres ask the tile; then nothing matters behind the farthest of what its rays surely hit.
 static void ask(Frustum *frustum, const View *view, const Tile *tile, int first, int count)
 {
     bool changed = false;
@@ -134,7 +136,8 @@ static void ask(Frustum *frustum, const View *view, const Tile *tile, int first,
     frustum->farthest = largest(end) / frustum->shortest;
 }
 
-// Puts the boxes of a node that are entered among the waiting; how many there are now.
+// Puts the boxes of a node that are entered among the waiting, sorted, the nearest last; how many
+// there are now.
 static int enter(const Frustum *frustum, const View *view, const WideNode *node, Waiting *waiting,
                  int count)
 {

@@ -28,7 +28,7 @@ Rectangle view_rectangle(Camera camera, Resolution screen, Sphere sphere)
 {
     const Rectangle none = {0}, all = {0, screen.width, 0, screen.height};
     vec3 c = view_center(camera, sphere);
-    double r = sphere.radius * (1 + 1e-9);
+    double r = sphere.radius * (1 + 1e-9); // rounding makes no sphere larger than that
     double g = (c[2] - r) * (c[2] + r);
     if (c[2] + r <= 0)
         return none;

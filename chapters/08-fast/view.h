@@ -15,6 +15,13 @@ typedef struct {
 // The centre of a sphere by the camera's axes: right, up, forward, from the eye.
 vec3 view_center(Camera camera, Sphere sphere);
 
+// A vec3 as plain numbers, which is what files of lanes take (lanes.h).
+static inline void view_store(double numbers[3], vec3 v)
+{
+    for (int i = 0; i < 3; i++)
+        numbers[i] = v[i];
+}
+
 // All pixels whose rays may hit the sphere: its exact rectangle on the screen, and a pixel more on
 // each side, so that rounding leaves none out. The whole screen where the eye is in or beside the
 // sphere.

@@ -20,17 +20,8 @@ static bool is_leaf(const Node *node)
     return node->other == 0 || node->count <= FEW;
 }
 
-// Half of it.
-static double surface(const Node *node)
-{
-    double side[3];
-    for (int i = 0; i < 3; i++)
-        side[i] = node->box.high[i] - node->box.low[i];
-    return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
-}
-
 // The nodes below one, at most 16 and at least its children; how many there are.
-static int open(const Node *from, int node, int *below)
+static int open_boxes(const Node *from, int node, int *below)
 {
     int count = 1;
     below[0] = node;
@@ -38,7 +29,8 @@ static int open(const Node *from, int node, int *below)
         int largest = -1;
         for (int i = 0; i < count; i++)
             if (!is_leaf(&from[below[i]]) &&
-                (largest < 0 || surface(&from[below[i]]) > surface(&from[below[largest]])))
+                (largest < 0 ||
+                 box_surface(&from[below[i]].box) > box_surface(&from[below[largest]].box)))
                 largest = i;
         if (largest < 0)
             break;
@@ -61,7 +53,7 @@ static void set_box(WideNode *wide, int i, const Node *node)
     wide->count[i] = (uint8_t)(is_leaf(node) ? node->count : 0);
 }
 
-// As realloc, which would not keep to the lines of the cache.
+// As realloc, which would not begin each node where a line of the cache does.
 static bool make_room(Widening *widening)
 {
     int room = 2 * widening->room + 16;
@@ -83,7 +75,7 @@ static int widen(Widening *widening, int node)
         return -1;
     int number = widening->count++, below[LANES];
     const Node *from = widening->from;
-    WideNode wide = {.boxes = open(from, node, below)};
+    WideNode wide = {.boxes = open_boxes(from, node, below)};
     for (int axis = 0; axis < 3; axis++) {
         double low = from[node].box.low[axis], high = from[node].box.high[axis];
         wide.corner[axis] = low;
