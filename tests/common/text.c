@@ -1,15 +1,10 @@
-// text.c - tests of common/text.c and common/answers.c: numbers, words, messages, blanks.
-// Expected: the contracts in their headers. A blank fails the test that calls one, so what
-// concerns blanks runs in a child, whose exit status says which of its lines was not true.
+// text.c - tests of common/text.c: numbers, words, messages.
+// Expected: the contracts in its header.
 #include "common/text.h"
 
-#include "common/answers.h"
 #include "tests/judge/test.h"
 
-#include <stdio.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 static void expect_reads(const char *text, double expected, const char *rest)
 {
@@ -180,142 +175,6 @@ START_TEST(a_message_that_is_too_long_is_cut)
 }
 END_TEST
 
-// Runs lines in a child; each returns the number of its first claim that is not true, or 0.
-static void expect_all_true(int (*claims)(void))
-{
-    fflush(NULL);
-    pid_t child = fork();
-    ck_assert_int_ge(child, 0);
-    if (child == 0)
-        _exit(claims());
-    int status;
-    ck_assert_int_eq(waitpid(child, &status, 0), child);
-    ck_assert(WIFEXITED(status));
-    given("in a child", "which of its claims is not true");
-    expect_int(WEXITSTATUS(status), 0);
-}
-
-#define CLAIM(number, holds)                                                                       \
-    do {                                                                                           \
-        if (!(holds))                                                                              \
-            return number;                                                                         \
-    } while (0)
-
-static double blank_number(void)
-{
-    return NOT_ANSWERED(double);
-}
-
-static int blank_int(void)
-{
-    return NOT_ANSWERED(int);
-}
-
-static Camera blank_camera(void)
-{
-    return NOT_ANSWERED(Camera);
-}
-
-static void blank_void(void)
-{
-    NOT_ANSWERED_YET();
-}
-
-static int a_blank_returns_the_impossible(void)
-{
-    CLAIM(1, isnan(blank_number()));
-    CLAIM(2, blank_int() == -1);
-    Camera c = blank_camera();
-    CLAIM(3, isnan(c.origin[0]) && isnan(c.right[1]) && isnan(c.forward[2]));
-    CLAIM(4, isnan(c.distance) && isnan(c.width) && isnan(c.height));
-    CLAIM(5, camera_check(c) == CAMERA_NOT_FINITE);
-    return 0;
-}
-
-static int blanks_are_remembered_once_each_in_order(void)
-{
-    CLAIM(1, answers_missing() == 0);
-    blank_void();
-    CLAIM(2, answers_missing() == 1);
-    blank_int();
-    blank_int();
-    blank_void();
-    CLAIM(3, answers_missing() == 2);
-    CLAIM(4, strcmp(answer_missing(0), "blank_void") == 0);
-    CLAIM(5, strcmp(answer_missing(1), "blank_int") == 0);
-    return 0;
-}
-
-static int more_blanks_than_anybody_has_do_no_harm(void)
-{
-    static char names[1000][8];
-    for (int i = 0; i < 1000; i++) {
-        snprintf(names[i], sizeof names[i], "f%d", i);
-        CLAIM(1, not_answered(names[i], "file.c", NULL, 0) == NULL);
-    }
-    CLAIM(2, answers_missing() > 0 && answers_missing() <= 1000);
-    CLAIM(3, strcmp(answer_missing(answers_missing() - 1), "") != 0);
-    return 0;
-}
-
-static int a_blanks_number_is_shown_as_not_answered(void)
-{
-    CLAIM(1, strcmp(number_text(NAN).s, "nan") == 0);
-    double blank = blank_number();
-    vec3 blanks = vec3_of(blank, blank, blank);
-    CLAIM(2, strcmp(number_text(blank).s, "not answered yet") == 0);
-    CLAIM(3, strcmp(vec3_text(blanks).s, "not answered yet") == 0);
-    CLAIM(4, strcmp(pair_text(blank, blank).s, "not answered yet") == 0);
-    CLAIM(5, strcmp(number_text(2).s, "2") == 0);
-    return 0;
-}
-
-// answers_report writes to stderr; a pipe holds what it wrote.
-static int the_report_names_file_and_function(void)
-{
-    int ends[2];
-    CLAIM(1, pipe(ends) == 0 && dup2(ends[1], STDERR_FILENO) >= 0);
-    CLAIM(2, answers_report() == 0);
-    not_answered("upper_left", "exercises/01-corners.c", NULL, 0);
-    not_answered("upper_right", "exercises/01-corners.c", NULL, 0);
-    CLAIM(3, answers_report() == 1);
-    char words[400] = "";
-    CLAIM(4, read(ends[0], words, sizeof words - 1) > 0);
-    CLAIM(5, strstr(words, "exercises/01-corners.c: not answered yet: upper_left\n") == words);
-    CLAIM(6, strstr(words, "\nexercises/01-corners.c: not answered yet: upper_right\n") != NULL);
-    return 0;
-}
-
-START_TEST(a_blank_returns_nan_and_minus_1)
-{
-    expect_all_true(a_blank_returns_the_impossible);
-}
-END_TEST
-
-START_TEST(each_blank_is_remembered_once_in_order_of_its_first_call)
-{
-    expect_all_true(blanks_are_remembered_once_each_in_order);
-}
-END_TEST
-
-START_TEST(a_thousand_blanks_do_no_harm)
-{
-    expect_all_true(more_blanks_than_anybody_has_do_no_harm);
-}
-END_TEST
-
-START_TEST(what_a_blank_returns_is_shown_as_not_answered_yet)
-{
-    expect_all_true(a_blanks_number_is_shown_as_not_answered);
-}
-END_TEST
-
-START_TEST(the_report_names_each_blank_and_its_file)
-{
-    expect_all_true(the_report_names_file_and_function);
-}
-END_TEST
-
 void list_tests(void)
 {
     tests_of("read_number");
@@ -337,10 +196,4 @@ void list_tests(void)
     tests_of("message_set");
     test(a_message_is_set_and_false);
     test(a_message_that_is_too_long_is_cut);
-    tests_of("not_answered");
-    test(a_blank_returns_nan_and_minus_1);
-    test(each_blank_is_remembered_once_in_order_of_its_first_call);
-    test(a_thousand_blanks_do_no_harm);
-    test(what_a_blank_returns_is_shown_as_not_answered_yet);
-    test(the_report_names_each_blank_and_its_file);
 }
