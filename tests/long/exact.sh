@@ -8,6 +8,6 @@ if ! printf '#include <gmp.h>\n' | $COMPILER -E - >/dev/null 2>&1; then
     exit 0
 fi
 # shellcheck disable=SC2086 # the compiler's flags are words
-$COMPILER -o "$scratch/exact" tests/exact/roots.c solutions/05-quadratic.c common/answers.c \
-    -lgmp -lm || exit 1
+$COMPILER -o "$scratch/exact" tests/exact/roots.c tests/exact/exact.c tests/exact/rays.c \
+    solutions/05-quadratic.c common/answers.c -lgmp -lm || exit 1
 "$scratch/exact"
