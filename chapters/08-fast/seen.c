@@ -27,8 +27,8 @@ static void decide(const Cast *cast, Pixel pixel)
     const Work *work = cast->work;
     Hit hit = hierarchy_nearest(&cast->scene->hierarchy, work->scene,
                                 pixel_ray(work->camera, work->image->size, pixel));
-    size_t place = (size_t)pixel.row * (size_t)work->image->size.width + (size_t)pixel.column;
-    paint_pixel(work->image, place, work->scene, cast->scene->paints, hit.sphere);
+    paint_pixel(work->image, image_index(work->image, pixel), work->scene, cast->scene->paints,
+                hit.sphere);
 }
 
 static void cast_tile(void *given, int part)
@@ -41,8 +41,7 @@ static void cast_tile(void *given, int part)
     int left = tile.column * BLOCK, top = tile.row * BLOCK;
     int right = left + TILE < image->size.width ? left + TILE : image->size.width;
     int bottom = top + TILE < image->size.height ? top + TILE : image->size.height;
-    size_t place = (size_t)top * (size_t)image->size.width + (size_t)left;
-    cast->paint(&tile, right - left, bottom - top, image->rgb + 3 * place,
+    cast->paint(&tile, right - left, bottom - top, image_bytes(image, (Pixel){left, top}),
                 3 * (size_t)image->size.width);
     for (int row = top; tile.doubts && row < bottom; row++)
         for (int column = left; column < right; column++)

@@ -2,6 +2,7 @@
 #include "chapters/08-fast/seen_scene.h"
 
 #include "chapters/08-fast/parallel.h"
+#include "chapters/08-fast/view.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,7 @@ static int color_of(Paint paint)
     return color;
 }
 
+// The spheres in the order of the hierarchy, as arrays that lanes can read.
 static void line_up(void *given, int part)
 {
     SeenScene *scene = given;
@@ -90,6 +92,7 @@ static void see_spheres(void *given, int part)
     atomic_fetch_or(&scene->found, found);
 }
 
+// Boxes as floats, from the eye, a little larger (SeenNode).
 static void see_nodes(void *given, int part)
 {
     SeenScene *scene = given;
@@ -116,6 +119,7 @@ static void see_nodes(void *given, int part)
     }
 }
 
+// The spheres that the eye is in: every ray hits them, so they have no outline.
 static void find_around(SeenScene *scene)
 {
     for (int i = 0; i < scene->work->scene->sphere_count; i++) {
@@ -124,12 +128,6 @@ static void find_around(SeenScene *scene)
         if (squared < seen->smaller)
             scene->around[scene->view.around_count++] = i;
     }
-}
-
-static void store(double *into, vec3 v)
-{
-    for (int i = 0; i < 3; i++)
-        into[i] = v[i];
 }
 
 static void set_view(SeenScene *scene)
@@ -152,10 +150,10 @@ static void set_view(SeenScene *scene)
                    .rows = (screen.height + BLOCK - 1) / BLOCK,
                    .x = scene->x,
                    .y = scene->y};
-    store(view->eye, camera.origin);
-    store(view->right, camera.right);
-    store(view->up, camera.up);
-    store(view->ahead, camera.forward);
+    view_store(view->eye, camera.origin);
+    view_store(view->right, camera.right);
+    view_store(view->up, camera.up);
+    view_store(view->ahead, camera.forward);
     for (int i = 0; i < screen.width + TILE; i++)
         scene->x[i] = (float)(((i + 0.5) / screen.width - 0.5) * width);
     for (int i = 0; i < screen.height + TILE; i++)
