@@ -151,7 +151,8 @@ $(foreach k,$(LANES_KINDS),$(eval $(call lanes_rule,$(k))))
 # What later chapters show of earlier ones: the camera in figures, and how a scene is drawn.
 SHOWS_CAMERA := $(B)/chapters/01-corners/plane.o
 DRAWS_SCENES := $(patsubst %,$(B)/chapters/06-ray-casting/%.o,command needs scene_camera)
-shared_objects = $(SHOWS_CAMERA) $(if $(filter 07% 08%,$(1)),$(DRAWS_SCENES))
+LIGHTS_SCENES := $(patsubst %,$(B)/chapters/07-shading/%.o,lighting render)
+shared_objects = $(SHOWS_CAMERA) $(if $(filter 07% 08%,$(1)),$(DRAWS_SCENES)) $(if $(filter 08%,$(1)),$(LIGHTS_SCENES))
 
 .SECONDEXPANSION:
 $(PROGRAMS): $(BUILT)/%: $$(sort $$(call chapter_objects,$$*) $$(call shared_objects,$$*)) $(ANSWER_OBJECTS) $(B)/common.a
@@ -399,7 +400,7 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 
 # Every engine of chapter 08 against the first.
 ENGINES := $(B)/tests/fast/same
-$(ENGINES): $(ENGINES).o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+$(ENGINES): $(ENGINES).o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) $(LIGHTS_SCENES) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
@@ -587,7 +588,7 @@ $(error PEERS=$(PEERS) needs Embree 3: libembree-dev of Debian 12, embree3 elsew
 endif
 endif
 ENGINE_BENCH := $(B)/tests/benches/engines$(if $(PEERS),-and-peers)
-ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) $(LIGHTS_SCENES) \
 	$(STEMS:%=$(B)/solutions/%.o)
 PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers embree programs,none)) \
 	$(if $(PEERS),$(B)/chapters/07-shading/export.o)
