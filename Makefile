@@ -400,6 +400,7 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 
 # Every engine of chapter 08 against the first: flat, and with light.
 ENGINES := $(B)/tests/fast/same $(B)/tests/fast/lit
+$(B)/tests/fast/lit: $(B)/tests/fast/lit_scenes.o
 $(ENGINES): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) $(LIGHTS_SCENES) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
