@@ -90,8 +90,10 @@ static void tangent(void)
     look_from(front, middle, 70);
     light_up(vec3_of(0, 1, 0), LIGHT_DISTANT);
     light_up(vec3_of(0, 4, 0), LIGHT_POINT);
-    for (int i = 0; i < 64; i++)
-        add(vec3_of(i % 4 - 1.5, i / 4 % 4 - 1.5, -(i / 16)), 0.5);
+    for (int i = 0; i < 64; i++) {
+        int column = i % 4, row = i / 4 % 4, layer = i / 16;
+        add(vec3_of(column - 1.5, row - 1.5, -layer), 0.5);
+    }
 }
 static void coincident(void)
 {
