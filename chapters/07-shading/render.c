@@ -2,7 +2,6 @@
 #include "chapters/07-shading/render.h"
 
 #include "chapters/06-ray-casting/needs.h"
-#include "common/answers.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/07-shading.h"
 
@@ -70,10 +69,5 @@ bool shading_needs_are_met(void)
     visibility(&scene, point, lamp);
     shade(&scene, ray, (Hit){3, 0});
     clamp_color(trace_ray(&scene, ray, 1));
-    bool met = answers_missing() == 0;
-    answers_forget();
-    if (met)
-        return picture_needs_are_met(IMAGE_ORDER);
-    shade(&scene, ray, (Hit){3, 0});
-    return false;
+    return picture_needs_are_met(IMAGE_ORDER);
 }
