@@ -151,7 +151,8 @@ $(foreach k,$(LANES_KINDS),$(eval $(call lanes_rule,$(k))))
 # What later chapters show of earlier ones: the camera in figures, and how a scene is drawn.
 SHOWS_CAMERA := $(B)/chapters/01-corners/plane.o
 DRAWS_SCENES := $(patsubst %,$(B)/chapters/06-ray-casting/%.o,command needs scene_camera)
-shared_objects = $(SHOWS_CAMERA) $(if $(filter 07% 08%,$(1)),$(DRAWS_SCENES))
+LIGHTS_SCENES := $(patsubst %,$(B)/chapters/07-shading/%.o,lighting render)
+shared_objects = $(SHOWS_CAMERA) $(if $(filter 07% 08%,$(1)),$(DRAWS_SCENES)) $(if $(filter 08%,$(1)),$(LIGHTS_SCENES))
 
 .SECONDEXPANSION:
 $(PROGRAMS): $(BUILT)/%: $$(sort $$(call chapter_objects,$$*) $$(call shared_objects,$$*)) $(ANSWER_OBJECTS) $(B)/common.a
@@ -397,9 +398,10 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
-# Every engine of chapter 08 against the first.
-ENGINES := $(B)/tests/fast/same
-$(ENGINES): $(ENGINES).o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+# Every engine of chapter 08 against the first: flat, and with light.
+ENGINES := $(B)/tests/fast/same $(B)/tests/fast/lit
+$(B)/tests/fast/lit: $(B)/tests/fast/lit_scenes.o
+$(ENGINES): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) $(LIGHTS_SCENES) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
@@ -587,7 +589,7 @@ $(error PEERS=$(PEERS) needs Embree 3: libembree-dev of Debian 12, embree3 elsew
 endif
 endif
 ENGINE_BENCH := $(B)/tests/benches/engines$(if $(PEERS),-and-peers)
-ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) $(LIGHTS_SCENES) \
 	$(STEMS:%=$(B)/solutions/%.o)
 PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers embree programs,none)) \
 	$(if $(PEERS),$(B)/chapters/07-shading/export.o)
@@ -608,6 +610,8 @@ bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes
 	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
 bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/08-fast $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
 	@PROGRAMS='$(BUILT)' BUILD='$(B)' PEERS='$(PEERS)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
+bench-shading: $(BUILT)/07-shading $(BUILT)/08-fast $(B)/scenes/sphereflake-7381.nff ## shadows and mirrors: how much sooner by the hierarchy
+	@PROGRAMS='$(BUILT)' tests/benches/shading.sh $(B)/scenes/sphereflake-7381.nff
 $(B)/tests/benches/pictures.o: EXTRA = $(PNG_CFLAGS)
 $(B)/tests/benches/pictures: %: %.o
 	$(call say,link,$@)
@@ -615,7 +619,7 @@ $(B)/tests/benches/pictures: %: %.o
 bench-pictures: $(B)/tests/benches/pictures $(BUILT)/07-shading $(BUILT)/08-fast $(SCENES) ## a PNG by libpng's settings: time and size
 	@tests/benches/pictures.sh $(B) $(BUILT)
 bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
-	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-wait
+	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-wait bench-shading
 	@tests/benches/latency.sh
 	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')
 #]

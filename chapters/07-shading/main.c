@@ -5,6 +5,7 @@
 #include "chapters/06-ray-casting/command.h"
 #include "chapters/07-shading/export.h"
 #include "chapters/07-shading/figures.h"
+#include "chapters/07-shading/lighting.h"
 #include "chapters/07-shading/render.h"
 #include "chapters/07-shading/story.h"
 #include "common/picture.h"
@@ -36,16 +37,6 @@ static bool option_format(const char *text, void *into)
 {
     *(ExportFormat *)into = strcmp(text, "pov") == 0 ? EXPORT_POV : EXPORT_PBRT;
     return strcmp(text, "pov") == 0 || strcmp(text, "pbrt") == 0;
-}
-
-static bool option_count(const char *text, void *into)
-{
-    char *end;
-    long count = strtol(text, &end, 10);
-    if (end == text || *end != '\0' || count < 0 || count > 64)
-        return false;
-    *(int *)into = (int)count;
-    return true;
 }
 
 // Flat at the left, shaded at the right. False where memory is short.
@@ -93,24 +84,18 @@ static int write_export(const Drawing *drawing, ExportFormat format, Style style
 int main(int argc, char **argv)
 {
     Command command = {0};
-    Style style = {.samples = 1, .depth = 5, .gamma = 1};
+    Lighting lighting = lighting_untold;
     Term term = TERM_ALL;
     ExportFormat format = EXPORT_NONE;
     bool flat = false;
-    double ambient = -1;
     Pixel pixel = {-1, -1};
     FigureCommand figure = {0};
-    vec3 sun = vec3_of(0, 0, 0);
     const Option options[] = {
         COMMAND_OPTIONS(command),
         {"explain", 0, "COLUMN,ROW", option_pixel, &pixel, "the light at a pixel, in numbers"},
         {"flat", 0, NULL, option_flag, &flat, "leave the shading out"},
         {"term", 0, "NAME", option_term, &term, "only ambient, diffuse or specular light"},
-        {"depth", 0, "N", option_count, &style.depth, "mirrors to follow a ray through (5)"},
-        {"samples", 0, "N", option_count, &style.samples, "N x N samples a pixel (1)"},
-        {"ambient", 0, "A", option_number, &ambient, "light that is everywhere (0.1)"},
-        {"sun", 0, "X,Y,Z", option_vec3, &sun, "a distant light from there, no others"},
-        {"gamma", 0, "G", option_number, &style.gamma, "of the display (1: leave as is)"},
+        LIGHTING_OPTIONS(lighting),
         {"export", 0, "pov|pbrt", option_format, &format,
          "write the scene for them instead (to -o)"},
         FIGURE_OPTIONS(figure),
@@ -121,10 +106,7 @@ int main(int argc, char **argv)
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);
-    if (style.samples < 1)
-        options_wrong(argv[0], "--samples: expected 1 to 64");
-    if (!(style.gamma > 0))
-        options_wrong(argv[0], "--gamma: expected more than 0");
+    lighting_check(&lighting, argv[0]);
     if (format != EXPORT_NONE && command.output == NULL)
         options_wrong(argv[0], "--export: expected -o FILE as well");
     command.scene_path = argv[first];
@@ -137,31 +119,26 @@ int main(int argc, char **argv)
         !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))
         return EXIT_COULD_NOT;
     Scene *scene = &drawing.scene;
-    if (ambient >= 0)
-        scene->ambient = vec3_of(ambient, ambient, ambient);
-    Light distant = {sun, vec3_of(1, 1, 1), LIGHT_DISTANT};
-    Light *own = scene->lights;
-    if (vec3_dot(sun, sun) > 0) {
-        scene->lights = &distant;
-        scene->light_count = 1;
+    if (!lighting_apply(&lighting, scene)) {
+        fprintf(stderr, "%s: no memory for a light\n", argv[0]);
+        return EXIT_COULD_NOT;
     }
     if (figure.name != NULL)
         return shading_figure(figure, &drawing);
     if (format != EXPORT_NONE)
-        return write_export(&drawing, format, style, flat);
+        return write_export(&drawing, format, lighting.style, flat);
     if (pixel.column >= drawing.image.size.width || pixel.row >= drawing.image.size.height)
         options_wrong(argv[0], "--explain: (%d, %d) is not in a picture of %d x %d", pixel.column,
                       pixel.row, drawing.image.size.width, drawing.image.size.height);
     if (argc == 1 || pixel.column >= 0)
-        tell_shading(&drawing, argc == 1 ? in_the_light : pixel, style.depth);
+        tell_shading(&drawing, argc == 1 ? in_the_light : pixel, lighting.style.depth);
     if (pixel.column >= 0)
         return story_end();
     keep_term(scene, flat ? TERM_FLAT : term);
     if (!closing)
-        render(scene, drawing.camera, style, &drawing.image);
-    else if (!draw_both(&drawing, style))
+        render(scene, drawing.camera, lighting.style, &drawing.image);
+    else if (!draw_both(&drawing, lighting.style))
         return EXIT_COULD_NOT;
-    scene->lights = own;
     int status = drawing_end(&drawing);
     if (status == EXIT_DONE && command.output == NULL)
         printf("%s%s\n", argc == 1 ? "\nThe picture: " : "", drawing.output);

@@ -4,6 +4,7 @@
 
 #include "common/camera.h"
 #include "common/image.h"
+#include "common/ray.h"
 #include "common/scene.h"
 
 #include <stdbool.h>
@@ -20,6 +21,23 @@ typedef enum { TERM_ALL, TERM_AMBIENT, TERM_DIFFUSE, TERM_SPECULAR, TERM_FLAT } 
 
 // Leaves all but a term out of a scene. Flat: surfaces shine by themselves, in their colour.
 void keep_term(Scene *scene, Term term);
+
+// The colour that a ray sees in a world, as trace_ray finds it or in another way.
+typedef Color Tracer(void *world, Ray ray, int depth);
+
+// How the rays of a picture are sent.
+typedef struct {
+    Camera camera;
+    Resolution screen;
+    Style style;
+    Tracer *trace;
+} Rendering;
+
+// The colour of one pixel.
+Color render_pixel(const Rendering *rendering, void *world, Pixel pixel);
+
+// By trace_ray: the world is a scene.
+Tracer trace_scene;
 
 // Sets every pixel of the image.
 void render(const Scene *scene, Camera camera, Style style, Image *image);

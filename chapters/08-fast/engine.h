@@ -5,6 +5,7 @@
 #ifndef CHAPTERS_08_FAST_ENGINE_H
 #define CHAPTERS_08_FAST_ENGINE_H
 
+#include "chapters/07-shading/render.h"
 #include "common/camera.h"
 #include "common/image.h"
 #include "common/scene.h"
@@ -28,6 +29,8 @@ typedef struct {
     const char *idea; // in one line
     // False, and a message, where memory is short; the image may be half done then.
     bool (*cast)(const Work *work, Message *message);
+    // The same with the light of chapter 07; NULL where the engine knows no rays but the eye's.
+    bool (*light)(const Work *work, Style style, Message *message);
 } Engine;
 
 // In the order of the lesson; the last one has no name.
@@ -38,10 +41,12 @@ const Engine *engine_named(const char *name);
 
 // 1. Chapter 06's loop: every pixel asks every sphere.
 bool cast_plain(const Work *work, Message *message);
+bool light_plain(const Work *work, Style style, Message *message);
 // 2. Object order: every sphere asks the pixels of its rectangle.
 bool cast_object(const Work *work, Message *message);
 // 3. A bounding volume hierarchy: every ray asks the spheres on its way.
 bool cast_bvh(const Work *work, Message *message);
+bool light_bvh(const Work *work, Style style, Message *message);
 // 4. The same with 16 rays at a time.
 bool cast_packet(const Work *work, Message *message);
 // 5. A tile's whole frustum asks.

@@ -5,12 +5,12 @@
 #include <string.h>
 
 const Engine engines[] = {
-    {"plain", "every pixel asks every sphere", cast_plain},
-    {"object", "every sphere asks the pixels of its rectangle", cast_object},
-    {"bvh", "every ray asks the spheres on its way", cast_bvh},
-    {"packet", "16 rays at a time ask the spheres on their way", cast_packet},
-    {"tiles", "a tile of pixels asks the spheres in its frustum", cast_tiles},
-    {"bins", "every tile asks the spheres in it, near ones first", cast_bins},
+    {"plain", "every pixel asks every sphere", cast_plain, light_plain},
+    {"object", "every sphere asks the pixels of its rectangle", cast_object, NULL},
+    {"bvh", "every ray asks the spheres on its way", cast_bvh, light_bvh},
+    {"packet", "16 rays at a time ask the spheres on their way", cast_packet, NULL},
+    {"tiles", "a tile of pixels asks the spheres in its frustum", cast_tiles, NULL},
+    {"bins", "every tile asks the spheres in it, near ones first", cast_bins, NULL},
     {0},
 };
 

@@ -3,6 +3,7 @@
 // Casts a scene as chapter 06 does, by an engine of one's choice, and says how many rays a second.
 #include "chapters/06-ray-casting/command.h"
 #include "chapters/06-ray-casting/needs.h"
+#include "chapters/07-shading/lighting.h"
 #include "chapters/08-fast/clock.h"
 #include "chapters/08-fast/engine.h"
 #include "common/text.h"
@@ -14,9 +15,8 @@
 
 static bool option_engine(const char *text, void *into)
 {
-    // Hierarchies take longer to build than bins to cast, and a picture is cast once.
-    *(const Engine **)into = engine_named(strcmp(text, "auto") == 0 ? "bins" : text);
-    return *(const Engine **)into != NULL;
+    *(const Engine **)into = engine_named(text);
+    return *(const Engine **)into != NULL || strcmp(text, "auto") == 0;
 }
 
 static bool option_threads(const char *text, void *into)
@@ -27,6 +27,13 @@ static bool option_threads(const char *text, void *into)
     return end != text && *end == '\0' && threads >= 1 && threads <= 256;
 }
 
+// Hierarchies take longer to build than bins to cast, and a picture is cast once. But shadows and
+// mirrors send rays from everywhere.
+static const Engine *engine_for(bool shaded)
+{
+    return engine_named(shaded ? "bvh" : "bins");
+}
+
 static void list_engines(void)
 {
     printf("08-fast: the same picture, faster\n\n");
@@ -35,36 +42,66 @@ static void list_engines(void)
     printf("\n");
 }
 
+static void say_what_it_took(const char *name, const Drawing *drawing, bool shaded, double seconds)
+{
+    Resolution size = drawing->image.size;
+    fprintf(stderr, "%s: %d x %d %s among %d spheres in %s ms", name, size.width, size.height,
+            shaded ? "pixels, shaded," : "rays", drawing->scene.sphere_count,
+            number_text_to(1e3 * seconds, 3).s);
+    if (shaded)
+        fprintf(stderr, "\n");
+    else
+        fprintf(stderr, ", %s million a second\n",
+                number_text_to(1e-6 * size.width * size.height / seconds, 3).s);
+}
+
 int main(int argc, char **argv)
 {
     Command command = {0};
-    const Engine *engine = engine_named("bins");
+    const Engine *engine = NULL;
     int threads = 1;
+    bool shaded = false;
+    Lighting lighting = lighting_untold;
     const Option options[] = {
         COMMAND_OPTIONS(command),
         {"engine", 'e', "NAME", option_engine, &engine,
          "plain, object, bvh, packet, tiles, bins (auto)"},
         {"threads", 't', "N", option_threads, &threads, "at the same time, 1 to 256 (1)"},
+        {"shaded", 0, NULL, option_flag, &shaded, "with shadows and mirrors: plain, bvh (auto)"},
+        LIGHTING_OPTIONS(lighting),
         {0}};
     Usage usage = {
         "[OPTION]... [SCENE.nff]",
-        "Casts a scene, flat, by an engine. Without arguments: which there are, and the\n"
+        "Casts a scene, flat or shaded, by an engine. Without arguments: which there are, and the\n"
         "deck's three spheres."};
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);
+    lighting_check(&lighting, argv[0]);
+    if (!shaded && lighting_is_told(&lighting))
+        options_wrong(argv[0],
+                      "light changes nothing in a flat picture, expected --shaded as well");
+    if (engine == NULL)
+        engine = engine_for(shaded);
+    if (shaded && engine->light == NULL)
+        options_wrong(argv[0], "%s has no shadows and no mirrors, expected plain or bvh",
+                      engine->name);
     command.scene_path = argv[first];
 
     static Drawing drawing;
-    if (!picture_needs_are_met(IMAGE_ORDER) ||
+    if (!(shaded ? shading_needs_are_met() : picture_needs_are_met(IMAGE_ORDER)) ||
         !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))
         return EXIT_COULD_NOT;
     if (argc == 1)
         list_engines();
+    if (!lighting_apply(&lighting, &drawing.scene)) {
+        fprintf(stderr, "%s: no memory for a light\n", argv[0]);
+        return EXIT_COULD_NOT;
+    }
     double began = clock_seconds(), built = began;
     Work work = {&drawing.scene, drawing.camera, &drawing.image, threads, &built};
     Message message;
-    if (!engine->cast(&work, &message)) {
+    if (shaded ? !engine->light(&work, lighting.style, &message) : !engine->cast(&work, &message)) {
         fprintf(stderr, "%s: %s\n", argv[0], message.text);
         return EXIT_COULD_NOT;
     }
@@ -72,11 +109,7 @@ int main(int argc, char **argv)
     if (built > began)
         fprintf(stderr, "%s: built in %s ms\n", engine->name,
                 number_text_to(1e3 * (built - began), 3).s);
-    Resolution size = drawing.image.size;
-    fprintf(stderr, "%s: %d x %d rays among %d spheres in %s ms, %s million a second\n",
-            engine->name, size.width, size.height, drawing.scene.sphere_count,
-            number_text_to(1e3 * took, 3).s,
-            number_text_to(1e-6 * size.width * size.height / took, 3).s);
+    say_what_it_took(engine->name, &drawing, shaded, took);
     int status = drawing_end(&drawing);
     if (status == EXIT_DONE && command.output == NULL)
         printf("%s\n", drawing.output);

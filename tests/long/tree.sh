@@ -57,9 +57,10 @@ check 'make ANSWERS=exercises draws with them' make_quietly ANSWERS=exercises
 check 'and they draw the same picture' "$here/$BUILD/tests/same_picture" \
     build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
 
-rm exercises/05-quadratic.c
+rm exercises/05-quadratic.c exercises/07-shading.c
 check 'a program says which answers are missing' refused make ANSWERS=exercises
 check 'and names them' grep -q 'not answered yet: hit_sphere' "$scratch/log"
+check 'those of light, too' grep -q 'not answered yet: off_surface' "$scratch/log"
 check 'the older picture is left as it was' "$here/$BUILD/tests/same_picture" \
     build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
 

@@ -92,7 +92,7 @@ def what_has_changed_is_marked_again(folder: Path, work: Path) -> None:
     (copy / "nothing" / "03-screen.c").write_text(right("03-screen"))
     done = grade(copy, out)
     check("only what was handed in again is marked again", kept(done) == len(records(out)) - 1, done.stderr)
-    check("and has its new marks", records(out)["nothing"]["score"] == 12)
+    check("and has its new marks", records(out)["nothing"]["score"] == 9)
     check("another seed marks all again", kept(grade(copy, out, SEED="1")) == 0)
 
 

@@ -1,0 +1,51 @@
+// lighting.c - the options of a shaded picture: reading them, and what they change in a scene.
+#include "chapters/07-shading/lighting.h"
+
+#include <stdlib.h>
+
+const Lighting lighting_untold = {.style = {.samples = 1, .depth = 5, .gamma = 1}, .ambient = -1};
+
+bool option_count(const char *text, void *into)
+{
+    char *end;
+    long count = strtol(text, &end, 10);
+    if (end == text || *end != '\0' || count < 0 || count > 64)
+        return false;
+    *(int *)into = (int)count;
+    return true;
+}
+
+static bool has_sun(const Lighting *lighting)
+{
+    return vec3_dot(lighting->sun, lighting->sun) > 0;
+}
+
+bool lighting_is_told(const Lighting *lighting)
+{
+    Style style = lighting->style, untold = lighting_untold.style;
+    return style.samples != untold.samples || style.depth != untold.depth ||
+           style.gamma != untold.gamma || lighting->ambient >= 0 || has_sun(lighting);
+}
+
+void lighting_check(const Lighting *lighting, const char *program)
+{
+    if (lighting->style.samples < 1)
+        options_wrong(program, "--samples: expected 1 to 64");
+    if (!(lighting->style.gamma > 0))
+        options_wrong(program, "--gamma: expected more than 0");
+}
+
+bool lighting_apply(const Lighting *lighting, Scene *scene)
+{
+    if (lighting->ambient >= 0)
+        scene->ambient = vec3_of(lighting->ambient, lighting->ambient, lighting->ambient);
+    if (!has_sun(lighting))
+        return true;
+    Light *only = realloc(scene->lights, sizeof *only);
+    if (only == NULL)
+        return false;
+    *only = (Light){lighting->sun, vec3_of(1, 1, 1), LIGHT_DISTANT};
+    scene->lights = only;
+    scene->light_count = 1;
+    return true;
+}

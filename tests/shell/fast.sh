@@ -1,0 +1,52 @@
+#!/bin/sh
+# fast.sh - chapter 08's program draws chapter 07's pictures, and refuses what it cannot.
+set -u
+. tests/library.sh
+
+programs=${PROGRAMS:-build/solutions}
+three=chapters/06-ray-casting/three-spheres.nff
+
+# The same bytes, by the hierarchy and by chapter 07's own loop; with so many threads.
+draws_the_same() {
+    threads=$1
+    shift
+    "$programs/07-shading" "$@" -o "$scratch/right.png" || return 1
+    for engine in auto bvh plain; do
+        "$programs/08-fast" --shaded --engine $engine --threads "$threads" "$@" -o "$scratch/fast.png" &&
+            cmp "$scratch/right.png" "$scratch/fast.png" || return 1
+    done
+}
+flake=$BUILD/scenes/sphereflake-820.nff
+check 'shadows and mirrors are the same' draws_the_same 1 -s 64x48 "$flake"
+check 'and with three threads' draws_the_same 3 -s 63x47 --depth 1 "$flake"
+check 'and sampled, for a display' draws_the_same 2 -s 24x18 --samples 2 --gamma 2.2 "$flake"
+check 'and in the sun' draws_the_same 1 -s 32x24 --sun 1,1,1 --ambient 0.3 --depth 0 "$flake"
+check 'and of a scene without mirrors' draws_the_same 1 -s 64x48 "$BUILD/scenes/sunflower.nff"
+check 'and of three spheres' draws_the_same 2 -s 96x72 "$three"
+
+# The commands of the lesson, their pictures put elsewhere.
+lesson_is_right() {
+    awk '/^```sh$/ { inside = 1; next } /^```/ { inside = 0 } inside' chapters/08-fast/README.md |
+        sed "s|^build/solutions/|$programs/|; s| -o build/| -o $scratch/|; s| build/| $BUILD/|" >"$scratch/commands"
+    [ -s "$scratch/commands" ] && sh -e "$scratch/commands"
+}
+check "the lesson's commands draw" lesson_is_right
+# Another machine's pow may round otherwise.
+check "one of them the last picture of chapter 07's lesson" \
+    "$BUILD/tests/same_picture" "$scratch/last.png" chapters/07-shading/sphereflake.png 100
+
+refuses() {
+    words=$1
+    shift
+    "$programs/08-fast" "$@" -o "$scratch/none.png" "$three" >"$scratch/out" 2>"$scratch/err" </dev/null
+    [ $? -eq 2 ] && grep -q -e "$words" "$scratch/err" && [ ! -e "$scratch/none.png" ]
+}
+for engine in object packet tiles bins; do
+    check "$engine says that it has no shadows" refuses 'no shadows' --shaded --engine $engine
+done
+check 'light is not for a flat picture' refuses 'expected --shaded' --depth 3
+check 'nor are samples' refuses 'expected --shaded' --samples 2
+check 'no samples are refused' refuses 'samples' --shaded --samples 0
+check 'nor is a gamma of 0 taken' refuses 'gamma' --shaded --gamma 0
+check 'nor another engine' refuses 'engine' --engine warp
+finish fast
