@@ -19,9 +19,9 @@ typedef struct {
 // Other rows are another thread's at the same time, so image_set will not do.
 static void set_pixel(Image *image, Pixel pixel, Color color)
 {
-    size_t i = (size_t)pixel.row * (size_t)image->size.width + (size_t)pixel.column;
-    for (int c = 0; c < 3; c++)
-        image->rgb[3 * i + (size_t)c] = byte_from_color(color[c]);
+    uint8_t *rgb = image_bytes(image, pixel);
+    for (int i = 0; i < 3; i++)
+        rgb[i] = byte_from_color(color[i]);
 }
 
 static void render_row(Lit *lit, void *world, int row)
