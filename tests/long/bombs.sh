@@ -1,5 +1,6 @@
 #!/bin/sh
 # bombs.sh - archives that grow when they are opened, and folders without end.
+# Only reads the tree.
 if ! command -v python3 >/dev/null 2>&1; then
     echo "skipped: bombs (no python3; 'make setup FOR=instructor' installs it)"
     echo "bombs: 0 passed, 0 failed"

@@ -1,5 +1,6 @@
 #!/bin/sh
 # exact.sh - the reference against exact arithmetic, on a million rays (tests/exact/roots.c).
+# Only reads the tree.
 set -u
 . tests/library.sh
 if ! printf '#include <gmp.h>\n' | $COMPILER -E - >/dev/null 2>&1; then

@@ -1,6 +1,7 @@
 #!/bin/sh
 # figures.sh - figures of 100 cameras, rays and scenes in each chapter (CAMERAS=n: of n); and all
 # files that make figures makes.
+# Only reads the tree.
 if [ -n "${BRIEF:-}" ]; then
     echo "skipped: hundreds of figures of each kind, which are tested once (BRIEF)"
     echo "figures, long: 0 passed, 0 failed"

@@ -1,5 +1,6 @@
 #!/bin/sh
 # fuzz.sh - the scene reader on what a fuzzer thinks of (tests/fuzz/scene.c), FUZZ_SECONDS long.
+# Only reads the tree.
 set -u
 . tests/library.sh
 seconds=${FUZZ_SECONDS:-60}

@@ -1,5 +1,6 @@
 #!/bin/sh
 # gallery.sh - the page of pictures and figures, in a headless Chromium.
+# Only reads the tree.
 if [ -n "${BRIEF:-}" ]; then
     echo "skipped: the page of pictures, which is tested once (BRIEF)"
     echo "gallery: 0 passed, 0 failed"

@@ -3,6 +3,7 @@
 #
 # Flat: the same in every pixel but FEW, on silhouettes, where rounding decides. Shaded: but for FEW
 # pixels (silhouettes again, of shadows and mirrors) within a byte, and within MEAN on average.
+# Only reads the tree.
 set -u
 . tests/library.sh
 

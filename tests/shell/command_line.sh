@@ -4,6 +4,7 @@
 # Usage: [PROGRAMS=FOLDER] tests/shell/command_line.sh
 # PROGRAMS is where 06-ray-casting is: build/solutions, unless told. The last line says how many
 # checks passed and failed; each that failed has a line 'not ok: what should be (what came)'.
+# Only reads the tree.
 set -u
 LC_ALL=C
 export LC_ALL

@@ -1,5 +1,6 @@
 #!/bin/sh
 # explain.sh - what a student reads where an answer does not compile, by any compiler ($CC).
+# Only reads the tree.
 set -u
 . tests/library.sh
 

@@ -1,5 +1,6 @@
 #!/bin/sh
 # fast.sh - chapter 08's program draws chapter 07's pictures, and refuses what it cannot.
+# Only reads the tree.
 set -u
 . tests/library.sh
 

@@ -2,6 +2,7 @@
 # figures.sh - what the figures show is so: each chapter's, by computations of their own.
 #
 # Needs gnuplot to draw and Python to read; CAMERAS says how many random ones are tried.
+# Only reads the tree.
 set -u
 . tests/library.sh
 

@@ -2,6 +2,7 @@
 # house.sh - the habits of the house that no compiler knows: any C file opens with its name and why
 # it is there, and is read in one sitting. Answers in exercises/ and examples of them may be as they
 # are.
+# Only reads the tree.
 set -u
 . tests/library.sh
 

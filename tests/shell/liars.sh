@@ -3,6 +3,7 @@
 #
 # What comes through the pipe was written by hostile code: nothing of it is believed or shown unless
 # it can be true.
+# Only reads the tree.
 set -u
 . tests/library.sh
 

@@ -1,5 +1,6 @@
 #!/bin/sh
 # shading.sh - what chapter 07's program draws and writes, and how it refuses.
+# Only reads the tree.
 set -u
 . tests/library.sh
 

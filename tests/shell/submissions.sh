@@ -1,5 +1,6 @@
 #!/bin/sh
 # submissions.sh - what is a submission, and what it is worth: modules of the grader.
+# Only reads the tree.
 if ! command -v python3 >/dev/null 2>&1; then
     echo "skipped: submissions (no python3; 'make setup FOR=instructor' installs it)"
     echo "submissions: 0 passed, 0 failed"
