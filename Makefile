@@ -397,9 +397,12 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
-# Every engine of chapter 08 against the first.
+# Every engine of chapter 08 against the first: of scenes that are made, and of files; and what
+# memory it takes.
 ENGINES := $(B)/tests/fast/same
-$(ENGINES): $(ENGINES).o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+ENGINES_LONG := $(patsubst %,$(B)/tests/fast/%,files memory)
+$(ENGINES) $(ENGINES_LONG): %: %.o $(patsubst %,$(B)/tests/fast/%.o,against made) \
+		$(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread

@@ -1,0 +1,34 @@
+// made.h - scenes that are made to be difficult, and random ones.
+#ifndef TESTS_FAST_MADE_H
+#define TESTS_FAST_MADE_H
+
+#include "common/camera.h"
+#include "common/scene.h"
+
+// A scene and who looks at it; the camera need not be one that NFF can say. One at a time: all use
+// the same memory.
+typedef struct {
+    char name[80];
+    Scene scene;
+    Camera camera;
+    Resolution size;
+} Made;
+
+// How a camera differs from that of an NFF viewpoint: not at all; its right is on the other side;
+// its pixels are no squares and its plane is near; its axes are off by as much as is allowed.
+typedef enum { FRAME_USUAL, FRAME_MIRRORED, FRAME_STRETCHED, FRAME_LEANING, FRAMES } Frame;
+
+// Number 0, 1, ... of the difficult ones; false where there is no more.
+bool made_difficult(Made *made, int number, Frame frame);
+
+// The same few spheres on a screen of any size.
+void made_sized(Made *made, Resolution size);
+
+// More spheres than one thread is given; spheres that are all in nearly all of many tiles.
+void made_many(Made *made);
+void made_wide(Made *made);
+
+// A random one: one to 400 spheres of all kinds, for a number always the same.
+void made_at_random(Made *made, unsigned number);
+
+#endif
