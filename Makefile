@@ -401,7 +401,7 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 # memory it takes.
 ENGINES := $(B)/tests/fast/same
 ENGINES_LONG := $(patsubst %,$(B)/tests/fast/%,files memory)
-$(ENGINES) $(ENGINES_LONG): %: %.o $(patsubst %,$(B)/tests/fast/%.o,against made) \
+$(ENGINES) $(ENGINES_LONG): %: %.o $(patsubst %,$(B)/tests/fast/%.o,against made made_difficult parts) \
 		$(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)

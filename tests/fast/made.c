@@ -1,290 +1,10 @@
-// made.c - scenes that are made to be difficult, and random ones.
-#include "tests/fast/made.h"
-
-#include "exercises/04-pixel-ray.h"
+// made.c - scenes for screens of all sizes, of many spheres, and random ones.
+#include "tests/fast/parts.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
-enum { MOST = 12000, MOST_AT_RANDOM = 400 };
-
-static Sphere spheres[MOST];
-static Surface surfaces[MOST];
-static Made *now; // what is being made
-static Frame frame_now;
-
-// ---- what they are made of --------------------------------------------------------------------
-
-static unsigned long long state;
-
-static double uniform(double low, double high)
-{
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
-}
-
-static double power_of_ten(double low, double high)
-{
-    return pow(10, uniform(low, high));
-}
-
-static bool once_in(double times)
-{
-    return uniform(0, times) < 1;
-}
-
-static vec3 within(double most)
-{
-    double x = uniform(-most, most), y = uniform(-most, most), z = uniform(-most, most);
-    return vec3_of(x, y, z);
-}
-
-static vec3 direction(void)
-{
-    return vec3_unit(within(1) + vec3_of(1e-9, 0, 0));
-}
-
-// Every sphere has a colour of its own, so that one taken for another shows.
-static void add(vec3 center, double radius)
-{
-    int i = now->scene.sphere_count;
-    unsigned color = (unsigned)(i + 1) * 0x9e3779b1U;
-    if (i == MOST)
-        return;
-    surfaces[i].color =
-        vec3_of(color >> 24 & 255, color >> 16 & 255, color >> 8 & 255) / vec3_of(255, 255, 255);
-    spheres[i] = (Sphere){center, radius, i};
-    now->scene.sphere_count = now->scene.surface_count = i + 1;
-}
-
-static void look(vec3 from, vec3 at, vec3 roughly_up, double angle, int width, int height)
-{
-    vec3 forward = vec3_unit(at - from), right = vec3_unit(vec3_cross(forward, roughly_up));
-    double distance = vec3_length(at - from), wide = 2 * distance * tan(angle * PI / 360);
-    Camera camera = {from,     right, vec3_cross(right, forward), forward,
-                     distance, wide,  wide * height / width};
-    if (frame_now == FRAME_MIRRORED)
-        camera.right = -right;
-    if (frame_now == FRAME_STRETCHED) {
-        camera.distance *= 0.01;
-        camera.width *= 0.01;
-        camera.height *= 0.027;
-    }
-    if (frame_now == FRAME_LEANING) {
-        camera.right = (1 + 5e-10) * right + 5e-10 * forward;
-        camera.up = (1 - 5e-10) * camera.up + 5e-10 * right;
-    }
-    now->camera = camera;
-    now->size = (Resolution){width, height};
-    now->scene = (Scene){.spheres = spheres, .surfaces = surfaces};
-}
-
-static const vec3 above = {0.1, 1, 0.2}, middle = {0, 0, 0}, front = {0, 0, 5};
-
-static void look_from(vec3 from, double angle, int width, int height)
-{
-    look(from, middle, above, angle, width, height);
-}
-
-// A sphere that the ray of a random pixel touches.
-static void add_tangent(double radius, double away)
-{
-    Pixel pixel = {(int)uniform(0, now->size.width), (int)uniform(0, now->size.height)};
-    Ray ray = pixel_ray(now->camera, now->size, pixel);
-    vec3 ahead = vec3_unit(ray.direction), aside = vec3_unit(vec3_cross(ahead, direction()));
-    add(ray.origin + away * ahead + radius * aside, radius);
-}
-
-// ---- difficult ones ---------------------------------------------------------------------------
-
-static void nothing(void)
-{
-    look_from(front, 60, 40, 30);
-}
-static void around_the_eye(void)
-{
-    look_from(front, 60, 40, 30);
-    add(front, 1);
-    add(middle, 1);
-    add(front, 30);
-    add(front + vec3_of(0.1, 0.2, -0.1), 0.5);
-}
-static void touching_the_eye(void)
-{
-    look_from(front, 90, 40, 30);
-    add(vec3_of(0, 0, 4), 1);
-    add(vec3_of(1, 0, 5), 1);
-    add(vec3_of(0, -2, 5), 2);
-    add(vec3_of(0, 0, 6), 1);
-    add(middle, 1);
-}
-static void nearly_touching_the_eye(void)
-{
-    look_from(front, 90, 40, 30);
-    for (int i = -14; i <= -3; i++) {
-        vec3 there = front + direction();
-        add(there, 1 + pow(10, i));
-        add(there, 1 - pow(10, i));
-    }
-    add(middle, 1);
-}
-static void beside_and_behind(void)
-{
-    look_from(front, 120, 40, 30);
-    add(vec3_of(3, 0, 5), 2.5);
-    add(vec3_of(-3, 0, 5.5), 2.9);
-    add(vec3_of(0, 0, 9), 3.9);
-    add(vec3_of(0, 4, 4), 3);
-}
-static void behind(void)
-{
-    look_from(front, 170, 40, 30);
-    for (int i = 0; i < 50; i++)
-        add(front + within(3) + vec3_of(0, 0, 4), uniform(0.1, 2));
-}
-static void partly_outside(void)
-{
-    // Beyond each edge and corner of the screen, and just not.
-    look_from(front, 60, 37, 31);
-    for (int i = 0; i < 60; i++)
-        add_tangent(power_of_ten(-2, 1), uniform(1, 9));
-}
-static void coincident(void)
-{
-    look_from(front, 60, 40, 30);
-    for (int i = 0; i < 8; i++)
-        add(middle, 1);
-    for (int i = 0; i < 8; i++)
-        add(vec3_of(1, 1, 0), 0.5 + 1e-9 * i);
-    for (int i = 0; i < 8; i++)
-        add(vec3_of(-1, -1, 1e-12 * i), 0.5);
-}
-static void the_same_far_and_near(void)
-{
-    // Of the same outline, one behind the other: nearer ones come later.
-    look_from(front, 60, 40, 30);
-    for (int i = 20; i > 0; i--)
-        add(front + vec3_of(0.1 * i, 0.05 * i, -i), 0.3 * i);
-}
-static void close_behind_one_another(void)
-{
-    // Many fronts within the precision of a float.
-    look_from(front, 40, 40, 30);
-    for (int i = 0; i < 60; i++)
-        add(vec3_of(0, 0, 1e-7 * uniform(-3, 3)) + 0.01 * within(1), 1);
-    for (int i = 0; i < 60; i++)
-        add(front + vec3_of(0, 0, -1e3 - uniform(0, 1e-4)), 300);
-}
-static void outlines_through_pixel_centres(void)
-{
-    look(vec3_of(0, 0, 8), middle, vec3_of(0, 1, 0), 90, 32, 32);
-    for (int i = 0; i < 16; i++)
-        add(vec3_of((i + 0.5) / 2, 0, 0), 0.25);
-    add(vec3_of(-2, -2, 0), 2);
-    add(vec3_of(-2, 2, 1), 1);
-}
-static void tangent_to_one_another(void)
-{
-    look(vec3_of(0, 0, 8), middle, vec3_of(0, 1, 0), 60, 45, 45);
-    for (int i = -3; i <= 3; i++)
-        for (int k = -3; k <= 3; k++)
-            add(vec3_of(i, k, (i + k) % 2), i % 2 == 0 ? 0.5 : 0.75);
-}
-static void tiny(void)
-{
-    look_from(front, 60, 40, 30);
-    for (int i = 0; i < 300; i++)
-        add(within(2), power_of_ten(-8, -1));
-    add(vec3_of(0, 0, 4.999), 1e-6);
-}
-static void huge(void)
-{
-    look_from(front, 60, 40, 30);
-    add(vec3_of(0, 0, -1e6), 9e5);
-    add(vec3_of(0, -1e9, 0), 1e9 - 2);
-    add(vec3_of(0, -1e9, 0), 1e9 - 2.00001);
-    add(vec3_of(-1e9, 0, 0), 1e9 - 1);
-    add(vec3_of(0, 1e6, 0), 1e6 - 3);
-    add(vec3_of(0, 0, -1e12), 1e10);
-    for (int i = 0; i < 20; i++)
-        add(vec3_of(uniform(-2, 2), -2 + uniform(0, 0.1), uniform(-2, 2)), 0.1);
-}
-static void of_another_size(void)
-{
-    look_from(1e-6 * front, 60, 40, 30);
-    for (int i = 0; i < 50; i++)
-        add(within(2e-6), 3e-7);
-}
-static void of_no_ordinary_size(void)
-{
-    look_from(1e16 * front, 60, 40, 30);
-    for (int i = 0; i < 20; i++)
-        add(within(2e16), 3e15);
-    add(1e16 * front, 1e-14);
-}
-static void far_from_the_origin(void)
-{
-    vec3 there = vec3_of(1e7, -3e7, 2e7);
-    look(there + front, there, above, 60, 40, 30);
-    for (int i = 0; i < 50; i++)
-        add(there + within(2), 0.4);
-}
-static void through_a_telescope(void)
-{
-    look_from(1e6 * front, 1e-5, 40, 30);
-    for (int i = 0; i < 100; i++)
-        add(vec3_of(uniform(-0.5, 0.5), uniform(-0.4, 0.4), uniform(-1e3, 1e3)), 0.1);
-}
-static void nearly_all_around(void)
-{
-    look_from(front, 179.9, 40, 30);
-    for (int i = 0; i < 100; i++)
-        add(front + uniform(1, 5) * direction(), 0.3);
-}
-static void in_one_another(void)
-{
-    look_from(front, 60, 61, 47);
-    for (int i = 0; i < 40; i++)
-        add(within(1), 1);
-}
-
-static const struct {
-    const char *name;
-    void (*make)(void);
-} difficult[] = {{"nothing", nothing},
-                 {"around the eye", around_the_eye},
-                 {"touching the eye", touching_the_eye},
-                 {"nearly touching the eye", nearly_touching_the_eye},
-                 {"beside and behind the eye", beside_and_behind},
-                 {"behind the eye", behind},
-                 {"partly outside the screen", partly_outside},
-                 {"coincident", coincident},
-                 {"the same, far and near", the_same_far_and_near},
-                 {"close behind one another", close_behind_one_another},
-                 {"outlines through pixel centres", outlines_through_pixel_centres},
-                 {"tangent to one another", tangent_to_one_another},
-                 {"tiny", tiny},
-                 {"huge", huge},
-                 {"of another size", of_another_size},
-                 {"of no ordinary size", of_no_ordinary_size},
-                 {"far from the origin", far_from_the_origin},
-                 {"through a telescope", through_a_telescope},
-                 {"nearly all around", nearly_all_around},
-                 {"in one another", in_one_another}};
-
-bool made_difficult(Made *made, int number, Frame frame)
-{
-    static const char *const frames[FRAMES] = {"", ", mirrored", ", stretched", ", leaning"};
-    if (number >= (int)(sizeof difficult / sizeof difficult[0]))
-        return false;
-    now = made;
-    frame_now = frame;
-    state = (unsigned long long)number + 1;
-    difficult[number].make();
-    snprintf(made->name, sizeof made->name, "%s%s", difficult[number].name, frames[frame]);
-    return true;
-}
-
-// ---- sizes ------------------------------------------------------------------------------------
+enum { MOST_AT_RANDOM = 400 };
 
 static void begin(Made *made, const char *name)
 {
@@ -308,7 +28,7 @@ void made_sized(Made *made, Resolution size)
 void made_many(Made *made)
 {
     begin(made, "many");
-    look_from(front, 50, 40, 35);
+    look_from(front, 50, 29, 23);
     while (made->scene.sphere_count < MOST)
         add(within(2), uniform(0.01, 0.04));
 }
@@ -318,7 +38,7 @@ void made_wide(Made *made)
     begin(made, "wide");
     look_from(front, 1, 1, 4096);
     made->camera.height = 2 * made->camera.distance;
-    for (int i = 0; i < 5000; i++)
+    for (int i = 0; i < 4300; i++)
         add(within(1), uniform(2, 3));
 }
 
@@ -327,12 +47,11 @@ void made_wide(Made *made)
 static void add_odd(vec3 at, double unit)
 {
     const vec3 eye = now->camera.origin;
-    const Sphere earlier =
-        spheres[now->scene.sphere_count > 0 ? (int)uniform(0, now->scene.sphere_count) : 0];
-    const bool first = now->scene.sphere_count == 0;
+    const int count = now->scene.sphere_count;
+    const Sphere earlier = now->scene.spheres[(int)uniform(0, count)]; // of none: not looked at
     double radius = unit * power_of_ten(-2, 0);
     vec3 aside = direction();
-    switch (first ? 4 : (int)uniform(0, 10)) {
+    switch (count == 0 ? 4 : (int)uniform(0, 10)) {
     case 0: // the same again; or nearly
         add(earlier.center, earlier.radius);
         break;
@@ -389,4 +108,33 @@ void made_at_random(Made *made, unsigned number)
         else
             add(at, unit * size * uniform(0.1, 1));
     }
+}
+
+// ---- very many --------------------------------------------------------------------------------
+
+bool made_uniform(Made *made, int count, double larger)
+{
+    begin(made, "");
+    snprintf(made->name, sizeof made->name, "%d spheres, %g times as large", count, larger);
+    look(vec3_of(1.5, 1.2, 3), middle, vec3_of(0, 1, 0), 72.734, 1920, 1080);
+    Sphere *many = malloc((size_t)count * sizeof *many);
+    if (many == NULL)
+        return false;
+    Surface *surfaces = made->scene.surfaces;
+    for (int i = 0; i < MOST; i++)
+        surfaces[i].color = color_number(i);
+    const double spacing = 2 / cbrt(count);
+    for (int i = 0; i < count; i++) {
+        vec3 center = within(1);
+        many[i] = (Sphere){center, larger * spacing * uniform(0.2, 0.6), i % MOST};
+    }
+    made->scene.spheres = many;
+    made->scene.sphere_count = count;
+    made->scene.surface_count = MOST;
+    return true;
+}
+
+void made_uniform_free(Made *made)
+{
+    free(made->scene.spheres);
 }

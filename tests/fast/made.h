@@ -31,4 +31,9 @@ void made_wide(Made *made);
 // A random one: one to 400 spheres of all kinds, for a number always the same.
 void made_at_random(Made *made, unsigned number);
 
+// So many small ones in a cube, as random_nff.c writes them but so many times larger, in memory of
+// their own. False where there is none.
+bool made_uniform(Made *made, int count, double larger);
+void made_uniform_free(Made *made);
+
 #endif
