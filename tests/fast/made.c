@@ -28,16 +28,24 @@ void made_sized(Made *made, Resolution size)
 void made_many(Made *made)
 {
     begin(made, "many");
-    look_from(front, 50, 29, 23);
-    while (made->scene.sphere_count < MOST)
-        add(within(2), uniform(0.01, 0.04));
+    look_from(front, 60, 29, 23);
+    for (int i = 0; i < MOST; i++) {
+        // Where threads may have their limits, spheres are in front of all others.
+        int k = i / 1000;
+        if (i % 1000 == 0)
+            add(vec3_of(0.5 * (k % 4) - 1.2, 0.4 * (k / 4) - 0.6, 2.5), 0.1);
+        else if (i % 1000 == 999)
+            add(vec3_of(0.5 * (k % 4) - 0.95, 0.4 * (k / 4) - 0.6, 2.5), 0.1);
+        else
+            add(within(1), uniform(0.16, 0.3));
+    }
 }
 
 void made_wide(Made *made)
 {
     begin(made, "wide");
     look_from(front, 1, 1, 4096);
-    made->camera.height = 2 * made->camera.distance;
+    made->camera.height = 0.5 * made->camera.distance;
     for (int i = 0; i < 4300; i++)
         add(within(1), uniform(2, 3));
 }

@@ -1,6 +1,8 @@
 // made_difficult.c - scenes that are made to be difficult.
 #include "tests/fast/parts.h"
 
+#include "exercises/04-pixel-ray.h"
+
 #include <stdio.h>
 
 static void nothing(void)
@@ -48,9 +50,9 @@ static void behind(void)
     for (int i = 0; i < 50; i++)
         add(front + within(3) + vec3_of(0, 0, 4), uniform(0.1, 2));
 }
-static void partly_outside(void)
+static void tangent_to_rays(void)
 {
-    // Beyond each edge and corner of the screen, and just not.
+    // Which also puts them beyond each edge and corner of the screen.
     look_from(front, 60, 37, 31);
     for (int i = 0; i < 60; i++)
         add_tangent(power_of_ten(-2, 1), uniform(1, 9));
@@ -88,6 +90,16 @@ static void outlines_through_pixel_centres(void)
         add(vec3_of((i + 0.5) / 2, 0, 0), 0.25);
     add(vec3_of(-2, -2, 0), 2);
     add(vec3_of(-2, 2, 1), 1);
+}
+static void touching_at_their_outlines(void)
+{
+    // All touch one ray in one place, and go different ways from there.
+    look_from(front, 40, 40, 30);
+    Ray ray = pixel_ray(now->camera, now->size, (Pixel){20, 15});
+    vec3 place = ray.origin + 0.8 * ray.direction;
+    vec3 ahead = vec3_unit(ray.direction), aside = vec3_unit(vec3_cross(ahead, above));
+    for (int i = 0; i < 30; i++)
+        add(place + 0.1 * (i + 1) * aside + 1e-7 * direction(), 0.1 * (i + 1));
 }
 static void tangent_to_one_another(void)
 {
@@ -163,11 +175,12 @@ static const struct {
                  {"nearly touching the eye", nearly_touching_the_eye},
                  {"beside and behind the eye", beside_and_behind},
                  {"behind the eye", behind},
-                 {"partly outside the screen", partly_outside},
+                 {"tangent to rays", tangent_to_rays},
                  {"coincident", coincident},
                  {"the same, far and near", the_same_far_and_near},
                  {"close behind one another", close_behind_one_another},
                  {"outlines through pixel centres", outlines_through_pixel_centres},
+                 {"touching at their outlines", touching_at_their_outlines},
                  {"tangent to one another", tangent_to_one_another},
                  {"tiny", tiny},
                  {"huge", huge},

@@ -85,6 +85,8 @@ void add_tangent(double radius, double away)
 {
     Pixel pixel = {(int)uniform(0, now->size.width), (int)uniform(0, now->size.height)};
     Ray ray = pixel_ray(now->camera, now->size, pixel);
-    vec3 ahead = vec3_unit(ray.direction), aside = vec3_unit(vec3_cross(ahead, direction()));
-    add(ray.origin + away * ahead + radius * aside, radius);
+    // As often as not where its outline is farthest left or right, above or below.
+    vec3 across = once_in(2) ? direction() : once_in(2) ? now->camera.up : now->camera.right;
+    vec3 ahead = vec3_unit(ray.direction), aside = vec3_unit(vec3_cross(ahead, across));
+    add(ray.origin + away * ahead + (once_in(2) ? radius : -radius) * aside, radius);
 }
