@@ -87,6 +87,9 @@ static void add_odd(vec3 at, double unit)
         radius = unit * power_of_ten(1, 9);
         add(at + radius * aside, radius);
         break;
+    case 8: // met by a ray where another is
+        add_meeting(radius, power_of_ten(0, 4), unit * power_of_ten(-1, 1));
+        break;
     default: // touches a ray
         add_tangent(radius, unit * power_of_ten(-1, 1));
     }

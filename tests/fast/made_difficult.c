@@ -91,6 +91,18 @@ static void outlines_through_pixel_centres(void)
     add(vec3_of(-2, -2, 0), 2);
     add(vec3_of(-2, 2, 1), 1);
 }
+static void meeting_on_rays(void)
+{
+    look_from(front, 60, 64, 48);
+    for (int i = 0; i < 60; i++)
+        add_meeting(0.05, uniform(1, 4), uniform(4, 6));
+}
+static void meeting_far_away(void)
+{
+    look_from(1e3 * front, 0.046, 64, 48);
+    for (int i = 0; i < 60; i++)
+        add_meeting(0.05, uniform(1, 4), 5e3 + uniform(-1, 1));
+}
 static void touching_at_their_outlines(void)
 {
     // All touch one ray in one place, and go different ways from there.
@@ -180,6 +192,8 @@ static const struct {
                  {"the same, far and near", the_same_far_and_near},
                  {"close behind one another", close_behind_one_another},
                  {"outlines through pixel centres", outlines_through_pixel_centres},
+                 {"meeting on rays", meeting_on_rays},
+                 {"meeting far away", meeting_far_away},
                  {"touching at their outlines", touching_at_their_outlines},
                  {"tangent to one another", tangent_to_one_another},
                  {"tiny", tiny},

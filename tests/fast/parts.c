@@ -81,12 +81,29 @@ void look_from(vec3 from, double angle, int width, int height)
     look(from, middle, above, angle, width, height);
 }
 
+static Ray ray_of_a_pixel(void)
+{
+    int column = (int)uniform(0, now->size.width), row = (int)uniform(0, now->size.height);
+    return pixel_ray(now->camera, now->size, (Pixel){column, row});
+}
+
 void add_tangent(double radius, double away)
 {
-    Pixel pixel = {(int)uniform(0, now->size.width), (int)uniform(0, now->size.height)};
-    Ray ray = pixel_ray(now->camera, now->size, pixel);
+    Ray ray = ray_of_a_pixel();
     // As often as not where its outline is farthest left or right, above or below.
     vec3 across = once_in(2) ? direction() : once_in(2) ? now->camera.up : now->camera.right;
     vec3 ahead = vec3_unit(ray.direction), aside = vec3_unit(vec3_cross(ahead, across));
     add(ray.origin + away * ahead + (once_in(2) ? radius : -radius) * aside, radius);
+}
+
+void add_meeting(double radius, double times, double away)
+{
+    Ray ray = ray_of_a_pixel();
+    vec3 ahead = vec3_unit(ray.direction);
+    for (int i = 0; i < 2; i++, radius *= times) {
+        // From head on to hardly at all.
+        vec3 aside = vec3_unit(vec3_cross(ahead, direction()));
+        double angle = PI / 2 * (1 - power_of_ten(-4, 0));
+        add(ray.origin + away * ahead + radius * (cos(angle) * ahead + sin(angle) * aside), radius);
+    }
 }

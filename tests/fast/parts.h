@@ -30,6 +30,9 @@ void add(vec3 center, double radius);
 // One that the ray of a random pixel touches, so far away.
 void add_tangent(double radius, double away);
 
+// Two that the ray of a random pixel meets in the same place; the second is so many times larger.
+void add_meeting(double radius, double times, double away);
+
 // The colour of number i, and all of them.
 Color color_number(int i);
 
