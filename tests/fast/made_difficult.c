@@ -91,6 +91,17 @@ static void outlines_through_pixel_centres(void)
     add(vec3_of(-2, -2, 0), 2);
     add(vec3_of(-2, 2, 1), 1);
 }
+static void of_one_pixel_where_tiles_meet(void)
+{
+    static const int places[] = {0, 3, 4, 7, 15, 16, 31, 32, 39};
+    enum { PLACES = sizeof places / sizeof places[0] };
+    look_from(front, 60, 40, 40);
+    for (int i = 0; i < PLACES * PLACES; i++) {
+        Pixel pixel = {places[i % PLACES], places[i / PLACES]};
+        Ray ray = pixel_ray(now->camera, now->size, pixel);
+        add(ray.origin + uniform(1, 2) * ray.direction, 0.01);
+    }
+}
 static void meeting_on_rays(void)
 {
     look_from(front, 60, 64, 48);
@@ -192,6 +203,7 @@ static const struct {
                  {"the same, far and near", the_same_far_and_near},
                  {"close behind one another", close_behind_one_another},
                  {"outlines through pixel centres", outlines_through_pixel_centres},
+                 {"of one pixel, where tiles meet", of_one_pixel_where_tiles_meet},
                  {"meeting on rays", meeting_on_rays},
                  {"meeting far away", meeting_far_away},
                  {"touching at their outlines", touching_at_their_outlines},
