@@ -70,17 +70,18 @@ static bool has_lanes(const Engine *engine)
 
 // Engines that are not compiled for several instruction sets are tried with one.
 void against_all(const char *name, const Engine *first, const Work *right, const int *threads,
-                 bool rotate)
+                 How how)
 {
     lanes_at_most = LANES_AVX512;
     const int best = (int)lanes_best();
     const int *turn = threads;
     for (const Engine *engine = first; engine->name != NULL; engine++) {
-        for (int kind = has_lanes(engine) ? LANES_BASELINE : best; kind <= best; kind++) {
+        for (int kind = has_lanes(engine) && how != BEST_SET ? LANES_BASELINE : best; kind <= best;
+             kind++) {
             lanes_at_most = (LanesKind)kind;
-            for (const int *n = threads; !rotate && *n > 0; n++)
+            for (const int *n = threads; how == EACH && *n > 0; n++)
                 compare(name, engine, right, *n);
-            if (rotate) {
+            if (how != EACH) {
                 compare(name, engine, right, *turn);
                 turn = turn[1] > 0 ? turn + 1 : threads;
             }

@@ -14,11 +14,14 @@ extern int passed, failed;
 // Says why, as one that failed.
 void against_fail(const char *name, const char *why);
 
-// All engines from this one on against the picture in right, which was cast before. Each number of
-// threads (the list ends with 0) counts once for each instruction set; where rotate is true they
-// take turns instead: the first set has the first number, and so on.
+// Each number of threads with each instruction set; the sets and the numbers in turns: the first
+// set has the first number, and so on; or only the best set, and numbers in turns.
+typedef enum { EACH, IN_TURNS, BEST_SET } How;
+
+// All engines from this one on against the picture in right, which was cast before, by these
+// numbers of threads (the list ends with 0).
 void against_all(const char *name, const Engine *first, const Work *right, const int *threads,
-                 bool rotate);
+                 How how);
 
 // Rows of a picture against chapter 06's loop, scattered: at most so many rows, and no more ray and
 // sphere tests. Only spheres that the plane of a row's rays comes near are asked.

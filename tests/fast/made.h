@@ -24,11 +24,13 @@ bool made_difficult(Made *made, int number, Frame frame);
 // The same few spheres on a screen of any size.
 void made_sized(Made *made, Resolution size);
 
-// More spheres than one thread is given; spheres that are all in nearly all of many tiles.
+// So many spheres that threads share them; spheres that cover so many tiles that bins are filled
+// for some of these at a time.
 void made_many(Made *made);
 void made_wide(Made *made);
 
-// A random one: one to 400 spheres of all kinds, for a number always the same.
+// A random one: one to 400 spheres of all kinds. For a number always the same, by one compiler:
+// in which order it takes the numbers of one call is its own affair.
 void made_at_random(Made *made, unsigned number);
 
 // So many small ones in a cube, as random_nff.c writes them but so many times larger, in memory of

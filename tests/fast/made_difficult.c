@@ -83,6 +83,13 @@ static void close_behind_one_another(void)
     for (int i = 0; i < 60; i++)
         add(front + vec3_of(0, 0, -1e3 - uniform(0, 1e-4)), 300);
 }
+static void hardly_before_a_wall(void)
+{
+    look(front, middle, vec3_of(0, 1, 0), 40, 40, 30);
+    add(vec3_of(0, 0, -1e3), 1e3);
+    for (int i = 0; i < 60; i++)
+        add(vec3_of(uniform(-1.8, 1.8), uniform(-1.4, 1.4), -0.095), 0.1);
+}
 static void outlines_through_pixel_centres(void)
 {
     look(vec3_of(0, 0, 8), middle, vec3_of(0, 1, 0), 90, 32, 32);
@@ -202,6 +209,7 @@ static const struct {
                  {"coincident", coincident},
                  {"the same, far and near", the_same_far_and_near},
                  {"close behind one another", close_behind_one_another},
+                 {"hardly before a wall", hardly_before_a_wall},
                  {"outlines through pixel centres", outlines_through_pixel_centres},
                  {"of one pixel, where tiles meet", of_one_pixel_where_tiles_meet},
                  {"meeting on rays", meeting_on_rays},

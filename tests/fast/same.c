@@ -14,7 +14,7 @@
 
 static const int one[] = {1, 0}, some[] = {1, 3, 0}, all[] = {1, 2, 3, 77, 0};
 
-static void try_made(const Made *made, const int *threads, bool rotate)
+static void try_made(const Made *made, const int *threads, How how)
 {
     Message message;
     Image image;
@@ -26,7 +26,7 @@ static void try_made(const Made *made, const int *threads, bool rotate)
     const Engine *next = &engines[made->scene.sphere_count > 1000];
     Work right = {&made->scene, made->camera, &image, 1, NULL};
     engines[0].cast(&right, &message);
-    against_all(made->name, next, &right, threads, rotate);
+    against_all(made->name, next, &right, threads, how);
     image_free(&image);
 }
 
@@ -35,17 +35,17 @@ static void try_all_made(void)
     static Made made;
     for (int frame = 0; frame < FRAMES; frame++)
         for (int i = 0; made_difficult(&made, i, (Frame)frame); i++)
-            try_made(&made, frame == FRAME_USUAL ? some : one, false);
+            try_made(&made, frame == FRAME_USUAL ? some : one, EACH);
     const Resolution sizes[] = {{1, 1},   {1, 97},  {97, 1},  {2, 3},   {17, 16},  {16, 17},
                                 {33, 31}, {31, 33}, {64, 48}, {65, 49}, {1, 4096}, {4096, 1}};
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         made_sized(&made, sizes[i]);
-        try_made(&made, all, false);
+        try_made(&made, all, EACH);
     }
     made_many(&made);
-    try_made(&made, all, true);
+    try_made(&made, all, IN_TURNS);
     made_wide(&made);
-    try_made(&made, all, true);
+    try_made(&made, all, IN_TURNS);
 }
 
 int main(int argc, char **argv)
@@ -59,7 +59,7 @@ int main(int argc, char **argv)
     static Made made;
     for (int i = first; i < first + random; i++) {
         made_at_random(&made, (unsigned)i);
-        try_made(&made, some, true);
+        try_made(&made, some, IN_TURNS);
     }
     return against_end("engines");
 }

@@ -24,14 +24,14 @@ counted() {
 # ---- the same picture ---------------------------------------------------------------------------
 
 # Against chapter 06's loop, all of it: 1e10 tests of a ray and a sphere take minutes on one core, so
-# what takes more than 1e9 at 1920 x 1080 is compared whole at a smaller size. There it is compared
-# with the hierarchy, and rows of that with chapter 06.
+# of what takes more than 1e9 a smaller picture is compared with it whole, the large one with that of
+# the hierarchy, and rows of this with chapter 06's.
 if [ -z "${BRIEF:-}" ]; then
     counted "$same" 1000 101
     # shellcheck disable=SC2046 # names are words
     counted "$files" 1920x1080 1e9 $(echo chapters/06-ray-casting/*.nff chapters/*/figures/*.nff) \
         "$scenes"/*.nff
-    counted "$files" 1280x720 1e10 "$scenes/sphereflake-820.nff" "$scenes/random-1000.nff"
+    counted "$files" 960x540 1e10 "$scenes/sphereflake-820.nff" "$scenes/random-1000.nff"
     counted "$files" 4096x4096 1e9 "$three" "$scenes/sphereflake-91.nff"
     counted "$files" 641x479 1e10 "$scenes/sunflower.nff"
 else
