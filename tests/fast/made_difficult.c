@@ -85,10 +85,10 @@ static void close_behind_one_another(void)
 }
 static void hardly_before_a_wall(void)
 {
-    look(front, middle, vec3_of(0, 1, 0), 40, 40, 30);
+    look(front, middle, vec3_of(0, 1, 0), 4, 40, 30);
     add(vec3_of(0, 0, -1e3), 1e3);
     for (int i = 0; i < 60; i++)
-        add(vec3_of(uniform(-1.8, 1.8), uniform(-1.4, 1.4), -0.095), 0.1);
+        add(vec3_of(uniform(-0.16, 0.16), uniform(-0.12, 0.12), -0.019), 0.02);
 }
 static void outlines_through_pixel_centres(void)
 {
