@@ -398,10 +398,15 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
-# Every engine of chapter 08 against the first: flat, and with light.
+# Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
+# it takes; and shadows and mirrors against chapter 07.
+SAME_ENGINES := $(patsubst %,$(B)/tests/fast/%,same files memory)
 ENGINES := $(B)/tests/fast/same $(B)/tests/fast/lit
+ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
+$(SAME_ENGINES): $(patsubst %,$(B)/tests/fast/%.o,against made made_difficult parts)
 $(B)/tests/fast/lit: $(B)/tests/fast/lit_scenes.o
-$(ENGINES): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) $(LIGHTS_SCENES) \
+$(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+		$(LIGHTS_SCENES) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
@@ -484,7 +489,7 @@ check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
 # What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it.
-check-all: $(CHECKS) $(FOR_CHECKS) ## those that need longer, too
+check-all: $(CHECKS) $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(BENCH_SCENES)) ## those that need longer, too
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
 
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
