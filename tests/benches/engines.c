@@ -102,7 +102,7 @@ static int different(const Work *mine, const Image *expected, bool peer)
 static Resolution size_for(const Engine *engine, const Scene *scene, const Plan *plan, int threads)
 {
     Resolution size = plan->size;
-    for (int part = SMALLEST; part > 1; part /= 2) {
+    for (int part = SMALLEST; part > 1; part /= 4) {
         size = (Resolution){plan->size.width / part, plan->size.height / part};
         Work work;
         Image image;
@@ -110,7 +110,7 @@ static Resolution size_for(const Engine *engine, const Scene *scene, const Plan 
         work_begin(&work, &image, scene, size, threads);
         bool done = cast_once(engine, &work, &build, &cast);
         image_free(&image);
-        if (!done || 4 * cast > plan->longest)
+        if (!done || 16 * cast > plan->longest)
             return size;
         if (cast * part * part < plan->longest)
             break;
