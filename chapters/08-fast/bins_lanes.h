@@ -77,7 +77,7 @@ typedef struct {
 } Outlines;
 
 typedef struct {
-    // Where so many spheres are; the first one is this one.
+    // Where so many spheres are on the screen; they are the scene's from number first on.
     void (*place)(const Eye *eye, const Positions *positions, int first, int count, Place *places);
     // Nothing seen yet, in so many columns and rows; there is nothing to see in the others.
     void (*clear)(Tile *tile, int columns, int rows, int color);
