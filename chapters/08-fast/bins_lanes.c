@@ -84,8 +84,8 @@ static void clear(Tile *tile, int columns, int rows, int color)
     }
 }
 
-// The columns of a part are asked 16 at a time: the first ones, which leave no room beyond the
-// tile.
+// The columns of a part are asked 16 at a time. Where the last 16 would reach beyond the tile, the
+// first begin so much earlier.
 static inline int first_lane(Part part)
 {
     int lanes = (part.right - part.left + LANES - 1) / LANES * LANES;

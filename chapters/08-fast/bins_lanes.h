@@ -32,8 +32,8 @@ typedef struct {
     double width, height;
 } Eye;
 
-// The pixels of a tile. s is how far the nearest surface is, as t v.v; a pixel that float cannot
-// decide has UNSURE in its colour.
+// The pixels of a tile. s is how far the nearest surface is, as t v.v, which is its distance times
+// |v|; a pixel that float cannot decide has UNSURE in its colour.
 enum { UNSURE = 1 << 24 };
 typedef struct {
     float s[TILE_HEIGHT * TILE_WIDTH];

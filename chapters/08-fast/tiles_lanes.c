@@ -122,7 +122,8 @@ static float largest(const float *x)
     return result;
 }
 
-// Spheres ask the tile; then nothing matters behind the farthest of what its rays surely hit.
+// Spheres ask the tile; then nothing matters behind the farthest of what its rays surely hit. (An
+// end is t v.v, a distance times |v|: divided by the least |v| it is no less than the distance.)
 static void ask(Frustum *frustum, const View *view, const Tile *tile, int first, int count)
 {
     bool changed = false;
