@@ -84,8 +84,8 @@ static void clear(Tile *tile, int columns, int rows, int color)
     }
 }
 
-// The columns of a part are asked 16 at a time: the first ones, which leave no room beyond the
-// tile.
+// The columns of a part are asked 16 at a time. Where the last 16 would reach beyond the tile, the
+// first begin so much earlier.
 static inline int first_lane(Part part)
 {
     int lanes = (part.right - part.left + LANES - 1) / LANES * LANES;
@@ -117,8 +117,9 @@ static float farthest(const Tile *tile, Part part)
 }
 
 // By Lagrange's identity D = b^2 - |v|^2 (|c|^2 - r^2) is r^2 |v|^2 - |c x v|^2: there no large
-// numbers cancel. Counted from the middle of the sphere's part, no term is much larger than D gets
-// in it, so float has D to some 2^-24 of their sum.
+// numbers cancel. The ray x columns and y rows on is v + x g + y h. Counted from the middle of the
+// sphere's part, no term is much larger than D gets in it, so float has D to some 2^-24 of their
+// sum.
 static void outline(const Rays *rays, const Candidates *from, int count, Outlines *to)
 {
     const double *f = rays->first, *g = rays->column, *h = rays->row;
@@ -131,7 +132,8 @@ static void outline(const Rays *rays, const Candidates *from, int count, Outline
         double vx = f[0] + column * g[0] + row * h[0];
         double vy = f[1] + column * g[1] + row * h[1];
         double vz = f[2] + column * g[2] + row * h[2];
-        double wx = cy * vz - cz * vy, wy = cz * vx - cx * vz, wz = cx * vy - cy * vx; // c x v
+        // c x v, c x g and c x h; then dot products of these, and of v and g, v and h.
+        double wx = cy * vz - cz * vy, wy = cz * vx - cx * vz, wz = cx * vy - cy * vx;
         double gx = cy * g[2] - cz * g[1], gy = cz * g[0] - cx * g[2], gz = cx * g[1] - cy * g[0];
         double hx = cy * h[2] - cz * h[1], hy = cz * h[0] - cx * h[2], hz = cx * h[1] - cy * h[0];
         double vv = vx * vx + vy * vy + vz * vz, ww = wx * wx + wy * wy + wz * wz;

@@ -32,8 +32,8 @@ typedef struct {
     double width, height;
 } Eye;
 
-// The pixels of a tile. s is how far the nearest surface is, as t v.v; a pixel that float cannot
-// decide has UNSURE in its colour.
+// The pixels of a tile. s is how far the nearest surface is, as t v.v, which is its distance times
+// |v|; a pixel that float cannot decide has UNSURE in its colour.
 enum { UNSURE = 1 << 24 };
 typedef struct {
     float s[TILE_HEIGHT * TILE_WIDTH];
@@ -77,7 +77,7 @@ typedef struct {
 } Outlines;
 
 typedef struct {
-    // Where so many spheres are; the first one is this one.
+    // Where so many spheres are on the screen; they are the scene's from number first on.
     void (*place)(const Eye *eye, const Positions *positions, int first, int count, Place *places);
     // Nothing seen yet, in so many columns and rows; there is nothing to see in the others.
     void (*clear)(Tile *tile, int columns, int rows, int color);

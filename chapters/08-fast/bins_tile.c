@@ -2,7 +2,7 @@
 // rest is hidden behind what was seen.
 //
 // Float decides where its error cannot matter (bins_lanes.c). What it leaves open is decided by
-// chapter 06's functions, in double, at the end.
+// chapter 05's hit_sphere, in double, at the end.
 #include "chapters/08-fast/bins_tile.h"
 
 #include "chapters/08-fast/nearest.h"

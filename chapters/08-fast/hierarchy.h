@@ -24,8 +24,8 @@ static inline double box_surface(const Box *box)
 }
 
 // A node holds count spheres, from first on in the order of the hierarchy. It has two children, or
-// none: a leaf. The one is behind it, the other is number other; along axis the one's are before
-// the other's.
+// none: a leaf. The one is the next of the nodes, the other is number other; along axis the centres
+// in the one are before those in the other.
 typedef struct {
     Box box;
     int first, count;

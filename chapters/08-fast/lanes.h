@@ -3,8 +3,12 @@
 // A file NAME_lanes.c is compiled once for each kind (Makefile), with LANES_KIND set to its name,
 // and gives what is in it under a name of its own: LANES(bins) is bins_avx512, bins_avx2 or
 // bins_baseline. Its loops are plain C over arrays; the compiler makes of 16 steps at a time what
-// the instruction set has: one vector of 16 floats, two of 8, four of 4. Such objects take numbers
-// and arrays only, never a vec3: between instruction sets that is passed in different ways.
+// the instruction set has: one vector of 16 floats, two of 8, four of 4. A lane is one of the 16.
+// '#pragma omp simd' promises the compiler that no step needs what another one finds, but for what
+// is in 'reduction(| : any)': to that all add with |, in any order.
+//
+// Such objects take numbers and arrays only, never a vec3: between instruction sets that is passed
+// in different ways.
 #ifndef CHAPTERS_08_FAST_LANES_H
 #define CHAPTERS_08_FAST_LANES_H
 

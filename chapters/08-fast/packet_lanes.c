@@ -35,7 +35,7 @@ static void inverse_of(Inverse *of, const View *view, const Packet *packet)
         of->middle[axis] = direction(view, axis, packet->x[LANES / 2], packet->y[LANES / 2]);
 }
 
-// Whether any ray enters the box before what it surely hits: the slabs of nearest.c, for 16 rays.
+// Whether any ray enters the box before what it surely hits: the slabs of way.h, for 16 rays.
 static inline bool packet_enters(const Inverse *of, const SeenNode *node)
 {
     float low_x = node->low[0], low_y = node->low[1], low_z = node->low[2];
@@ -69,7 +69,8 @@ static void ask_leaf(Packet *packet, Inverse *of, const View *view, const SeenNo
     }
 }
 
-// Depth first, and of two children the one that the ray in the middle meets first.
+// Depth first, and of two children the one where the ray in the middle comes first, by its
+// direction along the axis of their split.
 static void walk(Packet *packet, const View *view, int column, int row)
 {
     Inverse of;

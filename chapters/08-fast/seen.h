@@ -3,13 +3,15 @@
 // A float has 7 digits: enough for nearly every pixel, and where it is not, that can be known. A
 // ray goes from the eye along v = (x, y, 1), by the camera's axes; a sphere round c of radius r is
 // |c x v| / |v| beside it. So the ray meets it where D = r^2 |v|^2 - |c x v|^2 >= 0, at
-// t = (c.v - sqrt(D)) / v.v: nothing cancels, however far the sphere is. (D is a quarter of chapter
-// 05's discriminant, by Lagrange's identity |c x v|^2 = |c|^2 |v|^2 - (c.v)^2.)
+// t = (c.v - sqrt(D)) / v.v. What is subtracted in D has the size of the sphere, not of how far
+// away it is. (D is a quarter of chapter 05's discriminant, by Lagrange's identity
+// |c x v|^2 = |c|^2 |v|^2 - (c.v)^2.)
 //
-// With u = 2^-24, what rounds a number to a float: rounding c and v and computing puts c x v off by
-// less than 6u |c||v|, D by less than e (r + e) |v|^2, and c.v by less than e |v|, where
-// e = 16u (|c| + r). So two spheres stand for each. A ray that misses the larger, of squared radius
-// r^2 + e (r + e), misses it; a ray that meets the smaller meets it; the others are in doubt.
+// With u = 2^-24 (C writes 0x1p-24), what rounds a number to a float: rounding c and v and
+// computing puts c x v off by less than 6u |c||v|, D by less than e (r + e) |v|^2, and c.v by less
+// than e |v|, where e = 16u (|c| + r). So two spheres stand for each. A ray that misses the larger,
+// of squared radius r^2 + e (r + e), misses it; a ray that meets the smaller meets it; the others
+// are in doubt.
 #ifndef CHAPTERS_08_FAST_SEEN_H
 #define CHAPTERS_08_FAST_SEEN_H
 

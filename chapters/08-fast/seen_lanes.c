@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <string.h>
 
-// Between 0 and most; a number that is none counts as 0.
+// Between 0 and most; what is not a number counts as 0.
 static inline double clamped(double x, double most)
 {
     x = x > 0 ? x : 0;

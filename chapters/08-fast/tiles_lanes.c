@@ -55,8 +55,10 @@ static void frustum_begin(Frustum *frustum, const View *view, const Tile *tile)
     }
 }
 
-// Where the boxes of a node are in the frustum, or may be: bits. And how near each begins. 2^-20 of
-// how far the node reaches, more, is for rounding.
+// Which boxes of a node are in the frustum, or may be: bits. And how near each begins. Along a
+// direction n a box reaches from n.middle - |n|.half to n.middle + |n|.half; where even the
+// latter is outside of a side, all of it is. For rounding, boxes are larger by 2^-20 of how far the
+// node reaches.
 static unsigned frustum_enters(const Frustum *frustum, const View *view, const WideNode *node,
                                float *near)
 {
@@ -120,7 +122,8 @@ static float largest(const float *x)
     return result;
 }
 
-// Spheres ask the tile; then nothing matters behind the farthest of what its rays surely hit.
+// Spheres ask the tile; then nothing matters behind the farthest of what its rays surely hit. (An
+// end is t v.v, a distance times |v|: divided by the least |v| it is no less than the distance.)
 static void ask(Frustum *frustum, const View *view, const Tile *tile, int first, int count)
 {
     bool changed = false;
@@ -145,7 +148,7 @@ static int enter(const Frustum *frustum, const View *view, const WideNode *node,
     int before = count;
     for (unsigned enters = frustum_enters(frustum, view, node, near); enters != 0;
          enters &= enters - 1) {
-        int i = __builtin_ctz(enters), place = count++;
+        int i = __builtin_ctz(enters), place = count++; // the lowest bit that is set
         for (; place > before && waiting[place - 1].near < near[i]; place--)
             waiting[place] = waiting[place - 1];
         waiting[place] = (Waiting){near[i], node->first[i], node->count[i]};

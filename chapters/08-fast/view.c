@@ -9,8 +9,8 @@ vec3 view_center(Camera camera, Sphere sphere)
     return vec3_of(vec3_dot(c, camera.right), vec3_dot(c, camera.up), vec3_dot(c, camera.forward));
 }
 
-// The ends of a sphere's outline along one axis of the plane at distance 1. Seen from the side, two
-// lines through the eye touch a circle round (ahead, aside); g = ahead^2 - r^2 > 0.
+// The ends of a sphere's outline along one axis of the plane at distance 1. Seen along the other
+// axis, two lines through the eye touch a circle round (ahead, aside); g = ahead^2 - r^2 > 0.
 static void outline(double ahead, double aside, double r, double g, double *low, double *high)
 {
     double middle = ahead * aside / g;
