@@ -1,6 +1,8 @@
 // hierarchy.c - building a bounding volume hierarchy: where to split, and splitting.
 #include "chapters/08-fast/hierarchy.h"
 
+#include "chapters/08-fast/large_memory.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -154,8 +156,8 @@ static void build(const Builder *builder, int first, int count, int depth)
 bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene)
 {
     size_t count = (size_t)scene->sphere_count;
-    *hierarchy = (Hierarchy){.nodes = malloc((2 * count + 1) * sizeof(Node)),
-                             .order = malloc((count + 1) * sizeof(int))};
+    *hierarchy = (Hierarchy){.nodes = large_memory((2 * count + 1) * sizeof(Node)),
+                             .order = large_memory((count + 1) * sizeof(int))};
     if (hierarchy->nodes == NULL || hierarchy->order == NULL) {
         hierarchy_free(hierarchy);
         return false;

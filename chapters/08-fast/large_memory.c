@@ -7,12 +7,13 @@
 
 void *large_memory(size_t size)
 {
-    const size_t page = 1 << 21;
-    if (size < page || size > SIZE_MAX - page)
-        return malloc(size);
-    void *memory = aligned_alloc(page, (size + page - 1) / page * page);
+    const size_t line = 64, page = 1 << 21;
+    if (size > SIZE_MAX - page)
+        return NULL;
+    const size_t unit = size < page ? line : page;
+    void *memory = aligned_alloc(unit, (size + unit - 1) / unit * unit);
 #ifdef MADV_HUGEPAGE
-    if (memory != NULL)
+    if (memory != NULL && unit == page)
         madvise(memory, size, MADV_HUGEPAGE); // a wish: without it, all is well, too
 #endif
     return memory;

@@ -4,8 +4,9 @@
 
 #include <stddef.h>
 
-// As malloc, to be freed with free. Memory comes in pages, each found and cleared at its first use:
-// in pages of 2 MB instead of 4 KB that is a good deal cheaper.
+// As malloc, to be freed with free; it begins where a line of the cache does. Memory comes in
+// pages, each found and cleared at its first use: in pages of 2 MB instead of 4 KB that is a good
+// deal cheaper.
 void *large_memory(size_t size);
 
 #endif

@@ -1,6 +1,7 @@
 // seen_scene.c - the scene as floats: in the order of the hierarchy, from the eye.
 #include "chapters/08-fast/seen_scene.h"
 
+#include "chapters/08-fast/large_memory.h"
 #include "chapters/08-fast/parallel.h"
 #include "chapters/08-fast/view.h"
 
@@ -49,9 +50,9 @@ bool seen_scene_build(SeenScene *scene, const Work *work, bool wide)
     const size_t count = (size_t)work->scene->sphere_count, padded = count + SEEN_AT_ONCE;
     static See *const sees[LANES_KINDS] = LANES_TABLE(see);
     *scene = (SeenScene){.work = work, .paints = paints_of(work->scene), .see = sees[lanes_best()]};
-    scene->unseen = malloc((count / SEEN_AT_ONCE + 1) * sizeof *scene->unseen);
-    scene->colors = malloc(padded * sizeof *scene->colors);
-    scene->seen = malloc(padded * sizeof *scene->seen);
+    scene->unseen = large_memory((count / SEEN_AT_ONCE + 1) * sizeof *scene->unseen);
+    scene->colors = large_memory(padded * sizeof *scene->colors);
+    scene->seen = large_memory(padded * sizeof *scene->seen);
     scene->around = malloc((count + 1) * sizeof *scene->around);
     scene->x = malloc(((size_t)work->image->size.width + TILE) * sizeof *scene->x);
     scene->y = malloc(((size_t)work->image->size.height + TILE) * sizeof *scene->y);
@@ -62,7 +63,7 @@ bool seen_scene_build(SeenScene *scene, const Work *work, bool wide)
     if (count > 0 && wide)
         scene->wide = wide_build(&scene->hierarchy);
     else if (count > 0)
-        scene->nodes = malloc((size_t)scene->hierarchy.node_count * sizeof *scene->nodes);
+        scene->nodes = large_memory((size_t)scene->hierarchy.node_count * sizeof *scene->nodes);
     in_parallel(work->threads, parts(work->scene->sphere_count), line_up, scene);
     return count == 0 || scene->wide != NULL || scene->nodes != NULL;
 }

@@ -2,6 +2,8 @@
 // are 16.
 #include "chapters/08-fast/wide.h"
 
+#include "chapters/08-fast/large_memory.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,7 +59,7 @@ static void set_box(WideNode *wide, int i, const Node *node)
 static bool make_room(Widening *widening)
 {
     int room = 2 * widening->room + 16;
-    WideNode *to = aligned_alloc(alignof(WideNode), (size_t)room * sizeof *to);
+    WideNode *to = large_memory((size_t)room * sizeof *to);
     if (to == NULL)
         return false;
     if (widening->count > 0)
