@@ -36,6 +36,16 @@ check "the lesson's commands draw" lesson_is_right
 check "one of them the last picture of chapter 07's lesson" \
     "$BUILD/tests/same_picture" "$scratch/last.png" chapters/07-shading/sphereflake.png 100
 
+# A number that was measured is typed nowhere.
+quotes_the_bench() {
+    awk -F, -f tests/benches/engines.awk chapters/08-fast/rays-per-second.csv >"$scratch/tables" || return 1
+    [ "$(wc -l <"$scratch/tables")" -gt 15 ] &&
+        while IFS= read -r line; do
+            grep -qxF -e "$line" chapters/08-fast/README.md || { echo "not there: $line" && return 1; }
+        done <"$scratch/tables"
+}
+check "the lesson's tables are what was measured" quotes_the_bench
+
 refuses() {
     words=$1
     shift
