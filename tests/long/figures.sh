@@ -1,5 +1,5 @@
 #!/bin/sh
-# figures.sh - figures of 100 cameras, rays and scenes in each chapter (CAMERAS=n: of n); and all
+# figures.sh - figures of 50 cameras, rays and scenes in each chapter (CAMERAS=n: of n); and all
 # files that make figures makes.
 # Only reads the tree.
 if [ -n "${BRIEF:-}" ]; then
@@ -18,7 +18,7 @@ if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
     exit
 fi
 
-CAMERAS=${CAMERAS:-100} counted sh tests/shell/figures.sh
+CAMERAS=${CAMERAS:-50} counted sh tests/shell/figures.sh
 
 # Draws by the rules of the environment; says what was said.
 drawn=$scratch/figures

@@ -4,6 +4,7 @@
 # With each seed the reference and all other right answers pass and are not accused, every mistake
 # fails and is named, and who knows only the public inputs by heart fails. In the environment:
 # SEEDS, how many (48), from FIRST on (1).
+# Only reads the tree.
 set -u
 . tests/library.sh
 export BUILD="${BUILD:-build}" scratch
