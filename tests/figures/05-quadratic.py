@@ -316,7 +316,7 @@ for case, words, over in CASES:
         holds_for_every(checks, P, title, *meeting.options())
 
 dice = random.Random(5)
-for _ in range(int(os.environ.get("CAMERAS", "5"))):
+for _ in range(int(os.environ.get("SCENES", "5"))):
     meeting = some_meeting(dice)
     ray_sphere(meeting)
     parabola(meeting)

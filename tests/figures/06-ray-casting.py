@@ -454,7 +454,7 @@ checks.that("the deck's kind of sphere is inside its picture",
 
 dice = random.Random(6)
 kinds = (ray_casting, image_order, object_order, nearest_hit, explain_figure, story)
-for i in range(int(os.environ.get("CAMERAS", "5"))):
+for i in range(int(os.environ.get("SCENES", "5"))):
     scene = some_scene(dice, dice.randint(1, 8))
     pixel = telling_pixel(World(scene), dice)
     for kind in kinds if i < 5 else kinds[i % 6:i % 6 + 1]:

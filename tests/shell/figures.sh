@@ -1,7 +1,8 @@
 #!/bin/sh
 # figures.sh - what the figures show is so: each chapter's, by computations of their own.
 #
-# Needs gnuplot to draw and Python to read; CAMERAS says how many random ones are tried.
+# Needs gnuplot to draw and Python to read; CAMERAS says how many random ones are tried in each of
+# chapters 01 to 04, SCENES how many rays or scenes in each of 05 and 06 (as many).
 # Only reads the tree.
 set -u
 . tests/library.sh
@@ -11,7 +12,8 @@ if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
     finish figures
     exit
 fi
-export PROGRAMS CAMERAS="${CAMERAS:-5}" PYTHONDONTWRITEBYTECODE=1
+CAMERAS=${CAMERAS:-5}
+export PROGRAMS CAMERAS SCENES="${SCENES:-$CAMERAS}" PYTHONDONTWRITEBYTECODE=1
 # shellcheck disable=SC2016 # the inner shell expands them
 printf '%s\n' tests/figures/[0-9]*.py | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I '{}' \
     sh -c 'python3 "$1" >"$0/${1##*/}.log" 2>&1' "$scratch" '{}'
