@@ -41,7 +41,7 @@ function read_table(s,   file, line, part, n, wrong, unsure, right, total, i, na
         }
         if (part[1] ~ /^\+/) {
             if (part[2] == "wrong")
-                extra[s] = extra[s] " " substr(part[1], 2)
+                extra[s] = extra[s] (extra[s] == "" ? " " : ", ") substr(part[1], 2)
             continue
         }
         total++

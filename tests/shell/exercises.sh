@@ -172,6 +172,13 @@ for solution in solutions/*.c; do
     cp "$solution" "$answers"
 done
 check 'the solutions are judged right' judge
+answer 05-quadratic '/^Roots quadratic_roots/,/^}/c Roots quadratic_roots(Quadratic q)\n{\n    if (q.a == 0)\n        return q.b == 0 ? (Roots){0} : (Roots){1, {-q.c / q.b}};\n    double d = q.b * q.b - 4 * q.a * q.c;\n    return d < 0 ? (Roots){0} : ascending((-q.b - sqrt(d)) / (2 * q.a), (-q.b + sqrt(d)) / (2 * q.a));\n}
+    /^Roots sphere_roots/,/^}/c Roots sphere_roots(Ray ray, Sphere sphere)\n{\n    return quadratic_roots(object_quadratic(to_object_coordinates(ray, sphere), sphere.radius));\n}'
+judge EX=05
+check 'the formula of the slide is right' says '05-quadratic     done'
+check 'what it could do better is listed' says 'more digits in quadratic_roots,'
+cp solutions/05-quadratic.c "$answers"
+judge
 check 'and the end of the road is said' says 'You have written a ray caster.'
 check 'with the picture drawn' says 'still-something-missing.png'
 check 'and drawn by their code' test -s "build$answers/gallery/still-something-missing.png"
