@@ -49,6 +49,16 @@ bool scene_load(const char *path, Scene *scene, Message *message)
     return good;
 }
 
+const Surface *scene_surface(const Scene *scene, int i)
+{
+    if (i < 0 || i >= scene->sphere_count) {
+        fprintf(stderr, "scene_surface: there is no sphere %d in a scene of %d\n", i,
+                scene->sphere_count);
+        abort();
+    }
+    return &scene->surfaces[scene->spheres[i].surface];
+}
+
 void scene_free(Scene *scene)
 {
     free(scene->spheres);

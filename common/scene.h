@@ -58,11 +58,8 @@ typedef struct {
     int light_count;
 } Scene;
 
-// What sphere number i looks like.
-static inline const Surface *scene_surface(const Scene *scene, int i)
-{
-    return &scene->surfaces[scene->spheres[i].surface];
-}
+// What sphere number i looks like. There is no sphere -1: that stops the program, and says so.
+const Surface *scene_surface(const Scene *scene, int i);
 
 // Reads a scene. On failure false, message says FILE:LINE: what is wrong, what was expected, and
 // the scene is empty. warning is empty, or one line about what the toolkit has no use for.

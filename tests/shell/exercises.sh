@@ -178,6 +178,10 @@ judge EX=05
 check 'the formula of the slide is right' says '05-quadratic     done'
 check 'what it could do better is listed' says 'more digits in quadratic_roots,'
 cp solutions/05-quadratic.c "$answers"
+answer 06-ray-casting 's|nothing ? scene->background : ||'
+judge EX=06
+check 'a colour of sphere -1 is said to be none' says 'scene_surface: there is no sphere -1'
+cp solutions/06-ray-casting.c "$answers"
 judge
 check 'and the end of the road is said' says 'You have written a ray caster.'
 check 'with the picture drawn' says 'still-something-missing.png'
