@@ -185,11 +185,8 @@ $(SCENES): $(B)/scenes/%.nff: $$(call generator_of,$$*)
 	$(Q)$< $(ARGUMENTS) > $@
 
 GALLERY := $(BUILT)/gallery
-#[
-TRY :=
-#]
-#~ # A picture that needs what is not answered yet is no error: that is said, in one line.
-#~ TRY = .make/draw $@
+# A picture that needs what a student has not answered yet is no error: that is said, in one line.
+TRY = $(if $(filter solutions,$(ANSWERS)),,.make/draw $@)
 CHAPTER_PICTURES := $(filter-out 06% 07%,$(STEMS))
 # Light, term by term, and together with the flat one, as on the closing slide.
 TERMS := ambient diffuse specular

@@ -167,6 +167,20 @@ answer 01-corners 's|(s - 0.5)|s|'
 hint
 check 'a hint is for what is wrong, not for what waits' says 'image_plane_vector  hint 1 of'
 
+# What a chapter lacks is said in a line for each picture; the others are drawn.
+fresh
+for solution in solutions/*.c; do
+    cp "$solution" "$answers"
+done
+cp build/blanks/07-shading.c "$answers"
+gallery=build$answers/gallery
+cast() {
+    make --no-print-directory ANSWERS="$answers" "$gallery/three-spheres.png" "$gallery/07-diffuse.png" >"$scratch/said" 2>&1
+}
+check 'a picture whose chapter is blank is no error' cast
+check 'what it lacks is said in one line' says "not yet   $gallery/07-diffuse.png: needs surface_normal (and 10 more)"
+check 'the others are drawn' test -s "$gallery/three-spheres.png"
+
 fresh
 for solution in solutions/*.c; do
     cp "$solution" "$answers"
