@@ -115,7 +115,7 @@ int main(int argc, char **argv)
         command.picture_name = "still-something-missing";
 
     static Drawing drawing;
-    if (!shading_needs_are_met() ||
+    if (!shading_needs_are_met(lighting.style) ||
         !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))
         return EXIT_COULD_NOT;
     Scene *scene = &drawing.scene;

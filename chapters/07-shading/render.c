@@ -52,7 +52,7 @@ void render(const Scene *scene, Camera camera, Style style, Image *image)
         }
 }
 
-bool shading_needs_are_met(void)
+bool shading_needs_are_met(Style style)
 {
     const Light lamp = {.position = vec3_of(0, 9, -9), .color = vec3_of(1, 1, 1)};
     Surface white = {.color = vec3_of(1, 1, 1), .diffuse = 1, .specular = 1};
@@ -77,5 +77,7 @@ bool shading_needs_are_met(void)
     visibility(&scene, point, lamp);
     shade(&scene, ray, (Hit){3, 0});
     clamp_color(trace_ray(&scene, ray, 1));
+    if (style.gamma != 1)
+        gamma_encode(white_light, style.gamma);
     return picture_needs_are_met(IMAGE_ORDER);
 }

@@ -42,8 +42,8 @@ Tracer trace_scene;
 // Sets every pixel of the image.
 void render(const Scene *scene, Camera camera, Style style, Image *image);
 
-// Calls each answer that a picture is made of, once. False, each one that is missing named on
-// stderr, where there is a blank.
-bool shading_needs_are_met(void);
+// Calls each answer that a picture in this style is made of, once. False, each one that is missing
+// named on stderr, where there is a blank.
+bool shading_needs_are_met(Style style);
 
 #endif

@@ -89,7 +89,7 @@ int main(int argc, char **argv)
     command.scene_path = argv[first];
 
     static Drawing drawing;
-    if (!(shaded ? shading_needs_are_met() : picture_needs_are_met(IMAGE_ORDER)) ||
+    if (!(shaded ? shading_needs_are_met(lighting.style) : picture_needs_are_met(IMAGE_ORDER)) ||
         !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))
         return EXIT_COULD_NOT;
     if (argc == 1)

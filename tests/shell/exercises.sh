@@ -180,6 +180,13 @@ cast() {
 check 'a picture whose chapter is blank is no error' cast
 check 'what it lacks is said in one line' says "not yet   $gallery/07-diffuse.png: needs surface_normal (and 10 more)"
 check 'the others are drawn' test -s "$gallery/three-spheres.png"
+answer 07-shading '/^Color gamma_encode/,/^}/c Color gamma_encode(Color color, double gamma)\n{\n    return NOT_ANSWERED(Color);\n}'
+check 'without gamma_encode a picture is drawn' cast
+for_a_display() {
+    "build$answers/07-shading" --gamma 2.2 -o "$scratch/gamma.png" >"$scratch/said" 2>&1
+    [ $? -eq 1 ] && [ ! -e "$scratch/gamma.png" ] && says 'not answered yet: gamma_encode'
+}
+check 'for a display it is not, and why is said' for_a_display
 
 fresh
 for solution in solutions/*.c; do
