@@ -157,8 +157,8 @@ int options_read(int argc, char **argv, const Option *options, Usage usage)
         while (o->letter != found && 256 + (int)(o - options) != found)
             o++;
         if (!o->read(optarg, o->into))
-            options_wrong(argv[0], "--%s: '%s', expected %s", o->name, word_text(optarg).s,
-                          o->expected);
+            options_wrong(argv[0], "--%s: '%s', expected %s: %s", o->name, word_text(optarg).s,
+                          o->expected, o->help);
     }
     return optind;
 }

@@ -15,9 +15,19 @@ bool option_count(const char *text, void *into)
     return true;
 }
 
+bool option_ambient(const char *text, void *into)
+{
+    return option_number(text, into) && *(double *)into >= 0;
+}
+
+bool option_sun(const char *text, void *into)
+{
+    return option_vec3(text, into) && vec3_length(*(vec3 *)into) > 0;
+}
+
 static bool has_sun(const Lighting *lighting)
 {
-    return vec3_dot(lighting->sun, lighting->sun) > 0;
+    return vec3_length(lighting->sun) > 0;
 }
 
 bool lighting_is_told(const Lighting *lighting)

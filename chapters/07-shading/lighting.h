@@ -15,16 +15,17 @@ typedef struct {
 extern const Lighting lighting_untold;
 
 #define LIGHTING_OPTIONS(told)                                                                     \
-    {"depth", 0, "N", option_count, &(told).style.depth, "mirrors to follow a ray through (5)"},   \
-        {"samples", 0, "N", option_count, &(told).style.samples, "N x N samples a pixel (1)"},     \
-        {"ambient", 0, "A", option_number, &(told).ambient, "light that is everywhere (0.1)"},     \
-        {"sun", 0, "X,Y,Z", option_vec3, &(told).sun, "a distant light from there, no others"},    \
+    {"depth", 0, "N", option_count, &(told).style.depth, "mirrors to follow a ray, up to 64 (5)"}, \
+        {"samples", 0, "N", option_count, &(told).style.samples, "N x N a pixel, 1 to 64 (1)"},    \
+        {"ambient", 0, "A", option_ambient, &(told).ambient, "light everywhere, from 0 (0.1)"},    \
+        {"sun", 0, "X,Y,Z", option_sun, &(told).sun, "a distant light from there, no others"},     \
     {                                                                                              \
         "gamma", 0, "G", option_number, &(told).style.gamma, "of the display (1: leave as is)"     \
     }
 
-// int, 0 to 64.
-OptionReader option_count;
+OptionReader option_count;   // int, 0 to 64
+OptionReader option_ambient; // double, not negative
+OptionReader option_sun;     // vec3, not 0: that is no direction
 
 // Whether any of these options changes the picture.
 bool lighting_is_told(const Lighting *lighting);

@@ -186,7 +186,7 @@ END_TEST
 
 START_TEST(a_bad_value_is_shown_with_what_was_expected)
 {
-    expect_wrong_usage(ENDING("-s", "10"), "--size: '10', expected WIDTHxHEIGHT");
+    expect_wrong_usage(ENDING("-s", "10"), "--size: '10', expected WIDTHxHEIGHT: how large it is");
     expect_wrong_usage(ENDING("--size=0x0"), "--size: '0x0', expected WIDTHxHEIGHT");
     expect_wrong_usage(ENDING("--eye", "1,2"), "--eye: '1,2', expected X,Y,Z");
     expect_wrong_usage(ENDING("--width=nan"), "--width: 'nan', expected W");
