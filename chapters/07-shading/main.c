@@ -3,6 +3,7 @@
 // Draws a scene shaded. Without arguments it makes the deck's closing slide again: three spheres,
 // flat and shaded, side by side.
 #include "chapters/06-ray-casting/command.h"
+#include "chapters/06-ray-casting/needs.h"
 #include "chapters/07-shading/export.h"
 #include "chapters/07-shading/figures.h"
 #include "chapters/07-shading/lighting.h"
@@ -115,7 +116,10 @@ int main(int argc, char **argv)
         command.picture_name = "still-something-missing";
 
     static Drawing drawing;
-    if (!shading_needs_are_met(lighting.style) ||
+    // Others shade what is exported.
+    bool ready = format != EXPORT_NONE ? picture_needs_are_met(IMAGE_ORDER)
+                                       : shading_needs_are_met(lighting.style);
+    if (!ready ||
         !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))
         return EXIT_COULD_NOT;
     Scene *scene = &drawing.scene;

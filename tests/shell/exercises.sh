@@ -180,6 +180,7 @@ cast() {
 check 'a picture whose chapter is blank is no error' cast
 check 'what it lacks is said in one line' says "not yet   $gallery/07-diffuse.png: needs surface_normal (and 10 more)"
 check 'the others are drawn' test -s "$gallery/three-spheres.png"
+check 'a scene is exported without light' "build$answers/07-shading" --export pov -o "$scratch/scene.pov"
 answer 07-shading '/^Color gamma_encode/,/^}/c Color gamma_encode(Color color, double gamma)\n{\n    return NOT_ANSWERED(Color);\n}'
 check 'without gamma_encode a picture is drawn' cast
 for_a_display() {
