@@ -14,11 +14,13 @@ from sandbox import Sandbox
 COMPILE_SECONDS = 60   # for a submission's files together; each has five of work (confine/)
 JUDGE_SECONDS = 240    # for all its functions; each has one of work a call (judge/call.c)
 
-# A compiler that is stopped leaves half a file. What it said is explained as 'make exercises' does.
+# A compiler that is stopped leaves half a file. What it said is explained as 'make exercises' does; its
+# assembler speaks of a file whose name is drawn at random, and whose place is the sandbox's.
 COMPILE = '''ln -s "$KIT/headers/common" "$KIT/headers/exercises" "$KIT/headers/.make" .
 for stem; do
     $COMPILE -o "$stem.o" "$stem.c" 2>"$stem.words" || {
         rm -f "$stem.o"
+        sed -i "s|^/.*/cc[[:alnum:]]*\\.s:|$stem.s:|" "$stem.words"
         .make/explain "$stem.c" <"$stem.words" >"$stem.help"
     }
 done; true'''

@@ -82,6 +82,7 @@ def build_class(folder: Path) -> None:
     put("endless", {"01-corners.c": but("01-corners", upper_left="for (;;) { }")})
     put("crash", {"01-corners.c": but("01-corners", upper_left="return *(vec3 *)0;")})
     put("no text", {"01-corners.c": "int x = ;\n", "03-screen.c": right("03-screen")})
+    put("no assembler", {"01-corners.c": '__asm__("no instruction");\n'})
     put("one function", {"01-corners.c": up_to("01-corners", "upper_right")})
     put("waits", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED,
                                       upper_left="return image_plane_vector(c, 0, 1);")})

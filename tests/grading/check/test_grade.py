@@ -46,6 +46,9 @@ def says_what_is_wrong(found: dict[str, dict]) -> None:
     check("what does not compile says so, in the compiler's words",
           no_text["status"] == "does not compile"
           and "expected expression" in no_text["stems"][0]["words"], no_text["stems"][0])
+    no_assembler = found["no assembler"]["stems"][0]["words"]
+    check("the assembler's words are the same in every run and every sandbox",
+          "error" in no_assembler.lower() and "/" not in no_assembler, no_assembler)
     check("its other chapters have their marks", score(no_text, "03-screen") == (9, 9))
     check("two files of one name are said, not guessed between",
           found["two of one name"]["stems"][0]["state"] == "twice")
@@ -81,7 +84,7 @@ def test_class() -> None:
         build_class(folder)
         done = grade(folder, out)
         found = records(out)
-    check("every submission has one result", done.returncode == 0 and len(found) == 16, done.stderr[-600:])
+    check("every submission has one result", done.returncode == 0 and len(found) == 17, done.stderr[-600:])
     check("what is no submission is mentioned", "read me.txt" in done.stderr)
     check("nothing acts on the terminal", "\x1b" not in done.stdout + done.stderr)
     for tested in (says_what_is_right, says_what_is_wrong, knows_who_waits, has_a_result_for_the_odd,
