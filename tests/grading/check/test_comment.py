@@ -148,7 +148,7 @@ def test_stems():
         "two files of one name are both named",
         stem_lines(twice)
         == [
-            "there are two files called 02-cameras.c, and which one is meant is not guessed:",
+            "there is more than one file called 02-cameras.c, and which is meant is not guessed:",
             "a/02-cameras.c",
             "b/02-cameras.c",
         ],

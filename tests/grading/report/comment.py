@@ -76,7 +76,7 @@ def function_lines(stem: str, function: dict) -> list:
 
 STEM_SAYS = {
     "missing": "no {file} was found",
-    "twice": "there are two files called {file}, and which one is meant is not guessed",
+    "twice": "there is more than one file called {file}, and which is meant is not guessed",
     "does not compile": "{file} does not compile",
     "cannot be linked": "{file} cannot be linked",
     "not judged": "{file} was not judged",
