@@ -177,6 +177,10 @@ class Folder(Scratch):
         self.assertEqual(self.answer().words, "there is 05-Quadratic.c, 5-quadratic (1).c; "
                                               "the name must be 05-quadratic.c")
         self.assertEqual(self.answer("01-corners").words, "")
+        self.put("01-corners.c.txt")  # Windows hides how a name ends
+        self.put("01-corners.cpp")
+        self.assertEqual(self.answer("01-corners").words, "there is 01-corners.c.txt, 01-corners.cpp; "
+                                                          "the name must be 01-corners.c")
 
     def test_an_archive_inside_is_said_where_there_is_nothing_else(self):
         self.put("all.zip")

@@ -95,7 +95,7 @@ def bystander(search: Search, parts) -> None:
     base = parts[-1]
     if base.lower().endswith(ARCHIVES) and not base.startswith("._"):
         search.inside = search.inside or place_of(parts)
-    number = re.match(r"0*(\d+).*\.c$", base, re.IGNORECASE)
+    number = re.match(r"0*(\d+).*\.c(pp|\.txt)?$", base, re.IGNORECASE)
     for stem, seen in search.seen.items() if number else ():
         if number[1] == re.match(r"0*(\d*)", stem)[1] and len(seen.near) < PLACES:
             seen.near.append(place_of(parts))
