@@ -73,6 +73,13 @@ links_lead_somewhere() {
 }
 check "the page's links lead somewhere" links_lead_somewhere $page
 check "and those of the recipes" links_lead_somewhere tests/grading/recipes/README.md
+speaks_of_each() {
+    for recipe in tests/grading/recipes/*.yml tests/grading/recipes/gradescope/*; do
+        grep -qF "](${recipe#tests/grading/recipes/})" tests/grading/recipes/README.md ||
+            { echo "$recipe"; return 1; }
+    done
+}
+check 'the page of recipes speaks of each' speaks_of_each
 fits() {
     ! awk 'length > 80 { print FILENAME ": " FNR; found = 1 } END { exit !found }' $page tests/grading/recipes/README.md
 }
