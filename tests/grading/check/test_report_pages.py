@@ -57,6 +57,10 @@ def test_submissions():
     texts = [submission_page(one, "/nonexistent") for one in HOSTILES]
     pages = [Page(text) for text in texts]
     check(
+        "a submission's page, which its student gets alone, leads to no other file",
+        not any(url.startswith(".") for one in pages for _, url in one.urls),
+    )
+    check(
         "a hostile submission's page has our tags, attributes and addresses only",
         all(map(is_ours, pages)),
     )

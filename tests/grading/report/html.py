@@ -5,7 +5,7 @@ One file that needs no network and no script; pictures are inside it.
 from visible import number
 from .comment import fields, stem_lines
 from .points import clean
-from .tree import address, banner, data_url, page, read_picture, tag
+from .tree import banner, data_url, page, read_picture, tag
 
 
 def of(part: dict) -> str:
@@ -149,7 +149,6 @@ def submission_page(record: dict, folder: str) -> str:
         f"{record['submission']}: {of(record)}",
         tag(
             "header",
-            tag("p", tag("a", "The class", href=address("..", "index.html"))),
             banner([record]),
             tag("h1", tag("bdi", record["submission"])),
             tag("p", *status, class_="score"),
