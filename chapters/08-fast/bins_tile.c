@@ -140,6 +140,17 @@ static void set_candidate(Here *here, int i)
     to->half_height[i] = row - part.top;
 }
 
+// Do all pixels of a sphere's part see something nearer? Where they do not, mostly the one in the
+// middle says so.
+static bool is_hidden(const Here *here, int i)
+{
+    Part part = here->parts[i];
+    int row = (part.top + part.bottom) / 2, column = (part.left + part.right) / 2;
+    float nearest = here->nearest[i] - here->slack;
+    return nearest > here->pixels.s[row * TILE_WIDTH + column] &&
+           nearest > here->tiling->lanes->farthest(&here->pixels, part);
+}
+
 static void ask_waiting(Here *here)
 {
     const BinsLanes *lanes = here->tiling->lanes;
@@ -148,7 +159,7 @@ static void ask_waiting(Here *here)
         set_candidate(here, i);
     lanes->outline(&here->rays, &here->candidates, here->waiting, &outlines);
     for (int i = 0; i < here->waiting; i++) {
-        if (here->nearest[i] > lanes->farthest(&here->pixels, here->parts[i]) + here->slack)
+        if (is_hidden(here, i))
             continue;
         if (outlines.safe[i]) {
             lanes->ask(&here->pixels, &outlines, i, here->parts[i], here->slack,
