@@ -4,12 +4,7 @@
 static void expect_phong(double ks, double shine, Color light, vec3 normal, vec3 to_light,
                          vec3 to_eye, Color color)
 {
-    given_number("ks", ks);
-    given_number("shine", shine);
-    given_color("light", light);
-    given_vec3("normal", normal);
-    given_vec3("to light", to_light);
-    given_vec3("to eye", to_eye);
+    given_highlight(ks, shine, light, normal, to_light, to_eye);
     expect_vec3(phong_term(ks, shine, light, normal, to_light, to_eye), color, TOLERANCE);
 }
 

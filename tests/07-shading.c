@@ -9,6 +9,16 @@ void given_color(const char *name, Color color)
     given_vec3(name, color);
 }
 
+void given_highlight(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye)
+{
+    given_number("ks", ks);
+    given_number("shine", shine);
+    given_color("light", light);
+    given_vec3("normal", normal);
+    given_vec3("to light", to_light);
+    given_vec3("to eye", to_eye);
+}
+
 void given_light(Light light)
 {
     given("light", "%s %s, colour %s", light.kind == LIGHT_POINT ? "point, at" : "distant, towards",

@@ -11,6 +11,7 @@
 // What goes in.
 void given_light(Light light);
 void given_color(const char *name, Color color);
+void given_highlight(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
 Sphere sphere_at(double x, double y, double z, double radius);
 Color random_color(double low, double high);
