@@ -6,87 +6,73 @@ static double visible_if(bool visible)
     return visible ? 1 : 0;
 }
 
+static bool hides(const Scene *scene, int i, vec3 from, Light light)
+{
+    return hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light);
+}
+
+// How many of the spheres from first up to end, without that.
+static int count_hiding(const Scene *scene, int first, int end, vec3 from, Light light)
+{
+    int count = 0;
+    for (int i = first; i < end; i++)
+        count += hides(scene, i, from, light);
+    return count;
+}
+
 // ---- which sphere, and which of its roots -------------------------------------------------------
 
 // What the loop says of each sphere counts only for the last.
 static double last_sphere_only(const Scene *scene, vec3 from, Light light)
 {
-    double visible = 1;
+    bool visible = true;
     for (int i = 0; i < scene->sphere_count; i++)
-        visible =
-            hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light) ? 0 : 1;
-    return visible;
+        visible = !hides(scene, i, from, light);
+    return visible_if(visible);
 }
 
 static double first_sphere_only(const Scene *scene, vec3 from, Light light)
 {
-    for (int i = 0; i < scene->sphere_count; i++)
-        return hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light) ? 0 : 1;
-    return 1;
+    return visible_if(count_hiding(scene, 0, scene->sphere_count > 0, from, light) == 0);
 }
 
 static double all_spheres_needed(const Scene *scene, vec3 from, Light light)
 {
-    for (int i = 0; i < scene->sphere_count; i++)
-        if (!(hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light)))
-            return 1;
-    return visible_if(scene->sphere_count == 0);
+    int count = scene->sphere_count;
+    return visible_if(count == 0 || count_hiding(scene, 0, count, from, light) < count);
 }
 
 static double without_first(const Scene *scene, vec3 from, Light light)
 {
-    for (int i = 1; i < scene->sphere_count; i++)
-        if (hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light))
-            return 0;
-    return 1;
+    return visible_if(count_hiding(scene, 1, scene->sphere_count, from, light) == 0);
 }
 
 static double without_last(const Scene *scene, vec3 from, Light light)
 {
-    for (int i = 0; i + 1 < scene->sphere_count; i++)
-        if (hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light))
-            return 0;
-    return 1;
+    return visible_if(count_hiding(scene, 0, scene->sphere_count - 1, from, light) == 0);
 }
 
-// The first root of each, where it is before the light; behind the place too.
-static double behind_the_place_too(const Scene *scene, vec3 from, Light light)
+// Of some sphere, the near root (0) or the far one (1).
+static bool any_root(const Scene *scene, int which, Ray ray, double least, double reach)
 {
     for (int i = 0; i < scene->sphere_count; i++) {
-        Roots roots = sphere_roots(ray_to_light(from, light), scene->spheres[i]);
-        if (roots.count > 0 && roots.t[0] < reach_of(light))
-            return 0;
+        Roots roots = sphere_roots(ray, scene->spheres[i]);
+        if (roots.count > 0 && roots.t[which] > least && roots.t[which] < reach)
+            return true;
     }
-    return 1;
+    return false;
 }
 
-static double anywhere_on_the_line(const Scene *scene, vec3 from, Light light)
-{
-    for (int i = 0; i < scene->sphere_count; i++)
-        if (sphere_roots(ray_to_light(from, light), scene->spheres[i]).count > 0)
-            return 0;
-    return 1;
-}
-
-static double spheres_entered_only(const Scene *scene, vec3 from, Light light)
-{
-    for (int i = 0; i < scene->sphere_count; i++) {
-        Roots roots = sphere_roots(ray_to_light(from, light), scene->spheres[i]);
-        if (roots.count > 0 && roots.t[0] > 0 && roots.t[0] < reach_of(light))
-            return 0;
+#define SHADOW_OF_ROOTS(name, which, least, reach)                                                 \
+    static double name(const Scene *scene, vec3 from, Light light)                                 \
+    {                                                                                              \
+        return visible_if(!any_root(scene, which, ray_to_light(from, light), least, reach));       \
     }
-    return 1;
-}
 
-static double spheres_left_only(const Scene *scene, vec3 from, Light light)
-{
-    for (int i = 0; i < scene->sphere_count; i++) {
-        Roots roots = sphere_roots(ray_to_light(from, light), scene->spheres[i]);
-        if (roots.count > 0 && roots.t[1] > 0 && roots.t[1] < reach_of(light))
-            return 0;
-    }
-    return 1;
-}
+SHADOW_OF_ROOTS(behind_the_place_too, 0, -INFINITY, reach_of(light))
+SHADOW_OF_ROOTS(anywhere_on_the_line, 0, -INFINITY, INFINITY)
+SHADOW_OF_ROOTS(spheres_entered_only, 0, 0, reach_of(light))
+SHADOW_OF_ROOTS(spheres_left_only, 1, 0, reach_of(light))
 
 static double by_centres(const Scene *scene, vec3 from, Light light)
 {
@@ -125,26 +111,19 @@ static double half_in_shadow(const Scene *scene, vec3 from, Light light)
 
 static double half_for_each(const Scene *scene, vec3 from, Light light)
 {
-    double visible = 1;
-    for (int i = 0; i < scene->sphere_count; i++)
-        if (hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light))
-            visible /= 2;
-    return visible;
+    return ldexp(1, -count_hiding(scene, 0, scene->sphere_count, from, light));
 }
 
 static double less_one_for_each(const Scene *scene, vec3 from, Light light)
 {
-    double visible = 1;
-    for (int i = 0; i < scene->sphere_count; i++)
-        visible -= hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light);
-    return visible;
+    return 1 - count_hiding(scene, 0, scene->sphere_count, from, light);
 }
 
 static double through_glass(const Scene *scene, vec3 from, Light light)
 {
     double visible = 1;
     for (int i = 0; i < scene->sphere_count; i++)
-        if (hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light))
+        if (hides(scene, i, from, light))
             visible *= scene_surface(scene, i)->transmittance;
     return visible;
 }
