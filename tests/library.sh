@@ -51,3 +51,10 @@ finish() {
     echo "$1: $passed passed, $failed failed"
     [ "$failed" -eq 0 ]
 }
+
+# Ends a test that cannot run here, or need not: skip NAME 'what, and why'
+skip() {
+    echo "skipped: $2"
+    finish "$1"
+    exit
+}

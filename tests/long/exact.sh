@@ -4,9 +4,7 @@
 set -u
 . tests/library.sh
 if ! printf '#include <gmp.h>\n' | $COMPILER -E - >/dev/null 2>&1; then
-    echo "skipped: exact: GMP is missing ('make setup FOR=contributor' installs it)"
-    echo "exact: 0 passed, 0 failed"
-    exit 0
+    skip exact "exact: GMP is missing ('make setup FOR=contributor' installs it)"
 fi
 # shellcheck disable=SC2086 # the compiler's flags are words
 $COMPILER -o "$scratch/exact" tests/exact/roots.c tests/exact/exact.c tests/exact/rays.c \

@@ -2,20 +2,14 @@
 # figures.sh - figures of 1000 cameras, in four chapters, and of 1000 rays and scenes, in two; and
 # all files that make figures makes.
 # Only reads the tree.
-if [ -n "${BRIEF:-}" ]; then
-    echo "skipped: hundreds of figures of each kind, which are tested once (BRIEF)"
-    echo "figures, long: 0 passed, 0 failed"
-    exit 0
-fi
 set -u
 . tests/library.sh
 . tests/figures/scripts.sh
+[ -z "${BRIEF:-}" ] || skip 'figures, long' "hundreds of figures of each kind, which are tested once (BRIEF)"
 export PYTHONDONTWRITEBYTECODE=1
 
 if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
-    echo "skipped: figures, which need gnuplot and Python (make setup FOR=contributor)"
-    finish 'figures, long'
-    exit
+    skip 'figures, long' "figures, which need gnuplot and Python (make setup FOR=contributor)"
 fi
 
 CAMERAS=${CAMERAS:-250} SCENES=${SCENES:-500} counted sh tests/shell/figures.sh

@@ -1,20 +1,14 @@
 #!/bin/sh
 # gallery.sh - the page of pictures and figures, in a headless Chromium.
 # Only reads the tree.
-if [ -n "${BRIEF:-}" ]; then
-    echo "skipped: the page of pictures, which is tested once (BRIEF)"
-    echo "gallery: 0 passed, 0 failed"
-    exit 0
-fi
 set -u
 . tests/library.sh
 . tests/figures/scripts.sh
+[ -z "${BRIEF:-}" ] || skip gallery "the page of pictures, which is tested once (BRIEF)"
 export PYTHONDONTWRITEBYTECODE=1
 
 if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
-    echo "skipped: the page of pictures, which needs gnuplot and Python (make setup FOR=contributor)"
-    finish gallery
-    exit
+    skip gallery "the page of pictures, which needs gnuplot and Python (make setup FOR=contributor)"
 fi
 built=$scratch/solutions
 page=$built/gallery/index.html
@@ -63,9 +57,7 @@ check 'and for details' draw FORMAT=svg SHAPE=16:9,4:3 STEPS=1
 check 'for the browser' .make/gallery "$built" "$BUILD/scenes"
 
 if ! python3 -c 'import sys; sys.path.insert(0, "tests/figures"); import browser; sys.exit(not browser.found())'; then
-    echo "skipped: the page in a browser, which needs Chromium (make setup FOR=contributor)"
-    finish gallery
-    exit
+    skip gallery "the page in a browser, which needs Chromium (make setup FOR=contributor)"
 fi
 # shellcheck disable=SC2086
 counted python3 tests/figures/gallery.py "$page" "$(echo $names | wc -w)"

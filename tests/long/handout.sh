@@ -1,13 +1,9 @@
 #!/bin/sh
 # handout.sh - the students' archive, as a student has it: a clean folder, no git, no home, and the
 # README's two commands; then right answers, wrong ones, missing ones, with gcc and with clang.
-if [ -n "${BRIEF:-}" ]; then
-    echo "skipped: the handout, which is tested with both compilers once (BRIEF)"
-    echo "handout: 0 passed, 0 failed"
-    exit 0
-fi
 set -u
 . tests/library.sh
+[ -z "${BRIEF:-}" ] || skip handout "the handout, which is tested with both compilers once (BRIEF)"
 export NO_COLOR=1 LC_ALL=C
 unset ANSWERS # a student's are in exercises/
 

@@ -10,9 +10,7 @@ set -u
 few=60
 mean=0.01
 if ! command -v povray >/dev/null; then
-    echo 'skipped: the comparison with POV-Ray, which is not installed (make setup FOR=contributor)'
-    finish povray
-    exit
+    skip povray 'the comparison with POV-Ray, which is not installed (make setup FOR=contributor)'
 fi
 agrees() {
     name=$1

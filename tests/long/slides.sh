@@ -1,18 +1,12 @@
 #!/bin/sh
 # slides.sh - the Beamer slides, and every figure and step as LaTeX takes it in.
-if [ -n "${BRIEF:-}" ]; then
-    echo "skipped: slides, which are tested once (BRIEF)"
-    echo "slides: 0 passed, 0 failed"
-    exit 0
-fi
 set -u
 . tests/library.sh
 . tests/figures/scripts.sh
+[ -z "${BRIEF:-}" ] || skip slides "slides, which are tested once (BRIEF)"
 
 if ! command -v gnuplot >/dev/null; then
-    echo "skipped: slides, which need gnuplot (make setup)"
-    finish slides
-    exit
+    skip slides "slides, which need gnuplot (make setup)"
 fi
 said() {
     "$@" >"$scratch/said" 2>&1
@@ -26,9 +20,7 @@ fails() {
 check 'without LaTeX there are no slides' fails without pdflatex .make/slides --ready
 check 'and it is said what to install' says "LaTeX lacks pdflatex: 'make setup FOR=lecturer' installs it."
 if ! .make/slides --ready >/dev/null 2>&1; then
-    echo "skipped: slides, which need LaTeX with Beamer (make setup FOR=lecturer)"
-    finish slides
-    exit
+    skip slides "slides, which need LaTeX with Beamer (make setup FOR=lecturer)"
 fi
 
 drawn=$scratch/figures

@@ -3,9 +3,7 @@
 set -u
 . tests/library.sh
 if [ -z "${KIT:-}" ]; then
-    echo "skipped: the example of grading ('make setup FOR=instructor' installs what it needs; no sanitizers)"
-    finish example
-    exit
+    skip example "the example of grading ('make setup FOR=instructor' installs what it needs; no sanitizers)"
 fi
 page=tests/grading/README.md
 example=tests/grading/example

@@ -8,9 +8,7 @@ set -u
 . tests/library.sh
 
 if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
-    echo "skipped: figures, which need gnuplot and Python (make setup FOR=contributor)"
-    finish figures
-    exit
+    skip figures "figures, which need gnuplot and Python (make setup FOR=contributor)"
 fi
 CAMERAS=${CAMERAS:-5}
 export PROGRAMS CAMERAS SCENES="${SCENES:-$CAMERAS}" PYTHONDONTWRITEBYTECODE=1

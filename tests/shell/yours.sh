@@ -7,9 +7,7 @@ set -u
 . tests/library.sh
 
 if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
-    echo "skipped: yours beside right, which needs gnuplot and Python (make setup FOR=contributor)"
-    finish yours
-    exit
+    skip yours "yours beside right, which needs gnuplot and Python (make setup FOR=contributor)"
 fi
 export NO_COLOR=1 PYTHONDONTWRITEBYTECODE=1
 unset ANSWERS
