@@ -14,6 +14,7 @@
 #include "tests/benches/report.h"
 
 #include <getopt.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -98,22 +99,29 @@ static int different(const Work *mine, const Image *expected, bool peer)
 
 // ---- one engine, one number of threads -------------------------------------------------------
 
-// By trying small pictures: the largest that takes not too long.
+// By trying small pictures: the largest that takes not too long, where all take a fixed time and
+// each ray as much. What is fixed shows in the second only, which may take as long as all rounds.
 static Resolution size_for(const Engine *engine, const Scene *scene, const Plan *plan, int threads)
 {
-    Resolution size = plan->size;
+    Resolution size = plan->size, smaller;
+    double build, cast, before = 0, longest = plan->longest;
     for (int part = SMALLEST; part > 1; part /= 4) {
+        smaller = size;
         size = (Resolution){plan->size.width / part, plan->size.height / part};
         Work work;
         Image image;
-        double build, cast;
         work_begin(&work, &image, scene, size, threads);
-        bool done = cast_once(engine, &work, &build, &cast);
+        bool done = cast_once(engine, &work, &build, &cast), first = part == SMALLEST;
         image_free(&image);
-        if (!done || 16 * cast > plan->longest)
-            return size;
-        if (cast * part * part < plan->longest)
+        if (!done || cast > longest)
+            return first ? size : smaller;
+        // A ray's share, in pictures of this size: the one before was a sixteenth of it.
+        double share = first ? cast : fmax(0, cast - before) * 16 / 15;
+        if (cast + (part * part - 1) * share < longest)
             break;
+        if (cast + 15 * share > (first ? MOST_PICTURES : 1) * longest)
+            return size;
+        before = cast;
     }
     return plan->size;
 }
