@@ -64,7 +64,7 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
-$(KIT)/commands: Makefile .make/grading.mk $(KIT_CONFINE) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
+$(KIT)/commands: Makefile .make/exercises.mk .make/grading.mk $(KIT_CONFINE) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
 		$(B)/common.a .make/calls.awk $(KIT)/expected.png
 	$(Q)cp $(B)/common.a $(KIT)/link/ && cp .make/calls.awk $(KIT)/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
 	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \

@@ -54,7 +54,8 @@ check 'nor what makes the tables' none_of_these '/tests/told/(tell|asked|takes|h
 check 'nor graders, benches and the like' none_of_these \
     '/tests/(shell|long|benches|fuzz|grading|hostile)|\.git/|\.ci/|CONTRIBUTING'
 only_for_students() {
-    ! grep -nE '^(grade|bench|skeletons|handout|check-all):|^KIT' "$scratch/tree/ray-casting/Makefile"
+    ! grep -nE '^(grade|bench|skeletons|handout|check-all):|^KIT' "$scratch/tree/ray-casting/Makefile" \
+        "$scratch"/tree/ray-casting/.make/*.mk
 }
 check 'its Makefile makes nothing that is not for students' only_for_students
 

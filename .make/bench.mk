@@ -1,0 +1,43 @@
+# bench.mk - make bench, and its parts. Included by the Makefile.
+
+# Chapter 08's engines; with PEERS=1 beside Embree, POV-Ray and Tachyon.
+PEERS :=
+ifneq ($(PEERS),)
+ifeq ($(shell echo '#include <embree3/rtcore.h>' | $(CC) -E -x c - >/dev/null 2>&1 && echo yes),)
+$(error PEERS=$(PEERS) needs Embree 3: libembree-dev of Debian 12, embree3 elsewhere)
+endif
+endif
+ENGINE_BENCH := $(B)/tests/benches/engines$(if $(PEERS),-and-peers)
+ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) $(LIGHTS_SCENES) \
+	$(STEMS:%=$(B)/solutions/%.o)
+PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers embree programs,none)) \
+	$(if $(PEERS),$(B)/chapters/07-shading/export.o)
+$(B)/tests/benches/peers/embree.o: EXTRA = -O3 -march=native -fopenmp-simd -fno-math-errno \
+	-fno-trapping-math -ffp-contract=fast -mprefer-vector-width=512
+$(B)/tests/benches/peers/programs.o: EXTRA = $(PNG_CFLAGS)
+$(ENGINE_BENCH): $(patsubst %,$(B)/tests/benches/%.o,engines report) $(PEER_OBJECTS) \
+		$(ENGINE_OBJECTS) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(if $(PEERS),-lembree3) $(PNG_LIBS) -lm -pthread
+WAIT_BENCH := $(if $(PEERS),$(B)/tests/benches/peers/embree_wait)
+$(B)/tests/benches/peers/embree_wait.o: EXTRA = $(PNG_CFLAGS)
+$(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o $(ENGINE_OBJECTS) \
+		$(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
+bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: others, too)
+	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
+bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/08-fast $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
+	@PROGRAMS='$(BUILT)' BUILD='$(B)' PEERS='$(PEERS)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
+bench-shading: $(BUILT)/07-shading $(BUILT)/08-fast $(B)/scenes/sphereflake-7381.nff ## shadows and mirrors: how much sooner by the hierarchy
+	@PROGRAMS='$(BUILT)' tests/benches/shading.sh $(B)/scenes/sphereflake-7381.nff
+$(B)/tests/benches/pictures.o: EXTRA = $(PNG_CFLAGS)
+$(B)/tests/benches/pictures: %: %.o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lz
+bench-pictures: $(B)/tests/benches/pictures $(BUILT)/07-shading $(BUILT)/08-fast $(SCENES) ## a PNG by libpng's settings: time and size
+	@tests/benches/pictures.sh $(B) $(BUILT)
+bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
+	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-wait bench-shading
+	@tests/benches/latency.sh
+	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')

@@ -1,0 +1,80 @@
+# exercises.mk - make exercises, watch, hint, debug, reset. Included by the Makefile.
+
+# 'make exercises' judges what stands in exercises/, unless another folder is named. The chapters
+# whose answer has not changed are not judged again.
+EXERCISES := $(if $(filter command line environment,$(origin ANSWERS)),$(A),exercises)
+CHOSEN := $(if $(EX),$(filter $(EX)% 0$(EX)%,$(STEMS)),$(STEMS))
+ifeq ($(CHOSEN),)
+$(error EX=$(EX): no such chapter, expected 01 to $(lastword $(subst -, ,$(STEMS:%=0$(words $(STEMS))))))
+endif
+ifneq ($(filter debug reset hint,$(MAKECMDGOALS)),)
+ifneq ($(words $(CHOSEN)),1)
+$(error which chapter? Say, for example: make $(filter debug reset hint,$(MAKECMDGOALS)) EX=05)
+endif
+endif
+VERDICT := $(B)/$(EXERCISES:/%=%)/verdict
+ALL_VERDICTS := $(STEMS:%=$(VERDICT)/%/table)
+VERDICTS := $(CHOSEN:%=$(VERDICT)/%/table)
+JUDGING_FOR := $(filter exercises watch debug hint $(if $(RIGHT),all figures slides),$(or $(MAKECMDGOALS),all))
+ifneq ($(JUDGING_FOR),)
+ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
+$(info Building the judge, once; that takes a moment ...)
+endif
+$(call changed,$(VERDICT),$(EXERCISES))
+endif
+# What the answering process holds besides the answer.
+answering = $(B)/tests/judge/answering.o $(B)/tests/judge/wire.o $(B)/judge/dispatch-$(1).o \
+	$(lent) $(earlier_answers) $(B)/common.a
+#[ With the reference for the chapters before, one mistake costs once; and the judge lends.
+lent = $(B)/judge/lent-$(1).o
+earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
+for_debug = $(call test_objects,$(1))
+#]
+#~ include .make/handout.mk
+# Between saving and reading stands the linker: the quickest that is there.
+QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
+	gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
+# And the compiler, with all that every answer includes already read. Not optimised: that takes
+# longer than what it saves. An index beyond the end of an array is a crash, not luck.
+IS_CLANG := $(findstring clang,$(FLAGS_NOW))
+QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections $(SANITIZER) $(FOR_STUDENTS) \
+	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
+QUICK_HEADER := $(B)/judge/answer.h
+$(QUICK_HEADER): $(B)/weak.h $(wildcard common/*.h) $(B)/flags
+	$(Q)mkdir -p $(@D)
+	$(Q)(grep -v system_header $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
+	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(IS_CLANG),pch,gch) $@
+EXPLAIN := .make/explain $(wildcard .make/explaining/*.awk)
+JUDGES_LAYOUTS := common/plot.gp chapters/01-corners/yours-and-right.gp $(wildcard tests/judge/layouts/*.gp)
+# How to judge a chapter is written down, so that 'make watch' can do it again without make.
+$(ALL_VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(QUICK_HEADER) \
+		build/blanks/%.c $(B)/judge/% $$(call answering,$$*) $(JUDGES_LAYOUTS)
+	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(QUICK_HEADER) -c'" \
+		"LINK='$(LINK) $(QUICK_LINKER)'" "OBJECTS='$(call answering,$*)'" \
+		$(if $(value stands_on),"STANDS_ON='$(call stands_on,$*)'") \
+		'export COMPILE LINK OBJECTS STANDS_ON' \
+		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh
+	@sh $(@D).sh
+
+exercises: $(VERDICTS) ## what is right, wrong, not yet (EX=05: one chapter)
+	@.make/exercises $(VERDICT) $(EXERCISES) $(CHOSEN)
+
+watch: $(VERDICTS) ## judge again whenever an answer is saved
+	@.make/watch $(VERDICT) $(EXERCISES) $(CHOSEN)
+
+hint: $(VERDICTS) ## one hint more each time it is asked for (EX=05)
+	@name=$$(awk '$$1 !~ /^[+!]/ && $$2 != "right" { \
+			if ($$2 ~ /^(wrong|unanswered)$$/ && wants == "") wants = $$1; else waits = $$1 } \
+			END { print wants != "" ? wants : waits }' $(VERDICT)/$(CHOSEN)/table); \
+		[ -n "$$name" ] || { echo "$(CHOSEN) needs no hint: make exercises EX=$(EX)"; exit 0; }; \
+		.make/hint exercises/$(CHOSEN).hints "$$name" $(call answer_in,$(EXERCISES),$(CHOSEN)) \
+		$(VERDICT)/$(CHOSEN).hint
+
+debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call for_debug,$(CHOSEN))) ## gdb at the call that failed (EX=05)
+	@mkdir -p $(B)/debug
+	@$(CC) $(LANGUAGE) -g3 -O0 $(CHECK_CFLAGS) -o $(B)/debug/$(CHOSEN) $(call answer_in,$(EXERCISES),$(CHOSEN)) \
+		$(call for_debug,$(CHOSEN)) $(CHECK_LIBS) $(PNG_LIBS) -lm
+	@.make/debug $(VERDICT)/$(CHOSEN) $(CHOSEN) $(B)/debug/$(CHOSEN)
+
+reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
+	@.make/reset build/blanks/$(CHOSEN).c exercises/$(CHOSEN).c

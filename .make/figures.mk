@@ -1,0 +1,78 @@
+# figures.mk - make figures, and the page of pictures and figures. Included by the Makefile.
+
+# A layout chapters/NN-stem/NAME.gp, and the data that the chapter's program computes for it, are a
+# script (common/plot.h), which gnuplot draws (.make/figures). FIGURE=name: only that one, or several
+# with commas.
+FIGURES := $(BUILT)/figures
+LAYOUTS := $(wildcard chapters/*/*.gp)
+FIGURE_NAMES := $(sort $(notdir $(basename $(LAYOUTS))))
+FIGURES_WANTED := $(or $(subst $(comma), ,$(FIGURE)),$(FIGURE_NAMES))
+ifneq ($(filter-out $(FIGURE_NAMES),$(FIGURES_WANTED)),)
+$(error FIGURE=$(FIGURE): no such figure, expected one of $(FIGURE_NAMES))
+endif
+SCRIPTS := $(FIGURE_NAMES:%=$(FIGURES)/%.gp)
+layout_of = $(filter %/$(1).gp,$(LAYOUTS))
+stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
+figure_files = $(call layout_of,$(1)) $(wildcard common/*.gp \
+	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
+# Beside another's answers, what is right, and what the judge says is wrong.
+#[
+RIGHT := $(if $(filter-out solutions,$(A)),$(B)/solutions/figures)
+ifneq ($(RIGHT),)
+RIGHT_PROGRAMS := $(STEMS:%=$(B)/solutions/%)
+$(RIGHT_PROGRAMS): $(B)/solutions/%: $$(sort $$(call chapter_objects,$$*) $$(call shared_objects,$$*)) \
+		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
+RIGHT_SCRIPTS := $(SCRIPTS:$(FIGURES)/%=$(RIGHT)/%)
+$(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(B)/solutions/$$(call stem_of,$$*) $$(call figure_files,$$*)
+	$(Q)mkdir -p $(@D)
+	$(Q)$< --figure $* > $@
+endif
+#]
+#~ RIGHT := tests/told/figures
+# With something missing, a figure is not yet; that is said in one line.
+$(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,$$*) \
+		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(ALL_VERDICTS))
+	$(Q)mkdir -p $(@D)
+	$(Q)$(if $(RIGHT),note=$$(awk -v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c); \
+		.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
+		--figure $* > $@)
+
+figures: $(FIGURES_WANTED:%=$(FIGURES)/%.gp) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
+	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
+		.make/figures $(FIGURES) $(FIGURES_WANTED)
+	@.make/gallery $(BUILT) $(B)/scenes
+	@echo "All on a page: $(PAGE)"
+.PHONY: figures
+
+# 'make' draws them for the web. Where gnuplot was missing and has come, they are drawn again. What
+# wrong answers make impossible to draw is said, and stops nothing else.
+DRAWN := $(BUILT)/drawn
+ifeq ($(shell cat $(DRAWN) 2>/dev/null),without gnuplot)
+$(shell command -v gnuplot >/dev/null && rm -f $(DRAWN))
+endif
+$(DRAWN): $(SCRIPTS) .make/figures .make/figure $(wildcard .make/figure-*.awk)
+	@FORMAT=svg THEME= SHAPE= STEPS= .make/figures $(FIGURES) $(FIGURE_NAMES); status=$$?; \
+		case $$status in 0) : > $@ ;; 3) echo 'without gnuplot' > $@ ;; \
+			*) $(if $(filter solutions,$(A)),exit $$status,: > $@) ;; esac
+
+# All of it on a page.
+PAGE := $(GALLERY)/index.html
+$(PAGE): $(PICTURES) $(DRAWN) .make/gallery .make/gallery.css $(wildcard $(GALLERY)/*.png) \
+		$(wildcard chapters/*/README.md chapters/*/picture.txt)
+	@.make/gallery $(BUILT) $(B)/scenes
+
+#[
+# ---- slides -----------------------------------------------------------------------------------
+
+# chapters/slides.tex shows how figures become slides: light and dark, in steps. The figures it takes
+# are read from it; SLIDES=talk.tex: slides of your own, written alike.
+SLIDES ?= chapters/slides.tex
+ON_SLIDES := $(filter $(FIGURE_NAMES),$(shell grep -o '^[^%]*{[a-z0-9-]*}' $(SLIDES) 2>/dev/null | tr '{}' '\n\n' | sort -u))
+slides: $(ON_SLIDES:%=$(FIGURES)/%.gp) ## figures on Beamer slides, in steps (needs LaTeX: make setup FOR=lecturer)
+	@.make/slides --ready
+	@FORMAT=tex THEME= SHAPE= STEPS=1 .make/figures $(FIGURES) $(ON_SLIDES)
+	@.make/slides $(FIGURES) $(SLIDES)
+.PHONY: slides
+#]

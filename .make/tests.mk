@@ -1,0 +1,188 @@
+# tests.mk - make check, and the judges. Included by the Makefile.
+
+# What every program of tests is made of: its list of tests, and the words for given and expected.
+TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
+	show random)
+COMMON_TESTS := $(patsubst tests/common/%.c,$(B)/tests/common/%,$(wildcard tests/common/*.c))
+$(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/main.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+# The answering process, for each stem: one call of one exercise, as a message.
+DISPATCHES := $(patsubst %,$(B)/judge/dispatch-%.o,$(STEMS) all)
+$(DISPATCHES:.o=.c): $(B)/judge/dispatch-%.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=dispatch -v stem=$* -f .make/proxies.awk $< > $@
+#[
+LENT := $(STEMS:%=$(B)/judge/lent-%.o)
+$(LENT:.o=.c): $(B)/judge/lent-%.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=lent -v stem=$* -f .make/proxies.awk $< > $@
+#]
+$(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies layouts exercises rights): %.o: %.c $(B)/flags
+	$(call say,compile,$<)
+	$(Q)$(COMPILE) -o $@ $<
+
+# What the judge draws of a wrong answer.
+DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector camera place section \
+	equation pictures)
+earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
+#[ The tests themselves, the mistakes and the laws.
+# A stem's tests, calling the answers directly: that answer, and the reference for the stems before.
+parts = $(patsubst %.c,$(B)/%.o,$(wildcard $(1)*.c))
+test_objects = $(call parts,tests/$(1)) $(TESTING) $(B)/tests/judge/main.o \
+	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
+TESTS := $(STEMS:%=$(BUILT)/tests/%)
+$(TESTS): $(BUILT)/tests/%: $(BUILT)/%.o $$(call test_objects,$$*)
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+# The judge: the same tests, asking another process for the answers (proxies). Mistakes and laws
+# stand beside the reference, which goes by other names there.
+$(B)/reference.h: tests/exercises.table .make/proxies.awk
+	$(Q)awk -v make=reference -f .make/proxies.awk $< > $@
+$(B)/judge/proxies.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=proxies -f .make/proxies.awk $< > $@
+# The same by the reference: the judge's, for what it lends, and the matrix's.
+LENDERS := $(STEMS:%=$(B)/judge/lender-%.o)
+$(LENDERS): $(B)/judge/lender-%.o: $(B)/judge/dispatch-%.c $(B)/reference.h $(B)/flags
+	$(call say,compile,$< as reference)
+	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
+BESIDE_REFERENCE := $(call parts,tests/mistakes/) $(call parts,tests/laws/) \
+	$(call parts,tests/variants/)
+$(BESIDE_REFERENCE): EXTRA = -include $(B)/reference.h
+$(BESIDE_REFERENCE): $(B)/reference.h
+REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
+$(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/flags
+	$(call say,compile,$< as reference)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
+JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call corners kept process ending wire same \
+	suspects switchboard system_call) $(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
+JUDGES := $(STEMS:%=$(B)/judge/%)
+$(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) $(JUDGING) \
+		$(B)/judge/lender-%.o $(B)/judge/layouts.o $(DRAWING) \
+		$(patsubst %,$(B)/tests/judge/%.o,judge report right) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+# The matrix: the same, and in the place of the answering process a table that the reference fills.
+MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
+$(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
+		$(B)/tests/variants/%.o $(filter-out %/call.o,$(JUDGING)) $(B)/judge/lender-%.o \
+		$(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+# Blanks are made afresh, whatever stands in exercises/, and must pass nothing.
+BLANK_TESTS := $(STEMS:%=$(B)/tests/blanks/%)
+$(BLANK_TESTS:%=%.o): WARNINGS = $(FOR_STUDENTS)
+$(BLANK_TESTS:%=%.o): $(B)/tests/blanks/%.o: build/blanks/%.c $(B)/flags
+	$(call say,compile,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(COMPILE) -o $@ $<
+$(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,$$*)
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+# Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
+# it takes; and shadows and mirrors against chapter 07.
+SAME_ENGINES := $(patsubst %,$(B)/tests/fast/%,same files memory)
+ENGINES := $(B)/tests/fast/same $(B)/tests/fast/lit
+ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
+$(SAME_ENGINES): $(patsubst %,$(B)/tests/fast/%.o,against made made_difficult parts)
+$(B)/tests/fast/lit: $(B)/tests/fast/lit_scenes.o
+$(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
+		$(LIGHTS_SCENES) \
+		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
+
+# Numbers as they are read against the C library's.
+NUMBERS := $(B)/tests/exact/numbers
+$(NUMBERS): $(NUMBERS).o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+
+SAME := $(B)/tests/same_picture
+$(B)/tests/judge/same_picture.o: EXTRA = $(PNG_CFLAGS)
+$(SAME): $(B)/tests/judge/same_picture.o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS)
+#]
+
+# ---- tests without the tests ------------------------------------------------------------------
+
+# What the tests ask and what is right, as a table that no test and no answer can be read from
+# (tests/told/): made here, and all that a handout has to judge by.
+#[
+TABLE := $(B)/told
+#]
+#~ TABLE := tests/told
+$(B)/judge/layouts.c $(B)/judge/exercises.c: $(B)/judge/%.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
+	$(Q)awk -v make=$* -f .make/proxies.awk $< > $@
+$(STEMS:%=$(B)/told/path/%.c): $(B)/told/path/%.c:
+	$(Q)mkdir -p $(@D)
+	$(Q)printf '#include "tests/told/replay.h"\n\nconst char told_path[] = "%s";\n' \
+		$(TABLE)/$*.table > $@
+$(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags
+	$(Q)$(COMPILE) -o $@ $<
+TOLD := $(patsubst %,$(B)/tests/told/%.o,layout table) $(B)/judge/layouts.o
+REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,wire same suspects switchboard) $(TOLD) \
+	$(patsubst %,$(B)/tests/told/%.o,replay expect)
+
+# A table by itself: what is right passes, and each mistake's values are failed and named.
+TABLE_CHECKS := $(STEMS:%=$(B)/told/check/%)
+$(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told/check.o \
+		$(B)/judge/exercises.o $(B)/common.a | $(TABLE)/%.table
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+#[ Where the tables come from; and right answers written otherwise, held against them.
+TELLERS := $(STEMS:%=$(B)/told/tell/%)
+$(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
+		$(filter-out %/call.o,$(JUDGING)) $(TOLD) \
+		$(patsubst %,$(B)/tests/told/%.o,tell asked takes here) \
+		$(B)/judge/dispatch-%.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+TABLES := $(STEMS:%=$(TABLE)/%.table)
+$(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
+	$(call say,tell,$@)
+	$(Q)env -u SEED ASAN_OPTIONS=detect_leaks=0 $< $@
+TABLE_VARIANTS := $(STEMS:%=$(B)/told/variants/%)
+$(TABLE_VARIANTS): $(B)/told/variants/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/variants/%.o \
+		$(patsubst %,$(B)/tests/told/%.o,variants here) $(B)/judge/dispatch-%.o \
+		$(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES) $(B)/common.a \
+		| $(TABLE)/%.table
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+KIT := $(B)/grading
+CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
+	command -v objdump)
+
+# What the shell scripts among the tests are told. Grading has no sanitizers: a sandbox has no room.
+GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
+FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
+	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
+CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
+FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
+check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
+	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
+
+# What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it.
+check-all: $(CHECKS) $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(BENCH_SCENES)) ## those that need longer, too
+	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
+
+handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
+build/handout.tar.gz: $(TABLES) $(BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) FORCE
+	@.make/handout $(@D) $(TABLE) build/blanks $(or $(RIGHT),$(FIGURES))
+.PHONY: handout FORCE
+#]
