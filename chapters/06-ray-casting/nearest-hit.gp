@@ -1,13 +1,16 @@
 # nearest-hit.gp - along one ray: the smallest t > 0 (slide 'Ray casting process').
 #
 # Each sphere is turned round the ray into the paper, so circles and hits have their true distances;
-# lengths are counted in the ray's t.
+# lengths are counted in the ray's t. Of spheres too large for the paper (part is 1: a ground), what the
+# window from low_x to high_x and low_y to high_y shows of them.
+left_out = (balls < all_balls ? sprintf("Drawn are %d of %d spheres. ", balls, all_balls) : "").(part_names eq "" ? "" : \
+    sprintf("Of %s only a part is drawn.", part_names))
 title = "The nearest hit: the smallest t > 0"
 description = sprintf("A ray and %d spheres. ", balls).(behind_names eq "" ? "" : \
     sprintf("Behind the eye, t < 0, so not hit: %s. ", behind_names)).(missed_names eq "" ? "" : \
     sprintf("Missed: %s. ", missed_names)).(all_hits == 0 ? "No t is greater than 0, so nothing is hit. " : \
     sprintf("Hit: %s. The smallest t > 0 is %s, on sphere %s. ", hit_names, nearest_text, nearest_name)). \
-    (balls < all_balls ? sprintf("Drawn are %d of %d spheres.", balls, all_balls) : "")
+    left_out
 steps = 4
 room = "0.05 0.95 0.38 0.94"
 @flat
@@ -24,11 +27,19 @@ ticks = floor((high_x - first) / tick)
 tick_at(k) = first + tick * k
 inside_text(number, fate, r) = r < 10 ? "" : ball_name(number).(fate > 1 || r < 44 ? "" : \
     fate == 0 ? "\n".small("missed") : "\n".small("behind"))
+# Within the window; and where the name of a part is: half way from the hit to what is nearest the middle.
+shown_t(t) = most(low_x, least(high_x, t))
+shown_side(side) = most(low_y, least(high_y, side))
+name_side(side, r) = side + (side < 0 ? -0.5 : 0.5) * r
 words_x = all_hits ? most(width * 0.24, least(width * 0.76, x(nearest))) : width / 2
 
-plot $circles index 0 using (x($2)):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : rgb_of(surface)) with circles \
+plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed \
+        fc rgb variable fs solid noborder title "parts", \
+    $parts index 0 using (x($1)):($4 == 1 ? V(1,$2) : NaN) with lines lw 1.4 lc rgb ink \
+        title "parts, outline", \
+    $circles index 0 using ($11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : rgb_of(surface)) with circles \
         fc rgb variable fs solid noborder title "circles", \
-    $circles index 0 using ($6 > 1 ? x($2) : NaN):(V(1,$3)):(size[1]*$4) with circles lc rgb ink lw 1.4 fs empty \
+    $circles index 0 using ($6 > 1 && $11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4) with circles lc rgb ink lw 1.4 fs empty \
         border lc rgb ink title "hit circles", \
     $circles index 0 using ($6 < 2 ? x($2) : NaN):(V(1,$3)):(size[1]*$4) with circles lc rgb grey lw 1 dt 2 fs empty \
         border lc rgb grey title "other circles", \
@@ -39,7 +50,7 @@ plot $circles index 0 using (x($2)):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : 
     $along using (x(0)):(on_ray) with @dot lc rgb blue title "eye", \
     $along using (x(0)):(on_ray):("eye") with labels right tc rgb blue offset -0.8,-0.9 title "eye, label", \
     $along using (x(0.5)):(on_ray):(math("v")) with labels tc rgb blue offset 0,0.8 title "v, label", \
-    $circles index 0 using (x($2)):(V(1,$3) + ($3 < 0 ? -0.5 : 0.5) * size[1]*$4):(inside_text($1,$6,size[1]*$4)) \
+    $circles index 0 using (x($11 == 1 ? (shown_t($2) + $9) / 2 : $2)):(V(1,$11 == 1 ? shown_side($3) / 2 : name_side($3,$4))):(inside_text($1,$6,size[1]*$4)) \
         with labels tc rgb ink title "names", \
     @step2 $along using (x(low_x)):(axis):(x(high_x) - x(low_x) + 14):(0) \
         with vectors head filled size 10,16,90 lw 1 lc rgb grey title "axis", \
@@ -48,13 +59,13 @@ plot $circles index 0 using (x($2)):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : 
         title "ticks", \
     @step2 for [k=0:ticks] $along using (x(tick_at(k))):(axis - 16):(small(gprintf("%g", tick_at(k)))) \
         with labels tc rgb grey title "numbers", \
-    @step2 $circles index 0 using (x($7) - 1):(above_axis($10)):(x($8) - x($7) + 2):(0) with vectors nohead lw 7 \
+    @step2 $circles index 0 using (x(shown_t($7)) - 1):(above_axis($10)):(x(shown_t($8)) - x(shown_t($7)) + 2):(0) with vectors nohead lw 7 \
         lc rgb grey title "intervals, outline", \
-    @step2 $circles index 0 using (x($7)):(above_axis($10)):(x($8) - x($7)):(0):5 with vectors nohead lw 5 \
+    @step2 $circles index 0 using (x(shown_t($7))):(above_axis($10)):(x(shown_t($8)) - x(shown_t($7))):(0):5 with vectors nohead lw 5 \
         lc rgb variable title "intervals", \
-    @step2 $circles index 0 using ($6 > 0 ? x($8) + 4 : width / 2):(above_axis($10)):($6 > 0 ? small(ball_name($1)) : "") \
+    @step2 $circles index 0 using ($6 > 0 ? x(shown_t($8)) + 4 : width / 2):(above_axis($10)):($6 > 0 ? small(ball_name($1)) : "") \
         with labels left tc rgb ink title "intervals, names", \
-    @step2 @who $roots index who using (x($1)):(on_ray) with @ring lc rgb ink title "roots", \
+    @step2 @who $roots index who using ($1 == shown_t($1) ? x($1) : NaN):(on_ray) with @ring lc rgb ink title "roots", \
     @step3 $circles index 0 using ($6 == 1 ? x($7) - 5 : NaN):(above_axis($10)):($6 == 1 ? x($8) - x($7) + 10 : NaN):(0) \
         with vectors nohead lw 1.4 lc rgb ink title "crossed out", \
     @step3 $along using (x(0)):(axis - 3):(0):(on_ray - axis + 3) with vectors nohead lw 1 dt 2 lc rgb blue title "t = 0", \
@@ -65,5 +76,5 @@ plot $circles index 0 using (x($2)):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : 
     @step4 $closest index 0 using (x($1)):(62):(0):(24) with @arrow lc rgb orange title "this one", \
     @step4 $along using (words_x):(44):(all_hits ? "smallest ".math("t")." > 0:  ".math("t")." = ".nearest_text. \
         ", sphere ".nearest_name : "no ".math("t")." > 0: nothing is hit") with labels tc rgb orange title "words", \
-    $along using (16):(height - 20):(small(balls < all_balls ? sprintf("Drawn are %d of %d spheres.", balls, all_balls) : " ")) \
+    $along using (16):(height - 20):(small(left_out eq "" ? " " : left_out)) \
         with labels left tc rgb grey title "note"

@@ -27,6 +27,11 @@ ALONG = {"from": (0, 0, 0), "at": (1, 0, 0), "up": (0, 1, 0), "angle": 60, "size
          "spheres": [((-1.3, 0.25, 0), 0.7, (0.74, 0.36, 0.62)), ((2.2, 1.75, 0), 0.85, (0.5, 0.53, 0.57)),
                      ((7.9, -0.35, 0), 1.5, (0.85, 0.42, 0.13)), ((4.1, 0.5, 0), 0.95, (0.1, 0.58, 0.44))]}
 
+# Spheres on a ground, as many scenes have it; pixel (5, 7) sees the ground, (2, 4) what stands on it.
+GROUND = {"from": (0, 1.5, 6), "at": (0, 1, 0), "up": (0, 1, 0), "angle": 50, "size": (12, 9), "background": (0.5, 0.7, 0.9),
+          "spheres": [((0, -1000, 0), 1000, (0.5, 0.5, 0.5)), ((-1.2, 1, 0), 1, (0.8, 0.2, 0.2)),
+                      ((1.4, 0.8, 0.5), 0.8, (0.2, 0.6, 0.9))]}
+
 
 # ---- geometry -------------------------------------------------------------------------------------
 
@@ -315,6 +320,34 @@ def flat_place(figure, room, low_x, high_x, low_y, high_y):
                                figure.height * (room[2] + room[3]) / 2 + size * (y - (low_y + high_y) / 2))
 
 
+def parts_of_circles(figure, place, circles, window):
+    """Of each circle that is too large just what the window shows is filled, and its arc drawn."""
+    low_x, high_x, low_y, high_y = window
+    (left, low), (right, high) = place(low_x, low_y), place(high_x, high_y)
+    one = place(1, 0)[0] - place(0, 0)[0]
+    shapes = figure.polygons("parts") if "parts" in figure.plots else []
+    checks.that("as many parts as large circles", len(shapes) == len(circles), str(len(shapes)))
+    if not circles:
+        return
+    filled = []
+    for shape in shapes:
+        filled.append(abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(shape, shape[1:] + shape[:1]))) / 2)
+        checks.that("a part is within the window", all(
+            left - NEAR <= x <= right + NEAR and low - NEAR <= y <= high + NEAR for x, y in shape))
+    wanted, columns = [], 4000
+    for t, y, r in circles:
+        area = 0
+        for k in range(columns):
+            x = low_x + (high_x - low_x) * (k + 0.5) / columns
+            half = math.sqrt(max(0, r * r - (x - t) ** 2))
+            area += max(0, min(high_y, y + half) - max(low_y, y - half)) * (high_x - low_x) / columns
+        wanted.append(area * one * one)
+    checks.same("the parts are as large as they should be", sorted(filled), sorted(wanted), within=1e-3)
+    for x, y in (spot for line in figure.lines("parts, outline") for spot in line):
+        off = min(abs(math.hypot(x - place(t, 0)[0], y - place(0, a)[1]) - one * r) for t, a, r in circles)
+        checks.that("the outline of a part is on its circle", off <= NEAR, str(off))
+
+
 def nearest_hit(scene, pixel, options=None):
     world = World(scene)
     figure = Figure(PROGRAM, "nearest-hit", *(scene_options(scene, pixel) if options is None else options))
@@ -327,13 +360,18 @@ def nearest_hit(scene, pixel, options=None):
         off = plus(p, v, -t)
         side = -1 if dot(off, world.u) < 0 else 1
         circles[number] = (t, side * length(off) / length(v), radius / length(v))
-    # What would make all else tiny is left out: more than 12 times as far as the ray is drawn.
+    # What would make all else tiny, more than 12 times as far as the ray is drawn, is left out where it
+    # is not hit; else it is drawn where a window shows it.
     reach = max([1.2] + [t for t, _ in hits[:4]])
-    circles = {i: (t, y, r) for i, (t, y, r) in circles.items() if abs(t) + abs(y) + r <= 12 * reach}
-    low_x = min([-0.1] + [t - r for t, _, r in circles.values()])
-    high_x = max([1.2] + [t + r for t, _, r in circles.values()])
-    low_y = min([-0.1] + [y - r for _, y, r in circles.values()])
-    high_y = max([0.1] + [y + r for _, y, r in circles.values()])
+    far = {i for i, (t, y, r) in circles.items() if abs(t) + abs(y) + r > 12 * reach}
+    parts = {i: t for t, i in hits if i in far and t <= reach}
+    circles = {i: circle for i, circle in circles.items() if i not in far or i in parts}
+    whole = [circle for i, circle in circles.items() if i not in parts]
+    room = max([0.1] + [0.25 * max(1, t) for t in parts.values()])
+    low_x = min([-0.1] + [t - r for t, _, r in whole])
+    high_x = max([1.2] + [t + r for t, _, r in whole] + [t + 0.25 * max(1, t) for t in parts.values()])
+    low_y = min([-room] + [y - r for _, y, r in whole])
+    high_y = max([room] + [y + r for _, y, r in whole])
     size, place = flat_place(figure, (0.05, 0.95, 0.38, 0.94), low_x, high_x, low_y, high_y)
     rows = figure.block("circles")
     shown = sorted(int(row[0]) for row in rows)
@@ -347,7 +385,7 @@ def nearest_hit(scene, pixel, options=None):
         checks.that("what becomes of a sphere", row[5] == fate, f"{row[5]}, expected {fate}")
         if ends:
             checks.same("its roots", row[6:8], ends)
-    wanted = sorted(place(t, 0) for i in circles for t in world.roots(v, i) or ())
+    wanted = sorted(place(t, 0) for i in circles for t in world.roots(v, i) or () if low_x <= t <= high_x)
     checks.near("the rings where the ray meets them", sorted(figure.dots("roots")), wanted)
     checks.near("the closest", figure.dots("closest"), [place(t, 0) for t, _ in hits[:1]])
     checks.near("the closest on the axis", figure.dots("closest on the axis"),
@@ -357,7 +395,9 @@ def nearest_hit(scene, pixel, options=None):
     drawn = figure.lines("intervals") if any(world.roots(v, i) for i in circles) else []
     spans = sorted((min(x for x, _ in line), max(x for x, _ in line)) for line in drawn)
     checks.near("the intervals on the axis", spans, sorted(
-        (place(ends[0], 0)[0], place(ends[1], 0)[0]) for ends in (world.roots(v, i) for i in circles) if ends))
+        (place(max(low_x, ends[0]), 0)[0], place(min(high_x, ends[1]), 0)[0])
+        for ends in (world.roots(v, i) for i in circles) if ends))
+    parts_of_circles(figure, place, [circles[i] for i in parts], (low_x, high_x, low_y, high_y))
     if hits:
         words = f"{hits[0][0]:.4g}, sphere {chr(ord('A') + hits[0][1])}"
         checks.that("the smallest t is told", any(text.startswith("smallest") and text.endswith(words)
@@ -444,6 +484,9 @@ ray_casting(FOUR, (4, 4), [])
 image_order(ONE, (5, 2), [])
 object_order(ONE, (5, 2), [])
 nearest_hit(ALONG, (0, 0), [])
+for spot in ((5, 7), (2, 4)):
+    nearest_hit(GROUND, spot)
+nearest_hit({**GROUND, "from": (0, -0.5, 6)}, (5, 4))
 explain_figure(FOUR, (4, 4))
 explain_figure(ALONG, (0, 0))
 story(FOUR, (4, 4))
