@@ -124,8 +124,11 @@ static void circle_data(Plot *plot, const Shown *shown, const Circle *circles, i
                                   met ? intervals[i].t[1] : NAN, hit < NO_HIT ? hit : NAN, lanes[i],
                                   c.part});
     }
-    if (count == 0)
-        plot_row(plot, 11, (const double[]){0, 0, 0, 0, 0, 0, NAN, NAN, NAN, 0, 0});
+    // Where all are missed each row has a NaN; such a block is not drawn (plot_block.c).
+    double nowhere[11];
+    for (int i = 0; i < 11; i++)
+        nowhere[i] = 1e9;
+    plot_row(plot, 11, nowhere);
     plot_block_end(plot);
     plot_block(plot, "roots", "t");
     for (int i = 0; i < count; i++)

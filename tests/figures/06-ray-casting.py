@@ -484,7 +484,7 @@ ray_casting(FOUR, (4, 4), [])
 image_order(ONE, (5, 2), [])
 object_order(ONE, (5, 2), [])
 nearest_hit(ALONG, (0, 0), [])
-for spot in ((5, 7), (2, 4)):
+for spot in ((5, 7), (2, 4), (6, 0)):
     nearest_hit(GROUND, spot)
 nearest_hit({**GROUND, "from": (0, -0.5, 6)}, (5, 4))
 explain_figure(FOUR, (4, 4))

@@ -117,7 +117,7 @@ class Figure:
             raise AssertionError(f"no block ${name} in the script")
         parts = re.split(r"\n\n\n", body.group(1))
         rows = [line for line in parts[index].splitlines()
-                if line and not line.startswith("#") and not line.startswith("1e9 ")]  # that is nowhere
+                if line and not line.startswith("#") and not line.startswith(("1e9 ", "1000000000 "))]  # nowhere
         return [[float(word) for word in re.sub(r'"[^"]*"', "nan", row).split()] for row in rows]
 
     # ---- the marks ----------------------------------------------------------------------------
