@@ -29,26 +29,28 @@ static void picture_data(Plot *plot, const char *name, const Image *image)
     plot_block_end(plot);
 }
 
-// Where on the picture, in its pixels from the lower left.
-static void spot_data(Plot *plot, const char *name, Pixel pixel)
+// Where on the picture, in its pixels from the lower left; and whether anywhere.
+static void spot_data(Plot *plot, const char *name, const char *has, Pixel pixel)
 {
     plot_block(plot, name, "x y on the picture");
     plot_row(plot, 2, (const double[]){pixel.column + 0.5, ROWS - pixel.row - 0.5});
     plot_block_end(plot);
+    plot_number(plot, has, pixel.column >= 0);
 }
 
-// Of the pixels that see a sphere the one where the value is largest; the middle one where none
-// does.
+#define NO_PIXEL ((Pixel){-1, -1})
+
+// Of the pixels that see a sphere the one where the value is largest, and more than 0.
 static Pixel most(const Drawing *drawing, double (*value)(const Drawing *, Ray, Hit))
 {
     const Resolution screen = {COLUMNS, ROWS};
-    Pixel best = {COLUMNS / 2, ROWS / 2};
-    double largest = -INFINITY;
+    Pixel best = NO_PIXEL;
+    double largest = 0;
     for (int i = 0; i < COLUMNS * ROWS; i++) {
         Pixel pixel = {i % COLUMNS, i / COLUMNS};
         Ray ray = pixel_ray(drawing->camera, screen, pixel);
         Hit hit = nearest_hit(ray, &drawing->scene);
-        double here = hit.sphere < 0 ? -INFINITY : value(drawing, ray, hit);
+        double here = hit.sphere < 0 ? 0 : value(drawing, ray, hit);
         if (here > largest) {
             largest = here;
             best = pixel;
@@ -57,16 +59,24 @@ static Pixel most(const Drawing *drawing, double (*value)(const Drawing *, Ray, 
     return best;
 }
 
-// How strongly the first light is mirrored into the eye by the first sphere.
+// How much of the first light reaches a place from which its normal points away.
+static double light_here(const Drawing *drawing, vec3 point, Hit hit, vec3 normal)
+{
+    vec3 start = off_surface(drawing->scene.spheres[hit.sphere], point, normal);
+    return visibility(&drawing->scene, start, drawing->scene.lights[0]);
+}
+
+// How exactly the first light is mirrored into the eye; the first sphere that shines goes first.
 static double highlight_here(const Drawing *drawing, Ray ray, Hit hit)
 {
     const Scene *scene = &drawing->scene;
-    if (hit.sphere != 0)
-        return -1;
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 normal = surface_normal(scene->spheres[hit.sphere], point);
     vec3 to_light = ray_to_light(point, scene->lights[0]).direction;
-    return phong_term(1, 1, vec3_of(1, 1, 1), normal, to_light, -ray.direction)[0];
+    double cosine = phong_term(1, 1, vec3_of(1, 1, 1), normal, to_light, -ray.direction)[0];
+    bool seen = scene_surface(scene, hit.sphere)->specular > 0 && cosine > 0.95 &&
+                light_here(drawing, point, hit, normal) > 0;
+    return seen ? cosine + scene->sphere_count - hit.sphere : 0;
 }
 
 // Facing the light, and yet dark.
@@ -75,9 +85,8 @@ static double shadow_here(const Drawing *drawing, Ray ray, Hit hit)
     const Scene *scene = &drawing->scene;
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 normal = surface_normal(scene->spheres[hit.sphere], point);
-    vec3 start = off_surface(scene->spheres[hit.sphere], point, normal);
     vec3 to_light = vec3_unit(ray_to_light(point, scene->lights[0]).direction);
-    return vec3_dot(normal, to_light) - 2 * visibility(scene, start, scene->lights[0]);
+    return vec3_dot(normal, to_light) - 2 * light_here(drawing, point, hit, normal);
 }
 
 static void flat_and_shaded(Plot *plot, void *given)
@@ -88,8 +97,10 @@ static void flat_and_shaded(Plot *plot, void *given)
     Style style = {.samples = 1, .depth = 0, .gamma = 1};
     if (!image_create(&image, (Resolution){COLUMNS, ROWS}, &message))
         return;
-    spot_data(plot, "highlight", most(&drawing, highlight_here));
-    spot_data(plot, "shadow", most(&drawing, shadow_here));
+    Pixel highlight = most(&drawing, highlight_here), shadow = most(&drawing, shadow_here);
+    spot_data(plot, "highlight", "has_highlight", highlight);
+    spot_data(plot, "shadow", "has_shadow", shadow);
+    plot_number(plot, "shadow_first", shadow.column <= highlight.column);
     plot_number(plot, "columns", COLUMNS);
     plot_number(plot, "rows", ROWS);
     plot_number(plot, "ambient", drawing.scene.ambient[0]);

@@ -1,7 +1,8 @@
 """07-shading.py - the figures of chapter 07 show what is so."""
 import math
+import tempfile
 
-from check import Checks, holds_for_every
+from check import Checks, holds_for_every, on_the_canvas, told_in_words
 from figure import Figure, dot, plus, times
 
 checks = Checks("figures of 07-shading")
@@ -71,6 +72,31 @@ checks.that("the highlight is where the red sphere is whitest", lit[1] == bright
 checks.that("the shadow is where there is only ambient light",
             max(light_of(int(x), int(ROWS - y))[1]) == round(255 * KD * AMBIENT))
 holds_for_every(checks, "07-shading", "flat-and-shaded")
+
+
+def pointed_at(name, text):
+    """Which of the two words there are where a lecturer has this scene."""
+    with tempfile.NamedTemporaryFile("w", suffix=".nff", encoding="ascii") as file:
+        file.write(text)
+        file.flush()
+        own = Figure("07-shading", "flat-and-shaded", file.name)
+    told_in_words(checks, name, own)
+    on_the_canvas(checks, name, own)
+    words = {text.words for text in own.texts()} & {"highlight", "shadow"}
+    told = {word for word in ("highlight", "shadow") if word in own.in_words()[1].lower()}
+    checks.that(f"{name}: told is what is pointed at", words == told, f"{words}, {told}")
+    return own, words
+
+
+VIEW = "b 0.5 0.7 0.9\nv\nfrom 0 1.5 6\nat 0 1 0\nup 0 1 0\nangle 50\nresolution 320 240\nl 5 8 6\n"
+own, words = pointed_at("a ground", VIEW + "f 0.5 0.5 0.5 1 0 1 0 1\ns 0 -1000 0 1000\n"
+                        "f 0.8 0.2 0.2 0.7 0.3 20 0 1\ns -1.2 1 0 1\n")
+checks.that("on a ground: both", len(words) == 2, str(words))
+(x, y), = own.block("highlight")
+red, green, _ = bytes_of(own.block("flat")[int(y)][int(x)])
+checks.that("the highlight is on what shines, not on the ground", red > 2 * green, f"{red}, {green}")
+own, words = pointed_at("alone and dull", VIEW + "f 0.5 0.5 0.5 1 0 1 0 1\ns 0 1 0 1\n")
+checks.that("alone and dull: neither", not words, str(words))
 
 figure = Figure("07-shading", "self-hit")
 (px, py, pz, vx, vy, vz), = figure.block("seen")
