@@ -61,6 +61,8 @@ plot @panels $eye using @title_place:(titles[panel]) with labels tc rgb ink titl
     @step5 @who @panels $frames index who every ::0:@this:0:@this using @vector with @short lc rgb orange dt dash(who) title "r", \
     @step5 @who @panels $frames index who every ::1:@this:1:@this using @vector with @short lc rgb green dt dash(who) title "u", \
     @step5 @who @panels $frames index who every ::2:@this:2:@this using @vector with @short lc rgb pink dt dash(who) title "f", \
-    @step5 @panels $frames index 0 every :::@this::@this using @beyond:(small(math(word("r u f", int($0) + 1)))) with labels tc rgb ink title "r u f", \
+    @step5 @panels $frames index 0 every ::0:@this:0:@this using (@tip_x - 9):(@tip_y - 9):(small(math("r"))) with labels tc rgb ink title "r, label", \
+    @step5 @panels $frames index 0 every ::1:@this:1:@this using (@tip_x - 9):(@tip_y - 5):(small(math("u"))) with labels tc rgb ink title "u, label", \
+    @step5 @panels $frames index 0 every ::2:@this:2:@this using @beyond:(small(math("f"))) with labels tc rgb ink title "f, label", \
     @step5 @panels $eye using @found_place:(small(found(panel))) with labels tc rgb grey title "found, in numbers", \
     @step5 @panels $eye using @yours_place:(yours(panel)) with labels tc rgb grey title "yours, in numbers"
