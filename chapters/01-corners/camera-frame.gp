@@ -36,6 +36,6 @@ plot $x_axis using @vector with @axis lc rgb grey title "x axis", \
     $forward_arrow using @vector with @arrow lc rgb pink title "f", \
     $right_arrow using @beyond:(math("r")) with labels tc rgb orange title "r, label", \
     $up_arrow using @beyond:(math("u")) with labels tc rgb green title "u, label", \
-    $forward_arrow using (@tip_x - 2):(@tip_y + 24):(math("f")) with labels tc rgb pink title "f, label", \
+    $forward_arrow using (@tip_x + 3):(@tip_y + 30):(math("f")) with labels tc rgb pink title "f, label", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using (@point_x - 14):(@point_y - 10):(math("p")) with labels tc rgb blue title "p"
