@@ -41,6 +41,12 @@ left_text = 0.245 * width
 right_text = 0.755 * width
 taken(u, v) = object_roots > 0 && (overlap(u, v, 1, hit0_u, hit0_v, 2) || overlap(u, v, 1, hit1_u, hit1_v, 2))
 axis_name(i) = word("x y z", int(i))
+# The name of an axis stands beside its tip, or above it where the ray would cross it; t_1 beside an axis.
+from_ray(u, v) = abs((u - t_u(0)) * (t_v(1) - t_v(0)) - (v - t_v(0)) * (t_u(1) - t_u(0))) / \
+    sqrt((t_u(1) - t_u(0))**2 + (t_v(1) - t_v(0))**2)
+crossed(u, v) = from_ray(u + 10, v - 6) < 10
+axis_u = X(ball_x, ball_y, ball_z)
+off_axis(u) = abs(u - axis_u) < 20 ? axis_u + (u < axis_u ? -20 : 20) : u
 v_label = stride == 1 ? "v" : stride_text." v"
 v_u = t_u(v_first + stride / 2.0)
 v_v = t_v(v_first + stride / 2.0)
@@ -50,7 +56,7 @@ split = 7.9 * (12 + strlen(origin_text.center_text)) > 0.47 * width ? 22 : 0
 
 plot $circle using @point with filledcurves closed fc rgb surface fs solid noborder title "disc", \
     for [_=1:near_origin] $world_axes using @vector with @thin_arrow lc rgb grey title "axes", \
-    $world_axes using (X($1+$4,$2+$5,$3+$6) + 10):(Y($1+$4,$2+$5,$3+$6) - 6): \
+    $world_axes using (@tip_x + (crossed(@tip_x, @tip_y) ? 0 : 10)):(@tip_y + (crossed(@tip_x, @tip_y) ? 14 : -6)): \
         (near_origin ? small(math(axis_name($7))) : "") with labels tc rgb grey title "axes, labels", \
     $circle using @point with @lines lc rgb ink title "circle", \
     $behind index wrong using @point with @lines lc rgb grey dt 3 title "behind p", \
@@ -101,7 +107,7 @@ plot $circle using @point with filledcurves closed fc rgb surface fs solid nobor
     for [_=1:step >= 4 && differs("object_t0")] $object_hit0 index differs("object_t0") using @object_point with @square lc rgb ink title "your object t0", \
     for [_=1:step >= 4 && differs("object_t1")] $object_hit1 index differs("object_t1") using @object_point with @square lc rgb ink title "your object t1", \
     @step4 for [i=0:1] $center using (hit0_u + i * side):(hit0_v):(object_roots > 0 ? math("t_0") : "") with labels tc rgb color(t0) title "t0, label", \
-    @step4 for [i=0:1] $center using (hit1_u + i * side):(hit1_v):(object_roots > 1 && !touches ? math("t_1") : "") with labels tc rgb color(t1) title "t1, label", \
+    @step4 for [i=0:1] $center using (i ? off_axis(hit1_u) + side : hit1_u):(hit1_v):(object_roots > 1 && !touches ? math("t_1") : "") with labels tc rgb color(t1) title "t1, label", \
     @step4 $center using (left_text):(lift + 42):(found("world", math("t"))) with labels tc rgb orange title "world roots", \
     @step4 $center using (right_text):(lift + 42):(found("object", math("t"))) with labels tc rgb orange title "object roots", \
     @step4 $center using (left_text):(lift + 18):(small(your_coefficients("world"))) with labels tc rgb ink title "your world a, b, c", \
