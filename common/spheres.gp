@@ -131,6 +131,12 @@ spheres = 'set samples 145; count = 0; behind = ""; before = ""; names = ""; \
         else { if (ball_h[i] < ball_r[i]) { before = before.ball(i, "0".divided[i]) } }; \
         names = names.name_at(i, spot(i, 0)) }'
 
+# Round a hit on a sphere that is too large to be drawn, a ground: '@patches', behind all else.
+patches = '$patches index 0 using @point:(pale($4)) with filledcurves closed fc rgb variable fs solid noborder title "patches", \
+    $patches index 0 using @point with @hair lc rgb grey title "patches, outline", \
+    $patch_names index 0 using @point:(small(ball_name($4))) with labels tc rgb ink title "patches, names",'
+in_part(_) = patched ? "Of a sphere that is not drawn as a whole there is what is round the hit. " : ""
+
 # A ray's bold part, where it is seen.
 bold = "(X($1,$2,$3)):($5 == 1 && seen($1,$2,$3) ? Y($1,$2,$3) : NaN)"
 # What is left out of the picture, or drawn elsewhere; a function, as not all layouts have these numbers.

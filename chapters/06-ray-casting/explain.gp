@@ -17,7 +17,7 @@ description = sprintf("Pixel %s of %s has its centre at (%s, %s); s is %s, t is 
     pixel_text, size_text, screen_x_text, screen_y_text, s_text, t_text, p_text, vector_v_text).all_plain(1). \
     (all_hits == 0 ? "Nothing is hit: background. " : \
     sprintf("The smallest t > 0 is %s, on sphere %s. ", nearest_text, nearest_name)). \
-    sprintf("The colour is %s. ", bytes_text).note
+    sprintf("The colour is %s. ", bytes_text).in_part(0).note
 steps = 6
 room = shape eq "4:3" ? "0.04 0.46 0.14 0.90" : "0.04 0.56 0.14 0.90"
 @see
@@ -25,7 +25,7 @@ room = shape eq "4:3" ? "0.04 0.46 0.14 0.90" : "0.04 0.56 0.14 0.90"
 left = width * (shape eq "4:3" ? 0.49 : 0.595)
 line(k) = height - 48 - 27 * k
 
-plot @behind \
+plot @patches @behind \
     $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step6 $pixel using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
     $grid using @point with @hair lc rgb faint title "grid", \

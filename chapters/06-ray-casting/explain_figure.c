@@ -52,6 +52,7 @@ void explain_figure_data(Plot *plot, void *given)
     ScreenPoint point = pixel_center(shot.pixel);
     Normalized place = screen_to_normalized(point, shot.size);
     shown_data(plot, shown);
+    shown_patches(plot, shown);
     plot_include(plot, "common/spheres.gp");
     plot_number(plot, "screen_x", point.x);
     plot_number(plot, "screen_y", point.y);

@@ -34,6 +34,7 @@ static void ray_casting(Plot *plot, void *given)
 {
     const Shown *shown = given;
     shown_data(plot, shown);
+    shown_patches(plot, shown);
     plot_include(plot, "common/spheres.gp");
     cast_cells(plot, shown);
 }

@@ -4,13 +4,13 @@ title = "Image order: for each pixel, find the object that colours it"
 description = sprintf("From the eye a ray goes through the centre of pixel %s of %s and %s. ", pixel_text, size_text, \
     all_hits == 0 ? "meets no sphere" : sprintf("meets sphere %s at t = %s", nearest_name, nearest_text)). \
     (misses ? "The ray of another pixel meets nothing. " : "").sprintf("The rays through the centres of %d of the \
-%s pixels that are drawn hit a sphere. %s", cells, grid_text, note)
+%s pixels that are drawn hit a sphere. %s", cells, grid_text, in_part(0).note)
 steps = 5
 room = "0.04 0.96 0.16 0.93"
 @see
 @spheres
 
-plot @behind \
+plot @patches @behind \
     $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step5 $pixels index 0 using @point:4 with filledcurves closed fc rgb variable fs solid noborder title "pixels", \
     for [_=5:wrong * step:1000] $pixels index wrong using @point:4 with lines lw 2.2 dt 2 lc rgb variable \

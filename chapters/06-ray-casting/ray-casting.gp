@@ -8,7 +8,7 @@ description = sprintf("The ray of pixel %s of %s goes from the eye through the i
     (all_hits == 0 ? "It meets no sphere, so the pixel keeps the background. " : \
     sprintf("It meets %d of %d spheres; the closest hit is on sphere %s at t = %s, so the pixel has its colour. ", \
         all_hits, all_balls, nearest_name, nearest_text).hits_from(1)). \
-    sprintf("%d of the %s pixels that are drawn show a sphere. %s", cells, grid_text, note)
+    sprintf("%d of the %s pixels that are drawn show a sphere. %s", cells, grid_text, in_part(0).note)
 hit_words(i, t, ball) = math("t").sprintf(" = %.4g, sphere %s%s", t, ball_name(ball), i == 0 ? ": closest" : "")
 # The words of a hit are at the left of the line to it, or where that is too near to the edge, at the right.
 at_left(i, ball, x) = ball >= 0 && x > (i == 0 ? 330 : 240)
@@ -19,7 +19,7 @@ room = "0.04 0.96 0.24 0.93"
 @see
 @spheres
 
-plot @behind \
+plot @patches @behind \
     $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step5 $pixels index 0 using @point:4 with filledcurves closed fc rgb variable fs solid noborder title "pixels", \
     for [_=5:wrong * step:1000] $pixels index wrong using @point:4 with lines lw 2.2 dt 2 lc rgb variable title "your pixels", \

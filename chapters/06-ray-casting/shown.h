@@ -49,6 +49,9 @@ void shown_only(Shown *shown, int sphere);
 // $pixel, its $ray, its $hits.
 void shown_data(Plot *plot, const Shown *shown);
 
+// Of the spheres that the ray hits and that are not shown, as of a ground, what is round the hit.
+void shown_patches(Plot *plot, const Shown *shown);
+
 // A cell of the drawn pixels: $pixels is made of these.
 void shown_cells_begin(Plot *plot, const char *name);
 void shown_cell(Plot *plot, const Shown *shown, Pixel cell, Color color);

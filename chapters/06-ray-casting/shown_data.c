@@ -4,7 +4,7 @@
 #include "exercises/01-corners.h"
 #include "exercises/03-screen.h"
 
-enum { RAY_PLACES = 240 };
+enum { RAY_PLACES = 240, PATCH_PLACES = 72 };
 
 double rgb_number(Color color)
 {
@@ -122,6 +122,57 @@ static void hits(Plot *plot, const Shown *shown)
     plot_number(
         plot, "pixel_rgb",
         rgb_number(any ? scene_surface(scene, shown->hits[0].sphere)->color : scene->background));
+}
+
+// A place of a sphere: so far from a point of it, in a direction between two.
+static vec3 on_sphere(Sphere s, vec3 normal, vec3 aside, double away, double angle)
+{
+    vec3 other = vec3_cross(normal, aside);
+    double flat = fmin(1, away / s.radius);
+    return s.center + s.radius * (sqrt(1 - flat * flat) * normal +
+                                  flat * (cos(angle) * aside + sin(angle) * other));
+}
+
+static bool is_shown(const Shown *shown, int sphere)
+{
+    for (int i = 0; i < shown->sphere_count; i++)
+        if (shown->spheres[i] == sphere)
+            return true;
+    return false;
+}
+
+void shown_patches(Plot *plot, const Shown *shown)
+{
+    Camera c = shown->camera;
+    vec3 names[MOST_HITS];
+    int numbers[MOST_HITS], count = 0;
+    plot_block(plot, "patches", "x y z rgb");
+    for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++) {
+        int number = shown->hits[i].sphere;
+        if (!is_sphere(shown->shot.scene, number) || is_shown(shown, number))
+            continue;
+        Sphere s = shown->shot.scene->spheres[number];
+        vec3 hit = shown->ray.origin + shown->hits[i].t * shown->ray.direction;
+        vec3 normal = vec3_unit(hit - s.center);
+        vec3 side = fabs(vec3_dot(normal, c.right)) < 0.9 ? c.right : c.forward;
+        side = vec3_unit(side - vec3_dot(side, normal) * normal);
+        double away = 0.2 * vec3_length(hit - c.origin);
+        for (int k = 0; k <= PATCH_PLACES; k++) {
+            vec3 p = on_sphere(s, normal, side, away, 2 * PI * k / PATCH_PLACES);
+            double rgb = rgb_number(scene_surface(shown->shot.scene, number)->color);
+            plot_row(plot, 4, (const double[]){p[0], p[1], p[2], rgb});
+            plot_fit(plot, p, 0);
+        }
+        plot_gap(plot);
+        names[count] = on_sphere(s, normal, side, 0.6 * away, 0);
+        numbers[count++] = number;
+    }
+    plot_block_end(plot);
+    plot_block(plot, "patch_names", "x y z sphere");
+    for (int i = 0; i < count; i++)
+        plot_row(plot, 4, (const double[]){names[i][0], names[i][1], names[i][2], numbers[i]});
+    plot_block_end(plot);
+    plot_number(plot, "patched", count);
 }
 
 static void the_pixel(Plot *plot, const Shown *shown)

@@ -220,6 +220,31 @@ def drawable(world, i):
     return gap > 0 and radius < 6 * gap
 
 
+def patches(figure, world, hits):
+    """Of spheres that are hit and cannot be drawn as a whole: a circle on them, round the hit."""
+    wanted = [(t, i) for t, i in hits[:4] if not drawable(world, i)]
+    rows = [row for row in figure.block("patches") if wanted]
+    names = [int(row[3]) for row in figure.block("patch_names")]
+    checks.that("what is drawn of large spheres", names == [i for _, i in wanted], f"{names}, expected {wanted}")
+    places = len(rows) // max(1, len(wanted))
+    for k, (t, i) in enumerate(wanted):
+        center, radius, color = world.spheres[i]
+        hit = plus(world.eye, figure_ray(figure), t)
+        for row in rows[k * places:(k + 1) * places]:
+            checks.same("a patch is on its sphere", [length(plus(tuple(row[:3]), center, -1)), row[3]], [radius, rgb(color)])
+            away = length(plus(tuple(row[:3]), hit, -1)) / length(plus(hit, world.eye, -1))
+            checks.that("and round the hit", 0.19 < away < 0.29, str(away))
+    drawn = figure.polygons("patches") if wanted else []
+    corners = [corner for shape in drawn for corner in shape[:places]]
+    checks.near("its place", sorted(corners), sorted(figure.place(row[:3]) for row in rows))
+
+
+def figure_ray(figure):
+    """The direction of the figure's ray: from the eye, its first place, to where t is 1."""
+    first, *_, last = figure.block("ray")
+    return tuple((b - a) / last[3] for a, b in zip(first[:3], last[:3]))
+
+
 def scene_options(scene, pixel):
     return [write(scene), "--pixel", f"{pixel[0]},{pixel[1]}"]
 
@@ -233,6 +258,7 @@ def ray_casting(scene, pixel, options=None):
     v = world.pixel(*pixel)
     hits = world.hits(v)
     shown_spheres(figure, world, seen_spheres(world, pixel))
+    patches(figure, world, hits)
     cells(figure, world, nearer, cast(world))
     checks.near("the eye", figure.dots("eye"), figure.place(world.eye))
     outline = [figure.place(plus(world.eye, world.vector(x * world.columns, y * world.rows), nearer))
@@ -266,6 +292,7 @@ def image_order(scene, pixel, options=None):
     nearer = see(figure, world, ROOM)
     hits = world.hits(world.pixel(*pixel))
     shown_spheres(figure, world, seen_spheres(world, pixel))
+    patches(figure, world, hits)
     cells(figure, world, nearer, cast(world))
     centers = [figure.place(plus(world.eye, world.pixel(column, row), nearer))
                for row in range(world.rows) for column in range(world.columns)]
@@ -413,6 +440,7 @@ def explain_figure(scene, pixel, options=None):
     checks.same("s and t", [figure.number("s"), figure.number("t")],
                 [(pixel[0] + 0.5) / world.columns, 1 - (pixel[1] + 0.5) / world.rows])
     checks.same("the vector from the eye", figure.block("vector_v")[0], [*world.eye, *v])
+    patches(figure, world, hits)
     checks.near("its arrow", figure.tips("vector from the eye"), figure.place(plus(world.eye, v, nearer)))
     checks.near("the hits", figure.dots("hits"), [figure.place(plus(world.eye, v, t)) for t, _ in hits[:4]])
     checks.near("the closest", figure.dots("closest hit"),
@@ -485,7 +513,8 @@ image_order(ONE, (5, 2), [])
 object_order(ONE, (5, 2), [])
 nearest_hit(ALONG, (0, 0), [])
 for spot in ((5, 7), (2, 4), (6, 0)):
-    nearest_hit(GROUND, spot)
+    for kind in (ray_casting, image_order, nearest_hit, explain_figure):
+        kind(GROUND, spot)
 nearest_hit({**GROUND, "from": (0, -0.5, 6)}, (5, 4))
 explain_figure(FOUR, (4, 4))
 explain_figure(ALONG, (0, 0))
