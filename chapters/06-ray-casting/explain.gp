@@ -19,10 +19,10 @@ description = sprintf("Pixel %s of %s has its centre at (%s, %s); s is %s, t is 
     sprintf("The smallest t > 0 is %s, on sphere %s. ", nearest_text, nearest_name)). \
     sprintf("The colour is %s. ", bytes_text).in_part(0).note
 steps = 6
-room = shape eq "4:3" ? "0.04 0.46 0.14 0.90" : "0.04 0.56 0.14 0.90"
+room = shape eq "4:3" ? "0.03 0.43 0.14 0.90" : "0.04 0.56 0.14 0.90"
 @see
 @spheres
-left = width * (shape eq "4:3" ? 0.49 : 0.595)
+left = width * (shape eq "4:3" ? 0.45 : 0.595)
 line(k) = height - 48 - 27 * k
 
 plot @patches @behind \

@@ -522,6 +522,7 @@ story(FOUR, (4, 4))
 story(ALONG, (0, 0))
 for name in ("ray-casting", "image-order", "object-order", "nearest-hit", "explain"):
     holds_for_every(checks, PROGRAM, name)
+    holds_for_every(checks, PROGRAM, name, *scene_options(GROUND, (5, 7)))
     empty = {**DECK, "spheres": []}
     Figure(PROGRAM, name, *scene_options(empty, (3, 3)))
 figure = Figure(PROGRAM, "object-order")
