@@ -83,37 +83,56 @@ static vec3 outline_place(Camera c, Sphere sphere, double angle)
            sphere.radius * sqrt(1 - flat * flat) * (cos(angle) * aside + sin(angle) * up);
 }
 
+// Where a line of sight crosses the image plane; NaN where not before it, or far beside it, as the
+// outline of a ground does.
+static vec3 on_plane(Camera c, vec3 v)
+{
+    vec3 place = c.distance / vec3_dot(v, c.forward) * v;
+    bool near = vec3_dot(v, c.forward) > 0 && fabs(vec3_dot(place, c.right)) <= c.width &&
+                fabs(vec3_dot(place, c.up)) <= c.height;
+    return near ? c.origin + place : vec3_of(NAN, NAN, NAN);
+}
+
+static vec3 line_of_sight(Camera c, Sphere sphere, int i)
+{
+    return outline_place(c, sphere, 2 * PI * i / OUTLINE_PLACES) - c.origin;
+}
+
 static void outline_on_plane(Plot *plot, Camera c, Sphere sphere)
 {
     plot_block(plot, "outline", "x y z of the outline on the image plane");
-    for (int i = 0; i <= OUTLINE_PLACES; i++) {
-        vec3 v = outline_place(c, sphere, 2 * PI * i / OUTLINE_PLACES) - c.origin;
-        double ahead = vec3_dot(v, c.forward);
-        vec3 p = c.origin + c.distance / ahead * v;
-        bool seen = ahead > 0;
-        plot_row(plot, 3,
-                 (const double[]){seen ? p[0] : NAN, seen ? p[1] : NAN, seen ? p[2] : NAN});
-    }
+    for (int i = 0; i <= OUTLINE_PLACES; i++)
+        plot_row_point(plot, on_plane(c, line_of_sight(c, sphere, i)));
     plot_block_end(plot);
 }
 
 // The lines as places, as hidden parts are left out; and the arrowheads half way to the plane.
-static void lines_to_eye(Plot *plot, Camera c, Sphere sphere)
+// Where the sphere is not drawn they end behind the plane.
+static void lines_to_eye(Plot *plot, Camera c, Sphere sphere, bool drawn)
 {
+    int near[OUTLINE_PLACES], count = 0, lines = 0;
+    for (int i = 0; i < OUTLINE_PLACES; i++)
+        if (!isnan(on_plane(c, line_of_sight(c, sphere, i))[0]))
+            near[count++] = i;
     vec3 v[LINES];
-    for (int i = 0; i < LINES; i++)
-        v[i] = outline_place(c, sphere, 2 * PI * (i + 0.25) / LINES) - c.origin;
+    double part[LINES];
+    for (int i = 0; i < LINES && count > 0; i++) {
+        vec3 whole = line_of_sight(c, sphere, near[(4 * i + 1) * count / (4 * LINES)]);
+        part[i] = drawn ? 1 : fmin(1, 1.6 * c.distance / vec3_dot(whole, c.forward));
+        v[i] = part[i] * whole;
+        lines++;
+    }
     plot_block(plot, "lines", "x y z t, 1 where it is drawn bold");
-    for (int i = 0; i < LINES; i++) {
+    for (int i = 0; i < lines; i++) {
         for (int k = 0; k <= LINE_PLACES; k++) {
             vec3 p = c.origin + (double)k / LINE_PLACES * v[i];
-            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], (double)k / LINE_PLACES, 1});
+            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], part[i] * k / LINE_PLACES, 1});
         }
         plot_gap(plot);
     }
     plot_block_end(plot);
     plot_block(plot, "heads", "x y z of the start, x y z of the vector");
-    for (int i = 0; i < LINES; i++) {
+    for (int i = 0; i < lines; i++) {
         double ahead = vec3_dot(v[i], c.forward);
         vec3 w = (ahead > 0 ? fmin(1, c.distance / ahead) : 1) * v[i], p = c.origin + 0.8 * w;
         plot_row_vector(plot, p, -0.3 * w);
@@ -162,7 +181,7 @@ static void object_order(Plot *plot, void *given)
     if (object >= 0)
         sphere = shown->shot.scene->spheres[object];
     outline_on_plane(plot, shown->camera, sphere);
-    lines_to_eye(plot, shown->camera, sphere);
+    lines_to_eye(plot, shown->camera, sphere, shown->sphere_count > 0);
 }
 
 // ---- all --------------------------------------------------------------------------------------

@@ -513,7 +513,7 @@ image_order(ONE, (5, 2), [])
 object_order(ONE, (5, 2), [])
 nearest_hit(ALONG, (0, 0), [])
 for spot in ((5, 7), (2, 4), (6, 0)):
-    for kind in (ray_casting, image_order, nearest_hit, explain_figure):
+    for kind in (ray_casting, image_order, object_order, nearest_hit, explain_figure):
         kind(GROUND, spot)
 nearest_hit({**GROUND, "from": (0, -0.5, 6)}, (5, 4))
 explain_figure(FOUR, (4, 4))
