@@ -180,6 +180,8 @@ static void object_order(Plot *plot, void *given)
     Sphere sphere = {.center = shown->shot.camera.origin + shown->shot.camera.forward};
     if (object >= 0)
         sphere = shown->shot.scene->spheres[object];
+    plot_number(plot, "eye_inside",
+                vec3_length(sphere.center - shown->camera.origin) < sphere.radius);
     outline_on_plane(plot, shown->camera, sphere);
     lines_to_eye(plot, shown->camera, sphere, shown->sphere_count > 0);
 }
