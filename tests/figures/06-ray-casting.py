@@ -512,6 +512,7 @@ ray_casting(FOUR, (4, 4), [])
 image_order(ONE, (5, 2), [])
 object_order(ONE, (5, 2), [])
 nearest_hit(ALONG, (0, 0), [])
+nearest_hit({**ALONG, "spheres": ALONG["spheres"][1:2]}, (0, 0))  # which is missed
 for spot in ((5, 7), (2, 4), (6, 0)):
     for kind in (ray_casting, image_order, object_order, nearest_hit, explain_figure):
         kind(GROUND, spot)
