@@ -10,6 +10,7 @@
 #include "chapters/08-fast/parallel.h"
 #include "chapters/08-fast/view.h"
 
+#include <limits.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 
@@ -20,8 +21,9 @@ typedef struct {
     Eye eye;
     Place *places;
     Bins bins;
-    int columns, top;     // of tiles; the first row in the bins
-    atomic_llong entries; // at most so many in the bins of all tiles
+    int columns, top;              // of tiles; the first row in the bins
+    atomic_llong entries;          // at most so many in the bins of all tiles
+    atomic_uint nearest, farthest; // depths of places
 } Casting;
 
 static Eye eye_of(const Work *work)
@@ -34,6 +36,20 @@ static Eye eye_of(const Work *work)
     eye.across = eye.width * camera.distance / camera.width;
     eye.down = eye.height * camera.distance / camera.height;
     return eye;
+}
+
+static void make_least(atomic_uint *least, unsigned x)
+{
+    unsigned was = atomic_load(least);
+    while (x < was && !atomic_compare_exchange_weak(least, &was, x))
+        ;
+}
+
+static void make_most(atomic_uint *most, unsigned x)
+{
+    unsigned was = atomic_load(most);
+    while (x > was && !atomic_compare_exchange_weak(most, &was, x))
+        ;
 }
 
 static void place_some(void *given, int part)
@@ -55,10 +71,17 @@ static void place_some(void *given, int part)
     Place *places = casting->places + first;
     casting->tiling.lanes->place(&casting->eye, &positions, first, count, places);
     long long entries = 0;
-    for (int i = 0; i < count; i++)
+    unsigned nearest = UINT_MAX, farthest = 0;
+    for (int i = 0; i < count; i++) {
+        unsigned depth = place_depth(places[i]);
         entries += ((places[i].right - places[i].left) / TILE_WIDTH + 2) *
                    ((places[i].bottom - places[i].top) / TILE_HEIGHT + 2);
+        nearest = depth < nearest ? depth : nearest;
+        farthest = depth > farthest ? depth : farthest;
+    }
     atomic_fetch_add(&casting->entries, entries);
+    make_least(&casting->nearest, nearest);
+    make_most(&casting->farthest, farthest);
 }
 
 static void cast_tile(void *given, int tile)
@@ -102,11 +125,13 @@ bool cast_bins(const Work *work, Message *message)
     Casting casting = {.tiling = {work, bins_lanes[lanes_best()], sorted, paints},
                        .eye = eye_of(work),
                        .places = places,
-                       .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH};
+                       .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,
+                       .nearest = UINT_MAX};
     if (places != NULL && sorted != NULL && paints != NULL) {
         // What so few parts take is less than a second thread costs.
         in_parallel(parts < 40 ? 1 : work->threads, parts, place_some, &casting);
-        visible = places_by_depth(places, count, sorted, work->threads);
+        visible = places_by_depth(places, count, casting.nearest, casting.farthest, sorted,
+                                  work->threads);
     }
     free(places);
     bool done = visible >= 0 && cast_rows(&casting, visible);

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 enum { TILE_WIDTH = 32, TILE_HEIGHT = 32 };
 
@@ -19,6 +20,13 @@ typedef struct {
     float near;
     int sphere;
 } Place;
+
+static inline uint32_t place_depth(Place place)
+{
+    uint32_t bits;
+    memcpy(&bits, &place.near, sizeof bits); // floats that are not negative sort as their bits do
+    return bits >> PLACE_DROPPED;
+}
 
 // Spheres as seen from the eye, and the camera: its axes, and from the plane at distance 1 to
 // pixels.
@@ -36,7 +44,8 @@ typedef struct {
 // |v|; a pixel that float cannot decide has UNSURE in its colour.
 enum { UNSURE = 1 << 24 };
 typedef struct {
-    float s[TILE_HEIGHT * TILE_WIDTH];
+    // Where a line of the cache begins, so that 16 of them are in one.
+    _Alignas(64) float s[TILE_HEIGHT * TILE_WIDTH];
     int color[TILE_HEIGHT * TILE_WIDTH]; // red, 256 green, 65536 blue
 } Tile;
 

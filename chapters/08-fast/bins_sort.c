@@ -9,7 +9,6 @@
 #include "chapters/08-fast/parallel.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { FEW = 10000 }; // not worth a second thread
 
@@ -24,13 +23,6 @@ typedef struct {
     size_t *counts;  // of each share, bin after bin; then where it fills
     size_t *corners; // by tile, of each share; less than 0 wraps round, and adds up right
 } Sort;
-
-static uint32_t depth_of(Place place)
-{
-    uint32_t bits;
-    memcpy(&bits, &place.near, sizeof bits); // floats that are not negative sort as their bits do
-    return bits >> PLACE_DROPPED;
-}
 
 static bool is_visible(Place place)
 {
@@ -62,7 +54,7 @@ static void count_depths(void *given, int share)
     size_t *counts = counts_of(sort, share);
     const Place *end = sort->places + share_begins(sort, share + 1);
     for (const Place *place = sort->places + share_begins(sort, share); place < end; place++)
-        counts[depth_of(*place) - sort->nearest] += is_visible(*place);
+        counts[place_depth(*place) - sort->nearest] += is_visible(*place);
 }
 
 static void fill_depths(void *given, int share)
@@ -70,9 +62,13 @@ static void fill_depths(void *given, int share)
     const Sort *sort = given;
     size_t *next = counts_of(sort, share);
     const Place *end = sort->places + share_begins(sort, share + 1);
-    for (const Place *place = sort->places + share_begins(sort, share); place < end; place++)
-        if (is_visible(*place))
-            sort->sorted[next[depth_of(*place) - sort->nearest]++] = *place;
+    for (const Place *place = sort->places + share_begins(sort, share); place < end; place++) {
+        if (!is_visible(*place))
+            continue;
+        Place *to = &sort->sorted[next[place_depth(*place) - sort->nearest]++];
+        *to = *place;
+        __builtin_prefetch(to + 8, 1);
+    }
 }
 
 // A place is in some columns of some rows. Where it begins and ends is noted at the four corners,
@@ -146,14 +142,9 @@ static bool count_all(Sort *sort, void (*count_share)(void *given, int share), i
     return sort->counts != NULL;
 }
 
-int places_by_depth(const Place *places, int count, Place *sorted, int threads)
+int places_by_depth(const Place *places, int count, uint32_t nearest, uint32_t farthest,
+                    Place *sorted, int threads)
 {
-    uint32_t nearest = UINT32_MAX, farthest = 0;
-    for (int i = 0; i < count; i++) {
-        uint32_t depth = depth_of(places[i]);
-        nearest = depth < nearest ? depth : nearest;
-        farthest = depth > farthest ? depth : farthest;
-    }
     Sort sort = {.places = places, .count = count, .sorted = sorted, .nearest = nearest};
     sort.bin_count = count > 0 ? (int)(farthest - nearest) + 1 : 1;
     if (!count_all(&sort, count_depths, threads))

@@ -6,9 +6,10 @@
 
 #include <stdbool.h>
 
-// The visible among so many places, near ones first. Returns how many they are; -1 where memory is
-// short.
-int places_by_depth(const Place *places, int count, Place *sorted, int threads);
+// The visible among so many places, near ones first; the depths of all are from nearest to
+// farthest. Returns how many they are; -1 where memory is short.
+int places_by_depth(const Place *places, int count, uint32_t nearest, uint32_t farthest,
+                    Place *sorted, int threads);
 
 // Bin number b holds the items from start[b] to start[b + 1] - 1.
 typedef struct {
