@@ -32,14 +32,16 @@ typedef struct {
     float nearest[AT_ONCE]; // s is not less
 } Here;
 
-static float larger(float a, float b)
+static void allow(Here *here, float error)
 {
-    return a > b ? a : b;
+    here->slack = error > here->slack ? error : here->slack;
 }
 
-static Pixel pixel_at(const Here *here, int column, int row)
+static Ray ray_of(const Here *here, int column, int row)
 {
-    return (Pixel){here->corner.column + column, here->corner.row + row};
+    const Work *work = here->tiling->work;
+    Pixel pixel = {here->corner.column + column, here->corner.row + row};
+    return pixel_ray(work->camera, work->image->size, pixel);
 }
 
 static int color_of(const Tiling *tiling, int sphere)
@@ -53,7 +55,7 @@ static int color_of(const Tiling *tiling, int sphere)
 // A sphere asks its pixels in double. (A t that float does not hold is left open as well.)
 static void ask_in_double(Here *here, int number, Part part, float nearest)
 {
-    const Work *work = here->tiling->work;
+    Sphere sphere = here->tiling->work->scene->spheres[number];
     int color = color_of(here->tiling, number);
     for (int row = part.top; row < part.bottom; row++) {
         for (int column = part.left; column < part.right; column++) {
@@ -61,8 +63,8 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
             int *seen = &here->pixels.color[row * TILE_WIDTH + column];
             if (nearest > *s + here->slack)
                 continue;
-            Ray ray = pixel_ray(work->camera, work->image->size, pixel_at(here, column, row));
-            double t = hit_sphere(ray, work->scene->spheres[number]);
+            Ray ray = ray_of(here, column, row);
+            double t = hit_sphere(ray, sphere);
             if (t == NO_HIT)
                 continue;
             double at = t * vec3_dot(ray.direction, ray.direction);
@@ -72,7 +74,7 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
             } else if (at < *s) {
                 *s = (float)at;
                 *seen = color | (*seen & UNSURE);
-                here->slack = larger(here->slack, (float)(FLT_EPSILON * at));
+                allow(here, (float)(FLT_EPSILON * at));
             }
         }
     }
@@ -80,16 +82,14 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
 
 // Which of the spheres does a pixel see? Most of them its ray misses by far: |c x v| / |v| is how
 // far it passes from the centre, and the margins are many times what rounding does to that.
-static int decide(const Here *here, Pixel pixel, const int *bin, size_t count)
+static int decide(const Here *here, Ray ray, const int *bin, size_t count)
 {
-    const Work *work = here->tiling->work;
-    Ray ray = pixel_ray(work->camera, work->image->size, pixel);
     vec3 v = ray.direction;
     double vv = vec3_dot(v, v);
     Hit nearest = {NO_HIT, -1};
     for (size_t i = 0; i < count; i++) {
         int number = here->tiling->places[bin[i]].sphere;
-        Sphere sphere = work->scene->spheres[number];
+        Sphere sphere = here->tiling->work->scene->spheres[number];
         vec3 c = sphere.center - ray.origin, w = vec3_cross(c, v);
         double square = sphere.radius * sphere.radius, ww = vec3_dot(w, w);
         if (ww > 1e-250 && ww > 1.000001 * square * vv + 1e-18 * vec3_dot(c, c) * vv)
@@ -107,8 +107,7 @@ static void decide_unsure(Here *here, const int *bin, size_t count)
         for (int column = 0; column < here->columns; column++) {
             int *seen = &here->pixels.color[row * TILE_WIDTH + column];
             if (*seen & UNSURE)
-                *seen =
-                    color_of(here->tiling, decide(here, pixel_at(here, column, row), bin, count));
+                *seen = color_of(here->tiling, decide(here, ray_of(here, column, row), bin, count));
         }
     }
 }
@@ -164,7 +163,7 @@ static void ask_waiting(Here *here)
         if (outlines.safe[i]) {
             lanes->ask(&here->pixels, &outlines, i, here->parts[i], here->slack,
                        color_of(here->tiling, here->spheres[i]));
-            here->slack = larger(here->slack, outlines.s_error[i]);
+            allow(here, outlines.s_error[i]);
         } else {
             ask_in_double(here, here->spheres[i], here->parts[i], here->nearest[i]);
         }
@@ -172,17 +171,8 @@ static void ask_waiting(Here *here)
     here->waiting = 0;
 }
 
-// A sphere waits until AT_ONCE of them can be made ready together.
-static void await(Here *here, int number, Part part, float nearest)
-{
-    int i = here->waiting++;
-    here->spheres[i] = number;
-    here->parts[i] = part;
-    here->nearest[i] = nearest;
-}
-
-// Returns how many of the spheres may be seen at all. Places and spheres are fetched into the cache
-// before they are needed, for the bin names them in no order of memory.
+// Returns how many of the spheres may be seen at all. What comes next is fetched into the cache:
+// the bin names places and spheres in no order of memory, and a sphere may be in two lines of it.
 static size_t ask_all(Here *here, const int *bin, size_t count)
 {
     const Tiling *tiling = here->tiling;
@@ -190,18 +180,22 @@ static size_t ask_all(Here *here, const int *bin, size_t count)
     float farthest = INFINITY;
     size_t i;
     for (i = 0; i < count; i++) {
-        if (i + 16 < count)
+        if (i + 16 < count) {
+            const Sphere *soon = &tiling->work->scene->spheres[tiling->places[bin[i + 8]].sphere];
+            __builtin_prefetch(soon);
+            __builtin_prefetch(&soon->surface);
             __builtin_prefetch(&tiling->places[bin[i + 16]]);
+        }
         if (i % UNTIL_NEXT_LOOK == UNTIL_NEXT_LOOK - 1)
             farthest = tiling->lanes->farthest(&here->pixels, all);
         Place place = tiling->places[bin[i]];
         float nearest = place.near * here->shortest;
         if (nearest > farthest + here->slack)
             break;
-        Part part = part_of(here, place);
-        __builtin_prefetch(&tiling->work->scene->spheres[place.sphere]);
-        await(here, place.sphere, part, nearest);
-        if (here->waiting == AT_ONCE)
+        here->spheres[here->waiting] = place.sphere;
+        here->parts[here->waiting] = part_of(here, place);
+        here->nearest[here->waiting] = nearest;
+        if (++here->waiting == AT_ONCE)
             ask_waiting(here);
     }
     ask_waiting(here);
@@ -243,8 +237,14 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
     here.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
     here.slack = 0;
     here.waiting = 0;
+    uint8_t *rgb = image_bytes(image, corner);
+    size_t apart = 3 * (size_t)width;
+    // What will be written is fetched into the cache meanwhile.
+    for (int row = 0; row < here.rows; row++) {
+        __builtin_prefetch(rgb + (size_t)row * apart, 1);
+        __builtin_prefetch(rgb + (size_t)row * apart + 3 * here.columns - 1, 1);
+    }
     tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
     decide_unsure(&here, bin, ask_all(&here, bin, count));
-    tiling->lanes->paint(&here.pixels, here.columns, here.rows, image_bytes(image, corner),
-                         3 * (size_t)width);
+    tiling->lanes->paint(&here.pixels, here.columns, here.rows, rgb, apart);
 }
