@@ -21,14 +21,19 @@ $(ENGINE_BENCH): $(patsubst %,$(B)/tests/benches/%.o,engines report) $(PEER_OBJE
 	$(Q)$(LINK) -o $@ $^ $(if $(PEERS),-lembree3) $(PNG_LIBS) -lm -pthread
 WAIT_BENCH := $(if $(PEERS),$(B)/tests/benches/peers/embree_wait)
 $(B)/tests/benches/peers/embree_wait.o: EXTRA = $(PNG_CFLAGS)
-$(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o $(ENGINE_OBJECTS) \
-		$(B)/common.a
+$(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o \
+		$(B)/tests/benches/by_sscanf.o $(ENGINE_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
 bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: others, too)
 	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
 bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/08-fast $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
 	@PROGRAMS='$(BUILT)' BUILD='$(B)' PEERS='$(PEERS)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
+$(B)/tests/benches/reading: %: %.o $(B)/tests/benches/by_sscanf.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
+bench-reading: $(B)/tests/benches/reading $(filter $(B)/%,$(BENCH_SCENES)) ## scenes: beside sscanf
+	@$< $(filter %.nff,$^)
 bench-shading: $(BUILT)/07-shading $(BUILT)/08-fast $(B)/scenes/sphereflake-7381.nff ## shadows and mirrors: how much sooner by the hierarchy
 	@PROGRAMS='$(BUILT)' tests/benches/shading.sh $(B)/scenes/sphereflake-7381.nff
 $(B)/tests/benches/pictures.o: EXTRA = $(PNG_CFLAGS)
@@ -38,6 +43,6 @@ $(B)/tests/benches/pictures: %: %.o
 bench-pictures: $(B)/tests/benches/pictures $(BUILT)/07-shading $(BUILT)/08-fast $(SCENES) ## a PNG by libpng's settings: time and size
 	@tests/benches/pictures.sh $(B) $(BUILT)
 bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
-	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-wait bench-shading
+	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-reading bench-wait bench-shading
 	@tests/benches/latency.sh
 	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')

@@ -3,47 +3,14 @@
 //
 // Usage: embree_wait SCENE.nff FILE.png WIDTH HEIGHT THREADS
 #include "chapters/06-ray-casting/scene_camera.h"
+#include "tests/benches/by_sscanf.h"
 #include "tests/benches/measure.h"
 
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 Measured measured;
-
-static void *grown(void *items, int count, size_t size)
-{
-    return count == 0 || (count >= 64 && (count & (count - 1)) == 0)
-               ? realloc(items, size * (count == 0 ? 64 : 2 * (size_t)count))
-               : items;
-}
-
-static void read_scene(FILE *file, Scene *scene)
-{
-    char line[1024];
-    double n[4];
-    while (fgets(line, sizeof line, file) != NULL) {
-        if (sscanf(line, "s %lf %lf %lf %lf", &n[0], &n[1], &n[2], &n[3]) == 4) {
-            scene->spheres = grown(scene->spheres, scene->sphere_count, sizeof *scene->spheres);
-            scene->spheres[scene->sphere_count++] =
-                (Sphere){vec3_of(n[0], n[1], n[2]), n[3], scene->surface_count - 1};
-        } else if (sscanf(line, "f %lf %lf %lf", &n[0], &n[1], &n[2]) == 3) {
-            scene->surfaces = grown(scene->surfaces, scene->surface_count, sizeof *scene->surfaces);
-            scene->surfaces[scene->surface_count++] = (Surface){.color = vec3_of(n[0], n[1], n[2])};
-        } else if (sscanf(line, "b %lf %lf %lf", &n[0], &n[1], &n[2]) == 3) {
-            scene->background = vec3_of(n[0], n[1], n[2]);
-        } else if (sscanf(line, "from %lf %lf %lf", &n[0], &n[1], &n[2]) == 3) {
-            scene->view.from = vec3_of(n[0], n[1], n[2]);
-        } else if (sscanf(line, "at %lf %lf %lf", &n[0], &n[1], &n[2]) == 3) {
-            scene->view.at = vec3_of(n[0], n[1], n[2]);
-        } else if (sscanf(line, "up %lf %lf %lf", &n[0], &n[1], &n[2]) == 3) {
-            scene->view.up = vec3_of(n[0], n[1], n[2]);
-        } else if (sscanf(line, "angle %lf", &n[0]) == 1) {
-            scene->view.angle = n[0];
-        }
-    }
-}
 
 static int write_png(const Image *image, const char *path)
 {
@@ -65,13 +32,11 @@ static int write_png(const Image *image, const char *path)
 
 int main(int argc, char **argv)
 {
-    Scene scene = {0};
+    Scene scene;
     Image image;
     Message message;
-    FILE *file = argc == 6 ? fopen(argv[1], "r") : NULL;
-    if (file == NULL)
+    if (argc != 6 || !scene_by_sscanf(argv[1], &scene))
         return 2;
-    read_scene(file, &scene);
     Resolution size = {atoi(argv[3]), atoi(argv[4])};
     Work work = {.scene = &scene, .image = &image, .threads = atoi(argv[5])};
     return scene_camera(&scene.view, size, &work.camera) != CAMERA_OK ||
