@@ -1,6 +1,6 @@
 #!/bin/sh
-# figures.sh - figures of 1000 cameras, in four chapters, and of 1000 rays and scenes, in two; and
-# all files that make figures makes.
+# figures.sh - figures of 1000 cameras, in four chapters, and of 1000 rays and scenes, in two (fewer
+# with MOST_CAMERAS and MOST_SCENES); and all files that make figures makes.
 # Only reads the tree.
 set -u
 . tests/library.sh
@@ -12,7 +12,7 @@ if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
     skip 'figures, long' "figures, which need gnuplot and Python (make setup FOR=contributor)"
 fi
 
-CAMERAS=${CAMERAS:-250} SCENES=${SCENES:-500} counted sh tests/shell/figures.sh
+CAMERAS=${MOST_CAMERAS:-250} SCENES=${MOST_SCENES:-500} counted sh tests/shell/figures.sh
 
 # Draws by the rules of the environment; says what was said.
 drawn=$scratch/figures
