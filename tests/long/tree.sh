@@ -3,6 +3,7 @@
 set -u
 . tests/library.sh
 . tests/figures/scripts.sh
+[ -z "${BRIEF:-}" ] || skip tree "the tree as its users have it, which is tested once (BRIEF)"
 
 tree=$scratch/tree
 mkdir "$tree"
