@@ -270,6 +270,6 @@ help: ## this
 
 .PHONY: all setup check exercises watch hint debug reset format format-check tidy clean help
 #[
-.PHONY: check-all bench grade gradescope skeletons
+.PHONY: check-all grade gradescope skeletons
 #]
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

@@ -46,3 +46,4 @@ bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a min
 	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-reading bench-wait bench-shading
 	@tests/benches/latency.sh
 	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')
+.PHONY: bench bench-engines bench-wait bench-reading bench-shading bench-pictures
