@@ -106,6 +106,15 @@ static void outline_on_plane(Plot *plot, Camera c, Sphere sphere)
     plot_block_end(plot);
 }
 
+// Half way along a line of sight to the plane. A function of its own: as a part of the loop that
+// calls it, gcc 14 to 16 stop at it with an internal error (-O2).
+static void arrow_head(Plot *plot, Camera c, vec3 v)
+{
+    double ahead = vec3_dot(v, c.forward);
+    vec3 w = (ahead > 0 ? fmin(1, c.distance / ahead) : 1) * v, p = c.origin + 0.8 * w;
+    plot_row_vector(plot, p, -0.3 * w);
+}
+
 // The lines as places, as hidden parts are left out; and the arrowheads half way to the plane.
 // Where the sphere is not drawn they end behind the plane.
 static void lines_to_eye(Plot *plot, Camera c, Sphere sphere, bool drawn)
@@ -132,11 +141,8 @@ static void lines_to_eye(Plot *plot, Camera c, Sphere sphere, bool drawn)
     }
     plot_block_end(plot);
     plot_block(plot, "heads", "x y z of the start, x y z of the vector");
-    for (int i = 0; i < lines; i++) {
-        double ahead = vec3_dot(v[i], c.forward);
-        vec3 w = (ahead > 0 ? fmin(1, c.distance / ahead) : 1) * v[i], p = c.origin + 0.8 * w;
-        plot_row_vector(plot, p, -0.3 * w);
-    }
+    for (int i = 0; i < lines; i++)
+        arrow_head(plot, c, v[i]);
     plot_block_end(plot);
 }
 
