@@ -24,8 +24,10 @@ for stem; do
         .make/explain "$stem.c" <"$stem.words" >"$stem.help"
     }
 done; true'''
+# The kit comes first. It begins with crtbeginT.o, which registers the frames that follow it; if an
+# object's frames are before them, a program of gcc 13 or newer crashes at its start.
 LINK = '''for stem; do
-    $LINK -o "$stem.exe" "$stem.o" "$KIT/link/$stem.o" "$KIT/link/blank-$stem.o" $LIBRARIES \\
+    $LINK -o "$stem.exe" "$KIT/link/$stem.o" "$stem.o" "$KIT/link/blank-$stem.o" $LIBRARIES \\
         2>"$stem.words" || rm -f "$stem.exe"
 done; true'''
 JUDGE = 'for stem; do "$JUDGES/$stem" "$stem.exe" "$stem.d"; done; true'
@@ -36,7 +38,7 @@ LEND = '''for stem; do
     while read -r name others; do
         lent=""
         for other in $others; do lent="$lent --defsym=$other=lent_$other"; done
-        $LINK $lent -o "$stem.$name.exe" "$stem.o" "$KIT/link/$stem.o" "$KIT/link/blank-$stem.o" \\
+        $LINK $lent -o "$stem.$name.exe" "$KIT/link/$stem.o" "$stem.o" "$KIT/link/blank-$stem.o" \\
             $LIBRARIES
     done <"$stem.calls"
 done; true'''
@@ -48,7 +50,7 @@ JUDGE_LENT = '''for stem; do
 done; true'''
 # One process of all chapters, which draws a picture. Chapters that use one name for two helpers do not
 # fit into one process, and there is none then.
-LINK_ALL = '$LINK -o all.exe "$@" "$KIT"/link/all.o "$KIT"/link/blank-*.o $LIBRARIES'
+LINK_ALL = '$LINK -o all.exe "$KIT"/link/all.o "$@" "$KIT"/link/blank-*.o $LIBRARIES'
 DRAW = '"$JUDGES/picture" all.exe "$JUDGES/scene.nff" yours.png "$@"'
 
 
