@@ -1,11 +1,12 @@
 """grader.py - one submission from its folder or archive to its results.json.
 
-What has results already, of the same files, seed, policy, tests and sandbox, is kept: so a grader that
-was stopped goes on where it was.
+A result of the same files, seed, tests and sandbox is kept: so a grader that was stopped goes on where
+it was. The policy is not among these: when it changes, marks are computed again from the kept verdicts.
 """
 from __future__ import annotations
 
 import argparse
+import copy
 import hashlib
 import resource
 import shutil
@@ -18,7 +19,7 @@ from collect import submissions
 from collect.answers import Collected
 from collect.submissions import Submission
 import exercises as table
-from marking import mark
+from marking import add_marks, mark
 import policy as policies
 from report import files
 from sandbox import choose
@@ -65,7 +66,7 @@ class Grader:
         self.work = self.out / ".work" / f"{part}-of-{parts}"
         judges = sorted(path for path in self.kit.judges.iterdir() if path.name in self.stems)
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
-        self.tests = sum_of_files([given.policy, table.TABLE, *judges,
+        self.tests = sum_of_files([table.TABLE, *judges,
                                    *sorted((self.kit.folder / "link").iterdir()),
                                    self.kit.folder / "commands", *confine])
 
@@ -73,11 +74,9 @@ class Grader:
         """When it is clear that there is something to mark, and nobody else does."""
         self.seed = seed_of_class(self.out, self.wanted_seed)
 
-    def key(self, collected: Collected, when: int | None) -> str:
-        """Changes with everything that the marks depend on."""
+    def key(self, collected: Collected) -> str:
+        """Changes with everything that the verdicts depend on."""
         parts = [submissions.digest(collected), str(self.seed), self.tests, self.sandbox.name]
-        if self.policy.due is not None:
-            parts.append(str(when))
         return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
     def place(self, submission: Submission) -> Path:
@@ -89,20 +88,31 @@ class Grader:
         except (OSError, ValueError):
             return None
 
+    def priced(self, record: dict, when: int | None) -> dict:
+        """The same verdicts with the marks that this policy gives them."""
+        record = copy.deepcopy(record)
+        for stem in record["stems"]:
+            add_marks(stem, self.exercises, lambda stem, name: policies.points(self.policy, stem, name))
+        record["max"] = policies.rounded(sum(stem["max"] for stem in record["stems"]))
+        earned = policies.rounded(sum(stem["score"] for stem in record["stems"]))
+        record["score"], record["late"] = policies.late(self.policy, when, earned)
+        return record
+
     def mark(self, submission: Submission) -> int:
         """In a process of its own; gives its exit status."""
         began = time.monotonic()
         with limited(COLLECTING):
             collected = submissions.collect(submission, self.stems)
         when = policies.came_in(self.policy, submission, collected)
-        key = self.key(collected, when)
+        key = self.key(collected)
         old = self.record(submission)
         if old is not None and old.get("key") == key:
+            priced = self.priced(old, when)
+            if priced != old:
+                files.write_submission(priced, str(self.place(submission)))
             return KEPT
         bench = Workbench(self.kit, self.sandbox, self.work / submission.folder, self.seed)
-        record = mark(bench, collected, self.exercises,
-                      lambda stem, name: policies.points(self.policy, stem, name))
-        record["score"], record["late"] = policies.late(self.policy, when, record["score"])
+        record = self.priced(mark(bench, collected, self.exercises), when)
         record.update(key=key, submission=submission.name, folder=submission.folder,
                       seconds=round(time.monotonic() - began, 2),
                       steps={step: round(seconds, 3) for step, seconds in bench.seconds.items()})

@@ -124,6 +124,7 @@ def stem_parts(bench: Workbench, answers: dict, exercises: list) -> tuple[list[d
 
 
 def add_marks(stem: dict, exercises: list, points) -> None:
+    """points(stem, function): how many a function is worth. All that depends on the policy."""
     stem["max"] = rounded(sum(points(stem["stem"], exercise.name)
                               for exercise in exercises if exercise.stem == stem["stem"]))
     for function in stem["functions"]:
@@ -148,16 +149,12 @@ def status_of(stems: list[dict]) -> tuple[str, str]:
     return "graded", ""
 
 
-def mark(bench: Workbench, collected, exercises: list, points) -> dict:
-    """The record, but for names and lateness. points(stem, function): what it is worth."""
+def mark(bench: Workbench, collected, exercises: list) -> dict:
+    """The record, but for names and marks."""
     shutil.rmtree(bench.folder, ignore_errors=True)
     bench.folder.mkdir(parents=True)
     stems, is_drawn = stem_parts(bench, collected.answers, exercises)
-    for stem in stems:
-        add_marks(stem, exercises, points)
     status, words = ("empty", collected.words) if collected.empty else status_of(stems)
     return {"status": status, "words": words or collected.words, "stems": stems,
-            "score": rounded(sum(stem["score"] for stem in stems)),
-            "max": rounded(sum(stem["max"] for stem in stems)),
             "pictures": {"expected": "expected.png", "yours": "yours.png"} if is_drawn else {},
             "seed": bench.seed, "sandbox": bench.sandbox.name, "unsafe": bench.sandbox.unsafe}

@@ -5,4 +5,4 @@ if [ -z "$KIT" ]; then
     echo "grading: 0 passed, 0 failed"
     exit 0
 fi
-exec python3 -B tests/grading/check/run_tests.py "grading, short" test_grade
+exec python3 -B tests/grading/check/run_tests.py "grading, short" test_grade test_policy_change
