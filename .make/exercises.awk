@@ -10,14 +10,12 @@ BEGIN {
     for (i = 1; i <= count; i++)
         read_table(stem[i])
     next_stem = ""
+    for (i = count; i > 0; i--)
+        if (state[stem[i]] != "right" && (has_wrong[stem[i]] || !has_wrong[next_stem]))
+            next_stem = stem[i]
     for (i = 1; i <= count; i++)
-        if (state[stem[i]] != "right") {
-            if (next_stem == "")
-                next_stem = stem[i]
+        if (all ? state[stem[i]] != "right" : stem[i] == next_stem)
             show_troubles(stem[i])
-            if (!all)
-                break
-        }
     for (i = 1; i <= count; i++)
         show_progress(stem[i])
     print ""
@@ -30,13 +28,13 @@ BEGIN {
 }
 
 # state: right, wrong, begun, blank; or compiler, linker, stopped.
-function read_table(s,   file, line, part, n, wrong, unsure, right, total, i, names) {
+function read_table(s,   file, line, part, n, wrong, unsure, right, total, i, names, blanks) {
     file = verdicts "/" s "/table"
     while ((getline line < file) > 0) {
         n = split(line, part, " ")
         if (part[1] == "!") {
             state[s] = part[2]
-            is_wrong = 1
+            is_wrong = has_wrong[s] = 1
             return
         }
         if (part[1] ~ /^\+/) {
@@ -47,8 +45,10 @@ function read_table(s,   file, line, part, n, wrong, unsure, right, total, i, na
         total++
         right += part[2] == "right"
         wrong += part[2] == "wrong"
-        if (part[2] == "wrong" || part[2] == "unanswered")
+        if (part[2] == "wrong")
             trouble[s] = trouble[s] " " part[1]
+        else if (part[2] == "unanswered")
+            blanks = blanks " " part[1]
         unsure += part[2] == "unsure"
         if (part[2] == "waiting" || part[2] == "unsure") {
             names = ""
@@ -59,6 +59,9 @@ function read_table(s,   file, line, part, n, wrong, unsure, right, total, i, na
         listed[s, part[2]] = listed[s, part[2]] (listed[s, part[2]] == "" ? "" : ", ") part[1]
     }
     close(file)
+    # Wrong comes before unanswered.
+    has_wrong[s] = wrong > 0
+    trouble[s] = trouble[s] blanks
     counted[s] = right + 0 " of " total + 0
     state[s] = total > 0 && right == total ? "right" : wrong + unsure ? "wrong" : right ? "begun" : "blank"
     is_wrong = is_wrong || wrong + unsure
@@ -99,7 +102,7 @@ function show_file(file, name,   line, lines, code) {
         else if (line !~ /^             / && !in_words)
             code = line ~ /^  expected / ? "32" : line ~ /^  (yours|it)    / ? "31" \
                 : line ~ /^  (looks like|but) / ? "33" : ""
-        print code == "" || substr(line, 14) == "" ? line : substr(line, 1, 13) painted(substr(line, 14), code)
+        print (code == "" || substr(line, 14) == "" ? line : substr(line, 1, 13) painted(substr(line, 14), code))
     }
     close(file)
 }

@@ -63,9 +63,9 @@ watch: $(VERDICTS) ## judge again whenever an answer is saved
 	@.make/watch $(VERDICT) $(EXERCISES) $(CHOSEN)
 
 hint: $(VERDICTS) ## one hint more each time it is asked for (EX=05)
-	@name=$$(awk '$$1 !~ /^[+!]/ && $$2 != "right" { \
-			if ($$2 ~ /^(wrong|unanswered)$$/ && wants == "") wants = $$1; else waits = $$1 } \
-			END { print wants != "" ? wants : waits }' $(VERDICT)/$(CHOSEN)/table); \
+	@name=$$(awk '$$1 !~ /^[+!]/ { if (!($$2 in first)) first[$$2] = $$1; if ($$2 != "right") last = $$1 } \
+			END { print ("wrong" in first ? first["wrong"] : "unanswered" in first ? first["unanswered"] : last) }' \
+			$(VERDICT)/$(CHOSEN)/table); \
 		[ -n "$$name" ] || { echo "$(CHOSEN) needs no hint: make exercises EX=$(EX)"; exit 0; }; \
 		.make/hint exercises/$(CHOSEN).hints "$$name" $(call answer_in,$(EXERCISES),$(CHOSEN)) \
 		$(VERDICT)/$(CHOSEN).hint

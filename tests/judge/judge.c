@@ -49,6 +49,22 @@ static int next_group(int i, Group *group)
     return i;
 }
 
+// All groups in the order of the contract, which is also that of the student's file: the first that
+// is wrong is shown first. Extra tests of a function follow its graded ones.
+static int groups_in_order(Group *groups)
+{
+    int count = 0;
+    for (int exercise = 0; exercises[exercise].name != NULL; exercise++) {
+        for (int i = 0; i < outcomes.count;) {
+            Group group;
+            i = next_group(i, &group);
+            if (exercise_number(group.function) == exercise)
+                groups[count++] = group;
+        }
+    }
+    return count;
+}
+
 static FILE *create(const char *folder, const char *name, const char *ending)
 {
     char path[4096];
@@ -138,9 +154,10 @@ static int verdict(const char *folder, const char *figures)
 {
     FILE *table = create(folder, "table.new", ""), *report = create(folder, "report", "");
     bool all_right = true;
-    Group group;
-    for (int i = 0; i < outcomes.count;) {
-        i = next_group(i, &group);
+    Group groups[MOST_TESTS];
+    int count = groups_in_order(groups);
+    for (int i = 0; i < count; i++) {
+        Group group = groups[i];
         const char *missing = group.failed == NULL ? "" : group.failed->record->missing;
         bool unanswered = strcmp(missing, group.function) == 0;
         fprintf(table, "%s%s ", group.extra ? "+" : "", group.function);

@@ -27,6 +27,9 @@ fresh() {
     mkdir -p "$answers"
     cp solutions/04-pixel-ray.c "$answers" # a folder without any answer is refused
 }
+hint() {
+    make --no-print-directory hint EX=01 ANSWERS="$answers" >"$scratch/said" 2>&1
+}
 # Chapter 03 with a first statement of its first answer, and headers.
 answer_that_does() {
     fresh
@@ -97,6 +100,17 @@ check 'an answer that fails by another only waits' says 'waiting: across_30_up_1
 check 'the other one is what is wrong' first_line_says 'image_plane_vector'
 
 fresh
+answer 01-corners '/^vec3 upper_left/,/^}/s|return .*|return NOT_ANSWERED(vec3);|; /^Camera with/,/^}/s|= 1;|= 2;|'
+judge EX=01
+check 'a wrong answer is shown before one that is missing' first_line_says '01-corners  with_unit_distance'
+hint
+check 'and gets the hint' says 'with_unit_distance  hint 1 of'
+fresh
+answer 07-shading 's|0x1p-30|0x1p-20|; s|fmin(1, fmax(0, color.i.))|color[i]|'
+judge EX=07
+check 'of two wrong ones, the first in the file' first_line_says '07-shading  off_surface'
+
+fresh
 answer 01-corners ''
 echo 'this is no C' >"$answers/05-quadratic.c"
 judge EX=05
@@ -104,7 +118,7 @@ check 'a compile error is said, with the file' says "$answers/05-quadratic.c:"
 judge
 check 'a compile error in chapter 05 does not hide chapter 01' says '01-corners       done'
 check 'nor is it hidden' says '05-quadratic     does not compile'
-check 'the first trouble is the top, not the worst' first_line_says '02-cameras'
+check 'what is wrong comes before what is not answered yet' first_line_says '05-quadratic  does not compile'
 
 answer_that_does '*(volatile int *)0 = 1'
 check 'a write to nowhere is said in words' says 'crashed: write to address 0'
@@ -151,9 +165,6 @@ check 'a chapter that has become right is rewarded, though others want work' say
 judge
 check 'once' says_not '01-corners is right.'
 
-hint() {
-    make --no-print-directory hint EX=01 ANSWERS="$answers" >"$scratch/said" 2>&1
-}
 fresh
 hint
 check 'the first hint is the first' says 'hint 1 of'
@@ -194,6 +205,15 @@ for solution in solutions/*.c; do
     cp "$solution" "$answers"
 done
 check 'the solutions are judged right' judge
+in_the_order_of_the_contract() {
+    for contract in exercises/*.h; do
+        stem=$(basename "$contract" .h)
+        sed -n 's/^[A-Za-z].*[ *]\([a-z_0-9]*\)(.*/\1/p' "$contract" >"$scratch/contract"
+        sed -n 's/^\([a-z].*\) right$/\1/p' "build$answers/verdict/$stem/table" |
+            diff "$scratch/contract" - || return
+    done
+}
+check 'in the order of the contract' in_the_order_of_the_contract
 answer 05-quadratic '/^Roots quadratic_roots/,/^}/c Roots quadratic_roots(Quadratic q)\n{\n    if (q.a == 0)\n        return q.b == 0 ? (Roots){0} : (Roots){1, {-q.c / q.b}};\n    double d = q.b * q.b - 4 * q.a * q.c;\n    return d < 0 ? (Roots){0} : ascending((-q.b - sqrt(d)) / (2 * q.a), (-q.b + sqrt(d)) / (2 * q.a));\n}
     /^Roots sphere_roots/,/^}/c Roots sphere_roots(Ray ray, Sphere sphere)\n{\n    return quadratic_roots(object_quadratic(to_object_coordinates(ray, sphere), sphere.radius));\n}'
 judge EX=05
