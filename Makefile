@@ -112,6 +112,10 @@ build/blanks/%.c: solutions/%.c .make/blank.awk
 $(B)/weak.h: tests/exercises.table .make/proxies.awk
 	$(Q)awk -v make=weak -f .make/proxies.awk $< > $@
 FOR_ANSWERS = $(FOR_STUDENTS) -include $(B)/weak.h
+# Helpers may go anywhere, so two chapters may use one name: only the exercises are seen from outside.
+$(B)/exercises.names: $(B)/weak.h
+	$(Q)sed -n 's/^#pragma weak //p' $< > $@
+HIDE_HELPERS = objcopy --keep-global-symbols=$(B)/exercises.names
 
 # An answer counts as changed when its text has changed: dates deceive where files are moved back.
 changed = $(shell .make/changed $(1) $(foreach s,$(STEMS),$(s):$(call answer_in,$(2),$(s))))
@@ -120,9 +124,11 @@ ANSWER_OBJECTS := $(STEMS:%=$(BUILT)/%.o)
 ifneq ($(A),solutions)
 $(call changed,$(BUILT),$(A))
 $(ANSWER_OBJECTS): WARNINGS = $(FOR_ANSWERS)
-$(ANSWER_OBJECTS): $(BUILT)/%.o: $(BUILT)/%.sum $(B)/flags $(B)/weak.h build/blanks/%.c $(SETUP_FIRST)
+$(ANSWER_OBJECTS): $(BUILT)/%.o: $(BUILT)/%.sum $(B)/flags $(B)/weak.h \
+		$(B)/exercises.names build/blanks/%.c $(SETUP_FIRST)
 	$(call say,compile,$(call answer_in,$(A),$*))
-	$(Q)$(COMPILE) -o $@ $(call answer_in,$(A),$*)
+	$(Q)$(COMPILE) -o $@ $(call answer_in,$(A),$*) || { rm -f $(@:.o=.d); exit 1; }
+	$(Q)$(HIDE_HELPERS) $@
 	@sed -i.bak 's|$(call answer_in,$(A),$*)||' $(@:.o=.d) && rm -f $(@:.o=.d.bak)
 endif
 

@@ -34,25 +34,21 @@ for_debug = $(call test_objects,$(1))
 # Between saving and reading stands the linker: the quickest that is there.
 QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
 	gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
-# And the compiler, with all that every answer includes already read. Not optimised: that takes
-# longer than what it saves. An index beyond the end of an array is a crash, not luck.
+# Not optimised: that takes longer than what it saves. Besides that, the compiler sees what it sees
+# for the programs, so that what is right here also builds there. An index beyond the end of an array
+# is a crash, not luck.
 IS_CLANG := $(findstring clang,$(FLAGS_NOW))
 QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections $(SANITIZER) $(FOR_STUDENTS) \
 	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
-QUICK_HEADER := $(B)/judge/answer.h
-$(QUICK_HEADER): $(B)/weak.h $(wildcard common/*.h) $(B)/flags
-	$(Q)mkdir -p $(@D)
-	$(Q)(grep -v system_header $<; printf '#include "common/%s.h"\n' answers camera image ray scene) > $@
-	$(Q)$(CC) $(QUICK_FLAGS) -x c-header -o $@.$(if $(IS_CLANG),pch,gch) $@
 EXPLAIN := .make/explain $(wildcard .make/explaining/*.awk)
 JUDGES_LAYOUTS := common/plot.gp chapters/01-corners/yours-and-right.gp $(wildcard tests/judge/layouts/*.gp)
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
-$(ALL_VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(QUICK_HEADER) \
+$(ALL_VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(B)/weak.h $(B)/exercises.names \
 		build/blanks/%.c $(B)/judge/% $$(call answering,$$*) $(JUDGES_LAYOUTS)
-	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(QUICK_HEADER) -c'" \
+	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c'" \
 		"LINK='$(LINK) $(QUICK_LINKER)'" "OBJECTS='$(call answering,$*)'" \
-		$(if $(value stands_on),"STANDS_ON='$(call stands_on,$*)'") \
-		'export COMPILE LINK OBJECTS STANDS_ON' \
+		$(if $(value stands_on),"STANDS_ON='$(call stands_on,$*)'" "HIDE_HELPERS='$(HIDE_HELPERS)'") \
+		'export COMPILE LINK OBJECTS STANDS_ON HIDE_HELPERS' \
 		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh
 	@sh $(@D).sh
 

@@ -38,6 +38,11 @@ function read_headers(   i, file, line, part, inside_of, tag, content, name) {
     }
 }
 
+function is_declared(name) {
+    read_headers()
+    return name in header_of
+}
+
 function list_members(kind, type, content, file,
                       declaration, part, count, i, j, k, name, field, field_kind) {
     header_of[type] = file

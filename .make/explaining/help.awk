@@ -258,6 +258,8 @@ function help_unknown(i,   name, number, line) {
         return name " is in the standard library: #include " library[i]
     if (name in defined_in && defined_in[name] > number && text[i] ~ /function '/)
         return name " is defined further down, in line " defined_in[name] ": move it above its use."
+    if (lacks_contract[i])
+        return "#include \"" contract "\" is missing at the top of this file."
     if (name in header_of && !(header_of[name] in included) && header_of[name] != contract)
         return name " is declared elsewhere: #include \"" header_of[name] "\""
     if (text[i] ~ /^unknown type name/ && tolower(name) ~ /^(d?vec[34]?|vector3?|point3?|float3|double3)$/)

@@ -7,6 +7,7 @@ function sort_out(   i, j, name) {
         statement[i] = statement_of(line_number[i])
         name = quoted(text[i])
         unknown[i] = is_unknown(i)
+        lacks_contract[i] = unknown[i] && !(contract in included) && is_declared(name)
         pasted[i] = is_pasted(i)
         # gcc says only once that there is no function fro.
         slip[i] = name
@@ -43,6 +44,8 @@ function sort_out(   i, j, name) {
 
 # Whether message j only follows from message i.
 function follows(j, i) {
+    if (lacks_contract[i] && (j > i || is_warning[j]))
+        return 1
     if (pasted[i] && line_number[i] == line_number[j] && (j > i || !pasted[j]))
         return 1
     if (missing_brace[i] && line_number[j] >= open_function)

@@ -146,6 +146,36 @@ check 'a flood ends' says 'printed more than a million characters'
 answer_that_does 'for (int i = 0; i < 9; i++) printf("%c[31mline %d\\n", 27, i)' '#include <stdio.h>'
 check 'a right answer may print' says '03-screen is right'
 
+# ---- what is right here builds, too ---------------------------------------------------------------
+
+fresh
+answer 01-corners 's|^vec3 upper_left|double half(double x)\n{\n    return x / 2;\n}\n\n&|; s|c.width / 2|half(c.width)|'
+answer 03-screen 's|^Normalized screen_to|double half(double x)\n{\n    return 1 - x / 2 - x / 2;\n}\n\n&|; s|1 - point.y / screen.height|half(point.y / screen.height)|'
+judge
+check 'two chapters may have helpers of one name' says '01-corners       done'
+check 'and both are right' says '03-screen        done'
+builds() {
+    make --no-print-directory ANSWERS="$answers" "build$answers/03-screen"
+}
+check 'and the programs are built' builds
+
+# Judges a chapter that must not be right: its first statement, or a change.
+does_not_build() {
+    fresh
+    answer "$2" "$3"
+    judge EX="${2%%-*}"
+    check "$1: it is not right" says_not 'done'
+    check "$1: why is said" says "$4"
+}
+does_not_build 'a header that only another chapter includes' 01-corners \
+    's|return c.distance \* c.forward - |printf("x");\n    &|' 'printf is in the standard library: #include <stdio.h>'
+does_not_build 'its contract not included' 01-corners '/#include "exercises/d' \
+    '#include "exercises/01-corners.h" is missing at the top'
+does_not_build 'a main' 01-corners '$s|$|\nint main(void)\n{\n    return 0;\n}|' 'leave main out'
+does_not_build 'an inline that is nowhere else' 01-corners \
+    's|^vec3 upper_left|inline double half(double x)\n{\n    return x / 2;\n}\n\n&|; s|c.width / 2|half(c.width)|' \
+    'half is inline: write static inline'
+
 fresh
 answer 03-screen 's|pixel_center|pixel_centre|'
 judge EX=03
