@@ -8,7 +8,32 @@ failed=0
 here=$(pwd)
 unset SEED # the public inputs, unless a test says otherwise
 scratch=$(mktemp -d) || exit 1
-trap 'rm -rf "$scratch"' EXIT
+started=""
+trap 'end_started; rm -rf "$scratch"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# Starts a command in the background, as a process group of its own, which ends with the test at the latest.
+start() {
+    setsid "$@" &
+    started="$started $!"
+}
+# Ends what was started, by its id: the command, and all that it has started.
+end_started() {
+    for group in $started; do
+        kill -- "-$group" 2>/dev/null || kill "$group" 2>/dev/null
+        wait "$group" 2>/dev/null
+    done
+    started=""
+}
+# Waits until the command succeeds. The limit is there for what hangs, however busy the machine is.
+wait_until() {
+    tries=0
+    until "$@" >/dev/null 2>&1; do
+        tries=$((tries + 1))
+        [ $tries -lt 1200 ] || return 1
+        sleep 0.1
+    done
+}
 
 # The sentence holds when the command succeeds; what it prints is shown when it does not.
 check() {
@@ -50,6 +75,22 @@ counted() {
 finish() {
     echo "$1: $passed passed, $failed failed"
     [ "$failed" -eq 0 ]
+}
+
+# A test that marks a class: needs_grading NAME 'what is not tested otherwise'
+needs_grading() {
+    [ -n "${KIT:-}" ] ||
+        skip "$1" "$2: it needs Python, objdump and libseccomp, and no sanitizers ('make setup' installs them)"
+}
+# One that needs the programs named: needs NAME 'what is not tested otherwise' PROGRAM...
+needs() {
+    needing=$1
+    untested=$2
+    shift 2
+    for program_needed; do
+        command -v "$program_needed" >/dev/null ||
+            skip "$needing" "$untested: $program_needed is missing ('make setup' installs it)"
+    done
 }
 
 # Ends a test that cannot run here, or need not: skip NAME 'what, and why'

@@ -14,8 +14,8 @@ mkfifo "$scratch/said"
 export NO_COLOR=1
 unset MAKEFLAGS MAKELEVEL
 
-make --no-print-directory watch ANSWERS="$answers" >"$scratch/said" 2>&1 &
-trap 'pkill -f "$answers"; rm -rf "$scratch" "build$answers"' EXIT
+start make --no-print-directory watch ANSWERS="$answers" >"$scratch/said" 2>&1
+trap 'end_started; rm -rf "$scratch" "build$answers"' EXIT
 exec 3<"$scratch/said"
 
 # The verdict is there when it says what is next, or that the chapter is right; what comes behind

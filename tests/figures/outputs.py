@@ -126,5 +126,5 @@ for name in names:
                 pdf(path + "-tex.pdf", width, HEIGHT + below)
                 tex(path + ".tex")
 if not shutil.which("pdfinfo"):
-    print("skipped: sizes and text of PDFs, which need poppler-utils (make setup FOR=contributor)")
+    print("skipped: sizes and text of PDFs, which need poppler-utils ('make setup' installs it)")
 checks.end()

@@ -70,7 +70,7 @@ x86_64*)
         check 'objects for any processor have no vectors that not all have' no_wide_vectors
         check 'objects for other processors give away nothing by a name of all' none_given_away
     else
-        echo "skipped: which vectors objects have (make setup FOR=instructor)"
+        echo "skipped: which vectors objects have: objdump is missing ('make setup' installs it)"
     fi
     ;;
 esac

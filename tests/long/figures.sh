@@ -8,9 +8,7 @@ set -u
 [ -z "${BRIEF:-}" ] || skip 'figures, long' "hundreds of figures of each kind, which are tested once (BRIEF)"
 export PYTHONDONTWRITEBYTECODE=1
 
-if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
-    skip 'figures, long' "figures, which need gnuplot and Python (make setup FOR=contributor)"
-fi
+needs 'figures, long' 'figures' gnuplot python3
 
 CAMERAS=${MOST_CAMERAS:-250} SCENES=${MOST_SCENES:-500} counted sh tests/shell/figures.sh
 

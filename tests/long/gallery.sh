@@ -7,9 +7,7 @@ set -u
 [ -z "${BRIEF:-}" ] || skip gallery "the page of pictures, which is tested once (BRIEF)"
 export PYTHONDONTWRITEBYTECODE=1
 
-if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
-    skip gallery "the page of pictures, which needs gnuplot and Python (make setup FOR=contributor)"
-fi
+needs gallery 'the page of pictures' gnuplot python3
 built=$scratch/solutions
 page=$built/gallery/index.html
 mkdir -p "$built/gallery"

@@ -3,9 +3,7 @@
 set -u
 . tests/library.sh
 [ -z "${BRIEF:-}" ] || skip gradescope "the autograder's archive (BRIEF)"
-if [ -z "${KIT:-}" ]; then
-    skip gradescope "Gradescope ('make setup FOR=instructor' installs what it needs; no sanitizers)"
-fi
+needs_grading gradescope 'Gradescope'
 # What make exports to this would decide how the copy is built.
 unset MAKEFLAGS CC ANSWERS SEED OUT POLICY UNSAFE SANDBOX
 AUTOGRADER=$scratch/autograder

@@ -103,24 +103,14 @@ double hit_sphere(Ray ray, Sphere sphere)
 EOF
 }
 
-# Waits until the command succeeds, at most ten seconds.
-soon() {
-    for _ in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
-        "$@" >/dev/null 2>&1 && return
-        sleep 0.5
-    done
-    "$@"
-}
 # While chapter 03 is saved wrong, what is known of chapter 04, which stands on it.
 watches_what_stands_on() {
-    (cd "$tree" && exec env -u MAKEFLAGS CC="$compiler" timeout 30 make watch) >"$scratch/watched" 2>&1 &
-    watching=$!
-    soon grep -q Watching "$scratch/watched" || return 1
+    start env -u MAKEFLAGS CC="$compiler" make -C "$tree" watch >"$scratch/watched" 2>&1
+    wait_until grep -q Watching "$scratch/watched" || return 1
     spoil 03-screen 's|1 - point.y|point.y|'
-    soon grep -q 'pixel_ray unsure' "$tree/build/exercises/verdict/04-pixel-ray/table"
+    wait_until grep -q 'pixel_ray unsure' "$tree/build/exercises/verdict/04-pixel-ray/table"
     status=$?
-    kill $watching 2>/dev/null
-    wait $watching 2>/dev/null
+    end_started
     return $status
 }
 

@@ -43,7 +43,7 @@ if command -v pdfinfo >/dev/null; then
     }
     check 'with the labels as text' has_text
 else
-    echo "skipped: the pages of slides, which need poppler-utils (make setup FOR=contributor)"
+    echo "skipped: the pages of slides, which need poppler-utils ('make setup' installs it)"
 fi
 cp "$drawn/slides.pdf" "$scratch/first.pdf"
 check 'slides are made once more' .make/slides "$drawn" chapters/slides.tex

@@ -2,9 +2,7 @@
 # example.sh - what the instructor's page says of the ten submissions is what 'make grade' says.
 set -u
 . tests/library.sh
-if [ -z "${KIT:-}" ]; then
-    skip example "the example of grading ('make setup FOR=instructor' installs what it needs; no sanitizers)"
-fi
+needs_grading example 'the example of grading'
 page=tests/grading/README.md
 example=tests/grading/example
 out=$scratch/out

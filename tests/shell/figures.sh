@@ -7,9 +7,7 @@
 set -u
 . tests/library.sh
 
-if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
-    skip figures "figures, which need gnuplot and Python (make setup FOR=contributor)"
-fi
+needs figures 'figures' gnuplot python3
 CAMERAS=${CAMERAS:-5}
 export PROGRAMS CAMERAS SCENES="${SCENES:-$CAMERAS}" PYTHONDONTWRITEBYTECODE=1
 # shellcheck disable=SC2016 # the inner shell expands them

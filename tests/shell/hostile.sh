@@ -1,10 +1,7 @@
 #!/bin/sh
 # hostile.sh - a few attacks on the grader that change nothing where they succeed, on the tree as it is.
 # All of them, on a tree full of secrets and in every sandbox, are in tests/long/hostile.sh.
-if [ -z "$KIT" ]; then
-    echo "skipped: attacks on the grader (see grading)"
-    echo "hostile: 0 passed, 0 failed"
-    exit 0
-fi
-HERE=1 exec python3 -B tests/grading/hostile/run.py bubblewrap exit-in-constructor exit-raw \
+. tests/library.sh
+needs_grading hostile 'attacks on the grader'
+HERE=1 python3 -B tests/grading/hostile/run.py bubblewrap exit-in-constructor exit-raw \
     forged-answer-early include-solution incbin-reference circle-of-two reference- table chance- honest-

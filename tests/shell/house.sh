@@ -20,4 +20,13 @@ check 'there are C files' test "$(c_files | wc -l)" -gt 100
 check 'every C file opens with its name and why it is there' \
     no_c_file 'FNR == 1 { name = FILENAME; sub(/.*\//, "", name) } FNR == 1 && index($0, "// " name " - ") != 1 { print FILENAME ": " $0 }'
 check 'no C file is longer than 250 lines' no_c_file 'FNR == 251 { print FILENAME }'
+
+# Programs that are ended by their name may be somebody else's, and not every machine has these.
+ends_by_name() {
+    grep -rnwE --include='*.sh' --include='*.py' 'pkill|killall|pgrep' tests .make | grep -v '^tests/shell/house.sh:'
+}
+no_program_is_ended_by_its_name() {
+    ! ends_by_name
+}
+check 'no program is ended by its name' no_program_is_ended_by_its_name
 finish house

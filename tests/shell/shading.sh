@@ -39,7 +39,7 @@ check 'each term has a picture' draw_terms
 if command -v python3 >/dev/null; then
     check 'and together they are the shaded one, but for rounding' terms_add_up
 else
-    echo 'skipped: the sum of the terms, which needs Python'
+    echo "skipped: the sum of the terms: Python is missing ('make setup' installs it)"
 fi
 
 # 4 x 4 samples of a pixel are 16 pixels of a finer picture.
@@ -62,7 +62,7 @@ PY
 if command -v python3 >/dev/null; then
     check 'a sampled pixel is the mean of its samples' samples_are_the_mean
 else
-    echo 'skipped: the mean of samples, which needs Python'
+    echo "skipped: the mean of samples: Python is missing ('make setup' installs it)"
 fi
 gamma_bends() {
     "$program" -s $size --gamma 2.2 -o "$scratch/gamma.png" "$three" &&
@@ -106,7 +106,7 @@ numbers_come_back() {
 if command -v python3 >/dev/null; then
     check 'a scene for pbrt has its syntax, and the same camera and spheres' numbers_come_back
 else
-    echo 'skipped: the reader of pbrt files, which needs Python'
+    echo "skipped: the reader of pbrt files: Python is missing ('make setup' installs it)"
 fi
 
 # The lesson's last picture takes too long to be drawn here: some pixels of it.
@@ -133,6 +133,6 @@ PY
 if command -v python3 >/dev/null; then
     check "the lesson's last picture is what the program draws" pixels_of_the_lesson
 else
-    echo 'skipped: pixels of the last picture, which need Python'
+    echo "skipped: pixels of the last picture: Python is missing ('make setup' installs it)"
 fi
 finish shading

@@ -6,31 +6,31 @@ set -u
 answers=$scratch/answers
 export NO_COLOR=1
 
-# Saves a wrong answer while watch runs, and waits (at most ten seconds) until it says so.
+# Saves a wrong answer while watch runs, and waits until it says so.
 judges_what_is_saved() {
     rm -rf "$answers"
     mkdir "$answers"
     cp solutions/*.c "$answers"
-    POLL=$1 make --no-print-directory watch EX=03 ANSWERS="$answers" >"$scratch/said" 2>&1 &
-    wait_for 'Watching' && sed 's/1 - point.y/point.y/' solutions/03-screen.c >"$scratch/new" &&
-        mv "$scratch/new" "$answers/03-screen.c" && wait_for 'looks like'
+    start env POLL="$1" make --no-print-directory watch EX=03 ANSWERS="$answers" >"$scratch/said" 2>&1
+    group=$!
+    wait_until grep -q 'Watching' "$scratch/said" && sed 's/1 - point.y/point.y/' solutions/03-screen.c >"$scratch/new" &&
+        mv "$scratch/new" "$answers/03-screen.c" && wait_until grep -q 'looks like' "$scratch/said"
     status=$?
-    pkill -f "$answers" # the loop, what it waits for, and make
+    end_started
     cat "$scratch/said"
     return $status
 }
-wait_for() {
-    tries=0
-    until grep -q "$1" "$scratch/said"; do
-        tries=$((tries + 1))
-        [ $tries -lt 100 ] || return 1
-        sleep 0.1
-    done
+# No process of the group but those that have ended and whose parent has not asked.
+none_is_left() {
+    ! cat /proc/[0-9]*/stat 2>/dev/null |
+        awk -v group="$group" '{ sub(/.*\) /, "") } $1 != "Z" && $3 == group { found = 1 } END { exit !found }'
 }
 
 check 'a saved answer is judged, found by polling' judges_what_is_saved 1
+check 'and nothing that was started is left' wait_until none_is_left
 if command -v inotifywait >/dev/null 2>&1; then
     check 'a saved answer is judged, found by inotify' judges_what_is_saved ''
+    check 'and nothing that was started for it is left' wait_until none_is_left
 else
     echo "skipped: watch by inotify: inotifywait is missing ('make setup' installs it)"
 fi

@@ -6,9 +6,7 @@
 set -u
 . tests/library.sh
 
-if ! command -v gnuplot >/dev/null || ! command -v python3 >/dev/null; then
-    skip yours "yours beside right, which needs gnuplot and Python (make setup FOR=contributor)"
-fi
+needs yours 'yours beside right' gnuplot python3
 export NO_COLOR=1 PYTHONDONTWRITEBYTECODE=1
 unset ANSWERS
 answers=$scratch/answers

@@ -109,7 +109,7 @@ def test_gradescope():
             == told,
         )
     else:
-        skip("perl's JSON::PP is not here")
+        skip("JSON as perl reads it: JSON::PP is missing ('make setup FOR=contributor' installs it)")
 
 
 # ---- XML ----------------------------------------------------------------------------------------
@@ -161,7 +161,7 @@ def test_junit():
             == f"{POINTS * len(HOSTILE)} {3 * len(HOSTILE)}",
         )
     else:
-        skip("xmllint is not here")
+        skip("XML as xmllint reads it: xmllint is missing ('make setup' installs it)")
 
 
 # ---- TAP ----------------------------------------------------------------------------------------
@@ -198,7 +198,7 @@ def test_tap():
             ),
         )
     else:
-        skip("perl's TAP::Parser is not here")
+        skip("TAP as perl reads it: TAP::Parser is missing ('make setup FOR=contributor' installs it)")
 
 
 TESTS = [test_gradescope, test_junit, test_tap]
