@@ -40,6 +40,27 @@ START_TEST(a_place_that_was_chosen_round_the_centre_comes_back)
 }
 END_TEST
 
+START_TEST(worlds_and_directions_may_be_of_any_size)
+{
+    enum { COUNT = 13 };
+    for (int i = 0; i < COUNT; i++) {
+        double world = random_scale(i, COUNT), length = random_scale(COUNT - 1 - i, COUNT);
+        vec3 place = world * random_vec3(-9, 9);
+        Sphere sphere = random_sphere(9, 0.1, 5);
+        sphere.center *= world;
+        sphere.radius *= world;
+        Ray ray = {sphere.center + place, length * random_vec3(-2, 2)};
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the origin");
+        Ray seen = to_object_coordinates(ray, sphere);
+        expect_vec3(seen.origin, place, TOLERANCE * world);
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the direction");
+        expect_vec3(seen.direction, ray.direction, TOLERANCE * length);
+    }
+}
+END_TEST
+
 // ---- object_quadratic ---------------------------------------------------------------------------
 
 static void given_object_ray(Ray ray, double radius)
@@ -105,6 +126,41 @@ START_TEST(at_every_t_it_is_the_squared_distance_less_the_squared_radius)
 }
 END_TEST
 
+// A ray whose angle to the line from its origin to the centre is known, in a world of any size; the
+// direction is a little longer or shorter than that world is large. size: of the numbers that go
+// in.
+typedef struct {
+    Ray ray; // in object coordinates
+    double radius, size;
+    Quadratic quadratic;
+} Angled;
+
+static Angled random_angled(double world)
+{
+    vec3 way = random_unit(), aside = vec3_unit(vec3_cross(way, random_unit()));
+    double distance = world * random_number(0.1, 5), radius = world * random_number(0.1, 5);
+    double length = world * pow(10, random_number(-2, 2)), angle = random_number(0, PI);
+    vec3 origin = distance * (cos(angle) * way + sin(angle) * aside);
+    return (Angled){{origin, length * way},
+                    radius,
+                    distance + radius + length,
+                    {length * length, 2 * distance * length * cos(angle),
+                     (distance - radius) * (distance + radius)}};
+}
+
+// The law of scale: with everything k times as large a, b and c are k^2 times as large.
+START_TEST(an_equation_may_be_of_any_size)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        Angled it = random_angled(random_scale(i, COUNT));
+        given_object_ray(it.ray, it.radius);
+        expect_quadratic_of_size(object_quadratic(it.ray, it.radius), it.quadratic.a,
+                                 it.quadratic.b, it.quadratic.c, it.size);
+    }
+}
+END_TEST
+
 // ---- world_quadratic ----------------------------------------------------------------------------
 
 START_TEST(a_sphere_at_the_origin_of_the_world_gives_what_object_coordinates_give)
@@ -153,21 +209,39 @@ START_TEST(in_the_world_too_it_is_the_squared_distance_less_the_squared_radius)
 }
 END_TEST
 
+START_TEST(an_equation_of_the_world_may_be_of_any_size)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        double world = random_scale(i, COUNT);
+        Angled it = random_angled(world);
+        Sphere sphere = {.center = world * random_vec3(-5, 5), .radius = it.radius};
+        it.ray.origin += sphere.center;
+        given_ray_and_sphere(it.ray, sphere);
+        expect_quadratic_of_size(world_quadratic(it.ray, sphere), it.quadratic.a, it.quadratic.b,
+                                 it.quadratic.c, it.size + vec3_length(sphere.center));
+    }
+}
+END_TEST
+
 void list_tests_of_coefficients(void)
 {
     tests_of("to_object_coordinates");
     test(the_origin_is_seen_from_the_centre_of_the_sphere);
     test(the_direction_stays_as_it_is);
     test(a_place_that_was_chosen_round_the_centre_comes_back);
+    test(worlds_and_directions_may_be_of_any_size);
     tests_of("object_quadratic");
     test(the_equation_of_the_arrow_of_the_deck);
     test(the_equation_of_the_ray_through_the_hits_drawn_in_the_deck);
     test(a_radius_of_3_and_a_direction_of_length_3);
     test(c_is_negative_for_a_ray_that_begins_inside);
     test(at_every_t_it_is_the_squared_distance_less_the_squared_radius);
+    test(an_equation_may_be_of_any_size);
     tests_of("world_quadratic");
     test(a_sphere_at_the_origin_of_the_world_gives_what_object_coordinates_give);
     test(a_sphere_off_the_origin_of_the_world);
     test(moving_the_eye_and_the_sphere_together_changes_nothing);
     test(in_the_world_too_it_is_the_squared_distance_less_the_squared_radius);
+    test(an_equation_of_the_world_may_be_of_any_size);
 }

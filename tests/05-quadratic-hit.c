@@ -68,22 +68,26 @@ START_TEST(what_is_beside_is_not_hit)
 }
 END_TEST
 
+// Only rays along an axis, 1 or 2 long, and whole numbers: sides of 3 and 4 have a diagonal of 5.
+// So nothing is rounded, whichever of the usual formulas is used, and every right answer hits.
 START_TEST(a_tangent_ray_hits)
 {
-    Ray ray = {vec3_of(-4, 1, 0), vec3_of(1, 0, 0)};
-    expect_hit(ray, unit_sphere(), 4);
+    Ray ray = {vec3_of(-4, 3, 0), vec3_of(1, 0, 0)};
+    expect_hit(ray, sphere_at(0, 0, 0, 3), 4);
     ray = (Ray){vec3_of(2, 10, -3), vec3_of(0, -2, 0)};
-    expect_hit(ray, sphere_at(5, 4, -3, 3), 3);
+    expect_hit(ray, sphere_at(5, 6, -3, 3), 2);
+    ray = (Ray){vec3_of(2, 5, -1), vec3_of(0, 0, 2)};
+    expect_hit(ray, sphere_at(2, 1, 2, 4), 1.5);
 }
 END_TEST
 
-// The direction (2, 3, 6) is 7 long: from (2, 3, 6) to its opposite is twice that.
+// On the surface in the direction of an axis, for the same reason.
 START_TEST(from_the_surface_inwards_the_other_side_is_hit)
 {
     Ray ray = {vec3_of(0, 0, 5), vec3_of(0, 0, -2)};
     expect_hit(ray, sphere_at(0, 0, 2, 3), 3);
-    ray = (Ray){vec3_of(2, 3, 6), vec3_of(-2, -3, -6)};
-    expect_hit(ray, sphere_at(0, 0, 0, 7), 2);
+    ray = (Ray){vec3_of(-2, 3, 6), vec3_of(1, 0, 0)};
+    expect_hit(ray, sphere_at(1, 3, 6, 3), 6);
 }
 END_TEST
 
@@ -91,8 +95,8 @@ START_TEST(from_the_surface_outwards_nothing_is_hit)
 {
     Ray ray = {vec3_of(0, 0, 5), vec3_of(0, 0, 2)};
     expect_hit(ray, sphere_at(0, 0, 2, 3), NO_HIT);
-    ray = (Ray){vec3_of(2, 3, 6), vec3_of(2, 3, 6)};
-    expect_hit(ray, sphere_at(0, 0, 0, 7), NO_HIT);
+    ray = (Ray){vec3_of(-2, 3, 6), vec3_of(-1, 0, 0)};
+    expect_hit(ray, sphere_at(1, 3, 6, 3), NO_HIT);
 }
 END_TEST
 
@@ -100,8 +104,20 @@ START_TEST(a_surface_close_to_the_eye_is_hit)
 {
     Ray ray = {vec3_of(0, 0, -0.99), vec3_of(0, 0, -1)};
     expect_hit(ray, sphere_at(0, 0, -2, 1), 0.01);
-    ray.direction = vec3_of(0, 0, -1000);
-    expect_hit(ray, sphere_at(0, 0, -2, 1), 0.00001);
+    for (double length = 10; length < 1e10; length *= 10) {
+        ray.direction = vec3_of(0, 0, -length);
+        expect_hit(ray, sphere_at(0, 0, -2, 1), 0.01 / length);
+    }
+}
+END_TEST
+
+// 700 to go, on a direction that is ever shorter.
+START_TEST(t_may_be_of_any_size)
+{
+    for (double length = 1; length > 1e-10; length /= 10) {
+        Ray ray = {vec3_of(0, 1, 0), vec3_of(length, 0, 0)};
+        expect_hit(ray, sphere_at(800, 1, 0, 100), 700 / length);
+    }
 }
 END_TEST
 
@@ -110,6 +126,27 @@ START_TEST(what_is_in_front_of_the_image_plane_is_hit)
 {
     Ray ray = {vec3_of(0, 0, 0), vec3_of(0, 0, -4)};
     expect_hit(ray, sphere_at(0, 0, -3, 1), 0.5);
+}
+END_TEST
+
+// The law of scale: with the world k times as large t is k times as large, and with the direction k
+// times as long it is 1/k of it. First a tiny world and a long direction, last the other way round.
+START_TEST(worlds_and_directions_of_any_size_are_hit_in_the_same_place)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        Aimed aimed = i % 4 == 0   ? random_aimed(random_number(1, 10))
+                      : i % 4 == 1 ? random_inside()
+                      : i % 4 == 2 ? random_behind()
+                                   : random_beside();
+        double world = random_scale(i, COUNT);
+        double length = random_scale(i % 2 == 0 ? COUNT - 1 - i : i, COUNT);
+        aimed = scaled(aimed, world, length);
+        expect_hit(aimed.ray, aimed.sphere,
+                   i % 4 == 0   ? aimed.near
+                   : i % 4 == 1 ? aimed.far
+                                : NO_HIT);
+    }
 }
 END_TEST
 
@@ -136,6 +173,8 @@ void list_tests_of_hit(void)
     test(from_the_surface_inwards_the_other_side_is_hit);
     test(from_the_surface_outwards_nothing_is_hit);
     test(a_surface_close_to_the_eye_is_hit);
+    test(t_may_be_of_any_size);
     test(what_is_in_front_of_the_image_plane_is_hit);
+    test(worlds_and_directions_of_any_size_are_hit_in_the_same_place);
     test(a_point_on_a_sphere_that_is_aimed_at_is_hit);
 }

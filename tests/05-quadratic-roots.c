@@ -43,13 +43,16 @@ START_TEST(roots_come_in_ascending_order_even_when_a_is_negative)
 }
 END_TEST
 
+// a and the root are powers of two, and so are b and c: nothing is rounded, even by an answer that
+// divides by one of them first.
 START_TEST(a_double_root_counts_as_two)
 {
     expect_roots_of((Quadratic){1, -8, 16}, two(4, 4), TOLERANCE);
-    expect_roots_of((Quadratic){2, 12, 18}, two(-3, -3), TOLERANCE);
+    expect_roots_of((Quadratic){2, 8, 8}, two(-2, -2), TOLERANCE);
     expect_roots_of((Quadratic){3, 0, 0}, two(0, 0), TOLERANCE);
-    for (int i = 0; i < 10; i++) { // in whole numbers, which are exact
-        double a = floor(random_number(1, 10)), t = floor(random_number(-99, 100));
+    for (int i = 0; i < 10; i++) {
+        double a = ldexp(i % 2 == 0 ? 1 : -1, (int)random_number(-10, 10));
+        double t = ldexp(i % 4 < 2 ? 1 : -1, (int)random_number(-10, 10));
         expect_roots_of(with_roots(a, t, t), two(t, t), TOLERANCE);
     }
 }
@@ -107,6 +110,51 @@ START_TEST(where_a_and_b_are_0_there_are_no_roots)
 }
 END_TEST
 
+// The law of scale: whatever a, b and c are all multiplied by, the roots stay; and with b and c
+// divided by k and its square, the roots are 1/k of what they were. Nothing is small in itself.
+START_TEST(coefficients_and_roots_may_be_large_or_small)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        double size = random_scale(i, COUNT), bend = random_scale((7 * i) % COUNT, COUNT);
+        double a = random_number(0.5, 5) * bend * bend; // size may be anything beside it
+        double t = size * random_number(-9, 9), gap = size * random_number(0.1, 9);
+        if (i % 5 == 4)
+            a = -a;
+        if (i % 3 < 2) {
+            expect_roots_of(with_roots(a, t, t + gap), two(t, t + gap), TOLERANCE * size);
+            continue;
+        }
+        Quadratic q = {a, -2 * a * t, a * (t * t + gap * gap)}; // a ((x - t)^2 + gap^2)
+        given_quadratic(q);
+        expect_no_roots(quadratic_roots(q));
+    }
+}
+END_TEST
+
+START_TEST(a_line_may_be_steep_or_almost_level)
+{
+    enum { COUNT = 13 };
+    for (int i = 0; i < COUNT; i++) {
+        double slope = random_scale(i, COUNT) * random_scale(i, COUNT);
+        double b = random_number(0.5, 5) * slope * (i % 2 == 0 ? 1 : -1);
+        double size = random_scale((5 * i) % COUNT, COUNT), t = size * random_number(-9, 9);
+        expect_roots_of((Quadratic){0, b, -b * t}, (Roots){1, {t}}, TOLERANCE * size);
+    }
+}
+END_TEST
+
+// Far out it bends all the same: the second root is where the line would never be.
+START_TEST(a_parabola_that_hardly_bends_has_two_roots)
+{
+    for (int i = 0; i < 5; i++) {
+        double far = pow(10, 3 + i) * random_number(1, 9) * (i % 2 == 0 ? 1 : -1);
+        Quadratic q = with_roots(random_number(0.5, 5) / far, 1, far);
+        expect_roots_of(q, two(fmin(1, far), fmax(1, far)), TOLERANCE * fabs(far));
+    }
+}
+END_TEST
+
 void list_tests_of_roots(void)
 {
     tests_of("quadratic_roots");
@@ -120,4 +168,7 @@ void list_tests_of_roots(void)
     test(where_c_is_0_one_root_is_0);
     test(where_a_is_0_it_is_a_line_with_one_root);
     test(where_a_and_b_are_0_there_are_no_roots);
+    test(coefficients_and_roots_may_be_large_or_small);
+    test(a_line_may_be_steep_or_almost_level);
+    test(a_parabola_that_hardly_bends_has_two_roots);
 }

@@ -38,8 +38,11 @@ END_TEST
 
 START_TEST(a_tangent_line_meets_it_twice_in_one_place)
 {
-    Ray ray = {vec3_of(-4, 1, 0), vec3_of(1, 0, 0)};
-    expect_meetings(ray, unit_sphere(), two(4, 4), ROOT_TOLERANCE);
+    // As for hit_sphere: nothing is rounded, whichever of the usual formulas is used.
+    Ray ray = {vec3_of(-4, 3, 0), vec3_of(1, 0, 0)};
+    expect_meetings(ray, sphere_at(0, 0, 0, 3), two(4, 4), ROOT_TOLERANCE * 3);
+    ray = (Ray){vec3_of(2, 5, -1), vec3_of(0, 0, 2)};
+    expect_meetings(ray, sphere_at(2, 1, 2, 4), two(1.5, 1.5), ROOT_TOLERANCE * 2);
 }
 END_TEST
 
@@ -73,6 +76,27 @@ START_TEST(the_chord_is_twice_the_radius_times_the_cosine)
 }
 END_TEST
 
+START_TEST(worlds_and_directions_of_any_size_are_met_in_the_same_places)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        Aimed aimed = i % 4 == 0   ? random_aimed(random_number(1, 10))
+                      : i % 4 == 1 ? random_inside()
+                      : i % 4 == 2 ? random_behind()
+                                   : random_beside();
+        double world = random_scale(i, COUNT);
+        double length = random_scale(i % 2 == 0 ? COUNT - 1 - i : i, COUNT);
+        aimed = scaled(aimed, world, length);
+        if (i % 4 < 3) {
+            expect_aimed(aimed);
+            continue;
+        }
+        given_ray_and_sphere(aimed.ray, aimed.sphere);
+        expect_no_roots(sphere_roots(aimed.ray, aimed.sphere));
+    }
+}
+END_TEST
+
 void list_tests_of_sphere(void)
 {
     tests_of("sphere_roots");
@@ -84,4 +108,5 @@ void list_tests_of_sphere(void)
     test(a_line_that_touches_it_where_it_starts_meets_it_at_0);
     test(a_line_that_passes_beside_it_does_not_meet_it);
     test(the_chord_is_twice_the_radius_times_the_cosine);
+    test(worlds_and_directions_of_any_size_are_met_in_the_same_places);
 }

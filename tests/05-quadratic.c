@@ -18,8 +18,13 @@ void given_ray_and_sphere(Ray ray, Sphere sphere)
 
 void expect_quadratic(Quadratic yours, double a, double b, double c)
 {
+    expect_quadratic_of_size(yours, a, b, c, 1);
+}
+
+void expect_quadratic_of_size(Quadratic yours, double a, double b, double c, double size)
+{
     given("in order", "a, b, c");
-    expect_vec3(vec3_of(yours.a, yours.b, yours.c), vec3_of(a, b, c), TOLERANCE);
+    expect_vec3(vec3_of(yours.a, yours.b, yours.c), vec3_of(a, b, c), TOLERANCE * size * size);
 }
 
 void expect_no_roots(Roots yours)
@@ -101,6 +106,19 @@ Aimed random_beside(void)
     double r = aimed.sphere.radius, away = random_number(-100, 100) * r;
     vec3 passed = aimed.sphere.center + random_number(1.05, 3) * r * aside;
     aimed.ray = (Ray){passed - away * direction, random_number(0.1, 10) * direction};
+    return aimed;
+}
+
+Aimed scaled(Aimed aimed, double world, double length)
+{
+    aimed.ray.origin *= world;
+    aimed.ray.direction *= length;
+    aimed.sphere.center *= world;
+    aimed.sphere.radius *= world;
+    if (aimed.near < NO_HIT) {
+        aimed.near *= world / length;
+        aimed.far *= world / length;
+    }
     return aimed;
 }
 

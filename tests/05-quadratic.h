@@ -14,6 +14,8 @@
 void given_quadratic(Quadratic q);
 void given_ray_and_sphere(Ray ray, Sphere sphere);
 void expect_quadratic(Quadratic yours, double a, double b, double c);
+// a, b, c are sums of products of two of the numbers that go in; size is how large these are.
+void expect_quadratic_of_size(Quadratic yours, double a, double b, double c, double size);
 void expect_no_roots(Roots yours);
 void expect_roots_of(Quadratic q, Roots expected, double within);
 void expect_meetings(Ray ray, Sphere sphere, Roots expected, double within);
@@ -39,6 +41,9 @@ Aimed random_aimed(double radii_away);
 Aimed random_inside(void);
 Aimed random_behind(void);
 Aimed random_beside(void);
+// The same with everything in the world so many times as large, and the direction so many times as
+// long.
+Aimed scaled(Aimed aimed, double world, double length);
 
 // The tests, a file each.
 void list_tests_of_coefficients(void);

@@ -8,6 +8,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -59,6 +60,14 @@ double random_number(double low, double high)
     if (seeded)
         record_now()->hidden = true;
     return low + (high - low) * (double)(next() >> 11) / 9007199254740992.0;
+}
+
+double random_scale(int i, int count)
+{
+    double jitter = random_number(0, 1);
+    if (i == 0 || i == count - 1)
+        return i == 0 ? 1e-6 : 1e6;
+    return pow(10, -6 + 12 * (i + jitter) / count);
 }
 
 vec3 random_vec3(double low, double high)

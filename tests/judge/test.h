@@ -51,6 +51,9 @@ void expect_law(bool holds, const char *expected, const char *format, ...)
 void random_take_seed(void); // from the environment; exits with 2 where it is no seed
 void random_begin(const char *test);
 double random_number(double low, double high);
+// The i-th of count sizes from 1e-6 to 1e6: the first and the last are these two, the others lie
+// between them in ascending order, so that small, ordinary and large ones are in every run.
+double random_scale(int i, int count);
 vec3 random_vec3(double low, double high);
 vec3 random_unit(void);
 Camera random_camera(void); // far from special: every number counts

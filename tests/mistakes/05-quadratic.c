@@ -6,5 +6,5 @@
 
 const Mistake *const mistakes[] = {
     object_mistakes, world_mistakes, formula_mistakes, plain_mistakes, count_mistakes,
-    sphere_mistakes, hit_mistakes,   digit_mistakes,   NULL,
+    sphere_mistakes, hit_mistakes,   limit_mistakes,   digit_mistakes, NULL,
 };
