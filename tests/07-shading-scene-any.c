@@ -15,7 +15,7 @@ START_TEST(in_an_eclipse_the_shadow_is_a_cone)
 {
     for (int i = 0; i < 20; i++) {
         empty_world(&world);
-        double scale = random_scale(1e6), moon = random_number(0.2, 2), away = random_number(3, 9);
+        double scale = random_size(1e6), moon = random_number(0.2, 2), away = random_number(3, 9);
         vec3 sun = random_vec3(-5, 5), axis = random_unit();
         vec3 aside = vec3_unit(vec3_cross(axis, random_unit()));
         double sine = moon / away, tangent = sine / sqrt(1 - sine * sine);
@@ -35,7 +35,7 @@ START_TEST(any_spheres_hide_any_light_as_geometry_has_it)
 {
     double visible;
     for (int i = 0, seen = 0, hidden = 0; i < 40 || seen < 8 || hidden < 8;) {
-        double size = random_scale(1e6);
+        double size = random_size(1e6);
         random_world(&world, 5, 1, size);
         vec3 from = random_vec3(-6, 6) * size;
         if (!exact_visibility(&world, from, world.lights[0], &visible))
@@ -101,7 +101,7 @@ END_TEST
 START_TEST(any_lights_on_any_spheres_give_what_geometry_says)
 {
     for (int i = 0; i < 40;) {
-        double size = random_scale(1e6);
+        double size = random_size(1e6);
         Color expected;
         Hit hit;
         random_world(&world, 4, 3, size);
@@ -136,7 +136,7 @@ END_TEST
 START_TEST(a_ball_does_not_see_itself)
 {
     for (int i = 0; i < 40; i++) {
-        double size = random_scale(1e6), away = pow(10, i % 2 == 0 ? 5 : random_number(0, 5));
+        double size = random_size(1e6), away = pow(10, i % 2 == 0 ? 5 : random_number(0, 5));
         empty_world(&world);
         world.scene.background = random_scene_color();
         vec3 center = size * away * random_unit();
@@ -154,7 +154,7 @@ END_TEST
 START_TEST(on_any_axis_and_in_any_light_mirrors_face_each_other)
 {
     for (int i = 0; i < 20; i++) {
-        double size = random_scale(1e6), ks = random_number(0.2, 0.9);
+        double size = random_size(1e6), ks = random_number(0.2, 0.9);
         double other_ks = random_number(0.2, 0.9);
         vec3 eye = size * random_vec3(-5, 5), axis = random_unit();
         double radius = random_number(0.5, 3), other_radius = random_number(0.5, 3);
@@ -180,7 +180,7 @@ END_TEST
 START_TEST(any_mirrors_show_what_geometry_says)
 {
     for (int i = 0; i < 40;) {
-        double size = random_scale(1e6);
+        double size = random_size(1e6);
         Color expected;
         random_world(&world, 6, 0, size);
         Ray ray = random_view(&world, size);

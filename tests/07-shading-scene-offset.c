@@ -99,7 +99,7 @@ END_TEST
 START_TEST(anywhere_it_is_a_step_along_the_normal)
 {
     for (int i = 0; i < 30; i++) {
-        double scale = random_scale(1e8);
+        double scale = random_size(1e8);
         Sphere sphere = random_sphere(3 * scale, 0.1 * scale, 3 * scale);
         vec3 outward = random_unit(), c = sphere.center;
         if (i % 3 == 0)

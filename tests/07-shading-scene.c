@@ -68,7 +68,7 @@ Surface random_surface(void)
     return surface_of(color, diffuse, specular, random_number(1, 20));
 }
 
-double random_scale(double most)
+double random_size(double most)
 {
     return pow(most, random_number(-1, 1));
 }

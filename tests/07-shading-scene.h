@@ -38,7 +38,7 @@ void random_world(World *world, int spheres, int lights, double size);
 Surface random_surface(void);
 Color random_scene_color(void);
 // From 1 / most to most, as often small as large.
-double random_scale(double most);
+double random_size(double most);
 // Towards one of the spheres, from anywhere, inside spheres too.
 Ray random_view(const World *world, double size);
 
