@@ -1,5 +1,5 @@
 # headers.awk - what the headers declare, and which type an expression of the answer has.
-# header_of: names; prototype_of and gives: functions; members, field_of, field_type: structs.
+# header_of: names; prototype_of and gives: functions; members, field_type: structs.
 function read_headers(   i, file, line, part, inside_of, tag, content, name) {
     if (headers_read++)
         return
@@ -46,6 +46,8 @@ function is_declared(name) {
 function list_members(kind, type, content, file,
                       declaration, part, count, i, j, k, name, field, field_kind) {
     header_of[type] = file
+    if (type != "")
+        struct_names = struct_names "|" type
     if (kind == "enum") {
         gsub(/=[^,]*/, "", content)
         gsub(/ /, "", content)
@@ -53,7 +55,6 @@ function list_members(kind, type, content, file,
             header_of[part[i]] = file
         return
     }
-    struct_names = struct_names "|" type
     count = split(content, declaration, ";")
     for (i = 1; i <= count; i++) {
         name = declaration[i]
@@ -69,10 +70,7 @@ function list_members(kind, type, content, file,
             sub(/\[.*/, "", field[j])
             gsub(/[^A-Za-z_0-9]/, "", field[j])
             members[type] = members[type] (members[type] == "" ? "" : ", ") field[j]
-            if (!(field[j] in field_of)) {
-                field_of[field[j]] = type
-                field_type[field[j]] = field_kind
-            }
+            field_type[type, field[j]] = field_kind
         }
     }
 }
@@ -101,10 +99,31 @@ function makers(wanted, given, but,   i, name, arguments, found) {
         arguments = substr(prototype_of[name], index(prototype_of[name], "("))
         if (name != but && gives[name] == wanted && header_of[name] ~ /^exercises/ &&
             header_of[name] <= contract && has_word(arguments, given) &&
-            !has_word(arguments, wanted))
-            found = found (found == "" ? "" : " or ") name " (" header_of[name] ")"
+            !has_word(arguments, wanted) && arguments !~ /\*/)
+            found = found (found == "" ? "" : " or ") name " (" header_of[name] ") makes " \
+                with_article(wanted) " of " listed_types(arguments)
     }
     return found
+}
+
+# Of (Camera c, double s): a Camera and a double.
+function listed_types(arguments,   part, count, i, list) {
+    count = parameter_types(arguments, part)
+    for (i = 1; i <= count; i++)
+        list = list (i == 1 ? "" : i < count ? ", " : " and ") with_article(part[i])
+    return list
+}
+
+# The types of a prototype's parameters, without const and *.
+function parameter_types(prototype, type,   count, i) {
+    sub(/^[^(]*\(/, "", prototype)
+    sub(/\).*/, "", prototype)
+    count = split(prototype, type, /, */)
+    for (i = 1; i <= count; i++) {
+        sub(/^ *(const )?/, "", type[i])
+        sub(/[ *].*/, "", type[i])
+    }
+    return count
 }
 
 # ---- types --------------------------------------------------------------------------------------
@@ -139,12 +158,13 @@ function type_of(expression, number,   name, first, line, element, found) {
     element = gsub(/\[[^]]*\]/, "", expression) > 0
     name = expression
     sub(/.*(\.|->)/, "", name)
-    if (name != expression)
-        found = field_type[name]
-    else if (name ~ /^[A-Za-z_][A-Za-z_0-9]*$/) {
+    if (name != expression) {
+        sub(/(\.|->)[A-Za-z_0-9]*$/, "", expression)
+        found = field_type[type_of(expression, number), name]
+    } else if (name ~ /^[A-Za-z_][A-Za-z_0-9]*$/) {
         for (first = beginning(number); number >= first && number > 0 && found == ""; number--) {
             line = " " code[number]
-            if (match(line, "[^A-Za-z_0-9](" struct_names ") +" name "([^A-Za-z_0-9]|$)"))
+            if (match(line, "[^A-Za-z_0-9](" struct_names ")[ *]+" name "([^A-Za-z_0-9]|$)"))
                 found = substr(line, RSTART + 1)
             else if (line ~ "^ +(const )?(" struct_names ") ") {
                 # one of several: vec3 p = f(x), v = g(y);
@@ -155,7 +175,7 @@ function type_of(expression, number,   name, first, line, element, found) {
             }
         }
         sub(/^ *(const )?/, "", found)
-        sub(/ .*/, "", found)
+        sub(/[ *].*/, "", found)
     }
     return element && found == "vec3" ? "double" : found
 }

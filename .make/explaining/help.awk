@@ -50,6 +50,8 @@ function help(i,   line) {
         return help_unknown(i)
     if (is_count(i))
         return help_count(i)
+    if (is_signature(i))
+        return help_signature(i)
     if (text[i] ~ /^'return' with no value|should return a value/)
         return "this return gives nothing back: behind it belongs what it is to give back."
     if (is_missing_return(i))
@@ -119,7 +121,7 @@ function code_before(number) {
     return number
 }
 
-function help_arrow(i,   name, member) {
+function help_arrow(i,   name, member, type) {
     name = expression_at_end(ahead[i])
     member = behind[i]
     sub(/^(\.|->) */, "", member)
@@ -129,6 +131,11 @@ function help_arrow(i,   name, member) {
         return ""
     if (text[i] ~ /did you mean to use '->'/)
         return name " is a pointer: say " name "->" member "."
+    type = type_of(name, line_number[i])
+    if (type in members && !((type, member) in field_type))
+        return name " is a " type ", whose parts are " members[type] "." \
+            (type == "Sphere" && ("Surface", member) in field_type \
+                ? " How it looks is said by scene_surface(scene, i)->" member "." : "")
     return name " is no pointer: say " name "." member "."
 }
 
@@ -143,8 +150,8 @@ function help_parts(i,   name, type, member) {
         return "a vec3 has no parts with names: its components are v[0], v[1], v[2]."
     if (is_number(type))
         return (name == "" ? "this" : name) " is a number and has no parts." \
-            (member in field_of \
-                ? " " member " is a part of " with_article(field_of[member]) "." : "")
+            (whole_of(member, line_number[i]) != "" \
+                ? " " member " is a part of " with_article(owner) ". Say " whole_of(member, line_number[i]) "." : "")
     return "what stands before the dot has no parts with names: a number has none, and those of " \
         "a vec3 are v[0], v[1], v[2]."
 }
@@ -203,12 +210,17 @@ function help_types(i,   here, what, called, by, how) {
             : with_article(wanted[i]) " is wanted here"
     what = what ", and this is " with_article(given[i]) "."
     by = makers(wanted[i], given[i], here)
-    if (by != "")
-        return what " " by " makes " with_article(wanted[i]) " of " with_article(given[i]) "."
+    if (called in prototype_of && is_swapped(called, line_number[i]))
+        return substr(what, 1, length(what) - 1) ": the arguments are in another order. Its prototype is  " \
+            prototype_of[called] "  in " header_of[called] "."
     if (given[i] == wanted[i] " *")
-        return what " A * in front of a pointer is what it points to."
+        return what " " (behind[i] ~ /^&/ ? "Take the & away." \
+            : "A * in front of a pointer is what it points to.")
     if (wanted[i] == given[i] " *")
-        return what " A & in front makes a pointer to it."
+        return what " " (behind[i] ~ /^\*/ ? "Take the * away: without it, it is a pointer." \
+            : "A & in front makes a pointer to it.")
+    if (by != "")
+        return what " " by "."
     if (called in prototype_of)
         return what " Its prototype is  " prototype_of[called] "  in " header_of[called] "."
     if (match(code[line_number[i]], "^ *(const )?" wanted[i] " +[A-Za-z_0-9]+ *="))
@@ -217,6 +229,71 @@ function help_types(i,   here, what, called, by, how) {
     if (how != "")
         return what " Write " how "."
     return what (given[i] in members ? " Its parts are " members[given[i]] "." : "")
+}
+
+# Whether a call of this function, in this statement, has its arguments in another order than the
+# prototype: two of them where the other is wanted, or all of the types that are wanted.
+function is_swapped(called, number,   text, at, part, type, count, k, l, left) {
+    for (number = statement_of(number); number <= last_line; number++) {
+        text = text " " code[number]
+        if (code[number] ~ /[;{}]$/)
+            break
+    }
+    while (match(text, "[^A-Za-z_0-9]" called " *\\(")) {
+        text = substr(text, RSTART + RLENGTH)
+        count = split_arguments(text, part)
+        if (count != parameter_types(prototype_of[called], type))
+            continue
+        split("", left)
+        for (k = 1; k <= count; k++) {
+            part[k] = expression_type(part[k], number)
+            type[k] = is_number(type[k]) ? "double" : type[k]
+            left[type[k]]++
+            left[part[k]]--
+        }
+        at = 0
+        for (k = 1; k <= count; k++) {
+            at += left[type[k]] != 0
+            for (l = 1; l < k; l++)
+                if (part[k] == type[l] && part[l] == type[k] && part[k] != part[l])
+                    return 1
+        }
+        for (k = 1; k <= count && !at; k++)
+            if (part[k] != type[k])
+                return 1
+    }
+    return 0
+}
+
+# The arguments of a call, from behind its bracket on.
+function split_arguments(text, part,   i, c, depth, count) {
+    split("", part)
+    count = 1
+    for (i = 1; i <= length(text); i++) {
+        c = substr(text, i, 1)
+        depth += (c ~ /[({[]/) - (c ~ /[])}]/)
+        if (depth < 0)
+            break
+        if (c == "," && depth == 0)
+            count++
+        else
+            part[count] = part[count] c
+    }
+    return count
+}
+
+# The type of an argument where it can be seen, numbers as double; or "".
+function expression_type(text, number,   type) {
+    gsub(/^[ *&-]+|[ ]+$/, "", text)
+    if (text ~ /^[0-9.][0-9.e]*$/)
+        return "double"
+    if (match(text, /^[A-Za-z_0-9]+ *\(.*\)$/))
+        type = gives[line_before(text, "(")]
+    else if (match(text, /^\([A-Za-z0-9]+\) *\{.*\}$/))
+        type = substr(text, 2, index(text, ")") - 2)
+    else if (expression_at_end(text) == text)
+        type = type_of(text, number)
+    return is_number(type) ? "double" : type
 }
 
 # The function whose argument is wrong.
@@ -275,16 +352,41 @@ function help_unknown(i,   name, number, line) {
         return help_loop(line)
     if (line)
         return name " is known only inside the loop of line " line "."
-    if (name in field_of && text[i] !~ /function '/)
-        return name " is a part of a " field_of[name] " (" header_of[field_of[name]] \
-            "): say of which, as in c." name " for the " field_of[name] " c."
+    if (translation[i] != "")
+        return "the slide's " letters_of[begins[i]] "."
+    if (text[i] !~ /function '/ && whole_of(name, number) != "")
+        return name " is a part of " with_article(owner) " (" header_of[owner] "): say " \
+            whole_of(name, number) "."
     if (match(text[i] body[i], /did you mean '[A-Za-z_0-9]+'/)) {
         line = quoted(substr(text[i] body[i], RSTART, RLENGTH))
         if (line in header_of)
             return "nothing here is called " name ". " line " is in " header_of[line] "."
     }
-    return "nothing here is called " name ". Is it spelled as in the contract" \
-        ((getline line < contract) > 0 ? ", " contract : "") "?"
+    line = text[i] ~ /function '|unknown type/ ? "" : parameters(number)
+    line = line == "" ? "" : " " function_at[begins[i]] " is given " line "."
+    if (length(name) > 1)
+        return "nothing here is called " name ". Is it spelled as in the contract, " contract "?" line
+    return "nothing here is called " strange_letters[begins[i]] "." line \
+        " A variable of your own is declared first, with its type."
+}
+
+function help_signature(i,   name, first) {
+    name = quoted(text[i])
+    read_headers()
+    if (text[i] ~ /^redefinition/) {
+        for (first = 1; first < line_number[i] && function_at[first] != name; first++)
+            ;
+        return first < line_number[i] ? name " is defined already, in line " first "." \
+            : name in header_of ? name " is in " header_of[name] " already: use that one, or give yours another name." \
+            : ""
+    }
+    if (!(name in prototype_of))
+        return ""
+    if (text[i] ~ /static declaration/)
+        return "take the static in front of " name " away: it is called from other files."
+    return header_of[name] == contract ? "the contract, " contract ", says  " prototype_of[name] \
+        ": your function has to begin like that." \
+        : name " is in " header_of[name] " already, as  " prototype_of[name] ": give yours another name."
 }
 
 function help_count(i,   name) {

@@ -7,6 +7,15 @@ function sort_out(   i, j, name) {
         statement[i] = statement_of(line_number[i])
         name = quoted(text[i])
         unknown[i] = is_unknown(i)
+        is_letter[i] = unknown[i] && name ~ /^[A-Za-z]$/ && text[i] !~ /function '|unknown type/ &&
+            !loop_of(name, line_number[i])
+        translation[i] = is_letter[i] ? translated(name, line_number[i]) : ""
+        if (translation[i] != "")
+            add_to(letters_of, begins[i], translation[i])
+        else if (is_letter[i] && whole_of(name, line_number[i]) == "")
+            add_to(strange_letters, begins[i], name)
+        else
+            is_letter[i] = 0
         lacks_contract[i] = unknown[i] && !(contract in included) && is_declared(name)
         pasted[i] = is_pasted(i)
         # gcc says only once that there is no function fro.
@@ -42,6 +51,11 @@ function sort_out(   i, j, name) {
                 dropped[j] = 1
 }
 
+function add_to(list, place, what) {
+    if (index(", " list[place] ",", ", " what ",") == 0)
+        list[place] = list[place] (list[place] == "" ? "" : ", ") what
+}
+
 # Whether message j only follows from message i.
 function follows(j, i) {
     if (lacks_contract[i] && (j > i || is_warning[j]))
@@ -63,9 +77,11 @@ function follows(j, i) {
                       text[i] ~ /argument [0-9]+ of '/ && text[j] ~ /argument [0-9]+ of '/ &&
                       quoted(text[i]) == quoted(text[j])))
             return 1
-        if (j > i && text[i] ~ /'->'/ && text[j] ~ /'->'/ || is_comma(i) && is_comma(j) && j > i)
+        if (j > i && text[i] ~ /'->'|member reference type/ && text[j] ~ /'->'|no member named/ || is_comma(i) && is_comma(j) && j > i)
             return 1
     }
+    if (is_signature(i) && j > i && has_word(text[j], quoted(text[i])))
+        return 1
     # What nobody declared is taken for a function that returns an int; gcc says so only once.
     if (unknown[i] &&
         (statement[i] == statement[j] || has_word(code[line_number[j]], quoted(text[i]))) &&
@@ -73,6 +89,10 @@ function follows(j, i) {
         return 1
     if (begins[i] == 0 || begins[i] != begins[j])
         return 0
+    if (is_letter[i] && is_letter[j] && j > i && (translation[i] == "") == (translation[j] == ""))
+        return 1
+    if (is_signature(i) && text[i] !~ /^static/)
+        return 1
     if (outside[i])
         return j > i || is_warning[j] || missing_return[j]
     if (missing_return[i])

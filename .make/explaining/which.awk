@@ -24,6 +24,10 @@ function is_count(i) {
     return text[i] ~ /^too (few|many) arguments to function/
 }
 
+function is_signature(i) {
+    return text[i] ~ /^conflicting types for|^redefinition of|^static declaration of/
+}
+
 function is_missing_return(i) {
     return text[i] ~ /control reaches end of non-void|no return statement in function|non-void function .*return a value|^'return' with no value/
 }

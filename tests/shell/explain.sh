@@ -123,10 +123,10 @@ explains 'the wrong argument is told what makes a right one' 04-pixel-ray \
     'screen_to_normalized wants a ScreenPoint there, and this is a Pixel. pixel_center (exercises/03-screen.h) makes a ScreenPoint of a Pixel.'
 explains 'the wrong initializer is told what makes a right one' 04-pixel-ray \
     's|Normalized place = .*|Normalized place = pixel_center(pixel);|' \
-    'a Normalized is wanted here, and this is a ScreenPoint. screen_to_normalized (exercises/03-screen.h) makes a Normalized of a ScreenPoint.'
+    'a Normalized is wanted here, and this is a ScreenPoint. screen_to_normalized (exercises/03-screen.h) makes a Normalized of a ScreenPoint and a Resolution.'
 broken 06-ray-casting 's|pixel_ray(camera, image->size, pixel)|pixel_ray(camera, pixel, image->size)|'
 check 'arguments exchanged: the prototype is shown' \
-    helps 'pixel_ray wants a Resolution there, and this is a Pixel. Its prototype is Ray pixel_ray(Camera camera, Resolution screen, Pixel pixel)'
+    helps 'pixel_ray wants a Resolution there, and this is a Pixel: the arguments are in another order. Its prototype is Ray pixel_ray(Camera camera, Resolution screen, Pixel pixel)'
 check 'arguments exchanged: said once for each call' [ "$(grep -c "^$answer:" "$scratch/said")" -eq 2 ]
 
 explains 'a number has no parts' 01-corners 's|c.distance \* c.forward -|c.distance.forward -|' \
@@ -152,5 +152,56 @@ explains '-> on a value' 01-corners 's|c.distance \* c.forward -|c->distance * c
     'c is no pointer: say c.distance.'
 explains '. on a pointer' 02-cameras 's| \*camera = found| camera.origin = found.origin|' \
     'camera is a pointer: say camera->origin.'
+explains '-> to a part that is not there' 06-ray-casting \
+    's|image_set(image, pixel, scene_surface(scene, sphere)->|image_set(image, pixel, scene->spheres[sphere]->|' \
+    'scene->spheres[sphere] is a Sphere, whose parts are center, radius, surface. How it looks is said by scene_surface(scene, i)->color.'
+broken 06-ray-casting 's|image_set(image, pixel,|image_set(*image, pixel,|'
+check 'a * too many' helps 'image_set wants an Image * there, and this is an Image. Take the * away: without it, it is a pointer.'
+check 'a * too many is no & too few' says_not 'A & in front'
+
+# ---- the deck's letters -------------------------------------------------------------------------
+
+explains "the slide's own line" 01-corners \
+    '/^vec3 upper_left/,/^}/s|return .*|return d * f - w / 2 * r + h / 2 * u;|' \
+    "the slide's d is c.distance, f is c.forward, w is c.width, r is c.right, h is c.height, u is c.up."
+explains 'by the names of this function' 04-pixel-ray 's|return (Ray){camera.origin|return (Ray){p|' \
+    "the slide's p is camera.origin."
+explains 'p, v, c and r of a ray and a sphere' 05-quadratic \
+    's|vec3 p = ray.origin, v = ray.direction, c = sphere.center;||; s|sphere.radius . sphere.radius};|r * r};|' \
+    "the slide's v is ray.direction, p is ray.origin, c is sphere.center, r is sphere.radius."
+explains 'r that is a number' 05-quadratic 's|radius \* radius}|r * r}|' "the slide's r is radius."
+explains 'd of an angle' 02-cameras 's|return 2 . distance|return 2 * d|' "the slide's d is distance."
+explains 'W and H of the screen' 03-screen '/^Normalized/,/^}/s|point.x / screen.width, 1 - point.y / screen.height|point.x / W, 1 - point.y / H|' \
+    "the slide's W is screen.width, H is screen.height."
+broken 02-cameras '/^CameraFault camera_from_look_at/,/^}/s|double distance = .*|double distance = d;|'
+check 'a camera that is still to be made has no parts yet' says_not 'camera->distance'
+explains 'letters that nobody has' 01-corners 's|return image_plane_vec.*|return c.forward + (s - t) * a * c.up;|' \
+    'nothing here is called s, t, a. across_30_up_10 is given Camera c. A variable of your own is declared first, with its type.'
+broken 01-corners 's|return image_plane_vec.*|return c.forward + (s - t) * a * c.up;|'
+check 'no types of other chapters' says_not 'Normalized'
+explains 'what this function is given' 02-cameras 's|tan(degrees|tan(angle|' \
+    'nothing here is called angle. Is it spelled as in the contract, exercises/02-cameras.h? width_from_angle is given double degrees and double distance.'
+
+# ---- the first line of a function, and the order of arguments -------------------------------------
+
+explains 'a signature that is not the contract' 01-corners '/^vec3 upper_left/s|Camera c|Camera *c|' \
+    'the contract, exercises/01-corners.h, says vec3 upper_left(Camera c): your function has to begin like that.'
+explains 'a parameter that was taken away' 01-corners 's|Camera c, double s, double t|Camera c, double s|' \
+    'the contract, exercises/01-corners.h, says vec3 image_plane_vector(Camera c, double s, double t):'
+explains 'another type of result' 05-quadratic 's|^double hit_sphere|int hit_sphere|' \
+    'the contract, exercises/05-quadratic.h, says double hit_sphere(Ray ray, Sphere sphere):'
+explains 'an answer that is static' 05-quadratic 's|^double hit_sphere|static &|' \
+    'take the static in front of hit_sphere away'
+explains 'a function that there is already' 05-quadratic 's|^double hit_sphere|double vec3_dot(vec3 a, vec3 b) { return a[0] * b[0]; }\n&|' \
+    'vec3_dot is in common/vec3.h already: use that one, or give yours another name.'
+broken 01-corners 's|^vec3 upper_right(|vec3 upper_left(|'
+check 'a function that was copied' helps "upper_left is defined already, in line $(line_of 'vec3 upper_left')."
+broken 04-pixel-ray 's|(pixel_center(pixel), screen)|(screen, pixel_center(pixel))|'
+check 'exchanged arguments are known as such' \
+    helps 'screen_to_normalized wants a ScreenPoint there, and this is a Resolution: the arguments are in another order. Its prototype is Normalized screen_to_normalized(ScreenPoint point, Resolution screen)'
+broken 01-corners 's|image_plane_vector(c, 0.3, 0.1)|image_plane_vector(0.3, 0.1, c)|'
+check 'numbers first, too' helps 'image_plane_vector wants a Camera there, and this is a double: the arguments are in another order.'
+broken 06-ray-casting 's|pixel_ray(camera, image->size, pixel)|pixel_ray(image->size, pixel, camera)|'
+check 'and all of them' helps 'pixel_ray wants a Camera there, and this is a Resolution: the arguments are in another order.'
 
 finish explain

@@ -140,8 +140,8 @@ check 'and the first line is an error' first_line_is_an_error
     echo '#include "exercises/01-corners.h"'
     echo 'double f(void)'
     echo '{'
-    echo '    double x = a + 1;'
-    for name in b c d e; do
+    echo '    double x = one + 1;'
+    for name in two three four five; do
         echo "    x += $name;"
     done
     echo '    return x;'
