@@ -13,7 +13,11 @@ if (!exists("step")) step = 1000
 if (!exists("output")) output = name
 if (!exists("wrong")) wrong = 0
 if (!exists("note")) note = ""
+# In another locale (C, say) gnuplot warns that it has no degree sign, which no figure needs. Version 6 can
+# be asked not to; before it, the warning is harmless, and LC_ALL=C.UTF-8 avoids it.
+if (GPVAL_VERSION >= 6) eval "unset warnings"
 set encoding utf8
+if (GPVAL_VERSION >= 6) eval "set warnings"
 set minussign
 set macros
 

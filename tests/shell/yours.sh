@@ -104,7 +104,7 @@ other_rows() {
             --note '"`touch hacked`" \ %s @see _^{}' >"$scratch/both.gp" &&
         grep -q '^wrong = 1' "$scratch/both.gp" &&
         for format in svg txt png pdf; do
-            (cd "$scratch" && gnuplot -e "format='$format'; output='both'" both.gp 2>&1) >"$scratch/words"
+            (cd "$scratch" && LC_ALL=C.UTF-8 gnuplot -e "format='$format'; output='both'" both.gp 2>&1) >"$scratch/words"
             [ ! -s "$scratch/words" ] || { cat "$scratch/words"; return 1; }
         done
 }
