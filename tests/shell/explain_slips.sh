@@ -140,8 +140,8 @@ check 'and the first line is an error' first_line_is_an_error
     echo '#include "exercises/01-corners.h"'
     echo 'double f(void)'
     echo '{'
-    echo '    double x = one + 1;'
-    for name in two three four five; do
+    echo '    double x = first + 1;'
+    for name in second third fourth fifth; do
         echo "    x += $name;"
     done
     echo '    return x;'
