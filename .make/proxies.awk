@@ -9,6 +9,7 @@
 #                       what came out is held against the mistakes and the laws
 #   -v make=dispatch -v stem=NN-stem   for the answering process: one call of one exercise
 #                       (stem=all: of any)
+#   -v make=apply       the same by a function that is given: the reference, or a known mistake
 #   -v make=lent -v stem=NN-stem       for it, too: lent_NAME asks the judge for the reference's answer
 #   -v make=layouts     which types each takes and gives, as words (tests/told/layout.h)
 #   -v make=exercises   their names, where there is no reference
@@ -79,7 +80,7 @@ make == "exercises" {
            "const Exercise exercises[] = {\n" : "") \
         sprintf("    {\"%s\", \"%s\", \"%s\", \"%s\", NULL},", name, $1, $3, $4)
 }
-make == "dispatch" {
+make == "dispatch" || make == "apply" {
     if ($1 == stem || stem == "all") {
         if (!dispatched++)
             dispatch_head()
@@ -95,7 +96,7 @@ END {
         print "const Exercise exercises[] = {\n" table "    {0},\n};"
     if (make == "rights")
         print "extern AnyFunction *const rights[];\nAnyFunction *const rights[] = {\n" table "};"
-    if (make == "dispatch")
+    if (make == "dispatch" || make == "apply")
         print "    default:\n        return false;\n    }\n}"
 }
 
@@ -122,17 +123,10 @@ function includes() {
 function proxies_head() {
     includes()
     print "#include \"tests/judge/call.h\"\n#include \"tests/judge/exercise.h\""
-    print "#include \"tests/judge/same.h\"\n#include \"tests/judge/suspects.h\"\n"
+    print "#include \"tests/judge/hearing.h\"\n#include \"tests/judge/suspects.h\"\n"
 }
 
-# The arguments with the last pointers replaced: what a mistake works on instead.
-function theirs_arguments(   i, text) {
-    for (i = 1; i <= count; i++)
-        text = text (i > 1 ? ", " : "") (type[i] ~ /^(Camera|Image) \*$/ ? "&" variable[i] "_theirs" \
-                                         : type[i] == "double *" ? variable[i] "_theirs" : variable[i])
-    return text
-}
-
+# What the answer made of the call is heard beside the known mistakes (tests/judge/hearing.h).
 function proxy(   i, is_void, cast) {
     is_void = result == "void"
     cast = result " (*)(" list ")"
@@ -142,53 +136,22 @@ function proxy(   i, is_void, cast) {
     print result " " name "(" list ")\n{\n    enum { ME = " number - 1 " };"
     if (!is_void)
         print "    " result " yours;"
-    for (i = 1; i <= count; i++) {
-        if (type[i] == "Camera *")
-            print "    const Camera " variable[i] "_before = *" variable[i] ";"
-        if (type[i] == "Image *")
-            print "    Image " variable[i] "_before = image_copy(" variable[i] ");"
-        if (type[i] == "double *")
-            print "    double *" variable[i] "_before = doubles_copy(" variable[i] ", image);"
-    }
+    print "    Wire *heard = hear_question(ME);\n    if (heard != NULL) {"
+    for (i = 1; i <= count; i++)
+        put("        ", i, "heard")
+    print "    }"
     print "    AnyFunction *local = local_answer(ME);\n    if (local != NULL) {"
     print "        " (is_void ? "" : "yours = ") "((" cast ")local)(" names ");"
     print "    } else {"
     ask("        ", is_void)
     print "    }"
-    print "    for (int i = -1; suspect_next(ME, &i);) {"
-    for (i = 1; i <= count; i++) {
-        if (type[i] == "Camera *")
-            print "        Camera " variable[i] "_theirs = " variable[i] "_before;"
-        if (type[i] == "Image *")
-            print "        Image " variable[i] "_theirs = image_copy(&" variable[i] "_before);"
-        if (type[i] == "double *")
-            print "        double *" variable[i] "_theirs = doubles_copy(" variable[i] "_before, image);"
-    }
-    print "        " (is_void ? "" : result " theirs = ") "((" cast ")suspect_answer(ME, i))(" \
-        theirs_arguments() ");"
-    print "        bool same = " (is_void ? "true" : "same_" result "(yours, theirs)") ";"
-    for (i = 1; i <= count; i++) {
-        if (type[i] == "Camera *")
-            print "        same = same && same_Camera(*" variable[i] ", " variable[i] "_theirs);"
-        if (type[i] == "Image *")
-            print "        same = same && same_Image(" variable[i] ", &" variable[i] "_theirs);"
-        if (type[i] == "double *")
-            print "        same = same && same_doubles(" variable[i] ", " variable[i] "_theirs, image);"
-    }
-    for (i = count; i >= 1; i--) {
-        if (type[i] == "Image *")
-            print "        image_free(&" variable[i] "_theirs);"
-        if (type[i] == "double *")
-            print "        free(" variable[i] "_theirs);"
-    }
-    print "        suspect_said(ME, i, same);\n    }"
+    print "    heard = hear_answer(ME);\n    if (heard != NULL) {"
+    if (!is_void)
+        print "        wire_put(heard, &yours, sizeof yours);"
+    for (i = 1; i <= count; i++)
+        put_back("        ", i, "heard", "")
+    print "        hear(ME);\n    }"
     print "    if (law_begin(ME))\n        law_" name "(" (is_void ? "" : "yours, ") names ");"
-    for (i = 1; i <= count; i++) {
-        if (type[i] == "Image *")
-            print "    image_free(&" variable[i] "_before);"
-        if (type[i] == "double *")
-            print "    free(" variable[i] "_before);"
-    }
     if (!is_void)
         print "    return yours;"
     print "}\n"
@@ -198,7 +161,7 @@ function proxy(   i, is_void, cast) {
 function ask(indent, is_void,   i) {
     print indent "Wire *wire = call_begin(ME);"
     for (i = 1; i <= count; i++)
-        put(indent, i)
+        put(indent, i, "wire")
     print indent "wire = call_finish(ME);"
     if (!is_void)
         print indent "wire_get(wire, &yours, sizeof yours);"
@@ -217,20 +180,31 @@ function lend(   is_void) {
     print (is_void ? "" : "    return yours;\n") "}\n"
 }
 
-function put(indent, i) {
+function put(indent, i, wire) {
     if (type[i] == "const Scene *")
-        print indent "wire_put_scene(wire, " variable[i] ");"
+        print indent "wire_put_scene(" wire ", " variable[i] ");"
     else if (type[i] == "Image *")
-        print indent "wire_put_image(wire, " variable[i] ");"
+        print indent "wire_put_image(" wire ", " variable[i] ");"
     else if (type[i] == "double *")
-        print indent "wire_put_doubles(wire, " variable[i] ", image);"
+        print indent "wire_put_doubles(" wire ", " variable[i] ", image);"
     else if (type[i] ~ /^(Camera( \*)?|Sphere|Light|Hit)$/)
-        print indent "wire_put_" tolower(substr(type[i] " ", 1, index(type[i] " ", " ") - 1)) "(wire, " \
+        print indent "wire_put_" tolower(substr(type[i] " ", 1, index(type[i] " ", " ") - 1)) "(" wire ", " \
             (type[i] ~ /\*$/ ? "" : "&") variable[i] ");"
     else if (type[i] ~ /\*$/)
-        print indent "wire_put(wire, " variable[i] ", sizeof *" variable[i] ");"
+        print indent "wire_put(" wire ", " variable[i] ", sizeof *" variable[i] ");"
     else
-        print indent "wire_put(wire, &" variable[i] ", sizeof " variable[i] ");"
+        print indent "wire_put(" wire ", &" variable[i] ", sizeof " variable[i] ");"
+}
+
+# What comes out by a pointer. given: behind the names of what it points to, as it was given.
+function put_back(indent, i, wire, given,   v) {
+    v = variable[i]
+    if (type[i] == "Camera *")
+        print indent "wire_put(" wire ", " v ", sizeof *" v ");"
+    if (type[i] == "Image *")
+        print indent "wire_put_pixels(" wire ", " (given == "" ? v : "&" v given) ");"
+    if (type[i] == "double *")
+        print indent "wire_put_doubles(" wire ", " v given ", " (given == "" ? "image" : "&image" given) ");"
 }
 
 function get_back(indent, i) {
@@ -257,11 +231,14 @@ function dispatch_head(   line, part) {
                 print "#include \"exercises/" part[1] ".h\""
     if (stem != "all")
         include_contract()
-    print "#include \"tests/judge/dispatch.h\"\n"
-    print "bool dispatch(int exercise, Wire *in, Wire *wire)\n{\n    switch (exercise) {"
+    print "#include \"tests/judge/" make ".h\"\n"
+    print "bool " make "(int exercise, " (make == "apply" ? "AnyFunction *answer, " : "") \
+        "Wire *in, Wire *wire)\n{\n    switch (exercise) {"
 }
 
-function dispatch(   i, v) {
+# One call, by the exercise's name or by a function that is given.
+function dispatch(   i, v, called) {
+    called = make == "apply" ? "((" result " (*)(" list "))answer)" : name
     print "    case " number - 1 ": {"
     for (i = 1; i <= count; i++) {
         v = variable[i]
@@ -281,17 +258,11 @@ function dispatch(   i, v) {
     }
     print "        if (!wire_is_read(in))\n            return false;"
     if (result == "void")
-        print "        " name "(" names ");"
+        print "        " called "(" names ");"
     else
-        print "        " result " yours = " name "(" names ");\n        wire_put(wire, &yours, sizeof yours);"
+        print "        " result " yours = " called "(" names ");\n        wire_put(wire, &yours, sizeof yours);"
     for (i = 1; i <= count; i++) {
-        v = variable[i]
-        if (type[i] == "Camera *")
-            print "        wire_put(wire, &" v "_value, sizeof " v "_value);"
-        if (type[i] == "Image *")
-            print "        wire_put_pixels(wire, &" v "_given);"
-        if (type[i] == "double *")
-            print "        wire_put_doubles(wire, " v "_given, &image_given);"
+        put_back("        ", i, "wire", "_given")
     }
     for (i = count; i >= 1; i--) {
         v = variable[i]

@@ -19,9 +19,12 @@ $(LENT:.o=.c): $(B)/judge/lent-%.c: tests/exercises.table .make/proxies.awk
 	$(Q)mkdir -p $(@D)
 	$(Q)awk -v make=lent -v stem=$* -f .make/proxies.awk $< > $@
 #]
-$(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies layouts exercises rights): %.o: %.c $(B)/flags
+$(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies apply layouts exercises rights): %.o: %.c $(B)/flags
 	$(call say,compile,$<)
 	$(Q)$(COMPILE) -o $@ $<
+
+# Which known mistake a wrong answer is.
+DIAGNOSIS := suspects evidence explanation same
 
 # What the judge draws of a wrong answer.
 DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector camera place section \
@@ -59,18 +62,24 @@ $(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/fla
 	$(call say,compile,$< as reference)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
-JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call corners kept process ending wire same \
-	suspects switchboard system_call) $(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
+$(B)/judge/apply.c: tests/exercises.table .make/proxies.awk
+	$(Q)awk -v make=apply -v stem=all -f .make/proxies.awk $< > $@
+# What the answers do beside the known mistakes.
+HEARING := $(patsubst %,$(B)/tests/judge/%.o,hearing $(DIAGNOSIS)) $(B)/judge/apply.o \
+	$(B)/judge/layouts.o $(B)/tests/told/layout.o
+JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call corners kept process ending wire \
+	switchboard system_call) $(HEARING) $(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
 JUDGES := $(STEMS:%=$(B)/judge/%)
 $(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) $(JUDGING) \
-		$(B)/judge/lender-%.o $(B)/judge/layouts.o $(DRAWING) \
+		$(B)/tests/judge/probes/%.o $(B)/judge/lender-%.o $(DRAWING) \
 		$(patsubst %,$(B)/tests/judge/%.o,judge report right) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 # The matrix: the same, and in the place of the answering process a table that the reference fills.
 MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
 $(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(B)/tests/variants/%.o $(filter-out %/call.o,$(JUDGING)) $(B)/judge/lender-%.o \
+		$(B)/tests/judge/probes/%.o $(B)/tests/variants/%.o $(filter-out %/call.o,$(JUDGING)) \
+		$(B)/judge/lender-%.o \
 		$(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
@@ -131,7 +140,7 @@ $(STEMS:%=$(B)/told/path/%.c): $(B)/told/path/%.c:
 $(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags
 	$(Q)$(COMPILE) -o $@ $<
 TOLD := $(patsubst %,$(B)/tests/told/%.o,layout table) $(B)/judge/layouts.o
-REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,wire same suspects switchboard) $(TOLD) \
+REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,wire switchboard $(DIAGNOSIS)) $(TOLD) \
 	$(patsubst %,$(B)/tests/told/%.o,replay expect)
 
 # A table by itself: what is right passes, and each mistake's values are failed and named.
@@ -145,7 +154,7 @@ $(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told
 #[ Where the tables come from; and right answers written otherwise, held against them.
 TELLERS := $(STEMS:%=$(B)/told/tell/%)
 $(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(filter-out %/call.o,$(JUDGING)) $(TOLD) \
+		$(B)/tests/judge/probes/%.o $(filter-out %/call.o,$(JUDGING)) $(TOLD) \
 		$(patsubst %,$(B)/tests/told/%.o,tell asked takes here) \
 		$(B)/judge/dispatch-%.o $(B)/common.a
 	$(call say,link,$@)
@@ -157,7 +166,7 @@ $(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
 	$(Q)env -u SEED ASAN_OPTIONS=detect_leaks=0 $< $@
 TABLE_VARIANTS := $(STEMS:%=$(B)/told/variants/%)
 $(TABLE_VARIANTS): $(B)/told/variants/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/variants/%.o \
-		$(patsubst %,$(B)/tests/told/%.o,variants here) $(B)/judge/dispatch-%.o \
+		$(patsubst %,$(B)/tests/told/%.o,variants here) $(HEARING) $(B)/judge/dispatch-%.o \
 		$(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES) $(B)/common.a \
 		| $(TABLE)/%.table
 	$(call say,link,$@)

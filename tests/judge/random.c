@@ -2,7 +2,8 @@
 //
 // SplitMix64 (Steele, Lea, Flood, 'Fast Splittable Pseudorandom Number Generators'). Each test
 // begins anew, whatever ran before it: from 2015, or, where the environment has SEED, from that
-// seed and the test's name. What is made from a SEED is hidden from whoever is judged.
+// seed and the test's name. What is made from a SEED is hidden from whoever is judged. Probes are
+// the same in every run.
 #include "tests/judge/record.h"
 #include "tests/judge/test.h"
 
@@ -13,7 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static bool seeded;
+static bool seeded, is_hidden; // by the environment; and in this test
 static uint64_t seed, state;
 
 void random_take_seed(void)
@@ -45,10 +46,11 @@ static uint64_t next(void)
     return mixed(state += 0x9e3779b97f4a7c15u);
 }
 
-void random_begin(const char *test)
+void random_begin(const char *test, bool is_probe)
 {
-    state = seeded ? seed : 2015;
-    if (!seeded)
+    is_hidden = seeded && !is_probe;
+    state = is_hidden ? seed : 2015;
+    if (!is_hidden && !is_probe)
         return;
     for (; *test != '\0'; test++)
         state = next() ^ (unsigned char)*test;
@@ -57,7 +59,7 @@ void random_begin(const char *test)
 
 double random_number(double low, double high)
 {
-    if (seeded)
+    if (is_hidden)
         record_now()->hidden = true;
     return low + (high - low) * (double)(next() >> 11) / 9007199254740992.0;
 }

@@ -9,35 +9,61 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-static struct {
+struct Records {
+    size_t size; // bytes
+    int count;
     int next; // the test that runs next
     Record records[];
-} * shared;
-static size_t shared_size;
+};
+static Records *shared;
 static Record *record;
 static int printed_file = -1;
 
 void records_begin(int tests)
 {
-    shared_size = sizeof *shared + (size_t)tests * sizeof(Record);
-    size_t size = shared_size;
+    size_t size = sizeof *shared + (size_t)tests * sizeof(Record);
     shared = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (shared == MAP_FAILED) {
         perror("no memory for the records of the tests");
         _exit(1);
     }
+    shared->size = size;
+    shared->count = tests;
 }
 
 void records_end(void)
 {
-    munmap(shared, shared_size);
+    if (shared != NULL)
+        munmap(shared, shared->size);
+    shared = NULL;
 }
 
-void record_is_of(int test, const char *name, const char *function, bool extra)
+Records *records_aside(void)
+{
+    Records *records = shared;
+    shared = NULL;
+    return records;
+}
+
+void records_back(Records *records)
+{
+    shared = records;
+}
+
+const Record *records_find(const Records *records, const char *name)
+{
+    for (int i = 0; records != NULL && i < records->count; i++)
+        if (strcmp(records->records[i].name, name) == 0)
+            return &records->records[i];
+    return NULL;
+}
+
+void record_is_of(int test, const char *name, const char *function, bool extra, bool probe)
 {
     Record *it = &shared->records[test];
     it->name = name;
     it->extra = extra;
+    it->probe = probe;
     snprintf(it->function, sizeof it->function, "%s", function);
 }
 
@@ -64,7 +90,7 @@ int record_number(void)
 void record_setup(void)
 {
     record = &shared->records[shared->next++];
-    random_begin(record->name);
+    random_begin(record->name, record->probe);
     if (printed_file >= 0 && ftruncate(printed_file, 0) != 0)
         perror("what the answer prints");
 }

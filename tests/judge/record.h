@@ -15,6 +15,7 @@ typedef struct {
     bool closed;         // the current case has met its expectation
     bool finished;       // the test came to its end
     bool extra;          // it costs no marks
+    bool probe;          // nothing is expected: it is only there to tell mistakes apart
     bool hidden;         // it used random numbers of a SEED, which are not to be told
     const char *name;    // of the test
     char function[64];   // the exercise that it tests
@@ -33,7 +34,13 @@ enum { CAMERA_WORDS = 1200 };
 void records_begin(int tests);
 // After all that is to be read of them.
 void records_end(void);
-void record_is_of(int test, const char *name, const char *function, bool extra);
+void record_is_of(int test, const char *name, const char *function, bool extra, bool probe);
+
+// Those of the last run are set aside while others run, and taken back.
+typedef struct Records Records;
+Records *records_aside(void);
+void records_back(Records *records);
+const Record *records_find(const Records *records, const char *name); // NULL where it is not there
 
 // What the answer prints goes to this file (a descriptor); it is emptied before each test.
 void records_catch_printed(int file);

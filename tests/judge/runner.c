@@ -68,20 +68,22 @@ static void say_how(char *how, size_t size, const char *message)
         snprintf(how, size, "%s", message);
 }
 
-void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes)
+static void run(void (*list)(void), bool probes, WhereAnswersAre where)
 {
+    Outcomes *outcomes = listing.outcomes;
     random_take_seed();
     outcomes->count = 0;
-    listing.function_wanted = function;
-    listing.name_wanted = name;
-    listing.outcomes = outcomes;
     listing.suite = suite_create("tests");
     SRunner *runner = srunner_create(listing.suite);
-    list_tests();
+    list();
+    if (probes && outcomes->count == 0) {
+        srunner_free(runner);
+        return;
+    }
     records_begin(outcomes->count);
     for (int i = 0; i < outcomes->count; i++)
         record_is_of(i, outcomes->tests[i].name, outcomes->tests[i].function,
-                     outcomes->tests[i].extra);
+                     outcomes->tests[i].extra, probes);
     if (where == ANSWERS_APART)
         srunner_set_fork_status(runner, CK_NOFORK);
     fflush(NULL); // forks must not print it again
@@ -103,4 +105,21 @@ void run_tests(const char *function, const char *name, WhereAnswersAre where, Ou
     }
     free(results);
     srunner_free(runner);
+}
+
+void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes)
+{
+    listing.function_wanted = function;
+    listing.name_wanted = name;
+    listing.outcomes = outcomes;
+    run(list_tests, false, where);
+}
+
+void run_listed_probes(void (*list)(void), const char *function, const char *name,
+                       Outcomes *outcomes)
+{
+    listing.function_wanted = function;
+    listing.name_wanted = name;
+    listing.outcomes = outcomes;
+    run(list, true, ANSWERS_APART);
 }

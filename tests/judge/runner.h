@@ -29,4 +29,8 @@ typedef enum { ANSWERS_HERE, ANSWERS_APART } WhereAnswersAre;
 // Runs those of one function, or those of one name, or (both NULL) all.
 void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes);
 
+// Those of one function in this list, as probes (suspects.h). No records where there are none.
+void run_listed_probes(void (*list)(void), const char *function, const char *name,
+                       Outcomes *outcomes);
+
 #endif

@@ -1,9 +1,10 @@
-// suspects.c - which known mistake a wrong answer is.
+// suspects.c - which known mistake a wrong answer is, and which law it breaks.
 #include "tests/judge/suspects.h"
 
+#include "tests/judge/evidence.h"
+#include "tests/judge/explanation.h"
 #include "tests/judge/law.h"
 #include "tests/judge/record.h"
-#include "tests/judge/runner.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -16,16 +17,20 @@ static struct {
     struct {
         const Mistake *mistake;
         bool innocent;
-        bool differs[MOST_TESTS]; // in which tests, where each is heard by itself
     } suspects[MOST_MISTAKES];
     bool called;
-    char law[400];
-    bool law_is_hidden; // broken in a test that is
 } cases[MOST_EXERCISES];
 
-static bool awake;        // since suspects_begin
-static int current;       // whose laws are looked at
-static bool test_by_test; // whether one test acquits in all others
+// The first law that each test of the last run broke in its last case: the one that is shown.
+static struct {
+    char words[400];
+    char function[64];
+    int number; // of the case
+    bool hidden;
+} laws[MOST_TESTS];
+
+static bool awake;         // since suspects_begin
+static Evidence *evidence; // where all is written down: then nobody is innocent yet
 
 static void take_up(const Mistake *mistake)
 {
@@ -41,6 +46,7 @@ static void take_up(const Mistake *mistake)
 void suspects_begin(void)
 {
     memset(cases, 0, sizeof cases);
+    memset(laws, 0, sizeof laws);
     awake = true;
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++)
@@ -59,35 +65,46 @@ static bool is_of_digits(const Mistake *mistake)
     return strncmp(mistake->id, "X-", 2) == 0;
 }
 
+bool suspects_listen(int exercise)
+{
+    return awake && is_on_trial(exercise) && (evidence == NULL || !record_now()->extra);
+}
+
+static bool brings(int exercise, int nth, const Heard *heard, const Numbers *yours)
+{
+    Numbers theirs = numbers_copy(heard->by(exercise, cases[exercise].suspects[nth].mistake, nth));
+    settle_freedom(exercise, &theirs);
+    bool same = numbers_same(yours, &theirs);
+    numbers_free(&theirs);
+    return same;
+}
+
 // On the extreme inputs of extra tests every way to arrange a formula has its own digits, so they
 // acquit nobody but those who are suspected of just that.
-bool suspect_next(int exercise, int *i)
+static void acquit(int exercise, const Heard *heard)
 {
-    if (!is_on_trial(exercise))
-        return false;
     bool extra = record_now()->extra;
+    Numbers yours = numbers_copy(heard->yours);
+    settle_freedom(exercise, &yours);
     cases[exercise].called = true;
-    int test = record_number();
-    for (++*i; *i < cases[exercise].count; ++*i) {
-        bool out = test_by_test ? cases[exercise].suspects[*i].differs[test]
-                                : cases[exercise].suspects[*i].innocent;
-        if (!out && (!extra || is_of_digits(cases[exercise].suspects[*i].mistake)))
-            return true;
+    for (int i = 0; i < cases[exercise].count; i++)
+        if (!cases[exercise].suspects[i].innocent &&
+            (!extra || is_of_digits(cases[exercise].suspects[i].mistake)))
+            cases[exercise].suspects[i].innocent = !brings(exercise, i, heard, &yours);
+    numbers_free(&yours);
+}
+
+void suspects_hear(int exercise, const Heard *heard)
+{
+    if (evidence == NULL) {
+        acquit(exercise, heard);
+        return;
     }
-    return false;
-}
-
-AnyFunction *suspect_answer(int exercise, int i)
-{
-    return cases[exercise].suspects[i].mistake->answer;
-}
-
-void suspect_said(int exercise, int i, bool same)
-{
-    if (test_by_test)
-        cases[exercise].suspects[i].differs[record_number()] = !same;
-    else
-        cases[exercise].suspects[i].innocent = !same;
+    int nth[MOST_MISTAKES], count = 0;
+    for (int i = 0; i < cases[exercise].count; i++)
+        if (!is_of_digits(cases[exercise].suspects[i].mistake))
+            nth[count++] = i;
+    evidence_hear(evidence, heard, nth);
 }
 
 const Mistake *suspect(int exercise, int nth, bool extra)
@@ -101,90 +118,138 @@ const Mistake *suspect(int exercise, int nth, bool extra)
     return NULL;
 }
 
-// How many failed tests a suspect explains; 0 where it contradicts one that passed, or the first
-// that failed.
-static int explains(int exercise, int i, const Outcomes *outcomes)
-{
-    int explained = 0;
-    bool first = true;
-    for (int test = 0; test < outcomes->count; test++) {
-        bool differs = cases[exercise].suspects[i].differs[test];
-        if (outcomes->tests[test].extra)
-            continue;
-        if (outcomes->tests[test].passed ? differs : first && differs)
-            return 0;
-        if (!outcomes->tests[test].passed) {
-            first = false;
-            explained += !differs;
-        }
-    }
-    return explained;
-}
-
-const Mistake *suspect_in_part(int exercise)
-{
-    static Outcomes again;
-    test_by_test = true;
-    run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &again);
-    test_by_test = false;
-    const Mistake *best = NULL;
-    int most = 0;
-    for (int i = 0; i < cases[exercise].count; i++) {
-        const Mistake *mistake = cases[exercise].suspects[i].mistake;
-        int explained = is_of_digits(mistake) ? 0 : explains(exercise, i, &again);
-        if (explained > 0 && explained == most)
-            best = NULL; // nobody alone
-        if (explained > most) {
-            most = explained;
-            best = mistake;
-        }
-    }
-    return best;
-}
-
-// The first is kept; one that may be told is better than one that may not.
-static bool law_is_wanted(int exercise)
-{
-    return cases[exercise].law[0] == '\0' ||
-           (cases[exercise].law_is_hidden && !record_now()->hidden);
-}
+// ---- laws ---------------------------------------------------------------------------------------
 
 bool law_begin(int exercise)
 {
-    current = exercise;
-    return awake && is_on_trial(exercise) && law_is_wanted(exercise) && !record_now()->extra;
+    return awake && is_on_trial(exercise) && !record_now()->extra && !record_now()->probe &&
+           record_number() < MOST_TESTS;
 }
 
 void law_broken(const char *format, ...)
 {
-    if (!law_is_wanted(current))
+    int test = record_number(), number = record_now()->cases;
+    if (laws[test].words[0] != '\0' && laws[test].number == number)
         return;
-    cases[current].law_is_hidden = record_now()->hidden;
+    laws[test].number = number;
+    laws[test].hidden = record_now()->hidden;
+    snprintf(laws[test].function, sizeof laws[test].function, "%s", record_now()->function);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(cases[current].law, sizeof cases[current].law, format, arguments);
+    vsnprintf(laws[test].words, sizeof laws[test].words, format, arguments);
     va_end(arguments);
 }
 
 const char *suspect_broke_law(int exercise, bool hidden)
 {
-    if (cases[exercise].law[0] == '\0' || (cases[exercise].law_is_hidden && !hidden))
-        return NULL;
-    return cases[exercise].law;
+    for (int test = 0; test < MOST_TESTS; test++)
+        if (laws[test].words[0] != '\0' && (hidden || !laws[test].hidden) &&
+            strcmp(laws[test].function, exercises[exercise].name) == 0)
+            return laws[test].words;
+    return NULL;
+}
+
+// Of this test, in the case at which it stopped.
+static const char *law_of(int test)
+{
+    bool last = laws[test].number == record_of(test)->cases;
+    return laws[test].words[0] != '\0' && last && !laws[test].hidden ? laws[test].words : NULL;
+}
+
+// ---- diagnosis ----------------------------------------------------------------------------------
+
+#pragma weak list_probes
+
+void run_probes(int exercise, const char *name, Outcomes *outcomes)
+{
+    outcomes->count = 0;
+    if (list_probes != NULL)
+        run_listed_probes(list_probes, exercises[exercise].name, name, outcomes);
+}
+
+// The first graded test that failed; -1 where none did.
+static int first_failed(const Outcomes *outcomes)
+{
+    for (int i = 0; i < outcomes->count; i++)
+        if (!outcomes->tests[i].passed && !outcomes->tests[i].extra)
+            return i;
+    return -1;
+}
+
+// A call that brought nothing agrees with nobody.
+static bool all_were_answered(const Outcomes *outcomes)
+{
+    for (int i = 0; i < outcomes->count; i++)
+        if (!outcomes->tests[i].extra && (outcomes->tests[i].record->how[0] != '\0' ||
+                                          outcomes->tests[i].record->missing[0] != '\0'))
+            return false;
+    return true;
+}
+
+// Is it the case that was shown, and the same answer?
+static bool is_as_shown(const Record *shown, const Record *now)
+{
+    return shown == NULL || (shown->cases == now->cases && strcmp(shown->given, now->given) == 0 &&
+                             strcmp(shown->yours, now->yours) == 0);
+}
+
+static bool everything_is_answered(int exercise)
+{
+    static Outcomes tests, probes;
+    run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &tests);
+    bool good = all_were_answered(&tests);
+    records_end();
+    run_probes(exercise, NULL, &probes);
+    good = good && all_were_answered(&probes);
+    records_end();
+    return good;
+}
+
+static Diagnosis look_closer(int exercise, const Records *shown_records, bool hidden)
+{
+    static Outcomes tests, probes;
+    static Evidence all;
+    static const Mistake *known[MOST_MISTAKES];
+    static char law[400];
+    int count = 0;
+    for (int i = 0; i < cases[exercise].count; i++)
+        if (!is_of_digits(cases[exercise].suspects[i].mistake))
+            known[count++] = cases[exercise].suspects[i].mistake;
+    evidence_begin(&all, exercise, known, count);
+    evidence = &all;
+    memset(laws, 0, sizeof laws);
+    run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &tests);
+    int failed = first_failed(&tests), last_call = all.call_count - 1;
+    while (last_call >= 0 && all.calls[last_call].test != failed)
+        last_call--;
+    law[0] = '\0';
+    if (failed >= 0 && !hidden && law_of(failed) != NULL &&
+        is_as_shown(records_find(shown_records, tests.tests[failed].name), record_of(failed)))
+        snprintf(law, sizeof law, "%s", law_of(failed));
+    records_end();
+    run_probes(exercise, NULL, &probes);
+    records_end();
+    evidence = NULL;
+    Diagnosis it = explain_by_evidence(&all, last_call, hidden);
+    if (it.mistake == NULL && it.law == NULL && law[0] != '\0')
+        it.law = law;
+    evidence_end(&all);
+    return it;
 }
 
 Diagnosis diagnose(int exercise, bool hidden)
 {
-    static Outcomes again;
-    if (!awake)
-        suspects_begin();
-    run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &again);
-    Diagnosis it = {.mistake = suspect(exercise, 0, false)};
-    if (it.mistake == NULL) {
-        it.mistake = suspect_in_part(exercise);
-        it.in_part = it.mistake != NULL;
+    Records *shown = records_aside();
+    suspects_begin();
+    Diagnosis it = {0};
+    bool answered = everything_is_answered(exercise);
+    if (answered) {
+        it.mistake = suspect(exercise, 0, false);
+        it.other = suspect(exercise, 1, false);
+        it.is_one_of = it.other != NULL;
     }
-    if (it.mistake == NULL && !hidden)
-        it.law = suspect_broke_law(exercise, false);
+    if (it.mistake == NULL)
+        it = look_closer(exercise, shown, hidden);
+    records_back(shown);
     return it;
 }

@@ -1,13 +1,14 @@
 // suspects.h - which known mistake a wrong answer is, and which law it breaks.
 //
 // A mistake is suspected until, on some input, it returns something else than the answer did. What
-// is left when all tests have run agreed on all of them. Where nobody is left, the first law that
-// was broken still helps.
+// is left when all tests and probes have run agreed on all of them.
 #ifndef TESTS_JUDGE_SUSPECTS_H
 #define TESTS_JUDGE_SUSPECTS_H
 
 #include "tests/judge/mistake.h"
+#include "tests/judge/runner.h"
 #include "tests/judge/switchboard.h"
+#include "tests/told/layout.h"
 
 #include <stdbool.h>
 
@@ -18,18 +19,20 @@ void suspects_begin(void);
 // was never called. extra: those too that only extra tests can tell from right.
 const Mistake *suspect(int exercise, int nth, bool extra);
 
-// Where nobody is left: who agreed on every call of all graded tests of the exercise that passed
-// and of the first that failed, and explains more of the failed ones than anybody else. Something
-// else is wrong, too, then. Runs the tests of the exercise again, to hear each suspect test by
-// test.
-const Mistake *suspect_in_part(int exercise);
+// Probes are calls that separate mistakes and are not graded: of inputs in general position, in
+// tests/judge/probes/. They run like tests, and nothing is expected of them.
+void list_probes(void);
+void run_probes(int exercise, const char *name, Outcomes *outcomes); // name NULL: all of them
 
 // All of that about an exercise whose tests have failed: they are run again, now beside the
 // mistakes and the laws, which most answers never need.
 typedef struct {
     const Mistake *mistake; // NULL: not a known one
+    const Mistake *other;   // a second one, if is_one_of or also
     bool in_part;           // something else is wrong, too
-    const char *law;        // NULL: there is a mistake, or no law is broken that may be told
+    bool also;              // both, on other inputs or in other parts of the result
+    bool is_one_of;         // nothing tells the two apart
+    const char *law;        // in words; NULL: there is a mistake, or nothing that may be told
 } Diagnosis;
 Diagnosis diagnose(int exercise, bool hidden); // hidden: the first test that failed is
 
@@ -37,12 +40,19 @@ Diagnosis diagnose(int exercise, bool hidden); // hidden: the first test that fa
 // broken only in hidden tests, too; the words tell their numbers.
 const char *suspect_broke_law(int exercise, bool hidden);
 
-// For the proxies. Goes to the next mistake of the exercise that is still suspected, from -1.
-bool suspect_next(int exercise, int *i);
-AnyFunction *suspect_answer(int exercise, int i);
-void suspect_said(int exercise, int i, bool same);
+// A call of an exercise, for those who know what it should have brought: numbers as layout.h has
+// them. mistake: NULL for what is right; nth: its place among the mistakes of the exercise.
+typedef const Numbers *KnownValue(int exercise, const Mistake *mistake, int nth);
+typedef const Numbers *OnceMore(int exercise);
+typedef struct {
+    const Numbers *arguments, *yours;
+    KnownValue *by;
+    OnceMore *again; // asks the answer again
+} Heard;
+bool suspects_listen(int exercise);
+void suspects_hear(int exercise, const Heard *heard);
 
-// Whether to look at the laws of this exercise: until one is broken.
+// Whether to look at the laws of this exercise.
 bool law_begin(int exercise);
 
 #endif

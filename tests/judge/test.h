@@ -49,7 +49,7 @@ void expect_law(bool holds, const char *expected, const char *format, ...)
 // Numbers that look random, uniform from low to high: the same in every run and in each test, or,
 // where the environment has SEED, others for each seed and test.
 void random_take_seed(void); // from the environment; exits with 2 where it is no seed
-void random_begin(const char *test);
+void random_begin(const char *test, bool is_probe); // a probe's are never hidden
 double random_number(double low, double high);
 // The i-th of count sizes from 1e-6 to 1e6: the first and the last are these two, the others lie
 // between them in ascending order, so that small, ordinary and large ones are in every run.

@@ -49,6 +49,14 @@ static int run(const char *function, bool extra)
     run_tests(function, NULL, ANSWERS_APART, &outcomes);
     for (int i = 0; i < outcomes.count; i++)
         count += !outcomes.tests[i].passed && (extra || !outcomes.tests[i].extra);
+    records_end();
+    for (int i = 0; exercises[i].name != NULL; i++) {
+        static Outcomes probes;
+        if (function != NULL && strcmp(exercises[i].name, function) != 0)
+            continue;
+        run_probes(i, NULL, &probes);
+        records_end();
+    }
     return count;
 }
 
@@ -67,7 +75,6 @@ static void check_mistake(const ToldMistake *mistake)
     settle(count > 0, "mistake fails no test:", mistake->function, mistake->why);
     settle(named != NULL && strcmp(named->why, mistake->why) == 0,
            "mistake is not named:", mistake->function, mistake->why);
-    records_end();
 }
 
 int main(int argc, char **argv)
@@ -80,7 +87,6 @@ int main(int argc, char **argv)
     for (int i = 0; i < told->mistake_count; i++)
         settle(suspect(exercise_number(told->mistakes[i].function), 0, true) == NULL,
                "what is right is accused:", told->mistakes[i].function, told->mistakes[i].why);
-    records_end();
     const char *function = "";
     for (int i = 0; i < told->mistake_count; i++) {
         // Mistakes of a function are counted in the order of the list, wherever they stand.

@@ -2,6 +2,8 @@
 #include "tests/told/layout.h"
 
 #include "common/ray.h"
+#include "common/screen.h"
+#include "exercises/05-quadratic.h"
 #include "tests/judge/same.h"
 
 #include <math.h>
@@ -79,6 +81,14 @@ void numbers_free(Numbers *numbers)
 {
     free(numbers->at);
     *numbers = (Numbers){0};
+}
+
+Numbers numbers_copy(const Numbers *numbers)
+{
+    Numbers copy = {0};
+    for (int i = 0; i < numbers->count; i++)
+        numbers_add(&copy, numbers->at[i]);
+    return copy;
 }
 
 bool numbers_same(const Numbers *a, const Numbers *b)

@@ -14,6 +14,7 @@ typedef struct {
 
 void numbers_add(Numbers *numbers, double x);
 void numbers_free(Numbers *numbers);
+Numbers numbers_copy(const Numbers *numbers);
 
 // Of each exercise, in their order: the types of what goes in and of what comes out, as words. Made
 // by .make/proxies.awk. Image is a picture with its size, Pixels one of the size that went in;

@@ -16,7 +16,7 @@ typedef struct {
 // What is said of a mistake is for who makes it: not for reading the file.
 enum { UNREAD = 0xd5 };
 
-static const char magic[] = "ray casting, told: 3";
+static const char magic[] = "ray casting, told: 4";
 enum { MOST_COUNT = 1 << 24, SMALL = 248, WIDE = 255 };
 
 void *told_grow(void *items, int *count, size_t size)
@@ -165,6 +165,7 @@ static void carry_test(Stream *stream, ToldTest *test)
     carry_text(stream, &test->function);
     carry_text(stream, &test->name);
     carry_count(stream, &test->extra);
+    carry_count(stream, &test->probe);
     test->calls = carry_items(stream, test->calls, &test->call_count, sizeof *test->calls);
     for (int i = 0; i < test->call_count && !stream->bad; i++)
         carry_call(stream, &test->calls[i]);

@@ -8,18 +8,10 @@
 #include <math.h>
 #include <string.h>
 
-static Numbers copy_of(const Numbers *numbers)
-{
-    Numbers copy = {0};
-    for (int i = 0; i < numbers->count; i++)
-        numbers_add(&copy, numbers->at[i]);
-    return copy;
-}
-
 // All numbers off by as much, every other one to the other side.
 static bool accepts_off_by(const ToldTest *test, int call, double off)
 {
-    Numbers result = copy_of(&test->calls[call].results[0]);
+    Numbers result = numbers_copy(&test->calls[call].results[0]);
     for (int i = 0; i < result.count; i++)
         result.at[i] += i % 2 == 0 ? off : -off;
     bool accepted = asked_again(test, call, &result);
@@ -53,7 +45,7 @@ static double tolerance_of(const ToldTest *test, int call)
 
 static int reasons_of(const ToldTest *test, int call)
 {
-    Numbers result = copy_of(&test->calls[call].results[0]);
+    Numbers result = numbers_copy(&test->calls[call].results[0]);
     int reasons = 0;
     for (int fault = 0; result.count > 0 && fault < CAMERA_FAULTS; fault++) {
         result.at[0] = fault;
@@ -65,7 +57,7 @@ static int reasons_of(const ToldTest *test, int call)
 
 static bool length_is_free(const ToldTest *test, int call)
 {
-    Numbers result = copy_of(&test->calls[call].results[0]);
+    Numbers result = numbers_copy(&test->calls[call].results[0]);
     bool free = true;
     for (int i = 0; free && i < 2; i++) {
         for (int k = 3; k < result.count; k++)
@@ -78,7 +70,7 @@ static bool length_is_free(const ToldTest *test, int call)
 
 static bool accepts_step(const ToldTest *test, int call, double times)
 {
-    Numbers result = copy_of(&test->calls[call].results[0]);
+    Numbers result = numbers_copy(&test->calls[call].results[0]);
     const double *from = test->calls[call].arguments.at + STEP_FROM;
     for (int i = 0; i < result.count; i++)
         result.at[i] = from[i] + times * (result.at[i] - from[i]);

@@ -11,26 +11,38 @@
 
 #include "tests/judge/record.h"
 #include "tests/judge/runner.h"
+#include "tests/judge/suspects.h"
 
 #include <string.h>
 
 static Told told;
 static Outcomes all;
 
-static void add_test(const Outcome *outcome)
+static void add_test(const Outcome *outcome, bool probe)
 {
     ToldTest test = {.function = (char *)outcome->function,
                      .name = (char *)outcome->name,
-                     .extra = outcome->extra};
+                     .extra = outcome->extra,
+                     .probe = probe};
     bool passed = asked_of(&test);
     if (!passed || test.call_count == 0) {
         fprintf(stderr, "%s: %s\n", test.name,
                 passed ? "asks nothing" : "the reference does not pass");
         exit(1);
     }
-    takes_for_right(&test);
+    if (!probe)
+        takes_for_right(&test);
     told.tests = told_grow(told.tests, &told.test_count, sizeof *told.tests);
     told.tests[told.test_count - 1] = test;
+}
+
+static void add_probes(int exercise)
+{
+    static Outcomes probes;
+    run_probes(exercise, NULL, &probes);
+    records_end();
+    for (int i = 0; i < probes.count; i++)
+        add_test(&probes.tests[i], true);
 }
 
 static void add_mistake(const Mistake *mistake)
@@ -55,18 +67,21 @@ int main(int argc, char **argv)
 {
     if (argc == 2 && strcmp(argv[1], "--formulas") == 0)
         return say_formulas();
-    const char *slash = strrchr(argv[0], '/');
+    const char *slash = strrchr(argv[0], '/'), *stem = slash != NULL ? slash + 1 : argv[0];
     FILE *file = argc == 2 ? fopen(argv[1], "wb") : NULL;
     if (file == NULL) {
         fprintf(stderr, "Usage: %s FILE\n", argv[0]);
         return 2;
     }
-    switch_to_process(slash != NULL ? slash + 1 : argv[0]);
+    switch_to_process(stem);
     run_tests(NULL, NULL, ANSWERS_APART, &all);
     records_end();
     for (int i = 0; i < all.count; i++)
-        add_test(&all.tests[i]);
+        add_test(&all.tests[i], false);
     agree_on_lengths(&told);
+    for (int i = 0; exercises[i].name != NULL; i++)
+        if (strcmp(exercises[i].stem, stem) == 0)
+            add_probes(i);
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++)
             add_mistake(&mistakes[table][i]);

@@ -28,6 +28,7 @@ typedef struct {
 typedef struct {
     char *function, *name; // the sentence
     int extra;             // costs no marks
+    int probe;             // nothing is expected
     int call_count;
     ToldCall *calls;
 } ToldTest;

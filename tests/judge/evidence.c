@@ -1,0 +1,99 @@
+// evidence.c - what a wrong answer, the reference and each known mistake made of every call.
+#include "tests/judge/evidence.h"
+
+#include "tests/judge/record.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_KEPT = 40 }; // numbers of a result: any but a picture
+
+// A ray whose direction may have any length (exercises/04-pixel-ray.h).
+static bool length_is_free(int exercise)
+{
+    return strcmp(exercises[exercise].name, "pixel_ray") == 0;
+}
+
+void settle_freedom(int exercise, Numbers *numbers)
+{
+    if (!length_is_free(exercise) || numbers->count != 6)
+        return;
+    double *d = numbers->at + 3, length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    for (int i = 0; i < 3 && length > 0 && isfinite(length); i++)
+        d[i] /= length;
+}
+
+static Numbers settled(int exercise, const Numbers *numbers)
+{
+    Numbers copy = numbers_copy(numbers);
+    settle_freedom(exercise, &copy);
+    return copy;
+}
+
+void evidence_begin(Evidence *evidence, int exercise, const Mistake **mistakes_of_it, int count)
+{
+    *evidence =
+        (Evidence){.exercise = exercise, .mistake_count = count, .mistakes = mistakes_of_it};
+}
+
+static bool is_same_as_before(const Evidence *evidence, const EvidenceCall *call)
+{
+    bool common = false;
+    for (int i = 0; i < evidence->call_count; i++) {
+        EvidenceCall *other = &evidence->calls[i];
+        if (other == call || !numbers_same(&other->yours, &call->yours) ||
+            numbers_same(&other->arguments, &call->arguments))
+            continue;
+        other->is_common = common = true;
+    }
+    return common;
+}
+
+static void forget_if_long(Numbers *numbers)
+{
+    if (numbers->count > MOST_KEPT)
+        numbers_free(numbers);
+}
+
+void evidence_hear(Evidence *evidence, const Heard *heard, const int *nth)
+{
+    int exercise = evidence->exercise;
+    evidence->calls =
+        realloc(evidence->calls, (size_t)(evidence->call_count + 1) * sizeof *evidence->calls);
+    Theirs *theirs = calloc((size_t)evidence->mistake_count + 1, sizeof *theirs);
+    if (evidence->calls == NULL || theirs == NULL)
+        abort();
+    EvidenceCall *call = &evidence->calls[evidence->call_count++];
+    *call = (EvidenceCall){.test = record_number(),
+                           .probe = record_now()->probe,
+                           .arguments = numbers_copy(heard->arguments),
+                           .yours = settled(exercise, heard->yours),
+                           .right = settled(exercise, heard->by(exercise, NULL, -1)),
+                           .theirs = theirs};
+    call->is_right = numbers_same(&call->yours, &call->right);
+    call->is_common = is_same_as_before(evidence, call);
+    for (int i = 0; i < evidence->mistake_count; i++) {
+        theirs[i].numbers = settled(exercise, heard->by(exercise, evidence->mistakes[i], nth[i]));
+        theirs[i].is_yours = numbers_same(&theirs[i].numbers, &call->yours);
+        theirs[i].is_right = numbers_same(&theirs[i].numbers, &call->right);
+        forget_if_long(&theirs[i].numbers);
+    }
+    call->again = settled(exercise, heard->again(exercise));
+    call->changes = !numbers_same(&call->again, &call->yours);
+}
+
+void evidence_end(Evidence *evidence)
+{
+    for (int i = 0; i < evidence->call_count; i++) {
+        EvidenceCall *call = &evidence->calls[i];
+        for (int k = 0; k < evidence->mistake_count; k++)
+            numbers_free(&call->theirs[k].numbers);
+        free(call->theirs);
+        numbers_free(&call->arguments);
+        numbers_free(&call->yours);
+        numbers_free(&call->right);
+        numbers_free(&call->again);
+    }
+    free(evidence->calls);
+    *evidence = (Evidence){0};
+}

@@ -1,0 +1,95 @@
+// 05-quadratic.c - calls that tell mistakes of exercise 05 apart: from outside, from inside, past
+// the sphere and away from it; p.v of either sign, near and far, short and long directions.
+#include "tests/05-quadratic.h"
+
+#include "tests/judge/suspects.h"
+
+enum { MANY = 40 };
+
+static Aimed any(int i)
+{
+    if (i % 4 == 1)
+        return random_inside();
+    if (i % 4 == 2)
+        return random_behind();
+    if (i % 4 == 3 && i % 8 == 3)
+        return random_beside();
+    return random_aimed(random_number(0.05, i % 8 == 0 ? 0.5 : 20));
+}
+
+START_TEST(any_ray_in_object_coordinates)
+{
+    for (int i = 0; i < MANY / 2; i++) {
+        Aimed it = any(i);
+        to_object_coordinates(it.ray, it.sphere);
+    }
+}
+END_TEST
+
+START_TEST(coefficients_of_any_ray)
+{
+    for (int i = 0; i < MANY / 2; i++) {
+        Aimed it = any(i);
+        it.ray.origin -= it.sphere.center;
+        object_quadratic(it.ray, it.sphere.radius);
+    }
+}
+END_TEST
+
+START_TEST(coefficients_of_any_ray_and_sphere)
+{
+    for (int i = 0; i < MANY / 2; i++) {
+        Aimed it = any(i);
+        world_quadratic(it.ray, it.sphere);
+    }
+}
+END_TEST
+
+// Two roots of any signs, none, and lines.
+START_TEST(roots_of_any_quadratic)
+{
+    for (int i = 0; i < MANY; i++) {
+        double a = random_number(-3, 3), t = random_number(-6, 6), u = random_number(-6, 6);
+        Quadratic q = {a, -a * (t + u), a * t * u};
+        if (i % 4 == 1)
+            q.c = (a < 0 ? -1 : 1) * random_number(0.1, 5) + q.b * q.b / (4 * a);
+        if (i % 8 == 3)
+            q.a = 0;
+        quadratic_roots(q);
+    }
+}
+END_TEST
+
+START_TEST(roots_of_any_ray_and_sphere)
+{
+    for (int i = 0; i < MANY; i++) {
+        Aimed it = any(i);
+        sphere_roots(it.ray, it.sphere);
+    }
+}
+END_TEST
+
+START_TEST(hits_of_any_ray_and_sphere)
+{
+    for (int i = 0; i < MANY; i++) {
+        Aimed it = any(i);
+        hit_sphere(it.ray, it.sphere);
+    }
+}
+END_TEST
+
+void list_probes(void)
+{
+    tests_of("to_object_coordinates");
+    test(any_ray_in_object_coordinates);
+    tests_of("object_quadratic");
+    test(coefficients_of_any_ray);
+    tests_of("world_quadratic");
+    test(coefficients_of_any_ray_and_sphere);
+    tests_of("quadratic_roots");
+    test(roots_of_any_quadratic);
+    tests_of("sphere_roots");
+    test(roots_of_any_ray_and_sphere);
+    tests_of("hit_sphere");
+    test(hits_of_any_ray_and_sphere);
+}
