@@ -19,15 +19,14 @@ from visible import visible
 
 def mention(found: list, others: list, stems: list, folder) -> None:
     answers = [name for name in others if name in [f"{stem}.c" for stem in stems]]
-    if not found and answers:
+    if answers and all(submission.kind == "file" for submission in found):
         stop(f"{folder} holds {answers[0]} itself: it is one submission. Name the folder that it lies in.")
     if not found:
-        stop(f"{folder} holds no submission: no folder, no archive")
+        stop(f"{folder} holds no submission")
     for name in answers:
         print(f"{name} lies loose in {folder}: put it into a folder of its owner's", file=sys.stderr)
-    if others:
-        more = f" and {len(others) - 5} more" if len(others) > 5 else ""
-        print(f"Not submissions (neither folder nor archive): {', '.join(others[:5])}{more}", file=sys.stderr)
+    if set(others) - set(answers):
+        print(f"Not submissions: {', '.join(name for name in others if name not in answers)}", file=sys.stderr)
 
 
 def mention_times(policy, found: list) -> None:
@@ -49,7 +48,7 @@ def main() -> int:
         grader = Grader(given)
     except PolicyError as error:
         stop(str(error))
-    found, others = submissions.find(given.submissions)
+    found, others = submissions.find(given.submissions, grader.stems)
     mention(found, others, grader.stems, given.submissions)
     mention_times(grader.policy, found)
     todo = of_shard(found, given.shard)

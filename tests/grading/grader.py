@@ -101,8 +101,11 @@ class Grader:
     def mark(self, submission: Submission) -> int:
         """In a process of its own; gives its exit status."""
         began = time.monotonic()
+        folder = self.work / submission.folder
+        folder.mkdir(parents=True, exist_ok=True)
         with limited(COLLECTING):
-            collected = submissions.collect(submission, self.stems)
+            collected = submissions.collect(submission, self.stems,
+                                            lambda command: self.sandbox.compiler(folder, [], command))
         when = policies.came_in(self.policy, submission, collected)
         key = self.key(collected)
         old = self.record(submission)

@@ -65,12 +65,6 @@ class WellMade(Archive):
         self.archive("anna.zip", tarred((FIVE, b"x")))
         self.assertEqual(self.five(self.collect())[0], "found")
 
-    def test_another_kind_of_archive_is_named(self):
-        for magic, kind in ((b"Rar!\x1a\7", "RAR"), (b"7z\xbc\xaf\x27\x1c", "7-Zip")):
-            self.archive("anna.zip", magic + bytes(600))
-            self.assertEqual(self.collect().words,
-                             f"is a {kind} archive, expected .zip or .tar.gz")
-
     def test_folders_and_what_a_mac_leaves_behind_are_no_answers(self):
         for how in (self.zip, self.tar):
             collected = how(*((name + FIVE, b"x") for name in ("__MACOSX/", "__MACOSX/._", "._")))
@@ -79,11 +73,6 @@ class WellMade(Archive):
         self.assertTrue(self.zip((FIVE + "/", b"")).empty)
         self.clear()
         self.assertTrue(self.tar((member(FIVE, tarfile.DIRTYPE), b"")).empty)
-
-    def test_an_archive_inside_is_said_and_not_opened(self):
-        collected = self.zip(("all.zip", zipped((FIVE, b"x"))))
-        self.assertEqual((collected.empty, collected.words),
-                         (True, "holds an archive inside, which is not opened: all.zip"))
 
     def test_two_that_differ_are_not_guessed_between(self):
         for how in (self.zip, self.tar):

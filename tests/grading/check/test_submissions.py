@@ -23,16 +23,32 @@ class Find(Scratch):
         self.assertEqual([s.kind for s in found if s.name[1:2] == "."], ["archive"] * 5)
         self.assertEqual(others, [])
 
-    def test_other_things_are_named_and_never_opened(self):
-        for name in (".DS_Store", "notes.txt", "e\nvil.c"):
+    def test_what_nobody_hands_in_is_named(self):
+        clutter = [".DS_Store", "Read me.txt", "Thumbs.db", "desktop.ini", "gradebook.csv", "readme.md",
+                   "submission_metadata.yml", "05-quadratic.c"]
+        for name in clutter:
             (self.room / name).write_bytes(b"")
         (self.room / ".git").mkdir()
         (self.room / "__MACOSX").mkdir()
+        self.assertEqual(submissions.find(self.room, STEMS), ([], sorted([*clutter, ".git", "__MACOSX"])))
+
+    def test_whoever_handed_in_anything_is_there(self):
+        loose = [f"{name}.{kind}" for name in "abcdefgh" for kind in ("pdf", "docx", "c", "txt", "rar")]
+        for name in (*loose, "e\nvil.c"):
+            (self.room / name).write_bytes(b"")
+        (self.room / "readme.d").mkdir()
         os.mkfifo(self.room / "pipe.zip")
         with socket.socket(socket.AF_UNIX) as listening:
             listening.bind(str(self.room / "socket"))
-        self.assertEqual(submissions.find(self.room), ([], [
-            ".DS_Store", ".git", "__MACOSX", "e\\nvil.c", "notes.txt", "pipe.zip", "socket"]))
+        found, others = submissions.find(self.room, STEMS)
+        self.assertEqual([s.name for s in found],
+                         [name.replace("\n", "\\n") for name in sorted([*loose, "e\nvil.c", "readme.d", "pipe.zip", "socket"])])
+        self.assertEqual(others, [])
+        for submission in found:
+            collected = submissions.collect(submission, STEMS)
+            self.assertTrue(collected.empty and collected.words, submission)
+        self.assertEqual(submissions.collect(found[0], STEMS).words,
+                         "a loose file, and neither a folder nor an archive")
 
     def test_names_of_any_bytes_have_one_result_each(self):
         for name in (b"\xff", b"\xfe\n", b"a\nb", b"\x1b]0;x\x07", b"=1+1", b"%41", b"x" * 255):

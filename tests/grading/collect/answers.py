@@ -2,6 +2,11 @@
 
 Folders and archives are searched by other files; each file they see is handed to here. Of each
 NN-stem.c there is one, or none, or it is said why not: two that differ are never guessed between.
+Two rules say which files are meant before they are compared:
+
+- A copy of the toolkit or of the handout has files of an answer's name in many places. Its exercises/
+  are the answers; its solutions/, tests/, build/ and the like are not looked at.
+- A file outside an archive counts before one inside it.
 """
 from __future__ import annotations
 
@@ -13,8 +18,9 @@ from visible import brief
 
 LARGEST = 256 * 1024     # of one answer; the references have 5 KB
 PLACES = 5               # that are named; the rest are counted
-ARCHIVES = (".zip", ".tar.gz", ".tgz", ".tar", ".rar", ".7z", ".gz", ".xz", ".bz2")
 NOT_FOLLOWED = "a symbolic link, not followed"
+OF_THE_TOOLKIT = {".git", ".github", ".make", "build", "chapters", "common", "solutions", "tests"}
+DEEPEST = 50             # folders on the way to a copy of the toolkit
 
 
 @dataclass
@@ -33,14 +39,20 @@ class Collected:
     when: Optional[int] = None  # seconds since 1970: when the newest of it was written
 
 
+@dataclass(frozen=True)
+class File:
+    """One file of an answer's name."""
+    parts: tuple            # folders and name
+    level: int              # archives that were opened on the way to it
+    text: Optional[bytes]   # None where it cannot be read
+    fault: str = ""         # and why
+
+
 @dataclass
 class Seen:
-    """The files of one name, so far. Only the first text is kept: there may be thousands."""
-    places: list = field(default_factory=list)
-    count: int = 0
-    text: Optional[bytes] = None
-    faults: list = field(default_factory=list)
-    differ: bool = False
+    """The files of one name, so far."""
+    files: list = field(default_factory=list)
+    texts: dict = field(default_factory=dict)   # each text once: there may be thousands of one
     aside: list = field(default_factory=list)   # of that name, but no file
     near: list = field(default_factory=list)    # almost of that name
 
@@ -49,7 +61,7 @@ class Seen:
 class Search:
     seen: dict                                  # stem -> Seen
     notes: list = field(default_factory=list)
-    inside: str = ""                            # an archive in the submission
+    exercises: set = field(default_factory=set)  # folders of that name that hold an exercise
     when: Optional[int] = None
 
 
@@ -72,6 +84,10 @@ def ended_early(search: Search, words: str) -> None:
     search.notes.insert(0, words)
 
 
+def written(search: Search, when: int) -> None:
+    search.when = max(search.when or when, when)
+
+
 def place_of(parts) -> str:
     return brief("/".join(parts))
 
@@ -90,39 +106,46 @@ def as_text(raw: bytes) -> Optional[bytes]:
     return raw.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
 
 
+# ---- copies of the toolkit ----------------------------------------------------------------------
+
+def passed(search: Search, parts) -> None:
+    """Each file goes by here: where an exercise or its contract is, a copy of the toolkit may be."""
+    if len(parts) > 1 and parts[-2] == "exercises" and parts[-1][-2:] in (".c", ".h") \
+            and parts[-1][:-2] in search.seen:
+        search.exercises.add(tuple(parts[:-1]))
+
+
+def is_toolkit_s(search: Search, parts) -> bool:
+    """Whether it is the toolkit's own: in a folder of the toolkit's beside exercises/."""
+    return any(part in OF_THE_TOOLKIT and (*parts[:i], "exercises") in search.exercises
+               for i, part in enumerate(parts[:DEEPEST]))
+
+
+# ---- what is found ------------------------------------------------------------------------------
+
 def bystander(search: Search, parts) -> None:
     """A file that is no answer; it may tell why there is none."""
     base = parts[-1]
-    if base.lower().endswith(ARCHIVES) and not base.startswith("._"):
-        search.inside = search.inside or place_of(parts)
     number = re.match(r"0*(\d+).*\.c(pp|\.txt)?$", base, re.IGNORECASE)
     for stem, seen in search.seen.items() if number else ():
         if number[1] == re.match(r"0*(\d*)", stem)[1] and len(seen.near) < PLACES:
-            seen.near.append(place_of(parts))
+            seen.near.append(tuple(parts))
 
 
-def unreadable(search: Search, parts, why: str) -> None:
-    seen = search.seen[stem_of(search, parts[-1])]
-    seen.count += 1
-    if len(seen.places) < PLACES:
-        seen.places.append(place_of(parts))
-        seen.faults.append(why)
-    seen.differ = True
+def unreadable(search: Search, parts, why: str, level: int = 0) -> None:
+    passed(search, parts)
+    search.seen[stem_of(search, parts[-1])].files.append(File(tuple(parts), level, None, why))
 
 
-def found(search: Search, parts, raw: bytes) -> None:
+def found(search: Search, parts, raw: bytes, level: int = 0) -> None:
     text = as_text(raw)
     if len(raw) > LARGEST:
-        return unreadable(search, parts, f"is larger than {LARGEST // 1024} KB")
+        return unreadable(search, parts, f"is larger than {LARGEST // 1024} KB", level)
     if text is None:
-        return unreadable(search, parts, "is not text")
+        return unreadable(search, parts, "is not text", level)
+    passed(search, parts)
     seen = search.seen[stem_of(search, parts[-1])]
-    seen.count += 1
-    if len(seen.places) < PLACES:
-        seen.places.append(place_of(parts))
-    seen.differ = seen.differ or (seen.text is not None and seen.text != text)
-    if seen.text is None:
-        seen.text = text
+    seen.files.append(File(tuple(parts), level, seen.texts.setdefault(text, text)))
     return None
 
 
@@ -133,35 +156,42 @@ def no_file(search: Search, parts, what: str) -> None:
         seen.aside.append(f"{place_of(parts)} is {what}")
 
 
-def answer_from(stem: str, seen: Seen) -> Answer:
-    places = ", ".join(seen.places)
-    if seen.count > len(seen.places):
-        places += f" and {seen.count - len(seen.places)} more"
+# ---- which of them is meant -----------------------------------------------------------------------
+
+def listed(files: list) -> str:
+    more = f" and {len(files) - PLACES} more" if len(files) > PLACES else ""
+    return ", ".join(place_of(file.parts) for file in files[:PLACES]) + more
+
+
+def answer_from(search: Search, stem: str, seen: Seen) -> Answer:
     words = list(seen.aside)
-    if seen.count == 0:
-        if seen.near:
-            words.append(f"there is {', '.join(seen.near)}; the name must be {stem}.c")
+    files = [file for file in seen.files if not is_toolkit_s(search, file.parts)]
+    if not files:
+        near = [place_of(parts) for parts in seen.near if not is_toolkit_s(search, parts)]
+        if near:
+            words.append(f"there is {', '.join(near)}; the name must be {stem}.c")
         return Answer("missing", words="; ".join(words))
-    if seen.count == 1 and seen.faults:
-        words.insert(0, f"{places} {seen.faults[0]}")
-        return Answer("unreadable", seen.places[0], words="; ".join(words))
-    if seen.differ:
-        words.insert(0, f"{seen.count} files are called {stem}.c and are not the same: {places}")
-        if {f"{room}/{stem}.c" for room in ("exercises", "solutions")} <= {
-                "/".join(place.split("/")[-2:]) for place in seen.places}:
-            words.append("this is a copy of the toolkit; hand in its exercises/")
+    outermost = min(file.level for file in files)
+    meant = [file for file in files if file.level == outermost]
+    deeper = [file for file in files if file.level > outermost and file.text != meant[0].text]
+    if deeper:
+        words.append(f"in an archive beside it there is another, which does not count: {listed(deeper)}")
+    first, texts = meant[0], {file.text for file in meant}
+    if len(meant) == 1 and first.text is None:
+        words.insert(0, f"{place_of(first.parts)} {first.fault}")
+        return Answer("unreadable", place_of(first.parts), words="; ".join(words))
+    if len(texts) > 1 or None in texts:
+        words.insert(0, f"{len(meant)} files are called {stem}.c and are not the same: {listed(meant)}")
         return Answer("twice", words="; ".join(words))
-    if seen.count > 1:
-        words.insert(0, f"{seen.count} files with the same text count as one: {places}")
-    return Answer("found", seen.places[0], seen.text, "; ".join(words))
+    if len(meant) > 1:
+        words.insert(0, f"{len(meant)} files with the same text count as one: {listed(meant)}")
+    return Answer("found", place_of(first.parts), first.text, "; ".join(words))
 
 
 def all_of(search: Search) -> Collected:
-    answers = {stem: answer_from(stem, seen) for stem, seen in search.seen.items()}
-    empty = all(seen.count == 0 for seen in search.seen.values())
+    answers = {stem: answer_from(search, stem, seen) for stem, seen in search.seen.items()}
+    empty = all(answer.state == "missing" for answer in answers.values())
     words = list(search.notes)
-    if empty and search.inside:
-        words.append(f"holds an archive inside, which is not opened: {search.inside}")
     if empty and not words:
         stems = list(search.seen)
         words.append(f"holds no {stems[0]}.c ... {stems[-1]}.c" if stems else "nothing is asked")
