@@ -43,6 +43,13 @@ function read_answer(   line, number, part, in_comment, at, name) {
         last_line--
 }
 
+function bare_type(type) {
+    gsub(/(^|[^A-Za-z_0-9])(const|struct|static|inline|extern) /, "", type)
+    sub(/^ +/, "", type)
+    sub(/ +$/, "", type)
+    return type
+}
+
 # The line in which the function begins to which this line belongs; 0 where it is none.
 function beginning(number) {
     while (number > 0 && !(number in function_at))
@@ -93,6 +100,20 @@ function loop_of(name, number,   first) {
                                code[number] ~ "[ *(]" name " *="))
         number--
     return number > first ? number : 0
+}
+
+# Two numbers with a comma between them, and no blank, in the statement of this line: 0,5; or "".
+function decimal_comma(number,   text) {
+    for (number = statement_of(number); number <= last_line; number++) {
+        text = text " " code[number]
+        if (code[number] ~ /[;{}]$/)
+            break
+    }
+    if (!match(text " ", /[^A-Za-z_0-9.,][0-9]+,[0-9]+([^A-Za-z_0-9.,]|, )/))
+        return ""
+    text = substr(text, RSTART + 1, RLENGTH - 1)
+    match(text, /^[0-9]+,[0-9]+/)
+    return substr(text, 1, RLENGTH)
 }
 
 function has_word(line, name) {

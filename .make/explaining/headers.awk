@@ -128,13 +128,6 @@ function parameter_types(prototype, type,   count, i) {
 
 # ---- types --------------------------------------------------------------------------------------
 
-function bare_type(type) {
-    gsub(/(^|[^A-Za-z_0-9])(const|struct|static|inline|extern) /, "", type)
-    sub(/^ +/, "", type)
-    sub(/ +$/, "", type)
-    return type
-}
-
 function is_number(type) {
     return type ~ /^(double|float|int|long|unsigned|unsigned int|_Bool|bool)$/
 }

@@ -6,6 +6,11 @@ function help(i,   line) {
             "that only looks like one. Delete it and type it anew."
     if (keyword[i] != "")
         return slip[i] " is misspelled: " keyword[i] "."
+    if (decimal[i] != "") {
+        line = decimal[i]
+        sub(/,/, ".", line)
+        return decimal[i] " is two numbers in C. If it is meant as one, write " line "."
+    }
     if (missing_brace[i])
         return help_brace(i)
     if (outside[i])

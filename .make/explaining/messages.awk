@@ -141,7 +141,7 @@ function note() {
         begin(where ": error: " in_macro, in_macro, 0)
         return
     }
-    if (n == 0 || unread || words ~ /column-tracking|silence this warning/)
+    if (n == 0 || unread || words ~ /column-tracking|silence this warning|near initialization/)
         return
     if (words ~ /include .*<[a-z_\/0-9]+\.h>/) {
         match(words, /<[a-z_\/0-9]+\.h>/)

@@ -30,6 +30,7 @@ function sort_out(   i, j, name) {
         missing_brace[i] = is_missing_brace(i)
         outside[i] = is_outside(i)
         find_types(i)
+        decimal[i] = may_be_decimal_comma(i) ? decimal_comma(line_number[i]) : ""
         if (is_comma(i))
             comma_in[statement[i]] = 1
         if (is_unused_value(i) && !lost_in[begins[i]])
@@ -66,6 +67,8 @@ function follows(j, i) {
         return missing_brace[j] ? j > i : missing_return[j] ||
             text[j] ~ /defined but not used|^unused |invalid storage class|[Mm]isleading|clause does not guard|nested function|declared .* but never defined|follows non-static/
     if (statement[i] == statement[j]) {
+        if (decimal[i] != "" && (decimal[j] != "" ? j > i : is_warning[j]))
+            return 1
         if (syntax[i] && (!syntax[j] || j > i) &&
             (!is_warning[j] || text[j] ~ /clause does not guard|^misleading|operand of comma|no effect/))
             return 1

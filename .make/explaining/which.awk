@@ -40,6 +40,11 @@ function is_comma(i) {
     return text[i] ~ /left(-hand)? operand of comma|misuse of comma/
 }
 
+function may_be_decimal_comma(i) {
+    return is_comma(i) || is_unused_value(i) ||
+        text[i] ~ /^too many arguments|^excess elements|^expected identifier or '\('( before numeric constant|$)/
+}
+
 function is_missing_brace(i) {
     return open_function && text[i] ~ /^expected declaration or statement at end of input|^expected '\}'|^function definition is not allowed here/
 }

@@ -146,6 +146,49 @@ check 'a flood ends' says 'printed more than a million characters'
 answer_that_does 'for (int i = 0; i < 9; i++) printf("%c[31mline %d\\n", 27, i)' '#include <stdio.h>'
 check 'a right answer may print' says '03-screen is right'
 
+# ---- 1/2 and 0,5 --------------------------------------------------------------------------------
+
+# Judges a chapter with a change, and looks for a sentence, which may be wrapped.
+explains() {
+    fresh
+    answer "$2" "$3"
+    judge EX="${2%%-*}"
+    line=$(grep -nF -m 1 -- "$4" "$answers/$2.c" | cut -d : -f 1)
+    check "$1" in_one_line "  help: in line $line, $5: C divides whole numbers without a remainder."
+}
+in_one_line() {
+    cat "$scratch/said"
+    grep -qF -- "$1" "$scratch/said"
+}
+explains '1/2 is explained' 01-corners \
+    's|return image_plane_vector.*|return c.distance * c.forward + (0.3 - 1/2) * c.width * c.right + (0.1 - 1/2) * c.height * c.up;|' \
+    '1/2' '1/2 is 0'
+check 'once' [ "$(grep -c 'help: in line' "$scratch/said")" -eq 1 ]
+check 'and fits' fits_80_columns
+explains '3/10 in another place is explained' 01-corners 's|(c, 0.3, 0.1)|(c, 3/10, 0.1)|' '3/10' '3/10 is 0'
+explains 'half a pixel' 03-screen 's|pixel.column + 0.5|pixel.column + 1 / 2|' '1 / 2' '1/2 is 0'
+explains 'in a helper' 01-corners 's|^vec3 upper_left|static double half(double x) { return 1/2 * x; }\n&|; s|c.width / 2|half(c.width)|' '1/2' '1/2 is 0'
+explains 'in a macro, and not only 0' 07-shading 's|^Color gamma_encode|#define POWER 3/2\n&|; s|1 / gamma|POWER|g' '3/2' '3/2 is 1'
+fresh
+answer 01-corners 's|c.width / 2|(double)1/2 * c.width * 1/2|'
+judge EX=01
+check 'what is no such division is not called one' says_not 'whole numbers'
+fresh
+answer 01-corners 's|(c, 0.3, 0.1)|(c, 1/2, 0.1)|; s|c.height / 2|c.height * (1/2 + 0.5)|'
+judge EX=01
+check 'what is right is not corrected' says_not "in line $(grep -nF '(1/2 + 0.5)' "$answers/01-corners.c" | head -n 1 | cut -d : -f 1),"
+fresh
+answer 03-screen 's|pixel.row + 0.5|pixel.row + 0,5|'
+judge EX=03
+check 'a decimal comma is said' says '  help: 0,5 is two numbers in C. If it is meant as one, write 0.5.'
+check 'and is no other mistake' says_not 'looks like'
+check 'nor breaks another rule' says_not '  but '
+fresh
+answer 01-corners 's|(s - 0.5)|(s - 0,5)|'
+judge EX=01
+check 'a decimal comma in brackets is said' says '  help: 0,5 is two numbers in C. If it is meant as one, write 0.5.'
+check 'and has no other name' says_not 'looks like'
+
 # ---- what is right here builds, too ---------------------------------------------------------------
 
 fresh

@@ -81,6 +81,23 @@ explains '2distance' 02-cameras 's|return 2 . distance|return 2distance|' \
 explains '2(distance)' 02-cameras 's|return 2 . distance|return 2(distance)|' \
     'a * is missing before the bracket'
 
+# A decimal comma, wherever the compiler stumbles over it.
+point='0,5 is two numbers in C. If it is meant as one, write 0.5.'
+decimal_comma() {
+    broken "$2" "$3"
+    check "a decimal comma $1" helps "$point"
+    check "a decimal comma $1: said once" [ "$(grep -cE '(error|warning):' "$scratch/said")" -eq 1 ]
+    check "a decimal comma $1: nothing else is advised" [ "$(grep -c 'help:' "$scratch/said")" -eq 1 ]
+}
+decimal_comma 'in brackets' 01-corners 's|(s - 0.5)|(s - 0,5)|'
+decimal_comma 'in a sum' 01-corners 's|return image_plane_v.*|return c.distance * c.forward + 0,5 * c.width * c.right;|'
+decimal_comma 'in a call' 01-corners 's|(c, 0.3, 0.1)|(c, 0,5, 0,1)|'
+decimal_comma 'in a struct' 03-screen 's|pixel.column + 0.5|pixel.column + 0,5|'
+decimal_comma 'in a declaration' 02-cameras 's|double distance = vec3_length(ahead)|double distance = 0,5|'
+decimal_comma 'given to pow' 07-shading 's|pow(color.0., 1 / gamma)|pow(color[0], 0,5 / gamma)|'
+broken 05-quadratic 's|vec3_dot(p, p) - radius|vec3_dot(p, p, vec3_of(0,5,1)) - radius|'
+check 'three arguments without blanks are no decimal comma' says_not 'two numbers'
+
 # ---- semicolons and braces that say something else ----------------------------------------------
 
 broken 05-quadratic 's|for (int i = 0; i < roots.count; i++)|&;|'
