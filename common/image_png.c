@@ -88,13 +88,10 @@ static void set_compression(png_structp png)
     png_set_compression_buffer_size(png, 1 << 16);
 }
 
-// Everything between here and the jump lives in the caller, so that nothing is lost by it. A flat
-// picture is written by the numbers of its colours, as few bits each as will do.
-static bool encode(png_structp png, png_infop info, const Image *image, Palette *palette,
+// A flat picture is written by the numbers of its colours, as few bits each as will do.
+static void encode(png_structp png, png_infop info, const Image *image, Palette *palette,
                    FILE *file)
 {
-    if (setjmp(png_jmpbuf(png)) != 0)
-        return false;
     png_init_io(png, file);
     set_compression(png);
     int n = palette->count;
@@ -113,6 +110,15 @@ static bool encode(png_structp png, png_infop info, const Image *image, Palette 
         else
             png_write_row(png, image_bytes(image, (Pixel){0, row}));
     png_write_end(png, info);
+}
+
+// The jump comes back to here, where there is no variable that it could spoil.
+static bool try_to_encode(png_structp png, png_infop info, const Image *image, Palette *palette,
+                          FILE *file)
+{
+    if (setjmp(png_jmpbuf(png)) != 0)
+        return false;
+    encode(png, info, image, palette, file);
     return true;
 }
 
@@ -127,7 +133,7 @@ static bool write_png(FILE *file, const void *given, const char *path, Message *
     Palette palette;
     if (!find_colors(image, &palette))
         palette.count = 0;
-    bool done = info != NULL && encode(png, info, image, &palette, file);
+    bool done = info != NULL && try_to_encode(png, info, image, &palette, file);
     png_destroy_write_struct(&png, &info);
     if (done && fflush(file) == 0)
         return true;

@@ -2,6 +2,7 @@
 #include "common/options.h"
 
 #include "common/image.h"
+#include "common/printed.h"
 #include "common/screen.h"
 #include "common/text.h"
 
@@ -57,26 +58,34 @@ bool option_pair(const char *text, void *into)
     return read_numbers(text, into, 2);
 }
 
-// Two whole numbers from least to most, with a separator between.
-static bool read_whole(const char *text, char separator, int least, int most, int numbers[2])
+// A whole number from least to most; what follows it, or NULL.
+static const char *read_whole(const char *text, int least, int most, int *number)
 {
-    for (int i = 0; i < 2; i++) {
-        if (*text < '0' || *text > '9')
-            return false;
-        char *end;
-        long n = strtol(text, &end, 10);
-        if (n < least || n > most || *end != (i == 0 ? separator : '\0'))
-            return false;
-        numbers[i] = (int)n;
-        text = end + 1;
-    }
-    return true;
+    if (*text < '0' || *text > '9')
+        return NULL;
+    char *end;
+    long n = strtol(text, &end, 10);
+    *number = (int)n;
+    return n < least || n > most ? NULL : end;
+}
+
+bool option_whole(const char *text, int least, int most, int *number)
+{
+    const char *end = read_whole(text, least, most, number);
+    return end != NULL && *end == '\0';
+}
+
+// Two of them, with a separator between.
+static bool read_two(const char *text, char separator, int least, int most, int numbers[2])
+{
+    const char *end = read_whole(text, least, most, &numbers[0]);
+    return end != NULL && *end == separator && option_whole(end + 1, least, most, &numbers[1]);
 }
 
 bool option_pixel(const char *text, void *into)
 {
     int n[2];
-    if (!read_whole(text, ',', 0, IMAGE_MAX_SIDE - 1, n))
+    if (!read_two(text, ',', 0, IMAGE_MAX_SIDE - 1, n))
         return false;
     *(Pixel *)into = (Pixel){n[0], n[1]};
     return true;
@@ -85,7 +94,7 @@ bool option_pixel(const char *text, void *into)
 bool option_size(const char *text, void *into)
 {
     int n[2];
-    if (!read_whole(text, 'x', 1, IMAGE_MAX_SIDE, n))
+    if (!read_two(text, 'x', 1, IMAGE_MAX_SIDE, n))
         return false;
     *(Resolution *)into = (Resolution){n[0], n[1]};
     return true;
@@ -137,12 +146,13 @@ int options_read(int argc, char **argv, const Option *options, Usage usage)
     longs[count] = (struct option){"help", no_argument, NULL, 256 + count};
     longs[count + 1] = (struct option){0};
 
+    printed_or_failed(argv[0]);
     opterr = 0;
     int found;
     while ((found = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
         if (found == 'h' || found == 256 + count) {
             print_help(argv[0], options, usage);
-            exit(fflush(stdout) == 0 ? EXIT_DONE : EXIT_COULD_NOT);
+            exit(EXIT_DONE);
         }
         if (found == ':' || found == '?') {
             bool is_short = optopt != 0 && optopt < 256; // below 0: no ASCII

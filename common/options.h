@@ -43,6 +43,9 @@ OptionReader option_pair;   // double[2]:   X,Y
 OptionReader option_pixel;  // Pixel:       COLUMN,ROW
 OptionReader option_size;   // Resolution:  WIDTHxHEIGHT, 1 to IMAGE_MAX_SIDE each (image.h)
 
+// One whole number in decimal digits, and nothing else; false if it is not from least to most.
+bool option_whole(const char *text, int least, int most, int *number);
+
 // The options that describe a camera by its frame, for a table: <p, r, u, f, d, w, h>.
 #define CAMERA_OPTIONS(camera)                                                                     \
     {"eye", 0, "X,Y,Z", option_vec3, &(camera).origin, "p, the eye"},                              \

@@ -42,10 +42,6 @@ void story_camera(Camera c)
 
 int story_end(void)
 {
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        perror("cannot print");
-        return EXIT_COULD_NOT;
-    }
     return answers_report();
 }
 

@@ -1,7 +1,8 @@
 // whole_file.h - files that are written whole or not at all.
 //
 // What is new is written beside its place under another name and renamed when it is complete, so
-// that whoever looks sees the old file or the new one, never half of one.
+// that whoever looks sees the old file or the new one, never half of one. A program that is ended
+// meanwhile by a signal (Ctrl-C, say) removes the other file first; only SIGKILL can leave it.
 #ifndef COMMON_WHOLE_FILE_H
 #define COMMON_WHOLE_FILE_H
 
@@ -15,6 +16,9 @@ typedef bool FileWriter(FILE *file, const void *given, const char *path, Message
 
 // False, and a message, where it is plain before any work that path cannot be written.
 bool file_path_is_writable(const char *path, Message *message);
+
+// Whether two paths lead to one and the same ordinary file, by whatever links.
+bool file_is_same(const char *one, const char *other);
 
 // On failure an older file stays as it was. A device or a pipe is written to directly. False, and a
 // message, where it could not.

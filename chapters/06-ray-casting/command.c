@@ -2,6 +2,7 @@
 #include "chapters/06-ray-casting/command.h"
 
 #include "chapters/06-ray-casting/scene_camera.h"
+#include "common/options.h"
 #include "common/picture.h"
 #include "common/whole_file.h"
 
@@ -124,8 +125,12 @@ bool drawing_begin(Drawing *drawing, const char *program, const Command *command
 {
     Message message;
     *drawing = (Drawing){.program = program};
-    if (!find_scene(drawing, command, own_scene) || !find_output(drawing, command) ||
-        !load(drawing, command))
+    if (!find_scene(drawing, command, own_scene) || !find_output(drawing, command))
+        return false;
+    if (file_is_same(drawing->scene_path, drawing->output))
+        options_wrong(program, "%s is the scene itself and would be lost, expected -o ANOTHER-FILE",
+                      word_text(drawing->output).s);
+    if (!load(drawing, command))
         return false;
     if (!image_create(&drawing->image, drawing->size, &message)) {
         scene_free(&drawing->scene);

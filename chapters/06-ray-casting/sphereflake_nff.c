@@ -3,11 +3,11 @@
 // Eric Haines' 'balls': a sphere of radius 1/2 that carries nine of a third of its radius, each of
 // which carries nine, and so on. Size factors 2, 3, 4 give 91, 820, 7381 spheres. Without
 // the floor; each generation has a colour of its own, so that they can be told apart unshaded.
-#include "common/text.h"
+#include "common/options.h"
+#include "common/printed.h"
 #include "common/vec3.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 enum { CHILDREN = 9, MOST = 6 };
 
@@ -58,11 +58,12 @@ static void write_generation(const vec3 child[CHILDREN], int generation, vec3 ce
 
 int main(int argc, char **argv)
 {
+    printed_or_failed(argv[0]);
     static const char *const colors[MOST + 1] = {
         "0.93 0.72 0.35", "0.84 0.38 0.28", "0.62 0.2 0.38", "0.3 0.2 0.5",
         "0.15 0.35 0.6",  "0.2 0.6 0.6",    "0.5 0.8 0.5"};
-    int size = argc == 2 ? atoi(argv[1]) : 0;
-    if (size < 1 || size > MOST) {
+    int size;
+    if (argc != 2 || !option_whole(argv[1], 1, MOST, &size)) {
         fprintf(stderr, "Usage: %s SIZE-FACTOR, from 1 to %d\n", argv[0], MOST);
         return 2;
     }
@@ -78,5 +79,5 @@ int main(int argc, char **argv)
         printf("f %s 0.5 0.5 3.0827 0 0\n", colors[generation]);
         write_generation(child, generation, vec3_of(0, 0, 0), vec3_of(0, 0, 1), 0.5);
     }
-    return ferror(stdout) || fflush(stdout) != 0 ? 1 : 0;
+    return 0;
 }

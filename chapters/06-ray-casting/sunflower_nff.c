@@ -3,6 +3,7 @@
 //
 // Each sphere is turned by the golden angle from the one before, so that no two lie in line; they
 // grow outward and their colours go once round the wheel.
+#include "common/printed.h"
 #include "common/vec3.h"
 
 #include <stdio.h>
@@ -18,8 +19,13 @@ static vec3 wheel(double hue)
     return color;
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    printed_or_failed(argv[0]);
+    if (argc != 1) {
+        fprintf(stderr, "Usage: %s\n", argv[0]);
+        return 2;
+    }
     const double golden_angle = PI * (3 - sqrt(5));
     printf("# %d spheres laid like the seeds of a sunflower.\n"
            "b 0.07 0.08 0.12\nv\nfrom 0 -7.2 6.4\nat 0 0.15 -0.35\nup 0 0 1\nangle 40\nhither 1\n"
@@ -33,5 +39,5 @@ int main(void)
         printf("s %.9g %.9g %.9g %.9g\n", distance * cos(angle), distance * sin(angle),
                0.13 * distance * distance - 0.6, 0.07 + 0.038 * distance);
     }
-    return ferror(stdout) || fflush(stdout) != 0 ? 1 : 0;
+    return 0;
 }

@@ -7,12 +7,7 @@ const Lighting lighting_untold = {.style = {.samples = 1, .depth = 5, .gamma = 1
 
 bool option_count(const char *text, void *into)
 {
-    char *end;
-    long count = strtol(text, &end, 10);
-    if (end == text || *end != '\0' || count < 0 || count > 64)
-        return false;
-    *(int *)into = (int)count;
-    return true;
+    return option_whole(text, 0, 64, into);
 }
 
 bool option_ambient(const char *text, void *into)

@@ -21,10 +21,7 @@ static bool option_engine(const char *text, void *into)
 
 static bool option_threads(const char *text, void *into)
 {
-    char *end;
-    long threads = strtol(text, &end, 10);
-    *(int *)into = (int)threads;
-    return end != text && *end == '\0' && threads >= 1 && threads <= 256;
+    return option_whole(text, 1, 256, into);
 }
 
 // Hierarchies take longer to build than bins to cast, and a picture is cast once. But shadows and
