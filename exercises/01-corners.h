@@ -3,6 +3,8 @@
 // Slides 'Camera' and 'Finding vectors from the eye to the image plane'. All answers are vectors
 // from the eye, in the world's axes and units, not unit length: they end on the image plane.
 // Cameras are cameras (camera.h): unit directions at right angles; d, w and h positive.
+// Scale: in a world that is k times as large the vector is k times as long. Tests use sizes from
+// 1e-6 to 1e6, wide and narrow planes, near and far.
 // Tolerance: 1e-9 of the distance, width and height.
 #ifndef EXERCISES_01_CORNERS_H
 #define EXERCISES_01_CORNERS_H

@@ -2,6 +2,8 @@
 //
 // Slide 'Normalized screen coordinates'. The screen has its origin at the upper left, y down;
 // normalized coordinates have theirs at the lower left, t up (screen.h).
+// Scale: on a screen of k times as many pixels the same shares are k times as many pixels. Tests
+// use screens of any shape, from a single column or row to a million pixels.
 // Tolerance: 1e-12 normalized, 1e-9 of a pixel.
 #ifndef EXERCISES_03_SCREEN_H
 #define EXERCISES_03_SCREEN_H

@@ -24,6 +24,23 @@ static vec3 along_axes(Camera c, vec3 v)
     return vec3_of(vec3_dot(v, c.forward), vec3_dot(v, c.right), vec3_dot(v, c.up));
 }
 
+// The i-th of count cameras in worlds of any size, wide and narrow, near and far.
+static Camera camera_of_any_size(int i, int count)
+{
+    Camera c = random_camera();
+    double world = random_scale(i, count);
+    c.origin *= world;
+    c.distance *= world * pow(10, random_number(-2, 2));
+    c.width *= world * pow(10, random_number(-2, 2));
+    c.height *= world * pow(10, random_number(-2, 2));
+    return c;
+}
+
+static double size_of(Camera c)
+{
+    return c.distance + c.width + c.height;
+}
+
 START_TEST(the_upper_left_corner_of_the_deck_is_minus_1_1_4)
 {
     Camera c = camera_of_the_deck();
@@ -151,6 +168,63 @@ START_TEST(the_point_30_percent_across_and_10_percent_up_of_any_camera)
 }
 END_TEST
 
+enum { SIZES = 13 };
+
+// The law of scale: in a world that is k times as large the vector is k times as long.
+START_TEST(the_upper_left_corner_in_worlds_of_any_size)
+{
+    for (int i = 0; i < SIZES; i++) {
+        Camera c = camera_of_any_size(i, SIZES);
+        given_camera(c);
+        given("seen along", "forward, right, up");
+        expect_vec3(along_axes(c, upper_left(c)), vec3_of(c.distance, -c.width / 2, c.height / 2),
+                    tolerance * size_of(c));
+    }
+}
+END_TEST
+
+START_TEST(the_upper_right_corner_in_worlds_of_any_size)
+{
+    for (int i = 0; i < SIZES; i++) {
+        Camera c = camera_of_any_size(i, SIZES);
+        given_camera(c);
+        given("seen along", "forward, right, up");
+        expect_vec3(along_axes(c, upper_right(c)), vec3_of(c.distance, c.width / 2, c.height / 2),
+                    tolerance * size_of(c));
+    }
+}
+END_TEST
+
+START_TEST(the_point_30_percent_across_and_10_percent_up_in_worlds_of_any_size)
+{
+    for (int i = 0; i < SIZES; i++) {
+        Camera c = camera_of_any_size(i, SIZES);
+        given_camera(c);
+        given("seen along", "forward, right, up");
+        expect_vec3(along_axes(c, across_30_up_10(c)),
+                    vec3_of(c.distance, -c.width / 5, -2 * c.height / 5), tolerance * size_of(c));
+    }
+}
+END_TEST
+
+// Beyond the plane the formula just goes on, however far.
+START_TEST(every_place_in_worlds_of_any_size)
+{
+    for (int i = 0; i < 2 * SIZES; i++) {
+        Camera c = camera_of_any_size(i, 2 * SIZES);
+        double far = i % 2 == 0 ? 1 : 100;
+        double s = far * random_number(-1, 2), t = far * random_number(-1, 2);
+        given_camera(c);
+        given_number("s", s);
+        given_number("t", t);
+        given("seen along", "forward, right, up");
+        expect_vec3(along_axes(c, image_plane_vector(c, s, t)),
+                    vec3_of(c.distance, s * c.width - c.width / 2, t * c.height - c.height / 2),
+                    tolerance * far * size_of(c));
+    }
+}
+END_TEST
+
 START_TEST(unit_distance_halves_the_plane_of_a_camera_with_distance_2)
 {
     Camera c = camera_of_the_deck(), same = c;
@@ -191,25 +265,47 @@ START_TEST(unit_distance_gives_the_same_rays)
 }
 END_TEST
 
+START_TEST(unit_distance_gives_the_same_rays_in_worlds_of_any_size)
+{
+    for (int i = 0; i < SIZES; i++) {
+        Camera c = camera_of_any_size(i, SIZES);
+        given_camera(c);
+        Camera same = with_unit_distance(c);
+        expect_number(same.distance, 1, 0);
+        given_camera(c);
+        expect_number(same.width * c.distance, c.width, tolerance * c.width);
+        given_camera(c);
+        expect_number(same.height * c.distance, c.height, tolerance * c.height);
+        given_camera(c);
+        expect_vec3(same.origin, c.origin, 0);
+    }
+}
+END_TEST
+
 void list_tests(void)
 {
     tests_of("upper_left");
     test(the_upper_left_corner_of_the_deck_is_minus_1_1_4);
     test(the_upper_left_corner_of_an_oblique_camera);
     test(the_corners_do_not_depend_on_where_the_eye_is);
+    test(the_upper_left_corner_in_worlds_of_any_size);
     tests_of("upper_right");
     test(the_upper_right_corner_of_the_deck_is_1_1_4);
     test(the_upper_right_corner_of_an_oblique_camera);
     test(the_upper_right_corner_does_not_depend_on_where_the_eye_is);
+    test(the_upper_right_corner_in_worlds_of_any_size);
     tests_of("across_30_up_10");
     test(the_point_30_percent_across_and_10_percent_up_of_the_deck);
     test(the_point_30_percent_across_and_10_percent_up_of_an_oblique_camera);
     test(the_point_30_percent_across_and_10_percent_up_of_any_camera);
+    test(the_point_30_percent_across_and_10_percent_up_in_worlds_of_any_size);
     tests_of("image_plane_vector");
     test(the_middle_of_the_plane_is_straight_ahead);
     test(s_and_t_are_counted_from_the_lower_left_corner);
     test(every_place_is_d_ahead_and_its_share_of_w_and_h_aside);
+    test(every_place_in_worlds_of_any_size);
     tests_of("with_unit_distance");
     test(unit_distance_halves_the_plane_of_a_camera_with_distance_2);
     test(unit_distance_gives_the_same_rays);
+    test(unit_distance_gives_the_same_rays_in_worlds_of_any_size);
 }

@@ -115,6 +115,33 @@ START_TEST(a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom)
 }
 END_TEST
 
+// By hand: 3/4 and 1/2 of 1 by 8, of 8 by 1.
+START_TEST(a_screen_of_a_single_column_or_row_is_a_screen)
+{
+    expect_normalized((ScreenPoint){0.75, 4}, (Resolution){1, 8}, 0.75, 0.5);
+    expect_normalized((ScreenPoint){6, 0.5}, (Resolution){8, 1}, 0.75, 0.5);
+}
+END_TEST
+
+// A single column or row, portrait and landscape, up to a million pixels.
+static Resolution screen_of_any_shape(int i)
+{
+    int shorter = (int)random_number(2, 100), longer = (int)random_number(100, 1000000);
+    const Resolution shapes[] = {{1, longer}, {longer, 1}, {shorter, longer}, {longer, shorter}};
+    return shapes[i % 4];
+}
+
+// The law of scale: a screen of k times as many pixels has the same shares of them.
+START_TEST(a_point_of_screens_of_any_shape_is_its_share_of_them)
+{
+    for (int i = 0; i < 20; i++) {
+        Resolution screen = screen_of_any_shape(i);
+        double s = random_number(-1, 2), t = random_number(-1, 2);
+        expect_normalized((ScreenPoint){s * screen.width, (1 - t) * screen.height}, screen, s, t);
+    }
+}
+END_TEST
+
 START_TEST(one_sixth_up_and_just_left_of_the_middle_is_the_point_of_the_deck)
 {
     expect_point((Normalized){0.46875, 1.0 / 6}, (Resolution){640, 480}, 300, 400);
@@ -142,6 +169,26 @@ START_TEST(beyond_0_to_1_is_beyond_the_screen)
 {
     expect_point((Normalized){-0.5, -0.25}, (Resolution){640, 480}, -320, 600);
     expect_point((Normalized){2, 2}, (Resolution){640, 480}, 1280, -480);
+}
+END_TEST
+
+// By hand, as above.
+START_TEST(a_place_on_a_single_column_or_row)
+{
+    expect_point((Normalized){0.75, 0.5}, (Resolution){1, 8}, 0.75, 4);
+    expect_point((Normalized){0.75, 0.5}, (Resolution){8, 1}, 6, 0.5);
+}
+END_TEST
+
+START_TEST(a_share_of_screens_of_any_shape_is_as_many_pixels)
+{
+    for (int i = 0; i < 20; i++) {
+        Resolution screen = screen_of_any_shape(i);
+        double x = floor(random_number(0, 16) * screen.width) / 16;
+        double below = floor(random_number(0, 16) * screen.height) / 16; // the bottom edge is
+        expect_point((Normalized){x / screen.width, below / screen.height}, screen, x,
+                     screen.height - below);
+    }
 }
 END_TEST
 
@@ -200,6 +247,14 @@ START_TEST(the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner)
 }
 END_TEST
 
+// Beyond 16777216 a float cannot say half a pixel.
+START_TEST(the_centre_of_a_pixel_far_out_is_half_a_pixel_on)
+{
+    expect_center(20000001, 3, 20000001.5, 3.5);
+    expect_center(2, 30000000, 2.5, 30000000.5);
+}
+END_TEST
+
 // The first point that a pixel has is (column, row), the last ones are short of the next pixel's.
 START_TEST(the_centre_of_any_pixel_is_half_way_to_the_next_pixel)
 {
@@ -223,16 +278,21 @@ void list_tests(void)
     test(beyond_the_screen_is_beyond_0_to_1);
     test(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_less_t);
     test(a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom);
+    test(a_screen_of_a_single_column_or_row_is_a_screen);
+    test(a_point_of_screens_of_any_shape_is_its_share_of_them);
     tests_of("normalized_to_screen");
     test(one_sixth_up_and_just_left_of_the_middle_is_the_point_of_the_deck);
     test(the_corners_of_the_unit_square_are_the_corners_of_the_screen);
     test(a_place_may_be_between_whole_pixels_on_the_screen);
     test(beyond_0_to_1_is_beyond_the_screen);
+    test(a_place_on_a_single_column_or_row);
+    test(a_share_of_screens_of_any_shape_is_as_many_pixels);
     test(to_the_square_and_back_is_the_same_point);
     test(to_the_screen_and_back_is_the_same_place);
     tests_of("pixel_center");
     test(the_first_pixel_is_half_a_pixel_right_of_and_below_the_corner);
     test(column_is_x_and_row_is_y);
     test(the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner);
+    test(the_centre_of_a_pixel_far_out_is_half_a_pixel_on);
     test(the_centre_of_any_pixel_is_half_way_to_the_next_pixel);
 }

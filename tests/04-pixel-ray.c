@@ -102,6 +102,18 @@ START_TEST(the_pixels_of_an_oblique_camera_away_from_the_origin)
 }
 END_TEST
 
+// By hand: a column of the deck's plane is all of it, 2 wide; 4 rows are 1/2 high, 5 columns 2/5.
+START_TEST(a_screen_of_a_single_column_or_row)
+{
+    Camera c = camera_of_the_deck();
+    for (int row = 0; row < 4; row++)
+        expect_direction(c, (Resolution){1, 4}, (Pixel){0, row}, vec3_of(0, 0.75 - 0.5 * row, 4));
+    for (int column = 0; column < 5; column++)
+        expect_direction(c, (Resolution){5, 1}, (Pixel){column, 0},
+                         vec3_of(-0.8 + 0.4 * column, 0, 4));
+}
+END_TEST
+
 START_TEST(every_ray_begins_in_the_eye)
 {
     for (int i = 0; i < 10; i++) {
@@ -147,6 +159,38 @@ START_TEST(every_ray_meets_the_plane_in_the_middle_of_its_pixel)
 }
 END_TEST
 
+// A single column or row, portrait and landscape, small and large.
+static Resolution screen_of_any_shape(int i)
+{
+    int shorter = (int)random_number(2, 40), longer = (int)random_number(40, 4000);
+    const Resolution shapes[] = {{1, longer}, {longer, 1}, {shorter, longer}, {longer, shorter}};
+    return shapes[i % 4];
+}
+
+// The law of scale: in a world that is k times as large the ray begins k times as far out, and its
+// direction is the same; its length is free anyway.
+START_TEST(screens_of_any_shape_in_worlds_of_any_size)
+{
+    enum { COUNT = 26 };
+    for (int i = 0; i < COUNT; i++) {
+        Camera c = random_camera();
+        double world = random_scale(i, COUNT);
+        c.origin *= world;
+        c.distance *= world;
+        c.width *= world;
+        c.height *= world;
+        Resolution screen = screen_of_any_shape(i);
+        Pixel pixel = random_pixel(screen);
+        double right = ((2 * pixel.column + 1) / (2.0 * screen.width) - 0.5) * c.width;
+        double up = (0.5 - (2 * pixel.row + 1) / (2.0 * screen.height)) * c.height;
+        given_pixel(c, screen, pixel);
+        expect_same_ray(pixel_ray(c, screen, pixel),
+                        (Ray){c.origin, c.distance * c.forward + right * c.right + up * c.up},
+                        tolerance * (c.distance + c.width + c.height));
+    }
+}
+END_TEST
+
 void list_tests(void)
 {
     tests_of("pixel_ray");
@@ -156,7 +200,9 @@ void list_tests(void)
     test(a_screen_of_2_by_4_seen_by_a_right_handed_camera);
     test(a_single_pixel_looks_straight_ahead);
     test(the_pixels_of_an_oblique_camera_away_from_the_origin);
+    test(a_screen_of_a_single_column_or_row);
     test(every_ray_begins_in_the_eye);
     test(opposite_pixels_are_opposite_each_other_around_straight_ahead);
     test(every_ray_meets_the_plane_in_the_middle_of_its_pixel);
+    test(screens_of_any_shape_in_worlds_of_any_size);
 }

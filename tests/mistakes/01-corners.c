@@ -3,7 +3,7 @@
 #include "tests/mistakes/mistakes.h"
 
 extern const Mistake corner_size_mistakes[], corner_way_mistakes[];
-extern const Mistake across_mistakes[], place_mistakes[], place_ahead_mistakes[];
+extern const Mistake across_mistakes[], place_mistakes[], place_ahead_mistakes[], limit_mistakes[];
 
 // What is right, for those who spoil it afterwards.
 static Camera width_and_height_divided(Camera c)
@@ -178,10 +178,6 @@ static const Mistake unit_distance_mistakes[] = {
     {0},
 };
 
-const Mistake *const mistakes[] = {corner_size_mistakes,
-                                   corner_way_mistakes,
-                                   across_mistakes,
-                                   place_mistakes,
-                                   place_ahead_mistakes,
-                                   unit_distance_mistakes,
-                                   NULL};
+const Mistake *const mistakes[] = {
+    corner_size_mistakes, corner_way_mistakes,    across_mistakes, place_mistakes,
+    place_ahead_mistakes, unit_distance_mistakes, limit_mistakes,  NULL};

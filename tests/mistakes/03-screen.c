@@ -2,7 +2,7 @@
 #include "exercises/03-screen.h"
 #include "tests/mistakes/mistakes.h"
 
-extern const Mistake there_mistakes[], back_mistakes[];
+extern const Mistake there_mistakes[], back_mistakes[], axis_mistakes[];
 
 static ScreenPoint corner_of_the_pixel(Pixel pixel)
 {
@@ -118,4 +118,5 @@ static const Mistake center_mistakes[] = {
     {0},
 };
 
-const Mistake *const mistakes[] = {there_mistakes, back_mistakes, center_mistakes, NULL};
+const Mistake *const mistakes[] = {there_mistakes, back_mistakes, center_mistakes, axis_mistakes,
+                                   NULL};

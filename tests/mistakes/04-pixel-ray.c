@@ -5,7 +5,7 @@
 #include "exercises/03-screen.h"
 #include "tests/mistakes/mistakes.h"
 
-extern const Mistake pixel_mistakes[];
+extern const Mistake pixel_mistakes[], axis_mistakes[];
 
 // The right way as far as s and t.
 static Normalized place_of(Resolution screen, Pixel pixel)
@@ -239,4 +239,4 @@ static const Mistake camera_mistakes[] = {
     {0},
 };
 
-const Mistake *const mistakes[] = {pixel_mistakes, camera_mistakes, NULL};
+const Mistake *const mistakes[] = {pixel_mistakes, camera_mistakes, axis_mistakes, NULL};
