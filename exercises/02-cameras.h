@@ -4,6 +4,8 @@
 // *camera and returns CAMERA_OK; or it returns the reason why there is none (camera.h), and then
 // *camera stays as it was. What goes in may be anything, NaN and infinity included; where several
 // reasons hold, any of them is right.
+// Scale: in a world that is k times as large eye, distance, width and height are k times as large,
+// and what is refused is the same. Tests use sizes from 1e-9 to 1e9.
 // Tolerance: 1e-9 of each part; rays through the same place of the plane agree to 1e-12.
 #ifndef EXERCISES_02_CAMERAS_H
 #define EXERCISES_02_CAMERAS_H
@@ -14,8 +16,8 @@
 // "Eye and four vectors": from the eye to the corners of the image plane.
 // CAMERA_NO_RECTANGLE where they do not end in the corners of a rectangle, CAMERA_OFF_AXIS where
 // the eye is not straight behind its middle; CAMERA_NO_DISTANCE, _WIDTH or _HEIGHT where one is 0;
-// CAMERA_NOT_FINITE where a number is infinite or none. 'Is' means to CAMERA_TOLERANCE (camera.h):
-// what rounding leaves is no reason to refuse.
+// CAMERA_NOT_FINITE where a number is infinite or none. 'Is' means to CAMERA_TOLERANCE (camera.h)
+// of the edges, and of 1 for a cosine: what rounding leaves is no reason to refuse.
 CameraFault camera_from_vectors(vec3 eye, Corners vectors, Camera *camera);
 
 // "Eye and four points": the corners themselves. The same reasons.

@@ -61,6 +61,18 @@ START_TEST(a_corner_and_two_vectors_that_are_not_finite_are_refused)
 }
 END_TEST
 
+START_TEST(a_corner_and_two_vectors_in_worlds_of_any_size_give_the_camera)
+{
+    finds_cameras_of_any_size(CORNER);
+}
+END_TEST
+
+START_TEST(a_corner_and_two_vectors_that_give_no_camera_are_refused_in_worlds_of_any_size)
+{
+    refuses_in_worlds_of_any_size(CORNER);
+}
+END_TEST
+
 void list_tests_of_corner(void)
 {
     tests_of("camera_from_corner");
@@ -73,4 +85,6 @@ void list_tests_of_corner(void)
     test(a_corner_and_two_vectors_that_leave_no_distance_width_or_height_are_refused);
     test(a_corner_and_two_vectors_pushed_out_of_shape_or_place_are_refused);
     test(a_corner_and_two_vectors_that_are_not_finite_are_refused);
+    test(a_corner_and_two_vectors_in_worlds_of_any_size_give_the_camera);
+    test(a_corner_and_two_vectors_that_give_no_camera_are_refused_in_worlds_of_any_size);
 }

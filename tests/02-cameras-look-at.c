@@ -150,6 +150,22 @@ START_TEST(the_look_at_of_any_camera_gives_it_back)
 }
 END_TEST
 
+// The law of scale: with eye, at and width k times as large the camera is; the length of up is
+// free.
+START_TEST(a_look_at_in_worlds_of_any_size_gives_the_camera)
+{
+    enum { COUNT = 13 };
+    for (int i = 0; i < COUNT; i++) {
+        double size;
+        Camera c = camera_of_any_size(i, COUNT, &size), found;
+        LookAt view = random_look_at(c);
+        view.up *= random_scale((5 * i) % COUNT, COUNT);
+        CameraFault fault = look(view, hand_of(c), &found);
+        expect_found_of_size(fault, found, c, size);
+    }
+}
+END_TEST
+
 START_TEST(a_look_at_keeps_the_rays_to_twelve_digits)
 {
     for (int i = 0; i < 15; i++) {
@@ -186,6 +202,7 @@ void list_tests_of_look_at(void)
     test(the_height_is_the_width_by_the_aspect);
     test(the_plane_passes_through_the_point_looked_at);
     test(the_look_at_of_any_camera_gives_it_back);
+    test(a_look_at_in_worlds_of_any_size_gives_the_camera);
     test(a_look_at_keeps_the_rays_to_twelve_digits);
     list_refusals_of_look_at();
     tests_of_extra("camera_from_look_at");

@@ -61,6 +61,18 @@ START_TEST(four_points_that_are_not_finite_are_refused)
 }
 END_TEST
 
+START_TEST(four_points_in_worlds_of_any_size_give_the_camera)
+{
+    finds_cameras_of_any_size(POINTS);
+}
+END_TEST
+
+START_TEST(four_points_that_give_no_camera_are_refused_in_worlds_of_any_size)
+{
+    refuses_in_worlds_of_any_size(POINTS);
+}
+END_TEST
+
 void list_tests_of_points(void)
 {
     tests_of("camera_from_points");
@@ -73,4 +85,6 @@ void list_tests_of_points(void)
     test(four_points_that_leave_no_distance_width_or_height_are_refused);
     test(four_points_pushed_out_of_shape_or_place_are_refused);
     test(four_points_that_are_not_finite_are_refused);
+    test(four_points_in_worlds_of_any_size_give_the_camera);
+    test(four_points_that_give_no_camera_are_refused_in_worlds_of_any_size);
 }

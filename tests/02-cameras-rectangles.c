@@ -80,6 +80,19 @@ void finds_random_cameras(Form form)
     }
 }
 
+void finds_cameras_of_any_size(Form form)
+{
+    enum { COUNT = 13 };
+    for (int i = 0; i < COUNT; i++) {
+        double size;
+        Camera c = camera_of_any_size(i, COUNT, &size), found;
+        vec3 in[MOST_PARTS];
+        take_apart(form, c, in);
+        CameraFault fault = ask(form, in, &found);
+        expect_found_of_size(fault, found, c, size);
+    }
+}
+
 void keeps_the_rays(Form form)
 {
     for (int i = 0; i < 15; i++) {
@@ -166,20 +179,37 @@ static bool is_parallelogram(const vec3 *corners)
     return vec3_length(corners[1] - corners[0] - (corners[3] - corners[2])) == 0;
 }
 
+// In a world of that size: the eye's coordinates and all lengths are so many times as large.
+static void refuses_one(Form form, size_t shape, double size)
+{
+    vec3 in[MOST_PARTS], vectors[4];
+    Camera after;
+    for (int i = 0; i < 4; i++)
+        vectors[i] = size * no_cameras[shape].vectors[i];
+    put(form, size * vec3_of(2, 2, -4), vectors, in);
+    given("corners of", "%s", no_cameras[shape].what);
+    CameraFault fault = ask(form, in, &after);
+    expect_refused(fault, after, no_cameras[shape].reasons, 0);
+}
+
+static bool can_say(Form form, size_t shape)
+{
+    return form != CORNER || is_parallelogram(no_cameras[shape].vectors);
+}
+
 void refuses(Form form, int reasons)
 {
-    for (size_t i = 0; i < sizeof no_cameras / sizeof no_cameras[0]; i++) {
-        const vec3 *vectors = no_cameras[i].vectors;
-        if ((reasons >> first_of(no_cameras[i].reasons) & 1) == 0 ||
-            (form == CORNER && !is_parallelogram(vectors)))
-            continue;
-        vec3 in[MOST_PARTS];
-        Camera after;
-        put(form, vec3_of(2, 2, -4), vectors, in);
-        given("corners of", "%s", no_cameras[i].what);
-        CameraFault fault = ask(form, in, &after);
-        expect_refused(fault, after, no_cameras[i].reasons, 0);
-    }
+    for (size_t i = 0; i < sizeof no_cameras / sizeof no_cameras[0]; i++)
+        if ((reasons >> first_of(no_cameras[i].reasons) & 1) == 1 && can_say(form, i))
+            refuses_one(form, i, 1);
+}
+
+// Powers of two, which round nothing: about 1e-9 and 1e9.
+void refuses_in_worlds_of_any_size(Form form)
+{
+    for (size_t i = 0; i < sizeof no_cameras / sizeof no_cameras[0]; i++)
+        if (can_say(form, i))
+            refuses_one(form, i, i % 3 == 2 ? 0x1p30 : 0x1p-30);
 }
 
 void refuses_what_was_pushed(Form form)

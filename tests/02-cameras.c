@@ -34,14 +34,30 @@ Camera untouched(void)
 
 void expect_found(CameraFault fault, Camera found, Camera expected)
 {
+    expect_found_of_size(fault, found, expected, 1);
+}
+
+void expect_found_of_size(CameraFault fault, Camera found, Camera expected, double size)
+{
     if (fault != CAMERA_OK)
         expect_fault(fault, CAMERA_OK);
-    expect_camera(found, expected, TOLERANCE);
+    expect_camera_of_size(found, expected, TOLERANCE, size);
 }
 
 Camera camera_number(int i)
 {
     return i < 5 ? camera_of_the_deck() : random_camera();
+}
+
+Camera camera_of_any_size(int i, int count, double *size)
+{
+    Camera c = random_camera();
+    *size = pow(random_scale(i, count), 1.5);
+    c.origin *= *size;
+    c.distance *= *size;
+    c.width *= *size;
+    c.height *= *size;
+    return c;
 }
 
 Normalized random_place(void)
@@ -86,11 +102,16 @@ double not_finite(int i)
 
 // ---- width from angle -------------------------------------------------------------------------
 
-static void expect_width(double degrees, double distance, double width)
+static void expect_width_of_size(double degrees, double distance, double width, double size)
 {
     given_number("degrees", degrees);
     given_number("distance", distance);
-    expect_number(width_from_angle(degrees, distance), width, TOLERANCE);
+    expect_number(width_from_angle(degrees, distance), width, TOLERANCE * size);
+}
+
+static void expect_width(double degrees, double distance, double width)
+{
+    expect_width_of_size(degrees, distance, width, 1);
 }
 
 // Half of the picture is a right-angled triangle with two equal legs.
@@ -140,6 +161,29 @@ START_TEST(under_a_very_small_angle_the_width_is_that_of_the_arc)
 }
 END_TEST
 
+// The law of scale: the width grows with the distance.
+START_TEST(at_any_distance_the_width_grows_with_it)
+{
+    enum { COUNT = 13 };
+    for (int i = 0; i < COUNT; i++) {
+        double distance = random_scale(i, COUNT) * random_number(1, 9);
+        expect_width_of_size(90, distance, 2 * distance, distance);
+    }
+}
+END_TEST
+
+// For a small x the tangent is x + x^3 / 3 + 2 x^5 / 15 + 17 x^7 / 315.
+START_TEST(under_any_small_angle_the_width_is_that_of_the_tangents_series)
+{
+    for (int i = 0; i < 10; i++) {
+        double degrees = pow(10, -6 + 0.6 * i) * random_number(1, 2), distance = 2;
+        double x = degrees * PI / 360;
+        double series = x + pow(x, 3) / 3 + 2 * pow(x, 5) / 15 + 17 * pow(x, 7) / 315;
+        expect_width_of_size(degrees, distance, 2 * distance * series, 2 * distance * series);
+    }
+}
+END_TEST
+
 // Whole numbers first: they are shorter to read.
 START_TEST(from_the_eye_the_edges_are_that_angle_apart)
 {
@@ -170,5 +214,7 @@ void list_tests(void)
     test(under_30_and_45_and_120_degrees_the_tangents_are_known);
     test(twice_as_far_away_is_twice_as_wide);
     test(under_a_very_small_angle_the_width_is_that_of_the_arc);
+    test(at_any_distance_the_width_grows_with_it);
+    test(under_any_small_angle_the_width_is_that_of_the_tangents_series);
     test(from_the_eye_the_edges_are_that_angle_apart);
 }

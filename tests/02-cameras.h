@@ -26,11 +26,14 @@ Camera mirrored(Camera c);
 Camera untouched(void);
 // The deck's a few times, then others.
 Camera camera_number(int i);
+// The i-th of count cameras in worlds of any size, from 1e-9 to 1e9, and how large that is.
+Camera camera_of_any_size(int i, int count, double *size);
 Normalized random_place(void);
 
 // ---- what every answer must do ----------------------------------------------------------------
 
 void expect_found(CameraFault fault, Camera found, Camera expected);
+void expect_found_of_size(CameraFault fault, Camera found, Camera expected, double size);
 
 // The rays through one place of the plane, and from the same eye: to twelve digits.
 void expect_same_ray_through(Normalized place, CameraFault fault, Camera yours, Camera same);
@@ -70,6 +73,10 @@ void keeps_the_rays(Form form);
 void refuses(Form form, int reasons);
 // Asks for the rectangles of random cameras, pushed out of shape or place.
 void refuses_what_was_pushed(Form form);
+// The laws of scale: asks for cameras in worlds of any size; and again for rectangles that are
+// none, in a tiny world and in an enormous one.
+void finds_cameras_of_any_size(Form form);
+void refuses_in_worlds_of_any_size(Form form);
 // Asks for each number in turn not finite, in what is otherwise the deck's camera.
 void refuses_what_is_not_finite(Form form);
 

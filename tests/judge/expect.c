@@ -88,13 +88,19 @@ void expect_pair(double yours_x, double yours_y, double x, double y, double tole
 
 void expect_camera(Camera yours, Camera expected, double tolerance)
 {
-    bool met = vec3_near(yours.origin, expected.origin, tolerance) &&
+    expect_camera_of_size(yours, expected, tolerance, 1);
+}
+
+void expect_camera_of_size(Camera yours, Camera expected, double tolerance, double size)
+{
+    double length = tolerance * size;
+    bool met = vec3_near(yours.origin, expected.origin, length) &&
                vec3_near(yours.right, expected.right, tolerance) &&
                vec3_near(yours.up, expected.up, tolerance) &&
                vec3_near(yours.forward, expected.forward, tolerance) &&
-               near(yours.distance, expected.distance, tolerance) &&
-               near(yours.width, expected.width, tolerance) &&
-               near(yours.height, expected.height, tolerance);
+               near(yours.distance, expected.distance, length) &&
+               near(yours.width, expected.width, length) &&
+               near(yours.height, expected.height, length);
     char y[CAMERA_WORDS] = "", e[CAMERA_WORDS] = "";
     int digits = 6;
     while (!met && strcmp(y, e) == 0 && digits <= 17) {

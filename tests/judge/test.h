@@ -36,6 +36,8 @@ void expect_number(double yours, double expected, double tolerance);
 void expect_vec3(vec3 yours, vec3 expected, double tolerance);
 void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance);
 void expect_camera(Camera yours, Camera expected, double tolerance);
+// The same in a world of that size: the lengths are so many times as large, the directions are not.
+void expect_camera_of_size(Camera yours, Camera expected, double tolerance, double size);
 void expect_fault(CameraFault yours, CameraFault expected);
 void expect_int(long yours, long expected);
 void expect_text(const char *yours, const char *expected);

@@ -44,8 +44,9 @@ static CameraFault only_lengths_compared(vec3 eye, Corners v, Camera *camera)
     double falling = vec3_length(v.lower_right - v.upper_left);
     double rising = vec3_length(v.upper_right - v.lower_left);
     CameraFault fault = reason(eye, v);
-    if (fault == CAMERA_NO_RECTANGLE && !is_off(top - bottom) && !is_off(left - right) &&
-        !is_off(falling - rising))
+    double size = top + left;
+    if (fault == CAMERA_NO_RECTANGLE && !is_off((top - bottom) / size) &&
+        !is_off((left - right) / size) && !is_off((falling - rising) / size))
         fault = CAMERA_OK;
     return store(fault, frame(eye, v), camera);
 }

@@ -135,4 +135,5 @@ const Mistake *const mistakes[] = {vector_mistakes,
                                    look_at_refusal_mistakes,
                                    look_at_unchecked_mistakes,
                                    angle_mistakes,
+                                   camera_limit_mistakes,
                                    NULL};

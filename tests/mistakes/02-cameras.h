@@ -11,7 +11,7 @@
 
 extern const Mistake vector_mistakes[], vector_refusal_mistakes[], point_mistakes[],
     corner_mistakes[], look_at_mistakes[], look_at_refusal_mistakes[], vector_unchecked_mistakes[],
-    look_at_unchecked_mistakes[];
+    look_at_unchecked_mistakes[], camera_limit_mistakes[];
 
 // Without a look at what is given out.
 static inline CameraFault store(CameraFault fault, Camera found, Camera *camera)
@@ -55,10 +55,13 @@ static inline Camera frame(vec3 eye, Corners v)
                     .height = vec3_length(up)};
 }
 
-// What makes a gap of it: how far the lower edge differs from the upper.
+// What makes a gap of it: how far the lower edge differs from the upper, for its size.
 static inline double gap_of(Corners v)
 {
-    return vec3_length(v.upper_right - v.upper_left - (v.lower_right - v.lower_left));
+    vec3 across = v.upper_right - v.upper_left;
+    double gap = vec3_length(across - (v.lower_right - v.lower_left));
+    double size = vec3_length(across) + vec3_length(v.upper_left - v.lower_left);
+    return size > 0 ? gap / size : gap;
 }
 
 // To the last bit: NaN and what rounding leaves are not 0.

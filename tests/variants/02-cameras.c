@@ -154,6 +154,73 @@ static CameraFault corner_as_points(vec3 eye, vec3 lower_left, vec3 across, vec3
     return by_diagonals(eye, points, camera);
 }
 
+// A parallelogram is one whose diagonals cross in their middles; a rectangle, if they are equal.
+static CameraFault equal_diagonals(vec3 eye, Corners v, Camera *camera)
+{
+    vec3 falling = v.lower_right - v.upper_left, rising = v.upper_right - v.lower_left;
+    vec3 apart = (v.upper_left + v.lower_right) / 2 - (v.upper_right + v.lower_left) / 2;
+    vec3 right = v.upper_right - v.upper_left, up = v.upper_left - v.lower_left;
+    vec3 middle = v.upper_left + falling / 2;
+    double size = vec3_length(falling), d = vec3_length(middle);
+    double w = vec3_length(right), h = vec3_length(up);
+    if (!vec3_is_finite(eye) || !isfinite(size + vec3_length(rising) + d))
+        return CAMERA_NOT_FINITE;
+    if (w == 0 || h == 0)
+        return w == 0 ? CAMERA_NO_WIDTH : CAMERA_NO_HEIGHT;
+    if (d == 0)
+        return CAMERA_NO_DISTANCE;
+    // What the diagonals differ by is a length: beside an edge it is the cosine of the angle.
+    if (vec3_length(apart) > CAMERA_TOLERANCE * size ||
+        fabs(vec3_dot(falling, falling) - vec3_dot(rising, rising)) > CAMERA_TOLERANCE * w * h)
+        return CAMERA_NO_RECTANGLE;
+    // And so do the ways to corners opposite.
+    if (!at_right_angles(middle, right) || !at_right_angles(middle, up))
+        return CAMERA_OFF_AXIS;
+    return give((Camera){eye, right / w, up / h, middle / d, d, w, h}, camera);
+}
+
+typedef struct {
+    vec3 way;
+    double length;
+} Measured;
+
+static Measured measured(vec3 v)
+{
+    return (Measured){vec3_unit(v), vec3_length(v)};
+}
+
+static CameraFault points_by_a_corner(vec3 eye, Corners p, Camera *camera)
+{
+    vec3 across = p.lower_right - p.lower_left, up = p.upper_left - p.lower_left;
+    vec3 gap = p.upper_right - (p.lower_left + across + up);
+    double size = vec3_length(across) + vec3_length(up);
+    if (!vec3_is_finite(p.upper_right))
+        return CAMERA_NOT_FINITE;
+    if (size > 0 && vec3_length(gap) > CAMERA_TOLERANCE * size)
+        return CAMERA_NO_RECTANGLE;
+    return halfway_from_the_corner(eye, p.lower_left, across, up, camera);
+}
+
+static CameraFault corner_measured(vec3 eye, vec3 lower_left, vec3 across, vec3 up, Camera *camera)
+{
+    Measured right = measured(across), above = measured(up);
+    Measured ahead = measured(lower_left + (across + up) / 2 - eye);
+    const vec3 ways[] = {right.way, above.way, ahead.way};
+    const double lengths[] = {right.length, above.length, ahead.length};
+    const CameraFault faults[] = {CAMERA_NO_WIDTH, CAMERA_NO_HEIGHT, CAMERA_NO_DISTANCE};
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(lengths[i]) || !vec3_is_finite(eye))
+            return CAMERA_NOT_FINITE;
+    for (int i = 0; i < 3; i++)
+        if (lengths[i] == 0)
+            return faults[i];
+    for (int i = 0; i < 3; i++)
+        if (fabs(vec3_dot(ways[i], ways[(i + 1) % 3])) > CAMERA_TOLERANCE)
+            return i == 0 ? CAMERA_NO_RECTANGLE : CAMERA_OFF_AXIS;
+    return give((Camera){eye, ways[0], ways[1], ways[2], lengths[2], lengths[0], lengths[1]},
+                camera);
+}
+
 // ---- look-at ----------------------------------------------------------------------------------
 
 // Gram and Schmidt: up without its part along forward, and right from both.
@@ -212,6 +279,59 @@ static CameraFault the_rest_left_to_camera_check(LookAt view, Handedness world, 
     return give((Camera){view.eye, r, u, f, d, view.width, view.width / view.aspect}, camera);
 }
 
+// As gluLookAt has it: z leads backwards, x = up x z, y = z x x.
+static CameraFault with_z_backwards(LookAt view, Handedness world, Camera *camera)
+{
+    vec3 back = view.eye - view.at;
+    if (!vec3_is_finite(back) || !vec3_is_finite(view.up))
+        return CAMERA_NOT_FINITE;
+    double distance = vec3_length(back);
+    if (distance == 0)
+        return CAMERA_NO_DIRECTION;
+    vec3 z = back / distance, x = vec3_cross(view.up, z);
+    if (vec3_length(view.up) == 0 || vec3_length(x) / vec3_length(view.up) <= CAMERA_TOLERANCE)
+        return CAMERA_UP_ALONG_VIEW;
+    x = vec3_unit(x);
+    vec3 y = vec3_cross(z, x);
+    if (world == LEFT_HANDED)
+        x = -x;
+    if (!(view.width > 0) || !(view.aspect > 0) || !isfinite(view.aspect))
+        return view.width > 0 ? CAMERA_NO_HEIGHT : CAMERA_NO_WIDTH;
+    return give((Camera){view.eye, x, y, -z, distance, view.width, view.width / view.aspect},
+                camera);
+}
+
+// The left hand sees in a mirror what the right hand sees.
+static CameraFault by_recursion(LookAt view, Handedness world, Camera *camera)
+{
+    if (world == RIGHT_HANDED)
+        return with_z_backwards(view, RIGHT_HANDED, camera);
+    Camera other;
+    CameraFault fault = by_recursion(view, RIGHT_HANDED, &other);
+    if (fault != CAMERA_OK)
+        return fault;
+    other.right *= -1;
+    *camera = other;
+    return CAMERA_OK;
+}
+
+// up = (f x up) x f without a cross product: f times f.up, taken off.
+static CameraFault up_by_the_double_product(LookAt view, Handedness world, Camera *camera)
+{
+    vec3 f = vec3_unit(view.at - view.eye), u = vec3_unit(view.up);
+    double d = vec3_length(view.at - view.eye), sine = vec3_length(vec3_cross(f, u));
+    if (!vec3_is_finite(view.eye) || !vec3_is_finite(view.at) || !vec3_is_finite(view.up))
+        return CAMERA_NOT_FINITE;
+    if (d == 0 || !(sine > CAMERA_TOLERANCE))
+        return d == 0 ? CAMERA_NO_DIRECTION : CAMERA_UP_ALONG_VIEW;
+    u = (u - vec3_dot(f, u) * f) / sine;
+    u = vec3_unit(u - vec3_dot(f, u) * f);
+    vec3 r = vec3_cross(f, u);
+    double height = 1 / view.aspect * view.width;
+    return give((Camera){view.eye, world == LEFT_HANDED ? -r : r, u, f, d, view.width, height},
+                camera);
+}
+
 // ---- width from angle -------------------------------------------------------------------------
 
 static double sine_by_cosine(double degrees, double distance)
@@ -225,6 +345,18 @@ static double by_the_whole_angle(double degrees, double distance)
 {
     double angle = degrees / 180 * PI;
     return 2 * distance * sin(angle) / (1 + cos(angle));
+}
+
+static double in_long_double(double degrees, double distance)
+{
+    return (double)(2.0L * distance * tanl(degrees * 3.14159265358979323846264L / 360));
+}
+
+// Twice what a right-angled triangle has: its legs are as sine to cosine.
+static double legs_of_a_triangle(double degrees, double distance)
+{
+    double radians = degrees * PI / 180, hypotenuse = distance / cos(radians / 2);
+    return hypotenuse * sin(radians / 2) + hypotenuse * sin(radians - radians / 2);
 }
 
 const Variant variants[] = {
@@ -242,5 +374,14 @@ const Variant variants[] = {
     VARIANT(camera_from_look_at, the_rest_left_to_camera_check, "the rest left to camera_check"),
     VARIANT(width_from_angle, sine_by_cosine, "sine by cosine"),
     VARIANT(width_from_angle, by_the_whole_angle, "from the whole angle"),
+    VARIANT(camera_from_vectors, equal_diagonals, "diagonals that are equal and halve each other"),
+    VARIANT(camera_from_points, points_by_a_corner,
+            "a corner and two edges, and the fourth corner"),
+    VARIANT(camera_from_corner, corner_measured, "a struct of way and length, and loops"),
+    VARIANT(camera_from_look_at, with_z_backwards, "z backwards, x = up x z, y = z x x"),
+    VARIANT(camera_from_look_at, by_recursion, "the left hand by recursion"),
+    VARIANT(camera_from_look_at, up_by_the_double_product, "up less its part along the view"),
+    VARIANT(width_from_angle, in_long_double, "in long double"),
+    VARIANT(width_from_angle, legs_of_a_triangle, "the legs of a triangle, by sine and cosine"),
     {0},
 };
