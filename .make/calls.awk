@@ -3,7 +3,8 @@
 #   objdump -r ANSWER.o | awk -v table=FOLDER/table -v states='wrong ...' -f calls.awk
 #
 # A call, direct or not, shows as a relocation. Lines: NAME, then those others; of names whose state
-# in the judge's table is one of these.
+# in the judge's table is one of these. With -v may=FILE only those others that the file allows: a line
+# for each NAME, and then those others.
 BEGIN {
     while ((getline line < table) > 0) {
         split(line, part, " ")
@@ -11,6 +12,11 @@ BEGIN {
             order[++count] = part[1]
             state[part[1]] = part[2]
         }
+    }
+    while (may != "" && (getline line < may) > 0) {
+        n = split(line, part, " ")
+        for (i = 2; i <= n; i++)
+            allowed[part[1], part[i]] = 1
     }
 }
 /^RELOCATION RECORDS FOR/ {
@@ -34,7 +40,7 @@ END {
         reach(order[i])
         others = ""
         for (j = 1; j <= count; j++)
-            if (j != i && (order[j] in reached))
+            if (j != i && (order[j] in reached) && (may == "" || (order[i], order[j]) in allowed))
                 others = others " " order[j]
         if (others != "")
             print order[i] others

@@ -6,7 +6,7 @@
 CONFINE := $(KIT)/confine
 SECCOMP_LIBS = $(if $(CAN_GRADE),$(shell pkg-config --libs libseccomp),$(error grading needs python3, \
 	objdump and libseccomp: 'make setup' installs them))
-$(CONFINE): $(patsubst %,$(B)/tests/grading/confine/%.o,confine landlock system_calls)
+$(CONFINE): $(patsubst %,$(B)/tests/grading/confine/%.o,confine landlock system_calls tool)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -static -o $@ $^ $(SECCOMP_LIBS)
@@ -68,6 +68,7 @@ $(KIT)/commands: Makefile .make/exercises.mk .make/grading.mk $(KIT_CONFINE) $(K
 	$(Q)cp $(B)/common.a $(KIT)/link/ && cp .make/calls.awk $(KIT)/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
 	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \
 		'COMPILE=$(CC) $(QUICK_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \
+		'PARTS=$(if $(IS_CLANG),,-pass-exit-codes -wrapper)' \
 		'LINK=ld -static -s -z noexecstack -e graded_start' \
 		'LIBRARIES=--start-group $(abspath $(KIT)/link/common.a) $(C_LIBRARIES) --end-group $(foreach \
 		o,crtend.o crtn.o,$(call library,$(o)))' > $@

@@ -5,13 +5,17 @@ The words are the compiler's: cut, harmless on a terminal, and without the place
 from __future__ import annotations
 
 import re
+import struct
 
-from workbench import COMPILE, LINK, Workbench
+from machine import GraderFailed
+from workbench import COMPILE, LIMITED, LINK, LINK_BLANKS, REFUSED, Part, Workbench
 from visible import visible
 
 MOST_WORDS = 2000      # characters that are quoted of a compiler
 MOST_LINES = 30
 CUT_SHORT = ("signal terminated program", "limit exceeded", "out of memory")
+MOST_MEMORY = 400 << 20     # that a program may take before it does anything; confine/ allows 512 MB in all
+CANARY = "canary"           # the name of a file that is right
 
 
 def quoted(bench: Workbench, name: str) -> str:
@@ -27,15 +31,17 @@ def quoted(bench: Workbench, name: str) -> str:
     return visible("\n".join(lines[:MOST_LINES] + ["..."] * cut), lines=True)
 
 
-def compile_words(bench: Workbench, stem: str) -> str:
+def compile_words(bench: Workbench, stem: str, part: Part) -> str:
     words = quoted(bench, f"{stem}.words")
-    if words and not any(sign in words for sign in CUT_SHORT):
+    if words and part.status not in LIMITED and not any(sign in words for sign in CUT_SHORT):
         return quoted(bench, f"{stem}.help") or words
     return ("the compiler was stopped: it needed more than 5 seconds, a gigabyte of memory, "
-            f"or 16 MB of file\n{words}").strip()
+            f"or a file of 16 MB; or the object file has more than 2 MB\n{words}").strip()
 
 
-def link_words(bench: Workbench, stem: str) -> str:
+def link_words(bench: Workbench, stem: str, part: Part) -> str:
+    if part.status in LIMITED:
+        return "the linker was stopped: it needed more than 5 seconds, or the program has more than 4 MB"
     words = quoted(bench, f"{stem}.words")
     known = [f"{name} is not in this file (or is static)"
              for name in re.findall(r"undefined reference to [`'](\w+)'", words)]
@@ -45,22 +51,63 @@ def link_words(bench: Workbench, stem: str) -> str:
     return "\n".join(dict.fromkeys(known)) or words or "the linker was stopped"
 
 
+def believed(bench: Workbench, first: dict[str, Part], canary, again) -> dict[str, Part]:
+    """Whether a tool refused a file for what is in it, or because the machine has no room: then it also refuses
+    a file that is right (canary), or it does not refuse the same file twice (again)."""
+    doubtful = [name for name, part in first.items() if part.status in REFUSED]
+    if not doubtful:
+        return first
+    for part in canary(doubtful).values():
+        if part.status != 0:
+            raise GraderFailed(f"a file that is right was refused, too (status {part.status})")
+    second = again(doubtful)
+    bench.check_room()
+    return {**first, **second}
+
+
+def compiled(bench: Workbench, stems: list[str]) -> dict[str, Part]:
+    (bench.folder / f"{CANARY}.c").write_text("int canary = 1;\n")
+    return believed(bench, bench.compile(COMPILE, stems),
+                    lambda doubtful: bench.compile(COMPILE, [CANARY]),
+                    lambda doubtful: bench.compile(COMPILE, doubtful))
+
+
+def linked(bench: Workbench, stems: list[str]) -> dict[str, Part]:
+    return believed(bench, bench.link(LINK, stems),
+                    lambda doubtful: bench.link(LINK_BLANKS, doubtful),
+                    lambda doubtful: bench.link(LINK, doubtful))
+
+
+def memory_of(program: bytes) -> int:
+    """What its segments take: the kernel kills a program that has no room for them, as it would if the machine
+    had none. What is no program takes nothing."""
+    try:
+        start, = struct.unpack_from("<Q", program, 32)
+        size, count = struct.unpack_from("<HH", program, 54)
+        return sum(memory for kind, memory in
+                   ((struct.unpack_from("<I", program, at)[0], struct.unpack_from("<Q", program, at + 40)[0])
+                    for at in range(start, start + size * count, size)) if kind == 1)
+    except (struct.error, ValueError):
+        return 0
+
+
 def build(bench: Workbench, answers: dict) -> tuple[list[str], dict[str, tuple[str, str]]]:
     """The stems that became programs; and of those that did not, the state and the words."""
     there = [stem for stem, answer in answers.items() if answer.state == "found"]
     for stem in there:
         (bench.folder / f"{stem}.c").write_bytes(answers[stem].text)
         (bench.folder / f"{stem}.d").mkdir()
-    if there:
-        bench.compile(COMPILE, there)
-    compiled = [stem for stem in there if (bench.folder / f"{stem}.o").exists()]
-    if compiled:
-        bench.link(LINK, compiled)
-    linked = [stem for stem in compiled if (bench.folder / f"{stem}.exe").exists()]
-    trouble = {}
+    objects = compiled(bench, there) if there else {}
+    good = [stem for stem, part in objects.items() if part.status == 0]
+    programs = linked(bench, good) if good else {}
+    ready, trouble = [], {}
     for stem in there:
-        if stem not in compiled:
-            trouble[stem] = ("does not compile", compile_words(bench, stem))
-        elif stem not in linked:
-            trouble[stem] = ("cannot be linked", link_words(bench, stem))
-    return linked, trouble
+        if stem not in good:
+            trouble[stem] = ("does not compile", compile_words(bench, stem, objects[stem]))
+        elif programs[stem].status != 0:
+            trouble[stem] = ("cannot be linked", link_words(bench, stem, programs[stem]))
+        elif memory_of((bench.folder / f"{stem}.exe").read_bytes()) > MOST_MEMORY:
+            trouble[stem] = ("cannot be linked", "its variables take more than 400 MB of memory")
+        else:
+            ready.append(stem)
+    return ready, trouble

@@ -1,7 +1,8 @@
 """crew.py - a process for each submission, so many at a time, and a line about how far they are.
 
-Each has a session of its own, so that all of it can be ended; whatever becomes of it, there is a
-result. Of several crews (shards) each does a part, and no two do the same one.
+Each has a session of its own, so that all of it can be ended. One that does not come to its end, or says
+that a step of it did not, leaves a submission without a score. Of several crews (shards) each does a
+part, and no two do the same one.
 """
 from __future__ import annotations
 
@@ -17,9 +18,12 @@ import traceback
 from pathlib import Path
 
 from grader import DONE, KEPT, Grader
+from machine import GraderFailed
+from sandbox import ending
 from settings import stop
 
-MOST_SECONDS = 600  # for one submission, whatever happens
+MOST_SECONDS = 3600  # for one submission; what students wrote has its own limits, which are far lower
+MOST_WORDS = 2000    # of a reason
 
 
 class Progress:
@@ -35,7 +39,8 @@ class Progress:
         name, words = "", "no result"
         if record is not None:
             name = record["submission"]
-            words = f"{record['status']}, {record['score']:g} of {record['max']:g}"
+            score = "no score" if record["score"] is None else f"{record['score']:g} of {record['max']:g}"
+            words = f"{record['status']}, {score}"
         if self.terminal:
             each = (time.monotonic() - self.began) / max(self.marked, 1)
             left = int(each * (self.total - self.done) + 0.5)
@@ -50,27 +55,43 @@ class Progress:
             print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
-def end_with_parent() -> None:
-    """However that ends. What this one starts does the same (bubblewrap, confine.c)."""
+def end_with_parent(parent: int) -> None:
+    """However that ends. What this one starts does the same (confine/attend.c)."""
     PR_SET_PDEATHSIG = 1
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    if os.getppid() != parent:  # it ended before this was asked for
+        os._exit(1)
 
 
-def start(grader: Grader, submission) -> int:
+def start(grader: Grader, submission) -> tuple[int, int]:
+    """The process, and where it says why it failed."""
     sys.stdout.flush()
     sys.stderr.flush()
-    child = os.fork()
+    parent = os.getpid()
+    reasons, reason = os.pipe()
+    try:
+        child = os.fork()
+    except OSError:
+        os.close(reasons)
+        raise
+    finally:
+        if os.getpid() == parent:
+            os.close(reason)
     if child:
-        return child
+        return child, reasons
     status = 1
     try:
-        end_with_parent()
+        end_with_parent(parent)
+        os.close(reasons)
         os.setsid()
         for stopping in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             signal.signal(stopping, signal.SIG_DFL)
         status = grader.mark(submission)
-    except BaseException:
+    except (GraderFailed, OSError, MemoryError) as error:
+        os.write(reason, (str(error) or "there is no memory left").encode("utf-8", "replace")[:MOST_WORDS])
+    except BaseException as error:
+        os.write(reason, f"{type(error).__name__}: {error} (please report this)".encode("utf-8", "replace")[:MOST_WORDS])
         traceback.print_exc()
     finally:
         sys.stderr.flush()
@@ -86,40 +107,57 @@ def end(child: int) -> None:
 
 
 def end_late_ones(running: dict[int, tuple]) -> None:
-    for child, (_, began) in running.items():
+    for child, (_, _, began) in running.items():
         if time.monotonic() - began > MOST_SECONDS:
             end(child)
 
 
-def mark_all(grader: Grader, submissions: list, jobs: int) -> None:
+def mark_all(grader: Grader, submissions: list, jobs: int) -> dict[str, dict]:
+    """The records of those that have no score, by folder; all others have written theirs."""
     progress = Progress(len(submissions))
-    running: dict[int, tuple] = {}  # process -> submission, when it began
+    running: dict[int, tuple] = {}  # process -> submission, where it says why it failed, when it began
+    failed: dict[str, dict] = {}
     waiting = submissions[::-1]
     try:
         while waiting or running:
             while waiting and len(running) < jobs:
                 submission = waiting.pop()
-                running[start(grader, submission)] = (submission, time.monotonic())
-            child, status = os.waitpid(-1, os.WNOHANG)
+                try:
+                    child, reasons = start(grader, submission)
+                except OSError as error:
+                    if running:     # there may be room when one of them is done
+                        waiting.append(submission)
+                        break
+                    failed[submission.folder] = grader.failed(submission, f"cannot be started: {error.strerror}")
+                    progress.say(failed[submission.folder], False)
+                    continue
+                running[child] = (submission, reasons, time.monotonic())
+            child, status = os.waitpid(-1, os.WNOHANG) if running else (0, 0)
             if child == 0:
                 end_late_ones(running)
                 time.sleep(0.005)
                 continue
-            submission, began = running.pop(child)
+            submission, reasons, began = running.pop(child)
+            reason = os.read(reasons, MOST_WORDS).decode("utf-8", "replace")
+            os.close(reasons)
             code = os.waitstatus_to_exitcode(status)
-            if code not in (DONE, KEPT) and time.monotonic() - began > MOST_SECONDS:
-                grader.give_up_on(submission, "timed out", f"took more than {MOST_SECONDS} s in all")
-            elif code == -signal.SIGXCPU:
+            if code == -signal.SIGXCPU:
                 grader.give_up_on(submission, "timed out", "takes more than a minute to be read")
             elif code not in (DONE, KEPT):
-                grader.give_up_on(submission, "crashed",
-                                  f"the grader itself ended early ({code}): please report it")
-            progress.say(grader.record(submission), code == KEPT)
+                failed[submission.folder] = grader.failed(submission, reason or how_it_ended(code, began))
+            progress.say(failed.get(submission.folder) or grader.record(submission), code == KEPT)
     finally:
         for child in running:
             end(child)
             os.waitpid(child, 0)
         progress.end()
+    return failed
+
+
+def how_it_ended(code: int, began: float) -> str:
+    if time.monotonic() - began > MOST_SECONDS:
+        return f"marking it took more than {MOST_SECONDS} s"
+    return f"the process that marks it ended with {ending(code)}"
 
 
 # ---- several crews --------------------------------------------------------------------------------

@@ -53,27 +53,32 @@ def main() -> int:
     mention_times(grader.policy, found)
     todo = of_shard(found, given.shard)
     lock = alone(grader.work)
-    grader.begin()
     began = time.monotonic()
     try:
-        mark_all(grader, todo, given.jobs)
+        grader.begin()
+        grader.prove()
+        failed = mark_all(grader, todo, given.jobs)
     except KeyboardInterrupt:
         print("\ngrade: stopped; what is done is kept. The same command does the rest.", file=sys.stderr)
         return 130
     finally:
         shutil.rmtree(grader.work, ignore_errors=True)
         lock.close()
-    records = [grader.record(submission) for submission in found]
+    records = [failed.get(submission.folder) or grader.record(submission) for submission in found]
     missing = records.count(None)
     if missing:
         print(f"{len(todo)} of {len(found)} submissions are of this shard; "
               f"{missing} of the class have no result yet.\n"
               "When all shards are done, 'make grade' once more, without SHARD, writes the reports.")
-        return 0 if given.shard else 1
-    files.write_class(records, str(grader.out))
+        print(text.failures(records), end="")
+        return 0 if given.shard and not failed else 1
     print(text.closing(records))
+    try:
+        files.write_class(records, str(grader.out))
+    except OSError as error:
+        stop(f"the reports cannot be written to {given.out}: {error.strerror}")
     print(f"Took {time.monotonic() - began:.1f} s. Reports: {given.out}/index.html")
-    return 0
+    return 1 if any(record["score"] is None for record in records) else 0
 
 
 if __name__ == "__main__":

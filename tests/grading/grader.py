@@ -8,6 +8,7 @@ from __future__ import annotations
 import argparse
 import copy
 import hashlib
+import os
 import resource
 import shutil
 import time
@@ -19,13 +20,16 @@ from collect import submissions
 from collect.answers import Collected
 from collect.submissions import Submission
 import exercises as table
-from marking import add_marks, mark
+from machine import GraderFailed
+from marking import add_marks, calls_of, mark
 import policy as policies
 from report import files
 from sandbox import choose
 from settings import seed_of_class
 
 DONE, KEPT = 0, 3       # exit statuses of the process that marks
+FAILED = "grader failed"
+SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 # Hostile archives get less memory and time than the process that opens them has.
 COLLECTING = {resource.RLIMIT_AS: 2 << 30, resource.RLIMIT_CPU: 60}
 
@@ -62,11 +66,12 @@ class Grader:
         self.kit = read_kit(given.kit.resolve())
         self.sandbox = choose(given.kit.resolve() / "confine", given.sandbox, given.unsafe)
         self.seed, self.wanted_seed = 0, given.seed
+        self.called: dict[str, set[str]] = {}
         part, parts = given.shard or (1, 1)
         self.work = self.out / ".work" / f"{part}-of-{parts}"
         judges = sorted(path for path in self.kit.judges.iterdir() if path.name in self.stems)
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
-        self.tests = sum_of_files([table.TABLE, *judges,
+        self.tests = sum_of_files([table.TABLE, *sorted(Path(__file__).parent.glob("*.py")), *judges,
                                    *sorted((self.kit.folder / "link").iterdir()),
                                    self.kit.folder / "commands", *confine])
 
@@ -92,7 +97,8 @@ class Grader:
         """The same verdicts with the marks that this policy gives them."""
         record = copy.deepcopy(record)
         for stem in record["stems"]:
-            add_marks(stem, self.exercises, lambda stem, name: policies.points(self.policy, stem, name))
+            add_marks(stem, self.exercises, lambda stem, name: policies.points(self.policy, stem, name),
+                      self.policy.waiting)
         record["max"] = policies.rounded(sum(stem["max"] for stem in record["stems"]))
         earned = policies.rounded(sum(stem["score"] for stem in record["stems"]))
         record["score"], record["late"] = policies.late(self.policy, when, earned)
@@ -115,13 +121,13 @@ class Grader:
                 files.write_submission(priced, str(self.place(submission)))
             return KEPT
         bench = Workbench(self.kit, self.sandbox, self.work / submission.folder, self.seed)
-        record = self.priced(mark(bench, collected, self.exercises), when)
+        record = self.priced(mark(bench, collected, self.exercises, self.called), when)
         record.update(key=key, submission=submission.name, folder=submission.folder,
                       seconds=round(time.monotonic() - began, 2),
                       steps={step: round(seconds, 3) for step, seconds in bench.seconds.items()})
         self.keep_pictures(record, self.place(submission), bench.folder)
-        files.write_submission(record, str(self.place(submission)))
         shutil.rmtree(bench.folder, ignore_errors=True)
+        files.write_submission(record, str(self.place(submission)))
         return DONE
 
     def keep_pictures(self, record: dict, place: Path, drawn_in: Path) -> None:
@@ -132,16 +138,56 @@ class Grader:
             else:
                 (place / name).unlink(missing_ok=True)
 
-    def give_up_on(self, submission: Submission, status: str, words: str) -> None:
-        """A result where the process that marks did not come to its end."""
+    def without_verdicts(self, submission: Submission, status: str, words: str, score: float | None) -> dict:
         stems = []
         for stem in self.stems:
             most = policies.rounded(sum(policies.points(self.policy, stem, exercise.name)
                                         for exercise in self.exercises if exercise.stem == stem))
             stems.append({"stem": stem, "file": "", "state": "not judged", "words": words,
                           "functions": [], "score": 0, "max": most})
-        record = {"submission": submission.name, "folder": submission.folder, "status": status,
-                  "words": words, "score": 0, "max": policies.rounded(sum(stem["max"] for stem in stems)), "late": "",
-                  "stems": stems, "pictures": {}, "key": "", "seed": self.seed, "seconds": 0,
-                  "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
-        files.write_submission(record, str(self.place(submission)))
+        return {"submission": submission.name, "folder": submission.folder, "status": status,
+                "words": words, "score": score, "max": policies.rounded(sum(stem["max"] for stem in stems)),
+                "late": "", "stems": stems, "pictures": {}, "key": "", "seed": self.seed, "seconds": 0,
+                "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
+
+    def give_up_on(self, submission: Submission, status: str, words: str) -> None:
+        """A result for what is no reader's fault but its own, since it cannot be read."""
+        files.write_submission(self.without_verdicts(submission, status, words, 0), str(self.place(submission)))
+
+    def failed(self, submission: Submission, words: str) -> dict:
+        """No score: the record of a submission that this grader could not mark. It replaces an older one, which
+        may be of other files; its empty key has the submission marked again next time."""
+        record = {**self.without_verdicts(submission, FAILED, words, None), "stems": []}
+        place = self.place(submission)
+        shutil.rmtree(self.work / submission.folder, ignore_errors=True)
+        try:
+            (place / "results.json").unlink(missing_ok=True)
+            files.write_submission(record, str(place))
+        except OSError:
+            pass    # the disk may be full; then it is in the reports of the class alone
+        return record
+
+    def prove(self) -> None:
+        """Marks the reference, which has all marks on a machine that can grade. SystemExit if it has not."""
+        found = submissions.Submission(os.fsencode(SOLUTIONS), "the reference", ".reference", "folder")
+        bench = Workbench(self.kit, self.sandbox, self.work / found.folder, self.seed)
+        try:
+            stems = mark(bench, submissions.collect(found, self.stems), self.exercises, {})["stems"]
+            self.called = calls_of(bench, self.exercises)
+        except (GraderFailed, OSError) as error:
+            raise SystemExit(f"grade: nothing is graded, because the grader fails on the reference: {error}") from None
+        finally:
+            shutil.rmtree(bench.folder, ignore_errors=True)
+        for stem in stems:
+            if stem["state"] != "judged":
+                refuse(stem["stem"], f"{stem['state']}: {stem['words']}")
+            for function in stem["functions"]:
+                if function["state"] != "right":
+                    refuse(f"{stem['stem']}, {function['name']}",
+                           f"{function['state']}: {function['how'] or function['test']}")
+
+
+def refuse(where: str, words: str) -> None:
+    raise SystemExit("grade: nothing is graded, because the reference (solutions/) does not get all marks on this "
+                     f"machine:\n  {where}: {words}\n"
+                     "  Either solutions/ is not as it was, or this compiler and the tests do not fit.")

@@ -38,6 +38,7 @@ class Policy:
     unit: str = "day"
     most: Fraction = Fraction(0)
     times: Optional[dict] = None                # submission -> seconds since 1970
+    waiting: bool = True                        # whether a function that waits has its marks
 
 
 def rounded(marks) -> float:
@@ -138,9 +139,13 @@ def line_into(policy: Policy, words: list, known: list, weights: dict, folder: P
         if not rest:
             raise PolicyError("times of what, expected 'files' or the name of a CSV file")
         policy.times = None if rest == "files" else times_in(folder / rest)
+    elif setting == "waiting":
+        if rest not in ("full", "none"):
+            raise PolicyError(f"waiting {brief(rest)}: expected 'waiting full' or 'waiting none'")
+        policy.waiting = rest == "full"
     else:
         raise PolicyError(f"{brief(setting)} is no setting, "
-                          "expected points, due, grace, late or times")
+                          "expected points, due, grace, late, times or waiting")
 
 
 def shared(known: list, weights: dict, at: dict) -> dict:

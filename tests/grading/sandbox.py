@@ -8,9 +8,13 @@ from __future__ import annotations
 
 import os
 import shutil
+import signal
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
+
+from machine import GraderFailed
+from visible import visible
 
 # What a compiler needs of the system; nothing of people's.
 SYSTEM = ["/usr/bin", "/usr/lib", "/usr/lib32", "/usr/lib64", "/usr/libexec", "/usr/include", "/bin", "/lib",
@@ -30,7 +34,7 @@ class Sandbox:
         if self.confine:
             # /tmp is the sandbox's own there; without bubblewrap the folder has to do (run sets TMPDIR).
             writable = [str(folder), "/tmp"] if self.bubblewrap else [str(folder)]
-            command = [self.confine, "compile", *writable, "-", *readable, *SYSTEM, "--", *command]
+            command = [self.confine, "compile", *writable, "-", *readable, self.confine, *SYSTEM, "--", *command]
         return self.view(folder, [*readable, self.confine], command)
 
     def view(self, folder: Path, readable: list[str], command: list[str]) -> list[str]:
@@ -50,19 +54,45 @@ class Sandbox:
                 view += ["--ro-bind", place, place]
         return [*view, "--bind", str(folder), str(folder), "--chdir", str(folder), "--", *command]
 
-    def run(self, command: list[str], folder: Path, seconds: float, environment: dict[str, str]) -> bool:
-        """Whether it ended by itself, and well. Nothing of it is left then."""
+    def run(self, command: list[str], folder: Path, seconds: float, environment: dict[str, str]) -> tuple[str, str]:
+        """Its output, and what our own programs complain about. GraderFailed if it did not end by itself, and
+        well. No process of it is left."""
         there = {**ENVIRONMENT, **environment}
         if not self.bubblewrap:
             there["TMPDIR"] = str(folder)
-        process = subprocess.Popen(command, cwd=folder, env=there, stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
-            return process.wait(seconds) == 0
+            process = subprocess.Popen(command, cwd=folder, env=there, stdin=subprocess.DEVNULL,
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,
+                                       encoding="ascii", errors="replace")
+        except OSError as error:
+            raise GraderFailed(f"the sandbox could not be started: {error.strerror}") from None
+        try:
+            said, words = process.communicate(timeout=seconds)
         except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
-            return False
+            raise GraderFailed(f"it was not done after {seconds:g} s") from None
+        finally:
+            end_group(process)
+        if process.returncode != 0:
+            raise GraderFailed(f"it ended with {ending(process.returncode)}{complaint(words)}")
+        return said, words
+
+
+def end_group(process: subprocess.Popen) -> None:
+    """What it left behind, too."""
+    try:
+        os.killpg(process.pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+    process.communicate()
+
+
+def ending(code: int) -> str:
+    return f"exit status {code}" if code >= 0 else f"signal {-code}"
+
+
+def complaint(words: str) -> str:
+    lines = words.strip().splitlines()
+    return f": {visible(lines[-1][:200])}" if lines else ""
 
 
 def says(command: list[str]) -> str | None:

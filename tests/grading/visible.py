@@ -65,7 +65,9 @@ def why(error: Exception) -> str:
     return brief(words.strip())
 
 
-def number(marks: float) -> str:
-    """Marks as people write them: 74, 18.5."""
+def number(marks: float | None) -> str:
+    """Marks as people write them: 74, 18.5. No marks are not 0."""
+    if marks is None:
+        return "-"
     text = f"{marks:.2f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text

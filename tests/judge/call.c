@@ -11,8 +11,10 @@
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/random.h>
+#include <sys/wait.h>
 
 enum {
     MOST_EXERCISES = 100,
@@ -116,14 +118,32 @@ static bool lend(int exercise, Wire *question)
     return send(WIRE_LENT, exercise, &answer, &left) == 1;
 }
 
+// What follows from no answer: nothing that is true of an answer can be said.
+static _Noreturn void give_up_on_machine(const char *what, int error)
+{
+    process_stop(false);
+    fprintf(stderr, "%s%s%s\n", what, error != 0 ? ": " : "", error != 0 ? strerror(error) : "");
+    exit(3);
+}
+
+// A process that ended, and that was never started, or was killed. Under confine an answer cannot
+// kill itself, and the grader links none that the kernel would kill for its size.
+static void check_machine(int status)
+{
+    int error = process_start_error();
+    bool is_the_answers = error == 0 || error == ENOEXEC || error == EACCES || error == EINVAL;
+    if (!is_the_answers)
+        give_up_on_machine("an answering process cannot be started", error);
+    if (process_is_confined() && status >= 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+        give_up_on_machine("an answering process was killed", 0);
+}
+
 // Sends and receives. Where no answer comes, why, and the process is gone.
 static bool exchange(int exercise, How *how, char *why, size_t size)
 {
     *how = HOW_CRASHED;
-    if (!process_start()) {
-        snprintf(why, size, "could not be started: %s", strerror(errno));
-        return false;
-    }
+    if (!process_start())
+        give_up_on_machine("an answering process cannot be started", errno);
     if (getrandom(&nonce, sizeof nonce, 0) != sizeof nonce)
         nonce++;
     WireHeader answer = {0};
@@ -138,13 +158,17 @@ static bool exchange(int exercise, How *how, char *why, size_t size)
     bool sane = moved == 2 && answer.exercise == exercise;
     if (moved == 0) {
         *how = HOW_TIMED_OUT;
+        if (left.end == MACHINE_TOO_BUSY)
+            give_up_on_machine("an answer was not given a processor", 0);
         snprintf(why, size,
-                 left.work - left.work_before > process_most_work()
+                 left.end == TOO_MUCH_WORK
                      ? "was still running after %g s (an endless loop?)"
                      : "waited for something that never comes",
                  process_most_work());
     } else if (moved < 0) {
-        describe_end(why, size, process_stop(true));
+        int status = process_stop(true);
+        check_machine(status);
+        describe_end(why, size, status);
     } else if (sane && is_crash(&answer)) {
         WireCrash crash;
         memcpy(&crash, wire.bytes, sizeof crash);

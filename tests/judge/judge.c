@@ -77,6 +77,16 @@ static FILE *create(const char *folder, const char *name, const char *ending)
     return file;
 }
 
+// A report of which a part is missing says nothing true: the disk may be full.
+static void finish(FILE *file)
+{
+    bool bad = ferror(file) != 0;
+    if (fclose(file) != 0 || bad) {
+        perror("a report cannot be written");
+        exit(2);
+    }
+}
+
 static void show_header(FILE *out, const Exercise *exercise, const char *state)
 {
     int column = fprintf(out, "%s  %s%s", exercise->stem, exercise->name, state);
@@ -132,11 +142,11 @@ static void tell(const char *folder, const Group *group, bool unanswered, Diagno
     // A crash or a loop is found by looking, not by thinking.
     fprintf(out, "  try        make %s EX=%.2s\n", record->how[0] != '\0' ? "debug" : "hint",
             exercise->stem);
-    fclose(out);
+    finish(out);
 
     out = create(folder, group->function, group->extra ? "+.debug" : ".debug");
     fprintf(out, "%s %d\n", group->failed->name, record->cases);
-    fclose(out);
+    finish(out);
 }
 
 // A figure of an older answer is none of this one.
@@ -181,8 +191,8 @@ static int verdict(const char *folder, const char *figures)
             report_function(report, group.function, group.failed, diagnosis);
         all_right = all_right && (group.extra || group.failed == NULL);
     }
-    fclose(table);
-    fclose(report);
+    finish(table);
+    finish(report);
     char from[4096], to[4096];
     snprintf(from, sizeof from, "%s/table.new", folder);
     snprintf(to, sizeof to, "%s/table", folder);

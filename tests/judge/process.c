@@ -9,6 +9,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #ifdef __linux__
@@ -20,7 +21,8 @@
 enum {
     MOST_PRINTED = 1 << 20,  // bytes in one test
     MOST_MEMORY = 512 << 20, // bytes
-    MOST_IDLE = 2,           // seconds without any work done: it waits for something
+    LOOK = 50,               // milliseconds from one look at the process to the next
+    MOST_ASLEEP = 40,        // looks in a row at which it slept
     MOST_WAIT = 60,          // seconds in all, on a machine that is very busy
 };
 
@@ -28,6 +30,7 @@ static const char *program;
 static int printed_file = -1;
 static pid_t pid; // 0: none is running
 static int calls_out = -1, answers_in = -1;
+static int start_errors = -1; // a pipe that is closed when the program has been started
 
 void process_begin(const char *answering, int printed)
 {
@@ -68,17 +71,30 @@ static void limit(int what, rlim_t most)
     setrlimit(what, &limits);
 }
 
-static void become_answering(const int calls[2], const int answers[2])
+bool process_is_confined(void)
 {
-    // Through high numbers, so that none of the four is closed by placing another.
-    int in = fcntl(calls[0], F_DUPFD, 20), out = fcntl(answers[1], F_DUPFD, 20);
-    int print = fcntl(printed_file, F_DUPFD, 20);
-    int null = open("/dev/null", O_RDONLY);
-    if (in < 0 || out < 0 || print < 0 || dup2(null, STDIN_FILENO) < 0 ||
-        dup2(print, STDOUT_FILENO) < 0 || dup2(print, STDERR_FILENO) < 0 ||
-        dup2(in, CALLS_IN) < 0 || dup2(out, ANSWERS_OUT) < 0)
+    return getenv("CONFINE") != NULL;
+}
+
+static void say_error(void)
+{
+    int error = errno;
+    if (write(START_ERROR, &error, sizeof error) < 0)
         _exit(126);
-    for (int i = ANSWERS_OUT + 1; i < 64; i++)
+    _exit(127);
+}
+
+static void become_answering(const int calls[2], const int answers[2], const int errors[2])
+{
+    // Through high numbers, so that none of the five is closed by placing another.
+    int in = fcntl(calls[0], F_DUPFD, 20), out = fcntl(answers[1], F_DUPFD, 20);
+    int print = fcntl(printed_file, F_DUPFD, 20), said = fcntl(errors[1], F_DUPFD, 20);
+    int null = open("/dev/null", O_RDONLY);
+    if (in < 0 || out < 0 || print < 0 || said < 0 || dup2(said, START_ERROR) < 0 ||
+        dup2(null, STDIN_FILENO) < 0 || dup2(print, STDOUT_FILENO) < 0 ||
+        dup2(print, STDERR_FILENO) < 0 || dup2(in, CALLS_IN) < 0 || dup2(out, ANSWERS_OUT) < 0)
+        say_error();
+    for (int i = START_ERROR + 1; i < 64; i++)
         close(i);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, MOST_PRINTED);
@@ -87,33 +103,47 @@ static void become_answering(const int calls[2], const int answers[2])
 #endif
     const char *confine = getenv("CONFINE"); // tests/grading/confine/, for hostile answers
     char *const environment[] = {NULL};
-    if (confine != NULL)
+    if (confine != NULL) { // which closes START_ERROR when it starts the program
         execve(confine, (char *[]){"confine", "answer", (char *)program, NULL}, environment);
-    else
+    } else {
+        fcntl(START_ERROR, F_SETFD, FD_CLOEXEC);
         execve(program, (char *[]){"answering", NULL}, environment);
-    _exit(127);
+    }
+    say_error();
 }
 
 bool process_start(void)
 {
     if (pid != 0)
         return true;
-    int calls[2], answers[2];
-    if (pipe(calls) != 0 || pipe(answers) != 0)
+    int calls[2], answers[2], errors[2];
+    if (pipe(calls) != 0 || pipe(answers) != 0 || pipe(errors) != 0)
         return false;
     fflush(NULL);
     pid = fork();
     if (pid == 0)
-        become_answering(calls, answers);
+        become_answering(calls, answers, errors);
+    int error = errno;
     close(calls[0]);
     close(answers[1]);
+    close(errors[1]);
+    if (start_errors >= 0)
+        close(start_errors);
     calls_out = calls[1];
     answers_in = answers[0];
+    start_errors = errors[0];
+    errno = error;
     fcntl(calls_out, F_SETFL, O_NONBLOCK);
     fcntl(answers_in, F_SETFL, O_NONBLOCK);
     if (pid < 0)
         pid = 0;
     return pid > 0;
+}
+
+int process_start_error(void)
+{
+    int error;
+    return read(start_errors, &error, sizeof error) == sizeof error ? error : 0;
 }
 
 int process_stop(bool wait_for_it)
@@ -123,7 +153,7 @@ int process_stop(bool wait_for_it)
         return status;
     close(calls_out);
     close(answers_in);
-    double until = now() + (wait_for_it ? 0.2 : 0);
+    double until = now() + (wait_for_it ? 1 : 0);
     pid_t ended = 0;
     while ((ended = waitpid(pid, &status, WNOHANG)) == 0 && now() < until)
         poll(NULL, 0, 1);
@@ -148,17 +178,40 @@ double process_work(void)
 Patience patience_begin(void)
 {
     double work = process_work();
-    return (Patience){work, work, now(), now()};
+    return (Patience){.work_before = work, .work = work, .since = now()};
+}
+
+// Not merely waiting for a processor, nor stopped. Where that cannot be read, true.
+static bool is_asleep(void)
+{
+    char path[40], words[600];
+    snprintf(path, sizeof path, "/proc/%d/stat", (int)pid);
+    FILE *file = fopen(path, "r");
+    if (file == NULL)
+        return true;
+    size_t size = fread(words, 1, sizeof words - 1, file);
+    fclose(file);
+    words[size] = '\0';
+    const char *name_end = strrchr(words, ')');
+    return name_end == NULL || strncmp(name_end, ") S", 3) == 0;
+}
+
+static bool look(Patience *patience, bool may_sleep)
+{
+    double work = process_work();
+    bool sleeps = !may_sleep && work <= patience->work + 1e-4 && is_asleep();
+    patience->looks_asleep = sleeps ? patience->looks_asleep + 1 : 0;
+    patience->work = work;
+    patience->end = work - patience->work_before > process_most_work() ? TOO_MUCH_WORK
+                    : patience->looks_asleep > MOST_ASLEEP             ? WAITS_IN_VAIN
+                    : now() - patience->since > MOST_WAIT              ? MACHINE_TOO_BUSY
+                                                                       : PATIENT;
+    return patience->end != PATIENT;
 }
 
 bool patience_is_over(Patience *patience)
 {
-    double work = process_work();
-    if (work > patience->work + 1e-4)
-        patience->idle_since = now();
-    patience->work = work;
-    return work - patience->work_before > process_most_work() ||
-           now() - patience->idle_since > MOST_IDLE || now() - patience->since > MOST_WAIT;
+    return look(patience, true);
 }
 
 static int move(bool out, void *bytes, size_t size, Patience *left)
@@ -166,9 +219,9 @@ static int move(bool out, void *bytes, size_t size, Patience *left)
     char *place = bytes;
     while (size > 0) {
         struct pollfd end = {out ? calls_out : answers_in, out ? POLLOUT : POLLIN, 0};
-        bool ready = poll(&end, 1, 50) > 0;
-        // Bytes that drip one by one are no answer, either.
-        if ((!ready || place != bytes) && patience_is_over(left))
+        bool ready = poll(&end, 1, LOOK) > 0;
+        // Bytes that drip one by one are no answer, either. Once there are some, it may sleep.
+        if ((!ready || place != bytes) && look(left, ready))
             return 0;
         if (!ready)
             continue;

@@ -15,6 +15,7 @@ from pathlib import Path
 KIT = os.environ.get("KIT", "build/grading")
 SEED = "20150929"
 STEMS = sorted(path.stem for path in Path("solutions").glob("*.c"))
+UPSIDE_DOWN = "return c.distance * c.forward - c.width / 2 * c.right - c.height / 2 * c.up;"
 MIRRORED = "return c.distance * c.forward + (s - 0.5) * c.width * c.right - (t - 0.5) * c.height * c.up;"
 
 
@@ -84,8 +85,10 @@ def build_class(folder: Path) -> None:
     put("no text", {"01-corners.c": "int x = ;\n", "03-screen.c": right("03-screen")})
     put("no assembler", {"01-corners.c": '__asm__("no instruction");\n'})
     put("one function", {"01-corners.c": up_to("01-corners", "upper_right")})
-    put("waits", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED,
-                                      upper_left="return image_plane_vector(c, 0, 1);")})
+    put("waits", {"01-corners.c": but("01-corners", upper_left=UPSIDE_DOWN,
+                                      upper_right="return upper_left(c) + c.width * c.right;")})
+    put("waits for a later one", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED,
+                                                      upper_left="return image_plane_vector(c, 0, 1);")})
     put("each other", {"01-corners.c": but("01-corners",
                                            upper_left="return upper_right(c) - c.width * c.right;",
                                            upper_right="return upper_left(c) + c.width * c.right;")})

@@ -9,35 +9,46 @@ from unittest import mock
 
 import crew
 from grader import DONE, KEPT
+from machine import GraderFailed
 
 ENDS = {"done": lambda: DONE, "kept": lambda: KEPT, "raises": lambda: 1 // 0, "leaves": lambda: os._exit(7),
-        "is killed": lambda: os.kill(os.getpid(), 9), "hangs": lambda: time.sleep(60) or DONE}
+        "fails": lambda: fail("the disk is full"), "is killed": lambda: os.kill(os.getpid(), 9), "hangs": lambda: time.sleep(60) or DONE}
+
+
+def fail(words):
+    raise GraderFailed(words)
 
 
 class Crew(unittest.TestCase):
     def marked(self, submissions, jobs):
         """What was given up on, and the lines of progress."""
-        given_up = []
         grader = SimpleNamespace(
-            mark=lambda name: ENDS[name](),
-            give_up_on=lambda name, status, words: given_up.append((name, status, words)),
-            record=lambda name: {"submission": name, "status": "graded", "score": 1, "max": 2})
+            mark=lambda one: ENDS[one.folder](),
+            failed=lambda one, words: {"submission": one.folder, "status": "grader failed", "score": None, "words": words},
+            record=lambda one: {"submission": one.folder, "status": "graded", "score": 1, "max": 2})
         with contextlib.redirect_stderr(io.StringIO()) as said:
-            crew.mark_all(grader, submissions, jobs)
-        return sorted(given_up), said.getvalue().splitlines()
+            failed = crew.mark_all(grader, [SimpleNamespace(folder=name) for name in submissions], jobs)
+        return {name: record["words"] for name, record in failed.items()}, said.getvalue().splitlines()
 
-    def test_who_did_not_come_to_an_end_has_a_result_with_words(self):
+    def test_who_did_not_come_to_an_end_has_no_score_and_a_reason(self):
         with mock.patch("crew.MOST_SECONDS", 0.5):
-            given_up, said = self.marked(list(ENDS), 3)
-        early = "the grader itself ended early ({}): please report it"
-        self.assertEqual(given_up, [
-            ("hangs", "timed out", "took more than 0.5 s in all"),
-            ("is killed", "crashed", early.format(-9)),
-            ("leaves", "crashed", early.format(7)),
-            ("raises", "crashed", early.format(1))])
+            failed, said = self.marked(list(ENDS), 3)
+        early = "the process that marks it ended with "
+        self.assertEqual(failed, {
+            "fails": "the disk is full",
+            "hangs": "marking it took more than 0.5 s",
+            "is killed": early + "signal 9",
+            "leaves": early + "exit status 7",
+            "raises": "ZeroDivisionError: integer division or modulo by zero (please report this)"})
         self.assertEqual(sorted(line.split(" ", 1)[1] for line in said),
-                         sorted(f"{name}: graded, 1 of 2" + (" (kept)" if name == "kept" else "")
+                         sorted(f"{name}: grader failed, no score" if name in failed else
+                                f"{name}: graded, 1 of 2" + (" (kept)" if name == "kept" else "")
                                 for name in ENDS))
+
+    def test_no_process_at_all_is_no_score_either(self):
+        with mock.patch("crew.start", side_effect=OSError(11, "no more processes")):
+            failed, _ = self.marked(["done", "kept"], 2)
+        self.assertEqual(failed, dict.fromkeys(["done", "kept"], "cannot be started: no more processes"))
 
     def test_no_more_work_at_a_time_than_there_are_jobs(self):
         with mock.patch.dict(ENDS, {f"nap {i}": lambda: time.sleep(0.1) or DONE for i in range(4)}):
@@ -50,10 +61,11 @@ class Crew(unittest.TestCase):
         begin = crew.start
 
         def start(*both):
-            children.append(begin(*both))
+            began = begin(*both)
+            children.append(began[0])
             if len(children) == 3:
                 raise KeyboardInterrupt
-            return children[-1]
+            return began
         with mock.patch("crew.start", start), self.assertRaises(KeyboardInterrupt):
             self.marked(["hangs"] * 3, 3)
         crew.end(children[2])   # it was stopped before this one was known

@@ -55,10 +55,14 @@ def says_what_is_wrong(found: dict[str, dict]) -> None:
 
 
 def knows_who_waits(found: dict[str, dict]) -> None:
-    waits = function(found["waits"], "upper_left")
-    check("what fails only for another function has its marks",
-          (waits["state"], waits["score"], waits["waiting_for"]) == ("waiting", 2, ["image_plane_vector"]),
-          waits)
+    waits = function(found["waits"], "upper_right")
+    check("what fails only for an earlier function has its marks",
+          (waits["state"], waits["score"], waits["waiting_for"]) == ("waiting", 2, ["upper_left"]), waits)
+    across = function(found["mirrored"], "across_30_up_10")
+    check("and so has what fails only for a later one that the reference calls, too",
+          (across["state"], across["score"], across["waiting_for"]) == ("waiting", 2, ["image_plane_vector"]), across)
+    later = function(found["waits for a later one"], "upper_left")
+    check("what calls another later one has none", (later["state"], later["score"]) == ("wrong", 0), later)
     both = [function(found["each other"], name)["score"] for name in ("upper_left", "upper_right")]
     check("two that wait for each other have none", both == [0, 0], both)
 
@@ -84,7 +88,7 @@ def test_class() -> None:
         build_class(folder)
         done = grade(folder, out)
         found = records(out)
-    check("every submission has one result", done.returncode == 0 and len(found) == 17, done.stderr[-600:])
+    check("every submission has one result", done.returncode == 0 and len(found) == 18, done.stderr[-600:])
     check("what is no submission is mentioned", "read me.txt" in done.stderr)
     check("nothing acts on the terminal", "\x1b" not in done.stdout + done.stderr)
     for tested in (says_what_is_right, says_what_is_wrong, knows_who_waits, has_a_result_for_the_odd,

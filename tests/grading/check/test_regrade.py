@@ -119,7 +119,7 @@ def test_again() -> None:
         build_class(folder)
         grade(folder, work / "out")
         found = records(work / "out")
-        check("every submission has one result", len(found) == 17, list(found))
+        check("every submission has one result", len(found) == 18, list(found))
         same_marks(folder, work, found)
         for sandbox in ("bubblewrap", "landlock"):
             if sandbox in next(iter(found.values()))["sandbox"].lower():

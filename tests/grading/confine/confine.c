@@ -6,6 +6,9 @@
 //                                            a compiler on a student's text: files in these places
 //   confine attended -- PROGRAM ARGUMENT...  nothing but what holds for all three: it ends when
 //                                            whoever started it does, however that ends
+//   confine tool PROGRAM ARGUMENT...         a part of the compiler; its exit status says how that
+//                                            ended (tool.h), which no message of it can forge
+//   confine room PROCESSES                   fails if so many processes cannot be started
 //   confine probe                            says what this kernel has: 'landlock', 'seccomp'
 //
 // Limits, then Landlock (files, network, signals), then seccomp (system calls); each alone would do
@@ -15,6 +18,8 @@
 #include "tests/grading/confine/give_up.h"
 #include "tests/grading/confine/landlock.h"
 #include "tests/grading/confine/system_calls.h"
+#include "tests/grading/confine/tool.h"
+#include "tests/judge/answering.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -37,13 +42,18 @@ enum {
     ANSWER_SECONDS = 120, // of work in all; the judge stops one call long before
     COMPILE_MEMORY = 1024 * MEGABYTE,
     COMPILE_FILE = 16 * MEGABYTE,
-    COMPILE_SECONDS = 5,      // of work for each file
+    COMPILE_SECONDS = 5,      // of work for each part of the compiler, and each file
     COMPILE_PROCESSES = 4096, // of this user in all, where there is no name space of users
 };
 
+static bool judge_listens; // for why an answer was not started (tests/judge/answering.h)
+
 void give_up(const char *what)
 {
-    fprintf(stderr, "confine: %s: %s\n", what, strerror(errno));
+    int error = errno;
+    fprintf(stderr, "confine: %s: %s\n", what, strerror(error));
+    if (judge_listens && write(START_ERROR, &error, sizeof error) < 0)
+        exit(125);
     exit(126);
 }
 
@@ -56,6 +66,7 @@ static void limit(__rlimit_resource_t what, rlim_t most)
 
 static void start_answers(const char *program)
 {
+    judge_listens = fcntl(START_ERROR, F_SETFD, FD_CLOEXEC) == 0;
     int file = open(program, O_RDONLY | O_CLOEXEC);
     if (file < 0 || dup3(file, PROGRAM, O_CLOEXEC) != PROGRAM)
         give_up(program);
@@ -79,7 +90,8 @@ static void start_answers(const char *program)
     allow_answers(PROGRAM);
     char *const arguments[] = {(char *)"answering", NULL}, *const environment[] = {NULL};
     syscall(SYS_execveat, PROGRAM, "", arguments, environment, AT_EMPTY_PATH);
-    _exit(127);
+    int error = errno;
+    _exit(write(START_ERROR, &error, sizeof error) < 0 ? 126 : 127);
 }
 
 static void start_compiler(char **places, char **command)
@@ -99,7 +111,10 @@ static void start_compiler(char **places, char **command)
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, COMPILE_FILE);
     limit(RLIMIT_AS, COMPILE_MEMORY);
-    limit(RLIMIT_CPU, COMPILE_SECONDS);
+    // At the lower one the signal says what it is for; SIGKILL would not.
+    struct rlimit work = {COMPILE_SECONDS, COMPILE_SECONDS + 1};
+    if (setrlimit(RLIMIT_CPU, &work) != 0)
+        give_up("setrlimit");
     limit(RLIMIT_NPROC, COMPILE_PROCESSES);
     limit(RLIMIT_NOFILE, 64);
     allow_compiler();
@@ -121,6 +136,10 @@ int main(int argc, char **argv)
     const char *mode = argc > 1 ? argv[1] : "";
     if (argc == 2 && strcmp(mode, "probe") == 0)
         return probe();
+    if (argc > 2 && strcmp(mode, "tool") == 0)
+        return run_tool(argv + 2);
+    if (argc == 3 && strcmp(mode, "room") == 0)
+        return room_for(atoi(argv[2]));
     char **command = argv + (argc > 0 ? 1 : 0);
     while (*command != NULL && strcmp(*command, "--") != 0)
         command++;
@@ -130,7 +149,8 @@ int main(int argc, char **argv)
         argc > 4 && strcmp(mode, "compile") == 0 && *command != NULL && command[1] != NULL;
     if (!answer && !compile && !attended) {
         fprintf(stderr, "Usage: confine answer PROGRAM | compile WRITABLE... - READABLE... -- "
-                        "PROGRAM ARGUMENT... | attended -- PROGRAM ARGUMENT... | probe\n");
+                        "PROGRAM ARGUMENT... | attended -- PROGRAM ARGUMENT... | "
+                        "tool PROGRAM ARGUMENT... | room PROCESSES | probe\n");
         return 2;
     }
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)

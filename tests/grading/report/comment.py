@@ -26,7 +26,8 @@ def mistake_words(mistake: dict, partly: bool = False) -> str:
 
 def waiting_words(function: dict) -> str:
     others = function["waiting_for"] or ["another function of its chapter"]
-    return f"right once {names(others)} {'is' if len(others) == 1 else 'are'}; it has its marks"
+    marks = "it has its marks" if function["score"] or not function["max"] else "it has no marks until then"
+    return f"right once {names(others)} {'is' if len(others) == 1 else 'are'}; {marks}"
 
 
 def what_to_try(stem: str, function: dict) -> str:

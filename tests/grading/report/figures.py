@@ -1,6 +1,6 @@
 """figures.py - a class in figures: how the scores lie, and what went wrong most.
 
-Everybody counts, also who handed in nothing.
+Everybody who has a score counts, also who handed in nothing.
 """
 import statistics
 
@@ -21,6 +21,11 @@ def circumstances(records: list) -> list:
     return [("seed", ", ".join(seeds)), ("sandbox", "; ".join(boxes) or "none")]
 
 
+def scored(records: list) -> list:
+    """Without those that the grader failed on."""
+    return [record for record in records if record["score"] is not None]
+
+
 def percent(record: dict) -> float:
     return 100 * record["score"] / record["max"] if record["max"] > 0 else 0
 
@@ -28,7 +33,7 @@ def percent(record: dict) -> float:
 def bins(records: list) -> list:
     """Pairs: '0-9', how many; the last is 90-100, in percent of what could be had."""
     count = [0] * BINS
-    for record in records:
+    for record in scored(records):
         count[min(max(int(percent(record) / BINS), 0), BINS - 1)] += 1
     ends = [f"{10 * i}-{10 * i + 9 if i < BINS - 1 else 100}" for i in range(BINS)]
     return list(zip(ends, count))
@@ -36,7 +41,7 @@ def bins(records: list) -> list:
 
 def quartiles(records: list) -> tuple:
     """Lower quartile, median, upper quartile of the scores."""
-    scores = [record["score"] for record in records]
+    scores = [record["score"] for record in scored(records)]
     if len(scores) < 2:
         return tuple(scores * 3) if scores else (0, 0, 0)
     return tuple(statistics.quantiles(scores, n=4, method="inclusive"))

@@ -20,6 +20,11 @@ def cell(text: str) -> str:
     return "'" + text if text.lstrip(" ")[:1] and text.lstrip(" ")[0] in RUNS else text
 
 
+def mark(score) -> str:
+    """An empty cell is no score; a grade book takes it for none, and not for 0."""
+    return "" if score is None else number(score)
+
+
 def grades_csv(records: list) -> str:
     records = clean_class(records)
     stems = stems_of(records)
@@ -28,8 +33,8 @@ def grades_csv(records: list) -> str:
         marks = {stem["stem"]: stem["score"] for stem in record["stems"]}
         status = record["status"] + (" (UNSAFE: no sandbox)" if record["unsafe"] else "")
         rows.append(
-            [record["submission"], status, number(record["score"]), number(record["max"])]
-            + [number(marks.get(stem, 0)) for stem in stems]
+            [record["submission"], status, mark(record["score"]), number(record["max"])]
+            + [mark(marks.get(stem, None if record["score"] is None else 0)) for stem in stems]
         )
     out = io.StringIO(newline="")
     for row in rows:

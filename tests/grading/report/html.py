@@ -9,7 +9,7 @@ from .tree import banner, data_url, page, read_picture, tag
 
 
 def of(part: dict) -> str:
-    return f"{number(part['score'])} of {number(part['max'])}"
+    return "no score" if part["score"] is None else f"{number(part['score'])} of {number(part['max'])}"
 
 
 def kind(state: str) -> str:

@@ -5,7 +5,7 @@ lowest scores; everybody is in grades.csv.
 """
 from visible import number
 from .columns import COLUMNS, fitted, wrapped
-from .figures import bins, circumstances, most_made, not_answered, quartiles, stems_of
+from .figures import bins, circumstances, most_made, not_answered, quartiles, scored, stems_of
 from .points import UNSAFE, any_unsafe, clean_class
 
 LONG_CLASS = 40  # up to so many are all shown
@@ -16,7 +16,8 @@ SHOWN_OF_LONG = 12  # of each kind, else
 def who_is_shown(records: list) -> list:
     if len(records) <= LONG_CLASS:
         return records
-    odd = [record for record in records if record["status"] != "graded"][:SHOWN_OF_LONG]
+    odd = [record for record in records if record["status"] != "graded"]
+    odd = sorted(odd, key=lambda record: record["score"] is not None)[:SHOWN_OF_LONG]
     rest = [record for record in records if record["status"] == "graded"]
     low = sorted(rest, key=lambda record: record["score"])[:SHOWN_OF_LONG]
     chosen = {id(record) for record in odd + low}
@@ -62,6 +63,8 @@ def distribution(records: list) -> list:
         lines.append(f"  {ends:>6}  {bar + (' ' if bar else '')}{count or ''}".rstrip())
     low, middle, high = quartiles(records)
     most = number(max(record["max"] for record in records))
+    if not scored(records):
+        return ["Nobody has a score."]
     lines.append(f"  median {number(middle)} of {most}, the middle half from {number(low)} to {number(high)}")
     return lines
 
@@ -88,6 +91,17 @@ def late(records: list) -> list:
     return [f"Late, or nobody knows when: {len(those)}"] + wrapped("", named, 6)
 
 
+def failures(records: list) -> str:
+    """Whom the grader failed on, and why; '' if it did not."""
+    those = [record for record in clean_class([r for r in records if r]) if record["score"] is None]
+    if not those:
+        return ""
+    lines = [f"The grader failed on {len(those)} of {len(records)}. They have no score, and the next run marks them again:"]
+    for record in those:
+        lines += wrapped("", f"{record['submission']}: {record['words']}", 2)
+    return "\n".join(lines) + "\n"
+
+
 def closing(records: list) -> str:
     records = clean_class(records)
     if not records:
@@ -100,6 +114,7 @@ def closing(records: list) -> str:
         distribution(records),
         mistakes(records),
         late(records),
+        failures(records).splitlines(),
         wrapped("", f"{len(records)} submissions. Seed {seeds}. Sandbox: {boxes}.", 0),
         loud,
     ]

@@ -5,14 +5,14 @@
 vec3 upper_left(Camera c)
 {
     // BEGIN SOLUTION
-    return image_plane_vector(c, 0, 1);
+    return c.distance * c.forward - c.width / 2 * c.right - c.height / 2 * c.up;
     // END SOLUTION
 }
 
 vec3 upper_right(Camera c)
 {
     // BEGIN SOLUTION
-    return image_plane_vector(c, 1, 1);
+    return upper_left(c) + c.width * c.right;
     // END SOLUTION
 }
 
