@@ -66,7 +66,7 @@ Q := $(if $(V),,@)
 say = $(if $(V),,@$(TALK))
 TALK = printf '  %-9s %s\n' '$(1)' '$(2)'
 # A student wants the verdict, not what it took.
-ifneq ($(filter exercises watch hint debug,$(MAKECMDGOALS)),)
+ifneq ($(filter exercises watch hint debug submission,$(MAKECMDGOALS)),)
 TALK = :
 endif
 

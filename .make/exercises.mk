@@ -1,4 +1,4 @@
-# exercises.mk - make exercises, watch, hint, debug, reset. Included by the Makefile.
+# exercises.mk - make exercises, watch, hint, debug, reset, submission. Included by the Makefile.
 
 # 'make exercises' judges what stands in exercises/, unless another folder is named. The chapters
 # whose answer has not changed are not judged again.
@@ -74,3 +74,7 @@ debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call for_debug,$(CHOSE
 
 reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
 	@.make/reset build/blanks/$(CHOSEN).c exercises/$(CHOSEN).c
+
+submission: $(PACK) $(BLANKS) ## one archive of your answers, to hand in
+	@$(PACK) build/submission.zip $(EXERCISES) build/blanks $(STEMS)
+.PHONY: submission

@@ -126,7 +126,11 @@ for compiler in gcc clang; do
     check "$compiler: it checks itself" checks_itself
     check "$compiler: blanks are not wrong" inside make exercises
     check "$compiler: but the first is next" says 'upper_left  is not answered yet'
+    check "$compiler: what is blank is said when it is packed" inside make submission
+    check "$compiler: by chapter" says '05-quadratic.c       still blank'
     answers
+    check "$compiler: the answers are packed" inside make submission
+    check "$compiler: and where is said" says 'Hand in this file: build/submission.zip (7 files)'
     check "$compiler: right answers are right, every chapter" inside make exercises
     check "$compiler: and said to be" says 'All right, every chapter.'
     check "$compiler: their pictures are drawn" inside make

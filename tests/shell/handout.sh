@@ -88,6 +88,32 @@ names_no_solutions() {
 }
 check 'a lesson calls programs where they are' names_no_solutions
 
+# What the grader finds in it when somebody hands it in as it is.
+grader_finds() {
+    (cd "$scratch/tree" && zip_it ray-casting) && python3 -B - "$scratch/handed-in" <<'PYTHON'
+import sys
+sys.path.insert(0, "tests/grading")
+import exercises
+from collect import submissions
+stems = exercises.stems(exercises.read())
+found, _ = submissions.find(sys.argv[1], stems)
+assert len(found) == 2
+for submission in found:
+    collected = submissions.collect(submission, stems)
+    for stem, answer in collected.answers.items():
+        print(submission.name, stem, answer.state, answer.file, answer.words)
+        assert answer.state == "found" and answer.file.endswith(f"exercises/{stem}.c") and not answer.words
+    assert collected.words == ""
+PYTHON
+}
+zip_it() {
+    mkdir -p "$scratch/handed-in" && cp -r "$1" "$scratch/handed-in/a folder" &&
+        python3 -c 'import shutil, sys; shutil.make_archive(*sys.argv[1:])' "$scratch/handed-in/zipped" zip . "$1"
+}
+if command -v python3 >/dev/null; then
+    check 'handed in as it is, its exercises/ are the answers' grader_finds
+fi
+
 links_lead_somewhere() {
     status=0
     for page in "$scratch"/tree/ray-casting/README.md "$scratch"/tree/ray-casting/chapters/*/README.md; do

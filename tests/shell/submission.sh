@@ -1,0 +1,6 @@
+#!/bin/sh
+# submission.sh - 'make submission': what it packs, what it says, and that the grader reads it.
+# Only reads the tree.
+. tests/library.sh
+needs submission "'make submission'" python3
+PACK=${BUILD:-build}/tests/submission/pack exec python3 -B tests/grading/check/run_tests.py submission test_pack
