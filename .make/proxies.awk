@@ -232,6 +232,8 @@ function dispatch_head(   line, part) {
     if (stem != "all")
         include_contract()
     print "#include \"tests/judge/" make ".h\"\n"
+    if (make == "dispatch")
+        print "void (*before_dispatched_call)(void);\n"
     print "bool " make "(int exercise, " (make == "apply" ? "AnyFunction *answer, " : "") \
         "Wire *in, Wire *wire)\n{\n    switch (exercise) {"
 }
@@ -257,6 +259,8 @@ function dispatch(   i, v, called) {
             print "        " type[i] " " v ";\n        wire_get(in, &" v ", sizeof " v ");"
     }
     print "        if (!wire_is_read(in))\n            return false;"
+    if (make == "dispatch")
+        print "        if (before_dispatched_call != NULL)\n            before_dispatched_call();"
     if (result == "void")
         print "        " called "(" names ");"
     else

@@ -30,7 +30,7 @@ $(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies apply layouts exercise
 	$(Q)$(COMPILE) -o $@ $<
 
 # Which known mistake a wrong answer is.
-DIAGNOSIS := suspects evidence explanation same
+DIAGNOSIS := suspects evidence explanation paint same
 
 # What the judge draws of a wrong answer.
 DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector camera place section \
@@ -60,7 +60,7 @@ $(LENDERS): $(B)/judge/lender-%.o: $(B)/judge/dispatch-%.c $(B)/reference.h $(B)
 	$(call say,compile,$< as reference)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
 BESIDE_REFERENCE := $(call parts,tests/mistakes/) $(call parts,tests/laws/) \
-	$(call parts,tests/variants/)
+	$(call parts,tests/variants/) $(call parts,tests/unknown/)
 $(BESIDE_REFERENCE): EXTRA = -include $(B)/reference.h
 $(BESIDE_REFERENCE): $(B)/reference.h
 REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
@@ -84,8 +84,8 @@ $(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$
 # The matrix: the same, and in the place of the answering process a table that the reference fills.
 MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
 $(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(B)/tests/judge/probes/%.o $(B)/tests/variants/%.o $(filter-out %/call.o,$(JUDGING)) \
-		$(B)/judge/lender-%.o \
+		$(B)/tests/judge/probes/%.o $(B)/tests/variants/%.o $(B)/tests/unknown/%.o \
+		$(filter-out %/call.o,$(JUDGING)) $(B)/judge/lender-%.o \
 		$(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)

@@ -5,6 +5,7 @@
 #include "tests/judge/ending.h"
 #include "tests/judge/exercise.h"
 #include "tests/judge/kept.h"
+#include "tests/judge/paint.h"
 #include "tests/judge/process.h"
 #include "tests/judge/record.h"
 
@@ -84,7 +85,7 @@ static bool is_crash(const WireHeader *answer)
 
 static int send(int kind, int exercise, Wire *message, Patience *left)
 {
-    WireHeader header = {WIRE_MAGIC, exercise, nonce, message->size, kind, ""};
+    WireHeader header = {WIRE_MAGIC, exercise, nonce, message->size, kind, paint_of_calls(), ""};
     int moved = process_send(&header, sizeof header, left);
     return moved == 1 ? process_send(message->bytes, message->size, left) : moved;
 }

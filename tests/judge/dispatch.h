@@ -6,6 +6,9 @@
 
 // Gets the arguments, calls exercise number i, puts what came out. False where the message is bad
 // or the exercise is of another stem.
+// Just before the call there is one of what is here, where it is not NULL.
+extern void (*before_dispatched_call)(void);
+
 bool dispatch(int exercise, Wire *in, Wire *out);
 
 #endif

@@ -1,6 +1,7 @@
 // evidence.c - what a wrong answer, the reference and each known mistake made of every call.
 #include "tests/judge/evidence.h"
 
+#include "tests/judge/paint.h"
 #include "tests/judge/record.h"
 
 #include <math.h>
@@ -78,7 +79,9 @@ void evidence_hear(Evidence *evidence, const Heard *heard, const int *nth)
         theirs[i].is_right = numbers_same(&theirs[i].numbers, &call->right);
         forget_if_long(&theirs[i].numbers);
     }
+    paint_calls(OTHER_PAINT);
     call->again = settled(exercise, heard->again(exercise));
+    paint_calls(PAINT);
     call->changes = !numbers_same(&call->again, &call->yours);
 }
 

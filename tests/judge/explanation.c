@@ -1,8 +1,11 @@
 // explanation.c - what a wrong answer is that is no known mistake by itself.
 #include "tests/judge/explanation.h"
 
-#include <math.h>
+#include "tests/judge/paint.h"
+#include "tests/judge/same.h"
+
 #include <stdio.h>
+#include <string.h>
 
 enum { ENOUGH = 3 }; // general inputs that speak for a mistake
 
@@ -31,33 +34,279 @@ static bool speaks_for_nobody_else(const EvidenceCall *call, int mistake, int co
     return true;
 }
 
+// Of the general inputs on which the mistake shows, the answer does the same on most.
+static bool is_usual(const Evidence *evidence, int mistake)
+{
+    int shows = 0, same = 0;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const Theirs *theirs = &evidence->calls[i].theirs[mistake];
+        bool counts = evidence->calls[i].probe && !theirs->is_right;
+        shows += counts;
+        same += counts && theirs->is_yours;
+    }
+    return 2 * same > shows;
+}
+
+// The only one for whom anything speaks.
 static Diagnosis in_part(const Evidence *evidence, int shown)
 {
-    int count = evidence->mistake_count, most = 0;
-    Diagnosis it = {0};
+    int count = evidence->mistake_count, found = -1, others = 0;
     bool *possible = calloc((size_t)count + 1, sizeof *possible);
     if (possible == NULL)
         abort();
     for (int i = 0; i < count; i++)
-        possible[i] = !is_contradicted(evidence, i) &&
-                      (shown < 0 || evidence->calls[shown].theirs[i].is_yours);
+        possible[i] = !is_contradicted(evidence, i);
     for (int i = 0; i < count; i++) {
         int speaking = 0;
         for (int k = 0; possible[i] && k < evidence->call_count; k++)
             speaking += speaks_for(&evidence->calls[k], i) &&
                         speaks_for_nobody_else(&evidence->calls[k], i, count, possible);
-        if (speaking == most)
-            it = (Diagnosis){0};
-        if (speaking >= ENOUGH && speaking > most)
-            it = (Diagnosis){.mistake = evidence->mistakes[i], .in_part = true};
-        most = speaking > most ? speaking : most;
+        if (speaking >= ENOUGH && found < 0)
+            found = i;
+        else
+            others += speaking > 0;
     }
     free(possible);
+    if (found < 0 || others > 0 || !is_usual(evidence, found) ||
+        (shown >= 0 && !evidence->calls[shown].theirs[found].is_yours))
+        return (Diagnosis){0};
+    return (Diagnosis){.mistake = evidence->mistakes[found], .in_part = true};
+}
+
+// ---- two mistakes -------------------------------------------------------------------------------
+
+// Each number as the one mistake has it where the other is right there; where both are wrong, their
+// errors added up.
+static bool is_sum(const EvidenceCall *call, const Numbers *one, const Numbers *other)
+{
+    const Numbers *yours = &call->yours, *right = &call->right;
+    if (one->count != yours->count || other->count != yours->count || right->count != yours->count)
+        return false;
+    for (int i = 0; i < yours->count; i++) {
+        double a = one->at[i], b = other->at[i], r = right->at[i];
+        double sum = same_double(a, r) ? b : same_double(b, r) ? a : a + b - r;
+        if (!same_double(yours->at[i], sum))
+            return false;
+    }
+    return true;
+}
+
+static bool may_be_both(const EvidenceCall *call, int one, int other)
+{
+    const Theirs *a = &call->theirs[one], *b = &call->theirs[other];
+    if (a->is_right)
+        return b->is_yours;
+    if (b->is_right || (a->is_yours && b->is_yours))
+        return a->is_yours;
+    return a->numbers.count > 0 ? is_sum(call, &a->numbers, &b->numbers) : !call->is_right;
+}
+
+// On how many general inputs the other mistake alone is not what came: on all, or on those where
+// what came cannot be by chance.
+static void count_needed(const Evidence *evidence, int mistake, int other, int *all, int *telling)
+{
+    *all = *telling = 0;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        if (!call->probe || call->theirs[mistake].is_right || call->theirs[other].is_yours)
+            continue;
+        ++*all;
+        *telling += !call->is_common;
+    }
+}
+
+static bool are_both(const Evidence *evidence, int one, int other)
+{
+    int first, second, first_telling, second_telling;
+    for (int i = 0; i < evidence->call_count; i++)
+        if (!may_be_both(&evidence->calls[i], one, other))
+            return false;
+    count_needed(evidence, one, other, &first, &first_telling);
+    count_needed(evidence, other, one, &second, &second_telling);
+    return first >= ENOUGH && second >= ENOUGH &&
+           (first_telling >= ENOUGH || second_telling >= ENOUGH);
+}
+
+// The only two that together are what came on every call; nobody where others are, too.
+static Diagnosis two_at_once(const Evidence *evidence)
+{
+    Diagnosis it = {0};
+    for (int i = 0; i < evidence->mistake_count; i++)
+        for (int k = i + 1; k < evidence->mistake_count; k++) {
+            if (!are_both(evidence, i, k))
+                continue;
+            if (it.mistake != NULL)
+                return (Diagnosis){0};
+            it = (Diagnosis){
+                .mistake = evidence->mistakes[i], .other = evidence->mistakes[k], .also = true};
+        }
     return it;
 }
 
-Diagnosis explain_by_evidence(const Evidence *evidence, int shown, bool hidden)
+// ---- what is not a matter of formulas -----------------------------------------------------------
+
+// The places of numbers in a result whose memory was never written: what was in the stack came.
+static bool is_unset(const Evidence *evidence, int place)
 {
-    (void)hidden;
-    return in_part(evidence, shown);
+    int unset = 0;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        unset += place < call->yours.count && place < call->again.count &&
+                 is_paint(call->yours.at[place], PAINT) &&
+                 is_paint(call->again.at[place], OTHER_PAINT);
+    }
+    return unset > 0;
+}
+
+// The camera that a function was to store in *camera, and that is still there in part: in all calls
+// that were answered with a camera.
+static bool is_left_as_it_was(const Evidence *evidence, int place)
+{
+    int left = 0;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        if (call->yours.at[0] != CAMERA_OK || call->right.at[0] != CAMERA_OK)
+            continue;
+        double before = call->arguments.at[call->arguments.count - call->yours.count + place];
+        if (!same_double(call->yours.at[place], before))
+            return false;
+        left += !same_double(call->right.at[place], before);
+    }
+    return left >= ENOUGH;
+}
+
+typedef bool IsSo(const Evidence *evidence, int place);
+
+// The fields of a result of which that is so, in words; "" where there are none.
+static const char *fields_that(const Evidence *evidence, IsSo *is_so)
+{
+    static char words[200];
+    const char *last = "";
+    const Layout *layout = &layouts[evidence->exercise];
+    words[0] = '\0';
+    for (int i = 0; i < layout_places(layout->results); i++) {
+        const char *name = layout_place(layout->results, i);
+        if (!is_so(evidence, i) || strcmp(name, last) == 0)
+            continue;
+        size_t used = strlen(words);
+        snprintf(words + used, sizeof words - used, "%s%s", used > 0 ? ", " : "",
+                 name[0] != '\0' ? name : "the result");
+        last = name;
+    }
+    return words;
+}
+
+static const char *what_was_not_set(const Evidence *evidence)
+{
+    static char words[400];
+    const char *results = layouts[evidence->exercise].results;
+    const char *unset = fields_that(evidence, is_unset);
+    if (unset[0] != '\0') {
+        snprintf(words, sizeof words,
+                 "%s was never set: your function returns what happened to be in memory there",
+                 unset);
+        return words;
+    }
+    if (strcmp(results, "CameraFault Camera") != 0)
+        return NULL;
+    unset = fields_that(evidence, is_left_as_it_was);
+    if (unset[0] == '\0')
+        return NULL;
+    snprintf(words, sizeof words,
+             "%s of *camera was never set: it is still as it was before the call", unset);
+    return words;
+}
+
+static const char *what_changes(const Evidence *evidence, bool changed_since)
+{
+    for (int i = 0; i < evidence->call_count; i++)
+        if (changed_since || evidence->calls[i].changes)
+            return "your function gives another result when it is called again with the same "
+                   "arguments: it keeps something between calls (a static or global variable?), or "
+                   "uses a variable that was never set";
+    return NULL;
+}
+
+// ---- answers that do not look at what they are given --------------------------------------------
+
+enum { MANY = 8 }; // calls
+
+static bool is_always_the_same(const Evidence *evidence, int places)
+{
+    for (int i = 1; i < evidence->call_count; i++) {
+        const double *first = evidence->calls[0].yours.at, *yours = evidence->calls[i].yours.at;
+        for (int k = 0; k < places; k++)
+            if (evidence->calls[i].yours.count < places || !same_double(first[k], yours[k]))
+                return false;
+    }
+    return evidence->call_count >= MANY;
+}
+
+// Whether all numbers of the result are those of the arguments that begin there.
+static bool is_argument(const Evidence *evidence, int from)
+{
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        if (call->arguments.count < from + call->yours.count)
+            return false;
+        for (int k = 0; k < call->yours.count; k++)
+            if (!same_double(call->arguments.at[from + k], call->yours.at[k]))
+                return false;
+    }
+    return evidence->call_count >= MANY;
+}
+
+// In every call the whole picture has the colour of its first pixel.
+static bool is_one_color(const Evidence *evidence, bool has_depth)
+{
+    for (int i = 0; i < evidence->call_count; i++) {
+        const Numbers *yours = &evidence->calls[i].yours;
+        int bytes = has_depth ? yours->count / 4 * 3 : yours->count;
+        for (int k = 3; k < bytes; k++)
+            if (yours->at[k] != yours->at[k % 3])
+                return false;
+    }
+    return evidence->call_count >= MANY;
+}
+
+static const char *what_is_trivial(const Evidence *evidence)
+{
+    static char words[300];
+    const char *results = layouts[evidence->exercise].results;
+    if (evidence->call_count == 0)
+        return NULL;
+    const Numbers *yours = &evidence->calls[0].yours;
+    if (strncmp(results, "Pixels", 6) == 0)
+        return is_one_color(evidence, strcmp(results, "Pixels") != 0)
+                   ? "every pixel of your picture has the same colour, whatever is in the scene"
+                   : NULL;
+    if (strncmp(results, "CameraFault", 11) == 0) {
+        int fault = (int)yours->at[0];
+        if (fault <= CAMERA_OK || fault >= CAMERA_FAULTS || !is_always_the_same(evidence, 1))
+            return NULL;
+        snprintf(words, sizeof words,
+                 "your function refuses whatever it is given, always for the same reason: %s",
+                 camera_fault_text((CameraFault)fault));
+        return words;
+    }
+    if (is_always_the_same(evidence, yours->count))
+        return "your function returns the same result in every call, whatever it is given";
+    for (int from = 0; from < evidence->calls[0].arguments.count; from++)
+        if (is_argument(evidence, from))
+            return "your function returns one of the values that it is given, as it came";
+    return NULL;
+}
+
+// Those words hold no number of a test, so that they may be told of hidden ones, too.
+Diagnosis explain_by_evidence(const Evidence *evidence, int shown, bool changed_since)
+{
+    const char *words = what_was_not_set(evidence);
+    if (words == NULL)
+        words = what_changes(evidence, changed_since);
+    if (words == NULL)
+        words = what_is_trivial(evidence);
+    if (words != NULL)
+        return (Diagnosis){.law = words};
+    Diagnosis both = two_at_once(evidence);
+    return both.mistake != NULL ? both : in_part(evidence, shown);
 }

@@ -106,7 +106,7 @@ static void show_sentence(FILE *out, const char *name)
     fprintf(out, "\n");
 }
 
-static void show_mistake(FILE *out, const Mistake *mistake, const char *besides)
+static void show_mistake(FILE *out, const char *label, const Mistake *mistake, const char *besides)
 {
     char words[1000];
     // Behind the colon a sentence goes on: no capital, but for a letter that is a name.
@@ -115,16 +115,24 @@ static void show_mistake(FILE *out, const Mistake *mistake, const char *besides)
     const char *formula = mistake->formula;
     snprintf(words, sizeof words, "%s: %c%s%s", formula != NULL ? formula : "a known mistake",
              word ? tolower((unsigned char)first) : first, mistake->why + 1, besides);
-    show_field(out, "looks like", words);
-    show_field(out, "you'd see", mistake->picture);
+    show_field(out, label, words);
 }
 
 static void show_diagnosis(FILE *out, Diagnosis it)
 {
-    if (it.mistake != NULL)
-        show_mistake(out, it.mistake, it.in_part ? " (Something else is not right yet, too.)" : "");
-    else if (it.law != NULL)
+    if (it.is_one_of) {
+        show_field(out, "looks like", "one of these two: your values do not tell which");
+        show_mistake(out, "either", it.mistake, "");
+        show_mistake(out, "or", it.other, "");
+    } else if (it.mistake != NULL) {
+        show_mistake(out, "looks like", it.mistake,
+                     it.in_part ? " (Something else is also not right yet.)" : "");
+        show_field(out, "you'd see", it.mistake->picture);
+        if (it.also)
+            show_mistake(out, "and also", it.other, "");
+    } else if (it.law != NULL) {
         show_field(out, "but", it.law);
+    }
 }
 
 static void tell(const char *folder, const Group *group, bool unanswered, Diagnosis diagnosis)

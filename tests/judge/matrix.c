@@ -2,11 +2,13 @@
 //
 // Each mistake must fail a test of its function and be named from its values; each test must be
 // failed by a mistake, or it cannot fail and is worth nothing; no right answer, however it is
-// written, may be failed or accused; and an answer that only knows the public inputs by heart must
-// fail wherever there is a SEED, and not be told the others.
+// written, may be failed or accused; of a wrong answer that is no known mistake nothing false is
+// said (tests/unknown/); and an answer that only knows the public inputs by heart must fail
+// wherever there is a SEED, and not be told the others.
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/table.h"
+#include "tests/unknown/unknown.h"
 #include "tests/variants/variants.h"
 
 #include <stdio.h>
@@ -15,7 +17,7 @@
 
 static Outcomes all, some;
 static bool failed_by_some[MOST_TESTS];
-static int passed, failed, mistake_count, variant_count;
+static int passed, failed, mistake_count, variant_count, unknown_count;
 static bool told; // whether a failed test of the last run may tell its numbers
 
 static void settle(bool good, const char *what, const char *name, const char *why)
@@ -96,6 +98,35 @@ static void check_variant(const Variant *variant)
     check_law("right answer breaks a law:", variant->what, exercise);
 }
 
+// What the judge says of an answer, in short.
+static void say(char *words, size_t size, Diagnosis it)
+{
+    if (it.mistake == NULL)
+        snprintf(words, size, NOBODY " %s", it.law == NULL ? "" : it.law);
+    else if (it.other != NULL)
+        snprintf(words, size, "%s %s %s", it.mistake->id, it.also ? "and" : "or", it.other->id);
+    else
+        snprintf(words, size, "%s%s", it.mistake->id, it.in_part ? " in part" : "");
+}
+
+static void check_unknown(const Unknown *unknown)
+{
+    char words[500];
+    switch_to_reference();
+    switch_one(unknown->exercise, unknown->answer);
+    run_tests(unknown->exercise, NULL, ANSWERS_APART, &some);
+    bool passes = true;
+    for (int i = 0; i < some.count; i++)
+        passes = passes && (some.tests[i].passed || some.tests[i].extra);
+    settle(!passes, "wrong answer fails no test:", unknown->exercise, unknown->what);
+    say(words, sizeof words, diagnose(exercise_number(unknown->exercise), false));
+    records_end();
+    bool is_named = strncmp(unknown->said, NOBODY, strlen(NOBODY)) != 0;
+    settle(is_named ? strcmp(words, unknown->said) == 0
+                    : strncmp(words, unknown->said, strlen(unknown->said)) == 0,
+           unknown->exercise, unknown->what, words);
+}
+
 static void check_by_heart(const char *function, const char *seed)
 {
     setenv("SEED", seed, 1);
@@ -143,8 +174,12 @@ int main(int argc, char **argv)
         settle(failed_by_some[i], "test", all.tests[i].name, "no mistake fails it");
     for (; variants[variant_count].exercise != NULL; variant_count++)
         check_variant(&variants[variant_count]);
+    for (; unknowns[unknown_count].exercise != NULL; unknown_count++)
+        check_unknown(&unknowns[unknown_count]);
     check_table(stem);
-    printf("matrix of %s (%d mistakes, %d tests, %d right answers): %d passed, %d failed\n", stem,
-           mistake_count, all.count, variant_count, passed, failed);
+    printf("matrix of %s (%d mistakes, %d tests, %d right answers, %d unknown mistakes): %d "
+           "passed, %d "
+           "failed\n",
+           stem, mistake_count, all.count, variant_count, unknown_count, passed, failed);
     return failed == 0 ? 0 : 1;
 }

@@ -4,6 +4,7 @@
 #include "tests/judge/evidence.h"
 #include "tests/judge/explanation.h"
 #include "tests/judge/law.h"
+#include "tests/judge/paint.h"
 #include "tests/judge/record.h"
 
 #include <stdarg.h>
@@ -186,11 +187,30 @@ static bool all_were_answered(const Outcomes *outcomes)
     return true;
 }
 
+static bool is_same_case(const Record *shown, const Record *now)
+{
+    return shown->cases == now->cases && strcmp(shown->given, now->given) == 0;
+}
+
 // Is it the case that was shown, and the same answer?
 static bool is_as_shown(const Record *shown, const Record *now)
 {
-    return shown == NULL || (shown->cases == now->cases && strcmp(shown->given, now->given) == 0 &&
-                             strcmp(shown->yours, now->yours) == 0);
+    return shown == NULL || (is_same_case(shown, now) && strcmp(shown->yours, now->yours) == 0);
+}
+
+// Whether any test ended otherwise than when it was shown, or its case had another answer.
+static bool has_changed(const Records *shown_records, const Outcomes *now)
+{
+    for (int i = 0; i < now->count; i++) {
+        const Record *shown = records_find(shown_records, now->tests[i].name);
+        const Record *record = now->tests[i].record;
+        if (shown == NULL || shown->how[0] != '\0' || record->how[0] != '\0')
+            continue;
+        if (shown->finished != record->finished ||
+            (is_same_case(shown, record) && strcmp(shown->yours, record->yours) != 0))
+            return true;
+    }
+    return false;
 }
 
 static bool everything_is_answered(int exercise)
@@ -226,11 +246,12 @@ static Diagnosis look_closer(int exercise, const Records *shown_records, bool hi
     if (failed >= 0 && !hidden && law_of(failed) != NULL &&
         is_as_shown(records_find(shown_records, tests.tests[failed].name), record_of(failed)))
         snprintf(law, sizeof law, "%s", law_of(failed));
+    bool changed = has_changed(shown_records, &tests);
     records_end();
     run_probes(exercise, NULL, &probes);
     records_end();
     evidence = NULL;
-    Diagnosis it = explain_by_evidence(&all, last_call, hidden);
+    Diagnosis it = explain_by_evidence(&all, last_call, changed);
     if (it.mistake == NULL && it.law == NULL && law[0] != '\0')
         it.law = law;
     evidence_end(&all);
@@ -241,6 +262,7 @@ Diagnosis diagnose(int exercise, bool hidden)
 {
     Records *shown = records_aside();
     suspects_begin();
+    paint_calls(PAINT);
     Diagnosis it = {0};
     bool answered = everything_is_answered(exercise);
     if (answered) {
@@ -250,6 +272,7 @@ Diagnosis diagnose(int exercise, bool hidden)
     }
     if (it.mistake == NULL)
         it = look_closer(exercise, shown, hidden);
+    paint_calls(NO_PAINT);
     records_back(shown);
     return it;
 }

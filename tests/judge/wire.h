@@ -32,6 +32,7 @@ typedef struct {
     uint64_t nonce; // new for every call; the answer must bring it back
     uint64_t size;  // of the message that follows
     int32_t kind;
+    int32_t paint;    // of a call: a byte to fill the stack with before it (paint.h)
     char missing[60]; // in an answer: the first blank that was called; empty where none was
 } WireHeader;
 

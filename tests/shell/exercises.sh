@@ -83,7 +83,29 @@ fresh
 answer 03-screen 's|{point.x / screen.width, 1 - point.y|{point.x < 0 ? 0 : point.x / screen.width, point.y|'
 judge EX=03
 check 'of two mistakes the one that shows first is named' says 'looks like (x/W, y/H)'
-check 'and that something else is not right is said' says 'Something else is not right yet'
+check 'and that something else is not right is said' says 'Something else is also not right yet'
+# 1/2 of both, and neither alone.
+fresh
+answer 01-corners 's|c.distance \* c.forward - c.width / 2|c.forward - c.width|'
+judge EX=01
+check 'of two mistakes in one formula both are named' says 'looks like d f - w r'
+check 'the second after the first' says '  and also   f - w/2 r'
+check 'two lines are enough, nothing else is claimed' says_not 'Something else'
+
+fresh
+answer 03-screen 's|return (Normalized){point.x.*|Normalized n;\n    n.s = point.x / screen.width;\n    return n;|'
+judge EX=03
+check 'a field that was never set is named' says 'but        t was never set'
+fresh
+answer 02-cameras 's|^CameraFault camera_from_points|static int calls;\n&|; s|return camera_from_vectors(eye, vectors, camera);|calls++;\n    CameraFault fault = camera_from_vectors(eye, vectors, camera);\n    camera->width *= calls;\n    return fault;|'
+judge EX=02
+check 'a state that is kept between calls is seen' says 'gives another result when it is called again'
+fresh
+answer 04-pixel-ray 's|return (Ray){camera.origin, \(.*\)};|vec3 v = \1;\n    return (Ray){vec3_of(0, 0, 0), v / vec3_length(v)};|'
+judge EX=04
+check 'a mistake is named though the length is another, which is free' says 'looks like'
+check 'by itself' says_not 'Something else'
+
 fresh
 answer 02-cameras 's|return camera_from_vectors(eye, vectors, camera);|camera_from_vectors(eye, vectors, camera);|'
 judge EX=02

@@ -19,30 +19,31 @@ typedef struct {
     struct {
         size_t offset;
         char kind;
+        const char *name;
     } fields[MOST_FIELDS];
 } Type;
 
 #define TYPE(type) #type, sizeof(type)
 #define V(type, field)                                                                             \
     {                                                                                              \
-        offsetof(type, field), 'v'                                                                 \
+        offsetof(type, field), 'v', #field                                                         \
     }
 #define D(type, field)                                                                             \
     {                                                                                              \
-        offsetof(type, field), 'd'                                                                 \
+        offsetof(type, field), 'd', #field                                                         \
     }
 #define I(type, field)                                                                             \
     {                                                                                              \
-        offsetof(type, field), 'i'                                                                 \
+        offsetof(type, field), 'i', #field                                                         \
     }
 
 // clang-format off
 static const Type types[] = {
-    {TYPE(double), {{0, 'd'}}},
-    {TYPE(int), {{0, 'i'}}},
-    {TYPE(vec3), {{0, 'v'}}},
-    {TYPE(CameraFault), {{0, 'i'}}},
-    {TYPE(Handedness), {{0, 'i'}}},
+    {TYPE(double), {{0, 'd', ""}}},
+    {TYPE(int), {{0, 'i', ""}}},
+    {TYPE(vec3), {{0, 'v', ""}}},
+    {TYPE(CameraFault), {{0, 'i', ""}}},
+    {TYPE(Handedness), {{0, 'i', ""}}},
     {TYPE(Resolution), {I(Resolution, width), I(Resolution, height)}},
     {TYPE(Pixel), {I(Pixel, column), I(Pixel, row)}},
     {TYPE(ScreenPoint), {D(ScreenPoint, x), D(ScreenPoint, y)}},
@@ -140,29 +141,35 @@ static void walk_doubles(Walk *walk, unsigned char *at, int count)
     }
 }
 
+static const Type *type_of(const char *name)
+{
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
+        if (strcmp(types[i].name, name) == 0 && types[i].size <= MOST_BYTES)
+            return &types[i];
+    return NULL;
+}
+
 static void walk_type(Walk *walk, const char *name, void *value)
 {
     unsigned char bytes[MOST_BYTES] = {0};
-    size_t i = 0;
-    while (i < sizeof types / sizeof types[0] && strcmp(types[i].name, name) != 0)
-        i++;
-    if (i == sizeof types / sizeof types[0] || types[i].size > sizeof bytes) {
+    const Type *type = type_of(name);
+    if (type == NULL) {
         fprintf(stderr, "tests/told/layout.c does not know the type %s\n", name);
         abort();
     }
     if (!walk->writing)
-        wire_get(walk->wire, bytes, types[i].size);
-    for (int k = 0; k < MOST_FIELDS && types[i].fields[k].kind != '\0'; k++) {
-        unsigned char *at = bytes + types[i].fields[k].offset;
-        if (types[i].fields[k].kind == 'i')
+        wire_get(walk->wire, bytes, type->size);
+    for (int k = 0; k < MOST_FIELDS && type->fields[k].kind != '\0'; k++) {
+        unsigned char *at = bytes + type->fields[k].offset;
+        if (type->fields[k].kind == 'i')
             walk_int(walk, at);
         else
-            walk_doubles(walk, at, types[i].fields[k].kind == 'v' ? 3 : 1);
+            walk_doubles(walk, at, type->fields[k].kind == 'v' ? 3 : 1);
     }
     if (walk->writing)
-        wire_put(walk->wire, bytes, types[i].size);
+        wire_put(walk->wire, bytes, type->size);
     if (value != NULL)
-        memcpy(value, bytes, types[i].size);
+        memcpy(value, bytes, type->size);
 }
 
 static void walk_items(Walk *walk, const char *name)
@@ -214,6 +221,37 @@ static bool walk_words(Walk *walk, const char *words)
     for (; sscanf(words, " %31s%n", name, &used) == 1; words += used)
         walk_word(walk, name);
     return !walk->bad && !walk->wire->bad;
+}
+
+// The name of the field that a number belongs to, or NULL beyond the last; and how many there are.
+static const char *find_place(const char *words, int place, int *count)
+{
+    char name[32];
+    int used = 0;
+    *count = 0;
+    for (; sscanf(words, " %31s%n", name, &used) == 1; words += used) {
+        const Type *type = type_of(name);
+        for (int k = 0; type != NULL && k < MOST_FIELDS && type->fields[k].kind != '\0'; k++) {
+            *count += type->fields[k].kind == 'v' ? 3 : 1;
+            if (place >= 0 && place < *count)
+                return type->fields[k].name;
+        }
+    }
+    return NULL;
+}
+
+int layout_places(const char *words)
+{
+    int count;
+    find_place(words, -1, &count);
+    return count;
+}
+
+const char *layout_place(const char *words, int place)
+{
+    int count;
+    const char *name = find_place(words, place, &count);
+    return name == NULL ? "" : name;
 }
 
 bool layout_is_step(const Layout *layout)

@@ -34,6 +34,11 @@ bool layout_is_step(const Layout *layout);
 bool layout_read(const char *types, Wire *wire, Resolution *size, Numbers *numbers);
 bool layout_write(const char *types, const Numbers *numbers, Resolution *size, Wire *wire);
 
+// Of types that have no arrays: how many numbers they are, and the name of the field that a number
+// belongs to; "" where the type has no fields.
+int layout_places(const char *types);
+const char *layout_place(const char *types, int place);
+
 // As near as rounding leaves two ways to compute the same thing (same.h).
 bool numbers_same(const Numbers *a, const Numbers *b);
 

@@ -124,7 +124,7 @@ def test_words():
     )
     check(
         "a second mistake is not kept secret",
-        "(Something else is not right yet, too.)"
+        "(Something else is also not right yet.)"
         in " ".join(function_lines("01-corners", {**UPPER_RIGHT, "partly": True})),
     )
     law = {**UPPER_RIGHT, "mistake": None, "law": "it is not in the plane"}

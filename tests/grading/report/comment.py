@@ -20,8 +20,20 @@ def mistake_words(mistake: dict, partly: bool = False) -> str:
     why = mistake["why"]
     if why[1:2].islower() or why.startswith("A "):
         why = why[0].lower() + why[1:]
-    besides = " (Something else is not right yet, too.)" if partly else ""
+    besides = " (Something else is also not right yet.)" if partly else ""
     return f"{mistake['formula']}: {why}{besides}".replace("~", NO_BREAK)
+
+
+def mistake_fields(mistake: dict, partly: bool) -> list:
+    """What the judge said of a mistake, and of the second one, if there is one."""
+    if "or" in mistake:
+        return [("looks like", "one of these two: the values do not tell which"),
+                ("either", mistake_words(mistake)), ("or", mistake_words(mistake["or"]))]
+    told = [("looks like", mistake_words(mistake, partly)),
+            ("you'd see", mistake["picture"].replace("~", NO_BREAK))]
+    if "also" in mistake:
+        told.append(("and also", mistake_words(mistake["also"])))
+    return told
 
 
 def waiting_words(function: dict) -> str:
@@ -59,8 +71,7 @@ def fields(stem: str, function: dict) -> list:
     if function["how"]:
         told.append(("it", function["how"]))
     elif function["mistake"]:
-        told.append(("looks like", mistake_words(function["mistake"], function["partly"])))
-        told.append(("you'd see", function["mistake"]["picture"].replace("~", NO_BREAK)))
+        told += mistake_fields(function["mistake"], function["partly"])
     elif function["law"] and not function["hidden"]:  # a law quotes the numbers that break it
         told.append(("but", function["law"].replace("~", NO_BREAK)))
     told.append(("try", what_to_try(stem, function)))
