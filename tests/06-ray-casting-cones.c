@@ -1,6 +1,8 @@
 // 06-ray-casting-cones.c - what a sphere looks like from the eye, without any quadratic: a cone.
 #include "tests/06-ray-casting.h"
 
+#include "exercises/04-pixel-ray.h"
+
 static double cosine_between(vec3 v, vec3 w)
 {
     return vec3_dot(v, w) / (vec3_length(v) * vec3_length(w));
@@ -19,11 +21,11 @@ static int sees(vec3 eye, vec3 direction, Sphere sphere)
 
 // How far the sphere is in that direction, by the law of cosines in the triangle of the eye, the
 // hit and the centre.
-double distance_seen(vec3 eye, vec3 direction, Sphere sphere)
+static double distance_seen(vec3 eye, vec3 direction, Sphere sphere)
 {
     vec3 center = sphere.center - eye;
     double away = vec3_length(center), cosine = cosine_between(direction, center);
-    double aside = away * sqrt(1 - cosine * cosine);
+    double aside = away * sqrt(fmax(0, 1 - cosine * cosine));
     return away * cosine - sqrt(sphere.radius * sphere.radius - aside * aside);
 }
 
@@ -65,4 +67,61 @@ int shell_seen(vec3 eye, vec3 direction, int count, const Sphere *spheres)
         }
     }
     return nearest;
+}
+
+Camera shells_behind(Resolution size, Pixel pixel, Sphere *spheres)
+{
+    Camera camera = random_camera();
+    random_shells(camera, spheres);
+    vec3 direction = vec3_unit(pixel_ray(camera, size, pixel).direction);
+    for (int i = 0; i < SHELLS; i++)
+        if (vec3_length(spheres[i].center - camera.origin) < 4)
+            spheres[i].center = camera.origin + 3 * direction;
+    return camera;
+}
+
+// What each pixel shows by cones, a sphere or -1; false where one is doubtful.
+static bool sees_shells(Camera camera, Resolution size, const Sphere *spheres, int *seen)
+{
+    for (int i = 0; i < size.width * size.height; i++) {
+        Pixel pixel = {i % size.width, i / size.width};
+        vec3 direction = pixel_ray(camera, size, pixel).direction;
+        seen[i] = shell_seen(camera.origin, direction, SHELLS, spheres);
+        if (seen[i] == -2)
+            return false;
+    }
+    return true;
+}
+
+double t_seen(Ray ray, const Sphere *spheres, int seen)
+{
+    return seen < 0 ? NO_HIT
+                    : distance_seen(ray.origin, ray.direction, spheres[seen]) /
+                          vec3_length(ray.direction);
+}
+
+void expect_picture_of_shells(Cast *cast, Camera camera, Resolution size, Sphere *spheres)
+{
+    int seen[MOST_PIXELS];
+    char picture[MOST_PIXELS + 1] = "";
+    Scene scene = scene_of(SHELLS, spheres);
+    if (!sees_shells(camera, size, spheres, seen))
+        return;
+    for (int i = 0; i < size.width * size.height; i++)
+        picture[i] = seen[i] < 0 ? '.' : letter_of(spheres[seen[i]].surface);
+    expect_picture(cast, &scene, camera, size, picture);
+}
+
+void expect_depths_of_shells(Camera camera, Resolution size, Sphere *spheres)
+{
+    int seen[MOST_PIXELS];
+    double expected[MOST_PIXELS];
+    Scene scene = scene_of(SHELLS, spheres);
+    if (!sees_shells(camera, size, spheres, seen))
+        return;
+    for (int i = 0; i < size.width * size.height; i++) {
+        Ray ray = pixel_ray(camera, size, (Pixel){i % size.width, i / size.width});
+        expected[i] = t_seen(ray, spheres, seen[i]);
+    }
+    expect_depths(&scene, camera, size, expected);
 }

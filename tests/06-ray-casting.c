@@ -10,9 +10,11 @@
 
 static const char letters[] = "?rgbw";
 Surface surfaces[SURFACES] = {
-    [UNUSED] = {.color = {0.3, 0.95, 0.4}},  [RED] = {.color = {0.85, 0.15, 0.35}},
-    [GREEN] = {.color = {0.2, 0.75, 0.45}},  [BLUE] = {.color = {0.25, 0.4, 0.95}},
-    [WHITE] = {.color = {0.95, 0.85, 0.65}},
+    [UNUSED] = {{0.3, 0.95, 0.4}, 0.45, 0.55, 7, 0, 1},
+    [RED] = {{0.85, 0.15, 0.002}, 0.6, 0.3, 5, 0, 1},
+    [GREEN] = {{0.2, 0.75, 0.45}, 0.7, 0.2, 3, 0, 1},
+    [BLUE] = {{0.25, 0.4, 0.95}, 0.8, 0.1, 9, 0, 1},
+    [WHITE] = {{0.95, 0.85, 0.65}, 0.5, 0.4, 4, 0, 1},
 };
 
 char letter_of(int color)
@@ -28,6 +30,7 @@ Sphere sphere_at(double x, double y, double z, double radius, int color)
 Scene scene_of(int count, Sphere *spheres)
 {
     return (Scene){.background = vec3_of(0.35, 0.45, 0.55),
+                   .ambient = vec3_of(0.12, 0.31, 0.23),
                    .spheres = spheres,
                    .sphere_count = count,
                    .surfaces = surfaces,
@@ -137,4 +140,5 @@ void list_tests(void)
     list_tests_of_nearest_hit();
     list_tests_of_pictures();
     list_tests_of_depth();
+    list_tests_of_scale();
 }

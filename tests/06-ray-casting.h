@@ -8,15 +8,16 @@
 
 #define TOLERANCE 1e-9
 
-// The colours, and the letters that stand for them in pictures. No component is 0 or 1, and no two
-// of a colour are alike. No sphere has surface 0, and the sphere of a number seldom has the surface
-// of that number; but there is one, black, for whoever takes the one for the other.
+// The colours, and the letters that stand for them in pictures. No component is 0 or 1, no two of a
+// colour are alike, and one of red is so small that 255 times it is not yet white. No sphere has
+// surface 0, and the sphere of a number seldom has the surface of that number; but there is one,
+// black, for whoever takes the one for the other.
 enum { UNUSED, RED, GREEN, BLUE, WHITE, COLORS, SURFACES = 24 };
 extern Surface surfaces[SURFACES];
 char letter_of(int color);
 
 Sphere sphere_at(double x, double y, double z, double radius, int color);
-// On a greyish blue. The spheres stay the caller's: at most SURFACES.
+// On a greyish blue. The spheres stay the caller's.
 Scene scene_of(int count, Sphere *spheres);
 // The deck's three; as NFF, z is towards the eye.
 Scene scene_of_the_deck(void);
@@ -37,23 +38,47 @@ typedef void Cast(const Scene *scene, Camera camera, Image *image);
 void image_order(const Scene *scene, Camera camera, Image *image);
 void object_order(const Scene *scene, Camera camera, Image *image);
 
+// A test for each order: image_order_SENTENCE and object_order_SENTENCE.
+#define IN_BOTH_ORDERS(sentence)                                                                   \
+    START_TEST(image_order_##sentence)                                                             \
+    {                                                                                              \
+        sentence(image_order);                                                                     \
+    }                                                                                              \
+    END_TEST                                                                                       \
+    START_TEST(object_order_##sentence)                                                            \
+    {                                                                                              \
+        sentence(object_order);                                                                    \
+    }                                                                                              \
+    END_TEST
+
 // Expected is a picture in letters, row by row from the top; '.' is the background.
 void expect_picture(Cast *cast, const Scene *scene, Camera camera, Resolution size,
                     const char *expected);
 
-enum { SHELLS = 8 };
+// A t of 1e9 has as many digits as one of 1: the tolerance is a part of t.
+void expect_nearest(Ray ray, const Scene *scene, double t, int sphere);
+// What object order leaves in the depth, of all pixels, row by row.
+void expect_depths(const Scene *scene, Camera camera, Resolution size, const double *expected);
+
+enum { SHELLS = 8, MOST_PIXELS = 48 };
 
 // Spheres one behind the other as seen from the eye, in whatever direction and in any order: the
 // nth is wholly between 3 n - 1 and 3 n + 1 away from it.
 void random_shells(Camera camera, Sphere *spheres);
+// The same from a random camera, and the first is straight behind this pixel: something is seen.
+Camera shells_behind(Resolution size, Pixel pixel, Sphere *spheres);
 // The one whose centre is nearest of those seen; -1 where there is none, -2 where it is doubtful.
 int shell_seen(vec3 eye, vec3 direction, int count, const Sphere *spheres);
-// How far the sphere is in that direction.
-double distance_seen(vec3 eye, vec3 direction, Sphere sphere);
+// At which t of the ray that one is seen.
+double t_seen(Ray ray, const Sphere *spheres, int seen);
+// As cones say; where they are in doubt of a pixel, nothing is asked.
+void expect_picture_of_shells(Cast *cast, Camera camera, Resolution size, Sphere *spheres);
+void expect_depths_of_shells(Camera camera, Resolution size, Sphere *spheres);
 
 // The tests, a file each.
 void list_tests_of_nearest_hit(void);
 void list_tests_of_pictures(void);
 void list_tests_of_depth(void);
+void list_tests_of_scale(void);
 
 #endif

@@ -1,42 +1,13 @@
 // 06-ray-casting-nearest.c - wrong answers to nearest_hit.
-#include "tests/mistakes/06-ray-casting.h"
+#include "tests/mistakes/06-ray-casting-limits.h"
 
 #include <float.h>
 
-static const Hit nothing = {NO_HIT, -1};
-
 // ---- one loop, and what may slip in it ----------------------------------------------------------
-
-static Hit best_of(Hit best, double (*t_of)(Ray ray, Sphere sphere),
-                   bool (*replaces)(double t, double best), Ray ray, const Scene *scene)
-{
-    for (int i = 0; i < scene->sphere_count; i++) {
-        double t = t_of(ray, scene->spheres[i]);
-        if (replaces(t, best.t))
-            best = (Hit){t, i};
-    }
-    return best;
-}
-
-#define LOOP(name, best, t_of, replaces)                                                           \
-    static Hit name(Ray ray, const Scene *scene)                                                   \
-    {                                                                                              \
-        return best_of(best, t_of, replaces, ray, scene);                                          \
-    }
 
 static bool more(double t, double best)
 {
     return t > best;
-}
-
-static double hit_beyond_a_tenth(Ray ray, Sphere sphere)
-{
-    return hit_beyond(0.1, ray, sphere);
-}
-
-static double hit_beyond_a_thousandth(Ray ray, Sphere sphere)
-{
-    return hit_beyond(0.001, ray, sphere);
 }
 
 LOOP(last_hit, nothing, hit_sphere, any_hit)
@@ -75,6 +46,88 @@ static Hit without_the_last(Ray ray, const Scene *scene)
     Scene rest = *scene;
     rest.sphere_count -= rest.sphere_count > 0;
     return nearest_hit(ray, &rest);
+}
+
+static Hit until_one_is_missed(Ray ray, const Scene *scene)
+{
+    Hit best = nothing;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        double t = hit_sphere(ray, scene->spheres[i]);
+        if (t == NO_HIT)
+            break;
+        if (t < best.t)
+            best = (Hit){t, i};
+    }
+    return best;
+}
+
+static Hit until_one_is_farther(Ray ray, const Scene *scene)
+{
+    Hit best = nothing;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        double t = hit_sphere(ray, scene->spheres[i]);
+        if (t < best.t)
+            best = (Hit){t, i};
+        else if (best.sphere >= 0)
+            break;
+    }
+    return best;
+}
+
+static Hit forgotten_at_a_miss(Ray ray, const Scene *scene)
+{
+    Hit best = nothing;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        double t = hit_sphere(ray, scene->spheres[i]);
+        if (t == NO_HIT)
+            best = nothing;
+        else if (t < best.t)
+            best = (Hit){t, i};
+    }
+    return best;
+}
+
+// Each is compared with the one before it only.
+static Hit nearer_than_the_one_before(Ray ray, const Scene *scene)
+{
+    Hit hit = nothing;
+    double before = NO_HIT;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        double t = hit_sphere(ray, scene->spheres[i]);
+        if (t < before)
+            hit = (Hit){t, i};
+        before = t;
+    }
+    return hit;
+}
+
+static Hit first_of_the_hits(Ray ray, const Scene *scene)
+{
+    return (Hit){nearest_hit(ray, scene).t, first_hit(ray, scene).sphere};
+}
+
+static Hit nearest_either_way(Ray ray, const Scene *scene)
+{
+    Hit hit = nothing;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        Roots roots = sphere_roots(ray, scene->spheres[i]);
+        for (int k = 0; k < roots.count; k++)
+            if (fabs(roots.t[k]) < fabs(hit.t))
+                hit = (Hit){roots.t[k], i};
+    }
+    return hit;
+}
+
+static Hit from_the_origin(Ray ray, const Scene *scene)
+{
+    ray.origin = vec3_of(0, 0, 0);
+    return nearest_hit(ray, scene);
+}
+
+static Hit count_for_nothing(Ray ray, const Scene *scene)
+{
+    Hit hit = nearest_hit(ray, scene);
+    return hit.sphere < 0 ? (Hit){NO_HIT, scene->sphere_count} : hit;
 }
 
 static Hit nearest_centre(Ray ray, const Scene *scene)
@@ -232,5 +285,32 @@ const Mistake nearest_mistakes[] = {
             "the index changes with every sphere, whether it is nearer or not. An if without "
             "braces ends after one statement.",
             "everything in the last sphere's colour"),
+    MISTAKE("H-break", nearest_hit, until_one_is_missed, "the spheres up to the first miss",
+            "a sphere that is missed says nothing of the next one: go on.",
+            "spheres missing, depending on the order of the scene"),
+    MISTAKE("H-stop", nearest_hit, until_one_is_farther,
+            "the spheres up to the first that is not nearer",
+            "a sphere that is farther away says nothing of the next one: go on.",
+            "far spheres in front of near ones, in the order of the scene"),
+    MISTAKE("H-reset", nearest_hit, forgotten_at_a_miss, "the hits since the last miss",
+            "a sphere that is missed takes nothing from the others: there, leave the best as it "
+            "is.",
+            "spheres missing, depending on the order of the scene"),
+    MISTAKE("H-before", nearest_hit, nearer_than_the_one_before,
+            "each sphere compared with the one before it",
+            "compare with the nearest of all so far, and remember that.",
+            "far spheres in front of near ones, in the order of the scene"),
+    MISTAKE("H-first-index", nearest_hit, first_of_the_hits,
+            "the right t, but the first hit's index",
+            "a nearer hit replaces both: the t and the index of its sphere.",
+            "spheres in each other's colours"),
+    MISTAKE("H-abs", nearest_hit, nearest_either_way, "the smallest |t|",
+            "a ray begins at the eye. What has t < 0 is behind it, however near.",
+            "ghosts of the spheres behind the eye, mirrored and upside down"),
+    MISTAKE("P7-scene", nearest_hit, from_the_origin, "the ray from the world's origin",
+            "a ray begins at its origin.", "moving the camera changes nothing"),
+    MISTAKE("H-none-count", nearest_hit, count_for_nothing, "sphere_count where nothing is hit",
+            "the last sphere has the number sphere_count - 1, and none is -1.",
+            "a crash, or any colour for the background"),
     {0},
 };

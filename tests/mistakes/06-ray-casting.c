@@ -2,5 +2,6 @@
 // drawn by the right loops.
 #include "tests/mistakes/06-ray-casting.h"
 
-const Mistake *const mistakes[] = {nearest_mistakes, image_order_mistakes, object_order_mistakes,
-                                   color_mistakes,   depth_mistakes,       NULL};
+const Mistake *const mistakes[] = {
+    nearest_mistakes, nearest_limit_mistakes, image_order_mistakes,   object_order_mistakes,
+    color_mistakes,   depth_mistakes,         picture_limit_mistakes, NULL};

@@ -12,8 +12,8 @@
 
 #include <stdlib.h>
 
-extern const Mistake nearest_mistakes[], image_order_mistakes[], object_order_mistakes[],
-    depth_mistakes[], color_mistakes[];
+extern const Mistake nearest_mistakes[], nearest_limit_mistakes[], picture_limit_mistakes[],
+    image_order_mistakes[], object_order_mistakes[], depth_mistakes[], color_mistakes[];
 
 // ---- where a sphere is hit ----------------------------------------------------------------------
 
