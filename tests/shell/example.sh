@@ -61,6 +61,18 @@ marks_are_explained() {
 }
 check 'the marks are those that the page explains' marks_are_explained
 
+# The example has failures; prove must read them all.
+prove_reads() {
+    prove "$out/grades.tap" >"$scratch/proved" 2>&1
+    cat "$scratch/proved"
+    grep -q '^Files=1, Tests=[1-9]' "$scratch/proved" && ! grep -q 'Parse errors' "$scratch/proved"
+}
+if command -v prove >/dev/null; then
+    check 'prove reads grades.tap' prove_reads
+else
+    echo "skipped: grades.tap by prove (no prove)"
+fi
+
 links_lead_somewhere() {
     # shellcheck disable=SC2013 # links have no blanks
     for link in $(grep -o '](\([^)#]*\)' "$1" | sed 's/^](//' | grep -v '^http'); do

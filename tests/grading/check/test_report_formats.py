@@ -10,10 +10,11 @@ import xml.dom.minidom
 
 from report.ci import grades_tap, junit_xml
 from report.gradescope import results_json
+from report.points import clean, points
 from visible import visible
 from . import read_back
 from .hostile_records import HOSTILE, hostile_class, hostile_record
-from .make_records import record
+from .make_records import record, stem
 from .sample_records import ordinary_class
 from .sentences import check, skip
 
@@ -167,24 +168,39 @@ def test_junit():
 # ---- TAP ----------------------------------------------------------------------------------------
 
 
+def compile_errors() -> dict:
+    """What a compiler says, in which words are followed by colons."""
+    words = ["03-screen.c:8:6: error: request for member", "  union", "    8 |     v.x = 1;", "error: a: b", "note :  c",
+             ": d", "key:", "- e: f", "---", "...", "| : g", "'quoted': h", "{}", "~"]
+    return record("a", [stem("03-screen", state="does not compile", most=1.0, words="\n".join(words))], "does not compile")
+
+
 def test_tap():
     data = grades_tap(HOSTILES).encode()
-    points = read_back.tap_points(data)
+    found = read_back.tap_points(data)
     check(
         "TAP has a point per function and per stem without verdicts",
-        len(points) == POINTS * len(HOSTILE),
+        len(found) == POINTS * len(HOSTILE),
     )
     check(
         "only right, waiting and skipped points are ok",
-        sum(ok for ok, _ in points) == 3 * len(HOSTILE),
+        sum(ok for ok, _ in found) == 3 * len(HOSTILE),
     )
     check(
         "no directive but ours",
-        sum(bool(re.search(r"(?<!\\)(\\\\)*#", words)) for _, words in points) == len(HOSTILE),
+        sum(bool(re.search(r"(?<!\\)(\\\\)*#", words)) for _, words in found) == len(HOSTILE),
     )
     if read_back.has_perl("TAP::Parser"):
-        *told, end = read_back.perl_tap(data)
+        *lines, end = read_back.perl_tap(data)
+        told = [line for line in lines if not line.startswith("yaml ")]
         check("perl counts the same points", len(told) == POINTS * len(HOSTILE))
+        check("perl reads what each failure says", len(lines) - len(told) == 7 * len(HOSTILE), lines[:3])
+        words = compile_errors()
+        read = read_back.perl_tap(grades_tap([words]).encode())
+        said = [point["lines"] for point in points(clean(words))]
+        check("perl reads a compiler's words as they are",
+              [line for line in read if line.startswith("yaml ")]
+              == ["yaml " + "|".join(["03-screen.c does not compile", *lines]) for lines in said], read)
         check("perl finds no error", end == f"errors 0 planned {POINTS * len(HOSTILE)} version 13")
         check(
             "perl finds the same ones ok",

@@ -1,6 +1,7 @@
 """gradebook.py - grades.csv: one row per submission, for the grade book.
 
-RFC 4180, UTF-8, lines end in CRLF. A spreadsheet runs a cell that begins with = + - or @, so such a
+RFC 4180, lines end in CRLF. UTF-8 with a byte order mark, without which Excel takes names with umlauts
+for another encoding. A spreadsheet runs a cell that begins with = + - or @, so such a
 cell begins with an apostrophe instead; and since some split at semicolons, whatever is more than
 letters, digits and a few signs is quoted.
 """
@@ -13,6 +14,7 @@ from .figures import stems_of
 from .points import clean_class
 
 RUNS = "=+-@\t\r\n" + "＝＋－＠"  # the wide ones are signs, too, where Excel speaks Japanese
+MARK = "\ufeff"
 PLAIN = re.compile(r"[\w ./:-]*", re.ASCII)
 
 
@@ -43,4 +45,4 @@ def grades_csv(records: list) -> str:
         csv.writer(
             out, lineterminator="\r\n", quoting=csv.QUOTE_MINIMAL if plain else csv.QUOTE_ALL
         ).writerow(row)
-    return out.getvalue()
+    return MARK + out.getvalue()
