@@ -107,7 +107,7 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 SAME_ENGINES := $(patsubst %,$(B)/tests/fast/%,same files memory)
 ENGINES := $(B)/tests/fast/same $(B)/tests/fast/lit
 ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
-$(SAME_ENGINES): $(patsubst %,$(B)/tests/fast/%.o,against made made_difficult parts)
+$(SAME_ENGINES): $(patsubst %,$(B)/tests/fast/%.o,against made made_difficult made_far parts)
 $(B)/tests/fast/lit: $(B)/tests/fast/lit_scenes.o
 $(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
 		$(LIGHTS_SCENES) \

@@ -6,6 +6,7 @@
 #include "chapters/08-fast/bins_sort.h"
 #include "chapters/08-fast/bins_tile.h"
 #include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/extremes.h"
 #include "chapters/08-fast/large_memory.h"
 #include "chapters/08-fast/parallel.h"
 #include "chapters/08-fast/view.h"
@@ -24,6 +25,7 @@ typedef struct {
     int columns, top;              // of tiles; the first row in the bins
     atomic_llong entries;          // at most so many in the bins of all tiles
     atomic_uint nearest, farthest; // depths of places
+    atomic_bool extreme;           // some sphere is (extremes.h)
 } Casting;
 
 static Eye eye_of(const Work *work)
@@ -60,13 +62,19 @@ static void place_some(void *given, int part)
     if (count > PLACES)
         count = PLACES;
     Positions positions = {0};
+    bool extreme = false;
     for (int i = 0; i < count; i++) {
         const Sphere *sphere = &work->scene->spheres[first + i];
+        extreme |= extreme_sphere(work->camera.origin, sphere);
         vec3 c = sphere->center - work->camera.origin;
         positions.x[i] = c[0];
         positions.y[i] = c[1];
         positions.z[i] = c[2];
         positions.radius[i] = sphere->radius;
+    }
+    if (extreme) {
+        atomic_store(&casting->extreme, true);
+        return;
     }
     Place *places = casting->places + first;
     casting->tiling.lanes->place(&casting->eye, &positions, first, count, places);
@@ -117,6 +125,8 @@ static bool cast_rows(Casting *casting, int count)
 
 bool cast_bins(const Work *work, Message *message)
 {
+    if (extreme_camera(work->camera))
+        return cast_plain(work, message);
     Resolution screen = work->image->size;
     int count = work->scene->sphere_count, parts = (count + PLACES - 1) / PLACES, visible = -1;
     const size_t size = ((size_t)count + 1) * sizeof(Place);
@@ -130,12 +140,14 @@ bool cast_bins(const Work *work, Message *message)
     if (places != NULL && sorted != NULL && paints != NULL) {
         // What so few parts take is less than a second thread costs.
         in_parallel(parts < 40 ? 1 : work->threads, parts, place_some, &casting);
-        visible = places_by_depth(places, count, casting.nearest, casting.farthest, sorted,
-                                  work->threads);
+        if (!casting.extreme)
+            visible = places_by_depth(places, count, casting.nearest, casting.farthest, sorted,
+                                      work->threads);
     }
     free(places);
-    bool done = visible >= 0 && cast_rows(&casting, visible);
-    if (!done)
+    bool done =
+        casting.extreme ? cast_plain(work, message) : visible >= 0 && cast_rows(&casting, visible);
+    if (!done && !casting.extreme)
         message_set(message, "no memory for the bins of %d spheres", count);
     free(sorted);
     free(paints);

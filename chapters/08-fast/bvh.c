@@ -5,6 +5,7 @@
 #include "chapters/08-fast/engine.h"
 
 #include "chapters/08-fast/clock.h"
+#include "chapters/08-fast/extremes.h"
 #include "chapters/08-fast/nearest.h"
 #include "chapters/08-fast/paint.h"
 #include "chapters/08-fast/parallel.h"
@@ -34,6 +35,8 @@ static void cast_row(void *given, int row)
 
 bool cast_bvh(const Work *work, Message *message)
 {
+    if (extreme_scene(work))
+        return cast_plain(work, message);
     Paint *paints = paints_of(work->scene);
     ByRay by_ray = {.work = work, .paints = paints};
     bool ready = paints != NULL && hierarchy_build(&by_ray.hierarchy, work->scene);

@@ -3,6 +3,7 @@
 #include "chapters/08-fast/engine.h"
 
 #include "chapters/08-fast/clock.h"
+#include "chapters/08-fast/extremes.h"
 #include "chapters/08-fast/few.h"
 #include "chapters/08-fast/parallel.h"
 
@@ -71,6 +72,8 @@ bool light_plain(const Work *work, Style style, Message *message)
 
 bool light_bvh(const Work *work, Style style, Message *message)
 {
+    if (extreme_light(work))
+        return light_plain(work, style, message);
     Hierarchy hierarchy;
     Lit lit = {.work = work, .rendering = {work->camera, work->image->size, style, trace_few}};
     lit.hierarchy = &hierarchy;

@@ -6,6 +6,7 @@
 #include "chapters/07-shading/lighting.h"
 #include "chapters/08-fast/clock.h"
 #include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/extremes.h"
 #include "common/text.h"
 
 #include <stdio.h>
@@ -70,7 +71,8 @@ int main(int argc, char **argv)
     Usage usage = {
         "[OPTION]... [SCENE.nff]",
         "Casts a scene, flat or shaded, by an engine. Without arguments: which there are, and the\n"
-        "deck's three spheres."};
+        "deck's three spheres. If a sphere is more than 1e12 of its radii away, or a length is\n"
+        "above 1e60 or below 1e-60, plain casts the scene, whichever engine is asked for."};
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);
@@ -97,6 +99,11 @@ int main(int argc, char **argv)
     }
     double began = clock_seconds(), built = began;
     Work work = {&drawing.scene, drawing.camera, &drawing.image, threads, &built};
+    if (engine != &engines[0] && (shaded ? extreme_light(&work) : extreme_scene(&work))) {
+        fprintf(stderr, "%s: the scene has extreme numbers (see --help), so plain casts it\n",
+                engine->name);
+        engine = &engines[0];
+    }
     Message message;
     if (shaded ? !engine->light(&work, lighting.style, &message) : !engine->cast(&work, &message)) {
         fprintf(stderr, "%s: %s\n", argv[0], message.text);

@@ -5,6 +5,7 @@
 // z-buffer.
 #include "chapters/08-fast/engine.h"
 
+#include "chapters/08-fast/extremes.h"
 #include "chapters/08-fast/paint.h"
 #include "chapters/08-fast/parallel.h"
 #include "chapters/08-fast/view.h"
@@ -56,6 +57,8 @@ static void cast_band(void *given, int band)
 
 bool cast_object(const Work *work, Message *message)
 {
+    if (extreme_scene(work))
+        return cast_plain(work, message);
     Resolution screen = work->image->size;
     int count = work->scene->sphere_count;
     Rectangle *rectangles = malloc(((size_t)count + 1) * sizeof *rectangles);

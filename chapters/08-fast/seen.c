@@ -4,6 +4,7 @@
 
 #include "chapters/08-fast/clock.h"
 #include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/extremes.h"
 #include "chapters/08-fast/nearest.h"
 #include "chapters/08-fast/parallel.h"
 #include "chapters/08-fast/seen_scene.h"
@@ -51,6 +52,8 @@ static void cast_tile(void *given, int part)
 
 static bool cast_by(const Work *work, Message *message, Walk *walk, bool wide)
 {
+    if (extreme_scene(work))
+        return cast_plain(work, message);
     static PaintTile *const paints[LANES_KINDS] = LANES_TABLE(paint_tile);
     SeenScene scene;
     Cast cast = {work, &scene, walk, paints[lanes_best()]};

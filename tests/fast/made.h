@@ -33,6 +33,9 @@ void made_wide(Made *made);
 // in which order it takes the numbers of one call is its own affair.
 void made_at_random(Made *made, unsigned number);
 
+// Spheres that are about so many of their radii away from the eye.
+void made_far(Made *made, unsigned number, double radii, double radius);
+
 // So many small ones in a cube, as random_nff.c writes them but so many times larger, in memory of
 // their own. False where there is none.
 bool made_uniform(Made *made, int count, double larger);

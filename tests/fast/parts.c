@@ -11,6 +11,16 @@ const vec3 above = {0.1, 1, 0.2}, middle = {0, 0, 0}, front = {0, 0, 5};
 
 unsigned long long state;
 
+void made_begin(Made *made, unsigned long long seed)
+{
+    now = made;
+    frame_now = FRAME_USUAL;
+    state = seed;
+    made->name[0] = '\0';
+    for (int i = 0; i < 8; i++)
+        uniform(0, 1);
+}
+
 double uniform(double low, double high)
 {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;

@@ -10,6 +10,9 @@ enum { MOST = 12000 }; // spheres
 extern Made *now;
 extern Frame frame_now;
 
+// An empty one, and where its random numbers begin.
+void made_begin(Made *made, unsigned long long seed);
+
 // What random numbers are made of; the same again gives the same numbers.
 extern unsigned long long state;
 double uniform(double low, double high);

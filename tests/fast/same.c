@@ -42,6 +42,16 @@ static void try_all_made(void)
         made_sized(&made, sizes[i]);
         try_made(&made, all, EACH);
     }
+    // Across the limit beyond which all is left to plain, and where lengths are extreme.
+    for (unsigned i = 0; i < 60; i++) {
+        made_far(&made, i, pow(10, 10 + i / 6.0), 1);
+        try_made(&made, some, IN_TURNS);
+    }
+    static const double radii[] = {1e-250, 1e-100, 1e-59, 1e-30, 1e30, 1e50, 1e100, 1e150, 1e290};
+    for (unsigned i = 0; i < 4 * sizeof radii / sizeof radii[0]; i++) {
+        made_far(&made, i, pow(10, i % 4 * 3), radii[i / 4]);
+        try_made(&made, some, IN_TURNS);
+    }
     made_many(&made);
     try_made(&made, all, IN_TURNS);
     made_wide(&made);

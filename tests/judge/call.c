@@ -162,9 +162,8 @@ static bool exchange(int exercise, How *how, char *why, size_t size)
         if (left.end == MACHINE_TOO_BUSY)
             give_up_on_machine("an answer was not given a processor", 0);
         snprintf(why, size,
-                 left.end == TOO_MUCH_WORK
-                     ? "was still running after %g s (an endless loop?)"
-                     : "waited for something that never comes",
+                 left.end == TOO_MUCH_WORK ? "was still running after %g s (an endless loop?)"
+                                           : "waited for something that never comes",
                  process_most_work());
     } else if (moved < 0) {
         int status = process_stop(true);

@@ -25,6 +25,30 @@ check 'and in the sun' draws_the_same 1 -s 32x24 --sun 1,1,1 --ambient 0.3 --dep
 check 'and of a scene without mirrors' draws_the_same 1 -s 64x48 "$BUILD/scenes/sunflower.nff"
 check 'and of three spheres' draws_the_same 2 -s 96x72 "$three"
 
+# Numbers at the end of what a double holds: no engine crashes, and the picture is chapter 06's (07's).
+extreme() {
+    printf '%s\n' v "from 0 0 $1" 'at 0 0 0' 'up 0 1 0' "angle $2" 'resolution 20 15' 'l 5 5 5' >"$scratch/extreme.nff"
+    shift 2
+    printf '%s\n' "$@" >>"$scratch/extreme.nff"
+    "$programs/06-ray-casting" -o "$scratch/right.png" "$scratch/extreme.nff" || return 1
+    for engine in plain object bvh packet tiles bins; do
+        "$programs/08-fast" --engine $engine --threads 2 -o "$scratch/fast.png" "$scratch/extreme.nff" &&
+            "$BUILD/tests/same_picture" "$scratch/right.png" "$scratch/fast.png" || return 1
+    done
+    draws_the_same 2 "$scratch/extreme.nff"
+}
+check 'spheres at both ends of the world' extreme 9 40 's 1e308 0 0 1' 's -1e308 0 0 1' 's 0 0 0 1'
+check 'spheres as large as can be' extreme 9 40 's 0 0 0 1e308' 's 1e308 1e308 1e308 1e308' 's 0 0 0 1'
+check 'spheres as small as can be' extreme 9 40 's 0 0 0 1e-308' 's 0 0 8 1e-323' 's 0.1 0 0 1'
+check 'an eye as far away as can be' extreme 1e150 1e-148 's 0 0 0 1' 's 1 0 0 2' 's 0 1 1 1'
+check 'an eye 1e14 radii away' extreme 1e14 1e-12 's 0 0 0 1' 's 1 0 0 0.2' 's 0 1 1 0.3'
+check 'an eye 1e16 radii away' extreme 1e16 1e-14 's 0 0 0 1' 's 1 0 0 0.2' 's 0 1 1 0.3'
+says_who_casts() {
+    "$programs/08-fast" --engine bins -o "$scratch/fast.png" "$scratch/extreme.nff" 2>"$scratch/said" &&
+        says 'bins: the scene has extreme numbers (see --help), so plain casts it'
+}
+check 'and it is said who casts it' says_who_casts
+
 # The commands of the lesson, their pictures put elsewhere.
 lesson_is_right() {
     awk '/^```sh$/ { inside = 1; next } /^```/ { inside = 0 } inside' chapters/08-fast/README.md |
