@@ -13,7 +13,7 @@ static void begin(const char *seed, const char *test)
     else
         setenv("SEED", seed, 1);
     random_take_seed();
-    random_begin(test);
+    random_begin(test, false);
 }
 
 // The first 53 bits of the next numbers of 64.
