@@ -4,6 +4,7 @@ Settings (settings.py), then each submission in a process of its own (crew.py, g
 then the reports of the class from what those wrote. A grader that was stopped goes on where it was, and
 several (SHARD) can share the work.
 """
+import os
 import shutil
 import sys
 import time
@@ -14,7 +15,7 @@ from grader import Grader
 from policy import PolicyError, came_in
 from report import files, text
 from settings import arguments, stop
-from visible import visible
+from visible import visible, why
 
 
 def mention(found: list, others: list, stems: list, folder) -> None:
@@ -40,9 +41,7 @@ def mention_times(policy, found: list) -> None:
         print(f"Without a time, taken as on time: {', '.join(without)}", file=sys.stderr)
 
 
-def main() -> int:
-    for stream in (sys.stdout, sys.stderr):
-        stream.reconfigure(errors="backslashreplace")
+def grade() -> int:
     given = arguments()
     try:
         grader = Grader(given)
@@ -52,15 +51,15 @@ def main() -> int:
     mention(found, others, grader.stems, given.submissions)
     mention_times(grader.policy, found)
     todo = of_shard(found, given.shard)
-    lock = alone(grader.work)
     began = time.monotonic()
     try:
+        lock = alone(grader.work)
         grader.begin()
+    except OSError as error:
+        stop(f"OUT={given.out} cannot be written: {why(error)}")
+    try:
         grader.prove()
         failed = mark_all(grader, todo, given.jobs)
-    except KeyboardInterrupt:
-        print("\ngrade: stopped; what is done is kept. The same command does the rest.", file=sys.stderr)
-        return 130
     finally:
         shutil.rmtree(grader.work, ignore_errors=True)
         lock.close()
@@ -79,6 +78,26 @@ def main() -> int:
         stop(f"the reports cannot be written to {given.out}: {error.strerror}")
     print(f"Took {time.monotonic() - began:.1f} s. Reports: {given.out}/index.html")
     return 1 if any(record["score"] is None for record in records) else 0
+
+
+def main() -> int:
+    """The exit status. Whatever this machine cannot do is one sentence."""
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:
+            stream.reconfigure(errors="backslashreplace")
+    try:
+        status = grade()
+        print(end="", flush=True)
+        return status
+    except KeyboardInterrupt:
+        print("\ngrade: stopped; what is done is kept. The same command does the rest.", file=sys.stderr)
+        return 130
+    except OSError as error:
+        # What could not be printed would be tried again when Python ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        stop(f"{error.filename or 'its output'}: {why(error)}")
+    except UnicodeError as error:
+        stop(f"a file of the grader's is not text: {why(error)}")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import zlib
 from unittest import mock
 
 from collect import archives, streams, submissions
+from machine import GraderFailed
 from .packing import FIVE, MB, Archive, header, tarred, zipped
 from .scratch import STEMS
 
@@ -137,11 +138,22 @@ class ByProgram(Archive):
 
 
 class WithoutProgram(Archive):
-    def test_it_is_said_what_is_missing(self):
+    def setUp(self):
+        super().setUp()
+        without = mock.patch.object(streams.shutil, "which", return_value=None)
+        without.start()
+        self.addCleanup(without.stop)
+
+    def test_that_is_the_grader_s_failure(self):
         for magic, kind in ((b"Rar!\x1a\7", "RAR"), (b"7z\xbc\xaf\x27\x1c", "7-Zip")):
             self.archive("anna.zip", magic + bytes(600))
-            with mock.patch.object(streams.shutil, "which", return_value=None):
-                self.assertIn(f"is a {kind} archive, which takes bsdtar to read", self.collect().words)
+            self.assertRaisesRegex(GraderFailed, f"it takes bsdtar to read {kind} .'make setup", self.collect)
+
+    def test_it_costs_nothing_where_all_answers_are_outside(self):
+        for name in (ONE, FIVE):
+            self.put(name, b"x")
+        self.put("old.rar", b"Rar!\x1a\7" + bytes(600))
+        self.assertEqual([answer.text for answer in self.collect().answers.values()], [b"x", b"x"])
 
 
 class Inside(Archive):

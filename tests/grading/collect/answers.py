@@ -63,6 +63,7 @@ class Search:
     notes: list = field(default_factory=list)
     exercises: set = field(default_factory=set)  # folders of that name that hold an exercise
     when: Optional[int] = None
+    lacks: str = ""                             # why this machine could not read an archive
 
 
 def search_for(stems) -> Search:

@@ -276,6 +276,9 @@ def look_in(search, room: Room, place: Place, file, called: str) -> None:
             look_in_tar(search, room, place, file)
     except (Enough, MemoryError):
         raise
+    except streams.NotHere as error:
+        search.lacks = search.lacks or str(error)
+        said(search, place, str(error))
     except streams.Unreadable as error:
         said(search, place, str(error))
     except Exception as error:

@@ -23,7 +23,11 @@ KINDS = {b"\x1f\x8b": "gzip", b"\xfd7zXZ\0": "xz", b"BZh": "bzip2", b"7z\xbc\xaf
 
 
 class Unreadable(Exception):
-    """An archive that cannot be read here; the words say why."""
+    """An archive that cannot be read; the words say why."""
+
+
+class NotHere(Unreadable):
+    """An archive that could be read if this machine had what it takes: no fault of the archive's."""
 
 
 def kind_of(head: bytes):
@@ -79,7 +83,7 @@ def engine_of(kind: str):
             import bz2
             return bz2.BZ2Decompressor
     except ImportError:  # a Python that was built without it
-        raise Unreadable(f"is {kind}, which this machine's Python cannot read") from None
+        raise NotHere(f"this machine's Python cannot read {kind}") from None
     return None
 
 
@@ -108,8 +112,7 @@ def as_file(file):
 def by_bsdtar(kind: str, file, opener):
     program = shutil.which("bsdtar")
     if program is None:
-        raise Unreadable(f"is a {kind} archive, which takes bsdtar to read, and this machine has none "
-                         "('make setup FOR=instructor' installs it)")
+        raise NotHere(f"it takes bsdtar to read {kind} ('make setup FOR=instructor' installs it)")
     # Links and devices are not followed or made: it only writes a tar.
     command = [os.path.realpath(program), "-c", "-f", "-", "--format=pax", "@-"]
     handle, words = as_file(file), os.memfd_create("words", os.MFD_CLOEXEC)

@@ -14,6 +14,7 @@ import re
 from dataclasses import dataclass
 from typing import Callable, Iterable, Optional
 
+from machine import GraderFailed
 from visible import why
 from . import answers, archives, exports, folders, names
 from .answers import Collected
@@ -111,8 +112,9 @@ def look_at(search, part: Part, opener) -> None:
 
 def collect(submission: Submission, stems: Iterable[str],
             opener: Optional[Callable[[list], list]] = None) -> Collected:
-    """The answers of a submission, or words; never an exception.
-    opener: how a program that unpacks is started, a command to a command (a sandbox's)."""
+    """The answers of a submission, or words. GraderFailed, if some are perhaps in an archive that only
+    this machine cannot read; no other exception. opener: how a program that unpacks is started, a
+    command to a command (a sandbox's)."""
     stems = list(stems)
     search = answers.search_for(stems)
     parts = submission.parts or (Part(submission.path, submission.kind, "", submission.words),)
@@ -124,7 +126,10 @@ def collect(submission: Submission, stems: Iterable[str],
             answers.note(search, "reading it takes more memory than a submission may have")
         except (Exception, Enough) as error:
             answers.note(search, f"cannot be read: {why(error)}")
-    return answers.all_of(search)
+    collected = answers.all_of(search)
+    if search.lacks and any(answer.state == "missing" for answer in collected.answers.values()):
+        raise GraderFailed(search.lacks)
+    return collected
 
 
 def digest(collected: Collected) -> str:
