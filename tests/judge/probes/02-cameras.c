@@ -42,17 +42,50 @@ static void ask_of_cameras(Form form)
     }
 }
 
-// Off the axis, or sheared, along each direction.
+// One thing wrong with the corners at a time: off the axis, sheared, one corner elsewhere, flat, or
+// not finite.
+static Corners spoilt_corners(Camera c, int i)
+{
+    double off = random_number(0.05, 2);
+    if (i % 8 == 4)
+        c.distance = 0;
+    if (i % 8 == 5)
+        *(i / 8 % 2 == 0 ? &c.width : &c.height) = 0;
+    Corners v = corners_of(c);
+    vec3 *corners[] = {&v.upper_left, &v.upper_right, &v.lower_left, &v.lower_right};
+    vec3 side = i / 8 % 2 == 0 ? c.right : c.up;
+    switch (i % 8) {
+    case 0:
+        for (int k = 0; k < 4; k++)
+            *corners[k] += off * side;
+        break;
+    case 1:
+        v.upper_left += off * side;
+        v.upper_right += off * side;
+        break;
+    case 2:
+        v.lower_left += off * side;
+        v.lower_right += off * side;
+        break;
+    case 3:
+        *corners[i / 8 % 4] += off * random_unit();
+        break;
+    case 6:
+        (*corners[i / 8 % 4])[i / 8 % 3] = not_finite(i / 8 % 3);
+        break;
+    case 7:
+        *corners[3] += off * (i / 8 % 2 == 0 ? random_unit() : c.forward);
+        break;
+    default:;
+    }
+    return v;
+}
+
 static void ask_of_none(Form form)
 {
-    for (int i = 0; i < MANY; i++) {
+    for (int i = 0; i < 4 * MANY; i++) {
         Camera c = random_camera();
-        Corners v = corners_of(c);
-        vec3 off = random_number(0.05, 2) * (i % 2 == 0 ? c.right : c.up);
-        if (i % 4 < 2)
-            v.lower_left += off, v.lower_right += off;
-        v.upper_left += off, v.upper_right += off;
-        ask(form, c, v);
+        ask(form, c, spoilt_corners(c, i));
     }
 }
 
@@ -92,15 +125,75 @@ START_TEST(corner_of_what_is_none)
 }
 END_TEST
 
+// One thing wrong with a view at a time.
+static LookAt spoilt(LookAt view, int i)
+{
+    vec3 forward = view.at - view.eye;
+    int way = i / 12;
+    switch (i % 12) {
+    case 0:
+        view.at = view.eye;
+        break;
+    case 1:
+        view.up = random_number(0.2, 4) * forward;
+        break;
+    case 2:
+        view.up = -random_number(0.2, 4) * forward;
+        break;
+    case 3:
+        view.up = vec3_of(0, 0, 0);
+        break;
+    case 4:
+        view.width = way % 2 == 0 ? 0 : -random_number(0.1, 3);
+        break;
+    case 5:
+        view.aspect = way % 2 == 0 ? 0 : -random_number(0.1, 3);
+        break;
+    case 6:
+        view.width = not_finite(way % 3);
+        break;
+    case 7:
+        view.aspect = not_finite(way % 3);
+        break;
+    case 8:
+        view.eye[way % 3] = not_finite(way % 3);
+        break;
+    case 9:
+        view.at[way % 3] = not_finite(way % 3);
+        break;
+    case 10:
+        view.up[way % 3] = not_finite(way % 3);
+        break;
+    default: // none: up leans, and is short
+        view.up = random_number(1e-6, 1e-3) * (forward + random_number(0.05, 0.3) * random_unit());
+    }
+    return view;
+}
+
+static LookAt any_look_at(void)
+{
+    vec3 eye = random_vec3(-5, 5);
+    vec3 at = eye + random_number(0.3, 6) * random_unit();
+    vec3 up = random_number(0.3, 3) * random_unit();
+    double width = random_number(0.5, 4);
+    return (LookAt){
+        .eye = eye, .at = at, .up = up, .width = width, .aspect = random_number(0.4, 2.5)};
+}
+
 START_TEST(any_view)
 {
     for (int i = 0; i < 2 * MANY; i++) {
-        vec3 eye = random_vec3(-5, 5);
-        vec3 at = eye + random_number(0.3, 6) * random_unit();
-        vec3 up = random_number(0.3, 3) * random_unit();
-        double width = random_number(0.5, 4);
-        LookAt view = {
-            .eye = eye, .at = at, .up = up, .width = width, .aspect = random_number(0.4, 2.5)};
+        LookAt view = any_look_at();
+        Camera before = random_camera();
+        camera_from_look_at(view, i % 2 == 0 ? RIGHT_HANDED : LEFT_HANDED, &before);
+    }
+}
+END_TEST
+
+START_TEST(views_that_are_none)
+{
+    for (int i = 0; i < 48; i++) {
+        LookAt view = spoilt(any_look_at(), i);
         Camera before = random_camera();
         camera_from_look_at(view, i % 2 == 0 ? RIGHT_HANDED : LEFT_HANDED, &before);
     }
@@ -129,6 +222,7 @@ void list_probes(void)
     test(corner_of_what_is_none);
     tests_of("camera_from_look_at");
     test(any_view);
+    test(views_that_are_none);
     tests_of("width_from_angle");
     test(any_angle);
 }

@@ -4,10 +4,22 @@
 
 #include "tests/judge/suspects.h"
 
-enum { MANY = 40 };
+enum { MANY = 64 };
+
+// From 1e-7 to 1 as often small as large, so that every threshold lies between two of them.
+static double any_small(void)
+{
+    return pow(10, random_number(-7, 0));
+}
 
 static Aimed any(int i)
 {
+    if (i % 8 == 6) { // close to the surface
+        Aimed aimed = random_aimed(1);
+        vec3 point = aimed.ray.origin + aimed.near * aimed.ray.direction;
+        aimed.ray.origin = point - any_small() * aimed.ray.direction;
+        return aimed;
+    }
     if (i % 4 == 1)
         return random_inside();
     if (i % 4 == 2)
@@ -54,7 +66,11 @@ START_TEST(roots_of_any_quadratic)
         if (i % 4 == 1)
             q.c = (a < 0 ? -1 : 1) * random_number(0.1, 5) + q.b * q.b / (4 * a);
         if (i % 8 == 3)
-            q.a = 0;
+            q = (Quadratic){0, i % 16 == 3 ? 0 : any_small() * q.b, q.c};
+        if (i % 8 == 5)
+            q = (Quadratic){a * any_small(), q.b, q.c};
+        if (i % 8 == 7)
+            q = (Quadratic){a, 0, -a * t * t};
         quadratic_roots(q);
     }
 }

@@ -4,24 +4,26 @@
 
 #include "tests/judge/suspects.h"
 
-#include <stdlib.h>
+#include <math.h>
 
 enum { SPHERES = 6 };
 
-// Some near the eye, which may be inside one.
-static void random_spheres(Sphere *spheres, vec3 eye)
+// Along a ray, before and behind its origin and round it, a little to the side, and in any order.
+static void random_row(Sphere *spheres, Ray ray)
 {
+    vec3 along = vec3_unit(ray.direction);
     for (int i = 0; i < SPHERES; i++) {
-        spheres[i] = random_sphere(4, 0.5, 2.5);
-        spheres[i].center += eye;
-        spheres[i].surface = RED + (i + 1) % 4;
+        double radius = random_number(0.4, 2.5);
+        vec3 aside = 1.2 * radius * random_unit();
+        spheres[i] = (Sphere){.center = ray.origin + random_number(-4, 9) * along + aside,
+                              .radius = radius,
+                              .surface = RED + (i + 1) % 4};
     }
 }
 
-static Scene random_scene(Sphere *spheres, vec3 eye)
+static Scene any_scene(Sphere *spheres, int count)
 {
-    random_spheres(spheres, eye);
-    Scene scene = scene_of(SPHERES, spheres);
+    Scene scene = scene_of(count, spheres);
     scene.background = random_vec3(0.1, 0.9);
     scene.ambient = random_vec3(0.1, 0.9);
     return scene;
@@ -29,11 +31,17 @@ static Scene random_scene(Sphere *spheres, vec3 eye)
 
 START_TEST(nearest_hits_of_any_ray)
 {
-    for (int i = 0; i < 40; i++) {
+    for (int i = 0; i < 64; i++) {
         Sphere spheres[SPHERES];
         Ray ray = random_ray(3, 2);
-        Scene scene = random_scene(spheres, ray.origin);
-        scene.sphere_count = i % 8 == 7 ? 0 : 1 + i % SPHERES;
+        random_row(spheres, ray);
+        Scene scene = any_scene(spheres, i % 8 == 7 ? 0 : 1 + i % SPHERES);
+        if (i % 8 == 3) // one that is close
+            ray.origin =
+                spheres[0].center - (1 + pow(10, random_number(-7, -1)) / spheres[0].radius) *
+                                        spheres[0].radius * vec3_unit(ray.direction);
+        if (i % 16 == 4) // two that are equal
+            spheres[1].center = spheres[0].center, spheres[1].radius = spheres[0].radius;
         nearest_hit(ray, &scene);
     }
 }
@@ -41,13 +49,16 @@ END_TEST
 
 static void ask_for_pictures(Cast *cast)
 {
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 10; i++) {
         Sphere spheres[SPHERES];
         Camera camera = random_camera();
         camera.distance = random_number(0.5, 1.5);
-        Scene scene = random_scene(spheres, camera.origin);
-        for (int k = 0; k < SPHERES; k++)
-            spheres[k].center += 3 * camera.forward;
+        random_row(spheres, (Ray){camera.origin + 2 * camera.forward, camera.forward});
+        if (i % 4 == 1) // round the eye
+            spheres[i % 3].center = camera.origin + 0.3 * spheres[i % 3].radius * random_unit();
+        if (i % 4 == 2) // two that are equal
+            spheres[1].center = spheres[0].center, spheres[1].radius = spheres[0].radius;
+        Scene scene = any_scene(spheres, SPHERES);
         Resolution size = i % 2 == 0 ? (Resolution){11, 7} : (Resolution){6, 9};
         Image image = odd_image(size);
         cast(&scene, camera, &image);

@@ -33,7 +33,7 @@ START_TEST(ambient_of_any_surface)
     for (int i = 0; i < MANY; i++) {
         Color surface = random_color(0.1, 0.9);
         double kd = random_number(0.1, 0.9);
-        ambient_term(surface, kd, random_color(0.1, 0.9));
+        ambient_term(surface, kd, random_color(0.1, i % 4 == 3 ? 9 : 0.9));
     }
 }
 END_TEST
@@ -52,7 +52,7 @@ START_TEST(diffuse_of_any_surface)
     for (int i = 0; i < MANY; i++) {
         Color surface = random_color(0.1, 0.9);
         double kd = random_number(0.1, 0.9);
-        Color light = random_color(0.1, 1.5);
+        Color light = random_color(0.1, i % 4 == 2 ? 20 : 1.5);
         vec3 normal = random_unit();
         diffuse_term(surface, kd, light, normal, any_way(normal, i));
     }
@@ -71,16 +71,22 @@ END_TEST
 typedef Color Highlight(double ks, double shine, Color light, vec3 normal, vec3 to_light,
                         vec3 to_eye);
 
-// Most eyes near the mirrored light, so that there is a highlight.
+// Most eyes near the mirrored light, so that there is a highlight; some on its other side.
 static void ask_for_highlights(Highlight *term)
 {
-    for (int i = 0; i < 2 * MANY; i++) {
+    for (int i = 0; i < 3 * MANY; i++) {
         double ks = random_number(0.1, 0.9), shine = random_number(0.5, 9);
-        Color light = random_color(0.1, 1.5);
+        Color light = random_color(0.1, i % 4 == 0 ? 30 : 1.5);
+        if (i % 6 == 5)
+            shine = 1 + i / 6 % 3;
         vec3 normal = random_unit(), to_light = any_way(normal, i);
         vec3 mirrored = 2 * vec3_dot(normal, to_light) * normal - to_light;
         vec3 to_eye = mirrored + random_number(0, i % 4 == 2 ? 3 : 0.8) * vec3_length(mirrored) *
                                      random_unit();
+        if (i % 6 == 5)
+            to_eye = -to_eye;
+        if (i % 8 == 3) // behind, as both are
+            to_eye = -to_light + 0.4 * normal;
         term(ks, shine, light, normal, to_light, random_number(0.3, 4) * to_eye);
     }
 }
@@ -107,22 +113,74 @@ START_TEST(steps_off_any_surface)
 }
 END_TEST
 
+// From 1e-7 to 1 as often small as large, so that every threshold lies between two of them.
+static double any_small(void)
+{
+    return pow(10, random_number(-7, 0));
+}
+
+// A sphere that the way from a place to another enters after some part of it; 0 to 1 is between the
+// two.
+static void put_on_the_way(World *world, vec3 from, vec3 to, double part)
+{
+    vec3 way = to - from, normal = random_unit();
+    if (vec3_dot(normal, way) > 0)
+        normal = -normal;
+    double radius = random_number(0.2, 1.5);
+    put_sphere(world, from + part * way - radius * normal, radius, random_surface());
+}
+
 START_TEST(what_arrives_anywhere)
 {
-    for (int i = 0; i < 4 * MANY; i++) {
+    for (int i = 0; i < 8 * MANY; i++) {
         World world;
-        random_world(&world, 1 + i % 5, 1, 1);
-        visibility(&world.scene, random_vec3(-7, 7), world.lights[0]);
+        random_world(&world, i % 3, 1, 1);
+        Light light = world.lights[0];
+        vec3 from = random_vec3(-7, 7);
+        vec3 to = light.kind == LIGHT_POINT ? light.position : from + light.position;
+        double part = i % 8 < 3    ? random_number(0.1, 0.9)
+                      : i % 8 == 3 ? any_small()
+                      : i % 8 == 4 ? 1 - any_small()
+                      : i % 8 == 5 ? random_number(1.01, 3)
+                      : i % 8 == 6 ? -random_number(0.05, 1)
+                                   : -0.01;
+        put_on_the_way(&world, from, to, part);
+        if (i % 5 == 0)
+            put_on_the_way(&world, from, to, random_number(-1, 2));
+        for (int k = 0; k < world.scene.surface_count; k++)
+            world.surfaces[k].transmittance = random_number(0.1, 0.9);
+        visibility(&world.scene, from, light);
     }
 }
 END_TEST
 
+// Most spheres are seen, and some of the lights that they would have are hidden from them; some
+// eyes are inside.
+static Ray any_view(World *world, int i)
+{
+    random_world(world, 2 + i % 6, i % 4, 1);
+    Ray ray = random_view(world, 1);
+    if (i % 5 == 4)
+        ray.origin = world->spheres[0].center + 0.6 * world->spheres[0].radius * random_unit();
+    Hit hit = nearest_hit(ray, &world->scene);
+    vec3 point = ray.origin + hit.t * ray.direction;
+    if (hit.sphere >= 0 && world->scene.light_count > 0 && i % 3 == 0 &&
+        world->lights[0].kind == LIGHT_POINT)
+        put_on_the_way(world, point, world->lights[0].position, random_number(0.2, 0.8));
+    if (i % 7 == 6)
+        for (int k = 0; k < world->scene.light_count; k++)
+            world->lights[k].color *= 9;
+    if (i % 9 == 8)
+        for (int k = 1; k < world->scene.surface_count; k++)
+            world->surfaces[k].specular = 0;
+    return ray;
+}
+
 START_TEST(light_of_any_surface)
 {
-    for (int i = 0; i < 3 * MANY; i++) {
+    for (int i = 0; i < 5 * MANY; i++) {
         World world;
-        random_world(&world, 2 + i % 4, i % 4, 1);
-        Ray ray = random_view(&world, 1);
+        Ray ray = any_view(&world, i);
         Hit hit = nearest_hit(ray, &world.scene);
         if (hit.sphere >= 0)
             shade(&world.scene, ray, hit);
@@ -132,11 +190,24 @@ END_TEST
 
 START_TEST(what_any_ray_sees)
 {
-    for (int i = 0; i < 3 * MANY; i++) {
+    for (int i = 0; i < 6 * MANY; i++) {
         World world;
-        random_world(&world, 2 + i % 4, 1 + i % 3, 1);
-        Ray ray = random_view(&world, 1);
-        trace_ray(&world.scene, i % 8 == 7 ? random_ray(6, 2) : ray, i % 4);
+        Ray ray = any_view(&world, i);
+        trace_ray(&world.scene, i % 8 == 7 ? random_ray(6, 2) : ray, i % 4 == 0 ? 0 : 1 + i % 3);
+    }
+}
+END_TEST
+
+// So deep that each more is seen: mirrors that face each other.
+START_TEST(what_is_seen_in_many_mirrors)
+{
+    for (int depth = 0; depth < 9; depth++) {
+        World world;
+        random_world(&world, 0, 2, 1);
+        vec3 axis = random_unit();
+        for (int side = -1; side <= 1; side += 2)
+            put_sphere(&world, side * 3 * axis, 2, mirror(random_color(0.2, 0.9), 0.95));
+        trace_ray(&world.scene, (Ray){vec3_of(0, 0, 0), axis}, depth);
     }
 }
 END_TEST
@@ -181,6 +252,7 @@ void list_probes(void)
     test(light_of_any_surface);
     tests_of("trace_ray");
     test(what_any_ray_sees);
+    test(what_is_seen_in_many_mirrors);
     tests_of("clamp_color");
     test(clamped_colors);
     tests_of("gamma_encode");
