@@ -65,6 +65,16 @@ function statement_of(number) {
     return number
 }
 
+# That statement in one line.
+function statement_text(number,   text) {
+    for (number = statement_of(number); number <= last_line; number++) {
+        text = text " " code[number]
+        if (code[number] ~ /[;{}]$/)
+            break
+    }
+    return text
+}
+
 # Where the function begins that lacks a }; 0 where none does.
 function unclosed(   i, depth, last, line) {
     for (i = 1; i <= last_line; i++) {
@@ -96,19 +106,14 @@ function ends_at_once(number,   line, i, c, depth) {
 # The last line up to this one with a for that declares name; 0 where there is none.
 function loop_of(name, number,   first) {
     first = beginning(number)
-    while (number > first && !(code[number] ~ /(^|[^A-Za-z_0-9])for *\(/ &&
-                               code[number] ~ "[ *(]" name " *="))
+    while (number > first && code[number] !~ "(^|[^A-Za-z_0-9])for *\\( *[A-Za-z_0-9]+[ *]+" name " *=")
         number--
     return number > first ? number : 0
 }
 
 # Two numbers with a comma between them, and no blank, in the statement of this line: 0,5; or "".
 function decimal_comma(number,   text) {
-    for (number = statement_of(number); number <= last_line; number++) {
-        text = text " " code[number]
-        if (code[number] ~ /[;{}]$/)
-            break
-    }
+    text = statement_text(number)
     if (!match(text " ", /[^A-Za-z_0-9.,][0-9]+,[0-9]+([^A-Za-z_0-9.,]|, )/))
         return ""
     text = substr(text, RSTART + 1, RLENGTH - 1)

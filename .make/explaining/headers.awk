@@ -1,5 +1,5 @@
 # headers.awk - what the headers declare, and which type an expression of the answer has.
-# header_of: names; prototype_of and gives: functions; members, field_type: structs.
+# header_of: names; prototype_of and gives: functions; members, field_type: structs; one_of: enums.
 function read_headers(   i, file, line, part, inside_of, tag, content, name) {
     if (headers_read++)
         return
@@ -44,15 +44,19 @@ function is_declared(name) {
 }
 
 function list_members(kind, type, content, file,
-                      declaration, part, count, i, j, k, name, field, field_kind) {
+                      declaration, part, count, i, j, k, name, field, field_kind, star) {
     header_of[type] = file
     if (type != "")
         struct_names = struct_names "|" type
     if (kind == "enum") {
         gsub(/=[^,]*/, "", content)
         gsub(/ /, "", content)
-        for (i = split(content, part, ","); i > 0; i--)
+        count = split(content, part, ",")
+        for (i = 1; i <= count; i++) {
             header_of[part[i]] = file
+            if (type != "" && i <= 3)
+                one_of[type] = one_of[type] (i > 1 ? ", " : "") part[i] (i == 3 && count > 3 ? ", ..." : "")
+        }
         return
     }
     count = split(content, declaration, ";")
@@ -68,9 +72,11 @@ function list_members(kind, type, content, file,
         k = split(substr(name, length(field_kind) + 1), field, ",")
         for (j = 1; j <= k; j++) {
             sub(/\[.*/, "", field[j])
+            star = field[j] ~ /\*/
             gsub(/[^A-Za-z_0-9]/, "", field[j])
             members[type] = members[type] (members[type] == "" ? "" : ", ") field[j]
             field_type[type, field[j]] = field_kind
+            field_pointer[type, field[j]] = star
         }
     }
 }
@@ -139,7 +145,7 @@ function with_article(type) {
 # How a value of a type is written, or "". Its blanks are no places to wrap a line.
 function written(type,   how) {
     read_headers()
-    how = type == "vec3" ? "vec3_of(x, y, z)" \
+    how = type == "vec3" ? "vec3_of(x, y, z)" : type == "Color" ? "vec3_of(r, g, b)" \
         : type in members ? "(" type "){" members[type] "}" : ""
     gsub(/ /, "\001", how)
     return how
@@ -180,16 +186,16 @@ function find_types(i,   what, line) {
     if (what ~ /^expected '.*' but argument is of type|^incompatible types when (initializing|assigning)|^initializing '.*' with an expression of incompatible|^assigning to '/) {
         wanted[i] = bare_type(quoted(what))
         given[i] = bare_type(quoted(what, "second"))
-    } else if (what ~ /^incompatible types when returning|^returning '.*' from a function|^passing '.*' to parameter/) {
+    } else if (what ~ /^incompatible types when returning|^returning '.*' from a function|^passing '.*' to parameter|^incompatible pointer types passing/) {
         given[i] = bare_type(quoted(what))
         wanted[i] = bare_type(quoted(what, "second"))
     } else if (what ~ /^invalid initializer/) {
         line = code[line_number[i]]
         wanted[i] = type_of(expression_at_end(line_before(line, "=")), line_number[i])
         sub(/[^=]*= */, "", line)
-        sub(/\(.*/, "", line)
-        given[i] = gives[line]
+        given[i] = expression_type(line_before(line, ";"), line_number[i])
     }
+    sub(/ ?\* ?const$/, " *", given[i])
 }
 
 function line_before(line, sign) {

@@ -23,8 +23,27 @@ BEGIN {
     known_as("print println echo cout console", "printf, of <stdio.h>")
     known_as("max maximum", "fmax, of <math.h>")
     known_as("min minimum", "fmin, of <math.h>")
+    known_as("infinity Infinity INF inf HUGE", "INFINITY, of <math.h>")
     known_as("True TRUE", "true")
     known_as("False FALSE", "false")
+
+    # Not every compiler says in which header of the C library something is.
+    is_in("<stdio.h>", "printf fprintf sprintf snprintf puts putchar fputs scanf fflush stdout stderr")
+    is_in("<stdlib.h>", "malloc calloc realloc free abs exit rand srand qsort atof atoi")
+    is_in("<string.h>", "memcpy memset memcmp strlen strcmp")
+    is_in("<math.h>", "sqrt fabs tan sin cos atan atan2 acos asin pow floor ceil round fmin fmax hypot " \
+          "exp log isnan isfinite signbit copysign INFINITY NAN")
+    is_in("<stdbool.h>", "bool true false")
+    is_in("<stddef.h>", "NULL size_t")
+    is_in("<stdint.h>", "uint8_t")
+    is_in("<float.h>", "DBL_MAX DBL_MIN DBL_EPSILON FLT_MAX FLT_EPSILON")
+    is_in("<limits.h>", "INT_MAX INT_MIN")
+    is_in("<assert.h>", "assert")
+}
+
+function is_in(library, names,   part, i) {
+    for (i = split(names, part, " "); i > 0; i--)
+        library_of[part[i]] = library
 }
 
 function known_as(names, name,   part, i) {

@@ -64,6 +64,9 @@ function translated(letter, number,   i, name, type, member, found, what) {
         type = scope_type[name]
         member = part_of_deck(type, letter)
         what = ""
+        # With a and b, c is that of the quadratic.
+        if (letter == "c" && strange_letters[beginning(number)] ~ /(^| )[ab](,|$)/)
+            member = ""
         # A camera that is given as a pointer is made there: it has no parts yet.
         if (member != "" && !(type == "Camera" && scope_pointer[name]))
             what = name (scope_pointer[name] ? "->" : ".") member
@@ -75,15 +78,40 @@ function translated(letter, number,   i, name, type, member, found, what) {
     return found == "" ? "" : letter "\001is\001" found
 }
 
-# Where in scope a value has a part of this name: camera.width, view.width. owner: the last one's type.
-function whole_of(member, number,   i, name, found) {
+# The same for c.d, which no Camera has.
+function letter_of_whole(i,   type, letter, name, member) {
+    if (text[i] !~ /no member named/)
+        return ""
+    type = bare_type(quoted(text[i], text[i] !~ /^'/))
+    letter = quoted(text[i], text[i] ~ /^'/)
+    name = ahead[i]
+    sub(/ *(\.|->) *$/, "", name)
+    name = expression_at_end(name)
+    member = part_of_deck(type, letter)
+    return name == "" || member == "" ? "" : letter "\001is\001" name "." member
+}
+
+# Where in scope a value has a part of this name: camera.width, view.width. owner: their type.
+function whole_of(member, number,   i, k, count, name, type, part, found) {
     read_scope(number)
     for (i = 1; i <= scope_count; i++) {
         name = in_scope[i]
-        if ((scope_type[name], member) in field_type && !(scope_type[name] == "Camera" && scope_pointer[name])) {
-            found = found (found == "" ? "" : " or ") name (scope_pointer[name] ? "->" : ".") member
-            owner = scope_type[name]
-        }
+        type = scope_type[name]
+        if (type == "Camera" && scope_pointer[name])
+            continue
+        name = name (scope_pointer[name] ? "->" : ".")
+        if ((type, member) in field_type)
+            found = add_whole(found, name member, type)
+        # image->size.width
+        count = split(members[type], part, ", ")
+        for (k = 1; k <= count; k++)
+            if ((field_type[type, part[k]], member) in field_type && !field_pointer[type, part[k]])
+                found = add_whole(found, name part[k] "." member, field_type[type, part[k]])
     }
     return found
+}
+
+function add_whole(found, whole, type) {
+    owner = found == "" || owner == type ? type : ""
+    return found (found == "" ? "" : " or ") whole
 }

@@ -9,7 +9,8 @@ function sort_out(   i, j, name) {
         unknown[i] = is_unknown(i)
         is_letter[i] = unknown[i] && name ~ /^[A-Za-z]$/ && text[i] !~ /function '|unknown type/ &&
             !loop_of(name, line_number[i])
-        translation[i] = is_letter[i] ? translated(name, line_number[i]) : ""
+        translation[i] = is_letter[i] ? translated(name, line_number[i]) : letter_of_whole(i)
+        is_letter[i] = is_letter[i] || translation[i] != ""
         if (translation[i] != "")
             add_to(letters_of, begins[i], translation[i])
         else if (is_letter[i] && whole_of(name, line_number[i]) == "")

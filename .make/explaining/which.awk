@@ -25,7 +25,7 @@ function is_count(i) {
 }
 
 function is_signature(i) {
-    return text[i] ~ /^conflicting types for|^redefinition of|^static declaration of/
+    return text[i] ~ /^conflicting types for|^redefinition of|^static declaration of|doesn't match prototype$/
 }
 
 function is_missing_return(i) {
@@ -59,7 +59,7 @@ function is_outside(i) {
 # A vector where there should be a number.
 function is_vector(i) {
     if (wanted[i] != "")
-        return given[i] == "vec3" && is_number(wanted[i])
+        return given[i] ~ /^(vec3|Color)$/ && is_number(wanted[i])
     return text[i] ~ /(double|float|int)' (using|from) type 'vec3'|used vector type where|^wrong type argument to unary|^aggregate value used where|requires expression of scalar type|invalid conversion between vector type|logical expression with vector type|^used type .*vector|^invalid argument type .*vector|(convert|conversion).*vec3.*double/
 }
 

@@ -159,6 +159,25 @@ broken 06-ray-casting 's|image_set(image, pixel,|image_set(*image, pixel,|'
 check 'a * too many' helps 'image_set wants an Image * there, and this is an Image. Take the * away: without it, it is a pointer.'
 check 'a * too many is no & too few' says_not 'A & in front'
 
+explains 'a . for a part that is not there' 06-ray-casting '/^void cast_image/,/^}/s|image->size.height|image.height|' \
+    'image points to an Image, whose parts are size, rgb, progress, set_count.'
+broken 06-ray-casting 's|hit_sphere(ray, scene->spheres.i.)|hit_sphere(ray, scene->spheres)|'
+check 'all of them for one of them' helps 'hit_sphere wants a Sphere there, and this is a Sphere *. One of them is scene->spheres[i].'
+broken 02-cameras '/^CameraFault camera_from_vec/,/^}/s|return give(found, camera)|camera = found; return CAMERA_OK|'
+check 'a pointer for what it points to' helps 'a Camera * is wanted here, and this is a Camera. To store it where camera points, say *camera = ...'
+explains 'a camera for a fault' 02-cameras '/^CameraFault camera_from_look/,/^}/s|return give(found, camera)|return found|' \
+    'camera_from_look_at gives back a CameraFault (exercises/02-cameras.h), and this is a Camera. A CameraFault is one of CAMERA_OK, CAMERA_NOT_FINITE, CAMERA_NOT_UNIT, ... (common/camera.h).'
+explains 'a number for a sphere' 07-shading '/^Color shade/,/^}/s|Sphere sphere = scene->spheres.hit.sphere.|Sphere sphere = hit.sphere|' \
+    'a Sphere is wanted here, and this is an int. Is the type of the variable right?'
+explains 'a vector in arithmetic with a struct' 05-quadratic 's|(Ray){ray.origin - sphere.center|(Ray){ray.origin - sphere|' \
+    'there is no arithmetic with a Sphere as a whole: its parts are center, radius, surface.'
+explains 'a struct with a number in brackets' 03-screen 's|pixel.column + 0.5|pixel[0] + 0.5|' \
+    'a Pixel has no numbered parts: they are called column, row.'
+explains 'a call for an element' 05-quadratic '/^double hit_sphere/,/^}/s|if (roots.t.i.|if (roots.t(i)|' \
+    'roots.t(...) is a call of a function; an element of an array is roots.t[...].'
+explains 'a * on a number' 06-ray-casting 's|depth.i. = t;|*depth[i] = t;|' \
+    'a * in front asks what a pointer points to, and this is no pointer: take the * away.'
+
 # ---- the deck's letters -------------------------------------------------------------------------
 
 explains "the slide's own line" 01-corners \
@@ -175,6 +194,22 @@ explains 'W and H of the screen' 03-screen '/^Normalized/,/^}/s|point.x / screen
     "the slide's W is screen.width, H is screen.height."
 broken 02-cameras '/^CameraFault camera_from_look_at/,/^}/s|double distance = .*|double distance = d;|'
 check 'a camera that is still to be made has no parts yet' says_not 'camera->distance'
+explains 'as parts of a camera' 01-corners '/^vec3 upper_left/,/^}/s|return .*|return c.d * c.f - c.w / 2 * c.r;|' \
+    "the parts of a Camera are origin, right, up, forward, distance, width, height (common/camera.h). The slide's d is c.distance, f is c.forward, w is c.width, r is c.right."
+explains 'a, b and c together are the quadratic' 05-quadratic '/^Quadratic object/,/^}/s|return .*|return (Quadratic){a, b, c};|' \
+    'nothing here is called a, b, c. object_quadratic is given Ray object_ray and double radius.'
+explains 'the camera of another function' 01-corners 's|return image_plane_vec.*|return camera.distance * c.forward;|' \
+    'nothing here is called camera. The Camera has another name here: say c.distance.'
+explains 'a height of two things' 06-ray-casting '/^void cast_image/,/^}/s|image->size.height|height|' \
+    'height is the name of parts: say camera.height or image->size.height.'
+explains 'a part that has the name of a function' 02-cameras 's|vec3 across = vectors.upper_right|vec3 across = upper_right|' \
+    'upper_right is a part of a Corners (common/camera.h): say vectors.upper_right.'
+explains 'capitals' 05-quadratic '/^double hit_sphere/,/^}/s|NO_HIT|no_hit|' \
+    'nothing here is called no_hit. It is written NO_HIT (common/ray.h).'
+explains 'a variable is no type' 06-ray-casting '/^void cast_image/,/^}/s|nearest_hit(pixel_ray(camera, image->size, pixel), scene)|nearest_hit(ray, scene)|' \
+    'nothing here is called ray. A Ray of your own is declared first: Ray ray = ...;'
+explains 'a loop that declares nothing' 05-quadratic '/^double hit_sphere/,/^}/s|for (int i|for (i|' \
+    'i is not declared: for (int i = ...; ...; ...).'
 explains 'letters that nobody has' 01-corners 's|return image_plane_vec.*|return c.forward + (s - t) * a * c.up;|' \
     'nothing here is called s, t, a. across_30_up_10 is given Camera c. A variable of your own is declared first, with its type.'
 broken 01-corners 's|return image_plane_vec.*|return c.forward + (s - t) * a * c.up;|'

@@ -81,6 +81,21 @@ explains '2distance' 02-cameras 's|return 2 . distance|return 2distance|' \
 explains '2(distance)' 02-cameras 's|return 2 . distance|return 2(distance)|' \
     'a * is missing before the bracket'
 
+explains '^ to another power' 07-shading 's|pow(cosine, shine)|cosine^shine|' \
+    '^ is exclusive or in C: write pow(cosine, shine).'
+explains '** to another power' 07-shading 's|pow(cosine, shine)|cosine ** shine|' 'C has no **: write pow(cosine, shine).'
+explains 'x between numbers' 01-corners 's|return image_plane_v.*|return c.distance x c.forward;|' \
+    'x is no operator in C: * multiplies, and the cross product is vec3_cross(v, w).'
+explains 'a dot between numbers' 01-corners 's|return image_plane_v.*|return c.distance . c.forward;|' \
+    'a dot between blanks is no product: numbers are multiplied by *, and v . w is vec3_dot(v, w).'
+explains '=> for >=' 05-quadratic 's|(roots.t.i. > 0)|(roots.t[i] => 0)|' 'C writes >= and <=, not => and =<.'
+explains 'if without a bracket' 05-quadratic 's|if (roots.t.i. > 0)|if roots.t[i] > 0|' \
+    'after if, while and for comes a bracket: if (x > 0).'
+explains 'a ) too few' 01-corners 's|return image_plane_v.*|return (c.distance * c.forward + c.up;|' \
+    'a ) is missing: here are more ( than ).'
+explains 'an operator left out in a struct' 05-quadratic 's|2 . vec3_dot(p, v), vec3_dot(p, p) - radius|2 vec3_dot(p, v), vec3_dot(p, p) - radius|' \
+    'an operator or a comma is missing there (2 t is 2 * t).'
+
 # A decimal comma, wherever the compiler stumbles over it.
 point='0,5 is two numbers in C. If it is meant as one, write 0.5.'
 decimal_comma() {
