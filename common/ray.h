@@ -2,18 +2,28 @@
 #ifndef COMMON_RAY_H
 #define COMMON_RAY_H
 
+#include "common/camera.h"
 #include "common/vec3.h"
 
 #include <math.h>
 
 typedef struct {
     vec3 origin;
-    vec3
-        direction; // of any length but 0: never assume 1. The ray of a pixel has t = 1 on the plane
+    vec3 direction; // of any length but 0: never assume 1
 } Ray;
 
 // The t of a ray that meets nothing: farther than every hit, so that comparing just works.
 #define NO_HIT INFINITY
+
+// The ray of a pixel may have a direction of any length. This is the same half line, with t = 1 on
+// the camera's image plane; one that never reaches the plane stays as it is.
+static inline Ray ray_to_plane(Ray ray, Camera camera)
+{
+    double ahead = vec3_dot(ray.direction, camera.forward);
+    if (ahead > 0)
+        ray.direction = camera.distance / ahead * ray.direction;
+    return ray;
+}
 
 // The nearest of many spheres.
 typedef struct {

@@ -10,13 +10,6 @@
 // How far the ray is drawn, in times the way to the image plane.
 #define FAR 1.5
 
-// The ray up to the image plane, however long its direction is: that is free.
-static vec3 way_to_plane(Ray ray, Camera c)
-{
-    double ahead = vec3_dot(ray.direction, c.forward);
-    return ahead > 0 ? c.distance / ahead * ray.direction : ray.direction;
-}
-
 static void vector_data(Plot *plot, Camera c, Normalized place)
 {
     vec3 there = image_plane_vector(c, place.s, place.t);
@@ -36,7 +29,7 @@ static void pixel_to_ray(Plot *plot, void *given)
     Camera c = aim->camera;
     ScreenPoint center = pixel_center(aim->pixel);
     Normalized place = screen_to_normalized(center, aim->screen);
-    Ray ray = pixel_ray(c, aim->screen, aim->pixel);
+    Ray ray = ray_to_plane(pixel_ray(c, aim->screen, aim->pixel), c);
     plane_data(plot, c, 1, 1);
     plot_pair(plot, "screen", "W", aim->screen.width, "H", aim->screen.height);
     plot_pair(plot, "pixel", "column", aim->pixel.column, "row", aim->pixel.row);
@@ -44,7 +37,7 @@ static void pixel_to_ray(Plot *plot, void *given)
     plot_pair(plot, "place", "s", place.s, "t", place.t);
     vector_data(plot, c, place);
     plot_point(plot, "origin", ray.origin);
-    plot_vector(plot, "ray", ray.origin, FAR * way_to_plane(ray, c));
+    plot_vector(plot, "ray", ray.origin, FAR * ray.direction);
 }
 
 static const Figure figures[] = {{"pixel-to-ray", pixel_to_ray}, {0}};

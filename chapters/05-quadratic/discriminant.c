@@ -10,12 +10,16 @@ enum { SAMPLES = 400, SITUATIONS = 5 };
 static const double half_panel = 1.75; // in radii, as in the layout
 
 // Five rays along x against the same sphere, in object coordinates; the numbers of where they start
-// are short in binary, so that the tangent is one, exactly.
+// are short in binary, and so is the tangent's distance from the centre, 17/8: it is one, exactly,
+// by any of the usual formulas.
 static const struct {
     double x, y;   // of p, in radii
     double middle; // of the panel
-} situations[SITUATIONS] = {
-    {-2.25, 1.5, -0.6}, {-2.25, 1, -0.6}, {-2.25, 0.5, -0.6}, {-0.5, 0.5, 0.2}, {1.25, 0.5, 0.5}};
+} situations[SITUATIONS] = {{-1.875, 1.5, -0.6},
+                            {-1.875, 1, -0.6},
+                            {-1.875, 0.5, -0.6},
+                            {-0.5, 0.5, 0.2},
+                            {1.25, 0.5, 0.5}};
 
 // The radius to 22 binary digits, so that its square, times small numbers, is exact.
 static double rounded(double radius)

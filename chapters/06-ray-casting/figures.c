@@ -46,7 +46,7 @@ static void missing_ray(Plot *plot, const Shown *shown)
     Ray ray = {shown->ray.origin, vec3_of(0, 0, 0)};
     for (int i = 0; i < shown->grid.width * shown->grid.height; i++) {
         Pixel cell = {i % shown->grid.width, i / shown->grid.width};
-        Ray r = pixel_ray(shown->shot.camera, shown->grid, cell);
+        Ray r = ray_to_plane(pixel_ray(shown->shot.camera, shown->grid, cell), shown->shot.camera);
         double x = (cell.column + 0.5) / shown->grid.width - 0.2;
         double y = (cell.row + 0.5) / shown->grid.height - 0.2;
         if (nearest_hit(r, shown->shot.scene).sphere < 0 && x * x + y * y < best) {

@@ -149,7 +149,7 @@ void shown_choose(Shown *shown, Shot shot)
     *shown = (Shown){.shot = shot, .grid = grid_of(shot.size)};
     if (shot.pixel.column < 0)
         shown->shot.pixel = telling_pixel(shown);
-    shown->ray = pixel_ray(shot.camera, shot.size, shown->shot.pixel);
+    shown->ray = ray_to_plane(pixel_ray(shot.camera, shot.size, shown->shot.pixel), shot.camera);
     shown->hit_count = hits_of(shown->ray, shot.scene, shown->hits, MOST_HITS);
     for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++)
         show_sphere(shown, shown->hits[i].sphere);

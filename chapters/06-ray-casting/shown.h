@@ -21,7 +21,7 @@ typedef struct {
     Shot shot;
     Camera camera;   // of the same rays, its image plane before the spheres
     Resolution grid; // what is drawn of the pixels: all, or a coarser picture
-    Ray ray;         // of the pixel
+    Ray ray;         // of the pixel, with t = 1 on the image plane, however long its direction is
     Hit hits[MOST_HITS];
     int hit_count;             // of all spheres, not just of those in hits
     int spheres[MOST_SPHERES]; // their indices

@@ -229,7 +229,8 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
     here.corner = corner;
     here.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
     here.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
-    here.rays = rays_from(pixel_ray(camera, image->size, corner).direction,
+    // From one pixel to the next it is the same step on the plane, so that is where rays end.
+    here.rays = rays_from(ray_to_plane(pixel_ray(camera, image->size, corner), camera).direction,
                           camera.width / width * camera.right, -camera.height / height * camera.up);
     double x = camera.width / width * nearest_to(width / 2.0, corner.column, here.columns);
     double y = camera.height / height * nearest_to(height / 2.0, corner.row, here.rows);

@@ -1,0 +1,51 @@
+#!/bin/sh
+# free.sh - answers that are right and use the freedom of their contracts (tests/variants/free) make
+# the same pictures and figures as the reference.
+set -u
+. tests/library.sh
+
+answers=$scratch/free
+free=build$answers
+right=build/solutions
+trap 'end_started; rm -rf "$free" "$scratch"' EXIT
+
+programs='01-corners 02-cameras 03-screen 04-pixel-ray 05-quadratic 06-ray-casting 07-shading 08-fast'
+builds() {
+    mkdir -p "$answers" && cp solutions/*.c "$answers" &&
+        cp tests/variants/free/*.c "$answers" || return 1
+    wanted=
+    for stem in $programs; do
+        wanted="$wanted $free/$stem $right/$stem"
+    done
+    # shellcheck disable=SC2086 # several words
+    make -s ANSWERS="$answers" $wanted >"$scratch/said" 2>&1 || { cat "$scratch/said"; return 1; }
+}
+check 'answers that use every freedom build' builds
+
+same() {
+    program=$1
+    shift
+    "$right/$program" "$@" "$scratch/right.png" >"$scratch/said" 2>&1 &&
+        "$free/$program" "$@" "$scratch/free.png" >"$scratch/said" 2>&1 &&
+        "$BUILD/tests/same_picture" "$scratch/right.png" "$scratch/free.png"
+}
+check 'by them the sphere of 05 is the same picture' same 05-quadratic --picture
+check 'the spheres of 06 are' same 06-ray-casting -s 160x120 -o
+check 'in object order, too' same 06-ray-casting -s 160x120 --order object -o
+check 'the shaded spheres of 07 are' same 07-shading -s 80x60 -o
+for engine in plain object bvh packet tiles bins; do
+    check "those that $engine casts are" same 08-fast --engine $engine -s 160x120 -o
+done
+
+# Beside the reference's numbers nothing is called wrong.
+no_figure_differs() {
+    for layout in chapters/*/*.gp; do
+        stem=${layout#chapters/} name=${layout##*/}
+        stem=${stem%%/*} name=${name%.gp}
+        "$right/$stem" --figure "$name" >"$scratch/right.gp" &&
+            "$free/$stem" --figure "$name" --beside "$scratch/right.gp" >"$scratch/free.gp" || return 1
+        ! grep -q '^wrong = 1' "$scratch/free.gp" || { echo "$name: something is called wrong"; return 1; }
+    done
+}
+check 'and no figure calls them wrong' no_figure_differs
+finish free
