@@ -239,6 +239,21 @@ function dispatch_head(   line, part) {
 }
 
 # One call, by the exercise's name or by a function that is given.
+# What the reference relies on, if a student's process asks for it.
+function conditions(   i, text) {
+    for (i = 1; i <= count; i++) {
+        if (type[i] == "Hit")
+            text = text " || !wire_allows_hit(in, " variable[i] ", scene)"
+        if (type[i] == "int")
+            text = text " || !wire_allows_depth(in, " variable[i] ")"
+        if (type[i] == "Light")
+            text = text " || !wire_allows_light(in, " variable[i] ")"
+        if (type[i] == "Handedness")
+            text = text " || !wire_allows_world(in, " variable[i] ")"
+    }
+    return text
+}
+
 function dispatch(   i, v, called) {
     called = make == "apply" ? "((" result " (*)(" list "))answer)" : name
     print "    case " number - 1 ": {"
@@ -258,7 +273,9 @@ function dispatch(   i, v, called) {
         else
             print "        " type[i] " " v ";\n        wire_get(in, &" v ", sizeof " v ");"
     }
-    print "        if (!wire_is_read(in))\n            return false;"
+    print "        if (!wire_is_read(in)" conditions() ") {"
+    free_arguments("            ")
+    print "            return false;\n        }"
     if (make == "dispatch")
         print "        if (before_dispatched_call != NULL)\n            before_dispatched_call();"
     if (result == "void")
@@ -268,14 +285,18 @@ function dispatch(   i, v, called) {
     for (i = 1; i <= count; i++) {
         put_back("        ", i, "wire", "_given")
     }
+    free_arguments("        ")
+    print "        return true;\n    }"
+}
+
+function free_arguments(indent,   i, v) {
     for (i = count; i >= 1; i--) {
         v = variable[i]
         if (type[i] == "double *")
-            print "        free(" v "_given);"
+            print indent "free(" v "_given);"
         if (type[i] == "Image *")
-            print "        free(" v "_given.rgb);"
+            print indent "free(" v "_given.rgb);"
         if (type[i] == "const Scene *")
-            print "        scene_free(&" v "_value);"
+            print indent "scene_free(&" v "_value);"
     }
-    print "        return true;\n    }"
 }

@@ -115,6 +115,13 @@ $(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
+# What a hostile answer asks for when the reference is lent.
+ODD_QUESTIONS := $(B)/tests/lending/odd_questions
+$(ODD_QUESTIONS): $(ODD_QUESTIONS).o $(B)/judge/dispatch-all.o $(B)/tests/judge/wire.o $(B)/judge/layouts.o \
+		$(B)/judge/exercises.o $(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+
 # Numbers as they are read against the C library's.
 NUMBERS := $(B)/tests/exact/numbers
 $(NUMBERS): $(NUMBERS).o $(B)/common.a
@@ -187,7 +194,7 @@ CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v py
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
-CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
+CHECKS := $(COMMON_TESTS) $(NUMBERS) $(ODD_QUESTIONS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
 FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)

@@ -15,6 +15,10 @@ void call_answers_from(const char *answering, int printed);
 void call_lend(int exercise);
 bool call_has_lent(int exercise);
 
+// Whether every call that something was lent to was answered with what was lent to the same
+// question: then nothing was answered here.
+bool call_only_passes_on(void);
+
 // Begins a call of exercise number i: put the arguments into what comes back.
 Wire *call_begin(int exercise);
 

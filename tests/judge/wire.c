@@ -52,6 +52,26 @@ bool wire_is_read(const Wire *wire)
     return !wire->bad && wire->read == wire->size;
 }
 
+bool wire_allows_depth(const Wire *wire, int depth)
+{
+    return !wire->is_hostile || depth <= WIRE_MOST_DEPTH;
+}
+
+bool wire_allows_hit(const Wire *wire, Hit hit, const Scene *scene)
+{
+    return !wire->is_hostile || (hit.sphere >= 0 && hit.sphere < scene->sphere_count);
+}
+
+bool wire_allows_light(const Wire *wire, Light light)
+{
+    return !wire->is_hostile || light.kind == LIGHT_POINT || light.kind == LIGHT_DISTANT;
+}
+
+bool wire_allows_world(const Wire *wire, Handedness world)
+{
+    return !wire->is_hostile || world == LEFT_HANDED || world == RIGHT_HANDED;
+}
+
 static void put_zeros_behind(Wire *wire, const void *value, size_t used, size_t size)
 {
     static const uint8_t zeros[32];
@@ -133,6 +153,9 @@ void wire_get_scene(Wire *wire, Scene *scene)
     for (int i = 0; i < scene->sphere_count; i++)
         if (scene->spheres[i].surface < 0 || scene->spheres[i].surface >= scene->surface_count)
             wire->bad = true;
+    for (int i = 0; i < scene->light_count; i++)
+        if (!wire_allows_light(wire, scene->lights[i]))
+            wire->bad = true;
 }
 
 static size_t pixels_of(const Image *image)
@@ -161,7 +184,10 @@ void wire_get_image(Wire *wire, Image *image)
     Message message;
     Resolution size;
     wire_get(wire, &size, sizeof size);
-    if (wire->bad || !image_create(image, size, &message)) {
+    // A picture that is not in the message would be made of memory that is not there.
+    bool is_there = !wire->bad && size.width > 0 && size.height > 0 &&
+                    (uint64_t)size.width * (uint64_t)size.height <= (wire->size - wire->read) / 3;
+    if (!is_there || !image_create(image, size, &message)) {
         *image = (Image){0};
         wire->bad = true;
         return;
@@ -181,7 +207,8 @@ void wire_get_into_doubles(Wire *wire, double *doubles, const Image *image)
 
 double *wire_get_doubles(Wire *wire, const Image *image)
 {
-    double *doubles = malloc(sizeof *doubles * pixels_of(image) + 1);
+    bool is_there = !wire->bad && pixels_of(image) <= (wire->size - wire->read) / sizeof(double);
+    double *doubles = is_there ? malloc(sizeof *doubles * pixels_of(image) + 1) : NULL;
     if (doubles == NULL)
         wire->bad = true;
     else

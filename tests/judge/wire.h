@@ -18,11 +18,12 @@
 enum { WIRE_MOST_BYTES = 64 << 20 };
 
 typedef struct {
-    uint8_t *bytes; // from malloc
-    size_t size;    // how many were put
-    size_t room;    // how many there is room for
-    size_t read;    // how many were got
-    bool bad;       // too short, too long, or senseless
+    uint8_t *bytes;  // from malloc
+    size_t size;     // how many were put
+    size_t room;     // how many there is room for
+    size_t read;     // how many were got
+    bool bad;        // too short, too long, or senseless
+    bool is_hostile; // a question of a student's process: what the reference relies on is checked
 } Wire;
 
 // In front of every message.
@@ -55,6 +56,13 @@ bool wire_make_room(Wire *wire, uint64_t size); // for a message of so many byte
 void wire_put(Wire *wire, const void *value, size_t size);
 void wire_get(Wire *wire, void *value, size_t size);
 bool wire_is_read(const Wire *wire); // to its end, and nothing was bad
+
+// Whether the reference can be called with these; all of them if the question is not hostile.
+enum { WIRE_MOST_DEPTH = 100 };
+bool wire_allows_depth(const Wire *wire, int depth);
+bool wire_allows_hit(const Wire *wire, Hit hit, const Scene *scene);
+bool wire_allows_light(const Wire *wire, Light light);
+bool wire_allows_world(const Wire *wire, Handedness world);
 
 // What ends in padding: the padding crosses as zeros, or it could carry what the judge had there.
 void wire_put_camera(Wire *wire, const Camera *camera);

@@ -4,4 +4,5 @@
 . tests/library.sh
 needs_grading hostile 'attacks on the grader'
 HERE=1 python3 -B tests/grading/hostile/run.py bubblewrap exit-in-constructor exit-raw \
-    forged-answer-early include-solution incbin-reference circle-of-two reference- table chance- honest-
+    forged-answer-early include-solution incbin-reference circle-of-two wait-for-blanks wait-object lend-no- \
+    reference- table chance- honest-
