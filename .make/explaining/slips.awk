@@ -83,6 +83,6 @@ function tell(file,   line, count, text, i) {
     }
     close(file)
     for (i = 1; i <= count; i++)
-        printf "%s%s\n", i == count ? divisions : "", text[i] > file
+        printf "%s%s\n", (i == count ? divisions : ""), text[i] > file
     close(file)
 }

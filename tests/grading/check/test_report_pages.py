@@ -10,7 +10,7 @@ from report.html import submission_page
 from report.html_class import class_page
 from visible import visible
 from .hostile_records import HOSTILE, hostile_class
-from .make_records import ball, record
+from .make_records import ball, function, record, stem
 from .read_back import Page
 from .sample_records import ordinary_class
 from .sentences import check
@@ -86,6 +86,9 @@ def test_submissions():
         "a page allows no script and no network",
         all(f'content="{POLICY}"' in text for text in texts),
     )
+    functions = [function("first", state="unanswered"), function("second", state="wrong", test="t")]
+    page = submission_page(record("a", [stem("01-corners", functions)]), ".")
+    check("wrong comes before unanswered", page.index("second") < page.index("first"))
     page = words(Page(submission_page(ORDINARY[6], ".")))
     check("the compiler's words are shown", "error: expected ';' before 'return'\n   31 |" in page)
     marks = "{score:g} of {max:g}".format(**ORDINARY[6])

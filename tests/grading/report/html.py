@@ -101,7 +101,10 @@ def chapter(stem: dict):
             for function in right:
                 listed += [", " if listed else "", tag("code", function["name"])]
             inside.append(tag("p", tag("span", "right ", class_="right"), *listed))
-        inside += [told(stem, one) for one in stem["functions"] if one["state"] != "right"]
+        others = [one for one in stem["functions"] if one["state"] != "right"]
+        # As the student's terminal shows them: wrong before unanswered.
+        others.sort(key=lambda one: one["state"] in ("unanswered", "waiting"))
+        inside += [told(stem, one) for one in others]
     else:
         first, *rest = stem_lines(stem)
         inside.append(
