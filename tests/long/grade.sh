@@ -1,5 +1,6 @@
 #!/bin/sh
-# grade.sh - a grader that is killed, shared, and started again gives the same marks.
+# grade.sh - a grader that is killed, shared, and started again gives the same marks, and what goes wrong on the
+# machine is no mark.
 . tests/library.sh
 needs_grading grading 'grading, long'
-python3 -B tests/grading/check/run_tests.py "grading, long" test_regrade
+python3 -B tests/grading/check/run_tests.py "grading, long" test_regrade test_faults
