@@ -3,7 +3,7 @@
 
 // ---- clamp_color --------------------------------------------------------------------------------
 
-static void expect_clamped(Color color, Color clamped)
+void expect_clamped(Color color, Color clamped)
 {
     given_color("colour", color);
     expect_vec3(clamp_color(color), clamped, TOLERANCE);
@@ -48,7 +48,7 @@ END_TEST
 
 // ---- gamma_encode -------------------------------------------------------------------------------
 
-static void expect_encoded(Color color, double gamma, Color encoded)
+void expect_encoded(Color color, double gamma, Color encoded)
 {
     given_color("colour", color);
     given_number("gamma", gamma);

@@ -25,6 +25,11 @@ void given_light(Light light)
           vec3_text_to(light.position, 10).s, vec3_text_to(light.color, 10).s);
 }
 
+double largest(vec3 v)
+{
+    return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+}
+
 Sphere sphere_at(double x, double y, double z, double radius)
 {
     return (Sphere){.center = vec3_of(x, y, z), .radius = radius};
@@ -56,6 +61,7 @@ void list_tests(void)
     list_tests_of_phong();
     list_tests_of_halfway();
     list_tests_of_colors();
+    list_tests_of_scale();
     list_tests_of_off_surface();
     list_tests_of_visibility();
     list_tests_of_shade();

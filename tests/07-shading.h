@@ -13,6 +13,20 @@ void given_light(Light light);
 void given_color(const char *name, Color color);
 void given_highlight(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
+// What must come out: to 1e-9 of the numbers that go in, and of the light for a colour.
+double largest(vec3 v); // of its three numbers, without their signs
+void expect_normal(Sphere sphere, vec3 point, vec3 normal);
+void expect_ray_to_light(vec3 from, Light light, vec3 direction);
+void expect_mirrored(vec3 direction, vec3 normal, vec3 mirrored);
+void expect_ambient(Color surface, double kd, Color ambient, Color color);
+void expect_diffuse(Color surface, double kd, Color light, vec3 normal, vec3 to_light, Color color);
+void expect_phong(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye,
+                  Color color);
+void expect_halfway(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye,
+                    Color color);
+void expect_clamped(Color color, Color clamped);
+void expect_encoded(Color color, double gamma, Color encoded);
+
 Sphere sphere_at(double x, double y, double z, double radius);
 Color random_color(double low, double high);
 
@@ -28,5 +42,6 @@ void list_tests_of_terms(void);
 void list_tests_of_phong(void);
 void list_tests_of_halfway(void);
 void list_tests_of_colors(void);
+void list_tests_of_scale(void);
 
 #endif
