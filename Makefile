@@ -18,8 +18,11 @@ STEMS := $(sort $(notdir $(basename $(wildcard exercises/*.h))))
 
 # Answers inside the tree are named from its top, others by their whole path.
 A := $(patsubst $(CURDIR)/%,%,$(abspath $(ANSWERS)))
-ifneq ($(words $(ANSWERS) $(CURDIR)),2)
-$(error make cannot work in, or on answers in, a folder whose path has a blank: '$(or $(ANSWERS),?)')
+ifneq ($(words $(CURDIR)),1)
+$(error make cannot work in a folder whose path has a blank: '$(CURDIR)'. Rename the folder, or copy it to another place)
+endif
+ifneq ($(words $(ANSWERS)),1)
+$(error ANSWERS='$(ANSWERS)': expected one folder, whose path has no blank)
 endif
 ifeq ($(wildcard $(A)/.),)
 $(error ANSWERS=$(ANSWERS): no such folder)

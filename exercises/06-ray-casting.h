@@ -2,7 +2,16 @@
 //
 // Slides 'Ray casting process' and 'Two ways of rendering a picture'. Made of the answers of 04
 // and 05. Colours are flat: what a sphere's surface says (scene_surface in scene.h).
-// Tolerance: none. Both orders give the same bytes.
+// Tolerance: none. Both orders give the same bytes. Worlds are of any size and have any number of
+// spheres; images are of any shape, also one pixel wide.
+//
+// From common/image.h, for both orders:
+//   image_set(image, pixel, color);   colours one pixel of an Image *. The pixel is a Pixel, so
+//                                     {column, row}, counted from 0 at the upper left. A pixel
+//                                     outside the image ends the program with a message.
+//   image_index(image, pixel)         the number of this pixel, from 0, counted row by row from the
+//                                     top: depth[image_index(image, pixel)] is its depth. It does
+//                                     not check: a pixel outside gives a wrong number.
 #ifndef EXERCISES_06_RAY_CASTING_H
 #define EXERCISES_06_RAY_CASTING_H
 

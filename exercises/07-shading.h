@@ -5,8 +5,9 @@
 // Computer Synthesized Pictures', 1977; Whitted, 'An Improved Illumination Model for Shaded
 // Display', 1980. Colours and lights are numbers from 0 on, not clamped before clamp_color. Normals
 // are unit; other vectors have any length but 0, unless a line says unit. Radii are positive.
-// Tolerance: 1e-9 of the numbers that go in; colours 1e-9, but that what a curved mirror shows
-// depends a little on how far its rays start off the surface.
+// Tolerance: 1e-9 of the numbers that go in; of a colour, of the light that goes in. Only what a
+// curved mirror shows depends a little on how far its rays start off the surface. Worlds and lights
+// are of any size: no number is too small or too large, and there may be any number of things.
 #ifndef EXERCISES_07_SHADING_H
 #define EXERCISES_07_SHADING_H
 

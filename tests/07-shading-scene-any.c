@@ -79,15 +79,15 @@ START_TEST(a_hit_that_rounding_put_a_hair_inside_the_sphere_is_lit)
 }
 END_TEST
 
-// The crumb is 1e-5 of the radius above it, and half as large: in the way of the light from above,
+// The crumb is so many radii above it, and half as large: in the way of the light from above,
 // beside the way of the other, whose mirror image meets the eye.
 START_TEST(a_crumb_close_to_the_surface_casts_its_shadow)
 {
-    for (int i = -6; i <= 8; i += 2) {
-        double size = pow(10, i);
+    for (int i = 0; i < 16; i++) {
+        double size = pow(10, i / 2 * 2 - 6), above = i % 2 == 0 ? 1e-5 : 1e-7;
         empty_world(&world);
         put_sphere(&world, vec3_of(0, -size, 0), size, surface_of(dull().color, 0.5, 0.4, 3));
-        put_sphere(&world, vec3_of(0, 1e-5 * size, 0), 5e-6 * size, dull());
+        put_sphere(&world, vec3_of(0, above * size, 0), above / 2 * size, dull());
         put_light(&world, LIGHT_DISTANT, vec3_of(0, 1, 0), yellow);
         put_light(&world, LIGHT_DISTANT, at_60_degrees, blue);
         vec3 eye = 0.5 * size * vec3_of(-at_60_degrees[0], at_60_degrees[1], 0);

@@ -1,6 +1,8 @@
 // 07-shading-scene.c - the worlds that the tests of exercise 07 look at, and how they are said.
 #include "tests/07-shading-scene.h"
 
+#include "tests/07-shading.h"
+
 #include <stdio.h>
 
 // ---- worlds -------------------------------------------------------------------------------------
@@ -15,7 +17,7 @@ void empty_world(World *world)
                            .surface_count = 1,
                            .lights = world->lights};
     // What is behind the last light glares, for whoever counts one too far.
-    for (int i = 0; i < MOST_THINGS; i++)
+    for (int i = 0; i < MOST_LIGHTS; i++)
         world->lights[i] = distant_light(0.3, 0.5, 0.2);
 }
 
@@ -132,6 +134,8 @@ Color to_and_fro(Color first, double ks, Color second, double other_ks, int dept
 
 // ---- saying it ----------------------------------------------------------------------------------
 
+enum { MOST_SHOWN = 10 };
+
 static void given_light_called(const char *label, const Light *light)
 {
     given(label, "%s %s, colour %s",
@@ -148,11 +152,13 @@ static void given_lights(const Scene *scene)
 {
     if (scene->light_count == 0)
         given("lights", "none");
-    for (int i = 0; i < scene->light_count; i++) {
+    for (int i = 0; i < scene->light_count && i < MOST_SHOWN; i++) {
         char label[16];
         snprintf(label, sizeof label, "light %d", i % 100);
         given_light_called(label, &scene->lights[i]);
     }
+    if (scene->light_count > MOST_SHOWN)
+        given("and more", "%d lights in all", scene->light_count);
 }
 
 static void given_sphere_number(const Scene *scene, int i, bool with_surface)
@@ -173,8 +179,10 @@ static void given_spheres(const Scene *scene, bool with_surfaces)
 {
     if (scene->sphere_count == 0)
         given("spheres", "none");
-    for (int i = 0; i < scene->sphere_count; i++)
+    for (int i = 0; i < scene->sphere_count && i < MOST_SHOWN; i++)
         given_sphere_number(scene, i, with_surfaces);
+    if (scene->sphere_count > MOST_SHOWN)
+        given("and more", "%d in all", scene->sphere_count);
 }
 
 void given_world(const World *world)
@@ -193,12 +201,22 @@ void expect_visible(const World *world, vec3 from, Light light, double expected)
     expect_number(visibility(&world->scene, from, light), expected, 0);
 }
 
+// The tolerance of a colour is a part of the light that there is.
+static double brightest(const Scene *scene)
+{
+    double most = fmax(largest(scene->ambient), largest(scene->background));
+    for (int i = 0; i < scene->light_count; i++)
+        most = fmax(most, largest(scene->lights[i].color));
+    return most;
+}
+
 void expect_shade(const World *world, Ray ray, Hit hit, Color expected)
 {
     given_world(world);
     given_ray(ray);
     given("hit", "t = %s, sphere %d", number_text_to(hit.t, 17).s, hit.sphere);
-    expect_vec3(shade(&world->scene, ray, hit), expected, COLOR_TOLERANCE);
+    expect_vec3(shade(&world->scene, ray, hit), expected,
+                COLOR_TOLERANCE * brightest(&world->scene));
 }
 
 void expect_trace(const World *world, Ray ray, int depth, Color expected)
@@ -206,5 +224,6 @@ void expect_trace(const World *world, Ray ray, int depth, Color expected)
     given_world(world);
     given_ray(ray);
     given("depth", "%d", depth);
-    expect_vec3(trace_ray(&world->scene, ray, depth), expected, COLOR_TOLERANCE);
+    expect_vec3(trace_ray(&world->scene, ray, depth), expected,
+                COLOR_TOLERANCE * brightest(&world->scene));
 }

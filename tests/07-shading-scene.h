@@ -10,15 +10,15 @@
 
 // ---- worlds -------------------------------------------------------------------------------------
 
-enum { MOST_THINGS = 10 };
+enum { MOST_SPHERES = 300, MOST_LIGHTS = 40 };
 
 // A scene, and what it points to. Sphere i has surface i + 1, so that whoever takes the one number
 // for the other is seen; surface 0 is nobody's, and unlike all others.
 typedef struct {
     Scene scene;
-    Sphere spheres[MOST_THINGS];
-    Surface surfaces[MOST_THINGS + 1];
-    Light lights[MOST_THINGS];
+    Sphere spheres[MOST_SPHERES];
+    Surface surfaces[MOST_SPHERES + 1];
+    Light lights[MOST_LIGHTS];
 } World;
 
 // Nothing but a background and an ambient light, neither black, white nor grey.
@@ -72,6 +72,7 @@ bool exact_trace(const World *world, Ray ray, int depth, Color *color);
 // ---- the tests, a file each ---------------------------------------------------------------------
 
 void list_tests_of_off_surface(void);
+void list_tests_of_limits(void);
 void list_tests_of_visibility(void);
 void list_tests_of_shade(void);
 void list_tests_of_trace_ray(void);

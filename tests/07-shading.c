@@ -66,4 +66,5 @@ void list_tests(void)
     list_tests_of_visibility();
     list_tests_of_shade();
     list_tests_of_trace_ray();
+    list_tests_of_limits();
 }

@@ -35,6 +35,27 @@ for lesson in chapters/*/README.md; do
 done
 check 'the links of README.md lead somewhere' links_lead_somewhere README.md
 
+# What an exercise has to use of common/ is described where its reader looks.
+describes() {
+    grep -q "$1(" common/image.h && grep -q "$1(" chapters/06-ray-casting/README.md &&
+        grep -q "$1(" exercises/06-ray-casting.h
+}
+for name in image_set image_index; do
+    check "the lesson and the contract of 06 describe $name" describes "$name"
+done
+
+# make names the folder whose path has a blank, and nothing else.
+refuses_the_blank_in() {
+    make "$@" help >"$scratch/printed" 2>&1 && return 1
+    cat "$scratch/printed"
+    grep -qF "$wanted" "$scratch/printed" && ! grep -q solutions "$scratch/printed"
+}
+mkdir -p "$scratch/a blank" && ln -s "$PWD/Makefile" "$scratch/a blank/Makefile"
+wanted="a blank'"
+check 'a blank in the path of the toolkit is said' refuses_the_blank_in -C "$scratch/a blank"
+wanted="ANSWERS='a blank': expected one folder"
+check 'a blank in the path of the answers is said' refuses_the_blank_in ANSWERS='a blank'
+
 # The deck's answers, to the digit.
 prints() {
     program=$1
