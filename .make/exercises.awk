@@ -130,7 +130,8 @@ function show_progress(s,   words) {
         show_names("not answered yet", listed[s, "unanswered"])
     }
     if (state[s] == "right" && extra[s] != "")
-        show_names("extra, no marks", "more digits in" extra[s])
+        show_names("extra, no marks", "more digits in" extra[s] \
+            ", see 'Losing digits' in chapters/" s "/README.md")
 }
 
 # Where there is no reference: which answers of earlier chapters these stand on that are not right.

@@ -69,9 +69,22 @@ static int bit(CameraFault fault, bool holds)
     return holds ? 1 << fault : 0;
 }
 
+// A contract: what is a camera by it, and the reasons that it knows, the more frequent first.
+typedef struct {
+    const char *what_it_is, *reasons;
+} Contract;
+
+static const Contract of_rectangles = {
+    "these corners are a rectangle straight ahead of the eye",
+    "CAMERA_NO_RECTANGLE, _OFF_AXIS, _NO_DISTANCE, _NO_WIDTH, _NO_HEIGHT, _NOT_FINITE"};
+static const Contract of_look_at = {
+    "the view has a direction, an up, a width and an aspect",
+    "CAMERA_NO_DIRECTION, _UP_ALONG_VIEW, _NO_WIDTH, _NO_HEIGHT, _NOT_FINITE"};
+
 // Whether there is no camera to look at, and with that all is said. Sure are the reasons that hold
-// without a doubt; those that may be given are more.
-static bool is_settled(CameraFault yours, int sure, int may, const char *what_it_is)
+// without a doubt; those that may be given are more. All reasons of the contract are told together,
+// so that nobody learns of them one at a time.
+static bool is_settled(CameraFault yours, int sure, int may, Contract contract)
 {
     int first = 0;
     while (first < CAMERA_FAULTS && (sure >> first & 1) == 0)
@@ -81,10 +94,19 @@ static bool is_settled(CameraFault yours, int sure, int may, const char *what_it
     if ((int)yours < 0 || yours >= CAMERA_FAULTS)
         law_broken("%d was returned, and is none of the reasons of common/camera.h", (int)yours);
     else if (yours == CAMERA_OK && sure != 0)
-        law_broken("a camera was given out, but there is none: %s", true_reason);
+        law_broken("you gave out a camera where there is none. Have you a test for each of the "
+                   "reasons of this contract? They are %s",
+                   contract.reasons);
     else if (yours != CAMERA_OK && may == 0)
-        law_broken("it was refused ('%s'), but %s%s", camera_fault_text(yours), what_it_is,
+        law_broken("it was refused ('%s'), but %s%s", camera_fault_text(yours), contract.what_it_is,
                    yours <= CAMERA_NOT_PERPENDICULAR ? ": it is your frame that is wrong" : "");
+    else if ((yours == CAMERA_NOT_UNIT || yours == CAMERA_NOT_PERPENDICULAR) &&
+             (may >> yours & 1) == 0)
+        law_broken("%s is not a reason of this contract: camera_check says that of the frame that "
+                   "you made. Test what was given before you make a frame of it. The reasons are "
+                   "%s",
+                   yours == CAMERA_NOT_UNIT ? "CAMERA_NOT_UNIT" : "CAMERA_NOT_PERPENDICULAR",
+                   contract.reasons);
     else if (yours != CAMERA_OK && sure != 0 && (may >> yours & 1) == 0)
         law_broken("it was refused because '%s'; but the reason is: %s", camera_fault_text(yours),
                    true_reason);
@@ -134,7 +156,7 @@ static void rectangle(CameraFault yours, vec3 eye, Corners v, const Camera *came
     if (far > 1e100)
         return; // squares leave the range of a double
     int sure = reasons_of(eye, v, 1e-7, 0), may = reasons_of(eye, v, 1e-10, 1e-7 * far);
-    if (is_settled(yours, sure, may, "these corners are a rectangle straight ahead of the eye"))
+    if (is_settled(yours, sure, may, of_rectangles))
         return;
 
     Camera c = *camera;
@@ -203,7 +225,7 @@ void law_camera_from_look_at(CameraFault yours, LookAt view, Handedness world, C
     // True as well, though it is not what one would say first.
     may |= bit(CAMERA_NO_DISTANCE, distance == 0) |
            bit(CAMERA_NOT_FINITE, !isfinite(view.width / view.aspect));
-    if (is_settled(yours, sure, may, "the view has a direction, an up, a width and an aspect"))
+    if (is_settled(yours, sure, may, of_look_at))
         return;
 
     Camera c = *camera;
