@@ -86,7 +86,10 @@ def test_submissions():
         "a page allows no script and no network",
         all(f'content="{POLICY}"' in text for text in texts),
     )
-    functions = [function("blank_one", state="unanswered"), function("wrong_one", state="wrong", test="t")]
+    functions = [
+        function("blank_one", state="unanswered"),
+        function("wrong_one", state="wrong", test="t"),
+    ]
     page = submission_page(record("a", [stem("01-corners", functions)]), ".")
     check("wrong comes before unanswered", page.index("wrong_one") < page.index("blank_one"))
     page = words(Page(submission_page(ORDINARY[6], ".")))
