@@ -3,7 +3,8 @@
 // Slides 'Intersecting a ray and a sphere' and 'Solving quadratic'. Directions have any length
 // but 0, so t counts in lengths of the direction. Radii are positive.
 // Scale: a world k times as large has t k times as large, and a direction k times as long has t
-// 1/k times as large. Tests use sizes from 1e-6 to 1e6 for both, so no number is small in itself.
+// 1/k times as large. Tests use worlds from 1e-9 to 1e9 and directions of any length, so no number
+// is small in itself.
 // Tolerance: 1e-9 of the numbers that go in for a, b, c, and of the larger root for a quadratic;
 // for a sphere's roots and hits 1e-6 of the radius along the ray, with the eye at most 1000 radii
 // away: the slide's formula is good enough. No test depends on how an exact tangent is rounded.

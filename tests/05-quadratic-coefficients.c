@@ -96,6 +96,18 @@ START_TEST(a_radius_of_3_and_a_direction_of_length_3)
 }
 END_TEST
 
+// By hand: 1.0001^2, 2 * 0.5 * 1.0001, 0.25 - 1/16; and 0.9999^2. None of them is 1.
+START_TEST(a_direction_that_is_nearly_unit_is_not_unit)
+{
+    Ray ray = {vec3_of(0.5, 0, 0), vec3_of(1.0001, 0, 0)};
+    given_object_ray(ray, 0.25);
+    expect_quadratic(object_quadratic(ray, 0.25), 1.00020001, 1.0001, 0.1875);
+    ray = (Ray){vec3_of(0, -0.5, 0), vec3_of(0, 0.9999, 0)};
+    given_object_ray(ray, 0.25);
+    expect_quadratic(object_quadratic(ray, 0.25), 0.99980001, -0.9999, 0.1875);
+}
+END_TEST
+
 START_TEST(c_is_negative_for_a_ray_that_begins_inside)
 {
     Ray ray = {vec3_of(0, 0, 1), vec3_of(0, 0, 2)};
@@ -235,6 +247,7 @@ void list_tests_of_coefficients(void)
     test(the_equation_of_the_arrow_of_the_deck);
     test(the_equation_of_the_ray_through_the_hits_drawn_in_the_deck);
     test(a_radius_of_3_and_a_direction_of_length_3);
+    test(a_direction_that_is_nearly_unit_is_not_unit);
     test(c_is_negative_for_a_ray_that_begins_inside);
     test(at_every_t_it_is_the_squared_distance_less_the_squared_radius);
     test(an_equation_may_be_of_any_size);

@@ -117,7 +117,7 @@ START_TEST(coefficients_and_roots_may_be_large_or_small)
     enum { COUNT = 25 };
     for (int i = 0; i < COUNT; i++) {
         double size = random_scale(i, COUNT), bend = random_scale((7 * i) % COUNT, COUNT);
-        double a = random_number(0.5, 5) * bend * bend; // size may be anything beside it
+        double a = random_number(0.5, 5) * pow(bend, 3); // size may be anything beside it
         double t = size * random_number(-9, 9), gap = size * random_number(0.1, 9);
         if (i % 5 == 4)
             a = -a;
@@ -132,11 +132,23 @@ START_TEST(coefficients_and_roots_may_be_large_or_small)
 }
 END_TEST
 
+// D is 4 times the root's square.
+START_TEST(a_discriminant_may_be_of_any_size)
+{
+    for (int power = -16; power <= 16; power++) {
+        double root = pow(10, power);
+        expect_roots_of((Quadratic){1, 0, -root * root}, two(-root, root), TOLERANCE * root);
+        given_quadratic((Quadratic){1, 0, root * root});
+        expect_no_roots(quadratic_roots((Quadratic){1, 0, root * root}));
+    }
+}
+END_TEST
+
 START_TEST(a_line_may_be_steep_or_almost_level)
 {
     enum { COUNT = 13 };
     for (int i = 0; i < COUNT; i++) {
-        double slope = random_scale(i, COUNT) * random_scale(i, COUNT);
+        double slope = pow(random_scale(i, COUNT), 3);
         double b = random_number(0.5, 5) * slope * (i % 2 == 0 ? 1 : -1);
         double size = random_scale((5 * i) % COUNT, COUNT), t = size * random_number(-9, 9);
         expect_roots_of((Quadratic){0, b, -b * t}, (Roots){1, {t}}, TOLERANCE * size);
@@ -169,6 +181,7 @@ void list_tests_of_roots(void)
     test(where_a_is_0_it_is_a_line_with_one_root);
     test(where_a_and_b_are_0_there_are_no_roots);
     test(coefficients_and_roots_may_be_large_or_small);
+    test(a_discriminant_may_be_of_any_size);
     test(a_line_may_be_steep_or_almost_level);
     test(a_parabola_that_hardly_bends_has_two_roots);
 }

@@ -76,6 +76,18 @@ START_TEST(the_chord_is_twice_the_radius_times_the_cosine)
 }
 END_TEST
 
+// From 3 away, with a radius of 2: 1 and 5 to go, on a direction that is ever longer or shorter.
+START_TEST(both_places_may_be_of_any_size)
+{
+    for (int power = -16; power <= 16; power++) {
+        double length = pow(10, power);
+        Ray ray = {vec3_of(0, 1, 0), vec3_of(length, 0, 0)};
+        expect_meetings(ray, sphere_at(3, 1, 0, 2), two(1 / length, 5 / length),
+                        ROOT_TOLERANCE / length);
+    }
+}
+END_TEST
+
 START_TEST(worlds_and_directions_of_any_size_are_met_in_the_same_places)
 {
     enum { COUNT = 25 };
@@ -84,7 +96,7 @@ START_TEST(worlds_and_directions_of_any_size_are_met_in_the_same_places)
                       : i % 4 == 1 ? random_inside()
                       : i % 4 == 2 ? random_behind()
                                    : random_beside();
-        double world = random_scale(i, COUNT);
+        double world = pow(random_scale(i, COUNT), 1.5);
         double length = random_scale(i % 2 == 0 ? COUNT - 1 - i : i, COUNT);
         aimed = scaled(aimed, world, length);
         if (i % 4 < 3) {
@@ -108,5 +120,6 @@ void list_tests_of_sphere(void)
     test(a_line_that_touches_it_where_it_starts_meets_it_at_0);
     test(a_line_that_passes_beside_it_does_not_meet_it);
     test(the_chord_is_twice_the_radius_times_the_cosine);
+    test(both_places_may_be_of_any_size);
     test(worlds_and_directions_of_any_size_are_met_in_the_same_places);
 }
