@@ -28,37 +28,30 @@
 
 static Outcomes outcomes;
 
-// The tests of one function, graded or extra, stand together in the list.
+// The tests of one function: the graded ones, or the extra ones.
 typedef struct {
     const char *function;
     bool extra;
     const Outcome *failed; // the first that did not pass; NULL where all did
 } Group;
 
-// The group that begins with test i; where the next one begins.
-static int next_group(int i, Group *group)
-{
-    *group = (Group){outcomes.tests[i].function, outcomes.tests[i].extra, NULL};
-    for (; i < outcomes.count; i++) {
-        const Outcome *test = &outcomes.tests[i];
-        if (test->function != group->function || test->extra != group->extra)
-            break;
-        if (group->failed == NULL && !test->passed)
-            group->failed = test;
-    }
-    return i;
-}
-
 // All groups in the order of the contract, which is also that of the student's file: the first that
 // is wrong is shown first. Extra tests of a function follow its graded ones.
 static int groups_in_order(Group *groups)
 {
     int count = 0;
-    for (int exercise = 0; exercises[exercise].name != NULL; exercise++) {
-        for (int i = 0; i < outcomes.count;) {
-            Group group;
-            i = next_group(i, &group);
-            if (exercise_number(group.function) == exercise)
+    for (int number = 0; exercises[number].name != NULL; number++) {
+        for (int extra = 0; extra < 2; extra++) {
+            Group group = {NULL, extra, NULL};
+            for (int i = 0; i < outcomes.count; i++) {
+                const Outcome *test = &outcomes.tests[i];
+                if (exercise_number(test->function) != number || test->extra != group.extra)
+                    continue;
+                group.function = test->function;
+                if (group.failed == NULL && !test->passed)
+                    group.failed = test;
+            }
+            if (group.function != NULL)
                 groups[count++] = group;
         }
     }
