@@ -16,13 +16,17 @@ ANSWERS ?= solutions
 #~ ANSWERS ?= exercises
 STEMS := $(sort $(notdir $(basename $(wildcard exercises/*.h))))
 
-# Answers inside the tree are named from its top, others by their whole path.
-A := $(patsubst $(CURDIR)/%,%,$(abspath $(ANSWERS)))
+# Answers inside the tree are named from its top, others by their whole path. Not by patsubst: the
+# path of the tree may have a '%'.
+A := $(subst |,,$(subst |$(CURDIR)/,,|$(abspath $(ANSWERS))))
 ifneq ($(words $(CURDIR)),1)
 $(error make cannot work in a folder whose path has a blank: '$(CURDIR)'. Rename the folder, or copy it to another place)
 endif
 ifneq ($(words $(ANSWERS)),1)
 $(error ANSWERS='$(ANSWERS)': expected one folder, whose path has no blank)
+endif
+ifneq ($(findstring %,$(A)),)
+$(error ANSWERS='$(ANSWERS)': expected a folder whose path has no '%')
 endif
 ifeq ($(wildcard $(A)/.),)
 $(error ANSWERS=$(ANSWERS): no such folder)
@@ -40,6 +44,18 @@ endif
 comma := ,
 B := build$(if $(SANITIZE),/sanitize-$(subst $(comma),-,$(SANITIZE)))
 BUILT := $(B)/$(A:/%=%)
+
+# All that is made is in build/, which must be ours: not a tree that can only be read, nor one that
+# was built with sudo. 'find' stops at the first file that cannot be written, if it knows how.
+ifneq ($(filter-out setup help clean,$(or $(MAKECMDGOALS),all)),)
+ifeq ($(shell mkdir -p build 2>/dev/null && [ -w build ] && echo yes)$(wildcard build/.),)
+$(error make cannot write into $(CURDIR): it needs a copy of the tree that is yours)
+endif
+NOT_OURS := $(shell find build ! -writable ! -type l -print -quit 2>/dev/null || true)
+ifneq ($(NOT_OURS),)
+$(error make cannot write to '$(NOT_OURS)' (was it made with sudo?): remove the folder 'build' (sudo rm -rf build), or take a copy of the tree that is yours)
+endif
+endif
 
 # ---- compiling --------------------------------------------------------------------------------
 
@@ -62,7 +78,7 @@ LINK = $(CC) $(CFLAGS) $(SANITIZER) $(LDFLAGS)
 FLAGS_NOW := $(shell $(CC) --version 2>/dev/null | head -n 1) $(LANGUAGE) $(CFLAGS) $(CPPFLAGS) \
 	$(LDFLAGS) $(SANITIZER) $(STRICT) $(WERROR)
 ifneq ($(FLAGS_NOW),$(shell cat $(B)/flags 2>/dev/null))
-$(shell mkdir -p $(B) && printf '%s\n' '$(FLAGS_NOW)' > $(B)/flags)
+$(shell { mkdir -p $(B) && printf '%s\n' '$(FLAGS_NOW)' > $(B)/flags; } 2>/dev/null)
 endif
 
 Q := $(if $(V),,@)

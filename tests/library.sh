@@ -6,6 +6,7 @@
 passed=0
 failed=0
 here=$(pwd)
+export PYTHONDONTWRITEBYTECODE=1 # nothing new in the tree
 unset SEED # the public inputs, unless a test says otherwise
 scratch=$(mktemp -d) || exit 1
 started=""

@@ -98,6 +98,11 @@ try() {
     status=$?
     echo "$suite: $words, 'make check' $took s: $(grep -E '^[0-9]+ passed, [0-9]+ failed$' "$log" | tail -n 1)" \
         >>"$work/verdicts"
+    left=$(git -C "$root/root/tree" -c safe.directory='*' status --porcelain)
+    if [ -n "$left" ]; then
+        printf '    the tests left files in the tree:\n%s\n' "$left" >>"$work/verdicts"
+        status=1
+    fi
     sed -n '/^Not tested here:/,/^[0-9]* passed/ s/^  /    not tested: /p' "$log" >>"$work/verdicts"
     return $status
 }

@@ -6,7 +6,6 @@ set -u
 . tests/library.sh
 . tests/figures/scripts.sh
 [ -z "${BRIEF:-}" ] || skip 'figures, long' "hundreds of figures of each kind, which are tested once (BRIEF)"
-export PYTHONDONTWRITEBYTECODE=1
 
 needs 'figures, long' 'figures' gnuplot python3
 

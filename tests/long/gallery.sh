@@ -5,7 +5,6 @@ set -u
 . tests/library.sh
 . tests/figures/scripts.sh
 [ -z "${BRIEF:-}" ] || skip gallery "the page of pictures, which is tested once (BRIEF)"
-export PYTHONDONTWRITEBYTECODE=1
 
 needs gallery 'the page of pictures' gnuplot python3
 built=$scratch/solutions

@@ -9,7 +9,7 @@ set -u
 
 needs figures 'figures' gnuplot python3
 CAMERAS=${CAMERAS:-5}
-export PROGRAMS CAMERAS SCENES="${SCENES:-$CAMERAS}" PYTHONDONTWRITEBYTECODE=1
+export PROGRAMS CAMERAS SCENES="${SCENES:-$CAMERAS}"
 # shellcheck disable=SC2016 # the inner shell expands them
 printf '%s\n' tests/figures/[0-9]*.py | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I '{}' \
     sh -c 'python3 "$1" >"$0/${1##*/}.log" 2>&1' "$scratch" '{}'

@@ -24,4 +24,107 @@ if command -v gnuplot >/dev/null; then
 else
     echo "skipped: figures in locale C: gnuplot is missing ('make setup' installs it)"
 fi
+
+# ---- awks -----------------------------------------------------------------------------------------
+
+# The same words by every awk that is here: the original one (macOS, BSD), busybox's, gawk, mawk.
+words_by_awk() {
+    mkdir -p "$scratch/$1"
+    printf '#!/bin/sh\nexec %s "$@"\n' "$2" >"$scratch/$1/awk"
+    chmod +x "$scratch/$1/awk"
+    for program in .make/*.awk .make/explaining/*.awk; do
+        PATH=$scratch/$1:$PATH LC_ALL=C awk -f "$program" </dev/null >"$scratch/$1/parsed" 2>&1
+        ! grep -iE 'syntax error|illegal statement|unexpected token' "$scratch/$1/parsed" || return 1
+    done
+    printf '%s\n' '#include "common/vec3.h"' 'double f(vec3 v, vec3 w)' '{' '    double s = v * w' '    return nothing;' '}' \
+        >"$scratch/answer.c"
+    ${CC:-cc} -std=c11 -Wall -I. -fsyntax-only "$scratch/answer.c" 2>&1 |
+        PATH=$scratch/$1:$PATH .make/explain "$scratch/answer.c" >"$scratch/$1/explained"
+    for make in weak dispatch reference proxies layouts exercises; do
+        PATH=$scratch/$1:$PATH awk -v make=$make -v stem=05-quadratic -f .make/proxies.awk tests/exercises.table
+    done >"$scratch/$1/made"
+    PATH=$scratch/$1:$PATH awk -f .make/blank.awk solutions/05-quadratic.c >"$scratch/$1/blank"
+    [ -s "$scratch/$1/explained" ] && [ -s "$scratch/$1/made" ] && [ -s "$scratch/$1/blank" ] &&
+        cmp "$scratch/$1/explained" "$scratch/this/explained" && cmp "$scratch/$1/made" "$scratch/this/made" &&
+        cmp "$scratch/$1/blank" "$scratch/this/blank"
+}
+check 'all that awk does is done' words_by_awk this "$(command -v awk)"
+for other in original-awk gawk mawk 'busybox awk'; do
+    if command -v "${other%% *}" >/dev/null; then
+        check "the same by $other" words_by_awk "${other%% *}" "$(command -v "${other%% *}")${other#"${other%% *}"}"
+    fi
+done
+
+# ---- names of folders, trees that cannot be written -------------------------------------------------
+
+tree=$scratch/100%-mine
+copy_of_the_tree() {
+    mkdir "$tree" && cp -r Makefile .make common chapters exercises solutions tests "$tree" && chmod -R a+rX "$scratch"
+}
+says_in_the_copy() {
+    words=$1
+    shift
+    "$@" >"$scratch/said" 2>&1
+    status=$?
+    says "$words" && [ "$(wc -l <"$scratch/said")" -eq 1 ] && [ $status -ne 0 ]
+}
+knows_its_answers() {
+    make -s -C "$tree" -n all ANSWERS="$1" >"$scratch/said" 2>&1 || { tail -n 3 "$scratch/said"; return 1; }
+}
+# Root may write everywhere, so it becomes somebody else.
+as_another() {
+    if [ "$(id -u)" -ne 0 ]; then
+        "$@"
+    else
+        setpriv --reuid=65534 --regid=65534 --clear-groups "$@"
+    fi
+}
+check 'there is a copy of the tree' copy_of_the_tree
+check "a '%' in the path of the tree spoils nothing" knows_its_answers solutions
+check 'nor do answers by their whole path' knows_its_answers "$tree/solutions"
+rm -rf "$tree/build"
+mkdir "$scratch/50%" && cp solutions/*.c "$scratch/50%"
+check "answers elsewhere must have none, and that is said" says_in_the_copy "expected a folder whose path has no '%'" \
+    make --no-print-directory -C "$tree" ANSWERS="$scratch/50%"
+chmod a-w "$tree"
+check 'a tree that can only be read is said to be' says_in_the_copy 'make cannot write into' \
+    as_another make --no-print-directory -C "$tree"
+chmod u+w "$tree"
+mkdir "$tree/build" && : >"$tree/build/flags" && chmod a-w "$tree/build/flags" "$tree/build"
+check 'so is one that somebody else has built' says_in_the_copy "make cannot write to 'build" \
+    as_another make --no-print-directory -C "$tree"
+chmod -R u+w "$tree"
+
+# ---- what drives gnuplot --------------------------------------------------------------------------
+
+# Where xargs is of no use, nothing is drawn, and nobody says otherwise.
+draws_nothing() {
+    mkdir -p "$scratch/bin" "$scratch/figures"
+    printf '#!/bin/sh\nexit 1\n' >"$scratch/bin/xargs"
+    chmod +x "$scratch/bin/xargs"
+    cp "$script" "$scratch/figures"
+    PATH=$scratch/bin:$PATH FORMAT=svg .make/figures "$scratch/figures" figure >"$scratch/said" 2>&1
+    [ $? -eq 1 ] && says 'were not drawn' && says_not 'Figures: 1'
+}
+if command -v gnuplot >/dev/null; then
+    check 'pictures that were not drawn are not counted' draws_nothing
+fi
+
+# ---- setup ----------------------------------------------------------------------------------------
+
+# No package is there, sudo wants a password, and there is no terminal.
+advises() {
+    mkdir -p "$scratch/sudo"
+    for tool in sh cat mktemp rm id printf sed grep uname dirname; do
+        ln -sf "$(command -v $tool)" "$scratch/sudo/$tool"
+    done
+    printf '#!/bin/sh\nexit 1\n' >"$scratch/sudo/sudo"
+    cp "$scratch/sudo/sudo" "$scratch/sudo/apt-get"
+    printf '#!/bin/sh\necho 1000\n' >"$scratch/sudo/id.new"
+    chmod +x "$scratch"/sudo/*
+    mv "$scratch/sudo/id.new" "$scratch/sudo/id"
+    PATH=$scratch/sudo .make/setup </dev/null >"$scratch/said" 2>&1
+    [ $? -eq 1 ] && says '  sudo apt-get install -y' && says_not 'sudo -n'
+}
+check 'setup without a terminal advises what works on one' advises
 finish machines

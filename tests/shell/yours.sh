@@ -7,7 +7,7 @@ set -u
 . tests/library.sh
 
 needs yours 'yours beside right' gnuplot python3
-export NO_COLOR=1 PYTHONDONTWRITEBYTECODE=1
+export NO_COLOR=1
 unset ANSWERS
 answers=$scratch/answers
 figures=build$answers/figures
