@@ -69,6 +69,7 @@ $(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/fla
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
 $(B)/judge/apply.c: tests/exercises.table .make/proxies.awk
+	$(Q)mkdir -p $(@D)
 	$(Q)awk -v make=apply -v stem=all -f .make/proxies.awk $< > $@
 # What the answers do beside the known mistakes.
 HEARING := $(patsubst %,$(B)/tests/judge/%.o,hearing $(DIAGNOSIS)) $(B)/judge/apply.o \
