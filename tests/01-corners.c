@@ -115,6 +115,23 @@ START_TEST(s_and_t_are_counted_from_the_lower_left_corner)
 }
 END_TEST
 
+// No place is special, nor is one beside the middle or an edge.
+START_TEST(a_place_just_beside_the_middle_or_an_edge_is_there)
+{
+    Camera c = oblique_camera();
+    const double shares[] = {0.499, 0.501, 0.001, 0.999, 1.001, -0.001};
+    for (int i = 0; i < 6; i++) {
+        double s = shares[i], t = shares[5 - i];
+        given_camera(c);
+        given_number("s", s);
+        given_number("t", t);
+        given("seen along", "forward, right, up");
+        expect_vec3(along_axes(c, image_plane_vector(c, s, t)),
+                    vec3_of(6, 9 * s - 4.5, 3 * t - 1.5), tolerance);
+    }
+}
+END_TEST
+
 START_TEST(every_place_is_d_ahead_and_its_share_of_w_and_h_aside)
 {
     for (int i = 0; i < 50; i++) {
@@ -302,6 +319,7 @@ void list_tests(void)
     tests_of("image_plane_vector");
     test(the_middle_of_the_plane_is_straight_ahead);
     test(s_and_t_are_counted_from_the_lower_left_corner);
+    test(a_place_just_beside_the_middle_or_an_edge_is_there);
     test(every_place_is_d_ahead_and_its_share_of_w_and_h_aside);
     test(every_place_in_worlds_of_any_size);
     tests_of("with_unit_distance");
