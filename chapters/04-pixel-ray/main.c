@@ -7,7 +7,6 @@
 #include "common/picture.h"
 #include "common/story.h"
 #include "common/text.h"
-#include "exercises/01-corners.h"
 #include "exercises/03-screen.h"
 #include "exercises/04-pixel-ray.h"
 
@@ -28,8 +27,7 @@ static void follow(View view, Pixel pixel)
     story_line("pixel (column, row)", "(%d, %d)", pixel.column, pixel.row);
     story_line("its centre (x, y)", "%s", pair_text(point.x, point.y).s);
     story_line("normalized (s, t)", "%s", pair_text(place.s, place.t).s);
-    story_line("vector from the eye", "%s",
-               vec3_text(image_plane_vector(view.camera, place.s, place.t)).s);
+    story_line("vector from the eye", "%s", vec3_text(ray_to_plane(ray, view.camera).direction).s);
     story_line("ray: origin", "%s", vec3_text(ray.origin).s);
     story_line("ray: direction", "%s", vec3_text(ray.direction).s);
 }

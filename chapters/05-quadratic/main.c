@@ -4,6 +4,7 @@
 // world coordinates; and where each of them loses its digits (digits.c).
 #include "chapters/05-quadratic/digits.h"
 #include "chapters/05-quadratic/figures.h"
+#include "chapters/05-quadratic/numbers.h"
 #include "common/answers.h"
 #include "common/options.h"
 #include "common/picture.h"
@@ -36,25 +37,22 @@ static double sum_of_products(Ray ray, double t)
     return sum;
 }
 
+// Each axis by itself is a ray, whose quadratic is answered like any other; radius 0 leaves p and
+// v.
 static double sum_multiplied_out(Ray ray, double t)
 {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
-        double p = ray.origin[i], v = ray.direction[i];
-        sum += p * p + 2 * p * v * t + v * v * t * t;
+        vec3 axis = vec3_of(i == 0, i == 1, i == 2);
+        Ray along = {ray.origin * axis, ray.direction * axis};
+        sum += quadratic_value(object_quadratic(along, 0), t);
     }
     return sum;
 }
 
 static double three_sums(Ray ray, double t)
 {
-    double pp = 0, pv = 0, vv = 0;
-    for (int i = 0; i < 3; i++) {
-        pp += ray.origin[i] * ray.origin[i];
-        pv += ray.origin[i] * ray.direction[i];
-        vv += ray.direction[i] * ray.direction[i];
-    }
-    return pp + 2 * pv * t + vv * t * t;
+    return quadratic_value(object_quadratic(ray, 0), t);
 }
 
 static void row(const char *label, const double numbers[COLUMNS])
@@ -85,7 +83,7 @@ static void derivation(Ray ray, double radius, const double t[COLUMNS])
     }
     Quadratic q = object_quadratic(ray, radius);
     for (int i = 0; i < COLUMNS; i++)
-        numbers[i] = q.a * t[i] * t[i] + q.b * t[i] + q.c + radius * radius;
+        numbers[i] = quadratic_value(q, t[i]) + radius * radius;
     row("= a t^2 + b t + c + r^2", numbers);
     printf("  On the sphere it is r^2 = %s.\n", number_text(radius * radius).s);
 }

@@ -7,7 +7,6 @@
 #include "common/answers.h"
 #include "common/image.h"
 #include "common/story.h"
-#include "exercises/01-corners.h"
 #include "exercises/03-screen.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
@@ -96,8 +95,7 @@ static Ray the_ray(const Shot *shot)
     story_line("pixel (column, row)", "(%d, %d)", shot->pixel.column, shot->pixel.row);
     story_line("its centre (x, y)", "%s", pair_text(point.x, point.y).s);
     story_line("normalized (s, t)", "%s", pair_text(place.s, place.t).s);
-    story_line("vector from the eye", "%s",
-               vec3_text(image_plane_vector(shot->camera, place.s, place.t)).s);
+    story_line("vector from the eye", "%s", vec3_text(ray_to_plane(ray, shot->camera).direction).s);
     story_line("ray: origin     p", "%s", vec3_text(ray.origin).s);
     story_line("ray: direction  v", "%s", vec3_text(ray.direction).s);
     return ray;

@@ -1,7 +1,6 @@
 // explain_figure.c - the story of one pixel as a figure's data.
 #include "chapters/06-ray-casting/explain.h"
 
-#include "exercises/01-corners.h"
 #include "exercises/03-screen.h"
 
 #include <stdio.h>
@@ -59,10 +58,10 @@ void explain_figure_data(Plot *plot, void *given)
     plot_number(plot, "s", place.s);
     plot_number(plot, "t", place.t);
     plot_vector(plot, "vector_v", shot.camera.origin,
-                image_plane_vector(shot.camera, place.s, place.t));
+                ray_to_plane(shown->ray, shot.camera).direction);
     // To the plane as it is drawn, which may be nearer than where the vector ends.
     plot_vector(plot, "arrow", shot.camera.origin,
-                image_plane_vector(shown->camera, place.s, place.t));
+                ray_to_plane(shown->ray, shown->camera).direction);
     plot_direction(plot, "p", shown->ray.origin);
     plot_direction(plot, "v", shown->ray.direction);
     Outcome outcome = outcome_of(shown->ray, shot.scene, MOST_DRAWN);

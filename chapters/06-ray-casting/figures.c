@@ -1,6 +1,7 @@
 // figures.c - what the figures of chapter 06 show, in numbers.
 #include "chapters/06-ray-casting/figures.h"
 
+#include "chapters/06-ray-casting/cast_spheres.h"
 #include "chapters/06-ray-casting/explain.h"
 #include "chapters/06-ray-casting/nearest_figure.h"
 #include "exercises/04-pixel-ray.h"
@@ -13,21 +14,27 @@
 
 // ---- image order, and the whole of ray casting ------------------------------------------------
 
-// What each ray of the drawn pixels hits first; what hits nothing keeps the background.
+// The drawn pixels in the colours of the spheres that they show in some scene, of which 'first' is
+// the sphere 0; where there is none, the background is kept.
+static void cells_data(Plot *plot, const Shown *shown, const Scene *scene, int first)
+{
+    int spheres[MOST_CELLS * MOST_CELLS], cells = 0, count = shown->grid.width * shown->grid.height;
+    if (!cast_spheres(scene, shown->shot.camera, shown->grid, spheres))
+        count = 0;
+    for (int i = 0; i < count; i++)
+        if (is_sphere(scene, spheres[i])) {
+            Pixel cell = {i % shown->grid.width, i / shown->grid.width};
+            Color color = scene_surface(shown->shot.scene, first + spheres[i])->color;
+            shown_cell(plot, shown, cell, color);
+            cells++;
+        }
+    shown_cells_end(plot, shown, cells);
+}
+
 static void cast_cells(Plot *plot, const Shown *shown)
 {
-    const Scene *scene = shown->shot.scene;
-    int cells = 0;
     shown_cells_begin(plot, "pixels");
-    for (int i = 0; i < shown->grid.width * shown->grid.height; i++) {
-        Pixel cell = {i % shown->grid.width, i / shown->grid.width};
-        Hit hit = nearest_hit(pixel_ray(shown->shot.camera, shown->grid, cell), scene);
-        if (!is_sphere(scene, hit.sphere))
-            continue;
-        shown_cell(plot, shown, cell, scene_surface(scene, hit.sphere)->color);
-        cells++;
-    }
-    shown_cells_end(plot, shown, cells);
+    cells_data(plot, shown, shown->shot.scene, 0);
 }
 
 static void ray_casting(Plot *plot, void *given)
@@ -158,18 +165,11 @@ static int the_object(const Shown *shown)
 // The pixels that one sphere would colour, were it alone.
 static void cells_of(Plot *plot, const Shown *shown, int object)
 {
-    const Scene *scene = shown->shot.scene;
-    int cells = 0;
+    Scene alone = *shown->shot.scene;
+    alone.spheres += object < 0 ? 0 : object;
+    alone.sphere_count = object < 0 ? 0 : 1;
     shown_cells_begin(plot, "pixels");
-    for (int i = 0; object >= 0 && i < shown->grid.width * shown->grid.height; i++) {
-        Pixel cell = {i % shown->grid.width, i / shown->grid.width};
-        Ray ray = pixel_ray(shown->shot.camera, shown->grid, cell);
-        if (hit_sphere(ray, scene->spheres[object]) < NO_HIT) {
-            shown_cell(plot, shown, cell, scene_surface(scene, object)->color);
-            cells++;
-        }
-    }
-    shown_cells_end(plot, shown, cells);
+    cells_data(plot, shown, &alone, object < 0 ? 0 : object);
 }
 
 static void object_order(Plot *plot, void *given)

@@ -3,6 +3,7 @@
 // Casts a scene, pixel by pixel (image order) or sphere by sphere (object order). Without
 // arguments it casts the deck's three spheres, and sketches them on the terminal too. With
 // --explain it tells the story of one pixel instead; with --figure it draws how that is found.
+#include "chapters/06-ray-casting/cast_spheres.h"
 #include "chapters/06-ray-casting/command.h"
 #include "chapters/06-ray-casting/explain.h"
 #include "chapters/06-ray-casting/figures.h"
@@ -10,7 +11,6 @@
 #include "common/answers.h"
 #include "common/story.h"
 #include "common/text.h"
-#include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
 
 #include <stdio.h>
@@ -44,17 +44,14 @@ static bool cast(Drawing *drawing, Order order)
 // The picture in letters: A is the first sphere of the scene, B the second, and so on.
 static void sketch(const Drawing *drawing)
 {
-    const Resolution letters = {64, 24};
-    story_heading("What each ray hits first, by %d x %d rays", letters.width, letters.height);
-    for (int row = 0; row < letters.height; row++) {
-        printf("  ");
-        for (int column = 0; column < letters.width; column++) {
-            Ray ray = pixel_ray(drawing->camera, letters, (Pixel){column, row});
-            int sphere = nearest_hit(ray, &drawing->scene).sphere;
-            putchar(sphere < 0 ? '.' : 'A' + sphere % 26);
-        }
-        putchar('\n');
-    }
+    enum { WIDTH = 64, HEIGHT = 24 };
+    int spheres[WIDTH * HEIGHT];
+    story_heading("What each ray hits first, by %d x %d rays", WIDTH, HEIGHT);
+    if (!cast_spheres(&drawing->scene, drawing->camera, (Resolution){WIDTH, HEIGHT}, spheres))
+        return;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        printf("%s%c%s", i % WIDTH == 0 ? "  " : "", spheres[i] < 0 ? '.' : 'A' + spheres[i] % 26,
+               i % WIDTH == WIDTH - 1 ? "\n" : "");
 }
 
 static void tell(const Drawing *drawing)

@@ -3,6 +3,7 @@
 #include "chapters/06-ray-casting/shown.h"
 #include "exercises/01-corners.h"
 #include "exercises/03-screen.h"
+#include "exercises/04-pixel-ray.h"
 
 enum { RAY_PLACES = 240, PATCH_PLACES = 72 };
 
@@ -200,9 +201,8 @@ static void centers(Plot *plot, const Shown *shown)
     plot_block(plot, "centers", "x y z of the pixels' centres");
     for (int i = 0; i < grid.width * grid.height; i++) {
         Pixel cell = {i % grid.width, i / grid.width};
-        Normalized place = screen_to_normalized(pixel_center(cell), grid);
-        plot_row_point(plot,
-                       shown->camera.origin + image_plane_vector(shown->camera, place.s, place.t));
+        Ray ray = ray_to_plane(pixel_ray(shown->shot.camera, grid, cell), shown->camera);
+        plot_row_point(plot, ray.origin + ray.direction);
     }
     plot_block_end(plot);
 }

@@ -1,0 +1,54 @@
+// cast_spheres.c - a picture whose colours are numbers: what chapter 06 draws, to be counted.
+#include "chapters/06-ray-casting/cast_spheres.h"
+
+#include "exercises/06-ray-casting.h"
+
+#include <stdlib.h>
+
+// The bytes of a colour are the digits of a number.
+static Color color_of_number(int number)
+{
+    return vec3_of(number >> 16 & 255, number >> 8 & 255, number & 255) / 255;
+}
+
+static int number_of_color(const uint8_t *rgb)
+{
+    return rgb[0] << 16 | rgb[1] << 8 | rgb[2];
+}
+
+// The same spheres, each with a surface of its own.
+static bool number_spheres(const Scene *scene, Scene *numbered)
+{
+    size_t count = (size_t)scene->sphere_count + 1; // no array is empty
+    *numbered = *scene;
+    numbered->background = color_of_number(0);
+    numbered->spheres = malloc(count * sizeof *numbered->spheres);
+    numbered->surfaces = calloc(count, sizeof *numbered->surfaces);
+    numbered->surface_count = (int)count;
+    if (numbered->spheres == NULL || numbered->surfaces == NULL)
+        return false;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        numbered->spheres[i] = scene->spheres[i];
+        numbered->spheres[i].surface = i;
+        numbered->surfaces[i] = (Surface){.color = color_of_number(i + 1)};
+    }
+    return true;
+}
+
+bool cast_spheres(const Scene *scene, Camera camera, Resolution size, int *spheres)
+{
+    Scene numbered;
+    Image image = {0};
+    Message message;
+    bool cast = number_spheres(scene, &numbered) && image_create(&image, size, &message);
+    if (cast) {
+        cast_image_order(&numbered, camera, &image);
+        for (int i = 0; i < size.width * size.height; i++)
+            spheres[i] =
+                number_of_color(image_bytes(&image, (Pixel){i % size.width, i / size.width})) - 1;
+        image_free(&image);
+    }
+    free(numbered.spheres);
+    free(numbered.surfaces);
+    return cast;
+}
