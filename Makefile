@@ -153,8 +153,10 @@ endif
 
 # ---- programs, scenes, pictures ---------------------------------------------------------------
 
-# Chapter 08 asks nothing: it is the answers of the others, faster.
+#[ Chapter 08 asks nothing: it is the answers of the others, faster, and gives some of them away.
 PROGRAMS := $(patsubst %,$(BUILT)/%,$(STEMS) 08-fast)
+#]
+#~ PROGRAMS := $(STEMS:%=$(BUILT)/%)
 chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c %_lanes.c,$(wildcard \
 	chapters/$(1)/*.c))) $(foreach k,$(LANES_KINDS),$(patsubst %.c,$(B)/%.$(k).o,$(wildcard \
 	chapters/$(1)/*_lanes.c)))

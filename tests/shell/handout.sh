@@ -69,6 +69,40 @@ for teller in build/told/tell/*; do
     "$teller" --formulas
 done | grep '[-+*/^|=]' | awk 'length > 7' | sort -u >"$scratch/formulas"
 check 'no formula of a mistake is in it' holds_none_of "$scratch/formulas"
+# No function of it is an answer in another form: it calls what the reference of that answer calls, in a
+# body of its own. (A function that only calls each answer once, to see which are missing, is none.)
+repeats_no_answer() {
+    find "$scratch/tree" -name '*.c' ! -path '*/exercises/*' ! -path '*/blanks/*' -exec awk '
+        function check(answer, calls,    called, i, count) {
+            count = split(calls, called, " ")
+            for (i = 1; i <= count; i++)
+                if (body !~ ("(^|[^a-z_0-9])" called[i] "\\("))
+                    return
+            if (name !~ /needs_are_met|call_the_rest/) {
+                print FILENAME ": " name " does what " answer " is asked for"
+                bad = 1
+            }
+        }
+        /^[a-z].*\(/ { name = $0 }
+        /^\{/ { body = "" }
+        { body = body "\n" $0 }
+        /^\}/ {
+            check("pixel_ray", "pixel_center screen_to_normalized image_plane_vector")
+            check("cast_image_order", "pixel_ray nearest_hit scene_surface")
+            check("cast_image_order", "pixel_ray nearest_hit image_set")
+            check("cast_image_order", "pixel_ray nearest_hit putchar")
+            check("cast_object_order", "pixel_ray hit_sphere scene_surface")
+            check("shade", "visibility diffuse_term")
+            check("shade", "visibility phong_term")
+            check("trace_ray", "hierarchy_nearest mirror_direction")
+            check("trace_ray", "nearest_hit mirror_direction")
+        }
+        /origin\[i\] \* .*direction\[i\]|2 \* p \* v|\+ 2 \* pv/ { print FILENAME ": " $0; bad = 1 }
+        END { exit bad }' {} +
+}
+check 'no function of it is an answer in another form' repeats_no_answer
+check 'nor has it chapter 08, which is made of answers' none_of_these '08-fast'
+
 # What is right is there for every figure: variables, and blocks of numbers.
 right_data_are_numbers() {
     status=0
