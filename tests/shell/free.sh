@@ -22,6 +22,13 @@ builds() {
 }
 check 'answers that use every freedom build' builds
 
+judged_right() {
+    make --no-print-directory exercises ANSWERS="$answers" EX="$1" >"$scratch/said" 2>&1
+    says "$2 is right"
+}
+check 'a direction 3 long is judged right' judged_right 04 04-pixel-ray
+check 'so are the formulas of the slides, with c as a product' judged_right 05 05-quadratic
+
 same() {
     program=$1
     shift
