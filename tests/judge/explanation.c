@@ -4,6 +4,7 @@
 #include "tests/judge/paint.h"
 #include "tests/judge/same.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -18,11 +19,23 @@ static bool is_contradicted(const Evidence *evidence, int mistake)
     return false;
 }
 
+// By more than digits, of which every way to compute has its own.
+static bool is_clearly_wrong(const EvidenceCall *call)
+{
+    for (int i = 0; i < call->yours.count && i < call->right.count; i++) {
+        double yours = call->yours.at[i], right = call->right.at[i];
+        if (!(fabs(yours - right) <= 1e-4 * (1e-9 + fmin(fabs(yours), fabs(right)))))
+            return true;
+    }
+    return false;
+}
+
 // The answer does what the mistake does, and what comes out cannot be by chance: no NO_HIT, 0 or
 // the like, which many mistakes return for many inputs.
 static bool speaks_for(const EvidenceCall *call, int mistake)
 {
-    return call->probe && !call->is_common && !call->is_right && call->theirs[mistake].is_yours;
+    return is_clearly_wrong(call) && call->probe && !call->is_common && !call->is_right &&
+           call->theirs[mistake].is_yours;
 }
 
 static bool speaks_for_nobody_else(const EvidenceCall *call, int mistake, int count,
@@ -34,17 +47,20 @@ static bool speaks_for_nobody_else(const EvidenceCall *call, int mistake, int co
     return true;
 }
 
-// Of the general inputs on which the mistake shows, the answer does the same on most.
+// Of the general inputs on which the mistake shows, the answer does the same on most; and it is
+// most of what is wrong.
 static bool is_usual(const Evidence *evidence, int mistake)
 {
-    int shows = 0, same = 0;
+    int shows = 0, same = 0, wrong = 0;
     for (int i = 0; i < evidence->call_count; i++) {
-        const Theirs *theirs = &evidence->calls[i].theirs[mistake];
-        bool counts = evidence->calls[i].probe && !theirs->is_right;
-        shows += counts;
-        same += counts && theirs->is_yours;
+        const EvidenceCall *call = &evidence->calls[i];
+        if (!call->probe)
+            continue;
+        wrong += !call->is_right;
+        shows += !call->theirs[mistake].is_right;
+        same += !call->theirs[mistake].is_right && call->theirs[mistake].is_yours;
     }
-    return 2 * same > shows;
+    return 2 * same > shows && 2 * same > wrong;
 }
 
 // The only one for whom anything speaks.
@@ -98,7 +114,7 @@ static bool may_be_both(const EvidenceCall *call, int one, int other)
         return b->is_yours;
     if (b->is_right || (a->is_yours && b->is_yours))
         return a->is_yours;
-    return a->numbers.count > 0 ? is_sum(call, &a->numbers, &b->numbers) : !call->is_right;
+    return is_sum(call, &a->numbers, &b->numbers);
 }
 
 // On how many general inputs the other mistake alone is not what came: on all, or on those where
@@ -127,10 +143,13 @@ static bool are_both(const Evidence *evidence, int one, int other)
            (first_telling >= ENOUGH || second_telling >= ENOUGH);
 }
 
-// The only two that together are what came on every call; nobody where others are, too.
+// The only two that together are what came on every call; nobody where others are, too. Of pictures
+// too little is kept to say so.
 static Diagnosis two_at_once(const Evidence *evidence)
 {
     Diagnosis it = {0};
+    if (strncmp(layouts[evidence->exercise].results, "Pixels", 6) == 0)
+        return it;
     for (int i = 0; i < evidence->mistake_count; i++)
         for (int k = i + 1; k < evidence->mistake_count; k++) {
             if (!are_both(evidence, i, k))

@@ -17,7 +17,7 @@
 
 static Outcomes all, some;
 static bool failed_by_some[MOST_TESTS];
-static int passed, failed, mistake_count, variant_count, unknown_count;
+static int passed, failed, mistake_count, variant_count, unknown_count, pair_count;
 static bool told; // whether a failed test of the last run may tell its numbers
 
 static void settle(bool good, const char *what, const char *name, const char *why)
@@ -64,6 +64,17 @@ static void check_reference(void)
         check_law("the reference breaks a law:", exercises[i].name, i);
 }
 
+static int count_of(const char *exercise)
+{
+    int count = 0;
+    for (int table = 0; mistakes[table] != NULL; table++)
+        for (int i = 0; mistakes[table][i].id != NULL; i++)
+            count += strcmp(mistakes[table][i].exercise, exercise) == 0;
+    return count;
+}
+
+// Of each pair of mistakes of a function, a test or a probe must tell the one from the other, or
+// neither could be named.
 static void check_mistake(const Mistake *mistake)
 {
     bool extra = strncmp(mistake->id, "X-", 2) == 0;
@@ -78,6 +89,7 @@ static void check_mistake(const Mistake *mistake)
         named = other; // nobody else, it should be
     else if (named == NULL)
         settle(false, "mistake is not recognised:", mistake->id, mistake->formula);
+    pair_count += count_of(mistake->exercise) - 1; // each is seen from either side
     settle(named == NULL, "mistake looks like another:", mistake->id,
            named == NULL ? "" : named->id);
     for (int i = 0; i < some.count; i++)
@@ -177,9 +189,11 @@ int main(int argc, char **argv)
     for (; unknowns[unknown_count].exercise != NULL; unknown_count++)
         check_unknown(&unknowns[unknown_count]);
     check_table(stem);
-    printf("matrix of %s (%d mistakes, %d tests, %d right answers, %d unknown mistakes): %d "
+    printf("matrix of %s (%d mistakes, %d pairs of them, %d tests, %d right answers, %d unknown "
+           "mistakes): %d "
            "passed, %d "
            "failed\n",
-           stem, mistake_count, all.count, variant_count, unknown_count, passed, failed);
+           stem, mistake_count, pair_count / 2, all.count, variant_count, unknown_count, passed,
+           failed);
     return failed == 0 ? 0 : 1;
 }

@@ -20,13 +20,17 @@ static struct {
         bool innocent;
     } suspects[MOST_MISTAKES];
     bool called;
+    bool refuses, accepts; // of a function that may refuse: it did so, always with the same reason
+    int reason;
 } cases[MOST_EXERCISES];
 
-// The first law that each test of the last run broke in its last case: the one that is shown.
+// The first law that each test of the last run broke in its last call or case: the one that is
+// shown.
 static struct {
     char words[400];
     char function[64];
-    int number; // of the case
+    int call, number; // the call, and the number of the case
+    int calls;        // so far
     bool hidden;
 } laws[MOST_TESTS];
 
@@ -80,6 +84,17 @@ static bool brings(int exercise, int nth, const Heard *heard, const Numbers *you
     return same;
 }
 
+static void watch_refusals(int exercise, const Numbers *yours)
+{
+    int reason = yours->count > 0 ? (int)yours->at[0] : 0;
+    if (strncmp(layouts[exercise].results, "CameraFault", 11) != 0)
+        return;
+    if (reason == CAMERA_OK || (cases[exercise].refuses && cases[exercise].reason != reason))
+        cases[exercise].accepts = true;
+    cases[exercise].refuses = true;
+    cases[exercise].reason = reason;
+}
+
 // On the extreme inputs of extra tests every way to arrange a formula has its own digits, so they
 // acquit nobody but those who are suspected of just that.
 static void acquit(int exercise, const Heard *heard)
@@ -88,6 +103,7 @@ static void acquit(int exercise, const Heard *heard)
     Numbers yours = numbers_copy(heard->yours);
     settle_freedom(exercise, &yours);
     cases[exercise].called = true;
+    watch_refusals(exercise, heard->yours);
     for (int i = 0; i < cases[exercise].count; i++)
         if (!cases[exercise].suspects[i].innocent &&
             (!extra || is_of_digits(cases[exercise].suspects[i].mistake)))
@@ -123,16 +139,20 @@ const Mistake *suspect(int exercise, int nth, bool extra)
 
 bool law_begin(int exercise)
 {
-    return awake && is_on_trial(exercise) && !record_now()->extra && !record_now()->probe &&
-           record_number() < MOST_TESTS;
+    bool wanted = awake && is_on_trial(exercise) && !record_now()->extra && !record_now()->probe &&
+                  record_number() < MOST_TESTS;
+    if (wanted)
+        laws[record_number()].calls++;
+    return wanted;
 }
 
 void law_broken(const char *format, ...)
 {
     int test = record_number(), number = record_now()->cases;
-    if (laws[test].words[0] != '\0' && laws[test].number == number)
+    if (laws[test].words[0] != '\0' && laws[test].number == number && number > 0)
         return;
     laws[test].number = number;
+    laws[test].call = laws[test].calls;
     laws[test].hidden = record_now()->hidden;
     snprintf(laws[test].function, sizeof laws[test].function, "%s", record_now()->function);
     va_list arguments;
@@ -150,10 +170,11 @@ const char *suspect_broke_law(int exercise, bool hidden)
     return NULL;
 }
 
-// Of this test, in the case at which it stopped.
+// Of this test, in the case at which it stopped; or by its last call, where a case says first what
+// came of it and then what went in.
 static const char *law_of(int test)
 {
-    bool last = laws[test].number == record_of(test)->cases;
+    bool last = laws[test].call == laws[test].calls || laws[test].number == record_of(test)->cases;
     return laws[test].words[0] != '\0' && last && !laws[test].hidden ? laws[test].words : NULL;
 }
 
@@ -198,7 +219,7 @@ static bool is_as_shown(const Record *shown, const Record *now)
     return shown == NULL || (is_same_case(shown, now) && strcmp(shown->yours, now->yours) == 0);
 }
 
-// Whether any test ended otherwise than when it was shown, or its case had another answer.
+// Whether any test ended otherwise than when it was shown.
 static bool has_changed(const Records *shown_records, const Outcomes *now)
 {
     for (int i = 0; i < now->count; i++) {
@@ -206,18 +227,19 @@ static bool has_changed(const Records *shown_records, const Outcomes *now)
         const Record *record = now->tests[i].record;
         if (shown == NULL || shown->how[0] != '\0' || record->how[0] != '\0')
             continue;
-        if (shown->finished != record->finished ||
-            (is_same_case(shown, record) && strcmp(shown->yours, record->yours) != 0))
+        if (shown->finished != record->finished || !is_as_shown(shown, record))
             return true;
     }
     return false;
 }
 
-static bool everything_is_answered(int exercise)
+// Runs all tests and probes, which acquit. False where that says nothing about the answer that was
+// shown: a call brought none, or another.
+static bool is_heard(int exercise, const Records *shown)
 {
     static Outcomes tests, probes;
     run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &tests);
-    bool good = all_were_answered(&tests);
+    bool good = all_were_answered(&tests) && !has_changed(shown, &tests);
     records_end();
     run_probes(exercise, NULL, &probes);
     good = good && all_were_answered(&probes);
@@ -264,8 +286,9 @@ Diagnosis diagnose(int exercise, bool hidden)
     suspects_begin();
     paint_calls(PAINT);
     Diagnosis it = {0};
-    bool answered = everything_is_answered(exercise);
-    if (answered) {
+    bool heard = is_heard(exercise, shown);
+    // Many mistakes end in the same refusal, whatever goes in: none of them is named then.
+    if (heard && (cases[exercise].accepts || !cases[exercise].refuses)) {
         it.mistake = suspect(exercise, 0, false);
         it.other = suspect(exercise, 1, false);
         it.is_one_of = it.other != NULL;

@@ -31,9 +31,42 @@ static CameraFault by_diagonals(vec3 eye, Corners v, Camera *camera)
     return fault;
 }
 
+// Ends as no rectangle ahead, whatever goes in.
+static CameraFault behind_its_edge(vec3 eye, vec3 lower_left, vec3 across, vec3 up, Camera *camera)
+{
+    (void)eye;
+    return camera_from_corner(lower_left + across, lower_left, across, up, camera);
+}
+
+static CameraFault forward_by_up_and_right(vec3 eye, Corners vectors, Camera *camera)
+{
+    CameraFault fault = camera_from_vectors(eye, vectors, camera);
+    if (fault == CAMERA_OK)
+        camera->forward = vec3_cross(camera->up, camera->right);
+    return fault;
+}
+
+static CameraFault height_not_set(LookAt view, Handedness world, Camera *camera)
+{
+    double height = camera->height;
+    CameraFault fault = camera_from_look_at(view, world, camera);
+    camera->height = height;
+    return fault;
+}
+
+static double radians_twice(double degrees, double distance)
+{
+    return width_from_angle(degrees * 3.14159265358979323846 / 180, distance);
+}
+
 const Unknown unknowns[] = {
     UNKNOWN(camera_from_vectors, by_diagonals,
             NOBODY " CAMERA_NOT_PERPENDICULAR is not a reason of this contract",
             "equal diagonals, and camera_check"),
+    UNKNOWN(camera_from_corner, behind_its_edge, NOBODY " it was refused", "never a camera"),
+    UNKNOWN(camera_from_vectors, forward_by_up_and_right, NOBODY, "f = u x r"),
+    UNKNOWN(camera_from_look_at, height_not_set, NOBODY " height of *camera was never set",
+            "height as it was"),
+    UNKNOWN(width_from_angle, radians_twice, NOBODY, "degrees made radians twice"),
     {0},
 };

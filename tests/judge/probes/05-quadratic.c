@@ -94,6 +94,19 @@ START_TEST(hits_of_any_ray_and_sphere)
 }
 END_TEST
 
+// From close to the surface, and from inside with directions of any length, so that t is of any
+// size.
+START_TEST(hits_at_any_t)
+{
+    for (int i = 0; i < MANY; i++) {
+        Aimed it = any(i % 2 == 0 ? 6 : 1);
+        if (i % 2 == 1)
+            it.ray.direction *= pow(10, random_number(-2, 2));
+        hit_sphere(it.ray, it.sphere);
+    }
+}
+END_TEST
+
 void list_probes(void)
 {
     tests_of("to_object_coordinates");
@@ -108,4 +121,5 @@ void list_probes(void)
     test(roots_of_any_ray_and_sphere);
     tests_of("hit_sphere");
     test(hits_of_any_ray_and_sphere);
+    test(hits_at_any_t);
 }

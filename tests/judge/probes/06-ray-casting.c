@@ -14,18 +14,23 @@ static void random_row(Sphere *spheres, Ray ray)
     vec3 along = vec3_unit(ray.direction);
     for (int i = 0; i < SPHERES; i++) {
         double radius = random_number(0.4, 2.5);
-        vec3 aside = 1.2 * radius * random_unit();
+        vec3 aside = random_number(0.3, 2.2) * radius * random_unit();
         spheres[i] = (Sphere){.center = ray.origin + random_number(-4, 9) * along + aside,
                               .radius = radius,
                               .surface = RED + (i + 1) % 4};
     }
 }
 
+static Light lights[2] = {{.position = {3, 4, 5}, .color = {0.5, 0.6, 0.7}},
+                          {.position = {-3, 5, 1}, .color = {0.7, 0.4, 0.3}}};
+
 static Scene any_scene(Sphere *spheres, int count)
 {
     Scene scene = scene_of(count, spheres);
     scene.background = random_vec3(0.1, 0.9);
     scene.ambient = random_vec3(0.1, 0.9);
+    scene.lights = lights; // for whoever counts them instead of spheres
+    scene.light_count = sizeof lights / sizeof lights[0];
     return scene;
 }
 

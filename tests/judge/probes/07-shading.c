@@ -78,7 +78,7 @@ static void ask_for_highlights(Highlight *term)
         double ks = random_number(0.1, 0.9), shine = random_number(0.5, 9);
         Color light = random_color(0.1, i % 4 == 0 ? 30 : 1.5);
         if (i % 6 == 5)
-            shine = 1 + i / 6 % 3;
+            shine = i / 6 % 4;
         vec3 normal = random_unit(), to_light = any_way(normal, i);
         vec3 mirrored = 2 * vec3_dot(normal, to_light) * normal - to_light;
         vec3 to_eye = mirrored + random_number(0, i % 4 == 2 ? 3 : 0.8) * vec3_length(mirrored) *
@@ -105,8 +105,11 @@ END_TEST
 
 START_TEST(steps_off_any_surface)
 {
-    for (int i = 0; i < MANY; i++) {
-        Sphere sphere = random_sphere(50, 0.2, 40);
+    for (int i = 0; i < 2 * MANY; i++) {
+        Sphere sphere = random_sphere(2, 0.2, 4);
+        // Far away along one axis: the step shows in the others.
+        if (i % 4 != 3)
+            sphere.center[i % 3] = (i % 2 == 0 ? 1 : -1) * random_number(300, 3000);
         vec3 normal = random_unit();
         off_surface(sphere, sphere.center + sphere.radius * normal, i % 2 == 0 ? normal : -normal);
     }
@@ -214,8 +217,12 @@ END_TEST
 
 START_TEST(clamped_colors)
 {
-    for (int i = 0; i < 2 * MANY; i++)
-        clamp_color(random_color(-0.7, 1.7));
+    for (int i = 0; i < 3 * MANY; i++) {
+        Color color = random_color(-0.7, 1.7);
+        if (i % 3 == 2)
+            color[i / 3 % 3] = i / 9 % 2;
+        clamp_color(color);
+    }
 }
 END_TEST
 
@@ -223,6 +230,8 @@ START_TEST(encoded_colors)
 {
     for (int i = 0; i < MANY; i++) {
         Color color = random_color(0.02, 0.98);
+        if (i % 4 == 3)
+            color[i / 4 % 3] = random_number(0, 0.003);
         gamma_encode(color, random_number(0.4, 4));
     }
 }
