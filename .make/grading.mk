@@ -6,7 +6,7 @@
 CONFINE := $(KIT)/confine
 SECCOMP_LIBS = $(if $(CAN_GRADE),$(shell pkg-config --libs libseccomp),$(error grading needs python3, \
 	objdump and libseccomp: 'make setup' installs them))
-$(CONFINE): $(patsubst %,$(B)/tests/grading/confine/%.o,confine landlock system_calls tool)
+$(CONFINE): $(patsubst %,$(B)/tests/grading/confine/%.o,confine landlock system_calls tool watch)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -static -o $@ $^ $(SECCOMP_LIBS)

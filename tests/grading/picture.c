@@ -11,6 +11,7 @@
 #include "common/scene.h"
 #include "exercises/06-ray-casting.h"
 #include "tests/judge/call.h"
+#include "tests/judge/process.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/switchboard.h"
 #include "tests/judge/test.h"
@@ -59,7 +60,7 @@ int main(int argc, char **argv)
         return 2;
     }
     Message message;
-    FILE *printed = tmpfile();
+    FILE *printed = process_printed_file();
     if (printed == NULL || !scene_load(argv[2], &scene, &message)) {
         fprintf(stderr, "%s\n", printed == NULL ? "no file for what is printed" : message.text);
         return 2;

@@ -35,12 +35,23 @@ class Sandbox:
             # /tmp is the sandbox's own there; without bubblewrap the folder has to do (run sets TMPDIR).
             writable = [str(folder), "/tmp"] if self.bubblewrap else [str(folder)]
             command = [self.confine, "compile", *writable, "-", *readable, self.confine, *SYSTEM, "--", *command]
-        return self.view(folder, [*readable, self.confine], command)
+        return self.watched(self.view(folder, [*readable, self.confine], command))
+
+    def judge(self, folder: Path, readable: list[str], command: list[str]) -> list[str]:
+        """The same for the judge, which sees how far the processes are that it started."""
+        readable = [*readable, self.confine]
+        if self.confine and not self.bubblewrap:
+            command = [self.confine, "judge", str(folder), "-", *readable, *SYSTEM, "/proc", "--", *command]
+        return self.watched(self.view(folder, readable, command))
+
+    def watched(self, command: list[str]) -> list[str]:
+        """Nothing of it outlives it, or this process."""
+        return [self.confine, "watch", str(os.getpid()), "--", *command] if self.confine else command
 
     def view(self, folder: Path, readable: list[str], command: list[str]) -> list[str]:
         """The command in a file system that has only the folder and what is readable."""
         if not self.bubblewrap:
-            return [self.confine, "attended", "--", *command] if self.confine else command
+            return command
         view = ["bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL",
                 "--hostname", "sandbox", "--dev", "/dev", "--proc", "/proc", "--size", str(64 << 20),
                 "--tmpfs", "/tmp"]
@@ -59,7 +70,7 @@ class Sandbox:
         well. No process of it is left."""
         there = {**ENVIRONMENT, **environment}
         if not self.bubblewrap:
-            there["TMPDIR"] = str(folder)
+            there["TMPDIR"] = there["TEMP"] = str(folder)   # the latter is Check's
         try:
             process = subprocess.Popen(command, cwd=folder, env=there, stdin=subprocess.DEVNULL,
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True,

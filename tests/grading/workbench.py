@@ -160,8 +160,7 @@ class Workbench:
         return f"{parts} {self.sandbox.confine},tool" if parts and self.sandbox.confine else ""
 
     def judge(self, script: str, words: list[str]) -> dict[str, Part]:
-        readable = [str(self.kit.judges), self.sandbox.confine]
-        command = self.sandbox.view(self.folder, readable, shell(script, words))
+        command = self.sandbox.judge(self.folder, [str(self.kit.judges)], shell(script, words))
         environment = {**self.kit.environment(), "SEED": str(self.seed)}
         if self.sandbox.confine:
             environment["CONFINE"] = self.sandbox.confine

@@ -16,6 +16,7 @@
 #include "tests/judge/call.h"
 #include "tests/judge/figure.h"
 #include "tests/judge/kept.h"
+#include "tests/judge/process.h"
 #include "tests/judge/report.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/show.h"
@@ -234,7 +235,7 @@ int main(int argc, char **argv)
                 argv[0]);
         return 2;
     }
-    FILE *printed = tmpfile();
+    FILE *printed = process_printed_file();
     if (printed == NULL) {
         perror("no file for what the answers print");
         return 2;

@@ -1,4 +1,5 @@
 // process.c - the answering process, and its pipes.
+#define _GNU_SOURCE
 #include "tests/judge/process.h"
 
 #include "tests/judge/answering.h"
@@ -10,6 +11,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #ifdef __linux__
@@ -43,6 +47,16 @@ void process_begin(const char *answering, int printed)
     if (getenv("CONFINE") != NULL)
         prctl(PR_SET_PDEATHSIG, SIGKILL); // a grader that is killed leaves nothing behind
 #endif
+}
+
+FILE *process_printed_file(void)
+{
+#ifdef __linux__
+    int memory = memfd_create("printed", MFD_CLOEXEC);
+    if (memory >= 0)
+        return fdopen(memory, "w+");
+#endif
+    return tmpfile();
 }
 
 // More where every access is checked.

@@ -4,6 +4,11 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
+
+// A file for what the answers print, that takes no room on a disk where that can be had. NULL, and
+// errno, if there is none.
+FILE *process_printed_file(void);
 
 // What is started, through confine where the environment has CONFINE; and the file that catches
 // what it prints (a descriptor).

@@ -22,6 +22,7 @@ from machine import DISK
 
 from .sentences import check, skip
 from .small_class import KIT, SEED, STEMS, UPSIDE_DOWN, but, command, grade, records, right
+from .test_regrade import at_work_in
 
 FAULT = """#!/bin/sh
 # Fails if an answer in this folder asks for it, else does what it is told.
@@ -29,6 +30,7 @@ fault=$(cat ./*.c | sed -n 's|^// fault: ||p' | head -n 1)
 """
 COMPILER = FAULT + """case $fault in
 'the compiler is killed') kill -9 $$ ;;
+'the compiler sleeps') sleep 1000 ;;
 'the step is killed') kill -9 $PPID ;;
 'the compiler refuses every file') exit 90 ;;
 'the compiler refuses a file once') [ -e refused ] || { : >refused; exit 90; } ;;
@@ -45,6 +47,7 @@ exec "$@"
 JUDGE = FAULT + """case $fault,$2 in
 'the judge is killed,'*) kill -9 $$ ;;
 'the judge gives up,'*) exit 2 ;;
+'the judge sleeps,'*) sleep 1000 ;;
 'the judge is killed when it lends,--only') kill -9 $$ ;;
 'the report is cut,'*) "$(dirname "$0")/real/${0##*/}" "$@"; status=$?; sed -i '/^function/,$d' "$2/report"; exit $status ;;
 esac
@@ -217,6 +220,43 @@ def killed(work: Path, what: str, is_it) -> None:
           and (record["status"], record["score"]) == ("grader failed", None), (grader.returncode, record, said[-300:]))
 
 
+def gone(out: Path) -> bool:
+    """What a kill has ended takes a moment to go; what it has not would be there for a quarter of an hour."""
+    until = time.monotonic() + 30
+    while at_work_in(out) and time.monotonic() < until:
+        time.sleep(0.01)
+    return not at_work_in(out)
+
+
+def kills_leave_nothing(work: Path, sandbox: str) -> None:
+    kit = faulty_kit(work)
+    for number, (fault, delay) in enumerate([("the compiler sleeps", 0), ("the compiler sleeps", 0.03),
+                                             ("the compiler sleeps", 0.3), ("the judge sleeps", 0.3)]):
+        folder, out = work / f"class{number}", work / f"out{number}"
+        put(folder, "anna", f"// fault: {fault}\n{right('01-corners')}")
+        words = [sys.executable, "-B", "tests/grading/grade.py", str(kit), str(folder), "--out", str(out)]
+        grader = subprocess.Popen(words, env={**os.environ, "SEED": SEED, "SANDBOX": sandbox},
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        until = time.monotonic() + 60
+        while not (out / ".work" / "1-of-1" / "anna").exists() and grader.poll() is None and time.monotonic() < until:
+            time.sleep(0.002)
+        time.sleep(delay)
+        was_at_work = grader.poll() is None
+        grader.kill()
+        grader.wait()
+        check(f"{sandbox}, {fault}, killed after {delay} s: nothing is left", was_at_work and gone(out), at_work_in(out))
+
+
+def test_kills() -> None:
+    there = subprocess.run([f"{KIT}/confine", "probe"], capture_output=True, text=True).stdout
+    for sandbox in ("bubblewrap", "landlock"):
+        if sandbox == "landlock" and sandbox not in there or sandbox == "bubblewrap" and shutil.which("bwrap") is None:
+            skip(f"kills under {sandbox}, which is not to be had here")
+            continue
+        with tempfile.TemporaryDirectory() as temporary:
+            kills_leave_nothing(Path(temporary).resolve(), sandbox)
+
+
 def test_faults() -> None:
     with tempfile.TemporaryDirectory() as temporary:
         for part in (faults, reference_comes_first, fills_the_disk, full_disk):
@@ -249,4 +289,4 @@ def test_processes() -> None:
         os.unlink(confine)
 
 
-TESTS = [test_faults, test_tools, test_processes]
+TESTS = [test_faults, test_kills, test_tools, test_processes]

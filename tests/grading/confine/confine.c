@@ -4,8 +4,11 @@
 //                                            that are open already (3 in, 4 out; print to 1 and 2)
 //   confine compile WRITABLE... - READABLE... -- PROGRAM ARGUMENT...
 //                                            a compiler on a student's text: files in these places
-//   confine attended -- PROGRAM ARGUMENT...  nothing but what holds for all three: it ends when
-//                                            whoever started it does, however that ends
+//   confine judge WRITABLE... - READABLE... -- PROGRAM ARGUMENT...
+//                                            the judge: files in these places
+//   confine watch PARENT -- PROGRAM ARGUMENT...
+//                                            not confined: nothing of it outlives it, or the
+//                                            process PARENT that started this (watch.h)
 //   confine tool PROGRAM ARGUMENT...         a part of the compiler; its exit status says how that
 //                                            ended (tool.h), which no message of it can forge
 //   confine room PROCESSES                   fails if so many processes cannot be started
@@ -19,6 +22,7 @@
 #include "tests/grading/confine/landlock.h"
 #include "tests/grading/confine/system_calls.h"
 #include "tests/grading/confine/tool.h"
+#include "tests/grading/confine/watch.h"
 #include "tests/judge/answering.h"
 
 #include <errno.h>
@@ -94,7 +98,7 @@ static void start_answers(const char *program)
     _exit(write(START_ERROR, &error, sizeof error) < 0 ? 126 : 127);
 }
 
-static void start_compiler(char **places, char **command)
+static void allow_places(char **places, char **command)
 {
     if (landlock_version() > 0) {
         int rules = landlock_begin();
@@ -109,6 +113,11 @@ static void start_compiler(char **places, char **command)
         landlock_end(rules);
     }
     limit(RLIMIT_CORE, 0);
+}
+
+static void start_compiler(char **places, char **command)
+{
+    allow_places(places, command);
     limit(RLIMIT_FSIZE, COMPILE_FILE);
     limit(RLIMIT_AS, COMPILE_MEMORY);
     // At the lower one the signal says what it is for; SIGKILL would not.
@@ -144,12 +153,15 @@ int main(int argc, char **argv)
     while (*command != NULL && strcmp(*command, "--") != 0)
         command++;
     bool answer = argc == 3 && strcmp(mode, "answer") == 0;
-    bool attended = argc > 3 && strcmp(mode, "attended") == 0 && command == argv + 2;
-    bool compile =
-        argc > 4 && strcmp(mode, "compile") == 0 && *command != NULL && command[1] != NULL;
-    if (!answer && !compile && !attended) {
-        fprintf(stderr, "Usage: confine answer PROGRAM | compile WRITABLE... - READABLE... -- "
-                        "PROGRAM ARGUMENT... | attended -- PROGRAM ARGUMENT... | "
+    bool has_command = *command != NULL && command[1] != NULL;
+    bool watched = strcmp(mode, "watch") == 0 && has_command && command == argv + 3;
+    bool compile = argc > 4 && strcmp(mode, "compile") == 0 && has_command;
+    bool judge = argc > 4 && strcmp(mode, "judge") == 0 && has_command;
+    if (watched)
+        watch(atoi(argv[2]), command + 1);
+    if (!answer && !compile && !judge) {
+        fprintf(stderr, "Usage: confine answer PROGRAM | compile | judge WRITABLE... - READABLE... "
+                        "-- PROGRAM ARGUMENT... | watch PARENT -- PROGRAM ARGUMENT... | "
                         "tool PROGRAM ARGUMENT... | room PROCESSES | probe\n");
         return 2;
     }
@@ -161,6 +173,7 @@ int main(int argc, char **argv)
         start_answers(argv[2]);
     if (compile)
         start_compiler(argv + 2, command + 1);
+    allow_places(argv + 2, command + 1);
     execv(command[1], command + 1);
     give_up(command[1]);
 }
