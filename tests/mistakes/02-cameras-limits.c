@@ -1,5 +1,6 @@
-// 02-cameras-limits.c - cameras refused, or let through, by a limit of the author's own: lengths
-// held against a fixed number, and not against each other.
+// 02-cameras-limits.c - right in part: cameras refused, or let through, by a limit of the author's
+// own, lengths held against a fixed number and not against each other; and slips in one of two
+// sizes.
 #include "tests/mistakes/02-cameras.h"
 
 static const double tiny = 1e-6;
@@ -57,6 +58,44 @@ static CameraFault small_edges_refused(vec3 eye, vec3 corner, vec3 across, vec3 
     return small_planes_refused(eye, spanned(corner - eye, across, up), camera);
 }
 
+// ---- one of two sizes
+// -----------------------------------------------------------------------------
+
+static CameraFault half_of_the_width(vec3 eye, Corners v, Camera *camera)
+{
+    Camera c = frame(eye, v);
+    c.width /= 2;
+    return store(reason(eye, v), c, camera);
+}
+
+static CameraFault half_of_the_height(vec3 eye, Corners v, Camera *camera)
+{
+    Camera c = frame(eye, v);
+    c.height /= 2;
+    return store(reason(eye, v), c, camera);
+}
+
+static CameraFault width_for_both(vec3 eye, Corners v, Camera *camera)
+{
+    Camera c = frame(eye, v);
+    c.height = c.width;
+    return store(reason(eye, v), c, camera);
+}
+
+static CameraFault right_not_unit(vec3 eye, Corners v, Camera *camera)
+{
+    Camera c = frame(eye, v);
+    c.right *= c.width;
+    return store(reason(eye, v), c, camera);
+}
+
+static CameraFault up_not_unit(vec3 eye, Corners v, Camera *camera)
+{
+    Camera c = frame(eye, v);
+    c.up *= c.height;
+    return store(reason(eye, v), c, camera);
+}
+
 // ---- look-at ------------------------------------------------------------------------------------
 
 static CameraFault near_places_refused(LookAt view, Handedness world, Camera *camera)
@@ -110,6 +149,25 @@ const Mistake camera_limit_mistakes[] = {
             "a dot product grows with both lengths. Make the edges unit, or divide by the lengths, "
             "and what is left is the angle.",
             "no picture of large worlds, and a wrong one of tiny ones"),
+    MISTAKE("V-half-w", camera_from_vectors, half_of_the_width,
+            "w = |upper right - upper left| / 2",
+            "the width goes from edge to edge, and so does the height, which is right.",
+            "everything twice as wide"),
+    MISTAKE("V-half-h", camera_from_vectors, half_of_the_height,
+            "h = |upper left - lower left| / 2",
+            "the height goes from edge to edge, and so does the width, which is right.",
+            "everything twice as high"),
+    MISTAKE("V-both", camera_from_vectors, width_for_both, "h = w",
+            "how high the plane is the left edge tells, from upper left to lower left.",
+            "right where the plane is a square; elsewhere squashed or stretched"),
+    MISTAKE("V-unit-r", camera_from_vectors, right_not_unit, "r = upper right - upper left",
+            "the frame only says which way, so each of its vectors has length 1. Up and forward "
+            "have.",
+            "everything squeezed, or no picture"),
+    MISTAKE("V-unit-u", camera_from_vectors, up_not_unit, "u = upper left - lower left",
+            "the frame only says which way, so each of its vectors has length 1. Right and forward "
+            "have.",
+            "everything squeezed, or no picture"),
     MISTAKE("F-tiny", camera_from_points, small_points_refused, "refused where d, w or h < 1e-6",
             SMALL_WORLDS, "no picture of tiny worlds"),
     MISTAKE("K-tiny", camera_from_corner, small_edges_refused, "refused where d, w or h < 1e-6",

@@ -1,5 +1,6 @@
-// 05-quadratic-limits.c - answers with a limit of their own: right for the sizes that their authors
-// thought of. A length is neither small nor large in itself, only beside another one.
+// 05-quadratic-limits.c - right in part: answers with a limit of their own, for the sizes that
+// their authors thought of (a length is neither small nor large in itself, only beside another
+// one); and those that forget one component of three.
 #include "tests/mistakes/05-quadratic.h"
 
 // ---- quadratic_roots
@@ -111,6 +112,54 @@ static Quadratic a_at_least_a_millionth(Ray ray, double radius)
     return q;
 }
 
+// ---- two of three components
+// ------------------------------------------------------------------------
+
+static Ray z_not_moved(Ray ray, Sphere s)
+{
+    s.center[2] = 0;
+    return (Ray){ray.origin - s.center, ray.direction};
+}
+
+// Sums of two products where three belong: what is left is a circle in the plane of x and y.
+static vec3 without_z(vec3 v)
+{
+    return vec3_of(v[0], v[1], 0);
+}
+
+static Quadratic z_left_out(Ray ray, double radius)
+{
+    return object_quadratic((Ray){without_z(ray.origin), without_z(ray.direction)}, radius);
+}
+
+static Quadratic z_left_out_of_a(Ray ray, double radius)
+{
+    Quadratic q = object_quadratic(ray, radius);
+    q.a = z_left_out(ray, radius).a;
+    return q;
+}
+
+static Quadratic z_left_out_of_b(Ray ray, double radius)
+{
+    Quadratic q = object_quadratic(ray, radius);
+    q.b = z_left_out(ray, radius).b;
+    return q;
+}
+
+static Quadratic z_left_out_of_c(Ray ray, double radius)
+{
+    Quadratic q = object_quadratic(ray, radius);
+    q.c = z_left_out(ray, radius).c;
+    return q;
+}
+
+static Quadratic z_left_out_of_the_world(Ray ray, Sphere s)
+{
+    return z_left_out(to_object_coordinates(ray, s), s.radius);
+}
+
+#define TWO_OF_THREE                                                                               \
+    "a dot product is the sum of three products, and that of the z components is missing."
 #define SEVEN_DIGITS "a float keeps 7 digits, and squares and differences use them up. Use double."
 
 const Mistake limit_mistakes[] = {
@@ -161,5 +210,19 @@ const Mistake limit_mistakes[] = {
     MISTAKE("Q5-tiny", object_quadratic, a_at_least_a_millionth, "a at least 1e-6",
             "a is 0 only for a v of length 0, which no ray has. For a short v it is small.",
             "spheres out of shape where the directions are short"),
+    MISTAKE("O-z", to_object_coordinates, z_not_moved, "z as it came",
+            "x and y are seen from the centre of the sphere, z is not. A vector has three "
+            "components.",
+            "spheres moved along z into the middle of the world"),
+    MISTAKE("Q-z", object_quadratic, z_left_out, "x and y only", TWO_OF_THREE,
+            "endless tubes in place of spheres"),
+    MISTAKE("Q-z-a", object_quadratic, z_left_out_of_a, "a = v_x^2 + v_y^2", TWO_OF_THREE,
+            "distorted spheres, or none"),
+    MISTAKE("Q-z-b", object_quadratic, z_left_out_of_b, "b = 2 (p_x v_x + p_y v_y)", TWO_OF_THREE,
+            "distorted spheres, or none"),
+    MISTAKE("Q-z-c", object_quadratic, z_left_out_of_c, "c = p_x^2 + p_y^2 - r^2", TWO_OF_THREE,
+            "distorted spheres, or none"),
+    MISTAKE("Q-z-world", world_quadratic, z_left_out_of_the_world, "x and y only", TWO_OF_THREE,
+            "endless tubes in place of spheres"),
     {0},
 };
