@@ -85,6 +85,43 @@ static double by_distances(const Scene *scene, vec3 from, Light light)
     return 1;
 }
 
+static double of_first(const Scene *scene, int count, Ray ray, double reach)
+{
+    if (count == 0)
+        return 1;
+    if (hit_sphere(ray, scene->spheres[count - 1]) < reach)
+        return 0;
+    return of_first(scene, count - 1, ray, reach);
+}
+
+static double by_recursion(const Scene *scene, vec3 from, Light light)
+{
+    double reach = light.kind == LIGHT_POINT ? 1 : NO_HIT;
+    return of_first(scene, scene->sphere_count, ray_to_light(from, light), reach);
+}
+
+static double without_what_hides(const Scene *scene, vec3 from, Light light)
+{
+    int hiding = 0;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        double t = hit_sphere(ray_to_light(from, light), scene->spheres[i]);
+        if (t == NO_HIT)
+            continue;
+        if (light.kind == LIGHT_DISTANT || t < 1)
+            hiding++;
+    }
+    return hiding == 0;
+}
+
+static double in_long_double(const Scene *scene, vec3 from, Light light)
+{
+    Ray ray = ray_to_light(from, light);
+    long double length = sqrtl(vec3_dot(ray.direction, ray.direction)), nearest = HUGE_VALL;
+    for (int i = scene->sphere_count - 1; i >= 0; i--)
+        nearest = fminl(nearest, hit_sphere(ray, scene->spheres[i]) * length);
+    return light.kind == LIGHT_POINT ? nearest >= length : isinf(nearest);
+}
+
 // ---- shade --------------------------------------------------------------------------------------
 
 static vec3 facing(vec3 normal, vec3 direction)
@@ -133,6 +170,64 @@ static Color all_in_one(const Scene *scene, Ray ray, Hit hit)
     return sum;
 }
 
+// What a place knows, and each light in its turn.
+typedef struct {
+    const Scene *scene;
+    const Surface *surface;
+    vec3 point, normal, start, to_eye;
+} Lit;
+
+static Color of_lights(const Lit *lit, int i)
+{
+    if (i == lit->scene->light_count)
+        return ambient_term(lit->surface->color, lit->surface->diffuse, lit->scene->ambient);
+    const Light *light = &lit->scene->lights[i];
+    const Surface *s = lit->surface;
+    Color rest = of_lights(lit, i + 1);
+    if (visibility(lit->scene, lit->start, *light) == 0)
+        return rest;
+    vec3 l = ray_to_light(lit->point, *light).direction;
+    return rest + diffuse_term(s->color, s->diffuse, light->color, lit->normal, l) +
+           phong_term(s->specular, s->shine, light->color, lit->normal, l, lit->to_eye);
+}
+
+static Color lights_by_recursion(const Scene *scene, Ray ray, Hit hit)
+{
+    Sphere sphere = scene->spheres[hit.sphere];
+    vec3 point = ray.origin + hit.t * ray.direction;
+    vec3 normal = facing(surface_normal(sphere, point), ray.direction);
+    Lit lit = {scene,  scene_surface(scene, hit.sphere),   point,
+               normal, off_surface(sphere, point, normal), -vec3_unit(ray.direction)};
+    return of_lights(&lit, 0);
+}
+
+// Each of the three numbers by itself, in long double.
+static Color color_by_color(const Scene *scene, Ray ray, Hit hit)
+{
+    Sphere sphere = scene->spheres[hit.sphere];
+    const Surface *s = scene_surface(scene, hit.sphere);
+    vec3 point = ray.origin + hit.t * ray.direction, color;
+    vec3 normal = facing((point - sphere.center) / sphere.radius, ray.direction);
+    vec3 eye = vec3_unit(-ray.direction);
+    for (int c = 0; c < 3; c++) {
+        long double sum = (long double)s->diffuse * s->color[c] * scene->ambient[c];
+        for (int i = 0; i < scene->light_count; i++) {
+            const Light *light = &scene->lights[i];
+            vec3 l = vec3_unit(ray_to_light(point, *light).direction);
+            long double low = vec3_dot(normal, l);
+            long double high = 2 * low * vec3_dot(normal, eye) - vec3_dot(l, eye);
+            if (low <= 0 || visibility(scene, off_surface(sphere, point, normal), *light) == 0)
+                continue;
+            sum += s->diffuse * low * s->color[c] * light->color[c];
+            if (high > 0)
+                sum += s->specular * powl(high, s->shine) * light->color[c];
+        }
+        color[c] = (double)sum;
+    }
+    color[3] = 0;
+    return color;
+}
+
 // ---- trace_ray ----------------------------------------------------------------------------------
 
 static Color from_the_last_mirror_back(const Scene *scene, Ray ray, int depth)
@@ -169,6 +264,33 @@ static Color in_a_loop(const Scene *scene, Ray ray, int depth)
         share *= scene_surface(scene, hit.sphere)->specular;
     }
     return sum;
+}
+
+// The rays first, and their colours from the last one back.
+static Color on_a_stack(const Scene *scene, Ray ray, int depth)
+{
+    enum { MOST = 256 };
+    Color own[MOST], color = scene->background;
+    double ks[MOST];
+    int count = 0;
+    for (bool on = true; on && count < MOST; depth--) {
+        Hit hit = nearest_hit(ray, scene);
+        on = hit.sphere >= 0;
+        if (!on)
+            break;
+        const Surface *surface = scene_surface(scene, hit.sphere);
+        own[count] = shade(scene, ray, hit);
+        on = depth > 0 && surface->specular > 0;
+        ks[count++] = on ? surface->specular : 0;
+        Sphere sphere = scene->spheres[hit.sphere];
+        vec3 point = ray.origin + hit.t * ray.direction, normal = surface_normal(sphere, point);
+        if (vec3_dot(normal, ray.direction) > 0)
+            normal *= -1;
+        ray = (Ray){off_surface(sphere, point, normal), mirror_direction(ray.direction, normal)};
+    }
+    while (count-- > 0)
+        color = ks[count] > 0 ? own[count] + ks[count] * color : own[count];
+    return color;
 }
 
 #endif
