@@ -144,4 +144,5 @@ void list_tests_of_depth(void)
     test(the_depth_of_spheres_one_behind_the_other_is_that_of_the_nearest);
     test(where_there_is_nothing_every_depth_is_no_hit);
     test(both_orders_give_the_same_bytes);
+    list_more_of_cast_object_order();
 }

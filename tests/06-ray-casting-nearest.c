@@ -166,4 +166,5 @@ void list_tests_of_nearest_hit(void)
     test(from_inside_a_sphere_its_far_side_is_hit_and_what_stands_before_it);
     test(where_spheres_of_the_deck_overlap_red_comes_first_then_green_then_blue);
     test(of_spheres_one_behind_the_other_the_nearest_is_hit);
+    list_more_of_nearest_hit();
 }

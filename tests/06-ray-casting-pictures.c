@@ -194,6 +194,7 @@ void list_tests_of_pictures(void)
     test(image_order_draws_with_the_left_handed_camera_of_the_deck);
     test(image_order_draws_the_three_spheres_of_the_deck);
     test(image_order_draws_what_cones_say_of_spheres_one_behind_the_other);
+    list_more_of_cast_image_order();
     tests_of("cast_object_order");
     test(object_order_leaves_nothing_of_what_was_in_the_image);
     test(object_order_draws_a_sphere_straight_ahead_as_a_disc);

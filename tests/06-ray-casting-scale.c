@@ -292,9 +292,8 @@ START_TEST(the_depth_in_pictures_of_any_shape_goes_row_by_row)
 }
 END_TEST
 
-void list_tests_of_scale(void)
+void list_more_of_nearest_hit(void)
 {
-    tests_of("nearest_hit");
     test(in_a_world_of_any_size_along_a_direction_of_any_length_the_nearest_is_hit);
     test(of_spheres_close_together_the_nearer_is_hit);
     test(no_t_is_too_small);
@@ -302,7 +301,10 @@ void list_tests_of_scale(void)
     test(no_sphere_is_nearer_by_too_little);
     test(whichever_way_the_ray_goes_the_nearest_is_hit);
     test(the_last_of_many_spheres_is_hit);
-    tests_of("cast_image_order");
+}
+
+void list_more_of_cast_image_order(void)
+{
     test(image_order_draws_worlds_of_any_size);
     test(image_order_draws_pictures_of_any_shape);
     test(image_order_draws_the_last_of_many_spheres);
@@ -310,7 +312,10 @@ void list_tests_of_scale(void)
     test(image_order_draws_however_small_t_is);
     test(image_order_draws_however_large_t_is);
     test(image_order_draws_what_is_nearer_by_however_little);
-    tests_of("cast_object_order");
+}
+
+void list_more_of_cast_object_order(void)
+{
     test(object_order_draws_worlds_of_any_size);
     test(object_order_draws_pictures_of_any_shape);
     test(object_order_draws_the_last_of_many_spheres);

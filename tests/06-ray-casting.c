@@ -140,5 +140,4 @@ void list_tests(void)
     list_tests_of_nearest_hit();
     list_tests_of_pictures();
     list_tests_of_depth();
-    list_tests_of_scale();
 }

@@ -79,6 +79,9 @@ void expect_depths_of_shells(Camera camera, Resolution size, Sphere *spheres);
 void list_tests_of_nearest_hit(void);
 void list_tests_of_pictures(void);
 void list_tests_of_depth(void);
-void list_tests_of_scale(void);
+// More of each, in 06-ray-casting-scale.c: the tests of a function stand together in the list.
+void list_more_of_nearest_hit(void);
+void list_more_of_cast_image_order(void);
+void list_more_of_cast_object_order(void);
 
 #endif

@@ -107,6 +107,7 @@ void list_tests_of_colors(void)
     test(what_is_above_1_becomes_1_and_the_others_stay);
     test(what_is_below_0_becomes_0_and_the_others_stay);
     test(each_number_is_clamped_by_itself);
+    list_more_of_clamp_color();
 
     tests_of("gamma_encode");
     test(with_a_gamma_of_1_nothing_changes);
@@ -114,4 +115,5 @@ void list_tests_of_colors(void)
     test(black_stays_black_and_white_stays_white);
     test(a_gamma_of_2_2_as_most_displays_have_it);
     test(what_the_display_makes_of_it_is_what_was_meant);
+    list_more_of_gamma_encode();
 }

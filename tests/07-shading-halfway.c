@@ -124,4 +124,5 @@ void list_tests_of_halfway(void)
     test(half_way_below_the_surface_there_is_no_highlight);
     test(from_behind_the_surface_comes_no_highlight);
     test(half_way_at_an_angle_that_was_chosen);
+    list_more_of_halfway_term();
 }

@@ -121,4 +121,5 @@ void list_tests_of_phong(void)
     test(far_from_the_mirrored_light_there_is_no_highlight);
     test(a_light_behind_the_surface_makes_no_highlight);
     test(at_an_angle_from_the_mirrored_light_that_was_chosen);
+    list_more_of_phong_term();
 }

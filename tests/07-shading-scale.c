@@ -332,25 +332,39 @@ START_TEST(however_dark_it_is_it_is_encoded)
 }
 END_TEST
 
-void list_tests_of_scale(void)
+void list_more_of_surface_normal(void)
 {
-    tests_of("surface_normal");
     test(a_normal_is_unit_in_worlds_of_any_size);
-    tests_of("ray_to_light");
+}
+
+void list_more_of_ray_to_light(void)
+{
     test(the_way_to_a_light_is_as_long_as_it_is_in_worlds_of_any_size);
-    tests_of("mirror_direction");
+}
+
+void list_more_of_mirror_direction(void)
+{
     test(directions_of_any_length_are_mirrored);
     test(what_grazes_a_mirror_is_mirrored_too);
-    tests_of("ambient_term");
+}
+
+void list_more_of_ambient_term(void)
+{
     test(ambient_light_may_be_of_any_strength);
     test(a_dark_surface_sends_back_little_of_the_ambient_light);
-    tests_of("diffuse_term");
+}
+
+void list_more_of_diffuse_term(void)
+{
     test(a_light_may_be_of_any_strength);
     test(a_dark_surface_scatters_little);
     test(a_light_may_be_as_near_or_as_far_as_it_likes);
     test(a_light_however_low_still_scatters);
     test(a_light_nearly_straight_above_scatters_nearly_all);
-    tests_of("phong_term");
+}
+
+void list_more_of_phong_term(void)
+{
     test(a_highlight_is_as_strong_as_its_light);
     test(a_surface_that_hardly_shines_has_a_weak_highlight);
     test(light_and_eye_may_be_as_near_or_as_far_as_they_like);
@@ -358,7 +372,10 @@ void list_tests_of_scale(void)
     test(a_cosine_however_small_has_its_power);
     test(shine_may_be_as_large_or_as_small_as_it_likes);
     test(a_high_power_leaves_little);
-    tests_of("halfway_term");
+}
+
+void list_more_of_halfway_term(void)
+{
     test(this_highlight_too_is_as_strong_as_its_light);
     test(a_surface_that_hardly_shines_has_a_weak_highlight_here_too);
     test(here_too_light_and_eye_may_be_as_near_or_as_far_as_they_like);
@@ -366,10 +383,16 @@ void list_tests_of_scale(void)
     test(a_cosine_however_small_has_its_power_here_too);
     test(here_too_shine_may_be_as_large_or_as_small_as_it_likes);
     test(a_high_power_leaves_little_here_too);
-    tests_of("clamp_color");
+}
+
+void list_more_of_clamp_color(void)
+{
     test(what_just_fits_stays_and_what_just_does_not_is_clamped);
     test(however_bright_it_is_it_becomes_1);
-    tests_of("gamma_encode");
+}
+
+void list_more_of_gamma_encode(void)
+{
     test(any_gamma_is_taken_as_it_is);
     test(however_dark_it_is_it_is_encoded);
 }

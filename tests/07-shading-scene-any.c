@@ -83,8 +83,8 @@ END_TEST
 // beside the way of the other, whose mirror image meets the eye.
 START_TEST(a_crumb_close_to_the_surface_casts_its_shadow)
 {
-    for (int i = 0; i < 16; i++) {
-        double size = pow(10, i / 2 * 2 - 6), above = i % 2 == 0 ? 1e-5 : 1e-7;
+    for (int i = 0; i < 30; i++) {
+        double size = pow(10, 8 - i % 15), above = i < 15 ? 1e-5 : 1e-7;
         empty_world(&world);
         put_sphere(&world, vec3_of(0, -size, 0), size, surface_of(dull().color, 0.5, 0.4, 3));
         put_sphere(&world, vec3_of(0, above * size, 0), above / 2 * size, dull());

@@ -283,22 +283,27 @@ START_TEST(the_last_of_however_many_spheres_is_mirrored)
 }
 END_TEST
 
-void list_tests_of_limits(void)
+void list_limits_of_visibility(void)
 {
-    tests_of("visibility");
     test(however_near_it_hides_a_light);
     test(however_far_it_hides_a_light_that_is_beyond);
     test(however_long_the_way_to_a_light_is_a_sphere_in_between_hides_it);
     test(what_is_just_before_a_light_hides_it_and_what_is_just_behind_does_not);
     test(the_last_of_however_many_spheres_hides_a_light);
-    tests_of("shade");
+}
+
+void list_limits_of_shade(void)
+{
     test(the_last_of_however_many_lights_counts);
     test(light_of_any_strength_is_scattered_and_mirrored);
     test(however_low_the_light_is_it_is_scattered);
     test(however_little_a_surface_sends_back_it_counts);
     test(a_surface_has_the_shine_that_it_says);
     test(at_any_t_a_surface_is_lit);
-    tests_of("trace_ray");
+}
+
+void list_limits_of_trace_ray(void)
+{
     test(mirrors_are_looked_into_as_deep_as_it_says);
     test(however_weak_a_mirror_is_it_mirrors);
     test(however_little_comes_through_all_mirrors_it_counts);

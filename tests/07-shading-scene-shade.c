@@ -211,4 +211,5 @@ void list_tests_of_shade(void)
     test(how_long_the_direction_of_the_ray_is_does_not_matter);
     test(inside_a_sphere_the_surface_is_turned_to_the_eye);
     list_more_tests_of_shade();
+    list_limits_of_shade();
 }

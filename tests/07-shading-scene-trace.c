@@ -172,4 +172,5 @@ void list_tests_of_trace_ray(void)
     test(how_long_the_direction_of_the_ray_is_does_not_matter);
     test(inside_a_hollow_mirror_a_ray_stays_inside);
     list_more_tests_of_trace_ray();
+    list_limits_of_trace_ray();
 }

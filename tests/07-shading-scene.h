@@ -72,7 +72,6 @@ bool exact_trace(const World *world, Ray ray, int depth, Color *color);
 // ---- the tests, a file each ---------------------------------------------------------------------
 
 void list_tests_of_off_surface(void);
-void list_tests_of_limits(void);
 void list_tests_of_visibility(void);
 void list_tests_of_shade(void);
 void list_tests_of_trace_ray(void);
@@ -80,5 +79,9 @@ void list_tests_of_trace_ray(void);
 void list_more_tests_of_visibility(void);
 void list_more_tests_of_shade(void);
 void list_more_tests_of_trace_ray(void);
+// And in 07-shading-scene-scale.c.
+void list_limits_of_visibility(void);
+void list_limits_of_shade(void);
+void list_limits_of_trace_ray(void);
 
 #endif

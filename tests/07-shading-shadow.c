@@ -219,4 +219,5 @@ void list_tests_of_visibility(void)
     test(what_is_close_to_a_light_hides_it_too);
     test(glass_hides_a_light_like_anything_else);
     list_more_tests_of_visibility();
+    list_limits_of_visibility();
 }

@@ -147,6 +147,7 @@ void list_tests_of_terms(void)
     test(without_ambient_light_nothing_is_there);
     test(much_ambient_light_may_be_brighter_than_white);
     test(an_ambient_term_that_was_chosen_comes_back);
+    list_more_of_ambient_term();
 
     tests_of("diffuse_term");
     test(light_from_straight_above_is_scattered_in_full);
@@ -156,4 +157,5 @@ void list_tests_of_terms(void)
     test(light_is_multiplied_colour_by_colour);
     test(a_bright_light_may_be_scattered_brighter_than_white);
     test(at_an_angle_that_was_chosen_its_cosine_is_scattered);
+    list_more_of_diffuse_term();
 }

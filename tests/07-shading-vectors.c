@@ -160,11 +160,13 @@ void list_tests_of_vectors(void)
     test(on_opposite_sides_the_normals_are_opposite);
     test(a_normal_is_unit_however_large_the_sphere);
     test(a_normal_that_was_chosen_comes_back);
+    list_more_of_surface_normal();
 
     tests_of("ray_to_light");
     test(a_point_light_is_reached_at_t_1);
     test(a_distant_light_has_one_direction_from_everywhere);
     test(the_way_to_a_light_that_was_put_somewhere_comes_back);
+    list_more_of_ray_to_light();
 
     tests_of("mirror_direction");
     test(what_falls_straight_on_comes_straight_back);
@@ -173,4 +175,5 @@ void list_tests_of_vectors(void)
     test(a_mirror_that_stands_askew);
     test(a_mirror_has_two_sides);
     test(the_part_along_the_normal_turns_round_and_the_part_across_it_stays);
+    list_more_of_mirror_direction();
 }

@@ -61,10 +61,8 @@ void list_tests(void)
     list_tests_of_phong();
     list_tests_of_halfway();
     list_tests_of_colors();
-    list_tests_of_scale();
     list_tests_of_off_surface();
     list_tests_of_visibility();
     list_tests_of_shade();
     list_tests_of_trace_ray();
-    list_tests_of_limits();
 }

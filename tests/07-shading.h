@@ -42,6 +42,15 @@ void list_tests_of_terms(void);
 void list_tests_of_phong(void);
 void list_tests_of_halfway(void);
 void list_tests_of_colors(void);
-void list_tests_of_scale(void);
+// More of each, in 07-shading-scale.c: the tests of a function stand together in the list.
+void list_more_of_surface_normal(void);
+void list_more_of_ray_to_light(void);
+void list_more_of_mirror_direction(void);
+void list_more_of_ambient_term(void);
+void list_more_of_diffuse_term(void);
+void list_more_of_phong_term(void);
+void list_more_of_halfway_term(void);
+void list_more_of_clamp_color(void);
+void list_more_of_gamma_encode(void);
 
 #endif

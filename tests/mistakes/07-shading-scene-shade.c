@@ -108,6 +108,8 @@ START_AT(no_offset, start_there)
 START_AT(offset_outward, start_outward)
 START_AT(offset_along_the_ray, start_back_along_the_ray)
 START_AT(offset_1e_3, start_a_thousandth_off)
+START_AT(offset_1e_4, start_1e_4_off)
+START_AT(offset_1e_5, start_1e_5_off)
 START_AT(offset_1e_6, start_a_millionth_off)
 START_AT(offset_1e_9, start_a_billionth_off)
 
@@ -200,6 +202,12 @@ const Mistake shade_mistakes[] = {
             "off_surface.",
             "speckles on what is close to the eye; lost shadows far away"),
     MISTAKE("S-1e-3", shade, offset_1e_3, "visibility from p + 0.001 n",
+            "that is too far in a small scene and nothing in a huge one: off_surface.",
+            "all right in a scene of one size, speckles or lost shadows in others"),
+    MISTAKE("S-1e-4", shade, offset_1e_4, "visibility from p + 1e-4 n",
+            "that is too far in a small scene and nothing in a huge one: off_surface.",
+            "all right in a scene of one size, speckles or lost shadows in others"),
+    MISTAKE("S-1e-5", shade, offset_1e_5, "visibility from p + 1e-5 n",
             "that is too far in a small scene and nothing in a huge one: off_surface.",
             "all right in a scene of one size, speckles or lost shadows in others"),
     MISTAKE("S-1e-6", shade, offset_1e_6, "visibility from p + 1e-6 n",

@@ -9,7 +9,8 @@
 
 extern const Mistake offset_mistakes[], fixed_offset_mistakes[], shadow_mistakes[],
     shadow_sphere_mistakes[], shade_mistakes[], shade_light_mistakes[], hidden_light_mistakes[],
-    mirrored_mistakes[], seen_mistakes[], mirror_depth_mistakes[];
+    mirrored_mistakes[], seen_mistakes[], mirror_depth_mistakes[], shadow_limit_mistakes[],
+    shade_limit_mistakes[], mirror_limit_mistakes[];
 
 // ---- where a ray starts -------------------------------------------------------------------------
 
@@ -48,6 +49,8 @@ static inline vec3 start_back_along_the_ray(Sphere sphere, vec3 point, vec3 norm
     }
 
 STEP(start_a_thousandth_off, 1e-3)
+STEP(start_1e_4_off, 1e-4)
+STEP(start_1e_5_off, 1e-5)
 STEP(start_a_millionth_off, 1e-6)
 STEP(start_a_billionth_off, 1e-9)
 
