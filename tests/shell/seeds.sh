@@ -48,10 +48,13 @@ rm -rf "build$scratch"
 differ() {
     [ -s "$scratch/$1" ] && [ -s "$scratch/$2" ] && ! cmp "$scratch/$1" "$scratch/$2"
 }
-tail -n 10 "$scratch/one" >"$scratch/last"
+# Its lines are some of those that all the tests together ask.
+among_them() {
+    [ -s "$scratch/single" ] && ! grep -vxFf "$scratch/one" "$scratch/single"
+}
 check 'the same seed makes the same inputs' cmp "$scratch/one" "$scratch/again"
 check 'for one function alone, too' cmp "$scratch/one" "$scratch/only"
-check 'for one test alone, too' cmp "$scratch/last" "$scratch/single"
+check 'for one test alone, too' among_them
 check 'another seed makes other inputs' differ one two
 check 'and none makes those that are public' differ one public
 
