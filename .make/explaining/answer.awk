@@ -26,7 +26,8 @@ function read_answer(   line, number, part, in_comment, at, name) {
         }
         sub(/ +$/, "", line)
         code[number] = line
-        if (match(line, /^[A-Za-z_][A-Za-z_0-9 *]*[ *][A-Za-z_0-9]+\(/) && line !~ /;$/) {
+        if ((match(line, /^[A-Za-z_][A-Za-z_0-9 *]*[ *][A-Za-z_0-9]+\(/) && line !~ /;$/) ||
+            (match(line, /^[a-z_][a-z_0-9]*\(/) && line ~ /^[a-z_0-9]+\([A-Za-z_0-9 *,]*\) *\{?$/)) {
             line = name = substr(line, 1, RLENGTH - 1)
             sub(/.*[ *]/, "", name)
             if (line ~ /^(return|else) / || name ~ /^(if|for|while|switch)$/)

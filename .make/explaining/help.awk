@@ -15,6 +15,24 @@ function help(i,   line) {
         return help_brace(i)
     if (outside[i])
         return "this stands outside of every function: before it there is a } too many."
+    if (line ~ /^ *(import|using|from) /)
+        return "C has no import: headers are included, as in #include \"" contract "\""
+    if (text[i] ~ /^expected/ && behind[i] ~ /^ *(and|or|not) /)
+        return "and, or and not are written &&, || and ! in C."
+    if (text[i] ~ /operand of '[&|]'|^[&|] has lower precedence/)
+        return "&& is and, || is or; & and | work on bits."
+    if (text[i] ~ /^comparisons like/)
+        return "two comparisons are joined by &&: 0 < x && x < 1."
+    if (text[i] ~ /^expected identifier or '\('( before '\{')?/ && line ~ /^\{/ && code[code_before(line_number[i])] ~ /\);$/)
+        return "the ; at the end of line " code_before(line_number[i]) " parts the function from its { }: take it away."
+    if (text[i] ~ /^expected expression/ && ahead[i] ~ /^ *$/ && code[code_before(line_number[i])] ~ /,$/)
+        return "line " code_before(line_number[i]) " ends in a comma, where a semicolon belongs."
+    if (is_unused_value(i) && line ~ /==/)
+        return "== compares; to give a variable a value, write =."
+    if (text[i] ~ /used uninitialized|uninitialized when used/)
+        return quoted(text[i]) " is declared, but has no value yet."
+    if (text[i] ~ /No such file or directory|file not found/)
+        return "the contract of this chapter is #include \"" contract "\"; other headers are in common/."
     if (text[i] ~ /^expected/ && (behind[i] ~ /^ *x [A-Za-z(]/))
         return "x is no operator in C: * multiplies, and the cross product is vec3_cross(v, w)."
     if (text[i] ~ /^expected '\)'/ && brackets(line_number[i]) > 0)
@@ -28,7 +46,7 @@ function help(i,   line) {
     if (text[i] ~ /^expected expression/ && behind[i] ~ /^[<>]/ && ahead[i] ~ /= *$/)
         return "C writes >= and <=, not => and =<."
     if (text[i] ~ /^(expected expression( before '[A-Za-z]|$)|unexpected type name)/ && ahead[i] ~ /^ *$/ &&
-        behind[i] ~ /^[A-Za-z_0-9]+ +[A-Za-z_]/)
+        behind[i] ~ "^(" struct_names ") +[A-Za-z_]")
         return "a declaration after if, else or for needs braces round it: { }."
     if (text[i] ~ /^subscripted value/)
         return help_subscript(i)
@@ -77,6 +95,8 @@ function help(i,   line) {
         return help_types(i)
     if (ends_at_once(line_number[i]) && text[i] ~ /clause does not guard|empty body/)
         return help_loop(line_number[i])
+    if (text[i] ~ /clause does not guard|^misleading indentation/)
+        return "without braces { } only one statement belongs to it."
     if (text[i] ~ /^type defaults to 'int'|^type specifier missing/ && line ~ /^ *auto /)
         return help_type_missing("auto")
     if (is_unknown(i))
@@ -434,6 +454,8 @@ function help_unknown(i,   name, number, line) {
             "vec3_of(x, y, z)."
     if (name ~ /^(let|var|auto|def)$/)
         return help_type_missing(name)
+    if (name ~ /^return[a-z]/)
+        return "a blank is missing: return " substr(name, 7)
     if (library[i] != "" || name in library_of)
         return name " is in the standard library: #include " (library[i] != "" ? library[i] : library_of[name])
     if (name in defined_in && defined_in[name] > number && text[i] ~ /function '/)
@@ -485,13 +507,16 @@ function help_unknown(i,   name, number, line) {
     line = line == "" ? "" : " " function_at[begins[i]] " is given " line "."
     if (length(name) > 1)
         return "nothing here is called " name ". Is it spelled as in the contract, " contract "?" line
-    return "nothing here is called " strange_letters[begins[i]] "." line \
+    return "nothing here is called " (is_letter[i] ? strange_letters[begins[i]] : name) "." line \
         " A variable of your own is declared first, with its type."
 }
 
 function help_signature(i,   name, first) {
     name = text[i] ~ /^argument/ ? function_at[begins[i]] : quoted(text[i])
-    read_headers()
+    read_scope(line_number[i])
+    for (first = 1; first <= parameter_count; first++)
+        if (in_scope[first] == name)
+            return name " is given to " function_at[begins[i]] " already: give yours another name."
     if (text[i] ~ /^redefinition/) {
         for (first = 1; first < line_number[i] && function_at[first] != name; first++)
             ;

@@ -13,7 +13,8 @@ function is_semicolon(i,   expected) {
 }
 
 function is_pasted(i) {
-    return text[i] ~ /^stray '\\[23][0-7][0-7]'|^(unexpected )?character <?U\+|^treating Unicode|^non-ASCII|^source file is not valid UTF-8|^extended character/
+    return text[i] ~ /\\U0000|identifier '\?/ ||
+        (text[i] ~ /^expected/ && behind[i] ~ /^ *\?/ && answer[line_number[i]] ~ /[\200-\377]/) || text[i] ~ /^stray '\\[23][0-7][0-7]'|^(unexpected )?character <?U\+|^treating Unicode|^non-ASCII|^source file is not valid UTF-8|^extended character/
 }
 
 function is_unknown(i) {
@@ -25,7 +26,7 @@ function is_count(i) {
 }
 
 function is_signature(i) {
-    return text[i] ~ /^conflicting types for|^redefinition of|^static declaration of|doesn't match prototype$/
+    return text[i] ~ /^conflicting types for|^redefinition of|^static declaration of|doesn't match prototype$|redeclared as different kind/
 }
 
 function is_missing_return(i) {
@@ -33,7 +34,7 @@ function is_missing_return(i) {
 }
 
 function is_unused_value(i) {
-    return text[i] ~ /^value computed is not used|^expression result unused|^statement with no effect/
+    return text[i] ~ /^value computed is not used|^expression result unused|^statement with no effect|^equality comparison result unused/
 }
 
 function is_comma(i) {
@@ -76,7 +77,7 @@ function misspelled(name, number,   word, i, count, before, after) {
         if (!is_near(name, word[i]))
             continue
         # The first eight begin a statement; a type stands before a name.
-        if (i <= 8 ? before !~ /(^|[;{})]|[^A-Za-z_0-9]else) *$/ || after ~ /^ *[+*\/=.,)\]]/ \
+        if (i <= 8 ? before !~ /(^|[;{})]|[^A-Za-z_0-9]else) *$/ || after ~ /^ *([+*=.,)]|\/|])/ \
                    : after !~ /^ *\*?[A-Za-z_]/)
             continue
         if (word[i] ~ /^(while|for|if|switch)$/ && after !~ /^ *\(/)

@@ -236,7 +236,7 @@ does_not_build 'a header that only another chapter includes' 01-corners \
     's|return c.distance \* c.forward - |printf("x");\n    &|' 'printf is in the standard library: #include <stdio.h>'
 does_not_build 'its contract not included' 01-corners '/#include "exercises/d' \
     '#include "exercises/01-corners.h" is missing at the top'
-does_not_build 'a main' 01-corners '$s|$|\nint main(void)\n{\n    return 0;\n}|' 'leave main out'
+does_not_build 'a main' 01-corners 's|^Camera with|int main(void)\n{\n    return 0;\n}\n\n&|' 'leave main out'
 does_not_build 'an inline that is nowhere else' 01-corners \
     's|^vec3 upper_left|inline double half(double x)\n{\n    return x / 2;\n}\n\n&|; s|c.width / 2|half(c.width)|' \
     'half is inline: write static inline'

@@ -96,6 +96,33 @@ explains 'a ) too few' 01-corners 's|return image_plane_v.*|return (c.distance *
 explains 'an operator left out in a struct' 05-quadratic 's|2 . vec3_dot(p, v), vec3_dot(p, p) - radius|2 vec3_dot(p, v), vec3_dot(p, p) - radius|' \
     'an operator or a comma is missing there (2 t is 2 * t).'
 
+explains 'and' 05-quadratic 's|if (roots.t.i. > 0)|if (roots.t[i] > 0 and i < 2)|' \
+    'and, or and not are written &&, || and ! in C.'
+half=$(printf '\302\275')
+dot=$(printf '\302\267')
+explains 'a pasted half' 01-corners "s|return image_plane_v.*|return $half * c.width * c.right;|" "$pasted"
+explains 'a pasted dot' 01-corners "s|return image_plane_v.*|return c.width $dot c.right;|" "$pasted"
+explains 'a blank left out' 01-corners 's|return image_plane_v.*|returnc.distance * c.up;|' 'a blank is missing: return c'
+explains 'a ; in front of {' 01-corners '/^vec3 upper_left/s|$|;|' \
+    "the ; at the end of line $(grep -n '^vec3 upper_left' solutions/01-corners.c | cut -d : -f 1) parts the function from its { }: take it away."
+explains 'no type of result' 01-corners 's|^vec3 upper_left|upper_left|' \
+    'the contract, exercises/01-corners.h, says vec3 upper_left(Camera c): your function has to begin like that.'
+explains 'a name that is taken' 01-corners 's|    c.distance = 1;|    int c = 1;|' \
+    'c is given to with_unit_distance already: give yours another name.'
+explains 'a comma at the end of a line' 01-corners 's|    c.distance = 1;|    c.distance = 1,|' \
+    "line $(grep -n '    c.distance = 1;' solutions/01-corners.c | cut -d : -f 1) ends in a comma, where a semicolon belongs."
+warned() {
+    broken "$2" "$3"
+    check "$1" helps "$4"
+}
+warned 'a header that is not there' 01-corners 's|"exercises/01-corners.h|"exercises/01-corner.h|' \
+    'the contract of this chapter is #include "exercises/01-corners.h"; other headers are in common/.'
+warned '== for =' 01-corners 's|    c.distance = 1;|    c.distance == 1;|' '== compares; to give a variable a value, write =.'
+warned '= for ==' 05-quadratic 's|if (q.a == 0)|if (q.a = 0)|' '= assigns; to compare, write ==.'
+warned '& for &&' 05-quadratic 's|if (roots.t.i. > 0)|if (i \& 1 > 0)|' '&& is and, || is or; & and | work on bits.'
+warned 'a declaration after if' 05-quadratic '/^double hit_sphere/,/^}/s|return roots.t.i.;|float t = roots.t[i]; return t;|' \
+    'a declaration after if, else or for needs braces round it: { }.'
+
 # A decimal comma, wherever the compiler stumbles over it.
 point='0,5 is two numbers in C. If it is meant as one, write 0.5.'
 decimal_comma() {
