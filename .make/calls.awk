@@ -30,28 +30,35 @@ $3 != "" {
     to = $3
     sub(/[-+]0x.*/, "", to)
     sub(/^\.text\./, "", to)
-    calls[from] = calls[from] " " to
+    calls_of[from] = calls_of[from] " " to
 }
 END {
     for (i = 1; i <= count; i++) {
         if (index(" " states " ", " " state[order[i]] " ") == 0)
             continue
         split("", reached)
-        reach(order[i])
+        reach(order[i], reached)
         others = ""
         for (j = 1; j <= count; j++)
-            if (j != i && (order[j] in reached) && (may == "" || (order[i], order[j]) in allowed))
+            if (j != i && (order[j] in reached) && !calls(order[j], order[i]) && \
+                (may == "" || (order[i], order[j]) in allowed))
                 others = others " " order[j]
         if (others != "")
             print order[i] others
     }
 }
 
-function reach(name,   n, to, i) {
-    n = split(calls[name], to, " ")
+# Two that call each other do not excuse each other.
+function calls(from, to,   seen) {
+    reach(from, seen)
+    return to in seen
+}
+
+function reach(name, reached,   n, to, i) {
+    n = split(calls_of[name], to, " ")
     for (i = 1; i <= n; i++)
         if (!(to[i] in reached)) {
             reached[to[i]] = 1
-            reach(to[i])
+            reach(to[i], reached)
         }
 }

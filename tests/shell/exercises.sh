@@ -120,6 +120,11 @@ answer 01-corners 's|(s - 0.5)|s|'
 judge EX=01
 check 'an answer that fails by another only waits' says 'waiting: across_30_up_10 (for image_plane_vector)'
 check 'the other one is what is wrong' first_line_says 'image_plane_vector'
+fresh
+answer 01-corners '/^vec3 upper_left/,/^}/s|return .*|return upper_right(c) - c.width * c.right;|; /^vec3 upper_right/,/^}/s|return .*|return upper_left(c) + c.width * c.right;|'
+judge EX=01
+check 'two that call each other are both wrong' says 'the stack is full'
+check 'and neither waits for the other' says_not 'waiting'
 
 fresh
 answer 01-corners '/^vec3 upper_left/,/^}/s|return .*|return NOT_ANSWERED(vec3);|; /^Camera with/,/^}/s|= 1;|= 2;|'
