@@ -324,6 +324,11 @@ answer 06-ray-casting 's|nothing ? scene->background : ||'
 judge EX=06
 check 'a colour of sphere -1 is said to be none' says 'scene_surface: there is no sphere -1'
 cp solutions/06-ray-casting.c "$answers"
+# In a picture that is higher than wide that leads behind the last depth.
+answer 06-ray-casting 's|depth\[i\]|depth[i / width * height + i % width]|'
+judge EX=06
+check 'rows of the height are named, also where they leave the depth' says 'looks like depth[row * height + column]'
+cp solutions/06-ray-casting.c "$answers"
 judge
 check 'and the end of the road is said' says 'You have written a ray caster.'
 check 'with the picture drawn' says 'still-something-missing.png'
