@@ -199,8 +199,10 @@ static _Noreturn void give_up_on_machine(const char *what, int error)
 static void check_machine(int status)
 {
     int error = process_start_error();
-    bool is_the_answers = error == 0 || error == ENOEXEC || error == EACCES || error == EINVAL;
-    if (!is_the_answers)
+    // Any other error is about the program: what it names as its interpreter, for example.
+    bool is_the_machines = error == EAGAIN || error == ENOMEM || error == EMFILE ||
+                           error == ENFILE || error == EIO || error == ENOSPC || error == ETXTBSY;
+    if (is_the_machines)
         give_up_on_machine("an answering process cannot be started", error);
     if (process_is_confined() && status >= 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
         give_up_on_machine("an answering process was killed", 0);

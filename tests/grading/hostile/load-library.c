@@ -4,6 +4,7 @@
 // earns: nothing
 #include "exercises/01-corners.h"
 #include <dlfcn.h>
+#include <stddef.h>
 
 vec3 upper_left(Camera c)
 {

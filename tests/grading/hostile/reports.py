@@ -101,6 +101,8 @@ def wordless(record: dict, wanted: Expected) -> list:
 
 def about(record: dict, wanted: Expected) -> list:
     """All that must hold of one submission's record."""
+    if record["score"] is None:
+        return [f"{record['status']}: {record['words']}"]
     complaints = wrong_marks(record, wanted) + wordless(record, wanted)
     if record["status"] not in wanted.statuses:
         complaints.append(f"status {record['status']} ({record['words'][:200]}), expected {sorted(wanted.statuses)}")
