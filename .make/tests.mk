@@ -92,6 +92,35 @@ $(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/m
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
+# Wrong answers that nobody has thought of: slips of the pen in every answer that is known, which
+# the compiler sifts, and a program a stem that tries them. GENERATED_SEED=... makes others.
+GENERATED_SEED ?= 2015
+GENERATED_MOST ?= 400
+MUTATE := $(B)/tests/generated/mutate
+$(MUTATE): $(patsubst %,$(B)/tests/generated/%.o,mutate put source slips statements pen)
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^
+MUTANTS := $(STEMS:%=$(B)/generated/%.o)
+answers_of = $(wildcard solutions/$(1).c tests/mistakes/$(1)*.[ch] tests/variants/$(1)*.[ch])
+AS_REFERENCE = $(CC) $(LANGUAGE) -w -include $(B)/reference.h
+$(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference.h $(B)/flags
+	$(call say,mutate,$*)
+	$(Q)rm -rf $(@D)/$* && mkdir -p $(@D)/$*
+	$(Q)for source in $(filter %.c,$(call answers_of,$*)); do \
+		$(AS_REFERENCE) -E "$$source" -o "$(@D)/$*/$$(echo "$$source" | tr / -).i" || exit 1; done
+	$(Q)$(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) /dev/null $(@D)/$*/*.i > $(@D)/$*.c
+	$(Q)$(AS_REFERENCE) -fsyntax-only $(@D)/$*.c 2> $(@D)/$*.errors || true
+	$(Q)$(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(@D)/$*.errors $(@D)/$*/*.i > $(@D)/$*.c
+	$(Q)$(AS_REFERENCE) -O0 -c -o $@ $(@D)/$*.c
+TRIALS := $(STEMS:%=$(B)/tests/generated/%)
+$(TRIALS): $(B)/tests/generated/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
+		$(B)/tests/judge/probes/%.o $(filter-out %/call.o,$(JUDGING)) \
+		$(B)/judge/dispatch-%.o $(B)/generated/%.o \
+		$(patsubst %,$(B)/tests/generated/%.o,try truth guard question ask_screen ask_cameras \
+		ask_spheres ask_scenes ask_lights) $(B)/tests/told/here.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
 # Blanks are made afresh, whatever stands in exercises/, and must pass nothing.
 BLANK_TESTS := $(STEMS:%=$(B)/tests/blanks/%)
 $(BLANK_TESTS:%=%.o): WARNINGS = $(FOR_STUDENTS)
@@ -193,7 +222,7 @@ CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v py
 
 # What the shell scripts among the tests are told. Grading has no sanitizers: a sandbox has no room.
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
-FOR_TESTS = KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
+FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(NUMBERS) $(ODD_QUESTIONS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
 FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
@@ -201,7 +230,7 @@ check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
 # What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it.
-check-all: $(CHECKS) $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(BENCH_SCENES)) ## those that need longer, too
+check-all: $(CHECKS) $(FOR_CHECKS) $(ENGINES_LONG) $(TRIALS) $(if $(BRIEF),,$(BENCH_SCENES)) ## those that need longer, too
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
 
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes

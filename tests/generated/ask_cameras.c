@@ -1,0 +1,226 @@
+// ask_cameras.c - questions of exercise 02: which descriptions are cameras, and which are none.
+#include "tests/generated/question.h"
+
+// What *camera holds before.
+static const Camera before = {.origin = {1, 2, 3},
+                              .right = {4, 5, 6},
+                              .up = {7, 8, 9},
+                              .forward = {10, 11, 12},
+                              .distance = 13,
+                              .width = 14,
+                              .height = 15};
+
+static void spoil(vec3 *v)
+{
+    static const double values[] = {NAN, INFINITY, -INFINITY};
+    (*v)[draw_below(3)] = values[draw_below(3)];
+}
+
+// A rectangle, or one that has been pushed out of shape.
+static void draw_rectangle(Question *q)
+{
+    q->size = draw_any_size();
+    q->exact = true;
+    Camera c = draw_camera(q->size);
+    vec3 middle = c.distance * c.forward, right = c.width / 2 * c.right, up = c.height / 2 * c.up;
+    q->eye = c.origin;
+    if (draw_one_in(3)) {
+        vec3 sideways = q->size * draw_scale(1e-4, 2) * draw_unit();
+        switch (draw_below(6)) {
+        case 0:
+            middle += sideways;
+            break;
+        case 1:
+            right += sideways;
+            break;
+        case 2:
+            up += sideways;
+            break;
+        case 3:
+            middle = vec3_of(0, 0, 0);
+            break;
+        case 4:
+            right = vec3_of(0, 0, 0);
+            break;
+        default:
+            up = vec3_of(0, 0, 0);
+        }
+    }
+    q->corners = (Corners){middle - right + up, middle + right + up, middle - right - up,
+                           middle + right - up};
+    vec3 *const corners[] = {&q->corners.upper_left, &q->corners.upper_right,
+                             &q->corners.lower_left, &q->corners.lower_right};
+    if (draw_one_in(8))
+        *corners[draw_below(4)] += q->size * draw_scale(1e-4, 2) * draw_unit();
+    if (draw_one_in(20))
+        spoil(corners[draw_below(4)]);
+    if (draw_one_in(30))
+        spoil(&q->eye);
+    q->lower_left = q->eye + q->corners.lower_left;
+    q->across = q->corners.lower_right - q->corners.lower_left;
+    q->up = q->corners.upper_left - q->corners.lower_left;
+}
+
+static void draw_points(Question *q)
+{
+    draw_rectangle(q);
+    q->corners.upper_left += q->eye;
+    q->corners.upper_right += q->eye;
+    q->corners.lower_left += q->eye;
+    q->corners.lower_right += q->eye;
+}
+
+static void say_found(Answer *said, CameraFault fault, Camera camera, const Question *q)
+{
+    say(said, fault, 0);
+    say_camera(said, camera, q);
+}
+
+static void ask_rectangle(AnyFunction *answer, Question *q, Answer *said)
+{
+    Camera camera = before;
+    CameraFault fault =
+        ((CameraFault(*)(vec3, Corners, Camera *))answer)(q->eye, q->corners, &camera);
+    say_found(said, fault, camera, q);
+}
+
+static void ask_lower_left(AnyFunction *answer, Question *q, Answer *said)
+{
+    Camera camera = before;
+    CameraFault fault = ((CameraFault(*)(vec3, vec3, vec3, vec3, Camera *))answer)(
+        q->eye, q->lower_left, q->across, q->up, &camera);
+    say_found(said, fault, camera, q);
+}
+
+static void draw_look_at(Question *q)
+{
+    q->size = draw_any_size();
+    q->exact = true;
+    q->view.eye = q->eye = draw_vec3(5 * q->size);
+    q->view.at = q->eye + q->size * draw(0.3, 5) * draw_unit();
+    q->view.up = draw_any_size() * draw(0.3, 5) * draw_unit();
+    vec3 view = q->view.at - q->eye;
+    if (draw_one_in(10))
+        q->view.at = q->eye;
+    if (draw_one_in(10))
+        q->view.up = draw(-3, 3) * view;
+    if (draw_one_in(20))
+        q->view.up = vec3_of(0, 0, 0);
+    q->view.width = q->size * (draw_one_in(10) ? draw(-3, 0) : draw(0.3, 5));
+    q->view.aspect = draw_one_in(10) ? draw(-3, 0) : draw_one_in(5) ? 1 : draw(0.3, 3);
+    if (draw_one_in(25))
+        q->view.width = 0;
+    if (draw_one_in(25))
+        q->view.aspect = draw_one_in(2) ? 0 : NAN;
+    if (draw_one_in(25))
+        spoil(draw_one_in(3) ? &q->view.eye : draw_one_in(2) ? &q->view.at : &q->view.up);
+    q->world = draw_one_in(2) ? LEFT_HANDED : RIGHT_HANDED;
+}
+
+static void ask_look_at(AnyFunction *answer, Question *q, Answer *said)
+{
+    Camera camera = before;
+    CameraFault fault =
+        ((CameraFault(*)(LookAt, Handedness, Camera *))answer)(q->view, q->world, &camera);
+    say_found(said, fault, camera, q);
+}
+
+// ---- which reasons hold -------------------------------------------------------------------------
+
+static bool is_finite(vec3 v)
+{
+    return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
+}
+
+static int reason(bool holds, CameraFault fault)
+{
+    return holds ? 1 << fault : 0;
+}
+
+// By how the corners lie, in lengths of their own. Only of what was refused.
+static int reasons_of(vec3 upper_left, vec3 upper_right, vec3 lower_left, vec3 lower_right)
+{
+    vec3 middle = (upper_left + upper_right + lower_left + lower_right) / 4;
+    vec3 upper = upper_right - upper_left, lower = lower_right - lower_left;
+    vec3 left = upper_left - lower_left, right = upper_right - lower_right;
+    double wide = fmax(vec3_length(upper), vec3_length(lower));
+    double high = fmax(vec3_length(left), vec3_length(right));
+    double far = vec3_length(middle), tiny = 1e-7 * (wide + high + far);
+    bool parallelogram = vec3_length(upper - lower) <= tiny;
+    bool right_angles = fabs(vec3_dot(upper, left)) <= 1e-7 * wide * high;
+    bool on_axis = fabs(vec3_dot(upper, middle)) <= 1e-7 * wide * far &&
+                   fabs(vec3_dot(left, middle)) <= 1e-7 * high * far;
+    return reason(far <= tiny, CAMERA_NO_DISTANCE) |
+           reason(vec3_length(upper) <= tiny || vec3_length(lower) <= tiny, CAMERA_NO_WIDTH) |
+           reason(vec3_length(left) <= tiny || vec3_length(right) <= tiny, CAMERA_NO_HEIGHT) |
+           reason(!parallelogram || !right_angles, CAMERA_NO_RECTANGLE) |
+           reason(!on_axis, CAMERA_OFF_AXIS);
+}
+
+static bool may_refuse(int reasons, const Answer *yours, const Answer *right)
+{
+    if (yours->count != right->count || right->number[0] == CAMERA_OK)
+        return false;
+    bool kept = true;
+    for (int i = 1; i < yours->count; i++)
+        kept = kept && yours->number[i] == right->number[i];
+    double fault = yours->number[0];
+    bool known = fault > 0 && fault < CAMERA_FAULTS;
+    return kept && known && (reasons >> (int)fault & 1) == 1;
+}
+
+static bool is_right_of_vectors(const Question *q, const Answer *yours, const Answer *right)
+{
+    const Corners *c = &q->corners;
+    bool finite = is_finite(q->eye) && is_finite(c->upper_left) && is_finite(c->upper_right) &&
+                  is_finite(c->lower_left) && is_finite(c->lower_right);
+    int reasons =
+        finite ? reasons_of(c->upper_left, c->upper_right, c->lower_left, c->lower_right) : 0;
+    // What is infinite, or no number, ends in no rectangle, either.
+    if (!finite)
+        reasons = reason(true, CAMERA_NOT_FINITE) | reason(true, CAMERA_NO_RECTANGLE) |
+                  reason(true, CAMERA_OFF_AXIS);
+    return may_refuse(reasons, yours, right);
+}
+
+static bool is_right_of_points(const Question *q, const Answer *yours, const Answer *right)
+{
+    Question vectors = *q;
+    vectors.corners.upper_left -= q->eye;
+    vectors.corners.upper_right -= q->eye;
+    vectors.corners.lower_left -= q->eye;
+    vectors.corners.lower_right -= q->eye;
+    return is_right_of_vectors(&vectors, yours, right);
+}
+
+static bool is_right_of_corner(const Question *q, const Answer *yours, const Answer *right)
+{
+    Question vectors = *q;
+    vec3 corner = q->lower_left - q->eye;
+    vectors.corners =
+        (Corners){corner + q->up, corner + q->across + q->up, corner, corner + q->across};
+    return is_right_of_vectors(&vectors, yours, right);
+}
+
+static bool is_right_of_look_at(const Question *q, const Answer *yours, const Answer *right)
+{
+    const LookAt *v = &q->view;
+    bool finite = is_finite(v->eye) && is_finite(v->at) && is_finite(v->up) && isfinite(v->width) &&
+                  isfinite(v->aspect);
+    vec3 ahead = v->at - v->eye;
+    double across = vec3_length(vec3_cross(ahead, v->up));
+    bool along = !(across > 1e-7 * vec3_length(ahead) * vec3_length(v->up));
+    int reasons = reason(!finite || v->aspect == 0, CAMERA_NOT_FINITE) |
+                  reason(!(vec3_length(ahead) > 0), CAMERA_NO_DIRECTION) |
+                  reason(along, CAMERA_UP_ALONG_VIEW) | reason(!(v->width > 0), CAMERA_NO_WIDTH) |
+                  reason(!(v->aspect > 0) || !(v->width > 0), CAMERA_NO_HEIGHT);
+    return may_refuse(reasons, yours, right);
+}
+
+const Subject camera_subjects[] = {
+    {"camera_from_vectors", 4000, draw_rectangle, ask_rectangle, is_right_of_vectors},
+    {"camera_from_points", 4000, draw_points, ask_rectangle, is_right_of_points},
+    {"camera_from_corner", 4000, draw_rectangle, ask_lower_left, is_right_of_corner},
+    {"camera_from_look_at", 4000, draw_look_at, ask_look_at, is_right_of_look_at},
+    {0},
+};

@@ -1,0 +1,146 @@
+// truth.c - what is true of an answer, whatever the tests say.
+#include "tests/generated/truth.h"
+
+#include "tests/generated/guard.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_QUESTIONS = 4000 };
+
+static const Subject *subject;
+static AnyFunction *reference;
+static Question *questions; // with what they hold of scenes
+static Answer *right;
+
+static const Subject *subject_of(const char *exercise)
+{
+    static const Subject *const tables[] = {screen_subjects, camera_subjects, sphere_subjects,
+                                            scene_subjects, light_subjects};
+    for (size_t table = 0; table < sizeof tables / sizeof tables[0]; table++)
+        for (int i = 0; tables[table][i].exercise != NULL; i++)
+            if (strcmp(tables[table][i].exercise, exercise) == 0)
+                return &tables[table][i];
+    return NULL;
+}
+
+// What a scene points to lies in its question, wherever that is now.
+static void ask(AnyFunction *answer, const Question *question, Answer *said)
+{
+    static Question asked;
+    asked = *question;
+    point_into(&asked);
+    guarded_ask(subject, answer, &asked, said);
+}
+
+bool truth_begin(const char *exercise, AnyFunction *answer, uint64_t seed)
+{
+    subject = subject_of(exercise);
+    if (subject == NULL || subject->questions > MOST_QUESTIONS)
+        return false;
+    reference = answer;
+    draw_begin(seed);
+    if (questions == NULL) {
+        questions = calloc(MOST_QUESTIONS, sizeof *questions);
+        right = calloc(MOST_QUESTIONS, sizeof *right);
+    }
+    if (questions == NULL || right == NULL)
+        abort();
+    for (int i = 0; i < subject->questions; i++) {
+        questions[i] = (Question){0};
+        subject->draw(&questions[i]);
+        ask(reference, &questions[i], &right[i]);
+    }
+    return true;
+}
+
+static bool agree(const Answer *a, const Answer *b)
+{
+    if (a->count != b->count)
+        return false;
+    for (int i = 0; i < a->count; i++) {
+        double x = a->number[i], y = b->number[i];
+        bool same =
+            isnan(x) || isnan(y) ? isnan(x) && isnan(y) : x == y || fabs(x - y) <= b->tolerance[i];
+        if (!same)
+            return false;
+    }
+    return true;
+}
+
+// Whether what this function says changes where only the last digits of the question do.
+static bool is_on_edge(AnyFunction *answer, const Question *question, const Answer *said)
+{
+    static Answer other;
+    for (int i = 0; i < 6 && !question->exact; i++) {
+        Question near = *question;
+        nudge(&near);
+        ask(answer, &near, &other);
+        if (!agree(&other, said))
+            return true;
+    }
+    return false;
+}
+
+static bool is_right(int i, const Answer *said)
+{
+    return agree(said, &right[i]) || (said->count > 0 && subject->is_right != NULL &&
+                                      subject->is_right(&questions[i], said, &right[i]));
+}
+
+Truth truth_of(AnyFunction *answer, int *question)
+{
+    static Answer said;
+    Truth truth = RIGHT;
+    for (int i = 0; i < subject->questions; i++) {
+        ask(answer, &questions[i], &said);
+        if (is_right(i, &said))
+            continue;
+        if (!questions[i].edge && !is_on_edge(reference, &questions[i], &right[i])) {
+            *question = i;
+            return WRONG;
+        }
+        if (questions[i].edge)
+            truth = AT_THE_EDGE;
+    }
+    return truth;
+}
+
+Likeness likeness(AnyFunction *answer, AnyFunction *mistake)
+{
+    static Answer yours, theirs;
+    Likeness it = {.questions = subject->questions};
+    for (int i = 0; i < subject->questions; i++) {
+        ask(answer, &questions[i], &yours);
+        ask(mistake, &questions[i], &theirs);
+        bool alike = agree(&yours, &theirs), wrong = !is_right(i, &yours);
+        it.wrong += wrong;
+        it.alike += wrong && alike;
+        it.apart += !alike && !is_on_edge(mistake, &questions[i], &theirs) &&
+                    !is_on_edge(answer, &questions[i], &yours);
+    }
+    return it;
+}
+
+Likeness likeness_to_both(AnyFunction *answer, AnyFunction *mistake, AnyFunction *other)
+{
+    static Answer yours, one, two;
+    Likeness it = {.questions = subject->questions};
+    for (int i = 0; i < subject->questions; i++) {
+        ask(answer, &questions[i], &yours);
+        ask(mistake, &questions[i], &one);
+        ask(other, &questions[i], &two);
+        bool wrong = !is_right(i, &yours);
+        bool first = !is_right(i, &one), second = !is_right(i, &two);
+        bool so = first && second ? wrong
+                  : first         ? agree(&yours, &one)
+                  : second        ? agree(&yours, &two)
+                                  : !wrong;
+        it.wrong += wrong;
+        it.alike += wrong && so;
+        it.apart += !so && !is_on_edge(answer, &questions[i], &yours) &&
+                    !is_on_edge(mistake, &questions[i], &one) &&
+                    !is_on_edge(other, &questions[i], &two);
+    }
+    return it;
+}

@@ -1,0 +1,247 @@
+// try.c - what the tests make of wrong answers that nobody has thought of.
+//
+//   PROGRAM SEED [KNOWN | -v]
+//
+// Each generated answer (mutate.c) takes the tests of its exercise and is diagnosed as a student's
+// would be. Then another judge, with questions of its own (truth.h), decides whether it is wrong at
+// all, and whether the name that was given to it is true. A name is true where the mistake explains
+// 19 of 20 questions that are answered wrongly, and answers no more than one in 20 of all
+// otherwise; a name with a hedge, where it explains at least a third of what is wrong. KNOWN says
+// how much is known to be left, an exercise a line: more than that fails. -v lists what was said
+// nothing of.
+#include "tests/generated/generated.h"
+#include "tests/generated/guard.h"
+#include "tests/generated/truth.h"
+
+#include "tests/judge/runner.h"
+#include "tests/judge/suspects.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { MOST_SECONDS = 5 };
+
+// What became of one, told by the process that tried it.
+typedef struct {
+    bool done, passed, broke; // broke: it crashed, or came to no end
+    Truth truth;
+    int question; // of which it was wrong
+    bool named, in_part, described;
+    Likeness likeness;
+    char test[120], id[100], law[300];
+} Trial;
+
+typedef struct {
+    int tried, right, edge, right_failed, wrong, failed, named, false_names, described;
+} Count;
+
+static Trial *trial; // shared with who tries
+static Count total;
+
+static const Outcome *first_failed(const Outcomes *outcomes)
+{
+    for (int i = 0; i < outcomes->count; i++)
+        if (!outcomes->tests[i].passed && !outcomes->tests[i].extra)
+            return &outcomes->tests[i];
+    return NULL;
+}
+
+// As the judge does it.
+static void judge(const Generated *it)
+{
+    static Outcomes outcomes;
+    guard_answer_by(it->answer);
+    run_tests(it->exercise, NULL, ANSWERS_APART, &outcomes);
+    const Outcome *failed = first_failed(&outcomes);
+    trial->passed = failed == NULL;
+    if (failed == NULL)
+        return;
+    snprintf(trial->test, sizeof trial->test, "%s", failed->name);
+    trial->broke = failed->record->how[0] != '\0';
+    if (trial->broke)
+        return;
+    Diagnosis said = diagnose(exercise_number(it->exercise), false);
+    trial->named = said.mistake != NULL;
+    trial->in_part = said.in_part;
+    trial->described = said.law != NULL;
+    if (said.law != NULL)
+        snprintf(trial->law, sizeof trial->law, "%s", said.law);
+    if (said.mistake == NULL)
+        return;
+    snprintf(trial->id, sizeof trial->id, "%s%s%s%s", said.mistake->id,
+             said.also        ? " and "
+             : said.is_one_of ? " or "
+                              : "",
+             said.other != NULL ? said.other->id : "", said.in_part ? " in part" : "");
+    trial->likeness = said.also
+                          ? likeness_to_both(it->answer, said.mistake->answer, said.other->answer)
+                          : likeness(it->answer, said.mistake->answer);
+    if (said.is_one_of && trial->likeness.apart > 0)
+        trial->likeness = likeness(it->answer, said.other->answer);
+}
+
+static void try_one(const Generated *it)
+{
+    memset(trial, 0, sizeof *trial);
+    fflush(NULL);
+    pid_t child = fork();
+    if (child == 0) {
+        guard_begin();
+        setrlimit(RLIMIT_CPU, &(struct rlimit){MOST_SECONDS, MOST_SECONDS});
+        if (freopen("/dev/null", "w", stdout) == NULL || freopen("/dev/null", "w", stderr) == NULL)
+            _exit(1);
+        trial->truth = truth_of(it->answer, &trial->question);
+        judge(it);
+        trial->done = true;
+        _exit(0);
+    }
+    int status;
+    if (child < 0 || waitpid(child, &status, 0) != child) {
+        perror("no process to try an answer in");
+        exit(1);
+    }
+    if (!trial->done)
+        trial->broke = true;
+}
+
+// ---- counting -----------------------------------------------------------------------------------
+
+static bool is_false_name(void)
+{
+    const Likeness *like = &trial->likeness;
+    if (!trial->named)
+        return false;
+    if (trial->in_part)
+        return 3 * like->alike < like->wrong;
+    return 20 * like->alike < 19 * like->wrong || 20 * like->apart > like->questions;
+}
+
+static void show(const char *what, const Generated *it)
+{
+    printf("%s: %s (%s): %s", what, it->exercise, it->from, it->change);
+    if (trial->named)
+        printf("; called %s, explains %d of %d, differs on %d", trial->id, trial->likeness.alike,
+               trial->likeness.wrong, trial->likeness.apart);
+    if (trial->test[0] != '\0')
+        printf("; failed %s", trial->test);
+    if (trial->truth == WRONG && trial->passed)
+        printf("; wrong question %d", trial->question);
+    printf("\n");
+}
+
+static void count_one(Count *count, const Generated *it, bool verbose)
+{
+    count->tried++;
+    count->right += trial->truth == RIGHT;
+    count->edge += trial->truth == AT_THE_EDGE;
+    if (trial->truth == RIGHT && !trial->passed) {
+        count->right_failed++;
+        show("  right, but failed", it);
+    }
+    bool wrong = trial->truth == WRONG;
+    count->wrong += wrong;
+    if (wrong && trial->passed)
+        show("  wrong, but passed", it);
+    if (trial->passed)
+        return;
+    count->failed += wrong;
+    if (is_false_name()) {
+        count->false_names++;
+        show("  named falsely", it);
+    }
+    count->named += wrong && trial->named;
+    count->described += wrong && !trial->named && (trial->described || trial->broke);
+    if (verbose && wrong && !trial->named && !trial->described && !trial->broke)
+        show("  nothing said", it);
+}
+
+static void print_count(const char *what, const Count *c)
+{
+    printf("%-22s %5d tried: %4d right (%d of them failed), %d at an edge, %d wrong, %d failed, %d "
+           "named (%d falsely), %d described, %.1f%%\n",
+           what, c->tried, c->right, c->right_failed, c->edge, c->wrong, c->failed, c->named,
+           c->false_names, c->described,
+           c->failed > 0 ? 100.0 * (c->named + c->described) / c->failed : 100);
+}
+
+static void add(const Count *c)
+{
+    total.tried += c->tried;
+    total.right += c->right;
+    total.edge += c->edge;
+    total.right_failed += c->right_failed;
+    total.wrong += c->wrong;
+    total.failed += c->failed;
+    total.named += c->named;
+    total.false_names += c->false_names;
+    total.described += c->described;
+}
+
+// As KNOWN has it: EXERCISE | passed though wrong | failed though right | named falsely | why
+static bool is_more_than_known(const char *known, const char *exercise, const Count *c)
+{
+    char line[400], name[64];
+    int passed = 0, failed = 0, falsely = 0;
+    FILE *file = fopen(known, "r");
+    while (file != NULL && fgets(line, sizeof line, file) != NULL)
+        if (sscanf(line, "%63s | %d | %d | %d", name, &passed, &failed, &falsely) == 4 &&
+            strcmp(name, exercise) == 0)
+            break;
+        else
+            passed = failed = falsely = 0;
+    if (file != NULL)
+        fclose(file);
+    return c->wrong - c->failed > passed || c->right_failed > failed || c->false_names > falsely;
+}
+
+// False where more is amiss than is known.
+static bool try_exercise(const Exercise *exercise, uint64_t seed, const char *known, bool verbose)
+{
+    Count count = {0};
+    if (!truth_begin(exercise->name, exercise->reference, seed)) {
+        printf("not ok: %s: no questions\n", exercise->name);
+        return false;
+    }
+    for (int i = 0; generated[i].exercise != NULL; i++) {
+        if (strcmp(generated[i].exercise, exercise->name) != 0)
+            continue;
+        try_one(&generated[i]);
+        count_one(&count, &generated[i], verbose);
+    }
+    print_count(exercise->name, &count);
+    add(&count);
+    bool good =
+        count.tried > 0 && (known == NULL || !is_more_than_known(known, exercise->name, &count));
+    if (!good)
+        printf("not ok: %s: more is amiss than tests/generated/known says\n", exercise->name);
+    return good;
+}
+
+int main(int argc, char **argv)
+{
+    const char *slash = strrchr(argv[0], '/'), *stem = slash != NULL ? slash + 1 : argv[0];
+    uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 2015;
+    bool verbose = argc > 2 && strcmp(argv[2], "-v") == 0;
+    const char *only = getenv("ONLY");
+    int passed = 0, failed = 0;
+    trial = mmap(NULL, sizeof *trial, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (trial == MAP_FAILED)
+        abort();
+    guard_begin();
+    switch_to_process(stem);
+    for (int e = 0; exercises[e].name != NULL; e++)
+        if (strcmp(exercises[e].stem, stem) == 0 &&
+            (only == NULL || strcmp(only, exercises[e].name) == 0))
+            *(try_exercise(&exercises[e], seed, argc > 2 && !verbose ? argv[2] : NULL, verbose)
+                  ? &passed
+                  : &failed) += 1;
+    print_count(stem, &total);
+    printf("generated of %s: %d passed, %d failed\n", stem, passed, failed);
+    return failed == 0 ? 0 : 1;
+}
