@@ -230,7 +230,7 @@ check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
 # What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it.
-check-all: $(CHECKS) $(FOR_CHECKS) $(ENGINES_LONG) $(TRIALS) $(if $(BRIEF),,$(BENCH_SCENES)) ## those that need longer, too
+check-all: $(CHECKS) $(FOR_CHECKS) $(ENGINES_LONG) $(if $(SANITIZE)$(BRIEF),,$(TRIALS)) $(if $(BRIEF),,$(BENCH_SCENES)) ## those that need longer, too
 	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
 
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
