@@ -109,7 +109,8 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 	$(Q)for source in $(filter %.c,$(call answers_of,$*)); do \
 		$(AS_REFERENCE) -E "$$source" -o "$(@D)/$*/$$(echo "$$source" | tr / -).i" || exit 1; done
 	$(Q)$(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) /dev/null $(@D)/$*/*.i > $(@D)/$*.c
-	$(Q)$(AS_REFERENCE) -fsyntax-only $(@D)/$*.c 2> $(@D)/$*.errors || true
+	$(Q)$(AS_REFERENCE) $(if $(findstring clang,$(CC)),-ferror-limit=0) -fsyntax-only \
+		$(@D)/$*.c 2> $(@D)/$*.errors || true
 	$(Q)$(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(@D)/$*.errors $(@D)/$*/*.i > $(@D)/$*.c
 	$(Q)$(AS_REFERENCE) -O0 -c -o $@ $(@D)/$*.c
 TRIALS := $(STEMS:%=$(B)/tests/generated/%)
