@@ -274,7 +274,7 @@ said, folder = judge("06-ray-casting", ("if (t < depth[i])", "if (t < NO_HIT)"))
 path = f"{folder}/cast_object_order.png"
 checks.that("a wrong picture: its path is in the verdict", f"  see        {path}\n" in said, said)
 # Green behind red: 5 x 3 pixels, each 57 wide; yours has green in the middle as well.
-GREY, RED, GREEN = (89, 115, 140), (217, 38, 89), (51, 191, 115)
+GREY, RED, GREEN = (89, 115, 140), (217, 38, 1), (51, 191, 115)
 ALIKE, DIFFER = (31, 36, 43), (255, 209, 89)
 rows = pixels_of_png(path)
 cross = ["..g..", ".grg.", "..g.."]

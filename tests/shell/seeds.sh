@@ -94,7 +94,7 @@ answer_that_does 'exit((int)(40 * c.distance));' SEED=1
 check 'an exit is told' says '  it         ended the program by itself'
 check 'but not with which status' tells_no_number
 
-sed '/^vec3 image_plane_vector/,/^}/s|// BEGIN SOLUTION|&\n    s = fmin(fmax(s, 0), 1);\n    t = fmin(fmax(t, 0), 1);|' \
+sed '/^Camera with_unit_distance/,/^}/s|// BEGIN SOLUTION|&\n    if (c.distance <= 1) {\n        return c;\n    }|' \
     solutions/01-corners.c >"$answers/01-corners.c"
 judge SEED=1
 check 'a mistake that shows in a hidden test is named' says '  looks like '
