@@ -5,9 +5,10 @@ import csv
 import os
 import tempfile
 from pathlib import Path
+from xml.etree import ElementTree
 
 from .sentences import check
-from .small_class import grade, right
+from .small_class import UPSIDE_DOWN, but, grade, records, right
 
 JUNE = 1748779200  # 2025-06-01 12:00 UTC
 
@@ -46,4 +47,32 @@ def test_policy_change() -> None:
         check("with the same bytes", (out / "anna" / "results.json").read_bytes() == told)
 
 
-TESTS = [test_policy_change]
+def upper_right_of(out: Path) -> tuple[str, float, bool]:
+    """The state and score of what waits, and whether JUnit calls it failed."""
+    functions = records(out)["carla"]["stems"][0]["functions"]
+    found = next(one for one in functions if one["name"] == "upper_right")
+    suite = ElementTree.parse(out / "junit.xml")
+    failed = [case.get("name") for case in suite.iter("testcase") if case.find("failure") is not None]
+    return found["state"], found["score"], any("upper_right" in name for name in failed)
+
+
+def test_waiting_is_switched_off() -> None:
+    with tempfile.TemporaryDirectory() as work:
+        folder, out, policy = Path(work, "class"), Path(work, "out"), Path(work, "policy")
+        (folder / "carla").mkdir(parents=True)
+        (folder / "carla" / "01-corners.c").write_text(
+            but("01-corners", upper_left=UPSIDE_DOWN, upper_right="return upper_left(c) + c.width * c.right;"))
+
+        def marked(line: str) -> tuple[str, float, bool]:
+            policy.write_text(f"points others 0\npoints 01-corners 10\n{line}\n")
+            done = grade(folder, out, POLICY=str(policy))
+            check(f"'{line}' is graded", done.returncode == 0, done.stderr)
+            return upper_right_of(out)
+
+        full = marked("waiting full")
+        check("what waits has its marks", full == ("waiting", 2, False), full)
+        none = marked("waiting none")
+        check("with 'waiting none' it has none, and does not pass", none == ("waiting", 0, True), none)
+
+
+TESTS = [test_policy_change, test_waiting_is_switched_off]

@@ -10,14 +10,20 @@ UNSAFE = "UNSAFE: graded without a sandbox (UNSAFE=1). These marks may be forged
 
 # What each state is to a reader that knows four outcomes. A file that was not handed in is skipped,
 # since a class need not be past chapter 02; where nothing at all was, that is a failure.
+# What waits passes if the policy gives it its marks.
 OUTCOMES = {
     "right": "passed",
-    "waiting": "passed",
     "wrong": "failure",
     "unanswered": "failure",
     "missing": "skipped",
     "empty": "failure",
 }
+
+
+def outcome(point: dict) -> str:
+    if point["state"] == "waiting":
+        return "passed" if point["score"] or not point["max"] else "failure"
+    return OUTCOMES.get(point["state"], "error")
 
 
 def message(function: dict) -> str:
@@ -77,7 +83,7 @@ def points(record: dict) -> list:
             }
         )
     for point in found:
-        point["outcome"] = OUTCOMES.get(point["state"], "error")
+        point["outcome"] = outcome(point)
         if record["status"] == "empty" and point["state"] == "missing":
             point["outcome"] = "failure"
     return found
