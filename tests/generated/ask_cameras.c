@@ -16,6 +16,42 @@ static void spoil(vec3 *v)
     (*v)[draw_below(3)] = values[draw_below(3)];
 }
 
+// One thing wrong, and nothing else: straight ahead, but sheared, leaning or with one corner
+// astray; or a rectangle that is only aside, only too high, or only turned. By any amount, either
+// way.
+static void spoil_alone(Question *q, const Camera *c)
+{
+    Corners *v = &q->corners;
+    double off = q->size * draw_scale(1e-4, 2) * (draw_one_in(2) ? 1 : -1);
+    vec3 way = draw_unit();
+    switch (draw_below(6)) {
+    case 0:
+        v->upper_left += off * c->right, v->upper_right += off * c->right;
+        v->lower_left -= off * c->right, v->lower_right -= off * c->right;
+        break;
+    case 1:
+        v->upper_left -= off * c->up, v->lower_left -= off * c->up;
+        v->upper_right += off * c->up, v->lower_right += off * c->up;
+        break;
+    case 2:
+        v->upper_left -= off * way, v->upper_right -= off * way;
+        v->lower_left -= off * way, v->lower_right += 3 * off * way;
+        break;
+    case 3:
+    case 4:
+        way = draw_one_in(2) ? c->right : c->up;
+        v->upper_left += off * way, v->upper_right += off * way;
+        v->lower_left += off * way, v->lower_right += off * way;
+        break;
+    default:
+        v->upper_left += off * c->forward, v->lower_right -= off * c->forward;
+        if (draw_one_in(2))
+            v->upper_right += off * c->forward, v->lower_left -= off * c->forward;
+        else
+            v->lower_left += off * c->forward, v->upper_right -= off * c->forward;
+    }
+}
+
 // A rectangle, or one that has been pushed out of shape.
 static void draw_rectangle(Question *q)
 {
@@ -50,7 +86,9 @@ static void draw_rectangle(Question *q)
                            middle + right - up};
     vec3 *const corners[] = {&q->corners.upper_left, &q->corners.upper_right,
                              &q->corners.lower_left, &q->corners.lower_right};
-    if (draw_one_in(8))
+    if (draw_one_in(3))
+        spoil_alone(q, &c);
+    else if (draw_one_in(8))
         *corners[draw_below(4)] += q->size * draw_scale(1e-4, 2) * draw_unit();
     if (draw_one_in(20))
         spoil(corners[draw_below(4)]);
@@ -99,6 +137,8 @@ static void draw_look_at(Question *q)
     q->view.eye = q->eye = draw_vec3(5 * q->size);
     q->view.at = q->eye + q->size * draw(0.3, 5) * draw_unit();
     q->view.up = draw_any_size() * draw(0.3, 5) * draw_unit();
+    if (draw_one_in(8))
+        q->view.up *= draw_scale(1e-12, 1);
     vec3 view = q->view.at - q->eye;
     if (draw_one_in(10))
         q->view.at = q->eye;
@@ -132,12 +172,18 @@ static bool is_finite(vec3 v)
     return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
 }
 
+static bool is_none(vec3 edge)
+{
+    return vec3_length(edge) == 0;
+}
+
 static int reason(bool holds, CameraFault fault)
 {
     return holds ? 1 << fault : 0;
 }
 
-// By how the corners lie, in lengths of their own. Only of what was refused.
+// By how the corners lie, in lengths of their own. Only of what was refused. A line is no
+// rectangle, either, and an eye in the plane is not behind its middle.
 static int reasons_of(vec3 upper_left, vec3 upper_right, vec3 lower_left, vec3 lower_right)
 {
     vec3 middle = (upper_left + upper_right + lower_left + lower_right) / 4;
@@ -150,11 +196,14 @@ static int reasons_of(vec3 upper_left, vec3 upper_right, vec3 lower_left, vec3 l
     bool right_angles = fabs(vec3_dot(upper, left)) <= 1e-7 * wide * high;
     bool on_axis = fabs(vec3_dot(upper, middle)) <= 1e-7 * wide * far &&
                    fabs(vec3_dot(left, middle)) <= 1e-7 * high * far;
-    return reason(far <= tiny, CAMERA_NO_DISTANCE) |
-           reason(vec3_length(upper) <= tiny || vec3_length(lower) <= tiny, CAMERA_NO_WIDTH) |
-           reason(vec3_length(left) <= tiny || vec3_length(right) <= tiny, CAMERA_NO_HEIGHT) |
-           reason(!parallelogram || !right_angles, CAMERA_NO_RECTANGLE) |
-           reason(!on_axis, CAMERA_OFF_AXIS);
+    bool no_width = vec3_length(upper) <= tiny || vec3_length(lower) <= tiny;
+    bool no_height = vec3_length(left) <= tiny || vec3_length(right) <= tiny;
+    bool in_plane = !no_width && !no_height &&
+                    fabs(vec3_dot(vec3_cross(upper, left), middle)) <= 1e-7 * wide * high * far;
+    return reason(far <= tiny || in_plane, CAMERA_NO_DISTANCE) | reason(no_width, CAMERA_NO_WIDTH) |
+           reason(no_height, CAMERA_NO_HEIGHT) |
+           reason(!parallelogram || !right_angles || no_width || no_height, CAMERA_NO_RECTANGLE) |
+           reason(!on_axis || far <= tiny || in_plane, CAMERA_OFF_AXIS);
 }
 
 static bool may_refuse(int reasons, const Answer *yours, const Answer *right)
@@ -176,10 +225,14 @@ static bool is_right_of_vectors(const Question *q, const Answer *yours, const An
                   is_finite(c->lower_left) && is_finite(c->lower_right);
     int reasons =
         finite ? reasons_of(c->upper_left, c->upper_right, c->lower_left, c->lower_right) : 0;
-    // What is infinite, or no number, ends in no rectangle, either.
+    // What is infinite, or no number, ends in no rectangle, either; and other edges may be none.
     if (!finite)
         reasons = reason(true, CAMERA_NOT_FINITE) | reason(true, CAMERA_NO_RECTANGLE) |
-                  reason(true, CAMERA_OFF_AXIS);
+                  reason(true, CAMERA_OFF_AXIS) |
+                  reason(is_none(c->upper_left - c->upper_right), CAMERA_NO_WIDTH) |
+                  reason(is_none(c->lower_left - c->lower_right), CAMERA_NO_WIDTH) |
+                  reason(is_none(c->upper_left - c->lower_left), CAMERA_NO_HEIGHT) |
+                  reason(is_none(c->upper_right - c->lower_right), CAMERA_NO_HEIGHT);
     return may_refuse(reasons, yours, right);
 }
 
@@ -209,7 +262,8 @@ static bool is_right_of_look_at(const Question *q, const Answer *yours, const An
                   isfinite(v->aspect);
     vec3 ahead = v->at - v->eye;
     double across = vec3_length(vec3_cross(ahead, v->up));
-    bool along = !(across > 1e-7 * vec3_length(ahead) * vec3_length(v->up));
+    bool along = !(across > 1e-7 * vec3_length(ahead) * vec3_length(v->up)) &&
+                 (vec3_length(ahead) > 0 || vec3_length(v->up) == 0);
     int reasons = reason(!finite || v->aspect == 0, CAMERA_NOT_FINITE) |
                   reason(!(vec3_length(ahead) > 0), CAMERA_NO_DIRECTION) |
                   reason(along, CAMERA_UP_ALONG_VIEW) | reason(!(v->width > 0), CAMERA_NO_WIDTH) |

@@ -30,6 +30,8 @@ static void draw_point(Question *q)
 {
     q->size = draw_any_size();
     q->sphere = draw_sphere(5 * q->size, draw_one_in(5) ? vec3_of(0, 0, 0) : draw_vec3(q->size));
+    if (draw_one_in(4)) // far away along one axis
+        q->sphere.center[draw_below(3)] += q->sphere.radius * draw(-300, 300);
     q->normal = draw_unit();
     q->from = q->sphere.center + q->sphere.radius * q->normal;
     if (draw_one_in(3)) // from inside
@@ -79,7 +81,7 @@ static void ask_highlight(AnyFunction *answer, Question *q, Answer *said)
 {
     Color color = ((Color(*)(double, double, Color, vec3, vec3, vec3))answer)(
         q->ks, q->shine, q->brightness, q->normal, q->to_light, q->to_eye);
-    say_vec3(said, color, 1e-7);
+    say_vec3(said, color, 3e-9);
 }
 
 // An eye behind the surface sees nothing of it, and whoever says so is right, too.

@@ -28,6 +28,15 @@ static void draw_scene(Question *q, vec3 near)
 }
 
 // Twins at the same place, now and then: of equals the first.
+static void draw_twins(Question *q)
+{
+    int surface = q->spheres[2].surface;
+    if (!draw_one_in(8) || q->scene.sphere_count <= 1)
+        return;
+    q->spheres[2] = q->spheres[1];
+    q->spheres[2].surface = surface;
+}
+
 static void draw_scene_ray(Question *q)
 {
     q->size = draw_any_size();
@@ -43,11 +52,7 @@ static void draw_scene_ray(Question *q)
         q->ray.direction = draw_scale(1e-4, 1e4) * vec3_unit(target - from);
     if (draw_one_in(8))
         q->ray.direction = -q->ray.direction;
-    if (draw_one_in(8) && q->scene.sphere_count > 1) {
-        int surface = q->spheres[2].surface;
-        q->spheres[2] = q->spheres[1];
-        q->spheres[2].surface = surface;
-    }
+    draw_twins(q);
 }
 
 static double step(const Question *q, double speed)
@@ -69,6 +74,7 @@ static void draw_picture(Question *q)
     q->camera = draw_camera(q->size);
     q->camera.distance = q->size * draw(0.5, 2);
     draw_scene(q, q->camera.origin + draw(0, 5) * q->size * q->camera.forward);
+    draw_twins(q);
     q->screen = (Resolution){1 + draw_below(11), 1 + draw_below(11)};
     if (draw_one_in(4))
         q->screen.height = q->screen.width;

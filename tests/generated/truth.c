@@ -106,6 +106,31 @@ Truth truth_of(AnyFunction *answer, int *question)
     return truth;
 }
 
+static bool is_camera_form(void)
+{
+    return strncmp(subject->exercise, "camera_from_", 12) == 0;
+}
+
+// Of pictures the pixels are counted.
+static void count_numbers(Likeness *it, const Answer *yours, const Answer *theirs, const Answer *so)
+{
+    for (int i = 0; i < yours->count && yours->count == theirs->count && yours->count == so->count;
+         i++) {
+        bool wrong = fabs(yours->number[i] - so->number[i]) > so->tolerance[i];
+        it->wrong_numbers += wrong;
+        it->alike_numbers +=
+            wrong && fabs(yours->number[i] - theirs->number[i]) <= so->tolerance[i];
+    }
+}
+
+// Of several reasons any may be looked for first.
+static bool both_refuse(const Answer *yours, const Answer *theirs)
+{
+    return is_camera_form() && yours->number[0] != CAMERA_OK && theirs->number[0] != CAMERA_OK;
+}
+
+// What changes with the last digits of the question, as what was never set does, speaks neither
+// for a mistake nor against it; nor does what the contract leaves free.
 Likeness likeness(AnyFunction *answer, AnyFunction *mistake)
 {
     static Answer yours, theirs;
@@ -114,12 +139,22 @@ Likeness likeness(AnyFunction *answer, AnyFunction *mistake)
         ask(answer, &questions[i], &yours);
         ask(mistake, &questions[i], &theirs);
         bool alike = agree(&yours, &theirs), wrong = !is_right(i, &yours);
-        it.wrong += wrong;
+        bool free = is_right(i, &theirs) && (!wrong || both_refuse(&yours, &theirs));
+        bool apart = !alike && !free && !is_on_edge(mistake, &questions[i], &theirs) &&
+                     !is_on_edge(answer, &questions[i], &yours);
+        it.wrong += wrong && (alike || apart);
         it.alike += wrong && alike;
-        it.apart += !alike && !is_on_edge(mistake, &questions[i], &theirs) &&
-                    !is_on_edge(answer, &questions[i], &yours);
+        it.apart += apart;
+        count_numbers(&it, &yours, &theirs, &right[i]);
     }
     return it;
+}
+
+// For one reason here and for another there: who forgets both refuses for neither.
+static bool one_refuses_for_the_other(const Answer *one, const Answer *two)
+{
+    return is_camera_form() && one->number[0] != two->number[0] && one->number[0] != CAMERA_OK &&
+           two->number[0] != CAMERA_OK;
 }
 
 Likeness likeness_to_both(AnyFunction *answer, AnyFunction *mistake, AnyFunction *other)
@@ -135,12 +170,13 @@ Likeness likeness_to_both(AnyFunction *answer, AnyFunction *mistake, AnyFunction
         bool so = first && second ? wrong
                   : first         ? agree(&yours, &one)
                   : second        ? agree(&yours, &two)
-                                  : !wrong;
-        it.wrong += wrong;
+                                  : !wrong || one_refuses_for_the_other(&one, &two);
+        bool apart = !so && !is_on_edge(answer, &questions[i], &yours) &&
+                     !is_on_edge(mistake, &questions[i], &one) &&
+                     !is_on_edge(other, &questions[i], &two);
+        it.wrong += wrong && (so || apart);
         it.alike += wrong && so;
-        it.apart += !so && !is_on_edge(answer, &questions[i], &yours) &&
-                    !is_on_edge(mistake, &questions[i], &one) &&
-                    !is_on_edge(other, &questions[i], &two);
+        it.apart += apart;
     }
     return it;
 }

@@ -18,6 +18,7 @@ Truth truth_of(AnyFunction *answer, int *question); // the first that it gets wr
 // where both do, it is wrong, and elsewhere it is right.
 typedef struct {
     int questions, wrong, alike, apart;
+    int wrong_numbers, alike_numbers; // of all answers: what is part of a picture
 } Likeness;
 Likeness likeness(AnyFunction *answer, AnyFunction *mistake);
 Likeness likeness_to_both(AnyFunction *answer, AnyFunction *mistake, AnyFunction *other);

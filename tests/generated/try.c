@@ -6,7 +6,9 @@
 // would be. Then another judge, with questions of its own (truth.h), decides whether it is wrong at
 // all, and whether the name that was given to it is true. A name is true where the mistake explains
 // 19 of 20 questions that are answered wrongly, and answers no more than one in 20 of all
-// otherwise; a name with a hedge, where it explains at least a third of what is wrong. KNOWN says
+// otherwise; a name with a hedge, where it explains at least a third of what is wrong, or of the
+// numbers in a picture. Of a known mistake that no question sees, the tests know more than that
+// judge: what was made of it may be failed and named, unseen. KNOWN says
 // how much is known to be left, an exercise a line: more than that fails. -v lists what was said
 // nothing of.
 #include "tests/generated/generated.h"
@@ -32,7 +34,7 @@ typedef struct {
     bool done, passed, broke; // broke: it crashed, or came to no end
     Truth truth;
     int question; // of which it was wrong
-    bool named, in_part, described;
+    bool named, in_part, described, picture, unseen;
     Likeness likeness;
     char test[120], id[100], law[300];
 } Trial;
@@ -69,6 +71,7 @@ static void judge(const Generated *it)
     Diagnosis said = diagnose(exercise_number(it->exercise), false);
     trial->named = said.mistake != NULL;
     trial->in_part = said.in_part;
+    trial->picture = strncmp(it->exercise, "cast_", 5) == 0;
     trial->described = said.law != NULL;
     if (said.law != NULL)
         snprintf(trial->law, sizeof trial->law, "%s", said.law);
@@ -86,6 +89,20 @@ static void judge(const Generated *it)
         trial->likeness = likeness(it->answer, said.other->answer);
 }
 
+// Whether it was made of a known mistake that is right wherever a question goes.
+static bool is_of_unseen(const Generated *it)
+{
+    const char *id = strrchr(it->from, ':');
+    for (int table = 0; id != NULL && mistakes[table] != NULL; table++)
+        for (int i = 0; mistakes[table][i].id != NULL; i++) {
+            const Mistake *mistake = &mistakes[table][i];
+            int question;
+            if (strcmp(mistake->exercise, it->exercise) == 0 && strcmp(mistake->id, id + 2) == 0)
+                return truth_of(mistake->answer, &question) != WRONG;
+        }
+    return false;
+}
+
 static void try_one(const Generated *it)
 {
     memset(trial, 0, sizeof *trial);
@@ -97,6 +114,7 @@ static void try_one(const Generated *it)
         if (freopen("/dev/null", "w", stdout) == NULL || freopen("/dev/null", "w", stderr) == NULL)
             _exit(1);
         trial->truth = truth_of(it->answer, &trial->question);
+        trial->unseen = trial->truth != WRONG && is_of_unseen(it);
         judge(it);
         trial->done = true;
         _exit(0);
@@ -118,7 +136,8 @@ static bool is_false_name(void)
     if (!trial->named)
         return false;
     if (trial->in_part)
-        return 3 * like->alike < like->wrong;
+        return 3 * like->alike < like->wrong &&
+               (!trial->picture || 3 * like->alike_numbers < like->wrong_numbers);
     return 20 * like->alike < 19 * like->wrong || 20 * like->apart > like->questions;
 }
 
@@ -140,7 +159,7 @@ static void count_one(Count *count, const Generated *it, bool verbose)
     count->tried++;
     count->right += trial->truth == RIGHT;
     count->edge += trial->truth == AT_THE_EDGE;
-    if (trial->truth == RIGHT && !trial->passed) {
+    if (trial->truth == RIGHT && !trial->passed && !trial->unseen) {
         count->right_failed++;
         show("  right, but failed", it);
     }

@@ -117,14 +117,48 @@ static bool may_be_both(const EvidenceCall *call, int one, int other)
     return is_sum(call, &a->numbers, &b->numbers);
 }
 
-// On how many general inputs the other mistake alone is not what came: on all, or on those where
-// what came cannot be by chance.
+// In space, and their errors lead different ways: then they add up to this one by chance only.
+static bool errors_differ(const EvidenceCall *call, int mistake, int other)
+{
+    const Numbers *one = &call->theirs[mistake].numbers, *two = &call->theirs[other].numbers;
+    double ee = 0, ef = 0, ff = 0;
+    for (int i = 0; i < call->right.count; i++) {
+        double e = one->at[i] - call->right.at[i], f = two->at[i] - call->right.at[i];
+        ee += e * e;
+        ef += e * f;
+        ff += f * f;
+    }
+    return call->right.count >= 3 && ee * ff - ef * ef > 1e-6 * ee * ff;
+}
+
+// What came is this mistake's, too: a number is as it alone has it, for the other one is right
+// there; or both show. Where the errors of both are alike, sums may be anything by chance.
+static bool is_needed(const EvidenceCall *call, int mistake, int other)
+{
+    const Theirs *a = &call->theirs[mistake], *b = &call->theirs[other];
+    const Numbers *yours = &call->yours, *right = &call->right;
+    if (a->is_right || b->is_yours)
+        return false;
+    if (b->is_right)
+        return a->is_yours;
+    if (a->numbers.count != right->count || b->numbers.count != right->count)
+        return false;
+    for (int i = 0; i < right->count && i < yours->count; i++)
+        if (same_double(b->numbers.at[i], right->at[i]) &&
+            !same_double(a->numbers.at[i], right->at[i]) &&
+            same_double(yours->at[i], a->numbers.at[i]))
+            return true;
+    return errors_differ(call, mistake, other);
+}
+
+// On how many general inputs the other mistake alone is not what came, but this one is: on all, or
+// on those where what came cannot be by chance.
 static void count_needed(const Evidence *evidence, int mistake, int other, int *all, int *telling)
 {
     *all = *telling = 0;
     for (int i = 0; i < evidence->call_count; i++) {
         const EvidenceCall *call = &evidence->calls[i];
-        if (!call->probe || call->theirs[mistake].is_right || call->theirs[other].is_yours)
+        if (!call->probe || !is_needed(call, mistake, other))
             continue;
         ++*all;
         *telling += !call->is_common;

@@ -4,6 +4,8 @@
 
 #include "tests/judge/suspects.h"
 
+#include <math.h>
+
 enum { MANY = 16 };
 
 static vec3 corner(Camera c, double x, double y)
@@ -38,6 +40,8 @@ static void ask_of_cameras(Form form)
 {
     for (int i = 0; i < MANY; i++) {
         Camera c = random_camera();
+        if (i % 4 == 3) // the mean is a unit vector
+            c.distance = 1;
         ask(form, c, corners_of(c));
     }
 }
@@ -92,6 +96,63 @@ static void ask_of_none(Form form)
     }
 }
 
+static double any_scale(void)
+{
+    return pow(10, random_number(-6, 6));
+}
+
+// Straight ahead, and no rectangle: sheared, leaning, one corner elsewhere, or bent; and rectangles
+// that are only aside, too high, or turned. In worlds of any size.
+static Corners spoilt_alone(Camera c, int i)
+{
+    Corners v = corners_of(c);
+    vec3 *corners[] = {&v.upper_left, &v.upper_right, &v.lower_left, &v.lower_right};
+    double off = random_number(-1, 1) * c.distance;
+    vec3 moved[4] = {vec3_of(0, 0, 0)}, way = random_unit();
+    int astray = i / 7 % 2 == 0 ? 3 : i / 14 % 3; // mostly the one that edges do not begin at
+    for (int k = 0; k < 4; k++) {
+        double x = k % 2 == 0 ? -1 : 1, y = k < 2 ? 1 : -1;
+        moved[k] = i % 7 == 0   ? y * off * c.right
+                   : i % 7 == 1 ? x * off * c.up
+                   : i % 7 == 2 ? (k == astray ? 1 : -1 / 3.) * off * way
+                   : i % 7 == 3 ? x * y * off * c.forward
+                   : i % 7 == 4 ? off * c.right
+                   : i % 7 == 5 ? off * c.up
+                                : (i / 7 % 2 == 0 ? x : y) * off * c.forward;
+    }
+    for (int k = 0; k < 4; k++)
+        *corners[k] += moved[k];
+    return v;
+}
+
+static void ask_of_single_faults(Form form)
+{
+    for (int i = 0; i < 4 * MANY; i++) {
+        Camera c = random_camera();
+        double scale = any_scale();
+        double width = c.width;
+        if (i / 2 % 2 == 1) { // wide and high
+            c.width = c.height;
+            c.height = width;
+        }
+        c.origin *= scale;
+        c.distance *= scale;
+        c.width *= scale;
+        c.height *= scale;
+        ask(form, c, spoilt_alone(c, i));
+    }
+}
+
+// An eye on its own axis: what is meant as points would do as vectors, too.
+static void ask_from_the_axis(Form form)
+{
+    for (int i = 0; i < MANY; i++) {
+        Camera c = random_camera();
+        c.origin = random_number(0.3, 4) * c.forward;
+        ask(form, c, corners_of(c));
+    }
+}
+
 START_TEST(vectors_to_any_rectangle)
 {
     ask_of_cameras(VECTORS);
@@ -101,30 +162,35 @@ END_TEST
 START_TEST(vectors_to_what_is_none)
 {
     ask_of_none(VECTORS);
+    ask_of_single_faults(VECTORS);
 }
 END_TEST
 
 START_TEST(points_of_any_rectangle)
 {
     ask_of_cameras(POINTS);
+    ask_from_the_axis(POINTS);
 }
 END_TEST
 
 START_TEST(points_of_what_is_none)
 {
     ask_of_none(POINTS);
+    ask_of_single_faults(POINTS);
 }
 END_TEST
 
 START_TEST(corner_of_any_rectangle)
 {
     ask_of_cameras(CORNER);
+    ask_from_the_axis(CORNER);
 }
 END_TEST
 
 START_TEST(corner_of_what_is_none)
 {
     ask_of_none(CORNER);
+    ask_of_single_faults(CORNER);
 }
 END_TEST
 
@@ -193,6 +259,26 @@ START_TEST(any_view)
 }
 END_TEST
 
+// Near, narrow, or with a short up; alone.
+START_TEST(any_small_view)
+{
+    for (int i = 0; i < 2 * MANY; i++) {
+        LookAt view = any_look_at();
+        double small = pow(10, random_number(-13, -5));
+        if (i % 3 == 0) {
+            view.at = small * (view.at - view.eye);
+            view.eye = vec3_of(0, 0, 0);
+        }
+        if (i % 3 == 1)
+            view.width *= small;
+        if (i % 3 == 2)
+            view.up *= small;
+        Camera before = random_camera();
+        camera_from_look_at(view, i % 2 == 0 ? RIGHT_HANDED : LEFT_HANDED, &before);
+    }
+}
+END_TEST
+
 START_TEST(views_that_are_none)
 {
     for (int i = 0; i < 48; i++) {
@@ -225,6 +311,7 @@ void list_probes(void)
     test(corner_of_what_is_none);
     tests_of("camera_from_look_at");
     test(any_view);
+    test(any_small_view);
     test(views_that_are_none);
     tests_of("width_from_angle");
     test(any_angle);

@@ -165,6 +165,14 @@ static Ray any_view(World *world, int i)
     Ray ray = random_view(world, 1);
     if (i % 5 == 4)
         ray.origin = world->spheres[0].center + 0.6 * world->spheres[0].radius * random_unit();
+    if (i % 10 == 9)
+        ray.direction = random_number(0.2, 0.9) * vec3_unit(ray.direction);
+    if (i % 6 == 3) { // two that are equal
+        world->spheres[1].center = world->spheres[0].center;
+        world->spheres[1].radius = world->spheres[0].radius;
+    }
+    if (i % 20 == 7) // and lights that do not count
+        world->scene.light_count = 0;
     Hit hit = nearest_hit(ray, &world->scene);
     vec3 point = ray.origin + hit.t * ray.direction;
     if (hit.sphere >= 0 && world->scene.light_count > 0 && i % 3 == 0 &&
@@ -223,6 +231,10 @@ START_TEST(clamped_colors)
             color[i / 3 % 3] = i / 9 % 2;
         clamp_color(color);
     }
+    // Below, inside and above, in each combination.
+    for (int i = 0; i < 27; i++)
+        clamp_color(vec3_of(i % 3 - random_number(0.2, 0.8), i / 3 % 3 - random_number(0.2, 0.8),
+                            i / 9 - random_number(0.2, 0.8)));
 }
 END_TEST
 
