@@ -84,8 +84,10 @@ $(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 # The matrix: the same, and in the place of the answering process a table that the reference fills.
 MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
+$(call parts,tests/composed/): EXTRA = -include $(B)/weak.h
+$(call parts,tests/composed/): $(B)/weak.h
 $(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(B)/tests/judge/probes/%.o $(B)/tests/variants/%.o $(B)/tests/unknown/%.o \
+		$(B)/tests/judge/probes/%.o $(B)/tests/variants/%.o $$(call parts,tests/composed/$$*) $(B)/tests/unknown/%.o \
 		$(filter-out %/call.o,$(JUDGING)) $(B)/judge/lender-%.o \
 		$(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
 	$(call say,link,$@)

@@ -47,18 +47,34 @@ static bool speaks_for_nobody_else(const EvidenceCall *call, int mistake, int co
     return true;
 }
 
-// Of the general inputs on which the mistake shows, the answer does the same on most; and it is
-// most of what is wrong.
+// In a number at least in which the mistake shows, the answer does what it does.
+static bool is_like(const EvidenceCall *call, int mistake)
+{
+    const Numbers *theirs = &call->theirs[mistake].numbers;
+    bool like = call->theirs[mistake].is_yours;
+    for (int i = 0; i < theirs->count && i < call->yours.count && i < call->right.count; i++)
+        like = like || (!same_double(theirs->at[i], call->right.at[i]) &&
+                        same_double(theirs->at[i], call->yours.at[i]));
+    return like;
+}
+
+// Of the general inputs on which the mistake shows, the answer does the same on most, and on none
+// something else altogether: whoever computes a term in a wrong way has none of it on many inputs,
+// and yet did not leave it out. And it is most of what is wrong.
 static bool is_usual(const Evidence *evidence, int mistake)
 {
-    int shows = 0, same = 0, wrong = 0;
+    int same = 0, shows = 0, wrong = 0;
     for (int i = 0; i < evidence->call_count; i++) {
         const EvidenceCall *call = &evidence->calls[i];
         if (!call->probe)
             continue;
         wrong += !call->is_right;
-        shows += !call->theirs[mistake].is_right;
-        same += !call->theirs[mistake].is_right && call->theirs[mistake].is_yours;
+        if (call->theirs[mistake].is_right)
+            continue;
+        shows++;
+        same += call->theirs[mistake].is_yours;
+        if (!is_like(call, mistake))
+            return false;
     }
     return 2 * same > shows && 2 * same > wrong;
 }
@@ -92,10 +108,12 @@ static Diagnosis in_part(const Evidence *evidence, int shown)
 // ---- two mistakes -------------------------------------------------------------------------------
 
 // Each number as the one mistake has it where the other is right there; where both are wrong, their
-// errors added up.
+// errors added up. Errors that partly take each other back are somebody else's: (1 - kd) is not kd
+// left out and the whole left out as well.
 static bool is_sum(const EvidenceCall *call, const Numbers *one, const Numbers *other)
 {
     const Numbers *yours = &call->yours, *right = &call->right;
+    double along = 0; // the one error times the other
     if (one->count != yours->count || other->count != yours->count || right->count != yours->count)
         return false;
     for (int i = 0; i < yours->count; i++) {
@@ -103,8 +121,9 @@ static bool is_sum(const EvidenceCall *call, const Numbers *one, const Numbers *
         double sum = same_double(a, r) ? b : same_double(b, r) ? a : a + b - r;
         if (!same_double(yours->at[i], sum))
             return false;
+        along += same_double(a, r) || same_double(b, r) ? 0 : (a - r) * (b - r);
     }
-    return true;
+    return !(along < -1e-9);
 }
 
 static bool may_be_both(const EvidenceCall *call, int one, int other)

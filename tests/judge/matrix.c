@@ -3,8 +3,10 @@
 // Each mistake must fail a test of its function and be named from its values; each test must be
 // failed by a mistake, or it cannot fail and is worth nothing; no right answer, however it is
 // written, may be failed or accused; of a wrong answer that is no known mistake nothing false is
-// said (tests/unknown/); and an answer that only knows the public inputs by heart must fail
-// wherever there is a SEED, and not be told the others.
+// said (tests/unknown/), nor of one whose mistake is another function's (tests/composed/); and an
+// answer that only knows the public inputs by heart must fail wherever there is a SEED, and not be
+// told the others.
+#include "tests/composed/composed.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/table.h"
@@ -17,7 +19,7 @@
 
 static Outcomes all, some;
 static bool failed_by_some[MOST_TESTS];
-static int passed, failed, mistake_count, variant_count, unknown_count, pair_count;
+static int passed, failed, mistake_count, variant_count, unknown_count, pair_count, part_count;
 static bool told; // whether a failed test of the last run may tell its numbers
 
 static void settle(bool good, const char *what, const char *name, const char *why)
@@ -110,13 +112,21 @@ static void check_variant(const Variant *variant)
     check_law("right answer breaks a law:", variant->what, exercise);
 }
 
+static bool passes_all(const Outcomes *outcomes)
+{
+    for (int i = 0; i < outcomes->count; i++)
+        if (!outcomes->tests[i].passed && !outcomes->tests[i].extra)
+            return false;
+    return true;
+}
+
 // What the judge says of an answer, in short.
 static void say(char *words, size_t size, Diagnosis it)
 {
     if (it.mistake == NULL)
         snprintf(words, size, NOBODY " %s", it.law == NULL ? "" : it.law);
     else if (it.other != NULL)
-        snprintf(words, size, "%s %s %s", it.mistake->id, it.also ? "and" : "or", it.other->id);
+        snprintf(words, size, "%s and %s", it.mistake->id, it.other->id);
     else
         snprintf(words, size, "%s%s", it.mistake->id, it.in_part ? " in part" : "");
 }
@@ -127,10 +137,7 @@ static void check_unknown(const Unknown *unknown)
     switch_to_reference();
     switch_one(unknown->exercise, unknown->answer);
     run_tests(unknown->exercise, NULL, ANSWERS_APART, &some);
-    bool passes = true;
-    for (int i = 0; i < some.count; i++)
-        passes = passes && (some.tests[i].passed || some.tests[i].extra);
-    settle(!passes, "wrong answer fails no test:", unknown->exercise, unknown->what);
+    settle(!passes_all(&some), "wrong answer fails no test:", unknown->exercise, unknown->what);
     say(words, sizeof words, diagnose(exercise_number(unknown->exercise), false));
     records_end();
     bool is_named = strncmp(unknown->said, NOBODY, strlen(NOBODY)) != 0;
@@ -138,6 +145,52 @@ static void check_unknown(const Unknown *unknown)
                     : strncmp(words, unknown->said, strlen(unknown->said)) == 0,
            unknown->exercise, unknown->what, words);
 }
+
+// ---- mistakes of other functions of the chapter -------------------------------------------------
+
+#pragma weak composed
+#pragma weak same_mistakes
+
+// How a mistake of a part is named in the whole; NOBODY where it is not.
+static const char *same_mistake(const char *exercise, const char *part)
+{
+    for (const SameMistake *same = same_mistakes; same->exercise != NULL; same++)
+        if (strcmp(same->exercise, exercise) == 0 && strcmp(same->part, part) == 0)
+            return same->said;
+    return NOBODY;
+}
+
+// Everything is right but one function, which this one asks: that is an answer to this one.
+static void check_part(const Composed *whole, const Mistake *part)
+{
+    char words[500];
+    switch_to_reference();
+    for (const Composed *other = composed; other->exercise != NULL; other++)
+        switch_one(other->exercise, other->answer);
+    switch_one(whole->exercise, whole->answer);
+    switch_one(part->exercise, part->answer);
+    run_tests(whole->exercise, NULL, ANSWERS_APART, &some);
+    bool passes = passes_all(&some);
+    if (!passes) {
+        const char *said = same_mistake(whole->exercise, part->id);
+        say(words, sizeof words, diagnose(exercise_number(whole->exercise), false));
+        bool nobody = strncmp(words, NOBODY, strlen(NOBODY)) == 0;
+        settle(nobody || strcmp(words, said) == 0, whole->exercise, part->id, words);
+        part_count++;
+    }
+    records_end();
+}
+
+static void check_parts(void)
+{
+    for (const Composed *whole = composed; whole != NULL && whole->exercise != NULL; whole++)
+        for (int table = 0; mistakes[table] != NULL; table++)
+            for (int i = 0; mistakes[table][i].id != NULL; i++)
+                if (strcmp(mistakes[table][i].exercise, whole->exercise) != 0)
+                    check_part(whole, &mistakes[table][i]);
+}
+
+// ---- answers by heart ---------------------------------------------------------------------------
 
 static void check_by_heart(const char *function, const char *seed)
 {
@@ -188,12 +241,11 @@ int main(int argc, char **argv)
         check_variant(&variants[variant_count]);
     for (; unknowns[unknown_count].exercise != NULL; unknown_count++)
         check_unknown(&unknowns[unknown_count]);
+    check_parts();
     check_table(stem);
     printf("matrix of %s (%d mistakes, %d pairs of them, %d tests, %d right answers, %d unknown "
-           "mistakes): %d "
-           "passed, %d "
-           "failed\n",
-           stem, mistake_count, pair_count / 2, all.count, variant_count, unknown_count, passed,
-           failed);
+           "mistakes, %d of other functions): %d passed, %d failed\n",
+           stem, mistake_count, pair_count / 2, all.count, variant_count, unknown_count, part_count,
+           passed, failed);
     return failed == 0 ? 0 : 1;
 }

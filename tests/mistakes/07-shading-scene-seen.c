@@ -117,6 +117,22 @@ static Color without_highlight(const Scene *scene, Ray ray, Hit hit)
     return sum;
 }
 
+static Color turned_away(const Scene *scene, Ray ray, Hit hit)
+{
+    const Surface *s = scene_surface(scene, hit.sphere);
+    Sphere sphere = scene->spheres[hit.sphere];
+    Color sum = ambient_only(scene, ray, hit);
+    vec3 point = ray.origin + hit.t * ray.direction, normal = -normal_turned(sphere, point, ray);
+    for (int i = 0; i < scene->light_count; i++) {
+        Light light = scene->lights[i];
+        Color color = light.color * visibility(scene, off_surface(sphere, point, normal), light);
+        vec3 to_light = ray_to_light(point, light).direction;
+        sum += diffuse_term(s->color, s->diffuse, color, normal, to_light) +
+               phong_term(s->specular, s->shine, color, normal, to_light, -ray.direction);
+    }
+    return sum;
+}
+
 MIRROR(without_ks, .share = all_of_it)
 MIRROR(kd_for_ks, .share = diffuse_of)
 MIRROR(rest_of_kd, .share = what_is_not_diffuse)
@@ -135,6 +151,7 @@ MIRROR(ambient_for_background, .nothing = ambient_of_the_scene)
 MIRROR(flat_colors, .own = flat)
 MIRROR(no_lights, .own = ambient_only)
 MIRROR(no_highlights, .own = without_highlight)
+MIRROR(lit_from_behind, .own = turned_away)
 
 const Mistake seen_mistakes[] = {
     MISTAKE("T-ks", trace_ray, without_ks, "all of what the mirror shows",
@@ -188,5 +205,8 @@ const Mistake seen_mistakes[] = {
     MISTAKE("T-highlight", trace_ray, no_highlights, "shade without highlights",
             "the highlight is the mirror image of the lamp, which no ray meets. It stays.",
             "mirrors without highlights"),
+    MISTAKE("T-away", trace_ray, lit_from_behind, "shade with the normal turned away from the eye",
+            "what is lit is the side that the eye sees, and the normal points to that side.",
+            "dark spheres with mirror images"),
     {0},
 };

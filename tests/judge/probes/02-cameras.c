@@ -173,6 +173,17 @@ START_TEST(points_of_any_rectangle)
 }
 END_TEST
 
+// Then the points are a camera's whatever multiple of the eye is added.
+START_TEST(points_straight_ahead_of_the_origin)
+{
+    for (int i = 0; i < MANY; i++) {
+        Camera c = random_camera();
+        c.origin = random_number(0.1, 5) * c.forward;
+        ask(POINTS, c, corners_of(c));
+    }
+}
+END_TEST
+
 START_TEST(points_of_what_is_none)
 {
     ask_of_none(POINTS);
@@ -184,6 +195,17 @@ START_TEST(corner_of_any_rectangle)
 {
     ask_of_cameras(CORNER);
     ask_from_the_axis(CORNER);
+}
+END_TEST
+
+// Edges that are unit vectors, at any distance.
+START_TEST(corner_of_a_unit_square)
+{
+    for (int i = 0; i < MANY; i++) {
+        Camera c = random_camera();
+        c.width = c.height = 1;
+        ask(CORNER, c, corners_of(c));
+    }
 }
 END_TEST
 
@@ -305,9 +327,11 @@ void list_probes(void)
     test(vectors_to_what_is_none);
     tests_of("camera_from_points");
     test(points_of_any_rectangle);
+    test(points_straight_ahead_of_the_origin);
     test(points_of_what_is_none);
     tests_of("camera_from_corner");
     test(corner_of_any_rectangle);
+    test(corner_of_a_unit_square);
     test(corner_of_what_is_none);
     tests_of("camera_from_look_at");
     test(any_view);

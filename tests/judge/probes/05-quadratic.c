@@ -107,6 +107,17 @@ START_TEST(hits_at_any_t)
 }
 END_TEST
 
+// The way back to the near place is so short that its digits are lost where roots are subtracted.
+START_TEST(hits_from_just_below_the_surface)
+{
+    for (int i = 0; i < MANY / 8; i++) {
+        Aimed it = random_aimed(1);
+        it.ray.origin += (it.near + 1e-11) * it.ray.direction;
+        hit_sphere(it.ray, it.sphere);
+    }
+}
+END_TEST
+
 void list_probes(void)
 {
     tests_of("to_object_coordinates");
@@ -122,4 +133,5 @@ void list_probes(void)
     tests_of("hit_sphere");
     test(hits_of_any_ray_and_sphere);
     test(hits_at_any_t);
+    test(hits_from_just_below_the_surface);
 }

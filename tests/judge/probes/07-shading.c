@@ -199,6 +199,43 @@ START_TEST(light_of_any_surface)
 }
 END_TEST
 
+// Inside one, with a lamp between the place and the centre.
+START_TEST(light_of_near_lamps)
+{
+    for (int i = 0; i < MANY; i++) {
+        World world;
+        random_world(&world, 0, 0, 1);
+        vec3 center = random_vec3(-5, 5), axis = random_unit();
+        double radius = random_number(0.5, 3);
+        put_sphere(&world, center, radius, random_surface());
+        put_light(&world, LIGHT_POINT, center + random_number(0.3, 0.8) * radius * axis,
+                  random_color(0.2, 1));
+        Ray ray = {center + random_number(-0.5, 0.2) * radius * axis, axis + 0.1 * random_unit()};
+        shade(&world.scene, ray, nearest_hit(ray, &world.scene));
+    }
+}
+END_TEST
+
+// From rim to rim: where eye and light are opposite each other, close above the surface.
+START_TEST(light_that_grazes)
+{
+    for (int i = 0; i < MANY; i++) {
+        World world;
+        random_world(&world, 0, 0, 1);
+        vec3 center = random_vec3(-5, 5), normal = random_unit(), across = random_across(normal);
+        double radius = random_number(0.5, 3);
+        Surface surface = random_surface();
+        surface.shine = random_number(1, 3);
+        put_sphere(&world, center, radius, surface);
+        vec3 to_light = -across + random_number(0.1, 0.4) * normal;
+        put_light(&world, LIGHT_DISTANT, random_number(0.2, 0.7) * to_light, random_color(0.2, 1));
+        vec3 to_eye = across + random_number(0.1, 0.4) * normal;
+        Ray ray = {center + radius * normal + 3 * radius * to_eye, -to_eye};
+        shade(&world.scene, ray, nearest_hit(ray, &world.scene));
+    }
+}
+END_TEST
+
 START_TEST(what_any_ray_sees)
 {
     for (int i = 0; i < 6 * MANY; i++) {
@@ -271,6 +308,8 @@ void list_probes(void)
     test(what_arrives_anywhere);
     tests_of("shade");
     test(light_of_any_surface);
+    test(light_of_near_lamps);
+    test(light_that_grazes);
     tests_of("trace_ray");
     test(what_any_ray_sees);
     test(what_is_seen_in_many_mirrors);
