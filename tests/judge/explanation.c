@@ -295,7 +295,7 @@ static const char *what_changes(const Evidence *evidence, bool changed_since)
         if (changed_since || evidence->calls[i].changes)
             return "your function gives another result when it is called again with the same "
                    "arguments: it keeps something between calls (a static or global variable?), or "
-                   "uses a variable that was never set";
+                   "uses a variable that was never set or an array beyond its end";
     return NULL;
 }
 

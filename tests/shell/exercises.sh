@@ -100,6 +100,12 @@ fresh
 answer 02-cameras 's|^CameraFault camera_from_points|static int calls;\n&|; s|return camera_from_vectors(eye, vectors, camera);|calls++;\n    CameraFault fault = camera_from_vectors(eye, vectors, camera);\n    camera->width *= calls;\n    return fault;|'
 judge EX=02
 check 'a state that is kept between calls is seen' says 'gives another result when it is called again'
+# What is behind the end is not the same in the call that is shown and in others.
+fresh
+answer 06-ray-casting 's|i < scene->sphere_count; i++|i <= scene->sphere_count; i++|'
+judge EX=06
+check 'a sphere behind the last one is seen' first_line_says '06-ray-casting  nearest_hit'
+check 'and nothing is said of other calls than the one shown' says 'or an array beyond its end'
 fresh
 answer 04-pixel-ray 's|return (Ray){camera.origin, \(.*\)};|vec3 v = \1;\n    return (Ray){vec3_of(0, 0, 0), v / vec3_length(v)};|'
 judge EX=04
