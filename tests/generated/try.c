@@ -77,16 +77,11 @@ static void judge(const Generated *it)
         snprintf(trial->law, sizeof trial->law, "%s", said.law);
     if (said.mistake == NULL)
         return;
-    snprintf(trial->id, sizeof trial->id, "%s%s%s%s", said.mistake->id,
-             said.also        ? " and "
-             : said.is_one_of ? " or "
-                              : "",
-             said.other != NULL ? said.other->id : "", said.in_part ? " in part" : "");
+    snprintf(trial->id, sizeof trial->id, "%s%s%s%s", said.mistake->id, said.also ? " and " : "",
+             said.also ? said.other->id : "", said.in_part ? " in part" : "");
     trial->likeness = said.also
                           ? likeness_to_both(it->answer, said.mistake->answer, said.other->answer)
                           : likeness(it->answer, said.mistake->answer);
-    if (said.is_one_of && trial->likeness.apart > 0)
-        trial->likeness = likeness(it->answer, said.other->answer);
 }
 
 // Whether it was made of a known mistake that is right wherever a question goes.

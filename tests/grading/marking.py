@@ -123,10 +123,8 @@ def function_part(exercise, found: dict[str, str], waits_for: list[str] | None) 
     if "mistake" in found:
         part["mistake"] = {key: found.get(key, "") for key in ("formula", "why", "picture")}
         part["mistake"]["id"] = found["mistake"]
-        for relation in ("also", "or"):
-            if f"{relation} why" in found:
-                part["mistake"][relation] = {key: found.get(f"{relation} {key}", "")
-                                             for key in ("formula", "why")}
+        if "also why" in found:
+            part["mistake"]["also"] = {key: found.get(f"also {key}", "") for key in ("formula", "why")}
     if not part["hidden"]:
         part.update({key: found.get(key, "").replace("~", " ") for key in ("expected", "yours", "law")})
         part["given"] = [line.replace("~", " ").split("\t", 1)

@@ -114,11 +114,7 @@ static void show_mistake(FILE *out, const char *label, const Mistake *mistake, c
 
 static void show_diagnosis(FILE *out, Diagnosis it)
 {
-    if (it.is_one_of) {
-        show_field(out, "looks like", "one of these two: your values do not tell which");
-        show_mistake(out, "either", it.mistake, "");
-        show_mistake(out, "or", it.other, "");
-    } else if (it.mistake != NULL) {
+    if (it.mistake != NULL) {
         show_mistake(out, "looks like", it.mistake,
                      it.in_part ? " (Something else is also not right yet.)" : "");
         show_field(out, "you'd see", it.mistake->picture);

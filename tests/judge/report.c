@@ -54,8 +54,8 @@ void report_function(FILE *out, const char *function, const Outcome *failed, Dia
         put(out, "picture", diagnosis.mistake->picture);
         put(out, "partly", diagnosis.in_part ? "yes" : "");
         if (diagnosis.other != NULL) {
-            put(out, diagnosis.also ? "also formula" : "or formula", diagnosis.other->formula);
-            put(out, diagnosis.also ? "also why" : "or why", diagnosis.other->why);
+            put(out, "also formula", diagnosis.other->formula);
+            put(out, "also why", diagnosis.other->why);
         }
     }
     put(out, "law", diagnosis.law != NULL ? diagnosis.law : "");

@@ -287,12 +287,11 @@ Diagnosis diagnose(int exercise, bool hidden)
     paint_calls(PAINT);
     Diagnosis it = {0};
     bool heard = is_heard(exercise, shown);
-    // Many mistakes end in the same refusal, whatever goes in: none of them is named then.
-    if (heard && (cases[exercise].accepts || !cases[exercise].refuses)) {
+    // Many mistakes end in the same refusal, whatever goes in: none of them is named then. Nor is
+    // one of two that nothing tells apart, which the matrix refuses.
+    if (heard && (cases[exercise].accepts || !cases[exercise].refuses) &&
+        suspect(exercise, 1, false) == NULL)
         it.mistake = suspect(exercise, 0, false);
-        it.other = suspect(exercise, 1, false);
-        it.is_one_of = it.other != NULL;
-    }
     if (it.mistake == NULL)
         it = look_closer(exercise, shown, hidden);
     paint_calls(NO_PAINT);

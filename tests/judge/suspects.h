@@ -28,10 +28,9 @@ void run_probes(int exercise, const char *name, Outcomes *outcomes); // name NUL
 // mistakes and the laws, which most answers never need.
 typedef struct {
     const Mistake *mistake; // NULL: not a known one
-    const Mistake *other;   // a second one, if is_one_of or also
+    const Mistake *other;   // a second one, if also
     bool in_part;           // something else is wrong, too
     bool also;              // both, on other inputs or in other parts of the result
-    bool is_one_of;         // nothing tells the two apart
     const char *law;        // in words; NULL: there is a mistake, or nothing that may be told
 } Diagnosis;
 Diagnosis diagnose(int exercise, bool hidden); // hidden: the first test that failed is

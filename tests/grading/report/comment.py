@@ -26,9 +26,6 @@ def mistake_words(mistake: dict, partly: bool = False) -> str:
 
 def mistake_fields(mistake: dict, partly: bool) -> list:
     """What the judge said of a mistake, and of the second one, if there is one."""
-    if "or" in mistake:
-        return [("looks like", "one of these two: the values do not tell which"),
-                ("either", mistake_words(mistake)), ("or", mistake_words(mistake["or"]))]
     told = [("looks like", mistake_words(mistake, partly)),
             ("you'd see", mistake["picture"].replace("~", NO_BREAK))]
     if "also" in mistake:
