@@ -86,6 +86,8 @@ START_TEST(where_c_is_0_one_root_is_0)
 {
     expect_roots_of((Quadratic){2, -6, 0}, two(0, 3), TOLERANCE);
     expect_roots_of((Quadratic){2, 6, 0}, two(-3, 0), TOLERANCE);
+    expect_roots_of((Quadratic){3e6, -6e6, 0}, two(0, 2), TOLERANCE);
+    expect_roots_of((Quadratic){-3e6, 6e6, 0}, two(0, 2), TOLERANCE);
 }
 END_TEST
 

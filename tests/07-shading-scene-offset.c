@@ -72,6 +72,13 @@ START_TEST(a_small_sphere_far_away_needs_as_large_a_step_as_a_large_one)
         vec3 point = center + up;
         expect_off(sphere_round(center, 1), point, up, (i == 1 ? 1e6 - 1 : 1e6) + 1);
     }
+    // Fractions count as well.
+    for (int i = 0; i < 3; i++) {
+        vec3 center = vec3_of(0, 0, 0);
+        center[i] = 0.9;
+        expect_off(sphere_round(center, 0x1p-10), center + 0x1p-10 * up, up, 0.9 + 0x1p-10);
+    }
+    expect_off(sphere_round(vec3_of(0, 0, 0), 0.9), 0.9 * up, up, 0.9);
 }
 END_TEST
 
