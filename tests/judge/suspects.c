@@ -233,6 +233,29 @@ static bool has_changed(const Records *shown_records, const Outcomes *now)
     return false;
 }
 
+static bool is_of_memory(const char *how)
+{
+    return strncmp(how, "crashed", 7) == 0 && strstr(how, "stack") == NULL;
+}
+
+// A crash that was not shown: what reads or writes beside its memory does so by chance.
+static const char *where_it_crashed(const Records *shown_records, const Outcomes *now)
+{
+    for (int i = 0; i < now->count; i++) {
+        const Outcome *test = &now->tests[i];
+        if (test->extra || !is_of_memory(test->record->how))
+            continue;
+        if (shown_records == NULL)
+            return "called with other arguments your function crashed: it reads or writes memory "
+                   "that is not its own, or uses a variable that was never set";
+        const Record *shown = records_find(shown_records, test->name);
+        if (shown != NULL && shown->how[0] == '\0')
+            return "called again with the same arguments your function crashed: it reads or writes "
+                   "memory that is not its own, or uses a variable that was never set";
+    }
+    return NULL;
+}
+
 // Runs all tests and probes, which acquit. False where that says nothing about the answer that was
 // shown: a call brought none, or another.
 static bool is_heard(int exercise, const Records *shown)
@@ -269,13 +292,18 @@ static Diagnosis look_closer(int exercise, const Records *shown_records, bool hi
         is_as_shown(records_find(shown_records, tests.tests[failed].name), record_of(failed)))
         snprintf(law, sizeof law, "%s", law_of(failed));
     bool changed = has_changed(shown_records, &tests);
+    const char *crash = where_it_crashed(shown_records, &tests);
     records_end();
     run_probes(exercise, NULL, &probes);
+    if (crash == NULL)
+        crash = where_it_crashed(NULL, &probes);
     records_end();
     evidence = NULL;
     Diagnosis it = explain_by_evidence(&all, last_call, changed);
     if (it.mistake == NULL && it.law == NULL && law[0] != '\0')
         it.law = law;
+    if (it.mistake == NULL && it.law == NULL)
+        it.law = crash;
     evidence_end(&all);
     return it;
 }

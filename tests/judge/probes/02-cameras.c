@@ -42,6 +42,8 @@ static void ask_of_cameras(Form form)
         Camera c = random_camera();
         if (i % 4 == 3) // the mean is a unit vector
             c.distance = 1;
+        if (i % 8 == 1)
+            c.height = c.width;
         ask(form, c, corners_of(c));
     }
 }
@@ -98,7 +100,7 @@ static void ask_of_none(Form form)
 
 static double any_scale(void)
 {
-    return pow(10, random_number(-6, 6));
+    return pow(10, random_number(-9, 6));
 }
 
 // Straight ahead, and no rectangle: sheared, leaning, one corner elsewhere, or bent; and rectangles
@@ -107,7 +109,7 @@ static Corners spoilt_alone(Camera c, int i)
 {
     Corners v = corners_of(c);
     vec3 *corners[] = {&v.upper_left, &v.upper_right, &v.lower_left, &v.lower_right};
-    double off = random_number(-1, 1) * c.distance;
+    double off = (i % 2 == 0 ? 1 : -1) * pow(10, random_number(-4, 0)) * c.distance;
     vec3 moved[4] = {vec3_of(0, 0, 0)}, way = random_unit();
     int astray = i / 7 % 2 == 0 ? 3 : i / 14 % 3; // mostly the one that edges do not begin at
     for (int k = 0; k < 4; k++) {
