@@ -200,8 +200,11 @@ static int reasons_of(vec3 upper_left, vec3 upper_right, vec3 lower_left, vec3 l
     bool no_height = vec3_length(left) <= tiny || vec3_length(right) <= tiny;
     bool in_plane = !no_width && !no_height &&
                     fabs(vec3_dot(vec3_cross(upper, left), middle)) <= 1e-7 * wide * high * far;
-    return reason(far <= tiny || in_plane, CAMERA_NO_DISTANCE) | reason(no_width, CAMERA_NO_WIDTH) |
-           reason(no_height, CAMERA_NO_HEIGHT) |
+    // The middle of a rectangle is that of either diagonal.
+    bool in_middle = vec3_length(upper_left + lower_right) <= tiny ||
+                     vec3_length(upper_right + lower_left) <= tiny;
+    return reason(far <= tiny || in_plane || in_middle, CAMERA_NO_DISTANCE) |
+           reason(no_width, CAMERA_NO_WIDTH) | reason(no_height, CAMERA_NO_HEIGHT) |
            reason(!parallelogram || !right_angles || no_width || no_height, CAMERA_NO_RECTANGLE) |
            reason(!on_axis || far <= tiny || in_plane, CAMERA_OFF_AXIS);
 }

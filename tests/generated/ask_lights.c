@@ -84,10 +84,13 @@ static void ask_highlight(AnyFunction *answer, Question *q, Answer *said)
     say_vec3(said, color, 3e-9);
 }
 
-// An eye behind the surface sees nothing of it, and whoever says so is right, too.
+// An eye behind the surface sees nothing of it, and whoever says so is right, too. Of light along
+// it rounding decides on which side it comes.
 static bool is_right_of_highlight(const Question *q, const Answer *yours, const Answer *right)
 {
     bool dark = yours->count == right->count && vec3_dot(q->normal, q->to_eye) < 1e-9;
+    if (fabs(vec3_dot(q->normal, q->to_light)) <= 1e-12 * vec3_length(q->to_light))
+        return yours->count == right->count;
     for (int i = 0; i < yours->count; i++)
         dark = dark && fabs(yours->number[i]) < 1e-9;
     return dark;
