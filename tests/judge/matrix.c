@@ -226,12 +226,22 @@ static void check_table(const char *stem)
     free(seed);
 }
 
+// The calls that the parts of a function ask are many: apart from the rest.
+static int only_parts(const char *stem)
+{
+    check_parts();
+    printf("composed mistakes of %s (%d): %d passed, %d failed\n", stem, part_count, passed,
+           failed);
+    return failed == 0 ? 0 : 1;
+}
+
 int main(int argc, char **argv)
 {
     const char *slash = strrchr(argv[0], '/');
     const char *stem = slash != NULL ? slash + 1 : argv[0];
-    (void)argc;
     check_reference();
+    if (argc == 2 && strcmp(argv[1], "--composed") == 0)
+        return only_parts(stem);
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++, mistake_count++)
             check_mistake(&mistakes[table][i]);
@@ -241,11 +251,10 @@ int main(int argc, char **argv)
         check_variant(&variants[variant_count]);
     for (; unknowns[unknown_count].exercise != NULL; unknown_count++)
         check_unknown(&unknowns[unknown_count]);
-    check_parts();
     check_table(stem);
     printf("matrix of %s (%d mistakes, %d pairs of them, %d tests, %d right answers, %d unknown "
-           "mistakes, %d of other functions): %d passed, %d failed\n",
-           stem, mistake_count, pair_count / 2, all.count, variant_count, unknown_count, part_count,
-           passed, failed);
+           "mistakes): %d passed, %d failed\n",
+           stem, mistake_count, pair_count / 2, all.count, variant_count, unknown_count, passed,
+           failed);
     return failed == 0 ? 0 : 1;
 }
