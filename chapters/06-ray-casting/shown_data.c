@@ -125,13 +125,12 @@ static void hits(Plot *plot, const Shown *shown)
         rgb_number(any ? scene_surface(scene, shown->hits[0].sphere)->color : scene->background));
 }
 
-// A place of a sphere: so far from a point of it, in a direction between two.
-static vec3 on_sphere(Sphere s, vec3 normal, vec3 aside, double away, double angle)
+// A place of a sphere, near the point that is 'out' from the centre: aside of it by a share of the
+// radius, in a direction round it. side is a unit vector at right angles to out.
+static vec3 on_sphere(Sphere s, vec3 out, vec3 side, double share, double angle)
 {
-    vec3 other = vec3_cross(normal, aside);
-    double flat = fmin(1, away / s.radius);
-    return s.center + s.radius * (sqrt(1 - flat * flat) * normal +
-                                  flat * (cos(angle) * aside + sin(angle) * other));
+    vec3 round = s.radius * cos(angle) * side + sin(angle) * vec3_cross(out, side);
+    return s.center + sqrt(1 - share * share) * out + share * round;
 }
 
 static bool is_shown(const Shown *shown, int sphere)
@@ -154,18 +153,18 @@ void shown_patches(Plot *plot, const Shown *shown)
             continue;
         Sphere s = shown->shot.scene->spheres[number];
         vec3 hit = shown->ray.origin + shown->hits[i].t * shown->ray.direction;
-        vec3 normal = vec3_unit(hit - s.center);
-        vec3 side = fabs(vec3_dot(normal, c.right)) < 0.9 ? c.right : c.forward;
-        side = vec3_unit(side - vec3_dot(side, normal) * normal);
-        double away = 0.2 * vec3_length(hit - c.origin);
+        vec3 out = hit - s.center;
+        vec3 side = fabs(vec3_dot(out, c.right)) < 0.9 * s.radius ? c.right : c.forward;
+        side = vec3_unit(side - vec3_dot(side, out) / vec3_dot(out, out) * out);
+        double away = 0.2 * vec3_length(hit - c.origin) / s.radius;
         for (int k = 0; k <= PATCH_PLACES; k++) {
-            vec3 p = on_sphere(s, normal, side, away, 2 * PI * k / PATCH_PLACES);
+            vec3 p = on_sphere(s, out, side, fmin(1, away), 2 * PI * k / PATCH_PLACES);
             double rgb = rgb_number(scene_surface(shown->shot.scene, number)->color);
             plot_row(plot, 4, (const double[]){p[0], p[1], p[2], rgb});
             plot_fit(plot, p, 0);
         }
         plot_gap(plot);
-        names[count] = on_sphere(s, normal, side, 0.6 * away, 0);
+        names[count] = on_sphere(s, out, side, fmin(1, 0.6 * away), 0);
         numbers[count++] = number;
     }
     plot_block_end(plot);
