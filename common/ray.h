@@ -16,10 +16,12 @@ typedef struct {
 #define NO_HIT INFINITY
 
 // The ray of a pixel may have a direction of any length. This is the same half line, with t = 1 on
-// the camera's image plane; one that never reaches the plane stays as it is.
+// the camera's image plane; one that never reaches the plane stays as it is. The plane is that of
+// right and up: forward may lean as much as a camera's axes may be off.
 static inline Ray ray_to_plane(Ray ray, Camera camera)
 {
-    double ahead = vec3_dot(ray.direction, camera.forward);
+    vec3 normal = vec3_cross(camera.right, camera.up);
+    double ahead = vec3_dot(ray.direction, normal) / vec3_dot(camera.forward, normal);
     if (ahead > 0)
         ray.direction = camera.distance / ahead * ray.direction;
     return ray;

@@ -67,7 +67,8 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
             double t = hit_sphere(ray, sphere);
             if (t == NO_HIT)
                 continue;
-            double at = t * vec3_dot(ray.direction, ray.direction);
+            vec3 to_plane = ray_to_plane(ray, here->tiling->work->camera).direction;
+            double at = t * vec3_dot(ray.direction, to_plane);
             double margin = 2 * here->slack + 4 * FLT_EPSILON * at;
             if (!(at > 1e-30 && at < 1e30 && fabs(at - *s) > margin)) {
                 *seen |= UNSURE;
