@@ -205,6 +205,10 @@ function put_back(indent, i, wire, given,   v) {
         print indent "wire_put_pixels(" wire ", " (given == "" ? v : "&" v given) ");"
     if (type[i] == "double *")
         print indent "wire_put_doubles(" wire ", " v given ", " (given == "" ? "image" : "&image" given) ");"
+    if (given != "" && type[i] == "Image *")
+        print indent wire "->overran |= wire_pixels_overran(&" v given ");"
+    if (given != "" && type[i] == "double *")
+        print indent wire "->overran |= wire_doubles_overran(" v given ", &image" given ");"
 }
 
 function get_back(indent, i) {

@@ -131,7 +131,7 @@ Wire *call_begin(int exercise)
 
 Wire *call_finish(int exercise)
 {
-    WireHeader ask = {WIRE_MAGIC, exercise, current.nonce, lent.size, WIRE_ASK, 0, ""}, answer;
+    WireHeader ask = {WIRE_MAGIC, exercise, current.nonce, lent.size, WIRE_ASK, 0, 0, ""}, answer;
     if (!write_all(&ask, sizeof ask) || !write_all(lent.bytes, lent.size) ||
         !receive(&answer, &lent) || answer.kind != WIRE_LENT)
         _exit(2);
@@ -170,6 +170,7 @@ int main(void)
         WireHeader header = current;
         header.kind = WIRE_ANSWER;
         header.size = out.size;
+        header.overran = out.overran;
         if (answers_missing() > 0)
             snprintf(header.missing, sizeof header.missing, "%s", answer_missing(0));
         answers_forget();

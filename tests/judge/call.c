@@ -150,7 +150,7 @@ static bool is_crash(const WireHeader *answer)
 
 static int send(int kind, int exercise, Wire *message, Patience *left)
 {
-    WireHeader header = {WIRE_MAGIC, exercise, nonce, message->size, kind, paint_of_calls(), ""};
+    WireHeader header = {WIRE_MAGIC, exercise, nonce, message->size, kind, paint_of_calls(), 0, ""};
     int moved = process_send(&header, sizeof header, left);
     return moved == 1 ? process_send(message->bytes, message->size, left) : moved;
 }
@@ -249,6 +249,8 @@ static bool exchange(int exercise, How *how, char *why, size_t size)
     } else {
         if (answer.missing[0] != '\0')
             record_missing(answer.missing);
+        if (answer.overran != 0)
+            record_overran();
         pass_on_end(&wire);
         work_of[exercise] += process_work() - left.work_before;
         if (work_of[exercise] <= MOST_CALLS * process_most_work())

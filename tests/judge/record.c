@@ -124,6 +124,23 @@ void record_how(How ended, const char *why)
     ck_abort_msg("%s", why);
 }
 
+void record_overran(void)
+{
+    if (record->overran > 0)
+        return;
+    record->overran = record->cases;
+    snprintf(record->overran_given, sizeof record->overran_given, "%s", record->given);
+}
+
+void record_fails_by_overrun(int test)
+{
+    Record *it = &shared->records[test];
+    it->cases = it->overran;
+    memcpy(it->given, it->overran_given, sizeof it->given);
+    it->ended = HOW_CRASHED;
+    snprintf(it->how, sizeof it->how, "wrote past the end of the image or of depth");
+}
+
 // A blank never passes, whatever it returned; nor does an answer that calls exit, which Check
 // takes for a pass.
 void record_teardown(void)

@@ -26,6 +26,8 @@ typedef struct {
     How ended;
     char how[160];      // why there was no answer, in words; empty where there was
     char printed[1500]; // what the answer printed in this test, to begin with
+    int overran;        // the first case in which it wrote past the end of an array; 0: none
+    char overran_given[2400];
 } Record;
 
 enum { CAMERA_WORDS = 1200 };
@@ -54,6 +56,8 @@ void record_missing(const char *name); // this blank was called
 bool record_is_missing(void);          // was any?
 void record_keep_printed(void);
 void record_how(How ended, const char *why); // there was no answer: ends the test
+void record_overran(void);                   // this call wrote past the end of an array
+void record_fails_by_overrun(int test);      // and that is all that is wrong: the test is about it
 
 // The fixtures round each test.
 void record_setup(void);

@@ -68,6 +68,28 @@ static void say_how(char *how, size_t size, const char *message)
         snprintf(how, size, "%s", message);
 }
 
+static bool has_failed(const Outcomes *outcomes, const char *function)
+{
+    for (int i = 0; i < outcomes->count; i++)
+        if (!outcomes->tests[i].passed && strcmp(outcomes->tests[i].function, function) == 0)
+            return true;
+    return false;
+}
+
+// A function that writes past the end of an array is wrong, even if its results are right. If they
+// are not, those say more: an array with rows of another length has a wrong picture, too.
+static void fail_by_overrun(Outcomes *outcomes)
+{
+    for (int i = 0; i < outcomes->count; i++) {
+        Outcome *it = &outcomes->tests[i];
+        if (it->record->overran == 0 || has_failed(outcomes, it->function))
+            continue;
+        record_fails_by_overrun(i);
+        it->passed = false;
+        say_how(it->how, sizeof it->how, it->record->how);
+    }
+}
+
 static void run(void (*list)(void), bool probes, WhereAnswersAre where)
 {
     Outcomes *outcomes = listing.outcomes;
@@ -105,6 +127,7 @@ static void run(void (*list)(void), bool probes, WhereAnswersAre where)
     }
     free(results);
     srunner_free(runner);
+    fail_by_overrun(outcomes);
 }
 
 void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes)

@@ -7,6 +7,7 @@ void wire_clear(Wire *wire)
 {
     wire->size = wire->read = 0;
     wire->bad = false;
+    wire->overran = false;
 }
 
 bool wire_make_room(Wire *wire, uint64_t size)
@@ -107,7 +108,7 @@ static void put_surface(Wire *wire, const Surface *surface)
                      sizeof *surface);
 }
 
-static void *get_items(Wire *wire, int *count, size_t size)
+static void *get_items(Wire *wire, int *count, size_t size, const void *guard)
 {
     wire_get(wire, count, sizeof *count);
     if (wire->bad || *count < 0 || (size_t)*count > (wire->size - wire->read) / size) {
@@ -115,13 +116,14 @@ static void *get_items(Wire *wire, int *count, size_t size)
         *count = 0;
         return NULL;
     }
-    void *items = malloc((size_t)*count * size + 1);
+    char *items = malloc(((size_t)*count + 1) * size);
     if (items == NULL) {
         wire->bad = true;
         *count = 0;
         return NULL;
     }
     wire_get(wire, items, (size_t)*count * size);
+    memcpy(items + (size_t)*count * size, guard, size);
     return items;
 }
 
@@ -143,13 +145,15 @@ void wire_put_scene(Wire *wire, const Scene *scene)
 
 void wire_get_scene(Wire *wire, Scene *scene)
 {
+    static const Surface guard_surface = {{0.93, 0.07, 0.91}, 0.5, 0.5, 10, 0, 1};
     *scene = (Scene){0};
     wire_get(wire, &scene->view, sizeof scene->view);
     wire_get(wire, &scene->background, sizeof scene->background);
     wire_get(wire, &scene->ambient, sizeof scene->ambient);
-    scene->spheres = get_items(wire, &scene->sphere_count, sizeof *scene->spheres);
-    scene->surfaces = get_items(wire, &scene->surface_count, sizeof *scene->surfaces);
-    scene->lights = get_items(wire, &scene->light_count, sizeof *scene->lights);
+    scene->spheres = get_items(wire, &scene->sphere_count, sizeof *scene->spheres, &GUARD_SPHERE);
+    scene->surfaces =
+        get_items(wire, &scene->surface_count, sizeof *scene->surfaces, &guard_surface);
+    scene->lights = get_items(wire, &scene->light_count, sizeof *scene->lights, &GUARD_LIGHT);
     for (int i = 0; i < scene->sphere_count; i++)
         if (scene->spheres[i].surface < 0 || scene->spheres[i].surface >= scene->surface_count)
             wire->bad = true;
@@ -179,6 +183,8 @@ void wire_put_image(Wire *wire, const Image *image)
     wire_put_pixels(wire, image);
 }
 
+enum { PIXEL_GUARD = 3 * 64, GUARD_BYTE = 0xa6 };
+
 void wire_get_image(Wire *wire, Image *image)
 {
     Message message;
@@ -192,7 +198,24 @@ void wire_get_image(Wire *wire, Image *image)
         wire->bad = true;
         return;
     }
+    uint8_t *rgb = realloc(image->rgb, 3 * pixels_of(image) + PIXEL_GUARD);
+    if (rgb == NULL) {
+        image_free(image);
+        wire->bad = true;
+        return;
+    }
+    image->rgb = rgb;
+    memset(rgb + 3 * pixels_of(image), GUARD_BYTE, PIXEL_GUARD);
     wire_get_pixels(wire, image);
+}
+
+bool wire_pixels_overran(const Image *image)
+{
+    const uint8_t *guard = image->rgb + 3 * pixels_of(image);
+    for (size_t i = 0; i < PIXEL_GUARD; i++)
+        if (guard[i] != GUARD_BYTE)
+            return true;
+    return false;
 }
 
 void wire_put_doubles(Wire *wire, const double *doubles, const Image *image)
@@ -215,10 +238,22 @@ static size_t room_for_slips(const Image *image)
 
 double *wire_get_doubles(Wire *wire, const Image *image)
 {
-    double *doubles = calloc(room_for_slips(image), sizeof *doubles);
-    if (doubles == NULL)
+    size_t room = room_for_slips(image);
+    double *doubles = malloc(room * sizeof *doubles);
+    if (doubles == NULL) {
         wire->bad = true;
-    else
-        wire_get_into_doubles(wire, doubles, image);
+        return NULL;
+    }
+    for (size_t i = pixels_of(image); i < room; i++)
+        doubles[i] = GUARD_DEPTH;
+    wire_get_into_doubles(wire, doubles, image);
     return doubles;
+}
+
+bool wire_doubles_overran(const double *doubles, const Image *image)
+{
+    for (size_t i = pixels_of(image); i < room_for_slips(image); i++)
+        if (doubles[i] != GUARD_DEPTH)
+            return true;
+    return false;
 }

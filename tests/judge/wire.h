@@ -24,6 +24,7 @@ typedef struct {
     size_t read;     // how many were got
     bool bad;        // too short, too long, or senseless
     bool is_hostile; // a question of a student's process: what the reference relies on is checked
+    bool overran;    // who made this answer wrote past the end of an array of the question
 } Wire;
 
 // In front of every message.
@@ -34,6 +35,7 @@ typedef struct {
     uint64_t size;  // of the message that follows
     int32_t kind;
     int32_t paint;    // of a call: a byte to fill the stack with before it (paint.h)
+    int32_t overran;  // in an answer: it wrote past the end of the image or of depth
     char missing[60]; // in an answer: the first blank that was called; empty where none was
 } WireHeader;
 
@@ -70,6 +72,15 @@ void wire_put_sphere(Wire *wire, const Sphere *sphere);
 void wire_put_light(Wire *wire, const Light *light);
 void wire_put_hit(Wire *wire, const Hit *hit);
 
+// Arrays that were got have a guard after their last item, for loops that run once too often. A
+// sphere all round the world, with a colour that no scene has, and a bright light: one item too
+// many is seen in the result. The guards of pixels and depths are read afterwards: one item too
+// many that was written is seen there, and a depth that is farther than any hit is one that a hit
+// replaces.
+#define GUARD_SPHERE ((Sphere){{0, 0, 0}, 1e100, 0})
+#define GUARD_LIGHT ((Light){{0.48, 0.6, 0.64}, {1, 1, 1}, LIGHT_DISTANT})
+#define GUARD_DEPTH 1.2345678901234567e300
+
 void wire_put_scene(Wire *wire, const Scene *scene);
 void wire_get_scene(Wire *wire, Scene *scene); // free it with scene_free
 
@@ -77,6 +88,9 @@ void wire_put_image(Wire *wire, const Image *image);
 void wire_get_image(Wire *wire, Image *image); // free it with image_free
 void wire_put_pixels(Wire *wire, const Image *image);
 void wire_get_pixels(Wire *wire, Image *image); // into an image of the same size
+// What is behind the pixels of wire_get_image, or the depths of wire_get_doubles, is not as it was.
+bool wire_pixels_overran(const Image *image);
+bool wire_doubles_overran(const double *doubles, const Image *image);
 
 // One per pixel of the image.
 void wire_put_doubles(Wire *wire, const double *doubles, const Image *image);
