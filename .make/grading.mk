@@ -54,7 +54,7 @@ $(B)/judge/rights.c: tests/exercises.table .make/proxies.awk
 	$(Q)awk -v make=rights -f .make/proxies.awk $< > $@
 DRAW := $(B)/judge/picture
 $(DRAW): $(B)/tests/grading/picture.o $(RIGHTS) $(B)/judge/rights.o $(B)/chapters/$(LAST)/scene_camera.o $(JUDGING) \
-		$(call parts,tests/mistakes/$(LAST)) $(B)/judge/lender-$(LAST).o $(B)/common.a
+		$(call parts,tests/$(LAST)/mistakes) $(B)/judge/lender-$(LAST).o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 SCENE_TO_DRAW := chapters/06-ray-casting/three-spheres.nff

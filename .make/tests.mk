@@ -59,8 +59,7 @@ LENDERS := $(STEMS:%=$(B)/judge/lender-%.o)
 $(LENDERS): $(B)/judge/lender-%.o: $(B)/judge/dispatch-%.c $(B)/reference.h $(B)/flags
 	$(call say,compile,$< as reference)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
-BESIDE_REFERENCE := $(call parts,tests/mistakes/) $(call parts,tests/laws/) \
-	$(call parts,tests/variants/) $(call parts,tests/unknown/)
+BESIDE_REFERENCE := $(foreach kind,mistakes laws variants unknown,$(call parts,tests/[0-9]*/$(kind)))
 $(BESIDE_REFERENCE): EXTRA = -include $(B)/reference.h
 $(BESIDE_REFERENCE): $(B)/reference.h
 REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
@@ -75,19 +74,19 @@ $(B)/judge/apply.c: tests/exercises.table .make/proxies.awk
 HEARING := $(patsubst %,$(B)/tests/judge/%.o,hearing $(DIAGNOSIS)) $(B)/judge/apply.o \
 	$(B)/judge/layouts.o $(B)/tests/told/layout.o
 JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call corners kept process ending wire \
-	switchboard system_call) $(HEARING) $(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES)
+	switchboard system_call) $(HEARING) $(B)/judge/proxies.o $(call parts,tests/[0-9]*/laws) $(REFERENCES)
 JUDGES := $(STEMS:%=$(B)/judge/%)
-$(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) $(JUDGING) \
-		$(B)/tests/judge/probes/%.o $(B)/judge/lender-%.o $(DRAWING) \
+$(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/$$*/mistakes) $(JUDGING) \
+		$(B)/tests/%/probes.o $(B)/judge/lender-%.o $(DRAWING) \
 		$(patsubst %,$(B)/tests/judge/%.o,judge report right) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 # The matrix: the same, and in the place of the answering process a table that the reference fills.
 MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
-$(call parts,tests/composed/): EXTRA = -include $(B)/weak.h
-$(call parts,tests/composed/): $(B)/weak.h
-$(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(B)/tests/judge/probes/%.o $(B)/tests/variants/%.o $$(call parts,tests/composed/$$*) $(B)/tests/unknown/%.o \
+$(call parts,tests/[0-9]*/composed): EXTRA = -include $(B)/weak.h
+$(call parts,tests/[0-9]*/composed): $(B)/weak.h
+$(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/$$*/mistakes) \
+		$(B)/tests/%/probes.o $(B)/tests/%/variants.o $$(call parts,tests/$$*/composed) $(B)/tests/%/unknown.o \
 		$(filter-out %/call.o,$(JUDGING)) $(B)/judge/lender-%.o \
 		$(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
 	$(call say,link,$@)
@@ -103,7 +102,7 @@ $(MUTATE): $(patsubst %,$(B)/tests/generated/%.o,mutate put source slips stateme
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
 MUTANTS := $(STEMS:%=$(B)/generated/%.o)
-answers_of = $(wildcard solutions/$(1).c tests/mistakes/$(1)*.[ch] tests/variants/$(1)*.[ch])
+answers_of = $(wildcard solutions/$(1).c tests/$(1)/mistakes*.[ch] tests/$(1)/variants*.[ch])
 AS_REFERENCE = $(CC) $(LANGUAGE) -w -include $(B)/reference.h
 $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference.h $(B)/flags
 	$(call say,mutate,$*)
@@ -116,8 +115,8 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 	$(Q)$(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(@D)/$*.errors $(@D)/$*/*.i > $(@D)/$*.c
 	$(Q)$(AS_REFERENCE) -O0 -c -o $@ $(@D)/$*.c
 TRIALS := $(STEMS:%=$(B)/tests/generated/%)
-$(TRIALS): $(B)/tests/generated/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(B)/tests/judge/probes/%.o $(filter-out %/call.o,$(JUDGING)) \
+$(TRIALS): $(B)/tests/generated/%: $$(call parts,tests/$$*) $$(call parts,tests/$$*/mistakes) \
+		$(B)/tests/%/probes.o $(filter-out %/call.o,$(JUDGING)) \
 		$(B)/judge/dispatch-%.o $(B)/generated/%.o \
 		$(patsubst %,$(B)/tests/generated/%.o,try truth guard question ask_screen ask_cameras \
 		ask_spheres ask_scenes ask_lights) $(B)/tests/told/here.o $(B)/common.a
@@ -199,8 +198,8 @@ $(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told
 
 #[ Where the tables come from; and right answers written otherwise, held against them.
 TELLERS := $(STEMS:%=$(B)/told/tell/%)
-$(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/mistakes/$$*) \
-		$(B)/tests/judge/probes/%.o $(filter-out %/call.o,$(JUDGING)) $(TOLD) \
+$(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/$$*/mistakes) \
+		$(B)/tests/%/probes.o $(filter-out %/call.o,$(JUDGING)) $(TOLD) \
 		$(patsubst %,$(B)/tests/told/%.o,tell asked takes here) \
 		$(B)/judge/dispatch-%.o $(B)/common.a
 	$(call say,link,$@)
@@ -211,9 +210,9 @@ $(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
 	$(call say,tell,$@)
 	$(Q)env -u SEED ASAN_OPTIONS=detect_leaks=0 $< $@
 TABLE_VARIANTS := $(STEMS:%=$(B)/told/variants/%)
-$(TABLE_VARIANTS): $(B)/told/variants/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/variants/%.o \
+$(TABLE_VARIANTS): $(B)/told/variants/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/%/variants.o \
 		$(patsubst %,$(B)/tests/told/%.o,variants here) $(HEARING) $(B)/judge/dispatch-%.o \
-		$(B)/judge/proxies.o $(call parts,tests/laws/) $(REFERENCES) $(B)/common.a \
+		$(B)/judge/proxies.o $(call parts,tests/[0-9]*/laws) $(REFERENCES) $(B)/common.a \
 		| $(TABLE)/%.table
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)

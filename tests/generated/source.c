@@ -14,15 +14,22 @@ typedef struct {
     bool wanted;
 } Place;
 
+// The solutions, and of a stem the known mistakes and the right answers written otherwise.
+static bool is_answer(const char *path)
+{
+    const char *name = strrchr(path, '/');
+    return strncmp(path, "solutions/", 10) == 0 ||
+           (strncmp(path, "tests/", 6) == 0 && isdigit((unsigned char)path[6]) && name != NULL &&
+            (strncmp(name, "/mistakes", 9) == 0 || strncmp(name, "/variants", 9) == 0));
+}
+
 static void place_from(Source *source, Place *place, const char *marker)
 {
     char whole[200] = "";
     if (sscanf(marker, "# %d \"%199[^\"]\"", &place->line, whole) < 1)
         return;
     const char *path = strncmp(whole, "./", 2) == 0 ? whole + 2 : whole;
-    place->wanted = strncmp(path, "solutions/", 10) == 0 ||
-                    strncmp(path, "tests/mistakes/", 15) == 0 ||
-                    strncmp(path, "tests/variants/", 15) == 0;
+    place->wanted = is_answer(path);
     if (place->wanted && source->path[0] == '\0')
         snprintf(source->path, sizeof source->path, "%s", path);
 }

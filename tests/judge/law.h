@@ -1,4 +1,13 @@
-// law.h - how a law says that it was broken.
+// law.h - what must hold of an answer whatever the numbers, and the words for when it does not.
+//
+// If no known mistake explains a wrong answer, a law that it breaks still helps: 'your vector
+// goes 2 along forward; the plane is 4 ahead'. For each exercise NAME there is, in
+// tests/NN-stem/laws*.c,
+//
+//     void law_NAME(RESULT yours, PARAMETERS);
+//
+// called after each call of it, with what came out (in what pointers lead to, too). It must never
+// complain of a right answer, within the contract's tolerance.
 #ifndef TESTS_JUDGE_LAW_H
 #define TESTS_JUDGE_LAW_H
 

@@ -3,15 +3,15 @@
 // Each mistake must fail a test of its function and be named from its values; each test must be
 // failed by a mistake, or it cannot fail and is worth nothing; no right answer, however it is
 // written, may be failed or accused; of a wrong answer that is no known mistake nothing false is
-// said (tests/unknown/), nor of one whose mistake is another function's (tests/composed/); and an
+// said (unknown.c), nor of one whose mistake is another function's (composed.c); and an
 // answer that only knows the public inputs by heart must fail wherever there is a SEED, and not be
 // told the others.
-#include "tests/composed/composed.h"
+#include "tests/proof/composed.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/table.h"
-#include "tests/unknown/unknown.h"
-#include "tests/variants/variants.h"
+#include "tests/proof/unknown.h"
+#include "tests/proof/variants.h"
 
 #include <stdio.h>
 #include <stdlib.h>

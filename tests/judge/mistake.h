@@ -1,8 +1,13 @@
-// mistake.h - a known wrong answer, and what to say of it.
+// mistake.h - wrong answers that people really give, as code, and what to say of each.
+//
+// Each is in tests/NN-stem/mistakes*.c. make check proves that each fails a test of its function
+// and is named from its values alone, and that each test is failed by one.
 #ifndef TESTS_JUDGE_MISTAKE_H
 #define TESTS_JUDGE_MISTAKE_H
 
 #include "tests/judge/switchboard.h"
+
+#include <stddef.h>
 
 typedef struct {
     const char *id;       // C2, as the field's list of mistakes has it, or a name of our own
@@ -12,6 +17,11 @@ typedef struct {
     const char *why;     // why that is wrong, in terms of the picture; whole sentences
     const char *picture; // what its author would see: 'everything at half its size'
 } Mistake;
+
+#define MISTAKE(id, exercise, answer, formula, why, picture)                                       \
+    {                                                                                              \
+        id, #exercise, (AnyFunction *)(answer), formula, why, picture                              \
+    }
 
 // The tables of one stem, and NULL; each table ends with a Mistake whose id is NULL.
 extern const Mistake *const mistakes[];

@@ -20,7 +20,7 @@ void suspects_begin(void);
 const Mistake *suspect(int exercise, int nth, bool extra);
 
 // Probes are calls that separate mistakes and are not graded: of inputs in general position, in
-// tests/judge/probes/. They run like tests, and nothing is expected of them.
+// tests/NN-stem/probes.c. They run like tests, and nothing is expected of them.
 void list_probes(void);
 void run_probes(int exercise, const char *name, Outcomes *outcomes); // name NULL: all of them
 

@@ -10,10 +10,12 @@ set -u
 needs figures 'figures' gnuplot python3
 CAMERAS=${CAMERAS:-5}
 export PROGRAMS CAMERAS SCENES="${SCENES:-$CAMERAS}"
+export PYTHONPATH=tests/figures
+tests='tests/figures/themes.py '$(echo tests/[0-9]*/figures.py)
 # shellcheck disable=SC2016 # the inner shell expands them
-printf '%s\n' tests/figures/[0-9]*.py | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I '{}' \
-    sh -c 'python3 "$1" >"$0/${1##*/}.log" 2>&1' "$scratch" '{}'
-for test in tests/figures/[0-9]*.py; do
-    counted cat "$scratch/${test##*/}.log"
+echo "$tests" | tr ' ' '\n' | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I '{}' \
+    sh -c 'python3 "$1" >"$0/$(echo "$1" | tr / -).log" 2>&1' "$scratch" '{}'
+for test in $tests; do
+    counted cat "$scratch/$(echo "$test" | tr / -).log"
 done
 finish figures

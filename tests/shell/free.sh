@@ -1,5 +1,5 @@
 #!/bin/sh
-# free.sh - answers that are right and use the freedom of their contracts (tests/variants/free) make
+# free.sh - answers that are right and use the freedom of their contracts (tests/NN-stem/free.c) make
 # the same pictures and figures as the reference.
 set -u
 . tests/library.sh
@@ -12,7 +12,9 @@ trap 'end_started; rm -rf "$free" "$scratch"' EXIT
 programs='01-corners 02-cameras 03-screen 04-pixel-ray 05-quadratic 06-ray-casting 07-shading 08-fast'
 builds() {
     mkdir -p "$answers" && cp solutions/*.c "$answers" &&
-        cp tests/variants/free/*.c "$answers" || return 1
+        for answer in tests/[0-9]*/free.c; do
+            cp "$answer" "$answers/$(basename "$(dirname "$answer")").c" || return 1
+        done
     by_reference=
     by_them=
     for stem in $programs; do

@@ -48,8 +48,7 @@ check 'all of it is in one folder' in_one_folder
 check 'nobody owns it, and all of it has one date' nobody_s
 
 check 'there are no solutions in it' none_of_these 'solutions'
-check 'nor tests of the chapters' none_of_these '/tests/[0-9][0-9]-'
-check 'nor mistakes, variants, laws' none_of_these '/tests/(mistakes|variants|laws|exact)'
+check 'nor tests of the chapters, mistakes, variants, laws' none_of_these '/tests/([0-9][0-9]-|proof|exact)'
 check 'nor what makes the tables' none_of_these '/tests/told/(tell|asked|takes|here|variants)|/judge/(matrix|table)'
 check 'nor graders, benches and the like' none_of_these \
     '/tests/(shell|long|benches|fuzz|grading|hostile)|\.git/|\.ci/|CONTRIBUTING'

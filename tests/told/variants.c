@@ -6,7 +6,7 @@
 #include "tests/judge/runner.h"
 #include "tests/judge/show.h"
 #include "tests/judge/suspects.h"
-#include "tests/variants/variants.h"
+#include "tests/proof/variants.h"
 
 #include <string.h>
 

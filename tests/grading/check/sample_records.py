@@ -14,7 +14,7 @@ from report.files import write_class, write_submission
 from report.text import closing
 from .make_records import ball, function, record, stem
 
-MISTAKES = pathlib.Path(__file__).resolve().parents[2] / "mistakes"
+TESTS = pathlib.Path(__file__).resolve().parents[2]
 
 
 def exercises() -> dict:
@@ -30,7 +30,7 @@ def mistakes() -> dict:
     """function -> list of mistakes, from the C that knows them."""
     found = {}
     string = r'((?:"(?:[^"\\]|\\.)*"\s*)+)'
-    for path in sorted(MISTAKES.glob("*.c")):
+    for path in sorted(TESTS.glob("[0-9]*/mistakes*.c")):
         for each in re.finditer(
             rf"MISTAKE\({string},\s*(\w+),\s*\w+,\s*{string},\s*{string},\s*{string}\)",
             path.read_text(encoding="utf-8"),

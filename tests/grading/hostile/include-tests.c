@@ -5,5 +5,5 @@
 // rest: none
 #include "@TREE@/tests/01-corners.c"
 #include "tests/judge/test.h"
-#include "tests/laws/01-corners.c"
-#include "tests/mistakes/01-corners.c"
+#include "tests/01-corners/laws.c"
+#include "tests/01-corners/mistakes.c"

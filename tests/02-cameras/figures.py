@@ -1,0 +1,110 @@
+"""figures.py - the figure of chapter 02 shows what is so: four forms, and one camera from each."""
+import os
+import random
+
+from cameras import DECK, corners, label, label_of, options_of, some_camera
+from check import Checks, holds_for_every, on_the_canvas, told_in_words
+from figure import Figure, dot, plus, times
+
+checks = Checks("figures of 02-cameras")
+SHAPES = {"16:9": 960, "4:3": 720}
+FORMS = {"look-at": (0, 0), "points": (1, 0), "corner": (0, 1), "vectors": (1, 1)}  # column, row
+
+
+def unit(v):
+    return times(1 / dot(v, v) ** 0.5, v)
+
+
+def cross(v, w):
+    return (v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0])
+
+
+def in_panel(drawn, panel):
+    """One of what is drawn once in each panel; nothing where there are fewer."""
+    return drawn[panel:panel + 1]
+
+
+def ends_of(figure, title):
+    """Where an arrow or a line starts and ends."""
+    stroke, tips = figure.strokes(title)[0], figure.tips(title)
+    return tips[::-1] if len(tips) == 2 else [stroke[0], *(tips or stroke[-1:])]
+
+
+def camera_forms(c, options, shape, up=None):
+    up = up or c["u"]
+    figure = Figure("02-cameras", "camera-forms", *options, settings=f"shape='{shape}'")
+    named = f"camera-forms {' '.join(map(str, options))}"
+    on_the_canvas(checks, named, figure)
+    told_in_words(checks, named, figure)
+    wide = SHAPES[shape]
+    figure.see(c["r"], c["u"], c["f"], room=(0.04, 0.5 - 96 / wide, 0.62, 0.87), azimuth=34)
+
+    def place(form, point):
+        column, row = FORMS[form]
+        return plus(figure.place(point), (column * wide / 2, -row * 270))
+
+    upper_left, upper_right, lower_right, lower_left = points = corners(c)
+    middle = plus(c["p"], c["f"], c["d"])
+    size = max(c["d"], c["w"], c["h"]) / 5
+    checks.near("the eyes", figure.dots("eye"), [place(form, c["p"]) for form in FORMS])
+    for panel, form in enumerate(FORMS):
+        checks.near(f"{form}: the plane that is found", [p for found in in_panel(figure.strokes("found"), panel) for p in found[:4]],
+                    [place(form, p) for p in points])
+        for name in "ruf":
+            start = [shaft[0] for shaft in in_panel(figure.strokes(name), panel)]
+            checks.near(f"{form}: {name} that is found", start + in_panel(figure.tips(name), panel),
+                        [place(form, middle), place(form, plus(middle, c[name], size))])
+
+    checks.near("the point looked at", figure.dots("at"), place("look-at", middle))
+    checks.near("the way there", ends_of(figure, "view"), [place("look-at", p) for p in (c["p"], middle)])
+    checks.near("up", figure.tips("up"), place("look-at", plus(c["p"], unit(up), c["d"] / 4)))
+    checks.near("the four points", figure.dots("points"),
+                [place("points", p) for p in (upper_left, upper_right, lower_left, lower_right)])
+    checks.near("the lower left corner", figure.dots("lower left"), place("corner", lower_left))
+    checks.near("across", ends_of(figure, "across"), [place("corner", p) for p in (lower_left, lower_right)])
+    checks.near("up the left edge", ends_of(figure, "upward"), [place("corner", p) for p in (lower_left, upper_left)])
+    checks.near("the four vectors", figure.tips("vectors"),
+                [place("vectors", p) for p in (upper_left, upper_right, lower_left, lower_right)])
+    checks.near("the width", ends_of(figure, "w"),
+                [plus(place("look-at", p), (0, 12)) for p in (upper_left, upper_right)])
+
+    found = f"d = {label(c['d'])}, w = {label(c['w'])}, h = {label(c['h'])}"
+    labels = [words for words, _, _ in figure.labels()]
+    checks.that("what each form gives is said", labels.count(found) == 4, f"not 4 times {found!r} in {labels}")
+    for text in (f"w = {label(c['w'])}", f"w/h = {label(c['w'] / c['h'])}"):
+        checks.that(f"a label says {text!r}", text in labels, str(labels))
+    _, words = figure.in_words()
+    for v in (c["p"], middle, up, lower_left, times(c["w"], c["r"]), times(c["h"], c["u"])):
+        checks.that(f"{label_of(v)} is told in words", label_of(v) in words, words)
+
+
+def looking(dice):
+    """A camera by a look-at in a world of either hand, with an up that leans; as frame and options."""
+    eye, at = (tuple(dice.uniform(-9, 9) for _ in range(3)) for _ in range(2))
+    ahead = plus(at, eye, -1)
+    f, hand = unit(ahead), dice.choice(["left", "right"])
+    while True:
+        up = tuple(dice.uniform(-1, 1) for _ in range(3))
+        aside = cross(f, up) if hand == "right" else cross(up, f)
+        if dot(aside, aside) > 0.04:
+            break
+    r = unit(aside)
+    width, aspect = dice.uniform(0.5, 8), dice.uniform(0.5, 2)
+    camera = {"p": eye, "r": r, "u": cross(r, f) if hand == "right" else cross(f, r), "f": f,
+              "d": dot(ahead, ahead) ** 0.5, "w": width, "h": width / aspect}
+    options = []
+    for name, v in (("--eye", eye), ("--at", at), ("--up", up)):
+        options += [name, ",".join(f"{x:.17g}" for x in v)]
+    return camera, options + ["--width", width, "--aspect", aspect, "--hand", hand], up
+
+
+for canvas in SHAPES:
+    camera_forms(DECK, [], canvas)
+holds_for_every(checks, "02-cameras", "camera-forms")
+dice = random.Random(2)
+for i in range(int(os.environ.get("CAMERAS", "5"))):
+    camera, canvas = some_camera(dice), list(SHAPES)[i % 2]
+    camera_forms(camera, options_of(camera), canvas)
+    camera, options, up = looking(dice)
+    camera_forms(camera, options, canvas, up)
+checks.end()

@@ -1,0 +1,265 @@
+// laws.c - the laws of exercise 02: a camera is given out where there is one; it is a camera;
+// and it is that of what was given.
+//
+// Close to the border between a camera and none nothing is said: rounding may go either way.
+#include "tests/02-cameras/laws.h"
+
+#include "common/text.h"
+#include "tests/judge/distinct_digits.h"
+#include "tests/judge/law.h"
+
+// Ten times what the contract allows.
+static const double enough = 1e-8;
+
+static bool differs(double yours, double expected, double size)
+{
+    return !(fabs(yours - expected) <= enough * size);
+}
+
+// Says both where they differ, with digits enough to see it.
+static void same_vector(const char *what, vec3 yours, const char *other, vec3 expected, double size)
+{
+    if (!differs(vec3_length(yours - expected), 0, size))
+        return;
+    Apart a = apart_vec3(yours, expected);
+    law_broken("%s %s, %s %s", what, a.yours.s, other, a.right.s);
+}
+
+static void same_number(const char *what, double yours, const char *other, double expected)
+{
+    if (!differs(yours, expected, expected))
+        return;
+    Apart a = apart(yours, expected);
+    law_broken("%s %s, %s %s", what, a.yours.s, other, a.right.s);
+}
+
+static void unit(const char *name, vec3 v)
+{
+    if (differs(vec3_length(v), 1, 1))
+        law_broken("your %s has length %s, and must have 1", name,
+                   number_text_to(vec3_length(v), 9).s);
+}
+
+static void at_right_angles(const char *names, vec3 v, vec3 w)
+{
+    if (differs(vec3_dot(v, w), 0, 1))
+        law_broken("your %s are not at right angles: their dot product is %s", names,
+                   number_text(vec3_dot(v, w)).s);
+}
+
+// What every camera is, and where this one must be.
+static void frame_from(vec3 eye, Camera c)
+{
+    if (camera_check(c) == CAMERA_NOT_FINITE)
+        law_broken("a camera was given out in which a number is infinite or not a number");
+    unit("forward", c.forward);
+    unit("right", c.right);
+    unit("up", c.up);
+    at_right_angles("right and forward", c.right, c.forward);
+    at_right_angles("up and forward", c.up, c.forward);
+    at_right_angles("right and up", c.right, c.up);
+    same_vector("your camera is at", c.origin, "and the eye at", eye, 1 + vec3_length(eye));
+}
+
+// ---- is there a camera? -----------------------------------------------------------------------
+
+// Reasons, a bit for each.
+static int bit(CameraFault fault, bool holds)
+{
+    return holds ? 1 << fault : 0;
+}
+
+// A contract: what is a camera by it, and the reasons that it knows, the more frequent first.
+typedef struct {
+    const char *what_it_is, *reasons;
+} Contract;
+
+static const Contract of_rectangles = {
+    "these corners are a rectangle straight ahead of the eye",
+    "CAMERA_NO_RECTANGLE, _OFF_AXIS, _NO_DISTANCE, _NO_WIDTH, _NO_HEIGHT, _NOT_FINITE"};
+static const Contract of_look_at = {
+    "the view has a direction, an up, a width and an aspect",
+    "CAMERA_NO_DIRECTION, _UP_ALONG_VIEW, _NO_WIDTH, _NO_HEIGHT, _NOT_FINITE"};
+
+// Whether there is no camera to look at, and with that all is said. Sure are the reasons that hold
+// without a doubt; those that may be given are more. All reasons of the contract are told together,
+// so that nobody learns of them one at a time.
+static bool is_settled(CameraFault yours, int sure, int may, Contract contract)
+{
+    int first = 0;
+    while (first < CAMERA_FAULTS && (sure >> first & 1) == 0)
+        first++;
+    const char *true_reason = camera_fault_text((CameraFault)first);
+
+    if ((int)yours < 0 || yours >= CAMERA_FAULTS)
+        law_broken("%d was returned, and is none of the reasons of common/camera.h", (int)yours);
+    else if (yours == CAMERA_OK && sure != 0)
+        law_broken("you gave out a camera where there is none. Have you a test for each of the "
+                   "reasons of this contract? They are %s",
+                   contract.reasons);
+    else if (yours != CAMERA_OK && may == 0)
+        law_broken("it was refused ('%s'), but %s%s", camera_fault_text(yours), contract.what_it_is,
+                   yours <= CAMERA_NOT_PERPENDICULAR ? ": it is your frame that is wrong" : "");
+    else if ((yours == CAMERA_NOT_UNIT || yours == CAMERA_NOT_PERPENDICULAR) &&
+             (may >> yours & 1) == 0)
+        law_broken("%s is not a reason of this contract: camera_check says that of the frame that "
+                   "you made. Test what was given before you make a frame of it. The reasons are "
+                   "%s",
+                   yours == CAMERA_NOT_UNIT ? "CAMERA_NOT_UNIT" : "CAMERA_NOT_PERPENDICULAR",
+                   contract.reasons);
+    else if (yours != CAMERA_OK && sure != 0 && (may >> yours & 1) == 0)
+        law_broken("it was refused because '%s'; but the reason is: %s", camera_fault_text(yours),
+                   true_reason);
+    return yours != CAMERA_OK || sure != 0;
+}
+
+// ---- rectangles -------------------------------------------------------------------------------
+
+static double cosine(vec3 v, vec3 w)
+{
+    return fabs(vec3_dot(v, w)) / (vec3_length(v) * vec3_length(w)); // NaN where one is 0
+}
+
+// The reasons of four vectors: angles off by more than slack, lengths of at most tiny.
+static int reasons_of(vec3 eye, Corners v, double slack, double tiny)
+{
+    vec3 top = v.upper_right - v.upper_left, bottom = v.lower_right - v.lower_left;
+    vec3 left = v.upper_left - v.lower_left, right = v.upper_right - v.lower_right;
+    vec3 middle = (v.upper_left + v.upper_right + v.lower_left + v.lower_right) / 4;
+    vec3 normal = vec3_cross(top, left);
+    bool finite = vec3_is_finite(top) && vec3_is_finite(bottom) && vec3_is_finite(middle);
+    if (!finite || !vec3_is_finite(eye))
+        return bit(CAMERA_NOT_FINITE, true) | bit(CAMERA_NO_RECTANGLE, !finite) |
+               bit(CAMERA_OFF_AXIS, !finite);
+
+    double gap = vec3_length(top - bottom) / (vec3_length(top) + vec3_length(left));
+    bool no_middle = vec3_length(middle) <= tiny;
+    bool no_width = fmin(vec3_length(top), vec3_length(bottom)) <= tiny;
+    bool no_height = fmin(vec3_length(left), vec3_length(right)) <= tiny;
+    bool beside = fabs(vec3_dot(middle, normal)) <= tiny * vec3_length(normal);
+    return bit(CAMERA_NO_DISTANCE, no_middle || (beside && vec3_length(normal) > 0)) |
+           bit(CAMERA_NO_WIDTH, no_width) | bit(CAMERA_NO_HEIGHT, no_height) |
+           bit(CAMERA_NO_RECTANGLE,
+               no_width || no_height || gap > slack || cosine(top, left) > slack) |
+           bit(CAMERA_OFF_AXIS, no_middle ||
+                                    fmax(cosine(top, middle), cosine(bottom, middle)) > slack ||
+                                    fmax(cosine(left, middle), cosine(right, middle)) > slack);
+}
+
+// Corners are said as they were given: counted from the eye, or from the origin.
+static void rectangle(CameraFault yours, vec3 eye, Corners v, const Camera *camera, vec3 from)
+{
+    vec3 top = v.upper_right - v.upper_left, left = v.upper_left - v.lower_left;
+    vec3 middle = (v.upper_left + v.upper_right + v.lower_left + v.lower_right) / 4;
+    double size = vec3_length(top) + vec3_length(left) + vec3_length(middle);
+    double far = size + vec3_length(eye);
+    if (far > 1e100)
+        return; // squares leave the range of a double
+    int sure = reasons_of(eye, v, 1e-7, 0), may = reasons_of(eye, v, 1e-10, 1e-7 * far);
+    if (is_settled(yours, sure, may, of_rectangles))
+        return;
+
+    Camera c = *camera;
+    frame_from(eye, c);
+    same_number("your d is", c.distance, "and the middle of the corners is ahead by",
+                vec3_length(middle));
+    same_number("your w is", c.width, "and the length of the upper edge", vec3_length(top));
+    same_number("your h is", c.height, "and the length of the left edge", vec3_length(left));
+    vec3 ahead = c.distance * c.forward, across = c.width / 2 * c.right, up = c.height / 2 * c.up;
+    same_vector("your camera's upper left corner is at", from + ahead - across + up,
+                "and the one given at", from + v.upper_left, far);
+    same_vector("your camera's upper right corner is at", from + ahead + across + up,
+                "and the one given at", from + v.upper_right, far);
+    same_vector("your camera's lower left corner is at", from + ahead - across - up,
+                "and the one given at", from + v.lower_left, far);
+}
+
+void law_camera_from_vectors(CameraFault yours, vec3 eye, Corners vectors, Camera *camera)
+{
+    rectangle(yours, eye, vectors, camera, vec3_of(0, 0, 0));
+}
+
+void law_camera_from_points(CameraFault yours, vec3 eye, Corners points, Camera *camera)
+{
+    Corners vectors = {points.upper_left - eye, points.upper_right - eye, points.lower_left - eye,
+                       points.lower_right - eye};
+    rectangle(yours, eye, vectors, camera, eye);
+}
+
+void law_camera_from_corner(CameraFault yours, vec3 eye, vec3 lower_left, vec3 across, vec3 up,
+                            Camera *camera)
+{
+    vec3 corner = lower_left - eye;
+    Corners vectors = {corner + up, corner + up + across, corner, corner + across};
+    rectangle(yours, eye, vectors, camera, eye);
+}
+
+// ---- look-at ----------------------------------------------------------------------------------
+
+// The reasons of a look-at: sines of at most slack between up and the view.
+static int reasons_of_view(LookAt view, double slack)
+{
+    vec3 ahead = view.at - view.eye;
+    double area = vec3_length(vec3_cross(ahead, view.up));
+    bool no_width = !(view.width > 0) || isinf(view.width);
+    bool no_height = !(view.width / view.aspect > 0);
+    bool finite = vec3_is_finite(view.eye) && vec3_is_finite(ahead) && vec3_is_finite(view.up);
+    bool no_direction = vec3_length(ahead) == 0;
+    return bit(CAMERA_NOT_FINITE, !finite || !isfinite(view.width) || !isfinite(view.aspect)) |
+           bit(CAMERA_NO_WIDTH, no_width) |
+           bit(CAMERA_NO_HEIGHT, no_width || no_height || !(view.aspect > 0)) |
+           bit(CAMERA_NO_DIRECTION, no_direction) |
+           bit(CAMERA_UP_ALONG_VIEW,
+               !no_direction && area <= slack * vec3_length(ahead) * vec3_length(view.up));
+}
+
+void law_camera_from_look_at(CameraFault yours, LookAt view, Handedness world, Camera *camera)
+{
+    vec3 ahead = view.at - view.eye;
+    double distance = vec3_length(ahead), up_length = vec3_length(view.up);
+    if (distance > 1e50 || up_length > 1e50 || (up_length > 0 && up_length < 1e-50))
+        return; // squares leave the range of a double
+    int sure = reasons_of_view(view, 1e-12), may = reasons_of_view(view, 1e-6);
+    if ((may >> CAMERA_UP_ALONG_VIEW & 1) == 1 && (sure >> CAMERA_UP_ALONG_VIEW & 1) == 0)
+        may |= bit(CAMERA_NOT_PERPENDICULAR, true); // as rounding may leave it
+    // True as well, though it is not what one would say first.
+    may |= bit(CAMERA_NO_DISTANCE, distance == 0) |
+           bit(CAMERA_NOT_FINITE, !isfinite(view.width / view.aspect));
+    if (is_settled(yours, sure, may, of_look_at))
+        return;
+
+    Camera c = *camera;
+    frame_from(view.eye, c);
+    if (vec3_dot(c.forward, ahead) < 0)
+        law_broken("your forward leads away from the point looked at");
+    same_vector("your image plane has its middle at", c.origin + c.distance * c.forward,
+                "and the point looked at is", view.at, distance + vec3_length(view.eye));
+    double lean = vec3_dot(c.right, view.up) / up_length;
+    if (vec3_dot(c.up, view.up) < 0)
+        law_broken("your up leads down: its dot product with the up given is %s",
+                   number_text(vec3_dot(c.up, view.up)).s);
+    if (differs(lean, 0, 1))
+        law_broken("your camera is rolled: right is at %s degrees to the up given, not at 90",
+                   number_text(acos(lean) * 180 / PI).s);
+    bool is_left = vec3_dot(vec3_cross(c.right, c.up), c.forward) > 0;
+    if (is_left != (world == LEFT_HANDED))
+        law_broken("your frame is that of a %s hand, and the world is %s: right is on the wrong "
+                   "side",
+                   is_left ? "left" : "right", is_left ? "right-handed" : "left-handed");
+    same_number("your w is", c.width, "and the width given", view.width);
+    same_number("your h is", c.height, "and the aspect asks for", view.width / view.aspect);
+}
+
+// ---- width from angle -------------------------------------------------------------------------
+
+void law_width_from_angle(double yours, double degrees, double distance)
+{
+    if (!(degrees > 0 && degrees < 180 && distance > 0 && isfinite(distance)))
+        return;
+    double angle = 2 * atan(yours / 2 / distance) * 180 / PI;
+    if (!(yours > 0))
+        law_broken("an image plane has a positive width, not %s", number_text(yours).s);
+    else if (fabs(angle - degrees) > enough * (degrees + 100 / distance))
+        same_number("a plane as wide as yours is seen under an angle of", angle,
+                    "and the one given is", degrees);
+}

@@ -1,0 +1,119 @@
+"""figures.py - the figures of chapter 03 show what is so."""
+import os
+import random
+
+from check import Checks, holds_for_every
+from figure import Figure
+from flat import Panel, in_words, line, number, pair, stroke
+
+checks = Checks("figures of 03-screen")
+DOT = 0.05  # canvas units
+
+
+def on_screen(panel, x, y):
+    return panel.place(x, -y)
+
+
+def shows(figure, *wanted):
+    labels = [" ".join(text.split()) for text, _, _ in figure.labels()]
+    for text in wanted:
+        checks.that(f"the label {text!r}", text in labels, str(labels))
+
+
+def label_at(figure, text, x=None, y=None):
+    """Is the label somewhere in line with a place?"""
+    return any(found == text and (x is None or abs(x - at_x) < 0.1) and (y is None or abs(y - at_y) < 6)
+               for found, at_x, at_y in figure.labels())
+
+
+def screen_to_unit(size, at, options):
+    figure = Figure("03-screen", "screen-to-unit", *options)
+    (across, down), (x, y) = size, at
+    s, t = x / across, (down - y) / down
+    screen = Panel(figure, (0.115, 0.47, 0.27, 0.84), (min(0, x), -max(down, y)), (max(across, x), -min(0, y)))
+    square = Panel(figure, (0.70, 0.97, 0.27, 0.84), (min(0, s), min(0, t)), (max(1, s), max(1, t)))
+    checks.same("the point's data", figure.block("point"), [[x, y]])
+    checks.same("the place's data", figure.block("place"), [[s, t]])
+    checks.near("the screen", line(figure, "screen"),
+                [on_screen(screen, i * across, j * down) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))])
+    checks.near("the square", line(figure, "square"),
+                [square.place(i, j) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))])
+    checks.near("the screen's origin is its upper left corner", figure.dots("origin of the screen"),
+                on_screen(screen, 0, 0))
+    checks.near("the square's origin is its lower left corner", figure.dots("origin of the square"),
+                square.place(0, 0))
+    checks.near("the point", figure.dots("point"), on_screen(screen, x, y), DOT)
+    checks.near("the same point in the square", figure.dots("place"), square.place(s, t), DOT)
+    for title, panel, a, b in (("x of the point", screen, (0, -y), (x, -y)), ("y of the point", screen, (x, 0), (x, -y)),
+                               ("s of the point", square, (0, t), (s, t)), ("t of the point", square, (s, 0), (s, t)),
+                               ("from the top", square, (s, 1), (s, t))):
+        stroke(checks, figure, title, panel.place(*a), panel.place(*b))
+    y_text = f"({number(y)})" if y < 0 else number(y)
+    shows(figure, pair(x, y), number(across), number(down), f"s = x/{number(across)}", f"t = 1 − y/{number(down)}",
+          f"( {number(x)}/{number(across)} , 1 − {y_text}/{number(down)} ) = {pair(s, t)}")
+    words = in_words(figure)
+    for text in (f"{number(across)} by {number(down)} pixels", pair(x, y), pair(s, t)):
+        checks.that(f"the words have {text}", text in words, words)
+
+
+def pixel_grid(size, pixel, options):
+    figure = Figure("03-screen", "pixel-grid", *options)
+    (across, down), (column, row) = size, pixel
+    whole = across <= 12 and down <= 9
+    seen = []
+    for name, at, count, part in (("x", column, across, 8), ("y", row, down, 6)):
+        low, high = figure.number(f"begin_{name}"), figure.number(f"end_{name}")
+        numbers = [n for n, in figure.block("columns" if name == "x" else "rows")]
+        seen.append(range(int(numbers[0]), int(numbers[-1]) + 1))
+        checks.that("the numbers count up", numbers == list(seen[-1]), str(numbers))
+        checks.that("the pixel is in sight", at in numbers, str(numbers))
+        checks.that("as many as can be told apart", len(numbers) == (count if whole else min(count, part)))
+        checks.that("the screen ends where it ends, or goes on", low == (numbers[0] - 0.4 if numbers[0] else 0) and
+                    high == (numbers[-1] + 1 + 0.4 * (numbers[-1] + 1 < count)), f"{low} to {high}")
+    low = (figure.number("begin_x"), -figure.number("end_y"))
+    high = (figure.number("end_x"), -figure.number("begin_y"))
+    panel = Panel(figure, (0.09, 0.60, 0.20, 0.86), low, high)
+    x, y, s, t = column + 0.5, row + 0.5, (2 * column + 1) / (2 * across), (2 * down - 2 * row - 1) / (2 * down)
+    checks.same("the centre's data", figure.block("center"), [[x, y]])
+    checks.same("the place's data", figure.block("place"), [[s, t]])
+    middle = on_screen(panel, x, y)
+    checks.near("the centre", figure.dots("center"), middle, DOT)
+    checks.near("every centre", sorted(figure.dots("centers")),
+                sorted(on_screen(panel, i + 0.5, j + 0.5) for i in seen[0] for j in seen[1]), DOT)
+    square = [on_screen(panel, column + i, row + j) for i, j in ((0, 1), (1, 1), (1, 0), (0, 0), (0, 1))]
+    checks.near("the pixel's outline", line(figure, "pixel, outline"), square)
+    # The centre's s and t are straight below and beside it.
+    lower, side = panel.place(0, low[1])[1] - 12, panel.place(high[0], 0)[0] + 12
+    checks.near("from the centre to its s", line(figure, "to s"), [middle, (middle[0], lower)])
+    checks.near("from the centre to its t", line(figure, "to t"), [middle, (side, middle[1])])
+    checks.that("the column's number stands over it", label_at(figure, str(column), x=middle[0]))
+    checks.that("the row's number stands beside it", label_at(figure, str(row), y=middle[1]))
+    shows(figure, f"pixel {pair(column, row)}", f"centre {pair(x, y)}", f"s = ({column} + ½)/{across}",
+          f"t = 1 − ({row} + ½)/{down}", f"= {number(s)}", f"= {number(t)}")
+    if whole:  # 0 and 1 are the edges' s and t, where the centre's own number leaves them room
+        left, bottom = panel.place(0, -down)
+        right, top = panel.place(across, 0)
+        for text, far_off, at in (("0", s * across, {"x": left}), ("1", (1 - s) * across, {"x": right}),
+                                  ("0", t * down, {"y": bottom}), ("1", (1 - t) * down, {"y": top})):
+            if far_off * panel.unit > 50:
+                checks.that(f"the edge {text} at {at}", label_at(figure, text, **at))
+
+
+screen_to_unit((640, 480), (300, 400), [])
+checks.that("the deck's answer", "(0.46875, 0.166667)" in in_words(Figure("03-screen", "screen-to-unit")))
+pixel_grid((8, 6), (3, 4), [])
+pixel_grid((640, 480), (300, 400), ["--size", "640x480"])
+pixel_grid((1, 1), (0, 0), ["--size", "1x1"])
+for figure_name in ("screen-to-unit", "pixel-grid"):
+    holds_for_every(checks, "03-screen", figure_name)
+dice = random.Random(3)
+for i in range(int(os.environ.get("CAMERAS", "5"))):
+    across, down = dice.randint(1, 4000), dice.randint(1, 4000)
+    low, high = ((0, 1), (-0.3, 1.3))[i % 2]  # beyond the screen, too
+    point = dice.uniform(low, high) * across, dice.uniform(low, high) * down
+    screen_to_unit((across, down), point, ["--size", f"{across}x{down}", "--point", "%.17g,%.17g" % point])
+    if i % 2 == 0:
+        across, down = dice.randint(1, 12), dice.randint(1, 9)
+    pixel = dice.randrange(across), dice.randrange(down)
+    pixel_grid((across, down), pixel, ["--size", f"{across}x{down}", "--pixel", "%d,%d" % pixel])
+checks.end()

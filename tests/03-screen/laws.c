@@ -1,0 +1,79 @@
+// laws.c - laws of exercise 03: a share of the whole is as many pixels, from the same edge.
+#include "tests/03-screen/laws.h"
+
+#include "tests/judge/distinct_digits.h"
+#include "tests/judge/law.h"
+
+// Wide of the contract's 1e-9 of a pixel, and of 1e-12 normalized.
+static bool far_from(double yours, double right, double size)
+{
+    return !(fabs(yours - right) <= 1e-8 + 1e-11 * (size + fabs(right)));
+}
+
+static bool not_finite(double x, double y)
+{
+    if (isfinite(x) && isfinite(y))
+        return false;
+    law_broken("a part of %s is not a finite number", pair_text(x, y).s);
+    return true;
+}
+
+void law_screen_to_normalized(Normalized yours, ScreenPoint point, Resolution screen)
+{
+    if (not_finite(yours.s, yours.t))
+        return;
+    double right = yours.s * screen.width, up = yours.t * screen.height;
+    double above = screen.height - point.y;
+    if (far_from(right, point.x, screen.width)) {
+        Apart a = apart(right, point.x);
+        law_broken("your s, of a width of %d pixels, is %s; the point is %s from the left edge",
+                   screen.width, a.yours.s, a.right.s);
+    } else if (far_from(up, above, screen.height)) {
+        Apart a = apart(up, above);
+        law_broken("your t, of a height of %d pixels, is %s; the point is %s above the bottom edge",
+                   screen.height, a.yours.s, a.right.s);
+    }
+}
+
+void law_normalized_to_screen(ScreenPoint yours, Normalized place, Resolution screen)
+{
+    if (not_finite(yours.x, yours.y))
+        return;
+    double right = place.s * screen.width, up = place.t * screen.height;
+    double above = screen.height - yours.y;
+    if (far_from(yours.x, right, screen.width)) {
+        Apart a = apart(yours.x, right);
+        law_broken("your point is %s from the left edge; s = %s of a width of %d pixels is %s",
+                   a.yours.s, number_text(place.s).s, screen.width, a.right.s);
+    } else if (far_from(above, up, screen.height)) {
+        Apart a = apart(above, up);
+        law_broken("your point is %s above the bottom edge; t = %s of a height of %d pixels is %s",
+                   a.yours.s, number_text(place.t).s, screen.height, a.right.s);
+    }
+}
+
+// The centre lies inside the pixel, and as far from the one side as from the other. Says so where
+// it does not.
+static bool off_center(double yours, int number, const char *letter, const char *kind)
+{
+    double before = yours - number, behind = number + 1.0 - yours;
+    if (before < 0 || behind < 0) {
+        law_broken("your %s is %s, outside %s %d, which reaches from %d to %.0f", letter,
+                   number_text_to(yours, 9).s, kind, number, number, number + 1.0);
+        return true;
+    }
+    if (!far_from(before, behind, 0))
+        return false;
+    Apart a = apart(before, behind);
+    law_broken("your %s is %s after the beginning of %s %d and %s before its end; a centre is as "
+               "far from both",
+               letter, a.yours.s, kind, number, a.right.s);
+    return true;
+}
+
+void law_pixel_center(ScreenPoint yours, Pixel pixel)
+{
+    if (not_finite(yours.x, yours.y) || off_center(yours.x, pixel.column, "x", "column"))
+        return;
+    off_center(yours.y, pixel.row, "y", "row");
+}

@@ -1,0 +1,106 @@
+"""figures.py - the figure of chapter 04 shows what is so: each link of the chain."""
+import os
+import random
+
+from cameras import DECK, corners, options_of, some_camera
+from check import Checks, holds_for_every
+from figure import Figure, plus, times
+from flat import Panel, in_words, line, number, pair, stroke
+
+checks = Checks("figures of 04-pixel-ray")
+DOT = 0.05  # canvas units
+FAR = 1.5  # how far the ray is drawn, in times the way to the plane
+SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))
+
+
+def toward(c, s, t):
+    """From the eye to a place of the plane: from its corners, by how near each is."""
+    upper_left, upper_right, lower_right, lower_left = corners(c)
+    place = (0, 0, 0)
+    for corner, share in ((upper_left, (1 - s) * t), (upper_right, s * t),
+                          (lower_left, (1 - s) * (1 - t)), (lower_right, s * (1 - t))):
+        place = plus(place, corner, share)
+    return plus(place, c["p"], -1)
+
+
+def lens_and_screen(figure, size, pixel):
+    (across, down), (column, row) = size, pixel
+    lens = Panel(figure, (0.05, 0.21, 0.70, 0.91), (column, -row - 1), (column + 1, -row))
+    screen = Panel(figure, (0.28, 0.51, 0.70, 0.91), (0, -down), (across, 0))
+    checks.near("the pixel under the lens", line(figure, "pixel, outline"),
+                [lens.place(column + i, j - row - 1) for i, j in SQUARE])
+    checks.near("the pixel on the screen", figure.polygons("pixel on the screen")[0],
+                [screen.place(column + i, j - row - 1) for i, j in SQUARE])
+    checks.near("the screen", line(figure, "screen"), [screen.place(i * across, -j * down) for i, j in SQUARE])
+    checks.near("its origin is its upper left corner", figure.dots("origin of the screen"), screen.place(0, 0))
+    x, y = column + 0.5, row + 0.5
+    for title, panel, a in (("half across", lens, (column, -y)), ("half down", lens, (x, -row)),
+                            ("x of the center", screen, (0, -y)), ("y of the center", screen, (x, 0))):
+        stroke(checks, figure, title, panel.place(*a), panel.place(x, -y))
+    checks.same("the centre's data", figure.block("center"), [[x, y]])
+    checks.near("the centre under the lens", figure.dots("center under the lens"), lens.place(x, -y), DOT)
+    checks.near("the centre", figure.dots("center"), screen.place(x, -y), DOT)
+
+
+def unit_square(figure, s, t):
+    square = Panel(figure, (0.72, 0.90, 0.70, 0.91), (0, 0), (1, 1))
+    checks.near("the square", line(figure, "square"), [square.place(*corner) for corner in SQUARE])
+    checks.near("its origin is its lower left corner", figure.dots("origin of the square"), square.place(0, 0))
+    checks.same("the place's data", figure.block("place"), [[s, t]])
+    checks.near("the place", figure.dots("place"), square.place(s, t), DOT)
+    stroke(checks, figure, "s", square.place(0, t), square.place(s, t))
+    stroke(checks, figure, "t", square.place(s, 0), square.place(s, t))
+
+
+def world(figure, c, s, t):
+    figure.see(c["r"], c["u"], c["f"], room=(0.08, 0.71, 0.19, 0.64))
+    vector, eye = toward(c, s, t), c["p"]
+
+    def at(s, t, far=1.0):
+        return figure.place(plus(eye, toward(c, s, t), far))
+    checks.same("the vector's data", figure.block("vector")[0], [*eye, *vector])
+    checks.same("the ray's start", figure.block("origin")[0], eye)
+    checks.same("the ray's data", figure.block("ray")[0], [*eye, *times(FAR, vector)])
+    checks.near("the eye", figure.dots("eye"), figure.place(eye), DOT)
+    checks.near("the pixel on the plane", figure.dots("pixel on the plane"), at(s, t), DOT)
+    checks.near("the vector's arrow", figure.tips("vector"), at(s, t))
+    checks.near("the ray's arrow, beyond", figure.tips("ray"), at(s, t, FAR))
+    checks.near("the plane", line(figure, "plane"),
+                [at(0, 1), at(1, 1), at(1, 0), at(0, 0), at(0, 1)])
+    checks.near("its origin is its lower left corner", figure.dots("origin of the plane"), at(0, 0))
+    stroke(checks, figure, "s on the plane", at(0, t), at(s, t))
+    stroke(checks, figure, "t on the plane", at(s, 0), at(s, t))
+
+
+def pixel_to_ray(c, size, pixel, options):
+    figure = Figure("04-pixel-ray", "pixel-to-ray", *options)
+    (across, down), (column, row) = size, pixel
+    s, t = (2 * column + 1) / (2 * across), (2 * (down - row) - 1) / (2 * down)
+    lens_and_screen(figure, size, pixel)
+    unit_square(figure, s, t)
+    world(figure, c, s, t)
+    labels = [text for text, _, _ in figure.labels()]
+    for text in (f"pixel {pair(*pixel)}", f"centre {pair(column + 0.5, row + 0.5)}", f"(s, t) = {pair(s, t)}",
+                 f"s = x/{across}", f"t = 1 − y/{down}", "p", "v", "p + t v"):
+        checks.that(f"the label {text!r}", text in labels, str(labels))
+    if c is DECK:  # what is 0 to rounding has other digits elsewhere
+        vector = "(" + ", ".join(number(x) for x in toward(c, s, t)) + ")"
+        checks.that("the vector's label", f"v = d f + (s − ½) w r + (t − ½) h u = {vector}" in labels, str(labels))
+        checks.that("the ray's label", "ray: p + t v from p = (2, 2, −4)" in labels, str(labels))
+        words = in_words(figure)
+        for text in (pair(column + 0.5, row + 0.5), pair(s, t), vector):
+            checks.that(f"the words have {text}", text in words, words)
+
+
+pixel_to_ray(DECK, (640, 480), (300, 400), [])
+pixel_to_ray(DECK, (4, 3), (3, 0), ["--size", "4x3", "--pixel", "3,0"])
+holds_for_every(checks, "04-pixel-ray", "pixel-to-ray")
+dice = random.Random(4)
+for i in range(int(os.environ.get("CAMERAS", "5"))):
+    most = (12, 4000)[i % 2]
+    resolution = dice.randint(1, most), dice.randint(1, most)
+    somewhere = dice.randrange(resolution[0]), dice.randrange(resolution[1])
+    camera = some_camera(dice)
+    pixel_to_ray(camera, resolution, somewhere, [
+        "--size", "%dx%d" % resolution, "--pixel", "%d,%d" % somewhere, *options_of(camera)])
+checks.end()

@@ -1,0 +1,24 @@
+// probes.c - calls that tell mistakes of exercise 04 apart: any camera, portrait and
+// landscape.
+#include "exercises/04-pixel-ray.h"
+
+#include "tests/judge/suspects.h"
+#include "tests/judge/test.h"
+
+START_TEST(any_pixel_of_any_camera)
+{
+    for (int i = 0; i < 30; i++) {
+        Camera camera = random_camera();
+        Resolution size = random_screen(2, 60);
+        if ((size.width < size.height) != (i % 2 == 0))
+            size = (Resolution){size.height, size.width};
+        pixel_ray(camera, size, random_pixel(size));
+    }
+}
+END_TEST
+
+void list_probes(void)
+{
+    tests_of("pixel_ray");
+    test(any_pixel_of_any_camera);
+}

@@ -1,0 +1,242 @@
+// laws.c - what must hold of a ray, a sphere and their quadratic, whatever the numbers.
+//
+// Tolerances are wide, so that the slide's plain formula never breaks a law; where numbers are so
+// extreme that it loses all digits, the laws keep silent.
+#include "tests/05-quadratic/laws.h"
+
+#include "common/text.h"
+
+// 0 or of a size whose square is harmless.
+static bool tame(double x)
+{
+    return x == 0 || (fabs(x) > 1e-50 && fabs(x) < 1e50);
+}
+
+static bool tame_vec3(vec3 v)
+{
+    return tame(v[0]) && tame(v[1]) && tame(v[2]);
+}
+
+// ---- coefficients -------------------------------------------------------------------------------
+
+void law_to_object_coordinates(Ray yours, Ray ray, Sphere sphere)
+{
+    if (!tame_vec3(ray.origin) || !tame_vec3(ray.direction) || !tame_vec3(sphere.center))
+        return;
+    double size = vec3_length(ray.origin) + vec3_length(sphere.center);
+    double mine = vec3_length(ray.origin - sphere.center);
+    if (!(vec3_length(yours.direction - ray.direction) <= 1e-9 * vec3_length(ray.direction)))
+        law_broken("your direction is %s, the one that was given is %s: seen from elsewhere "
+                   "a direction stays what it is",
+                   vec3_text(yours.direction).s, vec3_text(ray.direction).s);
+    else if (!(fabs(vec3_length(yours.origin) - mine) <= 1e-9 * size))
+        law_broken("your origin is %s away from the centre, which is at (0, 0, 0) now; in the "
+                   "world the eye is %s away from it",
+                   number_text(vec3_length(yours.origin)).s, number_text(mine).s);
+    else if (!(vec3_length(yours.origin - (ray.origin - sphere.center)) <= 1e-9 * size))
+        law_broken("your origin is as far from the centre as it should be, but in another "
+                   "direction: centre and origin together are %s, and the eye is at %s",
+                   vec3_text(sphere.center + yours.origin).s, vec3_text(ray.origin).s);
+}
+
+// p is the eye as seen from the centre; size is how large the numbers were that went in. One at a
+// time: c alone counts at t = 0, then a and b by what they do to the parabola.
+static void law_of_coefficients(Quadratic yours, vec3 p, vec3 v, double r, double size)
+{
+    double a = vec3_dot(v, v), b = 2 * vec3_dot(p, v), c = vec3_dot(p, p) - r * r;
+    double speed = vec3_length(v), tolerance = 1e-9 * (size + speed) * (size + speed);
+    if (!tame_vec3(p) || !tame_vec3(v) || !tame(r) || !tame(size) || speed == 0)
+        return;
+    if (!(fabs(yours.c - c) <= tolerance))
+        law_broken("at t = 0, where the ray begins, your a t^2 + b t + c is %s; the eye is %s from "
+                   "the centre and r is %s: the difference of their squares is %s",
+                   number_text(yours.c).s, number_text(vec3_length(p)).s, number_text(r).s,
+                   number_text(c).s);
+    else if (!(fabs(yours.a - a) <= tolerance))
+        law_broken("with p and r 0 only a t^2 is left, the squared distance from the centre: at "
+                   "t = 1 yours is %s, but v is %s long",
+                   number_text(yours.a).s, number_text(speed).s);
+    else if (!(fabs(yours.b - b) <= tolerance))
+        law_broken("your a t^2 + b t + c is smallest at t = %s, but the ray is closest to the "
+                   "centre at t = %s",
+                   number_text(-yours.b / (2 * yours.a)).s, number_text(-b / (2 * a)).s);
+}
+
+void law_object_quadratic(Quadratic yours, Ray object_ray, double radius)
+{
+    law_of_coefficients(yours, object_ray.origin, object_ray.direction, radius,
+                        vec3_length(object_ray.origin) + radius);
+}
+
+void law_world_quadratic(Quadratic yours, Ray ray, Sphere sphere)
+{
+    law_of_coefficients(yours, ray.origin - sphere.center, ray.direction, sphere.radius,
+                        vec3_length(ray.origin) + vec3_length(sphere.center) + sphere.radius);
+}
+
+// ---- quadratic_roots ----------------------------------------------------------------------------
+
+static const char *const nth[] = {"first", "second"};
+
+static void law_of_a_line(Roots yours, Quadratic q)
+{
+    if (yours.count != (q.b == 0 ? 0 : 1))
+        law_broken("with a = 0 it is a line, and %s; you return count = %d",
+                   q.b == 0 ? "with b = 0 too it is level and never crosses 0"
+                            : "this one crosses 0 once",
+                   yours.count);
+    else if (yours.count == 1 && !(fabs(q.b * yours.t[0] + q.c) <= 1e-9 * fabs(q.c)))
+        law_broken("b t + c is %s at your root %s, not 0", number_text(q.b * yours.t[0] + q.c).s,
+                   number_text(yours.t[0]).s);
+}
+
+static void law_of_a_parabola(Roots yours, Quadratic q)
+{
+    double d = q.b * q.b - 4 * q.a * q.c, size = q.b * q.b + 4 * fabs(q.a * q.c);
+    if (yours.count != 0 && yours.count != 2) {
+        law_broken("you return count = %d, and a parabola has 2 roots (maybe equal ones) or none",
+                   yours.count);
+        return;
+    }
+    if (yours.count == 0 && d > 1e-9 * size)
+        law_broken("D = b^2 - 4ac is %s, above 0, so there are two roots; you return none",
+                   number_text(d).s);
+    if (yours.count == 2 && d < -1e-9 * size)
+        law_broken("D = b^2 - 4ac is %s, below 0: the parabola never crosses 0, but you return two "
+                   "roots",
+                   number_text(d).s);
+    // 4a (a t^2 + b t + c) is (2at + b)^2 - D, which rounding of D bounds.
+    for (int i = 0; i < yours.count; i++) {
+        double t = yours.t[i], value = (q.a * t + q.b) * t + q.c;
+        if (!isfinite(t))
+            law_broken("your %s root is %s: something was divided by 0, or the square root of a "
+                       "negative number was taken",
+                       nth[i], number_text(t).s);
+        if (!(fabs(4 * q.a * value) <= 1e-9 * size))
+            law_broken("a t^2 + b t + c is %s at your %s root, %s, not 0", number_text(value).s,
+                       nth[i], number_text(t).s);
+    }
+    if (yours.count == 2 && yours.t[0] > yours.t[1])
+        law_broken("your roots are not ascending: %s comes before %s", number_text(yours.t[0]).s,
+                   number_text(yours.t[1]).s);
+    if (yours.count == 2 && !(fabs(q.a * (yours.t[0] + yours.t[1]) + q.b) <= 1e-6 * sqrt(size)))
+        law_broken("both sides of a parabola are alike, but your roots %s and %s lie round %s, and "
+                   "its middle is at %s",
+                   number_text(yours.t[0]).s, number_text(yours.t[1]).s,
+                   number_text((yours.t[0] + yours.t[1]) / 2).s, number_text(-q.b / (2 * q.a)).s);
+}
+
+void law_quadratic_roots(Roots yours, Quadratic q)
+{
+    if (!tame(q.a) || !tame(q.b) || !tame(q.c))
+        return;
+    if (q.a == 0)
+        law_of_a_line(yours, q);
+    else
+        law_of_a_parabola(yours, q);
+}
+
+// ---- sphere_roots, hit_sphere -------------------------------------------------------------------
+
+// The ray seen from the centre, and where it comes closest to it.
+typedef struct {
+    vec3 p, v;
+    double r, speed, distance;
+    double foot, l, half; // t and distance of the closest point; half the chord, in t
+    bool beside, through; // clearly; a ray that only grazes is neither
+} Sight;
+
+// False where the plain formula has too few digits left to be judged: extreme numbers, and spheres
+// thousands of radii away or moved far from the world's origin.
+static bool look(Ray ray, Sphere sphere, Sight *sight)
+{
+    vec3 p = ray.origin - sphere.center, v = ray.direction;
+    double r = sphere.radius;
+    if (!tame_vec3(ray.origin) || !tame_vec3(sphere.center) || !tame_vec3(v) || !tame(r))
+        return false;
+    double a = vec3_dot(v, v), foot = -vec3_dot(p, v) / a;
+    double l = vec3_length(p + foot * v);
+    *sight = (Sight){.p = p,
+                     .v = v,
+                     .r = r,
+                     .speed = sqrt(a),
+                     .distance = vec3_length(p),
+                     .foot = foot,
+                     .l = l,
+                     .half = l < r ? sqrt((r - l) * (r + l) / a) : 0,
+                     .beside = l > r * (1 + 1e-6),
+                     .through = l < r * (1 - 1e-6)};
+    return a > 0 && vec3_length(ray.origin) + vec3_length(sphere.center) < 3000 * r;
+}
+
+static double off_the_sphere(const Sight *sight, double t)
+{
+    return vec3_length(sight->p + t * sight->v) - sight->r;
+}
+
+void law_sphere_roots(Roots yours, Ray ray, Sphere sphere)
+{
+    Sight sight;
+    if (!look(ray, sphere, &sight))
+        return;
+    if (yours.count != 0 && yours.count != 2) {
+        law_broken("you return count = %d, and a line meets a sphere in 2 places (equal ones where "
+                   "it touches) or in none",
+                   yours.count);
+        return;
+    }
+    if (sight.beside && yours.count == 2)
+        law_broken("the line passes %s from the centre and r is %s: it does not meet the sphere, "
+                   "but you return two places",
+                   number_text(sight.l).s, number_text(sight.r).s);
+    if (sight.through && yours.count == 0)
+        law_broken("the line passes %s from the centre and r is %s: it meets the sphere twice, but "
+                   "you return no place",
+                   number_text(sight.l).s, number_text(sight.r).s);
+    for (int i = 0; i < yours.count; i++) {
+        double off = off_the_sphere(&sight, yours.t[i]);
+        if (!(fabs(off) <= 1e-4 * sight.r))
+            law_broken("the point at your %s t = %s is not on the sphere: |p + tv - c| - r = %s",
+                       nth[i], number_text(yours.t[i]).s, number_text(off).s);
+    }
+    if (yours.count == 2 && yours.t[0] > yours.t[1])
+        law_broken("your places are not ascending: t = %s comes before t = %s",
+                   number_text(yours.t[0]).s, number_text(yours.t[1]).s);
+    if (sight.through && yours.count == 2 && yours.t[1] - yours.t[0] < sight.half)
+        law_broken("between your places the ray goes %s, but the chord inside the sphere is %s "
+                   "long",
+                   number_text((yours.t[1] - yours.t[0]) * sight.speed).s,
+                   number_text(2 * sight.half * sight.speed).s);
+}
+
+void law_hit_sphere(double yours, Ray ray, Sphere sphere)
+{
+    Sight sight;
+    if (!look(ray, sphere, &sight))
+        return;
+    double margin = 1e-6 * sight.r / sight.speed;
+    double near = sight.foot - sight.half, far = sight.foot + sight.half;
+    if (yours == NO_HIT) {
+        if (sight.through && far > margin)
+            law_broken("the ray %s and passes %s from the centre, r is %s: it hits ahead of the "
+                       "eye, but you return NO_HIT",
+                       near < 0 ? "begins inside the sphere" : "comes from outside",
+                       number_text(sight.l).s, number_text(sight.r).s);
+        return;
+    }
+    if (sight.beside)
+        law_broken("the line passes %s from the centre and r is %s: it misses, so t is NO_HIT, "
+                   "not %s",
+                   number_text(sight.l).s, number_text(sight.r).s, number_text(yours).s);
+    else if (sight.through && far < -margin)
+        law_broken("the whole sphere is behind the eye, so t is NO_HIT, not %s",
+                   number_text(yours).s);
+    else if (!(yours > 0))
+        law_broken("your t = %s is not ahead of the eye, where t > 0", number_text(yours).s);
+    else if (!(fabs(off_the_sphere(&sight, yours)) <= 1e-4 * sight.r))
+        law_broken("the point at your t = %s is not on the sphere: |p + tv - c| - r = %s",
+                   number_text(yours).s, number_text(off_the_sphere(&sight, yours)).s);
+    else if (sight.through && near > margin && yours > sight.foot)
+        law_broken("at your t = %s the ray leaves the sphere, and it came into it ahead of the eye",
+                   number_text(yours).s);
+}

@@ -1,0 +1,134 @@
+// mistakes-count.c - wrong roots: how many, in which order, and where a = 0.
+#include "tests/05-quadratic/mistakes.h"
+
+static Roots double_root_lost(Quadratic q)
+{
+    return q.a != 0 && discriminant(q) == 0 ? no_roots : slide(q);
+}
+
+static Roots double_root_once(Quadratic q)
+{
+    Roots roots = slide(q);
+    if (roots.count == 2 && roots.t[0] == roots.t[1])
+        roots.count = 1;
+    return roots;
+}
+
+static Roots minus_before_plus(Quadratic q)
+{
+    double d = discriminant(q);
+    if (q.a == 0 || d < 0)
+        return slide(q);
+    return (Roots){2, {(-q.b - sqrt(d)) / (2 * q.a), (-q.b + sqrt(d)) / (2 * q.a)}};
+}
+
+static Roots descending(Quadratic q)
+{
+    Roots roots = slide(q);
+    return roots.count < 2 ? roots : (Roots){2, {roots.t[1], roots.t[0]}};
+}
+
+static Roots real_parts(Quadratic q)
+{
+    double middle = -q.b / (2 * q.a);
+    return q.a != 0 && discriminant(q) < 0 ? (Roots){2, {middle, middle}} : slide(q);
+}
+
+static Roots discriminant_not_looked_at(Quadratic q)
+{
+    return q.a != 0 && discriminant(q) < 0 ? (Roots){2, {NAN, NAN}} : slide(q);
+}
+
+static Roots divided_by_0(Quadratic q)
+{
+    double root = sqrt(discriminant(q));
+    return q.a == 0 ? (Roots){2, {(-q.b - root) / (2 * q.a), (-q.b + root) / (2 * q.a)}} : slide(q);
+}
+
+static Roots line_not_seen(Quadratic q)
+{
+    return q.a == 0 ? no_roots : slide(q);
+}
+
+static Roots line_with_two_roots(Quadratic q)
+{
+    return q.a == 0 && q.b != 0 ? (Roots){2, {-q.c / q.b, -q.c / q.b}} : slide(q);
+}
+
+static Roots line_of_the_wrong_sign(Quadratic q)
+{
+    return q.a == 0 && q.b != 0 ? (Roots){1, {q.c / q.b}} : slide(q);
+}
+
+static Roots level_line_divided_by_0(Quadratic q)
+{
+    return q.a == 0 ? (Roots){1, {-q.c / q.b}} : slide(q);
+}
+
+static Roots zero_equals_zero(Quadratic q)
+{
+    return q.a == 0 && q.b == 0 && q.c == 0 ? (Roots){1, {0}} : slide(q);
+}
+
+static Roots positive_roots_only(Quadratic q)
+{
+    Roots roots = slide(q);
+    if (roots.count == 2 && roots.t[0] <= 0)
+        return roots.t[1] > 0 ? (Roots){1, {roots.t[1]}} : no_roots;
+    return roots;
+}
+
+static Roots nothing_where_b_is_0(Quadratic q)
+{
+    return q.b == 0 ? no_roots : slide(q);
+}
+
+#define NOT_OF_SPHERES "nothing amiss, since for a ray and a sphere a is never 0"
+
+const Mistake count_mistakes[] = {
+    MISTAKE("R5", quadratic_roots, double_root_lost, "roots only where D > 0",
+            "D = 0 is the ray that just touches: both places have become one, but it is met.",
+            "hardly anything: single pixels missing at the rim"),
+    MISTAKE("R5-once", quadratic_roots, double_root_once, "one root where D = 0",
+            "both places have become one, and still count as two: only a line, a = 0, has a single "
+            "root.",
+            "hardly anything: single pixels missing at the rim"),
+    MISTAKE("R-order", quadratic_roots, minus_before_plus, "first with -, then with + sqrt(D)",
+            "dividing by a negative a turns their order round.",
+            "nothing amiss, since for a ray and a sphere a is positive"),
+    MISTAKE("R-down", quadratic_roots, descending, "the larger root first",
+            "the eye sees the place that comes first along the ray, and looks for it in t[0].",
+            "the inside of every sphere"),
+    MISTAKE("R-real", quadratic_roots, real_parts, "t = -b / (2a) where D < 0",
+            "that is where the ray comes closest to the sphere, but it passes beside.",
+            "a picture filled by the sphere: every ray hits"),
+    MISTAKE("R-nan", quadratic_roots, discriminant_not_looked_at, "sqrt(D) where D < 0, too",
+            "that is no number. A negative D says that the ray passes beside the sphere, and there "
+            "are no roots.",
+            "nothing amiss, by luck: nan > 0 is false, so hit_sphere takes it for a miss"),
+    MISTAKE("R-a0", quadratic_roots, divided_by_0, "/ (2a) where a = 0, too",
+            "that divides by 0. Without t^2 the parabola is a straight line, and has to be treated "
+            "as one.",
+            NOT_OF_SPHERES),
+    MISTAKE("R-line", quadratic_roots, line_not_seen, "no roots where a = 0",
+            "what remains is a straight line, and unless it is level it crosses 0 once.",
+            NOT_OF_SPHERES),
+    MISTAKE("R-line2", quadratic_roots, line_with_two_roots, "two equal roots where a = 0",
+            "a straight line crosses 0 once; it does not touch it as a parabola does.",
+            NOT_OF_SPHERES),
+    MISTAKE("R-sign", quadratic_roots, line_of_the_wrong_sign, "t = c / b where a = 0",
+            "put it into b t + c: that gives 2c, and 0 is wanted.", NOT_OF_SPHERES),
+    MISTAKE("R-zero", quadratic_roots, level_line_divided_by_0, "t = -c / b where b = 0, too",
+            "that divides by 0. With a = b = 0 the line is level and never crosses 0.",
+            NOT_OF_SPHERES),
+    MISTAKE("R-all", quadratic_roots, zero_equals_zero, "t = 0 where a = b = c = 0",
+            "0 = 0 holds for every t, so that none can be named.", NOT_OF_SPHERES),
+    MISTAKE("R-ahead", quadratic_roots, positive_roots_only, "only the roots above 0",
+            "which places are ahead of the eye is hit_sphere's question. The equation has both.",
+            "nothing amiss, until somebody asks where the whole line meets the sphere"),
+    MISTAKE("R-b0", quadratic_roots, nothing_where_b_is_0, "no roots where b = 0",
+            "b = 0 says only that the ray begins where it is closest to the centre; the two places "
+            "then lie opposite to each other.",
+            "no sphere round an eye that is in its middle"),
+    {0},
+};

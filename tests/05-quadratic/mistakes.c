@@ -1,0 +1,10 @@
+// mistakes.c - wrong answers to exercise 05, a file each for what they go wrong in.
+//
+// In formulas p, v is the ray and r the radius, as on the slides; c is the sphere's centre, or C
+// where c is a coefficient.
+#include "tests/05-quadratic/mistakes.h"
+
+const Mistake *const mistakes[] = {
+    object_mistakes, world_mistakes, formula_mistakes, plain_mistakes, count_mistakes,
+    sphere_mistakes, hit_mistakes,   limit_mistakes,   digit_mistakes, NULL,
+};

@@ -1,0 +1,545 @@
+"""figures.py - the figures of chapter 06, and its story of one pixel, say what is so.
+
+Scenes are made here, as NFF. What is so is computed by plane geometry: a ray's place nearest to a
+sphere's centre, and half the chord through there; no quadratic.
+"""
+import math
+import os
+import random
+import re
+import subprocess
+import tempfile
+
+import png
+from check import NEAR, Checks, holds_for_every
+from figure import Figure, PROGRAMS, dot, plus, times
+
+PROGRAM = "06-ray-casting"
+checks = Checks("figures of 06-ray-casting")
+folder = tempfile.TemporaryDirectory()
+ROOM = (0.04, 0.96, 0.16, 0.93)
+DECK = {"from": (2, 2, 4), "at": (2, 2, 0), "up": (0, 1, 0), "angle": math.degrees(2 * math.atan(0.25)),
+        "size": (8, 8), "background": (0, 0, 0)}
+ONE = {**DECK, "spheres": [((2.5, 2.5, -4), 0.9, (0.85, 0.42, 0.13))]}
+FOUR = {**DECK, "spheres": [((2.4, 1.6, -2), 0.5, (0.85, 0.42, 0.13)), ((1.2, 3.1, -3.5), 0.7, (0.1, 0.58, 0.44)),
+                            ((3, 1.4, -5.5), 1.1, (0.74, 0.36, 0.62)), ((2.7, 2.8, -3), 0.45, (0.22, 0.52, 0.8))]}
+ALONG = {"from": (0, 0, 0), "at": (1, 0, 0), "up": (0, 1, 0), "angle": 60, "size": (1, 1), "background": (0, 0, 0),
+         "spheres": [((-1.3, 0.25, 0), 0.7, (0.74, 0.36, 0.62)), ((2.2, 1.75, 0), 0.85, (0.5, 0.53, 0.57)),
+                     ((7.9, -0.35, 0), 1.5, (0.85, 0.42, 0.13)), ((4.1, 0.5, 0), 0.95, (0.1, 0.58, 0.44))]}
+
+# Spheres on a ground, as many scenes have it; pixel (5, 7) sees the ground, (2, 4) what stands on it.
+GROUND = {"from": (0, 1.5, 6), "at": (0, 1, 0), "up": (0, 1, 0), "angle": 50, "size": (12, 9), "background": (0.5, 0.7, 0.9),
+          "spheres": [((0, -1000, 0), 1000, (0.5, 0.5, 0.5)), ((-1.2, 1, 0), 1, (0.8, 0.2, 0.2)),
+                      ((1.4, 0.8, 0.5), 0.8, (0.2, 0.6, 0.9))]}
+
+
+# ---- geometry -------------------------------------------------------------------------------------
+
+def length(v):
+    return math.sqrt(dot(v, v))
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+class World:
+    """A scene, its camera, and what its rays hit."""
+
+    def __init__(self, scene):
+        self.scene, self.eye, self.spheres = scene, scene["from"], scene["spheres"]
+        ahead = plus(scene["at"], self.eye, -1)
+        self.d = length(ahead)
+        self.f = times(1 / self.d, ahead)
+        side = cross(self.f, scene["up"])
+        self.r = times(1 / length(side), side)
+        self.u = cross(self.r, self.f)
+        self.w = 2 * self.d * math.tan(math.radians(scene["angle"]) / 2)
+        self.columns, self.rows = scene["size"]
+        self.h = self.w * self.rows / self.columns
+
+    def vector(self, x, y):
+        """From the eye to the point (x, y) of the screen, y down from its upper edge."""
+        across = (x - self.columns / 2) / self.columns * self.w
+        upward = (self.rows / 2 - y) / self.rows * self.h
+        return plus(plus(times(self.d, self.f), self.r, across), self.u, upward)
+
+    def roots(self, v, i):
+        center, radius, _ = self.spheres[i]
+        p = plus(center, self.eye, -1)
+        middle = dot(p, v) / dot(v, v)
+        gap2 = dot(p, p) - middle * middle * dot(v, v)
+        if gap2 > radius * radius:
+            return None
+        half = math.sqrt((radius * radius - gap2) / dot(v, v))
+        return middle - half, middle + half
+
+    def hits(self, v):
+        """(t, sphere), the nearest first."""
+        found = []
+        for i in range(len(self.spheres)):
+            ahead = [t for t in self.roots(v, i) or () if t > 0]
+            if ahead:
+                found.append((min(ahead), i))
+        return sorted(found)
+
+    def pixel(self, column, row):
+        return self.vector(column + 0.5, row + 0.5)
+
+    def color(self, v):
+        hits = self.hits(v)
+        return self.spheres[hits[0][1]][2] if hits else self.scene["background"]
+
+
+def rgb(color):
+    r, g, b = (math.floor(255 * c + 0.5) for c in color)
+    return r * 65536 + g * 256 + b
+
+
+def write(scene):
+    path = os.path.join(folder.name, "scene.nff")
+
+    def words(v):
+        return " ".join(f"{x:.17g}" for x in v)
+    lines = [f"b {words(scene['background'])}", "v"]
+    lines += [f"{key} {words(scene[key])}" for key in ("from", "at", "up")]
+    lines += [f"angle {scene['angle']:.17g}", f"resolution {scene['size'][0]} {scene['size'][1]}"]
+    for center, radius, color in scene["spheres"]:
+        lines += [f"f {words(color)} 1 0 1 0 1", f"s {words(center)} {radius:.17g}"]
+    with open(path, "w", encoding="ascii") as file:
+        file.write("\n".join(lines) + "\n")
+    return path
+
+
+def some_scene(dice, count):
+    """Spheres before an eye that looks anywhere; some meet, some lie behind the eye."""
+    eye = tuple(dice.uniform(-5, 5) for _ in range(3))
+    while True:
+        ahead = tuple(dice.uniform(-9, 9) for _ in range(3))
+        up = tuple(dice.uniform(-1, 1) for _ in range(3))
+        if length(ahead) > 2 and length(cross(ahead, up)) > 0.4 * length(ahead):
+            break
+    scene = {"from": eye, "at": plus(eye, ahead), "up": up, "angle": dice.uniform(25, 70),
+             "size": (dice.randint(3, 9), dice.randint(3, 9)),
+             "background": tuple(dice.random() for _ in range(3)), "spheres": []}
+    world = World(scene)
+    for i in range(count):
+        v = world.vector(dice.uniform(0, world.columns), dice.uniform(0, world.rows))
+        away = dice.uniform(0.6, 3) * (-1 if i % 5 == 4 else 1)
+        scene["spheres"].append((plus(eye, v, away), dice.uniform(0.08, 0.35) * abs(away) * world.d,
+                                 tuple(dice.random() for _ in range(3))))
+    return scene
+
+
+def telling_pixel(world, dice):
+    """A pixel whose ray hits as much as any other's."""
+    pixels = [(column, row) for column in range(world.columns) for row in range(world.rows)]
+    dice.shuffle(pixels)
+    return max(pixels, key=lambda pixel: len(world.hits(world.pixel(*pixel))))
+
+
+# ---- what the figures in space share ----------------------------------------------------------------
+
+def see(figure, world, room):
+    figure.see(world.r, world.u, world.f, room=room)
+    nearer = figure.number("plane_t")
+    checks.that("the image plane is where it is, or nearer", 0 < nearer <= 1)
+    return nearer
+
+
+def shown_spheres(figure, world, expected):
+    """The discs: which, where, how large, of what colour, and the far ones first."""
+    data = {int(row[0]): row for row in figure.block("spheres")}
+    checks.that("these spheres are drawn", figure.number("balls") == len(expected) and
+                (not expected or set(data) == set(expected)), f"{sorted(data)}, expected {sorted(expected)}")
+    order = []
+    for number in set(expected) & set(data):
+        center, radius, color = world.spheres[number]
+        checks.same("a sphere's data", data[number][1:], [*center, radius, rgb(color)])
+        name, middle = chr(ord("A") + number), figure.place(center)
+        whole = [shape for title in (f"sphere {name}", f"before the plane, sphere {name}")
+                 for shape in (figure.polygons(title) if title in figure.plots else [])]
+        away = [math.hypot(x - middle[0], y - middle[1]) for shape in whole for x, y in shape]
+        others = [i for i in expected if i != number]
+        apart = all(length(plus(center, world.spheres[i][0], -1)) > radius + world.spheres[i][1] for i in others)
+        if apart and f"sphere {name}" in figure.plots:
+            checks.that("a sphere that meets no other is a whole disc",
+                        all(abs(a - figure.scale * radius) <= NEAR for a in away), f"{min(away)} to {max(away)}")
+        checks.that("no sphere is larger than its disc", all(a <= figure.scale * radius + NEAR for a in away))
+        if f"sphere {name}" in figure.plots:
+            order.append((list(figure.plots).index(f"sphere {name}"), dot(center, figure.axes[2])))
+    nearness = [near for _, near in sorted(order)]
+    checks.that("far spheres are drawn first", nearness == sorted(nearness))
+
+
+def cells(figure, world, nearer, expected):
+    """Which pixels are coloured, in what colour, and where."""
+    rows = figure.block("pixels")
+    got = {(int(row[4]), int(row[5])): int(row[3]) for row in rows if row[4] >= 0}
+    checks.that("the pixels that are coloured", got == expected, f"{got}, expected {expected}")
+    checks.that("they are counted", figure.number("cells") == len(expected))
+    drawn = {}
+    for shape in figure.polygons("pixels"):
+        corner = min(drawn_at(figure, world, nearer), key=lambda c: math.hypot(
+            c[1][0] - shape[0][0], c[1][1] - shape[0][1]))
+        drawn[corner[0]] = shape
+    for column, row in expected:
+        corners = [figure.place(plus(world.eye, world.vector(column + x, row + y), nearer))
+                   for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        checks.near("a pixel's place", drawn.get((column, row), [])[:4], corners)
+
+
+def drawn_at(figure, world, nearer):
+    return [((column, row), figure.place(plus(world.eye, world.vector(column, row), nearer)))
+            for column in range(world.columns) for row in range(world.rows)]
+
+
+def cast(world):
+    """What each pixel shows, where that is a sphere."""
+    found = {}
+    for row in range(world.rows):
+        for column in range(world.columns):
+            hits = world.hits(world.pixel(column, row))
+            if hits:
+                found[column, row] = rgb(world.spheres[hits[0][1]][2])
+    return found
+
+
+def seen_spheres(world, pixel):
+    """Those that a ray hits first, and those that the pixel's ray hits, up to four."""
+    seen = {i for _, i in world.hits(world.pixel(*pixel))[:4]}
+    for row in range(world.rows):
+        for column in range(world.columns):
+            seen |= {i for _, i in world.hits(world.pixel(column, row))[:1]}
+    return [i for i in sorted(seen) if drawable(world, i)]
+
+
+def drawable(world, i):
+    center, radius, _ = world.spheres[i]
+    gap = length(plus(center, world.eye, -1)) - radius
+    return gap > 0 and radius < 6 * gap
+
+
+def patches(figure, world, hits):
+    """Of spheres that are hit and cannot be drawn as a whole: a circle on them, round the hit."""
+    wanted = [(t, i) for t, i in hits[:4] if not drawable(world, i)]
+    rows = [row for row in figure.block("patches") if wanted]
+    names = [int(row[3]) for row in figure.block("patch_names")]
+    checks.that("what is drawn of large spheres", names == [i for _, i in wanted], f"{names}, expected {wanted}")
+    places = len(rows) // max(1, len(wanted))
+    for k, (t, i) in enumerate(wanted):
+        center, radius, color = world.spheres[i]
+        hit = plus(world.eye, figure_ray(figure), t)
+        for row in rows[k * places:(k + 1) * places]:
+            checks.same("a patch is on its sphere", [length(plus(tuple(row[:3]), center, -1)), row[3]], [radius, rgb(color)])
+            away = length(plus(tuple(row[:3]), hit, -1)) / length(plus(hit, world.eye, -1))
+            checks.that("and round the hit", 0.19 < away < 0.29, str(away))
+    drawn = figure.polygons("patches") if wanted else []
+    corners = [corner for shape in drawn for corner in shape[:places]]
+    checks.near("its place", sorted(corners), sorted(figure.place(row[:3]) for row in rows))
+
+
+def figure_ray(figure):
+    """The direction of the figure's ray: from the eye, its first place, to where t is 1."""
+    first, *_, last = figure.block("ray")
+    return tuple((b - a) / last[3] for a, b in zip(first[:3], last[:3]))
+
+
+def scene_options(scene, pixel):
+    return [write(scene), "--pixel", f"{pixel[0]},{pixel[1]}"]
+
+
+# ---- the figures --------------------------------------------------------------------------------------
+
+def ray_casting(scene, pixel, options=None):
+    world = World(scene)
+    figure = Figure(PROGRAM, "ray-casting", *(scene_options(scene, pixel) if options is None else options))
+    nearer = see(figure, world, (0.04, 0.96, 0.24, 0.93))
+    v = world.pixel(*pixel)
+    hits = world.hits(v)
+    shown_spheres(figure, world, seen_spheres(world, pixel))
+    patches(figure, world, hits)
+    cells(figure, world, nearer, cast(world))
+    checks.near("the eye", figure.dots("eye"), figure.place(world.eye))
+    outline = [figure.place(plus(world.eye, world.vector(x * world.columns, y * world.rows), nearer))
+               for x, y in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
+    checks.near("the outline of the plane", figure.lines("plane")[0], outline)
+    checks.that("the number of hits", figure.number("all_hits") == len(hits))
+    along = figure.lines("ray, all of it")[0]
+    checks.near("the ray begins in the eye", along[:1], [figure.place(world.eye)])
+    for (t, sphere), row in zip(hits[:4], figure.block("hits")):
+        checks.same("a hit: its place, t, sphere", row, [*plus(world.eye, v, t), t, sphere])
+    places = [figure.place(plus(world.eye, v, t)) for t, _ in hits[:4]]
+    checks.near("the dot of the closest hit", figure.dots("closest hit"), places[:1])
+    checks.near("the rings of the farther hits", figure.dots("farther hits"), places[1:])
+    texts = " ".join(text for text, _, _ in figure.labels())
+    checks.that("no label is but a number", not any(
+        re.fullmatch(r"-?[0-9.]+", text) for text, _, _ in figure.labels()), texts)
+    for t, sphere in hits[:4]:
+        name = f"{t:.4g}, sphere {chr(ord('A') + sphere)}"
+        checks.that("a hit's t is told", name in texts, f"{name} in {texts}")
+    if hits:
+        checks.same("the pixel's colour", [figure.number("pixel_rgb")], [rgb(world.color(v))])
+        checks.that("the closest is named", f"{hits[0][0]:.4g}, sphere {chr(ord('A') + hits[0][1])}: closest" in texts)
+    end = max([1.2 * nearer] + [1.1 * t for t, _ in hits[:4]])
+    if hits:
+        checks.near("the ray's end", along[-1:], [figure.place(plus(world.eye, v, end))])
+
+
+def image_order(scene, pixel, options=None):
+    world = World(scene)
+    figure = Figure(PROGRAM, "image-order", *(scene_options(scene, pixel) if options is None else options))
+    nearer = see(figure, world, ROOM)
+    hits = world.hits(world.pixel(*pixel))
+    shown_spheres(figure, world, seen_spheres(world, pixel))
+    patches(figure, world, hits)
+    cells(figure, world, nearer, cast(world))
+    centers = [figure.place(plus(world.eye, world.pixel(column, row), nearer))
+               for row in range(world.rows) for column in range(world.columns)]
+    checks.near("the centres of the pixels", figure.dots("centres"), centers)
+    outline = [figure.place(plus(world.eye, world.vector(pixel[0] + x, pixel[1] + y), nearer))
+               for x, y in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
+    checks.near("the pixel", figure.lines("outline of the pixel")[0], outline)
+    checks.near("the hit", figure.dots("closest hit"),
+                [figure.place(plus(world.eye, world.pixel(*pixel), t)) for t, _ in hits[:1]])
+    if figure.number("misses"):
+        end = figure.block("miss")[-1][:3]
+        checks.that("the ray that misses misses", not world.hits(plus(tuple(end), world.eye, -1)))
+    checks.that("the pixel centres are counted", any(
+        re.fullmatch(f"{len(cast(world))} pixel centres? hit", text) for text, _, _ in figure.labels()))
+
+
+def object_order(scene, pixel, options=None):
+    world = World(scene)
+    hits = world.hits(world.pixel(*pixel))
+    if not hits or not drawable(world, hits[0][1]):
+        return
+    number = hits[0][1]
+    figure = Figure(PROGRAM, "object-order", *(scene_options(scene, pixel) if options is None else options))
+    nearer = see(figure, world, ROOM)
+    shown_spheres(figure, world, [number])
+    center, radius, color = world.spheres[number]
+    alone = World({**scene, "spheres": [world.spheres[number]]})
+    cells(figure, world, nearer, cast(alone))
+    axis = plus(center, world.eye, -1)
+    slope = math.asin(radius / length(axis))
+    for row in figure.block("outline"):
+        if math.isnan(row[0]):
+            continue
+        v = plus(tuple(row), world.eye, -1)
+        angle = math.acos(min(1, dot(v, axis) / length(v) / length(axis)))
+        checks.same("the outline is seen under the sphere's angle", [angle], [slope])
+        checks.same("the outline is on the plane", [dot(v, world.f)], [nearer * world.d])
+    if all(not math.isnan(row[0]) for row in figure.block("outline")):
+        checks.near("the outline's places", figure.lines("outline on the plane")[0],
+                    [figure.place(row) for row in figure.block("outline")])
+    for row in figure.block("lines"):
+        if row[3] == 1:
+            v = plus(tuple(row[:3]), world.eye, -1)
+            checks.same("a line touches the sphere", [length(plus(tuple(row[:3]), center, -1)),
+                                                      dot(v, plus(tuple(row[:3]), center, -1))], [radius, 0])
+
+
+def flat_place(figure, room, low_x, high_x, low_y, high_y):
+    wide, tall = figure.width * (room[1] - room[0]), figure.height * (room[3] - room[2])
+    size = min(wide / (high_x - low_x), tall / (high_y - low_y))
+    return size, lambda x, y: (figure.width * (room[0] + room[1]) / 2 + size * (x - (low_x + high_x) / 2),
+                               figure.height * (room[2] + room[3]) / 2 + size * (y - (low_y + high_y) / 2))
+
+
+def parts_of_circles(figure, place, circles, window):
+    """Of each circle that is too large just what the window shows is filled, and its arc drawn."""
+    low_x, high_x, low_y, high_y = window
+    (left, low), (right, high) = place(low_x, low_y), place(high_x, high_y)
+    one = place(1, 0)[0] - place(0, 0)[0]
+    shapes = figure.polygons("parts") if "parts" in figure.plots else []
+    checks.that("as many parts as large circles", len(shapes) == len(circles), str(len(shapes)))
+    if not circles:
+        return
+    filled = []
+    for shape in shapes:
+        filled.append(abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(shape, shape[1:] + shape[:1]))) / 2)
+        checks.that("a part is within the window", all(
+            left - NEAR <= x <= right + NEAR and low - NEAR <= y <= high + NEAR for x, y in shape))
+    wanted, columns = [], 4000
+    for t, y, r in circles:
+        area = 0
+        for k in range(columns):
+            x = low_x + (high_x - low_x) * (k + 0.5) / columns
+            half = math.sqrt(max(0, r * r - (x - t) ** 2))
+            area += max(0, min(high_y, y + half) - max(low_y, y - half)) * (high_x - low_x) / columns
+        wanted.append(area * one * one)
+    checks.same("the parts are as large as they should be", sorted(filled), sorted(wanted), within=1e-3)
+    for x, y in (spot for line in figure.lines("parts, outline") for spot in line):
+        off = min(abs(math.hypot(x - place(t, 0)[0], y - place(0, a)[1]) - one * r) for t, a, r in circles)
+        checks.that("the outline of a part is on its circle", off <= NEAR, str(off))
+
+
+def nearest_hit(scene, pixel, options=None):
+    world = World(scene)
+    figure = Figure(PROGRAM, "nearest-hit", *(scene_options(scene, pixel) if options is None else options))
+    v = world.pixel(*pixel)
+    hits = world.hits(v)
+    circles = {}
+    for number, (center, radius, color) in enumerate(world.spheres):
+        p = plus(center, world.eye, -1)
+        t = dot(p, v) / dot(v, v)
+        off = plus(p, v, -t)
+        side = -1 if dot(off, world.u) < 0 else 1
+        circles[number] = (t, side * length(off) / length(v), radius / length(v))
+    # What would make all else tiny, more than 12 times as far as the ray is drawn, is left out where it
+    # is not hit; else it is drawn where a window shows it.
+    reach = max([1.2] + [t for t, _ in hits[:4]])
+    far = {i for i, (t, y, r) in circles.items() if abs(t) + abs(y) + r > 12 * reach}
+    parts = {i: t for t, i in hits if i in far and t <= reach}
+    circles = {i: circle for i, circle in circles.items() if i not in far or i in parts}
+    whole = [circle for i, circle in circles.items() if i not in parts]
+    room = max([0.1] + [0.25 * max(1, t) for t in parts.values()])
+    low_x = min([-0.1] + [t - r for t, _, r in whole])
+    high_x = max([1.2] + [t + r for t, _, r in whole] + [t + 0.25 * max(1, t) for t in parts.values()])
+    low_y = min([-room] + [y - r for _, y, r in whole])
+    high_y = max([room] + [y + r for _, y, r in whole])
+    size, place = flat_place(figure, (0.05, 0.95, 0.38, 0.94), low_x, high_x, low_y, high_y)
+    rows = figure.block("circles")
+    shown = sorted(int(row[0]) for row in rows)
+    checks.that("these spheres are drawn", shown == sorted(circles), f"{shown}, expected {sorted(circles)}")
+    for row in rows:
+        number = int(row[0])
+        ends = world.roots(v, number)
+        checks.same("a circle", row[1:4], circles[number])
+        fate = (0 if ends is None else 3 if hits and hits[0][1] == number else
+                2 if number in [i for _, i in hits] else 1)
+        checks.that("what becomes of a sphere", row[5] == fate, f"{row[5]}, expected {fate}")
+        if ends:
+            checks.same("its roots", row[6:8], ends)
+    wanted = sorted(place(t, 0) for i in circles for t in world.roots(v, i) or () if low_x <= t <= high_x)
+    checks.near("the rings where the ray meets them", sorted(figure.dots("roots")), wanted)
+    checks.near("the closest", figure.dots("closest"), [place(t, 0) for t, _ in hits[:1]])
+    checks.near("the closest on the axis", figure.dots("closest on the axis"),
+                [(place(t, 0)[0], 112) for t, _ in hits[:1]])
+    checks.near("the arrow to it", figure.tips("this one") if hits else [], [(place(t, 0)[0], 86) for t, _ in hits[:1]])
+    checks.near("the eye", figure.dots("eye"), place(0, 0))
+    drawn = figure.lines("intervals") if any(world.roots(v, i) for i in circles) else []
+    spans = sorted((min(x for x, _ in line), max(x for x, _ in line)) for line in drawn)
+    checks.near("the intervals on the axis", spans, sorted(
+        (place(max(low_x, ends[0]), 0)[0], place(min(high_x, ends[1]), 0)[0])
+        for ends in (world.roots(v, i) for i in circles) if ends))
+    parts_of_circles(figure, place, [circles[i] for i in parts], (low_x, high_x, low_y, high_y))
+    if hits:
+        words = f"{hits[0][0]:.4g}, sphere {chr(ord('A') + hits[0][1])}"
+        checks.that("the smallest t is told", any(text.startswith("smallest") and text.endswith(words)
+                                                  for text, _, _ in figure.labels()), words)
+
+
+def explain_figure(scene, pixel, options=None):
+    world = World(scene)
+    figure = Figure(PROGRAM, "explain", *(scene_options(scene, pixel) if options is None else options))
+    nearer = see(figure, world, (0.04, 0.56, 0.14, 0.90))
+    v = world.pixel(*pixel)
+    hits = world.hits(v)
+    checks.same("s and t", [figure.number("s"), figure.number("t")],
+                [(pixel[0] + 0.5) / world.columns, 1 - (pixel[1] + 0.5) / world.rows])
+    checks.same("the vector from the eye", figure.block("vector_v")[0], [*world.eye, *v])
+    patches(figure, world, hits)
+    checks.near("its arrow", figure.tips("vector from the eye"), figure.place(plus(world.eye, v, nearer)))
+    checks.near("the hits", figure.dots("hits"), [figure.place(plus(world.eye, v, t)) for t, _ in hits[:4]])
+    checks.near("the closest", figure.dots("closest hit"),
+                [figure.place(plus(world.eye, v, t)) for t, _ in hits[:1]])
+    for k in range(1, int(figure.number("told")) + 1):
+        number = ord(figure.text(f"name_{k}")) - ord("A")
+        center, radius, _ = world.spheres[number]
+        p = plus(world.eye, center, -1)
+        a, b, c = dot(v, v), 2 * dot(p, v), dot(p, p) - radius * radius
+        checks.same("a, b, c", [figure.number(f"{name}_{k}") for name in "abc"], [a, b, c])
+        checks.same("the discriminant", [figure.number(f"discriminant_{k}")], [b * b - 4 * a * c],
+                    within=1e-5 * max(1, b * b))
+        ends = world.roots(v, number)
+        checks.that("how many roots", figure.number(f"roots_{k}") == (2 if ends else 0))
+        if ends:
+            checks.same("the roots", [figure.number(f"root_0_{k}"), figure.number(f"root_1_{k}")], ends)
+    bytes_text = ", ".join(str(math.floor(255 * x + 0.5)) for x in world.color(v))
+    checks.that("the colour", figure.text("bytes_text") == bytes_text, figure.text("bytes_text"))
+
+
+# ---- the story in words -------------------------------------------------------------------------------
+
+def run(*arguments):
+    return subprocess.run([os.path.join(PROGRAMS, PROGRAM), *map(str, arguments)], capture_output=True,
+                          text=True, check=False, timeout=60)
+
+
+def told(text, label):
+    found = re.search(r"^ *" + re.escape(label) + r" +(.*)$", text, re.M)
+    return [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e[-+]?\d+)?", found.group(1))] if found else []
+
+
+def story(scene, pixel):
+    world = World(scene)
+    path, picture = write(scene), os.path.join(folder.name, "picture.png")
+    done = run("--explain", f"{pixel[0]},{pixel[1]}", path)
+    text = done.stdout
+    checks.that("the story is told", done.returncode == 0 and done.stderr == "", done.stderr)
+    checks.that("it is at most 80 columns wide", all(len(line) <= 80 for line in text.splitlines()),
+                max(text.splitlines(), key=len))
+    v = world.pixel(*pixel)
+    hits = world.hits(v)
+    checks.same("the story's s and t", told(text, "normalized (s, t)"),
+                [(pixel[0] + 0.5) / world.columns, 1 - (pixel[1] + 0.5) / world.rows], within=1e-4)
+    checks.same("the story's vector", told(text, "vector from the eye"), v, within=1e-4)
+    listed = [(float(t), name) for name, t in re.findall(r"^  (\w+) +t = (\S+)", text, re.M)]
+    expected = [(t, chr(ord("A") + i)) for t, i in hits[:8]]
+    checks.that("the story's hits, in order", [name for _, name in listed] == [name for _, name in expected],
+                f"{listed}, expected {expected}")
+    if expected:
+        checks.same("the story's t's", [t for t, _ in listed], [t for t, _ in expected], within=1e-4)
+    count = re.search(r"In all: (\d+) hit, (\d+) behind the eye, (\d+) missed", text)
+    met = sum(world.roots(v, i) is not None for i in range(len(world.spheres)))
+    checks.that("the story counts", count is not None and list(map(int, count.groups())) ==
+                [len(hits), met - len(hits), len(world.spheres) - met], str(count))
+    color = tuple(math.floor(255 * x + 0.5) for x in world.color(v))
+    in_words = re.search(r"as bytes.*?(\d+), (\d+), (\d+) +#(\w{6})$", text, re.M)
+    checks.that("the story's colour", tuple(map(int, in_words.groups()[:3])) == color and
+                int(in_words.group(4), 16) == rgb(world.color(v)), in_words.group(0))
+    for order in ("image", "object"):
+        run("--order", order, "-o", picture, path)
+        checks.that(f"the picture has it, too, in {order} order", png.pixel(picture, *pixel) == color)
+    checks.that("the story says so", "the same" in text and "another" not in text)
+
+
+# ---- all ----------------------------------------------------------------------------------------------
+
+ray_casting(FOUR, (4, 4), [])
+image_order(ONE, (5, 2), [])
+object_order(ONE, (5, 2), [])
+nearest_hit(ALONG, (0, 0), [])
+nearest_hit({**ALONG, "spheres": ALONG["spheres"][1:2]}, (0, 0))  # which is missed
+for spot in ((5, 7), (2, 4), (6, 0)):
+    for kind in (ray_casting, image_order, object_order, nearest_hit, explain_figure):
+        kind(GROUND, spot)
+BELOW = {**GROUND, "from": (0, -0.5, 6)}
+nearest_hit(BELOW, (5, 4))
+words = Figure(PROGRAM, "object-order", *scene_options({**BELOW, "spheres": BELOW["spheres"][:1]}, (5, 4))).in_words()[1]
+checks.that("from inside there is no outline", "Sphere A has no outline here, as the eye is in it." in words, words)
+explain_figure(FOUR, (4, 4))
+explain_figure(ALONG, (0, 0))
+story(FOUR, (4, 4))
+story(ALONG, (0, 0))
+for name in ("ray-casting", "image-order", "object-order", "nearest-hit", "explain"):
+    holds_for_every(checks, PROGRAM, name)
+    holds_for_every(checks, PROGRAM, name, *scene_options(GROUND, (5, 7)))
+    empty = {**DECK, "spheres": []}
+    Figure(PROGRAM, name, *scene_options(empty, (3, 3)))
+figure = Figure(PROGRAM, "object-order")
+checks.that("the deck's kind of sphere is inside its picture",
+            all(1 <= x <= 3 and 1 <= y <= 3 for x, y, _ in figure.block("outline")))
+
+dice = random.Random(6)
+kinds = (ray_casting, image_order, object_order, nearest_hit, explain_figure, story)
+for i in range(int(os.environ.get("SCENES", "5"))):
+    scene = some_scene(dice, dice.randint(1, 8))
+    pixel = telling_pixel(World(scene), dice)
+    for kind in kinds if i < 5 else kinds[i % 6:i % 6 + 1]:
+        kind(scene, pixel)
+    anywhere = (dice.randrange(scene["size"][0]), dice.randrange(scene["size"][1]))
+    kinds[i % 2 * 5](scene, anywhere)
+checks.end()

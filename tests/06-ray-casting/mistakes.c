@@ -1,0 +1,7 @@
+// mistakes.c - wrong answers to exercise 06: their tables. A picture from nearest_hit's is
+// drawn by the right loops.
+#include "tests/06-ray-casting/mistakes.h"
+
+const Mistake *const mistakes[] = {
+    nearest_mistakes, nearest_limit_mistakes, image_order_mistakes,   object_order_mistakes,
+    color_mistakes,   depth_mistakes,         picture_limit_mistakes, NULL};

@@ -1,0 +1,29 @@
+// unknown.h - wrong answers that are no known mistake, and what the judge must say of them.
+//
+// They are two mistakes at once, or like a known one on some inputs only, or answers of another
+// kind. It is better to name nobody than somebody else.
+#ifndef TESTS_PROOF_UNKNOWN_H
+#define TESTS_PROOF_UNKNOWN_H
+
+#include "tests/judge/switchboard.h"
+
+#include <stddef.h>
+
+typedef struct {
+    const char *exercise; // the function that it answers
+    AnyFunction *answer;
+    const char *said; // ID, ID in part, ID and ID; or NOBODY and how the words begin
+    const char *what; // how it is wrong, in a few words
+} Unknown;
+
+#define NOBODY "but"
+
+#define UNKNOWN(exercise, answer, said, what)                                                      \
+    {                                                                                              \
+#exercise, (AnyFunction *)(answer), said, what                                             \
+    }
+
+// Of one stem; ends with an Unknown whose exercise is NULL.
+extern const Unknown unknowns[];
+
+#endif

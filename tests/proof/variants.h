@@ -1,0 +1,25 @@
+// variants.h - right answers, written otherwise than the reference.
+//
+// None may be failed or accused of a mistake: make check proves it.
+#ifndef TESTS_PROOF_VARIANTS_H
+#define TESTS_PROOF_VARIANTS_H
+
+#include "tests/judge/switchboard.h"
+
+#include <stddef.h>
+
+typedef struct {
+    const char *exercise; // the function that it answers
+    AnyFunction *answer;
+    const char *what; // how it differs, in a few words
+} Variant;
+
+#define VARIANT(exercise, answer, what)                                                            \
+    {                                                                                              \
+#exercise, (AnyFunction *)(answer), what                                                   \
+    }
+
+// Of one stem; ends with a Variant whose exercise is NULL.
+extern const Variant variants[];
+
+#endif
