@@ -8,9 +8,10 @@
 //                                    FOLDER/report all of it for a program (report.h);
 //                                    FIGURES/NAME.gp or .png what can be drawn of it (figure.h)
 //   PROGRAM ANSWERS --only NAME LENT...   exit status 0 where NAME passes all its graded tests
-//   while
-//                                    the reference answers those that are lent; prints which
+//                                    while the reference answers those that are lent; prints which
 //                                    of them NAME asked for
+//   PROGRAM --mistakes FOLDER        the same of every known mistake, as if it were an answer:
+//                                    FOLDER/FUNCTION.ID/ is what FOLDER is above
 //
 // The student's code is in the process ANSWERS. This one never loads, parses or runs any of it.
 #include "tests/judge/call.h"
@@ -23,9 +24,11 @@
 #include "tests/judge/suspects.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static Outcomes outcomes;
 
@@ -201,6 +204,32 @@ static int verdict(const char *folder, const char *figures)
     return all_right ? 0 : 1;
 }
 
+// What a student would read of each known mistake: two versions of the tests are compared by it
+// (tests/record.sh).
+static int verdicts_of_mistakes(const char *folder)
+{
+    for (int table = 0; mistakes[table] != NULL; table++) {
+        for (const Mistake *mistake = mistakes[table]; mistake->id != NULL; mistake++) {
+            char path[4096];
+            int start = snprintf(path, sizeof path, "%s/", folder);
+            snprintf(path + start, sizeof path - (size_t)start, "%s.%s", mistake->exercise,
+                     mistake->id);
+            for (char *slash = path + start; (slash = strchr(slash, '/')) != NULL;)
+                *slash = '_';
+            if (mkdir(path, 0777) != 0 && errno != EEXIST) {
+                perror(path);
+                return 2;
+            }
+            switch_to_reference();
+            switch_one(mistake->exercise, mistake->answer);
+            run_tests(mistake->exercise, NULL, ANSWERS_APART, &outcomes);
+            verdict(path, NULL);
+            records_end();
+        }
+    }
+    return 0;
+}
+
 static int passes(char **lent)
 {
     bool good = outcomes.count > 0 && !call_only_passes_on();
@@ -225,9 +254,13 @@ static void lend(char **names)
 
 int main(int argc, char **argv)
 {
+    if (argc == 3 && strcmp(argv[1], "--mistakes") == 0)
+        return verdicts_of_mistakes(argv[2]);
     bool only = argc >= 4 && strcmp(argv[2], "--only") == 0;
     if (argc != 3 && argc != 4 && !only) {
-        fprintf(stderr, "Usage: %s ANSWERS FOLDER [FIGURES] | ANSWERS --only NAME LENT...\n",
+        fprintf(stderr,
+                "Usage: %s ANSWERS FOLDER [FIGURES] | ANSWERS --only NAME LENT... | "
+                "--mistakes FOLDER\n",
                 argv[0]);
         return 2;
     }
