@@ -270,7 +270,7 @@ skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over change
 # ---- the habits of the house ------------------------------------------------------------------
 
 C_SOURCES = $(wildcard common/*.[ch] chapters/*/*.[ch] exercises/*.h solutions/*.c \
-	tests/*.[ch] tests/*/*.[ch] tests/grading/confine/*.[ch])
+	tests/*.[ch] tests/*/*.[ch] tests/grade/confine/*.[ch] tests/grade/mark/*.[ch])
 FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)
 format: ## lay out the C sources (clang-format)
 	@clang-format -i $(FORMATTED)

@@ -6,7 +6,7 @@
 CONFINE := $(KIT)/confine
 SECCOMP_LIBS = $(if $(CAN_GRADE),$(shell pkg-config --libs libseccomp),$(error grading needs python3, \
 	objdump and libseccomp: 'make setup' installs them))
-$(CONFINE): $(patsubst %,$(B)/tests/grading/confine/%.o,confine landlock system_calls tool watch)
+$(CONFINE): $(patsubst %,$(B)/tests/grade/confine/%.o,confine landlock system_calls tool watch)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -static -o $@ $^ $(SECCOMP_LIBS)
@@ -29,9 +29,9 @@ C_LIBRARIES = $(foreach l,libm.a libc.a libgcc.a libgcc_eh.a,$(call library,$(l)
 # What answers may be expected to call of the C library.
 IN_ADVANCE := printf fprintf snprintf puts fputs putchar malloc calloc free qsort memcpy memset \
 	strcmp rand abort __assert_fail sqrt fabs tan floor ceil round fmin fmax
-$(B)/tests/grading/confine/entry.o: EXTRA = -fno-stack-protector
+$(B)/tests/grade/confine/entry.o: EXTRA = -fno-stack-protector
 KIT_LINKS := $(STEMS:%=$(KIT)/link/%.o)
-$(KIT_LINKS): $(KIT)/link/%.o: $(B)/tests/grading/confine/entry.o $$(call answering,$$*)
+$(KIT_LINKS): $(KIT)/link/%.o: $(B)/tests/grade/confine/entry.o $$(call answering,$$*)
 $(KIT)/link/%.o:
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
@@ -39,7 +39,7 @@ $(KIT)/link/%.o:
 		--start-group $(C_LIBRARIES) --end-group
 
 # All chapters in one process, which draws a picture; and the picture that it should be.
-$(KIT)/link/all.o: $(B)/tests/grading/confine/entry.o $(patsubst %,$(B)/tests/judge/%.o,answering wire) \
+$(KIT)/link/all.o: $(B)/tests/grade/confine/entry.o $(patsubst %,$(B)/tests/judge/%.o,answering wire) \
 	$(B)/judge/dispatch-all.o
 KIT_LINKS += $(KIT)/link/all.o
 LAST := $(lastword $(filter 06%,$(STEMS)))
@@ -53,7 +53,7 @@ $(B)/judge/rights.c: tests/exercises.table .make/proxies.awk
 	$(Q)mkdir -p $(@D)
 	$(Q)awk -v make=rights -f .make/proxies.awk $< > $@
 DRAW := $(B)/judge/picture
-$(DRAW): $(B)/tests/grading/picture.o $(RIGHTS) $(B)/judge/rights.o $(B)/chapters/$(LAST)/scene_camera.o $(JUDGING) \
+$(DRAW): $(B)/tests/grade/mark/picture.o $(RIGHTS) $(B)/judge/rights.o $(B)/chapters/$(LAST)/scene_camera.o $(JUDGING) \
 		$(call parts,tests/$(LAST)/mistakes) $(B)/judge/lender-$(LAST).o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -78,7 +78,7 @@ grade: export SUBMISSIONS := $(SUBMISSIONS)
 grade: export OUT := $(or $(OUT),build/grades)
 grade: export POLICY := $(POLICY)
 grade: $(KIT)/commands $(JUDGES) ## mark a class: SUBMISSIONS=dir OUT=build/grades
-	@python3 -B tests/grading/grade.py $(KIT)
+	@python3 -B tests/grade $(KIT)
 
 gradescope: ## build/gradescope.zip, an autograder for Gradescope
-	@python3 -B tests/grading/recipes/gradescope.py build/gradescope.zip
+	@python3 -B tests/grade/recipes/gradescope.py build/gradescope.zip

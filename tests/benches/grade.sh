@@ -8,7 +8,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 python3 -B tests/benches/class.py "$folder/class" "$count"
 before=$(date +%s%N)
-python3 -B tests/grading/grade.py "$KIT" "$folder/class" --out "$folder/out" >"$folder/said" 2>&1 ||
+python3 -B tests/grade "$KIT" "$folder/class" --out "$folder/out" >"$folder/said" 2>&1 ||
     { cat "$folder/said"; exit 1; }
 after=$(date +%s%N)
 COUNT=$count NANOSECONDS=$((after - before)) python3 -B - "$folder"/out/*/results.json <<'PY'

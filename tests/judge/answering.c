@@ -48,7 +48,7 @@ static bool read_all(void *bytes, size_t size)
     return true;
 }
 
-// abort sends itself a signal; where signals are forbidden (tests/grading/confine/), that shows.
+// abort sends itself a signal; where signals are forbidden (tests/grade/confine/), that shows.
 static bool is_abort(int system_call, const void *context)
 {
 #if defined(__x86_64__) && defined(__linux__)

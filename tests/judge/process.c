@@ -112,7 +112,7 @@ static void become_answering(const int calls[2], const int answers[2], const int
 #ifndef __SANITIZE_ADDRESS__ // whose shadow is larger than any limit
     limit(RLIMIT_AS, MOST_MEMORY);
 #endif
-    const char *confine = getenv("CONFINE"); // tests/grading/confine/, for hostile answers
+    const char *confine = getenv("CONFINE"); // tests/grade/confine/, for hostile answers
     char *const environment[] = {NULL};
     if (confine != NULL) { // which closes START_ERROR when it starts the program
         execve(confine, (char *[]){"confine", "answer", (char *)program, NULL}, environment);

@@ -1,4 +1,4 @@
-// report.h - what the judge found, as lines for a program (tests/grading/marking.py).
+// report.h - what the judge found, as lines for a program (tests/grade/mark/marking.py).
 //
 // Lines of KEY tab VALUE. 'function' begins one: its name; 'state' is right, wrong, unanswered,
 // waiting, timed out or crashed; the others are there where a test failed and there is something to

@@ -3,4 +3,4 @@
 # Only reads the tree.
 . tests/library.sh
 needs bombs 'bombs' python3
-python3 -B tests/grading/check/run_tests.py bombs test_bombs
+python3 -B tests/grade/check bombs test_bombs

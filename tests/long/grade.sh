@@ -3,4 +3,4 @@
 # machine is no mark.
 . tests/library.sh
 needs_grading grading 'grading, long'
-python3 -B tests/grading/check/run_tests.py "grading, long" test_regrade test_faults
+python3 -B tests/grade/check "grading, long" test_regrade test_faults

@@ -8,7 +8,7 @@ needs_grading gradescope 'Gradescope'
 unset MAKEFLAGS CC ANSWERS SEED OUT POLICY UNSAFE SANDBOX
 AUTOGRADER=$scratch/autograder
 export AUTOGRADER
-class=tests/grading/example/class
+class=tests/grade/example/class
 
 same_twice() {
     # Dates in an archive are even seconds.

@@ -3,8 +3,8 @@
 set -u
 . tests/library.sh
 needs_grading example 'the example of grading'
-page=tests/grading/README.md
-example=tests/grading/example
+page=tests/grade/README.md
+example=tests/grade/example
 out=$scratch/out
 
 make -s --no-print-directory grade SUBMISSIONS=$example/class POLICY=$example/policy OUT="$out" \
@@ -80,16 +80,16 @@ links_lead_somewhere() {
     done
 }
 check "the page's links lead somewhere" links_lead_somewhere $page
-check "and those of the recipes" links_lead_somewhere tests/grading/recipes/README.md
+check "and those of the recipes" links_lead_somewhere tests/grade/recipes/README.md
 speaks_of_each() {
-    for recipe in tests/grading/recipes/*.yml tests/grading/recipes/gradescope/*; do
-        grep -qF "](${recipe#tests/grading/recipes/})" tests/grading/recipes/README.md ||
+    for recipe in tests/grade/recipes/*.yml tests/grade/recipes/gradescope/*; do
+        grep -qF "](${recipe#tests/grade/recipes/})" tests/grade/recipes/README.md ||
             { echo "$recipe"; return 1; }
     done
 }
 check 'the page of recipes speaks of each' speaks_of_each
 fits() {
-    ! awk 'length > 80 { print FILENAME ": " FNR; found = 1 } END { exit !found }' $page tests/grading/recipes/README.md
+    ! awk 'length > 80 { print FILENAME ": " FNR; found = 1 } END { exit !found }' $page tests/grade/recipes/README.md
 }
 check 'the page fits a terminal' fits
 has_windows_line_ends() {

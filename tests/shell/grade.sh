@@ -2,4 +2,4 @@
 # grade.sh - 'make grade' on a small class, where it can be run.
 . tests/library.sh
 needs_grading grading 'grading'
-python3 -B tests/grading/check/run_tests.py "grading, short" test_grade test_policy_change test_environment
+python3 -B tests/grade/check "grading, short" test_grade test_policy_change test_environment

@@ -51,7 +51,7 @@ check 'there are no solutions in it' none_of_these 'solutions'
 check 'nor tests of the chapters, mistakes, variants, laws' none_of_these '/tests/([0-9][0-9]-|proof|exact)'
 check 'nor what makes the tables' none_of_these '/tests/told/(tell|asked|takes|here|variants)|/judge/(matrix|table)'
 check 'nor graders, benches and the like' none_of_these \
-    '/tests/(shell|long|benches|fuzz|grading|hostile)|\.git/|\.ci/|CONTRIBUTING'
+    '/tests/(shell|long|benches|fuzz|grade)|\.git/|\.ci/|CONTRIBUTING'
 only_for_students() {
     ! grep -nE '^(grade|bench|skeletons|handout|check-all):|^KIT' "$scratch/tree/ray-casting/Makefile" \
         "$scratch"/tree/ray-casting/.make/*.mk
@@ -125,9 +125,9 @@ check 'a lesson calls programs where they are' names_no_solutions
 grader_finds() {
     (cd "$scratch/tree" && zip_it ray-casting) && python3 -B - "$scratch/handed-in" <<'PYTHON'
 import sys
-sys.path.insert(0, "tests/grading")
-import exercises
-from collect import submissions
+sys.path.insert(0, "tests")
+from grade import exercises
+from grade.collect import submissions
 stems = exercises.stems(exercises.read())
 found, _ = submissions.find(sys.argv[1], stems)
 assert len(found) == 2

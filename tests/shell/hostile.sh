@@ -3,6 +3,6 @@
 # All of them, on a tree full of secrets and in every sandbox, are in tests/long/hostile.sh.
 . tests/library.sh
 needs_grading hostile 'attacks on the grader'
-HERE=1 python3 -B tests/grading/hostile/run.py bubblewrap exit-in-constructor exit-raw \
+HERE=1 python3 -B tests/grade/attacks bubblewrap exit-in-constructor exit-raw \
     forged-answer-early include-solution incbin-reference circle-of-two wait-for-blanks wait-object lend-no- \
     reference- table chance- honest-

@@ -7,7 +7,7 @@ set -u
 
 c_files() {
     find chapters common exercises solutions tests -name '*.[ch]' ! -path 'exercises/*.c' \
-        ! -path 'tests/grading/*' "$@"
+        ! -path 'tests/grade/*' "$@"
 }
 no_c_file() {
     c_files -exec awk "$1" '{}' + >"$scratch/found"

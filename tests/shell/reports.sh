@@ -3,5 +3,5 @@
 # Only reads the tree.
 . tests/library.sh
 needs reports 'reports' python3
-python3 -B tests/grading/check/run_tests.py reports test_comment test_report_formats test_report_tables \
+python3 -B tests/grade/check reports test_comment test_report_formats test_report_tables \
     test_report_pages test_report_files

@@ -3,4 +3,4 @@
 # Only reads the tree.
 . tests/library.sh
 needs submission "'make submission'" python3
-PACK=${BUILD:-build}/tests/submission/pack exec python3 -B tests/grading/check/run_tests.py submission test_pack
+PACK=${BUILD:-build}/tests/submission/pack exec python3 -B tests/grade/check submission test_pack

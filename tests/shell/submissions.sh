@@ -3,5 +3,5 @@
 # Only reads the tree.
 . tests/library.sh
 needs submissions 'submissions' python3
-python3 -B tests/grading/check/run_tests.py submissions test_names test_submissions test_exports test_folders \
+python3 -B tests/grade/check submissions test_names test_submissions test_exports test_folders \
     test_archives test_nested test_broken_archives test_policy test_crew

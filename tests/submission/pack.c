@@ -16,7 +16,7 @@
 
 enum {
     LARGEST = 256 * 1024
-}; // the grader reads no larger answer (tests/grading/collect/answers.py)
+}; // the grader reads no larger answer (tests/grade/collect/answers.py)
 
 // ---- reading ----------------------------------------------------------------------------------
 

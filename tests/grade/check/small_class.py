@@ -1,0 +1,102 @@
+"""small_class.py - a class of everything that people hand in, and the grader run on it.
+
+Run from the top of the tree; KIT is in the environment.
+"""
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+KIT = os.environ.get("KIT", "build/grading")
+SEED = "20150929"
+STEMS = sorted(path.stem for path in Path("solutions").glob("*.c"))
+UPSIDE_DOWN = "return c.distance * c.forward - c.width / 2 * c.right - c.height / 2 * c.up;"
+MIRRORED = "return c.distance * c.forward + (s - 0.5) * c.width * c.right - (t - 0.5) * c.height * c.up;"
+
+
+def command(folder: Path, out: Path) -> list[str]:
+    return [sys.executable, "-B", "tests/grade", KIT, str(folder), "--out", str(out)]
+
+
+def grade(folder: Path, out: Path, **settings: str) -> subprocess.CompletedProcess:
+    environment = {**os.environ, "SEED": SEED, **settings}
+    return subprocess.run(command(folder, out), env=environment, capture_output=True, text=True,
+                          errors="replace")
+
+
+def records(out: Path) -> dict[str, dict]:
+    """By folder; without what may differ between two runs."""
+    found = {}
+    for path in sorted(out.glob("*/results.json")):
+        record = json.loads(path.read_text())["extra_data"]["record"]
+        record.pop("seconds", None)
+        record.pop("steps", None)
+        found[path.parent.name] = record
+    return found
+
+
+# ---- what people hand in --------------------------------------------------------------------------
+
+def right(stem: str) -> str:
+    return Path("solutions", f"{stem}.c").read_text()
+
+
+def definition(text: str, function: str) -> re.Match:
+    return re.search(rf"^\w.* {function}\(.*\)\n{{\n", text, re.M)
+
+
+def up_to(stem: str, function: str) -> str:
+    """The right answers before this one."""
+    return right(stem)[:definition(right(stem), function).start()]
+
+
+def but(stem: str, **bodies: str) -> str:
+    """The right answers, but for these functions."""
+    text = right(stem)
+    for function, body in bodies.items():
+        start = text.index("// BEGIN SOLUTION", definition(text, function).end())
+        text = f"{text[:start]}{body}\n    {text[text.index('// END SOLUTION', start):]}"
+    return text
+
+
+def from_windows(stem: str) -> bytes:
+    return b"\xef\xbb\xbf" + right(stem).replace("\n", "\r\n").encode()
+
+
+def build_class(folder: Path) -> None:
+    def put(name: str, files: dict[str, str | bytes]) -> None:
+        for path, text in files.items():
+            place = folder / name / path
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_bytes(text if isinstance(text, bytes) else text.encode())
+
+    put("all right", {f"{stem}.c": right(stem) for stem in STEMS})
+    put("deep", {f"week 3/mine/{stem}.c": right(stem) for stem in STEMS[:2]})
+    put("from windows", {f"{stem}.c": from_windows(stem) for stem in STEMS[:3]})
+    put("blanks", {f"{stem}.c": Path("build/blanks", f"{stem}.c").read_text() for stem in STEMS})
+    put("mirrored", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED)})
+    put("endless", {"01-corners.c": but("01-corners", upper_left="for (;;) { }")})
+    put("crash", {"01-corners.c": but("01-corners", upper_left="return *(vec3 *)0;")})
+    put("no text", {"01-corners.c": "int x = ;\n", "03-screen.c": right("03-screen")})
+    put("no assembler", {"01-corners.c": '__asm__("no instruction");\n'})
+    put("one function", {"01-corners.c": up_to("01-corners", "upper_right")})
+    put("waits", {"01-corners.c": but("01-corners", upper_left=UPSIDE_DOWN,
+                                      upper_right="return upper_left(c) + c.width * c.right;")})
+    put("waits for a later one", {"01-corners.c": but("01-corners", image_plane_vector=MIRRORED,
+                                                      upper_left="return image_plane_vector(c, 0, 1);")})
+    put("each other", {"01-corners.c": but("01-corners",
+                                           upper_left="return upper_right(c) - c.width * c.right;",
+                                           upper_right="return upper_left(c) + c.width * c.right;")})
+    put("two of one name", {"a/01-corners.c": right("01-corners"), "b/01-corners.c": "int x;\n"})
+    put("-leading dash 'quote\" newline\n\x1b[31m =ü", {"03-screen.c": right("03-screen")})
+    (folder / "nothing").mkdir()
+    with zipfile.ZipFile(folder / "zipped.zip", "w") as archive:
+        archive.writestr("x/04-pixel-ray.c", right("04-pixel-ray"))
+        archive.writestr("../../03-screen.c", right("03-screen"))
+    (folder / "broken.tar.gz").write_bytes(b"no archive")
+    (folder / "read me.txt").write_text("for the instructor\n")

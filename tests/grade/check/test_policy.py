@@ -1,0 +1,225 @@
+"""test_policy.py - what an answer is worth, and what a late one loses."""
+import os
+import tempfile
+import time
+import unittest
+from datetime import datetime, timezone
+from pathlib import Path
+from types import SimpleNamespace
+
+from grade import exercises
+from grade import policy
+
+# What the course asks: functions of each chapter, counted by hand.
+COUNTS = {"01-corners": 5, "02-cameras": 5, "03-screen": 3, "04-pixel-ray": 1, "05-quadratic": 6,
+          "06-ray-casting": 3, "07-shading": 13}
+DUE = int(datetime(2025, 11, 14, 22, 59, tzinfo=timezone.utc).timestamp())
+HOUR = 3600
+
+
+def made(stem, count):
+    return [exercises.Exercise(stem, f"{'abcdefgh'[i]}_{stem[:2]}", "slide", "?")
+            for i in range(count)]
+
+
+KNOWN = made("01-one", 3) + made("02-two", 1) + made("12-new", 4)
+
+
+class Scratch(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = Path(folder.name) / "policy"
+
+    def load(self, text):
+        self.file.write_text(text, encoding="utf-8")
+        return policy.load(self.file, KNOWN)
+
+    def refused(self, text, line, *parts):
+        with self.assertRaises(policy.PolicyError) as caught:
+            self.load(text)
+        words = str(caught.exception)
+        self.assertTrue(words.startswith(f"{self.file}:{line}: "), words)
+        self.assertIn("expected", words)
+        for part in parts:
+            self.assertIn(part, words)
+
+
+class Table(Scratch):
+    def test_the_exercises_are_those_of_the_course_in_order(self):
+        known = exercises.read()
+        self.assertEqual(exercises.stems(known), list(COUNTS))
+        for stem, count in COUNTS.items():
+            self.assertEqual(sum(exercise.stem == stem for exercise in known), count)
+        self.assertEqual(known[0], exercises.Exercise(
+            "01-corners", "upper_left", "Finding vectors from the eye",
+            "Give an expression for the upper left corner."))
+        self.assertEqual(known[-1].name, "gamma_encode")
+
+    def test_a_line_that_is_no_exercise_is_an_error(self):
+        self.file.write_text("# title\n01-a | int f(void) | slide\n")
+        self.assertRaisesRegex(ValueError, ":2: .*expected", exercises.read, self.file)
+
+
+class Points(Scratch):
+    def test_the_policy_of_the_house_is_a_hundred_points(self):
+        known = exercises.read()
+        ours = policy.load(policy.DEFAULT, known)
+        each = {"01-corners": 2, "02-cameras": 3, "03-screen": 3, "04-pixel-ray": 5,
+                "05-quadratic": 4, "06-ray-casting": 5, "07-shading": 2}
+        for exercise in known:
+            given = exercise.name == "sphere_roots"  # made of the student's other answers
+            self.assertEqual(policy.points(ours, exercise.stem, exercise.name),
+                             0 if given else each[exercise.stem])
+        self.assertEqual(sum(policy.points(ours, e.stem, e.name) for e in known), 100)
+        self.assertIsNone(ours.due)
+
+    def test_a_chapter_that_is_not_named_has_ten_points(self):
+        ours = self.load("")
+        self.assertEqual([policy.points(ours, "12-new", f"{c}_12") for c in "abcd"], [2.5] * 4)
+
+    def test_others_names_what_such_a_chapter_has(self):
+        ours = self.load("points others 8\npoints 02-two 3")
+        self.assertEqual(policy.points(ours, "12-new", "a_12"), 2)
+        self.assertEqual(policy.points(ours, "02-two", "a_02"), 3)
+
+    def test_what_does_not_divide_still_adds_up(self):
+        ours = self.load("points 01-one 10")
+        self.assertEqual([policy.points(ours, "01-one", f"{c}_01") for c in "abc"],
+                         [3.34, 3.33, 3.33])
+
+    def test_a_function_of_its_own_weight_leaves_the_rest_to_its_neighbours(self):
+        for text in ("points 12-new 20\npoints 12-new c_12 6.5",
+                     "points 12-new c_12 6.5\npoints 12-new 20"):
+            ours = self.load(text)
+            self.assertEqual([policy.points(ours, "12-new", f"{c}_12") for c in "abcd"],
+                             [4.5, 4.5, 6.5, 4.5])
+
+    def test_functions_may_not_have_more_than_their_chapter(self):
+        self.refused("points 12-new c_12 6\npoints 12-new 5\n\n", 2, "6 points", "5")
+        self.refused("points 02-two a_02 6", 1, "6 points", "10")
+
+    def test_a_chapter_may_be_worth_nothing(self):
+        self.assertEqual(policy.points(self.load("points 01-one 0"), "01-one", "a_01"), 0)
+
+
+class Strict(Scratch):
+    def test_what_is_not_understood_is_an_error_with_its_line(self):
+        for line, part in (
+                ("weight 01-one 3", "weight is no setting"), ("points", "CHAPTER"),
+                ("points 07-none 3", "no chapter is called 07-none"), ("points 01 3", "01-one"),
+                ("points 01-one f 3", "has no function f"), ("points others a_01 3", "others"),
+                ("points 01-one a_02 3", "no function a_02"), ("points 01-one -1", "0 to 1000"),
+                ("points 01-one 1001", "0 to 1000"), ("points 01-one nan", "nan"),
+                ("points 01-one 1e2", "1e2"), ("points 01-one 1.234", "two decimals"),
+                ("points 01-one 0x10", "0x10"), ("points 01-one ١", "١"),
+                ("points 01-one a_01 3 4", "CHAPTER"), ("due", "2025"),
+                ("due tomorrow", "tomorrow"),
+                ("due 2025-11-14", "2025-11-14"), ("due 2025-13-14T10:00", "2025-13"),
+                ("due 2025-11-14T25:00", "T25"), ("due 2025-11-14T10:00+25:00", "+25"),
+                ("due 2025-11-14T10:00 GMT", "GMT"), ("grace", "0 to 10080"), ("grace -1", "-1"),
+                ("grace 10081", "10081"), ("grace 5 minutes", "5 minutes"), ("late 10", "late 10"),
+                ("late 10% per week, at most 50%", "per hour"),
+                ("late 101% per day, at most 50%", "101"),
+                ("late 10% per day, at most x%", "x"), ("late 10% per day", "at most"),
+                ("times", "CSV"), ("times nowhere.csv", "No such file"),
+                ("points\x1b[2J 1", "\\x1b")):
+            self.refused(f"# title\n\n{line}\n", 3, part)
+
+    def test_what_is_said_twice_is_an_error(self):
+        for line in ("points 01-one 3", "points 01-one a_01 3", "due none", "grace 1",
+                     "times files"):
+            self.refused(f"{line}\n{line}", 2, "twice")
+
+    def test_comments_and_spaces_are_free(self):
+        ours = self.load("\ufeff#x\r\n  points   01-one\t6 # six\r\n")
+        self.assertEqual(policy.points(ours, "01-one", "a_01"), 2)
+
+    def test_a_policy_that_cannot_be_read_is_an_error(self):
+        self.assertRaisesRegex(policy.PolicyError, "No such file", policy.load, "/nowhere", KNOWN)
+        self.file.write_bytes(b"\xff")
+        self.assertRaises(policy.PolicyError, policy.load, self.file, KNOWN)
+
+
+class Late(Scratch):
+    HEAD = "due 2025-11-14T23:59+01:00\ngrace 15\n"
+
+    def late(self, after, score=80.0, how="late 10% per day, at most 50%"):
+        return policy.late(self.load(self.HEAD + how), DUE + after, score)
+
+    def test_in_time_costs_nothing_and_needs_no_words(self):
+        for after in (-10 ** 6, 0, 15 * 60):
+            self.assertEqual(self.late(after), (80, ""))
+
+    def test_a_day_that_has_begun_counts(self):
+        for after, left in ((15 * 60 + 1, 72), (24 * HOUR, 72), (24 * HOUR + 1, 64),
+                            (96 * HOUR + 1, 40), (10 ** 9, 40)):
+            self.assertEqual(self.late(after)[0], left)
+
+    def test_the_words_tell_when_and_how_much(self):
+        self.assertEqual(self.late(25 * HOUR + 180)[1],
+                         "due 2025-11-14 23:59 +0100, 1 d 1 h 3 min late: 20% off, 80 became 64")
+
+    def test_hours_count_as_well(self):
+        self.assertEqual(self.late(3 * HOUR + 1, how="late 1.5% per hour, at most 100%")[0], 75.2)
+
+    def test_late_none_is_said_and_costs_nothing(self):
+        left, words = self.late(HOUR, how="late none")
+        self.assertEqual(left, 80)
+        self.assertIn("1 h late: that costs nothing", words)
+
+    def test_marks_are_rounded_half_up_to_hundredths(self):
+        self.assertEqual(self.late(HOUR, score=0.05)[0], 0.05)   # 0.045
+        self.assertEqual(self.late(HOUR, score=33.33)[0], 30.0)  # 29.997
+        self.assertEqual(policy.rounded(1.005), 1.01)
+        self.assertEqual(policy.rounded(0.1 + 0.2), 0.3)
+
+    def test_without_a_due_time_nothing_is_late(self):
+        ours = self.load("late 10% per day, at most 50%")
+        self.assertEqual(policy.late(ours, 10 ** 12, 80.0), (80, ""))
+
+    def test_who_came_in_at_no_known_time_is_on_time(self):
+        left, words = policy.late(self.load(self.HEAD), None, 80.0)
+        self.assertEqual(left, 80)
+        self.assertIn("not known", words)
+
+    def test_any_time_of_a_file_is_a_time(self):
+        for when in (-2 ** 63, 2 ** 63, 0):
+            policy.late(self.load(self.HEAD), when, 80.0)
+
+    def test_a_time_without_an_offset_is_that_of_this_machine(self):
+        was = os.environ.get("TZ")
+        self.addCleanup(time.tzset)
+        self.addCleanup(os.environ.pop if was is None else os.environ.update,
+                        *(("TZ", None) if was is None else ({"TZ": was},)))
+        os.environ["TZ"] = "EST+5"
+        time.tzset()
+        self.assertEqual(self.load("due 2025-11-14 17:59").due.timestamp(), DUE)
+
+    def test_offsets_are_read(self):
+        for text in ("2025-11-14T22:59Z", "2025-11-14T22:59:00+00:00", "2025-11-14T17:29-05:30"):
+            self.assertEqual(self.load("due " + text).due.timestamp(), DUE)
+
+
+class CameIn(Scratch):
+    def came_in(self, text, name="a\\nb", folder="a\nb"):
+        (self.file.parent / "came in.csv").write_text(text, encoding="utf-8")
+        ours = self.load("times came in.csv")
+        return policy.came_in(ours, SimpleNamespace(name=name, folder=folder),
+                              SimpleNamespace(when=7))
+
+    def test_files_tell_by_default(self):
+        self.assertEqual(policy.came_in(self.load(""), None, SimpleNamespace(when=7)), 7)
+
+    def test_a_csv_file_tells_by_name_or_folder(self):
+        for name in ("a\\nb", '"a\nb"'):
+            self.assertEqual(self.came_in(f"submission,time\r\n{name},2025-11-14T22:59Z\r\n"), DUE)
+        self.assertIsNone(self.came_in("submission,time\n"))
+
+    def test_a_csv_file_that_is_not_understood_is_an_error_with_both_lines(self):
+        for text, line in (("", 1), ("name,time\n", 1), ("submission,time\nanna\n", 2),
+                           ("submission,time\n\nanna,noon\n", 3),
+                           ("submission,time\na,2025-11-14T22:59Z\na,2025-11-14T22:59Z\n", 3)):
+            with self.assertRaises(policy.PolicyError) as caught:
+                self.came_in(text)
+            self.assertRegex(str(caught.exception), f":1: .*came in.csv:{line}: .*expected")

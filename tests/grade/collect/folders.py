@@ -1,0 +1,128 @@
+"""folders.py - looks for answers in a folder that somebody else made.
+
+Each folder is reached from the submission's own by one openat after the other, none of which
+follows a symbolic link: no link, and no race with one, leads out. Breadth first, in the order of
+names, so that what is found does not depend on the machine, and answers are found before clutter.
+Archives in it are read as they are met, and opened when all folders have been looked at.
+"""
+import os
+import stat
+from collections import deque
+from itertools import islice
+
+from grade.visible import why
+from . import answers, archives
+from .limits import Enough, opened_file
+from .names import decoded
+
+ENTRIES = 20000
+DEPTH = 50
+TOTAL = 64 * 1024 * 1024  # bytes read, of all answers together
+DIRECTORY = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
+NOT_LOOKED_AT = (b"__MACOSX", b".git")
+
+
+def read(name, folder=None, most=answers.LARGEST) -> tuple:
+    """A regular file's bytes, one more than it may have, and when it was written."""
+    with opened_file(name, folder) as file:
+        return file.read(most + 1), int(os.fstat(file.fileno()).st_mtime)
+
+
+def opened_folder(root: int, parts) -> int:
+    folder = os.dup(root)
+    for part in parts:
+        try:
+            below = os.open(part, DIRECTORY, dir_fd=folder)
+        finally:
+            os.close(folder)
+        folder = below
+    return folder
+
+
+def put_by(search, folder: int, parts, entry, inner) -> None:
+    """An archive among the files: read now, opened later."""
+    if entry.is_symlink() or not entry.is_file(follow_symlinks=False):
+        return
+    try:
+        raw, when = read(entry.name, folder, archives.room_for_more(inner))
+    except OSError as error:
+        answers.note(search, f"{answers.place_of(parts)} cannot be read: {why(error)}")
+        return
+    if archives.put_by(search, inner, parts, raw, 1):
+        answers.written(search, when)
+
+
+def look_at(search, folder: int, parts, entry, inner) -> int:
+    """One entry that is no folder; how many bytes were read of it."""
+    if not answers.stem_of(search, parts[-1]):
+        answers.passed(search, parts)
+        if archives.is_called_one(parts[-1]):
+            put_by(search, folder, parts, entry, inner)
+        answers.bystander(search, parts)
+        return 0
+    if entry.is_symlink():
+        answers.no_file(search, parts, answers.NOT_FOLLOWED)
+    elif not entry.is_file(follow_symlinks=False):
+        answers.no_file(search, parts, "neither a file nor a folder, not opened")
+    else:
+        try:
+            raw, when = read(entry.name, folder)
+        except OSError as error:
+            answers.unreadable(search, parts, f"cannot be read: {why(error)}")
+            return 0
+        answers.found(search, parts, raw)
+        if not answers.is_toolkit_s(search, parts):
+            answers.written(search, when)
+        return len(raw)
+    return 0
+
+
+def look_in(search, folder: int, parts, left: dict, inner) -> list:
+    """All entries of one folder; the folders among them."""
+    with os.scandir(folder) as listing:
+        here = list(islice(listing, left["entries"] + 1))
+    # All of a folder or nothing: which of its entries come first is chance.
+    left["entries"] -= len(here)
+    if left["entries"] < 0:
+        raise Enough(f"holds more than {ENTRIES} entries; no more were looked at")
+    below = []
+    for entry in sorted(here, key=lambda entry: os.fsencode(entry.name)):
+        name = os.fsencode(entry.name)
+        if name in NOT_LOOKED_AT:
+            continue
+        if entry.is_dir(follow_symlinks=False):
+            below.append(parts + (name,))
+            continue
+        left["bytes"] -= look_at(search, folder, [*map(decoded, parts), decoded(name)], entry, inner)
+        if left["bytes"] < 0:
+            raise Enough(f"holds more than {TOTAL >> 20} MB of answers; no more were read")
+    # Where exercises/ are, its neighbours may be the toolkit's own, which are not looked at.
+    return sorted(below, key=lambda path: path[-1] != b"exercises")
+
+
+def look(search, path: bytes, opener=None) -> None:
+    root = os.open(path, DIRECTORY)
+    waiting = deque([()])
+    left = {"entries": ENTRIES, "bytes": TOTAL}
+    inner = archives.Room(opener)
+    try:
+        while waiting:
+            parts = waiting.popleft()
+            if answers.is_toolkit_s(search, list(map(decoded, parts))):
+                continue
+            if len(parts) > DEPTH:
+                raise Enough(f"holds folders more than {DEPTH} deep; those were not looked at")
+            try:
+                folder = opened_folder(root, parts)
+                try:
+                    waiting.extend(look_in(search, folder, parts, left, inner))
+                finally:
+                    os.close(folder)
+            except OSError as error:
+                place = answers.place_of(map(decoded, parts)) or "the folder"
+                answers.note(search, f"{place} cannot be read: {why(error)}")
+        archives.look_in_waiting(search, inner)
+    except Enough as enough:
+        answers.ended_early(search, str(enough))
+    finally:
+        os.close(root)

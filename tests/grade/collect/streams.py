@@ -1,0 +1,148 @@
+"""streams.py - a compressed archive as the tar that is in it, piece by piece.
+
+gzip, xz and bzip2 are Python's own. 7-Zip, RAR and Zstandard are read by bsdtar (libarchive), which
+writes what they hold as a tar; it runs where compilers run, with nothing but the archive to read.
+"""
+import os
+import resource
+import shutil
+import subprocess
+import zlib
+from contextlib import contextmanager
+
+from grade.visible import visible
+from .limits import Enough
+
+CHUNK = 64 * 1024
+STREAMS = 1000              # compressed streams, one after the other, in one file
+XZ_MEMORY = 256 * 1024 * 1024
+SECONDS, MEMORY = 10, 1 << 30   # of work for bsdtar, and its memory
+# What a file begins with, and what that is.
+KINDS = {b"\x1f\x8b": "gzip", b"\xfd7zXZ\0": "xz", b"BZh": "bzip2", b"7z\xbc\xaf\x27\x1c": "7-Zip",
+         b"Rar!\x1a\x07": "RAR", b"\x28\xb5\x2f\xfd": "Zstandard"}
+
+
+class Unreadable(Exception):
+    """An archive that cannot be read; the words say why."""
+
+
+class NotHere(Unreadable):
+    """An archive that could be read if this machine had what it takes: no fault of the archive's."""
+
+
+def kind_of(head: bytes):
+    return next((kind for magic, kind in KINDS.items() if head.startswith(magic)), None)
+
+
+class Inflated:
+    """What a compressed file decompresses to, of all its streams. The gzip module would read a
+    header's comment, of any length, byte by byte."""
+    def __init__(self, file, engine):
+        self.file = file
+        self.begin = engine
+        self.engine = engine()
+        self.streams = 1
+
+    def more(self) -> bytes:
+        """What the engine has not taken yet, else more of the file."""
+        left = getattr(self.engine, "unconsumed_tail", b"")
+        if not left and not getattr(self.engine, "needs_input", True):
+            return b""
+        return left or self.file.read(CHUNK)
+
+    def read(self, size: int) -> bytes:
+        while True:
+            if self.engine.eof:
+                # Streams of xz are filled up with zeros.
+                raw = (self.engine.unused_data or self.file.read(CHUNK)).lstrip(b"\0")
+                if not raw:
+                    return b""
+                self.streams += 1
+                if self.streams > STREAMS:
+                    raise Enough(f"is made of more than {STREAMS} compressed streams; "
+                                 "no more was read")
+                self.engine = self.begin()
+            else:
+                raw = self.more()
+            waits = not getattr(self.engine, "needs_input", True)
+            piece = self.engine.decompress(raw, size)
+            if piece:
+                return piece
+            if not raw and not waits and not self.engine.eof:
+                raise EOFError("it ends in the middle")
+
+
+def engine_of(kind: str):
+    if kind == "gzip":
+        return lambda: zlib.decompressobj(31)
+    try:
+        if kind == "xz":
+            import lzma
+            return lambda: lzma.LZMADecompressor(lzma.FORMAT_XZ, XZ_MEMORY)
+        if kind == "bzip2":
+            import bz2
+            return bz2.BZ2Decompressor
+    except ImportError:  # a Python that was built without it
+        raise NotHere(f"this machine's Python cannot read {kind}") from None
+    return None
+
+
+# ---- by a program -------------------------------------------------------------------------------
+
+def limited() -> None:
+    for what, most in ((resource.RLIMIT_CPU, SECONDS), (resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_CORE, 0)):
+        hard = resource.getrlimit(what)[1]
+        resource.setrlimit(what, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+
+
+def as_file(file):
+    """A descriptor of its own, at the beginning: an archive inside is in memory only."""
+    try:
+        handle = os.dup(file.fileno())
+    except OSError:     # io.UnsupportedOperation is one
+        handle = os.memfd_create("archive", os.MFD_CLOEXEC)
+        left = memoryview(file.getbuffer())
+        while left:
+            left = left[os.write(handle, left):]
+    os.lseek(handle, 0, os.SEEK_SET)
+    return handle
+
+
+@contextmanager
+def by_bsdtar(kind: str, file, opener):
+    program = shutil.which("bsdtar")
+    if program is None:
+        raise NotHere(f"it takes bsdtar to read {kind} ('make setup FOR=instructor' installs it)")
+    # Links and devices are not followed or made: it only writes a tar.
+    command = [os.path.realpath(program), "-c", "-f", "-", "--format=pax", "@-"]
+    handle, words = as_file(file), os.memfd_create("words", os.MFD_CLOEXEC)
+    with open(words, "r+b") as said:
+        try:
+            process = subprocess.Popen(opener(command) if opener else command, stdin=handle, stdout=subprocess.PIPE,
+                                       stderr=said, preexec_fn=limited, env={"LC_ALL": "C.UTF-8", "PATH": "/usr/bin:/bin"})
+        finally:
+            os.close(handle)
+        try:
+            yield process.stdout
+            for _ in iter(lambda: process.stdout.read(CHUNK), b""):
+                pass    # a tar is filled up with zeros
+            if process.wait() != 0:
+                said.seek(0)
+                lines = visible(said.read(2000).decode("utf-8", "replace").strip(), lines=True).splitlines()
+                raise Unreadable(f"the {kind} archive cannot be read: "
+                                 + (lines[0].removeprefix("bsdtar: ")[:200] if lines else "it takes too much work"))
+        finally:
+            process.kill()
+            process.wait()
+            process.stdout.close()
+
+
+@contextmanager
+def opened(kind: str, file, opener):
+    """The tar in a compressed file."""
+    engine = engine_of(kind)
+    if engine:
+        yield Inflated(file, engine)
+    else:
+        with by_bsdtar(kind, file, opener) as stream:
+            yield stream

@@ -1,0 +1,113 @@
+"""building.py - a submission's answers become programs, or words about why not.
+
+The words are the compiler's: cut, harmless on a terminal, and without the places of this machine.
+"""
+from __future__ import annotations
+
+import re
+import struct
+
+from grade.confine.machine import GraderFailed
+from grade.mark.workbench import COMPILE, LIMITED, LINK, LINK_BLANKS, REFUSED, Part, Workbench
+from grade.visible import visible
+
+MOST_WORDS = 2000      # characters that are quoted of a compiler
+MOST_LINES = 30
+CUT_SHORT = ("signal terminated program", "limit exceeded", "out of memory")
+MOST_MEMORY = 400 << 20     # that a program may take before it does anything; confine/ allows 512 MB in all
+CANARY = "canary"           # the name of a file that is right
+
+
+def quoted(bench: Workbench, name: str) -> str:
+    try:
+        with open(bench.folder / name, "rb") as file:
+            raw = file.read(8 * MOST_WORDS)
+    except OSError:
+        return ""
+    text = raw.decode("utf-8", "replace").replace("‘", "'").replace("’", "'")
+    text = text.replace(f"{bench.kit.folder}/headers/", "")
+    lines = text[:MOST_WORDS].splitlines()
+    cut = len(text) > MOST_WORDS or len(lines) > MOST_LINES
+    return visible("\n".join(lines[:MOST_LINES] + ["..."] * cut), lines=True)
+
+
+def compile_words(bench: Workbench, stem: str, part: Part) -> str:
+    words = quoted(bench, f"{stem}.words")
+    if words and part.status not in LIMITED and not any(sign in words for sign in CUT_SHORT):
+        return quoted(bench, f"{stem}.help") or words
+    return ("the compiler was stopped: it needed more than 5 seconds, a gigabyte of memory, "
+            f"or a file of 16 MB; or the object file has more than 2 MB\n{words}").strip()
+
+
+def link_words(bench: Workbench, stem: str, part: Part) -> str:
+    if part.status in LIMITED:
+        return "the linker was stopped: it needed more than 5 seconds, or the program has more than 4 MB"
+    words = quoted(bench, f"{stem}.words")
+    known = [f"{name} is not in this file (or is static)"
+             for name in re.findall(r"undefined reference to [`'](\w+)'", words)]
+    known += ["leave main out: the tests have one" if name == "main" else
+              f"{name} is there already: give yours another name"
+              for name in re.findall(r"multiple definition of [`'](\w+)'", words)]
+    return "\n".join(dict.fromkeys(known)) or words or "the linker was stopped"
+
+
+def believed(bench: Workbench, first: dict[str, Part], canary, again) -> dict[str, Part]:
+    """Whether a tool refused a file for what is in it, or because the machine has no room: then it also refuses
+    a file that is right (canary), or it does not refuse the same file twice (again)."""
+    doubtful = [name for name, part in first.items() if part.status in REFUSED]
+    if not doubtful:
+        return first
+    for part in canary(doubtful).values():
+        if part.status != 0:
+            raise GraderFailed(f"a file that is right was refused, too (status {part.status})")
+    second = again(doubtful)
+    bench.check_room()
+    return {**first, **second}
+
+
+def compiled(bench: Workbench, stems: list[str]) -> dict[str, Part]:
+    (bench.folder / f"{CANARY}.c").write_text("int canary = 1;\n")
+    return believed(bench, bench.compile(COMPILE, stems),
+                    lambda doubtful: bench.compile(COMPILE, [CANARY]),
+                    lambda doubtful: bench.compile(COMPILE, doubtful))
+
+
+def linked(bench: Workbench, stems: list[str]) -> dict[str, Part]:
+    return believed(bench, bench.link(LINK, stems),
+                    lambda doubtful: bench.link(LINK_BLANKS, doubtful),
+                    lambda doubtful: bench.link(LINK, doubtful))
+
+
+def memory_of(program: bytes) -> int:
+    """What its segments take: the kernel kills a program that has no room for them, as it would if the machine
+    had none. What is no program takes nothing."""
+    try:
+        start, = struct.unpack_from("<Q", program, 32)
+        size, count = struct.unpack_from("<HH", program, 54)
+        return sum(memory for kind, memory in
+                   ((struct.unpack_from("<I", program, at)[0], struct.unpack_from("<Q", program, at + 40)[0])
+                    for at in range(start, start + size * count, size)) if kind == 1)
+    except (struct.error, ValueError):
+        return 0
+
+
+def build(bench: Workbench, answers: dict) -> tuple[list[str], dict[str, tuple[str, str]]]:
+    """The stems that became programs; and of those that did not, the state and the words."""
+    there = [stem for stem, answer in answers.items() if answer.state == "found"]
+    for stem in there:
+        (bench.folder / f"{stem}.c").write_bytes(answers[stem].text)
+        (bench.folder / f"{stem}.d").mkdir()
+    objects = compiled(bench, there) if there else {}
+    good = [stem for stem, part in objects.items() if part.status == 0]
+    programs = linked(bench, good) if good else {}
+    ready, trouble = [], {}
+    for stem in there:
+        if stem not in good:
+            trouble[stem] = ("does not compile", compile_words(bench, stem, objects[stem]))
+        elif programs[stem].status != 0:
+            trouble[stem] = ("cannot be linked", link_words(bench, stem, programs[stem]))
+        elif memory_of((bench.folder / f"{stem}.exe").read_bytes()) > MOST_MEMORY:
+            trouble[stem] = ("cannot be linked", "its variables take more than 400 MB of memory")
+        else:
+            ready.append(stem)
+    return ready, trouble

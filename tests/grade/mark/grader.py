@@ -1,0 +1,196 @@
+"""grader.py - one submission from its folder or archive to its results.json.
+
+A result of the same files, seed, tests and sandbox is kept: so a grader that was stopped goes on where
+it was. The policy is not among these: when it changes, marks are computed again from the kept verdicts.
+"""
+from __future__ import annotations
+
+import argparse
+import copy
+import hashlib
+import os
+import resource
+import shutil
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+from grade.mark.workbench import Workbench, read_kit
+from grade.collect import submissions
+from grade.collect.answers import Collected
+from grade.collect.submissions import Submission
+from grade import exercises as table
+from grade.confine.machine import GraderFailed
+from grade.mark.marking import add_marks, calls_of, mark
+from grade import policy as policies
+from grade.report import files
+from grade.confine.sandbox import choose
+from grade.settings import seed_of_class
+
+DONE, KEPT = 0, 3       # exit statuses of the process that marks
+FAILED = "grader failed"
+SOLUTIONS = Path(__file__).resolve().parents[3] / "solutions"
+# On these, and not on how reports look, verdicts depend.
+GRADER = sorted(Path(__file__).resolve().parents[1].glob("*.py")) + sorted(
+    path for folder in ("collect", "confine", "mark") for path in Path(__file__).resolve().parents[1].glob(f"{folder}/*.py"))
+# Hostile archives get less memory and time than the process that opens them has.
+COLLECTING = {resource.RLIMIT_AS: 2 << 30, resource.RLIMIT_CPU: 60}
+
+
+def sum_of_files(paths: list[Path]) -> str:
+    total = hashlib.sha256()
+    for path in paths:
+        total.update(path.read_bytes())
+    return total.hexdigest()
+
+
+@contextmanager
+def limited(limits: dict[int, int]):
+    before = {what: resource.getrlimit(what) for what in limits}
+    for what, most in limits.items():
+        hard = before[what][1]
+        soft = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        resource.setrlimit(what, (soft, hard))
+    try:
+        yield
+    finally:
+        for what, limit in before.items():
+            resource.setrlimit(what, limit)
+
+
+class Grader:
+    """What does not change from one submission to the next."""
+
+    def __init__(self, given: argparse.Namespace):
+        self.out = given.out.resolve()
+        self.exercises = table.read()
+        self.stems = table.stems(self.exercises)
+        self.policy = policies.load(given.policy, self.exercises)
+        self.kit = read_kit(given.kit.resolve())
+        self.sandbox = choose(given.kit.resolve() / "confine", given.sandbox, given.unsafe)
+        self.seed, self.wanted_seed = 0, given.seed
+        self.called: dict[str, set[str]] = {}
+        part, parts = given.shard or (1, 1)
+        self.work = self.out / ".work" / f"{part}-of-{parts}"
+        judges = sorted(path for path in self.kit.judges.iterdir() if path.name in self.stems)
+        confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
+        self.tests = sum_of_files([table.TABLE, *GRADER, *judges,
+                                   *sorted((self.kit.folder / "link").iterdir()),
+                                   self.kit.folder / "commands", *confine])
+
+    def begin(self) -> None:
+        """When it is clear that there is something to mark, and nobody else does."""
+        self.seed = seed_of_class(self.out, self.wanted_seed)
+
+    def key(self, collected: Collected) -> str:
+        """Changes with everything that the verdicts depend on."""
+        parts = [submissions.digest(collected), str(self.seed), self.tests, self.sandbox.name]
+        return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+
+    def place(self, submission: Submission) -> Path:
+        return self.out / submission.folder
+
+    def record(self, submission: Submission) -> dict | None:
+        try:
+            return files.read_record(str(self.place(submission) / "results.json"))
+        except (OSError, ValueError):
+            return None
+
+    def priced(self, record: dict, when: int | None) -> dict:
+        """The same verdicts with the marks that this policy gives them."""
+        record = copy.deepcopy(record)
+        for stem in record["stems"]:
+            add_marks(stem, self.exercises, lambda stem, name: policies.points(self.policy, stem, name),
+                      self.policy.waiting)
+        record["max"] = policies.rounded(sum(stem["max"] for stem in record["stems"]))
+        earned = policies.rounded(sum(stem["score"] for stem in record["stems"]))
+        record["score"], record["late"] = policies.late(self.policy, when, earned)
+        return record
+
+    def mark(self, submission: Submission) -> int:
+        """In a process of its own; gives its exit status."""
+        began = time.monotonic()
+        folder = self.work / submission.folder
+        folder.mkdir(parents=True, exist_ok=True)
+        with limited(COLLECTING):
+            collected = submissions.collect(submission, self.stems,
+                                            lambda command: self.sandbox.compiler(folder, [], command))
+        when = policies.came_in(self.policy, submission, collected)
+        key = self.key(collected)
+        old = self.record(submission)
+        if old is not None and old.get("key") == key:
+            priced = self.priced(old, when)
+            if priced != old:
+                files.write_submission(priced, str(self.place(submission)))
+            return KEPT
+        bench = Workbench(self.kit, self.sandbox, self.work / submission.folder, self.seed)
+        record = self.priced(mark(bench, collected, self.exercises, self.called), when)
+        record.update(key=key, submission=submission.name, folder=submission.folder,
+                      seconds=round(time.monotonic() - began, 2),
+                      steps={step: round(seconds, 3) for step, seconds in bench.seconds.items()})
+        self.keep_pictures(record, self.place(submission), bench.folder)
+        shutil.rmtree(bench.folder, ignore_errors=True)
+        files.write_submission(record, str(self.place(submission)))
+        return DONE
+
+    def keep_pictures(self, record: dict, place: Path, drawn_in: Path) -> None:
+        place.mkdir(exist_ok=True)
+        for name, source in (("expected.png", self.kit.folder), ("yours.png", drawn_in)):
+            if name in record["pictures"].values():
+                shutil.copyfile(source / name, place / name)
+            else:
+                (place / name).unlink(missing_ok=True)
+
+    def without_verdicts(self, submission: Submission, status: str, words: str, score: float | None) -> dict:
+        stems = []
+        for stem in self.stems:
+            most = policies.rounded(sum(policies.points(self.policy, stem, exercise.name)
+                                        for exercise in self.exercises if exercise.stem == stem))
+            stems.append({"stem": stem, "file": "", "state": "not judged", "words": words,
+                          "functions": [], "score": 0, "max": most})
+        return {"submission": submission.name, "folder": submission.folder, "status": status,
+                "words": words, "score": score, "max": policies.rounded(sum(stem["max"] for stem in stems)),
+                "late": "", "stems": stems, "pictures": {}, "key": "", "seed": self.seed, "seconds": 0,
+                "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
+
+    def give_up_on(self, submission: Submission, status: str, words: str) -> None:
+        """A result for what is no reader's fault but its own, since it cannot be read."""
+        files.write_submission(self.without_verdicts(submission, status, words, 0), str(self.place(submission)))
+
+    def failed(self, submission: Submission, words: str) -> dict:
+        """No score: the record of a submission that this grader could not mark. It replaces an older one, which
+        may be of other files; its empty key has the submission marked again next time."""
+        record = {**self.without_verdicts(submission, FAILED, words, None), "stems": []}
+        place = self.place(submission)
+        shutil.rmtree(self.work / submission.folder, ignore_errors=True)
+        try:
+            (place / "results.json").unlink(missing_ok=True)
+            files.write_submission(record, str(place))
+        except OSError:
+            pass    # the disk may be full; then it is in the reports of the class alone
+        return record
+
+    def prove(self) -> None:
+        """Marks the reference, which has all marks on a machine that can grade. SystemExit if it has not."""
+        found = submissions.Submission(os.fsencode(SOLUTIONS), "the reference", ".reference", "folder")
+        bench = Workbench(self.kit, self.sandbox, self.work / found.folder, self.seed)
+        try:
+            stems = mark(bench, submissions.collect(found, self.stems), self.exercises, {})["stems"]
+            self.called = calls_of(bench, self.exercises)
+        except (GraderFailed, OSError) as error:
+            raise SystemExit(f"grade: nothing is graded, because the grader fails on the reference: {error}") from None
+        finally:
+            shutil.rmtree(bench.folder, ignore_errors=True)
+        for stem in stems:
+            if stem["state"] != "judged":
+                refuse(stem["stem"], f"{stem['state']}: {stem['words']}")
+            for function in stem["functions"]:
+                if function["state"] != "right":
+                    refuse(f"{stem['stem']}, {function['name']}",
+                           f"{function['state']}: {function['how'] or function['test']}")
+
+
+def refuse(where: str, words: str) -> None:
+    raise SystemExit("grade: nothing is graded, because the reference (solutions/) does not get all marks on this "
+                     f"machine:\n  {where}: {words}\n"
+                     "  Either solutions/ is not as it was, or this compiler and the tests do not fit.")

@@ -1,0 +1,121 @@
+"""text.py - the terminal at the end: the table, the scores, what to explain again.
+
+80 columns. A long class is shortened to who needs a look: those without an ordinary result, and the
+lowest scores; everybody is in grades.csv.
+"""
+from grade.visible import number
+from .columns import COLUMNS, fitted, wrapped
+from .figures import bins, circumstances, most_made, not_answered, quartiles, scored, stems_of
+from .points import UNSAFE, any_unsafe, clean_class
+
+LONG_CLASS = 40  # up to so many are all shown
+MOST_LATE = 12  # that are named
+SHOWN_OF_LONG = 12  # of each kind, else
+
+
+def who_is_shown(records: list) -> list:
+    if len(records) <= LONG_CLASS:
+        return records
+    odd = [record for record in records if record["status"] != "graded"]
+    odd = sorted(odd, key=lambda record: record["score"] is not None)[:SHOWN_OF_LONG]
+    rest = [record for record in records if record["status"] == "graded"]
+    low = sorted(rest, key=lambda record: record["score"])[:SHOWN_OF_LONG]
+    chosen = {id(record) for record in odd + low}
+    return [record for record in records if id(record) in chosen]
+
+
+def table(records: list) -> list:
+    stems, shown = stems_of(records), who_is_shown(records)
+    column = 6 if len(stems) <= 6 else 5
+    status = max([6] + [len(record["status"]) for record in shown])
+    name = COLUMNS - (1 + status) - 7 - column * len(stems)
+    lines = [
+        fitted("submission", name)
+        + " "
+        + fitted("status", status)
+        + "  score"
+        + "".join(stem[:2].rjust(column) for stem in stems)
+    ]
+    for record in shown:
+        marks = {stem["stem"]: number(stem["score"]) for stem in record["stems"]}
+        lines.append(
+            fitted(record["submission"], name)
+            + " "
+            + fitted(record["status"], status)
+            + number(record["score"]).rjust(7)
+            + "".join(marks.get(stem, "").rjust(column) for stem in stems)
+        )
+    if len(shown) < len(records):
+        lines.append(
+            f"... and {len(records) - len(shown)} more; above are those without an ordinary "
+            "result and the lowest."
+        )
+        lines.append("Everybody is in grades.csv and index.html.")
+    return lines
+
+
+def distribution(records: list) -> list:
+    counted = bins(records)
+    unit = max(1, max(count for _, count in counted) / 50)
+    lines = ["Scores, in percent of what could be had"]
+    for ends, count in reversed(counted):
+        bar = "#" * max(round(count / unit), 1 if count else 0)
+        lines.append(f"  {ends:>6}  {bar + (' ' if bar else '')}{count or ''}".rstrip())
+    low, middle, high = quartiles(records)
+    most = number(max(record["max"] for record in records))
+    if not scored(records):
+        return ["Nobody has a score."]
+    lines.append(f"  median {number(middle)} of {most}, the middle half from {number(low)} to {number(high)}")
+    return lines
+
+
+def mistakes(records: list) -> list:
+    lines = []
+    for made in most_made(records):
+        lines += [f"  {len(made['who']):>3} of {len(records)}  {made['stem']}  {made['function']}"]
+        lines += wrapped("", made["sentence"], 6)
+    if lines:
+        lines = ["Made most: what to explain again next week"] + lines
+    blanks = [f"{what} ({count})" for what, count in not_answered(records)]
+    if blanks:
+        lines += ["Not answered, or no file"] + wrapped("", ", ".join(blanks), 6)
+    return lines
+
+
+def late(records: list) -> list:
+    those = [record["submission"] for record in records if record["late"]]
+    if not those:
+        return []
+    named = ", ".join(fitted(name, 24).rstrip() for name in those[:MOST_LATE])
+    named += " and more" if len(those) > MOST_LATE else ""
+    return [f"Late, or nobody knows when: {len(those)}"] + wrapped("", named, 6)
+
+
+def failures(records: list) -> str:
+    """Whom the grader failed on, and why; '' if it did not."""
+    those = [record for record in clean_class([r for r in records if r]) if record["score"] is None]
+    if not those:
+        return ""
+    lines = [f"The grader failed on {len(those)} of {len(records)}. They have no score, and the next run marks them again:"]
+    for record in those:
+        lines += wrapped("", f"{record['submission']}: {record['words']}", 2)
+    return "\n".join(lines) + "\n"
+
+
+def closing(records: list) -> str:
+    records = clean_class(records)
+    if not records:
+        return "No submissions.\n"
+    (_, seeds), (_, boxes) = circumstances(records)
+    loud = [UNSAFE] if any_unsafe(records) else []
+    blocks = [
+        loud,
+        table(records),
+        distribution(records),
+        mistakes(records),
+        late(records),
+        failures(records).splitlines(),
+        wrapped("", f"{len(records)} submissions. Seed {seeds}. Sandbox: {boxes}.", 0),
+        loud,
+    ]
+    return "\n\n".join("\n".join(block) for block in blocks if block) + "\n"
