@@ -14,7 +14,7 @@ cp build/solutions/figures/*.svg "$folder/figures"
 cp build/solutions/gallery/*.png "$folder/pictures"
 make -s --no-print-directory handout
 tar tzf build/handout.tar.gz | sed 's,^[^/]*/,,' | sort >"$folder/handout"
-make -s --no-print-directory grade SUBMISSIONS=tests/grading/example/class POLICY=tests/grading/example/policy \
+make -s --no-print-directory grade SUBMISSIONS=tests/grade/example/class POLICY=tests/grade/example/policy \
     OUT="$folder/class" SEED=2015 2>/dev/null | sed '/^Took/d' >"$folder/grade"
 # When and where it was done is not the same twice.
 rm -rf "$folder"/class/.[a-z]*
