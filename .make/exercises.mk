@@ -66,10 +66,11 @@ hint: $(VERDICTS) ## one hint more each time it is asked for (EX=05)
 		.make/hint exercises/$(CHOSEN).hints "$$name" $(call answer_in,$(EXERCISES),$(CHOSEN)) \
 		$(VERDICT)/$(CHOSEN).hint
 
-debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call for_debug,$(CHOSEN))) ## gdb at the call that failed (EX=05)
+debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call for_debug,$(CHOSEN)) $(B)/exercises.names) ## gdb at the call that failed (EX=05)
 	@mkdir -p $(B)/debug
-	@$(CC) $(LANGUAGE) -g3 -O0 $(CHECK_CFLAGS) -o $(B)/debug/$(CHOSEN) $(call answer_in,$(EXERCISES),$(CHOSEN)) \
-		$(call for_debug,$(CHOSEN)) $(CHECK_LIBS) $(PNG_LIBS) -lm
+	@$(CC) $(LANGUAGE) -g3 -O0 -c -o $(B)/debug/$(CHOSEN).o $(call answer_in,$(EXERCISES),$(CHOSEN))
+	@$(HIDE_HELPERS) $(B)/debug/$(CHOSEN).o
+	@$(CC) -o $(B)/debug/$(CHOSEN) $(B)/debug/$(CHOSEN).o $(call for_debug,$(CHOSEN)) $(CHECK_LIBS) $(PNG_LIBS) -lm
 	@.make/debug $(VERDICT)/$(CHOSEN) $(CHOSEN) $(B)/debug/$(CHOSEN)
 
 reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)

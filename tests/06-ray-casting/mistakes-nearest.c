@@ -1,5 +1,6 @@
 // mistakes-nearest.c - wrong answers to nearest_hit.
 #include "tests/06-ray-casting/mistakes-limits.h"
+#include "tests/judge/wire.h"
 
 #include <float.h>
 
@@ -46,6 +47,14 @@ static Hit without_the_last(Ray ray, const Scene *scene)
     Scene rest = *scene;
     rest.sphere_count -= rest.sphere_count > 0;
     return nearest_hit(ray, &rest);
+}
+
+// What is past the last one is the answering process's guard.
+static Hit one_too_many(Ray ray, const Scene *scene)
+{
+    Hit hit = nearest_hit(ray, scene);
+    double t = hit_sphere(ray, GUARD_SPHERE);
+    return t < hit.t ? (Hit){t, scene->sphere_count} : hit;
 }
 
 static Hit until_one_is_missed(Ray ray, const Scene *scene)
@@ -240,6 +249,10 @@ const Mistake nearest_mistakes[] = {
     MISTAKE("H-last", nearest_hit, without_the_last, "the last sphere left out",
             "counted from 0, the last of n spheres has the index n - 1, and it is one of them.",
             "the last sphere of the scene is missing"),
+    MISTAKE("H-count", nearest_hit, one_too_many, "a loop up to i <= sphere_count",
+            "n spheres are number 0 to n - 1. There is no sphere number sphere_count: what is past "
+            "the end of an array could be anything.",
+            "a crash, or the colour of something that is not there"),
     MISTAKE("R6-scene", nearest_hit, where_spheres_end, "the t where a sphere is left",
             "the ray enters a sphere before it leaves it, and the eye sees the side that is "
             "turned towards it.",

@@ -1,5 +1,6 @@
 // mistakes-scene-lights.c - wrong answers to shade: what each light gives.
 #include "tests/07-shading/mistakes-scene.h"
+#include "tests/judge/wire.h"
 
 // One light at a hit, and all that its terms are made of.
 typedef struct {
@@ -34,15 +35,17 @@ static Lit shadowless(Lit l)
 
 typedef Color Give(Lit lit);
 
-static Color shade_with(Give *give, const Scene *scene, Ray ray, Hit hit)
+// One light too many: what is past the last one is the answering process's guard.
+static Color shade_lights(bool too_many, Give *give, const Scene *scene, Ray ray, Hit hit)
 {
     Sphere sphere = scene->spheres[hit.sphere];
     const Surface *s = scene_surface(scene, hit.sphere);
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 normal = normal_turned(sphere, point, ray);
     Color sum = ambient_term(s->color, s->diffuse, scene->ambient);
-    for (int i = 0; i < scene->light_count; i++) {
-        Light light = scene->lights[i];
+    int lights = scene->light_count + (too_many ? 1 : 0);
+    for (int i = 0; i < lights; i++) {
+        Light light = i < scene->light_count ? scene->lights[i] : GUARD_LIGHT;
         sum += give((Lit){.scene = scene,
                           .surface = s,
                           .point = point,
@@ -56,6 +59,16 @@ static Color shade_with(Give *give, const Scene *scene, Ray ray, Hit hit)
                           .shine = s->shine});
     }
     return sum;
+}
+
+static Color shade_with(Give *give, const Scene *scene, Ray ray, Hit hit)
+{
+    return shade_lights(false, give, scene, ray, hit);
+}
+
+static Color one_light_too_many(const Scene *scene, Ray ray, Hit hit)
+{
+    return shade_lights(true, both_of, scene, ray, hit);
 }
 
 // Each light gives something else than it should.
@@ -99,6 +112,11 @@ const Mistake shade_light_mistakes[] = {
     MISTAKE("L-diffuse", shade, no_diffuse, "no diffuse term",
             "each light that arrives gives both: what is scattered, and the highlight.",
             "highlights on dark spheres"),
+    MISTAKE(
+        "L-count", shade, one_light_too_many, "a loop up to i <= light_count",
+        "n lights are number 0 to n - 1. There is no light number light_count: what is past the "
+        "end of an array could be anything.",
+        "a light that nobody has set, in any colour, or a crash"),
     MISTAKE("L-specular", shade, no_specular, "no specular term",
             "each light that arrives gives both: what is scattered, and the highlight.",
             "everything as dull as chalk"),

@@ -157,6 +157,7 @@ static __attribute__((noinline)) void paint_stack(void)
 int main(void)
 {
     static Wire in, out;
+    setvbuf(stdout, NULL, _IONBF, 0); // what was printed before a crash is there, too
     before_dispatched_call = paint_stack;
 #ifndef __SANITIZE_ADDRESS__ // which explains crashes better than we do
     catch_crashes();

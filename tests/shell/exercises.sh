@@ -39,6 +39,7 @@ answer_that_does() {
 }
 
 fresh
+judge # builds the judge, which make says: not what is looked at below
 judge EX=01
 check 'a blank is not answered yet' first_line_says '01-corners  upper_left  is not answered yet'
 check 'its slide is named' first_line_says 'slide: Finding vectors from the eye'
@@ -100,12 +101,12 @@ fresh
 answer 02-cameras 's|^CameraFault camera_from_points|static int calls;\n&|; s|return camera_from_vectors(eye, vectors, camera);|calls++;\n    CameraFault fault = camera_from_vectors(eye, vectors, camera);\n    camera->width *= calls;\n    return fault;|'
 judge EX=02
 check 'a state that is kept between calls is seen' says 'gives another result when it is called again'
-# What is behind the end is not the same in the call that is shown and in others.
+# What is past the end is no luck: the answering process has put something there.
 fresh
 answer 06-ray-casting 's|i < scene->sphere_count; i++|i <= scene->sphere_count; i++|'
 judge EX=06
-check 'a sphere behind the last one is seen' first_line_says '06-ray-casting  nearest_hit'
-check 'and nothing is said of other calls than the one shown' says 'or an array beyond its end'
+check 'a sphere past the last one is seen' first_line_says '06-ray-casting  nearest_hit'
+check 'and the loop is named' says 'looks like a loop up to i <= sphere_count'
 fresh
 answer 04-pixel-ray 's|return (Ray){camera.origin, \(.*\)};|vec3 v = \1;\n    return (Ray){vec3_of(0, 0, 0), v / vec3_length(v)};|'
 judge EX=04
@@ -156,8 +157,9 @@ check 'what is wrong comes before what is not answered yet' first_line_says '05-
 answer_that_does '*(volatile int *)0 = 1'
 check 'a write to nowhere is said in words' says 'crashed: write to address 0'
 check 'and what went in is shown' says 'screen     640 x 480'
-answer_that_does 'point.x = *(volatile double *)16'
+answer_that_does 'printf("here\\n"); point.x = *(volatile double *)16' '#include <stdio.h>'
 check 'a read from nowhere is said in words' says 'crashed: read of address 0x10'
+check 'and what was printed before it' says 'it printed here'
 answer_that_does 'for (volatile int i = 0; i < 1; i *= 2);'
 check 'an endless loop is said in words' says 'was still running after 1 s (an endless loop?)'
 answer_that_does 'exit(0)' '#include <stdlib.h>'
@@ -178,6 +180,17 @@ answer_that_does 'for (;;) puts("spam")' '#include <stdio.h>'
 check 'a flood ends' says 'printed more than a million characters'
 answer_that_does 'for (int i = 0; i < 9; i++) printf("%c[31mline %d\\n", 27, i)' '#include <stdio.h>'
 check 'a right answer may print' says '03-screen is right'
+
+# A helper that has the name of a helper of the tests: gdb starts all the same.
+debugs() {
+    env GDB_FLAGS=-batch make --no-print-directory debug EX=06 ANSWERS="$answers" >"$scratch/said" 2>&1
+    says "$1"
+}
+fresh
+answer 06-ray-casting 's|^Hit nearest_hit|char letter_of(int i);\nchar letter_of(int i)\n{\n    return (char)i;\n}\n\n&|; s|t < nearest.t|t > letter_of(0)|'
+if command -v gdb >/dev/null; then
+    check 'a helper may have any name for the debugger, too' debugs 'Breakpoint 2, nearest_hit'
+fi
 
 # ---- 1/2 and 0,5 --------------------------------------------------------------------------------
 
