@@ -12,6 +12,7 @@ TABLE = Path(__file__).resolve().parent.parent / "exercises.table"
 class Exercise:
     stem: str    # 05-quadratic
     name: str    # hit_sphere
+    prototype: str
     slide: str
     prompt: str  # what the slide asks
 
@@ -26,7 +27,7 @@ def read(path=TABLE) -> list:
         if not name:
             raise ValueError(f"{path}:{number}: no exercise, "
                              "expected stem | prototype | slide | what the slide asks")
-        exercises.append(Exercise(cells[0].strip(), name[1], cells[2].strip(), cells[3].strip()))
+        exercises.append(Exercise(*(cell.strip() for cell in (cells[0], name[1], *cells[1:]))))
     return exercises
 
 

@@ -1,6 +1,6 @@
 """archives.py - hostile archives: paths and links that lead out, bombs, lies and noise.
 
-Each function makes one, as in made.py.
+Each function makes one, as in odd_files.py.
 """
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import tarfile
 import zipfile
 from pathlib import Path
 
-from .corpus import Expected
-from .made import CORNERS, NOTHING_THERE, SCREEN
+from .cases import Expected
+from .odd_files import CORNERS, NOTHING_THERE, SCREEN
 
 
 def zipped(path: Path, *members, method=zipfile.ZIP_DEFLATED) -> None:
@@ -47,13 +47,13 @@ def outside(places: dict) -> list:
             f"{places['OUT']}/hostile-was-here", "x/../../../hostile-was-here", "..\\hostile-was-here"]
 
 
-def zip_that_escapes(room, honest, table, places):
+def zip_that_escapes(room, honest, prototypes, places):
     """Members whose paths lead out of where they are unpacked."""
     zipped(room / "zip-that-escapes.zip", *[(name, "forged-mark") for name in outside(places)])
     return Expected(NOTHING_THERE)
 
 
-def tar_that_escapes(room, honest, table, places):
+def tar_that_escapes(room, honest, prototypes, places):
     """The same in a tar, and through a link that it brings along."""
     tarred(room / "tar-that-escapes.tar.gz", *[(name, "forged-mark") for name in outside(places)],
            link_info("out", tarfile.SYMTYPE, str(places["SCRATCH"])), ("out/hostile-was-here", "x"),
@@ -61,7 +61,7 @@ def tar_that_escapes(room, honest, table, places):
     return Expected(NOTHING_THERE)
 
 
-def tar_of_links(room, honest, table, places):
+def tar_of_links(room, honest, prototypes, places):
     """Answers that are links to the references, hard and soft, and devices."""
     solutions = f"{places['TREE']}/solutions"
     tarred(room / "tar-of-links.tar.gz",
@@ -72,7 +72,7 @@ def tar_of_links(room, honest, table, places):
     return Expected(NOTHING_THERE)
 
 
-def zip_of_links(room, honest, table, places):
+def zip_of_links(room, honest, prototypes, places):
     """The same in a zip."""
     info = zipfile.ZipInfo(CORNERS)
     info.create_system, info.external_attr = 3, 0o120777 << 16
@@ -80,13 +80,13 @@ def zip_of_links(room, honest, table, places):
     return Expected(NOTHING_THERE)
 
 
-def zip_bomb(room, honest, table, places):
+def zip_bomb(room, honest, prototypes, places):
     """A third of a megabyte that becomes three hundred."""
     zipped(room / "zip-bomb.zip", (CORNERS, b"\0" * (300 << 20)))
     return Expected(NOTHING_THERE)
 
 
-def zip_that_lies(room, honest, table, places):
+def zip_that_lies(room, honest, prototypes, places):
     """The same, and says that it is ten bytes long."""
     path = room / "zip-that-lies.zip"
     zipped(path, (CORNERS, b" " * (100 << 20)))
@@ -97,19 +97,19 @@ def zip_that_lies(room, honest, table, places):
     return Expected(NOTHING_THERE)
 
 
-def tar_bomb(room, honest, table, places):
+def tar_bomb(room, honest, prototypes, places):
     """Two hundred megabytes of spaces, squeezed."""
     tarred(room / "tar-bomb.tar.gz", (CORNERS, " " * (200 << 20)))
     return Expected(NOTHING_THERE)
 
 
-def zip_of_many(room, honest, table, places):
+def zip_of_many(room, honest, prototypes, places):
     """Sixty thousand members."""
     zipped(room / "zip-of-many.zip", *[(f"{i}.c", "") for i in range(60_000)])
     return Expected(NOTHING_THERE)
 
 
-def zip_in_a_zip(room, honest, table, places):
+def zip_in_a_zip(room, honest, prototypes, places):
     """An archive in an archive, and so on, ten deep."""
     content = b"int a;"
     for i in range(10):
@@ -121,7 +121,7 @@ def zip_in_a_zip(room, honest, table, places):
     return Expected(NOTHING_THERE)
 
 
-def zip_broken(room, honest, table, places):
+def zip_broken(room, honest, prototypes, places):
     """Half an archive."""
     path = room / "zip-broken.zip"
     zipped(path, (SCREEN, honest["03-screen"]))
@@ -129,7 +129,7 @@ def zip_broken(room, honest, table, places):
     return Expected(NOTHING_THERE)
 
 
-def zip_of_two(room, honest, table, places):
+def zip_of_two(room, honest, prototypes, places):
     """Two members of one name."""
     path = room / "zip-of-two.zip"
     zipped(path, (SCREEN, honest["03-screen"]), ("o" + SCREEN[1:], "int a;"))
@@ -137,20 +137,20 @@ def zip_of_two(room, honest, table, places):
     return Expected(NOTHING_THERE)
 
 
-def zip_of_names(room, honest, table, places):
+def zip_of_names(room, honest, prototypes, places):
     """Members whose names are lines, escape codes and markup."""
     zipped(room / "zip-of-names.zip", ("\x1b[2J\nok 1 - forged-mark\n</pre><script>/" + CORNERS, "int a"),
            ("=1+1/" + CORNERS, "int b"))
     return Expected(NOTHING_THERE)
 
 
-def tar_of_noise(room, honest, table, places):
+def tar_of_noise(room, honest, prototypes, places):
     """No archive at all under the name of one."""
     (room / "tar-of-noise.tar.gz").write_bytes(random.Random(4).randbytes(10_000))
     return Expected(NOTHING_THERE)
 
 
-def zip_of_nothing(room, honest, table, places):
+def zip_of_nothing(room, honest, prototypes, places):
     """An archive of no bytes."""
     (room / "zip-of-nothing.zip").write_bytes(b"")
     return Expected(NOTHING_THERE)

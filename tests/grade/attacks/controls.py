@@ -10,7 +10,7 @@ import tarfile
 import zipfile
 from pathlib import Path
 
-from .corpus import Expected, blank
+from .cases import Expected, blank
 
 # As bytes: a file system takes any but / and NUL.
 ODD_NAMES = [
@@ -56,9 +56,9 @@ def archives(room: Path, honest: dict) -> None:
             archive.addfile(info, io.BytesIO(text.encode()))
 
 
-def build(room: Path, honest: dict, table: dict, canary: str) -> dict:
+def build(room: Path, honest: dict, prototypes: dict, canary: str) -> dict:
     """name -> Expected"""
-    everything = {name for functions in table.values() for name in functions}
+    everything = {name for functions in prototypes.values() for name in functions}
     put(room, "honest", honest, lambda text: with_canary(text, canary).encode())
     put(room, "honest-printf", honest, lambda text: with_printf(text).encode())
     put(room, "honest-windows", honest, lambda text: b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
@@ -70,7 +70,7 @@ def build(room: Path, honest: dict, table: dict, canary: str) -> dict:
               "honest-tar.tar.gz")}
     put(room, "honest-blanks", {
         stem: f'#include "exercises/{stem}.h"\n#include "common/answers.h"\n' + "".join(map(blank, functions.values()))
-        for stem, functions in table.items()})
+        for stem, functions in prototypes.items()})
     built["honest-blanks"] = Expected({"graded"})
     return built
 

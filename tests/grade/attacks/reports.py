@@ -11,7 +11,7 @@ import re
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-from .corpus import STATUSES, Expected
+from .cases import STATUSES, Expected
 
 PAID = {"right", "waiting"}
 # What a submission returns when it could do what it must not be able to.

@@ -18,7 +18,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-from . import archives, controls, corpus, made, reports, room
+from grade import exercises
+
+from . import archives, cases, controls, odd_files, reports, room
 
 TREE = Path(__file__).resolve().parents[3]
 SEED = "20151104"
@@ -79,13 +81,13 @@ def check_run(kind: str, done: dict, places: dict, count: int, secrets: dict) ->
     return there > 0
 
 
-def check_records(kind: str, out: Path, wanted: dict, odd: int, table: dict) -> None:
+def check_records(kind: str, out: Path, wanted: dict, odd: int, prototypes: dict) -> None:
     results = {reports.record_of(result)["submission"]: result for result in reports.results(out)}
     for name, expected in wanted.items():
         result = results.pop(name, None)
         check(f"{kind}: {name}", ["no result"] if result is None else
               reports.about(reports.record_of(result), expected))
-    right = corpus.Expected({"graded"}, set(table["03-screen"]))
+    right = cases.Expected({"graded"}, set(prototypes["03-screen"]))
     for name, result in results.items():
         check(f"{kind}: odd name {name}", reports.about(reports.record_of(result), right))
     check(f"{kind}: every odd name has a result of its own",
@@ -101,16 +103,16 @@ def only(parts: list, submissions: Path, wanted: dict, keep: set) -> dict:
 
 
 def left_behind(scratch: Path) -> list:
-    """What the corpus writes where it should not be able to goes by one name."""
+    """What the attacks write where it should not be able to goes by one name."""
     return [path for place in ("/tmp", "/var/tmp", "/dev/shm", scratch)
             for path in sorted(Path(place).glob("hostile-was-here*"))]
 
 
-def check_kind(kind: str, places: dict, honest: dict, table: dict, secrets: dict, parts: list) -> None:
+def check_kind(kind: str, places: dict, honest: dict, prototypes: dict, secrets: dict, parts: list) -> None:
     submissions, out = places["SUBMISSIONS"], places["OUT"]
     shutil.rmtree(submissions, ignore_errors=True)
     submissions.mkdir()
-    wanted = controls.build(submissions, honest, table, secrets["a classmate's file"])
+    wanted = controls.build(submissions, honest, prototypes, secrets["a classmate's file"])
     done = grade(places, kind, secrets["the environment"])
     if NO_SANDBOX in done["words"]:
         print(f"skipped {kind}: not to be had here")
@@ -119,11 +121,11 @@ def check_kind(kind: str, places: dict, honest: dict, table: dict, secrets: dict
         return
     if not check_run(f"{kind}, honest alone", done, places, len(wanted), secrets):
         return
-    check_records(f"{kind}, honest alone", out, wanted, 0, table)
+    check_records(f"{kind}, honest alone", out, wanted, 0, prototypes)
     alone = {reports.record_of(result)["submission"]: reports.without_times(result) for result in reports.results(out)}
 
-    wanted.update(corpus.build(submissions, table, places, has_namespace=os.getpid() == 1))
-    wanted.update(made.build(made.MAKERS + archives.MAKERS, submissions, honest, table, places))
+    wanted.update(cases.build(submissions, prototypes, places, has_namespace=os.getpid() == 1))
+    wanted.update(odd_files.build(odd_files.MAKERS + archives.MAKERS, submissions, honest, prototypes, places))
     wanted = only(parts, submissions, wanted, set(alone))
     if not parts:
         controls.build_odd(submissions, honest)
@@ -134,7 +136,7 @@ def check_kind(kind: str, places: dict, honest: dict, table: dict, secrets: dict
     count = len(os.listdir(submissions))
     if not check_run(kind, done, places, count, secrets):
         return
-    check_records(kind, out, wanted, 0 if parts else len(controls.ODD_NAMES), table)
+    check_records(kind, out, wanted, 0 if parts else len(controls.ODD_NAMES), prototypes)
     together = {reports.record_of(result)["submission"]: reports.without_times(result) for result in reports.results(out)}
     check(f"{kind}: the honest have the marks and the words that they have alone",
           [f"{name}: {reports.first_difference(result, together.get(name))}" for name, result in alone.items()
@@ -165,7 +167,7 @@ def main(words: list) -> int:
             copy_of_the_tree(places["TREE"], secrets)
         secrets["the password file"] = "root:x:0:0"
         for kind in [word for word in words if word in [*KINDS, "none"]] or KINDS:
-            check_kind(kind, places, honest, corpus.exercises(TREE), secrets,
+            check_kind(kind, places, honest, cases.by_stem(exercises.read()), secrets,
                        [word for word in words if word not in [*KINDS, "none"]])
         if os.environ.get("KEEP"):
             subprocess.run(["cp", "-a", "--", scratch, os.environ["KEEP"]], check=False)

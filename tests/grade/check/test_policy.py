@@ -18,7 +18,7 @@ HOUR = 3600
 
 
 def made(stem, count):
-    return [exercises.Exercise(stem, f"{'abcdefgh'[i]}_{stem[:2]}", "slide", "?")
+    return [exercises.Exercise(stem, f"{'abcdefgh'[i]}_{stem[:2]}", "int f(void)", "slide", "?")
             for i in range(count)]
 
 
@@ -52,7 +52,7 @@ class Table(Scratch):
         for stem, count in COUNTS.items():
             self.assertEqual(sum(exercise.stem == stem for exercise in known), count)
         self.assertEqual(known[0], exercises.Exercise(
-            "01-corners", "upper_left", "Finding vectors from the eye",
+            "01-corners", "upper_left", "vec3 upper_left(Camera c)", "Finding vectors from the eye",
             "Give an expression for the upper left corner."))
         self.assertEqual(known[-1].name, "gamma_encode")
 
