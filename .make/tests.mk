@@ -39,7 +39,8 @@ earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
 #[ The tests themselves, the mistakes and the laws.
 # A stem's tests, calling the answers directly: that answer, and the reference for the stems before.
 parts = $(patsubst %.c,$(B)/%.o,$(wildcard $(1)*.c))
-test_objects = $(call parts,tests/$(1)) $(TESTING) $(B)/tests/judge/main.o \
+tests_of = $(call parts,tests/$(1)) $(call parts,tests/$(1)/support)
+test_objects = $(call tests_of,$(1)) $(TESTING) $(B)/tests/judge/main.o \
 	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
 TESTS := $(STEMS:%=$(BUILT)/tests/%)
 $(TESTS): $(BUILT)/tests/%: $(BUILT)/%.o $$(call test_objects,$$*)
@@ -76,7 +77,7 @@ HEARING := $(patsubst %,$(B)/tests/judge/%.o,hearing $(DIAGNOSIS)) $(B)/judge/ap
 JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call corners kept process ending wire \
 	switchboard system_call) $(HEARING) $(B)/judge/proxies.o $(call parts,tests/[0-9]*/laws) $(REFERENCES)
 JUDGES := $(STEMS:%=$(B)/judge/%)
-$(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/$$*/mistakes) $(JUDGING) \
+$(JUDGES): $(B)/judge/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) $(JUDGING) \
 		$(B)/tests/%/probes.o $(B)/judge/lender-%.o $(DRAWING) \
 		$(patsubst %,$(B)/tests/judge/%.o,judge report right) $(B)/common.a
 	$(call say,link,$@)
@@ -85,7 +86,7 @@ $(JUDGES): $(B)/judge/%: $$(call parts,tests/$$*) $$(call parts,tests/$$*/mistak
 MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
 $(call parts,tests/[0-9]*/composed): EXTRA = -include $(B)/weak.h
 $(call parts,tests/[0-9]*/composed): $(B)/weak.h
-$(MATRICES): $(B)/tests/matrix/%: $$(call parts,tests/$$*) $$(call parts,tests/$$*/mistakes) \
+$(MATRICES): $(B)/tests/matrix/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
 		$(B)/tests/%/probes.o $(B)/tests/%/variants.o $$(call parts,tests/$$*/composed) $(B)/tests/%/unknown.o \
 		$(filter-out %/call.o,$(JUDGING)) $(B)/judge/lender-%.o \
 		$(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
@@ -115,7 +116,7 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 	$(Q)$(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(@D)/$*.errors $(@D)/$*/*.i > $(@D)/$*.c
 	$(Q)$(AS_REFERENCE) -O0 -c -o $@ $(@D)/$*.c
 TRIALS := $(STEMS:%=$(B)/tests/generated/%)
-$(TRIALS): $(B)/tests/generated/%: $$(call parts,tests/$$*) $$(call parts,tests/$$*/mistakes) \
+$(TRIALS): $(B)/tests/generated/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
 		$(B)/tests/%/probes.o $(filter-out %/call.o,$(JUDGING)) \
 		$(B)/judge/dispatch-%.o $(B)/generated/%.o \
 		$(patsubst %,$(B)/tests/generated/%.o,try truth guard question ask_screen ask_cameras \
@@ -198,7 +199,7 @@ $(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told
 
 #[ Where the tables come from; and right answers written otherwise, held against them.
 TELLERS := $(STEMS:%=$(B)/told/tell/%)
-$(TELLERS): $(B)/told/tell/%: $$(call parts,tests/$$*) $$(call parts,tests/$$*/mistakes) \
+$(TELLERS): $(B)/told/tell/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
 		$(B)/tests/%/probes.o $(filter-out %/call.o,$(JUDGING)) $(TOLD) \
 		$(patsubst %,$(B)/tests/told/%.o,tell asked takes here) \
 		$(B)/judge/dispatch-%.o $(B)/common.a

@@ -1,133 +1,1041 @@
 // 05-quadratic.c - tests of exercise 05. Expected: the deck's section, chords worked by hand, and
 // what is true of any ray and sphere that were built from their hits.
-#include "tests/05-quadratic.h"
+#include "tests/05-quadratic/support.h"
 
-// ---- saying it ----------------------------------------------------------------------------------
+#include <stdlib.h>
 
-void given_quadratic(Quadratic q)
+// ---- to_object_coordinates ----------------------------------------------------------------------
+
+START_TEST(the_origin_is_seen_from_the_centre_of_the_sphere)
 {
-    given("a, b, c", "%s, %s, %s", number_text_to(q.a, 12).s, number_text_to(q.b, 12).s,
-          number_text_to(q.c, 12).s);
+    Ray ray = {vec3_of(1, 2, 3), vec3_of(0, 0, -1)};
+    Sphere sphere = sphere_at(4, -1, 1, 2);
+    given_ray_and_sphere(ray, sphere);
+    given("looking at", "the origin");
+    expect_vec3(to_object_coordinates(ray, sphere).origin, vec3_of(-3, 3, 2), TOLERANCE);
 }
+END_TEST
 
-void given_ray_and_sphere(Ray ray, Sphere sphere)
+START_TEST(the_direction_stays_as_it_is)
+{
+    Ray ray = {vec3_of(1, 2, 3), vec3_of(2, -3, 6)};
+    Sphere sphere = sphere_at(4, -1, 1, 2);
+    given_ray_and_sphere(ray, sphere);
+    given("looking at", "the direction");
+    expect_vec3(to_object_coordinates(ray, sphere).direction, vec3_of(2, -3, 6), TOLERANCE);
+}
+END_TEST
+
+START_TEST(a_place_that_was_chosen_round_the_centre_comes_back)
+{
+    for (int i = 0; i < 20; i++) {
+        vec3 place = random_vec3(-9, 9);
+        Sphere sphere = random_sphere(9, 0.1, 5);
+        Ray ray = {sphere.center + place, random_vec3(-2, 2)};
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the origin");
+        Ray seen = to_object_coordinates(ray, sphere);
+        expect_vec3(seen.origin, place, TOLERANCE);
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the direction");
+        expect_vec3(seen.direction, ray.direction, TOLERANCE);
+    }
+}
+END_TEST
+
+START_TEST(worlds_and_directions_may_be_of_any_size)
+{
+    enum { COUNT = 13 };
+    for (int i = 0; i < COUNT; i++) {
+        double world = random_scale(i, COUNT), length = random_scale(COUNT - 1 - i, COUNT);
+        vec3 place = world * random_vec3(-9, 9);
+        Sphere sphere = random_sphere(9, 0.1, 5);
+        sphere.center *= world;
+        sphere.radius *= world;
+        Ray ray = {sphere.center + place, length * random_vec3(-2, 2)};
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the origin");
+        Ray seen = to_object_coordinates(ray, sphere);
+        expect_vec3(seen.origin, place, TOLERANCE * world);
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the direction");
+        expect_vec3(seen.direction, ray.direction, TOLERANCE * length);
+    }
+}
+END_TEST
+
+// ---- object_quadratic ---------------------------------------------------------------------------
+
+static void given_object_ray(Ray ray, double radius)
 {
     given_ray(ray);
-    given_sphere(sphere);
+    given_number("radius", radius);
 }
 
-void expect_quadratic(Quadratic yours, double a, double b, double c)
+// By hand: 0.89^2 + 0.45^2, 2 (-4 * 0.89 - 0.45), 16 + 1 - 1.
+START_TEST(the_equation_of_the_arrow_of_the_deck)
 {
-    expect_quadratic_of_size(yours, a, b, c, 1);
+    Ray ray = ray_of_the_deck(0.89, 0.45);
+    given_object_ray(ray, 1);
+    expect_quadratic(object_quadratic(ray, 1), 0.9946, -8.02, 16);
 }
+END_TEST
 
-void expect_quadratic_of_size(Quadratic yours, double a, double b, double c, double size)
+// By hand: 1 + 1/4, 2 (-4 - 1/2), 16 + 1 - 1. The direction is not unit.
+START_TEST(the_equation_of_the_ray_through_the_hits_drawn_in_the_deck)
 {
-    given("in order", "a, b, c");
-    expect_vec3(vec3_of(yours.a, yours.b, yours.c), vec3_of(a, b, c), TOLERANCE * size * size);
+    Ray ray = ray_of_the_deck(1, 0.5);
+    given_object_ray(ray, 1);
+    expect_quadratic(object_quadratic(ray, 1), 1.25, -9, 16);
 }
+END_TEST
 
-void expect_no_roots(Roots yours)
+// By hand: 4 + 1 + 4, 2 (2 - 2 - 6), 1 + 4 + 9 - 9.
+START_TEST(a_radius_of_3_and_a_direction_of_length_3)
 {
-    expect_roots(yours, (Roots){0}, 0);
+    Ray ray = {vec3_of(1, -2, 3), vec3_of(2, 1, -2)};
+    given_object_ray(ray, 3);
+    expect_quadratic(object_quadratic(ray, 3), 9, -12, 5);
 }
+END_TEST
 
-void expect_roots_of(Quadratic q, Roots expected, double within)
+// By hand: 1.0001^2, 2 * 0.5 * 1.0001, 0.25 - 1/16; and 0.9999^2. None of them is 1.
+START_TEST(a_direction_that_is_nearly_unit_is_not_unit)
 {
-    given_quadratic(q);
-    expect_roots(quadratic_roots(q), expected, within);
+    Ray ray = {vec3_of(0.5, 0, 0), vec3_of(1.0001, 0, 0)};
+    given_object_ray(ray, 0.25);
+    expect_quadratic(object_quadratic(ray, 0.25), 1.00020001, 1.0001, 0.1875);
+    ray = (Ray){vec3_of(0, -0.5, 0), vec3_of(0, 0.9999, 0)};
+    given_object_ray(ray, 0.25);
+    expect_quadratic(object_quadratic(ray, 0.25), 0.99980001, -0.9999, 0.1875);
+}
+END_TEST
+
+START_TEST(c_is_negative_for_a_ray_that_begins_inside)
+{
+    Ray ray = {vec3_of(0, 0, 1), vec3_of(0, 0, 2)};
+    given_object_ray(ray, 4);
+    expect_quadratic(object_quadratic(ray, 4), 4, 4, -15);
+}
+END_TEST
+
+// What the equation says: at every t, how far the point's squared distance from the centre is
+// from the squared radius.
+static double distance_squared_less_radius_squared(Ray ray, vec3 center, double radius, double t)
+{
+    double distance = vec3_length(ray.origin + t * ray.direction - center);
+    return (distance - radius) * (distance + radius);
 }
 
-void expect_meetings(Ray ray, Sphere sphere, Roots expected, double within)
+START_TEST(at_every_t_it_is_the_squared_distance_less_the_squared_radius)
+{
+    for (int i = 0; i < 30; i++) {
+        Ray ray = random_ray(5, 2);
+        double radius = random_number(0.1, 5), t = random_number(-3, 3);
+        given_object_ray(ray, radius);
+        given("looking at", "a t^2 + b t + c for t = %s", number_text_to(t, 10).s);
+        Quadratic q = object_quadratic(ray, radius);
+        expect_number(q.a * t * t + q.b * t + q.c,
+                      distance_squared_less_radius_squared(ray, vec3_of(0, 0, 0), radius, t), 1e-6);
+    }
+}
+END_TEST
+
+// A ray whose angle to the line from its origin to the centre is known, in a world of any size; the
+// direction is a little longer or shorter than that world is large. size: of the numbers that go
+// in.
+typedef struct {
+    Ray ray; // in object coordinates
+    double radius, size;
+    Quadratic quadratic;
+} Angled;
+
+static Angled random_angled(double world)
+{
+    vec3 way = random_unit(), aside = vec3_unit(vec3_cross(way, random_unit()));
+    double distance = world * random_number(0.1, 5), radius = world * random_number(0.1, 5);
+    double length = world * pow(10, random_number(-2, 2)), angle = random_number(0, PI);
+    vec3 origin = distance * (cos(angle) * way + sin(angle) * aside);
+    return (Angled){{origin, length * way},
+                    radius,
+                    distance + radius + length,
+                    {length * length, 2 * distance * length * cos(angle),
+                     (distance - radius) * (distance + radius)}};
+}
+
+// The law of scale: with everything k times as large a, b and c are k^2 times as large.
+START_TEST(an_equation_may_be_of_any_size)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        Angled it = random_angled(random_scale(i, COUNT));
+        given_object_ray(it.ray, it.radius);
+        expect_quadratic_of_size(object_quadratic(it.ray, it.radius), it.quadratic.a,
+                                 it.quadratic.b, it.quadratic.c, it.size);
+    }
+}
+END_TEST
+
+// ---- world_quadratic ----------------------------------------------------------------------------
+
+START_TEST(a_sphere_at_the_origin_of_the_world_gives_what_object_coordinates_give)
+{
+    Ray ray = ray_of_the_deck(1, 0.5);
+    given_ray_and_sphere(ray, unit_sphere());
+    expect_quadratic(world_quadratic(ray, unit_sphere()), 1.25, -9, 16);
+}
+END_TEST
+
+// From the centre the origin is (1, -2, 3), as in the test of object coordinates.
+START_TEST(a_sphere_off_the_origin_of_the_world)
+{
+    Ray ray = {vec3_of(1, 2, 3), vec3_of(2, 1, -2)};
+    Sphere sphere = sphere_at(0, 4, 0, 3);
+    given_ray_and_sphere(ray, sphere);
+    expect_quadratic(world_quadratic(ray, sphere), 9, -12, 5);
+}
+END_TEST
+
+START_TEST(moving_the_eye_and_the_sphere_together_changes_nothing)
+{
+    vec3 moves[] = {vec3_of(10, 0, 0), vec3_of(0, -20, 5), vec3_of(7, 8, -9)};
+    for (int i = 0; i < 3; i++) {
+        Ray ray = {vec3_of(-4, -1, 0) + moves[i], vec3_of(1, 0.5, 0)};
+        Sphere sphere = {.center = moves[i], .radius = 1};
+        given_ray_and_sphere(ray, sphere);
+        expect_quadratic(world_quadratic(ray, sphere), 1.25, -9, 16);
+    }
+}
+END_TEST
+
+START_TEST(in_the_world_too_it_is_the_squared_distance_less_the_squared_radius)
+{
+    for (int i = 0; i < 30; i++) {
+        Ray ray = random_ray(5, 2);
+        Sphere sphere = random_sphere(5, 0.1, 5);
+        double t = random_number(-3, 3);
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "a t^2 + b t + c for t = %s", number_text_to(t, 10).s);
+        Quadratic q = world_quadratic(ray, sphere);
+        expect_number(q.a * t * t + q.b * t + q.c,
+                      distance_squared_less_radius_squared(ray, sphere.center, sphere.radius, t),
+                      1e-6);
+    }
+}
+END_TEST
+
+START_TEST(an_equation_of_the_world_may_be_of_any_size)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        double world = random_scale(i, COUNT);
+        Angled it = random_angled(world);
+        Sphere sphere = {.center = world * random_vec3(-5, 5), .radius = it.radius};
+        it.ray.origin += sphere.center;
+        given_ray_and_sphere(it.ray, sphere);
+        expect_quadratic_of_size(world_quadratic(it.ray, sphere), it.quadratic.a, it.quadratic.b,
+                                 it.quadratic.c, it.size + vec3_length(sphere.center));
+    }
+}
+END_TEST
+
+// ---- quadratic_roots ---------------------------------------------------------------------------
+
+// The quadratic with these roots.
+static Quadratic with_roots(double a, double t, double u)
+{
+    return (Quadratic){a, -a * (t + u), a * t * u};
+}
+
+// By hand: (9 - 1) / 2.5 and (9 + 1) / 2.5.
+START_TEST(the_roots_are_the_t_of_the_hits_drawn_in_the_deck)
+{
+    expect_roots_of((Quadratic){1.25, -9, 16}, two(3.2, 4), TOLERANCE);
+}
+END_TEST
+
+START_TEST(the_roots_of_the_arrow_of_the_deck)
+{
+    expect_roots_of((Quadratic){0.9946, -8.02, 16}, two(3.622, 4.442), 1e-3);
+}
+END_TEST
+
+START_TEST(roots_that_were_chosen_come_back)
+{
+    expect_roots_of(with_roots(1, 2, 3), two(2, 3), TOLERANCE);
+    expect_roots_of(with_roots(2, -1, 5), two(-1, 5), TOLERANCE);
+    expect_roots_of(with_roots(0.5, -6, -4), two(-6, -4), TOLERANCE);
+    for (int i = 0; i < 30; i++) {
+        double a = random_number(0.1, 5), t = random_number(-9, 9), gap = random_number(0.1, 9);
+        expect_roots_of(with_roots(a, t, t + gap), two(t, t + gap), TOLERANCE);
+    }
+}
+END_TEST
+
+START_TEST(roots_come_in_ascending_order_even_when_a_is_negative)
+{
+    expect_roots_of(with_roots(-1, 2, 3), two(2, 3), TOLERANCE);
+    expect_roots_of(with_roots(-4, -7, 1), two(-7, 1), TOLERANCE);
+    for (int i = 0; i < 10; i++) {
+        double a = -random_number(0.1, 5), t = random_number(-9, 9), gap = random_number(0.1, 9);
+        expect_roots_of(with_roots(a, t, t + gap), two(t, t + gap), TOLERANCE);
+    }
+}
+END_TEST
+
+// a and the root are powers of two, and so are b and c: nothing is rounded, even by an answer that
+// divides by one of them first.
+START_TEST(a_double_root_counts_as_two)
+{
+    expect_roots_of((Quadratic){1, -8, 16}, two(4, 4), TOLERANCE);
+    expect_roots_of((Quadratic){2, 8, 8}, two(-2, -2), TOLERANCE);
+    expect_roots_of((Quadratic){3, 0, 0}, two(0, 0), TOLERANCE);
+    for (int i = 0; i < 10; i++) {
+        double a = ldexp(i % 2 == 0 ? 1 : -1, (int)random_number(-10, 10));
+        double t = ldexp(i % 4 < 2 ? 1 : -1, (int)random_number(-10, 10));
+        expect_roots_of(with_roots(a, t, t), two(t, t), TOLERANCE);
+    }
+}
+END_TEST
+
+START_TEST(there_are_no_roots_where_the_parabola_stays_on_one_side)
+{
+    Quadratic none[] = {{1, 0, 1}, {2, -4, 9}, {1, 1, 0.5}, {-1, 2, -5}};
+    for (int i = 0; i < 4; i++) {
+        given_quadratic(none[i]);
+        expect_no_roots(quadratic_roots(none[i]));
+    }
+    // a ((t - lowest)^2 + above^2)
+    for (int i = 0; i < 10; i++) {
+        double a = random_number(0.1, 5) * (i % 2 == 0 ? 1 : -1);
+        double lowest = random_number(-9, 9), above = random_number(0.1, 3);
+        Quadratic q = {a, -2 * a * lowest, a * (lowest * lowest + above * above)};
+        given_quadratic(q);
+        expect_no_roots(quadratic_roots(q));
+    }
+}
+END_TEST
+
+START_TEST(where_b_is_0_the_roots_are_opposite)
+{
+    expect_roots_of((Quadratic){4, 0, -9}, two(-1.5, 1.5), TOLERANCE);
+}
+END_TEST
+
+START_TEST(where_c_is_0_one_root_is_0)
+{
+    expect_roots_of((Quadratic){2, -6, 0}, two(0, 3), TOLERANCE);
+    expect_roots_of((Quadratic){2, 6, 0}, two(-3, 0), TOLERANCE);
+    expect_roots_of((Quadratic){3e6, -6e6, 0}, two(0, 2), TOLERANCE);
+    expect_roots_of((Quadratic){-3e6, 6e6, 0}, two(0, 2), TOLERANCE);
+}
+END_TEST
+
+START_TEST(where_a_is_0_it_is_a_line_with_one_root)
+{
+    expect_roots_of((Quadratic){0, 2, -6}, (Roots){1, {3}}, TOLERANCE);
+    expect_roots_of((Quadratic){0, -4, 0}, (Roots){1, {0}}, TOLERANCE);
+    for (int i = 0; i < 10; i++) {
+        double b = random_number(0.1, 5) * (i % 2 == 0 ? 1 : -1), t = random_number(-9, 9);
+        expect_roots_of((Quadratic){0, b, -b * t}, (Roots){1, {t}}, TOLERANCE);
+    }
+}
+END_TEST
+
+START_TEST(where_a_and_b_are_0_there_are_no_roots)
+{
+    double c[] = {5, -5, 0};
+    for (int i = 0; i < 3; i++) {
+        given_quadratic((Quadratic){0, 0, c[i]});
+        expect_no_roots(quadratic_roots((Quadratic){0, 0, c[i]}));
+    }
+}
+END_TEST
+
+// The law of scale: whatever a, b and c are all multiplied by, the roots stay; and with b and c
+// divided by k and its square, the roots are 1/k of what they were. Nothing is small in itself.
+START_TEST(coefficients_and_roots_may_be_large_or_small)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        double size = random_scale(i, COUNT), bend = random_scale((7 * i) % COUNT, COUNT);
+        double a = random_number(0.5, 5) * pow(bend, 3); // size may be anything beside it
+        double t = size * random_number(-9, 9), gap = size * random_number(0.1, 9);
+        if (i % 5 == 4)
+            a = -a;
+        if (i % 3 < 2) {
+            expect_roots_of(with_roots(a, t, t + gap), two(t, t + gap), TOLERANCE * size);
+            continue;
+        }
+        Quadratic q = {a, -2 * a * t, a * (t * t + gap * gap)}; // a ((x - t)^2 + gap^2)
+        given_quadratic(q);
+        expect_no_roots(quadratic_roots(q));
+    }
+}
+END_TEST
+
+// D is 4 times the root's square.
+START_TEST(a_discriminant_may_be_of_any_size)
+{
+    for (int power = -16; power <= 16; power++) {
+        double root = pow(10, power);
+        expect_roots_of((Quadratic){1, 0, -root * root}, two(-root, root), TOLERANCE * root);
+        given_quadratic((Quadratic){1, 0, root * root});
+        expect_no_roots(quadratic_roots((Quadratic){1, 0, root * root}));
+    }
+}
+END_TEST
+
+START_TEST(a_line_may_be_steep_or_almost_level)
+{
+    enum { COUNT = 13 };
+    for (int i = 0; i < COUNT; i++) {
+        double slope = pow(random_scale(i, COUNT), 3);
+        double b = random_number(0.5, 5) * slope * (i % 2 == 0 ? 1 : -1);
+        double size = random_scale((5 * i) % COUNT, COUNT), t = size * random_number(-9, 9);
+        expect_roots_of((Quadratic){0, b, -b * t}, (Roots){1, {t}}, TOLERANCE * size);
+    }
+}
+END_TEST
+
+// Far out it bends all the same: the second root is where the line would never be.
+START_TEST(a_parabola_that_hardly_bends_has_two_roots)
+{
+    for (int i = 0; i < 5; i++) {
+        double far = pow(10, 3 + i) * random_number(1, 9) * (i % 2 == 0 ? 1 : -1);
+        Quadratic q = with_roots(random_number(0.5, 5) / far, 1, far);
+        expect_roots_of(q, two(fmin(1, far), fmax(1, far)), TOLERANCE * fabs(far));
+    }
+}
+END_TEST
+
+// ---- sphere_roots: where a whole line meets a sphere -------------------------------------------
+
+static void expect_aimed(Aimed aimed)
+{
+    given("made so", "that the angle at the surface is known");
+    expect_meetings(aimed.ray, aimed.sphere, two(aimed.near, aimed.far),
+                    ROOT_TOLERANCE * aimed.sphere.radius / vec3_length(aimed.ray.direction));
+}
+
+START_TEST(the_line_drawn_in_the_deck_meets_the_sphere_in_the_hits_drawn)
+{
+    expect_meetings(ray_of_the_deck(1, 0.5), unit_sphere(), two(3.2, 4), ROOT_TOLERANCE);
+}
+END_TEST
+
+START_TEST(a_sphere_off_the_origin_is_met_in_the_same_places)
+{
+    Ray ray = {vec3_of(3, 8, -2), vec3_of(1, 0.5, 0)};
+    expect_meetings(ray, sphere_at(7, 9, -2, 1), two(3.2, 4), ROOT_TOLERANCE);
+}
+END_TEST
+
+START_TEST(what_is_behind_the_origin_is_met_too)
+{
+    expect_meetings(ray_of_the_deck(-1, -0.5), unit_sphere(), two(-4, -3.2), ROOT_TOLERANCE);
+    for (int i = 0; i < 10; i++)
+        expect_aimed(i % 2 == 0 ? random_behind() : random_inside());
+}
+END_TEST
+
+START_TEST(from_the_middle_it_is_met_on_both_sides)
+{
+    Ray ray = {vec3_of(1, 1, 1), vec3_of(0, 0, 2)};
+    expect_meetings(ray, sphere_at(1, 1, 1, 3), two(-1.5, 1.5), ROOT_TOLERANCE);
+}
+END_TEST
+
+START_TEST(a_tangent_line_meets_it_twice_in_one_place)
+{
+    // As for hit_sphere: nothing is rounded, whichever of the usual formulas is used.
+    Ray ray = {vec3_of(-4, 3, 0), vec3_of(1, 0, 0)};
+    expect_meetings(ray, sphere_at(0, 0, 0, 3), two(4, 4), ROOT_TOLERANCE * 3);
+    ray = (Ray){vec3_of(2, 5, -1), vec3_of(0, 0, 2)};
+    expect_meetings(ray, sphere_at(2, 1, 2, 4), two(1.5, 1.5), ROOT_TOLERANCE * 2);
+}
+END_TEST
+
+START_TEST(a_line_that_touches_it_where_it_starts_meets_it_at_0)
+{
+    Ray ray = {vec3_of(3, 5, 0), vec3_of(0, 0, 2)};
+    expect_meetings(ray, sphere_at(3, 4, 0, 1), two(0, 0), ROOT_TOLERANCE);
+}
+END_TEST
+
+START_TEST(a_line_that_passes_beside_it_does_not_meet_it)
+{
+    Ray ray = {vec3_of(-4, 1.25, 0), vec3_of(1, 0, 0)};
+    given_ray_and_sphere(ray, unit_sphere());
+    expect_no_roots(sphere_roots(ray, unit_sphere()));
+    ray = ray_of_the_deck(1, -0.5);
+    given_ray_and_sphere(ray, unit_sphere());
+    expect_no_roots(sphere_roots(ray, unit_sphere()));
+    for (int i = 0; i < 10; i++) {
+        Aimed past = random_beside();
+        given_ray_and_sphere(past.ray, past.sphere);
+        expect_no_roots(sphere_roots(past.ray, past.sphere));
+    }
+}
+END_TEST
+
+START_TEST(the_chord_is_twice_the_radius_times_the_cosine)
+{
+    for (int i = 0; i < 50; i++)
+        expect_aimed(random_aimed(random_number(0.1, 1000)));
+}
+END_TEST
+
+// From 3 away, with a radius of 2: 1 and 5 to go, on a direction that is ever longer or shorter.
+START_TEST(both_places_may_be_of_any_size)
+{
+    for (int power = -16; power <= 16; power++) {
+        double length = pow(10, power);
+        Ray ray = {vec3_of(0, 1, 0), vec3_of(length, 0, 0)};
+        expect_meetings(ray, sphere_at(3, 1, 0, 2), two(1 / length, 5 / length),
+                        ROOT_TOLERANCE / length);
+    }
+}
+END_TEST
+
+START_TEST(worlds_and_directions_of_any_size_are_met_in_the_same_places)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        Aimed aimed = i % 4 == 0   ? random_aimed(random_number(1, 10))
+                      : i % 4 == 1 ? random_inside()
+                      : i % 4 == 2 ? random_behind()
+                                   : random_beside();
+        double world = pow(random_scale(i, COUNT), 1.5);
+        double length = random_scale(i % 2 == 0 ? COUNT - 1 - i : i, COUNT);
+        aimed = scaled(aimed, world, length);
+        if (i % 4 < 3) {
+            expect_aimed(aimed);
+            continue;
+        }
+        given_ray_and_sphere(aimed.ray, aimed.sphere);
+        expect_no_roots(sphere_roots(aimed.ray, aimed.sphere));
+    }
+}
+END_TEST
+
+// ---- hit_sphere: the place that is seen --------------------------------------------------------
+
+static void expect_hit(Ray ray, Sphere sphere, double t)
 {
     given_ray_and_sphere(ray, sphere);
-    expect_roots(sphere_roots(ray, sphere), expected, within);
+    expect_number(hit_sphere(ray, sphere), t,
+                  ROOT_TOLERANCE * sphere.radius / vec3_length(ray.direction));
 }
 
-Roots two(double t, double u)
+START_TEST(the_arrow_of_the_deck_hits_the_near_side_of_the_sphere)
 {
-    return (Roots){2, {t, u}};
+    given_ray_and_sphere(ray_of_the_deck(0.89, 0.45), unit_sphere());
+    expect_number(hit_sphere(ray_of_the_deck(0.89, 0.45), unit_sphere()), 3.622, 1e-3);
 }
+END_TEST
 
-// ---- what is met --------------------------------------------------------------------------------
-
-// The deck's section: the circle of radius 1 round the origin, seen from (-4, -1).
-Ray ray_of_the_deck(double x, double y)
+START_TEST(from_outside_the_nearer_of_two_places_is_hit)
 {
-    return (Ray){vec3_of(-4, -1, 0), vec3_of(x, y, 0)};
+    expect_hit(ray_of_the_deck(1, 0.5), unit_sphere(), 3.2);
+    Ray ray = {vec3_of(3, 8, -2), vec3_of(1, 0.5, 0)};
+    expect_hit(ray, sphere_at(7, 9, -2, 1), 3.2);
 }
+END_TEST
 
-Sphere unit_sphere(void)
+// 10 away, radius 2: 8 to go.
+START_TEST(t_counts_in_lengths_of_the_direction)
 {
-    return (Sphere){.center = vec3_of(0, 0, 0), .radius = 1};
-}
-
-Sphere sphere_at(double x, double y, double z, double radius)
-{
-    return (Sphere){.center = vec3_of(x, y, z), .radius = radius};
-}
-
-Aimed random_aimed(double radii_away)
-{
-    Aimed aimed;
-    aimed.sphere = random_sphere(5, 0.1, 3);
-    vec3 normal = random_unit(), back = random_unit();
-    while (vec3_dot(normal, back) < 0.3)
-        back = random_unit();
-    double r = aimed.sphere.radius, length = random_number(0.1, 10);
-    double distance = radii_away * r;
-    vec3 point = aimed.sphere.center + r * normal;
-    aimed.ray = (Ray){point + distance * back, -length * back};
-    aimed.near = distance / length;
-    aimed.far = (distance + 2 * r * vec3_dot(normal, back)) / length;
-    return aimed;
-}
-
-Aimed random_inside(void)
-{
-    for (;;) {
-        Aimed aimed = random_aimed(-random_number(0.05, 1.9));
-        double to_exit = aimed.far * vec3_length(aimed.ray.direction) / aimed.sphere.radius;
-        if (to_exit > 0.05)
-            return aimed;
+    double length[] = {1, 2, 16, 0.25};
+    for (int i = 0; i < 4; i++) {
+        Ray ray = {vec3_of(1, 1, 5), vec3_of(0, 0, -length[i])};
+        expect_hit(ray, sphere_at(1, 1, -5, 2), 8 / length[i]);
     }
 }
+END_TEST
 
-Aimed random_behind(void)
+START_TEST(from_inside_the_exit_is_hit)
 {
-    return random_aimed(-random_number(2.1, 100));
-}
-
-// From beside a point next to the sphere, where the ray is at right angles to its radius.
-Aimed random_beside(void)
-{
-    Aimed aimed = {.sphere = random_sphere(5, 0.1, 3), .near = NO_HIT, .far = NO_HIT};
-    vec3 direction = random_unit(), aside = vec3_unit(vec3_cross(direction, random_unit()));
-    double r = aimed.sphere.radius, away = random_number(-100, 100) * r;
-    vec3 passed = aimed.sphere.center + random_number(1.05, 3) * r * aside;
-    aimed.ray = (Ray){passed - away * direction, random_number(0.1, 10) * direction};
-    return aimed;
-}
-
-Aimed scaled(Aimed aimed, double world, double length)
-{
-    aimed.ray.origin *= world;
-    aimed.ray.direction *= length;
-    aimed.sphere.center *= world;
-    aimed.sphere.radius *= world;
-    if (aimed.near < NO_HIT) {
-        aimed.near *= world / length;
-        aimed.far *= world / length;
+    Ray ray = {vec3_of(1, 1, 2), vec3_of(0, 0, 2)};
+    expect_hit(ray, sphere_at(1, 1, 1, 3), 1);
+    ray.direction = vec3_of(0, 0, -2);
+    expect_hit(ray, sphere_at(1, 1, 1, 3), 2);
+    for (int i = 0; i < 10; i++) {
+        Aimed inside = random_inside();
+        expect_hit(inside.ray, inside.sphere, inside.far);
     }
-    return aimed;
 }
+END_TEST
+
+START_TEST(what_is_behind_is_not_hit)
+{
+    expect_hit(ray_of_the_deck(-1, -0.5), unit_sphere(), NO_HIT);
+    for (int i = 0; i < 10; i++) {
+        Aimed behind = random_behind();
+        expect_hit(behind.ray, behind.sphere, NO_HIT);
+    }
+}
+END_TEST
+
+START_TEST(what_is_beside_is_not_hit)
+{
+    Ray ray = {vec3_of(-4, 1.25, 0), vec3_of(1, 0, 0)};
+    expect_hit(ray, unit_sphere(), NO_HIT);
+    for (int i = 0; i < 10; i++) {
+        Aimed past = random_beside();
+        expect_hit(past.ray, past.sphere, NO_HIT);
+    }
+}
+END_TEST
+
+// Only rays along an axis, 1 or 2 long, and whole numbers: sides of 3 and 4 have a diagonal of 5.
+// So nothing is rounded, whichever of the usual formulas is used, and every right answer hits.
+START_TEST(a_tangent_ray_hits)
+{
+    Ray ray = {vec3_of(-4, 3, 0), vec3_of(1, 0, 0)};
+    expect_hit(ray, sphere_at(0, 0, 0, 3), 4);
+    ray = (Ray){vec3_of(2, 10, -3), vec3_of(0, -2, 0)};
+    expect_hit(ray, sphere_at(5, 6, -3, 3), 2);
+    ray = (Ray){vec3_of(2, 5, -1), vec3_of(0, 0, 2)};
+    expect_hit(ray, sphere_at(2, 1, 2, 4), 1.5);
+}
+END_TEST
+
+// On the surface in the direction of an axis, for the same reason.
+START_TEST(from_the_surface_inwards_the_other_side_is_hit)
+{
+    Ray ray = {vec3_of(0, 0, 5), vec3_of(0, 0, -2)};
+    expect_hit(ray, sphere_at(0, 0, 2, 3), 3);
+    ray = (Ray){vec3_of(-2, 3, 6), vec3_of(1, 0, 0)};
+    expect_hit(ray, sphere_at(1, 3, 6, 3), 6);
+}
+END_TEST
+
+START_TEST(from_the_surface_outwards_nothing_is_hit)
+{
+    Ray ray = {vec3_of(0, 0, 5), vec3_of(0, 0, 2)};
+    expect_hit(ray, sphere_at(0, 0, 2, 3), NO_HIT);
+    ray = (Ray){vec3_of(-2, 3, 6), vec3_of(-1, 0, 0)};
+    expect_hit(ray, sphere_at(1, 3, 6, 3), NO_HIT);
+}
+END_TEST
+
+START_TEST(a_surface_close_to_the_eye_is_hit)
+{
+    Ray ray = {vec3_of(0, 0, -0.99), vec3_of(0, 0, -1)};
+    expect_hit(ray, sphere_at(0, 0, -2, 1), 0.01);
+    ray.origin = vec3_of(0, 0, -0.97);
+    for (double length = 1; length < 1e17; length *= 10) {
+        ray.direction = vec3_of(0, 0, -length);
+        expect_hit(ray, sphere_at(0, 0, -2, 1), 0.03 / length);
+    }
+}
+END_TEST
+
+// 700 to go, on a direction that is ever shorter.
+START_TEST(t_may_be_of_any_size)
+{
+    for (double length = 1; length > 1e-17; length /= 10) {
+        Ray ray = {vec3_of(0, 1, 0), vec3_of(length, 0, 0)};
+        expect_hit(ray, sphere_at(800, 1, 0, 100), 700 / length);
+    }
+}
+END_TEST
+
+// The ray of a pixel ends on the image plane; what stands between the eye and the plane is seen.
+START_TEST(what_is_in_front_of_the_image_plane_is_hit)
+{
+    Ray ray = {vec3_of(0, 0, 0), vec3_of(0, 0, -4)};
+    expect_hit(ray, sphere_at(0, 0, -3, 1), 0.5);
+}
+END_TEST
+
+// The law of scale: with the world k times as large t is k times as large, and with the direction k
+// times as long it is 1/k of it. First a tiny world and a long direction, last the other way round.
+START_TEST(worlds_and_directions_of_any_size_are_hit_in_the_same_place)
+{
+    enum { COUNT = 25 };
+    for (int i = 0; i < COUNT; i++) {
+        Aimed aimed = i % 4 == 0   ? random_aimed(random_number(1, 10))
+                      : i % 4 == 1 ? random_inside()
+                      : i % 4 == 2 ? random_behind()
+                                   : random_beside();
+        double world = pow(random_scale(i, COUNT), 1.5);
+        double length = random_scale(i % 2 == 0 ? COUNT - 1 - i : i, COUNT);
+        aimed = scaled(aimed, world, length);
+        expect_hit(aimed.ray, aimed.sphere,
+                   i % 4 == 0   ? aimed.near
+                   : i % 4 == 1 ? aimed.far
+                                : NO_HIT);
+    }
+}
+END_TEST
+
+START_TEST(a_point_on_a_sphere_that_is_aimed_at_is_hit)
+{
+    for (int i = 0; i < 50; i++) {
+        Aimed aimed = random_aimed(random_number(0.1, 1000));
+        given("made so", "that the point which is met is known");
+        expect_hit(aimed.ray, aimed.sphere, aimed.near);
+    }
+}
+END_TEST
+
+// ---- quadratic_roots beyond the slide's formula ------------------------------------------------
+
+// The formula loses digits. These tests cost no marks.
+
+// t^2 - 10^8 t + 1: the product of the roots is 1, their sum 10^8; so 10^-8 to 16 digits.
+START_TEST(a_small_root_beside_a_large_one_keeps_its_digits)
+{
+    given_quadratic((Quadratic){1, -1e8, 1});
+    expect_number(quadratic_roots((Quadratic){1, -1e8, 1}).t[0], 1e-8, 1e-17);
+    given_quadratic((Quadratic){1, 1e8, 1});
+    expect_number(quadratic_roots((Quadratic){1, 1e8, 1}).t[1], -1e-8, 1e-17);
+}
+END_TEST
+
+// Kahan's example: a + b + c is exactly 0, so 1 is a root, and the other is c / a.
+START_TEST(roots_that_are_nearly_equal_keep_their_digits)
+{
+    Quadratic q = {94906265.625, -189812534, 94906268.375};
+    expect_roots_of(q, two(1, 94906268.375 / 94906265.625), 1e-12);
+}
+END_TEST
+
+START_TEST(enormous_and_tiny_coefficients_neither_overflow_nor_vanish)
+{
+    expect_roots_of((Quadratic){1e200, -3e200, 2e200}, two(1, 2), TOLERANCE);
+    expect_roots_of((Quadratic){1e-200, -3e-200, 2e-200}, two(1, 2), TOLERANCE);
+}
+END_TEST
+
+// The same, its t counted in two thirds: then a and c are far apart.
+START_TEST(nearly_equal_roots_keep_their_digits_where_a_and_c_differ)
+{
+    Quadratic q = {2.25 * 94906265.625, 1.5 * -189812534, 94906268.375};
+    expect_roots_of(q, two(1 / 1.5, 94906268.375 / 94906265.625 / 1.5), 1e-12);
+}
+END_TEST
+
+// 1.25 (t - 1.5)(t - 3), times a power of two, for t times a power of two.
+START_TEST(coefficients_and_roots_may_be_of_any_size)
+{
+    for (int size = -900; size <= 900; size += 300)
+        for (int t = -400; t <= 400; t += 100)
+            if (abs(size + 2 * t) < 1000)
+                expect_roots_of((Quadratic){ldexp(1.25, size), ldexp(-5.625, size + t),
+                                            ldexp(5.625, size + 2 * t)},
+                                two(ldexp(1.5, t), ldexp(3, t)), ldexp(1e-12, t));
+}
+END_TEST
+
+START_TEST(where_b_is_0_or_nearly_coefficients_may_be_of_any_size)
+{
+    expect_roots_of((Quadratic){0x1p600, 0, -0x1p-600}, two(-0x1p-600, 0x1p-600), 0x1p-640);
+    expect_roots_of((Quadratic){0x1p-600, 0, -0x1p600}, two(-0x1p600, 0x1p600), 0x1p560);
+    expect_roots_of((Quadratic){0x1p600, 0x1p-1000, -0x1p-600}, two(-0x1p-600, 0x1p-600), 0x1p-640);
+    expect_roots_of((Quadratic){0x1p600, 0, -0x1p600}, two(-1, 1), 1e-12);
+    expect_roots_of((Quadratic){0x1p-600, 0, -0x1p-600}, two(-1, 1), 1e-12);
+    given_quadratic((Quadratic){0x1p-600, 0, 0x1p-600});
+    expect_no_roots(quadratic_roots((Quadratic){0x1p-600, 0, 0x1p-600}));
+}
+END_TEST
+
+START_TEST(where_c_is_0_coefficients_may_be_of_any_size)
+{
+    expect_roots_of((Quadratic){0x1p500, -0x3p-300, 0}, two(0, 0x3p-800), 0x1p-840);
+    expect_roots_of((Quadratic){0x1p-100, -0x3p-700, 0}, two(0, 0x3p-600), 0x1p-640);
+    expect_roots_of((Quadratic){0x1p-100, -0x3p700, 0}, two(0, 0x3p800), 0x1p760);
+}
+END_TEST
+
+// Then the roots are -c / b and -b / a to the last digit.
+START_TEST(b_may_outweigh_the_others_by_far)
+{
+    expect_roots_of((Quadratic){1, -0x1p400, 0}, two(0, 0x1p400), 0x1p360);
+    Quadratic q = {0x1p-300, -0x1p100, -0x1p-50};
+    given_quadratic(q);
+    given("looking at", "the first root");
+    expect_number(quadratic_roots(q).t[0], -0x1p-150, 0x1p-190);
+    given_quadratic(q);
+    given("looking at", "the second root");
+    expect_number(quadratic_roots(q).t[1], 0x1p400, 0x1p360);
+}
+END_TEST
+
+START_TEST(what_is_no_number_has_no_roots)
+{
+    const double none[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 9; i++) {
+        double q[] = {1, -3, 2};
+        q[i / 3] = none[i % 3];
+        given_quadratic((Quadratic){q[0], q[1], q[2]});
+        expect_no_roots(quadratic_roots((Quadratic){q[0], q[1], q[2]}));
+    }
+}
+END_TEST
+
+// ---- sphere_roots beyond the slide's formula ---------------------------------------------------
+
+// Far away, enormous, tiny. These tests cost no marks.
+
+// (2, 3, 6) and (3, -6, 2) are at right angles and 7 long. So with the ray from the origin along
+// the first, and a centre so many of it ahead and so many of the other aside, everything is a whole
+// number: chords come from whole right-angled triangles.
+static Ray whole_ray(void)
+{
+    return (Ray){vec3_of(0, 0, 0), vec3_of(2, 3, 6)};
+}
+
+static Sphere whole_sphere(double ahead, double aside, double radius_in_sevens)
+{
+    return (Sphere){.center = ahead * vec3_of(2, 3, 6) + aside * vec3_of(3, -6, 2),
+                    .radius = 7 * radius_in_sevens};
+}
+
+// The triangle 3, 4, 5.
+START_TEST(a_small_sphere_far_away_is_met_where_it_is)
+{
+    double ahead[] = {1234567, 7654321, 12345679, 98765431};
+    for (int i = 0; i < 4; i++)
+        expect_meetings(whole_ray(), whole_sphere(ahead[i], 3, 5), two(ahead[i] - 4, ahead[i] + 4),
+                        ROOT_TOLERANCE * 5);
+}
+END_TEST
+
+START_TEST(a_small_sphere_far_away_is_hit_or_missed_by_a_ten_millionth)
+{
+    double ahead[] = {1234567, 2345677, 3456789, 7654321, 9876543};
+    for (int i = 0; i < 5; i++) {
+        given_ray_and_sphere(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 - 1e-7)));
+        expect_no_roots(sphere_roots(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 - 1e-7))));
+        given_ray_and_sphere(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 + 1e-7)));
+        given("looking at", "the number of roots");
+        expect_int(sphere_roots(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 + 1e-7))).count, 2);
+    }
+}
+END_TEST
+
+// The triangle 2002000, 2001, 2002001: half the chord is a thousandth of the radius.
+START_TEST(a_grazing_ray_keeps_its_short_chord)
+{
+    double ahead[] = {1234567891, 3141592653};
+    for (int i = 0; i < 2; i++)
+        expect_meetings(whole_ray(), whole_sphere(ahead[i], 2002000, 2002001),
+                        two(ahead[i] - 2001, ahead[i] + 2001), ROOT_TOLERANCE * 2001);
+}
+END_TEST
+
+START_TEST(points_on_small_distant_spheres_are_met)
+{
+    for (int i = 0; i < 20; i++) {
+        Aimed aimed = random_aimed(1e6);
+        given("made so", "that the point which is met is known");
+        expect_meetings(aimed.ray, aimed.sphere, two(aimed.near, aimed.far),
+                        ROOT_TOLERANCE * aimed.sphere.radius / vec3_length(aimed.ray.direction));
+    }
+}
+END_TEST
+
+START_TEST(directions_may_be_of_any_length)
+{
+    double length[] = {1e-200, 1e-300, 1e200, 1e300};
+    for (int i = 0; i < 4; i++) {
+        Ray ray = whole_ray();
+        ray.direction = ray.direction * length[i];
+        expect_meetings(ray, whole_sphere(10, 3, 5), two(6 / length[i], 14 / length[i]),
+                        TOLERANCE / length[i]);
+    }
+}
+END_TEST
+
+// Whatever is longest in the direction, and whichever way it goes.
+START_TEST(directions_of_any_length_may_go_any_way)
+{
+    double length[] = {1e-200, 1e200};
+    for (int i = 0; i < 12; i++) {
+        vec3 axis = vec3_of(0, 0, 0);
+        axis[i / 4] = i % 2 == 0 ? 1 : -1;
+        double l = length[i / 2 % 2];
+        Sphere sphere = {.center = 10 * axis, .radius = 5};
+        expect_meetings((Ray){vec3_of(0, 0, 0), l * axis}, sphere, two(5 / l, 15 / l),
+                        TOLERANCE / l);
+    }
+}
+END_TEST
+
+// Origin times direction is of no unusual size here; the direction is.
+START_TEST(a_long_direction_from_near_the_origin_of_the_world)
+{
+    Ray ray = {vec3_of(1e-200, 1e-200, 1e-200), 1e200 * vec3_of(2, 3, 6)};
+    expect_meetings(ray, whole_sphere(10, 3, 5), two(6e-200, 14e-200), 1e-209);
+}
+END_TEST
+
+// Each alone would do; together their squares are beyond the numbers.
+START_TEST(scene_and_direction_may_both_be_large_or_small)
+{
+    double size[] = {1e100, 1e-100};
+    for (int i = 0; i < 2; i++) {
+        Ray ray = {vec3_of(0, 0, 0), size[i] * vec3_of(2, 3, 6)};
+        Sphere sphere = whole_sphere(10, 3, 5);
+        sphere.center = sphere.center * size[i];
+        sphere.radius *= size[i];
+        expect_meetings(ray, sphere, two(6, 14), TOLERANCE);
+    }
+}
+END_TEST
+
+START_TEST(an_enormous_sphere_is_met_from_its_middle)
+{
+    Ray ray = {vec3_of(1, 2, 3), vec3_of(1, 0, 0)};
+    expect_meetings(ray, sphere_at(1, 2, 3, 1e200), two(-1e200, 1e200), 1e190);
+}
+END_TEST
+
+START_TEST(a_sphere_straight_ahead_is_met_however_far_it_is)
+{
+    Ray ray = {vec3_of(0, 0, 0), vec3_of(1, 0, 0)};
+    expect_meetings(ray, sphere_at(1e200, 0, 0, 1), two(1e200, 1e200), 1e190);
+}
+END_TEST
+
+START_TEST(what_is_no_number_meets_nothing)
+{
+    const double none[] = {NAN, INFINITY, -INFINITY};
+    for (int i = 0; i < 9; i++) {
+        Ray ray = ray_of_the_deck(1, 0.5);
+        Sphere sphere = unit_sphere();
+        vec3 *part[] = {&ray.origin, &ray.direction, &sphere.center};
+        (*part[i / 3])[i % 2] = none[i % 3];
+        given_ray_and_sphere(ray, sphere);
+        expect_no_roots(sphere_roots(ray, sphere));
+    }
+}
+END_TEST
+
+START_TEST(scenes_may_be_enormous_or_tiny)
+{
+    double size[] = {1e200, 1e-200};
+    for (int i = 0; i < 2; i++) {
+        Sphere sphere = whole_sphere(10, 3, 5);
+        sphere.center = sphere.center * size[i];
+        sphere.radius *= size[i];
+        expect_meetings(whole_ray(), sphere, two(6 * size[i], 14 * size[i]), TOLERANCE * size[i]);
+    }
+}
+END_TEST
+
+// The two are 3 * 10^308 apart, which no double holds.
+START_TEST(a_ray_goes_from_one_end_of_the_numbers_to_the_other)
+{
+    Ray ray = {vec3_of(-1.5e308, 0, 0), vec3_of(4, 0, 0)};
+    expect_meetings(ray, sphere_at(1.5e308, 0, 0, 1e308), two(0.5e308, 1e308), 1e300);
+}
+END_TEST
+
+// Straight down from a millionth (2^-20) above a huge sphere, and from below. 1234567 + 2^-20 is a
+// double; its square is not.
+START_TEST(next_to_a_huge_sphere_a_short_way_keeps_its_digits)
+{
+    const double height = 0x1p-20;
+    Sphere huge = sphere_at(0, 0, 0, 1234567);
+    for (int side = -1; side <= 1; side += 2) {
+        Ray ray = {vec3_of(0, huge.radius + side * height, 0), vec3_of(0, -3, 0)};
+        given("from", "%s the surface, straight down", side > 0 ? "above" : "below");
+        given_ray_and_sphere(ray, huge);
+        given("looking at", "the first root");
+        expect_number(sphere_roots(ray, huge).t[0], side * height / 3, TOLERANCE * height);
+    }
+}
+END_TEST
 
 void list_tests(void)
 {
-    list_tests_of_coefficients();
-    list_tests_of_roots();
-    list_tests_of_sphere();
-    list_tests_of_hit();
-    list_tests_of_digits();
-    list_tests_of_sphere_digits();
+    tests_of("to_object_coordinates");
+    test(the_origin_is_seen_from_the_centre_of_the_sphere);
+    test(the_direction_stays_as_it_is);
+    test(a_place_that_was_chosen_round_the_centre_comes_back);
+    test(worlds_and_directions_may_be_of_any_size);
+    tests_of("object_quadratic");
+    test(the_equation_of_the_arrow_of_the_deck);
+    test(the_equation_of_the_ray_through_the_hits_drawn_in_the_deck);
+    test(a_radius_of_3_and_a_direction_of_length_3);
+    test(a_direction_that_is_nearly_unit_is_not_unit);
+    test(c_is_negative_for_a_ray_that_begins_inside);
+    test(at_every_t_it_is_the_squared_distance_less_the_squared_radius);
+    test(an_equation_may_be_of_any_size);
+    tests_of("world_quadratic");
+    test(a_sphere_at_the_origin_of_the_world_gives_what_object_coordinates_give);
+    test(a_sphere_off_the_origin_of_the_world);
+    test(moving_the_eye_and_the_sphere_together_changes_nothing);
+    test(in_the_world_too_it_is_the_squared_distance_less_the_squared_radius);
+    test(an_equation_of_the_world_may_be_of_any_size);
+    tests_of("quadratic_roots");
+    test(the_roots_are_the_t_of_the_hits_drawn_in_the_deck);
+    test(the_roots_of_the_arrow_of_the_deck);
+    test(roots_that_were_chosen_come_back);
+    test(roots_come_in_ascending_order_even_when_a_is_negative);
+    test(a_double_root_counts_as_two);
+    test(there_are_no_roots_where_the_parabola_stays_on_one_side);
+    test(where_b_is_0_the_roots_are_opposite);
+    test(where_c_is_0_one_root_is_0);
+    test(where_a_is_0_it_is_a_line_with_one_root);
+    test(where_a_and_b_are_0_there_are_no_roots);
+    test(coefficients_and_roots_may_be_large_or_small);
+    test(a_discriminant_may_be_of_any_size);
+    test(a_line_may_be_steep_or_almost_level);
+    test(a_parabola_that_hardly_bends_has_two_roots);
+    tests_of("sphere_roots");
+    test(the_line_drawn_in_the_deck_meets_the_sphere_in_the_hits_drawn);
+    test(a_sphere_off_the_origin_is_met_in_the_same_places);
+    test(what_is_behind_the_origin_is_met_too);
+    test(from_the_middle_it_is_met_on_both_sides);
+    test(a_tangent_line_meets_it_twice_in_one_place);
+    test(a_line_that_touches_it_where_it_starts_meets_it_at_0);
+    test(a_line_that_passes_beside_it_does_not_meet_it);
+    test(the_chord_is_twice_the_radius_times_the_cosine);
+    test(both_places_may_be_of_any_size);
+    test(worlds_and_directions_of_any_size_are_met_in_the_same_places);
+    tests_of("hit_sphere");
+    test(the_arrow_of_the_deck_hits_the_near_side_of_the_sphere);
+    test(from_outside_the_nearer_of_two_places_is_hit);
+    test(t_counts_in_lengths_of_the_direction);
+    test(from_inside_the_exit_is_hit);
+    test(what_is_behind_is_not_hit);
+    test(what_is_beside_is_not_hit);
+    test(a_tangent_ray_hits);
+    test(from_the_surface_inwards_the_other_side_is_hit);
+    test(from_the_surface_outwards_nothing_is_hit);
+    test(a_surface_close_to_the_eye_is_hit);
+    test(t_may_be_of_any_size);
+    test(what_is_in_front_of_the_image_plane_is_hit);
+    test(worlds_and_directions_of_any_size_are_hit_in_the_same_place);
+    test(a_point_on_a_sphere_that_is_aimed_at_is_hit);
+    tests_of_extra("quadratic_roots");
+    test(a_small_root_beside_a_large_one_keeps_its_digits);
+    test(roots_that_are_nearly_equal_keep_their_digits);
+    test(enormous_and_tiny_coefficients_neither_overflow_nor_vanish);
+    test(nearly_equal_roots_keep_their_digits_where_a_and_c_differ);
+    test(coefficients_and_roots_may_be_of_any_size);
+    test(where_b_is_0_or_nearly_coefficients_may_be_of_any_size);
+    test(where_c_is_0_coefficients_may_be_of_any_size);
+    test(b_may_outweigh_the_others_by_far);
+    test(what_is_no_number_has_no_roots);
+    tests_of_extra("sphere_roots");
+    test(a_small_sphere_far_away_is_met_where_it_is);
+    test(a_small_sphere_far_away_is_hit_or_missed_by_a_ten_millionth);
+    test(a_grazing_ray_keeps_its_short_chord);
+    test(points_on_small_distant_spheres_are_met);
+    test(directions_may_be_of_any_length);
+    test(directions_of_any_length_may_go_any_way);
+    test(a_long_direction_from_near_the_origin_of_the_world);
+    test(scene_and_direction_may_both_be_large_or_small);
+    test(an_enormous_sphere_is_met_from_its_middle);
+    test(a_sphere_straight_ahead_is_met_however_far_it_is);
+    test(what_is_no_number_meets_nothing);
+    test(scenes_may_be_enormous_or_tiny);
+    test(a_ray_goes_from_one_end_of_the_numbers_to_the_other);
+    test(next_to_a_huge_sphere_a_short_way_keeps_its_digits);
 }

@@ -1,6 +1,6 @@
 // probes.c - calls that tell mistakes of exercise 02 apart: any cameras in each form, of both
 // hands, and some that are none.
-#include "tests/02-cameras.h"
+#include "tests/02-cameras/support.h"
 
 #include "tests/judge/suspects.h"
 

@@ -1,6 +1,6 @@
 // probes.c - calls that tell mistakes of exercise 05 apart: from outside, from inside, past
 // the sphere and away from it; p.v of either sign, near and far, short and long directions.
-#include "tests/05-quadratic.h"
+#include "tests/05-quadratic/support.h"
 
 #include "tests/judge/suspects.h"
 

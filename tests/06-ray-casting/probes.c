@@ -1,6 +1,6 @@
 // probes.c - calls that tell mistakes of exercise 06 apart: spheres before and behind each
 // other, behind the eye and round it, in any order; pictures of either shape, by any camera.
-#include "tests/06-ray-casting.h"
+#include "tests/06-ray-casting/support.h"
 
 #include "tests/judge/suspects.h"
 

@@ -1,8 +1,8 @@
 // probes.c - calls that tell mistakes of exercise 07 apart: colours and lights that are neither
 // grey nor full, lights and eyes on either side of the surface, worlds of several spheres and
 // lights.
-#include "tests/07-shading-scene.h"
-#include "tests/07-shading.h"
+#include "tests/07-shading/support-scene.h"
+#include "tests/07-shading/support.h"
 
 #include "exercises/06-ray-casting.h"
 #include "tests/judge/suspects.h"

@@ -1,7 +1,7 @@
-// 07-shading-scene.c - the worlds that the tests of exercise 07 look at, and how they are said.
-#include "tests/07-shading-scene.h"
+// support-scene.c - the worlds that the tests of exercise 07 look at, and how they are said.
+#include "tests/07-shading/support-scene.h"
 
-#include "tests/07-shading.h"
+#include "tests/07-shading/support.h"
 
 #include <stdio.h>
 

@@ -1,8 +1,8 @@
-// 07-shading-scene-exact.c - light and mirrors in long double, by geometry and without an offset.
+// support-exact.c - light and mirrors in long double, by geometry and without an offset.
 //
 // A ray that leaves a sphere outwards never meets it again; one that leaves it inwards meets it at
 // the end of a chord. So no ray has to be moved off the surface that it starts from.
-#include "tests/07-shading-scene.h"
+#include "tests/07-shading/support-scene.h"
 
 // What is nearer to a rim than that, in radii or in lengths of the ray, is left to nobody's luck.
 #define DOUBT 2e-3L

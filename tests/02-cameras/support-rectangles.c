@@ -1,6 +1,6 @@
-// 02-cameras-rectangles.c - eye and four vectors, eye and four points, and eye, corner and two
+// support-rectangles.c - eye and four vectors, eye and four points, and eye, corner and two
 // vectors are three ways to give one rectangle, so each is asked for the same rectangles.
-#include "tests/02-cameras.h"
+#include "tests/02-cameras/support.h"
 
 enum { MOST_PARTS = 5 };
 

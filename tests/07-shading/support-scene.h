@@ -1,6 +1,6 @@
-// 07-shading-scene.h - what the tests of exercise 07 share that need a scene.
-#ifndef TESTS_07_SHADING_SCENE_H
-#define TESTS_07_SHADING_SCENE_H
+// support-scene.h - what the tests of exercise 07 share that need a scene.
+#ifndef TESTS_07_SHADING_SUPPORT_SCENE_H
+#define TESTS_07_SHADING_SUPPORT_SCENE_H
 
 #include "exercises/07-shading.h"
 
@@ -59,7 +59,7 @@ void expect_visible(const World *world, vec3 from, Light light, double expected)
 void expect_shade(const World *world, Ray ray, Hit hit, Color expected);
 void expect_trace(const World *world, Ray ray, int depth, Color expected);
 
-// ---- the same, computed in another way (07-shading-scene-exact.c) -------------------------------
+// ---- the same, computed in another way (support-exact.c) -------------------------------
 
 // In long double, and without an offset: on which side of its own sphere a ray starts is known
 // there. False where something is so close to a rim that rounding may decide.
@@ -69,19 +69,6 @@ bool exact_hit(const World *world, Ray ray, Hit *hit);
 bool exact_shade(const World *world, Ray ray, Color *color);
 bool exact_trace(const World *world, Ray ray, int depth, Color *color);
 
-// ---- the tests, a file each ---------------------------------------------------------------------
-
-void list_tests_of_off_surface(void);
-void list_tests_of_visibility(void);
-void list_tests_of_shade(void);
-void list_tests_of_trace_ray(void);
-// Those of scenes of any size, and random ones.
-void list_more_tests_of_visibility(void);
-void list_more_tests_of_shade(void);
-void list_more_tests_of_trace_ray(void);
-// And in 07-shading-scene-scale.c.
-void list_limits_of_visibility(void);
-void list_limits_of_shade(void);
-void list_limits_of_trace_ray(void);
+void list_tests_with_scenes(void); // tests/07-shading-scenes.c
 
 #endif

@@ -1,6 +1,6 @@
-// 05-quadratic.h - what the tests of exercise 05 share.
-#ifndef TESTS_05_QUADRATIC_H
-#define TESTS_05_QUADRATIC_H
+// support.h - what the tests and the probes of exercise 05 share.
+#ifndef TESTS_05_QUADRATIC_SUPPORT_H
+#define TESTS_05_QUADRATIC_SUPPORT_H
 
 #include "exercises/05-quadratic.h"
 
@@ -44,13 +44,5 @@ Aimed random_beside(void);
 // The same with everything in the world so many times as large, and the direction so many times as
 // long.
 Aimed scaled(Aimed aimed, double world, double length);
-
-// The tests, a file each.
-void list_tests_of_coefficients(void);
-void list_tests_of_roots(void);
-void list_tests_of_sphere(void);
-void list_tests_of_hit(void);
-void list_tests_of_digits(void);
-void list_tests_of_sphere_digits(void);
 
 #endif

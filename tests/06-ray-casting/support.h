@@ -1,6 +1,6 @@
-// 06-ray-casting.h - what the tests of exercise 06 share.
-#ifndef TESTS_06_RAY_CASTING_H
-#define TESTS_06_RAY_CASTING_H
+// support.h - what the tests and the probes of exercise 06 share.
+#ifndef TESTS_06_RAY_CASTING_SUPPORT_H
+#define TESTS_06_RAY_CASTING_SUPPORT_H
 
 #include "exercises/06-ray-casting.h"
 
@@ -55,8 +55,6 @@ void object_order(const Scene *scene, Camera camera, Image *image);
 void expect_picture(Cast *cast, const Scene *scene, Camera camera, Resolution size,
                     const char *expected);
 
-// A t of 1e9 has as many digits as one of 1: the tolerance is a part of t.
-void expect_nearest(Ray ray, const Scene *scene, double t, int sphere);
 // What object order leaves in the depth, of all pixels, row by row.
 void expect_depths(const Scene *scene, Camera camera, Resolution size, const double *expected);
 
@@ -74,14 +72,5 @@ double t_seen(Ray ray, const Sphere *spheres, int seen);
 // As cones say; where they are in doubt of a pixel, nothing is asked.
 void expect_picture_of_shells(Cast *cast, Camera camera, Resolution size, Sphere *spheres);
 void expect_depths_of_shells(Camera camera, Resolution size, Sphere *spheres);
-
-// The tests, a file each.
-void list_tests_of_nearest_hit(void);
-void list_tests_of_pictures(void);
-void list_tests_of_depth(void);
-// More of each, in 06-ray-casting-scale.c: the tests of a function stand together in the list.
-void list_more_of_nearest_hit(void);
-void list_more_of_cast_image_order(void);
-void list_more_of_cast_object_order(void);
 
 #endif

@@ -1,18 +1,11 @@
-// 02-cameras.h - what the tests of exercise 02 share.
-#ifndef TESTS_02_CAMERAS_H
-#define TESTS_02_CAMERAS_H
+// support.h - what the tests and the probes of exercise 02 share.
+#ifndef TESTS_02_CAMERAS_SUPPORT_H
+#define TESTS_02_CAMERAS_SUPPORT_H
 
 #include "exercises/01-corners.h"
 #include "exercises/02-cameras.h"
 
 #include "tests/judge/test.h"
-
-// One list for each function; list_tests calls them all.
-void list_tests_of_vectors(void);
-void list_tests_of_points(void);
-void list_tests_of_corner(void);
-void list_tests_of_look_at(void);
-void list_refusals_of_look_at(void); // called from list_tests_of_look_at
 
 #define TOLERANCE 1e-9
 
@@ -79,15 +72,5 @@ void finds_cameras_of_any_size(Form form);
 void refuses_in_worlds_of_any_size(Form form);
 // Asks for each number in turn not finite, in what is otherwise the deck's camera.
 void refuses_what_is_not_finite(Form form);
-
-// ---- look-at ----------------------------------------------------------------------------------
-
-// The deck's, but for these.
-LookAt deck_with(vec3 up, double width, double aspect);
-LookAt deck_with_size(double width, double aspect);
-LookAt look_at_of_the_deck(void);
-
-// Says what is given, and asks.
-CameraFault look(LookAt view, Handedness world, Camera *camera);
 
 #endif

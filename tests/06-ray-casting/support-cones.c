@@ -1,5 +1,5 @@
-// 06-ray-casting-cones.c - what a sphere looks like from the eye, without any quadratic: a cone.
-#include "tests/06-ray-casting.h"
+// support-cones.c - what a sphere looks like from the eye, without any quadratic: a cone.
+#include "tests/06-ray-casting/support.h"
 
 #include "exercises/04-pixel-ray.h"
 

@@ -1,0 +1,28 @@
+// support.h - what the tests and the probes of exercise 07 share.
+#ifndef TESTS_07_SHADING_SUPPORT_H
+#define TESTS_07_SHADING_SUPPORT_H
+
+#include "exercises/07-shading.h"
+
+#include "tests/judge/test.h"
+
+#define TOLERANCE 1e-9
+
+// What goes in.
+void given_light(Light light);
+void given_color(const char *name, Color color);
+void given_highlight(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
+
+// What must come out: to 1e-9 of the numbers that go in, and of the light for a colour.
+double largest(vec3 v); // of its three numbers, without their signs
+
+Sphere sphere_at(double x, double y, double z, double radius);
+Color random_color(double low, double high);
+
+// At right angles to a unit vector, and unit.
+vec3 random_across(vec3 unit);
+
+// In the plane of two unit vectors at right angles, so far from the first towards the second.
+vec3 turned(vec3 from, double degrees, vec3 towards);
+
+#endif
