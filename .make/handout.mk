@@ -13,8 +13,8 @@ $(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/told/path/%.o $(B)/judge/exercises.o \
 
 # The toolkit itself, whatever stands in exercises/.
 CHECKS := $(COMMON_TESTS) $(TABLE_CHECKS)
-check: $(CHECKS) $(JUDGES) $(BLANKS) ## the tests of the toolkit
-	@CC='$(CC)' MAKEFLAGS= .make/check $(B)/log $(CHECKS) tests/told/blanks.sh
+check: $(RUN) $(CHECKS) $(JUDGES) $(BLANKS) ## the tests of the toolkit
+	@CC='$(CC)' MAKEFLAGS= $(RUN) $(B)/log $(CHECKS) tests/told/blanks.sh
 
 # A chapter stands on the answers of the earlier ones: each is judged first, and what it was
 # compiled to (the blank, where it does not compile) is linked with the later ones.

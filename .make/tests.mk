@@ -8,6 +8,12 @@ $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/main.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
+# What runs the tests.
+RUN := $(B)/tests/check
+$(RUN): $(B)/tests/check.o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^
+
 # What packs a student's answers (make submission).
 PACK := $(B)/tests/submission/pack
 $(PACK): $(patsubst %,$(B)/tests/submission/%.o,pack stored_zip) $(B)/common.a
@@ -209,7 +215,7 @@ $(TELLERS): $(B)/told/tell/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mist
 TABLES := $(STEMS:%=$(TABLE)/%.table)
 $(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
 	$(call say,tell,$@)
-	$(Q)env -u SEED ASAN_OPTIONS=detect_leaks=0 $< $@
+	$(Q)env -u SEED $< $@
 TABLE_VARIANTS := $(STEMS:%=$(B)/told/variants/%)
 $(TABLE_VARIANTS): $(B)/told/variants/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/%/variants.o \
 		$(patsubst %,$(B)/tests/told/%.o,variants here) $(HEARING) $(B)/judge/dispatch-%.o \
@@ -229,12 +235,12 @@ FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUI
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(NUMBERS) $(ODD_QUESTIONS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
 FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
-check: $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
-	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
+check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
 # What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it.
-check-all: $(CHECKS) $(FOR_CHECKS) $(ENGINES_LONG) $(if $(SANITIZE)$(BRIEF),,$(TRIALS)) $(if $(BRIEF),,$(BENCH_SCENES)) ## those that need longer, too
-	@$(FOR_TESTS) .make/check $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
+check-all: $(RUN) $(CHECKS) $(FOR_CHECKS) $(ENGINES_LONG) $(if $(SANITIZE)$(BRIEF),,$(TRIALS)) $(if $(BRIEF),,$(BENCH_SCENES)) ## those that need longer, too
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
 
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
 build/handout.tar.gz: $(TABLES) $(BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) FORCE

@@ -252,9 +252,9 @@ int main(int argc, char **argv)
     for (; unknowns[unknown_count].exercise != NULL; unknown_count++)
         check_unknown(&unknowns[unknown_count]);
     check_table(stem);
-    printf("matrix of %s (%d mistakes, %d pairs of them, %d tests, %d right answers, %d unknown "
-           "mistakes): %d passed, %d failed\n",
-           stem, mistake_count, pair_count / 2, all.count, variant_count, unknown_count, passed,
-           failed);
+    printf("+ %d known mistakes\n+ %d pairs of them told apart\n+ %d tests\n+ %d right "
+           "answers\n+ %d unknown mistakes\n",
+           mistake_count, pair_count / 2, all.count, variant_count, unknown_count);
+    printf("matrix of %s: %d passed, %d failed\n", stem, passed, failed);
     return failed == 0 ? 0 : 1;
 }

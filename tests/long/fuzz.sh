@@ -22,5 +22,5 @@ runs() {
 }
 check 'the fuzz target builds' builds
 check "the scene reader stands $seconds s of fuzzing" runs
-sed -n 's/^stat::number_of_executed_units: */fuzz: inputs tried: /p' "$scratch/log"
+sed -n 's/^stat::number_of_executed_units: */+ fuzz: inputs tried: /p' "$scratch/log"
 finish fuzz

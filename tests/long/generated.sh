@@ -17,7 +17,7 @@ for trial in build/tests/generated/[0-9]*; do
     case $trial in
     *.*) continue ;;
     esac
-    ASAN_OPTIONS=detect_leaks=0 "$trial" "$seed" tests/generated/reviewed >"$scratch/said"
+    "$trial" "$seed" tests/generated/reviewed >"$scratch/said"
     sed '$d' "$scratch/said" | grep -E '^not ok| tried: |^  (right|wrong|named)'
     counts=$(sed -n '$s/.*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$scratch/said")
     counts=${counts:-0 1}
@@ -31,7 +31,7 @@ awk -v seed="$seed" '
         named += $18; falsely += substr($20, 2); described += $22
     }
     END {
-        printf "seed %s: %d inputs tried, %d right (%d of them failed), %d wrong, %d failed, %d named " \
+        printf "+ seed %s: %d inputs tried, %d right (%d of them failed), %d wrong, %d failed, %d named " \
             "(%d falsely), %d described, %.1f%% named or described\n", seed, tried, right,
             right_failed, wrong, failed, named, falsely, described, 100 * (named + described) / failed
     }' "$scratch/all"

@@ -244,7 +244,7 @@ sort -t '	' -k 2,2 -k 3,3n "$scratch/all" | awk -F '\t' -v equivalents="$equival
             }
         for (i = 1; i <= stems; i++) {
             stem = order[i]
-            printf "%s: %d mutants, %d killed, %d survived, %d of them equivalent\n", stem,
+            printf "+ %s: %d mutants, %d killed, %d survived, %d of them equivalent\n", stem,
                 mutants[stem], killed[stem], survived[stem] + equivalent[stem], equivalent[stem]
             good += killed[stem] + equivalent[stem]
             wrong += survived[stem]

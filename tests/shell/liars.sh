@@ -9,7 +9,6 @@ set -u
 
 folder=$scratch/verdict
 mkdir "$folder"
-export ASAN_OPTIONS=detect_leaks=0
 
 # An answering process that, in the place of an answer, sends a header and bytes behind it, so
 # changed.

@@ -1,4 +1,4 @@
-"""run_tests.py - runs Python tests as .make/check wants them: what failed, line by line, then a sum.
+"""run_tests.py - runs Python tests as tests/check.c wants them: what failed, line by line, then a sum.
 
     python3 -B tests/grade/check NAME MODULE...
 
