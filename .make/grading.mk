@@ -11,6 +11,13 @@ $(CONFINE): $(patsubst %,$(B)/tests/grade/confine/%.o,confine landlock system_ca
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -static -o $@ $^ $(SECCOMP_LIBS)
 
+# Runs the steps' commands inside a sandbox.
+KIT_PARTS := $(KIT)/parts
+$(KIT_PARTS): $(B)/tests/grade/mark/parts.o
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -static -o $@ $^
+
 KIT_HEADER := $(KIT)/headers/weak.h
 $(KIT_HEADER): $(B)/weak.h $(wildcard common/*.h exercises/*.h) $(EXPLAIN)
 	$(Q)mkdir -p $(@D)/common $(@D)/exercises
@@ -63,7 +70,7 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
-$(KIT)/commands: Makefile .make/exercises.mk .make/grading.mk $(KIT_CONFINE) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
+$(KIT)/commands: Makefile .make/exercises.mk .make/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
 		$(B)/common.a .make/calls.awk $(KIT)/expected.png
 	$(Q)cp $(B)/common.a $(KIT)/link/ && cp .make/calls.awk $(KIT)/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
 	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \

@@ -24,35 +24,8 @@ from .sentences import check, skip
 from .small_class import KIT, SEED, STEMS, UPSIDE_DOWN, but, command, grade, records, right
 from .test_regrade import at_work_in
 
-FAULT = """#!/bin/sh
-# Fails if an answer in this folder asks for it, else does what it is told.
-fault=$(cat ./*.c | sed -n 's|^// fault: ||p' | head -n 1)
-"""
-COMPILER = FAULT + """case $fault in
-'the compiler is killed') kill -9 $$ ;;
-'the compiler sleeps') sleep 1000 ;;
-'the step is killed') kill -9 $PPID ;;
-'the compiler refuses every file') exit 90 ;;
-'the compiler refuses a file once') [ -e refused ] || { : >refused; exit 90; } ;;
-esac
-exec "$@"
-"""
-LINKER = FAULT + """case $fault in
-'the linker is killed') kill -9 $$ ;;
-'the linker refuses every file') exit 1 ;;
-'the linker refuses a file once') [ -e refused ] || { : >refused; exit 1; } ;;
-esac
-exec "$@"
-"""
-JUDGE = FAULT + """case $fault,$2 in
-'the judge is killed,'*) kill -9 $$ ;;
-'the judge gives up,'*) exit 2 ;;
-'the judge sleeps,'*) sleep 1000 ;;
-'the judge is killed when it lends,--only') kill -9 $$ ;;
-'the report is cut,'*) "$(dirname "$0")/real/${0##*/}" "$@"; status=$?; sed -i '/^function/,$d' "$2/report"; exit $status ;;
-esac
-exec "$(dirname "$0")/real/${0##*/}" "$@"
-"""
+HERE = Path(__file__).parent
+FAULTY = HERE / "faulty.sh"
 FAULTS = ["the compiler is killed", "the step is killed", "the compiler refuses every file", "the linker is killed",
           "the linker refuses every file", "the judge is killed", "the judge gives up",
           "the judge is killed when it lends", "the report is cut"]
@@ -61,7 +34,8 @@ FILL = '__asm__(".data\\n.fill 15000000,1,7\\n.text\\n");\n'
 NUMBER_OF_FULL = 10     # points of chapter 01
 
 
-def faulty_kit(work: Path, judge: str = JUDGE) -> Path:
+def faulty_kit(work: Path, always: str = "") -> Path:
+    """always: what is wrong with the judges, whoever is judged; else answers ask for it."""
     kit = work / "kit"
     shutil.copytree(KIT, kit)
     old, new = Path(KIT).resolve(), kit.resolve()
@@ -71,14 +45,14 @@ def faulty_kit(work: Path, judge: str = JUDGE) -> Path:
     (judges / "real").mkdir(parents=True)
     for stem in [*STEMS, "picture", "scene.nff"]:
         shutil.copy(Path(commands["JUDGES"], stem), judges / "real" / stem)
-        shutil.copy(Path(commands["JUDGES"], stem), judges / stem)
-    for stem in STEMS:
-        (judges / stem).write_text(judge)
-    (kit / "headers" / "faulty").write_text(COMPILER)
-    (kit / "link" / "faulty").write_text(LINKER)
+        shutil.copy(FAULTY if stem in STEMS else Path(commands["JUDGES"], stem), judges / stem)
+    if always:
+        (judges / "real" / "fault").write_text(always)
+    for place in ("headers", "link"):
+        shutil.copy(FAULTY, kit / place)
     commands["JUDGES"] = str(judges)
-    commands["COMPILE"] = f"/bin/sh {new}/headers/faulty {commands['COMPILE']}"
-    commands["LINK"] = f"/bin/sh {new}/link/faulty {commands['LINK']}"
+    commands["COMPILE"] = f"{new}/headers/{FAULTY.name} compiler {commands['COMPILE']}"
+    commands["LINK"] = f"{new}/link/{FAULTY.name} linker {commands['LINK']}"
     (kit / "commands").write_text("".join(f"{key}={value}\n" for key, value in commands.items()))
     return kit
 
@@ -134,12 +108,11 @@ def reports_say_it(out: Path) -> None:
 
 def reference_comes_first(work: Path) -> None:
     put(work / "class", "anna", right("01-corners"))
-    for name, judge, words in (
-            ("no-judge", "#!/bin/sh\nexit 2\n", "the grader fails on the reference"),
-            ("a-wrong-verdict", '#!/bin/sh\n"$(dirname "$0")/real/${0##*/}" "$@"; sed -i "s/\\tright/\\tcrashed/" "$2/report"; '
-             "exit 1\n", "the reference (solutions/) does not get all marks")):
+    for name, always, words in (
+            ("no-judge", "the judge gives up", "the grader fails on the reference"),
+            ("a-wrong-verdict", "every verdict is wrong", "the reference (solutions/) does not get all marks")):
         (work / name).mkdir()
-        done = run(faulty_kit(work / name, judge), work / "class", work / name / "out")
+        done = run(faulty_kit(work / name, always), work / "class", work / name / "out")
         check(f"{name}: nothing is graded, in words", done.returncode != 0 and words in done.stderr
               and not list((work / name / "out").glob("*/results.json")), done.stderr[-500:])
 
@@ -187,10 +160,10 @@ def full_disk(work: Path) -> None:
     out.mkdir()
     for name in ("anna", "ben", "carl"):
         put(work / "class", name, right("01-corners"))
-    script = 'mount -t tmpfs -o size="$1" none "$2" && shift 2 && "$@"; status=$?; cp -r "$0" "$KEEP"; exit $status'
     for size, whole in (("6m", False), ("300m", True)):
         kept = work / f"kept {size}"
-        done = run(KIT, work / "class", out, *namespace, "sh", "-c", script, str(out), size, str(out), KEEP=str(kept))
+        done = run(KIT, work / "class", out, *namespace, str(HERE / "small_disk.sh"), size,
+                   str(out), str(kept))
         found = records(kept)
         check(f"a disk of {size}: all marks or none given",
               is_scored_whole_or_not(found, NUMBER_OF_FULL) and len(found) == (3 if whole else 0)
@@ -268,10 +241,11 @@ def test_faults() -> None:
 
 
 def test_tools() -> None:
-    for script, status in (("exit 0", 0), ("exit 1", 90), ("exit 4", 94), ("kill -XCPU $$", 91), ("kill -XFSZ $$", 92),
-                           ("kill -SEGV $$", 93), ("kill -KILL $$", 99), ("kill -TERM $$", 99), ("kill -BUS $$", 99)):
-        done = subprocess.run([f"{KIT}/confine", "tool", "sh", "-c", script], capture_output=True)
-        check(f"a part of the compiler that does '{script}' is {status}", done.returncode == status, done.returncode)
+    for how, status in (("0", 0), ("1", 90), ("4", 94), ("SIGXCPU", 91), ("SIGXFSZ", 92), ("SIGSEGV", 93), ("SIGKILL", 99),
+                        ("SIGTERM", 99), ("SIGBUS", 99)):
+        words = [f"{KIT}/confine", "tool", sys.executable, "-B", str(HERE / "ends_like.py"), how]
+        done = subprocess.run(words, capture_output=True)
+        check(f"a part of the compiler that ends with {how} is {status}", done.returncode == status, done.returncode)
     done = subprocess.run([f"{KIT}/confine", "tool", "/no/such/program"], capture_output=True)
     check("one that cannot be started is not the student's", done.returncode == 99, done.returncode)
 

@@ -8,11 +8,14 @@ import re
 import struct
 
 from grade.confine.machine import GraderFailed
-from grade.mark.workbench import COMPILE, LIMITED, LINK, LINK_BLANKS, REFUSED, Part, Workbench
 from grade.visible import visible
+
+from .commands import HEADERS, LIMITED, REFUSED
+from .workbench import Workbench
 
 MOST_WORDS = 2000      # characters that are quoted of a compiler
 MOST_LINES = 30
+MOST_EXPLAINED = 1 << 20    # bytes of what it said
 CUT_SHORT = ("signal terminated program", "limit exceeded", "out of memory")
 MOST_MEMORY = 400 << 20     # that a program may take before it does anything; confine/ allows 512 MB in all
 CANARY = "canary"           # the name of a file that is right
@@ -31,16 +34,16 @@ def quoted(bench: Workbench, name: str) -> str:
     return visible("\n".join(lines[:MOST_LINES] + ["..."] * cut), lines=True)
 
 
-def compile_words(bench: Workbench, stem: str, part: Part) -> str:
+def compile_words(bench: Workbench, stem: str, status: int) -> str:
     words = quoted(bench, f"{stem}.words")
-    if words and part.status not in LIMITED and not any(sign in words for sign in CUT_SHORT):
+    if words and status not in LIMITED and not any(sign in words for sign in CUT_SHORT):
         return quoted(bench, f"{stem}.help") or words
     return ("the compiler was stopped: it needed more than 5 seconds, a gigabyte of memory, "
             f"or a file of 16 MB; or the object file has more than 2 MB\n{words}").strip()
 
 
-def link_words(bench: Workbench, stem: str, part: Part) -> str:
-    if part.status in LIMITED:
+def link_words(bench: Workbench, stem: str, status: int) -> str:
+    if status in LIMITED:
         return "the linker was stopped: it needed more than 5 seconds, or the program has more than 4 MB"
     words = quoted(bench, f"{stem}.words")
     known = [f"{name} is not in this file (or is static)"
@@ -51,31 +54,52 @@ def link_words(bench: Workbench, stem: str, part: Part) -> str:
     return "\n".join(dict.fromkeys(known)) or words or "the linker was stopped"
 
 
-def believed(bench: Workbench, first: dict[str, Part], canary, again) -> dict[str, Part]:
+def believed(bench: Workbench, first: dict[str, int], canary, again) -> dict[str, int]:
     """Whether a tool refused a file for what is in it, or because the machine has no room: then it also refuses
     a file that is right (canary), or it does not refuse the same file twice (again)."""
-    doubtful = [name for name, part in first.items() if part.status in REFUSED]
+    doubtful = [name for name, status in first.items() if status in REFUSED]
     if not doubtful:
         return first
-    for part in canary(doubtful).values():
-        if part.status != 0:
-            raise GraderFailed(f"a file that is right was refused, too (status {part.status})")
+    for status in canary(doubtful).values():
+        if status != 0:
+            raise GraderFailed(f"a file that is right was refused, too (status {status})")
     second = again(doubtful)
     bench.check_room()
     return {**first, **second}
 
 
-def compiled(bench: Workbench, stems: list[str]) -> dict[str, Part]:
+def compiled(bench: Workbench, stems: list[str]) -> dict[str, int]:
+    def compiling(stems: list[str]) -> dict[str, int]:
+        return bench.compile([bench.kit.compile(stem, bench.sandbox.confine) for stem in stems])
+
+    # Where the compiler's explainer looks for what an answer may use; it is the top of the tree for it.
+    for name in ("common", "exercises", ".make"):
+        (bench.folder / name).symlink_to(bench.kit.folder / HEADERS / name)
     (bench.folder / f"{CANARY}.c").write_text("int canary = 1;\n")
-    return believed(bench, bench.compile(COMPILE, stems),
-                    lambda doubtful: bench.compile(COMPILE, [CANARY]),
-                    lambda doubtful: bench.compile(COMPILE, doubtful))
+    statuses = believed(bench, compiling(stems), lambda doubtful: compiling([CANARY]), compiling)
+    refused = [stem for stem, status in statuses.items() if status != 0]
+    for stem in refused:
+        name_the_assembler_s_file(bench, stem)
+    if refused:
+        bench.compile([bench.kit.explain(stem) for stem in refused])
+    return statuses
 
 
-def linked(bench: Workbench, stems: list[str]) -> dict[str, Part]:
-    return believed(bench, bench.link(LINK, stems),
-                    lambda doubtful: bench.link(LINK_BLANKS, doubtful),
-                    lambda doubtful: bench.link(LINK, doubtful))
+def name_the_assembler_s_file(bench: Workbench, stem: str) -> None:
+    """It speaks of a file whose name is drawn at random, and whose place is the sandbox's."""
+    with open(bench.folder / f"{stem}.words", "r+b") as file:
+        words = re.sub(rb"(?m)^/.*/cc[A-Za-z0-9]*\.s:", f"{stem}.s:".encode(), file.read(MOST_EXPLAINED))
+        file.seek(0)
+        file.write(words)
+        file.truncate()
+
+
+def linked(bench: Workbench, stems: list[str]) -> dict[str, int]:
+    def linking(stems: list[str]) -> dict[str, int]:
+        return bench.link([bench.kit.link(stem) for stem in stems])
+
+    return believed(bench, linking(stems),
+                    lambda doubtful: bench.link([bench.kit.link_blanks(stem) for stem in doubtful]), linking)
 
 
 def memory_of(program: bytes) -> int:
@@ -98,13 +122,13 @@ def build(bench: Workbench, answers: dict) -> tuple[list[str], dict[str, tuple[s
         (bench.folder / f"{stem}.c").write_bytes(answers[stem].text)
         (bench.folder / f"{stem}.d").mkdir()
     objects = compiled(bench, there) if there else {}
-    good = [stem for stem, part in objects.items() if part.status == 0]
+    good = [stem for stem, status in objects.items() if status == 0]
     programs = linked(bench, good) if good else {}
     ready, trouble = [], {}
     for stem in there:
         if stem not in good:
             trouble[stem] = ("does not compile", compile_words(bench, stem, objects[stem]))
-        elif programs[stem].status != 0:
+        elif programs[stem] != 0:
             trouble[stem] = ("cannot be linked", link_words(bench, stem, programs[stem]))
         elif memory_of((bench.folder / f"{stem}.exe").read_bytes()) > MOST_MEMORY:
             trouble[stem] = ("cannot be linked", "its variables take more than 400 MB of memory")

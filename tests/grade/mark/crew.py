@@ -17,10 +17,11 @@ import time
 import traceback
 from pathlib import Path
 
-from grade.mark.grader import DONE, KEPT, Grader
 from grade.confine.machine import GraderFailed
 from grade.confine.sandbox import ending
 from grade.settings import stop
+
+from .grader import DONE, KEPT, Grader
 
 MOST_SECONDS = 3600  # for one submission; what students wrote has its own limits, which are far lower
 MOST_WORDS = 2000    # of a reason

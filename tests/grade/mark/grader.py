@@ -15,24 +15,26 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
-from grade.mark.workbench import Workbench, read_kit
+from grade import exercises as table
+from grade import policy as policies
 from grade.collect import submissions
 from grade.collect.answers import Collected
 from grade.collect.submissions import Submission
-from grade import exercises as table
 from grade.confine.machine import GraderFailed
-from grade.mark.marking import add_marks, calls_of, mark
-from grade import policy as policies
-from grade.report import files
 from grade.confine.sandbox import choose
+from grade.report import files
 from grade.settings import seed_of_class
+
+from .commands import read_kit
+from .marking import add_marks, calls_of, mark
+from .workbench import Workbench
 
 DONE, KEPT = 0, 3       # exit statuses of the process that marks
 FAILED = "grader failed"
-SOLUTIONS = Path(__file__).resolve().parents[3] / "solutions"
+PACKAGE = Path(__file__).resolve().parents[1]
+SOLUTIONS = PACKAGE.parents[1] / "solutions"
 # On these, and not on how reports look, verdicts depend.
-GRADER = sorted(Path(__file__).resolve().parents[1].glob("*.py")) + sorted(
-    path for folder in ("collect", "confine", "mark") for path in Path(__file__).resolve().parents[1].glob(f"{folder}/*.py"))
+GRADER = sorted(path for part in (".", "collect", "confine", "mark") for path in PACKAGE.glob(f"{part}/*.py"))
 # Hostile archives get less memory and time than the process that opens them has.
 COLLECTING = {resource.RLIMIT_AS: 2 << 30, resource.RLIMIT_CPU: 60}
 
@@ -76,7 +78,7 @@ class Grader:
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
         self.tests = sum_of_files([table.TABLE, *GRADER, *judges,
                                    *sorted((self.kit.folder / "link").iterdir()),
-                                   self.kit.folder / "commands", *confine])
+                                   self.kit.folder / "commands", Path(self.kit.parts), *confine])
 
     def begin(self) -> None:
         """When it is clear that there is something to mark, and nobody else does."""

@@ -11,11 +11,13 @@ import re
 import shutil
 from pathlib import Path
 
-from grade.mark.building import build
-from grade.exercises import stems as chapters
 from grade.confine.machine import GraderFailed
+from grade.exercises import stems as chapters
 from grade.policy import rounded
-from grade.mark.workbench import CALLS, DRAW, JUDGE, JUDGE_LENT, LEND, LINK_ALL, REFUSED, Workbench
+
+from .building import build
+from .commands import REFUSED
+from .workbench import Workbench
 
 ESCAPES = {"n": "\n", "t": "\t", "\\": "\\"}  # of tests/judge/report.c
 
@@ -53,8 +55,19 @@ def calls_of(bench: Workbench, exercises: list) -> dict[str, set[str]]:
     found: dict[str, set[str]] = {}
     for stem in chapters(exercises):
         write_lines(bench, f"{stem}.states", [[exercise.name, "any"] for exercise in exercises if exercise.stem == stem])
-        found.update({name: set(part.words) for name, part in bench.link(CALLS, [stem]).items()})
+        found.update((name, set(others)) for name, others in calls(bench, stem, "any").items())
     return found
+
+
+def calls(bench: Workbench, stem: str, states: str, may: bool = False) -> dict[str, list[str]]:
+    """FUNCTION -> those that it calls, of the functions in STEM.states with one of these states (calls.awk)."""
+    commands = [bench.kit.relocations(stem), bench.kit.calls(stem, states, may)]
+    if bench.link(commands)["relocations"] in REFUSED:
+        bench.link(commands)
+        bench.check_room()
+    (bench.folder / f"{stem}.relocations").unlink()
+    lines = (bench.folder / f"{stem}.calls").read_text().splitlines()
+    return {name: others for name, *others in map(str.split, lines)}
 
 
 def write_lines(bench: Workbench, name: str, lines: list[list[str]]) -> None:
@@ -74,17 +87,19 @@ def lend(bench: Workbench, stem: str, functions: dict[str, dict], may: dict[str,
         return {}
     write_lines(bench, f"{stem}.states", [[name, found["state"]] for name, found in functions.items()])
     write_lines(bench, f"{stem}.may", [[name, *others] for name, others in may.items()])
-    programs = bench.link(LEND, [stem])
-    if any(part.status in REFUSED for part in programs.values()):
-        programs = bench.link(LEND, [stem])
+    called = calls(bench, stem, "wrong waiting", may=True)
+    if not called:
+        return {}
+    commands = [bench.kit.link_lent(stem, name, others) for name, others in called.items()]
+    programs = bench.link(commands)
+    if any(status in REFUSED for status in programs.values()):
+        programs = bench.link(commands)
         bench.check_room()
-    ready = [name for name, part in programs.items() if part.status == 0]
-    for name in ready:
-        write_lines(bench, f"{name}.lent", [programs[name].words])
-    judged = bench.judge(JUDGE_LENT, [stem, *ready]) if ready else {}
+    ready = [name for name, status in programs.items() if status == 0]
+    judged = bench.judge([bench.kit.judge_lent(stem, name, called[name]) for name in ready]) if ready else {}
     for name in ready:
         (bench.folder / f"{stem}.{name}.exe").unlink()
-    return {name: part.words for name, part in judged.items() if part.status == 0}
+    return {name: (bench.folder / f"{name}.asked").read_text().split() for name, status in judged.items() if status == 0}
 
 
 def waiting(functions: dict[str, dict], asked: dict[str, list[str]]) -> dict[str, list[str]]:
@@ -101,9 +116,9 @@ def waiting(functions: dict[str, dict], asked: dict[str, list[str]]) -> dict[str
 
 def draw(bench: Workbench, answered: list[str]) -> bool:
     """Whether yours.png is there: what the answers draw together, and right ones where there are none."""
-    if bench.link(LINK_ALL, [f"{stem}.o" for stem in answered])["all"].status != 0:
+    if bench.link([bench.kit.link_all([f"{stem}.o" for stem in answered])])["all"] != 0:
         return False
-    return bench.judge(DRAW, answered)["all"].status == 0
+    return bench.judge([bench.kit.draw(answered)])["all"] == 0
 
 
 # ---- the record ----------------------------------------------------------------------------------
@@ -137,7 +152,7 @@ def stem_parts(bench: Workbench, answers: dict, exercises: list, called: dict) -
     linked, trouble = build(bench, answers)
     names = {stem: [exercise.name for exercise in exercises if exercise.stem == stem] for stem in linked}
     if linked:
-        bench.judge(JUDGE, linked)
+        bench.judge([bench.kit.judge(stem) for stem in linked])
     reports, waits = {}, {}
     for stem in linked:
         found = read_report(bench.folder / f"{stem}.d" / "report", names[stem])

@@ -1,0 +1,125 @@
+"""commands.py - every program that is run for a submission, as a list of arguments.
+
+A step is some of them, one after the other in one sandbox (parts.c). Their folder is the submission's, which
+they name by STEM.c, STEM.o and so on; of this project they are shown the kit, which the Makefile makes.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+LARGEST_OBJECT = 2 << 20
+LARGEST_PROGRAM = 4 << 20
+
+# The exit statuses that are about what was handed in; all others are about this machine. REFUSED is not
+# believed at once (building.py). Beyond 128: a signal.
+DONE = 0
+REFUSED = {1, 90, 93, 94, 132, 134, 136, 139}   # an error, or the compiler crashed on it (confine/tool.h)
+LIMITED = {91, 92, 152, 153}                    # SIGXCPU, SIGXFSZ, or a file that is too large
+BUILT = frozenset({DONE} | REFUSED | LIMITED)
+JUDGED = frozenset({DONE, 1})
+ANY = frozenset(range(256))
+
+# What answers are compiled with, linked to and judged by, of the kit's folder.
+HEADERS, LINKED = "headers", "link"
+
+
+@dataclass(frozen=True)
+class Command:
+    name: str                       # of the part of the step, which may be a stem or a function
+    words: list[str]
+    expected: frozenset[int]        # the exit statuses that are no failure of this machine
+    reads: str = "/dev/null"
+    writes: str = "/dev/null"       # what it prints
+    complaints: str = ""            # what it prints on stderr; '': it is the grader's to say
+    makes: str = ""
+    most: int = 0                   # bytes of what it makes
+
+    def arguments(self) -> list[str]:
+        """For parts.c."""
+        return [self.name, self.reads, self.writes, self.complaints, self.makes, str(self.most), str(len(self.words)),
+                *self.words]
+
+
+@dataclass(frozen=True)
+class Kit:
+    folder: Path
+    judges: Path
+    compiler: list[str]
+    parts_of_compiler: list[str]    # what makes a compiler of several programs run each by another one
+    linker: list[str]
+    libraries: list[str]
+
+    @property
+    def parts(self) -> str:
+        return str(self.folder / "parts")
+
+    def of_link(self, name: str) -> str:
+        return str(self.folder / LINKED / name)
+
+    def compile(self, stem: str, tool: str) -> Command:
+        """tool: what says how each program of the compiler ended (confine/tool.c); '' if there is nothing."""
+        watched = [*self.parts_of_compiler, f"{tool},tool"] if tool and self.parts_of_compiler else []
+        return Command(stem, [*self.compiler, *watched, "-o", f"{stem}.o", f"{stem}.c"],
+                       BUILT - {1} if watched else BUILT, complaints=f"{stem}.words",
+                       makes=f"{stem}.o", most=LARGEST_OBJECT)
+
+    def explain(self, stem: str) -> Command:
+        """What the compiler said, as 'make exercises' shows it. The words are the compiler's own if this fails."""
+        return Command(stem, [".make/explain", f"{stem}.c"], ANY, reads=f"{stem}.words", writes=f"{stem}.help",
+                       complaints="/dev/null")
+
+    def link(self, stem: str) -> Command:
+        return self._link(stem, stem, f"{stem}.exe", f"{stem}.o")
+
+    def link_lent(self, stem: str, name: str, others: list[str]) -> Command:
+        """The program in which the judge answers for the others."""
+        return self._link(name, stem, f"{stem}.{name}.exe", *(f"--defsym={other}=lent_{other}" for other in others),
+                          f"{stem}.o")
+
+    def link_blanks(self, stem: str) -> Command:
+        """The same without the answer, which cannot fail."""
+        return replace(self._link(stem, stem, "blanks.exe"), complaints="")
+
+    def _link(self, part: str, stem: str, program: str, *answer: str) -> Command:
+        # The kit comes first. It begins with crtbeginT.o, which registers the frames that follow it; if an
+        # object's frames are before them, a program of gcc 13 or newer crashes at its start.
+        words = [*self.linker, "-o", program, self.of_link(f"{stem}.o"), *answer,
+                 self.of_link(f"blank-{stem}.o"), *self.libraries]
+        return Command(part, words, BUILT, complaints=f"{stem}.words", makes=program, most=LARGEST_PROGRAM)
+
+    def link_all(self, objects: list[str]) -> Command:
+        """One process of all chapters, which draws a picture. Chapters that use one name for two helpers do not
+        fit into one process, and there is none then."""
+        blanks = [str(path) for path in sorted((self.folder / LINKED).glob("blank-*.o"))]
+        words = [*self.linker, "-o", "all.exe", self.of_link("all.o"), *objects, *blanks, *self.libraries]
+        return Command("all", words, BUILT, complaints="/dev/null")
+
+    def relocations(self, stem: str) -> Command:
+        return Command("relocations", ["objdump", "-r", f"{stem}.o"], BUILT, writes=f"{stem}.relocations")
+
+    def calls(self, stem: str, states: str, may: bool = False) -> Command:
+        """Which functions of these states call which others, from STEM.states and STEM.may."""
+        allowed = ["-v", f"may={stem}.may"] if may else []
+        return Command("calls", ["awk", "-v", f"table={stem}.states", "-v", f"states={states}", *allowed,
+                                 "-f", str(self.folder / "calls.awk"), f"{stem}.relocations"],
+                       frozenset({DONE}), writes=f"{stem}.calls")
+
+    def judge(self, stem: str) -> Command:
+        return Command(stem, [str(self.judges / stem), f"{stem}.exe", f"{stem}.d"], JUDGED)
+
+    def judge_lent(self, stem: str, name: str, others: list[str]) -> Command:
+        """NAME.asked will have the names of those that it asked for."""
+        return Command(name, [str(self.judges / stem), f"{stem}.{name}.exe", "--only", name, *others], JUDGED,
+                       writes=f"{name}.asked")
+
+    def draw(self, answered: list[str]) -> Command:
+        return Command("all", [str(self.judges / "picture"), "all.exe", str(self.judges / "scene.nff"), "yours.png",
+                               *answered], JUDGED)
+
+
+def read_kit(folder: Path) -> Kit:
+    lines = (folder / "commands").read_text().splitlines()
+    commands = {key: words.split() for key, words in (line.split("=", 1) for line in lines)}
+    return Kit(folder, Path(*commands["JUDGES"]), commands["COMPILE"], commands["PARTS"], commands["LINK"],
+               commands["LIBRARIES"])
