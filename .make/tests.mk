@@ -238,9 +238,14 @@ FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff
 check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
-# What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it.
-check-all: $(RUN) $(CHECKS) $(FOR_CHECKS) $(ENGINES_LONG) $(if $(SANITIZE)$(BRIEF),,$(TRIALS)) $(if $(BRIEF),,$(BENCH_SCENES)) ## those that need longer, too
+# What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
+# (another compiler, a sanitizer) only what it can make a difference to.
+FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
+check-all: $(RUN) $(CHECKS) $(FOR_LONG) ## those that need longer, too
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
+
+check-long: $(RUN) $(FOR_LONG) ## only those that need longer
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(NUMBERS) $(wildcard tests/long/*.sh)
 
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
 build/handout.tar.gz: $(TABLES) $(BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) FORCE

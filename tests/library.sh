@@ -94,6 +94,11 @@ needs() {
     done
 }
 
+# A test to which the compiler makes no difference, in a run for another one: once NAME 'what is not tested again'
+once() {
+    [ -z "${BRIEF:-}" ] || skip "$1" "$2: once is enough (BRIEF)"
+}
+
 # Ends a test that cannot run here, or need not: skip NAME 'what, and why'
 skip() {
     echo "skipped: $2"

@@ -3,7 +3,7 @@
 # Only reads the tree.
 set -u
 . tests/library.sh
-[ -z "${BRIEF:-}" ] || skip composed "mistakes seen through other functions, which are tested once (BRIEF)"
+once composed "mistakes seen through other functions"
 
 for matrix in "$BUILD"/tests/matrix/[0-9]*; do
     [ -x "$matrix" ] || continue

@@ -5,7 +5,7 @@
 set -u
 . tests/library.sh
 . tests/figures/scripts.sh
-[ -z "${BRIEF:-}" ] || skip 'figures, long' "hundreds of figures of each kind, which are tested once (BRIEF)"
+once 'figures, long' "hundreds of figures of each kind"
 
 needs 'figures, long' 'figures' gnuplot python3
 

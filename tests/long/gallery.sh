@@ -4,7 +4,7 @@
 set -u
 . tests/library.sh
 . tests/figures/scripts.sh
-[ -z "${BRIEF:-}" ] || skip gallery "the page of pictures, which is tested once (BRIEF)"
+once gallery "the page of pictures"
 
 needs gallery 'the page of pictures' gnuplot python3
 built=$scratch/solutions

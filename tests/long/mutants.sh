@@ -39,6 +39,7 @@ LINE
 fi
 
 . tests/library.sh
+once mutants "slips in the solutions"
 if [ "${BUILD:-build}" != build ]; then
     skip mutants "mutants: one compiler and the ordinary build tell enough"
 fi

@@ -6,6 +6,7 @@
 # Only reads the tree.
 set -u
 . tests/library.sh
+once povray "the comparison with POV-Ray"
 
 few=60
 mean=0.01

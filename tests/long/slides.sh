@@ -3,7 +3,7 @@
 set -u
 . tests/library.sh
 . tests/figures/scripts.sh
-[ -z "${BRIEF:-}" ] || skip slides "slides, which are tested once (BRIEF)"
+once slides "slides"
 
 if ! command -v gnuplot >/dev/null; then
     skip slides "slides, which need gnuplot (make setup)"

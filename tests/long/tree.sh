@@ -3,7 +3,7 @@
 set -u
 . tests/library.sh
 . tests/figures/scripts.sh
-[ -z "${BRIEF:-}" ] || skip tree "the tree as its users have it, which is tested once (BRIEF)"
+once tree "the tree as its users have it"
 
 tree=$scratch/tree
 mkdir "$tree"
