@@ -128,12 +128,12 @@ build/blanks/%.c: solutions/%.c .make/blank.awk
 
 # Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
 # reference in the place of one of them (.make/verdict).
-$(B)/weak.h: tests/exercises.table .make/proxies.awk
-	$(Q)awk -v make=weak -f .make/proxies.awk $< > $@
+$(B)/weak.h: tests/judge/weak.def tests/exercises.def
+	$(Q)$(CC) -E -P -x c -I. $< > $@
 FOR_ANSWERS = $(FOR_STUDENTS) -include $(B)/weak.h
 # Helpers may go anywhere, so two chapters may use one name: only the exercises are seen from outside.
 $(B)/exercises.names: $(B)/weak.h
-	$(Q)sed -n 's/^#pragma weak //p' $< > $@
+	$(Q)sed -n 's/^ *# *pragma weak //p' $< > $@
 HIDE_HELPERS = objcopy --keep-global-symbols=$(B)/exercises.names
 
 # An answer counts as changed when its text has changed: dates deceive where files are moved back.

@@ -23,10 +23,10 @@ endif
 $(call changed,$(VERDICT),$(EXERCISES))
 endif
 # What the answering process holds besides the answer.
-answering = $(B)/tests/judge/answering.o $(B)/tests/judge/wire.o $(B)/judge/dispatch-$(1).o \
+answering = $(B)/tests/judge/answering.o $(CALLING) $(B)/judge/dispatch-$(1).o \
 	$(lent) $(earlier_answers) $(B)/common.a
 #[ With the reference for the chapters before, one mistake costs once; and the judge lends.
-lent = $(B)/judge/lent-$(1).o
+lent = $(B)/tests/judge/lent.o
 earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
 for_debug = $(call test_objects,$(1))
 #]
@@ -44,7 +44,7 @@ EXPLAIN := .make/explain $(wildcard .make/explaining/*.awk)
 JUDGES_LAYOUTS := common/plot.gp chapters/01-corners/yours-and-right.gp $(wildcard tests/judge/layouts/*.gp)
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
 $(ALL_VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(B)/weak.h $(B)/exercises.names \
-		build/blanks/%.c $(B)/judge/% $$(call answering,$$*) $(JUDGES_LAYOUTS)
+		build/blanks/%.c $(B)/judge/% $$(call answering,$$*) $(JUDGES_LAYOUTS) $(LIST)
 	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c'" \
 		"LINK='$(LINK) $(QUICK_LINKER)'" "OBJECTS='$(call answering,$*)'" \
 		$(if $(value stands_on),"STANDS_ON='$(call stands_on,$*)'" "HIDE_HELPERS='$(HIDE_HELPERS)'") \

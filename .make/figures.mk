@@ -33,7 +33,7 @@ endif
 #~ RIGHT := tests/told/figures
 # With something missing, a figure is not yet; that is said in one line.
 $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,$$*) \
-		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(ALL_VERDICTS))
+		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(ALL_VERDICTS) build/judge/list)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(if $(RIGHT),note=$$(awk -v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c); \
 		.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \

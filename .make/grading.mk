@@ -46,22 +46,19 @@ $(KIT)/link/%.o:
 		--start-group $(C_LIBRARIES) --end-group
 
 # All chapters in one process, which draws a picture; and the picture that it should be.
-$(KIT)/link/all.o: $(B)/tests/grade/confine/entry.o $(patsubst %,$(B)/tests/judge/%.o,answering wire) \
+$(KIT)/link/all.o: $(B)/tests/grade/confine/entry.o $(B)/tests/judge/answering.o $(CALLING) \
 	$(B)/judge/dispatch-all.o
 KIT_LINKS += $(KIT)/link/all.o
 LAST := $(lastword $(filter 06%,$(STEMS)))
 RIGHTS := $(STEMS:%=$(B)/judge/right-%.o)
-$(RIGHTS): $(B)/judge/right-%.o: solutions/%.c tests/exercises.table .make/proxies.awk $(B)/flags
+$(RIGHTS): $(B)/judge/right-%.o: solutions/%.c tests/judge/rename.def tests/exercises.def $(B)/flags
 	$(call say,compile,$< for pictures)
 	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=reference -v stem=$* -f .make/proxies.awk tests/exercises.table > $(@:.o=.h)
+	$(Q)$(call renamed,$(call answered,$*),right_) > $(@:.o=.h)
 	$(Q)$(COMPILE) -include $(@:.o=.h) -o $@ $<
-$(B)/judge/rights.c: tests/exercises.table .make/proxies.awk
-	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=rights -f .make/proxies.awk $< > $@
 DRAW := $(B)/judge/picture
-$(DRAW): $(B)/tests/grade/mark/picture.o $(RIGHTS) $(B)/judge/rights.o $(B)/chapters/$(LAST)/scene_camera.o $(JUDGING) \
-		$(call parts,tests/$(LAST)/mistakes) $(B)/judge/lender-$(LAST).o $(B)/common.a
+$(DRAW): $(B)/tests/grade/mark/picture.o $(RIGHTS) $(B)/chapters/$(LAST)/scene_camera.o $(TESTING) $(HEARING) \
+		$(TO_PROCESS) $(call parts,tests/$(LAST)/mistakes) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 SCENE_TO_DRAW := chapters/06-ray-casting/three-spheres.nff
@@ -71,7 +68,7 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
 $(KIT)/commands: Makefile .make/exercises.mk .make/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
-		$(B)/common.a .make/calls.awk $(KIT)/expected.png
+		$(B)/common.a .make/calls.awk $(KIT)/expected.png $(LIST)
 	$(Q)cp $(B)/common.a $(KIT)/link/ && cp .make/calls.awk $(KIT)/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
 	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \
 		'COMPILE=$(CC) $(QUICK_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \

@@ -3,10 +3,9 @@
 
 # The judge asks what the table says.
 JUDGES := $(STEMS:%=$(B)/judge/%)
-$(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/told/path/%.o $(B)/judge/exercises.o \
+$(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/told/path/%.o \
 		$(patsubst %,$(B)/tests/judge/%.o,call kept process ending judge report system_call) \
-		$(DRAWING) $(B)/tests/told/right.o \
-		$(B)/tests/told/lends_nothing.o $(B)/common.a | $(TABLE)/%.table
+		$(DRAWING) $(B)/tests/told/right.o $(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -23,6 +22,6 @@ stands_on = $(patsubst %,$(VERDICT)/%,$(call earlier,$(1)))
 $(STEMS:%=$(VERDICT)/%/answer.o): $(VERDICT)/%/answer.o: $(VERDICT)/%/table ;
 
 # The calls of a table, made directly.
-for_debug = $(B)/tests/told/debug.o $(B)/told/path/$(1).o $(TOLD) $(B)/tests/judge/wire.o \
-	$(B)/tests/judge/same.o $(B)/judge/exercises.o $(B)/judge/dispatch-$(1).o \
+for_debug = $(B)/tests/told/debug.o $(B)/told/path/$(1).o $(TOLD) \
+	$(B)/tests/judge/same.o $(B)/judge/dispatch-$(1).o \
 	$(call earlier_answers,$(1)) $(B)/common.a

@@ -5,14 +5,11 @@
 # Which answers those are is read from the chapters' sources: what the function that writes the
 # figure's data calls, and what that calls.
 BEGIN {
-    while ((getline line < "tests/exercises.table") > 0)
-        if (split(line, part, " [|] ") > 1 && line !~ /^#/) {
-            name = part[2]
-            sub(/\(.*/, "", name)
-            sub(/.*[ *]/, "", name)
-            stem_of[name] = part[1]
-            listed[++exercises] = name
-        }
+    while (("build/judge/list" | getline line) > 0) {
+        split(line, part, "\t")
+        stem_of[part[2]] = part[1]
+        listed[++exercises] = part[2]
+    }
 }
 FNR == 1 {
     whole = ""

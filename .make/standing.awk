@@ -3,14 +3,10 @@
 #   -v folders='FOLDER EARLIER...' < for each a line 'FOLDER name', then objdump -r of its answer.o
 BEGIN {
     count = split(folders, folder, " ")
-    while ((getline line < "tests/exercises.table") > 0)
-        if (line !~ /^(#|$)/) {
-            split(line, part, " [|] ")
-            name = part[2]
-            sub(/\(.*/, "", name)
-            sub(/.*[ *]/, "", name)
-            stem_of[name] = part[1]
-        }
+    while (("build/judge/list" | getline line) > 0) {
+        split(line, part, "\t")
+        stem_of[part[2]] = part[1]
+    }
     for (i = 1; i <= count; i++)
         read_table(folder[i], i)
 }

@@ -20,20 +20,21 @@ $(PACK): $(patsubst %,$(B)/tests/submission/%.o,pack stored_zip) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 
-# The answering process, for each stem: one call of one exercise, as a message.
+# The list of the exercises, for programs that are not C (the format is in its source).
+LIST := build/judge/list
+$(LIST): $(patsubst %,tests/judge/%.c,list exercise types) tests/exercises.def tests/judge/types.def
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) $(LANGUAGE) -o $@ $(filter %.c,$^)
+
+# One call of one exercise, as a message.
+CALLING := $(patsubst %,$(B)/tests/judge/%.o,transport message wire exercise types)
+# The answering process, for each stem: its number without zeros; 0 is all of them.
+answered = $(if $(filter all,$(1)),0,$(patsubst 0%,%,$(firstword $(subst -, ,$(1)))))
 DISPATCHES := $(patsubst %,$(B)/judge/dispatch-%.o,$(STEMS) all)
-$(DISPATCHES:.o=.c): $(B)/judge/dispatch-%.c: tests/exercises.table .make/proxies.awk
+$(DISPATCHES): $(B)/judge/dispatch-%.o: tests/judge/dispatch.c $(B)/flags $(SETUP_FIRST)
+	$(call say,compile,$< for $*)
 	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=dispatch -v stem=$* -f .make/proxies.awk $< > $@
-#[
-LENT := $(STEMS:%=$(B)/judge/lent-%.o)
-$(LENT:.o=.c): $(B)/judge/lent-%.c: tests/exercises.table .make/proxies.awk
-	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=lent -v stem=$* -f .make/proxies.awk $< > $@
-#]
-$(DISPATCHES) $(LENT) $(patsubst %,$(B)/judge/%.o,proxies apply layouts exercises rights): %.o: %.c $(B)/flags
-	$(call say,compile,$<)
-	$(Q)$(COMPILE) -o $@ $<
+	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -o $@ $<
 
 # Which known mistake a wrong answer is.
 DIAGNOSIS := suspects evidence explanation paint same
@@ -56,16 +57,9 @@ $(TESTS): $(BUILT)/tests/%: $(BUILT)/%.o $$(call test_objects,$$*)
 
 # The judge: the same tests, asking another process for the answers (proxies). Mistakes and laws
 # stand beside the reference, which goes by other names there.
-$(B)/reference.h: tests/exercises.table .make/proxies.awk
-	$(Q)awk -v make=reference -f .make/proxies.awk $< > $@
-$(B)/judge/proxies.c: tests/exercises.table .make/proxies.awk
-	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=proxies -f .make/proxies.awk $< > $@
-# The same by the reference: the judge's, for what it lends, and the matrix's.
-LENDERS := $(STEMS:%=$(B)/judge/lender-%.o)
-$(LENDERS): $(B)/judge/lender-%.o: $(B)/judge/dispatch-%.c $(B)/reference.h $(B)/flags
-	$(call say,compile,$< as reference)
-	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
+renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tests/judge/rename.def
+$(B)/reference.h: tests/judge/rename.def tests/exercises.def
+	$(Q)$(call renamed,0,reference_) > $@
 BESIDE_REFERENCE := $(foreach kind,mistakes laws variants unknown,$(call parts,tests/[0-9]*/$(kind)))
 $(BESIDE_REFERENCE): EXTRA = -include $(B)/reference.h
 $(BESIDE_REFERENCE): $(B)/reference.h
@@ -74,17 +68,14 @@ $(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/fla
 	$(call say,compile,$< as reference)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
-$(B)/judge/apply.c: tests/exercises.table .make/proxies.awk
-	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=apply -v stem=all -f .make/proxies.awk $< > $@
 # What the answers do beside the known mistakes.
-HEARING := $(patsubst %,$(B)/tests/judge/%.o,hearing $(DIAGNOSIS)) $(B)/judge/apply.o \
-	$(B)/judge/layouts.o $(B)/tests/told/layout.o
-JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,call corners kept process ending wire \
-	switchboard system_call) $(HEARING) $(B)/judge/proxies.o $(call parts,tests/[0-9]*/laws) $(REFERENCES)
+HEARING := $(patsubst %,$(B)/tests/judge/%.o,hearing proxies corners switchboard $(DIAGNOSIS)) \
+	$(B)/tests/told/layout.o $(CALLING) $(call parts,tests/[0-9]*/laws) $(REFERENCES)
+# What calls an answering process.
+TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,call kept process ending system_call)
 JUDGES := $(STEMS:%=$(B)/judge/%)
-$(JUDGES): $(B)/judge/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) $(JUDGING) \
-		$(B)/tests/%/probes.o $(B)/judge/lender-%.o $(DRAWING) \
+$(JUDGES): $(B)/judge/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) $(TESTING) \
+		$(HEARING) $(TO_PROCESS) $(B)/tests/%/probes.o $(DRAWING) \
 		$(patsubst %,$(B)/tests/judge/%.o,judge report right) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -94,8 +85,7 @@ $(call parts,tests/[0-9]*/composed): EXTRA = -include $(B)/weak.h
 $(call parts,tests/[0-9]*/composed): $(B)/weak.h
 $(MATRICES): $(B)/tests/matrix/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
 		$(B)/tests/%/probes.o $(B)/tests/%/variants.o $$(call parts,tests/$$*/composed) $(B)/tests/%/unknown.o \
-		$(filter-out %/call.o,$(JUDGING)) $(B)/judge/lender-%.o \
-		$(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
+		$(TESTING) $(HEARING) $(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -123,8 +113,7 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 	$(Q)$(AS_REFERENCE) -O0 -c -o $@ $(@D)/$*.c
 TRIALS := $(STEMS:%=$(B)/tests/generated/%)
 $(TRIALS): $(B)/tests/generated/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
-		$(B)/tests/%/probes.o $(filter-out %/call.o,$(JUDGING)) \
-		$(B)/judge/dispatch-%.o $(B)/generated/%.o \
+		$(B)/tests/%/probes.o $(TESTING) $(HEARING) $(B)/generated/%.o \
 		$(patsubst %,$(B)/tests/generated/%.o,try truth guard question ask_screen ask_cameras \
 		ask_spheres ask_scenes ask_lights) $(B)/tests/told/here.o $(B)/common.a
 	$(call say,link,$@)
@@ -156,8 +145,7 @@ $(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,
 
 # What a hostile answer asks for when the reference is lent.
 ODD_QUESTIONS := $(B)/tests/lending/odd_questions
-$(ODD_QUESTIONS): $(ODD_QUESTIONS).o $(B)/judge/dispatch-all.o $(B)/tests/judge/wire.o $(B)/judge/layouts.o \
-		$(B)/judge/exercises.o $(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+$(ODD_QUESTIONS): $(ODD_QUESTIONS).o $(CALLING) $(REFERENCES) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 
@@ -182,23 +170,20 @@ $(SAME): $(B)/tests/judge/same_picture.o
 TABLE := $(B)/told
 #]
 #~ TABLE := tests/told
-$(B)/judge/layouts.c $(B)/judge/exercises.c: $(B)/judge/%.c: tests/exercises.table .make/proxies.awk
-	$(Q)mkdir -p $(@D)
-	$(Q)awk -v make=$* -f .make/proxies.awk $< > $@
 $(STEMS:%=$(B)/told/path/%.c): $(B)/told/path/%.c:
 	$(Q)mkdir -p $(@D)
 	$(Q)printf '#include "tests/told/replay.h"\n\nconst char told_path[] = "%s";\n' \
 		$(TABLE)/$*.table > $@
 $(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags
 	$(Q)$(COMPILE) -o $@ $<
-TOLD := $(patsubst %,$(B)/tests/told/%.o,layout table) $(B)/judge/layouts.o
-REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,wire switchboard $(DIAGNOSIS)) $(TOLD) \
+TOLD := $(patsubst %,$(B)/tests/told/%.o,layout table) $(CALLING)
+REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard $(DIAGNOSIS)) $(TOLD) \
 	$(patsubst %,$(B)/tests/told/%.o,replay expect)
 
 # A table by itself: what is right passes, and each mistake's values are failed and named.
 TABLE_CHECKS := $(STEMS:%=$(B)/told/check/%)
 $(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told/check.o \
-		$(B)/judge/exercises.o $(B)/common.a | $(TABLE)/%.table
+		$(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -206,9 +191,8 @@ $(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told
 #[ Where the tables come from; and right answers written otherwise, held against them.
 TELLERS := $(STEMS:%=$(B)/told/tell/%)
 $(TELLERS): $(B)/told/tell/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
-		$(B)/tests/%/probes.o $(filter-out %/call.o,$(JUDGING)) $(TOLD) \
-		$(patsubst %,$(B)/tests/told/%.o,tell asked takes here) \
-		$(B)/judge/dispatch-%.o $(B)/common.a
+		$(B)/tests/%/probes.o $(TESTING) $(HEARING) $(B)/tests/told/table.o \
+		$(patsubst %,$(B)/tests/told/%.o,tell asked takes here) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -217,10 +201,8 @@ $(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
 	$(call say,tell,$@)
 	$(Q)env -u SEED $< $@
 TABLE_VARIANTS := $(STEMS:%=$(B)/told/variants/%)
-$(TABLE_VARIANTS): $(B)/told/variants/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/%/variants.o \
-		$(patsubst %,$(B)/tests/told/%.o,variants here) $(HEARING) $(B)/judge/dispatch-%.o \
-		$(B)/judge/proxies.o $(call parts,tests/[0-9]*/laws) $(REFERENCES) $(B)/common.a \
-		| $(TABLE)/%.table
+$(TABLE_VARIANTS): $(B)/told/variants/%: $(filter-out $(HEARING),$(REPLAY)) $(B)/told/path/%.o $(B)/tests/%/variants.o \
+		$(patsubst %,$(B)/tests/told/%.o,variants here) $(HEARING) $(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm

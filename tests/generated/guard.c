@@ -4,7 +4,6 @@
 // can be tried: what would end that process ends the call, and the test hears the same words.
 #include "tests/generated/guard.h"
 
-#include "tests/judge/call.h"
 #include "tests/judge/record.h"
 #include "tests/told/here.h"
 
@@ -38,19 +37,13 @@ void guard_begin(void)
         sigaction(signals[i], &action, NULL);
 }
 
-void guard_answer_by(AnyFunction *by)
-{
-    answering = by;
-    broken = NULL;
-}
-
 static void patience(int milliseconds)
 {
     struct itimerval time = {.it_value = {.tv_usec = 1000 * milliseconds}};
     setitimer(ITIMER_VIRTUAL, &time, NULL);
 }
 
-Wire *call_begin(int exercise)
+static Wire *begin(int exercise)
 {
     (void)exercise;
     if (broken != NULL)
@@ -59,28 +52,32 @@ Wire *call_begin(int exercise)
     return &arguments;
 }
 
-Wire *call_finish(int exercise)
+static void call(int exercise)
 {
-    char function[sizeof record_now()->function]; // answer_here takes it away for a while
-    memcpy(function, record_now()->function, sizeof function);
     int signal = sigsetjmp(out, 1);
     if (signal == 0) {
         patience(MOST_MILLISECONDS);
         answer_here(exercise, answering, &arguments, &answer);
         patience(0);
-        return &answer;
+        return;
     }
     patience(0);
-    memcpy(record_now()->function, function, sizeof function);
-    switch_one(exercises[exercise].name, NULL);
     broken = signal == SIGVTALRM ? "was still running: an endless loop?" : "crashed";
     record_how(signal == SIGVTALRM ? HOW_TIMED_OUT : HOW_CRASHED, broken);
+}
+
+static Wire *receive(int exercise)
+{
+    (void)exercise;
     return &answer;
 }
 
-void call_end(int exercise)
+void guard_answer_by(AnyFunction *by)
 {
-    (void)exercise;
+    static const Transport guarded = {begin, call, receive, NULL};
+    transport_use(&guarded);
+    answering = by;
+    broken = NULL;
 }
 
 void guarded_ask(const Subject *subject, AnyFunction *by, Question *question, Answer *said)

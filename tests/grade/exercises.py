@@ -1,34 +1,25 @@
-"""exercises.py - reads tests/exercises.table: every exercise, once, in the order of the course."""
+"""exercises.py - every exercise, once, in the order of the course: asks build/judge/list."""
 from __future__ import annotations
 
-import re
+import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-TABLE = Path(__file__).resolve().parent.parent / "exercises.table"
+LIST = Path(__file__).resolve().parent.parent.parent / "build/judge/list"
 
 
 @dataclass(frozen=True)
 class Exercise:
-    stem: str    # 05-quadratic
-    name: str    # hit_sphere
-    prototype: str
+    stem: str       # 05-quadratic
+    name: str       # hit_sphere
+    prototype: str  # double hit_sphere(Ray ray, Sphere sphere)
     slide: str
-    prompt: str  # what the slide asks
+    prompt: str     # what the slide asks
 
 
-def read(path=TABLE) -> list:
-    exercises = []
-    for number, line in enumerate(Path(path).read_text(encoding="utf-8").splitlines(), 1):
-        if not line.strip() or line.startswith("#"):
-            continue
-        cells = line.split(" | ")
-        name = re.match(r"[^(]*?(\w+)\(", cells[1]) if len(cells) == 4 else None
-        if not name:
-            raise ValueError(f"{path}:{number}: no exercise, "
-                             "expected stem | prototype | slide | what the slide asks")
-        exercises.append(Exercise(*(cell.strip() for cell in (cells[0], name[1], *cells[1:]))))
-    return exercises
+def read(program=LIST) -> list:
+    words = subprocess.run([program], check=True, capture_output=True, encoding="utf-8").stdout
+    return [Exercise(*line.split("\t")) for line in words.splitlines()]
 
 
 def stems(exercises) -> list:

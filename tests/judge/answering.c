@@ -5,8 +5,9 @@
 #define _GNU_SOURCE
 #include "tests/judge/answering.h"
 #include "common/answers.h"
-#include "tests/judge/call.h"
 #include "tests/judge/dispatch.h"
+#include "tests/judge/message.h"
+#include "tests/judge/transport.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -118,29 +119,31 @@ static bool receive(WireHeader *header, Wire *wire)
     return read_all(wire->bytes, wire->size);
 }
 
-// Where an exercise of this chapter is lent (.make/verdict), calls of it come here (proxies.awk)
-// and the judge answers them: this process never holds the reference of the chapter that is judged.
+// If an exercise of this chapter is lent, calls of it come here (lent.c) and the judge answers
+// them: this process never holds the reference of the chapter that is judged.
 static Wire lent;
 
-Wire *call_begin(int exercise)
+static Wire *begin_asking(int exercise)
 {
     (void)exercise;
     wire_clear(&lent);
     return &lent;
 }
 
-Wire *call_finish(int exercise)
+static void ask_judge(int exercise)
 {
-    WireHeader ask = {WIRE_MAGIC, exercise, current.nonce, lent.size, WIRE_ASK, 0, 0, ""}, answer;
-    if (!write_all(&ask, sizeof ask) || !write_all(lent.bytes, lent.size) ||
-        !receive(&answer, &lent) || answer.kind != WIRE_LENT)
+    WireHeader ask = {WIRE_MAGIC, exercise, current.nonce, lent.size, WIRE_ASK, 0, 0, ""};
+    if (!write_all(&ask, sizeof ask) || !write_all(lent.bytes, lent.size))
         _exit(2);
-    return &lent;
 }
 
-void call_end(int exercise)
+static Wire *receive_lent(int exercise)
 {
+    WireHeader answer;
     (void)exercise;
+    if (!receive(&answer, &lent) || answer.kind != WIRE_LENT)
+        _exit(2);
+    return &lent;
 }
 
 // What is not set by the answer is this, then (paint.h).
@@ -157,8 +160,10 @@ static __attribute__((noinline)) void paint_stack(void)
 int main(void)
 {
     static Wire in, out;
+    static const Transport judge = {begin_asking, ask_judge, receive_lent, NULL};
+    transport_use(&judge);
     setvbuf(stdout, NULL, _IONBF, 0); // what was printed before a crash is there, too
-    before_dispatched_call = paint_stack;
+    before_call = paint_stack;
 #ifndef __SANITIZE_ADDRESS__ // which explains crashes better than we do
     catch_crashes();
 #endif

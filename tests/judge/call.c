@@ -1,10 +1,10 @@
 // call.c - one call to the answering process, whatever becomes of it.
 #include "tests/judge/call.h"
 
-#include "tests/judge/dispatch.h"
 #include "tests/judge/ending.h"
 #include "tests/judge/exercise.h"
 #include "tests/judge/kept.h"
+#include "tests/judge/message.h"
 #include "tests/judge/paint.h"
 #include "tests/judge/process.h"
 #include "tests/judge/record.h"
@@ -19,7 +19,6 @@
 #include <sys/wait.h>
 
 enum {
-    MOST_EXERCISES = 100,
     MOST_CALLS = 5,   // times the work of one call, for all calls of an exercise together
     LENT_ROOM = 4096, // bytes by which a question may be larger than the call
 };
@@ -29,13 +28,20 @@ static uint64_t nonce;
 static struct {
     How how;
     char why[120]; // an exercise is not called any more
-} broken[MOST_EXERCISES];
-static double work_of[MOST_EXERCISES]; // seconds, so far
+} broken[EXERCISE_COUNT];
+static double work_of[EXERCISE_COUNT]; // seconds, so far
 static size_t size_of_call;
-static bool is_lent[MOST_EXERCISES], was_lent[MOST_EXERCISES];
+static bool is_lent[EXERCISE_COUNT], was_lent[EXERCISE_COUNT];
+
+static Wire *begin(int exercise);
+static void send_call(int exercise);
+static Wire *receive_answer(int exercise);
+static void finish(int exercise);
 
 void call_answers_from(const char *answering, int printed)
 {
+    static const Transport process = {begin, send_call, receive_answer, finish};
+    transport_use(&process);
     process_begin(answering, printed);
 }
 
@@ -123,7 +129,7 @@ static void break_off(int exercise)
     record_how(broken[exercise].how, broken[exercise].why);
 }
 
-Wire *call_begin(int exercise)
+static Wire *begin(int exercise)
 {
     if (broken[exercise].why[0] != '\0')
         break_off(exercise);
@@ -161,7 +167,7 @@ static int receive(WireHeader *header, Wire *message, Patience *left)
     int moved = process_receive(header, sizeof *header, left);
     wire_clear(message);
     if (moved != 1 || header->magic != WIRE_MAGIC || header->nonce != nonce ||
-        header->exercise < 0 || header->exercise >= MOST_EXERCISES ||
+        header->exercise < 0 || header->exercise >= EXERCISE_COUNT ||
         !is_name_or_empty(header->missing, sizeof header->missing) ||
         !wire_make_room(message, header->size))
         return moved;
@@ -177,8 +183,9 @@ static bool lend(int exercise, Wire *question)
     wire_clear(&answer);
     question->is_hostile = true;
     // No more work for the judge than it has asked for itself.
-    if (!is_lent[exercise] || question->size > size_of_call + LENT_ROOM ||
-        !dispatch(exercise, question, &answer))
+    AnyFunction *reference = exercises[exercise].reference;
+    if (!is_lent[exercise] || reference == NULL || question->size > size_of_call + LENT_ROOM ||
+        !apply(exercise, reference, question, &answer))
         return false;
     was_lent[exercise] = true;
     pass_on_begin(question, &answer);
@@ -208,19 +215,31 @@ static void check_machine(int status)
         give_up_on_machine("an answering process was killed", 0);
 }
 
-// Sends and receives. Where no answer comes, why, and the process is gone.
-static bool exchange(int exercise, How *how, char *why, size_t size)
+static struct {
+    Patience left;
+    int moved; // by sending: what process_send says
+} sent;
+
+static void send_call(int exercise)
 {
-    *how = HOW_CRASHED;
+    keep_question(exercise, &wire);
     if (!process_start())
         give_up_on_machine("an answering process cannot be started", errno);
     if (getrandom(&nonce, sizeof nonce, 0) != sizeof nonce)
         nonce++;
-    WireHeader answer = {0};
-    Patience left = patience_begin();
+    sent.left = patience_begin();
     size_of_call = wire.size;
     pass_on_call(&wire);
-    int moved = send(WIRE_CALL, exercise, &wire, &left);
+    sent.moved = send(WIRE_CALL, exercise, &wire, &sent.left);
+}
+
+// Where no answer comes, why, and the process is gone.
+static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
+{
+    *how = HOW_CRASHED;
+    WireHeader answer = {0};
+    Patience left = sent.left;
+    int moved = sent.moved;
     // A process that is gone may have said why.
     if (moved != 0)
         moved = receive(&answer, &wire, &left);
@@ -263,17 +282,16 @@ static bool exchange(int exercise, How *how, char *why, size_t size)
     return false;
 }
 
-Wire *call_finish(int exercise)
+static Wire *receive_answer(int exercise)
 {
-    keep_question(exercise, &wire);
-    if (!exchange(exercise, &broken[exercise].how, broken[exercise].why,
-                  sizeof broken[exercise].why))
+    if (!wait_for_answer(exercise, &broken[exercise].how, broken[exercise].why,
+                         sizeof broken[exercise].why))
         break_off(exercise);
     keep_answer(&wire);
     return &wire;
 }
 
-void call_end(int exercise)
+static void finish(int exercise)
 {
     if (wire_is_read(&wire))
         return;

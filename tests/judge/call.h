@@ -1,4 +1,4 @@
-// call.h - the judge's side of a call to the answering process.
+// call.h - the transport to the answering process: the judge's side of a call.
 //
 // The process is started when it is first needed, and again after it crashed, hung or left. A call
 // that brings no answer ends the test, with the reason in words; later calls of the same exercise
@@ -6,9 +6,9 @@
 #ifndef TESTS_JUDGE_CALL_H
 #define TESTS_JUDGE_CALL_H
 
-#include "tests/judge/wire.h"
+#include "tests/judge/transport.h"
 
-// The program that answers, and the file that catches what it prints (a descriptor).
+// From now on calls go to this program; the file catches what it prints (a descriptor).
 void call_answers_from(const char *answering, int printed);
 
 // From now on the process may ask for this exercise, and the reference answers. Did it?
@@ -18,14 +18,6 @@ bool call_has_lent(int exercise);
 // Whether every call that something was lent to was answered with what was lent to the same
 // question: then nothing was answered here.
 bool call_only_passes_on(void);
-
-// Begins a call of exercise number i: put the arguments into what comes back.
-Wire *call_begin(int exercise);
-
-// Sends it and waits. Get the results from what comes back; then end it: what came must have been
-// got to its end.
-Wire *call_finish(int exercise);
-void call_end(int exercise);
 
 // Ends the answering process.
 void call_stop(void);

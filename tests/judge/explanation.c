@@ -201,7 +201,7 @@ static bool are_both(const Evidence *evidence, int one, int other)
 static Diagnosis two_at_once(const Evidence *evidence)
 {
     Diagnosis it = {0};
-    if (strncmp(layouts[evidence->exercise].results, "Pixels", 6) == 0)
+    if (strncmp(exercises[evidence->exercise].results, "Pixels", 6) == 0)
         return it;
     for (int i = 0; i < evidence->mistake_count; i++)
         for (int k = i + 1; k < evidence->mistake_count; k++) {
@@ -254,10 +254,10 @@ static const char *fields_that(const Evidence *evidence, IsSo *is_so)
 {
     static char words[200];
     const char *last = "";
-    const Layout *layout = &layouts[evidence->exercise];
+    const char *results = exercises[evidence->exercise].results;
     words[0] = '\0';
-    for (int i = 0; i < layout_places(layout->results); i++) {
-        const char *name = layout_place(layout->results, i);
+    for (int i = 0; i < layout_places(results); i++) {
+        const char *name = layout_place(results, i);
         if (!is_so(evidence, i) || strcmp(name, last) == 0)
             continue;
         size_t used = strlen(words);
@@ -271,7 +271,7 @@ static const char *fields_that(const Evidence *evidence, IsSo *is_so)
 static const char *what_was_not_set(const Evidence *evidence)
 {
     static char words[400];
-    const char *results = layouts[evidence->exercise].results;
+    const char *results = exercises[evidence->exercise].results;
     const char *unset = fields_that(evidence, is_unset);
     if (unset[0] != '\0') {
         snprintf(words, sizeof words,
@@ -344,7 +344,7 @@ static bool is_one_color(const Evidence *evidence, bool has_depth)
 static const char *what_is_trivial(const Evidence *evidence)
 {
     static char words[300];
-    const char *results = layouts[evidence->exercise].results;
+    const char *results = exercises[evidence->exercise].results;
     if (evidence->call_count == 0)
         return NULL;
     const Numbers *yours = &evidence->calls[0].yours;

@@ -47,10 +47,10 @@ void figure_forget(const char *folder, const char *function)
 
 static void write_figure(const char *path, Wrong *wrong)
 {
-    Layout types = layouts[wrong->kept->exercise];
+    const Exercise *types = &exercises[wrong->kept->exercise];
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
-        if (strcmp(types.results, kinds[i].results) != 0 ||
-            strncmp(types.arguments, kinds[i].arguments, strlen(kinds[i].arguments)) != 0)
+        if (strcmp(types->results, kinds[i].results) != 0 ||
+            strncmp(types->arguments, kinds[i].arguments, strlen(kinds[i].arguments)) != 0)
             continue;
         bool good = kinds[i].read(wrong) && !wrong->question->bad && !wrong->right->bad &&
                     !wrong->yours->bad;
@@ -98,7 +98,7 @@ void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosi
         return;
     why_of(why, sizeof why, diagnosis);
     Wrong wrong = {function, record, kept, &kept->question, &right, &kept->answer, why};
-    bool is_picture = strncmp(layouts[kept->exercise].results, "Pixels", 6) == 0;
+    bool is_picture = strncmp(exercises[kept->exercise].results, "Pixels", 6) == 0;
     if (!path_of(path, sizeof path, folder, function, is_picture ? ".png" : ".gp"))
         return;
     kept->question.read = kept->answer.read = right.read = 0;

@@ -27,7 +27,7 @@ static bool is_drawable(Camera c, double size)
 bool read_camera(Wrong *wrong)
 {
     CameraFault right = CAMERA_OK, yours = CAMERA_OK;
-    if (strcmp(layouts[wrong->kept->exercise].results, "Camera") != 0) {
+    if (strcmp(exercises[wrong->kept->exercise].results, "Camera") != 0) {
         WIRE_GET(wrong->right, right);
         WIRE_GET(wrong->yours, yours);
     }

@@ -36,7 +36,7 @@ static bool are_drawable(Roots roots)
 
 bool read_equation(Wrong *wrong)
 {
-    equation.are_roots = strcmp(layouts[wrong->kept->exercise].results, "Roots") == 0;
+    equation.are_roots = strcmp(exercises[wrong->kept->exercise].results, "Roots") == 0;
     equation.right_roots = equation.your_roots = (Roots){0};
     if (equation.are_roots) {
         WIRE_GET(wrong->question, equation.right);

@@ -103,10 +103,10 @@ bool write_pictures(Wrong *wrong, const char *path)
     Camera camera;
     Image yours, right = {0};
     Message message;
-    wire_get_scene(wrong->question, &scene);
+    wire_get_value(wrong->question, &type_Scene, &scene);
     scene_free(&scene);
     WIRE_GET(wrong->question, camera);
-    wire_get_image(wrong->question, &yours);
+    wire_get_value(wrong->question, &type_Image, &yours);
     bool good = !wrong->question->bad && image_create(&right, yours.size, &message);
     if (good) {
         wire_get_pixels(wrong->yours, &yours);

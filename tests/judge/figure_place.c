@@ -32,14 +32,14 @@ static Panel whole_screen(Resolution screen)
 
 bool read_place(Wrong *wrong)
 {
-    Layout types = layouts[wrong->kept->exercise];
+    const Exercise *types = &exercises[wrong->kept->exercise];
     Resolution screen = {1, 1};
     Pixel pixel = {0, 0};
-    places.has_given = strcmp(types.arguments, "Pixel") != 0;
+    places.has_given = strcmp(types->arguments, "Pixel") != 0;
     if (places.has_given) {
         wire_get(wrong->question, places.given, sizeof places.given);
         WIRE_GET(wrong->question, screen);
-        bool to_screen = strcmp(types.results, "ScreenPoint") == 0;
+        bool to_screen = strcmp(types->results, "ScreenPoint") == 0;
         places.from = to_screen ? unit_square() : whole_screen(screen);
         places.into = to_screen ? whole_screen(screen) : unit_square();
     } else {

@@ -34,7 +34,7 @@ static void read_spheres(Wire *question, bool whole_scene)
         WIRE_GET(question, section.spheres[0]);
         return;
     }
-    wire_get_scene(question, &scene);
+    wire_get_value(question, &type_Scene, &scene);
     section.count = scene.sphere_count < MOST_SPHERES ? scene.sphere_count : MOST_SPHERES;
     for (int i = 0; i < section.count; i++)
         section.spheres[i] = scene.spheres[i];
@@ -69,13 +69,13 @@ static bool are_drawable(Places places)
 
 bool read_section(Wrong *wrong)
 {
-    Layout types = layouts[wrong->kept->exercise];
-    section.has_index = strcmp(types.results, "Hit") == 0;
-    section.are_roots = strcmp(types.results, "Roots") == 0;
+    const Exercise *types = &exercises[wrong->kept->exercise];
+    section.has_index = strcmp(types->results, "Hit") == 0;
+    section.are_roots = strcmp(types->results, "Roots") == 0;
     WIRE_GET(wrong->question, section.ray);
     read_spheres(wrong->question, section.has_index);
-    section.right = read_places(wrong->right, types.results);
-    section.yours = read_places(wrong->yours, types.results);
+    section.right = read_places(wrong->right, types->results);
+    section.yours = read_places(wrong->yours, types->results);
     return are_drawable(section.right) && are_drawable(section.yours) &&
            (section.right.count > 0 || section.yours.count > 0) &&
            vec3_length(section.ray.direction) > 0;

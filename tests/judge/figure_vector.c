@@ -26,7 +26,7 @@ bool read_vector(Wrong *wrong)
     Camera c;
     WIRE_GET(wrong->question, c);
     view.camera = c;
-    view.is_ray = strcmp(layouts[wrong->kept->exercise].results, "Ray") == 0;
+    view.is_ray = strcmp(exercises[wrong->kept->exercise].results, "Ray") == 0;
     view.right.origin = view.yours.origin = c.origin;
     if (view.is_ray) {
         WIRE_GET(wrong->right, view.right);

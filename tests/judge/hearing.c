@@ -1,9 +1,9 @@
 // hearing.c - what the answer made of a call, beside what known functions make of the same.
 #include "tests/judge/hearing.h"
 
-#include "tests/judge/apply.h"
-#include "tests/judge/call.h"
+#include "tests/judge/message.h"
 #include "tests/judge/suspects.h"
+#include "tests/judge/transport.h"
 
 static Wire question, answer;
 static Resolution size; // of the image of the call
@@ -33,7 +33,7 @@ static const Numbers *by_function(int exercise, const Mistake *mistake, int nth)
     wire_clear(&wire);
     apply(exercise, mistake == NULL ? exercises[exercise].reference : mistake->answer, &question,
           &wire);
-    layout_read(layouts[exercise].results, &wire, &size, &numbers);
+    layout_read(exercises[exercise].results, &wire, &size, &numbers);
     return &numbers;
 }
 
@@ -47,14 +47,14 @@ static const Numbers *once_more(int exercise)
         question.read = 0;
         wire_clear(&wire);
         apply(exercise, local, &question, &wire);
-        layout_read(layouts[exercise].results, &wire, &size, &numbers);
+        layout_read(exercises[exercise].results, &wire, &size, &numbers);
         return &numbers;
     }
-    Wire *asked = call_begin(exercise);
+    Wire *asked = transport_begin(exercise);
     wire_put(asked, question.bytes, question.size);
-    asked = call_finish(exercise);
-    layout_read(layouts[exercise].results, asked, &size, &numbers);
-    call_end(exercise);
+    asked = transport_answer(exercise);
+    layout_read(exercises[exercise].results, asked, &size, &numbers);
+    transport_finish(exercise);
     return &numbers;
 }
 
@@ -62,7 +62,7 @@ void hear(int exercise)
 {
     static Numbers arguments, yours;
     question.read = 0;
-    layout_read(layouts[exercise].arguments, &question, &size, &arguments);
-    layout_read(layouts[exercise].results, &answer, &size, &yours);
+    layout_read(exercises[exercise].arguments, &question, &size, &arguments);
+    layout_read(exercises[exercise].results, &answer, &size, &yours);
     suspects_hear(exercise, &(Heard){&arguments, &yours, by_function, once_more});
 }

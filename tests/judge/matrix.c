@@ -6,10 +6,10 @@
 // said (unknown.c), nor of one whose mistake is another function's (composed.c); and an
 // answer that only knows the public inputs by heart must fail wherever there is a SEED, and not be
 // told the others.
-#include "tests/proof/composed.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/table.h"
+#include "tests/proof/composed.h"
 #include "tests/proof/unknown.h"
 #include "tests/proof/variants.h"
 

@@ -87,7 +87,7 @@ static bool brings(int exercise, int nth, const Heard *heard, const Numbers *you
 static void watch_refusals(int exercise, const Numbers *yours)
 {
     int reason = yours->count > 0 ? (int)yours->at[0] : 0;
-    if (strncmp(layouts[exercise].results, "CameraFault", 11) != 0)
+    if (strncmp(exercises[exercise].results, "CameraFault", 11) != 0)
         return;
     if (reason == CAMERA_OK || (cases[exercise].refuses && cases[exercise].reason != reason))
         cases[exercise].accepts = true;

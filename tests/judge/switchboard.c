@@ -6,18 +6,8 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { MOST_EXERCISES = 100 };
-
-static AnyFunction *answers[MOST_EXERCISES];
+static AnyFunction *answers[EXERCISE_COUNT];
 static bool all_by_process;
-
-int exercise_number(const char *name)
-{
-    for (int i = 0; exercises[i].name != NULL; i++)
-        if (strcmp(exercises[i].name, name) == 0)
-            return i;
-    return -1;
-}
 
 void switch_to_reference(void)
 {

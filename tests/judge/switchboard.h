@@ -1,6 +1,6 @@
 // switchboard.h - who answers an exercise: the reference, another function, or another process.
 //
-// Tests call exercises by their contract names, and a proxy (made by .make/proxies.awk) asks here.
+// Tests call exercises by their contract names, and a proxy (proxies.c) asks here.
 #ifndef TESTS_JUDGE_SWITCHBOARD_H
 #define TESTS_JUDGE_SWITCHBOARD_H
 
@@ -14,14 +14,14 @@ void switch_to_reference(void);
 // From now on this function answers the exercise. False where there is no exercise of this name.
 bool switch_one(const char *exercise, AnyFunction *answer);
 
-// From now on the answering process (call.h) answers the exercises of this stem, each in its own
+// From now on the transport (transport.h) answers the exercises of this stem, each in its own
 // tests.
 void switch_to_process(const char *stem);
 
 // From now on it answers everything, in whatever test.
 void switch_all_to_process(void);
 
-// The function that answers exercise number i in this process; NULL: ask the answering process.
+// The function that answers exercise number i in this process; NULL: call the transport.
 AnyFunction *local_answer(int i);
 
 #endif

@@ -1,7 +1,7 @@
 // table.h - an answer that knows by heart what it was asked before, and nothing else.
 //
-// In the matrix it stands in the place of the answering process (call.h): while it learns, the
-// reference tells it what to say; then it says what it learned, and garbage to any other question.
+// A transport of the matrix (transport.h): while it learns, the reference tells it what to say;
+// then it says what it learned, and garbage to any other question.
 #ifndef TESTS_JUDGE_TABLE_H
 #define TESTS_JUDGE_TABLE_H
 

@@ -73,123 +73,104 @@ bool wire_allows_world(const Wire *wire, Handedness world)
     return !wire->is_hostile || world == LEFT_HANDED || world == RIGHT_HANDED;
 }
 
-static void put_zeros_behind(Wire *wire, const void *value, size_t used, size_t size)
-{
-    static const uint8_t zeros[32];
-    wire_put(wire, value, used);
-    wire_put(wire, zeros, size - used);
-}
-
-void wire_put_camera(Wire *wire, const Camera *camera)
-{
-    put_zeros_behind(wire, camera, offsetof(Camera, height) + sizeof camera->height,
-                     sizeof *camera);
-}
-
-void wire_put_sphere(Wire *wire, const Sphere *sphere)
-{
-    put_zeros_behind(wire, sphere, offsetof(Sphere, surface) + sizeof sphere->surface,
-                     sizeof *sphere);
-}
-
-void wire_put_hit(Wire *wire, const Hit *hit)
-{
-    put_zeros_behind(wire, hit, offsetof(Hit, sphere) + sizeof hit->sphere, sizeof *hit);
-}
-
-void wire_put_light(Wire *wire, const Light *light)
-{
-    put_zeros_behind(wire, light, offsetof(Light, kind) + sizeof light->kind, sizeof *light);
-}
-
-static void put_surface(Wire *wire, const Surface *surface)
-{
-    put_zeros_behind(wire, surface, offsetof(Surface, refraction) + sizeof surface->refraction,
-                     sizeof *surface);
-}
-
-static void *get_items(Wire *wire, int *count, size_t size, const void *guard)
-{
-    wire_get(wire, count, sizeof *count);
-    if (wire->bad || *count < 0 || (size_t)*count > (wire->size - wire->read) / size) {
-        wire->bad = true;
-        *count = 0;
-        return NULL;
-    }
-    char *items = malloc(((size_t)*count + 1) * size);
-    if (items == NULL) {
-        wire->bad = true;
-        *count = 0;
-        return NULL;
-    }
-    wire_get(wire, items, (size_t)*count * size);
-    memcpy(items + (size_t)*count * size, guard, size);
-    return items;
-}
-
-void wire_put_scene(Wire *wire, const Scene *scene)
-{
-    wire_put(wire, &scene->view, sizeof scene->view);
-    wire_put(wire, &scene->background, sizeof scene->background);
-    wire_put(wire, &scene->ambient, sizeof scene->ambient);
-    wire_put(wire, &scene->sphere_count, sizeof scene->sphere_count);
-    for (int i = 0; i < scene->sphere_count; i++)
-        wire_put_sphere(wire, &scene->spheres[i]);
-    wire_put(wire, &scene->surface_count, sizeof scene->surface_count);
-    for (int i = 0; i < scene->surface_count; i++)
-        put_surface(wire, &scene->surfaces[i]);
-    wire_put(wire, &scene->light_count, sizeof scene->light_count);
-    for (int i = 0; i < scene->light_count; i++)
-        wire_put_light(wire, &scene->lights[i]);
-}
-
-void wire_get_scene(Wire *wire, Scene *scene)
-{
-    static const Surface guard_surface = {{0.93, 0.07, 0.91}, 0.5, 0.5, 10, 0, 1};
-    *scene = (Scene){0};
-    wire_get(wire, &scene->view, sizeof scene->view);
-    wire_get(wire, &scene->background, sizeof scene->background);
-    wire_get(wire, &scene->ambient, sizeof scene->ambient);
-    scene->spheres = get_items(wire, &scene->sphere_count, sizeof *scene->spheres, &GUARD_SPHERE);
-    scene->surfaces =
-        get_items(wire, &scene->surface_count, sizeof *scene->surfaces, &guard_surface);
-    scene->lights = get_items(wire, &scene->light_count, sizeof *scene->lights, &GUARD_LIGHT);
-    for (int i = 0; i < scene->sphere_count; i++)
-        if (scene->spheres[i].surface < 0 || scene->spheres[i].surface >= scene->surface_count)
-            wire->bad = true;
-    for (int i = 0; i < scene->light_count; i++)
-        if (!wire_allows_light(wire, scene->lights[i]))
-            wire->bad = true;
-}
-
 static size_t pixels_of(const Image *image)
 {
     return (size_t)image->size.width * (size_t)image->size.height;
 }
 
-void wire_put_pixels(Wire *wire, const Image *image)
+// Every value of a field that has several: a list's count crosses before its items.
+static const char *items_of(const Field *field, const void *value, int *count)
 {
-    wire_put(wire, image->rgb, 3 * pixels_of(image));
+    const char *items;
+    memcpy(&items, (const char *)value + field->offset, sizeof items);
+    memcpy(count, (const char *)value + field->count_at, sizeof *count);
+    return items;
 }
 
-void wire_get_pixels(Wire *wire, Image *image)
+static void put_flat(Wire *wire, const Type *type, const void *value)
 {
-    wire_get(wire, image->rgb, 3 * pixels_of(image));
+    if (type->size == 0)
+        return;
+    if (!wire_make_room(wire, wire->size + type->size)) {
+        wire->bad = true;
+        return;
+    }
+    memset(wire->bytes + wire->size, 0, type->size);
+    type_copy(type, wire->bytes + wire->size, value);
+    wire->size += type->size;
 }
 
-void wire_put_image(Wire *wire, const Image *image)
+void wire_put_value(Wire *wire, const Type *type, const void *value)
 {
-    wire_put(wire, &image->size, sizeof image->size);
-    wire_put_pixels(wire, image);
+    if (type_is_flat(type)) {
+        put_flat(wire, type, value);
+        return;
+    }
+    for (const Field *field = type->fields; field < type->fields + type->count; field++) {
+        if (field->kind == FIELD_OF_ONE)
+            wire_put_value(wire, field->type, (const char *)value + field->offset);
+        if (field->kind == FIELD_OF_PIXELS)
+            wire_put_pixels(wire, value);
+        if (field->kind == FIELD_OF_LIST) {
+            int count;
+            const char *items = items_of(field, value, &count);
+            wire_put(wire, &count, sizeof count);
+            for (int i = 0; i < count; i++)
+                wire_put_value(wire, field->type, items + (size_t)i * field->type->size);
+        }
+    }
 }
 
+static void get_flat(Wire *wire, const Type *type, void *value)
+{
+    unsigned char bytes[TYPE_MOST_BYTES];
+    if (type->size == 0)
+        return;
+    wire_get(wire, bytes, type->size);
+    memset(value, 0, type->size);
+    type_copy(type, value, bytes);
+}
+
+static const void *guard_of(const Type *type)
+{
+    static Sphere sphere;
+    static Light light;
+    static const Surface surface = {{0.93, 0.07, 0.91}, 0.5, 0.5, 10, 0, 1};
+    static const unsigned char zeros[TYPE_MOST_BYTES];
+    sphere = GUARD_SPHERE;
+    light = GUARD_LIGHT;
+    return type == &type_Sphere    ? (const void *)&sphere
+           : type == &type_Light   ? (const void *)&light
+           : type == &type_Surface ? (const void *)&surface
+                                   : zeros;
+}
+
+static void get_list(Wire *wire, const Field *field, void *value)
+{
+    int count;
+    size_t size = field->type->size;
+    wire_get(wire, &count, sizeof count);
+    bool is_there = !wire->bad && count >= 0 && (size_t)count <= (wire->size - wire->read) / size;
+    char *items = is_there ? malloc(((size_t)count + 1) * size) : NULL;
+    if (items == NULL) {
+        wire->bad = true;
+        count = 0;
+    }
+    memcpy((char *)value + field->offset, &items, sizeof items);
+    memcpy((char *)value + field->count_at, &count, sizeof count);
+    for (int i = 0; i < count; i++)
+        wire_get_value(wire, field->type, items + (size_t)i * size);
+    if (items != NULL)
+        memcpy(items + (size_t)count * size, guard_of(field->type), size);
+}
+
+#define GUARD_DEPTH 1.2345678901234567e300
 enum { PIXEL_GUARD = 3 * 64, GUARD_BYTE = 0xa6 };
 
-void wire_get_image(Wire *wire, Image *image)
+static void get_image(Wire *wire, Image *image)
 {
     Message message;
-    Resolution size;
-    wire_get(wire, &size, sizeof size);
+    Resolution size = image->size;
     // A picture that is not in the message would be made of memory that is not there.
     bool is_there = !wire->bad && size.width > 0 && size.height > 0 &&
                     (uint64_t)size.width * (uint64_t)size.height <= (wire->size - wire->read) / 3;
@@ -207,6 +188,57 @@ void wire_get_image(Wire *wire, Image *image)
     image->rgb = rgb;
     memset(rgb + 3 * pixels_of(image), GUARD_BYTE, PIXEL_GUARD);
     wire_get_pixels(wire, image);
+}
+
+static bool is_sane(const Wire *wire, const Scene *scene)
+{
+    bool sane = true;
+    for (int i = 0; i < scene->sphere_count; i++)
+        sane = sane && scene->spheres[i].surface >= 0 &&
+               scene->spheres[i].surface < scene->surface_count;
+    for (int i = 0; i < scene->light_count; i++)
+        sane = sane && wire_allows_light(wire, scene->lights[i]);
+    return sane;
+}
+
+void wire_get_value(Wire *wire, const Type *type, void *value)
+{
+    if (type_is_flat(type)) {
+        get_flat(wire, type, value);
+        return;
+    }
+    memset(value, 0, type->size);
+    for (const Field *field = type->fields; field < type->fields + type->count; field++) {
+        if (field->kind == FIELD_OF_ONE)
+            wire_get_value(wire, field->type, (char *)value + field->offset);
+        if (field->kind == FIELD_OF_PIXELS)
+            get_image(wire, value);
+        if (field->kind == FIELD_OF_LIST)
+            get_list(wire, field, value);
+    }
+    if (type == &type_Scene && !is_sane(wire, value))
+        wire->bad = true;
+}
+
+void wire_free_value(const Type *type, void *value)
+{
+    for (int i = 0; type->kind == TYPE_OF_FIELDS && i < type->count; i++) {
+        void *items;
+        if (type->fields[i].kind == FIELD_OF_ONE)
+            continue;
+        memcpy(&items, (char *)value + type->fields[i].offset, sizeof items);
+        free(items);
+    }
+}
+
+void wire_put_pixels(Wire *wire, const Image *image)
+{
+    wire_put(wire, image->rgb, 3 * pixels_of(image));
+}
+
+void wire_get_pixels(Wire *wire, Image *image)
+{
+    wire_get(wire, image->rgb, 3 * pixels_of(image));
 }
 
 bool wire_pixels_overran(const Image *image)

@@ -1,17 +1,13 @@
 // wire.h - one message between the judge and the answering process: bytes, put and got in order.
 //
-// Both ends are of one build on one machine, so a value crosses as it lies in memory; what it
-// points to crosses behind it. Getting never reads beyond the end: it marks the message as bad.
+// Both ends are of one build on one machine, so a value crosses as it lies in memory, with zeros
+// for its padding; the items that it points to follow it. Getting never reads beyond the end: it
+// marks the message as bad.
 #ifndef TESTS_JUDGE_WIRE_H
 #define TESTS_JUDGE_WIRE_H
 
-#include "common/camera.h"
-#include "common/image.h"
-#include "common/ray.h"
-#include "common/scene.h"
+#include "tests/judge/types.h"
 
-#include <stdbool.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -66,11 +62,11 @@ bool wire_allows_hit(const Wire *wire, Hit hit, const Scene *scene);
 bool wire_allows_light(const Wire *wire, Light light);
 bool wire_allows_world(const Wire *wire, Handedness world);
 
-// What ends in padding: the padding crosses as zeros, or it could carry what the judge had there.
-void wire_put_camera(Wire *wire, const Camera *camera);
-void wire_put_sphere(Wire *wire, const Sphere *sphere);
-void wire_put_light(Wire *wire, const Light *light);
-void wire_put_hit(Wire *wire, const Hit *hit);
+// A value of any type: what the type consists of, and zeros for its padding, which could hold what
+// the judge had there.
+void wire_put_value(Wire *wire, const Type *type, const void *value);
+void wire_get_value(Wire *wire, const Type *type, void *value);
+void wire_free_value(const Type *type, void *value); // what getting it took from malloc
 
 // Arrays that were got have a guard after their last item, for loops that run once too often. A
 // sphere all round the world, with a colour that no scene has, and a bright light: one item too
@@ -79,16 +75,11 @@ void wire_put_hit(Wire *wire, const Hit *hit);
 // replaces.
 #define GUARD_SPHERE ((Sphere){{0, 0, 0}, 1e100, 0})
 #define GUARD_LIGHT ((Light){{0.48, 0.6, 0.64}, {1, 1, 1}, LIGHT_DISTANT})
-#define GUARD_DEPTH 1.2345678901234567e300
 
-void wire_put_scene(Wire *wire, const Scene *scene);
-void wire_get_scene(Wire *wire, Scene *scene); // free it with scene_free
-
-void wire_put_image(Wire *wire, const Image *image);
-void wire_get_image(Wire *wire, Image *image); // free it with image_free
 void wire_put_pixels(Wire *wire, const Image *image);
 void wire_get_pixels(Wire *wire, Image *image); // into an image of the same size
-// What is behind the pixels of wire_get_image, or the depths of wire_get_doubles, is not as it was.
+// What is behind the pixels of an image that was got, or the depths of wire_get_doubles, is not as
+// it was.
 bool wire_pixels_overran(const Image *image);
 bool wire_doubles_overran(const double *doubles, const Image *image);
 

@@ -7,9 +7,7 @@
 #include "common/screen.h"
 #include "exercises/02-cameras.h"
 #include "exercises/05-quadratic.h"
-#include "tests/judge/dispatch.h"
-#include "tests/judge/exercise.h"
-#include "tests/told/layout.h"
+#include "tests/judge/message.h"
 
 #include <float.h>
 #include <limits.h>
@@ -166,14 +164,14 @@ int main(void)
             wire_clear(&question);
             wire_clear(&answer);
             size_t pixels = 0;
-            for (const char *type = layouts[i].arguments; *type != '\0';) {
+            for (const char *type = exercises[i].arguments; *type != '\0';) {
                 size_t length = strcspn(type, " ");
                 put(&question, type, length, &pixels);
                 type += length + (type[length] == ' ');
             }
             question.is_hostile = true;
             asked++;
-            answers += dispatch(i, &question, &answer);
+            answers += apply(i, exercises[i].reference, &question, &answer);
         }
         if (answers == 0) {
             printf("not ok: %s answers none of these questions\n", exercises[i].name);

@@ -63,7 +63,7 @@ hand_in $class/another-way/*.c
 check 'what is right has its marks' says '24 of 100 graded*'
 hand_in $class/does-not-compile/*.c
 check 'what does not compile says so' says '9 of 100 does not compile*'
-hand_in solutions exercises Makefile tests/exercises.table
+hand_in solutions exercises Makefile tests/exercises.def
 cp $class/half-size/03-screen.c "$AUTOGRADER/submission/exercises/"
 check 'of a whole toolkit, exercises/ is graded' says '6 of 100 graded*'
 hand_in $class/blank

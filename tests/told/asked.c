@@ -1,7 +1,6 @@
 // asked.c - what a test asks, from the other end of the pipe, where the reference answers.
 #include "tests/told/asked.h"
 
-#include "tests/judge/call.h"
 #include "tests/judge/corners.h"
 #include "tests/judge/record.h"
 #include "tests/judge/runner.h"
@@ -42,7 +41,7 @@ static int result_of(ToldCall *call, int exercise, AnyFunction *function)
 {
     Numbers result = {0};
     answer_here(exercise, function, &arguments, &answer);
-    if (!layout_read(layouts[exercise].results, &answer, &size, &result))
+    if (!layout_read(exercises[exercise].results, &answer, &size, &result))
         fail("a result that tests/told/layout.c cannot read");
     return which_result(call, &result);
 }
@@ -67,12 +66,12 @@ static char *given_lines(void)
 }
 
 // A figure of a vector or a ray from the eye shows the image plane.
-static void add_corners(ToldCall *call, Layout layout)
+static void add_corners(ToldCall *call, const Exercise *exercise)
 {
     Camera camera;
     vec3 corners[4];
-    if (strncmp(layout.arguments, "Camera", 6) != 0 ||
-        (strcmp(layout.results, "vec3") != 0 && strcmp(layout.results, "Ray") != 0))
+    if (strncmp(exercise->arguments, "Camera", 6) != 0 ||
+        (strcmp(exercise->results, "vec3") != 0 && strcmp(exercise->results, "Ray") != 0))
         return;
     arguments.read = 0;
     wire_get(&arguments, &camera, sizeof camera);
@@ -86,9 +85,9 @@ static void write_down(int exercise)
     writing->calls = told_grow(writing->calls, &writing->call_count, sizeof *writing->calls);
     ToldCall *call = &writing->calls[writing->call_count - 1];
     call->given = given_lines();
-    if (!layout_read(layouts[exercise].arguments, &arguments, &size, &call->arguments))
+    if (!layout_read(exercises[exercise].arguments, &arguments, &size, &call->arguments))
         fail("arguments that tests/told/layout.c cannot read");
-    add_corners(call, layouts[exercise]);
+    add_corners(call, &exercises[exercise]);
     result_of(call, exercise, exercises[exercise].reference);
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++) {
@@ -102,32 +101,38 @@ static void write_down(int exercise)
         }
 }
 
-Wire *call_begin(int exercise)
+static Wire *begin(int exercise)
 {
     (void)exercise;
     wire_clear(&arguments);
     return &arguments;
 }
 
-Wire *call_finish(int exercise)
+static void write_down_and_answer(int exercise)
 {
     if (writing != NULL)
         write_down(exercise);
     // The image's size is among the arguments.
     static Numbers ignored;
     arguments.read = 0;
-    layout_read(layouts[exercise].arguments, &arguments, &size, &ignored);
+    layout_read(exercises[exercise].arguments, &arguments, &size, &ignored);
     answer_here(exercise, exercises[exercise].reference, &arguments, &answer);
     if (writing == NULL && call_number++ == change.call) {
         wire_clear(&answer);
-        layout_write(layouts[exercise].results, change.result, &size, &answer);
+        layout_write(exercises[exercise].results, change.result, &size, &answer);
     }
+}
+
+static Wire *receive(int exercise)
+{
+    (void)exercise;
     return &answer;
 }
 
-void call_end(int exercise)
+void asked_begin(void)
 {
-    (void)exercise;
+    static const Transport asked = {begin, write_down_and_answer, receive, NULL};
+    transport_use(&asked);
 }
 
 static bool passes(const ToldTest *test)

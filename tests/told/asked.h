@@ -4,6 +4,9 @@
 
 #include "tests/told/told.h"
 
+// From now on the reference answers, and is listened to.
+void asked_begin(void);
+
 // Runs the test, and writes its calls down: what goes in, what the reference and each mistake make
 // of it. False where the reference does not pass.
 bool asked_of(ToldTest *test);

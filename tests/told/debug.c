@@ -22,7 +22,7 @@ static void make_calls(int exercise, const ToldTest *test)
     for (int i = 0; i < test->call_count; i++) {
         wire_clear(&in);
         wire_clear(&out);
-        layout_write(layouts[exercise].arguments, &test->calls[i].arguments, &size, &in);
+        layout_write(exercises[exercise].arguments, &test->calls[i].arguments, &size, &in);
         case_begins(i + 1);
         dispatch(exercise, &in, &out);
     }

@@ -1,10 +1,14 @@
-// here.h - a call that a known function answers, in this process, as if it had crossed the pipe.
+// here.h - a transport to a function of this process, as if the call had crossed the pipe.
 #ifndef TESTS_TOLD_HERE_H
 #define TESTS_TOLD_HERE_H
 
-#include "tests/judge/switchboard.h"
-#include "tests/judge/wire.h"
+#include "tests/judge/exercise.h"
+#include "tests/judge/transport.h"
 
+// From now on this function answers.
+void answer_here_by(AnyFunction *answer);
+
+// One call of it.
 void answer_here(int exercise, AnyFunction *answer, Wire *in, Wire *out);
 
 #endif

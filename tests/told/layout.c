@@ -1,71 +1,11 @@
 // layout.c - what crosses the pipe, as a list of numbers.
 #include "tests/told/layout.h"
 
-#include "common/ray.h"
-#include "common/screen.h"
-#include "exercises/05-quadratic.h"
 #include "tests/judge/same.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-enum { MOST_FIELDS = 8, MOST_BYTES = 256 };
-
-// Where the numbers of a type lie: v a vec3, d a double, i an int.
-typedef struct {
-    const char *name;
-    size_t size;
-    struct {
-        size_t offset;
-        char kind;
-        const char *name;
-    } fields[MOST_FIELDS];
-} Type;
-
-#define TYPE(type) #type, sizeof(type)
-#define V(type, field)                                                                             \
-    {                                                                                              \
-        offsetof(type, field), 'v', #field                                                         \
-    }
-#define D(type, field)                                                                             \
-    {                                                                                              \
-        offsetof(type, field), 'd', #field                                                         \
-    }
-#define I(type, field)                                                                             \
-    {                                                                                              \
-        offsetof(type, field), 'i', #field                                                         \
-    }
-
-// clang-format off
-static const Type types[] = {
-    {TYPE(double), {{0, 'd', ""}}},
-    {TYPE(int), {{0, 'i', ""}}},
-    {TYPE(vec3), {{0, 'v', ""}}},
-    {TYPE(CameraFault), {{0, 'i', ""}}},
-    {TYPE(Handedness), {{0, 'i', ""}}},
-    {TYPE(Resolution), {I(Resolution, width), I(Resolution, height)}},
-    {TYPE(Pixel), {I(Pixel, column), I(Pixel, row)}},
-    {TYPE(ScreenPoint), {D(ScreenPoint, x), D(ScreenPoint, y)}},
-    {TYPE(Normalized), {D(Normalized, s), D(Normalized, t)}},
-    {TYPE(Ray), {V(Ray, origin), V(Ray, direction)}},
-    {TYPE(Sphere), {V(Sphere, center), D(Sphere, radius), I(Sphere, surface)}},
-    {TYPE(Hit), {D(Hit, t), I(Hit, sphere)}},
-    {TYPE(Quadratic), {D(Quadratic, a), D(Quadratic, b), D(Quadratic, c)}},
-    {TYPE(Roots), {I(Roots, count), D(Roots, t[0]), D(Roots, t[1])}},
-    {TYPE(Camera), {V(Camera, origin), V(Camera, right), V(Camera, up), V(Camera, forward),
-                    D(Camera, distance), D(Camera, width), D(Camera, height)}},
-    {TYPE(LookAt), {V(LookAt, eye), V(LookAt, at), V(LookAt, up), D(LookAt, width),
-                    D(LookAt, aspect)}},
-    {TYPE(Corners), {V(Corners, upper_left), V(Corners, upper_right), V(Corners, lower_left),
-                     V(Corners, lower_right)}},
-    {TYPE(Viewpoint), {V(Viewpoint, from), V(Viewpoint, at), V(Viewpoint, up), D(Viewpoint, angle),
-                       I(Viewpoint, resolution.width), I(Viewpoint, resolution.height)}},
-    {TYPE(Light), {V(Light, position), V(Light, color), I(Light, kind)}},
-    {TYPE(Surface), {V(Surface, color), D(Surface, diffuse), D(Surface, specular),
-                     D(Surface, shine), D(Surface, transmittance), D(Surface, refraction)}},
-};
-// clang-format on
 
 void numbers_add(Numbers *numbers, double x)
 {
@@ -124,60 +64,33 @@ static double walk_number(Walk *walk, double x)
     return walk->from->at[walk->next++];
 }
 
-static void walk_int(Walk *walk, unsigned char *at)
+static void walk_value(void *context, const char *name, void *at, size_t size, bool is_double)
 {
-    int i;
-    memcpy(&i, at, sizeof i);
-    i = (int)lrint(walk_number(walk, i));
-    memcpy(at, &i, sizeof i);
-}
-
-static void walk_doubles(Walk *walk, unsigned char *at, int count)
-{
-    for (double d; count-- > 0; at += sizeof d) {
-        memcpy(&d, at, sizeof d);
-        d = walk_number(walk, d);
-        memcpy(at, &d, sizeof d);
+    Walk *walk = context;
+    double x;
+    (void)name;
+    if (is_double) {
+        memcpy(&x, at, sizeof x);
+        x = walk_number(walk, x);
+        memcpy(at, &x, sizeof x);
+    } else if (size == sizeof(char)) {
+        *(char *)at = (char)lrint(walk_number(walk, *(char *)at));
+    } else {
+        int i;
+        memcpy(&i, at, sizeof i);
+        i = (int)lrint(walk_number(walk, i));
+        memcpy(at, &i, sizeof i);
     }
 }
 
-static const Type *type_of(const char *name)
+static void walk_flat(Walk *walk, const Type *type, void *value)
 {
-    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
-        if (strcmp(types[i].name, name) == 0 && types[i].size <= MOST_BYTES)
-            return &types[i];
-    return NULL;
-}
-
-static void walk_type(Walk *walk, const char *name, void *value)
-{
-    unsigned char bytes[MOST_BYTES] = {0};
-    const Type *type = type_of(name);
-    if (type == NULL) {
-        fprintf(stderr, "tests/told/layout.c does not know the type %s\n", name);
-        abort();
-    }
+    memset(value, 0, type->size);
     if (!walk->writing)
-        wire_get(walk->wire, bytes, type->size);
-    for (int k = 0; k < MOST_FIELDS && type->fields[k].kind != '\0'; k++) {
-        unsigned char *at = bytes + type->fields[k].offset;
-        if (type->fields[k].kind == 'i')
-            walk_int(walk, at);
-        else
-            walk_doubles(walk, at, type->fields[k].kind == 'v' ? 3 : 1);
-    }
+        wire_get_value(walk->wire, type, value);
+    type_visit(type, "", value, walk_value, walk);
     if (walk->writing)
-        wire_put(walk->wire, bytes, type->size);
-    if (value != NULL)
-        memcpy(value, bytes, type->size);
-}
-
-static void walk_items(Walk *walk, const char *name)
-{
-    int count = 0;
-    walk_type(walk, "int", &count);
-    for (int i = 0; i < count && !walk->bad && !walk->wire->bad; i++)
-        walk_type(walk, name, NULL);
+        wire_put_value(walk->wire, type, value);
 }
 
 static void walk_pixels(Walk *walk)
@@ -192,25 +105,42 @@ static void walk_pixels(Walk *walk)
     }
 }
 
+// The items are not kept, only the value that is flat.
+static void walk_type(Walk *walk, const Type *type)
+{
+    _Alignas(32) unsigned char value[TYPE_MOST_BYTES];
+    if (type_is_flat(type)) {
+        walk_flat(walk, type, value);
+        if (type == &type_Resolution)
+            memcpy(walk->size, value, sizeof *walk->size);
+        return;
+    }
+    for (const Field *field = type->fields; field < type->fields + type->count; field++) {
+        int count = 0;
+        if (field->kind == FIELD_OF_ONE)
+            walk_type(walk, field->type);
+        else if (field->kind == FIELD_OF_PIXELS)
+            walk_pixels(walk);
+        else
+            walk_flat(walk, &type_int, &count);
+        for (int i = 0; i < count && !walk->bad && !walk->wire->bad; i++)
+            walk_type(walk, field->type);
+    }
+}
+
 static void walk_word(Walk *walk, const char *name)
 {
-    if (strcmp(name, "Scene") == 0) {
-        walk_type(walk, "Viewpoint", NULL);
-        walk_type(walk, "vec3", NULL);
-        walk_type(walk, "vec3", NULL);
-        walk_items(walk, "Sphere");
-        walk_items(walk, "Surface");
-        walk_items(walk, "Light");
-    } else if (strcmp(name, "Image") == 0) {
-        walk_type(walk, "Resolution", walk->size);
+    const Type *type = type_named(name);
+    if (type != NULL)
+        walk_type(walk, type);
+    else if (strcmp(name, "Pixels") == 0)
         walk_pixels(walk);
-    } else if (strcmp(name, "Pixels") == 0) {
-        walk_pixels(walk);
-    } else if (strcmp(name, "Doubles") == 0) {
+    else if (strcmp(name, "Doubles") == 0)
         for (int i = walk->size->width * walk->size->height; i > 0; i--)
-            walk_type(walk, "double", NULL);
-    } else {
-        walk_type(walk, name, NULL);
+            walk_type(walk, &type_double);
+    else {
+        fprintf(stderr, "tests/judge/types.def has no type %s\n", name);
+        abort();
     }
 }
 
@@ -224,20 +154,32 @@ static bool walk_words(Walk *walk, const char *words)
 }
 
 // The name of the field that a number belongs to, or NULL beyond the last; and how many there are.
+typedef struct {
+    int place, count;
+    const char *name;
+} Find;
+
+static void find_number(void *context, const char *name, void *at, size_t size, bool is_double)
+{
+    Find *find = context;
+    (void)at, (void)size, (void)is_double;
+    if (find->count++ == find->place)
+        find->name = name;
+}
+
 static const char *find_place(const char *words, int place, int *count)
 {
     char name[32];
     int used = 0;
-    *count = 0;
+    Find find = {place, 0, NULL};
     for (; sscanf(words, " %31s%n", name, &used) == 1; words += used) {
-        const Type *type = type_of(name);
-        for (int k = 0; type != NULL && k < MOST_FIELDS && type->fields[k].kind != '\0'; k++) {
-            *count += type->fields[k].kind == 'v' ? 3 : 1;
-            if (place >= 0 && place < *count)
-                return type->fields[k].name;
-        }
+        _Alignas(32) unsigned char value[TYPE_MOST_BYTES] = {0};
+        const Type *type = type_named(name);
+        if (type != NULL && type_is_flat(type))
+            type_visit(type, "", value, find_number, &find);
     }
-    return NULL;
+    *count = find.count;
+    return find.name;
 }
 
 int layout_places(const char *words)
@@ -254,10 +196,10 @@ const char *layout_place(const char *words, int place)
     return name == NULL ? "" : name;
 }
 
-bool layout_is_step(const Layout *layout)
+bool layout_is_step(const Exercise *exercise)
 {
-    return strcmp(layout->arguments, "Sphere vec3 vec3") == 0 &&
-           strcmp(layout->results, "vec3") == 0;
+    return strcmp(exercise->arguments, "Sphere vec3 vec3") == 0 &&
+           strcmp(exercise->results, "vec3") == 0;
 }
 
 // Where there are fewer roots, the t that are none do not matter.

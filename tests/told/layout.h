@@ -5,6 +5,7 @@
 #ifndef TESTS_TOLD_LAYOUT_H
 #define TESTS_TOLD_LAYOUT_H
 
+#include "tests/judge/exercise.h"
 #include "tests/judge/wire.h"
 
 typedef struct {
@@ -16,21 +17,13 @@ void numbers_add(Numbers *numbers, double x);
 void numbers_free(Numbers *numbers);
 Numbers numbers_copy(const Numbers *numbers);
 
-// Of each exercise, in their order: the types of what goes in and of what comes out, as words. Made
-// by .make/proxies.awk. Image is a picture with its size, Pixels one of the size that went in;
-// Doubles are one for each of its pixels.
-typedef struct {
-    const char *arguments, *results;
-} Layout;
-
-extern const Layout layouts[];
-
 // Whether what comes out is a point of a sphere, moved; that point begins at this argument.
 enum { STEP_FROM = 5 };
-bool layout_is_step(const Layout *layout);
+bool layout_is_step(const Exercise *exercise);
 
-// From a message to numbers and back. size is the image's: found among the arguments, needed for
-// the results. False where the message is not of these types.
+// From a message to numbers and back. types: words, as an exercise has them (exercise.h). size is
+// the image's: found among the arguments, needed for the results. False where the message is not of
+// these types.
 bool layout_read(const char *types, Wire *wire, Resolution *size, Numbers *numbers);
 bool layout_write(const char *types, const Numbers *numbers, Resolution *size, Wire *wire);
 

@@ -4,11 +4,11 @@
 // Known mistakes are told apart by the values that the table has of them, not by running them.
 #include "tests/told/replay.h"
 
-#include "tests/judge/call.h"
 #include "tests/judge/record.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/test.h"
+#include "tests/judge/transport.h"
 
 #include <string.h>
 
@@ -58,11 +58,11 @@ static const Numbers *once_more(int exercise)
 {
     static Numbers yours;
     Resolution size;
-    Wire *wire = call_begin(exercise);
-    layout_write(layouts[exercise].arguments, &now->arguments, &size, wire);
-    wire = call_finish(exercise);
-    layout_read(layouts[exercise].results, wire, &size, &yours);
-    call_end(exercise);
+    Wire *wire = transport_begin(exercise);
+    layout_write(exercises[exercise].arguments, &now->arguments, &size, wire);
+    wire = transport_answer(exercise);
+    layout_read(exercises[exercise].results, wire, &size, &yours);
+    transport_finish(exercise);
     return &yours;
 }
 
@@ -71,16 +71,16 @@ static void make_call(int exercise, const ToldCall *call)
     static Numbers yours;
     Resolution size;
     now = call;
-    Wire *wire = call_begin(exercise);
-    layout_write(layouts[exercise].arguments, &call->arguments, &size, wire);
-    wire = call_finish(exercise);
-    layout_read(layouts[exercise].results, wire, &size, &yours);
-    call_end(exercise);
+    Wire *wire = transport_begin(exercise);
+    layout_write(exercises[exercise].arguments, &call->arguments, &size, wire);
+    wire = transport_answer(exercise);
+    layout_read(exercises[exercise].results, wire, &size, &yours);
+    transport_finish(exercise);
     if (suspects_listen(exercise))
         suspects_hear(exercise, &(Heard){&call->arguments, &yours, by_table, once_more});
     if (record_now()->probe)
         return;
-    told_expect(layouts[exercise].results, call, &yours, size);
+    told_expect(exercises[exercise].results, call, &yours, size);
 }
 
 static void replay(int unused)

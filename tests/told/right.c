@@ -28,10 +28,10 @@ bool right_answer(const Record *record, Kept *kept, Wire *right)
         return false;
     // The image's size is among the arguments.
     kept->question.read = 0;
-    layout_read(layouts[kept->exercise].arguments, &kept->question, &size, &arguments);
+    layout_read(exercises[kept->exercise].arguments, &kept->question, &size, &arguments);
     numbers_free(&arguments);
     wire_clear(right);
-    return layout_write(layouts[kept->exercise].results, &call->results[0], &size, right);
+    return layout_write(exercises[kept->exercise].results, &call->results[0], &size, right);
 }
 
 bool right_corners(const Record *record, Camera camera, vec3 corners[4])

@@ -92,13 +92,13 @@ static void steps_of(const ToldTest *test, int call, double *least, double *most
 
 void takes_for_right(ToldTest *test)
 {
-    const Layout *layout = &layouts[exercise_number(test->function)];
-    const char *results = layout->results;
+    const Exercise *exercise = &exercises[exercise_number(test->function)];
+    const char *results = exercise->results;
     for (int i = 0; i < test->call_count; i++) {
         ToldCall *call = &test->calls[i];
         if (strcmp(results, "Ray") == 0)
             call->length_is_free = length_is_free(test, i);
-        if (layout_is_step(layout))
+        if (layout_is_step(exercise))
             steps_of(test, i, &call->least, &call->most);
         if (strncmp(results, "CameraFault", 11) == 0)
             call->reasons = reasons_of(test, i);

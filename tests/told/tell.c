@@ -74,6 +74,7 @@ int main(int argc, char **argv)
         return 2;
     }
     switch_to_process(stem);
+    asked_begin();
     run_tests(NULL, NULL, ANSWERS_APART, &all);
     records_end();
     for (int i = 0; i < all.count; i++)

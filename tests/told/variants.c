@@ -2,7 +2,6 @@
 #include "tests/told/here.h"
 #include "tests/told/replay.h"
 
-#include "tests/judge/call.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/show.h"
 #include "tests/judge/suspects.h"
@@ -11,31 +10,10 @@
 #include <string.h>
 
 static Outcomes outcomes;
-static Wire arguments, answer;
-static AnyFunction *answering;
-
-Wire *call_begin(int exercise)
-{
-    (void)exercise;
-    wire_clear(&arguments);
-    return &arguments;
-}
-
-Wire *call_finish(int exercise)
-{
-    answer_here(exercise, answering, &arguments, &answer);
-    return &answer;
-}
-
-void call_end(int exercise)
-{
-    (void)exercise;
-}
-
 static bool is_right(const Variant *variant)
 {
     bool good = true;
-    answering = variant->answer;
+    answer_here_by(variant->answer);
     suspects_begin();
     run_tests(variant->exercise, NULL, ANSWERS_APART, &outcomes);
     for (int i = 0; i < outcomes.count; i++) {

@@ -76,7 +76,7 @@ class Grader:
         self.work = self.out / ".work" / f"{part}-of-{parts}"
         judges = sorted(path for path in self.kit.judges.iterdir() if path.name in self.stems)
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
-        self.tests = sum_of_files([table.TABLE, *GRADER, *judges,
+        self.tests = sum_of_files([table.LIST, *GRADER, *judges,
                                    *sorted((self.kit.folder / "link").iterdir()),
                                    self.kit.folder / "commands", Path(self.kit.parts), *confine])
 

@@ -1,0 +1,57 @@
+// types.c - what a type consists of.
+#include "tests/judge/define_types.h"
+
+#include <string.h>
+
+#include "tests/judge/types.def"
+const Type type_void = {"void", 0, TYPE_OF_NUMBERS, 0, NULL};
+
+#undef NUMBERS
+#undef WHOLE
+#undef STRUCT
+#define NUMBERS(type, n) &type_##type,
+#define WHOLE(type) &type_##type,
+#define STRUCT(type, list) &type_##type,
+static const Type *const types[] = {
+#include "tests/judge/types.def"
+};
+
+const Type *type_named(const char *name)
+{
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
+        if (strcmp(types[i]->name, name) == 0)
+            return types[i];
+    return NULL;
+}
+
+bool type_is_flat(const Type *type)
+{
+    bool flat = true;
+    for (int i = 0; type->kind == TYPE_OF_FIELDS && i < type->count; i++)
+        flat = flat && type->fields[i].kind == FIELD_OF_ONE && type_is_flat(type->fields[i].type);
+    return flat;
+}
+
+void type_copy(const Type *type, void *to, const void *from)
+{
+    if (type->kind == TYPE_OF_NUMBERS)
+        memcpy(to, from, (size_t)type->count * sizeof(double));
+    else if (type->kind == TYPE_OF_WHOLE)
+        memcpy(to, from, type->size);
+    else
+        for (const Field *field = type->fields; field < type->fields + type->count; field++)
+            type_copy(field->type, (char *)to + field->offset, (const char *)from + field->offset);
+}
+
+void type_visit(const Type *type, const char *name, void *value, NumberVisitor *visit,
+                void *context)
+{
+    if (type->kind == TYPE_OF_NUMBERS)
+        for (int i = 0; i < type->count; i++)
+            visit(context, name, (double *)value + i, sizeof(double), true);
+    else if (type->kind == TYPE_OF_WHOLE)
+        visit(context, name, value, type->size, false);
+    else
+        for (const Field *field = type->fields; field < type->fields + type->count; field++)
+            type_visit(field->type, field->name, (char *)value + field->offset, visit, context);
+}

@@ -1,0 +1,63 @@
+// types.h - what a type consists of, for whatever handles values of any type.
+#ifndef TESTS_JUDGE_TYPES_H
+#define TESTS_JUDGE_TYPES_H
+
+#include "common/camera.h"
+#include "common/image.h"
+#include "common/ray.h"
+#include "common/scene.h"
+#include "common/screen.h"
+#include "exercises/05-quadratic.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef enum { TYPE_OF_NUMBERS, TYPE_OF_WHOLE, TYPE_OF_FIELDS } TypeKind;
+typedef enum { FIELD_OF_ONE, FIELD_OF_LIST, FIELD_OF_PIXELS } FieldKind;
+
+typedef struct Type Type;
+
+typedef struct {
+    FieldKind kind;
+    const char *name;
+    const Type *type; // of each item
+    size_t offset;
+    size_t count_at; // of a list: the offset of its int; of pixels: the offset of their Resolution
+} Field;
+
+struct Type {
+    const char *name;
+    size_t size;
+    TypeKind kind;
+    int count; // of the doubles, or of the fields
+    const Field *fields;
+};
+
+// type_Ray and so on: the entries of types.def; and that of functions that return nothing.
+#define NUMBERS(type, n) extern const Type type_##type;
+#define WHOLE(type) extern const Type type_##type;
+#define STRUCT(type, fields) extern const Type type_##type;
+#include "tests/judge/types.def"
+#undef NUMBERS
+#undef WHOLE
+#undef STRUCT
+extern const Type type_void;
+
+// NULL if there is no type of this name.
+const Type *type_named(const char *name);
+
+// Whether a value holds all of itself: no pointer.
+bool type_is_flat(const Type *type);
+enum { TYPE_MOST_BYTES = 512 }; // no value is larger
+
+// Copies all that the type consists of, and no padding. The type is flat.
+void type_copy(const Type *type, void *to, const void *from);
+
+// Calls for each number of a flat value, in order: where it is, and whether it is a double; an
+// integer has this many bytes. name: of the field; "" if the type has no fields.
+typedef void NumberVisitor(void *context, const char *name, void *number, size_t size,
+                           bool is_double);
+void type_visit(const Type *type, const char *name, void *value, NumberVisitor *visit,
+                void *context);
+
+#endif
