@@ -109,7 +109,10 @@ $(B)/%.o: %.c $(B)/flags $(SETUP_FIRST)
 $(B)/common/image_png.o: EXTRA = $(PNG_CFLAGS)
 $(B)/tests/%.o: EXTRA = $(CHECK_CFLAGS)
 
-$(B)/common.a: $(patsubst %.c,$(B)/%.o,$(wildcard common/*.c))
+$(B)/common.a: $(patsubst %.c,$(B)/%.o,$(wildcard common/*.c common/figure/*.c))
+# What the programs of several chapters share; of both, the linker takes what it needs.
+$(B)/chapters/shared.a: $(patsubst %.c,$(B)/%.o,$(wildcard chapters/shared/*.c))
+$(B)/common.a $(B)/chapters/shared.a:
 	$(call say,archive,$@)
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
@@ -153,12 +156,11 @@ endif
 
 # ---- programs, scenes, pictures ---------------------------------------------------------------
 
-#[ Chapter 08 asks nothing: it is the answers of the others, faster, and gives some of them away.
-PROGRAMS := $(patsubst %,$(BUILT)/%,$(STEMS) 08-fast)
-#]
-#~ PROGRAMS := $(STEMS:%=$(BUILT)/%)
+# A chapter is a folder with a main.c.
+CHAPTERS := $(patsubst chapters/%/main.c,%,$(sort $(wildcard chapters/*/main.c)))
+PROGRAMS := $(CHAPTERS:%=$(BUILT)/%)
 chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c %_lanes.c,$(wildcard \
-	chapters/$(1)/*.c))) $(foreach k,$(LANES_KINDS),$(patsubst %.c,$(B)/%.$(k).o,$(wildcard \
+	chapters/$(1)/*.c chapters/$(1)/figures/*.c))) $(foreach k,$(LANES_KINDS),$(patsubst %.c,$(B)/%.$(k).o,$(wildcard \
 	chapters/$(1)/*_lanes.c)))
 
 # The loops in NAME_lanes.c are compiled for several instruction sets; which of them a processor has
@@ -176,71 +178,35 @@ $(B)/%.$(1).o: %.c $(B)/flags $(SETUP_FIRST)
 endef
 $(foreach k,$(LANES_KINDS),$(eval $(call lanes_rule,$(k))))
 
-# What later chapters show of earlier ones: the camera in figures, and how a scene is drawn.
-SHOWS_CAMERA := $(B)/chapters/01-corners/plane.o
-DRAWS_SCENES := $(patsubst %,$(B)/chapters/06-ray-casting/%.o,command needs scene_camera)
-LIGHTS_SCENES := $(patsubst %,$(B)/chapters/07-shading/%.o,lighting render)
-shared_objects = $(SHOWS_CAMERA) $(if $(filter 07% 08%,$(1)),$(DRAWS_SCENES)) $(if $(filter 08%,$(1)),$(LIGHTS_SCENES))
-
 .SECONDEXPANSION:
-$(PROGRAMS): $(BUILT)/%: $$(sort $$(call chapter_objects,$$*) $$(call shared_objects,$$*)) $(ANSWER_OBJECTS) $(B)/common.a
+$(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
-# Scenes that a program writes: chapters/NN-stem/NAME_nff.c, and what it is told.
-GENERATED := sphereflake-91 sphereflake-820 sphereflake-7381 sunflower
-SCENES := $(GENERATED:%=$(B)/scenes/%.nff)
+GALLERY := $(BUILT)/gallery
+# A picture that needs what a student has not answered yet is no error: that is said, in one line.
+TRY = $(if $(filter solutions,$(ANSWERS)),,.make/draw $@)
+# The picture of a chapter, which chapters/NN-stem/picture.txt describes in words. The other pictures
+# of a chapter, and the scenes of which they are cast, are in its pictures.mk.
+CHAPTER_PICTURES := $(patsubst chapters/%/picture.txt,%,$(wildcard chapters/*/picture.txt))
+PICTURES := $(CHAPTER_PICTURES:%=$(GALLERY)/%.png)
+$(PICTURES): $(GALLERY)/%.png: $(BUILT)/%
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(TRY) $< --picture $@
+SCENES :=
+include $(sort $(wildcard chapters/*/pictures.mk))
+
+# Scenes that a program writes: chapters/NN-stem/NAME_nff.c writes NAME-x.nff, given its ARGUMENTS.
 NFF_PROGRAMS := $(patsubst %.c,$(B)/%,$(wildcard chapters/*/*_nff.c))
 $(NFF_PROGRAMS): %: %.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
-$(B)/scenes/sphereflake-91.nff: ARGUMENTS = 2
-$(B)/scenes/sphereflake-820.nff: ARGUMENTS = 3
-$(B)/scenes/sphereflake-7381.nff: ARGUMENTS = 4
-#[ What takes long is for the bench alone.
-RANDOM := random-1000 random-100000 random-1000000
-BENCH_SCENES := chapters/06-ray-casting/three-spheres.nff $(patsubst %,$(B)/scenes/%.nff, \
-	$(filter sphereflake%,$(GENERATED)) sphereflake-66430 sphereflake-597871 $(RANDOM))
-SCENES += $(filter-out $(SCENES) chapters/%,$(BENCH_SCENES))
-$(B)/scenes/sphereflake-66430.nff: ARGUMENTS = 5
-$(B)/scenes/sphereflake-597871.nff: ARGUMENTS = 6
-$(RANDOM:%=$(B)/scenes/%.nff): ARGUMENTS = $(*:random-%=%)
-#]
 generator_of = $(B)/$(basename $(wildcard chapters/*/$(firstword $(subst -, ,$(1)))_nff.c))
 $(SCENES): $(B)/scenes/%.nff: $$(call generator_of,$$*)
 	$(call say,scene,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$< $(ARGUMENTS) > $@
-
-GALLERY := $(BUILT)/gallery
-# A picture that needs what a student has not answered yet is no error: that is said, in one line.
-TRY = $(if $(filter solutions,$(ANSWERS)),,.make/draw $@)
-CHAPTER_PICTURES := $(filter-out 06% 07%,$(STEMS))
-# Light, term by term, and together with the flat one, as on the closing slide.
-TERMS := ambient diffuse specular
-SHADED := still-something-missing $(TERMS:%=07-%)
-PICTURES := $(patsubst %,$(GALLERY)/%.png,$(CHAPTER_PICTURES) $(SHADED) $(GENERATED) \
-	$(notdir $(basename $(wildcard chapters/06-ray-casting/*.nff))))
-$(CHAPTER_PICTURES:%=$(GALLERY)/%.png): $(GALLERY)/%.png: $(BUILT)/%
-	$(call say,cast,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(TRY) $< --picture $@
-$(TERMS:%=$(GALLERY)/07-%.png): $(GALLERY)/07-%.png: chapters/06-ray-casting/three-spheres.nff $(BUILT)/07-shading
-	$(call say,cast,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(TRY) $(BUILT)/07-shading --term $* --depth 0 -o $@ $<
-$(GALLERY)/still-something-missing.png: chapters/06-ray-casting/three-spheres.nff $(BUILT)/07-shading
-	$(call say,cast,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(TRY) $(BUILT)/07-shading -o $@
-$(GALLERY)/%.png: chapters/06-ray-casting/%.nff $(BUILT)/06-ray-casting
-	$(call say,cast,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(TRY) $(BUILT)/06-ray-casting -o $@ $<
-$(GALLERY)/%.png: $(B)/scenes/%.nff $(BUILT)/06-ray-casting
-	$(call say,cast,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(TRY) $(BUILT)/06-ray-casting -o $@ $<
 
 include .make/figures.mk
 
@@ -269,7 +235,7 @@ skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over change
 
 # ---- the habits of the house ------------------------------------------------------------------
 
-C_SOURCES = $(wildcard common/*.[ch] chapters/*/*.[ch] exercises/*.h solutions/*.c \
+C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] exercises/*.h solutions/*.c \
 	tests/*.[ch] tests/*/*.[ch] tests/grade/confine/*.[ch] tests/grade/mark/*.[ch])
 FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)
 format: ## lay out the C sources (clang-format)

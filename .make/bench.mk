@@ -8,7 +8,7 @@ $(error PEERS=$(PEERS) needs Embree 3: libembree-dev of Debian 12, embree3 elsew
 endif
 endif
 ENGINE_BENCH := $(B)/tests/benches/engines$(if $(PEERS),-and-peers)
-ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) $(LIGHTS_SCENES) \
+ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(B)/chapters/shared.a \
 	$(STEMS:%=$(B)/solutions/%.o)
 PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers embree programs,none)) \
 	$(if $(PEERS),$(B)/chapters/07-shading/export.o)

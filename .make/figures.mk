@@ -1,10 +1,10 @@
 # figures.mk - make figures, and the page of pictures and figures. Included by the Makefile.
 
-# A layout chapters/NN-stem/NAME.gp, and the data that the chapter's program computes for it, are a
-# script (common/plot.h), which gnuplot draws (.make/figures). FIGURE=name: only that one, or several
+# A layout chapters/NN-stem/figures/NAME.gp, and the data that the chapter's program computes for it, are a
+# script (common/figure/plot.h), which gnuplot draws (.make/figures). FIGURE=name: only that one, or several
 # with commas.
 FIGURES := $(BUILT)/figures
-LAYOUTS := $(wildcard chapters/*/*.gp)
+LAYOUTS := $(wildcard chapters/*/figures/*.gp)
 FIGURE_NAMES := $(sort $(notdir $(basename $(LAYOUTS))))
 FIGURES_WANTED := $(or $(subst $(comma), ,$(FIGURE)),$(FIGURE_NAMES))
 ifneq ($(filter-out $(FIGURE_NAMES),$(FIGURES_WANTED)),)
@@ -13,15 +13,15 @@ endif
 SCRIPTS := $(FIGURE_NAMES:%=$(FIGURES)/%.gp)
 layout_of = $(filter %/$(1).gp,$(LAYOUTS))
 stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
-figure_files = $(call layout_of,$(1)) $(wildcard common/*.gp \
+figure_files = $(call layout_of,$(1)) $(wildcard common/figure/*.gp \
 	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
 # Beside another's answers, what is right, and what the judge says is wrong.
 #[
 RIGHT := $(if $(filter-out solutions,$(A)),$(B)/solutions/figures)
 ifneq ($(RIGHT),)
 RIGHT_PROGRAMS := $(STEMS:%=$(B)/solutions/%)
-$(RIGHT_PROGRAMS): $(B)/solutions/%: $$(sort $$(call chapter_objects,$$*) $$(call shared_objects,$$*)) \
-		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
+$(RIGHT_PROGRAMS): $(B)/solutions/%: $$(call chapter_objects,$$*) \
+		$(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
 RIGHT_SCRIPTS := $(SCRIPTS:$(FIGURES)/%=$(RIGHT)/%)
@@ -35,7 +35,7 @@ endif
 $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,$$*) \
 		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(ALL_VERDICTS) build/judge/list)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(if $(RIGHT),note=$$(awk -v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c); \
+	$(Q)$(if $(RIGHT),note=$$(awk -v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c chapters/*/figures/*.c); \
 		.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
 		--figure $* > $@)
 

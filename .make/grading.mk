@@ -57,7 +57,7 @@ $(RIGHTS): $(B)/judge/right-%.o: solutions/%.c tests/judge/rename.def tests/exer
 	$(Q)$(call renamed,$(call answered,$*),right_) > $(@:.o=.h)
 	$(Q)$(COMPILE) -include $(@:.o=.h) -o $@ $<
 DRAW := $(B)/judge/picture
-$(DRAW): $(B)/tests/grade/mark/picture.o $(RIGHTS) $(B)/chapters/$(LAST)/scene_camera.o $(TESTING) $(HEARING) \
+$(DRAW): $(B)/tests/grade/mark/picture.o $(RIGHTS) $(B)/chapters/shared/scene_camera.o $(TESTING) $(HEARING) \
 		$(TO_PROCESS) $(call parts,tests/$(LAST)/mistakes) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm

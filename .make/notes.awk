@@ -1,6 +1,6 @@
 # notes.awk - what the judge says of the wrong answers that a figure is made of.
 #
-#   -v figure=NAME -v verdicts=FOLDER  chapters/*/*.c
+#   -v figure=NAME -v verdicts=FOLDER  chapters/*/*.c chapters/*/figures/*.c
 #
 # Which answers those are is read from the chapters' sources: what the function that writes the
 # figure's data calls, and what that calls.

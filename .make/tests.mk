@@ -137,8 +137,7 @@ ENGINES := $(B)/tests/fast/same $(B)/tests/fast/lit
 ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
 $(SAME_ENGINES): $(patsubst %,$(B)/tests/fast/%.o,against made made_difficult made_far parts)
 $(B)/tests/fast/lit: $(B)/tests/fast/lit_scenes.o
-$(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(DRAWS_SCENES) \
-		$(LIGHTS_SCENES) \
+$(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(B)/chapters/shared.a \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread

@@ -3,7 +3,7 @@
 // Tells the story of the slides 'Camera' and 'Finding vectors from the eye to the image plane' with
 // the deck's camera, or with the reader's own. Its picture is the image plane itself, each place
 // coloured by the direction of its vector, with the three answers as dots.
-#include "chapters/01-corners/figures.h"
+#include "chapters/01-corners/figures/figures.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"

@@ -2,7 +2,7 @@
 //
 // The same camera in all five forms of the slides, there and back; then which hand the world has,
 // the angle that NFF gives, and what is no camera. Its picture (floor.c) shows both hands.
-#include "chapters/02-cameras/figures.h"
+#include "chapters/02-cameras/figures/figures.h"
 #include "chapters/02-cameras/floor.h"
 #include "chapters/02-cameras/forms.h"
 #include "common/answers.h"

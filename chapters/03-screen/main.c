@@ -2,7 +2,7 @@
 //
 // The deck's point (300, 400) on 640 x 480, normalized and back; the corners; pixel centres. Its
 // picture colours each pixel by its own coordinates: red is s, green is t.
-#include "chapters/03-screen/figures.h"
+#include "chapters/03-screen/figures/figures.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"

@@ -2,7 +2,7 @@
 //
 // Follows one pixel from its column and row to its ray. Its picture colours each pixel by the
 // direction of its ray: red along x, green along y, blue along z.
-#include "chapters/04-pixel-ray/figures.h"
+#include "chapters/04-pixel-ray/figures/figures.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"

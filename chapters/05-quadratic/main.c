@@ -3,7 +3,7 @@
 // The slide's derivation line by line in numbers, a, b, c, the roots and the hit; the same in
 // world coordinates; and where each of them loses its digits (digits.c).
 #include "chapters/05-quadratic/digits.h"
-#include "chapters/05-quadratic/figures.h"
+#include "chapters/05-quadratic/figures/figures.h"
 #include "chapters/05-quadratic/numbers.h"
 #include "common/answers.h"
 #include "common/options.h"

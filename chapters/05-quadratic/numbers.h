@@ -2,7 +2,7 @@
 #ifndef CHAPTERS_05_QUADRATIC_NUMBERS_H
 #define CHAPTERS_05_QUADRATIC_NUMBERS_H
 
-#include "chapters/05-quadratic/figures.h"
+#include "chapters/05-quadratic/figures/figures.h"
 #include "exercises/05-quadratic.h"
 
 // How many roots there are to show, and one of them; not a number where there is none.

@@ -2,12 +2,12 @@
 //
 // Draws a scene shaded. Without arguments it makes the deck's closing slide again: three spheres,
 // flat and shaded, side by side.
-#include "chapters/06-ray-casting/command.h"
-#include "chapters/06-ray-casting/needs.h"
+#include "chapters/shared/command.h"
+#include "chapters/shared/needs.h"
 #include "chapters/07-shading/export.h"
-#include "chapters/07-shading/figures.h"
-#include "chapters/07-shading/lighting.h"
-#include "chapters/07-shading/render.h"
+#include "chapters/07-shading/figures/figures.h"
+#include "chapters/shared/lighting.h"
+#include "chapters/shared/render.h"
 #include "chapters/07-shading/story.h"
 #include "common/picture.h"
 #include "common/story.h"

@@ -2,7 +2,7 @@
 #ifndef CHAPTERS_07_SHADING_STORY_H
 #define CHAPTERS_07_SHADING_STORY_H
 
-#include "chapters/06-ray-casting/command.h"
+#include "chapters/shared/command.h"
 
 // What the ray of a pixel sees, term by term, and through so many mirrors.
 void tell_shading(const Drawing *drawing, Pixel pixel, int depth);

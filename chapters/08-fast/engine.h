@@ -5,7 +5,7 @@
 #ifndef CHAPTERS_08_FAST_ENGINE_H
 #define CHAPTERS_08_FAST_ENGINE_H
 
-#include "chapters/07-shading/render.h"
+#include "chapters/shared/render.h"
 #include "common/camera.h"
 #include "common/image.h"
 #include "common/scene.h"

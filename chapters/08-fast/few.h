@@ -6,7 +6,7 @@
 #ifndef CHAPTERS_08_FAST_FEW_H
 #define CHAPTERS_08_FAST_FEW_H
 
-#include "chapters/07-shading/render.h"
+#include "chapters/shared/render.h"
 #include "chapters/08-fast/hierarchy.h"
 
 typedef struct {

@@ -5,7 +5,7 @@
 // Against plain, chapter 06's loop, where that takes at most so many tests of a ray and a sphere (a
 // number like 1e10). Beyond it against bvh, and rows of that, scattered over the picture, against
 // chapter 06. The last line counts.
-#include "chapters/06-ray-casting/scene_camera.h"
+#include "chapters/shared/scene_camera.h"
 #include "tests/fast/against.h"
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
 // lit_scenes.c - scenes that are awkward to light.
 #include "tests/fast/lit_scenes.h"
 
-#include "chapters/06-ray-casting/scene_camera.h"
+#include "chapters/shared/scene_camera.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"

@@ -5,10 +5,10 @@
 scripts_into() {
     mkdir -p "$1"
     names=""
-    for layout in chapters/*/*.gp; do
+    for layout in chapters/*/figures/*.gp; do
         name=$(basename "$layout" .gp)
         names="$names $name"
-        "$PROGRAMS/$(basename "$(dirname "$layout")")" --figure "$name" >"$1/$name.gp" || return 1
+        "$PROGRAMS/$(basename "${layout%/figures/*}")" --figure "$name" >"$1/$name.gp" || return 1
     done
 }
 

@@ -9,10 +9,10 @@ TEXT = ("ink", "grey", "blue", "orange", "green", "pink")
 
 
 def colors_of(theme):
-    """What common/plot.gp calls its colours, by gnuplot itself."""
+    """What common/figure/plot.gp calls its colours, by gnuplot itself."""
     names = (*TEXT, "background", "surface", "faint")
     words = "; ".join(f'print "{name} ".{name}' for name in names)
-    done = subprocess.run(["gnuplot", "-e", f"name='none'; format='txt'; theme='{theme}'; load 'common/plot.gp'; {words}"],
+    done = subprocess.run(["gnuplot", "-e", f"name='none'; format='txt'; theme='{theme}'; load 'common/figure/plot.gp'; {words}"],
                           capture_output=True, text=True, check=True, timeout=60)
     return dict(line.split() for line in done.stderr.splitlines())
 

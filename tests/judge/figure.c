@@ -16,8 +16,8 @@ static const struct {
     FigureReader *read;
     FigureWriter *write;
 } kinds[] = {
-    {"Camera", "vec3", "chapters/01-corners/yours-and-right.gp", read_vector, write_vector},
-    {"Camera", "Ray", "chapters/01-corners/yours-and-right.gp", read_vector, write_vector},
+    {"Camera", "vec3", "chapters/01-corners/figures/yours-and-right.gp", read_vector, write_vector},
+    {"Camera", "Ray", "chapters/01-corners/figures/yours-and-right.gp", read_vector, write_vector},
     {"", "Camera", "tests/judge/layouts/camera.gp", read_camera, write_camera},
     {"", "CameraFault Camera", "tests/judge/layouts/camera.gp", read_camera, write_camera},
     {"", "Normalized", "tests/judge/layouts/place.gp", read_place, write_place},

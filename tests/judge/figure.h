@@ -1,12 +1,12 @@
 // figure.h - a wrong answer beside the right one, as numbers for a layout.
 //
-// Of a function whose test failed, FOLDER/FUNCTION.gp is a script for gnuplot (common/plot.h), or
+// Of a function whose test failed, FOLDER/FUNCTION.gp is a script for gnuplot (common/figure/plot.h), or
 // FOLDER/FUNCTION.png a picture; neither where there is nothing to draw: no answer, one that is not
 // finite or far beyond what can be shown beside the right one, or inputs that are not to be told.
 #ifndef TESTS_JUDGE_FIGURE_H
 #define TESTS_JUDGE_FIGURE_H
 
-#include "common/plot.h"
+#include "common/figure/plot.h"
 #include "tests/judge/kept.h"
 #include "tests/judge/record.h"
 #include "tests/judge/suspects.h"

@@ -2,7 +2,7 @@
 // height.
 #include "tests/judge/figure.h"
 
-#include "common/beside.h"
+#include "common/figure/beside.h"
 #include "tests/told/layout.h"
 
 #include <stdio.h>

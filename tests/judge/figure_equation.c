@@ -1,7 +1,7 @@
 // figure_equation.c - the parabola of a quadratic, and its roots on the t axis.
 #include "tests/judge/figure.h"
 
-#include "common/beside.h"
+#include "common/figure/beside.h"
 #include "exercises/05-quadratic.h"
 #include "tests/told/layout.h"
 

@@ -1,7 +1,7 @@
 // figure_place.c - places on the screen and in the unit square: what went in, and what came out.
 #include "tests/judge/figure.h"
 
-#include "common/beside.h"
+#include "common/figure/beside.h"
 #include "common/screen.h"
 #include "tests/told/layout.h"
 

@@ -1,7 +1,7 @@
 // figure_section.c - where a ray meets spheres: the section through the ray, and its t axis.
 #include "tests/judge/figure.h"
 
-#include "common/beside.h"
+#include "common/figure/beside.h"
 #include "common/ray.h"
 #include "common/scene.h"
 #include "exercises/05-quadratic.h"

@@ -1,7 +1,7 @@
 // figure_vector.c - vectors from the eye to the image plane, and rays.
 #include "tests/judge/figure.h"
 
-#include "common/beside.h"
+#include "common/figure/beside.h"
 #include "common/ray.h"
 #include "tests/judge/right.h"
 #include "tests/told/layout.h"

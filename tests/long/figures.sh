@@ -77,7 +77,7 @@ a\
 print no_such_number
 }' "$drawn/$first.gp" >"$one/$first.gp"
 check 'a mistake in a layout is no success' fails draws "$one" FORMAT=svg
-check 'it is told by the line of the layout' says "$(echo chapters/*/"$first.gp"):1: gnuplot: undefined variable: no_such_number"
+check 'it is told by the line of the layout' says "$(echo chapters/*/figures/"$first.gp"):1: gnuplot: undefined variable: no_such_number"
 check 'once' test "$(wc -l <"$scratch/said")" -eq 1
 check 'the older picture is left as it was' cmp "$one/$first.svg" "$scratch/before.svg"
 sed '$a\

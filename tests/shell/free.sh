@@ -51,7 +51,7 @@ done
 
 # Beside the reference's numbers nothing is called wrong.
 no_figure_differs() {
-    for layout in chapters/*/*.gp; do
+    for layout in chapters/*/figures/*.gp; do
         stem=${layout#chapters/} name=${layout##*/}
         stem=${stem%%/*} name=${name%.gp}
         "$right/$stem" --figure "$name" >"$scratch/right.gp" &&

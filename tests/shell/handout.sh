@@ -61,7 +61,7 @@ check 'its Makefile makes nothing that is not for students' only_for_students
 # Lines that are somebody's answer: not those that a blank, common/ or a chapter has, too.
 awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 } inside && !/\/\/~/' solutions/*.c |
     sed 's/^ *//; s/ *$//' | awk 'length > 25' | sort -u >"$scratch/answers"
-cat build/blanks/*.c common/*.[ch] chapters/*/*.[ch] |
+cat build/blanks/*.c common/*.[ch] common/figure/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] |
     awk 'FNR == NR { given = given "\n" $0; next } index(given, $0) == 0' - "$scratch/answers" >"$scratch/secret"
 check 'no line of a solution is in it' holds_none_of "$scratch/secret"
 for teller in build/told/tell/*; do
@@ -105,7 +105,7 @@ check 'nor has it chapter 08, which is made of answers' none_of_these '08-fast'
 # What is right is there for every figure: variables, and blocks of numbers.
 right_data_are_numbers() {
     status=0
-    for layout in chapters/*/*.gp; do
+    for layout in chapters/*/figures/*.gp; do
         data=$scratch/tree/ray-casting/tests/told/figures/${layout##*/}
         [ -s "$data" ] || { echo "$data"; status=1; }
         awk '/^\$[a-z_0-9]+ << EOD$/ { inside = 1; next } /^EOD$/ { inside = 0; next }

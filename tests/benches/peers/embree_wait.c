@@ -2,7 +2,7 @@
 // defaults. Between them the faster of the two ways that are measured (embree.c).
 //
 // Usage: embree_wait SCENE.nff FILE.png WIDTH HEIGHT THREADS
-#include "chapters/06-ray-casting/scene_camera.h"
+#include "chapters/shared/scene_camera.h"
 #include "tests/benches/by_sscanf.h"
 #include "tests/benches/measure.h"
 

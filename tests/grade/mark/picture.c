@@ -6,7 +6,7 @@
 //
 // Right answers are in this process and call the student's through the pipe, so that the process
 // that holds hostile code never holds them.
-#include "chapters/06-ray-casting/scene_camera.h"
+#include "chapters/shared/scene_camera.h"
 #include "common/image.h"
 #include "common/scene.h"
 #include "exercises/06-ray-casting.h"

@@ -1,0 +1,191 @@
+// figures.c - what the figures of chapter 01 show, in numbers.
+#include "chapters/01-corners/figures/figures.h"
+
+#include "chapters/shared/plane.h"
+#include "common/figure/beside.h"
+#include "exercises/01-corners.h"
+
+static double largest(Camera c)
+{
+    return fmax(c.distance, fmax(c.width, c.height));
+}
+
+// ---- the camera -------------------------------------------------------------------------------
+
+// The way from one place on the plane to another, as an arrow.
+static void plot_edge(Plot *plot, const char *name, Camera c, vec3 from, vec3 to)
+{
+    plot_vector(plot, name, c.origin + from, to - from);
+}
+
+static void one_axis(Plot *plot, const char *name, vec3 from, vec3 to)
+{
+    plot_vector(plot, name, from, to - from);
+    plot_fit(plot, from, 0);
+    plot_fit(plot, to, 0);
+}
+
+// The world's axes: through its origin, along all of the camera. Where the origin is too far off
+// for a picture of both, three short arrows below the camera show the directions alone.
+static void world_axes(Plot *plot, Camera c)
+{
+    static const char *const names[] = {"x_axis", "y_axis", "z_axis"};
+    double size = largest(c);
+    bool far = vec3_length(c.origin + c.distance * c.forward) > 1.5 * size;
+    vec3 below = c.origin + 0.4 * c.distance * c.forward - (0.2 * c.height + 0.4 * size) * c.up;
+    plot_number(plot, "origin_is_far", far);
+    for (int i = 0; i < 3; i++) {
+        vec3 direction = vec3_of(i == 0, i == 1, i == 2);
+        if (far) {
+            one_axis(plot, names[i], below, below + size / 6 * direction);
+            continue;
+        }
+        double half = (c.width * fabs(c.right[i]) + c.height * fabs(c.up[i])) / 2;
+        double middle = c.origin[i] + c.distance * c.forward[i];
+        double low = fmin(0, fmin(c.origin[i], middle - half));
+        double high = fmax(0, fmax(c.origin[i], middle + half));
+        one_axis(plot, names[i], low * direction, (high + size / 8) * direction);
+    }
+}
+
+// A quarter of the camera long; in the deck's that is 1, the length of a unit vector.
+static void frame_arrows(Plot *plot, Camera c)
+{
+    const vec3 frame[] = {c.right, c.up, c.forward};
+    static const char *const names[] = {"right_arrow", "up_arrow", "forward_arrow"};
+    for (int i = 0; i < 3; i++) {
+        vec3 arrow = largest(c) / 4 * frame[i];
+        plot_vector(plot, names[i], c.origin, arrow);
+        plot_fit(plot, c.origin + 1.2 * arrow, 0); // where its name stands
+    }
+}
+
+static void camera_frame(Plot *plot, void *given)
+{
+    Camera c = ((const View *)given)->camera;
+    vec3 lower_left = image_plane_vector(c, 0, 0), lower_right = image_plane_vector(c, 1, 0);
+    vec3 corners[] = {upper_left(c), upper_right(c), lower_left, lower_right};
+    plane_data(plot, c, 8, 8);
+    world_axes(plot, c);
+    frame_arrows(plot, c);
+    plot_vector(plot, "ahead", c.origin, image_plane_vector(c, 0.5, 0.5));
+    plot_edge(plot, "upper_edge", c, image_plane_vector(c, 0, 1), image_plane_vector(c, 1, 1));
+    plot_edge(plot, "right_edge", c, lower_right, image_plane_vector(c, 1, 1));
+    plot_block(plot, "to_corners", "x y z of the eye, x y z of the vector to a corner");
+    for (int i = 0; i < 4; i++)
+        plot_row_vector(plot, c.origin, corners[i]);
+    plot_block_end(plot);
+}
+
+// ---- vectors to the plane ---------------------------------------------------------------------
+
+// The legs of the way to both upper corners: ahead to the middle, half a width aside, half a height
+// up; each as the difference of two vectors of exercise 01.
+static void corner_vectors(Plot *plot, void *given)
+{
+    Camera c = ((const View *)given)->camera;
+    vec3 middle = image_plane_vector(c, 0.5, 0.5);
+    vec3 left = image_plane_vector(c, 0, 0.5), right = image_plane_vector(c, 1, 0.5);
+    plane_data(plot, c, 8, 8);
+    plot_vector(plot, "ahead", c.origin, middle);
+    plot_edge(plot, "aside_left", c, middle, left);
+    plot_edge(plot, "aside_right", c, middle, right);
+    plot_edge(plot, "up_left", c, left, image_plane_vector(c, 0, 1));
+    plot_edge(plot, "up_right", c, right, image_plane_vector(c, 1, 1));
+    plot_vector(plot, "upper_left", c.origin, upper_left(c));
+    plot_vector(plot, "upper_right", c.origin, upper_right(c));
+}
+
+// The point that is s across and t up: by its shares of the edges, and by the legs from the middle.
+// The slide's own, 30% and 10%, by the function that answers it.
+static void point_30_10(Plot *plot, void *given)
+{
+    const View *view = given;
+    Camera c = view->camera;
+    double s = view->s, t = view->t;
+    vec3 middle = image_plane_vector(c, 0.5, 0.5), aside = image_plane_vector(c, s, 0.5);
+    bool slide = s == 0.3 && t == 0.1;
+    vec3 v = slide ? across_30_up_10(c) : image_plane_vector(c, s, t);
+    plane_data(plot, c, 10, 10);
+    plot_number(plot, "s", s);
+    plot_number(plot, "t", t);
+    plot_number(plot, "percent_across", 100 * s);
+    plot_number(plot, "percent_up", 100 * t);
+    plot_edge(plot, "across", c, image_plane_vector(c, 0, 0), image_plane_vector(c, s, 0));
+    plot_edge(plot, "upward", c, image_plane_vector(c, 1, 0), image_plane_vector(c, 1, t));
+    plot_edge(plot, "column", c, image_plane_vector(c, s, 0), image_plane_vector(c, s, t));
+    plot_edge(plot, "row", c, image_plane_vector(c, 1, t), image_plane_vector(c, s, t));
+    plot_vector(plot, "ahead", c.origin, middle);
+    plot_edge(plot, "aside", c, middle, aside);
+    plot_edge(plot, "up_or_down", c, aside, image_plane_vector(c, s, t));
+    plot_vector(plot, "vector", c.origin, v);
+    plot_fit(plot, c.origin + v, 0);
+}
+
+// ---- doubling ---------------------------------------------------------------------------------
+
+// One camera three times: as it is, doubled, and at distance 1. Rays through the corners, and one
+// through s across, t up, as far as the farthest plane and a bit.
+static void double_dwh(Plot *plot, void *given)
+{
+    const View *view = given;
+    Camera c = view->camera, twice = c, unit = with_unit_distance(c);
+    twice.distance *= 2;
+    twice.width *= 2;
+    twice.height *= 2;
+    plane_data(plot, c, 1, 1);
+    plane_outline(plot, "twice_plane", twice);
+    plane_outline(plot, "unit_plane", unit);
+    plot_number(plot, "s", view->s);
+    plot_number(plot, "t", view->t);
+    plot_number(plot, "twice_d", twice.distance);
+    plot_number(plot, "twice_w", twice.width);
+    plot_number(plot, "twice_h", twice.height);
+    plot_number(plot, "unit_d", unit.distance);
+    plot_number(plot, "unit_w", unit.width);
+    plot_number(plot, "unit_h", unit.height);
+    double farthest = 1.15 * fmax(2, 1 / c.distance);
+    const double places[][2] = {{0, 1}, {1, 1}, {0, 0}, {1, 0}, {view->s, view->t}};
+    plot_block(plot, "rays", "x y z of the eye, x y z along a ray");
+    for (int i = 0; i < 5; i++) {
+        vec3 v = farthest * image_plane_vector(c, places[i][0], places[i][1]);
+        plot_row_vector(plot, c.origin, v);
+        plot_fit(plot, c.origin + v, 0);
+    }
+    plot_block_end(plot);
+    const Camera cameras[] = {c, twice, unit};
+    plot_block(plot, "same_place", "x y z where the last ray goes through each plane");
+    for (int i = 0; i < 3; i++)
+        plot_row_point(plot, cameras[i].origin + image_plane_vector(cameras[i], view->s, view->t));
+    plot_block_end(plot);
+}
+
+// ---- yours and right --------------------------------------------------------------------------
+
+// An example: the point 30% across and 10% up, and who counts from the middle of the plane, which
+// is half a width and half a height from the corner.
+static void yours_and_right(Plot *plot, void *given)
+{
+    const View *view = given;
+    Camera c = view->camera;
+    vec3 right = across_30_up_10(c), yours = view->yours;
+    bool example = isnan(yours[0]);
+    if (example)
+        yours = image_plane_vector(c, 0.3 + 0.5, 0.1 + 0.5);
+    plane_data(plot, c, 8, 8);
+    plot_text(plot, "asked", "across_30_up_10");
+    plot_text(plot, "why", example ? "Is (0, 0) the corner or the centre?" : "");
+    beside_vectors(plot, c.origin, right, c.origin, yours);
+    beside_words(plot, vec3_text(right).s, vec3_text(yours).s, beside_off(c, yours - right).s);
+}
+
+static const Figure figures[] = {
+    {"camera-frame", camera_frame},       {"corner-vectors", corner_vectors},
+    {"point-30-10", point_30_10},         {"double-dwh", double_dwh},
+    {"yours-and-right", yours_and_right}, {0}};
+
+int corners_figure(const char *program, FigureCommand command, const View *view)
+{
+    View copy = *view;
+    return plot_figure(program, "chapters/01-corners", figures, command, &copy);
+}

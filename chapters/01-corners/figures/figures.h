@@ -1,0 +1,18 @@
+// figures.h - the figures of chapter 01.
+#ifndef CHAPTERS_01_CORNERS_FIGURES_FIGURES_H
+#define CHAPTERS_01_CORNERS_FIGURES_FIGURES_H
+
+#include "common/camera.h"
+#include "common/figure/plot.h"
+
+// A camera, a place on its image plane, and somebody's answer (NaN: nobody's).
+typedef struct {
+    Camera camera;
+    double s, t;
+    vec3 yours;
+} View;
+
+// Prints a figure's script; returns what main returns.
+int corners_figure(const char *program, FigureCommand command, const View *view);
+
+#endif

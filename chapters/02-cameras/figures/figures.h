@@ -1,0 +1,12 @@
+// figures.h - the figures of chapter 02.
+#ifndef CHAPTERS_02_CAMERAS_FIGURES_FIGURES_H
+#define CHAPTERS_02_CAMERAS_FIGURES_FIGURES_H
+
+#include "common/camera.h"
+#include "common/figure/plot.h"
+
+// Prints a figure's script; up is as it was given to a look-at, or the camera's own. Returns what
+// main returns.
+int cameras_figure(const char *program, FigureCommand command, Camera camera, vec3 up);
+
+#endif

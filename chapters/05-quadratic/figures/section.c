@@ -1,0 +1,190 @@
+// section.c - the plane through a ray and the centre of a sphere, as a figure shows it.
+#include "chapters/05-quadratic/figures/section.h"
+
+enum {
+    CIRCLE = 180, // corners: within 0.0002 of the radius
+    TICKS = 16,   // on the line, at most
+    FAR_TICKS = 6
+};
+
+// How many sizes away p is still shown: across the paper, and up.
+static const double reach[2] = {20, 11};
+
+// ---- where things are --------------------------------------------------------------------------
+
+// A direction at right angles to the line; none is better than another, but the plane of x and y is
+// the deck's.
+static vec3 any_off(vec3 line)
+{
+    return fabs(line[1]) < 0.9 ? vec3_of(0, 1, 0) : vec3_of(1, 0, 0);
+}
+
+static vec3 perpendicular(vec3 v, vec3 line)
+{
+    return vec3_unit(v - vec3_dot(v, line) * line);
+}
+
+static Section meeting(Ray ray, Sphere sphere)
+{
+    Section s = {.ray = ray, .sphere = sphere, .line = vec3_unit(ray.direction)};
+    double along = vec3_dot(sphere.center - ray.origin, s.line);
+    s.t = along / vec3_length(ray.direction);
+    s.nearest = ray.origin + along * s.line;
+    vec3 apart = s.nearest - sphere.center;
+    s.away = vec3_length(apart);
+    s.size = fmax(s.away, sphere.radius);
+    s.off = perpendicular(s.away > 1e-6 * s.size ? apart : any_off(s.line), s.line);
+    return s;
+}
+
+// p is shown unless it is far away; then the line comes from, or goes on, out of the picture.
+static Section in_sight(Section s)
+{
+    double to_p = -s.t * vec3_length(s.ray.direction);
+    s.near = fabs(to_p * vec3_dot(s.line, s.right)) <= reach[0] * s.size &&
+             fabs(to_p * vec3_dot(s.line, s.up)) <= reach[1] * s.size;
+    double low = -1.3 * s.size, high = 1.6 * s.size;
+    if (s.near) {
+        low = fmin(low, to_p);
+        high = fmax(high, to_p + 1.5 * s.size);
+    } else {
+        low = to_p < 0 ? -3 * s.size : low;
+        high = to_p < 0 ? high : 3 * s.size;
+    }
+    s.low = s.t + low / vec3_length(s.ray.direction);
+    s.high = s.t + high / vec3_length(s.ray.direction);
+    return s;
+}
+
+Section section_upright(Ray ray, Sphere sphere)
+{
+    Section s = meeting(ray, sphere);
+    vec3 out = vec3_cross(s.line, s.off); // of the paper
+    double side = fabs(out[2]) > 1e-9 ? out[2] : fabs(out[1]) > 1e-9 ? out[1] : out[0];
+    if (side < 0)
+        out = -out;
+    s.up = perpendicular(fabs(out[1]) < 0.999999 ? vec3_of(0, 1, 0) : vec3_of(0, 0, -1), out);
+    s.right = vec3_cross(s.up, out);
+    return in_sight(s);
+}
+
+Section section_level(Ray ray, Sphere sphere)
+{
+    Section s = meeting(ray, sphere);
+    s.right = s.line;
+    s.up = s.off;
+    return in_sight(s);
+}
+
+void section_include(Section *s, double t)
+{
+    double margin = 0.5 * s->size / vec3_length(s->ray.direction);
+    if (fabs(t - s->t) * vec3_length(s->ray.direction) > reach[1] * s->size || !isfinite(t))
+        return;
+    s->low = fmin(s->low, t - margin);
+    s->high = fmax(s->high, t + margin);
+}
+
+// 1, 2 or 5 of a power of ten where 1 itself will not do.
+static double stride(const Section *s)
+{
+    double most = (s->high - s->low) / (s->near ? 1.5 : 2.5);
+    double least = (s->high - s->low) / (s->near ? TICKS : FAR_TICKS);
+    if (least <= 1 && 1 <= most)
+        return 1;
+    double ten = pow(10, floor(log10(least)));
+    for (int i = 0; i < 2; i++)
+        if (least <= (i == 0 ? 2 : 5) * ten)
+            return (i == 0 ? 2 : 5) * ten;
+    return 10 * ten;
+}
+
+void section_end(Section *s)
+{
+    s->stride = stride(s);
+    if (s->near) // the tip of v, too, has to be seen
+        s->high = fmax(s->high, 1.1 * s->stride);
+    s->first = s->near ? 0 : s->t > 0 ? s->low : s->high - s->stride;
+}
+
+vec3 section_point(const Section *section, double t)
+{
+    return section->ray.origin + t * section->ray.direction;
+}
+
+// ---- what is drawn -----------------------------------------------------------------------------
+
+static void circle(Plot *plot, const Section *s)
+{
+    plot_block(plot, "circle", "x y z, round the sphere in the plane of the ray and the centre");
+    for (int i = 0; i <= CIRCLE; i++) {
+        double angle = 2 * PI * i / CIRCLE;
+        plot_row_point(plot, s->sphere.center +
+                                 s->sphere.radius * (cos(angle) * s->right + sin(angle) * s->up));
+    }
+    plot_block_end(plot);
+}
+
+static void stretch(Plot *plot, const Section *s, const char *name, double from, double to)
+{
+    plot_block(plot, name, "x y z of the two ends");
+    plot_row_point(plot, section_point(s, from));
+    plot_row_point(plot, section_point(s, to));
+    plot_block_end(plot);
+}
+
+static void ticks(Plot *plot, const Section *s)
+{
+    double step = s->stride;
+    plot_block(plot, "ticks", "x y z t");
+    double margin = 0.02 * (s->high - s->low);
+    double from = ceil((s->low - margin / 10) / step);
+    for (int i = 0; i <= TICKS && (from + i) * step <= s->high - margin; i++) {
+        double t = (from + i) * step;
+        vec3 p = section_point(s, t);
+        plot_row(plot, 4, (const double[]){p[0], p[1], p[2], t});
+    }
+    // So far away that whole t are one double: the table is not empty all the same.
+    if (!(from * step <= s->high - margin))
+        plot_row(plot, 4, (const double[]){s->nearest[0], s->nearest[1], s->nearest[2], s->t});
+    plot_block_end(plot);
+}
+
+static void see(Plot *plot, const Section *s)
+{
+    plot_direction(plot, "right", s->right);
+    plot_direction(plot, "up", s->up);
+    plot_direction(plot, "forward", vec3_cross(s->right, s->up));
+    plot_direction(plot, "line", s->line);
+    plot_direction(plot, "off", s->off);
+    plot_direction(plot, "ball", s->sphere.center);
+    plot_number(plot, "speed", vec3_length(s->ray.direction));
+    plot_fit(plot, s->sphere.center, s->sphere.radius);
+    plot_fit(plot, section_point(s, s->low), 0);
+    plot_fit(plot, section_point(s, s->high), 0);
+}
+
+void section_data(Plot *plot, const Section *s)
+{
+    see(plot, s);
+    plot_number(plot, "r", s->sphere.radius);
+    plot_number(plot, "near_p", s->near);
+    plot_direction(plot, "velocity", s->ray.direction);
+    plot_number(plot, "stride", s->stride);
+    plot_number(plot, "v_first", s->first);
+    plot_number(plot, "t_nearest", s->t);
+    plot_number(plot, "away", s->away);
+    plot_point(plot, "center", s->sphere.center);
+    circle(plot, s);
+    plot_vector(plot, "radius", s->sphere.center, s->sphere.radius * (s->line - s->off) / sqrt(2));
+    double begin = s->near ? 0 : s->t > 0 ? s->low : s->high;
+    plot_point(plot, "origin", s->ray.origin);
+    plot_point(plot, "p", section_point(s, begin));
+    plot_vector(plot, "v", section_point(s, s->first), s->stride * s->ray.direction);
+    stretch(plot, s, "ahead", fmin(fmax(s->low, 0), s->high), s->high);
+    stretch(plot, s, "behind", s->low, fmax(fmin(s->high, 0), s->low));
+    plot_point(plot, "end", section_point(s, s->high));
+    ticks(plot, s);
+    plot_point(plot, "nearest", s->nearest);
+    plot_vector(plot, "apart", s->sphere.center, s->nearest - s->sphere.center);
+}

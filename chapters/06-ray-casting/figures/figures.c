@@ -1,0 +1,237 @@
+// figures.c - what the figures of chapter 06 show, in numbers.
+#include "chapters/06-ray-casting/figures/figures.h"
+
+#include "chapters/06-ray-casting/cast_spheres.h"
+#include "chapters/06-ray-casting/explain.h"
+#include "chapters/06-ray-casting/figures/nearest_figure.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/05-quadratic.h"
+#include "exercises/06-ray-casting.h"
+
+#include <string.h>
+
+#define FOLDER "chapters/06-ray-casting"
+
+// ---- image order, and the whole of ray casting ------------------------------------------------
+
+// The drawn pixels in the colours of the spheres that they show in some scene, of which 'first' is
+// the sphere 0; where there is none, the background is kept.
+static void cells_data(Plot *plot, const Shown *shown, const Scene *scene, int first)
+{
+    int spheres[MOST_CELLS * MOST_CELLS], cells = 0, count = shown->grid.width * shown->grid.height;
+    if (!cast_spheres(scene, shown->shot.camera, shown->grid, spheres))
+        count = 0;
+    for (int i = 0; i < count; i++)
+        if (is_sphere(scene, spheres[i])) {
+            Pixel cell = {i % shown->grid.width, i / shown->grid.width};
+            Color color = scene_surface(shown->shot.scene, first + spheres[i])->color;
+            shown_cell(plot, shown, cell, color);
+            cells++;
+        }
+    shown_cells_end(plot, shown, cells);
+}
+
+static void cast_cells(Plot *plot, const Shown *shown)
+{
+    shown_cells_begin(plot, "pixels");
+    cells_data(plot, shown, shown->shot.scene, 0);
+}
+
+static void ray_casting(Plot *plot, void *given)
+{
+    const Shown *shown = given;
+    shown_data(plot, shown);
+    shown_patches(plot, shown);
+    plot_include(plot, "common/figure/spheres.gp");
+    cast_cells(plot, shown);
+}
+
+// The pixel that meets nothing and is nearest to a place up and to the left; its ray goes on.
+static void missing_ray(Plot *plot, const Shown *shown)
+{
+    double best = INFINITY;
+    Ray ray = {shown->ray.origin, vec3_of(0, 0, 0)};
+    for (int i = 0; i < shown->grid.width * shown->grid.height; i++) {
+        Pixel cell = {i % shown->grid.width, i / shown->grid.width};
+        Ray r = ray_to_plane(pixel_ray(shown->shot.camera, shown->grid, cell), shown->shot.camera);
+        double x = (cell.column + 0.5) / shown->grid.width - 0.2;
+        double y = (cell.row + 0.5) / shown->grid.height - 0.2;
+        if (nearest_hit(r, shown->shot.scene).sphere < 0 && x * x + y * y < best) {
+            best = x * x + y * y;
+            ray = r;
+        }
+    }
+    plot_number(plot, "misses", best < INFINITY);
+    shown_ray(plot, "miss", ray, shown_end(shown), shown_end(shown));
+}
+
+static void image_order(Plot *plot, void *given)
+{
+    const Shown *shown = given;
+    ray_casting(plot, given);
+    missing_ray(plot, shown);
+}
+
+// ---- object order -----------------------------------------------------------------------------
+
+enum { OUTLINE_PLACES = 72, LINES = 6, LINE_PLACES = 160 };
+
+// A place of the circle that is the sphere's outline as the eye sees it: there the line of sight
+// touches the sphere, at right angles to its radius.
+static vec3 outline_place(Camera c, Sphere sphere, double angle)
+{
+    vec3 axis = sphere.center - c.origin;
+    double away = vec3_length(axis);
+    double flat = sphere.radius / away;
+    vec3 aside =
+        vec3_unit(vec3_cross(fabs(vec3_dot(axis, c.up)) < 0.9 * away ? c.up : c.right, axis));
+    vec3 up = vec3_unit(vec3_cross(axis, aside));
+    return c.origin + (1 - flat * flat) * axis +
+           sphere.radius * sqrt(1 - flat * flat) * (cos(angle) * aside + sin(angle) * up);
+}
+
+// Where a line of sight crosses the image plane; NaN where not before it, or far beside it, as the
+// outline of a ground does.
+static vec3 on_plane(Camera c, vec3 v)
+{
+    vec3 place = c.distance / vec3_dot(v, c.forward) * v;
+    bool near = vec3_dot(v, c.forward) > 0 && fabs(vec3_dot(place, c.right)) <= c.width &&
+                fabs(vec3_dot(place, c.up)) <= c.height;
+    return near ? c.origin + place : vec3_of(NAN, NAN, NAN);
+}
+
+static vec3 line_of_sight(Camera c, Sphere sphere, int i)
+{
+    return outline_place(c, sphere, 2 * PI * i / OUTLINE_PLACES) - c.origin;
+}
+
+static void outline_on_plane(Plot *plot, Camera c, Sphere sphere)
+{
+    plot_block(plot, "outline", "x y z of the outline on the image plane");
+    for (int i = 0; i <= OUTLINE_PLACES; i++)
+        plot_row_point(plot, on_plane(c, line_of_sight(c, sphere, i)));
+    plot_block_end(plot);
+}
+
+// Half way along a line of sight to the plane. A function of its own: as a part of the loop that
+// calls it, gcc 14 to 16 stop at it with an internal error (-O2).
+static void arrow_head(Plot *plot, Camera c, vec3 v)
+{
+    double ahead = vec3_dot(v, c.forward);
+    vec3 w = (ahead > 0 ? fmin(1, c.distance / ahead) : 1) * v, p = c.origin + 0.8 * w;
+    plot_row_vector(plot, p, -0.3 * w);
+}
+
+// The lines as places, as hidden parts are left out; and the arrowheads half way to the plane.
+// Where the sphere is not drawn they end behind the plane.
+static void lines_to_eye(Plot *plot, Camera c, Sphere sphere, bool drawn)
+{
+    int near[OUTLINE_PLACES], count = 0, lines = 0;
+    for (int i = 0; i < OUTLINE_PLACES; i++)
+        if (!isnan(on_plane(c, line_of_sight(c, sphere, i))[0]))
+            near[count++] = i;
+    vec3 v[LINES];
+    double part[LINES];
+    for (int i = 0; i < LINES && count > 0; i++) {
+        vec3 whole = line_of_sight(c, sphere, near[(4 * i + 1) * count / (4 * LINES)]);
+        part[i] = drawn ? 1 : fmin(1, 1.6 * c.distance / vec3_dot(whole, c.forward));
+        v[i] = part[i] * whole;
+        lines++;
+    }
+    plot_block(plot, "lines", "x y z t, 1 where it is drawn bold");
+    for (int i = 0; i < lines; i++) {
+        for (int k = 0; k <= LINE_PLACES; k++) {
+            vec3 p = c.origin + (double)k / LINE_PLACES * v[i];
+            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], part[i] * k / LINE_PLACES, 1});
+        }
+        plot_gap(plot);
+    }
+    plot_block_end(plot);
+    plot_block(plot, "heads", "x y z of the start, x y z of the vector");
+    for (int i = 0; i < lines; i++)
+        arrow_head(plot, c, v[i]);
+    plot_block_end(plot);
+}
+
+// The sphere that the pixel's ray hits, else the one that most pixels show.
+static int the_object(const Shown *shown)
+{
+    const Scene *scene = shown->shot.scene;
+    if (shown->hit_count > 0)
+        return shown->hits[0].sphere;
+    return shown->sphere_count > 0 ? shown->spheres[0] : scene->sphere_count > 0 ? 0 : -1;
+}
+
+// The pixels that one sphere would colour, were it alone.
+static void cells_of(Plot *plot, const Shown *shown, int object)
+{
+    Scene alone = *shown->shot.scene;
+    alone.spheres += object < 0 ? 0 : object;
+    alone.sphere_count = object < 0 ? 0 : 1;
+    shown_cells_begin(plot, "pixels");
+    cells_data(plot, shown, &alone, object < 0 ? 0 : object);
+}
+
+static void object_order(Plot *plot, void *given)
+{
+    Shown *shown = given;
+    int object = the_object(shown);
+    if (object >= 0)
+        shown_only(shown, object);
+    shown_data(plot, shown);
+    plot_include(plot, "common/figure/spheres.gp");
+    cells_of(plot, shown, object);
+    plot_text(plot, "object_name", object < 0 ? "" : sphere_name(object).s);
+    // No sphere, no outline: a point takes its place.
+    Sphere sphere = {.center = shown->shot.camera.origin + shown->shot.camera.forward};
+    if (object >= 0)
+        sphere = shown->shot.scene->spheres[object];
+    plot_number(plot, "eye_inside",
+                vec3_length(sphere.center - shown->camera.origin) < sphere.radius);
+    outline_on_plane(plot, shown->camera, sphere);
+    lines_to_eye(plot, shown->camera, sphere, shown->sphere_count > 0);
+}
+
+// ---- all --------------------------------------------------------------------------------------
+
+static const Figure figures[] = {
+    {"object-order", object_order},   {"image-order", image_order},
+    {"ray-casting", ray_casting},     {"nearest-hit", nearest_figure_data},
+    {"explain", explain_figure_data}, {0}};
+
+// The scenes of the figures, and pixels whose hits can be seen from where a figure looks.
+static const struct {
+    const char *name, *scene;
+    Pixel pixel;
+} own[] = {
+    {"object-order", FOLDER "/figures/one-sphere.nff", {5, 2}},
+    {"image-order", FOLDER "/figures/one-sphere.nff", {5, 2}},
+    {"ray-casting", FOLDER "/figures/four-spheres.nff", {4, 4}},
+    {"nearest-hit", FOLDER "/figures/along-a-ray.nff", {0, 0}},
+    {NULL, FOLDER "/three-spheres.nff", {300, 200}},
+};
+
+static int own_of(const char *name)
+{
+    int i = 0;
+    while (own[i].name != NULL && strcmp(own[i].name, name) != 0)
+        i++;
+    return i;
+}
+
+const char *figure_scene(const char *name)
+{
+    return own[own_of(name)].scene;
+}
+
+Pixel figure_pixel(const char *name)
+{
+    return own[own_of(name)].pixel;
+}
+
+int casting_figure(const char *program, FigureCommand command, Shot shot)
+{
+    Shown shown;
+    shown_choose(&shown, shot);
+    return plot_figure(program, FOLDER, figures, command, &shown);
+}

@@ -1,0 +1,237 @@
+// nearest_figure.c - one ray and what it meets, flat, as a figure's data.
+#include "chapters/06-ray-casting/figures/nearest_figure.h"
+
+#include "chapters/06-ray-casting/figures/window.h"
+#include "exercises/05-quadratic.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_CIRCLES = 8, MOST_MISSED = 2, IN_PART = 4 };
+
+// A sphere as its ray meets it: turned round the ray into the paper, measured in the ray's t.
+typedef struct {
+    int sphere;
+    double t, aside, radius; // aside: from the ray to the middle
+    bool part;               // only what the window shows of it is drawn
+} Circle;
+
+static Circle circle_of(const Shown *shown, int sphere)
+{
+    Sphere s = shown->shot.scene->spheres[sphere];
+    vec3 v = shown->ray.direction, p = s.center - shown->ray.origin;
+    double length = vec3_length(v);
+    double t = vec3_dot(p, v) / vec3_dot(v, v);
+    vec3 off = p - t * v;
+    double side = vec3_dot(off, shown->shot.camera.up) < 0 ? -1 : 1;
+    return (Circle){sphere, t, side * vec3_length(off) / length, s.radius / length, false};
+}
+
+#define PASSED 1e9 // more than any t
+
+// How little it matters: what is hit first, spheres that are met soon, those that the ray passes by
+// closely.
+static double far_off(const Shown *shown, Circle circle)
+{
+    if (shown->hit_count > 0 && shown->hits[0].sphere == circle.sphere)
+        return -1;
+    if (circle.part)
+        return hit_sphere(shown->ray, shown->shot.scene->spheres[circle.sphere]);
+    double gap = fabs(circle.aside) - circle.radius;
+    return gap > 0 ? PASSED + gap : fmin(fabs(circle.t), PASSED);
+}
+
+// How far the ray is drawn.
+static double reach(const Shown *shown)
+{
+    double far = 1.2;
+    for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++)
+        far = fmax(far, shown->hits[i].t);
+    return far;
+}
+
+// So far off or so large that nothing else would be left to see.
+static bool out_of_reach(const Shown *shown, Circle circle)
+{
+    return fabs(circle.t) + fabs(circle.aside) + circle.radius > 12 * reach(shown);
+}
+
+static int choose_circles(const Shown *shown, Circle *circles)
+{
+    int count = 0;
+    for (int i = 0; i < shown->shot.scene->sphere_count; i++) {
+        Circle circle = circle_of(shown, i);
+        // Of a ground that is hit, a sphere of radius 1000, what is near the hit.
+        circle.part = out_of_reach(shown, circle);
+        if (circle.part && hit_sphere(shown->ray, shown->shot.scene->spheres[i]) > reach(shown))
+            continue;
+        int place = count < MOST_CIRCLES ? count : MOST_CIRCLES;
+        for (; place > 0 && far_off(shown, circle) < far_off(shown, circles[place - 1]); place--)
+            if (place < MOST_CIRCLES)
+                circles[place] = circles[place - 1];
+        if (place < MOST_CIRCLES)
+            circles[place] = circle;
+        if (count < MOST_CIRCLES)
+            count++;
+    }
+    // Of many spheres, no more misses than say so.
+    if (shown->shot.scene->sphere_count > MOST_CIRCLES)
+        while (count > MOST_MISSED && far_off(shown, circles[count - MOST_MISSED - 1]) > PASSED)
+            count--;
+    return count;
+}
+
+// What becomes of a sphere: 0 missed, 1 behind the eye, 2 hit but farther, 3 the nearest hit.
+static int fate(const Shown *shown, Circle circle, Roots roots)
+{
+    if (roots.count == 0)
+        return 0;
+    if (shown->hit_count > 0 && shown->hits[0].sphere == circle.sphere)
+        return 3;
+    return hit_sphere(shown->ray, shown->shot.scene->spheres[circle.sphere]) < NO_HIT ? 2 : 1;
+}
+
+// The lowest lane beside the axis in which an interval meets no other.
+static int lane_of(const Roots *intervals, const int *lanes, int count, Roots roots)
+{
+    int lane = 0;
+    for (int i = 0; i < count; i++)
+        if (lanes[i] == lane && intervals[i].count > 0 && intervals[i].t[0] <= roots.t[1] &&
+            roots.t[0] <= intervals[i].t[1]) {
+            lane++;
+            i = -1;
+        }
+    return lane;
+}
+
+static void circle_data(Plot *plot, const Shown *shown, const Circle *circles, int count)
+{
+    Roots intervals[MOST_CIRCLES];
+    int lanes[MOST_CIRCLES];
+    plot_block(plot, "circles", "number t aside radius rgb fate root root hit lane part");
+    for (int i = 0; i < count; i++) {
+        Circle c = circles[i];
+        const Scene *scene = shown->shot.scene;
+        double hit = hit_sphere(shown->ray, scene->spheres[c.sphere]);
+        intervals[i] = sphere_roots(shown->ray, scene->spheres[c.sphere]);
+        bool met = intervals[i].count > 0;
+        lanes[i] = met ? lane_of(intervals, lanes, i, intervals[i]) : 0;
+        plot_row(plot, 11,
+                 (const double[]){c.sphere, c.t, c.aside, c.radius,
+                                  rgb_number(scene_surface(scene, c.sphere)->color),
+                                  fate(shown, c, intervals[i]), met ? intervals[i].t[0] : NAN,
+                                  met ? intervals[i].t[1] : NAN, hit < NO_HIT ? hit : NAN, lanes[i],
+                                  c.part});
+    }
+    // Where all are missed each row has a NaN; such a block is not drawn (plot_block.c).
+    double nowhere[11];
+    for (int i = 0; i < 11; i++)
+        nowhere[i] = 1e9;
+    plot_row(plot, 11, nowhere);
+    plot_block_end(plot);
+    plot_block(plot, "roots", "t");
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < intervals[i].count; k++)
+            plot_row(plot, 1, &intervals[i].t[k]);
+    plot_row(plot, 1, (const double[]){NAN});
+    plot_block_end(plot);
+}
+
+// The names of the spheres of some fate, or of those drawn in part, as "A, C".
+static void names(Plot *plot, const char *name, const Shown *shown, const Circle *circles,
+                  int count, int low, int high)
+{
+    char text[200] = "";
+    for (int i = 0; i < count; i++) {
+        Roots roots = sphere_roots(shown->ray, shown->shot.scene->spheres[circles[i].sphere]);
+        int its = fate(shown, circles[i], roots);
+        size_t used = strlen(text);
+        if (low == IN_PART ? circles[i].part : its >= low && its <= high)
+            snprintf(text + used, sizeof text - used, "%s%s", used > 0 ? ", " : "",
+                     sphere_name(circles[i].sphere).s);
+    }
+    plot_text(plot, name, text);
+}
+
+// What has to be seen: the eye, v, all circles; of those drawn in part the hit, with room round it.
+static Window window_of(const Shown *shown, const Circle *circles, int count)
+{
+    Window w = {{-0.1, -0.1}, {1.2, 0.1}};
+    for (int i = 0; i < count; i++) {
+        Circle c = circles[i];
+        double middle[] = {c.t, c.aside}, room = c.radius;
+        if (c.part) {
+            middle[0] = hit_sphere(shown->ray, shown->shot.scene->spheres[c.sphere]);
+            middle[1] = 0;
+            room = 0.25 * fmax(1, middle[0]);
+        }
+        for (int k = 0; k < 2; k++) {
+            w.low[k] = fmin(w.low[k], middle[k] - (c.part && k == 0 ? 0 : room));
+            w.high[k] = fmax(w.high[k], middle[k] + room);
+        }
+    }
+    return w;
+}
+
+static void window_data(Plot *plot, Window window)
+{
+    plot_number(plot, "low_x", window.low[0]);
+    plot_number(plot, "high_x", window.high[0]);
+    plot_number(plot, "low_y", window.low[1]);
+    plot_number(plot, "high_y", window.high[1]);
+}
+
+static void part_data(Plot *plot, const Shown *shown, const Circle *circles, int count, Window w)
+{
+    plot_block(plot, "parts", "t aside rgb, 1 on the circle");
+    for (int i = 0; i < count; i++) {
+        Circle c = circles[i];
+        Place places[MOST_PLACES];
+        int corners = c.part ? window_part(w, (double[]){c.t, c.aside}, c.radius, places) : 0;
+        double rgb = rgb_number(scene_surface(shown->shot.scene, c.sphere)->color);
+        for (int k = 0; k < corners; k++)
+            plot_row(plot, 4,
+                     (const double[]){places[k].at[0], places[k].at[1], rgb, places[k].on_circle});
+        if (c.part)
+            plot_gap(plot);
+    }
+    plot_row(plot, 4, (const double[]){NAN, NAN, 0, 0});
+    plot_block_end(plot);
+}
+
+static int larger_first(const void *a, const void *b)
+{
+    double first = ((const Circle *)a)->radius, second = ((const Circle *)b)->radius;
+    return (first < second) - (first > second);
+}
+
+void nearest_figure_data(Plot *plot, void *given)
+{
+    const Shown *shown = given;
+    Circle circles[MOST_CIRCLES];
+    int count = choose_circles(shown, circles);
+    bool any = shown->hit_count > 0;
+    plot_number(plot, "balls", count);
+    plot_number(plot, "all_balls", shown->shot.scene->sphere_count);
+    names(plot, "missed_names", shown, circles, count, 0, 0);
+    names(plot, "behind_names", shown, circles, count, 1, 1);
+    names(plot, "hit_names", shown, circles, count, 2, 3);
+    names(plot, "part_names", shown, circles, count, IN_PART, IN_PART);
+    // What is large is drawn under what is small.
+    qsort(circles, (size_t)count, sizeof *circles, larger_first);
+    Window window = window_of(shown, circles, count);
+    circle_data(plot, shown, circles, count);
+    part_data(plot, shown, circles, count, window);
+    window_data(plot, window);
+    plot_number(plot, "all_hits", shown->hit_count);
+    plot_number(plot, "nearest", any ? shown->hits[0].t : 0);
+    plot_text(plot, "nearest_name", any ? sphere_name(shown->hits[0].sphere).s : "");
+    plot_block(plot, "closest", "t");
+    plot_row(plot, 1, (const double[]){any ? shown->hits[0].t : NAN});
+    plot_block_end(plot);
+    plot_block(plot, "along", "t of the eye");
+    plot_row(plot, 1, (const double[]){0});
+    plot_block_end(plot);
+    plot_include(plot, "common/figure/spheres.gp");
+}

@@ -1,0 +1,12 @@
+// figures.h - the figures of chapter 07.
+#ifndef CHAPTERS_07_SHADING_FIGURES_FIGURES_H
+#define CHAPTERS_07_SHADING_FIGURES_FIGURES_H
+
+#include "chapters/shared/command.h"
+#include "common/figure/plot.h"
+
+// Prints a figure's script; returns what main returns. The scene of a drawing, or the chapter's
+// own.
+int shading_figure(FigureCommand command, const Drawing *drawing);
+
+#endif

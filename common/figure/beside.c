@@ -1,0 +1,74 @@
+// beside.c - a wrong answer beside the right one: two vectors, and the words on them.
+#include "common/figure/beside.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void vector(Plot *plot, const char *name, vec3 from, vec3 v)
+{
+    plot_block(plot, name, "x y z of its start, x y z of the vector");
+    plot_row_vector(plot, from, v);
+    plot_block_end(plot);
+    plot_fit(plot, from, 0);
+    plot_fit(plot, from + v, 0);
+}
+
+void beside_vectors(Plot *plot, vec3 right_from, vec3 right, vec3 yours_from, vec3 yours)
+{
+    vector(plot, "answer", right_from, right);
+    vector(plot, "yours", yours_from, yours);
+    vector(plot, "off", right_from + right, yours_from + yours - right_from - right);
+}
+
+void beside_words(Plot *plot, const char *right, const char *yours, const char *off)
+{
+    plot_label(plot, "answer", right);
+    plot_label(plot, "yours", yours);
+    plot_label(plot, "off", off);
+}
+
+// So many halves, thirds, ... tenths; false where it is none of these.
+static bool fraction(double x, int *numerator, int *denominator)
+{
+    for (int below = 1; below <= 10; below++)
+        if (fabs(x * below - round(x * below)) < 1e-7 && fabs(x) < 100) {
+            *numerator = (int)lround(x * below);
+            *denominator = below;
+            return true;
+        }
+    return false;
+}
+
+static void add_step(Text *sum, int numerator, int denominator, const char *step)
+{
+    size_t used = strlen(sum->s);
+    char times[24] = "";
+    int steps = abs(numerator);
+    if (steps == 1 && denominator == 2)
+        snprintf(times, sizeof times, "\u00bd ");
+    else if (denominator > 1)
+        snprintf(times, sizeof times, "%d/%d ", steps, denominator);
+    else if (steps > 1)
+        snprintf(times, sizeof times, "%d ", steps);
+    snprintf(sum->s + used, sizeof sum->s - used, "%s%s%s",
+             numerator < 0 ? (used > 0 ? " - " : "-") : (used > 0 ? " + " : ""), times, step);
+}
+
+Text beside_off(Camera c, vec3 off)
+{
+    const double steps[] = {vec3_dot(off, c.forward) / c.distance, vec3_dot(off, c.right) / c.width,
+                            vec3_dot(off, c.up) / c.height};
+    static const char *const names[] = {"d f", "w r", "h u"};
+    Text sum = {""}, text;
+    bool simple = true;
+    for (int i = 0; simple && i < 3; i++) {
+        int numerator, denominator;
+        simple = fraction(steps[i], &numerator, &denominator);
+        if (simple && numerator != 0)
+            add_step(&sum, numerator, denominator, names[i]);
+    }
+    snprintf(text.s, sizeof text.s, "off by %.70s%s%.70s", vec3_text_to(off, 4).s,
+             simple && sum.s[0] != '\0' ? " = " : "", simple ? sum.s : "");
+    return text;
+}

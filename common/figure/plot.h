@@ -1,0 +1,97 @@
+// plot.h - figures: numbers and a layout become one gnuplot script that needs nothing else.
+//
+// A figure is a layout, chapters/NN-stem/figures/NAME.gp, and the data that the chapter's program
+// computes for it: numbers, points, vectors, tables. The script that is written holds both, behind
+// common/figure/plot.gp (formats, themes, projection), so that 'gnuplot NAME.gp' draws it anywhere.
+//
+// All data are the world's: the script projects them. Where the data of right answers are given
+// too (--beside), those are index 0 of each block, and what is drawn dashed beside them, yours, is
+// index 1; of variables, NAME is right and your_NAME is yours.
+#ifndef COMMON_FIGURE_PLOT_H
+#define COMMON_FIGURE_PLOT_H
+
+#include "common/options.h"
+#include "common/vec3.h"
+
+#include <stdio.h>
+
+typedef struct Plot Plot;
+
+// ---- by name: numbers, words, points, vectors (plot.c) ----------------------------------------
+
+// NAME = x, and NAME_text = "x" as labels show it: to 4 digits, or to as many as are said.
+void plot_number(Plot *plot, const char *name, double x);
+void plot_number_to(Plot *plot, const char *name, double x, int digits);
+
+// NAME = "text"; backslashes, quotes and the like are taken care of. UTF-8.
+void plot_text(Plot *plot, const char *name, const char *text);
+
+// NAME_text = "text": numbers in words, with minus signs for hyphens.
+void plot_label(Plot *plot, const char *name, const char *label);
+
+// $NAME: x y z, and NAME_text = "(x, y, z)".
+void plot_point(Plot *plot, const char *name, vec3 point);
+
+// $NAME: x y z of where it starts, x y z of the vector, and NAME_text = "(x, y, z)" of the vector.
+void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector);
+
+// NAME_x, NAME_y, NAME_z and NAME_text: a direction that the layout computes with.
+void plot_direction(Plot *plot, const char *name, vec3 v);
+
+// $NAME: first second, NAME_text = "(first, second)", and the two alone as NAME_<first's name> and
+// NAME_<second's>, each with its _text: plot_pair(plot, "point", "x", 300, "y", 400). Labels have
+// as many digits as the stories, so that no half pixel is lost.
+void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
+               const char *second_name, double second);
+
+// ---- tables (plot_block.c) --------------------------------------------------------------------
+
+// $NAME: a table, row by row; columns says what they are. Numbers that are not finite are NaN.
+void plot_block(Plot *plot, const char *name, const char *columns);
+void plot_row(Plot *plot, int count, const double *numbers);
+void plot_row_point(Plot *plot, vec3 point);              // x y z
+void plot_row_vector(Plot *plot, vec3 from, vec3 vector); // x y z of its start, x y z of the vector
+void plot_gap(Plot *plot);       // an empty line: what follows is not joined with what went before
+bool plot_block_end(Plot *plot); // whether it differs from what is right
+
+// ---- what the layout starts from (plot_fit.c, plot_script.c) ----------------------------------
+
+// What the picture has to show: a point, or a sphere of a radius.
+void plot_fit(Plot *plot, vec3 center, double radius);
+
+// Puts a file of gnuplot's words before the data: what some layouts have in common, common/NAME.gp.
+void plot_include(Plot *plot, const char *path);
+
+// ---- a chapter's figures (plot_script.c) ------------------------------------------------------
+
+// A figure's name, and what writes its data.
+typedef struct {
+    const char *name;
+    void (*data)(Plot *plot, void *given);
+} Figure;
+
+// What the command line says about figures.
+typedef struct {
+    const char *name;  // which; NULL where a story or a picture is wanted
+    const char *right; // the script of the same figure by right answers; NULL: there is none
+    const char *note;  // what is said where something differs; NULL: nothing
+} FigureCommand;
+
+#define FIGURE_OPTIONS(command)                                                                    \
+    {"figure", 0, "NAME", option_string, &(command).name, "print a figure's gnuplot script"},      \
+        {"beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both shown"},  \
+    {                                                                                              \
+        "note", 0, "WORDS", option_string, &(command).note, "what to say where they differ"        \
+    }
+
+// Prints the script. chapter is the folder of the layouts; figures ends with one that has no name.
+// Returns what main returns; messages name the program.
+int plot_figure(const char *program, const char *chapter, const Figure *figures,
+                FigureCommand command, void *given);
+
+// The script alone, for who is no program of a chapter, by the layout in that file. False, and a
+// message on stderr, where a file cannot be read.
+bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
+                 const char *note, void *given);
+
+#endif

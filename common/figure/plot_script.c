@@ -1,0 +1,128 @@
+// plot_script.c - figures: head, data and layout become one script, in memory, and it is printed
+// when all of it is there.
+#include "common/answers.h"
+#include "common/figure/gnuplot.h"
+#include "common/figure/plot_internal.h"
+#include "common/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define HEAD "common/figure/plot.gp"
+#define DATA_BEGIN "\n# ---- the data\n"
+#define DATA_END "\n# ---- the layout\n"
+
+// All of a file, for freeing; NULL and a message where it cannot be read.
+static char *text_of_file(const char *path)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *file = fopen(path, "r"), *copy = open_memstream(&text, &size);
+    if (file == NULL || copy == NULL) {
+        fprintf(stderr, "cannot read %s: figures are drawn from the top of the project\n", path);
+        if (copy != NULL)
+            fclose(copy);
+        free(text);
+        return NULL;
+    }
+    char part[4096];
+    for (size_t n; (n = fread(part, 1, sizeof part, file)) > 0;)
+        fwrite(part, 1, n, copy);
+    fclose(file);
+    fclose(copy);
+    return text;
+}
+
+void plot_include(Plot *plot, const char *path)
+{
+    char *text = text_of_file(path);
+    if (text == NULL)
+        plot->failed = true;
+    else
+        fprintf(plot->included, "%s\n", text);
+    free(text);
+}
+
+// Of a script by right answers, the data: what stands between the two. All of it where it is only
+// those.
+static void keep_data(char *script)
+{
+    char *begin = strstr(script, DATA_BEGIN);
+    if (begin != NULL)
+        memmove(script, begin, strlen(begin) + 1);
+    char *end = strstr(script, DATA_END);
+    if (end != NULL)
+        *end = '\0';
+}
+
+// Whether something is wrong has to be known at the top, and is only behind the data.
+static void write_script(Plot *plot, FILE *out, const Figure *figure, const char *head,
+                         const char *layout, const char *note, void *given)
+{
+    char *data, *included;
+    size_t size, included_size;
+    plot->script = open_memstream(&data, &size);
+    plot->included = open_memstream(&included, &included_size);
+    plot->fit = open_memstream(&plot->fit_text, &plot->fit_size);
+    figure->data(plot, given);
+    plot_fit_end(plot);
+    fclose(plot->included);
+    fclose(plot->script);
+    fprintf(out, "name = \"%s\"\nwrong = %d\n", figure->name, plot->wrong);
+    if (note != NULL && plot->wrong) {
+        char *said = gnuplot_string(note, false);
+        fprintf(out, "note = %s\n", said);
+        free(said);
+    }
+    fprintf(out, "%s\n%s" DATA_BEGIN "\n%s" DATA_END "\n@legend\n%s\n@finish\n", head, included,
+            data, layout);
+    free(included);
+    free(data);
+}
+
+bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
+                 const char *note, void *given)
+{
+    char *head_text = text_of_file(HEAD);
+    char *layout_text = head_text != NULL ? text_of_file(layout) : NULL;
+    Plot plot = {.right = right != NULL && layout_text != NULL ? text_of_file(right) : NULL};
+    bool read = layout_text != NULL && (right == NULL || plot.right != NULL);
+    if (plot.right != NULL)
+        keep_data(plot.right);
+    if (read)
+        write_script(&plot, out, figure, head_text, layout_text, note, given);
+    read = read && !plot.failed;
+    free(plot.right);
+    free(layout_text);
+    free(head_text);
+    return read;
+}
+
+static const Figure *figure_named(const char *program, const Figure *figures, const char *name)
+{
+    for (const Figure *figure = figures; figure->name != NULL; figure++)
+        if (strcmp(figure->name, name) == 0)
+            return figure;
+    fprintf(stderr, "%s: --figure %s: expected", program, word_text(name).s);
+    for (const Figure *figure = figures; figure->name != NULL; figure++)
+        fprintf(stderr, "%s %s", figure == figures ? "" : " or", figure->name);
+    fprintf(stderr, "\n");
+    exit(EXIT_WRONG_USAGE);
+}
+
+int plot_figure(const char *program, const char *chapter, const Figure *figures,
+                FigureCommand command, void *given)
+{
+    const Figure *figure = figure_named(program, figures, command.name);
+    char path[300], *script = NULL;
+    size_t size;
+    snprintf(path, sizeof path, "%s/figures/%s.gp", chapter, figure->name);
+    FILE *out = open_memstream(&script, &size);
+    bool written = plot_script(out, path, figure, command.right, command.note, given);
+    fclose(out);
+    int status = written ? answers_report() : EXIT_COULD_NOT;
+    if (status == EXIT_DONE)
+        fputs(script, stdout);
+    free(script);
+    return status;
+}
