@@ -1,0 +1,164 @@
+// check_types.c - what a type's entry brings (types.def): here for a Plane, which is this test's
+// own, and for every type that there is.
+#include "tests/judge/define_types.h"
+#include "tests/judge/test.h"
+#include "tests/judge/wire.h"
+#include "tests/told/layout.h"
+
+#include <string.h>
+
+// A vec3 whose fourth lane is nobody's, and seven bytes at the end that are.
+typedef struct {
+    vec3 normal;
+    double offset;
+    char kind;
+} Plane;
+STRUCT(Plane, (FIELD(vec3, normal), FIELD(double, offset), FIELD(char, kind)))
+
+typedef struct {
+    int plane_count;
+    Plane *planes;
+} Planes;
+STRUCT(Planes, (LIST(Plane, planes, plane_count)))
+
+enum { SECRET = 0xa5 };
+
+// With a secret wherever no field is.
+static Plane secret_plane(double x, char kind)
+{
+    Plane plane;
+    memset(&plane, SECRET, sizeof plane);
+    plane.normal[0] = x;
+    plane.normal[1] = 2;
+    plane.normal[2] = 3;
+    plane.offset = 4;
+    memcpy(&plane.kind, &kind, 1);
+    return plane;
+}
+
+static bool is_in(size_t at, size_t from, size_t size)
+{
+    return at >= from && at < from + size;
+}
+
+START_TEST(the_padding_of_a_plane_crosses_as_zeros)
+{
+    Wire wire = {0};
+    Plane plane = secret_plane(1, 'p');
+    wire_put_value(&wire, &type_Plane, &plane);
+    expect_int((long)wire.size, sizeof plane);
+    for (size_t at = 0; at < sizeof plane; at++) {
+        bool is_value = is_in(at, offsetof(Plane, normal), 3 * sizeof(double)) ||
+                        is_in(at, offsetof(Plane, offset), sizeof(double)) ||
+                        at == offsetof(Plane, kind);
+        given("byte", "%zu of a Plane", at);
+        expect_int(wire.bytes[at], is_value ? ((unsigned char *)&plane)[at] : 0);
+    }
+    free(wire.bytes);
+}
+END_TEST
+
+START_TEST(what_is_received_has_no_padding_of_the_other_side)
+{
+    Wire wire = {0};
+    Plane plane = secret_plane(1, 'p'), got;
+    wire_put(&wire, &plane, sizeof plane); // by somebody who does not clear it
+    memset(&got, 0, sizeof got);
+    wire_get_value(&wire, &type_Plane, &got);
+    expect_vec3(got.normal, vec3_of(1, 2, 3), 0);
+    expect_number(got.normal[3], 0, 0);
+    expect_number(got.offset, 4, 0);
+    expect_int(got.kind, 'p');
+    expect_int(((unsigned char *)&got)[sizeof got - 1], 0);
+    free(wire.bytes);
+}
+END_TEST
+
+START_TEST(a_list_of_planes_comes_back_and_has_no_secrets)
+{
+    Wire wire = {0};
+    Plane planes[] = {secret_plane(1, 'a'), secret_plane(5, 'b')};
+    Planes sent = {2, planes}, got;
+    wire_put_value(&wire, &type_Planes, &sent);
+    for (size_t at = 0; at + sizeof(double) <= wire.size; at++)
+        expect_int(wire.bytes[at] == SECRET && wire.bytes[at + 1] == SECRET, 0);
+    wire_get_value(&wire, &type_Planes, &got);
+    expect_int(wire_is_read(&wire), 1);
+    expect_int(got.plane_count, 2);
+    expect_vec3(got.planes[1].normal, vec3_of(5, 2, 3), 0);
+    expect_int(got.planes[1].kind, 'b');
+    wire_free_value(&type_Planes, &got);
+    free(wire.bytes);
+}
+END_TEST
+
+static void add_bytes(void *context, const char *name, void *number, size_t size, bool is_double)
+{
+    (void)name, (void)number, (void)is_double;
+    *(size_t *)context += size;
+}
+
+// Of all bytes set, as many arrive as the numbers of the type have.
+START_TEST(no_type_sends_more_bytes_than_its_numbers_have)
+{
+#undef NUMBERS
+#undef WHOLE
+#undef STRUCT
+    static const Type *const types[] = {
+#define NUMBERS(type, n) &type_##type,
+#define WHOLE(type) &type_##type,
+#define STRUCT(type, list) &type_##type,
+#include "tests/judge/types.def"
+        &type_Plane};
+    int seen = 0;
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
+        _Alignas(32) unsigned char value[TYPE_MOST_BYTES];
+        Wire wire = {0};
+        size_t expected = 0;
+        long set = 0;
+        if (!type_is_flat(types[i]))
+            continue;
+        memset(value, 0xff, sizeof value);
+        type_visit(types[i], "", value, add_bytes, &expected);
+        wire_put_value(&wire, types[i], value);
+        for (size_t at = 0; at < wire.size; at++)
+            set += wire.bytes[at] != 0;
+        given("type", "%s", types[i]->name);
+        expect_int(set, (long)expected);
+        free(wire.bytes);
+        seen++;
+    }
+    expect_int(seen > 20, 1);
+}
+END_TEST
+
+START_TEST(numbers_of_a_plane_are_recorded_in_the_order_of_its_fields)
+{
+    Numbers numbers = {0}, same = {0};
+    Plane plane = secret_plane(1, 'p'), other = plane;
+    numbers_of_value(&type_Plane, &plane, &numbers);
+    const double expected[] = {1, 2, 3, 4, 'p'};
+    expect_int(numbers.count, 5);
+    for (int i = 0; i < 5; i++)
+        expect_number(numbers.at[i], expected[i], 0);
+    memset((char *)&other + sizeof other - 1, 0, 1);
+    numbers_of_value(&type_Plane, &other, &same);
+    expect_int(numbers_same(&numbers, &same), 1);
+    other.kind = 'q';
+    same.count = 0;
+    numbers_of_value(&type_Plane, &other, &same);
+    expect_int(numbers_same(&numbers, &same), 0);
+    numbers_free(&numbers);
+    numbers_free(&same);
+}
+END_TEST
+
+void list_tests(void)
+{
+    tests_of("types");
+    test(the_padding_of_a_plane_crosses_as_zeros);
+    test(what_is_received_has_no_padding_of_the_other_side);
+    test(a_list_of_planes_comes_back_and_has_no_secrets);
+    test(no_type_sends_more_bytes_than_its_numbers_have);
+    test(numbers_of_a_plane_are_recorded_in_the_order_of_its_fields);
+}
