@@ -85,10 +85,14 @@ $(call parts,tests/[0-9]*/composed): EXTRA = -include $(B)/weak.h
 $(call parts,tests/[0-9]*/composed): $(B)/weak.h
 $(MATRICES): $(B)/tests/matrix/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
 		$(B)/tests/%/probes.o $(B)/tests/%/variants.o $$(call parts,tests/$$*/composed) $(B)/tests/%/unknown.o \
-		$(TESTING) $(HEARING) $(patsubst %,$(B)/tests/judge/%.o,matrix table) $(B)/common.a
+		$(TESTING) $(HEARING) $(patsubst %,$(B)/tests/judge/%.o,matrix missing table) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+
+missing: $$(addprefix $$(B)/tests/matrix/,$$(CHOSEN)) ## what an exercise still lacks that was just added (EX=02)
+	@for matrix in $^; do $$matrix --missing || exit 1; done
+.PHONY: missing
 
 # Wrong answers that nobody has thought of: slips of the pen in every answer that is known, which
 # the compiler sifts, and a program a stem that tries them. GENERATED_SEED=... makes others.

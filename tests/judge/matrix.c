@@ -1,11 +1,13 @@
 // matrix.c - are the tests strict, and do they know what they see?
 //
 // Each mistake must fail a test of its function and be named from its values; each test must be
-// failed by a mistake, or it cannot fail and is worth nothing; no right answer, however it is
+// failed by a mistake, or it cannot fail and is worth nothing; no exercise may lack what it needs
+// (missing.h); no right answer, however it is
 // written, may be failed or accused; of a wrong answer that is no known mistake nothing false is
 // said (unknown.c), nor of one whose mistake is another function's (composed.c); and an
 // answer that only knows the public inputs by heart must fail wherever there is a SEED, and not be
 // told the others.
+#include "tests/judge/missing.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/table.h"
@@ -98,6 +100,25 @@ static void check_mistake(const Mistake *mistake)
         for (int j = 0; j < all.count && !some.tests[i].passed; j++)
             if (strcmp(all.tests[j].name, some.tests[i].name) == 0)
                 failed_by_some[j] = true;
+}
+
+// Says what an exercise of the stem lacks, if there is one that was just added.
+static bool something_is_missing(const char *stem)
+{
+    for (int i = 0; exercises[i].name != NULL; i++) {
+        char words[500];
+        const char *name = exercises[i].name;
+        bool has_test = false;
+        for (int j = 0; j < all.count; j++)
+            has_test =
+                has_test || (!all.tests[j].extra && strcmp(all.tests[j].function, name) == 0);
+        if (strcmp(exercises[i].stem, stem) == 0 &&
+            missing_next(&exercises[i], has_test, count_of(name) > 0, words, sizeof words)) {
+            settle(false, "next:", stem, words);
+            return true;
+        }
+    }
+    return false;
 }
 
 static void check_variant(const Variant *variant)
@@ -239,8 +260,16 @@ int main(int argc, char **argv)
 {
     const char *slash = strrchr(argv[0], '/');
     const char *stem = slash != NULL ? slash + 1 : argv[0];
+    const char *option = argc == 2 ? argv[1] : "";
     check_reference();
-    if (argc == 2 && strcmp(argv[1], "--composed") == 0)
+    bool lacks = something_is_missing(stem), only_that = strcmp(option, "--missing") == 0;
+    if (only_that && !lacks)
+        printf("%s: no exercise lacks anything\n", stem);
+    else if (lacks && !only_that)
+        printf("matrix of %s: %d passed, %d failed\n", stem, passed, failed);
+    if (lacks || only_that)
+        return lacks;
+    if (strcmp(option, "--composed") == 0)
         return only_parts(stem);
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++, mistake_count++)
