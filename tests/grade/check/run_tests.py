@@ -1,42 +1,60 @@
-"""run_tests.py - runs Python tests as tests/check.c wants them: what failed, line by line, then a sum.
+"""run_tests.py - runs tests as make check wants them: what failed, line by line, then a sum.
 
     python3 -B tests/grade/check NAME MODULE...
 
-A module of this folder holds unittest's classes, or a list TESTS of functions that check sentences.
+The modules are unittest's: python3 -m unittest runs them, too. A test with sentences (sentences.py) counts as
+many as it has, another one counts once.
 """
-import importlib
-import sys
 import traceback
 import unittest
 
-from . import sentences
+
+class Counting(unittest.TestResult):
+    """Prints what failed, at once."""
+
+    def __init__(self):
+        super().__init__()
+        self.passed = self.failed = 0
+        self.sentences = 0      # of the test that is running
+
+    def startTest(self, test):
+        super().startTest(test)
+        self.sentences = 0
+
+    def not_ok(self, sentence, error) -> None:
+        self.failed += 1
+        trace = "".join(traceback.format_exception(*error, limit=-2))
+        print(f"not ok: {sentence}\n    " + trace.strip().replace("\n", "\n    "), flush=True)
+
+    def addSubTest(self, test, subtest, error):
+        self.sentences += 1
+        if error is None:
+            self.passed += 1
+        else:
+            self.not_ok(subtest._message, error)
+
+    def addSuccess(self, test):
+        self.passed += not self.sentences
+
+    def addFailure(self, test, error):
+        self.not_ok(test.id().replace("_", " "), error)
+
+    addError = addFailure
+
+    def addSkip(self, test, reason):
+        self.sentences += 1
+        print(f"skipped: {reason}", flush=True)
 
 
-def run_sentences(module) -> None:
-    for test in module.TESTS:
-        try:
-            test()
-        except Exception:  # a failure, and not the end of the other tests
-            sentences.check(f"{module.__name__}.{test.__name__} came to its end", False)
-            traceback.print_exc(limit=-4, file=sys.stdout)
-
-
-def run_classes(module) -> None:
-    result = unittest.TestResult()
-    unittest.defaultTestLoader.loadTestsFromModule(module).run(result)
-    wrong = {}
-    for test, trace in result.failures + result.errors:
-        wrong.setdefault(test.id().replace("_", " "), []).append(trace)
-    for sentence, traces in wrong.items():
-        sentences.check(sentence, False)
-        print("    " + "\n".join(traces).strip().replace("\n", "\n    "))
-    for test, reason in result.skipped:
-        sentences.skip(f"{test.id().replace('_', ' ')}: {reason}")
-    sentences.passed += result.testsRun - len(wrong) - len(result.skipped)
+def finish(name: str, result: Counting) -> int:
+    """The exit status; that nothing was tested is a failure, too."""
+    print(f"{name}: {result.passed} passed, {result.failed} failed")
+    return 1 if result.failed or not result.passed else 0
 
 
 def main(words: list) -> int:
     name, *modules = words
-    for module in map(importlib.import_module, (f"grade.check.{module}" for module in modules)):
-        (run_sentences if hasattr(module, "TESTS") else run_classes)(module)
-    return sentences.finish(name)
+    result = Counting()
+    suite = unittest.defaultTestLoader.loadTestsFromNames([f"grade.check.{module}" for module in modules])
+    suite.run(result)
+    return finish(name, result)

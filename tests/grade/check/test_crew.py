@@ -12,7 +12,8 @@ from grade.mark.grader import DONE, KEPT
 from grade.confine.machine import GraderFailed
 
 ENDS = {"done": lambda: DONE, "kept": lambda: KEPT, "raises": lambda: 1 // 0, "leaves": lambda: os._exit(7),
-        "fails": lambda: fail("the disk is full"), "is killed": lambda: os.kill(os.getpid(), 9), "hangs": lambda: time.sleep(60) or DONE}
+        "fails": lambda: fail("the disk is full"), "is killed": lambda: os.kill(os.getpid(), 9),
+        "hangs": lambda: time.sleep(60) or DONE}
 
 
 def fail(words):
@@ -24,7 +25,8 @@ class Crew(unittest.TestCase):
         """What was given up on, and the lines of progress."""
         grader = SimpleNamespace(
             mark=lambda one: ENDS[one.folder](),
-            failed=lambda one, words: {"submission": one.folder, "status": "grader failed", "score": None, "words": words},
+            failed=lambda one,
+            words: {"submission": one.folder, "status": "grader failed", "score": None, "words": words},
             record=lambda one: {"submission": one.folder, "status": "graded", "score": 1, "max": 2})
         with contextlib.redirect_stderr(io.StringIO()) as said:
             failed = crew.mark_all(grader, [SimpleNamespace(folder=name) for name in submissions], jobs)

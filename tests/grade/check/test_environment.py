@@ -7,7 +7,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from .sentences import check, skip
+from .sentences import Sentences
 from .small_class import KIT, command, right
 
 
@@ -18,50 +18,48 @@ def said(words: list[str], **settings) -> tuple[int, str]:
     return done.returncode, done.stderr
 
 
-def is_one_sentence(name: str, wanted: str, words: list[str], **settings) -> None:
-    status, complaints = said(words, **settings)
-    last = complaints.splitlines()[-1:] or [""]
-    check(f"{name} is one sentence", status == 1 and last[0].startswith("grade: ") and wanted in last[0]
-          and "Traceback" not in complaints and complaints.count("grade: ") == 1, complaints)
-
-
 def with_kit(words: list[str], kit: Path) -> list[str]:
     return [str(kit) if word == KIT else word for word in words]
 
 
-def test_environment() -> None:
-    with tempfile.TemporaryDirectory() as temporary:
-        work = Path(temporary)
-        folder, file = work / "class", work / "file"
-        (folder / "anna").mkdir(parents=True)
-        (folder / "anna" / "03-screen.c").write_text(right("03-screen"))
-        file.write_text("x")
-        for name, out in {"an OUT that is a file": file, "an OUT in a file": file / "out",
-                          "an OUT where nothing can be made": Path("/proc/out")}.items():
-            is_one_sentence(name, f"OUT={out} cannot be written: ", command(folder, out))
-        shut = work / "shut"
-        shut.mkdir()
-        (shut / ".seed").write_bytes(b"\xff")
-        is_one_sentence("a seed that is noise", "", command(folder, shut))
-        for name, kit in {"no kit": work / "none", "a kit that is a file": file}.items():
-            is_one_sentence(name, str(kit), with_kit(command(folder, work / "out"), kit))
-        is_one_sentence("a policy that is a folder", "cannot be read", command(folder, work / "out"), POLICY=str(work))
-        is_one_sentence("a class that is a file", "is a file", command(file, work / "out"))
-        with open("/dev/full", "w") as full:
-            is_one_sentence("a full terminal", "its output: No space left", command(folder, work / "out"), stdout=full)
-        read_only(folder, work)
+class Environment(Sentences):
+    def is_one_sentence(self, name: str, wanted: str, words: list[str], **settings) -> None:
+        status, complaints = said(words, **settings)
+        last = complaints.splitlines()[-1:] or [""]
+        self.check(f"{name} is one sentence", status == 1 and last[0].startswith("grade: ") and wanted in last[0]
+                   and "Traceback" not in complaints and complaints.count("grade: ") == 1, complaints)
 
+    def test_environment(self) -> None:
+        with tempfile.TemporaryDirectory() as temporary:
+            work = Path(temporary)
+            folder, file = work / "class", work / "file"
+            (folder / "anna").mkdir(parents=True)
+            (folder / "anna" / "03-screen.c").write_text(right("03-screen"))
+            file.write_text("x")
+            for name, out in {"an OUT that is a file": file, "an OUT in a file": file / "out",
+                              "an OUT where nothing can be made": Path("/proc/out")}.items():
+                self.is_one_sentence(name, f"OUT={out} cannot be written: ", command(folder, out))
+            shut = work / "shut"
+            shut.mkdir()
+            (shut / ".seed").write_bytes(b"\xff")
+            self.is_one_sentence("a seed that is noise", "", command(folder, shut))
+            for name, kit in {"no kit": work / "none", "a kit that is a file": file}.items():
+                self.is_one_sentence(name, str(kit), with_kit(command(folder, work / "out"), kit))
+            self.is_one_sentence("a policy that is a folder", "cannot be read", command(folder, work / "out"),
+                                 POLICY=str(work))
+            self.is_one_sentence("a class that is a file", "is a file", command(file, work / "out"))
+            with open("/dev/full", "w") as full:
+                self.is_one_sentence("a full terminal", "its output: No space left", command(folder, work / "out"),
+                                     stdout=full)
+            self.read_only(folder, work)
 
-def read_only(folder: Path, work: Path) -> None:
-    view = ["bwrap", "--ro-bind", "/", "/", "--dev", "/dev", "--proc", "/proc"]
-    if not shutil.which("bwrap") or said([*view, "true"])[0] != 0:
-        skip("a file system that is read-only: no bubblewrap here")
-        return
-    for name in ("new", "old"):
-        if name == "old":
-            (work / name).mkdir()
-        is_one_sentence(f"a read-only OUT ({name})", "cannot be written: Read-only file system",
-                        [*view, *command(folder, work / name)], SANDBOX="landlock")
-
-
-TESTS = [test_environment]
+    def read_only(self, folder: Path, work: Path) -> None:
+        view = ["bwrap", "--ro-bind", "/", "/", "--dev", "/dev", "--proc", "/proc"]
+        if not shutil.which("bwrap") or said([*view, "true"])[0] != 0:
+            self.skip("a file system that is read-only: no bubblewrap here")
+            return
+        for name in ("new", "old"):
+            if name == "old":
+                (work / name).mkdir()
+            self.is_one_sentence(f"a read-only OUT ({name})", "cannot be written: Read-only file system",
+                                 [*view, *command(folder, work / name)], SANDBOX="landlock")

@@ -20,7 +20,7 @@ from pathlib import Path
 
 from grade.confine.machine import DISK
 
-from .sentences import check, skip
+from .sentences import Sentences
 from .small_class import KIT, SEED, STEMS, UPSIDE_DOWN, but, command, grade, records, right
 from .test_regrade import at_work_in
 
@@ -67,56 +67,6 @@ def put(folder: Path, name: str, text: str, stem: str = "01-corners") -> None:
     (folder / name / f"{stem}.c").write_text(text)
 
 
-def faults(work: Path) -> None:
-    folder, out = work / "class", work / "out"
-    waits = but("01-corners", upper_left=UPSIDE_DOWN, upper_right="return upper_left(c) + c.width * c.right;")
-    for fault in FAULTS + PASSING:
-        put(folder, fault, f"// fault: {fault}\n{waits if 'lends' in fault else right('01-corners')}")
-    put(folder, "nothing is wrong", right("01-corners"))
-    grade(folder, out)
-    first = records(out)
-    shutil.copytree(out, work / "again")
-    for place in out.glob("*/results.json"):    # as if these were handed in before, and other ones now
-        place.write_text(place.read_text().replace('"key": "', '"key": "other '))
-    done = run(faulty_kit(work), folder, out)
-    found = records(out)
-    for fault in FAULTS:
-        record = found[fault]
-        check(f"{fault}: no score, and the reason", (record["status"], record["score"]) == ("grader failed", None)
-              and record["words"] != "" and record["key"] == "", record)
-        check(f"{fault}: that is said at the end", f"{fault}: " in " ".join(done.stdout.split()), done.stdout[-900:])
-    for fault in [*PASSING, "nothing is wrong"]:
-        check(f"{fault}: all marks", found[fault]["score"] == NUMBER_OF_FULL, found[fault])
-    check("the exit status says that somebody has no score", done.returncode == 1, done.returncode)
-    reports_say_it(out)
-    done = grade(folder, out)
-    check("the next run marks them, and has the marks of one that nothing happened to",
-          done.returncode == 0 and records(out) == first, done.stderr[-500:])
-
-
-def reports_say_it(out: Path) -> None:
-    with open(out / "grades.csv", encoding="utf-8-sig", newline="") as file:
-        rows = {row["submission"]: row for row in csv.DictReader(file)}
-    row = rows[FAULTS[0]]
-    check("grades.csv: an empty score, not 0", row["status"] == "grader failed" and row["score"] == ""
-          and row["01-corners"] == "", row)
-    results = json.loads((out / FAULTS[0] / "results.json").read_text())
-    check("results.json: no score", "score" not in results and "score" not in results["tests"][0], results)
-    for name in ("index.html", f"{FAULTS[0]}/index.html", "junit.xml", "grades.tap"):
-        check(f"{name}: grader failed", "grader failed" in (out / name).read_text(encoding="utf-8"))
-
-
-def reference_comes_first(work: Path) -> None:
-    put(work / "class", "anna", right("01-corners"))
-    for name, always, words in (
-            ("no-judge", "the judge gives up", "the grader fails on the reference"),
-            ("a-wrong-verdict", "every verdict is wrong", "the reference (solutions/) does not get all marks")):
-        (work / name).mkdir()
-        done = run(faulty_kit(work / name, always), work / "class", work / name / "out")
-        check(f"{name}: nothing is graded, in words", done.returncode != 0 and words in done.stderr
-              and not list((work / name / "out").glob("*/results.json")), done.stderr[-500:])
-
-
 def largest(folder: Path, stop: threading.Event, seen: list) -> None:
     while not stop.is_set():
         size = 0
@@ -128,69 +78,8 @@ def largest(folder: Path, stop: threading.Event, seen: list) -> None:
         time.sleep(0.005)
 
 
-def fills_the_disk(work: Path) -> None:
-    folder, out = work / "class", work / "out"
-    for stem in STEMS:
-        put(folder, "hog", f'#include "exercises/{stem}.h"\n{FILL}', stem)
-        put(folder, "neighbour", right(stem), stem)
-    stop, seen = threading.Event(), []
-    watching = threading.Thread(target=largest, args=(out, stop, seen))
-    watching.start()
-    done = grade(folder, out, JOBS="2")
-    stop.set()
-    watching.join()
-    found = records(out)
-    check("who fills the disk has no marks, by a limit",
-          found["hog"]["status"] == "does not compile" and "2 MB" in found["hog"]["stems"][0]["words"], found["hog"])
-    check("the neighbour has all marks", found["neighbour"]["score"] == 100, found["neighbour"]["score"])
-    check("nobody takes more room than a submission may", max(seen) < DISK, f"{max(seen) >> 20} MB")
-    check("and that is no failure", done.returncode == 0, done.stderr[-300:])
-
-
 def is_scored_whole_or_not(found: dict, most: float) -> bool:
     return all(record["score"] in (None, most) for record in found.values())
-
-
-def full_disk(work: Path) -> None:
-    namespace = ["unshare", "--mount"] if os.geteuid() == 0 else ["unshare", "--mount", "--map-root-user"]
-    if shutil.which("unshare") is None or subprocess.run([*namespace, "true"], capture_output=True).returncode != 0:
-        skip("a full disk: no name space of mounts here")
-        return
-    out = work / "out"
-    out.mkdir()
-    for name in ("anna", "ben", "carl"):
-        put(work / "class", name, right("01-corners"))
-    for size, whole in (("6m", False), ("300m", True)):
-        kept = work / f"kept {size}"
-        done = run(KIT, work / "class", out, *namespace, str(HERE / "small_disk.sh"), size,
-                   str(out), str(kept))
-        found = records(kept)
-        check(f"a disk of {size}: all marks or none given",
-              is_scored_whole_or_not(found, NUMBER_OF_FULL) and len(found) == (3 if whole else 0)
-              and (done.returncode == 0) == whole, (done.returncode, done.stderr[-300:], done.stdout[-300:]))
-
-
-def killed(work: Path, what: str, is_it) -> None:
-    """Kills a process of a grader that this test started, by its number."""
-    folder, out = work / what / "class", work / what / "out"
-    put(folder, "anna", but("01-corners", upper_left="for (;;) { }", upper_right="for (;;) { }"))
-    grader = subprocess.Popen(command(folder, out), env={**os.environ, "SEED": SEED}, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, text=True)
-    victim, until = 0, time.monotonic() + 60
-    while not victim and grader.poll() is None and time.monotonic() < until:
-        for process in Path("/proc").glob("[0-9]*"):
-            with contextlib.suppress(OSError):
-                words = (process / "cmdline").read_bytes().decode(errors="replace").split("\0")
-                # The reference is not endless: what works for so long is anna's.
-                if os.readlink(process / "cwd") == str((out / ".work" / "1-of-1" / "anna").resolve()) and is_it(words):
-                    victim = int(process.name)
-                    os.kill(victim, signal.SIGKILL)
-                    break
-        time.sleep(0.002)
-    said, _ = grader.communicate()
-    record = records(out).get("anna", {})
-    check(f"{what} is killed: no score, and exit status 1", victim and grader.returncode == 1
-          and (record["status"], record["score"]) == ("grader failed", None), (grader.returncode, record, said[-300:]))
 
 
 def gone(out: Path) -> bool:
@@ -201,66 +90,179 @@ def gone(out: Path) -> bool:
     return not at_work_in(out)
 
 
-def kills_leave_nothing(work: Path, sandbox: str) -> None:
-    kit = faulty_kit(work)
-    for number, (fault, delay) in enumerate([("the compiler sleeps", 0), ("the compiler sleeps", 0.03),
-                                             ("the compiler sleeps", 0.3), ("the judge sleeps", 0.3)]):
-        folder, out = work / f"class{number}", work / f"out{number}"
-        put(folder, "anna", f"// fault: {fault}\n{right('01-corners')}")
-        words = [sys.executable, "-B", "tests/grade", str(kit), str(folder), "--out", str(out)]
-        grader = subprocess.Popen(words, env={**os.environ, "SEED": SEED, "SANDBOX": sandbox},
-                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        until = time.monotonic() + 60
-        while not (out / ".work" / "1-of-1" / "anna").exists() and grader.poll() is None and time.monotonic() < until:
+class Faults(Sentences):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.work = Path(folder.name).resolve()
+
+    def test_a_step_that_fails_is_no_mark(self) -> None:
+        work = self.work
+        folder, out = work / "class", work / "out"
+        waits = but("01-corners", upper_left=UPSIDE_DOWN, upper_right="return upper_left(c) + c.width * c.right;")
+        for fault in FAULTS + PASSING:
+            put(folder, fault, f"// fault: {fault}\n{waits if 'lends' in fault else right('01-corners')}")
+        put(folder, "nothing is wrong", right("01-corners"))
+        grade(folder, out)
+        first = records(out)
+        shutil.copytree(out, work / "again")
+        for place in out.glob("*/results.json"):    # as if these were handed in before, and other ones now
+            place.write_text(place.read_text().replace('"key": "', '"key": "other '))
+        done = run(faulty_kit(work), folder, out)
+        found = records(out)
+        for fault in FAULTS:
+            record = found[fault]
+            self.check(f"{fault}: no score, and the reason",
+                       (record["status"], record["score"]) == ("grader failed", None)
+                       and record["words"] != "" and record["key"] == "", record)
+            self.check(f"{fault}: that is said at the end", f"{fault}: " in " ".join(done.stdout.split()),
+                       done.stdout[-900:])
+        for fault in [*PASSING, "nothing is wrong"]:
+            self.check(f"{fault}: all marks", found[fault]["score"] == NUMBER_OF_FULL, found[fault])
+        self.check("the exit status says that somebody has no score", done.returncode == 1, done.returncode)
+        self.reports_say_it(out)
+        done = grade(folder, out)
+        self.check("the next run marks them, and has the marks of one that nothing happened to",
+                   done.returncode == 0 and records(out) == first, done.stderr[-500:])
+
+    def reports_say_it(self, out: Path) -> None:
+        with open(out / "grades.csv", encoding="utf-8-sig", newline="") as file:
+            rows = {row["submission"]: row for row in csv.DictReader(file)}
+        row = rows[FAULTS[0]]
+        self.check("grades.csv: an empty score, not 0", row["status"] == "grader failed" and row["score"] == ""
+                   and row["01-corners"] == "", row)
+        results = json.loads((out / FAULTS[0] / "results.json").read_text())
+        self.check("results.json: no score", "score" not in results and "score" not in results["tests"][0], results)
+        for name in ("index.html", f"{FAULTS[0]}/index.html", "junit.xml", "grades.tap"):
+            self.check(f"{name}: grader failed", "grader failed" in (out / name).read_text(encoding="utf-8"))
+
+    def test_the_reference_comes_first(self) -> None:
+        work = self.work
+        put(work / "class", "anna", right("01-corners"))
+        for name, always, words in (
+                ("no-judge", "the judge gives up", "the grader fails on the reference"),
+                ("a-wrong-verdict", "every verdict is wrong", "the reference (solutions/) does not get all marks")):
+            (work / name).mkdir()
+            done = run(faulty_kit(work / name, always), work / "class", work / name / "out")
+            self.check(f"{name}: nothing is graded, in words", done.returncode != 0 and words in done.stderr
+                       and not list((work / name / "out").glob("*/results.json")), done.stderr[-500:])
+
+    def test_who_fills_the_disk_harms_nobody_else(self) -> None:
+        work = self.work
+        folder, out = work / "class", work / "out"
+        for stem in STEMS:
+            put(folder, "hog", f'#include "exercises/{stem}.h"\n{FILL}', stem)
+            put(folder, "neighbour", right(stem), stem)
+        stop, seen = threading.Event(), []
+        watching = threading.Thread(target=largest, args=(out, stop, seen))
+        watching.start()
+        done = grade(folder, out, JOBS="2")
+        stop.set()
+        watching.join()
+        found = records(out)
+        self.check("who fills the disk has no marks, by a limit",
+                   found["hog"]["status"] == "does not compile" and "2 MB" in found["hog"]["stems"][0]["words"],
+                   found["hog"])
+        self.check("the neighbour has all marks", found["neighbour"]["score"] == 100, found["neighbour"]["score"])
+        self.check("nobody takes more room than a submission may", max(seen) < DISK, f"{max(seen) >> 20} MB")
+        self.check("and that is no failure", done.returncode == 0, done.stderr[-300:])
+
+    def test_a_full_disk_is_no_mark(self) -> None:
+        work = self.work
+        namespace = ["unshare", "--mount"] if os.geteuid() == 0 else ["unshare", "--mount", "--map-root-user"]
+        if shutil.which("unshare") is None or subprocess.run([*namespace, "true"], capture_output=True).returncode != 0:
+            self.skip("a full disk: no name space of mounts here")
+            return
+        out = work / "out"
+        out.mkdir()
+        for name in ("anna", "ben", "carl"):
+            put(work / "class", name, right("01-corners"))
+        for size, whole in (("6m", False), ("300m", True)):
+            kept = work / f"kept {size}"
+            done = run(KIT, work / "class", out, *namespace, str(HERE / "small_disk.sh"), size,
+                       str(out), str(kept))
+            found = records(kept)
+            self.check(f"a disk of {size}: all marks or none given",
+                       is_scored_whole_or_not(found, NUMBER_OF_FULL) and len(found) == (3 if whole else 0)
+                       and (done.returncode == 0) == whole, (done.returncode, done.stderr[-300:], done.stdout[-300:]))
+
+    def killed(self, what: str, is_it) -> None:
+        """Kills a process of a grader that this test started, by its number."""
+        work = self.work
+        folder, out = work / what / "class", work / what / "out"
+        put(folder, "anna", but("01-corners", upper_left="for (;;) { }", upper_right="for (;;) { }"))
+        grader = subprocess.Popen(command(folder, out), env={**os.environ, "SEED": SEED}, stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True)
+        at_work = out / ".work" / "1-of-1" / "anna"
+        victim, until = 0, time.monotonic() + 60
+        while not victim and grader.poll() is None and time.monotonic() < until:
+            for process in Path("/proc").glob("[0-9]*"):
+                with contextlib.suppress(OSError):
+                    words = (process / "cmdline").read_bytes().decode(errors="replace").split("\0")
+                    # The reference is not endless: what works for so long is anna's.
+                    if os.readlink(process / "cwd") == str(at_work.resolve()) and is_it(words):
+                        victim = int(process.name)
+                        os.kill(victim, signal.SIGKILL)
+                        break
             time.sleep(0.002)
-        time.sleep(delay)
-        was_at_work = grader.poll() is None
-        grader.kill()
-        grader.wait()
-        check(f"{sandbox}, {fault}, killed after {delay} s: nothing is left", was_at_work and gone(out), at_work_in(out))
+        said, _ = grader.communicate()
+        record = records(out).get("anna", {})
+        self.check(f"{what} is killed: no score, and exit status 1", victim and grader.returncode == 1
+                   and (record["status"], record["score"]) == ("grader failed", None),
+                   (grader.returncode, record, said[-300:]))
 
+    def kills_leave_nothing(self, work: Path, sandbox: str) -> None:
+        work.mkdir()
+        kit = faulty_kit(work)
+        for number, (fault, delay) in enumerate([("the compiler sleeps", 0), ("the compiler sleeps", 0.03),
+                                                 ("the compiler sleeps", 0.3), ("the judge sleeps", 0.3)]):
+            folder, out = work / f"class{number}", work / f"out{number}"
+            put(folder, "anna", f"// fault: {fault}\n{right('01-corners')}")
+            words = [sys.executable, "-B", "tests/grade", str(kit), str(folder), "--out", str(out)]
+            grader = subprocess.Popen(words, env={**os.environ, "SEED": SEED, "SANDBOX": sandbox},
+                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            until = time.monotonic() + 60
+            at_work = out / ".work" / "1-of-1" / "anna"
+            while not at_work.exists() and grader.poll() is None and time.monotonic() < until:
+                time.sleep(0.002)
+            time.sleep(delay)
+            was_at_work = grader.poll() is None
+            grader.kill()
+            grader.wait()
+            self.check(f"{sandbox}, {fault}, killed after {delay} s: nothing is left", was_at_work and gone(out),
+                       at_work_in(out))
 
-def test_kills() -> None:
-    there = subprocess.run([f"{KIT}/confine", "probe"], capture_output=True, text=True).stdout
-    for sandbox in ("bubblewrap", "landlock"):
-        if sandbox == "landlock" and sandbox not in there or sandbox == "bubblewrap" and shutil.which("bwrap") is None:
-            skip(f"kills under {sandbox}, which is not to be had here")
-            continue
-        with tempfile.TemporaryDirectory() as temporary:
-            kills_leave_nothing(Path(temporary).resolve(), sandbox)
+    def test_a_killed_grader_leaves_nothing(self) -> None:
+        kernel = subprocess.run([f"{KIT}/confine", "probe"], capture_output=True, text=True).stdout
+        there = {"landlock": "landlock" in kernel, "bubblewrap": shutil.which("bwrap") is not None}
+        for sandbox in ("bubblewrap", "landlock"):
+            if not there[sandbox]:
+                self.skip(f"kills under {sandbox}, which is not to be had here")
+                continue
+            self.kills_leave_nothing(self.work / sandbox, sandbox)
 
+    def test_a_kill_is_no_mark(self) -> None:
+        self.killed("the judge", lambda words: words[0].endswith("/judge/01-corners"))
+        self.killed("the answering process", lambda words: words[0] == "answering")
 
-def test_faults() -> None:
-    with tempfile.TemporaryDirectory() as temporary:
-        for part in (faults, reference_comes_first, fills_the_disk, full_disk):
-            work = Path(temporary, part.__name__).resolve()
-            work.mkdir()
-            part(work)
-        killed(Path(temporary).resolve(), "the judge", lambda words: words[0].endswith("/judge/01-corners"))
-        killed(Path(temporary).resolve(), "the answering process", lambda words: words[0] == "answering")
+    def test_how_a_part_of_the_compiler_ended_is_known(self) -> None:
+        for how, status in (("0", 0), ("1", 90), ("4", 94), ("SIGXCPU", 91), ("SIGXFSZ", 92), ("SIGSEGV", 93),
+                            ("SIGKILL", 99), ("SIGTERM", 99), ("SIGBUS", 99)):
+            words = [f"{KIT}/confine", "tool", sys.executable, "-B", str(HERE / "ends_like.py"), how]
+            done = subprocess.run(words, capture_output=True)
+            self.check(f"a part of the compiler that ends with {how} is {status}", done.returncode == status,
+                       done.returncode)
+        done = subprocess.run([f"{KIT}/confine", "tool", "/no/such/program"], capture_output=True)
+        self.check("one that cannot be started is not the student's", done.returncode == 99, done.returncode)
 
-
-def test_tools() -> None:
-    for how, status in (("0", 0), ("1", 90), ("4", 94), ("SIGXCPU", 91), ("SIGXFSZ", 92), ("SIGSEGV", 93), ("SIGKILL", 99),
-                        ("SIGTERM", 99), ("SIGBUS", 99)):
-        words = [f"{KIT}/confine", "tool", sys.executable, "-B", str(HERE / "ends_like.py"), how]
-        done = subprocess.run(words, capture_output=True)
-        check(f"a part of the compiler that ends with {how} is {status}", done.returncode == status, done.returncode)
-    done = subprocess.run([f"{KIT}/confine", "tool", "/no/such/program"], capture_output=True)
-    check("one that cannot be started is not the student's", done.returncode == 99, done.returncode)
-
-
-def test_processes() -> None:
-    """As somebody whom the limit on processes holds for: root has none."""
-    who = ["setpriv", "--reuid", "65534", "--clear-groups"] if os.geteuid() == 0 else []
-    confine = shutil.copy(f"{KIT}/confine", tempfile.gettempdir())
-    try:
-        for most, status in (("3", 1), ("4000", 0)):
-            done = subprocess.run([*who, "prlimit", f"--nproc={most}", confine, "room", "12"],
-                                  capture_output=True, text=True)
-            check(f"room for 12 processes where {most} may be: {status}", done.returncode == status, done)
-    finally:
-        os.unlink(confine)
-
-
-TESTS = [test_faults, test_kills, test_tools, test_processes]
+    def test_room_for_processes_is_known(self) -> None:
+        """As somebody whom the limit on processes holds for: root has none."""
+        who = ["setpriv", "--reuid", "65534", "--clear-groups"] if os.geteuid() == 0 else []
+        confine = shutil.copy(f"{KIT}/confine", tempfile.gettempdir())
+        try:
+            for most, status in (("3", 1), ("4000", 0)):
+                done = subprocess.run([*who, "prlimit", f"--nproc={most}", confine, "room", "12"],
+                                      capture_output=True, text=True)
+                self.check(f"room for 12 processes where {most} may be: {status}", done.returncode == status, done)
+        finally:
+            os.unlink(confine)

@@ -46,7 +46,8 @@ class Kinds(Archive):
     def test_xz_and_bzip2_are_read(self):
         tar = tarred(("a/" + FIVE, b"int a;\r\n"))
         for name, raw in (("anna.tar.xz", lzma.compress(tar)), ("anna.txz", lzma.compress(tar) + bytes(8)),
-                          ("anna.tar.bz2", bz2.compress(tar)), ("anna.tbz2", bz2.compress(tar[:700]) + bz2.compress(tar[700:])),
+                          ("anna.tar.bz2", bz2.compress(tar)),
+                          ("anna.tbz2", bz2.compress(tar[:700]) + bz2.compress(tar[700:])),
                           ("anna.zip", lzma.compress(tar[:700]) + bytes(4) + lzma.compress(tar[700:]))):
             path = self.archive(name, raw)
             self.assertEqual(self.five(self.collect()), ("found", "a/" + FIVE, b"int a;\n"), name)
@@ -92,7 +93,8 @@ class ByProgram(Archive):
         self.archive("anna.rar", rar("a\\" + FIVE, b"int a;\r\n"))
         self.assertEqual(self.five(self.collect()), ("found", "a/" + FIVE, b"int a;\n"))
         self.clear()
-        self.archive("anna.tar.zst", subprocess.run(["zstd", "-qc"], input=tar, stdout=subprocess.PIPE, check=True).stdout
+        self.archive("anna.tar.zst",
+                     subprocess.run(["zstd", "-qc"], input=tar, stdout=subprocess.PIPE, check=True).stdout
                      if shutil.which("zstd") else tar)
         self.assertEqual(self.five(self.collect())[0], "found")
 
@@ -119,7 +121,8 @@ class ByProgram(Archive):
         (self.top / "secret").write_bytes(b"secret")
         (self.top / "in").mkdir()
         (self.top / "in" / FIVE).symlink_to(self.top / "secret")
-        subprocess.run(["bsdtar", "-c", "-f", str(self.room / "anna.7z"), "--format=7zip", "-C", str(self.top / "in"), FIVE],
+        subprocess.run(["bsdtar", "-c", "-f", str(self.room / "anna.7z"), "--format=7zip", "-C", str(self.top / "in"),
+                        FIVE],
                        check=True)
         collected = self.collect()
         self.assertEqual(self.five(collected), ("missing", "", b""))
@@ -170,7 +173,8 @@ class Inside(Archive):
 
     def test_every_kind_in_every_other(self):
         tar = tarred((FIVE, b"x"))
-        inside = {"a.zip": zipped((FIVE, b"x")), "a.tar": tar, "a.tar.gz": gzip.compress(tar), "a.tgz": gzip.compress(tar),
+        inside = {"a.zip": zipped((FIVE, b"x")), "a.tar": tar, "a.tar.gz": gzip.compress(tar),
+                  "a.tgz": gzip.compress(tar),
                   "a.tar.xz": lzma.compress(tar), "a.tar.bz2": bz2.compress(tar)}
         for name, raw in inside.items():
             for outer, pack in (("anna.zip", zipped), ("anna.tar", tarred)):

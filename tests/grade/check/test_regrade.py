@@ -10,26 +10,13 @@ import tempfile
 import time
 from pathlib import Path
 
-from .sentences import check, skip
+from .sentences import Sentences
 from .small_class import SEED, build_class, command, grade, records, right
 
 
 def kept(done: subprocess.CompletedProcess) -> int:
     """How many were not marked again."""
     return done.stderr.count("(kept)")
-
-
-def same_marks(folder: Path, work: Path, found: dict[str, dict]) -> None:
-    for name, settings in {"one job": {"JOBS": "1"}, "four jobs": {"JOBS": "4"}}.items():
-        grade(folder, work / name, **settings)
-        check(f"same seed, same marks with {name}", records(work / name) == found)
-    if "bubblewrap" in next(iter(found.values()))["sandbox"]:
-        grade(folder, work / "landlock", SANDBOX="landlock")
-        theirs = records(work / "landlock")
-        check("same marks under Landlock alone",
-              {name: record["stems"] for name, record in theirs.items()}
-              == {name: record["stems"] for name, record in found.items()},
-              {name: record["status"] for name, record in theirs.items()})
 
 
 def at_work_in(folder: Path) -> list[str]:
@@ -45,91 +32,97 @@ def at_work_in(folder: Path) -> list[str]:
     return found
 
 
-def nothing_is_left_of_a_kill(folder: Path, work: Path, sandbox: str) -> None:
-    out = work / f"killed under {sandbox}"
-    endless = work / f"endless {sandbox}"
-    (endless / "a").mkdir(parents=True)
-    shutil.copy(folder / "endless" / "01-corners.c", endless / "a")
-    grader = subprocess.Popen(command(endless, out), env={**os.environ, "SEED": SEED, "SANDBOX": sandbox},
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    until = time.monotonic() + 60
-    while not any("answering" in words for words in at_work_in(out)) and time.monotonic() < until:
-        time.sleep(0.02)
-    check(f"an endless answer is at work under {sandbox}", time.monotonic() < until)
-    grader.kill()
-    grader.wait()
-    # Processes end one after the other, on a busy machine later: the limit is for those that do not.
-    until = time.monotonic() + 60
-    while at_work_in(out) and time.monotonic() < until:
-        time.sleep(0.02)
-    check(f"a kill under {sandbox} ends it, too", at_work_in(out) == [], at_work_in(out))
+class Regrade(Sentences):
+    def same_marks(self, folder: Path, work: Path, found: dict[str, dict]) -> None:
+        for name, settings in {"one job": {"JOBS": "1"}, "four jobs": {"JOBS": "4"}}.items():
+            grade(folder, work / name, **settings)
+            self.check(f"same seed, same marks with {name}", records(work / name) == found)
+        if "bubblewrap" in next(iter(found.values()))["sandbox"]:
+            grade(folder, work / "landlock", SANDBOX="landlock")
+            theirs = records(work / "landlock")
+            self.check("same marks under Landlock alone",
+                       {name: record["stems"] for name, record in theirs.items()}
+                       == {name: record["stems"] for name, record in found.items()},
+                       {name: record["status"] for name, record in theirs.items()})
 
+    def nothing_is_left_of_a_kill(self, folder: Path, work: Path, sandbox: str) -> None:
+        out = work / f"killed under {sandbox}"
+        endless = work / f"endless {sandbox}"
+        (endless / "a").mkdir(parents=True)
+        shutil.copy(folder / "endless" / "01-corners.c", endless / "a")
+        grader = subprocess.Popen(command(endless, out), env={**os.environ, "SEED": SEED, "SANDBOX": sandbox},
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        until = time.monotonic() + 60
+        while not any("answering" in words for words in at_work_in(out)) and time.monotonic() < until:
+            time.sleep(0.02)
+        self.check(f"an endless answer is at work under {sandbox}", time.monotonic() < until)
+        grader.kill()
+        grader.wait()
+        # Processes end one after the other, on a busy machine later: the limit is for those that do not.
+        until = time.monotonic() + 60
+        while at_work_in(out) and time.monotonic() < until:
+            time.sleep(0.02)
+        self.check(f"a kill under {sandbox} ends it, too", at_work_in(out) == [], at_work_in(out))
 
-def killed_and_started_again(folder: Path, work: Path, found: dict[str, dict]) -> None:
-    chance = random.Random(7)
-    out = work / "killed"
-    for kill in ("SIGKILL", "SIGINT", "SIGTERM", "SIGKILL", "SIGKILL", "SIGKILL"):
-        grader = subprocess.Popen(command(folder, out), env={**os.environ, "SEED": SEED, "JOBS": "2"},
-                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        time.sleep(chance.uniform(0.2, 1.6))
-        grader.send_signal(signal.Signals[kill])
-        grader.communicate()
-        whole = records(out)    # json.loads fails on half a file
-        check(f"what is there after {kill} is whole", all(whole[name] == found[name] for name in whole))
-    before = {path: path.stat().st_mtime_ns for path in out.glob("*/results.json")}
-    done = grade(folder, out)
-    check("started again, it does what is left", done.returncode == 0 and records(out) == found,
-          done.stderr[-500:])
-    check("and nothing twice", all(path.stat().st_mtime_ns == at for path, at in before.items())
-          and kept(done) == len(before), done.stderr)
-    check("no half of a file is left",
-          not list(out.glob("*/.*.new")) and not list((out / ".work").glob("*-of-*/*")))
-    again = grade(folder, out)
-    check("a third time there is nothing to do", kept(again) == len(found), again.stderr)
+    def killed_and_started_again(self, folder: Path, work: Path, found: dict[str, dict]) -> None:
+        chance = random.Random(7)
+        out = work / "killed"
+        for kill in ("SIGKILL", "SIGINT", "SIGTERM", "SIGKILL", "SIGKILL", "SIGKILL"):
+            grader = subprocess.Popen(command(folder, out), env={**os.environ, "SEED": SEED, "JOBS": "2"},
+                                      stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            time.sleep(chance.uniform(0.2, 1.6))
+            grader.send_signal(signal.Signals[kill])
+            grader.communicate()
+            whole = records(out)    # json.loads fails on half a file
+            self.check(f"what is there after {kill} is whole", all(whole[name] == found[name] for name in whole))
+        before = {path: path.stat().st_mtime_ns for path in out.glob("*/results.json")}
+        done = grade(folder, out)
+        self.check("started again, it does what is left", done.returncode == 0 and records(out) == found,
+                   done.stderr[-500:])
+        self.check("and nothing twice", all(path.stat().st_mtime_ns == at for path, at in before.items())
+                   and kept(done) == len(before), done.stderr)
+        self.check("no half of a file is left",
+                   not list(out.glob("*/.*.new")) and not list((out / ".work").glob("*-of-*/*")))
+        again = grade(folder, out)
+        self.check("a third time there is nothing to do", kept(again) == len(found), again.stderr)
 
+    def what_has_changed_is_marked_again(self, folder: Path, work: Path) -> None:
+        copy, out = work / "changing", work / "changed"
+        shutil.copytree(folder, copy)
+        grade(copy, out)
+        (copy / "nothing" / "03-screen.c").write_text(right("03-screen"))
+        done = grade(copy, out)
+        self.check("only what was handed in again is marked again", kept(done) == len(records(out)) - 1, done.stderr)
+        self.check("and has its new marks", records(out)["nothing"]["score"] == 9)
+        self.check("another seed marks all again", kept(grade(copy, out, SEED="1")) == 0)
 
-def what_has_changed_is_marked_again(folder: Path, work: Path) -> None:
-    copy, out = work / "changing", work / "changed"
-    shutil.copytree(folder, copy)
-    grade(copy, out)
-    (copy / "nothing" / "03-screen.c").write_text(right("03-screen"))
-    done = grade(copy, out)
-    check("only what was handed in again is marked again", kept(done) == len(records(out)) - 1, done.stderr)
-    check("and has its new marks", records(out)["nothing"]["score"] == 9)
-    check("another seed marks all again", kept(grade(copy, out, SEED="1")) == 0)
+    def shards_share_the_work(self, folder: Path, work: Path, found: dict[str, dict]) -> None:
+        if shutil.which("parallel") is None:
+            self.skip("sharing the work: no GNU parallel (make setup FOR=contributor)")
+            return
+        out = work / "shards"
+        done = subprocess.run(["parallel", "--will-cite", "-j3", "env", "SHARD={}", *command(folder, out),
+                               ":::", "1/3", "2/3", "3/3"],
+                              env={**os.environ, "SEED": SEED, "JOBS": "1"}, capture_output=True, text=True)
+        self.check("three shards under GNU parallel end well", done.returncode == 0, done.stderr[-500:])
+        self.check("together they have done all, with the same marks", records(out) == found)
+        merged = grade(folder, out)
+        self.check("once more merges: nothing is marked again",
+                   kept(merged) == len(found) and merged.returncode == 0, merged.stderr[-500:])
+        self.check("and the class's reports are there", (out / "grades.csv").exists())
 
-
-def shards_share_the_work(folder: Path, work: Path, found: dict[str, dict]) -> None:
-    if shutil.which("parallel") is None:
-        skip("sharing the work: no GNU parallel (make setup FOR=contributor)")
-        return
-    out = work / "shards"
-    done = subprocess.run(["parallel", "--will-cite", "-j3", f"SHARD={{}} {' '.join(command(folder, out))}",
-                           ":::", "1/3", "2/3", "3/3"],
-                          env={**os.environ, "SEED": SEED, "JOBS": "1"}, capture_output=True, text=True)
-    check("three shards under GNU parallel end well", done.returncode == 0, done.stderr[-500:])
-    check("together they have done all, with the same marks", records(out) == found)
-    merged = grade(folder, out)
-    check("once more merges: nothing is marked again",
-          kept(merged) == len(found) and merged.returncode == 0, merged.stderr[-500:])
-    check("and the class's reports are there", (out / "grades.csv").exists())
-
-
-def test_again() -> None:
-    with tempfile.TemporaryDirectory() as temporary:
-        work = Path(temporary)
-        folder = work / "class"
-        build_class(folder)
-        grade(folder, work / "out")
-        found = records(work / "out")
-        check("every submission has one result", len(found) == 18, list(found))
-        same_marks(folder, work, found)
-        for sandbox in ("bubblewrap", "landlock"):
-            if sandbox in next(iter(found.values()))["sandbox"].lower():
-                nothing_is_left_of_a_kill(folder, work, sandbox)
-        killed_and_started_again(folder, work, found)
-        what_has_changed_is_marked_again(folder, work)
-        shards_share_the_work(folder, work, found)
-
-
-TESTS = [test_again]
+    def test_again(self) -> None:
+        with tempfile.TemporaryDirectory() as temporary:
+            work = Path(temporary)
+            folder = work / "class"
+            build_class(folder)
+            grade(folder, work / "out")
+            found = records(work / "out")
+            self.check("every submission has one result", len(found) == 18, list(found))
+            self.same_marks(folder, work, found)
+            for sandbox in ("bubblewrap", "landlock"):
+                if sandbox in next(iter(found.values()))["sandbox"].lower():
+                    self.nothing_is_left_of_a_kill(folder, work, sandbox)
+            self.killed_and_started_again(folder, work, found)
+            self.what_has_changed_is_marked_again(folder, work)
+            self.shards_share_the_work(folder, work, found)

@@ -42,7 +42,9 @@ class Find(Scratch):
             listening.bind(str(self.room / "socket"))
         found, others = submissions.find(self.room, STEMS)
         self.assertEqual([s.name for s in found],
-                         [name.replace("\n", "\\n") for name in sorted([*loose, "e\nvil.c", "readme.d", "pipe.zip", "socket"])])
+                         [name.replace("\n",
+                                       "\\n") for name in sorted([*loose, "e\nvil.c", "readme.d", "pipe.zip",
+                                                                  "socket"])])
         self.assertEqual(others, [])
         for submission in found:
             collected = submissions.collect(submission, STEMS)
