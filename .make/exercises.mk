@@ -40,15 +40,14 @@ QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firs
 IS_CLANG := $(findstring clang,$(FLAGS_NOW))
 QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections $(SANITIZER) $(FOR_STUDENTS) \
 	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
-EXPLAIN := .make/explain $(wildcard .make/explaining/*.awk)
 JUDGES_LAYOUTS := common/figure/plot.gp chapters/01-corners/figures/yours-and-right.gp $(wildcard tests/judge/layouts/*.gp)
 # How to judge a chapter is written down, so that 'make watch' can do it again without make.
 $(ALL_VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(B)/weak.h $(B)/exercises.names \
 		build/blanks/%.c $(B)/judge/% $$(call answering,$$*) $(JUDGES_LAYOUTS) $(LIST)
 	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c'" \
-		"LINK='$(LINK) $(QUICK_LINKER)'" "OBJECTS='$(call answering,$*)'" \
+		"LINK='$(LINK) $(QUICK_LINKER)'" "OBJECTS='$(call answering,$*)'" "EXPLAIN='$(EXPLAIN)'" \
 		$(if $(value stands_on),"STANDS_ON='$(call stands_on,$*)'" "HIDE_HELPERS='$(HIDE_HELPERS)'") \
-		'export COMPILE LINK OBJECTS STANDS_ON HIDE_HELPERS' \
+		'export COMPILE LINK OBJECTS EXPLAIN STANDS_ON HIDE_HELPERS' \
 		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh
 	@sh $(@D).sh
 

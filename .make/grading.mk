@@ -18,12 +18,17 @@ $(KIT_PARTS): $(B)/tests/grade/mark/parts.o
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -static -o $@ $^
 
+# What is said of what does not build. It runs in a sandbox, too.
+KIT_EXPLAIN := $(KIT)/explain
+$(KIT_EXPLAIN): $(EXPLAIN_OBJECTS)
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -static -o $@ $^
+
 KIT_HEADER := $(KIT)/headers/weak.h
-$(KIT_HEADER): $(B)/weak.h $(wildcard common/*.h exercises/*.h) $(EXPLAIN)
+$(KIT_HEADER): $(B)/weak.h $(wildcard common/*.h exercises/*.h)
 	$(Q)mkdir -p $(@D)/common $(@D)/exercises
 	$(Q)cp common/*.h $(@D)/common && cp exercises/*.h $(@D)/exercises && cp $< $@
-	$(Q)mkdir -p $(@D)/.make/explaining && cp .make/explain $(@D)/.make && \
-		cp .make/explaining/* $(@D)/.make/explaining
 
 # The blanks, weak: of an answer from which functions are missing, those are not answered yet.
 KIT_BLANKS := $(STEMS:%=$(KIT)/link/blank-%.o)
@@ -67,7 +72,7 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
-$(KIT)/commands: Makefile .make/exercises.mk .make/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
+$(KIT)/commands: Makefile .make/exercises.mk .make/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
 		$(B)/common.a .make/calls.awk $(KIT)/expected.png $(LIST)
 	$(Q)cp $(B)/common.a $(KIT)/link/ && cp .make/calls.awk $(KIT)/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
 	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \

@@ -1,9 +1,17 @@
 # tests.mk - make check, and the judges. Included by the Makefile.
 
+# What a student reads of what the compiler and the linker say.
+EXPLAIN := $(B)/explain
+EXPLAIN_OBJECTS := $(patsubst %.c,$(B)/%.o,$(wildcard tests/course/explain*.c))
+$(EXPLAIN): $(EXPLAIN_OBJECTS)
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^
+
 # What every program of tests is made of: its list of tests, and the words for given and expected.
 TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
 	show random)
-COMMON_TESTS := $(patsubst tests/common/%.c,$(B)/tests/common/%,$(wildcard tests/common/*.c))
+COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/common/*.c tests/course/check_*.c))
+$(B)/tests/course/check_explain: $(filter-out %_main.o,$(EXPLAIN_OBJECTS))
 $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/main.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -226,7 +234,7 @@ GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TYPES) $(ODD_QUESTIONS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
-FOR_CHECKS := $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
+FOR_CHECKS := $(EXPLAIN) $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 

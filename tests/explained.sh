@@ -7,6 +7,7 @@
 . tests/library.sh
 
 cc=${CC:-cc}
+explain=${BUILD:-build}/explain
 flags="-std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I. -Wall -Wextra -Wno-unused-parameter
     -Werror=return-type -Werror=implicit-function-declaration"
 
@@ -15,7 +16,7 @@ compile() {
     answer=$scratch/$1.c
     # shellcheck disable=SC2086 # the compiler and its flags are words
     LC_ALL=C $cc $flags -c -o "$scratch/answer.o" "$answer" 2>"$scratch/words"
-    .make/explain "$answer" <"$scratch/words" >"$scratch/said" 2>&1
+    "$explain" "$answer" <"$scratch/words" >"$scratch/said" 2>&1
 }
 # The solution of a stem, but for a line: the sed command.
 broken() {

@@ -183,7 +183,7 @@ wraps_at_words() {
 }
 broken 05-quadratic 's|for (int i = 0; i < roots.count; i++)|for (int i = 0, i < roots.count, i++)|'
 sed "s|$answer|$scratch/a-long-path-to-where-a-student-works/exercises/05-quadratic.c|" "$scratch/words" |
-    .make/explain "$scratch/a-long-path-to-where-a-student-works/exercises/05-quadratic.c" >"$scratch/said"
+    "$explain" "$scratch/a-long-path-to-where-a-student-works/exercises/05-quadratic.c" >"$scratch/said"
 check 'long messages are wrapped, indented by two' wraps_at_words
 
 # ---- the rest -----------------------------------------------------------------------------------
@@ -210,7 +210,7 @@ compile 01-corners
 check 'three errors are shown' [ "$(grep -c "^$answer:" "$scratch/said")" -eq 3 ]
 check 'and the rest counted' says '... and 2 more'
 
-sed "s/'\\([^']*\\)'/‘\\1’/g" "$scratch/words" | .make/explain "$answer" >"$scratch/quotes"
+sed "s/'\\([^']*\\)'/‘\\1’/g" "$scratch/words" | "$explain" "$answer" >"$scratch/quotes"
 check 'typographic quotes change nothing' diff "$scratch/said" "$scratch/quotes"
 
 {
@@ -229,7 +229,7 @@ check 'nothing but plain text' [ "$(tr -d '\n -~' <"$scratch/said" | wc -c)" -eq
 compile 03-screen
 check 'a header that a student spoils still leads to their file' says "$answer:"
 
-: | .make/explain "$answer" >"$scratch/said"
+: | "$explain" "$answer" >"$scratch/said"
 check 'of nothing, nothing is said' [ ! -s "$scratch/said" ]
 
 finish explain_slips

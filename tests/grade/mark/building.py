@@ -45,13 +45,8 @@ def compile_words(bench: Workbench, stem: str, status: int) -> str:
 def link_words(bench: Workbench, stem: str, status: int) -> str:
     if status in LIMITED:
         return "the linker was stopped: it needed more than 5 seconds, or the program has more than 4 MB"
-    words = quoted(bench, f"{stem}.words")
-    known = [f"{name} is not in this file (or is static)"
-             for name in re.findall(r"undefined reference to [`'](\w+)'", words)]
-    known += ["leave main out: the tests have one" if name == "main" else
-              f"{name} is there already: give yours another name"
-              for name in re.findall(r"multiple definition of [`'](\w+)'", words)]
-    return "\n".join(dict.fromkeys(known)) or words or "the linker was stopped"
+    words = quoted(bench, f"{stem}.help") or quoted(bench, f"{stem}.words") or "the linker was stopped"
+    return "\n".join(line.removeprefix("  ") for line in words.splitlines())
 
 
 def believed(bench: Workbench, first: dict[str, int], canary, again) -> dict[str, int]:
@@ -73,7 +68,7 @@ def compiled(bench: Workbench, stems: list[str]) -> dict[str, int]:
         return bench.compile([bench.kit.compile(stem, bench.sandbox.confine) for stem in stems])
 
     # Where the compiler's explainer looks for what an answer may use; it is the top of the tree for it.
-    for name in ("common", "exercises", ".make"):
+    for name in ("common", "exercises"):
         (bench.folder / name).symlink_to(bench.kit.folder / HEADERS / name)
     (bench.folder / f"{CANARY}.c").write_text("int canary = 1;\n")
     statuses = believed(bench, compiling(stems), lambda doubtful: compiling([CANARY]), compiling)
@@ -98,8 +93,12 @@ def linked(bench: Workbench, stems: list[str]) -> dict[str, int]:
     def linking(stems: list[str]) -> dict[str, int]:
         return bench.link([bench.kit.link(stem) for stem in stems])
 
-    return believed(bench, linking(stems),
-                    lambda doubtful: bench.link([bench.kit.link_blanks(stem) for stem in doubtful]), linking)
+    statuses = believed(bench, linking(stems),
+                        lambda doubtful: bench.link([bench.kit.link_blanks(stem) for stem in doubtful]), linking)
+    refused = [stem for stem, status in statuses.items() if status != 0]
+    if refused:
+        bench.link([bench.kit.explain(stem, "--linker") for stem in refused])
+    return statuses
 
 
 def memory_of(program: bytes) -> int:

@@ -64,10 +64,15 @@ class Kit:
                        BUILT - {1} if watched else BUILT, complaints=f"{stem}.words",
                        makes=f"{stem}.o", most=LARGEST_OBJECT)
 
-    def explain(self, stem: str) -> Command:
-        """What the compiler said, as 'make exercises' shows it. The words are the compiler's own if this fails."""
-        return Command(stem, [".make/explain", f"{stem}.c"], ANY, reads=f"{stem}.words", writes=f"{stem}.help",
-                       complaints="/dev/null")
+    @property
+    def explainer(self) -> str:
+        return str(self.folder / "explain")
+
+    def explain(self, stem: str, *option: str) -> Command:
+        """What the compiler said, or with --linker the linker, as 'make exercises' shows it. The words are their
+        own if this fails."""
+        return Command(stem, [self.explainer, *option, f"{stem}.c"], ANY, reads=f"{stem}.words",
+                       writes=f"{stem}.help", complaints="/dev/null")
 
     def link(self, stem: str) -> Command:
         return self._link(stem, stem, f"{stem}.exe", f"{stem}.o")

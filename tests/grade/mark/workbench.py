@@ -29,7 +29,7 @@ class Workbench:
         return self._build("link", [LINKED, "calls.awk"], commands)
 
     def _build(self, step: str, of_kit: list[str], commands: list[Command]) -> dict[str, int]:
-        readable = [self.kit.parts, *(str(self.kit.folder / name) for name in of_kit)]
+        readable = [self.kit.parts, self.kit.explainer, *(str(self.kit.folder / name) for name in of_kit)]
         return self._run(step, commands, lambda words: self.sandbox.compiler(self.folder, readable, words), {})
 
     def judge(self, commands: list[Command]) -> dict[str, int]:
