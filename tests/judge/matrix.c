@@ -102,21 +102,18 @@ static void check_mistake(const Mistake *mistake)
                 failed_by_some[j] = true;
 }
 
-// Says what an exercise of the stem lacks, if there is one that was just added.
-static bool something_is_missing(const char *stem)
+// Does an exercise of the stem lack something, because it was just added?
+static bool something_is_missing(const char *stem, char *words, size_t size)
 {
     for (int i = 0; exercises[i].name != NULL; i++) {
-        char words[500];
         const char *name = exercises[i].name;
         bool has_test = false;
         for (int j = 0; j < all.count; j++)
             has_test =
                 has_test || (!all.tests[j].extra && strcmp(all.tests[j].function, name) == 0);
         if (strcmp(exercises[i].stem, stem) == 0 &&
-            missing_next(&exercises[i], has_test, count_of(name) > 0, words, sizeof words)) {
-            settle(false, "next:", stem, words);
+            missing_next(&exercises[i], has_test, count_of(name) > 0, words, size))
             return true;
-        }
     }
     return false;
 }
@@ -262,13 +259,20 @@ int main(int argc, char **argv)
     const char *stem = slash != NULL ? slash + 1 : argv[0];
     const char *option = argc == 2 ? argv[1] : "";
     check_reference();
-    bool lacks = something_is_missing(stem), only_that = strcmp(option, "--missing") == 0;
-    if (only_that && !lacks)
-        printf("%s: no exercise lacks anything\n", stem);
-    else if (lacks && !only_that)
-        printf("matrix of %s: %d passed, %d failed\n", stem, passed, failed);
-    if (lacks || only_that)
+    char words[500];
+    bool lacks = something_is_missing(stem, words, sizeof words);
+    if (strcmp(option, "--missing") == 0) {
+        if (lacks)
+            printf("Next: %s\n", words);
+        else
+            printf("%s: no exercise lacks anything\n", stem);
         return lacks;
+    }
+    settle(!lacks, "next:", stem, words);
+    if (lacks) {
+        printf("matrix of %s: %d passed, %d failed\n", stem, passed, failed);
+        return 1;
+    }
     if (strcmp(option, "--composed") == 0)
         return only_parts(stem);
     for (int table = 0; mistakes[table] != NULL; table++)
