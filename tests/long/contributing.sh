@@ -28,7 +28,7 @@ for block in "$scratch"/block-*; do
         ;;
     '```text')
         sed 1d "$block" >"$scratch/wanted"
-        [ -s "$scratch/wanted" ] && grep -qE '^Next: |lacks anything' "$scratch/wanted" || continue
+        grep -qE '^Next: |lacks anything' "$scratch/wanted" || continue
         says_next() {
             make -s missing EX="${stem%%-*}" >"$scratch/said" 2>"$scratch/errors"
             cat "$scratch/said" "$scratch/errors"
