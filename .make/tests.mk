@@ -118,11 +118,17 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 	$(Q)rm -rf $(@D)/$* && mkdir -p $(@D)/$*
 	$(Q)for source in $(filter %.c,$(call answers_of,$*)); do \
 		$(AS_REFERENCE) -E "$$source" -o "$(@D)/$*/$$(echo "$$source" | tr / -).i" || exit 1; done
-	$(Q)$(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) /dev/null $(@D)/$*/*.i > $(@D)/$*.c
-	$(Q)$(AS_REFERENCE) $(if $(findstring clang,$(CC)),-ferror-limit=0) -fsyntax-only \
-		$(@D)/$*.c 2> $(@D)/$*.errors || true
-	$(Q)$(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(@D)/$*.errors $(@D)/$*/*.i > $(@D)/$*.c
+	$(Q)$(call mutants_of,/dev/null)
+	$(Q)$(AS_REFERENCE) $(ALL_ERRORS) -fsyntax-only $(@D)/$*.c 2> $(@D)/$*.errors || true
+	$(Q)$(call mutants_of,$(@D)/$*.errors)
+	$(Q)$(subst -w,-Winit-self -Werror=uninitialized,$(AS_REFERENCE)) $(ALL_ERRORS) -O0 -c -o /dev/null \
+		$(@D)/$*.c 2>> $(@D)/$*.errors || true
+	$(Q)$(call mutants_of,$(@D)/$*.errors)
 	$(Q)$(AS_REFERENCE) -O0 -c -o $@ $(@D)/$*.c
+# The compiler says first what is no C, and of the rest what reads variables that were never set:
+# that is different for whoever asks.
+mutants_of = $(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(1) $(@D)/$*/*.i > $(@D)/$*.c
+ALL_ERRORS = $(if $(findstring clang,$(CC)),-ferror-limit=0)
 TRIALS := $(STEMS:%=$(B)/tests/generated/%)
 $(TRIALS): $(B)/tests/generated/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
 		$(B)/tests/%/probes.o $(TESTING) $(HEARING) $(B)/generated/%.o \

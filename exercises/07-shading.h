@@ -36,7 +36,7 @@ vec3 mirror_direction(vec3 direction, vec3 normal);
 
 // Phong's highlight, in the colour of the light: ks times the light, times the cosine between the
 // mirrored light and the way to the eye, to the power of shine. Nothing where that cosine is
-// negative, or the light is behind the surface.
+// negative, or the light is behind the surface. The eye is in front of it.
 Color phong_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
 // Blinn's variant: the cosine between the normal and the vector half-way between light and eye.

@@ -455,6 +455,7 @@ static void look_refuses_an_up_along_the_view(double sign)
     look_refuses(view, UP);
     for (int i = 0; i < 10; i++) {
         vec3 forward = random_unit();
+        view.eye = random_vec3(-5, 5);
         view.at = view.eye + 3 * forward;
         view.up = sign * random_number(0.1, 9) * forward;
         look_refuses(view, UP);
@@ -487,8 +488,8 @@ START_TEST(an_aspect_that_is_not_positive_is_refused)
 {
     look_refuses_also(deck_with_size(2, 0), HEIGHT, FINITE);
     look_refuses(deck_with_size(2, -1), HEIGHT);
-    for (int i = 0; i < 5; i++)
-        look_refuses(deck_with_size(3, -random_number(0.1, 9)), HEIGHT);
+    for (int i = 0; i < 6; i++)
+        look_refuses(deck_with_size(i % 2 == 0 ? 3 : 0.3, -random_number(0.1, 9)), HEIGHT);
 }
 END_TEST
 
@@ -515,6 +516,7 @@ START_TEST(a_width_or_aspect_that_is_not_finite_is_refused)
     for (int i = 0; i < 3; i++) {
         look_refuses(deck_with_size(not_finite(i), 1), FINITE | WIDTH | HEIGHT);
         look_refuses(deck_with_size(2, not_finite(i)), FINITE | HEIGHT);
+        look_refuses(deck_with_size(0.2, not_finite(i)), FINITE | HEIGHT);
     }
 }
 END_TEST

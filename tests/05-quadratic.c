@@ -344,8 +344,8 @@ END_TEST
 
 START_TEST(where_a_and_b_are_0_there_are_no_roots)
 {
-    double c[] = {5, -5, 0};
-    for (int i = 0; i < 3; i++) {
+    double c[] = {5, -5, 0, 1, -1};
+    for (int i = 0; i < 5; i++) {
         given_quadratic((Quadratic){0, 0, c[i]});
         expect_no_roots(quadratic_roots((Quadratic){0, 0, c[i]}));
     }

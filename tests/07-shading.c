@@ -379,6 +379,8 @@ START_TEST(a_light_behind_the_surface_makes_no_highlight)
     expect_phong_share(2, vec3_of(4, -3, 0), vec3_of(-4, 1, 0), 0);
     expect_phong_share(7, vec3_of(4, -3, 0), vec3_of(-12, 3, 4), 0);
     expect_phong_share(2, vec3_of(0, -1, 0), vec3_of(0, 1, 0), 0);
+    for (double length = 1; length > 1e-6; length /= 10)
+        expect_phong_share(2, length * vec3_of(0.8, -0.6, 0), vec3_of(-4, 1, 0), 0);
 }
 END_TEST
 

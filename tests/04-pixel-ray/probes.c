@@ -17,8 +17,20 @@ START_TEST(any_pixel_of_any_camera)
 }
 END_TEST
 
+START_TEST(any_pixel_of_a_single_row_or_column)
+{
+    for (int i = 0; i < 12; i++) {
+        Camera camera = random_camera();
+        Resolution size = random_screen(2, 60);
+        *(i % 2 == 0 ? &size.width : &size.height) = 1;
+        pixel_ray(camera, size, random_pixel(size));
+    }
+}
+END_TEST
+
 void list_probes(void)
 {
     tests_of("pixel_ray");
     test(any_pixel_of_any_camera);
+    test(any_pixel_of_a_single_row_or_column);
 }

@@ -13,7 +13,7 @@ static void draw_surface(Question *q)
     if (draw_one_in(3)) // near the mirrored light
         q->to_eye = 2 * vec3_dot(q->to_light, q->normal) * q->normal - q->to_light +
                     draw_vec3(0.4 * vec3_length(q->to_light));
-    if (draw_one_in(2) && vec3_dot(q->to_eye, q->normal) < 0)
+    if (vec3_dot(q->to_eye, q->normal) < 0)
         q->to_eye = -q->to_eye;
     q->direction = draw_any_size() * draw(0.2, 5) * draw_unit();
     if (draw_one_in(6))
@@ -84,16 +84,11 @@ static void ask_highlight(AnyFunction *answer, Question *q, Answer *said)
     say_vec3(said, color, 3e-9);
 }
 
-// An eye behind the surface sees nothing of it, and whoever says so is right, too. Of light along
-// it rounding decides on which side it comes.
+// Of light along the surface rounding decides on which side it comes.
 static bool is_right_of_highlight(const Question *q, const Answer *yours, const Answer *right)
 {
-    bool dark = yours->count == right->count && vec3_dot(q->normal, q->to_eye) < 1e-9;
-    if (fabs(vec3_dot(q->normal, q->to_light)) <= 1e-12 * vec3_length(q->to_light))
-        return yours->count == right->count;
-    for (int i = 0; i < yours->count; i++)
-        dark = dark && fabs(yours->number[i]) < 1e-9;
-    return dark;
+    return fabs(vec3_dot(q->normal, q->to_light)) <= 1e-9 * vec3_length(q->to_light) &&
+           yours->count == right->count;
 }
 
 static double size_of(const Question *q)

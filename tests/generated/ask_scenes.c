@@ -1,9 +1,12 @@
 // ask_scenes.c - questions of exercise 06, and of 07 where a whole scene goes in.
 #include "tests/generated/question.h"
 
+#include "tests/judge/wire.h"
+
 #include <stdlib.h>
 
-// Before the first sphere and behind the last there are more: who counts too far finds them.
+// Before the first sphere and after the last there is another, as in the answering process: whoever
+// counts too far finds it.
 static void draw_scene(Question *q, vec3 near)
 {
     double size = q->size;
@@ -24,6 +27,8 @@ static void draw_scene(Question *q, vec3 near)
         q->lights[i] = (Light){.position = near + draw_vec3(4 * size),
                                .color = draw(0.2, 1) * draw_color(),
                                .kind = draw_one_in(3) ? LIGHT_DISTANT : LIGHT_POINT};
+    q->spheres[0] = q->spheres[1 + q->scene.sphere_count] = GUARD_SPHERE;
+    q->lights[1 + q->scene.light_count] = GUARD_LIGHT;
     point_into(q);
 }
 
@@ -41,7 +46,8 @@ static void draw_scene_ray(Question *q)
 {
     q->size = draw_any_size();
     draw_scene(q, draw_one_in(3) ? vec3_of(0, 0, 0) : draw_vec3(3 * q->size));
-    vec3 target = q->spheres[1 + draw_below(q->scene.sphere_count + 1)].center;
+    int count = q->scene.sphere_count;
+    vec3 target = q->spheres[count > 0 ? 1 + draw_below(count) : 0].center;
     vec3 from = draw_one_in(5) ? target + 0.02 * q->size * draw_unit()
                                : target + q->size * draw_scale(0.5, 50) * draw_unit();
     if (draw_one_in(4))

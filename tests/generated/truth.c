@@ -3,10 +3,11 @@
 
 #include "tests/generated/guard.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_QUESTIONS = 4000 };
+enum { MOST_QUESTIONS = 4000, DIGITS = 100000 };
 
 static const Subject *subject;
 static AnyFunction *reference;
@@ -54,18 +55,24 @@ bool truth_begin(const char *exercise, AnyFunction *answer, uint64_t seed)
     return true;
 }
 
-static bool agree(const Answer *a, const Answer *b)
+// To so many times the tolerance.
+static bool agree_to(double times, const Answer *a, const Answer *b)
 {
     if (a->count != b->count)
         return false;
     for (int i = 0; i < a->count; i++) {
         double x = a->number[i], y = b->number[i];
-        bool same =
-            isnan(x) || isnan(y) ? isnan(x) && isnan(y) : x == y || fabs(x - y) <= b->tolerance[i];
+        bool same = isnan(x) || isnan(y) ? isnan(x) && isnan(y)
+                                         : x == y || fabs(x - y) <= times * b->tolerance[i];
         if (!same)
             return false;
     }
     return true;
+}
+
+static bool agree(const Answer *a, const Answer *b)
+{
+    return agree_to(1, a, b);
 }
 
 // Whether what this function says changes where only the last digits of the question do.
@@ -104,6 +111,17 @@ Truth truth_of(AnyFunction *answer, int *question)
             truth = AT_THE_EDGE;
     }
     return truth;
+}
+
+void truth_words(char *words, size_t size, AnyFunction *answer, int question)
+{
+    static Answer said;
+    ask(answer, &questions[question], &said);
+    int used = snprintf(words, size, "question %d:", question);
+    for (int i = 0; i < said.count && i < right[question].count; i++)
+        if (said.number[i] != right[question].number[i] && used > 0 && (size_t)used < size)
+            used += snprintf(words + used, size - (size_t)used, " %g for %g", said.number[i],
+                             right[question].number[i]);
 }
 
 static bool is_camera_form(void)
@@ -145,6 +163,10 @@ Likeness likeness(AnyFunction *answer, AnyFunction *mistake)
         it.wrong += wrong && (alike || apart);
         it.alike += wrong && alike;
         it.apart += apart;
+        it.question_apart = apart ? i : it.question_apart;
+        bool clearly = !agree_to(DIGITS, &yours, &right[i]);
+        it.clearly_wrong += wrong && clearly;
+        it.clearly_alike += wrong && clearly && agree_to(DIGITS, &yours, &theirs);
         count_numbers(&it, &yours, &theirs, &right[i]);
     }
     return it;

@@ -19,8 +19,12 @@ Truth truth_of(AnyFunction *answer, int *question); // the first that it gets wr
 typedef struct {
     int questions, wrong, alike, apart;
     int wrong_numbers, alike_numbers; // of all answers: what is part of a picture
+    int clearly_wrong, clearly_alike; // by more than digits, and that like the mistake
+    int question_apart;               // the last that tells them apart
 } Likeness;
 Likeness likeness(AnyFunction *answer, AnyFunction *mistake);
+// In words: what was answered there.
+void truth_words(char *words, size_t size, AnyFunction *answer, int question);
 Likeness likeness_to_both(AnyFunction *answer, AnyFunction *mistake, AnyFunction *other);
 
 #endif

@@ -7,10 +7,11 @@
 // all, and whether the name that was given to it is true. A name is true where the mistake explains
 // 19 of 20 questions that are answered wrongly, and answers no more than one in 20 of all
 // otherwise; a name with a hedge, where it explains at least a third of what is wrong, or of the
-// numbers in a picture. Of a known mistake that no question sees, the tests know more than that
-// judge: what was made of it, or is called so, may be failed. REVIEWED is a file of what was looked
-// at, a line each: EXERCISE | WHAT | PART OF THE CHANGE | WHY. Anything else that is amiss fails,
-// and so does a stem of which less than 90% is said. -v lists what was said nothing of.
+// numbers in a picture, or of what is wrong by more than digits. Of a known mistake that no
+// question sees, the tests know more than that judge: what was made of it, or is called so, may be
+// failed. REVIEWED is a file of what was looked at, a line each: EXERCISE | WHAT | PART OF THE
+// CHANGE | WHY. Anything else that is amiss fails, and so does a stem of which less than 90% is
+// said. -v lists what was said nothing of.
 #include "tests/generated/generated.h"
 #include "tests/generated/guard.h"
 #include "tests/generated/truth.h"
@@ -36,7 +37,7 @@ typedef struct {
     int question; // of which it was wrong
     bool named, in_part, described, picture, unseen;
     Likeness likeness;
-    char test[120], id[100], law[300];
+    char test[120], id[100], law[300], words[400];
 } Trial;
 
 typedef struct {
@@ -86,6 +87,8 @@ static void judge(const Generated *it)
     trial->likeness = said.also
                           ? likeness_to_both(it->answer, said.mistake->answer, said.other->answer)
                           : likeness(it->answer, said.mistake->answer);
+    if (trial->likeness.apart > 0)
+        truth_words(trial->words, sizeof trial->words, it->answer, trial->likeness.question_apart);
 }
 
 // Whether it was made of a known mistake that is right wherever a question goes.
@@ -114,6 +117,8 @@ static void try_one(const Generated *it)
             _exit(1);
         trial->truth = truth_of(it->answer, &trial->question);
         trial->unseen = trial->truth != WRONG && is_of_unseen(it);
+        if (trial->truth == WRONG)
+            truth_words(trial->words, sizeof trial->words, it->answer, trial->question);
         judge(it);
         trial->done = true;
         _exit(0);
@@ -136,6 +141,7 @@ static bool is_false_name(void)
         return false;
     if (trial->in_part)
         return 3 * like->alike < like->wrong &&
+               (like->clearly_wrong == 0 || 3 * like->clearly_alike < like->clearly_wrong) &&
                (!trial->picture || 3 * like->alike_numbers < like->wrong_numbers);
     return 20 * like->alike < 19 * like->wrong || 20 * like->apart > like->questions;
 }
@@ -150,7 +156,7 @@ static void show(const char *what, const Generated *it)
         printf("; failed %s", trial->test);
     if (trial->truth == WRONG && trial->passed)
         printf("; wrong question %d", trial->question);
-    printf("\n");
+    printf("%s%s\n", trial->words[0] != '\0' ? "; " : "", trial->words);
 }
 
 // ---- what was looked at -------------------------------------------------------------------------

@@ -104,7 +104,7 @@ bool write_pictures(Wrong *wrong, const char *path)
     Image yours, right = {0};
     Message message;
     wire_get_value(wrong->question, &type_Scene, &scene);
-    scene_free(&scene);
+    wire_free_value(&type_Scene, &scene);
     WIRE_GET(wrong->question, camera);
     wire_get_value(wrong->question, &type_Image, &yours);
     bool good = !wrong->question->bad && image_create(&right, yours.size, &message);

@@ -38,7 +38,7 @@ static void read_spheres(Wire *question, bool whole_scene)
     section.count = scene.sphere_count < MOST_SPHERES ? scene.sphere_count : MOST_SPHERES;
     for (int i = 0; i < section.count; i++)
         section.spheres[i] = scene.spheres[i];
-    scene_free(&scene);
+    wire_free_value(&type_Scene, &scene);
 }
 
 static Places read_places(Wire *wire, const char *results)

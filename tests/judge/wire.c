@@ -151,10 +151,13 @@ static void get_list(Wire *wire, const Field *field, void *value)
     size_t size = field->type->size;
     wire_get(wire, &count, sizeof count);
     bool is_there = !wire->bad && count >= 0 && (size_t)count <= (wire->size - wire->read) / size;
-    char *items = is_there ? malloc(((size_t)count + 1) * size) : NULL;
+    char *items = is_there ? malloc(((size_t)count + 2) * size) : NULL;
     if (items == NULL) {
         wire->bad = true;
         count = 0;
+    } else {
+        memcpy(items, guard_of(field->type), size);
+        items += size;
     }
     memcpy((char *)value + field->offset, &items, sizeof items);
     memcpy((char *)value + field->count_at, &count, sizeof count);
@@ -223,10 +226,12 @@ void wire_get_value(Wire *wire, const Type *type, void *value)
 void wire_free_value(const Type *type, void *value)
 {
     for (int i = 0; type->kind == TYPE_OF_FIELDS && i < type->count; i++) {
-        void *items;
+        char *items;
         if (type->fields[i].kind == FIELD_OF_ONE)
             continue;
         memcpy(&items, (char *)value + type->fields[i].offset, sizeof items);
+        if (items != NULL && type->fields[i].kind == FIELD_OF_LIST)
+            items -= type->fields[i].type->size; // the guard before the first
         free(items);
     }
 }

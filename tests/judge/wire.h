@@ -68,11 +68,11 @@ void wire_put_value(Wire *wire, const Type *type, const void *value);
 void wire_get_value(Wire *wire, const Type *type, void *value);
 void wire_free_value(const Type *type, void *value); // what getting it took from malloc
 
-// Arrays that were got have a guard after their last item, for loops that run once too often. A
-// sphere all round the world, with a colour that no scene has, and a bright light: one item too
-// many is seen in the result. The guards of pixels and depths are read afterwards: one item too
-// many that was written is seen there, and a depth that is farther than any hit is one that a hit
-// replaces.
+// Arrays that were got have a guard before their first item and after their last, for loops that
+// run once too often. A sphere all round the world, with a colour that no scene has, and a bright
+// light: one item too many is seen in the result. The guards of pixels and depths are read
+// afterwards: one item too many that was written is seen there, and a depth that is farther than
+// any hit is one that a hit replaces.
 #define GUARD_SPHERE ((Sphere){{0, 0, 0}, 1e100, 0})
 #define GUARD_LIGHT ((Light){{0.48, 0.6, 0.64}, {1, 1, 1}, LIGHT_DISTANT})
 

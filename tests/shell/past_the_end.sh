@@ -38,6 +38,7 @@ check 'a sphere too many' fails nearest_hit 06-ray-casting 's|i < scene->sphere_
 check 'is named' says 'looks like a loop up to i <= sphere_count'
 check 'a sphere too many in the shadow' fails visibility 07-shading \
     '/^double visibility/,/^}/s|i < scene->sphere_count|i <= scene->sphere_count|'
+check 'a sphere before the first' fails visibility 07-shading '/^double visibility/,/^}/s|int i = 0|int i = -1|'
 check 'a light too many' fails shade 07-shading 's!i < scene->light_count!i <= scene->light_count!'
 check 'is named, too' says 'looks like a loop up to i <= light_count'
 # What is wrong with the result says more than that it is written in the wrong place.
