@@ -39,10 +39,11 @@ $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,
 		.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
 		--figure $* > $@)
 
-figures: $(FIGURES_WANTED:%=$(FIGURES)/%.gp) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
+MAKE_PAGE := $(B)/chapters/gallery/gallery
+figures: $(FIGURES_WANTED:%=$(FIGURES)/%.gp) $(MAKE_PAGE) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
 		.make/figures $(FIGURES) $(FIGURES_WANTED)
-	@.make/gallery $(BUILT) $(B)/scenes
+	@$(MAKE_PAGE) $(BUILT) $(B)/scenes
 	@echo "All on a page: $(PAGE)"
 .PHONY: figures
 
@@ -58,10 +59,13 @@ $(DRAWN): $(SCRIPTS) .make/figures .make/figure $(wildcard .make/figure-*.awk)
 			*) $(if $(filter solutions,$(A)),exit $$status,: > $@) ;; esac
 
 # All of it on a page.
+$(MAKE_PAGE): %: %.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
 PAGE := $(GALLERY)/index.html
-$(PAGE): $(PICTURES) $(DRAWN) .make/gallery .make/gallery.css $(wildcard $(GALLERY)/*.png) \
+$(PAGE): $(PICTURES) $(DRAWN) $(MAKE_PAGE) chapters/gallery/gallery.css $(wildcard $(GALLERY)/*.png) \
 		$(wildcard chapters/*/README.md chapters/*/picture.txt)
-	@.make/gallery $(BUILT) $(B)/scenes
+	@$(MAKE_PAGE) $(BUILT) $(B)/scenes
 
 #[
 # ---- slides -----------------------------------------------------------------------------------

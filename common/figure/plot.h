@@ -72,7 +72,7 @@ typedef struct {
 
 // What the command line says about figures.
 typedef struct {
-    const char *name;  // which; NULL where a story or a picture is wanted
+    const char *name;  // which; "list": their names; NULL where a story or a picture is wanted
     const char *right; // the script of the same figure by right answers; NULL: there is none
     const char *note;  // what is said where something differs; NULL: nothing
 } FigureCommand;

@@ -113,6 +113,11 @@ static const Figure *figure_named(const char *program, const Figure *figures, co
 int plot_figure(const char *program, const char *chapter, const Figure *figures,
                 FigureCommand command, void *given)
 {
+    if (strcmp(command.name, "list") == 0) {
+        for (; figures->name != NULL; figures++)
+            puts(figures->name);
+        return EXIT_DONE;
+    }
     const Figure *figure = figure_named(program, figures, command.name);
     char path[300], *script = NULL;
     size_t size;

@@ -32,26 +32,26 @@ says() {
 says_not() {
     ! says "$1"
 }
-check 'a page is made without any figure' .make/gallery "$built" "$BUILD/scenes"
+check 'a page is made without any figure' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
 check 'and says so' says 'No figure is drawn yet'
 first=$(echo "$names" | cut -d' ' -f2)
 check 'figures are drawn' draw FORMAT=svg,png SHAPE=16:9,4:3 STEPS=1
-check 'the page is made' .make/gallery "$built" "$BUILD/scenes"
+check 'the page is made' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
 check 'it links what is there' says "../figures/$first-dark.png"
 check 'each step' says "../figures/$first-4x3-step1-dark.svg"
 check 'and not what is not' says_not "../figures/$first.pdf"
 cp "$page" "$scratch/before.html"
-check 'the page has the same bytes' .make/gallery "$built" "$BUILD/scenes"
+check 'the page has the same bytes' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
 check 'every time' cmp "$page" "$scratch/before.html"
 # What is left of an older script is not linked.
 echo '# another' >>"$built/figures/$first.gp"
 check 'with another script' draw FORMAT=svg THEME=light,dark
-check 'the page is made once more' .make/gallery "$built" "$BUILD/scenes"
+check 'the page is made once more' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
 check 'and does not link what was drawn before' says_not "../figures/$first.png"
 check 'but what is drawn now' says "../figures/$first-dark.svg"
 check 'all again' draw FORMAT=svg,png,pdf,tex
 check 'and for details' draw FORMAT=svg SHAPE=16:9,4:3 STEPS=1
-check 'for the browser' .make/gallery "$built" "$BUILD/scenes"
+check 'for the browser' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
 
 if ! python3 -c 'import sys; sys.path.insert(0, "tests/figures"); import browser; sys.exit(not browser.found())'; then
     skip gallery "the page in a browser, which needs Chromium (make setup FOR=contributor)"
