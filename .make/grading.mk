@@ -73,8 +73,8 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
 $(KIT)/commands: Makefile .make/exercises.mk .make/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
-		$(B)/common.a .make/calls.awk $(KIT)/expected.png $(LIST)
-	$(Q)cp $(B)/common.a $(KIT)/link/ && cp .make/calls.awk $(KIT)/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
+		$(B)/common.a $(KIT)/expected.png $(LIST)
+	$(Q)cp $(B)/common.a $(KIT)/link/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
 	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \
 		'COMPILE=$(CC) $(QUICK_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \
 		'PARTS=$(if $(IS_CLANG),,-pass-exit-codes -wrapper)' \

@@ -101,14 +101,7 @@ class Kit:
         return Command("all", words, BUILT, complaints="/dev/null")
 
     def relocations(self, stem: str) -> Command:
-        return Command("relocations", ["objdump", "-r", f"{stem}.o"], BUILT, writes=f"{stem}.relocations")
-
-    def calls(self, stem: str, states: str, may: bool = False) -> Command:
-        """Which functions of these states call which others, from STEM.states and STEM.may."""
-        allowed = ["-v", f"may={stem}.may"] if may else []
-        return Command("calls", ["awk", "-v", f"table={stem}.states", "-v", f"states={states}", *allowed,
-                                 "-f", str(self.folder / "calls.awk"), f"{stem}.relocations"],
-                       frozenset({DONE}), writes=f"{stem}.calls")
+        return Command(stem, ["objdump", "-r", f"{stem}.o"], BUILT, writes=f"{stem}.relocations")
 
     def judge(self, stem: str) -> Command:
         return Command(stem, [str(self.judges / stem), f"{stem}.exe", f"{stem}.d"], JUDGED)

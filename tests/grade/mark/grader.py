@@ -26,7 +26,8 @@ from grade.report import files
 from grade.settings import seed_of_class
 
 from .commands import read_kit
-from .marking import add_marks, calls_of, mark
+from .marking import add_marks, mark
+from .waiting import calls_of
 from .workbench import Workbench
 
 DONE, KEPT = 0, 3       # exit statuses of the process that marks

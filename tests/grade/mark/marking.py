@@ -2,116 +2,19 @@
 
 Four steps: compile; link with what asks for answers; judge; and if a function failed that calls an
 earlier one that failed, judge it again with the reference lent for that other one. What a student made
-is run and compiled, but never read, save the compiler's words. A step that does not come to its end
+is run and compiled; of it only the compiler's words and the names in its object file are read. A step that does not come to its end
 raises GraderFailed (confine/machine.py).
 """
 from __future__ import annotations
 
-import re
 import shutil
-from pathlib import Path
 
-from grade.confine.machine import GraderFailed
-from grade.exercises import stems as chapters
 from grade.policy import rounded
 
 from .building import build
-from .commands import REFUSED
+from .judge_report import read_report
+from .waiting import lend, may_wait, waiting
 from .workbench import Workbench
-
-ESCAPES = {"n": "\n", "t": "\t", "\\": "\\"}  # of tests/judge/report.c
-
-# ---- what the judge found ------------------------------------------------------------------------
-
-def read_report(path: Path, names: list[str]) -> dict[str, dict[str, str]]:
-    """FUNCTION -> KEY -> value (tests/judge/report.h). All of these functions, or it is no report."""
-    functions: dict[str, dict[str, str]] = {}
-    current: dict[str, str] = {}
-    try:
-        text = path.read_text(encoding="ascii")
-    except (OSError, UnicodeDecodeError) as error:
-        raise GraderFailed(f"the judge's report cannot be read: {error}") from None
-    for line in text.splitlines():
-        key, _, value = line.partition("\t")
-        if key == "function":
-            current = functions.setdefault(value, {})
-        else:
-            current[key] = re.sub(r"\\([nt\\])", lambda m: ESCAPES[m[1]], value)
-    lacking = [name for name in names if not functions.get(name, {}).get("state")]
-    if lacking:
-        raise GraderFailed(f"the judge's report says nothing of {lacking[0]}")
-    return functions
-
-
-# ---- who waits -----------------------------------------------------------------------------------
-
-def is_attempt(found: dict[str, str]) -> bool:
-    """Wrong, and in a way that the tests know by name: it does its own work. Anything else may be a placeholder."""
-    return found["state"] == "wrong" and "mistake" in found and found.get("partly") != "yes"
-
-
-def calls_of(bench: Workbench, exercises: list) -> dict[str, set[str]]:
-    """FUNCTION -> those of its chapter that it calls. Of the answers that were marked last: the reference's."""
-    found: dict[str, set[str]] = {}
-    for stem in chapters(exercises):
-        write_lines(bench, f"{stem}.states", [[exercise.name, "any"] for exercise in exercises if exercise.stem == stem])
-        found.update((name, set(others)) for name, others in calls(bench, stem, "any").items())
-    return found
-
-
-def calls(bench: Workbench, stem: str, states: str, may: bool = False) -> dict[str, list[str]]:
-    """FUNCTION -> those that it calls, of the functions in STEM.states with one of these states (calls.awk)."""
-    commands = [bench.kit.relocations(stem), bench.kit.calls(stem, states, may)]
-    if bench.link(commands)["relocations"] in REFUSED:
-        bench.link(commands)
-        bench.check_room()
-    (bench.folder / f"{stem}.relocations").unlink()
-    lines = (bench.folder / f"{stem}.calls").read_text().splitlines()
-    return {name: others for name, *others in map(str.split, lines)}
-
-
-def write_lines(bench: Workbench, name: str, lines: list[list[str]]) -> None:
-    (bench.folder / name).write_text("".join(" ".join(line) + "\n" for line in lines))
-
-
-def may_wait(functions: dict[str, dict], called: dict[str, set[str]]) -> dict[str, list[str]]:
-    """FUNCTION -> those that it may wait for. called: by the reference."""
-    failed = [name for name, found in functions.items() if found["state"] in ("wrong", "waiting")]
-    return {name: [other for j, other in enumerate(failed) if j < i or other in called.get(name, ())]
-            for i, name in enumerate(failed)}
-
-
-def lend(bench: Workbench, stem: str, functions: dict[str, dict], may: dict[str, list[str]]) -> dict[str, list[str]]:
-    """FUNCTION -> those that it asked for, of the functions that pass if those that it may wait for are lent."""
-    if not any(may.values()):
-        return {}
-    write_lines(bench, f"{stem}.states", [[name, found["state"]] for name, found in functions.items()])
-    write_lines(bench, f"{stem}.may", [[name, *others] for name, others in may.items()])
-    called = calls(bench, stem, "wrong waiting", may=True)
-    if not called:
-        return {}
-    commands = [bench.kit.link_lent(stem, name, others) for name, others in called.items()]
-    programs = bench.link(commands)
-    if any(status in REFUSED for status in programs.values()):
-        programs = bench.link(commands)
-        bench.check_room()
-    ready = [name for name, status in programs.items() if status == 0]
-    judged = bench.judge([bench.kit.judge_lent(stem, name, called[name]) for name in ready]) if ready else {}
-    for name in ready:
-        (bench.folder / f"{stem}.{name}.exe").unlink()
-    return {name: (bench.folder / f"{name}.asked").read_text().split() for name, status in judged.items() if status == 0}
-
-
-def waiting(functions: dict[str, dict], asked: dict[str, list[str]]) -> dict[str, list[str]]:
-    """Those that have their marks though they fail: see 'Waiting' in README.md. Two that wait for each other have
-    none: neither is an answer."""
-    good: dict[str, list[str]] = {}
-    while True:
-        more = {name: others for name, others in asked.items() if name not in good and others and
-                all(other in good or is_attempt(functions[other]) for other in others)}
-        if not more:
-            return good
-        good.update(more)
 
 
 def draw(bench: Workbench, answered: list[str]) -> bool:
@@ -120,8 +23,6 @@ def draw(bench: Workbench, answered: list[str]) -> bool:
         return False
     return bench.judge([bench.kit.draw(answered)])["all"] == 0
 
-
-# ---- the record ----------------------------------------------------------------------------------
 
 def function_part(exercise, found: dict[str, str], waits_for: list[str] | None) -> dict:
     """One function's part of the record, but for its marks."""

@@ -26,7 +26,7 @@ class Workbench:
         return self._build("compile", [HEADERS], commands)
 
     def link(self, commands: list[Command]) -> dict[str, int]:
-        return self._build("link", [LINKED, "calls.awk"], commands)
+        return self._build("link", [LINKED], commands)
 
     def _build(self, step: str, of_kit: list[str], commands: list[Command]) -> dict[str, int]:
         readable = [self.kit.parts, self.kit.explainer, *(str(self.kit.folder / name) for name in of_kit)]

@@ -1,0 +1,115 @@
+"""waiting.py - who has marks though it fails, because it calls another one that is wrong: 'Waiting' in README.md.
+
+A function that failed and calls an earlier one that failed is judged again, with the reference lent for that
+other one.
+"""
+from __future__ import annotations
+
+import re
+
+from grade.exercises import stems as chapters
+
+from .commands import REFUSED
+from .workbench import Workbench
+
+
+def is_attempt(found: dict[str, str]) -> bool:
+    """Wrong, and in a way that the tests know by name: it does its own work. Anything else may be a placeholder."""
+    return found["state"] == "wrong" and "mistake" in found and found.get("partly") != "yes"
+
+
+def read_relocations(text: str) -> dict[str, set[str]]:
+    """FUNCTION -> what its code refers to, as objdump -r prints it: a call, direct or not, is a relocation. The
+    names are the student's, so they prove nothing: they only say what is worth a try."""
+    found: dict[str, set[str]] = {}
+    section: set[str] = set()
+    for line in text.split("\n"):
+        if line.startswith("RELOCATION RECORDS FOR"):
+            name = line.rpartition("[")[2].partition("]")[0]
+            section = found.setdefault(name.removeprefix(".text."), set())
+        elif len(cells := line.split()) > 2:
+            section.add(re.sub(r"[-+]0x.*", "", cells[2]).removeprefix(".text."))
+    return found
+
+
+def reached(refers: dict[str, set[str]], name: str) -> set[str]:
+    """All that it calls, and what those call."""
+    found: set[str] = set()
+    todo = [name]
+    while todo:
+        more = refers.get(todo.pop(), set()) - found
+        found |= more
+        todo += more
+    return found
+
+
+def calls_among(refers: dict[str, set[str]], names: list[str]) -> dict[str, list[str]]:
+    """Which of these call which others. Two that call each other do not excuse each other."""
+    reach = {name: reached(refers, name) for name in names}
+    return {name: [other for other in names if other != name and other in reach[name] and name not in reach[other]]
+            for name in names}
+
+
+def refers_to(bench: Workbench, stems: list[str]) -> dict[str, dict[str, set[str]]]:
+    commands = [bench.kit.relocations(stem) for stem in stems]
+    if any(status in REFUSED for status in bench.link(commands).values()):
+        bench.link(commands)
+        bench.check_room()
+    found = {}
+    for stem in stems:
+        path = bench.folder / f"{stem}.relocations"
+        found[stem] = read_relocations(path.read_text(encoding="utf-8", errors="replace"))
+        path.unlink()
+    return found
+
+
+def calls_of(bench: Workbench, exercises: list) -> dict[str, set[str]]:
+    """FUNCTION -> those of its chapter that it calls. Of the answers that were marked last: the reference's."""
+    found: dict[str, set[str]] = {}
+    for stem, refers in refers_to(bench, chapters(exercises)).items():
+        calls = calls_among(refers, [exercise.name for exercise in exercises if exercise.stem == stem])
+        found.update((name, set(others)) for name, others in calls.items())
+    return found
+
+
+def not_right(functions: dict[str, dict]) -> list[str]:
+    return [name for name, found in functions.items() if found["state"] != "right"]
+
+
+def may_wait(functions: dict[str, dict], called: dict[str, set[str]]) -> dict[str, list[str]]:
+    """FUNCTION -> those that it may wait for. called: by the reference."""
+    failed = [name for name in not_right(functions) if functions[name]["state"] in ("wrong", "waiting")]
+    return {name: [other for j, other in enumerate(failed) if j < i or other in called.get(name, ())]
+            for i, name in enumerate(failed)}
+
+
+def lend(bench: Workbench, stem: str, functions: dict[str, dict], may: dict[str, list[str]]) -> dict[str, list[str]]:
+    """FUNCTION -> those that it asked for, of the functions that pass if those that it may wait for are lent."""
+    if not any(may.values()):
+        return {}
+    calls = calls_among(refers_to(bench, [stem])[stem], not_right(functions))
+    called = {name: others for name in may if (others := [other for other in calls[name] if other in may[name]])}
+    if not called:
+        return {}
+    commands = [bench.kit.link_lent(stem, name, others) for name, others in called.items()]
+    programs = bench.link(commands)
+    if any(status in REFUSED for status in programs.values()):
+        programs = bench.link(commands)
+        bench.check_room()
+    ready = [name for name, status in programs.items() if status == 0]
+    judged = bench.judge([bench.kit.judge_lent(stem, name, called[name]) for name in ready]) if ready else {}
+    for name in ready:
+        (bench.folder / f"{stem}.{name}.exe").unlink()
+    return {name: (bench.folder / f"{name}.asked").read_text().split() for name, status in judged.items() if status == 0}
+
+
+def waiting(functions: dict[str, dict], asked: dict[str, list[str]]) -> dict[str, list[str]]:
+    """Those that have their marks though they fail: see 'Waiting' in README.md. Two that wait for each other have
+    none: neither is an answer."""
+    good: dict[str, list[str]] = {}
+    while True:
+        more = {name: others for name, others in asked.items() if name not in good and others and
+                all(other in good or is_attempt(functions[other]) for other in others)}
+        if not more:
+            return good
+        good.update(more)
