@@ -79,7 +79,7 @@ class Grader:
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
         self.tests = sum_of_files([table.LIST, *GRADER, *judges,
                                    *sorted((self.kit.folder / "link").iterdir()),
-                                   self.kit.folder / "commands", Path(self.kit.parts), *confine])
+                                   *(self.kit.folder / name for name in ("commands", "parts", "explain")), *confine])
 
     def begin(self) -> None:
         """When it is clear that there is something to mark, and nobody else does."""

@@ -2,8 +2,8 @@
 
 Four steps: compile; link with what asks for answers; judge; and if a function failed that calls an
 earlier one that failed, judge it again with the reference lent for that other one. What a student made
-is run and compiled; of it only the compiler's words and the names in its object file are read. A step that does not come to its end
-raises GraderFailed (confine/machine.py).
+is run and compiled; of it only the compiler's words and the names in its object file are read. A step
+that does not come to its end raises GraderFailed (confine/machine.py).
 """
 from __future__ import annotations
 

@@ -100,7 +100,8 @@ def lend(bench: Workbench, stem: str, functions: dict[str, dict], may: dict[str,
     judged = bench.judge([bench.kit.judge_lent(stem, name, called[name]) for name in ready]) if ready else {}
     for name in ready:
         (bench.folder / f"{stem}.{name}.exe").unlink()
-    return {name: (bench.folder / f"{name}.asked").read_text().split() for name, status in judged.items() if status == 0}
+    return {name: (bench.folder / f"{name}.asked").read_text().split()
+            for name, status in judged.items() if status == 0}
 
 
 def waiting(functions: dict[str, dict], asked: dict[str, list[str]]) -> dict[str, list[str]]:
