@@ -119,7 +119,8 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 	$(Q)for source in $(filter %.c,$(call answers_of,$*)); do \
 		$(AS_REFERENCE) -E "$$source" -o "$(@D)/$*/$$(echo "$$source" | tr / -).i" || exit 1; done
 	$(Q)$(call mutants_of,/dev/null)
-	$(Q)$(AS_REFERENCE) $(ALL_ERRORS) -fsyntax-only $(@D)/$*.c 2> $(@D)/$*.errors || true
+	$(Q)$(subst -w,-Werror=incompatible-pointer-types,$(AS_REFERENCE)) $(ALL_ERRORS) -fsyntax-only \
+		$(@D)/$*.c 2> $(@D)/$*.errors || true
 	$(Q)$(call mutants_of,$(@D)/$*.errors)
 	$(Q)$(subst -w,-Winit-self -Werror=uninitialized,$(AS_REFERENCE)) $(ALL_ERRORS) -O0 -c -o /dev/null \
 		$(@D)/$*.c 2>> $(@D)/$*.errors || true

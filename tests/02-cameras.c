@@ -456,8 +456,8 @@ static void look_refuses_an_up_along_the_view(double sign)
     for (int i = 0; i < 10; i++) {
         vec3 forward = random_unit();
         view.eye = random_vec3(-5, 5);
-        view.at = view.eye + 3 * forward;
-        view.up = sign * random_number(0.1, 9) * forward;
+        view.at = view.eye + (i % 3 == 0 ? 0.3 : 3) * forward;
+        view.up = sign * random_number(0.1, i % 2 == 0 ? 0.9 : 9) * forward;
         look_refuses(view, UP);
     }
 }

@@ -571,6 +571,8 @@ START_TEST(no_t_is_too_large)
     for (int i = 0; i < RUNGS; i++) {
         Scene scene = two_at(up(i));
         expect_nearest(straight_ahead, &scene, up(i), 1);
+        scene = two_at(up(i) / 2); // 1.5e9, which an int still holds
+        expect_nearest(straight_ahead, &scene, up(i) / 2, 1);
     }
 }
 END_TEST

@@ -44,6 +44,8 @@ static void ask_of_cameras(Form form)
             c.distance = 1;
         if (i % 8 == 1)
             c.height = c.width;
+        if (i % 8 == 6) // vectors and points are the same
+            c.origin = vec3_of(0, 0, 0);
         ask(form, c, corners_of(c));
     }
 }
@@ -91,9 +93,11 @@ static void ask_of_none(Form form)
 {
     for (int i = 0; i < 4 * MANY; i++) {
         Camera c = random_camera();
-        Corners v = spoilt_corners(c, i);
+        Corners v = i % 16 == 14 ? corners_of(c) : spoilt_corners(c, i);
         if (i % 16 == 14)
             c.origin[i / 16 % 3] = not_finite(i / 16 % 3);
+        if (i % 16 == 11)
+            c.origin = vec3_of(0, 0, 0);
         ask(form, c, v);
     }
 }
@@ -145,6 +149,23 @@ static void ask_of_single_faults(Form form)
     }
 }
 
+// Planes that are narrow or low beside their distance, by any amount.
+static void ask_of_slender_planes(Form form)
+{
+    for (int i = 0; i < MANY; i++) {
+        Camera c = random_camera();
+        *(i % 2 == 0 ? &c.width : &c.height) *= pow(10, random_number(-7, -1));
+        ask(form, c, corners_of(c));
+        double small = pow(10, random_number(-9, -4));
+        c = random_camera();
+        c.origin = vec3_of(0, 0, 0);
+        c.distance *= small;
+        c.width *= i % 2 == 0 ? small : 1e-3 * small;
+        c.height *= small;
+        ask(form, c, corners_of(c));
+    }
+}
+
 // An eye on its own axis: what is meant as points would do as vectors, too.
 static void ask_from_the_axis(Form form)
 {
@@ -158,6 +179,8 @@ static void ask_from_the_axis(Form form)
 START_TEST(vectors_to_any_rectangle)
 {
     ask_of_cameras(VECTORS);
+    ask_from_the_axis(VECTORS);
+    ask_of_slender_planes(VECTORS);
 }
 END_TEST
 
@@ -172,6 +195,7 @@ START_TEST(points_of_any_rectangle)
 {
     ask_of_cameras(POINTS);
     ask_from_the_axis(POINTS);
+    ask_of_slender_planes(POINTS);
 }
 END_TEST
 
@@ -197,6 +221,7 @@ START_TEST(corner_of_any_rectangle)
 {
     ask_of_cameras(CORNER);
     ask_from_the_axis(CORNER);
+    ask_of_slender_planes(CORNER);
 }
 END_TEST
 
@@ -223,6 +248,10 @@ static LookAt spoilt(LookAt view, int i)
 {
     vec3 forward = view.at - view.eye;
     int way = i / 12;
+    if (way % 2 == 1) { // close by
+        forward *= random_number(0.05, 0.9) / vec3_length(forward);
+        view.at = view.eye + forward;
+    }
     switch (i % 12) {
     case 0:
         view.at = view.eye;

@@ -80,6 +80,8 @@ START_TEST(roots_of_any_ray_and_sphere)
 {
     for (int i = 0; i < MANY; i++) {
         Aimed it = any(i);
+        if (i % 4 >= 2) // worlds and directions of any size
+            it = scaled(it, pow(10, random_number(-6, 6)), pow(10, random_number(-6, 6)));
         sphere_roots(it.ray, it.sphere);
     }
 }
@@ -89,6 +91,8 @@ START_TEST(hits_of_any_ray_and_sphere)
 {
     for (int i = 0; i < MANY; i++) {
         Aimed it = any(i);
+        if (i / 4 % 2 == 1) // worlds and directions of any size
+            it = scaled(it, pow(10, random_number(-6, 6)), pow(10, random_number(-6, 6)));
         hit_sphere(it.ray, it.sphere);
     }
 }

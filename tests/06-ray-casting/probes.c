@@ -21,8 +21,10 @@ static void random_row(Sphere *spheres, Ray ray)
     }
 }
 
-static Light lights[2] = {{.position = {3, 4, 5}, .color = {0.5, 0.6, 0.7}},
-                          {.position = {-3, 5, 1}, .color = {0.7, 0.4, 0.3}}};
+static Light lights[] = {{.position = {3, 4, 5}, .color = {0.5, 0.6, 0.7}},
+                         {.position = {-3, 5, 1}, .color = {0.7, 0.4, 0.3}},
+                         {.position = {1, 2, -4}, .color = {0.2, 0.8, 0.5}},
+                         {.position = {-2, 3, 2}, .color = {0.6, 0.1, 0.9}}};
 
 static Scene any_scene(Sphere *spheres, int count)
 {
@@ -30,8 +32,17 @@ static Scene any_scene(Sphere *spheres, int count)
     scene.background = random_vec3(0.1, 0.9);
     scene.ambient = random_vec3(0.1, 0.9);
     scene.lights = lights; // for whoever counts them instead of spheres
-    scene.light_count = sizeof lights / sizeof lights[0];
+    scene.light_count = (count + 3) % 5;
     return scene;
+}
+
+static void in_a_world_of(double size, Ray *ray, int count, Sphere *spheres)
+{
+    ray->origin *= size;
+    for (int i = 0; i < count; i++) {
+        spheres[i].center *= size;
+        spheres[i].radius *= size;
+    }
 }
 
 START_TEST(nearest_hits_of_any_ray)
@@ -47,6 +58,8 @@ START_TEST(nearest_hits_of_any_ray)
                                         spheres[0].radius * vec3_unit(ray.direction);
         if (i % 16 == 4) // two that are equal
             spheres[1].center = spheres[0].center, spheres[1].radius = spheres[0].radius;
+        if (i % 8 == 5) // any size
+            in_a_world_of(pow(10, random_number(-6, 6)), &ray, SPHERES, spheres);
         nearest_hit(ray, &scene);
     }
 }

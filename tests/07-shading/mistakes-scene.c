@@ -109,10 +109,9 @@ RELATIVE(a_millionth_of_the_size, 1e-6)
 RELATIVE(a_float_epsilon_of_the_size, 0x1p-23)
 
 const Mistake offset_mistakes[] = {
-    MISTAKE("O-none", off_surface, not_at_all, "p, or p + 1e-9 n",
-            "rounding leaves p on either side of its surface, and in numbers as large as these a "
-            "billionth is nothing. From the wrong side a ray meets the surface that it starts "
-            "from.",
+    MISTAKE("O-none", off_surface, not_at_all, "p",
+            "rounding leaves p on either side of its surface. From the wrong side a ray meets the "
+            "surface that it starts from.",
             "black speckles all over what should be lit"),
     MISTAKE("O-other", off_surface, to_the_other_side, "p - e s n",
             "the point has to go to the side to which the normal points; on the other one it is "
@@ -195,6 +194,7 @@ FIXED(fixed_1e_5, 1e-5)
 FIXED(fixed_1e_6, 1e-6)
 FIXED(fixed_1e_7, 1e-7)
 FIXED(fixed_1e_8, 1e-8)
+FIXED(fixed_1e_9, 1e-9)
 
 // The row of the table for such a step.
 #define FIXED_ROW(digits, answer)                                                                  \
@@ -216,5 +216,6 @@ const Mistake fixed_offset_mistakes[] = {
     FIXED_ROW("1e-6", fixed_1e_6),
     FIXED_ROW("1e-7", fixed_1e_7),
     FIXED_ROW("1e-8", fixed_1e_8),
+    FIXED_ROW("1e-9", fixed_1e_9),
     {0},
 };

@@ -79,10 +79,15 @@ static void ask_for_highlights(Highlight *term)
         Color light = random_color(0.1, i % 4 == 0 ? 30 : 1.5);
         if (i % 6 == 5)
             shine = i / 6 % 4;
+        bool sharp = i % 6 == 1; // close to the middle of a small highlight
+        if (sharp)
+            shine = random_number(12, 60);
         vec3 normal = random_unit(), to_light = any_way(normal, i);
         vec3 mirrored = 2 * vec3_dot(normal, to_light) * normal - to_light;
-        vec3 to_eye = mirrored + random_number(0, i % 4 == 2 ? 3 : 0.8) * vec3_length(mirrored) *
-                                     random_unit();
+        vec3 to_eye = mirrored + random_number(0, sharp        ? 0.1
+                                                  : i % 4 == 2 ? 3
+                                                               : 0.8) *
+                                     vec3_length(mirrored) * random_unit();
         if (i % 6 == 5)
             to_eye = -to_eye;
         if (i % 8 == 3) // behind, as both are
@@ -137,17 +142,20 @@ START_TEST(what_arrives_anywhere)
 {
     for (int i = 0; i < 8 * MANY; i++) {
         World world;
-        random_world(&world, i % 3, 1, 1);
+        random_world(&world, i % 3, 1 + i % 5, 1);
         Light light = world.lights[0];
         vec3 from = random_vec3(-7, 7);
         vec3 to = light.kind == LIGHT_POINT ? light.position : from + light.position;
-        double part = i % 8 < 3    ? random_number(0.1, 0.9)
+        double part = i % 9 == 6   ? random_number(1.2, 2)
+                      : i % 8 < 3  ? random_number(0.1, 0.9)
                       : i % 8 == 3 ? any_small()
                       : i % 8 == 4 ? 1 - any_small()
                       : i % 8 == 5 ? random_number(1.01, 3)
                       : i % 8 == 6 ? -random_number(0.05, 1)
                                    : -0.01;
         put_on_the_way(&world, from, to, part);
+        if (i % 9 == 6) // the first beyond the light, the last before it
+            put_on_the_way(&world, from, to, random_number(0.2, 0.8));
         if (i % 5 == 0)
             put_on_the_way(&world, from, to, random_number(-1, 2));
         for (int k = 0; k < world.scene.surface_count; k++)
@@ -200,6 +208,43 @@ START_TEST(light_of_any_surface)
 END_TEST
 
 // Inside one, with a lamp between the place and the centre.
+// In worlds of any size.
+static void scale(World *world, Ray *ray, double size)
+{
+    for (int i = 0; i < world->scene.sphere_count; i++) {
+        world->spheres[i].center *= size;
+        world->spheres[i].radius *= size;
+    }
+    for (int i = 0; i < world->scene.light_count; i++)
+        world->lights[i].position *= size;
+    ray->origin *= size;
+    ray->direction *= size;
+}
+
+START_TEST(light_in_any_size)
+{
+    for (int i = 0; i < 2 * MANY; i++) {
+        World world;
+        Ray ray = any_view(&world, i);
+        scale(&world, &ray, pow(10, random_number(-5, 4)));
+        Hit hit = nearest_hit(ray, &world.scene);
+        if (hit.sphere >= 0)
+            shade(&world.scene, ray, hit);
+    }
+}
+END_TEST
+
+START_TEST(what_is_seen_in_any_size)
+{
+    for (int i = 0; i < 2 * MANY; i++) {
+        World world;
+        Ray ray = any_view(&world, i);
+        scale(&world, &ray, pow(10, random_number(-5, 4)));
+        trace_ray(&world.scene, ray, i % 3);
+    }
+}
+END_TEST
+
 START_TEST(light_of_near_lamps)
 {
     for (int i = 0; i < MANY; i++) {
@@ -308,10 +353,12 @@ void list_probes(void)
     test(what_arrives_anywhere);
     tests_of("shade");
     test(light_of_any_surface);
+    test(light_in_any_size);
     test(light_of_near_lamps);
     test(light_that_grazes);
     tests_of("trace_ray");
     test(what_any_ray_sees);
+    test(what_is_seen_in_any_size);
     test(what_is_seen_in_many_mirrors);
     tests_of("clamp_color");
     test(clamped_colors);

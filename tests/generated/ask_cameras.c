@@ -55,9 +55,11 @@ static void spoil_alone(Question *q, const Camera *c)
 // A rectangle, or one that has been pushed out of shape.
 static void draw_rectangle(Question *q)
 {
-    q->size = draw_any_size();
+    q->size = draw_any_size() * (draw_one_in(6) ? draw_scale(1e-3, 1e3) : 1);
     q->exact = true;
     Camera c = draw_camera(q->size);
+    if (draw_one_in(12))
+        c.distance *= 1000;
     vec3 middle = c.distance * c.forward, right = c.width / 2 * c.right, up = c.height / 2 * c.up;
     q->eye = c.origin;
     if (draw_one_in(3)) {
@@ -89,7 +91,7 @@ static void draw_rectangle(Question *q)
     if (draw_one_in(3))
         spoil_alone(q, &c);
     else if (draw_one_in(8))
-        *corners[draw_below(4)] += q->size * draw_scale(1e-4, 2) * draw_unit();
+        *corners[draw_below(4)] += q->size * draw_scale(1e-6, 2) * draw_unit();
     if (draw_one_in(20))
         spoil(corners[draw_below(4)]);
     if (draw_one_in(30))
@@ -192,7 +194,7 @@ static int reasons_of(vec3 upper_left, vec3 upper_right, vec3 lower_left, vec3 l
     double wide = fmax(vec3_length(upper), vec3_length(lower));
     double high = fmax(vec3_length(left), vec3_length(right));
     double far = vec3_length(middle), tiny = 1e-7 * (wide + high + far);
-    bool parallelogram = vec3_length(upper - lower) <= tiny;
+    bool parallelogram = vec3_length(upper - lower) <= 1e-8 * (wide + high);
     bool right_angles = fabs(vec3_dot(upper, left)) <= 1e-7 * wide * high;
     bool on_axis = fabs(vec3_dot(upper, middle)) <= 1e-7 * wide * far &&
                    fabs(vec3_dot(left, middle)) <= 1e-7 * high * far;
@@ -255,7 +257,9 @@ static bool is_right_of_corner(const Question *q, const Answer *yours, const Ans
     vec3 corner = q->lower_left - q->eye;
     vectors.corners =
         (Corners){corner + q->up, corner + q->across + q->up, corner, corner + q->across};
-    return is_right_of_vectors(&vectors, yours, right);
+    int none =
+        reason(is_none(q->across), CAMERA_NO_WIDTH) | reason(is_none(q->up), CAMERA_NO_HEIGHT);
+    return is_right_of_vectors(&vectors, yours, right) || may_refuse(none, yours, right);
 }
 
 static bool is_right_of_look_at(const Question *q, const Answer *yours, const Answer *right)
@@ -269,6 +273,7 @@ static bool is_right_of_look_at(const Question *q, const Answer *yours, const An
                  (vec3_length(ahead) > 0 || vec3_length(v->up) == 0);
     int reasons = reason(!finite || v->aspect == 0, CAMERA_NOT_FINITE) |
                   reason(!(vec3_length(ahead) > 0), CAMERA_NO_DIRECTION) |
+                  reason(!(vec3_length(ahead) > 0), CAMERA_NO_DISTANCE) |
                   reason(along, CAMERA_UP_ALONG_VIEW) | reason(!(v->width > 0), CAMERA_NO_WIDTH) |
                   reason(!(v->aspect > 0) || !(v->width > 0), CAMERA_NO_HEIGHT);
     return may_refuse(reasons, yours, right);

@@ -30,7 +30,9 @@ static void draw_point(Question *q)
 {
     q->size = draw_any_size();
     q->sphere = draw_sphere(5 * q->size, draw_one_in(5) ? vec3_of(0, 0, 0) : draw_vec3(q->size));
-    if (draw_one_in(4)) // far away along one axis
+    if (draw_one_in(12))
+        q->sphere.center = vec3_of(0, 0, 0);
+    else if (draw_one_in(4)) // far away along one axis
         q->sphere.center[draw_below(3)] += q->sphere.radius * draw(-300, 300);
     q->normal = draw_unit();
     q->from = q->sphere.center + q->sphere.radius * q->normal;
@@ -84,11 +86,12 @@ static void ask_highlight(AnyFunction *answer, Question *q, Answer *said)
     say_vec3(said, color, 3e-9);
 }
 
-// Of light along the surface rounding decides on which side it comes.
+// Of light along the surface rounding decides on which side it comes. With a shine of 0 the power
+// of a cosine that is negative, and so taken for 0, is 1.
 static bool is_right_of_highlight(const Question *q, const Answer *yours, const Answer *right)
 {
-    return fabs(vec3_dot(q->normal, q->to_light)) <= 1e-9 * vec3_length(q->to_light) &&
-           yours->count == right->count;
+    bool grazes = fabs(vec3_dot(q->normal, q->to_light)) <= 1e-9 * vec3_length(q->to_light);
+    return (grazes || q->shine == 0) && yours->count == right->count;
 }
 
 static double size_of(const Question *q)
@@ -109,8 +112,9 @@ static bool is_right_start(const Question *q, const Answer *yours, const Answer 
         return false;
     vec3 offset = vec3_of(yours->number[0], yours->number[1], yours->number[2]);
     double size = size_of(q), length = vec3_length(offset), off = vec3_dot(offset, q->normal);
-    return length >= 0x1p-32 * size && length <= 0x1p-28 * size && off > 0 &&
-           vec3_length(offset - off * q->normal) < 1e-3 * length;
+    double slack = 1e-6 + 1e-15 * vec3_length(q->from) / (0x1p-32 * size);
+    return length >= (1 - slack) * 0x1p-32 * size && length <= (1 + slack) * 0x1p-28 * size &&
+           off > 0 && vec3_length(offset - off * q->normal) < 1e-3 * length;
 }
 
 static void draw_bright(Question *q)
@@ -120,6 +124,8 @@ static void draw_bright(Question *q)
         q->color[draw_below(3)] = draw(-2, 4);
     if (draw_one_in(4))
         q->color[draw_below(3)] = draw_scale(1e-6, 1e6);
+    if (draw_one_in(6))
+        q->color[draw_below(3)] = 1 + draw(-1, 1) * draw_scale(1e-8, 1e-3);
 }
 
 static void ask_clamp(AnyFunction *answer, Question *q, Answer *said)
@@ -129,7 +135,7 @@ static void ask_clamp(AnyFunction *answer, Question *q, Answer *said)
 
 static void draw_display(Question *q)
 {
-    static const double usual[] = {1, 2.2, 1.8, 2};
+    static const double usual[] = {1, 2.2, 3, 2};
     q->color = draw_color();
     q->gamma = draw_one_in(2) ? usual[draw_below(4)] : draw_scale(0.2, 6);
 }

@@ -76,10 +76,10 @@ static bool agree(const Answer *a, const Answer *b)
 }
 
 // Whether what this function says changes where only the last digits of the question do.
-static bool is_on_edge(AnyFunction *answer, const Question *question, const Answer *said)
+static bool is_shaky(AnyFunction *answer, const Question *question, const Answer *said)
 {
     static Answer other;
-    for (int i = 0; i < 6 && !question->exact; i++) {
+    for (int i = 0; i < 6; i++) {
         Question near = *question;
         nudge(&near);
         ask(answer, &near, &other);
@@ -87,6 +87,11 @@ static bool is_on_edge(AnyFunction *answer, const Question *question, const Answ
             return true;
     }
     return false;
+}
+
+static bool is_on_edge(AnyFunction *answer, const Question *question, const Answer *said)
+{
+    return !question->exact && is_shaky(answer, question, said);
 }
 
 static bool is_right(int i, const Answer *said)
@@ -101,8 +106,12 @@ Truth truth_of(AnyFunction *answer, int *question)
     Truth truth = RIGHT;
     for (int i = 0; i < subject->questions; i++) {
         ask(answer, &questions[i], &said);
-        if (is_right(i, &said))
+        if (is_right(i, &said)) {
+            // Right, but by fewer digits than are left of any usual way to compute it.
+            if (truth == RIGHT && agree(&said, &right[i]) && !agree_to(0.001, &said, &right[i]))
+                truth = AT_THE_EDGE;
             continue;
+        }
         if (!questions[i].edge && !is_on_edge(reference, &questions[i], &right[i])) {
             *question = i;
             return WRONG;
@@ -158,8 +167,8 @@ Likeness likeness(AnyFunction *answer, AnyFunction *mistake)
         ask(mistake, &questions[i], &theirs);
         bool alike = agree(&yours, &theirs), wrong = !is_right(i, &yours);
         bool free = is_right(i, &theirs) && (!wrong || both_refuse(&yours, &theirs));
-        bool apart = !alike && !free && !is_on_edge(mistake, &questions[i], &theirs) &&
-                     !is_on_edge(answer, &questions[i], &yours);
+        bool apart = !alike && !free && !is_shaky(mistake, &questions[i], &theirs) &&
+                     !is_shaky(answer, &questions[i], &yours);
         it.wrong += wrong && (alike || apart);
         it.alike += wrong && alike;
         it.apart += apart;

@@ -33,4 +33,7 @@ void evidence_end(Evidence *evidence); // frees what it holds
 // What is free by the contract does not count: a direction is made unit where its length is.
 void settle_freedom(int exercise, Numbers *numbers);
 
+// Whether two results agree as far as anybody can tell. Of a step off a surface that is the step.
+bool results_agree(int exercise, const Numbers *arguments, const Numbers *a, const Numbers *b);
+
 #endif

@@ -79,7 +79,7 @@ static bool brings(int exercise, int nth, const Heard *heard, const Numbers *you
 {
     Numbers theirs = numbers_copy(heard->by(exercise, cases[exercise].suspects[nth].mistake, nth));
     settle_freedom(exercise, &theirs);
-    bool same = numbers_same(yours, &theirs);
+    bool same = results_agree(exercise, heard->arguments, yours, &theirs);
     numbers_free(&theirs);
     return same;
 }
@@ -327,8 +327,8 @@ Diagnosis diagnose(int exercise, bool hidden)
     return it;
 }
 
-// A test that fails leaves by a jump, past what it would have freed, and mistakes fail on purpose: the
-// address sanitizer is not to look for leaks in programs that run them.
+// A test that fails leaves by a jump, past what it would have freed, and mistakes fail on purpose:
+// the address sanitizer is not to look for leaks in programs that run them.
 const char *__asan_default_options(void);
 const char *__asan_default_options(void)
 {

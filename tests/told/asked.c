@@ -25,10 +25,17 @@ static void fail(const char *why)
     exit(1);
 }
 
+// To the last bit: who tells mistakes apart looks closer at some results than at others.
+static bool are_equal(const Numbers *a, const Numbers *b)
+{
+    return a->count == b->count &&
+           (a->count == 0 || memcmp(a->at, b->at, (size_t)a->count * sizeof *a->at) == 0);
+}
+
 static int which_result(ToldCall *call, Numbers *result)
 {
     for (int i = 0; i < call->result_count; i++)
-        if (numbers_same(&call->results[i], result)) {
+        if (are_equal(&call->results[i], result)) {
             numbers_free(result);
             return i;
         }
