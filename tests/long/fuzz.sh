@@ -1,5 +1,6 @@
 #!/bin/sh
-# fuzz.sh - the scene reader on what a fuzzer thinks of (tests/fuzz/scene.c), FUZZ_SECONDS long.
+# fuzz.sh - what a fuzzer thinks of (tests/fuzz), FUZZ_SECONDS long each: the scene reader, and the
+# explainer of a compiler's words.
 # Only reads the tree.
 set -u
 . tests/library.sh
@@ -8,19 +9,30 @@ if ! echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return !
     clang -fsanitize=fuzzer -x c - -o "$scratch/try" >/dev/null 2>&1; then
     skip fuzz "fuzz: clang's libFuzzer is missing ('make setup FOR=contributor' installs it)"
 fi
+# builds NAME SOURCE...
 builds() {
+    target=$1
+    shift
     clang -std=c11 -D_DEFAULT_SOURCE -Wno-psabi -I. -g -O1 \
-        -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -o "$scratch/fuzz" \
-        tests/fuzz/scene.c common/scene.c common/nff_*.c common/text.c common/answers.c -lm
+        -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -o "$scratch/$target" \
+        "tests/fuzz/$target.c" "$@" -lm
 }
-# New finds go to the scratch folder; the kept corpus is only read.
+# New finds go to the scratch folder; the kept corpus is only read: runs NAME DICTIONARY CORPUS
 runs() {
-    mkdir "$scratch/new"
-    "$scratch/fuzz" -max_total_time="$seconds" -max_len=4096 -dict=tests/fuzz/nff.dict \
-        -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/new" tests/fuzz/corpus \
+    mkdir "$scratch/new-$1"
+    "$scratch/$1" -max_total_time="$seconds" -max_len=4096 -dict="tests/fuzz/$2" \
+        -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/new-$1" "$3" \
         2>"$scratch/log" || { tail -n 40 "$scratch/log"; return 1; }
+    sed -n 's/^stat::number_of_executed_units: */+ fuzz: inputs tried: /p' "$scratch/log" >>"$scratch/tried"
 }
-check 'the fuzz target builds' builds
-check "the scene reader stands $seconds s of fuzzing" runs
-sed -n 's/^stat::number_of_executed_units: */+ fuzz: inputs tried: /p' "$scratch/log"
+check 'the fuzz target of scenes builds' \
+    builds scene common/scene.c common/nff_*.c common/text.c common/answers.c
+check "the scene reader stands $seconds s of fuzzing" runs scene nff.dict tests/fuzz/corpus
+# A case each of what is recorded.
+mkdir "$scratch/cases"
+cat tests/course/explained/*.txt | csplit -s -z -n 3 -f "$scratch/cases/" - '/^== /' '{*}'
+check 'the fuzz target of the explainer builds' \
+    builds explain tests/course/explain_[!m]*.c tests/course/explain_me*.c tests/course/explain_mi*.c
+check "the explainer stands $seconds s of fuzzing" runs explain explain.dict "$scratch/cases"
+cat "$scratch/tried"
 finish fuzz
