@@ -3,8 +3,9 @@
 // Slide 'Still something missing ...': the same three spheres, flat and shaded. Phong,
 // 'Illumination for Computer Generated Pictures', 1975; Blinn, 'Models of Light Reflection for
 // Computer Synthesized Pictures', 1977; Whitted, 'An Improved Illumination Model for Shaded
-// Display', 1980. Colours and lights are numbers from 0 on, not clamped before clamp_color. Normals
-// are unit; other vectors have any length but 0, unless a line says unit. Radii are positive.
+// Display', 1980. Colours and lights are numbers from 0 on, not clamped before clamp_color; kd and
+// ks are 0 to 1. Normals are unit; other vectors have any length but 0, unless a line says unit.
+// Radii are positive.
 // Tolerance: 1e-9 of the numbers that go in; of a colour, of the light that goes in. Only what a
 // curved mirror shows depends a little on how far its rays start off the surface. Worlds and lights
 // are of any size: no number is too small or too large, and there may be any number of things.
@@ -36,7 +37,8 @@ vec3 mirror_direction(vec3 direction, vec3 normal);
 
 // Phong's highlight, in the colour of the light: ks times the light, times the cosine between the
 // mirrored light and the way to the eye, to the power of shine. Nothing where that cosine is
-// negative, or the light is behind the surface. The eye is in front of it.
+// negative, or the light is behind the surface. The eye is in front of it, and shine is not 0 where
+// the cosine is negative: pow(0, 0) is 1.
 Color phong_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
 // Blinn's variant: the cosine between the normal and the vector half-way between light and eye.
@@ -49,12 +51,14 @@ Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_li
 vec3 off_surface(Sphere sphere, vec3 point, vec3 normal);
 
 // How much of a light arrives at a place: 1, or 0 where any sphere is in between. Of a point light,
-// what lies behind it is not in between.
+// what lies behind it is not in between. A surface that meets the light to a millionth of its radius
+// may be either.
 double visibility(const Scene *scene, vec3 from, Light light);
 
 // The light that a surface sends back along the ray that hit it: ambient, and of each light that
 // arrives diffuse and Phong's specular. Seen from inside, the normal is turned to the eye's side.
-// The surface and the ambient light are the scene's. No mirrors.
+// The surface and the ambient light are the scene's. No mirrors. How the way to a light begins off the
+// surface is free, as long as it does not meet the surface there.
 Color shade(const Scene *scene, Ray ray, Hit hit);
 
 // The colour that a ray sees: the background; or what shade says and, where depth > 0 and the

@@ -892,6 +892,29 @@ START_TEST(a_high_power_leaves_little)
 }
 END_TEST
 
+// How much of it is seen at a small angle from the middle: with a high power that is not all of it.
+static double near_the_middle(double angle)
+{
+    return pow(cos(angle), 50);
+}
+
+START_TEST(close_to_its_middle_a_highlight_is_already_weaker)
+{
+    for (double angle = 0.03; angle > 1e-5; angle /= 10)
+        expect_phong(1, 50, white, up, up, vec3_of(sin(angle), cos(angle), 0),
+                     near_the_middle(angle) * white);
+}
+END_TEST
+
+START_TEST(close_to_its_middle_this_highlight_too_is_weaker)
+{
+    for (double angle = 0.03; angle > 1e-5; angle /= 10) {
+        vec3 there = vec3_of(sin(angle), cos(angle), 0);
+        expect_halfway(1, 50, white, up, there, there, near_the_middle(angle) * white);
+    }
+}
+END_TEST
+
 START_TEST(a_high_power_leaves_little_here_too)
 {
     const vec3 there = {0, 0.5, 0.86602540378443864676};
@@ -1010,6 +1033,7 @@ void list_tests(void)
     test(a_cosine_however_small_has_its_power);
     test(shine_may_be_as_large_or_as_small_as_it_likes);
     test(a_high_power_leaves_little);
+    test(close_to_its_middle_a_highlight_is_already_weaker);
     tests_of("halfway_term");
     test(where_the_normal_is_half_way_ks_of_the_light_is_seen);
     test(the_cosine_with_the_normal_is_taken_to_the_power_of_shine);
@@ -1026,6 +1050,7 @@ void list_tests(void)
     test(a_cosine_however_small_has_its_power_here_too);
     test(here_too_shine_may_be_as_large_or_as_small_as_it_likes);
     test(a_high_power_leaves_little_here_too);
+    test(close_to_its_middle_this_highlight_too_is_weaker);
     tests_of("clamp_color");
     test(what_is_between_0_and_1_stays);
     test(what_is_above_1_becomes_1_and_the_others_stay);

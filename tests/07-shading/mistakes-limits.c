@@ -45,6 +45,21 @@ HIGHLIGHT(shine_at_most_128, shine = fmin(128, shine))
 HIGHLIGHT(shine_at_most_1000, shine = fmin(1000, shine))
 HIGHLIGHT(shine_rounded, shine = floor(shine + 0.5))
 HIGHLIGHT(ks_and_shine, double kept = ks; ks = shine; shine = kept)
+// The cosine on which a highlight depends, and all of it where that is nearly 1.
+static Color phong_all_near_the_middle(double ks, double shine, Color light, vec3 n, vec3 l, vec3 e)
+{
+    vec3 mirrored = 2 * vec3_dot(n, l) * n - l;
+    bool near = cosine_of(mirrored, e) > 0.999999 && vec3_dot(n, l) > 0;
+    return near ? ks * light : phong_term(ks, shine, light, n, l, e);
+}
+static Color halfway_all_near_the_middle(double ks, double shine, Color light, vec3 n, vec3 l,
+                                         vec3 e)
+{
+    vec3 between = l / vec3_length(l) + e / vec3_length(e);
+    bool near = cosine_of(between, n) > 0.999999 && vec3_dot(n, l) > 0;
+    return near ? ks * light : halfway_term(ks, shine, light, n, l, e);
+}
+
 HIGHLIGHT(low_from_1e_3, if (low < 1e-3) return grey(0))
 HIGHLIGHT(low_from_1e_6, if (low < 1e-6) return grey(0))
 
@@ -66,6 +81,9 @@ const Mistake term_limit_mistakes[] = {
     MISTAKE("DI-1e-6", diffuse_term, diffuse_from_1e_6, "nothing where n.l is below 1e-6",
             "a low light scatters little, but not nothing: only below 0 there is nothing.",
             "hardly anything"),
+    BOTH("near1", all_near_the_middle, "all of ks where the cosine is above 0.999999",
+         "with a high shine the highlight is already weaker there: take the power of any cosine.",
+         "a flat spot in the middle of small highlights"),
     BOTH("shine0", black_without_shine, "nothing where shine is 0",
          "anything to the power of 0 is 1: with a shine of 0 all of ks is seen.",
          "no highlight where it should be as wide as can be"),
