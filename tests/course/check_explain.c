@@ -273,6 +273,26 @@ START_TEST(a_line_that_is_not_there_is_not_looked_for)
 }
 END_TEST
 
+// A program may have written it, to keep this one busy.
+START_TEST(a_statement_without_end_is_not_read_to_its_end)
+{
+    char *answer = NULL;
+    size_t size;
+    FILE *out = open_memstream(&answer, &size);
+    ck_assert_ptr_nonnull(out);
+    fputs(UPPER_LEFT "{\n    c\n", out);
+    for (int i = 0; i < 1000; i++)
+        fputs("    +\n", out);
+    fputs("    0,5;\n}\n", out);
+    ck_assert_int_eq(fclose(out), 0);
+    expect_said(explain, answer, "01-corners.c:5:5: warning: value computed is not used\n",
+                "01-corners.c:5:5: warning: value computed is not used\n"
+                "    5 |     c\n"
+                "      |     ^\n");
+    free(answer);
+}
+END_TEST
+
 // ---- the linker
 // -----------------------------------------------------------------------------------
 
@@ -384,6 +404,7 @@ void list_tests(void)
     test(no_words_are_explained_by_none);
     test(a_compiler_that_crashes_is_quoted);
     test(a_line_that_is_not_there_is_not_looked_for);
+    test(a_statement_without_end_is_not_read_to_its_end);
     tests_of("explain_linker");
     test(a_main_of_ones_own_is_to_be_left_out);
     test(names_are_sorted_and_said_once);

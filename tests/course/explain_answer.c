@@ -9,9 +9,9 @@
 // The code of a line: no comments, nothing between quotes, blanks for tabs. in_comment: of /* */.
 static const char *code_of(const char *line, bool *in_comment)
 {
-    char *code = text_memory(strlen(line) + 1);
+    char *code = text_memory(strnlen(line, LONGEST_CODE) + 4);
     size_t size = 0;
-    for (size_t i = 0; line[i] != '\0';) {
+    for (size_t i = 0; line[i] != '\0' && size < LONGEST_CODE;) {
         if (*in_comment) {
             *in_comment = !(line[i] == '*' && line[i + 1] == '/');
             i += *in_comment ? 1 : 2;
@@ -186,11 +186,11 @@ static bool ends_statement(const char *code)
 
 size_t answer_statement(const Answer *answer, size_t line)
 {
-    while (line > 1) {
+    for (size_t least = line > LONGEST_STATEMENT ? line - LONGEST_STATEMENT : 1; line > least;
+         line--) {
         const char *before = answer_code(answer, line - 1);
         if (before[0] == '\0' || before[0] == '#' || ends_statement(before))
             break;
-        line--;
     }
     return line;
 }
@@ -198,7 +198,7 @@ size_t answer_statement(const Answer *answer, size_t line)
 const char *answer_statement_text(const Answer *answer, size_t line)
 {
     size_t first = answer_statement(answer, line), end = first, length = 1;
-    while (end <= answer->last) {
+    while (end <= answer->last && end < first + 2 * LONGEST_STATEMENT) {
         const char *code = answer_code(answer, end++);
         length += 1 + strlen(code);
         if (ends_statement(code))

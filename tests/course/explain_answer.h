@@ -10,6 +10,13 @@ typedef struct {
     size_t line;
 } OwnFunction;
 
+// What is longer was written by a program, to keep this one busy: the rest is not looked at.
+enum {
+    LONGEST_CODE = 4000,
+    LONGEST_STATEMENT = 100,
+    LONGEST_FUNCTION = 2000
+}; // lines, but the first
+
 // Lines count from 1. What a line number is good for, any number is: compilers believe #line.
 typedef struct {
     const char *source; // its path, as the compiler was given it

@@ -60,6 +60,8 @@ Scope scope_of(const Code *code, size_t line)
     const Answer *answer = &code->answer;
     size_t first = answer_beginning(answer, line),
            last = line < answer->count ? line : answer->count;
+    if (last > first + LONGEST_FUNCTION)
+        last = first + LONGEST_FUNCTION;
     size_t most = 0;
     for (size_t i = first; first > 0 && i <= last; i++)
         most += strlen(answer->code[i]);
@@ -147,6 +149,8 @@ static const char *type_of_name(const Code *code, const char *name, size_t line)
     size_t first = answer_beginning(answer, line);
     if (line > answer->count)
         line = answer->count;
+    if (line > first + LONGEST_FUNCTION)
+        first = line - LONGEST_FUNCTION;
     for (; line >= first && line > 0; line--) {
         const char *text = answer->code[line], *type;
         size_t at = 0;
