@@ -10,10 +10,9 @@
 # As many at a time as there are processors, unless -j says otherwise.
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 
-#[ Between '#[' and '#]' stands what the students' handout lacks; behind '#~' what it has instead.
-ANSWERS ?= solutions
-#]
-#~ ANSWERS ?= exercises
+# A students' handout has no solutions/, no tests of the exercises and no .make/toolkit/. What is there
+# decides.
+ANSWERS ?= $(if $(wildcard solutions/.),solutions,exercises)
 STEMS := $(sort $(notdir $(basename $(wildcard exercises/*.h))))
 
 # Answers inside the tree are named from its top, others by their whole path. Not by patsubst: the
@@ -120,14 +119,13 @@ $(B)/common.a $(B)/chapters/shared.a:
 
 # Where a folder lacks an answer, the blank stands in.
 BLANKS := $(STEMS:%=build/blanks/%.c)
-#[ Blanks are made from the solutions.
-build/blanks/%.c: solutions/%.c .make/blank.awk
+# Blanks are made from the solutions; a handout has them made.
+build/blanks/%.c: solutions/%.c .make/toolkit/blank.awk
 	$(Q)mkdir -p $(@D)
-	$(Q)awk -f .make/blank.awk $< > $@
-#]
-#~ build/blanks/%.c: tests/told/blanks/%.c
-#~ 	$(Q)mkdir -p $(@D)
-#~ 	$(Q)cp $< $@
+	$(Q)awk -f .make/toolkit/blank.awk $< > $@
+build/blanks/%.c: tests/told/blanks/%.c
+	$(Q)mkdir -p $(@D)
+	$(Q)cp $< $@
 
 # Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
 # reference in the place of one of them (.make/verdict).
@@ -225,13 +223,7 @@ setup: ## install what is missing (FOR=lecturer, instructor, contributor)
 
 include .make/tests.mk
 include .make/exercises.mk
-#[
-include .make/grading.mk
-include .make/bench.mk
-
-skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
-	@.make/skeletons $(BLANKS)
-#]
+include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit/handout.mk)
 
 # ---- the habits of the house ------------------------------------------------------------------
 
@@ -259,10 +251,7 @@ clean: ## remove what was built
 	rm -rf build
 
 help: ## this
-	@awk -f .make/help.awk
+	@awk -v parts='$(filter %.mk,$(MAKEFILE_LIST))' -f .make/help.awk
 
 .PHONY: all setup check exercises watch hint debug reset format format-check tidy clean help
-#[
-.PHONY: check-all grade gradescope skeletons
-#]
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

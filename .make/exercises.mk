@@ -25,12 +25,8 @@ endif
 # What the answering process holds besides the answer.
 answering = $(B)/tests/judge/answering.o $(CALLING) $(B)/judge/dispatch-$(1).o \
 	$(lent) $(earlier_answers) $(B)/common.a
-#[ With the reference for the chapters before, one mistake costs once; and the judge lends.
-lent = $(B)/tests/judge/lent.o
-earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
-for_debug = $(call test_objects,$(1))
-#]
-#~ include .make/handout.mk
+# The tests judge. A handout has none, and judges by recorded tables.
+include $(firstword $(wildcard .make/toolkit/tests.mk .make/tables.mk))
 # Between saving and reading stands the linker: the quickest that is there.
 QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
 	gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))

@@ -15,10 +15,10 @@ layout_of = $(filter %/$(1).gp,$(LAYOUTS))
 stem_of = $(word 2,$(subst /, ,$(call layout_of,$(1))))
 figure_files = $(call layout_of,$(1)) $(wildcard common/figure/*.gp \
 	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
-# Beside another's answers, what is right, and what the judge says is wrong.
-#[
-RIGHT := $(if $(filter-out solutions,$(A)),$(B)/solutions/figures)
-ifneq ($(RIGHT),)
+# Beside another's answers, what is right, by the solutions or as a handout has recorded it, and what the
+# judge says is wrong.
+RIGHT := $(if $(wildcard solutions/.),$(if $(filter-out solutions,$(A)),$(B)/solutions/figures),tests/told/figures)
+ifneq ($(filter $(B)/%,$(RIGHT)),)
 RIGHT_PROGRAMS := $(STEMS:%=$(B)/solutions/%)
 $(RIGHT_PROGRAMS): $(B)/solutions/%: $$(call chapter_objects,$$*) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
@@ -29,8 +29,6 @@ $(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(B)/solutions/$$(call stem_of,$$*) $$(call fig
 	$(Q)mkdir -p $(@D)
 	$(Q)$< --figure $* > $@
 endif
-#]
-#~ RIGHT := tests/told/figures
 # With something missing, a figure is not yet; that is said in one line.
 $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,$$*) \
 		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(ALL_VERDICTS) build/judge/list)
@@ -67,16 +65,4 @@ $(PAGE): $(PICTURES) $(DRAWN) $(MAKE_PAGE) chapters/gallery/gallery.css $(wildca
 		$(wildcard chapters/*/README.md chapters/*/picture.txt)
 	@$(MAKE_PAGE) $(BUILT) $(B)/scenes
 
-#[
-# ---- slides -----------------------------------------------------------------------------------
-
-# chapters/slides.tex shows how figures become slides: light and dark, in steps. The figures it takes
-# are read from it; SLIDES=talk.tex: slides of your own, written alike.
-SLIDES ?= chapters/slides.tex
-ON_SLIDES := $(filter $(FIGURE_NAMES),$(shell grep -o '^[^%]*{[a-z0-9-]*}' $(SLIDES) 2>/dev/null | tr '{}' '\n\n' | sort -u))
-slides: $(ON_SLIDES:%=$(FIGURES)/%.gp) ## figures on Beamer slides, in steps (needs LaTeX: make setup FOR=lecturer)
-	@.make/slides --ready
-	@FORMAT=tex THEME= SHAPE= STEPS=1 .make/figures $(FIGURES) $(ON_SLIDES)
-	@.make/slides $(FIGURES) $(SLIDES)
-.PHONY: slides
-#]
+include $(wildcard .make/toolkit/slides.mk)

@@ -2,7 +2,7 @@
 #include "tests/01-corners/laws.h"
 
 #include "common/text.h"
-#include "tests/judge/distinct_digits.h"
+#include "tests/judge/reference/distinct_digits.h"
 #include "tests/judge/law.h"
 
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include "tests/02-cameras/laws.h"
 
 #include "common/text.h"
-#include "tests/judge/distinct_digits.h"
+#include "tests/judge/reference/distinct_digits.h"
 #include "tests/judge/law.h"
 
 // Ten times what the contract allows.

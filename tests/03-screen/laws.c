@@ -1,7 +1,7 @@
 // laws.c - laws of exercise 03: a share of the whole is as many pixels, from the same edge.
 #include "tests/03-screen/laws.h"
 
-#include "tests/judge/distinct_digits.h"
+#include "tests/judge/reference/distinct_digits.h"
 #include "tests/judge/law.h"
 
 // Wide of the contract's 1e-9 of a pixel, and of 1e-12 normalized.

@@ -2,7 +2,7 @@
 #include "tests/04-pixel-ray/laws.h"
 
 #include "common/text.h"
-#include "tests/judge/distinct_digits.h"
+#include "tests/judge/reference/distinct_digits.h"
 #include "tests/judge/law.h"
 
 // Where the ray meets the plane, counted in pixels from an edge of it; its pixel of that number

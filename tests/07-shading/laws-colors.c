@@ -1,7 +1,7 @@
 // laws-colors.c - laws of what a display gets: it fits, and it comes out as it was meant.
 #include "tests/07-shading/laws.h"
 
-#include "tests/judge/distinct_digits.h"
+#include "tests/judge/reference/distinct_digits.h"
 
 static const double enough = 1e-8;
 

@@ -6,7 +6,7 @@
 
 #include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"
-#include "tests/judge/distinct_digits.h"
+#include "tests/judge/reference/distinct_digits.h"
 
 // ---- off_surface --------------------------------------------------------------------------------
 

@@ -1,7 +1,7 @@
 // laws-terms.c - laws of the terms: what share of which light comes back, colour by colour.
 #include "tests/07-shading/laws.h"
 
-#include "tests/judge/distinct_digits.h"
+#include "tests/judge/reference/distinct_digits.h"
 
 // Ten times what the contract allows.
 static const double enough = 1e-8;

@@ -1,7 +1,7 @@
 // laws-vectors.c - laws of the ways that light takes: how long, and where to.
 #include "tests/07-shading/laws.h"
 
-#include "tests/judge/distinct_digits.h"
+#include "tests/judge/reference/distinct_digits.h"
 
 // Ten times what the contract allows.
 static const double enough = 1e-8;

@@ -5,7 +5,7 @@
 #include "tests/generated/guard.h"
 
 #include "tests/judge/record.h"
-#include "tests/told/here.h"
+#include "tests/handout/here.h"
 
 #include <setjmp.h>
 #include <signal.h>

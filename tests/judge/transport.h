@@ -2,7 +2,7 @@
 //
 // The tests call exercises by their contract names; what answers is chosen by the main program: a
 // process over a pipe (call.h), a table of what was answered before (table.h), a function of this
-// process (tests/told/here.h), or anything else that has these functions.
+// process (tests/handout/here.h), or anything else that has these functions.
 #ifndef TESTS_JUDGE_TRANSPORT_H
 #define TESTS_JUDGE_TRANSPORT_H
 

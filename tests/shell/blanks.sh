@@ -15,7 +15,7 @@ for solution in solutions/*.c; do
 done
 
 # What a blank says is in it, and nothing of the answer.
-awk -f .make/blank.awk >"$scratch/made" <<'EOF'
+awk -f .make/toolkit/blank.awk >"$scratch/made" <<'EOF'
 double f(void)
 {
     // BEGIN SOLUTION
@@ -46,7 +46,7 @@ refused() {
     ! "$@"
 }
 echo '// BEGIN SOLUTION' >"$scratch/open.c"
-check 'a solution without END SOLUTION is refused' refused awk -f .make/blank.awk "$scratch/open.c"
+check 'a solution without END SOLUTION is refused' refused awk -f .make/toolkit/blank.awk "$scratch/open.c"
 
 # reset: every answer that was there is still there.
 echo blank >"$scratch/blank.c"
@@ -72,12 +72,12 @@ git init -q . && git add . && git -c user.name=t -c user.email=t@t commit -qm t
 echo mine >exercises/02-b.c
 echo new >new/01-a.c
 echo new >new/02-b.c
-check 'skeletons refuses over a changed file' refused .make/skeletons new/01-a.c new/02-b.c
+check 'skeletons refuses over a changed file' refused .make/toolkit/skeletons new/01-a.c new/02-b.c
 check 'skeletons leaves a changed file as it is' grep -qx mine exercises/02-b.c
 check 'skeletons writes over an unchanged file' grep -qx new exercises/01-a.c
 rm -rf .git
 echo newer >new/01-a.c
-check 'without git, skeletons refuses over any other file' refused .make/skeletons new/01-a.c
+check 'without git, skeletons refuses over any other file' refused .make/toolkit/skeletons new/01-a.c
 cd "$here" || exit 1
 
 finish blanks

@@ -28,7 +28,7 @@ elsewhere() {
             exercises tests "$scratch/copy" &&
         echo '// my answer' >>"$scratch/copy/exercises/01-corners.c" &&
         SOURCE_DATE_EPOCH=$(date -r "$scratch/tree/ray-casting/Makefile" +%s) && export SOURCE_DATE_EPOCH &&
-        (cd "$scratch/copy" && .make/handout "$scratch/out" "$here/build/told" "$here/build/blanks" \
+        (cd "$scratch/copy" && .make/toolkit/handout "$scratch/out" "$here/build/told" "$here/build/blanks" \
             "$here/build/solutions/figures") &&
         cmp "$archive" "$scratch/out/handout.tar.gz"
 }
@@ -49,7 +49,7 @@ check 'nobody owns it, and all of it has one date' nobody_s
 
 check 'there are no solutions in it' none_of_these 'solutions'
 check 'nor tests of the chapters, mistakes, variants, laws' none_of_these '/tests/([0-9][0-9]-|proof|exact)'
-check 'nor what makes the tables' none_of_these '/tests/told/(tell|asked|takes|here|variants)|/judge/(matrix|table)'
+check 'nor what makes the tables' none_of_these '/tests/handout|/judge/reference|/\.make/toolkit'
 check 'nor graders, benches and the like' none_of_these \
     '/tests/(shell|long|benches|fuzz|grade)|\.git/|\.ci/|CONTRIBUTING'
 only_for_students() {
@@ -149,7 +149,8 @@ fi
 
 links_lead_somewhere() {
     status=0
-    for page in "$scratch"/tree/ray-casting/README.md "$scratch"/tree/ray-casting/chapters/*/README.md; do
+    for page in "$scratch"/tree/ray-casting/README.md "$scratch"/tree/ray-casting/*/README.md \
+        "$scratch"/tree/ray-casting/chapters/*/README.md; do
         # shellcheck disable=SC2013 # links have no blanks
         for link in $(grep -o '](\([^)#]*\)' "$page" | sed 's/^](//' | grep -v '^http'); do
             [ -e "$(dirname "$page")/$link" ] || { echo "$page: $link"; status=1; }
@@ -164,7 +165,7 @@ is_whole() {
     for name in $(
         find "$scratch/tree" -name '*.[ch]' -exec sed -n 's/^#include "\(.*\)".*/\1/p' {} + | sort -u
         grep -rhoE '\.make/[a-z]+(\.(awk|mk))?' "$scratch/tree/ray-casting/.make" \
-            "$scratch/tree/ray-casting/Makefile" | sort -u
+            "$scratch/tree/ray-casting/Makefile" | grep -v 'make/toolkit' | sort -u
     ); do
         [ -e "$scratch/tree/ray-casting/$name" ] || { echo "$name"; status=1; }
     done
@@ -172,14 +173,17 @@ is_whole() {
 }
 check 'nothing that it needs is missing' is_whole
 
-marked() {
-    printf '%s\n' 'a' '#[ why' 'b' '#]' '#~ c' '<!--[ why -->' 'd' '<!--] -->' '<!--~ e -->' |
-        awk -f .make/handout.awk | tr -d '\n' | grep -qx ace
+# Of what is not there, a page says nothing: no paragraph, no row.
+leaves_out() {
+    printf '%s\n' 'a [x](here)' 'b' '' 'c' '[y](gone)' '' 'd' '' '| e |' '| [z](gone) |' '| [f](here) |' '' '- [g](gone)' '- h' >"$scratch/page"
+    : >"$scratch/here"
+    printf '%s\n' 'a [x](here)' 'b' '' 'd' '' '| e |' '| [f](here) |' '' '- h' >"$scratch/wanted"
+    awk -v folder="$scratch" -f .make/toolkit/page.awk "$scratch/page" | diff "$scratch/wanted" -
 }
-check 'what is between marks is left out, what is behind them is taken' marked
-unmatched() {
-    ! echo '#[' | awk -f .make/handout.awk
+check 'of what is not there a page says nothing' leaves_out
+same_page() {
+    cmp exercises/README.md "$scratch/tree/ray-casting/exercises/README.md"
 }
-check 'marks that do not match are refused' unmatched
+check "the students' page is that of the toolkit" same_page
 
 finish handout

@@ -27,4 +27,10 @@ no_program_is_ended_by_its_name() {
     ! ends_by_name
 }
 check 'no program is ended by its name' no_program_is_ended_by_its_name
+# A reader sees each page and each makefile as it is.
+no_markers() {
+    ! grep -rnE '^(<!--[[~]|<!--\]|#\[|#\]|#~)' Makefile .make README.md chapters exercises tests --include='*.md' --include='*.mk' --include=Makefile
+}
+check 'no page and no makefile has parts for somebody else' no_markers
+check 'README.md has at most 100 lines' test "$(wc -l <README.md)" -le 100
 finish house

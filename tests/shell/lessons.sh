@@ -33,7 +33,9 @@ for lesson in chapters/*/README.md; do
     check "the program of $stem has help and knows its options" tells_its_story "$stem"
     check "the links of $lesson lead somewhere" links_lead_somewhere "$lesson"
 done
-check 'the links of README.md lead somewhere' links_lead_somewhere README.md
+for page in README.md chapters/README.md exercises/README.md .github/CONTRIBUTING.md; do
+    check "the links of $page lead somewhere" links_lead_somewhere "$page"
+done
 
 # What an exercise has to use of common/ is described where its reader looks.
 describes() {

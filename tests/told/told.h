@@ -1,6 +1,6 @@
 // told.h - the table of a stem: what its tests ask, what is right, and what known mistakes answer.
 //
-// It is made by tests/told/tell.c from the tests, the reference and the mistakes, none of which it
+// It is made by tests/handout/tell.c from the tests, the reference and the mistakes, none of which it
 // holds: only public inputs, values, and the sentences that a student is told.
 #ifndef TESTS_TOLD_H
 #define TESTS_TOLD_H

@@ -1,5 +1,5 @@
 // here.c - a transport to a function of this process.
-#include "tests/told/here.h"
+#include "tests/handout/here.h"
 
 #include "tests/judge/message.h"
 

@@ -1,7 +1,7 @@
 // missing.c - what an exercise that was just added to the list still lacks.
 //
 // Without this it would be absent from verdicts and marks without a word: nobody calls it.
-#include "tests/judge/missing.h"
+#include "tests/proof/missing.h"
 
 #include <stdio.h>
 #include <string.h>

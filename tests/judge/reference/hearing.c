@@ -1,5 +1,5 @@
 // hearing.c - what the answer made of a call, beside what known functions make of the same.
-#include "tests/judge/hearing.h"
+#include "tests/judge/reference/hearing.h"
 
 #include "tests/judge/message.h"
 #include "tests/judge/suspects.h"

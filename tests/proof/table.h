@@ -2,8 +2,8 @@
 //
 // A transport of the matrix (transport.h): while it learns, the reference tells it what to say;
 // then it says what it learned, and garbage to any other question.
-#ifndef TESTS_JUDGE_TABLE_H
-#define TESTS_JUDGE_TABLE_H
+#ifndef TESTS_PROOF_TABLE_H
+#define TESTS_PROOF_TABLE_H
 
 #include <stdint.h>
 

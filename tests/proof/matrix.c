@@ -7,11 +7,11 @@
 // said (unknown.c), nor of one whose mistake is another function's (composed.c); and an
 // answer that only knows the public inputs by heart must fail wherever there is a SEED, and not be
 // told the others.
-#include "tests/judge/missing.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
-#include "tests/judge/table.h"
 #include "tests/proof/composed.h"
+#include "tests/proof/missing.h"
+#include "tests/proof/table.h"
 #include "tests/proof/unknown.h"
 #include "tests/proof/variants.h"
 

@@ -1,5 +1,5 @@
 // table.c - an answer that knows by heart what it was asked before, and nothing else.
-#include "tests/judge/table.h"
+#include "tests/proof/table.h"
 
 #include "tests/judge/message.h"
 #include "tests/judge/transport.h"

@@ -1,8 +1,8 @@
 // right.c - what is right for a call that was kept, by the reference.
 #include "tests/judge/right.h"
 
-#include "tests/judge/corners.h"
 #include "tests/judge/message.h"
+#include "tests/judge/reference/corners.h"
 
 bool right_answer(const Record *record, Kept *kept, Wire *right)
 {

@@ -1,8 +1,8 @@
 // proxies.c - each exercise under its contract name, for the tests: whoever is switched on answers
 // (switchboard.h), and the results are compared with the known mistakes and the laws.
-#include "tests/judge/hearing.h"
 #include "tests/judge/message.h"
 #include "tests/judge/parameters.h"
+#include "tests/judge/reference/hearing.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/transport.h"
 

@@ -1,11 +1,11 @@
 // asked.c - what a test asks, from the other end of the pipe, where the reference answers.
-#include "tests/told/asked.h"
+#include "tests/handout/asked.h"
 
-#include "tests/judge/corners.h"
+#include "tests/handout/here.h"
 #include "tests/judge/record.h"
+#include "tests/judge/reference/corners.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
-#include "tests/told/here.h"
 
 #include <string.h>
 

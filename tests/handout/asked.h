@@ -1,6 +1,6 @@
 // asked.h - what a test asks of the function that it is about, and what it says to other answers.
-#ifndef TESTS_TOLD_ASKED_H
-#define TESTS_TOLD_ASKED_H
+#ifndef TESTS_HANDOUT_ASKED_H
+#define TESTS_HANDOUT_ASKED_H
 
 #include "tests/told/told.h"
 

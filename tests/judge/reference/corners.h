@@ -1,6 +1,6 @@
 // corners.h - the corners of the image plane, by the reference.
-#ifndef TESTS_JUDGE_CORNERS_H
-#define TESTS_JUDGE_CORNERS_H
+#ifndef TESTS_JUDGE_REFERENCE_CORNERS_H
+#define TESTS_JUDGE_REFERENCE_CORNERS_H
 
 #include "common/camera.h"
 

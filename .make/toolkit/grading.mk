@@ -56,7 +56,7 @@ $(KIT)/link/all.o: $(B)/tests/grade/confine/entry.o $(B)/tests/judge/answering.o
 KIT_LINKS += $(KIT)/link/all.o
 LAST := $(lastword $(filter 06%,$(STEMS)))
 RIGHTS := $(STEMS:%=$(B)/judge/right-%.o)
-$(RIGHTS): $(B)/judge/right-%.o: solutions/%.c tests/judge/rename.def tests/exercises.def $(B)/flags
+$(RIGHTS): $(B)/judge/right-%.o: solutions/%.c tests/judge/reference/rename.def tests/exercises.def $(B)/flags
 	$(call say,compile,$< for pictures)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(call renamed,$(call answered,$*),right_) > $(@:.o=.h)
@@ -72,7 +72,7 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
-$(KIT)/commands: Makefile .make/exercises.mk .make/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
+$(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
 		$(B)/common.a $(KIT)/expected.png $(LIST)
 	$(Q)cp $(B)/common.a $(KIT)/link/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
 	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \
@@ -91,3 +91,4 @@ grade: $(KIT)/commands $(JUDGES) ## mark a class: SUBMISSIONS=dir OUT=build/grad
 
 gradescope: ## build/gradescope.zip, an autograder for Gradescope
 	@python3 -B tests/grade/recipes/gradescope.py build/gradescope.zip
+.PHONY: grade gradescope

@@ -1,5 +1,5 @@
 // variants.c - no right answer, however it is written, is failed or accused by the table.
-#include "tests/told/here.h"
+#include "tests/handout/here.h"
 #include "tests/told/replay.h"
 
 #include "tests/judge/runner.h"

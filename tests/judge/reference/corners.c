@@ -1,5 +1,5 @@
 // corners.c - the corners of the image plane, by the reference.
-#include "tests/judge/corners.h"
+#include "tests/judge/reference/corners.h"
 
 #include "tests/judge/switchboard.h"
 

@@ -6,8 +6,8 @@
 // First each test runs as it is, and its calls are written down. Then it runs again and again with
 // one result changed a little, to find out what else it takes for right: the table is as strict
 // as the test, and no tolerance is said twice.
-#include "tests/told/asked.h"
-#include "tests/told/takes.h"
+#include "tests/handout/asked.h"
+#include "tests/handout/takes.h"
 
 #include "tests/judge/record.h"
 #include "tests/judge/runner.h"

@@ -1,6 +1,6 @@
 // missing.h - what an exercise that was just added to the list still lacks.
-#ifndef TESTS_JUDGE_MISSING_H
-#define TESTS_JUDGE_MISSING_H
+#ifndef TESTS_PROOF_MISSING_H
+#define TESTS_PROOF_MISSING_H
 
 #include "tests/judge/exercise.h"
 

@@ -1,7 +1,7 @@
 // takes.c - what else a test takes for right, found out by asking it.
-#include "tests/told/takes.h"
+#include "tests/handout/takes.h"
 
-#include "tests/told/asked.h"
+#include "tests/handout/asked.h"
 
 #include "common/camera.h"
 

@@ -1,6 +1,6 @@
 // hearing.h - what the answer made of a call, told to the suspects (suspects.h) by the proxies.
-#ifndef TESTS_JUDGE_HEARING_H
-#define TESTS_JUDGE_HEARING_H
+#ifndef TESTS_JUDGE_REFERENCE_HEARING_H
+#define TESTS_JUDGE_REFERENCE_HEARING_H
 
 #include "tests/judge/wire.h"
 

@@ -1,6 +1,6 @@
 // distinct_digits.h - two numbers as words, to the digits that tell them apart.
-#ifndef TESTS_JUDGE_DISTINCT_DIGITS_H
-#define TESTS_JUDGE_DISTINCT_DIGITS_H
+#ifndef TESTS_JUDGE_REFERENCE_DISTINCT_DIGITS_H
+#define TESTS_JUDGE_REFERENCE_DISTINCT_DIGITS_H
 
 #include "common/text.h"
 

@@ -1,6 +1,6 @@
 // takes.h - what else a test takes for right, besides the reference's answer.
-#ifndef TESTS_TOLD_TAKES_H
-#define TESTS_TOLD_TAKES_H
+#ifndef TESTS_HANDOUT_TAKES_H
+#define TESTS_HANDOUT_TAKES_H
 
 #include "tests/told/told.h"
 

@@ -1,6 +1,6 @@
 // here.h - a transport to a function of this process, as if the call had crossed the pipe.
-#ifndef TESTS_TOLD_HERE_H
-#define TESTS_TOLD_HERE_H
+#ifndef TESTS_HANDOUT_HERE_H
+#define TESTS_HANDOUT_HERE_H
 
 #include "tests/judge/exercise.h"
 #include "tests/judge/transport.h"

@@ -1,0 +1,11 @@
+# slides.mk - make slides. Included by .make/figures.mk.
+
+# chapters/slides.tex shows how figures become slides: light and dark, in steps. The figures it takes
+# are read from it; SLIDES=talk.tex: slides of your own, written alike.
+SLIDES ?= chapters/slides.tex
+ON_SLIDES := $(filter $(FIGURE_NAMES),$(shell grep -o '^[^%]*{[a-z0-9-]*}' $(SLIDES) 2>/dev/null | tr '{}' '\n\n' | sort -u))
+slides: $(ON_SLIDES:%=$(FIGURES)/%.gp) ## figures on Beamer slides, in steps (needs LaTeX: make setup FOR=lecturer)
+	@.make/toolkit/slides --ready
+	@FORMAT=tex THEME= SHAPE= STEPS=1 .make/figures $(FIGURES) $(ON_SLIDES)
+	@.make/toolkit/slides $(FIGURES) $(SLIDES)
+.PHONY: slides
