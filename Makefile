@@ -120,9 +120,13 @@ $(B)/common.a $(B)/chapters/shared.a:
 # Where a folder lacks an answer, the blank stands in.
 BLANKS := $(STEMS:%=build/blanks/%.c)
 # Blanks are made from the solutions; a handout has them made.
-build/blanks/%.c: solutions/%.c .make/toolkit/blank.awk
+MAKE_BLANK := $(B)/tests/blank
+$(MAKE_BLANK): $(B)/tests/blank.o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^
+build/blanks/%.c: solutions/%.c $(MAKE_BLANK)
 	$(Q)mkdir -p $(@D)
-	$(Q)awk -f .make/toolkit/blank.awk $< > $@
+	$(Q)$(MAKE_BLANK) $< > $@
 build/blanks/%.c: tests/told/blanks/%.c
 	$(Q)mkdir -p $(@D)
 	$(Q)cp $< $@

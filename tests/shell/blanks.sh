@@ -15,7 +15,7 @@ for solution in solutions/*.c; do
 done
 
 # What a blank says is in it, and nothing of the answer.
-awk -f .make/toolkit/blank.awk >"$scratch/made" <<'EOF'
+cat >"$scratch/solution.c" <<'EOF'
 double f(void)
 {
     // BEGIN SOLUTION
@@ -30,6 +30,7 @@ static int helper;
 
 int after;
 EOF
+"$BUILD/tests/blank" "$scratch/solution.c" >"$scratch/made"
 cat >"$scratch/wanted" <<'EOF'
 double f(void)
 {
@@ -46,7 +47,9 @@ refused() {
     ! "$@"
 }
 echo '// BEGIN SOLUTION' >"$scratch/open.c"
-check 'a solution without END SOLUTION is refused' refused awk -f .make/toolkit/blank.awk "$scratch/open.c"
+echo '// END SOLUTION' >"$scratch/closed.c"
+check 'a solution without END SOLUTION is refused' refused "$BUILD/tests/blank" "$scratch/open.c"
+check 'so is END SOLUTION alone' refused "$BUILD/tests/blank" "$scratch/closed.c"
 
 # reset: every answer that was there is still there.
 echo blank >"$scratch/blank.c"
