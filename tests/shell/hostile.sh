@@ -5,4 +5,5 @@
 needs_grading hostile 'attacks on the grader'
 HERE=1 python3 -B tests/grade/attacks bubblewrap exit-in-constructor exit-raw \
     forged-answer-early include-solution incbin-reference circle-of-two wait-for-blanks wait-object lend-no- \
-    reference- table chance- honest-
+    reference- table chance- honest-counting honest-latin honest-output honest-pragma honest-printf \
+    honest-sorting honest-wait honest-wrong
