@@ -70,7 +70,7 @@ FOR_STUDENTS := -Wall -Wextra -Wno-unused-parameter -Werror=return-type \
 	-Werror=implicit-function-declaration
 SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all)
 WARNINGS = $(STRICT) $(WERROR)
-COMPILE = $(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER) $(WARNINGS) $(EXTRA) $(CPPFLAGS) -MMD -MP -c
+COMPILE = $(CC) $(LANGUAGE) $(CFLAGS) $(OPTIMIZE) $(SANITIZER) $(WARNINGS) $(EXTRA) $(CPPFLAGS) -MMD -MP -c
 LINK = $(CC) $(CFLAGS) $(SANITIZER) $(LDFLAGS)
 
 # A change of compiler or flags builds all again: objects of two kinds must not be mixed.
@@ -213,7 +213,7 @@ $(SCENES): $(B)/scenes/%.nff: $$(call generator_of,$$*)
 include .make/figures.mk
 
 # The stamp tells whether there was anything to do.
-$(BUILT)/made: $(PROGRAMS) $(PICTURES) $(PAGE) $(B)/compile_commands.json
+$(BUILT)/made: $(PROGRAMS) $(PICTURES) $(PAGE) $(B)/compile_commands.json $$(FOR_EXERCISES)
 	@touch $@
 	@$(eval DONE := yes)
 

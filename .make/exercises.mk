@@ -47,6 +47,11 @@ $(ALL_VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $
 		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh
 	@sh $(@D).sh
 
+# What the first verdict needs is built by 'make all' already: nobody waits for it then. Not the student's
+# own answers, on which a chapter of a handout stands.
+FOR_EXERCISES = $(JUDGES) $(LIST) $(EXPLAIN) $(B)/weak.h $(B)/exercises.names $(BLANKS) \
+	$(filter-out $(VERDICT)/%,$(sort $(foreach stem,$(STEMS),$(call answering,$(stem)))))
+
 exercises: $(VERDICTS) ## what is right, wrong, not yet (EX=05: one chapter)
 	@.make/exercises $(VERDICT) $(EXERCISES) $(CHOSEN)
 
