@@ -3,6 +3,8 @@
 //   PROGRAM                    runs all; says what failed, then 'NAME: N passed, N failed'
 //   PROGRAM --only FUNCTION    those of one function
 //   PROGRAM --test NAME        one
+//
+// CK_RUN_CASE=FUNCTION does what --only does.
 #include "tests/judge/runner.h"
 #include "tests/judge/show.h"
 
