@@ -6,6 +6,8 @@ import unittest
 
 
 class Sentences(unittest.TestCase):
+    maxDiff = None
+
     def check(self, sentence: str, holds, seen: object = "") -> None:
         """holds: what is asserted; seen: what was there instead."""
         with self.subTest(sentence):

@@ -1,0 +1,100 @@
+"""test_example.py - what the instructor's page says of the ten submissions is what 'make grade' says."""
+from __future__ import annotations
+
+import csv
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from .sentences import Sentences
+
+HERE = Path("tests/grade")
+PAGE, RECIPES, EXAMPLE = HERE / "README.md", HERE / "recipes", HERE / "example"
+COLUMNS = 80
+
+
+def blocks(page: str) -> list[str]:
+    """The page's ```text blocks."""
+    return re.findall(r"^```text\n(.*?)^```", page, re.M | re.S)
+
+
+def as_everywhere(words: str) -> str:
+    """But for the sandbox of this machine, and how long it took."""
+    return re.sub(r"Sandbox: .*", "Sandbox: (any)", words).partition("\nTook ")[0].rstrip("\n")
+
+
+def told(out: Path) -> set[str]:
+    """Every line that students are told."""
+    found = set()
+    for path in out.glob("*/results.json"):
+        results = json.loads(path.read_text(encoding="utf-8"))
+        for words in [results["output"], *(test["output"] for test in results["tests"])]:
+            found |= set(words.split("\n"))
+    return found
+
+
+def leading_nowhere(page: Path) -> list[str]:
+    links = re.findall(r"\]\(([^)#]*)", page.read_text(encoding="utf-8"))
+    return [link for link in links if not link.startswith("http") and not (page.parent / link).exists()]
+
+
+class Example(Sentences):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.out = Path(folder.name) / "out"
+        cls.page = PAGE.read_text(encoding="utf-8")
+        cls.done = subprocess.run(
+            ["make", "-s", "--no-print-directory", "grade", f"SUBMISSIONS={EXAMPLE}/class", f"POLICY={EXAMPLE}/policy",
+             f"OUT={cls.out}", "SEED=2015"], capture_output=True, encoding="utf-8")
+
+    def test_make_grade_grades_it(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stderr)
+
+    def test_the_page_quotes_what_the_terminal_says(self):
+        self.assertEqual(as_everywhere(blocks(self.page)[0]), as_everywhere(self.done.stdout))
+
+    def test_the_page_quotes_what_students_are_told(self):
+        quoted = blocks(self.page)[1].splitlines()
+        self.assertGreater(len(quoted), 1)
+        self.assertEqual([line for line in quoted if line not in told(self.out)], [])
+
+    def test_the_marks_are_those_that_the_page_explains(self):
+        explained = re.findall(r"^\| `([a-z-]*)` \| ([a-z ]*) \| ([0-9]*) \|", self.page, re.M)
+        self.assertEqual(len(explained), 10)
+        with open(self.out / "grades.csv", encoding="utf-8-sig", newline="") as file:
+            rows = [(row["submission"], row["status"], row["score"]) for row in csv.DictReader(file)]
+        self.assertEqual(sorted(explained), sorted(rows))
+
+    def test_prove_reads_its_failures(self):
+        if shutil.which("prove") is None:
+            self.skipTest("grades.tap by prove (no prove)")
+        said = subprocess.run(["prove", self.out / "grades.tap"], capture_output=True, text=True).stdout
+        self.assertRegex(said, r"(?m)^Files=1, Tests=[1-9]")
+        self.assertNotIn("Parse errors", said)
+
+    def test_deep_folder_still_has_its_windows_line_ends(self):
+        for path in EXAMPLE.glob("class/deep-folder/*/*/01-corners.c"):
+            self.assertIn(b"\r\n", path.read_bytes())
+            return
+        self.fail("it is gone")
+
+
+class Pages(Sentences):
+    def test_links_lead_somewhere(self):
+        for page in (PAGE, RECIPES / "README.md"):
+            self.check(f"the links of {page} lead somewhere", not leading_nowhere(page), leading_nowhere(page))
+
+    def test_the_page_of_recipes_speaks_of_each(self):
+        page = (RECIPES / "README.md").read_text(encoding="utf-8")
+        for recipe in [*RECIPES.glob("*.yml"), *(RECIPES / "gradescope").iterdir()]:
+            self.check(f"it speaks of {recipe.name}", f"]({recipe.relative_to(RECIPES)})" in page)
+
+    def test_they_fit_a_terminal(self):
+        for page in (PAGE, RECIPES / "README.md"):
+            wide = [line for line in page.read_text(encoding="utf-8").splitlines() if len(line) > COLUMNS]
+            self.check(f"{page} fits", not wide, wide)
