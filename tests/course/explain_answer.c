@@ -206,10 +206,8 @@ const char *answer_statement_text(const Answer *answer, size_t line)
     }
     char *text = text_memory(length), *at = text;
     for (size_t i = first; i < end; i++) {
-        const char *code = answer_code(answer, i);
         *at++ = ' ';
-        memcpy(at, code, strlen(code));
-        at += strlen(code);
+        at = stpcpy(at, answer_code(answer, i));
     }
     return text;
 }

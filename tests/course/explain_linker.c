@@ -51,8 +51,7 @@ void explain_linker(FILE *out, const char *source, const char *words)
 {
     Answer answer = answer_read(source);
     Lines lines = {NULL, 0};
-    char *rest = text_memory(strlen(words) + 1);
-    memcpy(rest, words, strlen(words));
+    char *rest = text_copy(words);
     for (char *line; (line = text_next_line(&rest)) != NULL;) {
         const char *known = explained(&answer, line);
         if (known[0] != '\0')

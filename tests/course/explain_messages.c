@@ -194,40 +194,51 @@ static void read_below(Reader *reader, const char *line)
         reader->inside = false;
 }
 
+// FILE:LINE:COLUMN: error: WORDS, about the answer or about another file.
+static void read_first_line(Reader *reader, const char *line, size_t head, bool own)
+{
+    Diagnostics *found = reader->found;
+    const char *beginning = text_part(line, 0, head), *words = text_from(line, head);
+    bool is_error = text_matches(beginning, "error: $");
+    reader->inside = false;
+    if (text_matches(beginning, " note: $"))
+        read_note(reader, line, beginning, words, own);
+    else if (own)
+        begin_message(reader, line, words, !is_error);
+    else {
+        if (is_error && found->elsewhere[0] == '\0')
+            found->elsewhere = line;
+        reader->in_macro = is_error ? words : "";
+    }
+}
+
+// What compilers say about themselves, or before a message: In function 'f':
+static bool is_about_nothing(const char *line, bool own, size_t name)
+{
+    return (own && line[name + 1] == ' ') ||
+           text_matches(line, "^cc1: |^compilation terminated|^fatal error: too many errors|"
+                              "^[0-9]+ (warning|error).* generated\\.$");
+}
+
 static void read_line(Reader *reader, const char *line)
 {
     Diagnostics *found = reader->found;
     const char *source = reader->answer->source;
+    bool own = text_begins(line, source) && line[strlen(source)] == ':';
     Match head;
     if (found->raw_count < MOST_SHOWN && text_matches(line, "error|Error"))
         found->raw[found->raw_count++] = line;
-    bool own = text_begins(line, source) && line[strlen(source)] == ':';
-    if (text_matches(line, "^cc1: |^compilation terminated|^fatal error: too many errors|"
-                           "^[0-9]+ (warning|error).* generated\\.$"))
+    if (is_about_nothing(line, own, strlen(source)))
         reader->inside = false;
     else if (text_matches(line, "^(In file included from|  +from) ")) {
         reader->inside = false;
         const char *where = strstr(line, text_format("%s:", source));
         if (where != NULL)
             found->where_included = text_without(where, "[:,]$");
-    } else if (own && line[strlen(source) + 1] == ' ') // In function 'f':
-        reader->inside = false;
-    else if (text_find(line,
-                       "^[^ |][^:]*:[0-9]+:([0-9]+:)? (fatal error|error|warning|note): ", &head)) {
-        const char *beginning = text_part(line, 0, head.length),
-                   *words = text_from(line, head.length);
-        bool is_error = text_matches(beginning, "error: $");
-        reader->inside = false;
-        if (text_matches(beginning, " note: $"))
-            read_note(reader, line, beginning, words, own);
-        else if (own)
-            begin_message(reader, line, words, !is_error);
-        else {
-            if (is_error && found->elsewhere[0] == '\0')
-                found->elsewhere = line;
-            reader->in_macro = is_error ? words : "";
-        }
-    } else if (reader->inside)
+    } else if (text_find(line,
+                         "^[^ |][^:]*:[0-9]+:([0-9]+:)? (fatal error|error|warning|note): ", &head))
+        read_first_line(reader, line, head.length, own);
+    else if (reader->inside)
         read_below(reader, line);
 }
 
@@ -254,8 +265,7 @@ Diagnostics *diagnostics_read(const Answer *answer, const char *words)
     Diagnostics *found = text_memory(sizeof *found);
     found->elsewhere = found->where_included = "";
     Reader reader = {.found = found, .answer = answer, .before = "", .in_macro = ""};
-    char *rest = (char *)text_memory(strlen(words) + 1);
-    memcpy(rest, words, strlen(words));
+    char *rest = text_copy(words);
     for (char *line; (line = text_next_line(&rest)) != NULL;)
         read_line(&reader, plain(line));
     for (size_t i = 0; i < found->count; i++)

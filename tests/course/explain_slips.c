@@ -93,8 +93,7 @@ static void read_commas(Slips *slips, const char *diagnostics)
     const Answer *answer = slips->answer;
     size_t length = strlen(answer->source);
     slips->has_comma = text_memory((answer->count + 1) * sizeof *slips->has_comma);
-    char *rest = text_memory(strlen(diagnostics) + 1);
-    memcpy(rest, diagnostics, strlen(diagnostics));
+    char *rest = text_copy(diagnostics);
     for (char *words; (words = text_next_line(&rest)) != NULL;) {
         if (!text_begins(words, answer->source) || words[length] != ':' ||
             !text_matches(words, "comma|excess elements|not used|unused"))

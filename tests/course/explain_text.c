@@ -79,6 +79,12 @@ const char *text_from(const char *text, size_t from)
     return text + strnlen(text, from);
 }
 
+char *text_copy(const char *text)
+{
+    size_t size = strlen(text) + 1;
+    return memcpy(text_memory(size), text, size);
+}
+
 char *text_of_file(const char *path)
 {
     FILE *file = fopen(path, "rb");
@@ -260,11 +266,10 @@ const char *text_replaced(const char *text, const char *pattern, const char *by)
     do {
         memcpy(replaced + used, text + from, match.at - from);
         used += match.at - from;
-        memcpy(replaced + used, by, added);
-        used += added;
+        used = (size_t)(stpcpy(replaced + used, by) - replaced);
         from = match.at + match.length;
     } while (match.length > 0 && from < length && find_from(text, from, pattern, &match));
-    memcpy(replaced + used, text + from, length - from);
+    memcpy(replaced + used, text + from, length - from + 1);
     return replaced;
 }
 

@@ -15,6 +15,7 @@ void texts_free(void);
 const char *text_format(const char *format, ...) __attribute__((format(printf, 1, 2)));
 const char *text_part(const char *text, size_t from, size_t length); // as much of it as there is
 const char *text_from(const char *text, size_t from);
+char *text_copy(const char *text); // to be changed
 
 // The whole file, or NULL; a zero byte in it becomes a '?'.
 char *text_of_file(const char *path);
