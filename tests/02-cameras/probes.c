@@ -154,14 +154,14 @@ static void ask_of_slender_planes(Form form)
 {
     for (int i = 0; i < MANY; i++) {
         Camera c = random_camera();
-        *(i % 2 == 0 ? &c.width : &c.height) *= pow(10, random_number(-7, -1));
+        *(i % 2 == 0 ? &c.width : &c.height) *= pow(10, random_number(-4, -1));
         ask(form, c, corners_of(c));
-        double small = pow(10, random_number(-9, -4));
+        double small = pow(10, random_number(-6.3, -5.7)); // a fixed limit between its sides
         c = random_camera();
         c.origin = vec3_of(0, 0, 0);
-        c.distance *= small;
-        c.width *= i % 2 == 0 ? small : 1e-3 * small;
-        c.height *= small;
+        c.distance = 4 * small;
+        c.width = (i % 2 == 0 ? 4 : 0.3) * small;
+        c.height = (i % 2 == 0 ? 0.3 : 4) * small;
         ask(form, c, corners_of(c));
     }
 }
@@ -240,6 +240,12 @@ START_TEST(corner_of_what_is_none)
 {
     ask_of_none(CORNER);
     ask_of_single_faults(CORNER);
+    for (int i = 0; i < MANY; i++) { // up along across
+        Camera before = random_camera();
+        vec3 across = random_vec3(-2, 2), corner = random_vec3(-5, 5);
+        camera_from_corner(random_vec3(-5, 5), corner, across, random_number(-2, 2) * across,
+                           &before);
+    }
 }
 END_TEST
 

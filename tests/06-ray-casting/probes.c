@@ -77,6 +77,8 @@ static void ask_for_pictures(Cast *cast)
         if (i % 4 == 2) // two that are equal
             spheres[1].center = spheres[0].center, spheres[1].radius = spheres[0].radius;
         Scene scene = any_scene(spheres, SPHERES);
+        if (i % 5 == 3) // brighter than all that is in it
+            scene.background = vec3_of(1, 1, 0.4);
         Resolution size = i % 2 == 0 ? (Resolution){11, 7} : (Resolution){6, 9};
         Image image = odd_image(size);
         cast(&scene, camera, &image);

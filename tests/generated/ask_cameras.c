@@ -58,8 +58,8 @@ static void draw_rectangle(Question *q)
     q->size = draw_any_size() * (draw_one_in(6) ? draw_scale(1e-3, 1e3) : 1);
     q->exact = true;
     Camera c = draw_camera(q->size);
-    if (draw_one_in(12))
-        c.distance *= 1000;
+    bool far = draw_one_in(12);
+    c.distance *= far ? 1000 : 1;
     vec3 middle = c.distance * c.forward, right = c.width / 2 * c.right, up = c.height / 2 * c.up;
     q->eye = c.origin;
     if (draw_one_in(3)) {
@@ -91,7 +91,7 @@ static void draw_rectangle(Question *q)
     if (draw_one_in(3))
         spoil_alone(q, &c);
     else if (draw_one_in(8))
-        *corners[draw_below(4)] += q->size * draw_scale(1e-6, 2) * draw_unit();
+        *corners[draw_below(4)] += q->size * draw_scale(1e-6, far ? 2e-6 : 2) * draw_unit();
     if (draw_one_in(20))
         spoil(corners[draw_below(4)]);
     if (draw_one_in(30))

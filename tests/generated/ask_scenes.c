@@ -99,9 +99,7 @@ static void ask_picture(AnyFunction *answer, Question *q, Answer *said, bool wit
     for (size_t i = 0; i < sizeof rgb; i++)
         rgb[i] = (uint8_t)(17 * i);
     for (size_t i = 0; i < sizeof depth / sizeof depth[0]; i++)
-        depth[i] = q->camera.width > q->camera.height ? NO_HIT
-                   : i % 3 == 0                       ? -1
-                                                      : 0.5 * (double)(i % 7);
+        depth[i] = q->screen.width % 4 != 0 ? NO_HIT : i % 3 == 0 ? -1 : 0.5 * (double)(i % 7);
     Image image = {.size = q->screen, .rgb = rgb + 3 * FRAME};
     int pixels = q->screen.width * q->screen.height;
     if (with_depth)

@@ -95,9 +95,9 @@ static void ask_object_ray(AnyFunction *answer, Question *q, Answer *said)
 
 static void say_quadratic(Answer *said, Quadratic e, double v, double p, double r)
 {
-    say(said, e.a, 3e-9 * v * v);
-    say(said, e.b, 3e-9 * v * p + 1e-14 * (v * v + p * p + r * r)); // |p + v|^2 has both
-
+    double lost = 1e-14 * (v * v + p * p + r * r); // by differences of c at t = 1, 0 and -1
+    say(said, e.a, 3e-9 * v * v + lost);
+    say(said, e.b, 3e-9 * v * p + lost);
     say(said, e.c, 3e-9 * (p * p + r * r));
 }
 

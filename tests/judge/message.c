@@ -101,7 +101,7 @@ static void free_arguments(const Exercise *exercise, Value *values, void *const 
 {
     for (int i = 0; i < exercise->parameter_count; i++)
         if (exercise->parameters[i].passing == PASSED_PIXELS)
-            free(arguments[i]);
+            wire_free_doubles(arguments[i]);
         else
             wire_free_value(exercise->parameters[i].type, &values[i]);
 }

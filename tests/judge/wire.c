@@ -276,19 +276,28 @@ static size_t room_for_slips(const Image *image)
 double *wire_get_doubles(Wire *wire, const Image *image)
 {
     size_t room = room_for_slips(image);
-    double *doubles = malloc(room * sizeof *doubles);
+    double *doubles = malloc((1 + room) * sizeof *doubles);
     if (doubles == NULL) {
         wire->bad = true;
         return NULL;
     }
+    *doubles++ = GUARD_DEPTH;
     for (size_t i = pixels_of(image); i < room; i++)
         doubles[i] = GUARD_DEPTH;
     wire_get_into_doubles(wire, doubles, image);
     return doubles;
 }
 
+void wire_free_doubles(double *doubles)
+{
+    if (doubles != NULL)
+        free(doubles - 1);
+}
+
 bool wire_doubles_overran(const double *doubles, const Image *image)
 {
+    if (doubles[-1] != GUARD_DEPTH)
+        return true;
     for (size_t i = pixels_of(image); i < room_for_slips(image); i++)
         if (doubles[i] != GUARD_DEPTH)
             return true;

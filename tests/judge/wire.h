@@ -85,7 +85,8 @@ bool wire_doubles_overran(const double *doubles, const Image *image);
 
 // One per pixel of the image.
 void wire_put_doubles(Wire *wire, const double *doubles, const Image *image);
-double *wire_get_doubles(Wire *wire, const Image *image); // from malloc
+double *wire_get_doubles(Wire *wire, const Image *image);
+void wire_free_doubles(double *doubles); // which wire_get_doubles has made
 void wire_get_into_doubles(Wire *wire, double *doubles, const Image *image);
 
 #endif

@@ -31,6 +31,8 @@ check 'a pixel too many among the spheres' fails cast_object_order 06-ray-castin
 check 'a depth too many that is set' fails cast_object_order 06-ray-casting \
     's|depth\[i\] = NO_HIT;|depth[i + 1] = depth[i] = NO_HIT;|'
 check 'is said to be one' says 'it         wrote past the end of the image or of depth'
+check 'a depth before the first' fails cast_object_order 06-ray-casting \
+    's|depth\[i\] = NO_HIT;|depth[i - 1] = depth[i] = NO_HIT;|'
 check 'a pixel too many that is painted past image_set' fails cast_image_order 06-ray-casting \
     's|image_set(image, pixel,|image_bytes(image, pixel)[3] = 7, &|'
 check 'is said to be one, too' says 'it         wrote past the end of the image or of depth'
