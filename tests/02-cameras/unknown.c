@@ -59,7 +59,31 @@ static double radians_twice(double degrees, double distance)
     return width_from_angle(degrees * 3.14159265358979323846 / 180, distance);
 }
 
+// Looks for reasons in another order than the reference. That is free, and not a second mistake.
+static CameraFault height_times_aspect(LookAt view, Handedness world, Camera *camera)
+{
+    vec3 ahead = view.at - view.eye, up = vec3_unit(view.up);
+    double d = vec3_length(ahead);
+    if (!vec3_is_finite(view.eye) || !vec3_is_finite(view.at) || !vec3_is_finite(view.up) ||
+        !isfinite(view.width) || !isfinite(view.aspect))
+        return CAMERA_NOT_FINITE;
+    if (!(view.width > 0))
+        return CAMERA_NO_WIDTH;
+    if (!(view.aspect > 0))
+        return CAMERA_NO_HEIGHT;
+    if (d == 0)
+        return CAMERA_NO_DIRECTION;
+    vec3 f = ahead / d, r = world == RIGHT_HANDED ? vec3_cross(f, up) : vec3_cross(up, f);
+    if (vec3_length(view.up) == 0 || vec3_length(r) <= CAMERA_TOLERANCE)
+        return CAMERA_UP_ALONG_VIEW;
+    r = vec3_unit(r);
+    vec3 u = world == RIGHT_HANDED ? vec3_cross(r, f) : vec3_cross(f, r);
+    *camera = (Camera){view.eye, r, u, f, d, view.width, view.width * view.aspect};
+    return CAMERA_OK;
+}
+
 const Unknown unknowns[] = {
+    UNKNOWN(camera_from_look_at, height_times_aspect, "L10", "reasons in another order"),
     UNKNOWN(camera_from_vectors, by_diagonals,
             NOBODY " CAMERA_NOT_PERPENDICULAR is not a reason of this contract",
             "equal diagonals, and camera_check"),

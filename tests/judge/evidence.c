@@ -3,6 +3,7 @@
 
 #include "tests/judge/paint.h"
 #include "tests/judge/record.h"
+#include "tests/judge/same.h"
 
 #include <math.h>
 #include <string.h>
@@ -39,6 +40,34 @@ bool results_agree(int exercise, const Numbers *arguments, const Numbers *a, con
         if (!(fabs(a->at[i] - b->at[i]) <= 0x1p-40 * (size + largest)) && a->at[i] != b->at[i])
             return false;
     return true;
+}
+
+static bool all_are_finite(const Numbers *numbers)
+{
+    for (int i = 0; i < numbers->count; i++)
+        if (!isfinite(numbers->at[i]))
+            return false;
+    return true;
+}
+
+// Not finite is a reason where something is not; the next two are of a camera that has been made.
+static bool may_be_a_reason(double fault, const Numbers *arguments)
+{
+    if (fault == CAMERA_NOT_FINITE)
+        return !all_are_finite(arguments);
+    return fault > CAMERA_NOT_PERPENDICULAR && fault < CAMERA_FAULTS;
+}
+
+bool refusals_agree(int exercise, const Numbers *arguments, const Numbers *yours,
+                    const Numbers *theirs, const Numbers *right)
+{
+    if (strcmp(exercises[exercise].results, "CameraFault Camera") != 0 || yours->count < 1)
+        return false;
+    for (int i = 1; i < yours->count && i < right->count; i++) // *camera stays as it was
+        if (!same_double(yours->at[i], right->at[i]))
+            return false;
+    return may_be_a_reason(yours->at[0], arguments) && theirs->at[0] != CAMERA_OK &&
+           numbers_same(theirs, right);
 }
 
 static Numbers settled(int exercise, const Numbers *numbers)
@@ -93,7 +122,9 @@ void evidence_hear(Evidence *evidence, const Heard *heard, const int *nth)
     call->is_common = is_same_as_before(evidence, call);
     for (int i = 0; i < evidence->mistake_count; i++) {
         theirs[i].numbers = settled(exercise, heard->by(exercise, evidence->mistakes[i], nth[i]));
-        theirs[i].is_yours = results_agree(exercise, given, &theirs[i].numbers, &call->yours);
+        theirs[i].is_yours =
+            results_agree(exercise, given, &theirs[i].numbers, &call->yours) ||
+            refusals_agree(exercise, given, &call->yours, &theirs[i].numbers, &call->right);
         theirs[i].is_right = results_agree(exercise, given, &theirs[i].numbers, &call->right);
         forget_if_long(&theirs[i].numbers);
     }

@@ -36,4 +36,9 @@ void settle_freedom(int exercise, Numbers *numbers);
 // Whether two results agree as far as anybody can tell. Of a step off a surface that is the step.
 bool results_agree(int exercise, const Numbers *arguments, const Numbers *a, const Numbers *b);
 
+// Both refuse a camera, where that is right and the mistake does not show: of several reasons any
+// may be looked for first.
+bool refusals_agree(int exercise, const Numbers *arguments, const Numbers *yours,
+                    const Numbers *theirs, const Numbers *right);
+
 #endif

@@ -80,6 +80,9 @@ static bool brings(int exercise, int nth, const Heard *heard, const Numbers *you
     Numbers theirs = numbers_copy(heard->by(exercise, cases[exercise].suspects[nth].mistake, nth));
     settle_freedom(exercise, &theirs);
     bool same = results_agree(exercise, heard->arguments, yours, &theirs);
+    if (!same && yours->count == theirs.count)
+        same = refusals_agree(exercise, heard->arguments, yours, &theirs,
+                              heard->by(exercise, NULL, -1));
     numbers_free(&theirs);
     return same;
 }
