@@ -132,7 +132,7 @@ build/blanks/%.c: tests/told/blanks/%.c
 	$(Q)cp $< $@
 
 # Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
-# reference in the place of one of them (.make/verdict).
+# reference in the place of one of them (tests/course/judging.c).
 $(B)/weak.h: tests/judge/weak.def tests/exercises.def
 	$(Q)$(CC) -E -P -x c -I. $< > $@
 FOR_ANSWERS = $(FOR_STUDENTS) -include $(B)/weak.h
@@ -142,13 +142,14 @@ $(B)/exercises.names: $(B)/weak.h
 HIDE_HELPERS = objcopy --keep-global-symbols=$(B)/exercises.names
 
 # An answer counts as changed when its text has changed: dates deceive where files are moved back.
-changed = $(shell .make/changed $(1) $(foreach s,$(STEMS),$(s):$(call answer_in,$(2),$(s))))
 answer_in = $(or $(wildcard $(1)/$(2).c),build/blanks/$(2).c)
 ANSWER_OBJECTS := $(STEMS:%=$(BUILT)/%.o)
 ifneq ($(A),solutions)
-$(call changed,$(BUILT),$(A))
+$(STEMS:%=$(BUILT)/%.text): $(BUILT)/%.text: build/blanks/%.c FORCE
+	@mkdir -p $(@D)
+	@cmp -s $(call answer_in,$(A),$*) $@ || cp $(call answer_in,$(A),$*) $@
 $(ANSWER_OBJECTS): WARNINGS = $(FOR_ANSWERS)
-$(ANSWER_OBJECTS): $(BUILT)/%.o: $(BUILT)/%.sum $(B)/flags $(B)/weak.h \
+$(ANSWER_OBJECTS): $(BUILT)/%.o: $(BUILT)/%.text $(B)/flags $(B)/weak.h \
 		$(B)/exercises.names build/blanks/%.c $(SETUP_FIRST)
 	$(call say,compile,$(call answer_in,$(A),$*))
 	$(Q)$(COMPILE) -o $@ $(call answer_in,$(A),$*) || { rm -f $(@:.o=.d); exit 1; }

@@ -13,68 +13,82 @@ $(error which chapter? Say, for example: make $(filter debug reset hint,$(MAKECM
 endif
 endif
 VERDICT := $(B)/$(EXERCISES:/%=%)/verdict
-ALL_VERDICTS := $(STEMS:%=$(VERDICT)/%/table)
-VERDICTS := $(CHOSEN:%=$(VERDICT)/%/table)
-JUDGING_FOR := $(filter exercises watch debug hint $(if $(RIGHT),all figures slides),$(or $(MAKECMDGOALS),all))
-ifneq ($(JUDGING_FOR),)
+RECORDS := $(STEMS:%=$(VERDICT)/%.record)
+ifneq ($(filter exercises watch debug hint status,$(MAKECMDGOALS)),)
 ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
 $(info Building the judge, once; that takes a moment ...)
 endif
-$(call changed,$(VERDICT),$(EXERCISES))
 endif
 # What the answering process holds besides the answer.
-answering = $(B)/tests/judge/answering.o $(CALLING) $(B)/judge/dispatch-$(1).o \
+ANSWERING := $(patsubst %,$(B)/tests/judge/%.o,answering calls_traced) $(CALLING)
+answering = $(ANSWERING) $(B)/judge/dispatch-$(1).o \
 	$(lent) $(earlier_answers) $(B)/common.a
 # The tests judge. A handout has none, and judges by recorded tables.
 include $(firstword $(wildcard .make/toolkit/tests.mk .make/tables.mk))
-# Between saving and reading stands the linker: the quickest that is there.
-QUICK_LINKER := $(if $(filter exercises watch hint debug,$(MAKECMDGOALS)),$(firstword $(foreach l, \
-	gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l)))))
+# Between saving and reading is the linker: the quickest that there is.
+QUICK_LINKER = $(firstword $(foreach l,gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l))))
 # Not optimised: that takes longer than what it saves. Besides that, the compiler sees what it sees
 # for the programs, so that what is right here also builds there. An index beyond the end of an array
-# is a crash, not luck.
+# is a crash, not luck. Each function says when it is entered (tests/judge/calls_traced.h).
 IS_CLANG := $(findstring clang,$(FLAGS_NOW))
-QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections $(SANITIZER) $(FOR_STUDENTS) \
+QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections -finstrument-functions $(SANITIZER) $(FOR_STUDENTS) \
 	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
 JUDGES_LAYOUTS := common/figure/plot.gp chapters/01-corners/figures/yours-and-right.gp $(wildcard tests/judge/layouts/*.gp)
-# How to judge a chapter is written down, so that 'make watch' can do it again without make.
-$(ALL_VERDICTS): $(VERDICT)/%/table: $(VERDICT)/%.sum .make/verdict $(EXPLAIN) $(B)/weak.h $(B)/exercises.names \
-		build/blanks/%.c $(B)/judge/% $$(call answering,$$*) $(JUDGES_LAYOUTS) $(LIST)
-	@printf '%s\n' "COMPILE='$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c'" \
-		"LINK='$(LINK) $(QUICK_LINKER)'" "OBJECTS='$(call answering,$*)'" "EXPLAIN='$(EXPLAIN)'" \
-		$(if $(value stands_on),"STANDS_ON='$(call stands_on,$*)'" "HIDE_HELPERS='$(HIDE_HELPERS)'") \
-		'export COMPILE LINK OBJECTS EXPLAIN STANDS_ON HIDE_HELPERS' \
-		'exec .make/verdict $(@D) $(call answer_in,$(EXERCISES),$*) $(B)/judge/$*' > $(@D).sh
-	@sh $(@D).sh
 
-# What the first verdict needs is built by 'make all' already: nobody waits for it then. Not the student's
-# own answers, on which a chapter of a handout stands.
-FOR_EXERCISES = $(JUDGES) $(LIST) $(EXPLAIN) $(B)/weak.h $(B)/exercises.names $(BLANKS) \
-	$(filter-out $(VERDICT)/%,$(sort $(foreach stem,$(STEMS),$(call answering,$(stem)))))
+# What judges answers and says so (tests/course/course.c), and how it does: the plan.
+COURSE := $(B)/course
+$(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+PLAN := $(VERDICT)/plan
+plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'judge	$(B)/judge/$(s)' 'objects	$(call answering,$(s))' \
+	$(if $(value stands_on),'stands on	$(call stands_on,$(s))'))
+$(PLAN): Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags
+	@mkdir -p $(@D)
+	@printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
+		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'blanks	build/blanks' \
+		'compile	$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c' \
+		'link	$(LINK)' 'quick	$(QUICK_LINKER)' \
+		$(if $(value stands_on),'hide	$(HIDE_HELPERS)','lend	-Wl$(comma)--defsym=NAME=lent_NAME') \
+		'used	$(B)/weak.h $(COURSE) $(JUDGES_LAYOUTS)' $(plan_lines) > $@.new
+	@mv $@.new $@
+# All that course uses.
+FOR_JUDGING = $(COURSE) $(PLAN) $(B)/weak.h $(B)/exercises.names $(BLANKS) $(JUDGES_LAYOUTS) \
+	$(foreach s,$(1),$(B)/judge/$(s) $(filter-out $(VERDICT)/%,$(call answering,$(s))))
+USED_WITH = $(if $(value stands_on),$(STEMS),$(1))
+# What the first verdict needs is built by 'make all' already: nobody waits for it then.
+FOR_EXERCISES = $(call FOR_JUDGING,$(STEMS))
 
-exercises: $(VERDICTS) ## what is right, wrong, not yet (EX=05: one chapter)
-	@.make/exercises $(VERDICT) $(EXERCISES) $(CHOSEN)
+# Make starts course itself, without a shell, and has nothing to add to what course has said.
+exercises: export QUIET_MAKE := yes
+exercises: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## what is right, wrong, not yet (EX=05: one chapter)
+	@$(COURSE) exercises $(PLAN) $(CHOSEN)
 
-watch: $(VERDICTS) ## judge again whenever an answer is saved
-	@.make/watch $(VERDICT) $(EXERCISES) $(CHOSEN)
+watch: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## judge again whenever an answer is saved
+	@$(COURSE) watch $(PLAN) $(CHOSEN)
 
-hint: $(VERDICTS) ## one hint more each time it is asked for (EX=05)
-	@name=$$(awk '$$1 !~ /^[+!]/ { if (!($$2 in first)) first[$$2] = $$1; if ($$2 != "right") last = $$1 } \
-			END { print ("wrong" in first ? first["wrong"] : "unanswered" in first ? first["unanswered"] : last) }' \
-			$(VERDICT)/$(CHOSEN)/table); \
-		[ -n "$$name" ] || { echo "$(CHOSEN) needs no hint: make exercises EX=$(EX)"; exit 0; }; \
-		.make/hint exercises/$(CHOSEN).hints "$$name" $(call answer_in,$(EXERCISES),$(CHOSEN)) \
-		$(VERDICT)/$(CHOSEN).hint
+hint: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## one hint more each time it is asked for (EX=05)
+	@$(COURSE) hint $(PLAN) $(CHOSEN)
 
-debug: $(VERDICTS) $(if $(filter debug,$(MAKECMDGOALS)),$(call for_debug,$(CHOSEN)) $(B)/exercises.names) ## gdb at the call that failed (EX=05)
+status: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) ## how each function is, a line each
+	@$(COURSE) judge $(PLAN) $(CHOSEN) && $(COURSE) status $(PLAN) $(CHOSEN)
+
+debug: $(call FOR_JUDGING,$(call USED_WITH,$(CHOSEN))) $(if $(filter debug,$(MAKECMDGOALS)),$(filter-out $(VERDICT)/%,$(call for_debug,$(CHOSEN)))) ## gdb at the call that failed (EX=05)
 	@mkdir -p $(B)/debug
+	@$(COURSE) judge $(PLAN) $(CHOSEN)
 	@$(CC) $(LANGUAGE) -g3 -O0 -c -o $(B)/debug/$(CHOSEN).o $(call answer_in,$(EXERCISES),$(CHOSEN))
 	@$(HIDE_HELPERS) $(B)/debug/$(CHOSEN).o
 	@$(CC) -o $(B)/debug/$(CHOSEN) $(B)/debug/$(CHOSEN).o $(call for_debug,$(CHOSEN)) $(CHECK_LIBS) $(PNG_LIBS) -lm
-	@.make/debug $(VERDICT)/$(CHOSEN) $(CHOSEN) $(B)/debug/$(CHOSEN)
+	@$(COURSE) debug $(PLAN) $(CHOSEN) $(B)/debug/$(CHOSEN)
 
-reset: $(BLANKS) ## put a blank back; your answer is kept beside it (EX=05)
-	@.make/reset build/blanks/$(CHOSEN).c exercises/$(CHOSEN).c
+reset: $(BLANKS) $(COURSE) $(PLAN) ## put a blank back; your answer is kept beside it (EX=05)
+	@$(COURSE) reset $(PLAN) $(CHOSEN)
+
+# For what is made of the records: they change only if a verdict does.
+$(VERDICT)/judged: $(call FOR_JUDGING,$(STEMS)) FORCE
+	@$(COURSE) judge $(PLAN) $(STEMS)
+$(RECORDS): $(VERDICT)/judged ;
+.PHONY: status FORCE
 
 submission: $(PACK) $(BLANKS) ## one archive of your answers, to hand in
 	@$(PACK) build/submission.zip $(EXERCISES) build/blanks $(STEMS)

@@ -88,20 +88,21 @@ function read_verdict(stem,   file, line, part, name) {
     if (stem in read)
         return
     read[stem] = 1
-    file = verdicts "/" stem "/table"
-    while ((getline line < file) > 0) {
-        name = line
-        sub(/ .*/, "", name)
-        state[name] = substr(line, length(name) + 2)
-    }
-    file = verdicts "/" stem "/report"
+    file = verdicts "/" stem ".record"
     while ((getline line < file) > 0) {
         split(line, part, "\t")
+        gsub(/\\[nt]/, " ", part[2])
         if (part[1] == "function")
             name = part[2]
-        gsub(/\\[nt]/, " ", part[2])
+        else if (part[1] == "state" && name != "")
+            state[name] = part[2] ~ /crashed|timed out/ ? "wrong" : part[2]
+        else if (part[1] == "missing" && state[name] == "waiting")
+            state[name] = "waiting " part[2]
+        else if (part[1] ~ /^(waits|unsure)$/)
+            state[name] = "waiting " part[2]
         said[name, part[1]] = part[2]
     }
+    close(file)
 }
 
 function words(name,   formula) {

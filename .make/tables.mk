@@ -4,7 +4,7 @@
 # The judge asks what the table says.
 JUDGES := $(STEMS:%=$(B)/judge/%)
 $(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/told/path/%.o \
-		$(patsubst %,$(B)/tests/judge/%.o,call kept process ending judge report system_call) \
+		$(patsubst %,$(B)/tests/judge/%.o,call kept process ending judge system_call) $(REPORTING) \
 		$(DRAWING) $(B)/tests/told/right.o $(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
@@ -18,8 +18,7 @@ check: $(RUN) $(CHECKS) $(JUDGES) $(BLANKS) ## the tests of the toolkit
 # A chapter stands on the answers of the earlier ones: each is judged first, and what it was
 # compiled to (the blank, where it does not compile) is linked with the later ones.
 earlier_answers = $(patsubst %,$(VERDICT)/%/answer.o,$(call earlier,$(1)))
-stands_on = $(patsubst %,$(VERDICT)/%,$(call earlier,$(1)))
-$(STEMS:%=$(VERDICT)/%/answer.o): $(VERDICT)/%/answer.o: $(VERDICT)/%/table ;
+stands_on = $(call earlier,$(1))
 
 # The calls of a table, made directly.
 for_debug = $(B)/tests/told/debug.o $(B)/told/path/$(1).o $(TOLD) \

@@ -10,12 +10,15 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 
 # What every program of tests is made of: its list of tests, and the words for given and expected.
 TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
-	show random)
+	show random) $(B)/tests/course/page.o
 COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/common/*.c tests/course/check_*.c))
-$(B)/tests/course/check_explain: $(filter-out %_main.o,$(EXPLAIN_OBJECTS))
+# What judges answers (tests/course/course.c), in parts.
+COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c %/explain_main.c tests/course/check_%, \
+	$(wildcard tests/course/*.c))) $(patsubst %,$(B)/tests/judge/%.o,exercise types)
+$(filter $(B)/tests/course/%,$(COMMON_TESTS)): $(filter-out %/page.o,$(COURSE_PARTS))
 $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/main.o $(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(B)/common.a $(CHECK_LIBS) $(PNG_LIBS) -lm
 
 # Compiling what is known of the stems takes longer than running it: not optimised.
 $(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*.c tests/[0-9]*/*.c tests/judge/*.c)): OPTIMIZE = -O0
@@ -51,10 +54,14 @@ $(DISPATCHES): $(B)/judge/dispatch-%.o: tests/judge/dispatch.c $(B)/flags $(SETU
 # Which known mistake a wrong answer is.
 DIAGNOSIS := suspects evidence explanation paint same
 
+# What the judge says of answers, for a program.
+REPORTING := $(B)/tests/judge/report.o $(patsubst %,$(B)/tests/course/%.o,entries whole_text)
+
 # What the judge draws of a wrong answer.
 DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector camera place section \
 	equation pictures)
-earlier = $(shell printf '%s\n' $(STEMS) | awk '$$1 < "$(1)"')
+before = $(if $(filter-out $(2),$(firstword $(1))),$(firstword $(1)) $(call before,$(wordlist 2,99,$(1)),$(2)))
+earlier = $(strip $(call before,$(STEMS),$(1)))
 
 # ---- tests without the tests ------------------------------------------------------------------
 

@@ -51,7 +51,7 @@ $(KIT)/link/%.o:
 		--start-group $(C_LIBRARIES) --end-group
 
 # All chapters in one process, which draws a picture; and the picture that it should be.
-$(KIT)/link/all.o: $(B)/tests/grade/confine/entry.o $(B)/tests/judge/answering.o $(CALLING) \
+$(KIT)/link/all.o: $(B)/tests/grade/confine/entry.o $(ANSWERING) \
 	$(B)/judge/dispatch-all.o
 KIT_LINKS += $(KIT)/link/all.o
 LAST := $(lastword $(filter 06%,$(STEMS)))

@@ -40,7 +40,7 @@ for_debug = $(call test_objects,$(1))
 JUDGES := $(STEMS:%=$(B)/judge/%)
 $(JUDGES): $(B)/judge/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) $(TESTING) \
 		$(HEARING) $(TO_PROCESS) $(B)/tests/%/probes.o $(DRAWING) \
-		$(patsubst %,$(B)/tests/judge/%.o,judge report reference/right) $(B)/common.a
+		$(REPORTING) $(patsubst %,$(B)/tests/judge/%.o,judge reference/right) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 # The matrix: the same, and in the place of the answering process a table that the reference fills.

@@ -6,6 +6,7 @@
 #ifndef TESTS_COURSE_EXPLAIN_H
 #define TESTS_COURSE_EXPLAIN_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -17,12 +18,14 @@ void explain(FILE *out, const char *source, const char *diagnostics);
 // Sorted, a line each, with two blanks in front. If it says none of that, its own words.
 void explain_linker(FILE *out, const char *source, const char *words);
 
-// The text about a wrong function, with what its code explains and its values do not: a line for
-// each division of two whole numbers that leaves a remainder, before the last line; and if the
-// compiler warned of a decimal comma there, without the mistake that it looks like. judged: the
-// functions that have a verdict of their own, so that only helpers are looked into. Returns a
-// string to free, or NULL if there is nothing to change.
-char *explain_slips(const char *source, const char *diagnostics, const char *function,
-                    const char *const *judged, size_t judged_count, const char *told);
+// What the code of a wrong function explains and its values do not.
+typedef struct {
+    char *help; // about divisions of whole numbers that leave a remainder, a line each; to free; or
+                // NULL
+    bool is_comma; // the compiler warned of a decimal comma: it is that, and no other mistake
+} ExplainedSlips;
+// judged: the functions that have a verdict of their own, so that only helpers are looked into.
+ExplainedSlips explain_slips(const char *source, const char *diagnostics, const char *function,
+                             const char *const *judged, size_t judged_count);
 
 #endif

@@ -41,10 +41,10 @@ static void find_divisions(Slips *slips, size_t line)
         unsigned long lower = strtoul(rest + text_span(rest, " /"), NULL, 10);
         if (lower == 0 || upper % lower == 0)
             continue;
-        const char *words = text_format(
-            "  help: in line %zu, %lu/%lu is %lu: C divides whole numbers without a remainder.\n"
-            "        Write %lu.0/%lu.\n",
-            line, upper, lower, upper / lower, upper, lower);
+        const char *words =
+            text_format("in line %zu, %lu/%lu is %lu: C divides whole numbers without a remainder. "
+                        "Write %lu.0/%lu.\n",
+                        line, upper, lower, upper / lower, upper, lower);
         if (!is_in(words, slips->divisions.line, slips->divisions.count))
             lines_add(&slips->divisions, words);
     }
@@ -104,46 +104,24 @@ static void read_commas(Slips *slips, const char *diagnostics)
     }
 }
 
-// With a decimal comma no mistake is named: it is the comma. The divisions go before the last line.
-static char *told_again(const Slips *slips, const char *told)
-{
-    Lines lines = {NULL, 0};
-    bool leaves_out = false;
-    char *rest = text_memory(strlen(told) + 1), *text = NULL;
-    memcpy(rest, told, strlen(told));
-    for (char *line; (line = text_next_line(&rest)) != NULL;) {
-        if (slips->comma && text_matches(line, "^  (looks like|you'd see|but) "))
-            leaves_out = true;
-        else if (!text_begins(line, "             "))
-            leaves_out = false;
-        if (!leaves_out)
-            lines_add(&lines, line);
-    }
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (out == NULL)
-        return NULL;
-    for (size_t i = 0; i < lines.count; i++) {
-        for (size_t k = 0; i + 1 == lines.count && k < slips->divisions.count; k++)
-            fputs(slips->divisions.line[k], out);
-        fprintf(out, "%s\n", lines.line[i]);
-    }
-    return fclose(out) == 0 ? text : NULL;
-}
-
-char *explain_slips(const char *source, const char *diagnostics, const char *function,
-                    const char *const *judged, size_t judged_count, const char *told)
+ExplainedSlips explain_slips(const char *source, const char *diagnostics, const char *function,
+                             const char *const *judged, size_t judged_count)
 {
     Answer answer = answer_read(source);
     Slips slips = {.answer = &answer, .judged = judged, .judged_count = judged_count};
     const OwnFunction *own = answer_function_named(&answer, function);
-    char *text = NULL;
+    ExplainedSlips explained = {NULL, false};
     if (own != NULL) {
         read_commas(&slips, diagnostics);
         look_at(&slips, own);
-        if (slips.divisions.count > 0 || slips.comma)
-            text = told_again(&slips, told);
     }
+    size_t size;
+    FILE *out = slips.divisions.count > 0 ? open_memstream(&explained.help, &size) : NULL;
+    for (size_t i = 0; out != NULL && i < slips.divisions.count; i++)
+        fputs(slips.divisions.line[i], out);
+    if (out != NULL)
+        fclose(out);
+    explained.is_comma = slips.comma;
     texts_free();
-    return text;
+    return explained;
 }

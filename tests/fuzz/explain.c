@@ -103,7 +103,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         free(said);
         free(said_by(explain_linker, words));
         static const char *const judged[] = {"upper_left", "upper_right"};
-        free(explain_slips(source, words, "upper_left", judged, 2, "  yours 1\n  but 2\n  see\n"));
+        free(explain_slips(source, words, "upper_left", judged, 2).help);
         free(words);
     }
     free(text);

@@ -32,6 +32,7 @@ static struct {
 static double work_of[EXERCISE_COUNT]; // seconds, so far
 static size_t size_of_call;
 static bool is_lent[EXERCISE_COUNT], was_lent[EXERCISE_COUNT];
+static bool has_entered[EXERCISE_COUNT][EXERCISE_COUNT];
 
 static Wire *begin(int exercise);
 static void send_call(int exercise);
@@ -58,6 +59,11 @@ void call_lend(int exercise)
 bool call_has_lent(int exercise)
 {
     return was_lent[exercise];
+}
+
+bool call_has_entered(int exercise, int other)
+{
+    return has_entered[exercise][other];
 }
 
 // Calls that were answered by passing the question on, and those answered in another way with what
@@ -193,6 +199,16 @@ static bool lend(int exercise, Wire *question)
     return send(WIRE_LENT, exercise, &answer, &left) == 1;
 }
 
+// The process tells that it has entered another exercise. It may lie: then it is asked without that
+// one, and fails all the same.
+static bool is_entered(int exercise, const WireHeader *header)
+{
+    if (header->kind != WIRE_ENTERED || header->size != 0)
+        return false;
+    has_entered[exercise][header->exercise] = true;
+    return true;
+}
+
 // What follows from no answer: nothing that is true of an answer can be said.
 static _Noreturn void give_up_on_machine(const char *what, int error)
 {
@@ -243,7 +259,8 @@ static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
     // A process that is gone may have said why.
     if (moved != 0)
         moved = receive(&answer, &wire, &left);
-    while (moved == 2 && answer.kind == WIRE_ASK && lend(answer.exercise, &wire))
+    while (moved == 2 && (is_entered(exercise, &answer) ||
+                          (answer.kind == WIRE_ASK && lend(answer.exercise, &wire))))
         moved = patience_is_over(&left) ? 0 : receive(&answer, &wire, &left);
     wire.is_hostile = false;
     bool sane = moved == 2 && answer.exercise == exercise;

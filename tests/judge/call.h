@@ -19,6 +19,9 @@ bool call_has_lent(int exercise);
 // question: then nothing was answered here.
 bool call_only_passes_on(void);
 
+// Whether the answer to a call of an exercise has entered another one of the answers.
+bool call_has_entered(int exercise, int other);
+
 // Ends the answering process.
 void call_stop(void);
 

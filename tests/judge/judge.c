@@ -1,17 +1,14 @@
 // judge.c - the tests of a stem against an answering process: the verdict.
 //
 //   PROGRAM ANSWERS FOLDER [FIGURES]
-//                                    all tests. FOLDER/table gets a line per function:
-//                                    NAME right | wrong | unanswered | waiting NAME, a + before
-//                                    the name for its extra tests; FOLDER/NAME what to tell
-//                                    the student, FOLDER/NAME.debug where gdb stops for it,
-//                                    FOLDER/report all of it for a program (report.h);
-//                                    FIGURES/NAME.gp or .png what can be drawn of it (figure.h)
+//                                    all tests. FOLDER/report says how each function is, and why
+//                                    (report.h); FIGURES/NAME.gp or .png what can be drawn of it
+//                                    (figure.h). Exit status 0 if all are right, 1 if not
 //   PROGRAM ANSWERS --only NAME LENT...   exit status 0 where NAME passes all its graded tests
 //                                    while the reference answers those that are lent; prints which
 //                                    of them NAME asked for
 //   PROGRAM --mistakes FOLDER        the same of every known mistake, as if it were an answer:
-//                                    FOLDER/FUNCTION.ID/ is what FOLDER is above
+//                                    FOLDER/FUNCTION.ID/report
 //
 // The student's code is in the process ANSWERS. This one never loads, parses or runs any of it.
 #include "tests/judge/call.h"
@@ -20,10 +17,8 @@
 #include "tests/judge/process.h"
 #include "tests/judge/report.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/show.h"
 #include "tests/judge/suspects.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,10 +57,10 @@ static int groups_in_order(Group *groups)
     return count;
 }
 
-static FILE *create(const char *folder, const char *name, const char *ending)
+static FILE *create(const char *folder, const char *name)
 {
     char path[4096];
-    int length = snprintf(path, sizeof path, "%s/%s%s", folder, name, ending);
+    int length = snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE *file = length < (int)sizeof path ? fopen(path, "w") : NULL;
     if (file == NULL) {
         perror(path);
@@ -84,76 +79,10 @@ static void finish(FILE *file)
     }
 }
 
-static void show_header(FILE *out, const Exercise *exercise, const char *state)
-{
-    int column = fprintf(out, "%s  %s%s", exercise->stem, exercise->name, state);
-    int room = SHOW_COLUMNS - column - 7;
-    if (room > (int)strlen(exercise->slide))
-        fprintf(out, "%*s%s", SHOW_COLUMNS - column - (int)strlen(exercise->slide),
-                "slide: ", exercise->slide);
-    fprintf(out, "\n");
-}
-
-// The sentence that a test's name is.
-static void show_sentence(FILE *out, const char *name)
-{
-    fprintf(out, "  ");
-    for (; *name != '\0'; name++)
-        putc(*name == '_' ? ' ' : *name, out);
-    fprintf(out, "\n");
-}
-
-static void show_mistake(FILE *out, const char *label, const Mistake *mistake, const char *besides)
-{
-    char words[1000];
-    // Behind the colon a sentence goes on: no capital, but for a letter that is a name.
-    char first = mistake->why[0];
-    bool word = islower((unsigned char)mistake->why[1]) || strncmp(mistake->why, "A ", 2) == 0;
-    const char *formula = mistake->formula;
-    snprintf(words, sizeof words, "%s: %c%s%s", formula != NULL ? formula : "a known mistake",
-             word ? tolower((unsigned char)first) : first, mistake->why + 1, besides);
-    show_field(out, label, words);
-}
-
-static void show_diagnosis(FILE *out, Diagnosis it)
-{
-    if (it.mistake != NULL) {
-        show_mistake(out, "looks like", it.mistake,
-                     it.in_part ? " (Something else is also not right yet.)" : "");
-        show_field(out, "you'd see", it.mistake->picture);
-        if (it.also)
-            show_mistake(out, "and also", it.other, "");
-    } else if (it.law != NULL) {
-        show_field(out, "but", it.law);
-    }
-}
-
-static void tell(const char *folder, const Group *group, bool unanswered, Diagnosis diagnosis)
-{
-    const Exercise *exercise = &exercises[exercise_number(group->function)];
-    const Record *record = group->failed->record;
-    FILE *out = create(folder, group->function, group->extra ? "+" : "");
-    show_header(out, exercise, unanswered ? "  is not answered yet" : "");
-    if (unanswered)
-        show_field(out, "asked", exercise->prompt);
-    else
-        show_sentence(out, group->failed->name);
-    show_outcome(out, group->failed);
-    show_diagnosis(out, diagnosis);
-    // A crash or a loop is found by looking, not by thinking.
-    fprintf(out, "  try        make %s EX=%.2s\n", record->how[0] != '\0' ? "debug" : "hint",
-            exercise->stem);
-    finish(out);
-
-    out = create(folder, group->function, group->extra ? "+.debug" : ".debug");
-    fprintf(out, "%s %d\n", group->failed->name, record->cases);
-    finish(out);
-}
-
 // A figure of an older answer is none of this one.
 static void draw(const char *figures, const Group *group, Diagnosis diagnosis)
 {
-    if (figures == NULL || group->extra)
+    if (figures == NULL)
         return;
     figure_forget(figures, group->function);
     if (group->failed != NULL)
@@ -163,44 +92,27 @@ static void draw(const char *figures, const Group *group, Diagnosis diagnosis)
 
 static int verdict(const char *folder, const char *figures)
 {
-    FILE *table = create(folder, "table.new", ""), *report = create(folder, "report", "");
+    FILE *report = create(folder, "report");
     bool all_right = true;
     Group groups[MOST_TESTS];
     int count = groups_in_order(groups);
     for (int i = 0; i < count; i++) {
         Group group = groups[i];
-        const char *missing = group.failed == NULL ? "" : group.failed->record->missing;
-        bool unanswered = strcmp(missing, group.function) == 0;
-        fprintf(table, "%s%s ", group.extra ? "+" : "", group.function);
-        if (group.failed == NULL)
-            fprintf(table, "right\n");
-        else if (unanswered)
-            fprintf(table, "unanswered\n");
-        else if (missing[0] != '\0')
-            fprintf(table, "waiting %s\n", missing);
-        else
-            fprintf(table, "wrong\n");
         Diagnosis diagnosis = {0};
+        if (group.extra) {
+            report_extra(report, group.failed);
+            continue;
+        }
         if (group.failed != NULL) {
             const Record *record = group.failed->record;
-            if (!group.extra && record->missing[0] == '\0' && record->how[0] == '\0')
+            if (record->missing[0] == '\0' && record->how[0] == '\0')
                 diagnosis = diagnose(exercise_number(group.function), record->hidden);
-            tell(folder, &group, unanswered, diagnosis);
         }
         draw(figures, &group, diagnosis);
-        if (!group.extra)
-            report_function(report, group.function, group.failed, diagnosis);
-        all_right = all_right && (group.extra || group.failed == NULL);
+        report_function(report, group.function, group.failed, diagnosis);
+        all_right = all_right && group.failed == NULL;
     }
-    finish(table);
     finish(report);
-    char from[4096], to[4096];
-    snprintf(from, sizeof from, "%s/table.new", folder);
-    snprintf(to, sizeof to, "%s/table", folder);
-    if (rename(from, to) != 0) {
-        perror(to);
-        exit(2);
-    }
     return all_right ? 0 : 1;
 }
 

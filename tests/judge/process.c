@@ -107,6 +107,9 @@ static void become_answering(const int calls[2], const int answers[2], const int
         say_error();
     for (int i = START_ERROR + 1; i < 64; i++)
         close(i);
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL); // if the judge is killed, nobody limits it any more
+#endif
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, MOST_PRINTED);
 #ifndef __SANITIZE_ADDRESS__ // whose shadow is larger than any limit

@@ -1,23 +1,11 @@
 // report.c - what the judge found, as lines for a program.
 #include "tests/judge/report.h"
 
-#include <string.h>
+#include "tests/course/entries.h"
+#include "tests/judge/call.h"
+#include "tests/judge/exercise.h"
 
-static void put(FILE *out, const char *key, const char *value)
-{
-    if (value == NULL || value[0] == '\0')
-        return;
-    fprintf(out, "%s\t", key);
-    for (const char *c = value; *c != '\0'; c++) {
-        if (*c == '\n' || *c == '\t' || *c == '\\')
-            fprintf(out, "\\%c", *c == '\n' ? 'n' : *c == '\t' ? 't' : '\\');
-        else if (*c >= ' ' && *c < 127)
-            putc(*c, out);
-        else
-            fprintf(out, "\\x%02x", (unsigned char)*c);
-    }
-    putc('\n', out);
-}
+#include <string.h>
 
 static const char *state_of(const char *function, const Record *record)
 {
@@ -28,35 +16,58 @@ static const char *state_of(const char *function, const Record *record)
                                                   : "wrong";
 }
 
+static void put_calls(FILE *out, int exercise)
+{
+    char names[4000] = "";
+    size_t length = 0;
+    for (int other = 0; exercises[other].name != NULL; other++)
+        if (other != exercise && call_has_entered(exercise, other) && length < sizeof names)
+            length += (size_t)snprintf(names + length, sizeof names - length, "%s%s",
+                                       length > 0 ? " " : "", exercises[other].name);
+    entry_put(out, "calls", names);
+}
+
 void report_function(FILE *out, const char *function, const Outcome *failed, Diagnosis diagnosis)
 {
-    put(out, "function", function);
+    entry_put(out, "function", function);
     if (failed == NULL) {
-        put(out, "state", "right");
+        entry_put(out, "state", "right");
+        put_calls(out, exercise_number(function));
         return;
     }
     const Record *record = failed->record;
-    put(out, "state", state_of(function, record));
-    put(out, "test", failed->name);
+    entry_put(out, "state", state_of(function, record));
+    entry_put(out, "test", failed->name);
     if (record->hidden) {
-        put(out, "hidden", "yes");
+        entry_put(out, "hidden", "yes");
     } else {
-        put(out, "given", record->given);
-        put(out, "expected", record->expected);
-        put(out, "yours", record->missing[0] == '\0' ? record->yours : "");
+        entry_put(out, "given", record->given);
+        entry_put(out, "expected", record->expected);
+        entry_put(out, "yours", record->missing[0] == '\0' ? record->yours : "");
     }
-    put(out, "missing", record->missing);
-    put(out, "how", record->expected[0] == '\0' ? failed->how : "");
+    if (!record->hidden)
+        entry_put(out, "printed", record->printed);
+    char number[20];
+    snprintf(number, sizeof number, "%d", record->cases);
+    entry_put(out, "case", number);
+    entry_put(out, "missing", record->missing);
+    entry_put(out, "how", record->expected[0] == '\0' ? failed->how : "");
     if (diagnosis.mistake != NULL) {
-        put(out, "mistake", diagnosis.mistake->id);
-        put(out, "formula", diagnosis.mistake->formula);
-        put(out, "why", diagnosis.mistake->why);
-        put(out, "picture", diagnosis.mistake->picture);
-        put(out, "partly", diagnosis.in_part ? "yes" : "");
+        entry_put(out, "mistake", diagnosis.mistake->id);
+        entry_put(out, "formula", diagnosis.mistake->formula);
+        entry_put(out, "why", diagnosis.mistake->why);
+        entry_put(out, "picture", diagnosis.mistake->picture);
+        entry_put(out, "partly", diagnosis.in_part ? "yes" : "");
         if (diagnosis.other != NULL) {
-            put(out, "also formula", diagnosis.other->formula);
-            put(out, "also why", diagnosis.other->why);
+            entry_put(out, "also formula", diagnosis.other->formula);
+            entry_put(out, "also why", diagnosis.other->why);
         }
     }
-    put(out, "law", diagnosis.law != NULL ? diagnosis.law : "");
+    entry_put(out, "law", diagnosis.law != NULL ? diagnosis.law : "");
+    put_calls(out, exercise_number(function));
+}
+
+void report_extra(FILE *out, const Outcome *failed)
+{
+    entry_put(out, "extra", failed == NULL ? "right" : "wrong");
 }

@@ -1,9 +1,10 @@
 // report.h - what the judge found, as lines for a program (tests/grade/mark/marking.py).
 //
-// Lines of KEY tab VALUE. 'function' begins one: its name; 'state' is right, wrong, unanswered,
-// waiting, timed out or crashed; the others are there where a test failed and there is something to
-// say. In a value \n, \t and \\ stand for a line's end, a tab and a backslash, \xNN for what is not
-// printable.
+// Lines of KEY tab VALUE (tests/course/entries.h). 'function' begins one: its name; 'state' is
+// right, wrong, unanswered, waiting, timed out or crashed; 'calls' names the exercises that it
+// entered when it was called, with a blank between them; 'extra' is right or wrong: its tests that
+// cost no marks. The others are there where a test failed and there is something to say: 'test' its
+// name, 'case' the number of the call that failed, 'given' lines of a name, a tab and a value, ...
 #ifndef TESTS_JUDGE_REPORT_H
 #define TESTS_JUDGE_REPORT_H
 
@@ -14,5 +15,7 @@
 
 // Failed: the first test that did; NULL where all passed.
 void report_function(FILE *out, const char *function, const Outcome *failed, Diagnosis diagnosis);
+// After it, if it has extra tests: of those.
+void report_extra(FILE *out, const Outcome *failed);
 
 #endif

@@ -1,18 +1,23 @@
-// show.h - one test's outcome, for a reader at a terminal of 80 columns.
+// show.h - one call of a test, for a reader at a terminal.
 #ifndef TESTS_JUDGE_SHOW_H
 #define TESTS_JUDGE_SHOW_H
 
+#include "tests/course/page.h"
 #include "tests/judge/runner.h"
 
 #include <stdio.h>
 
-enum { SHOW_COLUMNS = 79 };
-
-// A label, then words that wrap under each other.
-void show_field(FILE *out, const char *label, const char *words);
+// As the records have it (record.h); how: the way in which a test ended that expected nothing.
+typedef struct {
+    bool hidden;
+    const char *given, *expected, *yours, *missing, *how, *printed;
+} ShownCall;
 
 // What went in, what was expected, what came out or how it ended, and the first lines of what was
 // printed. Where the test is hidden, only how it ended.
+void show_call(const Page *page, const ShownCall *call);
+
+// The same of a test that has just ended.
 void show_outcome(FILE *out, const Outcome *outcome);
 
 #endif

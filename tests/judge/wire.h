@@ -36,8 +36,9 @@ typedef struct {
 } WireHeader;
 
 enum { WIRE_MAGIC = 0x52617943 };
-// The judge calls and lends, the answering process answers, asks for what is lent, or crashes.
-enum { WIRE_CALL, WIRE_ANSWER, WIRE_CRASH, WIRE_ASK, WIRE_LENT };
+// The judge calls and lends, the answering process answers, asks for what is lent, or crashes; and
+// it tells which other exercises it enters meanwhile (calls_traced.h).
+enum { WIRE_CALL, WIRE_ANSWER, WIRE_CRASH, WIRE_ASK, WIRE_LENT, WIRE_ENTERED };
 
 // The message of a crash.
 typedef struct {

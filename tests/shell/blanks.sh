@@ -52,17 +52,23 @@ check 'a solution without END SOLUTION is refused' refused "$BUILD/tests/blank" 
 check 'so is END SOLUTION alone' refused "$BUILD/tests/blank" "$scratch/closed.c"
 
 # reset: every answer that was there is still there.
-echo blank >"$scratch/blank.c"
-echo first >"$scratch/answer.c"
-.make/reset "$scratch/blank.c" "$scratch/answer.c" >/dev/null
-check 'reset restores the blank' cmp "$scratch/blank.c" "$scratch/answer.c"
-check 'reset keeps the answer' grep -qx first "$scratch/answer.c.backup-1"
-echo second >"$scratch/answer.c"
-.make/reset "$scratch/blank.c" "$scratch/answer.c" >/dev/null
-check 'a second reset keeps the second answer' grep -qx second "$scratch/answer.c.backup-2"
-check 'a second reset leaves the first backup' grep -qx first "$scratch/answer.c.backup-1"
-.make/reset "$scratch/blank.c" "$scratch/answer.c" >/dev/null
-check 'resetting a blank makes no backup' test ! -e "$scratch/answer.c.backup-3"
+answers=$scratch/answers
+mkdir "$answers"
+answer=$answers/01-corners.c
+resets() {
+    make --no-print-directory reset EX=01 ANSWERS="$answers"
+}
+echo first >"$answer"
+check 'reset works' resets
+check 'reset restores the blank' cmp build/blanks/01-corners.c "$answer"
+check 'reset keeps the answer' grep -qx first "$answer.backup-1"
+echo second >"$answer"
+check 'reset works again' resets
+check 'a second reset keeps the second answer' grep -qx second "$answer.backup-2"
+check 'a second reset leaves the first backup' grep -qx first "$answer.backup-1"
+check 'a blank can be reset' resets
+check 'resetting a blank makes no backup' test ! -e "$answer.backup-3"
+rm -rf "build$answers"
 
 # skeletons: over what is committed, never over what somebody changed.
 tree=$scratch/tree

@@ -328,7 +328,7 @@ in_the_order_of_the_contract() {
     for contract in exercises/*.h; do
         stem=$(basename "$contract" .h)
         sed -n 's/^[A-Za-z].*[ *]\([a-z_0-9]*\)(.*/\1/p' "$contract" >"$scratch/contract"
-        sed -n 's/^\([a-z].*\) right$/\1/p' "build$answers/verdict/$stem/table" |
+        sed -n 's/^function\t//p' "build$answers/verdict/$stem.record" |
             diff "$scratch/contract" - || return
     done
 }

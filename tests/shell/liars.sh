@@ -48,23 +48,19 @@ EOF
     env "$@" "$BUILD/judge/01-corners" "$scratch/liar" "$folder" >"$scratch/said" 2>&1
     [ $? -eq 1 ]
 }
-table_says() {
-    cat "$folder/table"
-    grep -qx "$1" "$folder/table"
+# The first function, which is upper_left: what the report has of it under a name.
+reports() {
+    cat "$folder/report"
+    sed '1d; /^function/,$d' "$folder/report" | grep -qx "$1	$2"
 }
 is_no_answer() {
-    table_says 'upper_left wrong' && cat "$folder/upper_left" &&
-        grep -qx '  it         answered with what is no answer' "$folder/upper_left"
-}
-tells() {
-    cat "$folder/upper_left"
-    grep -qx "  it         $1" "$folder/upper_left"
+    reports state crashed && reports how 'answered with what is no answer'
 }
 
 check 'zeros are judged' lies ''
-check 'and are wrong' table_says 'upper_left wrong'
+check 'and are wrong' reports state wrong
 check 'a blank may say its name' lies 'strcpy(header.missing, "upper_left");'
-check 'and is not answered yet' table_says 'upper_left unanswered'
+check 'and is not answered yet' reports state unanswered
 
 check 'a name that is none is judged' lies 'strcpy(header.missing, "\033[2Jright");'
 check 'and is no answer' is_no_answer
@@ -75,7 +71,7 @@ check 'and is no answer' is_no_answer
 
 crash='header.kind = WIRE_CRASH; header.size = sizeof crash;'
 check 'a crash is judged' lies "$crash crash.address = 4096;"
-check 'and told' tells 'crashed: write to address 0x1000'
+check 'and told' reports how 'crashed: write to address 0x1000'
 check 'a crash by no signal is judged' lies "$crash crash.signal = 123456789;"
 check 'and is no answer' is_no_answer
 check 'a crash by a negative signal is judged' lies "$crash crash.signal = -1;"

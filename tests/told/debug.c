@@ -1,4 +1,4 @@
-// debug.c - the calls of one test of a table, made directly: for gdb (.make/debug).
+// debug.c - the calls of one test of a table, made directly: for gdb (tests/course/course.c).
 //
 //   PROGRAM --test NAME
 #include "tests/judge/dispatch.h"

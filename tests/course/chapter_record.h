@@ -1,0 +1,68 @@
+// chapter_record.h - the verdict on one chapter: written once, read by whoever shows or uses it.
+//
+// A record is the file STEM.record, lines of KEY tab VALUE (entries.h), in this order:
+//
+//     record      1, the number of this format
+//     stem        01-corners
+//     answer      the file that was judged: the student's, or the blank
+//     hash        of that file's bytes, and of all that judged it: a record whose hash is another
+//                 is about another answer
+//     state       judged; or compiler, linker, stopped: there is no verdict, and words say why
+//     words       what the compiler or the linker said, explained; what the judge said when it
+//     stopped warnings    what the compiler said of an answer that compiles, explained stands STEM
+//     NAME...: answers of an earlier chapter that this one calls, and that are not
+//                 right; a line for each such chapter
+//     function    what the judge reports of each exercise (tests/judge/report.h), and
+//     waits           NAME...: it passes if the reference answers these in its place
+//     unsure          NAME...: it calls these, which are not right; more is not known
+//     help            a line of help on what its text explains and its values do not
+//     comma           yes: it has a decimal comma, so that no other mistake is named
+//     end         the hash of all lines above
+//
+// It is written under another name and renamed, so that whoever reads sees the old record or the
+// new one. One that is cut short, or changed by hand, is no record.
+#ifndef TESTS_COURSE_CHAPTER_RECORD_H
+#define TESTS_COURSE_CHAPTER_RECORD_H
+
+#include "tests/course/entries.h"
+
+enum { MOST_FUNCTIONS = 32 }; // of a chapter
+
+typedef struct {
+    const char *name;
+    const Entry *entries;
+    int count;
+} FunctionRecord;
+
+typedef struct {
+    Entries all;
+    int head; // how many entries are before the first function
+    int function_count;
+    FunctionRecord functions[MOST_FUNCTIONS];
+} ChapterRecord;
+
+// False if there is no such record, or it is damaged. Free it in either case.
+bool record_read(const char *path, ChapterRecord *record);
+// The same lines without what is before the functions and after them: the judge's report.
+bool report_read(const char *path, ChapterRecord *report);
+void chapter_record_free(ChapterRecord *record);
+
+const char *record_value(const ChapterRecord *record, const char *key);
+const char *function_value(const FunctionRecord *function, const char *key);
+const FunctionRecord *record_function(const ChapterRecord *record, const char *name); // or NULL
+
+// How an answer of the chapter is, in one word: right, wrong (also if it crashed or timed out),
+// unanswered, waiting, unsure.
+const char *function_state(const FunctionRecord *function);
+// The names that it waits for, or is unsure because of; "" if there are none.
+const char *function_because(const FunctionRecord *function);
+
+// The chapter: right, wrong, begun (some are right, none wrong), blank; compiler, linker, stopped.
+const char *record_state(const ChapterRecord *record);
+
+// Ends the lines that were written to file, which is FOLDER/STEM.record.new, and puts them in the
+// place of FOLDER/STEM.record. False, and errno, if that fails; then the older one is as it was.
+bool record_finish(FILE *file, const char *folder, const char *stem);
+FILE *record_begin(const char *folder, const char *stem);
+
+#endif

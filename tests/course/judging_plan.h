@@ -1,0 +1,68 @@
+// judging_plan.h - how answers are judged: the commands and files, as make wrote them down.
+//
+// A file of lines KEY tab VALUE (entries.h), so that a watch can judge again without make, and so
+// that whoever else builds an answering process does it with the same commands. Words are separated
+// by blanks. First of all chapters:
+//
+//     answers     the folder of answers
+//     built       the folder of what is built of them
+//     verdict     the folder of the records (chapter_record.h), and of what is made for them:
+//                 STEM/answer.o, STEM/answering, and so on
+//     figures     the folder of what the judge draws
+//     blanks      the folder of the blanks, for answers that are not there
+//     compile     the command that compiles an answer: COMPILE -o STEM/answer.o ANSWER
+//     hide        a command that hides all but the exercises: HIDE STEM/answer.o; or none
+//     link        the command that links an answering process:
+//                 LINK [QUICK] -o STEM/answering STEM/answer.o OBJECTS -lm
+//     quick       the options by which a quicker linker is chosen; or none
+//     lend        what the linker is told for each exercise that the reference answers in the place
+//     of
+//                 the answer, NAME for its name: -Wl,--defsym=NAME=lent_NAME; none if nothing is
+//                 lent
+//     used        files that the commands use, besides
+//
+// Then each chapter:
+//
+//     chapter     01-corners
+//     judge       the program that judges it: JUDGE STEM/answering STEM FIGURES
+//     objects     what the answering process holds besides the answer
+//     stands on   the chapters whose answers are among the objects; none if the reference's are
+#ifndef TESTS_COURSE_JUDGING_PLAN_H
+#define TESTS_COURSE_JUDGING_PLAN_H
+
+#include "tests/course/entries.h"
+
+enum { MOST_CHAPTERS = 32 };
+
+typedef struct {
+    const char *stem, *judge, *objects, *stands_on;
+} PlannedChapter;
+
+typedef struct {
+    Entries all;
+    const char *answers, *built, *verdict, *figures, *blanks;
+    const char *compile, *hide, *link, *quick, *lend, *used;
+    int count;
+    PlannedChapter chapters[MOST_CHAPTERS];
+} JudgingPlan;
+
+// False, and a message on stderr, if there is no such plan. Free it in either case.
+bool plan_read(const char *path, JudgingPlan *plan);
+void plan_free(JudgingPlan *plan);
+
+// The chapter's number, or -1.
+int plan_chapter(const JudgingPlan *plan, const char *stem);
+// Whether a chapter stands on the answers of another.
+bool plan_stands_on(const JudgingPlan *plan, int chapter, int other);
+
+// The file that answers a chapter: the student's, or the blank. Also files in the verdict's folder.
+enum { MOST_PLAN_PATH = 4096 };
+typedef struct {
+    char s[MOST_PLAN_PATH];
+} PlanPath;
+PlanPath plan_answer(const JudgingPlan *plan, int chapter);
+PlanPath plan_file(const JudgingPlan *plan, int chapter, const char *name);     // STEM/NAME
+PlanPath plan_beside(const JudgingPlan *plan, int chapter, const char *ending); // STEM.ENDING
+PlanPath path_of(const char *folder, const char *name, const char *ending);
+
+#endif

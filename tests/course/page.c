@@ -1,0 +1,125 @@
+// page.c - text for a reader: as wide as the terminal, and in colour where that can be shown.
+#include "tests/course/page.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+enum { USUAL_COLUMNS = 80, FEWEST_COLUMNS = 40, MOST_COLUMNS = 1000, MOST_PRINTED_LINES = 8 };
+
+static int columns_of(FILE *out)
+{
+    const char *wanted = getenv("COLUMNS");
+    long columns = wanted != NULL ? strtol(wanted, NULL, 10) : 0;
+    struct winsize size;
+    if (columns <= 0 && ioctl(fileno(out), TIOCGWINSZ, &size) == 0)
+        columns = size.ws_col;
+    if (columns <= 0)
+        columns = USUAL_COLUMNS;
+    return columns < FEWEST_COLUMNS ? FEWEST_COLUMNS
+           : columns > MOST_COLUMNS ? MOST_COLUMNS
+                                    : (int)columns;
+}
+
+Page page_on(FILE *out)
+{
+    const char *no_color = getenv("NO_COLOR"), *term = getenv("TERM");
+    return (Page){out, columns_of(out) - 1,
+                  isatty(fileno(out)) == 1 && (no_color == NULL || no_color[0] == '\0') &&
+                      term != NULL && strcmp(term, "dumb") != 0};
+}
+
+static void begin(const Page *page, PageColor color)
+{
+    if (page->colors && color != PLAIN)
+        fprintf(page->out, "\033[%dm", color);
+}
+
+static void end(const Page *page, PageColor color)
+{
+    if (page->colors && color != PLAIN)
+        fprintf(page->out, "\033[0m");
+}
+
+void page_line(const Page *page, PageColor color, const char *line)
+{
+    begin(page, line[0] != '\0' ? color : PLAIN);
+    fprintf(page->out, "%s", line);
+    end(page, line[0] != '\0' ? color : PLAIN);
+    putc('\n', page->out);
+}
+
+// Up to the next blank outside parentheses: a vector stays in one piece.
+static int length_of_word(const char *words, int room)
+{
+    int length = 0, depth = 0;
+    for (; words[length] != '\0' && (words[length] != ' ' || depth > 0); length++)
+        depth += (words[length] == '(') - (words[length] == ')');
+    return length < room ? length : (int)strcspn(words, " ");
+}
+
+// From a column on; the colour ends with each line, so that no margin has it.
+static void wrap(const Page *page, PageColor color, int column, int margin, const char *words)
+{
+    int room = page->columns - margin;
+    bool is_first = true; // word of its line
+    begin(page, words[0] != '\0' ? color : PLAIN);
+    for (const char *word = words; *word != '\0'; word += strspn(word, " ")) {
+        int length = length_of_word(word, room);
+        if (!is_first && column + 1 + length > page->columns) {
+            end(page, color);
+            fprintf(page->out, "\n%*s", margin, "");
+            begin(page, color);
+            column = margin;
+        } else if (!is_first) {
+            putc(' ', page->out);
+            column++;
+        }
+        for (int i = 0; i < length; i++)
+            putc(word[i] == '~' ? ' ' : word[i], page->out);
+        column += length;
+        word += length;
+        is_first = false;
+    }
+    end(page, words[0] != '\0' ? color : PLAIN);
+    putc('\n', page->out);
+}
+
+void page_field(const Page *page, PageColor color, const char *label, const char *words)
+{
+    int column = fprintf(page->out, "  %-*s", PAGE_LABEL - 2, label);
+    if (column > PAGE_LABEL) // a long label
+        column += fprintf(page->out, " ");
+    wrap(page, color, column, PAGE_LABEL, words);
+}
+
+void page_words(const Page *page, PageColor color, int first, int others, const char *words)
+{
+    fprintf(page->out, "%*s", first, "");
+    wrap(page, color, first, others, words);
+}
+
+void page_printed(const Page *page, const char *label, const char *text)
+{
+    int column = 0, lines = 0;
+    for (; *text != '\0' && lines < MOST_PRINTED_LINES; text++) {
+        if (column == 0 && lines == 0)
+            fprintf(page->out, "  %-*s", PAGE_LABEL - 2, label);
+        else if (column == 0)
+            fprintf(page->out, "%*s", PAGE_LABEL, "");
+        if (*text == '\n' || column == page->columns - PAGE_LABEL) {
+            putc('\n', page->out);
+            column = 0;
+            lines++;
+        }
+        if (*text != '\n') {
+            putc((*text >= ' ' && *text < 127) ? *text : '?', page->out);
+            column++;
+        }
+    }
+    if (column > 0)
+        putc('\n', page->out);
+    if (*text != '\0')
+        fprintf(page->out, "%*s... and more\n", PAGE_LABEL, "");
+}

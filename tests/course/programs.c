@@ -1,0 +1,169 @@
+// programs.c - starts programs, and ends them when it is ended itself.
+#include "tests/course/programs.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+enum { MOST_AT_A_TIME = 64 };
+
+static volatile pid_t started[MOST_AT_A_TIME];
+static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
+
+void command_add(Command *command, const char *word)
+{
+    if (command->count == MOST_WORDS) {
+        fprintf(stderr, "a command of more than %d words\n", MOST_WORDS);
+        exit(2);
+    }
+    command->words[command->count++] = word;
+    command->words[command->count] = NULL;
+}
+
+void command_words(Command *command, const char *text)
+{
+    char *copy = strdup(text);
+    if (copy == NULL || command->part_count == MOST_WORDS)
+        abort();
+    command->parts[command->part_count++] = copy;
+    for (char *rest = copy, *word; (word = strtok_r(rest, " ", &rest)) != NULL;)
+        command_add(command, word);
+}
+
+void command_free(Command *command)
+{
+    for (int i = 0; i < command->part_count; i++)
+        free(command->parts[i]);
+    *command = (Command){.count = 0};
+}
+
+static void end_all(int number)
+{
+    for (int i = 0; i < MOST_AT_A_TIME; i++)
+        if (started[i] > 0)
+            kill(started[i], SIGTERM);
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+void programs_end_with_us(void)
+{
+    struct sigaction action = {.sa_handler = end_all};
+    sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+        struct sigaction old;
+        sigaction(ends[i], NULL, &old);
+        if (old.sa_handler != SIG_IGN) // nohup
+            sigaction(ends[i], &action, NULL);
+    }
+}
+
+// A fork that is known, or -1. In the child nothing is known to have been started.
+static pid_t start(int place)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before); // no end between the fork and its being known
+    fflush(NULL);
+    pid_t parent = getpid(), pid = fork();
+    if (pid == 0) {
+        for (int i = 0; i < MOST_AT_A_TIME; i++)
+            started[i] = 0;
+#ifdef __linux__
+        prctl(PR_SET_PDEATHSIG, SIGTERM); // also when this program is killed
+#endif
+        if (getppid() != parent)
+            _exit(127);
+    } else if (pid > 0) {
+        started[place] = pid;
+    }
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return pid;
+}
+
+static int status_of(int status)
+{
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+int program_run(const Command *command, const char *output)
+{
+    pid_t pid = start(0);
+    if (pid == 0) {
+        int in = open("/dev/null", O_RDONLY);
+        int out = output != NULL ? open(output, O_WRONLY | O_CREAT | O_TRUNC, 0666) : -1;
+        if (in >= 0 && dup2(in, STDIN_FILENO) >= 0 &&
+            (output == NULL ||
+             (out >= 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(out, STDERR_FILENO) >= 0)))
+            execvp(command->words[0], (char *const *)command->words);
+        fprintf(stderr, "%s: %s\n", command->words[0], strerror(errno));
+        _exit(127);
+    }
+    int status = 127 << 8;
+    while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR)
+        continue;
+    started[0] = 0;
+    return status_of(status);
+}
+
+// Waits for one of them, whichever ends first.
+static void wait_for_one(const int *numbers, int *statuses)
+{
+    int status;
+    pid_t pid = wait(&status);
+    for (int i = 0; pid > 0 && i < MOST_AT_A_TIME; i++)
+        if (started[i] == pid) {
+            statuses[numbers[i]] = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+            started[i] = 0;
+        }
+}
+
+void work_side_by_side(int count, int (*work)(int number, void *given), void *given, int *statuses)
+{
+    if (count == 1) { // which needs no process
+        statuses[0] = work(0, given);
+        return;
+    }
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    int most = processors < 1 ? 1 : processors > MOST_AT_A_TIME ? MOST_AT_A_TIME : (int)processors;
+    int numbers[MOST_AT_A_TIME], running = 0;
+    for (int next = 0; next < count || running > 0;) {
+        if (next == count || running == most) {
+            wait_for_one(numbers, statuses);
+            running--;
+            continue;
+        }
+        int place = 0;
+        while (started[place] != 0)
+            place++;
+        numbers[place] = next;
+        statuses[next] = -1;
+        pid_t pid = start(place);
+        if (pid == 0)
+            exit(work(next, given));
+        running += pid > 0;
+        next++;
+    }
+}
+
+bool program_is_there(const char *name)
+{
+    const char *paths = getenv("PATH");
+    for (const char *path = paths != NULL ? paths : ""; *path != '\0'; path += *path == ':') {
+        char whole[4096];
+        int length = (int)strcspn(path, ":");
+        if (snprintf(whole, sizeof whole, "%.*s/%s", length, path, name) < (int)sizeof whole &&
+            access(whole, X_OK) == 0)
+            return true;
+        path += length;
+    }
+    return false;
+}
