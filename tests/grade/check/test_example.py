@@ -22,8 +22,9 @@ def blocks(page: str) -> list[str]:
 
 
 def as_everywhere(words: str) -> str:
-    """But for the sandbox of this machine, and how long it took."""
-    return re.sub(r"Sandbox: .*", "Sandbox: (any)", words).partition("\nTook ")[0].rstrip("\n")
+    """But for the sandbox of this machine, how long it took, and what make built before."""
+    words = words[words.index("submission "):].partition("\nTook ")[0]
+    return re.sub(r"Sandbox: .*", "Sandbox: (any)", words).rstrip("\n")
 
 
 def told(out: Path) -> set[str]:

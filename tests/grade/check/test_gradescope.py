@@ -1,0 +1,93 @@
+"""test_gradescope.py - the archive for Gradescope, in a folder that is laid out as it is there."""
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+import zipfile
+from pathlib import Path
+
+from .sentences import Sentences
+
+CLASS = Path("tests/grade/example/class")
+ARCHIVE = Path("build/gradescope.zip")
+# What make says to its children would decide how the copy is built.
+OF_MAKE = {"MAKEFLAGS", "CC", "ANSWERS", "SEED", "OUT", "POLICY", "UNSAFE", "SANDBOX"}
+
+
+class Gradescope(Sentences):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.top = Path(folder.name)
+        self.toolkit = self.top / "source" / "toolkit"
+        self.submission = self.top / "submission"
+        self.environment = {name: value for name, value in os.environ.items() if name not in OF_MAKE}
+
+    def run_there(self, *words, **settings) -> subprocess.CompletedProcess:
+        return subprocess.run([str(word) for word in words], capture_output=True, text=True, errors="replace",
+                              env={**self.environment, "AUTOGRADER": str(self.top), **settings})
+
+    def archive(self) -> bytes:
+        done = self.run_there("make", "gradescope")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return ARCHIVE.read_bytes()
+
+    def unpack(self) -> None:
+        """As unzip does it, with the permissions."""
+        with zipfile.ZipFile(ARCHIVE) as archive:
+            for info in archive.infolist():
+                os.chmod(archive.extract(info, self.top / "source"), info.external_attr >> 16)
+
+    def hand_in(self, *paths: Path) -> None:
+        shutil.rmtree(self.submission, ignore_errors=True)
+        self.submission.mkdir()
+        for path in paths:
+            if path.is_dir():
+                shutil.copytree(path, self.submission / path.name)
+            else:
+                shutil.copy(path, self.submission / path.name)
+
+    def says(self, sentence: str, score: str, words: str, **settings) -> None:
+        """What results.json says: the score, of how many, and how its words begin."""
+        results = self.top / "results" / "results.json"
+        done = self.run_there(self.top / "run_autograder", **settings)
+        found = json.loads(results.read_text(encoding="utf-8"))
+        results.unlink()
+        most = sum(test["max_score"] for test in found.get("tests", []))
+        self.check(sentence, f"{found['score']:g} of {most:g}" == score and found["output"].startswith(words),
+                   (found["score"], most, found["output"][:80], done.stdout[-300:]))
+
+    def test_an_autograder(self):
+        first = self.archive()
+        time.sleep(2)       # dates in an archive are even seconds
+        self.check("the same tree makes the same archive", self.archive() == first)
+        self.unpack()
+        for name in ("setup.sh", "run_autograder"):
+            self.check(f"{name} is at its root, to be started", os.access(self.top / "source" / name, os.X_OK))
+        done = self.run_there(self.top / "source" / "setup.sh")
+        self.check("setup.sh builds all that grading needs", done.returncode == 0, done.stderr[-400:])
+        shutil.copy(self.top / "source" / "run_autograder", self.top)   # so does Gradescope
+
+        self.hand_in(*CLASS.glob("another-way/*.c"))
+        self.says("what is right has its marks", "24 of 100", "graded")
+        self.hand_in(*CLASS.glob("does-not-compile/*.c"))
+        self.says("what does not compile says so", "9 of 100", "does not compile")
+        self.hand_in(Path("solutions"), Path("exercises"), Path("Makefile"), Path("tests/exercises.def"))
+        shutil.copy(CLASS / "half-size" / "03-screen.c", self.submission / "exercises")
+        self.says("of a whole toolkit, exercises/ is graded", "6 of 100", "graded")
+        self.hand_in(CLASS / "blank")
+        (self.submission / "exercises").symlink_to(self.toolkit / "solutions")
+        (self.submission / "Makefile").touch()
+        self.says("a link to the solutions is not followed", "0 of 100", "graded")
+        shutil.rmtree(self.submission)
+        self.says("no submission has a result, too", "0 of 100", "empty")
+        self.hand_in(*CLASS.glob("another-way/*.c"))
+        self.says("without a sandbox nothing is graded, and it says why", "0 of 0", "Nothing was graded", SANDBOX="none")
+        (self.toolkit / "Makefile").unlink()
+        self.says("a grader that is broken leaves a result", "0 of 0", "The autograder did not")
+        self.toolkit.rename(self.top / "gone")
+        self.says("so does one that is gone", "0 of 0", "The autograder did not")
