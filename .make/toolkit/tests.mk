@@ -39,7 +39,7 @@ earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
 for_debug = $(call test_objects,$(1))
 JUDGES := $(STEMS:%=$(B)/judge/%)
 $(JUDGES): $(B)/judge/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) $(TESTING) \
-		$(HEARING) $(TO_PROCESS) $(B)/tests/%/probes.o $(DRAWING) \
+		$(HEARING) $(TO_PROCESS) $$(call parts,tests/$$*/probes) $(DRAWING) \
 		$(REPORTING) $(patsubst %,$(B)/tests/judge/%.o,judge reference/right) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -48,14 +48,19 @@ MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
 $(call parts,tests/[0-9]*/composed): EXTRA = -include $(B)/weak.h
 $(call parts,tests/[0-9]*/composed): $(B)/weak.h
 $(MATRICES): $(B)/tests/matrix/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
-		$(B)/tests/%/probes.o $(B)/tests/%/variants.o $$(call parts,tests/$$*/composed) $(B)/tests/%/unknown.o \
+		$$(call parts,tests/$$*/probes) $$(call parts,tests/$$*/variants) $$(call parts,tests/$$*/composed) $$(call parts,tests/$$*/unknown) \
 		$(TESTING) $(HEARING) $(patsubst %,$(B)/tests/proof/%.o,matrix missing table) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
-missing: $$(addprefix $$(B)/tests/matrix/,$$(CHOSEN)) ## what an exercise still lacks that was just added (EX=02)
-	@for matrix in $^; do $$matrix --missing || exit 1; done
+# What a new chapter lacks before anything of it can be linked.
+lacks = $(or $(firstword $(foreach f,solutions/$(1).c tests/$(1).c tests/$(1)/mistakes.c \
+	chapters/$(1)/README.md chapters/$(1)/main.c,$(if $(wildcard $(f)),,$(f)))), \
+	$(if $(shell grep -F '"$(1)"' tests/exercises.def),,an entry in tests/exercises.def))
+LACKS := $(if $(filter missing,$(MAKECMDGOALS)),$(strip $(foreach s,$(CHOSEN),$(call lacks,$(s)))))
+missing: $(if $(LACKS),,$$(addprefix $$(B)/tests/matrix/,$$(CHOSEN))) ## what a new exercise or chapter still lacks (EX=02)
+	@$(if $(LACKS),echo 'Next: $(CHOSEN) lacks $(LACKS)'; exit 1,for matrix in $^; do $$matrix --missing || exit 1; done)
 .PHONY: missing
 
 # Wrong answers that nobody has thought of: slips of the pen in every answer that is known, which
@@ -88,7 +93,7 @@ mutants_of = $(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(1) $(@D)/$*/*.i > $
 ALL_ERRORS = $(if $(findstring clang,$(CC)),-ferror-limit=0)
 TRIALS := $(STEMS:%=$(B)/tests/generated/%)
 $(TRIALS): $(B)/tests/generated/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
-		$(B)/tests/%/probes.o $(TESTING) $(HEARING) $(B)/generated/%.o \
+		$$(call parts,tests/$$*/probes) $(TESTING) $(HEARING) $(B)/generated/%.o \
 		$(patsubst %,$(B)/tests/generated/%.o,try truth guard question ask_screen ask_cameras \
 		ask_spheres ask_scenes ask_lights) $(B)/tests/handout/here.o $(B)/common.a
 	$(call say,link,$@)
@@ -147,7 +152,7 @@ $(SAME): $(B)/tests/proof/same_picture.o
 # Where the tables come from; and right answers written otherwise, held against them.
 TELLERS := $(STEMS:%=$(B)/told/tell/%)
 $(TELLERS): $(B)/told/tell/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
-		$(B)/tests/%/probes.o $(TESTING) $(HEARING) $(B)/tests/told/table.o \
+		$$(call parts,tests/$$*/probes) $(TESTING) $(HEARING) $(B)/tests/told/table.o \
 		$(patsubst %,$(B)/tests/handout/%.o,tell asked takes here) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
@@ -156,7 +161,7 @@ TABLES := $(STEMS:%=$(TABLE)/%.table)
 $(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
 	$(call say,tell,$@)
 	$(Q)env -u SEED $< $@
-TABLE_VARIANTS := $(STEMS:%=$(B)/told/variants/%)
+TABLE_VARIANTS := $(patsubst tests/%/variants.c,$(B)/told/variants/%,$(wildcard tests/*/variants.c))
 $(TABLE_VARIANTS): $(B)/told/variants/%: $(filter-out $(HEARING),$(REPLAY)) $(B)/told/path/%.o $(B)/tests/%/variants.o \
 		$(patsubst %,$(B)/tests/handout/%.o,variants here) $(HEARING) $(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)

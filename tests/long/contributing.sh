@@ -39,11 +39,19 @@ for block in "$scratch"/block-*; do
         ;;
     esac
 done
-check 'the page has both examples' test "$steps" -ge 5
+check 'the page has both examples' test "$steps" -ge 11
 
-# What was added is judged, and can be graded.
-check 'the new function is tested like the others' make -s build/tests/matrix/02-cameras
-check 'and its mistake is named' build/tests/matrix/02-cameras
-check 'the blank is written' make -s skeletons
-check 'and asks for it' grep -q '^double aspect_of(Camera c)$' exercises/02-cameras.c
+# What was added is judged like the rest, and each mistake is named.
+for stem in 02-cameras 09-plane; do
+    check "$stem is tested like the others" make -s "build/tests/matrix/$stem"
+    check 'and its mistakes are named' "build/tests/matrix/$stem"
+done
+check 'the blanks are written' make -s skeletons
+check 'and ask for it' grep -q '^double aspect_of(Camera c)$' exercises/02-cameras.c
+says_not_answered_yet() {
+    make -s exercises EX=09 >"$scratch/said" 2>&1
+    cat "$scratch/said"
+    grep -q 'not answered yet: hit_plane' "$scratch/said"
+}
+check 'the new chapter is judged' says_not_answered_yet
 finish contributing

@@ -280,10 +280,10 @@ int main(int argc, char **argv)
             check_mistake(&mistakes[table][i]);
     for (int i = 0; i < all.count; i++)
         settle(failed_by_some[i], "test", all.tests[i].name, "no mistake fails it");
-    for (; variants[variant_count].exercise != NULL; variant_count++)
-        check_variant(&variants[variant_count]);
-    for (; unknowns[unknown_count].exercise != NULL; unknown_count++)
-        check_unknown(&unknowns[unknown_count]);
+    for (const Variant *it = variants; it != NULL && it->exercise != NULL; it++, variant_count++)
+        check_variant(it);
+    for (const Unknown *it = unknowns; it != NULL && it->exercise != NULL; it++, unknown_count++)
+        check_unknown(it);
     check_table(stem);
     printf("+ %d known mistakes\n+ %d pairs of them told apart\n+ %d tests\n+ %d right "
            "answers\n+ %d unknown mistakes\n",

@@ -20,6 +20,7 @@ typedef struct {
     }
 
 // Of one stem; ends with a Variant whose exercise is NULL.
+#pragma weak variants // a new chapter may have none yet
 extern const Variant variants[];
 
 #endif
