@@ -10,7 +10,7 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 
 # What every program of tests is made of: its list of tests, and the words for given and expected.
 TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
-	show random) $(B)/tests/course/page.o
+	show random types type_words) $(B)/tests/course/page.o
 COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/common/*.c tests/course/check_*.c))
 # What judges answers (tests/course/course.c), in parts.
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c %/explain_main.c tests/course/check_%, \

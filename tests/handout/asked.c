@@ -81,7 +81,7 @@ static void add_corners(ToldCall *call, const Exercise *exercise)
         (strcmp(exercise->results, "vec3") != 0 && strcmp(exercise->results, "Ray") != 0))
         return;
     arguments.read = 0;
-    wire_get(&arguments, &camera, sizeof camera);
+    wire_get_value(&arguments, &type_Camera, &camera);
     reference_corners(camera, corners);
     for (int i = 0; i < 12; i++)
         numbers_add(&call->corners, corners[i / 3][i % 3]);

@@ -13,24 +13,25 @@
                               sizeof fields_of_##type / sizeof(Field), fields_of_##type};          \
     _Static_assert(sizeof(type) <= TYPE_MOST_BYTES, "TYPE_MOST_BYTES is too small");
 
-#define FIELD(type, field) (FIELD_OF_ONE, type, field, ~)
+#define FIELD(type, field) (FIELD_OF_ONE, type, field, #field " ")
+#define FIELD_AS(label, type, field) (FIELD_OF_ONE, type, field, label)
 #define LIST(type, field, count) (FIELD_OF_LIST, type, field, count)
 #define PIXELS(field) (FIELD_OF_PIXELS, ~, field, size)
 
 #define FIELD_IN(owner, i, field) FIELD_IN_(owner, UNPACK field)
 #define FIELD_IN_(...) FIELD_BY_KIND(__VA_ARGS__)
-#define FIELD_BY_KIND(owner, kind, type, field, count) IN_##kind(owner, type, field, count)
-#define IN_FIELD_OF_ONE(owner, type, field, count)                                                 \
+#define FIELD_BY_KIND(owner, kind, type, field, other) IN_##kind(owner, type, field, other)
+#define IN_FIELD_OF_ONE(owner, type, field, label)                                                 \
     {                                                                                              \
-        FIELD_OF_ONE, #field, &type_##type, offsetof(owner, field), 0                              \
+        FIELD_OF_ONE, #field, label, &type_##type, offsetof(owner, field), 0                       \
     }
 #define IN_FIELD_OF_LIST(owner, type, field, count)                                                \
     {                                                                                              \
-        FIELD_OF_LIST, #field, &type_##type, offsetof(owner, field), offsetof(owner, count)        \
+        FIELD_OF_LIST, #field, NULL, &type_##type, offsetof(owner, field), offsetof(owner, count)  \
     }
-#define IN_FIELD_OF_PIXELS(owner, type, field, count)                                              \
+#define IN_FIELD_OF_PIXELS(owner, type, field, size)                                               \
     {                                                                                              \
-        FIELD_OF_PIXELS, #field, NULL, offsetof(owner, field), offsetof(owner, count)              \
+        FIELD_OF_PIXELS, #field, NULL, NULL, offsetof(owner, field), offsetof(owner, size)         \
     }
 
 #endif

@@ -104,8 +104,8 @@ void expect_camera_of_size(Camera yours, Camera expected, double tolerance, doub
     char y[CAMERA_WORDS] = "", e[CAMERA_WORDS] = "";
     int digits = 6;
     while (!met && strcmp(y, e) == 0 && digits <= 17) {
-        camera_words(y, sizeof y, yours, digits);
-        camera_words(e, sizeof e, expected, digits++);
+        type_words(&type_Camera, &yours, digits, y, sizeof y);
+        type_words(&type_Camera, &expected, digits++, e, sizeof e);
     }
     settle(met, y, e);
 }

@@ -1,8 +1,9 @@
 // figure.h - a wrong answer beside the right one, as numbers for a layout.
 //
-// Of a function whose test failed, FOLDER/FUNCTION.gp is a script for gnuplot (common/figure/plot.h), or
-// FOLDER/FUNCTION.png a picture; neither where there is nothing to draw: no answer, one that is not
-// finite or far beyond what can be shown beside the right one, or inputs that are not to be told.
+// Of a function whose test failed, FOLDER/FUNCTION.gp is a script for gnuplot
+// (common/figure/plot.h), or FOLDER/FUNCTION.png a picture; neither where there is nothing to draw:
+// no answer, one that is not finite or far beyond what can be shown beside the right one, or inputs
+// that are not to be told.
 #ifndef TESTS_JUDGE_FIGURE_H
 #define TESTS_JUDGE_FIGURE_H
 
@@ -39,8 +40,8 @@ bool write_pictures(Wrong *wrong, const char *path);
 
 // ---- for those --------------------------------------------------------------------------------
 
-// A value of which the wire holds the bytes.
-#define WIRE_GET(wire, value) wire_get(wire, &(value), sizeof(value))
+// The next value of the message.
+#define WIRE_GET(wire, type, value) wire_get_value(wire, &type_##type, &(value))
 
 // From low to high. What would make it many times as wide is left out.
 typedef struct {

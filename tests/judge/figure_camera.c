@@ -28,11 +28,11 @@ bool read_camera(Wrong *wrong)
 {
     CameraFault right = CAMERA_OK, yours = CAMERA_OK;
     if (strcmp(exercises[wrong->kept->exercise].results, "Camera") != 0) {
-        WIRE_GET(wrong->right, right);
-        WIRE_GET(wrong->yours, yours);
+        WIRE_GET(wrong->right, CameraFault, right);
+        WIRE_GET(wrong->yours, CameraFault, yours);
     }
-    WIRE_GET(wrong->right, cameras.right);
-    WIRE_GET(wrong->yours, cameras.yours);
+    WIRE_GET(wrong->right, Camera, cameras.right);
+    WIRE_GET(wrong->yours, Camera, cameras.yours);
     Camera c = cameras.right;
     double size = c.distance + c.width + c.height;
     return right == CAMERA_OK && yours == CAMERA_OK && is_drawable(cameras.yours, size) &&

@@ -39,15 +39,15 @@ bool read_equation(Wrong *wrong)
     equation.are_roots = strcmp(exercises[wrong->kept->exercise].results, "Roots") == 0;
     equation.right_roots = equation.your_roots = (Roots){0};
     if (equation.are_roots) {
-        WIRE_GET(wrong->question, equation.right);
+        WIRE_GET(wrong->question, Quadratic, equation.right);
         equation.yours = equation.right;
-        WIRE_GET(wrong->right, equation.right_roots);
-        WIRE_GET(wrong->yours, equation.your_roots);
+        WIRE_GET(wrong->right, Roots, equation.right_roots);
+        WIRE_GET(wrong->yours, Roots, equation.your_roots);
         return are_drawable(equation.your_roots) && is_finite(equation.right) &&
                (equation.right.a != 0 || equation.right.b != 0);
     }
-    WIRE_GET(wrong->right, equation.right);
-    WIRE_GET(wrong->yours, equation.yours);
+    WIRE_GET(wrong->right, Quadratic, equation.right);
+    WIRE_GET(wrong->yours, Quadratic, equation.yours);
     return is_finite(equation.yours) && equation.right.a != 0;
 }
 

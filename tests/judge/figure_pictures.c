@@ -105,7 +105,7 @@ bool write_pictures(Wrong *wrong, const char *path)
     Message message;
     wire_get_value(wrong->question, &type_Scene, &scene);
     wire_free_value(&type_Scene, &scene);
-    WIRE_GET(wrong->question, camera);
+    WIRE_GET(wrong->question, Camera, camera);
     wire_get_value(wrong->question, &type_Image, &yours);
     bool good = !wrong->question->bad && image_create(&right, yours.size, &message);
     if (good) {

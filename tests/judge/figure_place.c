@@ -30,6 +30,12 @@ static Panel whole_screen(Resolution screen)
     return (Panel){0, 0, screen.width, screen.height, true};
 }
 
+static void get_pair(Wire *wire, double pair[2])
+{
+    WIRE_GET(wire, double, pair[0]);
+    WIRE_GET(wire, double, pair[1]);
+}
+
 bool read_place(Wrong *wrong)
 {
     const Exercise *types = &exercises[wrong->kept->exercise];
@@ -37,18 +43,18 @@ bool read_place(Wrong *wrong)
     Pixel pixel = {0, 0};
     places.has_given = strcmp(types->arguments, "Pixel") != 0;
     if (places.has_given) {
-        wire_get(wrong->question, places.given, sizeof places.given);
-        WIRE_GET(wrong->question, screen);
+        get_pair(wrong->question, places.given);
+        WIRE_GET(wrong->question, Resolution, screen);
         bool to_screen = strcmp(types->results, "ScreenPoint") == 0;
         places.from = to_screen ? unit_square() : whole_screen(screen);
         places.into = to_screen ? whole_screen(screen) : unit_square();
     } else {
-        WIRE_GET(wrong->question, pixel);
+        WIRE_GET(wrong->question, Pixel, pixel);
         places.from = places.into = (Panel){pixel.column, pixel.row, 1, 1, true};
         memcpy(places.given, (const double[]){pixel.column, pixel.row}, sizeof places.given);
     }
-    wire_get(wrong->right, places.right, sizeof places.right);
-    wire_get(wrong->yours, places.yours, sizeof places.yours);
+    get_pair(wrong->right, places.right);
+    get_pair(wrong->yours, places.yours);
     Range x = {places.into.left, places.into.left + places.into.width};
     Range y = {places.into.bottom, places.into.bottom + places.into.height};
     range_add(&x, places.right[0]);

@@ -31,7 +31,7 @@ static void read_spheres(Wire *question, bool whole_scene)
     Scene scene;
     section.count = 1;
     if (!whole_scene) {
-        WIRE_GET(question, section.spheres[0]);
+        WIRE_GET(question, Sphere, section.spheres[0]);
         return;
     }
     wire_get_value(question, &type_Scene, &scene);
@@ -47,13 +47,13 @@ static Places read_places(Wire *wire, const char *results)
     Roots roots = {0};
     Hit hit = {0};
     if (strcmp(results, "Roots") == 0) {
-        WIRE_GET(wire, roots);
+        WIRE_GET(wire, Roots, roots);
         places = (Places){roots.count, -1, {roots.t[0], roots.t[1]}};
     } else if (strcmp(results, "Hit") == 0) {
-        WIRE_GET(wire, hit);
+        WIRE_GET(wire, Hit, hit);
         places = (Places){hit.t != NO_HIT, hit.sphere, {hit.t, NO_HIT}};
     } else {
-        WIRE_GET(wire, places.t[0]);
+        WIRE_GET(wire, double, places.t[0]);
         places.count = places.t[0] != NO_HIT;
     }
     return places;
@@ -72,7 +72,7 @@ bool read_section(Wrong *wrong)
     const Exercise *types = &exercises[wrong->kept->exercise];
     section.has_index = strcmp(types->results, "Hit") == 0;
     section.are_roots = strcmp(types->results, "Roots") == 0;
-    WIRE_GET(wrong->question, section.ray);
+    WIRE_GET(wrong->question, Ray, section.ray);
     read_spheres(wrong->question, section.has_index);
     section.right = read_places(wrong->right, types->results);
     section.yours = read_places(wrong->yours, types->results);

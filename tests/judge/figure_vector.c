@@ -24,16 +24,16 @@ static struct {
 bool read_vector(Wrong *wrong)
 {
     Camera c;
-    WIRE_GET(wrong->question, c);
+    WIRE_GET(wrong->question, Camera, c);
     view.camera = c;
     view.is_ray = strcmp(exercises[wrong->kept->exercise].results, "Ray") == 0;
     view.right.origin = view.yours.origin = c.origin;
     if (view.is_ray) {
-        WIRE_GET(wrong->right, view.right);
-        WIRE_GET(wrong->yours, view.yours);
+        WIRE_GET(wrong->right, Ray, view.right);
+        WIRE_GET(wrong->yours, Ray, view.yours);
     } else {
-        WIRE_GET(wrong->right, view.right.direction);
-        WIRE_GET(wrong->yours, view.yours.direction);
+        WIRE_GET(wrong->right, vec3, view.right.direction);
+        WIRE_GET(wrong->yours, vec3, view.yours.direction);
     }
     double size = vec3_length(view.right.direction), length = vec3_length(view.yours.direction);
     return right_corners(wrong->record, c, view.corners) && (!view.is_ray || length > 0) &&
@@ -137,10 +137,10 @@ bool read_ray(Wrong *wrong)
 {
     Ray ray;
     Sphere sphere;
-    WIRE_GET(wrong->question, ray);
-    WIRE_GET(wrong->question, sphere);
-    WIRE_GET(wrong->right, view.right);
-    WIRE_GET(wrong->yours, view.yours);
+    WIRE_GET(wrong->question, Ray, ray);
+    WIRE_GET(wrong->question, Sphere, sphere);
+    WIRE_GET(wrong->right, Ray, view.right);
+    WIRE_GET(wrong->yours, Ray, view.yours);
     radius = sphere.radius;
     double size = radius + vec3_length(view.right.origin) + vec3_length(view.right.direction);
     return figure_near(view.yours.origin, view.right.origin, size) &&

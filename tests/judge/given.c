@@ -38,30 +38,24 @@ void given_vec3(const char *name, vec3 v)
     given(name, "%s", vec3_text_to(v, 10).s);
 }
 
-void camera_words(char *words, size_t size, Camera c, int digits)
+void given_value(const char *name, const Type *type, const void *value, int digits)
 {
-    snprintf(words, size, "eye~%s, right~%s, up~%s, forward~%s, d~%s, w~%s, h~%s",
-             vec3_text_to(c.origin, digits).s, vec3_text_to(c.right, digits).s,
-             vec3_text_to(c.up, digits).s, vec3_text_to(c.forward, digits).s,
-             number_text_to(c.distance, digits).s, number_text_to(c.width, digits).s,
-             number_text_to(c.height, digits).s);
+    char words[CAMERA_WORDS];
+    type_words(type, value, digits, words, sizeof words);
+    given(name, "%s", words);
 }
 
 void given_camera(Camera camera)
 {
-    char words[CAMERA_WORDS];
-    camera_words(words, sizeof words, camera, 6);
-    given("camera", "%s", words);
+    given_value("camera", &type_Camera, &camera, 6);
 }
 
 void given_ray(Ray ray)
 {
-    given("ray", "origin %s, direction %s", vec3_text_to(ray.origin, 10).s,
-          vec3_text_to(ray.direction, 10).s);
+    given_value("ray", &type_Ray, &ray, 10);
 }
 
 void given_sphere(Sphere sphere)
 {
-    given("sphere", "center %s, radius %s", vec3_text_to(sphere.center, 10).s,
-          number_text_to(sphere.radius, 10).s);
+    given_value("sphere", &type_Sphere, &sphere, 10);
 }

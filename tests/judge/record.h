@@ -63,6 +63,4 @@ void record_fails_by_overrun(int test);      // and that is all that is wrong: t
 void record_setup(void);
 void record_teardown(void);
 
-void camera_words(char *words, size_t size, Camera c, int digits);
-
 #endif

@@ -20,7 +20,8 @@ typedef struct Type Type;
 typedef struct {
     FieldKind kind;
     const char *name;
-    const Type *type; // of each item
+    const char *label; // in words, with what follows it, before the value; NULL: is not told
+    const Type *type;  // of each item
     size_t offset;
     size_t count_at; // of a list: the offset of its int; of pixels: the offset of their Resolution
 } Field;
@@ -52,6 +53,9 @@ enum { TYPE_MOST_BYTES = 512 }; // no value is larger
 
 // Copies all that the type consists of, and no padding. The type is flat.
 void type_copy(const Type *type, void *to, const void *from);
+
+// A flat value in words: 'origin (0, 0, 0), direction (0, 0, 1)'.
+void type_words(const Type *type, const void *value, int digits, char *words, size_t size);
 
 // Calls for each number of a flat value, in order: where it is, and whether it is a double; an
 // integer has this many bytes. name: of the field; "" if the type has no fields.

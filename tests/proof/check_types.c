@@ -153,6 +153,20 @@ START_TEST(numbers_of_a_plane_are_recorded_in_the_order_of_its_fields)
 }
 END_TEST
 
+START_TEST(a_plane_is_told_in_the_words_of_its_entry)
+{
+    char words[200];
+    Plane plane = secret_plane(1, 7);
+    type_words(&type_Plane, &plane, 6, words, sizeof words);
+    expect_text(words, "normal (1, 2, 3), offset 4, kind 7");
+    type_words(&type_Plane, &plane, 6, words, 20);
+    expect_text(words, "normal (1, 2, 3), o");
+    Sphere sphere = {{1, 2, 3}, 4, 5};
+    type_words(&type_Sphere, &sphere, 6, words, sizeof words);
+    expect_text(words, "center (1, 2, 3), radius 4");
+}
+END_TEST
+
 void list_tests(void)
 {
     tests_of("types");
@@ -160,5 +174,6 @@ void list_tests(void)
     test(what_is_received_has_no_padding_of_the_other_side);
     test(a_list_of_planes_comes_back_and_has_no_secrets);
     test(no_type_sends_more_bytes_than_its_numbers_have);
+    test(a_plane_is_told_in_the_words_of_its_entry);
     test(numbers_of_a_plane_are_recorded_in_the_order_of_its_fields);
 }
