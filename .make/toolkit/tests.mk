@@ -161,7 +161,7 @@ TABLES := $(STEMS:%=$(TABLE)/%.table)
 $(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
 	$(call say,tell,$@)
 	$(Q)env -u SEED $< $@
-TABLE_VARIANTS := $(patsubst tests/%/variants.c,$(B)/told/variants/%,$(wildcard tests/*/variants.c))
+TABLE_VARIANTS := $(patsubst tests/%/variants.c,$(B)/told/variants/%,$(wildcard tests/[0-9]*/variants.c))
 $(TABLE_VARIANTS): $(B)/told/variants/%: $(filter-out $(HEARING),$(REPLAY)) $(B)/told/path/%.o $(B)/tests/%/variants.o \
 		$(patsubst %,$(B)/tests/handout/%.o,variants here) $(HEARING) $(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)
