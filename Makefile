@@ -188,7 +188,7 @@ $(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(B)/cha
 
 GALLERY := $(BUILT)/gallery
 # A picture that needs what a student has not answered yet is no error: that is said, in one line.
-TRY = $(if $(filter solutions,$(ANSWERS)),,.make/draw $@)
+TRY = $(if $(filter solutions,$(ANSWERS)),,chapters/shared/try_picture $@)
 # The picture of a chapter, which chapters/NN-stem/picture.txt describes in words. The other pictures
 # of a chapter, and the scenes of which they are cast, are in its pictures.mk.
 CHAPTER_PICTURES := $(patsubst chapters/%/picture.txt,%,$(wildcard chapters/*/picture.txt))

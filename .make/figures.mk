@@ -1,7 +1,7 @@
 # figures.mk - make figures, and the page of pictures and figures. Included by the Makefile.
 
 # A layout chapters/NN-stem/figures/NAME.gp, and the data that the chapter's program computes for it, are a
-# script (common/figure/plot.h), which gnuplot draws (.make/figures). FIGURE=name: only that one, or several
+# script (common/figure/plot.h), which gnuplot draws (common/figure/draw_figures). FIGURE=name: only that one, or several
 # with commas.
 FIGURES := $(BUILT)/figures
 LAYOUTS := $(wildcard chapters/*/figures/*.gp)
@@ -34,13 +34,13 @@ $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,
 		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(RECORDS) $(LIST))
 	$(Q)mkdir -p $(@D)
 	$(Q)$(if $(RIGHT),note=$$(awk -v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c chapters/*/figures/*.c); \
-		.make/script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
+		common/figure/write_script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
 		--figure $* > $@)
 
 MAKE_PAGE := $(B)/chapters/gallery/gallery
 figures: $(FIGURES_WANTED:%=$(FIGURES)/%.gp) $(MAKE_PAGE) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
-		.make/figures $(FIGURES) $(FIGURES_WANTED)
+		common/figure/draw_figures $(FIGURES) $(FIGURES_WANTED)
 	@$(MAKE_PAGE) $(BUILT) $(B)/scenes
 	@echo "All on a page: $(PAGE)"
 .PHONY: figures
@@ -51,8 +51,8 @@ DRAWN := $(BUILT)/drawn
 ifeq ($(shell cat $(DRAWN) 2>/dev/null),without gnuplot)
 $(shell command -v gnuplot >/dev/null && rm -f $(DRAWN))
 endif
-$(DRAWN): $(SCRIPTS) .make/figures .make/figure $(wildcard .make/figure-*.awk)
-	@FORMAT=svg THEME= SHAPE= STEPS= .make/figures $(FIGURES) $(FIGURE_NAMES); status=$$?; \
+$(DRAWN): $(SCRIPTS) common/figure/draw_figures common/figure/draw_figure $(wildcard common/figure/*.awk)
+	@FORMAT=svg THEME= SHAPE= STEPS= common/figure/draw_figures $(FIGURES) $(FIGURE_NAMES); status=$$?; \
 		case $$status in 0) : > $@ ;; 3) echo 'without gnuplot' > $@ ;; \
 			*) $(if $(filter solutions,$(A)),exit $$status,: > $@) ;; esac
 

@@ -1,9 +1,9 @@
 # handout.mk - make handout, and the blanks of exercises/. Included by the Makefile.
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
 build/handout.tar.gz: $(TABLES) $(BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) FORCE
-	@.make/toolkit/handout $(@D) $(TABLE) build/blanks $(or $(RIGHT),$(FIGURES))
+	@tests/handout/pack $(@D) $(TABLE) build/blanks $(or $(RIGHT),$(FIGURES))
 .PHONY: handout FORCE
 
 skeletons: $(BLANKS) ## write the blanks that solutions/ make; never over changes
-	@.make/toolkit/skeletons $(BLANKS)
+	@solutions/write_blanks $(BLANKS)
 .PHONY: skeletons

@@ -5,7 +5,7 @@
 SLIDES ?= chapters/slides.tex
 ON_SLIDES := $(filter $(FIGURE_NAMES),$(shell grep -o '^[^%]*{[a-z0-9-]*}' $(SLIDES) 2>/dev/null | tr '{}' '\n\n' | sort -u))
 slides: $(ON_SLIDES:%=$(FIGURES)/%.gp) ## figures on Beamer slides, in steps (needs LaTeX: make setup FOR=lecturer)
-	@.make/toolkit/slides --ready
-	@FORMAT=tex THEME= SHAPE= STEPS=1 .make/figures $(FIGURES) $(ON_SLIDES)
-	@.make/toolkit/slides $(FIGURES) $(SLIDES)
+	@chapters/make_slides --ready
+	@FORMAT=tex THEME= SHAPE= STEPS=1 common/figure/draw_figures $(FIGURES) $(ON_SLIDES)
+	@chapters/make_slides $(FIGURES) $(SLIDES)
 .PHONY: slides

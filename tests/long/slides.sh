@@ -17,9 +17,9 @@ said() {
 fails() {
     ! said "$@"
 }
-check 'without LaTeX there are no slides' fails without pdflatex .make/toolkit/slides --ready
+check 'without LaTeX there are no slides' fails without pdflatex chapters/make_slides --ready
 check 'and it is said what to install' says "LaTeX lacks pdflatex: 'make setup FOR=lecturer' installs it."
-if ! .make/toolkit/slides --ready >/dev/null 2>&1; then
+if ! chapters/make_slides --ready >/dev/null 2>&1; then
     skip slides "slides, which need LaTeX with Beamer (make setup FOR=lecturer)"
 fi
 
@@ -27,11 +27,11 @@ drawn=$scratch/figures
 check 'every figure has a script' scripts_into "$drawn"
 draw() {
     # shellcheck disable=SC2086 # names are words
-    env "$@" .make/figures "$drawn" $names
+    env "$@" common/figure/draw_figures "$drawn" $names
 }
 check 'every figure is drawn for LaTeX' draw FORMAT=tex SHAPE=16:9,4:3 STEPS=1
 steps=$(cat "$drawn/.drawn/corner-vectors.steps")
-check 'the slides are made' .make/toolkit/slides "$drawn" chapters/slides.tex
+check 'the slides are made' chapters/make_slides "$drawn" chapters/slides.tex
 pages() {
     pdfinfo "$1" | sed -n 's/^Pages: *//p'
 }
@@ -46,7 +46,7 @@ else
     echo "skipped: the pages of slides, which need poppler-utils ('make setup' installs it)"
 fi
 cp "$drawn/slides.pdf" "$scratch/first.pdf"
-check 'slides are made once more' .make/toolkit/slides "$drawn" chapters/slides.tex
+check 'slides are made once more' chapters/make_slides "$drawn" chapters/slides.tex
 check 'and have the same bytes' cmp "$drawn/slides.pdf" "$scratch/first.pdf"
 
 # A folder of its own, with all that 'make figures FORMAT=tex' made: every file on a page.
@@ -77,7 +77,7 @@ check 'the slides are made there by LaTeX alone' compiles slides
 check 'and in the dark' compiles '\def\theme{dark}\input{slides}'
 
 printf '\\documentclass{beamer}\n\\begin{document}\n\\nosuchcommand\n\\end{document}\n' >"$scratch/wrong.tex"
-check 'what LaTeX does not understand is no success' fails .make/toolkit/slides "$drawn" "$scratch/wrong.tex"
+check 'what LaTeX does not understand is no success' fails chapters/make_slides "$drawn" "$scratch/wrong.tex"
 check 'and is shown' says 'nosuchcommand'
 check 'by no picture that is left' test ! -e "$drawn/wrong.pdf"
 

@@ -73,7 +73,7 @@ rm -rf "build$answers"
 # skeletons: over what is committed, never over what somebody changed.
 tree=$scratch/tree
 mkdir -p "$tree/exercises" "$tree/new"
-cp -r .make "$tree"
+cp -r .make solutions "$tree"
 cd "$tree" || exit 1
 echo old >exercises/01-a.c
 echo old >exercises/02-b.c
@@ -81,12 +81,12 @@ git init -q . && git add . && git -c user.name=t -c user.email=t@t commit -qm t
 echo mine >exercises/02-b.c
 echo new >new/01-a.c
 echo new >new/02-b.c
-check 'skeletons refuses over a changed file' refused .make/toolkit/skeletons new/01-a.c new/02-b.c
+check 'skeletons refuses over a changed file' refused solutions/write_blanks new/01-a.c new/02-b.c
 check 'skeletons leaves a changed file as it is' grep -qx mine exercises/02-b.c
 check 'skeletons writes over an unchanged file' grep -qx new exercises/01-a.c
 rm -rf .git
 echo newer >new/01-a.c
-check 'without git, skeletons refuses over any other file' refused .make/toolkit/skeletons new/01-a.c
+check 'without git, skeletons refuses over any other file' refused solutions/write_blanks new/01-a.c
 cd "$here" || exit 1
 
 finish blanks

@@ -28,7 +28,7 @@ elsewhere() {
             exercises tests "$scratch/copy" &&
         echo '// my answer' >>"$scratch/copy/exercises/01-corners.c" &&
         SOURCE_DATE_EPOCH=$(date -r "$scratch/tree/ray-casting/Makefile" +%s) && export SOURCE_DATE_EPOCH &&
-        (cd "$scratch/copy" && .make/toolkit/handout "$scratch/out" "$here/build/told" "$here/build/blanks" \
+        (cd "$scratch/copy" && tests/handout/pack "$scratch/out" "$here/build/told" "$here/build/blanks" \
             "$here/build/solutions/figures") &&
         cmp "$archive" "$scratch/out/handout.tar.gz"
 }
@@ -178,7 +178,7 @@ leaves_out() {
     printf '%s\n' 'a [x](here)' 'b' '' 'c' '[y](gone)' '' 'd' '' '| e |' '| [z](gone) |' '| [f](here) |' '' '- [g](gone)' '- h' >"$scratch/page"
     : >"$scratch/here"
     printf '%s\n' 'a [x](here)' 'b' '' 'd' '' '| e |' '| [f](here) |' '' '- h' >"$scratch/wanted"
-    awk -v folder="$scratch" -f .make/toolkit/page.awk "$scratch/page" | diff "$scratch/wanted" -
+    awk -v folder="$scratch" -f tests/handout/page.awk "$scratch/page" | diff "$scratch/wanted" -
 }
 check 'of what is not there a page says nothing' leaves_out
 same_page() {

@@ -1,4 +1,4 @@
-# figure-svg.awk - makes gnuplot's SVG one that can be read aloud, and that shows the same everywhere.
+# svg.awk - makes gnuplot's SVG one that can be read aloud, and that shows the same everywhere.
 #
 # words: the figure in words, its title in the first line. Fonts get a family to fall back on.
 function escaped(text)

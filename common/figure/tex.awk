@@ -1,4 +1,4 @@
-# figure-tex.awk - makes gnuplot's LaTeX picture one that any document can take in.
+# tex.awk - makes gnuplot's LaTeX picture one that any document can take in.
 #
 # Labels as LaTeX writes them (gnuplot leaves them as they are), a background no larger than the
 # picture, and the name of the graphics without a folder. words: the figure in words; graphics: name.
