@@ -1,4 +1,4 @@
-// report.h - what the judge found, as lines for a program (tests/grade/mark/marking.py).
+// report.h - what the judge found, as lines for a program (tests/grade/mark/judge_report.py).
 //
 // Lines of KEY tab VALUE (tests/course/entries.h). 'function' begins one: its name; 'state' is
 // right, wrong, unanswered, waiting, timed out or crashed; 'calls' names the exercises that it
