@@ -9,7 +9,7 @@ import random
 import re
 import sys
 
-from grade import exercises as table
+from grade.exercises import read
 from grade.report.files import write_class, write_submission
 from grade.report.text import closing
 from .make_records import ball, function, record, stem
@@ -20,7 +20,7 @@ TESTS = pathlib.Path(__file__).resolve().parents[2]
 def exercises() -> dict:
     """stem -> list of (function, slide, prompt)."""
     found = {}
-    for each in table.read():
+    for each in read():
         found.setdefault(each.stem, []).append((each.name, each.slide, each.prompt))
     return found
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -52,6 +53,13 @@ class Environment(Sentences):
                 self.is_one_sentence("a full terminal", "its output: No space left", command(folder, work / "out"),
                                      stdout=full)
             self.read_only(folder, work)
+
+    def test_it_starts_from_any_folder(self) -> None:
+        words = [sys.executable, str(Path("tests/grade").resolve()), "--help"]
+        done = subprocess.run(words, cwd="/", capture_output=True, text=True,
+                              env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+        self.check("the grader starts from any folder", (done.returncode, done.stdout[:13]) == (0, "usage: grade "),
+                   done.stderr)
 
     def read_only(self, folder: Path, work: Path) -> None:
         view = ["bwrap", "--ro-bind", "/", "/", "--dev", "/dev", "--proc", "/proc"]

@@ -15,7 +15,7 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
-from grade import exercises as table
+from grade import exercises
 from grade import policy as policies
 from grade.collect import submissions
 from grade.collect.answers import Collected
@@ -66,8 +66,8 @@ class Grader:
 
     def __init__(self, given: argparse.Namespace):
         self.out = given.out.resolve()
-        self.exercises = table.read()
-        self.stems = table.stems(self.exercises)
+        self.exercises = exercises.read()
+        self.stems = exercises.stems(self.exercises)
         self.policy = policies.load(given.policy, self.exercises)
         self.kit = read_kit(given.kit.resolve())
         self.sandbox = choose(given.kit.resolve() / "confine", given.sandbox, given.unsafe)
@@ -77,7 +77,7 @@ class Grader:
         self.work = self.out / ".work" / f"{part}-of-{parts}"
         judges = sorted(path for path in self.kit.judges.iterdir() if path.name in self.stems)
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
-        self.tests = sum_of_files([table.LIST, *GRADER, *judges,
+        self.tests = sum_of_files([exercises.LIST, *GRADER, *judges,
                                    *sorted((self.kit.folder / "link").iterdir()),
                                    *(self.kit.folder / name for name in ("commands", "parts", "explain")), *confine])
 
