@@ -263,9 +263,9 @@ static const char *help_slip(const Explanation *all, const Mistake *mistake)
         return text_format("line %zu ends in a comma, where a semicolon belongs.", before);
     if (mistake->is_unused_value && text_has(code, "=="))
         return "== compares; to give a variable a value, write =.";
-    if (text_matches(text, "used uninitialized|uninitialized when used"))
+    if (text_says(text, "used uninitialized|uninitialized when used"))
         return text_format("%s is declared, but has no value yet.", mistake->name);
-    if (text_matches(text, "No such file or directory|file not found"))
+    if (text_says(text, "No such file or directory|file not found"))
         return text_format(
             "the contract of this chapter is #include \"%s\"; other headers are in common/.",
             all->code.contract);
@@ -273,13 +273,14 @@ static const char *help_slip(const Explanation *all, const Mistake *mistake)
         return "x is no operator in C: * multiplies, and the cross product is vec3_cross(v, w).";
     if (text_begins(text, "expected ')'") && answer_brackets(answer, mistake->line) > 0)
         return "a ) is missing: here are more ( than ).";
-    if (text_matches(text, "before '\\)' token|^extraneous '\\)'|^expected expression$") &&
+    if ((text_says(text, "before ')' token|^extraneous ')'") ||
+         text_is(text, "expected expression")) &&
         answer_brackets(answer, mistake->line) < 0)
         return "a ) too many: here are more ) than (.";
     if (text_begins(text, "expected '('") &&
         text_matches(code, "(^|[^A-Za-z_0-9])(if|while|for) +[^ (]"))
         return "after if, while and for comes a bracket: if (x > 0).";
-    if (text_matches(text, "^expected '[})]'") && text_matches(ahead, "[A-Za-z_0-9)] *$") &&
+    if (text_says(text, "^expected '}'|^expected ')'") && text_matches(ahead, "[A-Za-z_0-9)] *$") &&
         text_matches(behind, "^ *[A-Za-z_(]"))
         return "an operator or a comma is missing there (2 t is 2 * t).";
     if (text_begins(text, "expected expression") && (behind[0] == '<' || behind[0] == '>') &&
@@ -299,9 +300,9 @@ static const char *help_parts_and_powers(const Explanation *all, const Mistake *
                      "invalid type argument of '->'|^member reference type .* is (not )?a pointer|"
                      "is a pointer; did you mean"))
         return help_arrow(all, mistake);
-    if (text_matches(text, "^request for member|^member reference base type"))
+    if (text_says(text, "^request for member|^member reference base type"))
         return help_parts(all, mistake);
-    if (text_matches(text, "no member named|does not refer to any field"))
+    if (text_says(text, "no member named|does not refer to any field"))
         return help_member(all, mistake);
     if (text_begins(text, "invalid operands to binary") && mistake->message->behind[0] == '^')
         return help_power(all, mistake, "^ is exclusive or in C");
@@ -322,12 +323,12 @@ static const char *help_declaration(const Explanation *all, const Mistake *mista
     const char *text = mistake->text;
     const char *wanted_parts = header_parts(&all->code.headers, mistake->wanted);
     if (answer_ends_at_once(&all->code.answer, mistake->line) &&
-        text_matches(text, "clause does not guard|empty body"))
+        text_says(text, "clause does not guard|empty body"))
         return help_loop(all, mistake->line);
-    if (text_matches(text, "clause does not guard|^misleading indentation"))
+    if (text_says(text, "clause does not guard|^misleading indentation"))
         return "without braces { } only one statement belongs to it.";
     if (mistake->is_unknown ||
-        (text_matches(text, "^type defaults to 'int'|^type specifier missing") &&
+        (text_says(text, "^type defaults to 'int'|^type specifier missing") &&
          text_matches(mistake->code, "^ *auto ")))
         return help_unknown(all, mistake);
     if (mistake->is_count)
@@ -343,7 +344,7 @@ static const char *help_declaration(const Explanation *all, const Mistake *mista
     if (text_begins(text, "invalid initializer") && wanted_parts[0] != '\0')
         return text_format("%s is wanted here: %s.", with_article(mistake->wanted),
                            written(&all->code, mistake->wanted));
-    if (text_matches(text, "^'return' with no value|should return a value"))
+    if (text_says(text, "^'return' with no value|should return a value"))
         return "this return gives nothing back: behind it belongs what it is to give back.";
     if (mistake->is_missing_return)
         return help_missing_return(all->about[mistake->begins].lost);
@@ -370,13 +371,13 @@ const char *help(const Explanation *all, const Mistake *mistake)
         return slip;
     if (text_begins(text, "subscripted value"))
         return help_subscript(all, mistake);
-    if (text_matches(text,
-                     "^invalid operands to binary|^cannot convert between vector and non-scalar") &&
+    if (text_says(text,
+                  "^invalid operands to binary|^cannot convert between vector and non-scalar") &&
         mistake->message->behind[0] != '^')
         return help_operands(all, mistake);
-    if (text_matches(text, "assignment used as truth value|result of an assignment as a condition"))
+    if (text_says(text, "assignment used as truth value|result of an assignment as a condition"))
         return "= assigns; to compare, write ==.";
-    if (text_matches(text, "^(expected expression|unexpected type name)"))
+    if (text_says(text, "^expected expression|^unexpected type name"))
         return help_expression(all, mistake);
     if (is_semicolon(mistake))
         return help_semicolon(all, mistake);

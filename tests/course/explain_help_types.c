@@ -193,7 +193,7 @@ static const char *makers(const Code *code, const char *wanted, const char *give
 // The function whose argument is wrong, or "".
 static const char *called_at(const Mistake *mistake)
 {
-    if (!text_matches(mistake->text, "argument|^passing"))
+    if (!text_says(mistake->text, "argument|^passing"))
         return "";
     if (text_has(mistake->text, " of '"))
         return mistake->name;

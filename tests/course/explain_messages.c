@@ -1,6 +1,7 @@
 // explain_messages.c - see explain_messages.h.
 #include "tests/course/explain_messages.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -142,7 +143,7 @@ static void read_note(Reader *reader, const char *line, const char *head, const 
     Message *message = reader->message;
     Match match;
     if (message == NULL || reader->found->unread > 0 ||
-        text_matches(words, "column-tracking|silence this warning|near initialization"))
+        text_says(words, "column-tracking|silence this warning|near initialization"))
         return;
     if (text_matches(words, "include .*<[a-z_/0-9]+\\.h>")) {
         if (text_find(words, "<[a-z_/0-9]+\\.h>", &match))
@@ -153,7 +154,7 @@ static void read_note(Reader *reader, const char *line, const char *head, const 
         if (quoted(words)[0] != '\0')
             message->declared = quoted(words);
     } else if (own &&
-               !text_matches(words, "each undeclared identifier|^passing argument to parameter")) {
+               !text_says(words, "each undeclared identifier|^passing argument to parameter")) {
         lines_add(&message->body, line);
         reader->inside = reader->inside_note = true;
         reader->pointed = false;
@@ -216,8 +217,9 @@ static void read_first_line(Reader *reader, const char *line, size_t head, bool 
 static bool is_about_nothing(const char *line, bool own, size_t name)
 {
     return (own && line[name + 1] == ' ') ||
-           text_matches(line, "^cc1: |^compilation terminated|^fatal error: too many errors|"
-                              "^[0-9]+ (warning|error).* generated\\.$");
+           text_says(line, "^cc1: |^compilation terminated|^fatal error: too many errors") ||
+           (isdigit((unsigned char)line[0]) &&
+            text_matches(line, "^[0-9]+ (warning|error).* generated\\.$"));
 }
 
 static void read_line(Reader *reader, const char *line)
@@ -226,11 +228,11 @@ static void read_line(Reader *reader, const char *line)
     const char *source = reader->answer->source;
     bool own = text_begins(line, source) && line[strlen(source)] == ':';
     Match head;
-    if (found->raw_count < MOST_SHOWN && text_matches(line, "error|Error"))
+    if (found->raw_count < MOST_SHOWN && text_says(line, "error|Error"))
         found->raw[found->raw_count++] = line;
     if (is_about_nothing(line, own, strlen(source)))
         reader->inside = false;
-    else if (text_matches(line, "^(In file included from|  +from) ")) {
+    else if (text_says(line, "^In file included from |^                 from ")) {
         reader->inside = false;
         const char *where = strstr(line, text_format("%s:", source));
         if (where != NULL)

@@ -8,8 +8,8 @@
 
 static bool is_syntax(const char *text)
 {
-    return text_matches(text,
-                        "^expected |^unexpected type name|^extraneous|^invalid (suffix|digit) ");
+    return text_says(
+        text, "^expected |^unexpected type name|^extraneous|^invalid suffix |^invalid digit ");
 }
 
 // A semicolon among what was expected, not in what came instead.
@@ -33,61 +33,64 @@ static bool is_pasted(const Explanation *all, const Mistake *mistake)
     const char *behind = mistake->message->behind;
     return (text_begins(mistake->text, "expected") && behind[text_span(behind, " ")] == '?' &&
             has_foreign_byte(answer_text(&all->code.answer, mistake->line))) ||
-           text_matches(mistake->text,
-                        "\\\\U0000|identifier '\\?|^stray '\\\\[23][0-7][0-7]'|"
-                        "^(unexpected )?character <?U\\+|^treating Unicode|^non-ASCII|"
-                        "^source file is not valid UTF-8|^extended character");
+           text_says(mistake->text,
+                     "\\U0000|identifier '?|^stray '\\2|^stray '\\3|^unexpected character <U+|"
+                     "^unexpected character U+|^character <U+|^character U+|^treating Unicode|"
+                     "^non-ASCII|^source file is not valid UTF-8|^extended character");
 }
 
 static bool is_unknown(const char *text)
 {
-    return text_matches(text, "undeclared|^implicit declaration of function|^implicitly declaring|"
-                              "^unknown type name|^call to undeclared");
+    return text_says(text, "undeclared|^implicit declaration of function|^implicitly declaring|"
+                           "^unknown type name|^call to undeclared");
 }
 
 static bool is_signature(const char *text)
 {
-    return text_matches(text, "^conflicting types for|^redefinition of|^static declaration of|"
-                              "doesn't match prototype$|redeclared as different kind");
+    return text_says(text, "^conflicting types for|^redefinition of|^static declaration of|"
+                           "doesn't match prototype|redeclared as different kind");
 }
 
 static bool is_missing_return(const char *text)
 {
-    return text_matches(text, "control reaches end of non-void|no return statement in function|"
-                              "non-void function .*return a value|^'return' with no value");
+    return text_says(text, "control reaches end of non-void|no return statement in function|"
+                           "should return a value|does not return a value|^'return' with no value");
 }
 
 static bool is_unused_value(const char *text)
 {
-    return text_matches(text, "^value computed is not used|^expression result unused|"
-                              "^statement with no effect|^equality comparison result unused");
+    return text_says(text, "^value computed is not used|^expression result unused|"
+                           "^statement with no effect|^equality comparison result unused");
 }
 
 static bool is_comma(const char *text)
 {
-    return text_matches(text, "left(-hand)? operand of comma|misuse of comma");
+    return text_says(text, "left operand of comma|left-hand operand of comma|misuse of comma");
 }
 
 static bool may_be_decimal_comma(const char *text)
 {
     return is_comma(text) || is_unused_value(text) ||
-           text_matches(text, "^too many arguments|^excess elements|"
-                              "^expected identifier or '\\('( before numeric constant|$)");
+           text_says(text, "^too many arguments|^excess elements|"
+                           "^expected identifier or '(' before numeric constant") ||
+           text_is(text, "expected identifier or '('");
 }
 
 static bool is_missing_brace(const char *text)
 {
-    return text_matches(text, "^expected declaration or statement at end of input|^expected '\\}'|"
-                              "^function definition is not allowed here");
+    return text_says(text, "^expected declaration or statement at end of input|^expected '}'|"
+                           "^function definition is not allowed here");
 }
 
 // A statement, or a }, where only functions may be.
 static bool is_outside(const char *text, const char *code)
 {
-    return text_matches(text, "^expected identifier or '\\(' before "
-                              "('\\}'|'(for|if|while|return|else|switch|do)')|"
-                              "^extraneous closing brace") ||
-           (text_matches(text, "^expected identifier or '\\('$") &&
+    if (text_begins(text, "extraneous closing brace"))
+        return true;
+    if (!text_begins(text, "expected identifier or '('"))
+        return false;
+    return text_matches(text, " before ('\\}'|'(for|if|while|return|else|switch|do)')") ||
+           (text_is(text, "expected identifier or '('") &&
             text_matches(code, "^ *(for|if|while|return|else|switch|do|\\})([^A-Za-z_0-9]|$)"));
 }
 
@@ -174,15 +177,17 @@ static void find_types(const Explanation *all, Mistake *mistake)
 {
     const char *words =
         mistake->message->argument[0] != '\0' ? mistake->message->argument : mistake->text;
-    if (text_matches(words,
-                     "^expected '.*' but argument is of type|"
-                     "^incompatible types when (initializing|assigning)|"
-                     "^initializing '.*' with an expression of incompatible|^assigning to '")) {
+    if (text_says(words, "^incompatible types when initializing|"
+                         "^incompatible types when assigning|^assigning to '") ||
+        (text_begins(words, "expected '") && text_has(words, "' but argument is of type")) ||
+        (text_begins(words, "initializing '") &&
+         text_has(words, "' with an expression of incompatible"))) {
         mistake->wanted = bare_type(quoted(words));
         mistake->given = bare_type(quoted_second(words));
-    } else if (text_matches(words,
-                            "^incompatible types when returning|^returning '.*' from a function|"
-                            "^passing '.*' to parameter|^incompatible pointer types passing")) {
+    } else if (text_says(words, "^incompatible types when returning|"
+                                "^incompatible pointer types passing") ||
+               (text_begins(words, "returning '") && text_has(words, "' from a function")) ||
+               (text_begins(words, "passing '") && text_has(words, "' to parameter"))) {
         mistake->given = bare_type(quoted(words));
         mistake->wanted = bare_type(quoted_second(words));
     } else if (text_begins(words, "invalid initializer")) {
@@ -244,7 +249,7 @@ static void find_letters(Explanation *all, Mistake *mistake)
     AboutFunction *about = &all->about[mistake->begins];
     const char *owner;
     bool is_letter = mistake->is_unknown && is_one_letter(mistake->name) &&
-                     !text_matches(mistake->text, "function '|unknown type") &&
+                     !text_says(mistake->text, "function '|unknown type") &&
                      answer_loop_of(&all->code.answer, mistake->name, mistake->line) == 0;
     mistake->translation =
         is_letter ? translated(&all->code, mistake->name, mistake->line, about->strange_letters)
@@ -273,9 +278,9 @@ static bool follows_in_statement(const Mistake *j, const Mistake *i)
         return true;
     if (i->is_syntax && (!j->is_syntax || later) &&
         (!is_warning ||
-         text_matches(j->text, "clause does not guard|^misleading|operand of comma|no effect")))
+         text_says(j->text, "clause does not guard|^misleading|operand of comma|no effect")))
         return true;
-    if (i->is_count && text_matches(j->text, "^incompatible type for argument|^passing "))
+    if (i->is_count && text_says(j->text, "^incompatible type for argument|^passing "))
         return true;
     if (!i->message->is_warning && j->is_comma)
         return true;
@@ -284,8 +289,8 @@ static bool follows_in_statement(const Mistake *j, const Mistake *i)
     return text_is(i->text, j->text) ||
            (is_about_argument(i->text) && is_about_argument(j->text) &&
             text_is(i->name, j->name)) ||
-           (text_matches(i->text, "'->'|member reference type") &&
-            text_matches(j->text, "'->'|no member named")) ||
+           (text_says(i->text, "'->'|member reference type") &&
+            text_says(j->text, "'->'|no member named")) ||
            (i->is_comma && j->is_comma);
 }
 
@@ -305,11 +310,11 @@ static bool follows_in_function(const Explanation *all, const Mistake *j, const 
         return j->is_unused_value;
     if (!i->message->is_warning &&
         (j->is_missing_return ||
-         text_matches(j->text, "^missing initializer|^unused variable|set but not used")))
+         text_says(j->text, "^missing initializer|^unused variable|set but not used")))
         return true;
     if (later && i->is_unknown && j->is_unknown && text_is(i->name, j->name))
         return true;
-    if (i->is_unknown && text_matches(j->text, "clause does not guard|empty body") &&
+    if (i->is_unknown && text_says(j->text, "clause does not guard|empty body") &&
         answer_ends_at_once(answer, j->line) && answer_loop_of(answer, i->name, i->line) == j->line)
         return true;
     if (i->is_unknown && i->line == i->begins && text_has(j->text, "'int'"))
@@ -342,8 +347,8 @@ static bool follows(const Explanation *all, const Mistake *j, const Mistake *i)
         return true;
     // What nobody declared is taken for a function that returns an int; gcc says so only once.
     if (i->is_unknown && (i->statement == j->statement || text_has_word(j->code, i->name)) &&
-        text_matches(j->text, "'int'|invalid initializer|subscripted value|incompatible implicit|"
-                              "type mismatch in conditional"))
+        text_says(j->text, "'int'|invalid initializer|subscripted value|incompatible implicit|"
+                           "type mismatch in conditional"))
         return true;
     return i->begins != 0 && i->begins == j->begins && follows_in_function(all, j, i);
 }
@@ -390,7 +395,8 @@ static void understand(Explanation *all, Mistake *mistake)
                            : "";
     mistake->is_syntax = is_syntax(text) || mistake->is_pasted || mistake->keyword[0] != '\0' ||
                          (mistake->is_unknown && text_is_one_of(name, "std new let var def"));
-    mistake->is_count = text_matches(text, "^too (few|many) arguments to function");
+    mistake->is_count =
+        text_says(text, "^too few arguments to function|^too many arguments to function");
     mistake->is_signature = is_signature(text);
     mistake->is_missing_return = is_missing_return(text);
     mistake->is_missing_brace = all->open_function != 0 && is_missing_brace(text);

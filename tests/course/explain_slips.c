@@ -96,7 +96,7 @@ static void read_commas(Slips *slips, const char *diagnostics)
     char *rest = text_copy(diagnostics);
     for (char *words; (words = text_next_line(&rest)) != NULL;) {
         if (!text_begins(words, answer->source) || words[length] != ':' ||
-            !text_matches(words, "comma|excess elements|not used|unused"))
+            !text_says(words, "comma|excess elements|not used|unused"))
             continue;
         size_t line = strtoul(words + length + 1, NULL, 10);
         if (line >= 1 && line <= answer->count && answer_decimal_comma(answer, line)[0] != '\0')

@@ -180,6 +180,23 @@ bool text_has_word(const char *text, const char *name)
     return false;
 }
 
+bool text_says(const char *text, const char *phrases)
+{
+    for (;;) {
+        bool first = phrases[0] == '^';
+        phrases += first;
+        size_t length = strcspn(phrases, "|");
+        for (const char *at = text; *at != '\0'; at++)
+            if (strncmp(at, phrases, length) == 0)
+                return true;
+            else if (first)
+                break;
+        if (phrases[length] == '\0')
+            return false;
+        phrases += length + 1;
+    }
+}
+
 int text_count(const char *text, char c)
 {
     int count = 0;

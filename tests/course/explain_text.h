@@ -37,6 +37,8 @@ bool text_begins(const char *text, const char *beginning);
 bool text_has(const char *text, const char *part);
 // The name as a word of its own. What is no name is in no line.
 bool text_has_word(const char *text, const char *name);
+// Whether it has one of these phrases, separated by '|'; with '^' in front, at its beginning.
+bool text_says(const char *text, const char *phrases);
 // How many of this character.
 int text_count(const char *text, char c);
 // How many characters at the beginning are of this set.
