@@ -15,6 +15,10 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 ANSWERS ?= $(if $(wildcard solutions/.),solutions,exercises)
 STEMS := $(sort $(notdir $(basename $(wildcard exercises/*.h))))
 
+# What is only asked when something is built or drawn of all chapters is not asked between a saved
+# answer and its verdict.
+JUDGES_ONLY := $(if $(filter-out exercises watch hint debug reset status,$(or $(MAKECMDGOALS),all)),,yes)
+
 # Answers inside the tree are named from its top, others by their whole path. Not by patsubst: the
 # path of the tree may have a '%'.
 A := $(subst |,,$(subst |$(CURDIR)/,,|$(abspath $(ANSWERS))))
@@ -47,7 +51,7 @@ BUILT := $(B)/$(A:/%=%)
 # All that is made is in build/, which must be ours: not a tree that can only be read, nor one that
 # was built with sudo. 'find' stops at the first file that cannot be written, if it knows how.
 ifneq ($(filter-out setup help clean,$(or $(MAKECMDGOALS),all)),)
-ifeq ($(shell mkdir -p build 2>/dev/null && [ -w build ] && echo yes)$(wildcard build/.),)
+ifeq ($(shell { [ -d build ] || mkdir -p build 2>/dev/null; } && [ -w build ] && echo yes)$(wildcard build/.),)
 $(error make cannot write into $(CURDIR): it needs a copy of the tree that is yours)
 endif
 NOT_OURS := $(shell find build ! -writable ! -type l -print -quit 2>/dev/null || true)
@@ -74,9 +78,9 @@ COMPILE = $(CC) $(LANGUAGE) $(CFLAGS) $(OPTIMIZE) $(SANITIZER) $(WARNINGS) $(EXT
 LINK = $(CC) $(CFLAGS) $(SANITIZER) $(LDFLAGS)
 
 # A change of compiler or flags builds all again: objects of two kinds must not be mixed.
-FLAGS_NOW := $(shell $(CC) --version 2>/dev/null | head -n 1) $(LANGUAGE) $(CFLAGS) $(CPPFLAGS) \
+FLAGS_NOW := $(shell $(CC) --version 2>/dev/null | { IFS= read -r line; echo "$$line"; }) $(LANGUAGE) $(CFLAGS) $(CPPFLAGS) \
 	$(LDFLAGS) $(SANITIZER) $(STRICT) $(WERROR)
-ifneq ($(FLAGS_NOW),$(shell cat $(B)/flags 2>/dev/null))
+ifneq ($(FLAGS_NOW),$(shell { IFS= read -r line < $(B)/flags; } 2>/dev/null; printf '%s' "$$line"))
 $(shell { mkdir -p $(B) && printf '%s\n' '$(FLAGS_NOW)' > $(B)/flags; } 2>/dev/null)
 endif
 
@@ -169,7 +173,7 @@ chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c %_lanes.c,$(wildc
 # The loops in NAME_lanes.c are compiled for several instruction sets; which of them a processor has
 # is asked when the program runs (chapters/08-fast/lanes.c). Nowhere but there may multiplications
 # be fused with additions: what these loops decide, they decide with a margin.
-LANES_KINDS := baseline $(if $(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),avx2 avx512)
+LANES_KINDS := baseline $(if $(JUDGES_ONLY),,$(if $(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),avx2 avx512))
 FOR_avx2 := -mavx2 -mfma
 FOR_avx512 := $(FOR_avx2) -mavx512f -mavx512vl -mavx512bw -mavx512dq -mprefer-vector-width=512
 FOR_LANES := -O3 -fopenmp-simd -fno-math-errno -fno-trapping-math -ffp-contract=fast

@@ -25,7 +25,8 @@ answering = $(ANSWERING) $(B)/judge/dispatch-$(1).o \
 	$(lent) $(earlier_answers) $(B)/common.a
 # The tests judge. A handout has none, and judges by recorded tables.
 include $(firstword $(wildcard .make/toolkit/tests.mk .make/tables.mk))
-# Between saving and reading is the linker: the quickest that there is.
+# Between saving and reading is the linker: the quickest that there is. It leaves out what is for a
+# debugger, unless a sanitizer wants to name lines.
 QUICK_LINKER = $(firstword $(foreach l,gold mold lld,$(if $(shell command -v ld.$(l)),-fuse-ld=$(l))))
 # Not optimised: that takes longer than what it saves. Besides that, the compiler sees what it sees
 # for the programs, so that what is right here also builds there. An index beyond the end of an array
@@ -48,7 +49,7 @@ $(PLAN): Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags
 	@printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
 		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'blanks	build/blanks' \
 		'compile	$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c' \
-		'link	$(LINK)' 'quick	$(QUICK_LINKER)' \
+		'link	$(LINK)' 'quick	$(QUICK_LINKER) $(if $(SANITIZE),,-Wl$(comma)-S)' \
 		$(if $(value stands_on),'hide	$(HIDE_HELPERS)','lend	-Wl$(comma)--defsym=NAME=lent_NAME') \
 		'used	$(B)/weak.h $(COURSE) $(JUDGES_LAYOUTS)' $(plan_lines) > $@.new
 	@mv $@.new $@

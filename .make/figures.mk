@@ -48,7 +48,7 @@ figures: $(FIGURES_WANTED:%=$(FIGURES)/%.gp) $(MAKE_PAGE) ## the deck's diagrams
 # 'make' draws them for the web. Where gnuplot was missing and has come, they are drawn again. What
 # wrong answers make impossible to draw is said, and stops nothing else.
 DRAWN := $(BUILT)/drawn
-ifeq ($(shell cat $(DRAWN) 2>/dev/null),without gnuplot)
+ifeq ($(if $(JUDGES_ONLY),,$(shell cat $(DRAWN) 2>/dev/null)),without gnuplot)
 $(shell command -v gnuplot >/dev/null && rm -f $(DRAWN))
 endif
 $(DRAWN): $(SCRIPTS) common/figure/draw_figures common/figure/draw_figure $(wildcard common/figure/*.awk)

@@ -169,8 +169,8 @@ $(TABLE_VARIANTS): $(B)/told/variants/%: $(filter-out $(HEARING),$(REPLAY)) $(B)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
 KIT := $(B)/grading
-CAN_GRADE := $(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
-	command -v objdump)
+CAN_GRADE := $(if $(JUDGES_ONLY),,$(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
+	command -v objdump))
 
 # What the shell scripts among the tests are told. Grading has no sanitizers: a sandbox has no room.
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))

@@ -14,9 +14,10 @@ mkfifo "$scratch/said"
 export NO_COLOR=1
 unset MAKEFLAGS MAKELEVEL
 
-start make --no-print-directory watch ANSWERS="$answers" >"$scratch/said" 2>&1
+# For both, or each end would wait to be opened until the other is.
+exec 3<>"$scratch/said"
+start make --no-print-directory watch ANSWERS="$answers" >&3 2>&1
 trap 'end_started; rm -rf "$scratch" "build$answers"' EXIT
-exec 3<"$scratch/said"
 
 # The verdict is there when it says what is next, or that the chapter is right; what comes behind
 # (the chapter's picture) is waited for, too, but not timed.

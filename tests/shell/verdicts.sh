@@ -137,5 +137,22 @@ lists_commands() {
 if command -v gdb >/dev/null; then
     check 'debug lists what gdb can be told' lists_commands
 fi
+# From the saved answer to its verdict. What its picture takes comes afterwards.
+starts_few_programs() {
+    fresh
+    course exercises EX=01
+    echo >>"$answers/01-corners.c"
+    strace -f -e trace=execve -o "$scratch/traced" make --no-print-directory exercises EX=01 ANSWERS="$answers" \
+        >"$scratch/said" 2>&1
+    says '01-corners is right' || return 1
+    count=$(grep 'execve(.* = 0$' "$scratch/traced" | sed '/--no-print-directory", "-s"/,$d' | wc -l)
+    echo "$count programs"
+    [ "$count" -le 20 ]
+}
+if command -v strace >/dev/null; then
+    check 'a verdict takes at most 20 programs' starts_few_programs
+else
+    echo 'skipped: how many programs a verdict takes: strace is missing'
+fi
 rm -rf "build$answers"
 finish verdicts
