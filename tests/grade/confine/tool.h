@@ -2,8 +2,8 @@
 #ifndef TESTS_GRADE_CONFINE_TOOL_H
 #define TESTS_GRADE_CONFINE_TOOL_H
 
-// The exit statuses of run_tool, as tests/grade/mark/building.py reads them. All but the last are due
-// to the text that was compiled.
+// The exit statuses of run_tool, as tests/grade/mark/building.py reads them. All but the last are
+// due to the text that was compiled.
 enum {
     TOOL_REFUSES = 90, // exit status 1: it says what is wrong with the text
     TOOL_WORK = 91,    // more work than the limit
