@@ -14,9 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    LARGEST = 256 * 1024
-}; // the grader reads no larger answer (tests/grade/collect/answers.py)
+enum { LARGEST = 256 * 1024 }; // the grader reads no larger answer (tests/grade/collect/answers.py)
 
 // ---- reading ----------------------------------------------------------------------------------
 
