@@ -74,7 +74,7 @@ $(STEMS:%=$(B)/told/path/%.c): $(B)/told/path/%.c:
 		$(TABLE)/$*.table > $@
 $(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags
 	$(Q)$(COMPILE) -o $@ $<
-TOLD := $(patsubst %,$(B)/tests/told/%.o,layout table) $(CALLING)
+TOLD := $(B)/tests/told/table.o $(B)/tests/judge/numbers.o $(CALLING)
 REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard $(DIAGNOSIS)) $(TOLD) \
 	$(patsubst %,$(B)/tests/told/%.o,replay expect)
 

@@ -30,7 +30,7 @@ $(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/fla
 # What the answers do beside the known mistakes.
 HEARING := $(patsubst %,$(B)/tests/judge/%.o,reference/hearing reference/proxies reference/corners \
 	switchboard $(DIAGNOSIS)) \
-	$(B)/tests/told/layout.o $(CALLING) $(call parts,tests/[0-9]*/laws) $(REFERENCES)
+	$(B)/tests/judge/numbers.o $(CALLING) $(call parts,tests/[0-9]*/laws) $(REFERENCES)
 # What calls an answering process.
 TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,call kept process ending system_call)
 # With the reference for the chapters before, one mistake costs once; and the judge lends.
@@ -130,7 +130,7 @@ $(ODD_QUESTIONS): $(ODD_QUESTIONS).o $(CALLING) $(REFERENCES) $(B)/common.a
 
 # What a type's entry brings.
 TYPES := $(B)/tests/proof/check_types
-$(TYPES): $(TYPES).o $(B)/tests/judge/main.o $(TESTING) $(CALLING) $(patsubst %,$(B)/tests/%.o,told/layout judge/same) \
+$(TYPES): $(TYPES).o $(B)/tests/judge/main.o $(TESTING) $(CALLING) $(patsubst %,$(B)/tests/%.o,judge/numbers judge/same) \
 		$(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm

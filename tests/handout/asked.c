@@ -49,7 +49,7 @@ static int result_of(ToldCall *call, int exercise, AnyFunction *function)
     Numbers result = {0};
     answer_here(exercise, function, &arguments, &answer);
     if (!layout_read(exercises[exercise].results, &answer, &size, &result))
-        fail("a result that tests/told/layout.c cannot read");
+        fail("a result that tests/judge/numbers.c cannot read");
     return which_result(call, &result);
 }
 
@@ -93,7 +93,7 @@ static void write_down(int exercise)
     ToldCall *call = &writing->calls[writing->call_count - 1];
     call->given = given_lines();
     if (!layout_read(exercises[exercise].arguments, &arguments, &size, &call->arguments))
-        fail("arguments that tests/told/layout.c cannot read");
+        fail("arguments that tests/judge/numbers.c cannot read");
     add_corners(call, &exercises[exercise]);
     result_of(call, exercise, exercises[exercise].reference);
     for (int table = 0; mistakes[table] != NULL; table++)

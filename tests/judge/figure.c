@@ -1,15 +1,15 @@
 // figure.c - a wrong answer beside the right one: which kind it is, and its file.
 #include "tests/judge/figure.h"
 
+#include "tests/judge/numbers.h"
 #include "tests/judge/right.h"
 #include "tests/judge/switchboard.h"
-#include "tests/told/layout.h"
 
 #include <stdio.h>
 #include <string.h>
 
-// By what goes in and what comes out, as words (layout.h); the first that fits. Arguments: how they
-// begin.
+// By what goes in and what comes out, as words (exercise.h); the first that fits. Arguments: how
+// they begin.
 static const struct {
     const char *arguments, *results;
     const char *layout;

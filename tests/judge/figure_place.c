@@ -3,7 +3,7 @@
 
 #include "common/figure/beside.h"
 #include "common/screen.h"
-#include "tests/told/layout.h"
+#include "tests/judge/numbers.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #include "common/ray.h"
 #include "common/scene.h"
 #include "exercises/05-quadratic.h"
-#include "tests/told/layout.h"
+#include "tests/judge/numbers.h"
 
 #include <stdio.h>
 #include <string.h>

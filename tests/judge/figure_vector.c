@@ -3,8 +3,8 @@
 
 #include "common/figure/beside.h"
 #include "common/ray.h"
+#include "tests/judge/numbers.h"
 #include "tests/judge/right.h"
-#include "tests/told/layout.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -6,9 +6,9 @@
 #define TESTS_JUDGE_SUSPECTS_H
 
 #include "tests/judge/mistake.h"
+#include "tests/judge/numbers.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/switchboard.h"
-#include "tests/told/layout.h"
 
 #include <stdbool.h>
 
@@ -39,7 +39,7 @@ Diagnosis diagnose(int exercise, bool hidden); // hidden: the first test that fa
 // broken only in hidden tests, too; the words tell their numbers.
 const char *suspect_broke_law(int exercise, bool hidden);
 
-// A call of an exercise, for those who know what it should have brought: numbers as layout.h has
+// A call of an exercise, for those who know what it should have brought: numbers as numbers.h has
 // them. mistake: NULL for what is right; nth: its place among the mistakes of the exercise.
 typedef const Numbers *KnownValue(int exercise, const Mistake *mistake, int nth);
 typedef const Numbers *OnceMore(int exercise);

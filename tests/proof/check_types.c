@@ -1,9 +1,9 @@
 // check_types.c - what a type's entry brings (types.def): here for a Plane, which is this test's
 // own, and for every type that there is.
 #include "tests/judge/define_types.h"
+#include "tests/judge/numbers.h"
 #include "tests/judge/test.h"
 #include "tests/judge/wire.h"
-#include "tests/told/layout.h"
 
 #include <string.h>
 

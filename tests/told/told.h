@@ -1,12 +1,12 @@
 // told.h - the table of a stem: what its tests ask, what is right, and what known mistakes answer.
 //
-// It is made by tests/handout/tell.c from the tests, the reference and the mistakes, none of which it
-// holds: only public inputs, values, and the sentences that a student is told.
+// It is made by tests/handout/tell.c from the tests, the reference and the mistakes, none of which
+// it holds: only public inputs, values, and the sentences that a student is told.
 #ifndef TESTS_TOLD_H
 #define TESTS_TOLD_H
 
 #include "tests/judge/mistake.h"
-#include "tests/told/layout.h"
+#include "tests/judge/numbers.h"
 
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-// layout.c - what crosses the pipe, as a list of numbers.
-#include "tests/told/layout.h"
+// numbers.c - what crosses the pipe, as a list of numbers.
+#include "tests/judge/numbers.h"
 
 #include "tests/judge/same.h"
 

@@ -1,9 +1,9 @@
-// layout.h - what crosses the pipe, as a list of numbers: to write it down, and to compare.
+// numbers.h - what crosses the pipe, as a list of numbers: to write it down, and to compare.
 //
 // A message is values of known types, one behind the other, as they lie in memory. As numbers it
 // is the same on every machine: no padding, no fourth lane, no order of bytes.
-#ifndef TESTS_TOLD_LAYOUT_H
-#define TESTS_TOLD_LAYOUT_H
+#ifndef TESTS_JUDGE_NUMBERS_H
+#define TESTS_JUDGE_NUMBERS_H
 
 #include "tests/judge/exercise.h"
 #include "tests/judge/wire.h"
@@ -16,7 +16,8 @@ typedef struct {
 void numbers_add(Numbers *numbers, double x);
 void numbers_free(Numbers *numbers);
 Numbers numbers_copy(const Numbers *numbers);
-void numbers_of_value(const Type *type, const void *value, Numbers *numbers); // of a flat type, adds
+void numbers_of_value(const Type *type, const void *value,
+                      Numbers *numbers); // of a flat type, adds
 
 // Whether what comes out is a point of a sphere, moved; that point begins at this argument.
 enum { STEP_FROM = 5 };
