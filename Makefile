@@ -237,7 +237,7 @@ include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit
 # ---- the habits of the house ------------------------------------------------------------------
 
 C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] exercises/*.h solutions/*.c \
-	tests/*.[ch] tests/*/*.[ch] tests/grade/confine/*.[ch] tests/grade/mark/*.[ch])
+	tests/*.[ch] tests/*/*.[ch] $(patsubst %,tests/%/*.[ch],course/explained judge/reference grade/confine grade/mark))
 FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)
 format: ## lay out the C sources (clang-format)
 	@clang-format -i $(FORMATTED)

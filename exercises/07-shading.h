@@ -51,14 +51,14 @@ Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_li
 vec3 off_surface(Sphere sphere, vec3 point, vec3 normal);
 
 // How much of a light arrives at a place: 1, or 0 where any sphere is in between. Of a point light,
-// what lies behind it is not in between. A surface that meets the light to a millionth of its radius
-// may be either.
+// what lies behind it is not in between. A surface that meets the light to a millionth of its
+// radius may be either.
 double visibility(const Scene *scene, vec3 from, Light light);
 
 // The light that a surface sends back along the ray that hit it: ambient, and of each light that
 // arrives diffuse and Phong's specular. Seen from inside, the normal is turned to the eye's side.
-// The surface and the ambient light are the scene's. No mirrors. How the way to a light begins off the
-// surface is free, as long as it does not meet the surface there.
+// The surface and the ambient light are the scene's. No mirrors. How the way to a light begins off
+// the surface is free, as long as it does not meet the surface there.
 Color shade(const Scene *scene, Ray ray, Hit hit);
 
 // The colour that a ray sees: the background; or what shade says and, where depth > 0 and the

@@ -4,9 +4,9 @@
 // arguments it casts the deck's three spheres, and sketches them on the terminal too. With
 // --explain it tells the story of one pixel instead; with --figure it draws how that is found.
 #include "chapters/06-ray-casting/cast_spheres.h"
-#include "chapters/shared/command.h"
 #include "chapters/06-ray-casting/explain.h"
 #include "chapters/06-ray-casting/figures/figures.h"
+#include "chapters/shared/command.h"
 #include "chapters/shared/needs.h"
 #include "common/answers.h"
 #include "common/story.h"

@@ -2,13 +2,13 @@
 //
 // Draws a scene shaded. Without arguments it makes the deck's closing slide again: three spheres,
 // flat and shaded, side by side.
-#include "chapters/shared/command.h"
-#include "chapters/shared/needs.h"
 #include "chapters/07-shading/export.h"
 #include "chapters/07-shading/figures/figures.h"
-#include "chapters/shared/lighting.h"
-#include "chapters/shared/render.h"
 #include "chapters/07-shading/story.h"
+#include "chapters/shared/command.h"
+#include "chapters/shared/lighting.h"
+#include "chapters/shared/needs.h"
+#include "chapters/shared/render.h"
 #include "common/picture.h"
 #include "common/story.h"
 

@@ -6,8 +6,8 @@
 #ifndef CHAPTERS_08_FAST_FEW_H
 #define CHAPTERS_08_FAST_FEW_H
 
-#include "chapters/shared/render.h"
 #include "chapters/08-fast/hierarchy.h"
+#include "chapters/shared/render.h"
 
 typedef struct {
     const Hierarchy *hierarchy;

@@ -1,12 +1,12 @@
 // main.c - chapter 08: the same picture, faster.
 //
 // Casts a scene as chapter 06 does, by an engine of one's choice, and says how many rays a second.
-#include "chapters/shared/command.h"
-#include "chapters/shared/needs.h"
-#include "chapters/shared/lighting.h"
 #include "chapters/08-fast/clock.h"
 #include "chapters/08-fast/engine.h"
 #include "chapters/08-fast/extremes.h"
+#include "chapters/shared/command.h"
+#include "chapters/shared/lighting.h"
+#include "chapters/shared/needs.h"
 #include "common/text.h"
 
 #include <stdio.h>

@@ -2,8 +2,8 @@
 #include "tests/01-corners/laws.h"
 
 #include "common/text.h"
-#include "tests/judge/reference/distinct_digits.h"
 #include "tests/judge/law.h"
+#include "tests/judge/reference/distinct_digits.h"
 
 #include <stdio.h>
 

@@ -1,8 +1,8 @@
 // laws.c - laws of exercise 03: a share of the whole is as many pixels, from the same edge.
 #include "tests/03-screen/laws.h"
 
-#include "tests/judge/reference/distinct_digits.h"
 #include "tests/judge/law.h"
+#include "tests/judge/reference/distinct_digits.h"
 
 // Wide of the contract's 1e-9 of a pixel, and of 1e-12 normalized.
 static bool far_from(double yours, double right, double size)

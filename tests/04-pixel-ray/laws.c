@@ -2,8 +2,8 @@
 #include "tests/04-pixel-ray/laws.h"
 
 #include "common/text.h"
-#include "tests/judge/reference/distinct_digits.h"
 #include "tests/judge/law.h"
+#include "tests/judge/reference/distinct_digits.h"
 
 // Where the ray meets the plane, counted in pixels from an edge of it; its pixel of that number
 // has to be there, as far on one side as on the other. A pixel is size large in the world.

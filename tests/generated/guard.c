@@ -4,8 +4,8 @@
 // can be tried: what would end that process ends the call, and the test hears the same words.
 #include "tests/generated/guard.h"
 
-#include "tests/judge/record.h"
 #include "tests/handout/here.h"
+#include "tests/judge/record.h"
 
 #include <setjmp.h>
 #include <signal.h>

@@ -11,7 +11,7 @@ judge() {
 passes_nothing() {
     record=build/$answers/verdict/$1.record
     cat "$record"
-    grep -q '^function' "$record" && ! grep -q 'right$' "$record"
+    grep -q '^function' "$record" && ! grep -q '^state[[:space:]]right$' "$record"
 }
 
 check 'blanks are not wrong, only not yet' judge
