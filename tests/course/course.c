@@ -275,12 +275,21 @@ static int status(const Course *course)
     return 0;
 }
 
+// Blanks are made from solutions/, so nothing could be put back there.
+static int reset(const JudgingPlan *plan, int chapter)
+{
+    if (strcmp(plan->answers, "solutions") == 0) {
+        fprintf(stderr, "make reset: solutions/ has no blanks, they are made from it\n");
+        return 1;
+    }
+    const char *stem = plan->chapters[chapter].stem;
+    return reset_answer(path_of(plan->blanks, stem, ".c").s, path_of(plan->answers, stem, ".c").s);
+}
+
 static int run(const char *what, const Course *course, const char *program)
 {
     if (strcmp(what, "reset") == 0)
-        return reset_answer(
-            path_of(course->plan.blanks, course->plan.chapters[course->last].stem, ".c").s,
-            path_of(course->plan.answers, course->plan.chapters[course->last].stem, ".c").s);
+        return reset(&course->plan, course->last);
     if (strcmp(what, "watch") == 0)
         return watch(course);
     if (strcmp(what, "show") == 0)

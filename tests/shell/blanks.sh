@@ -69,6 +69,11 @@ check 'a second reset leaves the first backup' grep -qx first "$answer.backup-1"
 check 'a blank can be reset' resets
 check 'resetting a blank makes no backup' test ! -e "$answer.backup-3"
 rm -rf "build$answers"
+cp solutions/01-corners.c "$scratch/solution.c"
+spares_solutions() {
+    ! make --no-print-directory reset EX=01 ANSWERS=solutions && cmp solutions/01-corners.c "$scratch/solution.c"
+}
+check 'a solution is not reset' spares_solutions
 
 # skeletons: over what is committed, never over what somebody changed.
 tree=$scratch/tree
