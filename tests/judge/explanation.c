@@ -197,11 +197,12 @@ static bool are_both(const Evidence *evidence, int one, int other)
 }
 
 // The only two that together are what came on every call; nobody where others are, too. Of pictures
-// too little is kept to say so.
+// too little is kept to say so, and steps off a surface are too small to be added up.
 static Diagnosis two_at_once(const Evidence *evidence)
 {
     Diagnosis it = {0};
-    if (strncmp(exercises[evidence->exercise].results, "Pixels", 6) == 0)
+    const Exercise *exercise = &exercises[evidence->exercise];
+    if (strncmp(exercise->results, "Pixels", 6) == 0 || layout_is_step(exercise))
         return it;
     for (int i = 0; i < evidence->mistake_count; i++)
         for (int k = i + 1; k < evidence->mistake_count; k++) {
