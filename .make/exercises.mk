@@ -47,14 +47,14 @@ plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'judge	$(B)/judge/$(s)' 'object
 $(PLAN): Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags
 	@mkdir -p $(@D)
 	@printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
-		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'blanks	build/blanks' \
+		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'draw	$(DRAW_FIGURES) --one' 'blanks	build/blanks' \
 		'compile	$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c' \
 		'link	$(LINK)' 'quick	$(QUICK_LINKER) $(if $(SANITIZE),,-Wl$(comma)-S)' \
 		$(if $(value stands_on),'hide	$(HIDE_HELPERS)','lend	-Wl$(comma)--defsym=NAME=lent_NAME') \
 		'used	$(B)/weak.h $(COURSE) $(JUDGES_LAYOUTS)' $(plan_lines) > $@.new
 	@mv $@.new $@
 # All that course uses.
-FOR_JUDGING = $(COURSE) $(PLAN) $(B)/weak.h $(B)/exercises.names $(BLANKS) $(JUDGES_LAYOUTS) \
+FOR_JUDGING = $(COURSE) $(PLAN) $(DRAW_FIGURES) $(B)/weak.h $(B)/exercises.names $(BLANKS) $(JUDGES_LAYOUTS) \
 	$(foreach s,$(1),$(B)/judge/$(s) $(filter-out $(VERDICT)/%,$(call answering,$(s))))
 USED_WITH = $(if $(value stands_on),$(STEMS),$(1))
 # What the first verdict needs is built by 'make all' already: nobody waits for it then.

@@ -1,8 +1,8 @@
 # figures.mk - make figures, and the page of pictures and figures. Included by the Makefile.
 
 # A layout chapters/NN-stem/figures/NAME.gp, and the data that the chapter's program computes for it, are a
-# script (common/figure/plot.h), which gnuplot draws (common/figure/draw_figures). FIGURE=name: only that one, or several
-# with commas.
+# script (common/figure/plot.h), which gnuplot draws (chapters/gallery/draw_figures.c).
+# FIGURE=name: only that one, or several with commas.
 FIGURES := $(BUILT)/figures
 LAYOUTS := $(wildcard chapters/*/figures/*.gp)
 FIGURE_NAMES := $(sort $(notdir $(basename $(LAYOUTS))))
@@ -37,10 +37,11 @@ $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,
 		common/figure/write_script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
 		--figure $* > $@)
 
+DRAW_FIGURES := $(B)/chapters/gallery/draw_figures
 MAKE_PAGE := $(B)/chapters/gallery/gallery
-figures: $(FIGURES_WANTED:%=$(FIGURES)/%.gp) $(MAKE_PAGE) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
+figures: $(FIGURES_WANTED:%=$(FIGURES)/%.gp) $(DRAW_FIGURES) $(MAKE_PAGE) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
-		common/figure/draw_figures $(FIGURES) $(FIGURES_WANTED)
+		$(DRAW_FIGURES) $(FIGURES) $(FIGURES_WANTED)
 	@$(MAKE_PAGE) $(BUILT) $(B)/scenes
 	@echo "All on a page: $(PAGE)"
 .PHONY: figures
@@ -51,13 +52,13 @@ DRAWN := $(BUILT)/drawn
 ifeq ($(if $(JUDGES_ONLY),,$(shell cat $(DRAWN) 2>/dev/null)),without gnuplot)
 $(shell command -v gnuplot >/dev/null && rm -f $(DRAWN))
 endif
-$(DRAWN): $(SCRIPTS) common/figure/draw_figures common/figure/draw_figure $(wildcard common/figure/*.awk)
-	@FORMAT=svg THEME= SHAPE= STEPS= common/figure/draw_figures $(FIGURES) $(FIGURE_NAMES); status=$$?; \
+$(DRAWN): $(SCRIPTS) $(DRAW_FIGURES) chapters/gallery/draw_figures.c chapters/gallery/tex.awk
+	@FORMAT=svg THEME= SHAPE= STEPS= $(DRAW_FIGURES) $(FIGURES) $(FIGURE_NAMES); status=$$?; \
 		case $$status in 0) : > $@ ;; 3) echo 'without gnuplot' > $@ ;; \
 			*) $(if $(filter solutions,$(A)),exit $$status,: > $@) ;; esac
 
 # All of it on a page.
-$(MAKE_PAGE): %: %.o $(B)/common.a
+$(DRAW_FIGURES) $(MAKE_PAGE): %: %.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 PAGE := $(GALLERY)/index.html

@@ -43,7 +43,7 @@ static void draw_figures(const Page *page, const JudgingPlan *plan, const ShownF
 {
     for (int i = 0; i < shown->count; i++) {
         Command command = {.count = 0};
-        command_words(&command, "common/figure/draw_figures --one");
+        command_words(&command, plan->draw);
         command_add(&command, plan->figures);
         command_add(&command, shown->names[i]);
         if (program_run(&command, "/dev/null") != 0)

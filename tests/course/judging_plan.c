@@ -25,10 +25,10 @@ bool plan_read(const char *path, JudgingPlan *plan)
     } keys[] = {
         {"answers", &plan->answers, true}, {"built", &plan->built, true},
         {"verdict", &plan->verdict, true}, {"figures", &plan->figures, true},
-        {"blanks", &plan->blanks, true},   {"compile", &plan->compile, true},
-        {"link", &plan->link, true},       {"hide", &plan->hide, false},
-        {"quick", &plan->quick, false},    {"lend", &plan->lend, false},
-        {"used", &plan->used, false},
+        {"draw", &plan->draw, true},       {"blanks", &plan->blanks, true},
+        {"compile", &plan->compile, true}, {"link", &plan->link, true},
+        {"hide", &plan->hide, false},      {"quick", &plan->quick, false},
+        {"lend", &plan->lend, false},      {"used", &plan->used, false},
     };
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         *keys[i].value = entry_value(entries, head, keys[i].key);

@@ -9,6 +9,7 @@
 //     verdict     the folder of the records (chapter_record.h), and of what is made for them:
 //                 STEM/answer.o, STEM/answering, and so on
 //     figures     the folder of what the judge draws
+//     draw        the command that draws one: DRAW FIGURES NAME
 //     blanks      the folder of the blanks, for answers that are not there
 //     compile     the command that compiles an answer: COMPILE -o STEM/answer.o ANSWER
 //     hide        a command that hides all but the exercises: HIDE STEM/answer.o; or none
@@ -16,8 +17,7 @@
 //                 LINK [QUICK] -o STEM/answering STEM/answer.o OBJECTS -lm
 //     quick       the options by which a quicker linker is chosen; or none
 //     lend        what the linker is told for each exercise that the reference answers in the place
-//     of
-//                 the answer, NAME for its name: -Wl,--defsym=NAME=lent_NAME; none if nothing is
+//                 of the answer, NAME for its name: -Wl,--defsym=NAME=lent_NAME; none if nothing is
 //                 lent
 //     used        files that the commands use, besides
 //
@@ -40,7 +40,7 @@ typedef struct {
 
 typedef struct {
     Entries all;
-    const char *answers, *built, *verdict, *figures, *blanks;
+    const char *answers, *built, *verdict, *figures, *draw, *blanks;
     const char *compile, *hide, *link, *quick, *lend, *used;
     int count;
     PlannedChapter chapters[MOST_CHAPTERS];

@@ -17,7 +17,7 @@ draws() {
     folder=$1
     shift
     # shellcheck disable=SC2086 # names are words
-    env "$@" common/figure/draw_figures "$folder" $names >"$scratch/said" 2>&1
+    env "$@" "$BUILD/chapters/gallery/draw_figures" "$folder" $names >"$scratch/said" 2>&1
 }
 without_a_word() {
     draws "$@"

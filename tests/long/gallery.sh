@@ -24,7 +24,7 @@ cp "$built/gallery/sunflower.png" "$built/gallery/a \"<b>\" & c#1 50%?.png"
 
 draw() {
     # shellcheck disable=SC2086 # names are words
-    env "$@" common/figure/draw_figures "$built/figures" $names
+    env "$@" "$BUILD/chapters/gallery/draw_figures" "$built/figures" $names
 }
 says() {
     grep -qF -- "$1" "$page"

@@ -27,7 +27,7 @@ drawn=$scratch/figures
 check 'every figure has a script' scripts_into "$drawn"
 draw() {
     # shellcheck disable=SC2086 # names are words
-    env "$@" common/figure/draw_figures "$drawn" $names
+    env "$@" "$BUILD/chapters/gallery/draw_figures" "$drawn" $names
 }
 check 'every figure is drawn for LaTeX' draw FORMAT=tex SHAPE=16:9,4:3 STEPS=1
 steps=$(cat "$drawn/.drawn/corner-vectors.steps")

@@ -32,7 +32,7 @@ read_by_awk() {
     mkdir -p "$scratch/$1"
     printf '#!/bin/sh\nexec %s "$@"\n' "$2" >"$scratch/$1/awk"
     chmod +x "$scratch/$1/awk"
-    for program in .make/*.awk tests/handout/*.awk common/figure/*.awk; do
+    for program in .make/*.awk tests/handout/*.awk chapters/gallery/*.awk; do
         PATH=$scratch/$1:$PATH LC_ALL=C awk -f "$program" </dev/null >"$scratch/$1/parsed" 2>&1
         ! grep -iE 'syntax error|illegal statement|unexpected token' "$scratch/$1/parsed" || return 1
     done
@@ -92,7 +92,7 @@ draws_nothing() {
     printf '#!/bin/sh\nexit 1\n' >"$scratch/bin/xargs"
     chmod +x "$scratch/bin/xargs"
     cp "$script" "$scratch/figures"
-    PATH=$scratch/bin:$PATH FORMAT=svg common/figure/draw_figures "$scratch/figures" figure >"$scratch/said" 2>&1
+    PATH=$scratch/bin:$PATH FORMAT=svg "$BUILD/chapters/gallery/draw_figures" "$scratch/figures" figure >"$scratch/said" 2>&1
     [ $? -eq 1 ] && says 'were not drawn' && says_not 'Figures: 1'
 }
 if command -v gnuplot >/dev/null; then
