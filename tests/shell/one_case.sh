@@ -15,6 +15,6 @@ check 'a name that is no function fails' test $? -eq 1
 mkdir "$scratch/all" "$scratch/one"
 "$BUILD/judge/01-corners" /bin/false "$scratch/all" >"$scratch/said" 2>&1
 CK_RUN_CASE=upper_left "$BUILD/judge/01-corners" /bin/false "$scratch/one" >"$scratch/said" 2>&1
-check 'a verdict has every function' cmp "$scratch/all/table" "$scratch/one/table"
+check 'a verdict has every function' cmp "$scratch/all/report" "$scratch/one/report"
 
 finish one_case
