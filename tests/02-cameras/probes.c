@@ -240,11 +240,12 @@ START_TEST(corner_of_what_is_none)
 {
     ask_of_none(CORNER);
     ask_of_single_faults(CORNER);
-    for (int i = 0; i < MANY; i++) { // up along across
+    for (int i = 0; i < MANY; i++) { // up along across, straight ahead
         Camera before = random_camera();
         vec3 across = random_vec3(-2, 2), corner = random_vec3(-5, 5);
-        camera_from_corner(random_vec3(-5, 5), corner, across, random_number(-2, 2) * across,
-                           &before);
+        vec3 up = random_number(-2, 2) * across;
+        vec3 ahead = random_number(1, 5) * vec3_unit(vec3_cross(across, random_unit()));
+        camera_from_corner(corner + across / 2 + up / 2 - ahead, corner, across, up, &before);
     }
 }
 END_TEST
