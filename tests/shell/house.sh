@@ -33,4 +33,11 @@ no_markers() {
 }
 check 'no page and no makefile has parts for somebody else' no_markers
 check 'README.md has at most 100 lines' test "$(wc -l <README.md)" -le 100
+# Tests are started as programs.
+all_may_be_executed() {
+    find tests/shell tests/long -name '*.sh' ! -perm -u+x >"$scratch/found"
+    cat "$scratch/found"
+    [ ! -s "$scratch/found" ]
+}
+check 'every script of tests may be executed' all_may_be_executed
 finish house
