@@ -1,9 +1,11 @@
 // composed.c - answers to exercise 07 that ask others of it.
 #include "tests/proof/composed.h"
 
-// Calls itself: that is no question to another.
-#define trace_ray own_trace_ray
 #include "exercises/07-shading.h"
+
+// Calls itself: that is no question to another.
+Color own_trace_ray(const Scene *scene, Ray ray, int depth);
+#define trace_ray own_trace_ray
 #include "solutions/07-shading.c"
 #undef trace_ray
 
