@@ -7,8 +7,10 @@
 .SUFFIXES:
 .DEFAULT_GOAL := all
 
-# As many at a time as there are processors, unless -j says otherwise.
-MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+# As many at a time as there are processors, unless -j says otherwise. (What this machine is asked, it is
+# asked by one shell: make does so between a saved answer and its verdict, too.)
+ASKED := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2; $(CC) --version 2>/dev/null | { IFS= read -r line; echo "$$line"; })
+MAKEFLAGS += -j$(firstword $(ASKED))
 
 # A students' handout has no solutions/, no tests of the exercises and no .make/toolkit/. What is there
 # decides.
@@ -51,10 +53,12 @@ BUILT := $(B)/$(A:/%=%)
 # All that is made is in build/, which must be ours: not a tree that can only be read, nor one that
 # was built with sudo. 'find' stops at the first file that cannot be written, if it knows how.
 ifneq ($(filter-out setup help clean,$(or $(MAKECMDGOALS),all)),)
-ifeq ($(shell { [ -d build ] || mkdir -p build 2>/dev/null; } && [ -w build ] && echo yes)$(wildcard build/.),)
+OURS := $(shell { [ -d build ] || mkdir -p build 2>/dev/null; } && [ -w build ] && echo yes; \
+	find build ! -writable ! -type l -print -quit 2>/dev/null)
+ifeq ($(OURS)$(wildcard build/.),)
 $(error make cannot write into $(CURDIR): it needs a copy of the tree that is yours)
 endif
-NOT_OURS := $(shell find build ! -writable ! -type l -print -quit 2>/dev/null || true)
+NOT_OURS := $(filter-out yes,$(OURS))
 ifneq ($(NOT_OURS),)
 $(error make cannot write to '$(NOT_OURS)' (was it made with sudo?): remove the folder 'build' (sudo rm -rf build), or take a copy of the tree that is yours)
 endif
@@ -78,10 +82,11 @@ COMPILE = $(CC) $(LANGUAGE) $(CFLAGS) $(OPTIMIZE) $(SANITIZER) $(WARNINGS) $(EXT
 LINK = $(CC) $(CFLAGS) $(SANITIZER) $(LDFLAGS)
 
 # A change of compiler or flags builds all again: objects of two kinds must not be mixed.
-FLAGS_NOW := $(shell $(CC) --version 2>/dev/null | { IFS= read -r line; echo "$$line"; }) $(LANGUAGE) $(CFLAGS) $(CPPFLAGS) \
+FLAGS_NOW := $(wordlist 2,99,$(ASKED)) $(LANGUAGE) $(CFLAGS) $(CPPFLAGS) \
 	$(LDFLAGS) $(SANITIZER) $(STRICT) $(WERROR)
-ifneq ($(FLAGS_NOW),$(shell { IFS= read -r line < $(B)/flags; } 2>/dev/null; printf '%s' "$$line"))
-$(shell { mkdir -p $(B) && printf '%s\n' '$(FLAGS_NOW)' > $(B)/flags; } 2>/dev/null)
+include $(wildcard $(B)/flags.mk)
+ifneq ($(strip $(FLAGS_NOW)),$(strip $(FLAGS_WERE)))
+$(shell { mkdir -p $(B) && printf 'FLAGS_WERE := %s\n' '$(FLAGS_NOW)' > $(B)/flags.mk; } 2>/dev/null)
 endif
 
 Q := $(if $(V),,@)
@@ -104,7 +109,7 @@ CHECK_LIBS = $(eval CHECK_LIBS := $$(call look,check,--libs))$(CHECK_LIBS)
 # 'make setup all' installs before anything is compiled, with -j too.
 SETUP_FIRST := $(if $(filter setup,$(MAKECMDGOALS)),| setup)
 
-$(B)/%.o: %.c $(B)/flags $(SETUP_FIRST)
+$(B)/%.o: %.c $(B)/flags.mk $(SETUP_FIRST)
 	$(call say,compile,$<)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -o $@ $<
@@ -153,7 +158,7 @@ $(STEMS:%=$(BUILT)/%.text): $(BUILT)/%.text: build/blanks/%.c FORCE
 	@mkdir -p $(@D)
 	@cmp -s $(call answer_in,$(A),$*) $@ || cp $(call answer_in,$(A),$*) $@
 $(ANSWER_OBJECTS): WARNINGS = $(FOR_ANSWERS)
-$(ANSWER_OBJECTS): $(BUILT)/%.o: $(BUILT)/%.text $(B)/flags $(B)/weak.h \
+$(ANSWER_OBJECTS): $(BUILT)/%.o: $(BUILT)/%.text $(B)/flags.mk $(B)/weak.h \
 		$(B)/exercises.names build/blanks/%.c $(SETUP_FIRST)
 	$(call say,compile,$(call answer_in,$(A),$*))
 	$(Q)$(COMPILE) -o $@ $(call answer_in,$(A),$*) || { rm -f $(@:.o=.d); exit 1; }
@@ -178,7 +183,7 @@ FOR_avx2 := -mavx2 -mfma
 FOR_avx512 := $(FOR_avx2) -mavx512f -mavx512vl -mavx512bw -mavx512dq -mprefer-vector-width=512
 FOR_LANES := -O3 -fopenmp-simd -fno-math-errno -fno-trapping-math -ffp-contract=fast
 define lanes_rule
-$(B)/%.$(1).o: %.c $(B)/flags $(SETUP_FIRST)
+$(B)/%.$(1).o: %.c $(B)/flags.mk $(SETUP_FIRST)
 	$$(call say,compile,$$< for $(1))
 	$$(Q)mkdir -p $$(@D)
 	$$(Q)$$(COMPILE) $$(FOR_LANES) $$(FOR_$(1)) -DLANES_KIND=$(1) -o $$@ $$<

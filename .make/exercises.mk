@@ -44,7 +44,7 @@ $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o $(
 PLAN := $(VERDICT)/plan
 plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'judge	$(B)/judge/$(s)' 'objects	$(call answering,$(s))' \
 	$(if $(value stands_on),'stands on	$(call stands_on,$(s))'))
-$(PLAN): Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags
+$(PLAN): Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags.mk
 	@mkdir -p $(@D)
 	@printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
 		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'draw	$(DRAW_FIGURES) --one' 'blanks	build/blanks' \

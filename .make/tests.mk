@@ -47,7 +47,7 @@ CALLING := $(patsubst %,$(B)/tests/judge/%.o,transport message wire exercise typ
 # The answering process, for each stem: its number without zeros; 0 is all of them.
 answered = $(if $(filter all,$(1)),0,$(patsubst 0%,%,$(firstword $(subst -, ,$(1)))))
 DISPATCHES := $(patsubst %,$(B)/judge/dispatch-%.o,$(STEMS) all)
-$(DISPATCHES): $(B)/judge/dispatch-%.o: tests/judge/dispatch.c $(B)/flags $(SETUP_FIRST)
+$(DISPATCHES): $(B)/judge/dispatch-%.o: tests/judge/dispatch.c $(B)/flags.mk $(SETUP_FIRST)
 	$(call say,compile,$< for $*)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -o $@ $<
@@ -73,7 +73,7 @@ $(STEMS:%=$(B)/told/path/%.c): $(B)/told/path/%.c:
 	$(Q)mkdir -p $(@D)
 	$(Q)printf '#include "tests/told/replay.h"\n\nconst char told_path[] = "%s";\n' \
 		$(TABLE)/$*.table > $@
-$(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags
+$(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags.mk
 	$(Q)$(COMPILE) -o $@ $<
 TOLD := $(B)/tests/told/table.o $(B)/tests/judge/numbers.o $(CALLING)
 REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard $(DIAGNOSIS)) $(TOLD) \

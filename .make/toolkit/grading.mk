@@ -32,7 +32,7 @@ $(KIT_HEADER): $(B)/weak.h $(wildcard common/*.h exercises/*.h)
 
 # The blanks, weak: of an answer from which functions are missing, those are not answered yet.
 KIT_BLANKS := $(STEMS:%=$(KIT)/link/blank-%.o)
-$(KIT_BLANKS): $(KIT)/link/blank-%.o: build/blanks/%.c $(B)/weak.h $(B)/flags
+$(KIT_BLANKS): $(KIT)/link/blank-%.o: build/blanks/%.c $(B)/weak.h $(B)/flags.mk
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c -o $@ $<
 
@@ -56,7 +56,7 @@ $(KIT)/link/all.o: $(B)/tests/grade/confine/entry.o $(ANSWERING) \
 KIT_LINKS += $(KIT)/link/all.o
 LAST := $(lastword $(filter 06%,$(STEMS)))
 RIGHTS := $(STEMS:%=$(B)/judge/right-%.o)
-$(RIGHTS): $(B)/judge/right-%.o: solutions/%.c tests/judge/reference/rename.def tests/exercises.def $(B)/flags
+$(RIGHTS): $(B)/judge/right-%.o: solutions/%.c tests/judge/reference/rename.def tests/exercises.def $(B)/flags.mk
 	$(call say,compile,$< for pictures)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(call renamed,$(call answered,$*),right_) > $(@:.o=.h)

@@ -23,7 +23,7 @@ BESIDE_REFERENCE := $(foreach kind,mistakes laws variants unknown,$(call parts,t
 $(BESIDE_REFERENCE): EXTRA = -include $(B)/reference.h
 $(BESIDE_REFERENCE): $(B)/reference.h
 REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
-$(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/flags
+$(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/flags.mk
 	$(call say,compile,$< as reference)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
@@ -75,7 +75,7 @@ $(MUTATE): $(patsubst %,$(B)/tests/generated/%.o,mutate put source slips stateme
 MUTANTS := $(STEMS:%=$(B)/generated/%.o)
 answers_of = $(wildcard solutions/$(1).c tests/$(1)/mistakes*.[ch] tests/$(1)/variants*.[ch])
 AS_REFERENCE = $(CC) $(LANGUAGE) -w -include $(B)/reference.h
-$(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference.h $(B)/flags
+$(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference.h $(B)/flags.mk
 	$(call say,mutate,$*)
 	$(Q)rm -rf $(@D)/$* && mkdir -p $(@D)/$*
 	$(Q)for source in $(filter %.c,$(call answers_of,$*)); do \
@@ -103,7 +103,7 @@ $(TRIALS): $(B)/tests/generated/%: $$(call tests_of,$$*) $$(call parts,tests/$$*
 # Blanks are made afresh, whatever stands in exercises/, and must pass nothing.
 BLANK_TESTS := $(STEMS:%=$(B)/tests/blanks/%)
 $(BLANK_TESTS:%=%.o): WARNINGS = $(FOR_STUDENTS)
-$(BLANK_TESTS:%=%.o): $(B)/tests/blanks/%.o: build/blanks/%.c $(B)/flags
+$(BLANK_TESTS:%=%.o): $(B)/tests/blanks/%.o: build/blanks/%.c $(B)/flags.mk
 	$(call say,compile,$<)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -o $@ $<
