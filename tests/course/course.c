@@ -102,32 +102,37 @@ static int show_chosen(const Course *course)
     return show(course, course->chosen, course->count, course->last) == SOMETHING_WRONG ? 1 : 0;
 }
 
-// Whether the signal has not reached the process yet, as far as that can be known.
-static bool is_pending(pid_t process, int number)
+// Whether a signal is in one of a process's sets, as far as that can be known: ShdPnd, what has not
+// reached it yet; SigCgt, what it has a handler for.
+static bool is_in(pid_t process, const char *set, int number)
 {
-    char path[60], line[200];
-    unsigned long long waiting = 0;
+    char path[60], line[200], format[20];
+    unsigned long long signals = 0;
     snprintf(path, sizeof path, "/proc/%d/status", (int)process);
+    snprintf(format, sizeof format, "%s: %%llx", set);
     FILE *file = fopen(path, "r");
     while (file != NULL && fgets(line, sizeof line, file) != NULL)
-        sscanf(line, "ShdPnd: %llx", &waiting);
+        if (sscanf(line, format, &signals) == 1)
+            break;
     if (file != NULL)
         fclose(file);
-    return (waiting >> (number - 1) & 1) != 0;
+    return (signals >> (number - 1) & 1) != 0;
 }
 
 // A status that is not 0 makes make print an error of its own. At SIGQUIT it waits for what it has
 // started, and exits with 1 and without a word; if the signal has come before the end of that.
+// Where make does not take the signal (started in the background by a script, it ignores it), the
+// error is better than a status that says all is well.
 static int fail_quietly(int status)
 {
     const char *quiet = getenv("QUIET_MAKE");
-    if (status != 1 || quiet == NULL || quiet[0] == '\0')
+    pid_t make = getppid();
+    if (status != 1 || quiet == NULL || quiet[0] == '\0' || !is_in(make, "SigCgt", SIGQUIT))
         return status;
     fflush(stdout);
     enum { MOST_LOOKS = 2000 };
-    pid_t make = getppid();
     kill(make, SIGQUIT);
-    for (int looks = 0; looks < MOST_LOOKS && is_pending(make, SIGQUIT); looks++)
+    for (int looks = 0; looks < MOST_LOOKS && is_in(make, "ShdPnd", SIGQUIT); looks++)
         poll(NULL, 0, 1);
     return 0;
 }
