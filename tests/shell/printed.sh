@@ -9,7 +9,7 @@ scene=chapters/06-ray-casting/three-spheres.nff
 mkdir "$scratch/programs"
 for program in "$PROGRAMS"/0[1-8]-*; do
     { [ -f "$program" ] && [ -x "$program" ]; } || continue
-    ln "$program" "$scratch/programs" 2>/dev/null || cp "$program" "$scratch/programs"
+    cp "$program" "$scratch/programs"
 done
 ln -s "$here/chapters" "$scratch/chapters"
 
