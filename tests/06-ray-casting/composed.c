@@ -41,6 +41,7 @@ const SameMistake same_mistakes[] = {
     {"cast_image_order", "H-first-index", "I-first"},
     {"cast_image_order", "P7-scene", "P7"},
     {"cast_image_order", "H-none-count", "I-black"},
+    {"cast_image_order", "H-count", "I-black"},
     {"cast_image_order", "H-1e-4", "I-t-1e-4"},
     {"cast_image_order", "H-1e-5", "I-t-1e-5"},
     {"cast_image_order", "H-1e-6", "I-t-1e-6"},

@@ -73,5 +73,7 @@ const SameMistake same_mistakes[] = {
     {"trace_ray", "S-flat", "T-flat"},
     {"trace_ray", "W3-shade", "T-away"},
     {"trace_ray", "L-specular", "T-highlight"},
+    {"shade", "O-1e-9", "S-1e-9"},
+    {"trace_ray", "O-1e-9", "T-1e-9"},
     {0},
 };
