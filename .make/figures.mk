@@ -31,7 +31,7 @@ $(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(B)/solutions/$$(call stem_of,$$*) $$(call fig
 endif
 # With something missing, a figure is not yet; that is said in one line.
 $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,$$*) \
-		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(RECORDS) $(LIST))
+		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(RECORDS) $$(LIST))
 	$(Q)mkdir -p $(@D)
 	$(Q)$(if $(RIGHT),note=$$(awk -v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c chapters/*/figures/*.c); \
 		common/figure/write_script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
