@@ -41,7 +41,8 @@ vec3 mirror_direction(vec3 direction, vec3 normal);
 // the cosine is negative: pow(0, 0) is 1.
 Color phong_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
-// Blinn's variant: the cosine between the normal and the vector half-way between light and eye.
+// Blinn's variant: the cosine between the normal and the vector half-way between light and eye,
+// which may be anywhere.
 Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
 // A point of a sphere, moved off its surface to the side to which normal points, so that a ray from

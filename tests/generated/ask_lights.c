@@ -26,6 +26,14 @@ static void draw_surface(Question *q)
     q->shine = draw_one_in(6) ? 1 + draw_below(10) : draw_one_in(12) ? 0 : draw_scale(0.3, 200);
 }
 
+// Half-way there is something wherever the eye is.
+static void draw_halfway(Question *q)
+{
+    draw_surface(q);
+    if (draw_one_in(4))
+        q->to_eye = -q->to_eye;
+}
+
 static void draw_point(Question *q)
 {
     q->size = draw_any_size();
@@ -152,7 +160,7 @@ const Subject light_subjects[] = {
     {"diffuse_term", 2000, draw_surface, ask_diffuse, NULL},
     {"mirror_direction", 1500, draw_surface, ask_mirror, NULL},
     {"phong_term", 3000, draw_surface, ask_highlight, is_right_of_highlight},
-    {"halfway_term", 3000, draw_surface, ask_highlight, is_right_of_highlight},
+    {"halfway_term", 3000, draw_halfway, ask_highlight, is_right_of_highlight},
     {"off_surface", 1000, draw_point, ask_start, is_right_start},
     {"clamp_color", 2000, draw_bright, ask_clamp, NULL},
     {"gamma_encode", 2000, draw_display, ask_gamma, NULL},
