@@ -179,7 +179,7 @@ FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUI
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TYPES) $(ODD_QUESTIONS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
 FOR_CHECKS := $(DRAW_FIGURES) $(MAKE_PAGE) $(EXPLAIN) $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
-check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests, at most a minute
+check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests (two minutes on two cores)
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
 
 # What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
