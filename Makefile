@@ -142,7 +142,7 @@ build/blanks/%.c: tests/told/blanks/%.c
 
 # Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
 # reference in the place of one of them (tests/course/judging.c).
-$(B)/weak.h: tests/judge/weak.def tests/exercises.def
+$(B)/weak.h: tests/judge/weak.def tests/exercises.def $(SETUP_FIRST)
 	$(Q)$(CC) -E -P -x c -I. $< > $@
 FOR_ANSWERS = $(FOR_STUDENTS) -include $(B)/weak.h
 # Helpers may go anywhere, so two chapters may use one name: only the exercises are seen from outside.

@@ -73,7 +73,7 @@ $(STEMS:%=$(B)/told/path/%.c): $(B)/told/path/%.c:
 	$(Q)mkdir -p $(@D)
 	$(Q)printf '#include "tests/told/replay.h"\n\nconst char told_path[] = "%s";\n' \
 		$(TABLE)/$*.table > $@
-$(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags.mk
+$(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags.mk $(SETUP_FIRST)
 	$(Q)$(COMPILE) -o $@ $<
 TOLD := $(B)/tests/told/table.o $(B)/tests/judge/numbers.o $(CALLING)
 REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard $(DIAGNOSIS)) $(TOLD) \

@@ -17,13 +17,13 @@ $(TESTS): $(BUILT)/tests/%: $(BUILT)/%.o $$(call test_objects,$$*)
 # The judge: the same tests, asking another process for the answers (proxies). Mistakes and laws
 # stand beside the reference, which goes by other names there.
 renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tests/judge/reference/rename.def
-$(B)/reference.h: tests/judge/reference/rename.def tests/exercises.def
+$(B)/reference.h: tests/judge/reference/rename.def tests/exercises.def $(SETUP_FIRST)
 	$(Q)$(call renamed,0,reference_) > $@
 BESIDE_REFERENCE := $(foreach kind,mistakes laws variants unknown,$(call parts,tests/[0-9]*/$(kind)))
 $(BESIDE_REFERENCE): EXTRA = -include $(B)/reference.h
 $(BESIDE_REFERENCE): $(B)/reference.h
 REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
-$(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/flags.mk
+$(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/flags.mk $(SETUP_FIRST)
 	$(call say,compile,$< as reference)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<

@@ -116,4 +116,18 @@ advises() {
     [ $? -eq 1 ] && says '  sudo apt-get install -y' && says_not 'sudo -n'
 }
 check 'setup without a terminal advises what works on one' advises
+# 'make setup all' asks for no library before setup has ended, which has just installed it.
+late=$scratch/late
+waits_for_setup() {
+    mkdir "$late" "$scratch/late-bin" &&
+        cp -r Makefile .make common chapters exercises solutions tests "$late" || return 1
+    pkg_config=$(command -v pkg-config)
+    printf '#!/bin/sh\n[ -e %s/installed ] && exec %s "$@"\n' "$late" "$pkg_config" >"$scratch/late-bin/pkg-config"
+    printf '#!/bin/sh\nsleep 1\n: >%s/installed\n' "$late" >"$late/.make/setup"
+    chmod +x "$scratch/late-bin/pkg-config"
+    PATH=$scratch/late-bin:$PATH make --no-print-directory -C "$late" setup build/judge/01-corners \
+        build/solutions/01-corners >"$scratch/said" 2>&1 || { tail "$scratch/said"; return 1; }
+}
+check 'what is built waits for setup' waits_for_setup
+
 finish machines
