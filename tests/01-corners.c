@@ -1,12 +1,12 @@
-// 01-corners.c - tests of exercise 01. Expected: the deck's numbers, and what projecting onto the
-// camera's own axes must give back.
+// 01-corners.c - tests of exercise 01. Expected values: the deck's numbers, and what a projection
+// onto the camera's own axes must give back.
 #include "exercises/01-corners.h"
 
 #include "tests/judge/test.h"
 
 static const double tolerance = 1e-9;
 
-// A camera in which no two numbers are alike and nothing is 0 or 1.
+// A camera in which no two numbers are equal and none is 0 or 1.
 static Camera oblique_camera(void)
 {
     return (Camera){.origin = vec3_of(3, -5, 7),
@@ -24,7 +24,7 @@ static vec3 along_axes(Camera c, vec3 v)
     return vec3_of(vec3_dot(v, c.forward), vec3_dot(v, c.right), vec3_dot(v, c.up));
 }
 
-// The i-th of count cameras in worlds of any size, wide and narrow, near and far.
+// The i-th of count cameras, in worlds of any size, wide and narrow, near and far.
 static Camera camera_of_any_size(int i, int count)
 {
     Camera c = random_camera();
@@ -115,7 +115,7 @@ START_TEST(s_and_t_are_counted_from_the_lower_left_corner)
 }
 END_TEST
 
-// No place is special, nor is one beside the middle or an edge.
+// No place is a special case, and neither is a place just beside the middle or an edge.
 START_TEST(a_place_just_beside_the_middle_or_an_edge_is_there)
 {
     Camera c = oblique_camera();
@@ -187,7 +187,7 @@ END_TEST
 
 enum { SIZES = 13 };
 
-// The law of scale: in a world that is k times as large the vector is k times as long.
+// The law of scale: in a world that is k times as large, the vector is k times as long.
 START_TEST(the_upper_left_corner_in_worlds_of_any_size)
 {
     for (int i = 0; i < SIZES; i++) {
@@ -224,7 +224,7 @@ START_TEST(the_point_30_percent_across_and_10_percent_up_in_worlds_of_any_size)
 }
 END_TEST
 
-// Beyond the plane the formula just goes on, however far.
+// Beyond the plane the same formula holds, however far.
 START_TEST(every_place_in_worlds_of_any_size)
 {
     for (int i = 0; i < 2 * SIZES; i++) {

@@ -1,4 +1,4 @@
-// composed.c - answers to exercise 01 that ask others of it.
+// composed.c - answers to exercise 01 that call other answers of it.
 #include "tests/proof/composed.h"
 
 #include "solutions/01-corners.c"
@@ -22,7 +22,7 @@ const Composed composed[] = {
     {0},
 };
 
-// What a mistake of the one is in the other.
+// Which mistake a mistake of the called function becomes in the caller.
 const SameMistake same_mistakes[] = {
     {"across_30_up_10", "G-middle", "C6"},
     {"across_30_up_10", "G-s", "C6-x"},

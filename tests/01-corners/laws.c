@@ -1,4 +1,4 @@
-// laws.c - laws of exercise 01: how far a vector goes along the camera's own directions.
+// laws.c - the laws of exercise 01: how far a vector goes along the camera's own directions.
 #include "tests/01-corners/laws.h"
 
 #include "common/text.h"
@@ -7,7 +7,7 @@
 
 #include <stdio.h>
 
-// Wide of the contract's 1e-9 of the distance, width and height.
+// Much wider than the contract's 1e-9 of the distance, width and height.
 static double tolerance(Camera c)
 {
     return 1e-8 * (c.distance + c.width + c.height);
@@ -19,7 +19,7 @@ static bool far_from(double yours, double right, Camera c)
 }
 
 // Every vector from the eye to the plane goes as far ahead as the plane is, whichever place it
-// leads to. Says so where it does not.
+// leads to. Says so if this one does not.
 static bool misses_the_plane(vec3 yours, Camera c)
 {
     if (!vec3_is_finite(yours)) {
@@ -31,8 +31,8 @@ static bool misses_the_plane(vec3 yours, Camera c)
         return false;
     Apart a = apart(ahead, c.distance);
     if (!far_from(vec3_dot(yours - c.origin, c.forward), c.distance, c))
-        law_broken("along forward your vector goes %s, but the plane is %s ahead; take the eye off "
-                   "it, and it would end on the plane",
+        law_broken("along forward your vector goes %s, but the plane is %s ahead; with the eye "
+                   "subtracted, the vector would end on the plane",
                    a.yours.s, a.right.s);
     else
         law_broken("along forward your vector goes %s, but the plane is %s ahead", a.yours.s,
@@ -40,7 +40,7 @@ static bool misses_the_plane(vec3 yours, Camera c)
     return true;
 }
 
-// Where it should be, along right and along up from the middle, and what these places are called.
+// The right position along right and along up, from the middle, and the names of these places.
 static void law_of_place(vec3 yours, Camera c, double aside, const char *column, double above,
                          const char *row)
 {
@@ -74,7 +74,7 @@ void law_across_30_up_10(vec3 yours, Camera c)
 
 void law_image_plane_vector(vec3 yours, Camera c, double s, double t)
 {
-    // Far beyond the plane rounding grows with s and t.
+    // Far beyond the plane, rounding errors grow with s and t.
     if (fabs(s) > 1e3 || fabs(t) > 1e3)
         return;
     char column[80], row[80];
@@ -83,7 +83,7 @@ void law_image_plane_vector(vec3 yours, Camera c, double s, double t)
     law_of_place(yours, c, s * c.width - c.width / 2, column, t * c.height - c.height / 2, row);
 }
 
-// The view is told by how large the plane is for its distance.
+// The view depends on the size of the plane divided by its distance.
 static bool another_view(double size, double distance, double size_before, double distance_before,
                          const char *letter)
 {
@@ -104,14 +104,14 @@ static bool same(vec3 v, vec3 w, double within)
 void law_with_unit_distance(Camera yours, Camera c)
 {
     if (!(fabs(yours.distance - 1) <= 1e-8))
-        law_broken("the distance is to be 1, and yours is %s", apart(yours.distance, 1).yours.s);
+        law_broken("the distance must be 1, and yours is %s", apart(yours.distance, 1).yours.s);
     else if (another_view(yours.width, yours.distance, c.width, c.distance, "w") ||
              another_view(yours.height, yours.distance, c.height, c.distance, "h"))
         return;
     else if (!same(yours.origin, c.origin, tolerance(c))) {
         Apart a = apart_vec3(yours.origin, c.origin);
-        law_broken("the eye has moved from %s to %s; what hides what would change", a.right.s,
-                   a.yours.s);
+        law_broken("the eye has moved from %s to %s; other objects would hide each other",
+                   a.right.s, a.yours.s);
     } else if (!same(yours.right, c.right, 1e-8) || !same(yours.up, c.up, 1e-8) ||
                !same(yours.forward, c.forward, 1e-8))
         law_broken("right, up or forward has changed; the same picture needs the same frame, of "

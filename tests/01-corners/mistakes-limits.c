@@ -1,5 +1,5 @@
-// mistakes-limits.c - right for some cameras and for two of the three axes: conditions and limits
-// of their authors' own, and the last component forgotten.
+// mistakes-limits.c - right for some cameras, or for two of the three axes: conditions and limits
+// that their authors added, and a forgotten last component.
 #include "tests/01-corners/mistakes.h"
 
 static vec3 rounded_to_float(vec3 v)
@@ -55,25 +55,25 @@ static Camera only_where_the_plane_is_near(Camera c)
     return c.distance < 1 ? with_unit_distance(c) : c;
 }
 
-#define SEVEN_DIGITS "a float keeps 7 digits, and the answer is asked for to 9. Use double."
+#define SEVEN_DIGITS "a float has 7 digits, and the answer needs 9. Use double."
 
 const Mistake limit_mistakes[] = {
     SIDES("C-float", in_float, "the formula in float", "the formula in float", SEVEN_DIGITS,
-          "nothing amiss, or ragged rims"),
+          "no visible difference, or ragged edges"),
     SIDES("C-z", only_x_and_y, "x and y right, z = 0", "x and y right, z = 0",
-          "a vector has three components, [0], [1] and [2]. The last one is left out.",
+          "a vector has three components, [0], [1] and [2]. The last one is missing.",
           "blank, or a picture from the wrong side"),
     MISTAKE("C6-float", across_30_up_10, across_in_float, "the formula in float", SEVEN_DIGITS,
-            "nothing amiss, or ragged rims"),
+            "no visible difference, or ragged edges"),
     MISTAKE("G-float", image_plane_vector, place_in_float, "the formula in float", SEVEN_DIGITS,
-            "nothing amiss, or ragged rims"),
+            "no visible difference, or ragged edges"),
     MISTAKE("G-z", image_plane_vector, place_only_x_and_y, "x and y right, z = 0",
-            "a vector has three components, [0], [1] and [2]. The last one is left out.",
+            "a vector has three components, [0], [1] and [2]. The last one is missing.",
             "blank, or a picture from the wrong side"),
-    MISTAKE("D-far", with_unit_distance, only_where_the_plane_is_far, "only where d > 1",
+    MISTAKE("D-far", with_unit_distance, only_where_the_plane_is_far, "only if d > 1",
             "a plane that is nearer than 1 is moved away in the same way: w and h grow with it.",
             "the same picture, but d is not always 1"),
-    MISTAKE("D-near", with_unit_distance, only_where_the_plane_is_near, "only where d < 1",
+    MISTAKE("D-near", with_unit_distance, only_where_the_plane_is_near, "only if d < 1",
             "a plane that is farther than 1 is moved nearer in the same way: w and h shrink with "
             "it.",
             "the same picture, but d is not always 1"),

@@ -1,4 +1,4 @@
-// mistakes-sizes.c - wrong upper corners: steps that are too long, too short, or left out.
+// mistakes-sizes.c - wrong upper corners: steps that are too long, too short, or missing.
 #include "tests/01-corners/mistakes.h"
 
 static vec3 whole_width_and_height(Camera c, double side)
@@ -99,50 +99,53 @@ const Mistake corner_size_mistakes[] = {
           "half as far from there.",
           "everything at half its size"),
     SIDES("C1-w", whole_width, "d f - w r + h/2 u", "d f + w r + h/2 u",
-          "the whole width. f reaches the middle of the plane, and the side is only half as far "
-          "from there.",
+          "the whole width. f reaches the middle of the plane, and the side is only half the width "
+          "away from there.",
           "everything squeezed to half its width"),
     SIDES("C1-h", whole_height, "d f - w/2 r + h u", "d f + w/2 r + h u",
-          "the whole height. f reaches the middle of the plane, and the top is only half as far "
-          "from there.",
+          "the whole height. f reaches the middle of the plane, and the top is only half the "
+          "height away from there.",
           "everything squeezed to half its height"),
     SIDES("C1-all", all_halved, "(d f - w r + h u) / 2", "(d f + w r + h u) / 2",
           "the step ahead is halved too. It stops half way to the plane.",
           "everything at half its size"),
     SIDES("C4", forward_without_distance, "f - w/2 r + h/2 u", "f + w/2 r + h/2 u",
-          "f is one unit long, and the plane is not 1 ahead.",
-          "right where d = 1; elsewhere as if through another lens"),
+          "f has length 1, and the plane is not at distance 1: the step ahead is d f.",
+          "right if d = 1; if not, a narrower or wider view"),
     SIDES("C4-flat", nothing_ahead, "-w/2 r + h/2 u", "w/2 r + h/2 u",
-          "no step ahead. This stays beside the eye and never reaches the plane.",
-          "blank: the rays run off sideways"),
+          "the step d f is missing. The vector goes only sideways and never reaches the plane.",
+          "blank: the rays go off sideways"),
     SIDES("C7", width_for_both, "d f - w/2 r + w/2 u", "d f + w/2 r + w/2 u",
-          "the width, both times. How far the top is from the middle depends on the height.",
-          "right where w = h; elsewhere squashed or stretched"),
-    SIDES("C7-h", height_for_both, "d f - h/2 r + h/2 u", "d f + h/2 r + h/2 u",
-          "the height, both times. How far the side is from the middle depends on the width.",
-          "right where w = h; elsewhere squashed or stretched"),
+          "the width is used both times. How far the top is from the middle depends on the height.",
+          "right if w = h; if not, squashed or stretched"),
+    SIDES(
+        "C7-h", height_for_both, "d f - h/2 r + h/2 u", "d f + h/2 r + h/2 u",
+        "the height is used both times. How far the side is from the middle depends on the width.",
+        "right if w = h; if not, squashed or stretched"),
     SIDES("C7-swap", sizes_swapped, "d f - h/2 r + w/2 u", "d f + h/2 r + w/2 u",
-          "w is measured along r and h along u. Here they have changed places.",
-          "right where w = h; elsewhere squashed or stretched"),
+          "w is the length along r and h the length along u. Here they are swapped.",
+          "right if w = h; if not, squashed or stretched"),
     SIDES("C-top", middle_of_the_top, "d f + h/2 u", "d f + h/2 u",
-          "no step along r. This ends in the middle of the top edge.",
-          "stripes from left to right: all columns alike"),
+          "the step along r is missing. This vector ends in the middle of the top edge.",
+          "stripes from left to right: all columns are alike"),
     SIDES("C-side", middle_of_the_side, "d f - w/2 r", "d f + w/2 r",
-          "no step along u. This ends in the middle of the side.",
-          "stripes from top to bottom: all rows alike"),
+          "the step along u is missing. This vector ends in the middle of the side.",
+          "stripes from top to bottom: all rows are alike"),
     SIDES("C-int", whole_numbers_halved, "d f", "d f",
-          "only the way to the middle is left. In C, 1 / 2 is a division of whole numbers: 0.",
+          "only the vector to the middle is left. In C, 1 / 2 is an integer division, and its "
+          "result is 0.",
           "one flat colour"),
     SIDES("C-times", distance_times_all, "d (f - w/2 r + h/2 u)", "d (f + w/2 r + h/2 u)",
-          "the steps aside are multiplied by d as well. The size of the plane does not depend on "
-          "how far away it is.",
-          "right where d = 1; elsewhere too small or too large"),
-    SIDES("C-unit", of_length_1, "the unit vector that way", "the unit vector that way",
-          "the direction is right, but it no longer ends on the plane. It is to be as long as the "
-          "way there.",
+          "the steps across and up are multiplied by d as well. The size of the plane does not "
+          "depend on its distance.",
+          "right if d = 1; if not, too small or too large"),
+    SIDES("C-unit", of_length_1, "the unit vector in that direction",
+          "the unit vector in that direction",
+          "the direction is right, but the vector no longer ends on the plane. Its length must be "
+          "the distance to the point.",
           "the same picture; only distances along the rays differ"),
     SIDES("C-one", divided_by_distance, "f - w/(2d) r + h/(2d) u", "f + w/(2d) r + h/(2d) u",
-          "the direction is right, but it ends 1 ahead of the eye and not on the plane.",
+          "the direction is right, but the vector ends at distance 1 and not on the plane.",
           "the same picture; only distances along the rays differ"),
     {0},
 };

@@ -1,11 +1,11 @@
-// mistakes.c - wrong answers to exercise 01: cameras of unit distance, and where the rest is.
+// mistakes.c - wrong answers to exercise 01: cameras of unit distance, and the list of all tables.
 #include "exercises/01-corners.h"
 #include "tests/judge/mistake.h"
 
 extern const Mistake corner_size_mistakes[], corner_way_mistakes[];
 extern const Mistake across_mistakes[], place_mistakes[], place_ahead_mistakes[], limit_mistakes[];
 
-// What is right, for those who spoil it afterwards.
+// The right answer, for mistakes that change it afterwards.
 static Camera width_and_height_divided(Camera c)
 {
     c.width /= c.distance;
@@ -126,55 +126,53 @@ static Camera forward_times_distance(Camera c)
 
 static const Mistake unit_distance_mistakes[] = {
     MISTAKE("D-same", with_unit_distance, left_as_it_was, "d, w, h as they were",
-            "the camera comes back unchanged. If you changed a copy of it, return the copy.",
+            "the camera is returned unchanged. If you changed a copy of it, return the copy.",
             "the same picture, but d is still not 1"),
     MISTAKE("D-only", with_unit_distance, only_the_distance, "1, w, h",
-            "the plane comes nearer but stays as large. If you divide after setting d to 1, you "
+            "the plane comes nearer but keeps its size. If you divide after setting d to 1, you "
             "divide by 1.",
-            "a wider view, where d was more than 1"),
+            "a wider view if d was more than 1"),
     MISTAKE("D-w", with_unit_distance, only_the_width, "1, w/d, h",
-            "the height stays as it was, so the plane changes its shape. If you set d to 1 in "
+            "the height is unchanged, so the plane changes its shape. If you set d to 1 in "
             "between, you divide by 1.",
-            "everything squashed, where d was more than 1"),
+            "everything squashed if d was more than 1"),
     MISTAKE("D-h", with_unit_distance, only_the_height, "1, w, h/d",
-            "the width stays as it was, so the plane changes its shape.",
-            "everything slimmer, where d was more than 1"),
+            "the width is unchanged, so the plane changes its shape.",
+            "everything narrower if d was more than 1"),
     MISTAKE("D-left", with_unit_distance, distance_left, "d, w/d, h/d",
-            "the plane shrinks but stays as far away. It is d that is to become 1.",
-            "a narrower view, where d was more than 1"),
+            "the plane shrinks but stays at its distance. d must become 1.",
+            "a narrower view if d was more than 1"),
     MISTAKE("D-times", with_unit_distance, times_the_distance, "1, w d, h d",
-            "a plane that comes nearer has to shrink to fill the same view; this one grows.",
-            "a much wider view, where d was more than 1"),
+            "a plane that comes nearer must shrink to fill the same view; this one grows.",
+            "a much wider view if d was more than 1"),
     MISTAKE("D-over", with_unit_distance, fractions_upside_down, "1, d/w, d/h",
             "the fractions are upside down. A wider plane would give a narrower view.",
-            "another view, and not of the same shape"),
+            "another view, of another shape"),
     MISTAKE("D-half", with_unit_distance, halved, "1, w/2, h/2",
-            "halving is right only where d was 2. How much the plane shrinks depends on how far "
-            "away it was.",
-            "right where d = 2; elsewhere as if through another lens"),
-    MISTAKE(
-        "D-double", with_unit_distance, doubled, "2 d, 2 w, 2 h",
-        "that shows that doubling does not matter; but the camera wanted is the one whose d is 1.",
-        "the same picture, but d is not 1"),
-    MISTAKE("D-sizes", with_unit_distance, sizes_swapped, "1, h/d, w/d",
-            "w and h have changed places.", "right where w = h; elsewhere squashed or stretched"),
+            "halving is right only if d was 2. How much the plane shrinks depends on its distance.",
+            "right if d = 2; if not, a narrower or wider view"),
+    MISTAKE("D-double", with_unit_distance, doubled, "2 d, 2 w, 2 h",
+            "this shows that doubling does not matter; but the exercise asks for the camera with d "
+            "= 1.",
+            "the same picture, but d is not 1"),
+    MISTAKE("D-sizes", with_unit_distance, sizes_swapped, "1, h/d, w/d", "w and h are swapped.",
+            "right if w = h; if not, squashed or stretched"),
     MISTAKE("D-width", with_unit_distance, width_for_both, "1, w/d, w/d",
-            "the width, both times. The plane is to keep its shape.",
-            "right where w = h; elsewhere squashed or stretched"),
+            "the width is used both times. The plane must keep its shape.",
+            "right if w = h; if not, squashed or stretched"),
     MISTAKE("D-eye", with_unit_distance, eye_moved_to_the_plane, "1, w/d, h/d and p + (d - 1) f",
-            "the eye has moved. The same picture is seen from the same place: it is the plane that "
-            "moves.",
-            "other things in front of each other, nearer ones larger"),
+            "the eye has moved. The same picture is seen from the same eye: only the plane moves.",
+            "other objects hide each other; near ones are larger"),
     MISTAKE("D-p", with_unit_distance, eye_divided, "1, w/d, h/d and p/d",
-            "the eye has moved. It is the plane that shrinks towards the eye, not the world.",
-            "right with the eye at the origin; elsewhere another view"),
+            "the eye has moved. The plane shrinks towards the eye, but the world does not.",
+            "right if the eye is at the origin; if not, another view"),
     MISTAKE("D-f", with_unit_distance, forward_divided, "1, w/d, h/d and f/d",
-            "f is a direction of length 1 and stays so. How far away the plane is, d alone says.",
-            "a wider view, where d was more than 1"),
+            "f is a direction and keeps its length 1. d alone says how far away the plane is.",
+            "a wider view if d was more than 1"),
     MISTAKE("D-d-f", with_unit_distance, forward_times_distance, "1, w/d, h/d and d f",
-            "f is a direction of length 1 and stays so. Now the plane is as far away as it was, "
-            "but smaller.",
-            "a narrower view, where d was more than 1"),
+            "f is a direction and keeps its length 1. Now the plane is as far away as before, but "
+            "smaller.",
+            "a narrower view if d was more than 1"),
     {0},
 };
 

@@ -1,4 +1,4 @@
-// mistakes.h - one slip, two corners: the same wrong way on the left and on the right.
+// mistakes.h - one slip, two corners: the same wrong step on the left and on the right.
 #ifndef TESTS_01_CORNERS_MISTAKES_H
 #define TESTS_01_CORNERS_MISTAKES_H
 

@@ -1,4 +1,4 @@
-// probes.c - calls that tell mistakes of exercise 01 apart: any cameras, and places on and
+// probes.c - calls that distinguish the mistakes of exercise 01: any cameras, and places on and
 // beyond the plane.
 #include "exercises/01-corners.h"
 

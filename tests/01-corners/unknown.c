@@ -1,4 +1,4 @@
-// unknown.c - wrong answers to exercise 01 that are no known mistake.
+// unknown.c - wrong answers to exercise 01 that are not known mistakes.
 #include "tests/proof/unknown.h"
 
 #include "exercises/01-corners.h"
@@ -30,7 +30,7 @@ static vec3 the_smaller_side(Camera c)
     return c.distance * c.forward - side / 2 * c.right + side / 2 * c.up;
 }
 
-// 'return d * f - w * 0,5 * r + h * 0,5 * u' is what is after the last comma.
+// 'return d * f - w * 0,5 * r + h * 0,5 * u' returns what follows the last comma.
 static vec3 decimal_comma(Camera c)
 {
     return 5 * c.up;

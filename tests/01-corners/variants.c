@@ -1,4 +1,4 @@
-// variants.c - right answers to exercise 01, written otherwise.
+// variants.c - right answers to exercise 01, written in other ways.
 #include "exercises/01-corners.h"
 
 #include "tests/proof/variants.h"
@@ -108,7 +108,7 @@ static Camera distance_last(Camera c)
 }
 
 typedef struct {
-    vec3 right, up, forward; // as long as the way to an edge, and to the plane
+    vec3 right, up, forward; // from the middle to an edge, and from the eye to the plane
 } Steps;
 
 static Steps steps_of(Camera c)
@@ -204,7 +204,7 @@ const Variant variants[] = {
     VARIANT(upper_left, halved_at_the_end, "doubled, and halved at the end"),
     VARIANT(upper_left, as_a_place, "the place s = 0, t = 1"),
     VARIANT(upper_left, component_by_component, "a loop over the components"),
-    VARIANT(upper_right, from_the_other_corner, "the width further on than upper_left"),
+    VARIANT(upper_right, from_the_other_corner, "upper_left plus the width"),
     VARIANT(upper_right, with_printf_left_in, "printf left in"),
     VARIANT(upper_right, mirrored_in_the_middle, "the lower left corner mirrored in the middle"),
     VARIANT(across_30_up_10, from_the_lower_left_corner, "from the lower left corner, in percent"),
@@ -212,16 +212,16 @@ const Variant variants[] = {
     VARIANT(image_plane_vector, between_the_corners, "between the four corners, with a helper"),
     VARIANT(image_plane_vector, multiplied_out, "multiplied out"),
     VARIANT(image_plane_vector, point_minus_eye, "the point of the world minus the eye"),
-    VARIANT(with_unit_distance, times_the_reciprocal, "a camera made anew, times 1 / d"),
+    VARIANT(with_unit_distance, times_the_reciprocal, "a new camera, times 1 / d"),
     VARIANT(with_unit_distance, distance_last, "the width by its ratio to the height"),
     VARIANT(upper_left, by_steps, "a struct of steps"),
     VARIANT(upper_right, by_a_matrix, "a matrix whose columns are the frame"),
     VARIANT(across_30_up_10, mean_of_corners, "a weighted mean of the four corners"),
     VARIANT(across_30_up_10, in_percent, "in whole percent, divided last"),
     VARIANT(image_plane_vector, from_minus_1_to_1, "by way of -1 to 1"),
-    VARIANT(image_plane_vector, with_fma, "by fma, axis by axis"),
+    VARIANT(image_plane_vector, with_fma, "with fma, axis by axis"),
     VARIANT(image_plane_vector, in_long_double, "in long double"),
     VARIANT(image_plane_vector, at_unit_distance_first, "at distance 1, then d times as far"),
-    VARIANT(with_unit_distance, by_the_angles, "by atan2 and tan of the angles"),
+    VARIANT(with_unit_distance, by_the_angles, "with atan2 and tan of the angles"),
     {0},
 };
