@@ -27,8 +27,6 @@ yours(panel) = exists(your_name(panel)) ? small("yours: ".value(your_name(panel)
 title_place = "(shift_x[panel] + width / 4.0):(shift_y[panel] + height - 24)"
 found_place = "(shift_x[panel] + width / 4.0):(shift_y[panel] + height / 2.0 + 50)"
 yours_place = "(shift_x[panel] + width / 4.0):(shift_y[panel] + height / 2.0 + 34)"
-set arrow 1 from width / 2.0, 12 rto 0, height - 24 nohead lc rgb faint
-set arrow 2 from 12, height / 2.0 rto width - 24, 0 nohead lc rgb faint
 
 # A panel at each of the first four steps; in the fifth, what was found, in all of them.
 panels = "for [panel=1:(step < 4 ? step : 4)]"
@@ -36,7 +34,9 @@ this = "panel - 1"
 short = "vectors head filled size 9,18,90 lw 1.8"
 gap = 12
 
-plot @panels $eye using @title_place:(titles[panel]) with labels tc rgb ink title "title", \
+plot $eye every ::0::0 using (width / 2.0):(12):(0):(height - 24) with vectors nohead lw 1 lc rgb faint title "between columns", \
+    $eye every ::0::0 using (12):(height / 2.0):(width - 24):(0) with vectors nohead lw 1 lc rgb faint title "between rows", \
+    @panels $eye using @title_place:(titles[panel]) with labels tc rgb ink title "title", \
     @panels $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step5 @who @panels $planes index who every :::@this::@this using @point with @thick lc rgb ink dt dash(who) title "found", \
     $view index 0 using @vector with @leg lc rgb pink dt 3 title "view", \

@@ -31,6 +31,8 @@ inside_text(number, fate, r) = r < 10 ? "" : ball_name(number).(fate > 1 || r < 
 shown_t(t) = most(low_x, least(high_x, t))
 shown_side(side) = most(low_y, least(high_y, side))
 name_side(side, r) = side + (side < 0 ? -0.5 : 0.5) * r
+# Outlines are ellipses: gnuplot 5.4 draws an empty circle's outline twice, which closes the gaps of a dashed one.
+diameter = "(2*size[1]*$4):(2*size[1]*$4)"
 words_x = all_hits ? most(width * 0.24, least(width * 0.76, x(nearest))) : width / 2
 
 plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed \
@@ -39,9 +41,9 @@ plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed 
         title "parts, outline", \
     $circles index 0 using ($11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : rgb_of(surface)) with circles \
         fc rgb variable fs solid noborder title "circles", \
-    $circles index 0 using ($6 > 1 && $11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4) with circles lc rgb ink lw 1.4 fs empty \
+    $circles index 0 using ($6 > 1 && $11 == 0 ? x($2) : NaN):(V(1,$3)):@diameter with ellipses units xx lc rgb ink lw 1.4 fs empty \
         border lc rgb ink title "hit circles", \
-    $circles index 0 using ($6 < 2 ? x($2) : NaN):(V(1,$3)):(size[1]*$4) with circles lc rgb grey lw 1 dt 2 fs empty \
+    $circles index 0 using ($6 < 2 ? x($2) : NaN):(V(1,$3)):@diameter with ellipses units xx lc rgb grey lw 1 dt 2 fs empty \
         border lc rgb grey title "other circles", \
     $along using (x(low_x)):(on_ray):(x(high_x) - x(low_x)):(0) with vectors nohead lw 1 dt 3 lc rgb blue \
         title "line of the ray", \

@@ -39,7 +39,7 @@ plot $center using (U(1,$1)):(V(1,$2)):(size[1]*radius) with circles fc rgb surf
     $normal using @way with @arrow lc rgb green title "normal", \
     $normal using @tip:(math("n")) with labels right offset -0.8,0.5 tc rgb green title "n", \
     $seen using @tip with @ring lc rgb ink title "point", \
-    @step2 $center using @middle:(size[2]*3) with circles fs empty border lc rgb grey lw 1 title "loupe", \
+    @step2 $center using @middle:(size[2]*6):(size[2]*6) with ellipses units xx fs empty border lc rgb grey lw 1 title "loupe", \
     @step2 $center using (U(2,-3)):(V(2,0)):(size[2]*6):(0) with vectors nohead lw 1.8 lc rgb ink title "surface", \
     @step2 $center using @surface_label:("surface") with labels left tc rgb ink title "surface, label", \
     @step2 $center using @note_label:("not to scale") with labels tc rgb grey title "note", \
