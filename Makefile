@@ -237,7 +237,7 @@ setup: ## install what is missing (FOR=lecturer, instructor, contributor)
 
 include .make/tests.mk
 include .make/exercises.mk
-include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit/handout.mk)
+include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit/handout.mk .make/toolkit/lessons.mk)
 
 # ---- the habits of the house ------------------------------------------------------------------
 

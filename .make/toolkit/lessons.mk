@@ -1,0 +1,12 @@
+# lessons.mk - make lesson-figures: the figures that are committed, for readers who build nothing. Included
+# by the Makefile.
+LESSON_FIGURES := $(B)/tests/figures/lesson_figures
+$(LESSON_FIGURES): $(LESSON_FIGURES).o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^
+
+# Their test needs what compares them.
+check check-all check-long: $(LESSON_FIGURES)
+lesson-figures: $(DRAWN) $(LESSON_FIGURES) ## write the figures that the lessons show, and their words
+	@$(LESSON_FIGURES) --write $(FIGURES) $(CHAPTERS:%=chapters/%)
+.PHONY: lesson-figures

@@ -1,0 +1,202 @@
+// lesson_figures.c - the figures that the lessons show are those that the code draws.
+//
+//   lesson_figures FOLDER CHAPTER...           says what differs; exit status 1 if anything does
+//   lesson_figures --write FOLDER CHAPTER...   writes it afresh
+//
+// FOLDER has what draw_figures made: NAME.svg, NAME-dark.svg, NAME.txt. Each layout
+// CHAPTER/figures/NAME.gp has both pictures beside it, and CHAPTER/README.md shows them on a line
+// of its own, light and dark, with the words of NAME.txt for readers who do not see them.
+#include <glob.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_BYTES = 160000 };
+
+typedef struct {
+    char s[1000];
+} Path;
+
+static bool writing;
+static int differences;
+
+__attribute__((format(printf, 1, 2))) static Path path_of(const char *format, ...)
+{
+    Path path;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(path.s, sizeof path.s, format, list);
+    va_end(list);
+    return path;
+}
+
+__attribute__((format(printf, 1, 2))) static void differs(const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    vprintf(format, list);
+    va_end(list);
+    putchar('\n');
+    differences++;
+}
+
+// All of a file, for freeing; NULL if it cannot be read.
+static char *text_of(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    char *text = NULL, part[4096];
+    size_t size;
+    if (file == NULL)
+        return NULL;
+    FILE *copy = open_memstream(&text, &size);
+    for (size_t n; copy != NULL && (n = fread(part, 1, sizeof part, file)) > 0;)
+        fwrite(part, 1, n, copy);
+    fclose(file);
+    if (copy != NULL)
+        fclose(copy);
+    return text;
+}
+
+static void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "wb");
+    if (file == NULL || fputs(text, file) < 0 || fclose(file) != 0) {
+        perror(path);
+        exit(2);
+    }
+    printf("wrote %s\n", path);
+}
+
+// What is right becomes what is committed, or the difference is told.
+static void same(const char *path, const char *right, const char *remedy)
+{
+    char *text = text_of(path);
+    if (text == NULL || strcmp(text, right) != 0) {
+        if (writing)
+            write_text(path, right);
+        else
+            differs("%s %s: %s", path, text == NULL ? "is missing" : "is not what the code draws",
+                    remedy);
+    }
+    free(text);
+}
+
+// An <img> shows an SVG without anything from elsewhere, and runs nothing.
+static void stands_alone(const char *name, const char *svg)
+{
+    static const char *const forbidden[] = {
+        "<script", "<foreignObject", "href='http", "href=\"http", "@import", "url(", NULL};
+    for (int i = 0; forbidden[i] != NULL; i++)
+        if (strstr(svg, forbidden[i]) != NULL)
+            differs("%s.svg has '%s', which an <img> does not show", name, forbidden[i]);
+    if (strlen(svg) > MOST_BYTES)
+        differs("%s.svg has %zu bytes, which is more than %d", name, strlen(svg), MOST_BYTES);
+}
+
+// The line of a lesson that shows a figure, for freeing. A figure in words is its title, an empty
+// line, and sentences.
+static char *line_of(const char *name, const char *in_words)
+{
+    char *line = NULL;
+    size_t size;
+    FILE *out = open_memstream(&line, &size);
+    if (out == NULL)
+        exit(2);
+    fprintf(
+        out,
+        "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"figures/%s-dark.svg\">"
+        "<img alt=\"",
+        name);
+    const char *words = strchr(in_words, '\n');
+    for (words = words == NULL ? in_words : words + strspn(words, "\n"); *words != '\0'; words++)
+        if (*words == '\n')
+            fputs(words[1] == '\0' ? "" : " ", out);
+        else if (strchr("&<>\"", *words) != NULL)
+            fputs(*words == '&'   ? "&amp;"
+                  : *words == '<' ? "&lt;"
+                  : *words == '>' ? "&gt;"
+                                  : "&quot;",
+                  out);
+        else
+            putc(*words, out);
+    fprintf(out, "\" src=\"figures/%s.svg\"></picture>", name);
+    fclose(out);
+    return line;
+}
+
+// Each line of the lesson that shows the figure is what it should be, and there is one; returns the
+// lesson as it should be, for freeing.
+static char *shown(const char *chapter, char *lesson, const char *name, const char *right)
+{
+    Path here = path_of("src=\"figures/%s.svg\"", name);
+    char *new = NULL, *rest = lesson;
+    size_t size;
+    int found = 0;
+    FILE *out = open_memstream(&new, &size);
+    if (out == NULL)
+        exit(2);
+    for (char *line; (line = strsep(&rest, "\n")) != NULL;) {
+        bool shows = strstr(line, here.s) != NULL;
+        found += shows;
+        if (shows && !writing && strcmp(line, right) != 0)
+            differs("%s/README.md shows %s with other words than the figure's: make lesson-figures",
+                    chapter, name);
+        fprintf(out, "%s%s", shows ? right : line, rest == NULL ? "" : "\n");
+    }
+    fclose(out);
+    free(lesson);
+    if (found == 0)
+        differs("%s/README.md does not show the figure %s. Add a line:\n%s", chapter, name, right);
+    return new;
+}
+
+int main(int argc, char *argv[])
+{
+    writing = argc > 1 && strcmp(argv[1], "--write") == 0;
+    argv += writing;
+    argc -= writing;
+    if (argc < 3) {
+        fprintf(stderr, "Usage: lesson_figures [--write] FOLDER CHAPTER...\n");
+        return 2;
+    }
+    for (int i = 2; i < argc; i++) {
+        Path readme = path_of("%s/README.md", argv[i]);
+        char *lesson = text_of(readme.s), *before = text_of(readme.s);
+        glob_t layouts;
+        if (lesson == NULL || before == NULL) {
+            perror(readme.s);
+            return 2;
+        }
+        int none = glob(path_of("%s/figures/*.gp", argv[i]).s, 0, NULL, &layouts);
+        for (size_t k = 0; none == 0 && k < layouts.gl_pathc; k++) {
+            Path layout = path_of("%s", layouts.gl_pathv[k]);
+            *strrchr(layout.s, '.') = '\0';
+            const char *name = strrchr(layout.s, '/') + 1;
+            char *in_words = text_of(path_of("%s/%s.txt", argv[1], name).s);
+            for (int dark = 0; dark < 2; dark++) {
+                const char *theme = dark ? "-dark" : "";
+                char *svg = text_of(path_of("%s/%s%s.svg", argv[1], name, theme).s);
+                if (svg == NULL || in_words == NULL) {
+                    fprintf(stderr, "%s/%s%s.svg: not drawn\n", argv[1], name, theme);
+                    return 2;
+                }
+                stands_alone(name, svg);
+                same(path_of("%s%s.svg", layout.s, theme).s, svg, "make lesson-figures");
+                free(svg);
+            }
+            char *right = line_of(name, in_words);
+            lesson = shown(argv[i], lesson, name, right);
+            free(right);
+            free(in_words);
+        }
+        if (none == 0)
+            globfree(&layouts);
+        if (writing && strcmp(lesson, before) != 0)
+            write_text(readme.s, lesson);
+        free(lesson);
+        free(before);
+    }
+    return differences > 0;
+}
