@@ -1,5 +1,5 @@
-// 02-cameras.c - tests of exercise 02. Expected: the deck's camera, cameras worked by hand, and
-// that a camera taken apart along its own axes is found again.
+// 02-cameras.c - tests of exercise 02. Expected values: the deck's camera, cameras worked out by
+// hand, and cameras that are taken apart along their own axes and must be found again.
 #include "tests/02-cameras/support.h"
 
 // ---- eye and four vectors ----------------------------------------------------------------------
@@ -85,7 +85,7 @@ START_TEST(the_four_points_of_the_deck_give_its_camera)
 }
 END_TEST
 
-// By hand: the four vectors above, from the eye on.
+// By hand: the four vectors above, added to the eye.
 START_TEST(four_points_give_an_oblique_camera_of_either_hand)
 {
     vec3 in[] = {{3, -5, 7}, {3, 2.5, 8.5}, {9, -3.5, 11.5}, {1, 1.5, 10.5}, {7, -4.5, 13.5}};
@@ -225,7 +225,7 @@ END_TEST
 
 // ---- look-at: the cameras that it must find ----------------------------------------------------
 
-// Says what is given, and asks.
+// Says what is given, and calls the function.
 static CameraFault look(LookAt view, Handedness world, Camera *camera)
 {
     *camera = untouched();
@@ -245,7 +245,7 @@ static void look_finds(LookAt view, Handedness world, Camera expected)
     expect_found(fault, found, expected);
 }
 
-// The deck's, but for these.
+// The deck's, except for these.
 static LookAt deck_with(vec3 up, double width, double aspect)
 {
     return (LookAt){vec3_of(2, 2, -4), vec3_of(2, 2, 0), up, width, aspect};
@@ -267,7 +267,7 @@ static LookAt oblique_look_at(void)
     return (LookAt){vec3_of(3, -5, 7), vec3_of(5, -1, 11), vec3_of(2, 1, -2), 9, 3};
 }
 
-// What a camera looks at, with an up that leans towards the view or away from it.
+// A look-at that must give the camera; its up leans towards the view or away from it.
 static LookAt random_look_at(Camera c)
 {
     double lean = random_number(-2, 2), size = random_number(0.1, 9);
@@ -356,7 +356,7 @@ START_TEST(the_plane_passes_through_the_point_looked_at)
         vec3 eye = whole_numbers(), at = whole_numbers(), up = whole_numbers();
         LookAt view = {eye, at, up, 2, 1};
         if (vec3_length(vec3_cross(at - eye, up)) == 0)
-            continue; // there is no camera, by chance
+            continue; // by chance there is not a camera
         Camera found;
         CameraFault fault = look(view, i % 2 == 0 ? RIGHT_HANDED : LEFT_HANDED, &found);
         if (fault != CAMERA_OK)
@@ -376,8 +376,8 @@ START_TEST(the_look_at_of_any_camera_gives_it_back)
 }
 END_TEST
 
-// The law of scale: with eye, at and width k times as large the camera is; the length of up is
-// free.
+// The law of scale: with eye, at and width k times as large, the camera is k times as large; the
+// length of up is free.
 START_TEST(a_look_at_in_worlds_of_any_size_gives_the_camera)
 {
     enum { COUNT = 13 };
@@ -404,7 +404,7 @@ START_TEST(a_look_at_keeps_the_rays_to_twelve_digits)
 END_TEST
 
 // The cross product is then a hundred millionth long, and rounding shows: right must be made
-// perpendicular once more, or there is no camera. Extra: the deck's formula need not.
+// perpendicular once more, or the camera is refused. Extra: the deck's formula need not do that.
 START_TEST(up_may_be_almost_along_an_oblique_view)
 {
     for (int i = 0; i < 15; i++) {
@@ -433,7 +433,7 @@ static void look_refuses(LookAt view, int reasons)
     look_refuses_also(view, reasons, 0);
 }
 
-// The plane passes through the point looked at, so there is no distance either.
+// The plane passes through the point looked at, so the distance is 0 as well.
 START_TEST(looking_at_the_eye_itself_is_refused)
 {
     LookAt view = look_at_of_the_deck();
@@ -448,7 +448,7 @@ START_TEST(an_up_of_zero_is_refused)
 }
 END_TEST
 
-// Once in round numbers, then where rounding leaves a little to the side.
+// Once in round numbers, then with numbers whose rounding leaves a little to the side.
 static void look_refuses_an_up_along_the_view(double sign)
 {
     LookAt view = deck_with(vec3_of(0, 0, 5 * sign), 2, 1);
@@ -483,7 +483,7 @@ START_TEST(a_width_that_is_not_positive_is_refused)
 }
 END_TEST
 
-// By an aspect of 0 the height is infinite.
+// With an aspect of 0 the height is infinite.
 START_TEST(an_aspect_that_is_not_positive_is_refused)
 {
     look_refuses_also(deck_with_size(2, 0), HEIGHT, FINITE);
@@ -493,7 +493,7 @@ START_TEST(an_aspect_that_is_not_positive_is_refused)
 }
 END_TEST
 
-// From infinitely far above the view is along up, and so is an up that is infinite along the view.
+// From infinitely far above, the view is along up, and so is an up that is infinite along the view.
 START_TEST(a_look_at_whose_vectors_are_not_finite_is_refused)
 {
     for (int axis = 0; axis < 3; axis++) {
@@ -566,14 +566,14 @@ START_TEST(twice_as_far_away_is_twice_as_wide)
     for (int i = 0; i < 3; i++) {
         given_number("degrees", degrees[i]);
         given("distance", "6 and 3");
-        given("seen", "the width at 6, by the width at 3");
+        given("seen", "the width at 6, from the width at 3");
         expect_number(width_from_angle(degrees[i], 6) / width_from_angle(degrees[i], 3), 2,
                       TOLERANCE);
     }
 }
 END_TEST
 
-// There an arc and its tangent are the same to 20 digits.
+// At such angles an arc and its tangent are equal to 20 digits.
 START_TEST(under_a_very_small_angle_the_width_is_that_of_the_arc)
 {
     given_number("degrees", 1e-6);

@@ -1,4 +1,4 @@
-// composed.c - answers to exercise 02 that ask others of it.
+// composed.c - answers to exercise 02 that call other answers of it.
 #include "tests/proof/composed.h"
 
 #include "solutions/02-cameras.c"

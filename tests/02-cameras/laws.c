@@ -1,7 +1,7 @@
-// laws.c - the laws of exercise 02: a camera is given out where there is one; it is a camera;
-// and it is that of what was given.
+// laws.c - the laws of exercise 02: a camera is given if there is one; it is a valid camera; and it
+// is the camera of the arguments.
 //
-// Close to the border between a camera and none nothing is said: rounding may go either way.
+// Close to the border between valid and refused these laws are silent: rounding may go either way.
 #include "tests/02-cameras/laws.h"
 
 #include "common/text.h"
@@ -16,7 +16,7 @@ static bool differs(double yours, double expected, double size)
     return !(fabs(yours - expected) <= enough * size);
 }
 
-// Says both where they differ, with digits enough to see it.
+// Shows both if they differ, with enough digits to see it.
 static void same_vector(const char *what, vec3 yours, const char *other, vec3 expected, double size)
 {
     if (!differs(vec3_length(yours - expected), 0, size))
@@ -47,11 +47,11 @@ static void at_right_angles(const char *names, vec3 v, vec3 w)
                    number_text(vec3_dot(v, w)).s);
 }
 
-// What every camera is, and where this one must be.
+// What holds for every camera, and where this one must be.
 static void frame_from(vec3 eye, Camera c)
 {
     if (camera_check(c) == CAMERA_NOT_FINITE)
-        law_broken("a camera was given out in which a number is infinite or not a number");
+        law_broken("you gave a camera in which a number is infinite or NaN");
     unit("forward", c.forward);
     unit("right", c.right);
     unit("up", c.up);
@@ -69,7 +69,7 @@ static int bit(CameraFault fault, bool holds)
     return holds ? 1 << fault : 0;
 }
 
-// A contract: what is a camera by it, and the reasons that it knows, the more frequent first.
+// A contract: the camera that it describes, and the reasons that it lists, the more frequent first.
 typedef struct {
     const char *what_it_is, *reasons;
 } Contract;
@@ -81,9 +81,9 @@ static const Contract of_look_at = {
     "the view has a direction, an up, a width and an aspect",
     "CAMERA_NO_DIRECTION, _UP_ALONG_VIEW, _NO_WIDTH, _NO_HEIGHT, _NOT_FINITE"};
 
-// Whether there is no camera to look at, and with that all is said. Sure are the reasons that hold
-// without a doubt; those that may be given are more. All reasons of the contract are told together,
-// so that nobody learns of them one at a time.
+// Whether the camera must be refused; if so, nothing else is said. Sure are the reasons that hold
+// without a doubt; those that may be given are more. All reasons of the contract are listed
+// together, so that nobody learns of them one at a time.
 static bool is_settled(CameraFault yours, int sure, int may, Contract contract)
 {
     int first = 0;
@@ -92,23 +92,24 @@ static bool is_settled(CameraFault yours, int sure, int may, Contract contract)
     const char *true_reason = camera_fault_text((CameraFault)first);
 
     if ((int)yours < 0 || yours >= CAMERA_FAULTS)
-        law_broken("%d was returned, and is none of the reasons of common/camera.h", (int)yours);
+        law_broken("%d was returned, which is not one of the reasons in common/camera.h",
+                   (int)yours);
     else if (yours == CAMERA_OK && sure != 0)
-        law_broken("you gave out a camera where there is none. Have you a test for each of the "
-                   "reasons of this contract? They are %s",
+        law_broken("you gave a camera, but these arguments do not describe one. Do you test for "
+                   "each of the reasons of this contract? They are %s",
                    contract.reasons);
     else if (yours != CAMERA_OK && may == 0)
-        law_broken("it was refused ('%s'), but %s%s", camera_fault_text(yours), contract.what_it_is,
-                   yours <= CAMERA_NOT_PERPENDICULAR ? ": it is your frame that is wrong" : "");
+        law_broken("you refused it ('%s'), but %s%s", camera_fault_text(yours), contract.what_it_is,
+                   yours <= CAMERA_NOT_PERPENDICULAR ? ": your frame is wrong" : "");
     else if ((yours == CAMERA_NOT_UNIT || yours == CAMERA_NOT_PERPENDICULAR) &&
              (may >> yours & 1) == 0)
-        law_broken("%s is not a reason of this contract: camera_check says that of the frame that "
-                   "you made. Test what was given before you make a frame of it. The reasons are "
-                   "%s",
-                   yours == CAMERA_NOT_UNIT ? "CAMERA_NOT_UNIT" : "CAMERA_NOT_PERPENDICULAR",
-                   contract.reasons);
+        law_broken(
+            "%s is not a reason of this contract: camera_check found it in the frame that you "
+            "made. Test the arguments before you make a frame of them. The reasons are %s",
+            yours == CAMERA_NOT_UNIT ? "CAMERA_NOT_UNIT" : "CAMERA_NOT_PERPENDICULAR",
+            contract.reasons);
     else if (yours != CAMERA_OK && sure != 0 && (may >> yours & 1) == 0)
-        law_broken("it was refused because '%s'; but the reason is: %s", camera_fault_text(yours),
+        law_broken("you refused it because '%s'; but the reason is: %s", camera_fault_text(yours),
                    true_reason);
     return yours != CAMERA_OK || sure != 0;
 }
@@ -117,10 +118,10 @@ static bool is_settled(CameraFault yours, int sure, int may, Contract contract)
 
 static double cosine(vec3 v, vec3 w)
 {
-    return fabs(vec3_dot(v, w)) / (vec3_length(v) * vec3_length(w)); // NaN where one is 0
+    return fabs(vec3_dot(v, w)) / (vec3_length(v) * vec3_length(w)); // NaN if one is 0
 }
 
-// The reasons of four vectors: angles off by more than slack, lengths of at most tiny.
+// The reasons for four vectors: angles off by more than slack, lengths of at most tiny.
 static int reasons_of(vec3 eye, Corners v, double slack, double tiny)
 {
     vec3 top = v.upper_right - v.upper_left, bottom = v.lower_right - v.lower_left;
@@ -146,7 +147,7 @@ static int reasons_of(vec3 eye, Corners v, double slack, double tiny)
                                     fmax(cosine(left, middle), cosine(right, middle)) > slack);
 }
 
-// Corners are said as they were given: counted from the eye, or from the origin.
+// Corners are shown as they were given: counted from the eye, or from the origin.
 static void rectangle(CameraFault yours, vec3 eye, Corners v, const Camera *camera, vec3 from)
 {
     vec3 top = v.upper_right - v.upper_left, left = v.upper_left - v.lower_left;
@@ -163,15 +164,15 @@ static void rectangle(CameraFault yours, vec3 eye, Corners v, const Camera *came
     frame_from(eye, c);
     same_number("your d is", c.distance, "and the middle of the corners is ahead by",
                 vec3_length(middle));
-    same_number("your w is", c.width, "and the length of the upper edge", vec3_length(top));
-    same_number("your h is", c.height, "and the length of the left edge", vec3_length(left));
+    same_number("your w is", c.width, "and the length of the upper edge is", vec3_length(top));
+    same_number("your h is", c.height, "and the length of the left edge is", vec3_length(left));
     vec3 ahead = c.distance * c.forward, across = c.width / 2 * c.right, up = c.height / 2 * c.up;
     same_vector("your camera's upper left corner is at", from + ahead - across + up,
-                "and the one given at", from + v.upper_left, far);
+                "and the given one is at", from + v.upper_left, far);
     same_vector("your camera's upper right corner is at", from + ahead + across + up,
-                "and the one given at", from + v.upper_right, far);
+                "and the given one is at", from + v.upper_right, far);
     same_vector("your camera's lower left corner is at", from + ahead - across - up,
-                "and the one given at", from + v.lower_left, far);
+                "and the given one is at", from + v.lower_left, far);
 }
 
 void law_camera_from_vectors(CameraFault yours, vec3 eye, Corners vectors, Camera *camera)
@@ -196,7 +197,7 @@ void law_camera_from_corner(CameraFault yours, vec3 eye, vec3 lower_left, vec3 a
 
 // ---- look-at ----------------------------------------------------------------------------------
 
-// The reasons of a look-at: sines of at most slack between up and the view.
+// The reasons for a look-at: sines of at most slack between up and the view.
 static int reasons_of_view(LookAt view, double slack)
 {
     vec3 ahead = view.at - view.eye;
@@ -221,8 +222,8 @@ void law_camera_from_look_at(CameraFault yours, LookAt view, Handedness world, C
         return; // squares leave the range of a double
     int sure = reasons_of_view(view, 1e-12), may = reasons_of_view(view, 1e-6);
     if ((may >> CAMERA_UP_ALONG_VIEW & 1) == 1 && (sure >> CAMERA_UP_ALONG_VIEW & 1) == 0)
-        may |= bit(CAMERA_NOT_PERPENDICULAR, true); // as rounding may leave it
-    // True as well, though it is not what one would say first.
+        may |= bit(CAMERA_NOT_PERPENDICULAR, true); // as large as rounding may leave it
+    // Also true, though not the first reason one would give.
     may |= bit(CAMERA_NO_DISTANCE, distance == 0) |
            bit(CAMERA_NOT_FINITE, !isfinite(view.width / view.aspect));
     if (is_settled(yours, sure, may, of_look_at))
@@ -236,18 +237,17 @@ void law_camera_from_look_at(CameraFault yours, LookAt view, Handedness world, C
                 "and the point looked at is", view.at, distance + vec3_length(view.eye));
     double lean = vec3_dot(c.right, view.up) / up_length;
     if (vec3_dot(c.up, view.up) < 0)
-        law_broken("your up leads down: its dot product with the up given is %s",
+        law_broken("your up points down: its dot product with the given up is %s",
                    number_text(vec3_dot(c.up, view.up)).s);
     if (differs(lean, 0, 1))
-        law_broken("your camera is rolled: right is at %s degrees to the up given, not at 90",
+        law_broken("your camera is rolled: right is at %s degrees to the given up, not at 90",
                    number_text(acos(lean) * 180 / PI).s);
     bool is_left = vec3_dot(vec3_cross(c.right, c.up), c.forward) > 0;
     if (is_left != (world == LEFT_HANDED))
-        law_broken("your frame is that of a %s hand, and the world is %s: right is on the wrong "
-                   "side",
+        law_broken("your frame is %s-handed, and the world is %s: right is on the wrong side",
                    is_left ? "left" : "right", is_left ? "right-handed" : "left-handed");
-    same_number("your w is", c.width, "and the width given", view.width);
-    same_number("your h is", c.height, "and the aspect asks for", view.width / view.aspect);
+    same_number("your w is", c.width, "and the given width is", view.width);
+    same_number("your h is", c.height, "and the aspect requires", view.width / view.aspect);
 }
 
 // ---- width from angle -------------------------------------------------------------------------
@@ -261,5 +261,5 @@ void law_width_from_angle(double yours, double degrees, double distance)
         law_broken("an image plane has a positive width, not %s", number_text(yours).s);
     else if (fabs(angle - degrees) > enough * (degrees + 100 / distance))
         same_number("a plane as wide as yours is seen under an angle of", angle,
-                    "and the one given is", degrees);
+                    "and the given angle is", degrees);
 }

@@ -1,4 +1,5 @@
-// mistakes-corner.c - wrong answers to eye, lower left corner and two vectors.
+// mistakes-corner.c - wrong answers to camera_from_corner_vectors: eye, lower left corner and two
+// vectors.
 #include "tests/02-cameras/mistakes.h"
 
 static CameraFault taken_for_a_vector(vec3 eye, vec3 corner, vec3 across, vec3 up, Camera *camera)
@@ -38,7 +39,7 @@ static CameraFault edges_not_unit(vec3 eye, vec3 corner, vec3 across, vec3 up, C
     return give(reason(eye, v), c, camera);
 }
 
-// From forward and up, as in a look-at, and for one hand.
+// From forward and up, as in a look-at, and for one handedness.
 static CameraFault right_worked_out(vec3 eye, vec3 corner, vec3 across, vec3 up, Camera *camera)
 {
     Corners v = spanned(corner - eye, across, up);
@@ -130,63 +131,68 @@ static CameraFault stored_before_it_is_checked(vec3 eye, vec3 corner, vec3 acros
 const Mistake corner_mistakes[] = {
     MISTAKE("K-vector", camera_from_corner, taken_for_a_vector, "the lower left corner as a vector",
             "it is a point, counted from the origin, and the vectors of a camera start at the eye.",
-            "no picture, unless the eye is at the origin: it is refused"),
+            "no picture, unless the eye is at the origin: the camera is refused"),
     MISTAKE("K-upper", camera_from_corner, taken_for_the_upper_left,
             "upper left = the corner, lower left = the corner - up",
-            "the corner given is a lower one, and up leads up from it.",
-            "no picture: the plane is too low, and is refused"),
-    MISTAKE("K-middle", camera_from_corner, taken_for_the_middle, "d f = the corner - p",
-            "that leads to the lower left corner, and forward to the middle of the plane.",
-            "no picture: the plane is too low and too far left, and is refused"),
+            "the given corner is a lower one, and up leads up from it.",
+            "no picture: the plane is too low, and the camera is refused"),
+    MISTAKE(
+        "K-middle", camera_from_corner, taken_for_the_middle, "d f = the corner - p",
+        "this leads to the lower left corner, but forward must lead to the middle of the plane.",
+        "no picture: the plane is too low and too far left, and the camera is refused"),
     MISTAKE("K-swap", camera_from_corner, across_and_up_swapped, "w r = up, h u = across",
-            "across is the lower edge, from left to right.", "transposed: rows for columns"),
+            "across is the lower edge, from left to right.", "transposed: rows become columns"),
     MISTAKE("K-corners", camera_from_corner, vectors_taken_for_corners,
             "w r = across - the corner, h u = up - the corner",
             "across and up are the edges themselves, not the corners where they end.",
             "no picture: every camera is refused"),
     MISTAKE("K-unit", camera_from_corner, edges_not_unit, "r = across, u = up",
-            "the frame only says which way, so each of its vectors has length 1. How far is kept "
-            "in w and h.",
+            "the frame gives only directions, so each of its vectors has length 1. w and h hold "
+            "the lengths.",
             "no picture: every camera is refused as not unit"),
     MISTAKE("K-hand", camera_from_corner, right_worked_out, "r = u x f",
-            "that makes every frame left-handed. The lower edge says where right is, and may be of "
-            "either hand.",
+            "this makes every frame left-handed. The lower edge says where right is, and the "
+            "camera may have either handedness.",
             "every right-handed camera mirrored"),
     MISTAKE("K-square", camera_from_corner, height_of_the_width, "h = |across|",
-            "that is the width. Only a square has both alike.", "stretched in height"),
+            "this is the width. They are equal only if the plane is a square.",
+            "stretched in height"),
     MISTAKE("K-straight", camera_from_corner, up_made_perpendicular,
             "up made perpendicular to across",
             "that is for the up of a look-at, which may lean. Here up is an edge of the plane, and "
-            "one that leans makes no rectangle.",
-            "a picture, though the upper corners are not where you put them"),
-    MISTAKE("K-check", camera_from_corner, left_to_camera_check, "only what camera_check refuses",
-            "it sees your frame, and never the corner and edges: it cannot know whether the angle "
-            "between them or their place is wrong.",
+            "an edge that leans does not make a rectangle.",
+            "a picture, but its upper corners are not where you put them"),
+    MISTAKE("K-check", camera_from_corner, left_to_camera_check, "only the checks of camera_check",
+            "it sees only your frame, never the corner and the edges: it cannot know that the "
+            "angle between them or their place is wrong.",
             "refused, but for another reason"),
-    MISTAKE("K-ok", camera_from_corner, nothing_refused, "CAMERA_OK, always",
-            "any corner and two vectors make four corners, but not all of them are a rectangle "
-            "straight ahead.",
-            "a skewed picture of corners that are not a camera's"),
-    MISTAKE("K-lean", camera_from_corner, right_angle_not_checked, "any two vectors will do",
-            "where they are not at right angles they span a parallelogram, and that is no image "
-            "plane.",
-            "sheared, as through a leaning window"),
-    MISTAKE("K-axis", camera_from_corner, axis_not_checked, "a rectangle anywhere will do",
-            "f leads to its middle, but need not meet it at right angles there.",
+    MISTAKE(
+        "K-ok", camera_from_corner, nothing_refused, "CAMERA_OK, always",
+        "any corner and two vectors make four corners, but not always a rectangle straight ahead.",
+        "a skewed picture of corners that no camera has"),
+    MISTAKE("K-lean", camera_from_corner, right_angle_not_checked, "any two vectors are accepted",
+            "if they are not at right angles they span a parallelogram, and an image plane is a "
+            "rectangle.",
+            "sheared, as if through a leaning window"),
+    MISTAKE("K-axis", camera_from_corner, axis_not_checked, "a rectangle anywhere is accepted",
+            "f leads to its middle, but may not be perpendicular to it there.",
             "a skewed picture, as of a plane seen from the side"),
     MISTAKE("K-exact", camera_from_corner, right_angle_compared_exactly,
             "across . up == 0, exactly",
-            "rounding leaves 1e-17 or so where 0 is meant. CAMERA_TOLERANCE is what it may leave.",
-            "no picture where the numbers are not round: it is refused"),
+            "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may "
+            "leave.",
+            "no picture if the numbers are not round: the camera is refused"),
     MISTAKE("K-exact-axis", camera_from_corner, axis_compared_exactly,
             "r . f == 0 and u . f == 0, exactly",
-            "rounding leaves 1e-17 or so where 0 is meant. CAMERA_TOLERANCE is what it may leave.",
-            "no picture where the numbers are not round: it is refused"),
+            "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may "
+            "leave.",
+            "no picture if the numbers are not round: the camera is refused"),
     MISTAKE("K-exact-all", camera_from_corner, all_compared_exactly, "!= 0 in every comparison",
-            "rounding leaves 1e-17 or so where 0 is meant. CAMERA_TOLERANCE is what it may leave.",
-            "no picture where the numbers are not round: it is refused"),
+            "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may "
+            "leave.",
+            "no picture if the numbers are not round: the camera is refused"),
     MISTAKE("K-store", camera_from_corner, stored_before_it_is_checked, "stored, then checked",
-            "where it is refused, *camera must stay as it was, and is overwritten.",
-            "the camera from before lost"),
+            "if the camera is refused, *camera must stay as it was, but this overwrites it.",
+            "the previous camera is lost"),
     {0},
 };

@@ -1,6 +1,6 @@
-// mistakes-limits.c - right in part: cameras refused, or let through, by a limit of the author's
-// own, lengths held against a fixed number and not against each other; and slips in one of two
-// sizes.
+// mistakes-limits.c - right in part: cameras that are refused, or accepted, by a limit that the
+// author added, or because a length is compared with a fixed number instead of another length; and
+// slips in one of two sizes.
 #include "tests/02-cameras/mistakes.h"
 
 static const double tiny = 1e-6;
@@ -23,7 +23,7 @@ static vec3 gap_between_the_edges(Corners v)
     return v.upper_right - v.upper_left - (v.lower_right - v.lower_left);
 }
 
-// Right, but for how the gap is held against CAMERA_TOLERANCE.
+// Right, except for how the gap is compared with CAMERA_TOLERANCE.
 static CameraFault gap_as_a_length(vec3 eye, Corners v, Camera *camera)
 {
     Camera c = frame(eye, v);
@@ -134,60 +134,57 @@ static double small_angles_as_arcs(double degrees, double distance)
 }
 
 #define SMALL_WORLDS                                                                               \
-    "a length is not small in itself, only beside another one: there are worlds that are all "     \
+    "a length is not small in itself, only compared with another one: a whole world can be "       \
     "smaller than that."
 
 const Mistake camera_limit_mistakes[] = {
-    MISTAKE("V-tiny", camera_from_vectors, small_planes_refused, "refused where d, w or h < 1e-6",
+    MISTAKE("V-tiny", camera_from_vectors, small_planes_refused, "refused if d, w or h < 1e-6",
             SMALL_WORLDS, "no picture of tiny worlds"),
     MISTAKE("V-gap", camera_from_vectors, gap_as_a_length, "gap between the edges > 1e-9",
-            "how far the edges may differ depends on how long they are. In a large world rounding "
+            "how far the edges may differ depends on their length. In a large world rounding "
             "leaves more than that, and in a tiny one every shape passes.",
             "no picture of large worlds, and a wrong one of tiny ones"),
     MISTAKE("V-dot", camera_from_vectors, edges_dotted_not_unit,
-            "|across . up| > 1e-9, of edges as long as they are",
-            "a dot product grows with both lengths. Make the edges unit, or divide by the lengths, "
-            "and what is left is the angle.",
+            "|across . up| > 1e-9, with edges of any length",
+            "a dot product grows with both lengths. Normalise the edges, or divide by the lengths: "
+            "then only the angle is left.",
             "no picture of large worlds, and a wrong one of tiny ones"),
-    MISTAKE("V-half-w", camera_from_vectors, half_of_the_width,
-            "w = |upper right - upper left| / 2",
-            "the width goes from edge to edge, and so does the height, which is right.",
-            "everything twice as wide"),
-    MISTAKE("V-half-h", camera_from_vectors, half_of_the_height,
-            "h = |upper left - lower left| / 2",
-            "the height goes from edge to edge, and so does the width, which is right.",
-            "everything twice as high"),
-    MISTAKE("V-both", camera_from_vectors, width_for_both, "h = w",
-            "how high the plane is the left edge tells, from upper left to lower left.",
-            "right where the plane is a square; elsewhere squashed or stretched"),
+    MISTAKE(
+        "V-half-w", camera_from_vectors, half_of_the_width, "w = |upper right - upper left| / 2",
+        "the width goes from edge to edge. Your height already does.", "everything twice as wide"),
+    MISTAKE(
+        "V-half-h", camera_from_vectors, half_of_the_height, "h = |upper left - lower left| / 2",
+        "the height goes from edge to edge. Your width already does.", "everything twice as high"),
+    MISTAKE(
+        "V-both", camera_from_vectors, width_for_both, "h = w",
+        "the height of the plane is the length of the left edge, from upper left to lower left.",
+        "right if the plane is a square; if not, squashed or stretched"),
     MISTAKE("V-unit-r", camera_from_vectors, right_not_unit, "r = upper right - upper left",
-            "the frame only says which way, so each of its vectors has length 1. Up and forward "
-            "have.",
+            "the frame gives only directions, so each of its vectors has length 1. Your up and "
+            "forward have.",
             "everything squeezed, or no picture"),
     MISTAKE("V-unit-u", camera_from_vectors, up_not_unit, "u = upper left - lower left",
-            "the frame only says which way, so each of its vectors has length 1. Right and forward "
-            "have.",
+            "the frame gives only directions, so each of its vectors has length 1. Your right and "
+            "forward have.",
             "everything squeezed, or no picture"),
-    MISTAKE("F-tiny", camera_from_points, small_points_refused, "refused where d, w or h < 1e-6",
+    MISTAKE("F-tiny", camera_from_points, small_points_refused, "refused if d, w or h < 1e-6",
             SMALL_WORLDS, "no picture of tiny worlds"),
-    MISTAKE("K-tiny", camera_from_corner, small_edges_refused, "refused where d, w or h < 1e-6",
+    MISTAKE("K-tiny", camera_from_corner, small_edges_refused, "refused if d, w or h < 1e-6",
             SMALL_WORLDS, "no picture of tiny worlds"),
-    MISTAKE("L-tiny", camera_from_look_at, near_places_refused, "refused where |at - eye| < 1e-6",
+    MISTAKE("L-tiny", camera_from_look_at, near_places_refused, "refused if |at - eye| < 1e-6",
             SMALL_WORLDS, "no picture of tiny worlds"),
-    MISTAKE("L-w-tiny", camera_from_look_at, small_widths_refused, "refused where w < 1e-6",
+    MISTAKE("L-w-tiny", camera_from_look_at, small_widths_refused, "refused if w < 1e-6",
             SMALL_WORLDS, "no picture of tiny worlds"),
     MISTAKE("L12-tiny", camera_from_look_at, short_cross_products_refused,
-            "refused where |(at - eye) x up| < 1e-6",
-            "a cross product is short where its vectors are. Make them unit first, or divide by "
-            "their lengths: what is left is the sine of the angle between them.",
-            "no picture of tiny worlds, or where up is short"),
+            "refused if |(at - eye) x up| < 1e-6",
+            "a cross product is short if its vectors are short. Normalise them first, or divide by "
+            "their lengths: then only the sine of the angle is left.",
+            "no picture of tiny worlds, or if up is short"),
     MISTAKE("A-float", width_from_angle, width_in_float, "in float",
-            "a float keeps 7 digits, and the width is asked for to 9. Use double.",
-            "nothing amiss"),
-    MISTAKE(
-        "A-small", width_from_angle, small_angles_as_arcs, "the arc where the angle is below 1",
-        "under a small angle arc and tangent are nearly the same, but not to 9 digits. No angle "
-        "needs a case of its own.",
-        "nothing amiss"),
+            "a float has 7 digits, and the width needs 9. Use double.", "no visible difference"),
+    MISTAKE("A-small", width_from_angle, small_angles_as_arcs, "the arc if the angle is below 1",
+            "for a small angle arc and tangent are nearly the same, but not to 9 digits. No angle "
+            "needs a special case.",
+            "no visible difference"),
     {0},
 };

@@ -142,70 +142,73 @@ static CameraFault at_taken_for_a_direction(LookAt view, Handedness world, Camer
 }
 
 const Mistake look_at_mistakes[] = {
-    MISTAKE("L1", camera_from_look_at, forward_to_the_eye, "d f = eye - at",
-            "this leads from the point looked at back to the eye. You look the other way.",
-            "nothing, or what is behind you"),
+    MISTAKE(
+        "L1", camera_from_look_at, forward_to_the_eye, "d f = eye - at",
+        "this leads from the point looked at back to the eye. You look in the opposite direction.",
+        "nothing, or the scene behind you"),
     MISTAKE("L1-only", camera_from_look_at, only_forward_turned_round, "f = -f at the end",
-            "r and u are right, but f leads away from the point looked at. (OpenGL keeps -f as its "
-            "z axis; here f is ahead.)",
-            "what is behind you, mirrored"),
-    MISTAKE("L2", camera_from_look_at, hands_mixed_up, "both cross products the other way round",
-            "that is the camera of a world of the other hand: its right is your left.",
+            "r and u are right, but f leads away from the point looked at. (In OpenGL the z axis "
+            "is -f; here f points ahead.)",
+            "the scene behind you, mirrored"),
+    MISTAKE("L2", camera_from_look_at, hands_mixed_up, "both cross products in the other order",
+            "this is the camera of a world of the other handedness: its right is your left.",
             "mirrored: left and right swapped"),
     MISTAKE("L2-turned", camera_from_look_at, turned_by_180_degrees,
-            "the cross product for r the other way round",
+            "the cross product for r in the other order",
             "r then points to the left; and u, made from r, points down.", "turned by 180 degrees"),
     MISTAKE("L2-right", camera_from_look_at, always_right_handed, "r = f x up in either world",
-            "that is where right is in a right-handed world. In a left-handed one it is on the "
+            "this is right in a right-handed world. In a left-handed one, r must point to the "
             "other side.",
             "mirrored in a left-handed world, as the deck's is"),
     MISTAKE("L2-left", camera_from_look_at, always_left_handed, "r = up x f in either world",
-            "that is where right is in a left-handed world. In a right-handed one it is on the "
+            "this is right in a left-handed world. In a right-handed one, r must point to the "
             "other side.",
             "mirrored in a right-handed world"),
     MISTAKE("L2-down", camera_from_look_at, upside_down,
-            "the cross product for u the other way round",
-            "u then points away from the up that was given.", "upside down"),
+            "the cross product for u in the other order", "u then points away from the given up.",
+            "upside down"),
     MISTAKE("L2-up", camera_from_look_at, up_of_the_right_hand, "u = r x f in either world",
-            "r was turned round for the left-handed world, and this turns u round with it.",
+            "r was reversed for the left-handed world, and this reverses u as well.",
             "upside down in a left-handed world"),
-    MISTAKE("L3", camera_from_look_at, up_as_given, "u = up, as given",
-            "it may have any length, and lean towards the view. The frame's own up has length 1 "
-            "and is at right angles to f.",
-            "no picture, unless up fits by luck: it is refused"),
-    MISTAKE("L3-stored", camera_from_look_at, up_stored_as_given, "u = up, as given and unchecked",
-            "it may have any length, and lean towards the view. The frame's own up has length 1 "
-            "and is at right angles to f.",
-            "stretched or squashed in height, and skewed where the camera looks up or down"),
+    MISTAKE("L3", camera_from_look_at, up_as_given, "u = up, unchanged",
+            "up may have any length, and may lean towards the view. The frame's own up has length "
+            "1 and is perpendicular to f.",
+            "no picture, unless up fits by luck: the camera is refused"),
+    MISTAKE("L3-stored", camera_from_look_at, up_stored_as_given, "u = up, unchanged and unchecked",
+            "up may have any length, and may lean towards the view. The frame's own up has length "
+            "1 and is perpendicular to f.",
+            "stretched or squashed in height, and skewed if the camera looks up or down"),
     MISTAKE("L3-unit", camera_from_look_at, up_only_made_unit, "u = up / |up|",
-            "where the camera looks up or down, the up that was given leans towards the view: it "
-            "is not at right angles to f.",
-            "no picture where the camera looks up or down: it is refused"),
-    MISTAKE("L4", camera_from_look_at, right_not_unit, "r = the cross product, not made unit",
-            "a cross product is as long as the area between its vectors, and shrinks where up "
+            "if the camera looks up or down, the given up leans towards the view: it is not "
+            "perpendicular to f.",
+            "no picture if the camera looks up or down: the camera is refused"),
+    MISTAKE("L4", camera_from_look_at, right_not_unit, "r = the cross product, not normalised",
+            "the length of a cross product is the area between its vectors, and that shrinks if up "
             "leans.",
             "no picture, unless up fits by luck: it is refused as not unit"),
     MISTAKE("L4-stored", camera_from_look_at, right_stored_not_unit,
-            "r = the cross product, neither made unit nor checked",
-            "a cross product is as long as the area between its vectors, and shrinks where up "
+            "r = the cross product, neither normalised nor checked",
+            "the length of a cross product is the area between its vectors, and that shrinks if up "
             "leans.",
-            "stretched sideways where up leans, squashed where it is long"),
+            "stretched sideways if up leans, squashed if it is long"),
     MISTAKE("L4-forward", camera_from_look_at, forward_not_unit, "f = at - eye",
-            "that is d f. The frame only says which way, so f has length 1.",
+            "this is d f. The frame gives only directions, so f has length 1.",
             "no picture, unless d is 1: it is refused as not unit"),
     MISTAKE("L10", camera_from_look_at, aspect_upside_down, "h = w aspect",
-            "a picture of aspect 2 is wider than high, and this makes it higher than wide.",
+            "a picture of aspect 2 is wider than high, but this makes it higher than wide.",
             "circles become ellipses"),
     MISTAKE("L11", camera_from_look_at, aspect_ignored, "h = w",
-            "only a picture of aspect 1 is as high as it is wide.", "circles become ellipses"),
+            "a picture is as high as it is wide only if its aspect is 1.",
+            "circles become ellipses"),
     MISTAKE("L11-width", camera_from_look_at, width_taken_for_height, "w = width aspect, h = width",
-            "the aspect fits, but it is the width that is given, not the height.",
+            "the aspect is right, but the given width is the width, not the height.",
             "everything at the wrong size"),
-    MISTAKE("L-1", camera_from_look_at, distance_of_1, "d = 1",
-            "the image plane passes through the point looked at, however far that is.",
-            "too much: everything small, right only where d is 1"),
+    MISTAKE(
+        "L-1", camera_from_look_at, distance_of_1, "d = 1",
+        "the image plane passes through the point looked at, so d is the distance to that point.",
+        "too much: everything small, right only if d is 1"),
     MISTAKE("L-squared", camera_from_look_at, distance_squared, "d = (at - eye) . (at - eye)",
-            "that is the square of the length.", "too little: everything d times as big"),
+            "this is the square of the length.", "too little: everything d times as big"),
     MISTAKE("L-direction", camera_from_look_at, at_taken_for_a_direction, "d f = at",
             "at is a point, counted from the origin; the view starts at the eye.",
             "another part of the scene, unless the eye is at the origin"),

@@ -1,8 +1,8 @@
-// mistakes-unchecked.c - the commonest slips again, of those who have not written the refusals
-// yet: what is found is left to camera_check, or given out as it is.
+// mistakes-unchecked.c - the most common slips again, of authors who have not written the refusals
+// yet: they leave the checking to camera_check, or return the camera unchecked.
 #include "tests/02-cameras/mistakes.h"
 
-// From slip(what goes in), the camera as it is found.
+// From slip(arguments), the camera as it is found.
 #define VECTORS_UNCHECKED(slip)                                                                    \
     static CameraFault slip##_checked(vec3 eye, Corners v, Camera *camera)                         \
     {                                                                                              \
@@ -56,14 +56,13 @@ const Mistake vector_unchecked_mistakes[] = {
             "everything four times as big"),
     MISTAKE("V-edges-check", camera_from_vectors, edges_not_unit_checked,
             "r = upper right - upper left, u = upper left - lower left",
-            "the frame only says which way, so each of its vectors has length 1. How far is kept "
-            "in w and h.",
+            "the frame gives only directions, so each of its vectors has length 1. w and h hold "
+            "the lengths.",
             "no picture: every camera is refused as not unit"),
     MISTAKE("V-edges-store", camera_from_vectors, edges_not_unit_stored,
             "r = upper right - upper left, u = upper left - lower left",
-            "these are as long as the picture is wide and high, and w and h would count a second "
-            "time.",
-            "too much: right only where w and h are 1"),
+            "these are as long as the picture is wide and high, so w and h would count twice.",
+            "too much: right only if w and h are 1"),
     {0},
 };
 
@@ -108,7 +107,7 @@ static Camera aspect_upside_down(LookAt view, Handedness world)
     return c;
 }
 
-// As the cross product leaves it; and with it that of up.
+// As the cross product leaves it, and up as well.
 static Camera cross_not_unit(LookAt view, Handedness world)
 {
     Camera c = seen(view, world);
@@ -153,48 +152,50 @@ static CameraFault product_for_cross_refused(LookAt view, Handedness world, Came
 }
 
 #define NOT_UNIT(id, answer, picture)                                                              \
-    MISTAKE(                                                                                       \
-        id, camera_from_look_at, answer, "r = the cross product, not made unit, and u from it",    \
-        "a cross product is as long as the area between its vectors, and shrinks where up leans.", \
-        picture)
+    MISTAKE(id, camera_from_look_at, answer,                                                       \
+            "r = the cross product, not normalised, and u from it",                                \
+            "the length of a cross product is the area between its vectors, and that shrinks if "  \
+            "up leans.",                                                                           \
+            picture)
 #define PRODUCT(id, answer)                                                                        \
-    MISTAKE(id, camera_from_look_at, answer, "r = the unit of f * up",                             \
-            "v * w multiplies component by component, and what comes out is at right angles to "   \
+    MISTAKE(id, camera_from_look_at, answer, "r = f * up, normalised",                             \
+            "v * w multiplies component by component, and the result is perpendicular to "         \
             "neither. The cross product is vec3_cross.",                                           \
             "no picture, or one skewed beyond recognition")
 
 const Mistake look_at_unchecked_mistakes[] = {
-    MISTAKE("L1-check", camera_from_look_at, forward_to_the_eye_checked, "d f = eye - at",
-            "this leads from the point looked at back to the eye. You look the other way.",
-            "nothing, or what is behind you"),
+    MISTAKE(
+        "L1-check", camera_from_look_at, forward_to_the_eye_checked, "d f = eye - at",
+        "this leads from the point looked at back to the eye. You look in the opposite direction.",
+        "nothing, or the scene behind you"),
     MISTAKE("L2-check", camera_from_look_at, hands_mixed_up_checked,
-            "both cross products the other way round",
-            "that is the camera of a world of the other hand: its right is your left.",
+            "both cross products in the other order",
+            "this is the camera of a world of the other handedness: its right is your left.",
             "mirrored: left and right swapped"),
     MISTAKE("L2-right-check", camera_from_look_at, always_right_handed_checked,
             "r = f x up in either world",
-            "that is where right is in a right-handed world. In a left-handed one it is on the "
+            "this is right in a right-handed world. In a left-handed one, r must point to the "
             "other side.",
             "mirrored in a left-handed world, as the deck's is"),
     MISTAKE("L2-left-check", camera_from_look_at, always_left_handed_checked,
             "r = up x f in either world",
-            "that is where right is in a left-handed world. In a right-handed one it is on the "
+            "this is right in a left-handed world. In a right-handed one, r must point to the "
             "other side.",
             "mirrored in a right-handed world"),
-    MISTAKE("L3-check", camera_from_look_at, up_as_given_checked, "u = up, as given",
-            "it may have any length, and lean towards the view. The frame's own up has length 1 "
-            "and is at right angles to f.",
-            "no picture, unless up fits by luck: it is refused"),
+    MISTAKE("L3-check", camera_from_look_at, up_as_given_checked, "u = up, unchanged",
+            "up may have any length, and may lean towards the view. The frame's own up has length "
+            "1 and is perpendicular to f.",
+            "no picture, unless up fits by luck: the camera is refused"),
     MISTAKE("L10-check", camera_from_look_at, aspect_upside_down_checked, "h = w aspect",
-            "a picture of aspect 2 is wider than high, and this makes it higher than wide.",
+            "a picture of aspect 2 is wider than high, but this makes it higher than wide.",
             "circles become ellipses"),
     MISTAKE("L10-store", camera_from_look_at, aspect_upside_down_stored, "h = w aspect",
-            "a picture of aspect 2 is wider than high, and this makes it higher than wide.",
+            "a picture of aspect 2 is wider than high, but this makes it higher than wide.",
             "circles become ellipses"),
     NOT_UNIT("L4-check", cross_not_unit_checked,
              "no picture, unless up fits by luck: it is refused as not unit"),
-    NOT_UNIT("L4-store", cross_not_unit_stored, "stretched or squashed where up leans or is long"),
-    NOT_UNIT("L4-both", cross_not_unit_refused, "stretched or squashed where up leans or is long"),
+    NOT_UNIT("L4-store", cross_not_unit_stored, "stretched or squashed if up leans or is long"),
+    NOT_UNIT("L4-both", cross_not_unit_refused, "stretched or squashed if up leans or is long"),
     PRODUCT("L-product", product_for_cross_refused),
     PRODUCT("L-product-check", product_for_cross_checked),
     PRODUCT("L-product-store", product_for_cross_stored),

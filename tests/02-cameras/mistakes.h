@@ -1,7 +1,7 @@
 // mistakes.h - what the wrong answers to exercise 02 share.
 //
 // Most are a right answer with one thing wrong, so a right answer comes first, in steps that can go
-// wrong one by one: the numbers, never checked; the reason why they are no camera; giving it out.
+// wrong one by one: the numbers, never checked; the reason to refuse them; storing the result.
 #ifndef TESTS_02_CAMERAS_MISTAKES_H
 #define TESTS_02_CAMERAS_MISTAKES_H
 
@@ -13,7 +13,7 @@ extern const Mistake vector_mistakes[], vector_refusal_mistakes[], point_mistake
     corner_mistakes[], look_at_mistakes[], look_at_refusal_mistakes[], vector_unchecked_mistakes[],
     look_at_unchecked_mistakes[], camera_limit_mistakes[];
 
-// Without a look at what is given out.
+// Without a check of the result.
 static inline CameraFault store(CameraFault fault, Camera found, Camera *camera)
 {
     if (fault == CAMERA_OK)
@@ -21,7 +21,7 @@ static inline CameraFault store(CameraFault fault, Camera found, Camera *camera)
     return fault;
 }
 
-// As the blank's give: what camera_check finds is refused, too.
+// As the blanks do: a camera in which camera_check finds a fault is refused as well.
 static inline CameraFault give(CameraFault fault, Camera found, Camera *camera)
 {
     return store(fault != CAMERA_OK ? fault : camera_check(found), found, camera);
@@ -55,7 +55,7 @@ static inline Camera frame(vec3 eye, Corners v)
                     .height = vec3_length(up)};
 }
 
-// What makes a gap of it: how far the lower edge differs from the upper, for its size.
+// The length that makes a gap: how far the lower edge differs from the upper, for its size.
 static inline double gap_of(Corners v)
 {
     vec3 across = v.upper_right - v.upper_left;
@@ -64,7 +64,7 @@ static inline double gap_of(Corners v)
     return size > 0 ? gap / size : gap;
 }
 
-// To the last bit: NaN and what rounding leaves are not 0.
+// To the last bit: NaN and the remains of rounding are not 0.
 static inline bool is_exact_rectangle(Corners v, Camera c)
 {
     return gap_of(v) == 0 && vec3_dot(c.right, c.up) == 0;
@@ -75,7 +75,7 @@ static inline bool is_exactly_ahead(Camera c)
     return vec3_dot(c.right, c.forward) == 0 && vec3_dot(c.up, c.forward) == 0;
 }
 
-// NaN is not off: that is for those to find who look for what is not finite.
+// NaN is not off: the checks for numbers that are not finite must find it.
 static inline bool is_off(double x)
 {
     return fabs(x) > CAMERA_TOLERANCE;
@@ -104,7 +104,7 @@ static inline bool is_faulty(CameraFault fault, vec3 eye, Corners v)
     }
 }
 
-// The first reason, but for one that is forgotten (CAMERA_OK: none is).
+// The first reason, except for one that is forgotten (CAMERA_OK: none is).
 static inline CameraFault reason_but(CameraFault forgotten, vec3 eye, Corners v)
 {
     for (CameraFault fault = CAMERA_NOT_FINITE; fault < CAMERA_FAULTS; fault++)
@@ -141,7 +141,7 @@ static inline Camera seen(LookAt view, Handedness world)
                     .height = view.width / view.aspect};
 }
 
-// The first reason, but for one that is forgotten (CAMERA_OK: none is).
+// The first reason, except for one that is forgotten (CAMERA_OK: none is).
 static inline CameraFault view_reason_but(CameraFault forgotten, LookAt view)
 {
     vec3 ahead = view.at - view.eye, sideways = vec3_cross(ahead, view.up);

@@ -1,5 +1,5 @@
-// probes.c - calls that tell mistakes of exercise 02 apart: any cameras in each form, of both
-// hands, and some that are none.
+// probes.c - calls that distinguish the mistakes of exercise 02: any cameras in each form, of both
+// handednesses, and some that must be refused.
 #include "tests/02-cameras/support.h"
 
 #include "tests/judge/suspects.h"
@@ -21,7 +21,7 @@ static Corners corners_of(Camera c)
                      .lower_right = corner(c, 1, -1)};
 }
 
-// What *camera holds before is another camera each time.
+// *camera holds another camera before each call.
 static void ask(Form form, Camera c, Corners from_the_eye)
 {
     Corners v = from_the_eye, points = {v.upper_left + c.origin, v.upper_right + c.origin,
@@ -107,8 +107,8 @@ static double any_scale(void)
     return pow(10, random_number(-9, 6));
 }
 
-// Straight ahead, and no rectangle: sheared, leaning, one corner elsewhere, or bent; and rectangles
-// that are only aside, too high, or turned. In worlds of any size.
+// Straight ahead, but not a rectangle: sheared, leaning, one corner elsewhere, or bent; and
+// rectangles that are only shifted to the side or up, or turned. In worlds of any size.
 static Corners spoilt_alone(Camera c, int i)
 {
     Corners v = corners_of(c);
@@ -166,7 +166,7 @@ static void ask_of_slender_planes(Form form)
     }
 }
 
-// An eye on its own axis: what is meant as points would do as vectors, too.
+// An eye on its own axis: then points could also be read as vectors.
 static void ask_from_the_axis(Form form)
 {
     for (int i = 0; i < MANY; i++) {

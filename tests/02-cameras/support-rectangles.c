@@ -1,5 +1,5 @@
-// support-rectangles.c - eye and four vectors, eye and four points, and eye, corner and two
-// vectors are three ways to give one rectangle, so each is asked for the same rectangles.
+// support-rectangles.c - eye and four vectors, eye and four points, and eye, corner and two vectors
+// are three ways to give one rectangle, so each is called with the same rectangles.
 #include "tests/02-cameras/support.h"
 
 enum { MOST_PARTS = 5 };
@@ -9,7 +9,7 @@ static int parts_of(Form form)
     return form == CORNER ? 4 : 5;
 }
 
-// Says what is given, and asks.
+// Says what is given, and calls the function.
 static CameraFault ask(Form form, const vec3 *in, Camera *camera)
 {
     *camera = untouched();
@@ -65,7 +65,8 @@ void finds(Form form, const vec3 *in, Camera expected)
     expect_found(fault, found, expected);
 }
 
-// Some large and some small: rounding grows with the numbers, so a rectangle is one by its size.
+// Some large and some small: rounding grows with the numbers, so the tolerance for a rectangle
+// depends on its size.
 void finds_random_cameras(Form form)
 {
     for (int i = 0; i < 15; i++) {
@@ -105,10 +106,10 @@ void keeps_the_rays(Form form)
     }
 }
 
-// Vectors that lead to no camera: upper left, upper right, lower left, lower right. The eye may be
-// called off the axis of four corners whose edges or whose middle are not straight ahead, and an
-// eye in the very middle is not behind it. A line or a point may be called no rectangle. A test
-// ends at the first that is let through, so first comes one that half a check refuses.
+// Vectors that do not give a camera: upper left, upper right, lower left, lower right. If the edges
+// or the middle of the corners are not straight ahead, the reason may also be 'off the axis'; an
+// eye in the very middle is not off the axis. A line or a point may be refused as not a rectangle.
+// A test ends at the first that is accepted, so the first one is one that half a check refuses.
 static const struct {
     const char *what;
     vec3 vectors[4];
@@ -122,50 +123,50 @@ static const struct {
     {"a parallelogram that leans by a ten millionth",
      {{-1.0000001, 1, 4}, {0.9999999, 1, 4}, {-0.9999999, -1, 4}, {1.0000001, -1, 4}},
      RECTANGLE},
-    {"a rectangle but for one corner, astray",
+    {"a rectangle except for one corner",
      {{-1.5, 1, 4}, {0.5, 1, 4}, {-1.5, -1, 4}, {2.5, -1, 4}},
      RECTANGLE | AXIS},
-    {"a rectangle but for one corner, hardly astray",
+    {"a rectangle except for one corner, slightly moved",
      {{-1, 1, 4}, {1, 1, 4}, {-1, -1, 4}, {1.001, -1, 4}},
      RECTANGLE | AXIS},
-    {"a rectangle, far away, but for one corner, a millionth astray",
+    {"a rectangle, far away, except for one corner, moved by a millionth",
      {{-1, 1, 1000}, {1, 1, 1000}, {-1, -1, 1000}, {1.000001, -1, 1000}},
      RECTANGLE | AXIS},
-    {"a rectangle but for its upper left corner",
+    {"a rectangle except for its upper left corner",
      {{-1.5, 1, 4}, {1, 1, 4}, {-1, -1, 4}, {1, -1, 4}},
      RECTANGLE | AXIS},
-    {"a rectangle but for its upper right corner",
+    {"a rectangle except for its upper right corner",
      {{-1, 1, 4}, {1, 1.5, 4}, {-1, -1, 4}, {1, -1, 4}},
      RECTANGLE | AXIS},
-    {"a rectangle but for its lower left corner",
+    {"a rectangle except for its lower left corner",
      {{-1, 1, 4}, {1, 1, 4}, {-1.5, -1.5, 4}, {1, -1, 4}},
      RECTANGLE | AXIS},
-    {"a rectangle but for one corner, bent back",
+    {"a rectangle except for one corner, bent back",
      {{-1, 1, 4}, {1, 1, 4}, {-1, -1, 4}, {1, -1, 5}},
      RECTANGLE | AXIS},
-    {"a rectangle, its lower corners swapped",
+    {"a rectangle with its lower corners swapped",
      {{-1, 1, 4}, {1, 1, 4}, {1, -1, 4}, {-1, -1, 4}},
      RECTANGLE},
     // Opposite edges are of equal length, and so are the diagonals.
     {"a saddle", {{-1, 1, 5}, {1, 1, 3}, {-1, -1, 3}, {1, -1, 5}}, RECTANGLE | AXIS},
 
-    {"a rectangle above and aside", {{0, 2, 4}, {2, 2, 4}, {0, 0, 4}, {2, 0, 4}}, AXIS},
-    {"a rectangle aside", {{0, 1, 4}, {2, 1, 4}, {0, -1, 4}, {2, -1, 4}}, AXIS},
-    {"a rectangle hardly aside",
+    {"a rectangle above and to the side", {{0, 2, 4}, {2, 2, 4}, {0, 0, 4}, {2, 0, 4}}, AXIS},
+    {"a rectangle to the side", {{0, 1, 4}, {2, 1, 4}, {0, -1, 4}, {2, -1, 4}}, AXIS},
+    {"a rectangle slightly to the side",
      {{-1.001, 1, 4}, {0.999, 1, 4}, {-1.001, -1, 4}, {0.999, -1, 4}},
      AXIS},
-    {"a rectangle aside by four ten millionths",
+    {"a rectangle to the side by four ten millionths",
      {{-1.0000004, 1, 4}, {0.9999996, 1, 4}, {-1.0000004, -1, 4}, {0.9999996, -1, 4}},
      AXIS},
     {"a rectangle below by four ten millionths",
      {{-1, 0.9999996, 4}, {1, 0.9999996, 4}, {-1, -1.0000004, 4}, {1, -1.0000004, 4}},
      AXIS},
     {"a rectangle above", {{-1, 2, 4}, {1, 2, 4}, {-1, 0, 4}, {1, 0, 4}}, AXIS},
-    {"a rectangle hardly below",
+    {"a rectangle slightly below",
      {{-1, 0.999, 4}, {1, 0.999, 4}, {-1, -1.001, 4}, {1, -1.001, 4}},
      AXIS},
     {"a rectangle that leans back", {{-1, 1, 5}, {1, 1, 5}, {-1, -1, 3}, {1, -1, 3}}, AXIS},
-    {"a rectangle turned aside", {{-1, 1, 3}, {1, 1, 5}, {-1, -1, 3}, {1, -1, 5}}, AXIS},
+    {"a rectangle turned to the side", {{-1, 1, 3}, {1, 1, 5}, {-1, -1, 3}, {1, -1, 5}}, AXIS},
 
     {"a rectangle around the eye",
      {{-1, 1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, -1, 0}},
@@ -174,21 +175,21 @@ static const struct {
     {"the eye itself, four times",
      {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
      DISTANCE | WIDTH | HEIGHT | RECTANGLE | AXIS},
-    {"a line upright", {{0, 1, 4}, {0, 1, 4}, {0, -1, 4}, {0, -1, 4}}, WIDTH | RECTANGLE},
+    {"a vertical line", {{0, 1, 4}, {0, 1, 4}, {0, -1, 4}, {0, -1, 4}}, WIDTH | RECTANGLE},
     {"one point, four times",
      {{0, 0, 4}, {0, 0, 4}, {0, 0, 4}, {0, 0, 4}},
      WIDTH | HEIGHT | RECTANGLE},
     {"a triangle", {{0, 1, 4}, {0, 1, 4}, {-1, -1, 4}, {1, -1, 4}}, WIDTH | RECTANGLE},
-    {"a line across", {{-1, 0, 4}, {1, 0, 4}, {-1, 0, 4}, {1, 0, 4}}, HEIGHT | RECTANGLE},
+    {"a horizontal line", {{-1, 0, 4}, {1, 0, 4}, {-1, 0, 4}, {1, 0, 4}}, HEIGHT | RECTANGLE},
 };
 
-// A corner and two vectors cannot say anything else.
+// A corner and two vectors can give no other shapes.
 static bool is_parallelogram(const vec3 *corners)
 {
     return vec3_length(corners[1] - corners[0] - (corners[3] - corners[2])) == 0;
 }
 
-// In a world of that size: the eye's coordinates and all lengths are so many times as large.
+// In a world of that size: the eye's coordinates and all lengths are multiplied by it.
 static void refuses_one(Form form, size_t shape, double size)
 {
     vec3 in[MOST_PARTS], vectors[4];
@@ -232,10 +233,10 @@ void refuses_what_was_pushed(Form form)
             vec3 upper, lower, lower_right; // how far these are pushed, the last one more
             int reasons;
         } pushes[] = {
-            {"a rectangle pushed aside", aside, aside, 0 * aside, AXIS},
-            {"a rectangle pushed to a parallelogram", aside, -aside, 0 * aside, RECTANGLE},
+            {"a rectangle pushed to the side", aside, aside, 0 * aside, AXIS},
+            {"a rectangle pushed into a parallelogram", aside, -aside, 0 * aside, RECTANGLE},
             {"a rectangle pushed until it leans", ahead, -ahead, 0 * aside, AXIS},
-            {"a rectangle, one corner pushed", 0 * aside, 0 * aside, aside, RECTANGLE | AXIS},
+            {"a rectangle with one corner pushed", 0 * aside, 0 * aside, aside, RECTANGLE | AXIS},
         };
         int push = i % (form == CORNER ? 3 : 4);
         vec3 vectors[4], in[MOST_PARTS];
@@ -250,8 +251,8 @@ void refuses_what_was_pushed(Form form)
     }
 }
 
-// Corners that are nowhere or infinitely far away are not those of a rectangle straight ahead; nor
-// are points, for an eye that is.
+// Corners that are NaN or infinitely far away are not those of a rectangle straight ahead; nor are
+// points seen from such an eye.
 void refuses_what_is_not_finite(Form form)
 {
     for (int part = 0; part < parts_of(form); part++)

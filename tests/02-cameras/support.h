@@ -11,15 +11,15 @@
 
 // ---- cameras ----------------------------------------------------------------------------------
 
-// The camera of the tests of exercise 01, left-handed: no two numbers alike, nothing 0 or 1.
+// The camera of the tests of exercise 01, left-handed: no two numbers are equal, none is 0 or 1.
 Camera oblique_camera(void);
-// The same picture, mirrored: the other hand.
+// The same picture, mirrored: the other handedness.
 Camera mirrored(Camera c);
-// What *camera holds before the call, and still holds after a refusal.
+// The value of *camera before the call, and still after a refusal.
 Camera untouched(void);
-// The deck's a few times, then others.
+// The deck's camera a few times, then others.
 Camera camera_number(int i);
-// The i-th of count cameras in worlds of any size, from 1e-9 to 1e9, and how large that is.
+// The i-th of count cameras in worlds of any size, from 1e-9 to 1e9, and how large that world is.
 Camera camera_of_any_size(int i, int count, double *size);
 Normalized random_place(void);
 
@@ -31,9 +31,9 @@ void expect_found_of_size(CameraFault fault, Camera found, Camera expected, doub
 // The rays through one place of the plane, and from the same eye: to twelve digits.
 void expect_same_ray_through(Normalized place, CameraFault fault, Camera yours, Camera same);
 
-// Reasons, a bit for each: where more than one is true, any of them may be given. A test says first
-// the one that it is about, since that is shown to whoever gives none; then those that are true
-// too.
+// Reasons, a bit for each: if more than one is true, any of them may be given. A test lists first
+// the one that it is about, since that is shown to a student who gives none; then those that are
+// also true.
 enum {
     FINITE = 1 << CAMERA_NOT_FINITE,
     DISTANCE = 1 << CAMERA_NO_DISTANCE,
@@ -57,20 +57,21 @@ double not_finite(int i);
 // CORNER: eye, lower left, across, up.
 typedef enum { VECTORS, POINTS, CORNER } Form;
 
-// Asks for these numbers.
+// Calls with these numbers.
 void finds(Form form, const vec3 *in, Camera expected);
-// Asks for random cameras of both hands, taken apart.
+// Calls with random cameras of both handednesses, taken apart.
 void finds_random_cameras(Form form);
 void keeps_the_rays(Form form);
-// Asks for each rectangle that is none, or not straight ahead, and whose first reason is of these.
+// Calls with each shape that is not a rectangle, or not straight ahead, and whose first reason is
+// one of these.
 void refuses(Form form, int reasons);
-// Asks for the rectangles of random cameras, pushed out of shape or place.
+// Calls with the rectangles of random cameras, pushed out of shape or place.
 void refuses_what_was_pushed(Form form);
-// The laws of scale: asks for cameras in worlds of any size; and again for rectangles that are
-// none, in a tiny world and in an enormous one.
+// The laws of scale: calls with cameras in worlds of any size; and again with shapes that must be
+// refused, in a tiny world and in an enormous one.
 void finds_cameras_of_any_size(Form form);
 void refuses_in_worlds_of_any_size(Form form);
-// Asks for each number in turn not finite, in what is otherwise the deck's camera.
+// Calls with each number in turn not finite, and all others those of the deck's camera.
 void refuses_what_is_not_finite(Form form);
 
 #endif

@@ -1,9 +1,9 @@
-// unknown.c - wrong answers to exercise 02 that are no known mistake.
+// unknown.c - wrong answers to exercise 02 that are not known mistakes.
 #include "tests/proof/unknown.h"
 #include "exercises/02-cameras.h"
 
-// Asks whether the diagonals are equal, which they are in other quadrilaterals, too, and leaves the
-// rest to camera_check.
+// Checks whether the diagonals are equal, which is true of other quadrilaterals as well, and leaves
+// the rest to camera_check.
 static CameraFault by_diagonals(vec3 eye, Corners v, Camera *camera)
 {
     vec3 across = v.upper_right - v.upper_left, up = v.upper_left - v.lower_left;
@@ -31,7 +31,7 @@ static CameraFault by_diagonals(vec3 eye, Corners v, Camera *camera)
     return fault;
 }
 
-// Ends as no rectangle ahead, whatever goes in.
+// Refuses everything as not a rectangle.
 static CameraFault behind_its_edge(vec3 eye, vec3 lower_left, vec3 across, vec3 up, Camera *camera)
 {
     (void)eye;
@@ -59,7 +59,7 @@ static double radians_twice(double degrees, double distance)
     return width_from_angle(degrees * 3.14159265358979323846 / 180, distance);
 }
 
-// Looks for reasons in another order than the reference. That is free, and not a second mistake.
+// Looks for reasons in another order than the reference. That is allowed, and not a second mistake.
 static CameraFault height_times_aspect(LookAt view, Handedness world, Camera *camera)
 {
     vec3 ahead = view.at - view.eye, up = vec3_unit(view.up);
@@ -87,10 +87,10 @@ const Unknown unknowns[] = {
     UNKNOWN(camera_from_vectors, by_diagonals,
             NOBODY " CAMERA_NOT_PERPENDICULAR is not a reason of this contract",
             "equal diagonals, and camera_check"),
-    UNKNOWN(camera_from_corner, behind_its_edge, NOBODY " it was refused", "never a camera"),
+    UNKNOWN(camera_from_corner, behind_its_edge, NOBODY " you refused it", "never a camera"),
     UNKNOWN(camera_from_vectors, forward_by_up_and_right, NOBODY, "f = u x r"),
     UNKNOWN(camera_from_look_at, height_not_set, NOBODY " height of *camera was never set",
             "height as it was"),
-    UNKNOWN(width_from_angle, radians_twice, NOBODY, "degrees made radians twice"),
+    UNKNOWN(width_from_angle, radians_twice, NOBODY, "degrees converted to radians twice"),
     {0},
 };

@@ -1,4 +1,4 @@
-// variants.c - right answers to exercise 02, written otherwise.
+// variants.c - right answers to exercise 02, written in other ways.
 #include "exercises/02-cameras.h"
 
 #include "tests/proof/variants.h"
@@ -18,7 +18,8 @@ static bool at_right_angles(vec3 v, vec3 w)
 
 // ---- rectangles -------------------------------------------------------------------------------
 
-// The middle between two corners opposite; that the other two have the same makes a parallelogram.
+// The middle between two opposite corners; if the other two have the same middle, it is a
+// parallelogram.
 static CameraFault by_diagonals(vec3 eye, Corners points, Camera *camera)
 {
     vec3 middle = (points.lower_left + points.upper_right) / 2;
@@ -63,7 +64,7 @@ static CameraFault vectors_as_points(vec3 eye, Corners v, Camera *camera)
     return by_diagonals(eye, points, camera);
 }
 
-// Forward is the normal, and d how far the plane is along it: no mean is needed for these.
+// Forward is the normal, and d how far the plane is along it: this needs no mean.
 static CameraFault along_the_normal(vec3 eye, Corners v, Camera *camera)
 {
     vec3 top = v.upper_right - v.upper_left, right = v.upper_right - v.lower_right;
@@ -91,7 +92,8 @@ static CameraFault along_the_normal(vec3 eye, Corners v, Camera *camera)
                 camera);
 }
 
-// Comparisons that NaN does not pass: corners that are not finite, or coincide, are no rectangle.
+// Comparisons that are false for NaN: corners that are not finite, or coincide, do not make a
+// rectangle.
 static bool unit_at_right_angles(vec3 v, vec3 w)
 {
     return fabs(vec3_dot(vec3_unit(v), vec3_unit(w))) <= CAMERA_TOLERANCE;
@@ -169,11 +171,12 @@ static CameraFault equal_diagonals(vec3 eye, Corners v, Camera *camera)
         return w == 0 ? CAMERA_NO_WIDTH : CAMERA_NO_HEIGHT;
     if (d == 0)
         return CAMERA_NO_DISTANCE;
-    // What the diagonals differ by is a length: beside an edge it is the cosine of the angle.
+    // The difference of the diagonals is a length: compared with an edge, it is the cosine of the
+    // angle.
     if (vec3_length(apart) > CAMERA_TOLERANCE * size ||
         fabs(vec3_dot(falling, falling) - vec3_dot(rising, rising)) > CAMERA_TOLERANCE * w * h)
         return CAMERA_NO_RECTANGLE;
-    // And so do the ways to corners opposite.
+    // And so do the vectors to opposite corners.
     if (!at_right_angles(middle, right) || !at_right_angles(middle, up))
         return CAMERA_OFF_AXIS;
     return give((Camera){eye, right / w, up / h, middle / d, d, w, h}, camera);
@@ -240,12 +243,12 @@ static CameraFault up_without_forward(LookAt view, Handedness world, Camera *cam
     if (vec3_length(up) <= CAMERA_TOLERANCE * vec3_length(view.up))
         return CAMERA_UP_ALONG_VIEW;
     up = vec3_unit(up);
-    up = vec3_unit(up - vec3_dot(up, f) * f); // once more, for what rounding left
+    up = vec3_unit(up - vec3_dot(up, f) * f); // once more, against rounding
     vec3 r = world == RIGHT_HANDED ? vec3_cross(f, up) : vec3_cross(up, f);
     return give((Camera){view.eye, r, up, f, d, view.width, view.width / view.aspect}, camera);
 }
 
-// In a left-handed world right is on the other side, and all else is the same.
+// In a left-handed world right is on the other side, and everything else is the same.
 static CameraFault mirrored_for_the_left_hand(LookAt view, Handedness world, Camera *camera)
 {
     Camera c = {.origin = view.eye, .width = view.width, .height = view.width / view.aspect};
@@ -264,7 +267,7 @@ static CameraFault mirrored_for_the_left_hand(LookAt view, Handedness world, Cam
     return view.aspect == 0 ? CAMERA_NO_HEIGHT : give(c, camera);
 }
 
-// Own checks only for what camera_check cannot know; the distance is one that it can.
+// Own checks only for faults that camera_check cannot know; it can know the distance.
 static CameraFault the_rest_left_to_camera_check(LookAt view, Handedness world, Camera *camera)
 {
     vec3 f = vec3_unit(view.at - view.eye), unit_up = vec3_unit(view.up);
@@ -279,7 +282,7 @@ static CameraFault the_rest_left_to_camera_check(LookAt view, Handedness world, 
     return give((Camera){view.eye, r, u, f, d, view.width, view.width / view.aspect}, camera);
 }
 
-// As gluLookAt has it: z leads backwards, x = up x z, y = z x x.
+// As in gluLookAt: z points backwards, x = up x z, y = z x x.
 static CameraFault with_z_backwards(LookAt view, Handedness world, Camera *camera)
 {
     vec3 back = view.eye - view.at;
@@ -301,7 +304,7 @@ static CameraFault with_z_backwards(LookAt view, Handedness world, Camera *camer
                 camera);
 }
 
-// The left hand sees in a mirror what the right hand sees.
+// A left-handed world is the mirror image of a right-handed one.
 static CameraFault by_recursion(LookAt view, Handedness world, Camera *camera)
 {
     if (world == RIGHT_HANDED)
@@ -315,7 +318,7 @@ static CameraFault by_recursion(LookAt view, Handedness world, Camera *camera)
     return CAMERA_OK;
 }
 
-// up = (f x up) x f without a cross product: f times f.up, taken off.
+// up = (f x up) x f without a cross product: subtract f times f.up.
 static CameraFault up_by_the_double_product(LookAt view, Handedness world, Camera *camera)
 {
     vec3 f = vec3_unit(view.at - view.eye), u = vec3_unit(view.up);
@@ -364,24 +367,25 @@ const Variant variants[] = {
     VARIANT(camera_from_vectors, vectors_by_diagonals, "as points, seen from the origin"),
     VARIANT(camera_from_vectors, vectors_as_points, "turned into points, and back"),
     VARIANT(camera_from_vectors, along_the_normal, "forward and d along the normal; four angles"),
-    VARIANT(camera_from_vectors, no_rectangle_first, "NaN is no rectangle, nor is a line"),
-    VARIANT(camera_from_points, points_no_rectangle_first, "NaN is no rectangle, nor is a line"),
-    VARIANT(camera_from_corner, corner_no_rectangle_first, "NaN is no rectangle, nor is a line"),
+    VARIANT(camera_from_vectors, no_rectangle_first, "neither NaN nor a line is a rectangle"),
+    VARIANT(camera_from_points, points_no_rectangle_first, "neither NaN nor a line is a rectangle"),
+    VARIANT(camera_from_corner, corner_no_rectangle_first, "neither NaN nor a line is a rectangle"),
     VARIANT(camera_from_corner, halfway_from_the_corner, "half of each edge to the middle"),
     VARIANT(camera_from_corner, corner_as_points, "turned into points"),
     VARIANT(camera_from_look_at, up_without_forward, "Gram and Schmidt; reasons in another order"),
-    VARIANT(camera_from_look_at, mirrored_for_the_left_hand, "one hand, then mirrored; made first"),
+    VARIANT(camera_from_look_at, mirrored_for_the_left_hand,
+            "one handedness, then mirrored; made first"),
     VARIANT(camera_from_look_at, the_rest_left_to_camera_check, "the rest left to camera_check"),
     VARIANT(width_from_angle, sine_by_cosine, "sine by cosine"),
     VARIANT(width_from_angle, by_the_whole_angle, "from the whole angle"),
     VARIANT(camera_from_vectors, equal_diagonals, "diagonals that are equal and halve each other"),
     VARIANT(camera_from_points, points_by_a_corner,
             "a corner and two edges, and the fourth corner"),
-    VARIANT(camera_from_corner, corner_measured, "a struct of way and length, and loops"),
+    VARIANT(camera_from_corner, corner_measured, "a struct of direction and length, and loops"),
     VARIANT(camera_from_look_at, with_z_backwards, "z backwards, x = up x z, y = z x x"),
     VARIANT(camera_from_look_at, by_recursion, "the left hand by recursion"),
-    VARIANT(camera_from_look_at, up_by_the_double_product, "up less its part along the view"),
+    VARIANT(camera_from_look_at, up_by_the_double_product, "up minus its part along the view"),
     VARIANT(width_from_angle, in_long_double, "in long double"),
-    VARIANT(width_from_angle, legs_of_a_triangle, "the legs of a triangle, by sine and cosine"),
+    VARIANT(width_from_angle, legs_of_a_triangle, "the legs of a triangle, with sine and cosine"),
     {0},
 };
