@@ -93,7 +93,7 @@ def main() -> int:
         print("\ngrade: stopped; what is done is kept. The same command does the rest.", file=sys.stderr)
         return 130
     except OSError as error:
-        # What could not be printed would be tried again when Python ends.
+        # Python would try to print the rest again when it ends.
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         stop(f"{error.filename or 'its output'}: {why(error)}")
     except UnicodeError as error:

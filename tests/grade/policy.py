@@ -69,7 +69,7 @@ def time_in(text: str) -> datetime:
                             tzinfo=timezone(-offset if zone[0] == "-" else offset))
         return datetime(year, month, day, hour, minute, second).astimezone()
     except (AttributeError, ValueError, OverflowError, OSError):
-        raise PolicyError(f"{brief(text) or 'nothing'} is no time, expected {A_TIME}") \
+        raise PolicyError(f"{brief(text) or 'nothing'} is not a time, expected {A_TIME}") \
             from None
 
 
@@ -89,7 +89,7 @@ def times_in(path: Path) -> dict:
                     raise PolicyError(f"{where}: {len(row)} cells, "
                                       "expected a submission and a time")
                 if row[0] in times:
-                    raise PolicyError(f"{where}: {brief(row[0])} stands here twice, "
+                    raise PolicyError(f"{where}: {brief(row[0])} is here twice, "
                                       "expected once")
                 try:
                     times[row[0]] = int(time_in(row[1].strip()).timestamp())
@@ -144,12 +144,12 @@ def line_into(policy: Policy, words: list, known: list, weights: dict, folder: P
             raise PolicyError(f"waiting {brief(rest)}: expected 'waiting full' or 'waiting none'")
         policy.waiting = rest == "full"
     else:
-        raise PolicyError(f"{brief(setting)} is no setting, "
+        raise PolicyError(f"{brief(setting)} is not a setting, "
                           "expected points, due, grace, late, times or waiting")
 
 
 def shared(known: list, weights: dict, at: dict) -> dict:
-    """Each function's points. What does not divide goes to the first ones, 0.01 each.
+    """The points of each function. A remainder goes to the first ones, 0.01 each.
     at: the line that spoke of a chapter last."""
     shares = {}
     for stem in table.stems(known):
@@ -187,7 +187,7 @@ def load(path, known: list) -> Policy:
                 given.add(words[0])
                 at[words[1] if len(words) > 1 else ""] = place
         except PolicyError as error:
-            # What is wrong in another file names that file's line.
+            # A mistake in another file is reported with the line of that file.
             raise PolicyError(f"{path}:{place}: {error}") from None
     try:
         policy.shares = shared(known, weights, at)
@@ -217,7 +217,7 @@ def duration(seconds: int) -> str:
 
 
 def late(policy: Policy, when: Optional[int], score: float) -> tuple:
-    """What is left of a score, and words; no words when it came in on time."""
+    """The rest of a score, and words; no words if the submission was on time."""
     if policy.due is None:
         return rounded(score), ""
     if when is None:

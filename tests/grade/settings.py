@@ -1,4 +1,4 @@
-"""settings.py - what the grader is told: by its arguments, by make's variables, by earlier graders."""
+"""settings.py - the settings of the grader: from its arguments, from make's variables, from earlier runs."""
 from __future__ import annotations
 
 import argparse

@@ -1,6 +1,6 @@
 """visible.py - what others wrote, made safe to print: nothing in it acts, everything shows.
 
-Control characters, direction overrides, halves of surrogates and what is no character at all become
+Control characters, direction overrides, lone surrogates and bytes that are not characters become
 escapes that can be read (\\x1b, \\u202e), so that no format has to be asked what it makes of them.
 visible() is for words, and saying it twice changes nothing; spelled() is for names, and no two names
 come out alike.
@@ -60,7 +60,7 @@ def brief(text: str, most: int = 160) -> str:
 
 
 def why(error: Exception) -> str:
-    """What an error says, for a sentence of ours."""
+    """The words of an error, for one of our sentences."""
     words = getattr(error, "strerror", None) or str(error) or type(error).__name__
     return brief(words.strip())
 

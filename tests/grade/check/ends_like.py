@@ -1,4 +1,4 @@
-"""ends_like.py - ends as it is told: by an exit status, or by a signal's name."""
+"""ends_like.py - ends as its argument says: an exit status, or the name of a signal."""
 import contextlib
 import os
 import signal

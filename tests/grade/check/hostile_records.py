@@ -3,7 +3,7 @@ import os
 
 from .make_records import function, record, stem
 
-# What a student might put into a name, a file's name or a compiler's mouth; some raw, though the
+# Strings that a student might put into a name, a file name or a compiler message; some raw, though the
 # grader should have escaped them by then.
 HOSTILE = [
     "\"quotes\" 'both' `ticks`",

@@ -1,6 +1,6 @@
 """make_records.py - records by hand, for the tests: a function, a stem, a submission, a picture.
 
-What is not said is as it is where all is right.
+Fields that are not given are those of a right submission.
 """
 import struct
 import zlib

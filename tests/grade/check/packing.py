@@ -64,7 +64,7 @@ def end_of_zip(size: int, offset: int) -> bytes:
 
 
 def zeros_packed(megabytes: int) -> bytes:
-    """A deflate stream of so many MB of zeros, made of one piece again and again."""
+    """A deflate stream of that many MB of zeros, made by repeating one piece."""
     packer = zlib.compressobj(9, zlib.DEFLATED, -15)
     piece = packer.compress(bytes(8 * MB)) + packer.flush(zlib.Z_FULL_FLUSH)
     return piece * (megabytes // 8) + packer.flush()

@@ -99,7 +99,7 @@ def strict_csv(data: bytes) -> list:
 
 
 class Page(html.parser.HTMLParser):
-    """What a page is made of: its tags, attributes, URLs and words."""
+    """The parts of a page: its tags, attributes, URLs and words."""
 
     def __init__(self, text: str):
         super().__init__(convert_charrefs=True)

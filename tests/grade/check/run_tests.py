@@ -2,7 +2,7 @@
 
     python3 -B tests/grade/check NAME MODULE...
 
-The modules are unittest's: python3 -m unittest runs them, too. A test with sentences (sentences.py) counts as
+The modules are unittest's: python3 -m unittest also runs them. A test with sentences (sentences.py) counts as
 many as it has, another one counts once.
 """
 import traceback
@@ -47,7 +47,7 @@ class Counting(unittest.TestResult):
 
 
 def finish(name: str, result: Counting) -> int:
-    """The exit status; that nothing was tested is a failure, too."""
+    """The exit status; a run without tests also fails."""
     print(f"{name}: {result.passed} passed, {result.failed} failed")
     return 1 if result.failed or not result.passed else 0
 

@@ -65,7 +65,7 @@ class WellMade(Archive):
         self.archive("anna.zip", tarred((FIVE, b"x")))
         self.assertEqual(self.five(self.collect())[0], "found")
 
-    def test_folders_and_what_a_mac_leaves_behind_are_no_answers(self):
+    def test_folders_and_files_added_by_a_mac_are_not_answers(self):
         for how in (self.zip, self.tar):
             collected = how(*((name + FIVE, b"x") for name in ("__MACOSX/", "__MACOSX/._", "._")))
             self.assertTrue(collected.empty)

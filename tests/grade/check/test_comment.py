@@ -131,7 +131,7 @@ class Comment(Sentences):
         )
         law = {**UPPER_RIGHT, "mistake": None, "law": "it is not in the plane"}
         self.check(
-            "without a known mistake the broken law is told",
+            "without a known mistake the comment names the broken law",
             ("but", "it is not in the plane") in fields("01-corners", law),
         )
         self.check(

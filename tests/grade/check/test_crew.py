@@ -22,7 +22,7 @@ def fail(words):
 
 class Crew(unittest.TestCase):
     def marked(self, submissions, jobs):
-        """What was given up on, and the lines of progress."""
+        """The submissions that were given up, and the progress lines."""
         grader = SimpleNamespace(
             mark=lambda one: ENDS[one.folder](),
             failed=lambda one,

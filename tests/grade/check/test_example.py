@@ -28,7 +28,7 @@ def as_everywhere(words: str) -> str:
 
 
 def told(out: Path) -> set[str]:
-    """Every line that students are told."""
+    """Every line in the students' comments."""
     found = set()
     for path in out.glob("*/results.json"):
         results = json.loads(path.read_text(encoding="utf-8"))

@@ -83,7 +83,7 @@ def is_scored_whole_or_not(found: dict, most: float) -> bool:
 
 
 def gone(out: Path) -> bool:
-    """What a kill has ended takes a moment to go; what it has not would be there for a quarter of an hour."""
+    """A killed process takes a moment to go; one that survives would stay for a quarter of an hour."""
     until = time.monotonic() + 30
     while at_work_in(out) and time.monotonic() < until:
         time.sleep(0.01)
@@ -115,7 +115,7 @@ class Faults(Sentences):
             self.check(f"{fault}: no score, and the reason",
                        (record["status"], record["score"]) == ("grader failed", None)
                        and record["words"] != "" and record["key"] == "", record)
-            self.check(f"{fault}: that is said at the end", f"{fault}: " in " ".join(done.stdout.split()),
+            self.check(f"{fault}: the last lines say so", f"{fault}: " in " ".join(done.stdout.split()),
                        done.stdout[-900:])
         for fault in [*PASSING, "nothing is wrong"]:
             self.check(f"{fault}: all marks", found[fault]["score"] == NUMBER_OF_FULL, found[fault])
@@ -165,7 +165,7 @@ class Faults(Sentences):
                    found["hog"])
         self.check("the neighbour has all marks", found["neighbour"]["score"] == 100, found["neighbour"]["score"])
         self.check("nobody takes more room than a submission may", max(seen) < DISK, f"{max(seen) >> 20} MB")
-        self.check("and that is no failure", done.returncode == 0, done.stderr[-300:])
+        self.check("and that is not a failure", done.returncode == 0, done.stderr[-300:])
 
     def test_a_full_disk_is_no_mark(self) -> None:
         work = self.work

@@ -182,7 +182,7 @@ class Folder(Scratch):
         self.assertEqual(self.answer("01-corners").words, "there is 01-corners.c.txt, 01-corners.cpp; "
                                                           "the name must be 01-corners.c")
 
-    def test_what_a_mac_leaves_behind_is_no_answer(self):
+    def test_files_added_by_a_mac_are_not_answers(self):
         self.put("__MACOSX/05-quadratic.c")
         self.put("._05-quadratic.c")
         self.assertEqual(self.answer().state, "missing")

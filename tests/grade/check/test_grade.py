@@ -50,7 +50,7 @@ class Grade(Sentences):
         self.check("the assembler's words are the same in every run and every sandbox",
                    "error" in no_assembler.lower() and "/" not in no_assembler, no_assembler)
         self.check("its other chapters have their marks", score(no_text, "03-screen") == (9, 9))
-        self.check("two files of one name are said, not guessed between",
+        self.check("two files of one name are reported, and the grader does not guess",
                    found["two of one name"]["stems"][0]["state"] == "twice")
 
     def knows_who_waits(self, found: dict[str, dict]) -> None:
@@ -58,7 +58,7 @@ class Grade(Sentences):
         self.check("what fails only for an earlier function has its marks",
                    (waits["state"], waits["score"], waits["waiting_for"]) == ("waiting", 2, ["upper_left"]), waits)
         across = function(found["mirrored"], "across_30_up_10")
-        self.check("and so has what fails only for a later one that the reference calls, too",
+        self.check("and so has a function that fails only for a later one that the reference also calls",
                    (across["state"], across["score"], across["waiting_for"]) == ("waiting", 2, ["image_plane_vector"]),
                    across)
         later = function(found["waits for a later one"], "upper_left")
@@ -86,7 +86,7 @@ class Grade(Sentences):
             done = grade(folder, out)
             found = records(out)
         self.check("every submission has one result", done.returncode == 0 and len(found) == 18, done.stderr[-600:])
-        self.check("what is no submission is mentioned", "read me.txt" in done.stderr)
+        self.check("a file that is not a submission is mentioned", "read me.txt" in done.stderr)
         self.check("nothing acts on the terminal", "\x1b" not in done.stdout + done.stderr)
         for tested in (self.says_what_is_right, self.says_what_is_wrong, self.knows_who_waits,
                        self.has_a_result_for_the_odd,

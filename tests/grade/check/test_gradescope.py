@@ -14,7 +14,7 @@ from .sentences import Sentences
 
 CLASS = Path("tests/grade/example/class")
 ARCHIVE = Path("build/gradescope.zip")
-# What make says to its children would decide how the copy is built.
+# make's variables for its children would decide how the copy is built.
 OF_MAKE = {"MAKEFLAGS", "CC", "ANSWERS", "SEED", "OUT", "POLICY", "UNSAFE", "SANDBOX"}
 
 
@@ -52,7 +52,7 @@ class Gradescope(Sentences):
                 shutil.copy(path, self.submission / path.name)
 
     def says(self, sentence: str, score: str, words: str, **settings) -> None:
-        """What results.json says: the score, of how many, and how its words begin."""
+        """The contents of results.json: the score, the maximum, and the first words."""
         results = self.top / "results" / "results.json"
         done = self.run_there(self.top / "run_autograder", **settings)
         found = json.loads(results.read_text(encoding="utf-8"))
@@ -84,7 +84,7 @@ class Gradescope(Sentences):
         (self.submission / "Makefile").touch()
         self.says("a link to the solutions is not followed", "0 of 100", "graded")
         shutil.rmtree(self.submission)
-        self.says("no submission has a result, too", "0 of 100", "empty")
+        self.says("an empty folder has a result", "0 of 100", "empty")
         self.hand_in(*CLASS.glob("another-way/*.c"))
         self.says("without a sandbox nothing is graded, and it says why", "0 of 0", "Nothing was graded", SANDBOX="none")
         (self.toolkit / "Makefile").unlink()

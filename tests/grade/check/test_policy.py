@@ -102,7 +102,7 @@ class Points(Scratch):
 class Strict(Scratch):
     def test_what_is_not_understood_is_an_error_with_its_line(self):
         for line, part in (
-                ("weight 01-one 3", "weight is no setting"), ("points", "CHAPTER"),
+                ("weight 01-one 3", "weight is not a setting"), ("points", "CHAPTER"),
                 ("points 07-none 3", "no chapter is called 07-none"), ("points 01 3", "01-one"),
                 ("points 01-one f 3", "has no function f"), ("points others a_01 3", "others"),
                 ("points 01-one a_02 3", "no function a_02"), ("points 01-one -1", "0 to 1000"),

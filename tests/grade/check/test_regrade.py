@@ -59,7 +59,7 @@ class Regrade(Sentences):
         until = time.monotonic() + 60
         while at_work_in(out) and time.monotonic() < until:
             time.sleep(0.02)
-        self.check(f"a kill under {sandbox} ends it, too", at_work_in(out) == [], at_work_in(out))
+        self.check(f"a kill under {sandbox} also ends it", at_work_in(out) == [], at_work_in(out))
 
     def killed_and_started_again(self, folder: Path, work: Path, found: dict[str, dict]) -> None:
         chance = random.Random(7)

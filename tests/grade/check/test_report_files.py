@@ -112,7 +112,7 @@ class ReportFiles(Sentences):
         )
         rename, os.replace = os.replace, lambda *paths: (_ for _ in ()).throw(OSError("disk full"))
         self.check(
-            "a full disk is told",
+            "a full disk is reported",
             raises(OSError, files.write_submission, {**one, "submission": "b"}, self.out),
         )
         os.replace = rename

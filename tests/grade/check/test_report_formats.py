@@ -23,7 +23,7 @@ POINTS = 10  # of each hostile record: four stems that were not judged, six func
 
 
 def says(text: str) -> str:
-    """What a reader should find of a hostile string."""
+    """The text that a reader should find of a hostile string."""
     return visible(text)
 
 
@@ -41,7 +41,7 @@ def gradescope(one: dict) -> dict:
 
 
 def compile_errors() -> dict:
-    """What a compiler says, in which words are followed by colons."""
+    """A compiler message in which words are followed by colons."""
     words = ["03-screen.c:8:6: error: request for member", "  union", "    8 |     v.x = 1;", "error: a: b",
              "note :  c",
              ": d", "key:", "- e: f", "---", "...", "| : g", "'quoted': h", "{}", "~"]
@@ -116,9 +116,9 @@ class ReportFormats(Sentences):
         )
         try:
             results_json(record("a", [], score=float("nan")))
-            self.check("a mark that is no number is refused", False)
+            self.check("a mark that is not a number is refused", False)
         except ValueError:
-            self.check("a mark that is no number is refused", True)
+            self.check("a mark that is not a number is refused", True)
         if read_back.has_perl("JSON::PP"):
             self.check(
                 "perl reads the same JSON as python",
@@ -154,7 +154,7 @@ class ReportFormats(Sentences):
             {element.tagName for element in root.getElementsByTagName("*")}
             == {"testsuite", "properties", "property", "testcase", "failure", "error", "skipped"},
         )
-        self.check("nothing stands where GitLab looks for attachments", b"<system-out" not in data)
+        self.check("there is nothing in the place where GitLab looks for attachments", b"<system-out" not in data)
         self.check(
             "names come through",
             {says(text) for text in HOSTILE} == {suite.getAttribute("name") for suite in suites},

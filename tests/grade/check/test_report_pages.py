@@ -215,9 +215,9 @@ class ReportPages(Sentences):
                 contrast(colors["alarm-ink"], colors["alarm"]) >= 4.5,
             )
             self.check(
-                f"bars can be told from the {name} paper", contrast(colors["bar"], colors["paper"]) >= 3
+                f"bars are visible on the {name} paper", contrast(colors["bar"], colors["paper"]) >= 3
             )
         rules = css.split("* { box-sizing", 1)[1]
         self.check(
-            "no colour stands outside the schemes", not re.search(r"#[0-9a-f]{3,6}\b|rgb|url\(", rules)
+            "no colour is outside the schemes", not re.search(r"#[0-9a-f]{3,6}\b|rgb|url\(", rules)
         )

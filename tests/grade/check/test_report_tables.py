@@ -19,7 +19,7 @@ from .sample_records import ordinary_class
 from .sentences import Sentences
 
 HOSTILES, ORDINARY = hostile_class(), ordinary_class()
-# Neither C0 and C1, but for the ends of lines, nor what parts or turns lines or is no character.
+# No C0 or C1 except line ends, no characters that break or reverse lines, and no invalid ones.
 NO_CONTROLS = re.compile(
     "[^\x00-\x09\x0b-\x1f\x7f-\x9f" "\u2028\u2029\u202a-\u202e\u2066-\u2069\ufeff\ufffe\uffff]*"
 )
@@ -65,7 +65,7 @@ class ReportTables(Sentences):
             ),
         )
         self.check(
-            "such a name is kept behind an apostrophe",
+            "such a name is written after an apostrophe",
             "'=cmd|' /C calc'!A0" in {row[0] for row in rows},
         )
         self.check(

@@ -1,7 +1,7 @@
 """answers.py - the answers that are found in one submission, wherever it keeps them.
 
 Folders and archives are searched by other files; each file they see is handed to here. Of each
-NN-stem.c there is one, or none, or it is said why not: two that differ are never guessed between.
+NN-stem.c there is one, or none with the reason. If two of them differ, the grader never guesses.
 Two rules say which files are meant before they are compared:
 
 - A copy of the toolkit or of the handout has files of an answer's name in many places. Its exercises/
@@ -28,7 +28,7 @@ class Answer:
     state: str = "missing"  # found, missing, twice, unreadable
     file: str = ""          # where it was found, as people read it
     text: bytes = b""       # what is compiled
-    words: str = ""         # why it was not found; or what else is to be said
+    words: str = ""         # why it was not found, or another remark
 
 
 @dataclass
@@ -81,7 +81,7 @@ def note(search: Search, words: str) -> None:
 
 
 def ended_early(search: Search, words: str) -> None:
-    """Why not all was looked at: whatever else is said, this comes first."""
+    """Why not everything was read. This comes before all other remarks."""
     search.notes.insert(0, words)
 
 
@@ -94,7 +94,7 @@ def place_of(parts) -> str:
 
 
 def as_text(raw: bytes) -> Optional[bytes]:
-    """UTF-8 without a mark, lines ending in a newline; None where it is no text."""
+    """UTF-8 without a mark, lines ending in a newline; None if it is not text."""
     try:
         if raw.startswith((b"\xff\xfe", b"\xfe\xff")):
             raw = raw.decode("utf-16").encode()
@@ -125,7 +125,7 @@ def is_toolkit_s(search: Search, parts) -> bool:
 # ---- what is found ------------------------------------------------------------------------------
 
 def bystander(search: Search, parts) -> None:
-    """A file that is no answer; it may tell why there is none."""
+    """A file that is not an answer; it may be the reason why there is none."""
     base = parts[-1]
     number = re.match(r"0*(\d+).*\.c(pp|\.txt)?$", base, re.IGNORECASE)
     for stem, seen in search.seen.items() if number else ():

@@ -1,7 +1,7 @@
 """archives.py - looks for answers in an archive that somebody else made, and in archives inside it.
 
 Members are read as streams, and nothing is written to disk: no name in an archive leads anywhere.
-What a header says of sizes is not believed: what comes out is counted, and there is an end to it. All
+The sizes in a header are not believed: the bytes that come out are counted, and limited. All
 archives of one submission share these limits.
 """
 import io
@@ -31,7 +31,7 @@ SUFFIXES = (".tar.gz", ".tgz", ".tar.xz", ".txz", ".tar.bz2", ".tbz2", ".tar.zst
 
 @dataclass
 class Room:
-    """What is left of the limits, and the archives inside that wait."""
+    """The rest of the limits, and the inner archives that wait to be read."""
     opener: object = None   # how a program that unpacks is started: a command to a command
     kept: int = field(default_factory=lambda: KEPT)
     stream: int = field(default_factory=lambda: STREAM)
@@ -57,7 +57,7 @@ class Room:
 
 @dataclass(frozen=True)
 class Place:
-    """Where an archive is: what its members' names begin with, and how deep."""
+    """The place of an archive: the prefix of its members' names, and its depth."""
     parts: tuple
     level: int
 
@@ -71,7 +71,7 @@ def room_for_more(room: Room) -> int:
 
 
 def put_by(search, room: Room, parts, raw: bytes, level: int) -> bool:
-    """Keeps an archive inside for later, if it is not too large, too deep or one too many."""
+    """Keeps an inner archive for later, unless it is too large or too deep, or there are too many."""
     if level > LEVELS:
         answers.note(search, f"an archive {LEVELS} deep in others is not opened: {answers.place_of(parts)}")
     elif room.archives == 0:
@@ -106,7 +106,7 @@ def parts_of(search, place: Place, name: str) -> list:
 
 
 def read_member(search, room: Room, place: Place, parts, size: int, read) -> None:
-    """A member that is an answer or an archive. read(most): its bytes, and no more than so many."""
+    """A member that is an answer or an archive. read(most): its bytes, at most that number."""
     if not answers.stem_of(search, parts[-1]):
         if place.level == LEVELS:
             put_by(search, room, parts, b"", place.level + 1)   # which says why it is not opened
@@ -157,7 +157,7 @@ def zip_member(archive, info, most: int) -> bytes:
     # Only these are decompressed piece by piece.
     if info.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
         raise ValueError(f"compression method {info.compress_type}, expected deflate")
-    # Otherwise zipfile would stop where the header says, and not notice that there is more.
+    # Without this, zipfile would stop at the size in the header, and not notice that there is more.
     info.file_size = most + 1
     with archive.open(info) as file:
         return file.read(most)
@@ -261,7 +261,7 @@ def said(search, place: Place, words: str) -> None:
 
 
 def look_in(search, room: Room, place: Place, file, called: str) -> None:
-    # What it is counts, not what it is called.
+    # Its contents decide, not its name.
     head = file.read(512)
     file.seek(0)
     is_tar = head[257:262] == b"ustar"

@@ -53,7 +53,7 @@ def put_by(search, folder: int, parts, entry, inner) -> None:
 
 
 def look_at(search, folder: int, parts, entry, inner) -> int:
-    """One entry that is no folder; how many bytes were read of it."""
+    """One entry that is not a folder. Returns how many bytes were read of it."""
     if not answers.stem_of(search, parts[-1]):
         answers.passed(search, parts)
         if archives.is_called_one(parts[-1]):

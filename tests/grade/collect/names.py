@@ -1,6 +1,6 @@
 """names.py - names that people can read, and names that a file system can hold.
 
-A submission's name is chosen by whoever made it: any bytes but / and NUL. What is shown holds no
+The student chooses the name of a submission: any bytes but / and NUL. The shown name holds no
 character that moves, hides or ends a line; and two that differ are shown, and stored, apart.
 """
 import hashlib

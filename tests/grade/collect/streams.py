@@ -17,7 +17,7 @@ CHUNK = 64 * 1024
 STREAMS = 1000              # compressed streams, one after the other, in one file
 XZ_MEMORY = 256 * 1024 * 1024
 SECONDS, MEMORY = 10, 1 << 30   # of work for bsdtar, and its memory
-# What a file begins with, and what that is.
+# The first bytes of a file, and the format that they mean.
 KINDS = {b"\x1f\x8b": "gzip", b"\xfd7zXZ\0": "xz", b"BZh": "bzip2", b"7z\xbc\xaf\x27\x1c": "7-Zip",
          b"Rar!\x1a\x07": "RAR", b"\x28\xb5\x2f\xfd": "Zstandard"}
 
@@ -35,7 +35,7 @@ def kind_of(head: bytes):
 
 
 class Inflated:
-    """What a compressed file decompresses to, of all its streams. The gzip module would read a
+    """The decompressed contents of a compressed file, of all its streams. The gzip module would read a
     header's comment, of any length, byte by byte."""
     def __init__(self, file, engine):
         self.file = file
@@ -44,7 +44,7 @@ class Inflated:
         self.streams = 1
 
     def more(self) -> bytes:
-        """What the engine has not taken yet, else more of the file."""
+        """The input that the engine has not taken yet, or else more of the file."""
         left = getattr(self.engine, "unconsumed_tail", b"")
         if not left and not getattr(self.engine, "needs_input", True):
             return b""

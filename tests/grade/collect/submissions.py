@@ -3,7 +3,7 @@
 Every entry of the class's folder is one, or a part of one (exports.py), whatever is wrong with it:
 whoever handed in anything has a result. Only what nobody hands in is not: hidden files, what systems
 and platforms leave, the instructor's own tables and notes. Nothing here follows a symbolic link,
-writes anything, or trusts a size; what is odd is said in words. Whoever calls collect does so in a
+writes anything, or trusts a size; anything odd is reported in words. Whoever calls collect does so in a
 process with limits on memory and time.
 """
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Submission:
 
 
 def kind_of(entry) -> tuple:
-    """What a top-level entry is, and words where it is neither folder nor archive."""
+    """The kind of a top-level entry, and words if it is neither a folder nor an archive."""
     try:
         if entry.is_symlink():
             return "link", answers.NOT_FOLLOWED

@@ -1,1 +1,1 @@
-"""confine - what stands between hostile code and this machine: the programs in C, and who calls them."""
+"""confine - the sandbox between hostile code and this machine: the programs in C, and their callers."""

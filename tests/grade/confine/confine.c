@@ -11,11 +11,11 @@
 //                                            process PARENT that started this (watch.h)
 //   confine tool PROGRAM ARGUMENT...         a part of the compiler; its exit status says how that
 //                                            ended (tool.h), which no message of it can forge
-//   confine room PROCESSES                   fails if so many processes cannot be started
+//   confine room PROCESSES                   fails if that many processes cannot be started
 //   confine probe                            says what this kernel has: 'landlock', 'seccomp'
 //
 // Limits, then Landlock (files, network, signals), then seccomp (system calls); each alone would do
-// for most attacks. What the program does, its children inherit. Exit status 126: could not be
+// for most attacks. The children of the program inherit the limits. Exit status 126: could not be
 // confined.
 #define _GNU_SOURCE
 #include "tests/grade/confine/give_up.h"
@@ -47,7 +47,7 @@ enum {
     COMPILE_MEMORY = 1024 * MEGABYTE,
     COMPILE_FILE = 16 * MEGABYTE,
     COMPILE_SECONDS = 5,      // of work for each part of the compiler, and each file
-    COMPILE_PROCESSES = 4096, // of this user in all, where there is no name space of users
+    COMPILE_PROCESSES = 4096, // all processes of this user, if there is no user namespace
 };
 
 static bool judge_listens; // for why an answer was not started (tests/judge/answering.h)

@@ -2,7 +2,7 @@
 #ifndef TESTS_GRADE_CONFINE_LANDLOCK_H
 #define TESTS_GRADE_CONFINE_LANDLOCK_H
 
-// What this kernel knows of it; 0: nothing.
+// The version of Landlock in this kernel; 0: none.
 int landlock_version(void);
 
 // A set of rules that allows nothing yet (a descriptor); what is allowed is added; then it holds

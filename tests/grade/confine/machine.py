@@ -9,7 +9,7 @@ import os
 import subprocess
 from pathlib import Path
 
-# What one submission may take in OUT: its objects, its programs, and what the judge writes (mark/building.py).
+# The disk space of one submission in OUT: its objects, its programs, and the judge's output (mark/building.py).
 DISK = 128 << 20
 FILES = 1000
 MEMORY = 256 << 20
@@ -19,7 +19,7 @@ CONTROL_GROUP = Path("/sys/fs/cgroup")
 
 
 class GraderFailed(Exception):
-    """Why there is no mark, in words for the instructor."""
+    """The reason for a missing mark, in words for the instructor."""
 
 
 def megabytes(size: int) -> str:
@@ -35,7 +35,7 @@ def memory_facts() -> dict[str, int]:
 
 
 def left_in_control_group() -> int | None:
-    """What a container may still take; None if nothing limits it."""
+    """The memory that a container may still take; None if it has no limit."""
     try:
         most = (CONTROL_GROUP / "memory.max").read_text().strip()
         if most == "max":

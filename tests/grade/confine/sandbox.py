@@ -1,4 +1,4 @@
-"""sandbox.py - what stands between hostile code and this machine.
+"""sandbox.py - the sandbox between hostile code and this machine.
 
 Compiling and linking: in a file system that shows the compiler and one folder (bubblewrap), and under
 Landlock, seccomp and limits (confine/). Judging: the judge in a file system of its own, the answers
@@ -16,7 +16,7 @@ from pathlib import Path
 from grade.confine.machine import GraderFailed
 from grade.visible import visible
 
-# What a compiler needs of the system; nothing of people's.
+# The system files that a compiler needs; no files of users.
 SYSTEM = ["/usr/bin", "/usr/lib", "/usr/lib32", "/usr/lib64", "/usr/libexec", "/usr/include", "/bin", "/lib",
           "/lib32", "/lib64", "/etc/alternatives", "/etc/ld.so.cache"]
 ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C", "TMPDIR": "/tmp"}
@@ -89,7 +89,7 @@ class Sandbox:
 
 
 def end_group(process: subprocess.Popen) -> None:
-    """What it left behind, too."""
+    """Also ends the processes that it left running."""
     try:
         os.killpg(process.pid, signal.SIGKILL)
     except ProcessLookupError:
@@ -107,7 +107,7 @@ def complaint(words: str) -> str:
 
 
 def says(command: list[str]) -> str | None:
-    """What it prints, where it works."""
+    """Its output, if it works."""
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=20, text=True)
     except (OSError, subprocess.TimeoutExpired):

@@ -49,9 +49,9 @@ static void refuse(int call, int error)
     rule(SCMP_ACT_ERRNO((uint32_t)error), call, 0, NULL);
 }
 
-static void filter_begin(uint32_t otherwise)
+static void filter_begin(uint32_t by_default)
 {
-    filter = seccomp_init(otherwise);
+    filter = seccomp_init(by_default);
     if (filter == NULL)
         give_up("seccomp");
 }
@@ -100,7 +100,7 @@ void allow_answers(int program)
     }
     // Until the program starts, which closes it.
     allow_where(SCMP_SYS(write), is(0, START_ERROR));
-    // Memory that is no file and never code.
+    // Memory that is neither a file nor code.
     rule(SCMP_ACT_ALLOW, SCMP_SYS(mmap), 2,
          (const struct scmp_arg_cmp[]){bits(2, PROT_EXEC, 0),
                                        bits(3, MAP_ANONYMOUS, MAP_ANONYMOUS)});

@@ -1,7 +1,7 @@
 // tool.c - how a part of the compiler ended, and whether processes can be started at all.
 //
 // A compiler's words about a text can be forged by that text (#error, #line), so a machine that
-// failed is told from a text that is wrong by exit statuses and signals alone.
+// failed is distinguished from a wrong text by exit statuses and signals alone.
 #include "tests/grade/confine/tool.h"
 
 #include <errno.h>

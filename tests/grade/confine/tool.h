@@ -16,7 +16,7 @@ enum {
 // Runs the command and waits for it.
 int run_tool(char **command);
 
-// 0 if so many processes can exist at a time.
+// 0 if that number of processes can exist at a time.
 int room_for(int processes);
 
 #endif

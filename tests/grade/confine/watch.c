@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// What its own children started becomes its child when they end, so that at last all are gone.
+// When a child ends, its own children become children of this process, so that at last all are gone.
 static void end_all(void)
 {
     char path[60];
@@ -53,7 +53,7 @@ void watch(pid_t parent, char **command)
         prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0 ||
         prctl(PR_SET_PDEATHSIG, SIGTERM, 0, 0, 0) != 0)
         give_up("to watch");
-    if (getppid() != parent) // it ended before its end would have been told
+    if (getppid() != parent) // the parent ended before it could be watched
         exit(1);
     pid_t child = fork();
     if (child < 0)

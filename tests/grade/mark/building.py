@@ -57,7 +57,7 @@ def believed(bench: Workbench, first: dict[str, int], canary, again) -> dict[str
         return first
     for status in canary(doubtful).values():
         if status != 0:
-            raise GraderFailed(f"a file that is right was refused, too (status {status})")
+            raise GraderFailed(f"the compiler also refused a correct file (status {status})")
     second = again(doubtful)
     bench.check_room()
     return {**first, **second}
@@ -67,7 +67,7 @@ def compiled(bench: Workbench, stems: list[str]) -> dict[str, int]:
     def compiling(stems: list[str]) -> dict[str, int]:
         return bench.compile([bench.kit.compile(stem, bench.sandbox.confine) for stem in stems])
 
-    # Where the compiler's explainer looks for what an answer may use; it is the top of the tree for it.
+    # Here the explainer of compiler messages looks up the functions that an answer may use.
     for name in ("common", "exercises"):
         (bench.folder / name).symlink_to(bench.kit.folder / HEADERS / name)
     (bench.folder / f"{CANARY}.c").write_text("int canary = 1;\n")
@@ -102,8 +102,8 @@ def linked(bench: Workbench, stems: list[str]) -> dict[str, int]:
 
 
 def memory_of(program: bytes) -> int:
-    """What its segments take: the kernel kills a program that has no room for them, as it would if the machine
-    had none. What is no program takes nothing."""
+    """The memory of its segments. The kernel kills a program that has no room for them, and it would do the same
+    if the machine had no memory left. A file that is not a program takes nothing."""
     try:
         start, = struct.unpack_from("<Q", program, 32)
         size, count = struct.unpack_from("<HH", program, 54)

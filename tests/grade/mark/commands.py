@@ -20,7 +20,7 @@ BUILT = frozenset({DONE} | REFUSED | LIMITED)
 JUDGED = frozenset({DONE, 1})
 ANY = frozenset(range(256))
 
-# What answers are compiled with, linked to and judged by, of the kit's folder.
+# The commands that compile, link and judge answers, from the folder of the kit.
 HEADERS, LINKED = "headers", "link"
 
 
@@ -28,7 +28,7 @@ HEADERS, LINKED = "headers", "link"
 class Command:
     name: str                       # of the part of the step, which may be a stem or a function
     words: list[str]
-    expected: frozenset[int]        # the exit statuses that are no failure of this machine
+    expected: frozenset[int]        # exit statuses that do not mean a failure of this machine
     reads: str = "/dev/null"
     writes: str = "/dev/null"       # what it prints
     complaints: str = ""            # what it prints on stderr; '': it is the grader's to say
@@ -69,8 +69,8 @@ class Kit:
         return str(self.folder / "explain")
 
     def explain(self, stem: str, *option: str) -> Command:
-        """What the compiler said, or with --linker the linker, as 'make exercises' shows it. The words are their
-        own if this fails."""
+        """The words of the compiler (or, with --linker, of the linker) as 'make exercises' shows them; their
+        own words if this fails."""
         return Command(stem, [self.explainer, *option, f"{stem}.c"], ANY, reads=f"{stem}.words",
                        writes=f"{stem}.help", complaints="/dev/null")
 

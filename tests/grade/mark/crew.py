@@ -1,4 +1,4 @@
-"""crew.py - a process for each submission, so many at a time, and a line about how far they are.
+"""crew.py - a process for each submission, a limited number at a time, and a progress line.
 
 Each has a session of its own, so that all of it can be ended. One that does not come to its end, or says
 that a step of it did not, leaves a submission without a score. Of several crews (shards) each does a
@@ -57,7 +57,7 @@ class Progress:
 
 
 def end_with_parent(parent: int) -> None:
-    """However that ends. What this one starts does the same (confine/watch.c)."""
+    """However the parent ends. The processes started here do the same (confine/watch.c)."""
     PR_SET_PDEATHSIG = 1
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)

@@ -62,7 +62,7 @@ def limited(limits: dict[int, int]):
 
 
 class Grader:
-    """What does not change from one submission to the next."""
+    """Everything that is the same for all submissions."""
 
     def __init__(self, given: argparse.Namespace):
         self.out = given.out.resolve()
@@ -157,7 +157,7 @@ class Grader:
                 "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
 
     def give_up_on(self, submission: Submission, status: str, words: str) -> None:
-        """A result for what is no reader's fault but its own, since it cannot be read."""
+        """The result of a submission that cannot be read through its own fault."""
         files.write_submission(self.without_verdicts(submission, status, words, 0), str(self.place(submission)))
 
     def failed(self, submission: Submission, words: str) -> dict:

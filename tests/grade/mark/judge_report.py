@@ -10,7 +10,7 @@ ESCAPES = {"n": "\n", "t": "\t", "\\": "\\"}  # what is not printable stays an e
 
 
 def read_report(path: Path, names: list[str]) -> dict[str, dict[str, str]]:
-    """FUNCTION -> KEY -> value (tests/judge/report.h). All of these functions, or it is no report."""
+    """FUNCTION -> KEY -> value (tests/judge/report.h). A report without one of these functions is invalid."""
     functions: dict[str, dict[str, str]] = {}
     current: dict[str, str] = {}
     try:

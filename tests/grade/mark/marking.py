@@ -1,9 +1,9 @@
 """marking.py - one submission from its files to its record.
 
-Four steps: compile; link with what asks for answers; judge; and if a function failed that calls an
-earlier one that failed, judge it again with the reference lent for that other one. What a student made
-is run and compiled; of it only the compiler's words and the names in its object file are read. A step
-that does not come to its end raises GraderFailed (confine/machine.py).
+Four steps: compile; link with the answering process; judge; and if a failed function calls an earlier
+failed one, judge it again with the reference lent for that other one. The student's code is compiled
+and run; the grader reads only the compiler's words and the names in the object file. A step that
+cannot finish raises GraderFailed (confine/machine.py).
 """
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """gradescope.py - writes the archive that Gradescope's autograder is made from: make gradescope
 
-What git tracks, as it stands in the working tree, under toolkit/; and at the root the two programs
+The files that git tracks, as they are in the working tree, under toolkit/; and at the root the two programs
 that Gradescope starts. The same tree gives the same bytes.
 """
 import os
@@ -23,7 +23,7 @@ def tracked() -> list:
         sys.exit(f"gradescope: git tracks {gone[0]}, which is not there: commit that, or restore it")
     odd = [name for name in names if not stat.S_ISREG(os.lstat(name).st_mode)]
     if odd:
-        sys.exit(f"gradescope: {odd[0]} is no ordinary file, expected only those")
+        sys.exit(f"gradescope: {odd[0]} is not a regular file, and only regular files can be packed")
     return names
 
 

@@ -1,8 +1,8 @@
 """ci.py - junit.xml and grades.tap, for machines that show tests.
 
 A wrong or unanswered function fails; a crash, an endless loop or a file that does not compile is an
-error; a file that was not handed in is skipped. What is given and what came out stands in the
-failure, never in <system-out>: GitLab obeys tags that it finds there. TAP is version 13, because
+error; a file that was not handed in is skipped. The inputs and results are in the failure,
+never in <system-out>, because GitLab obeys tags that it finds there. TAP is version 13, because
 Perl's 'prove' reads no newer one.
 """
 import json

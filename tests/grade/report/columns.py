@@ -6,7 +6,7 @@ NO_BREAK = "\u00a0"  # the judge's ~: a blank at which no line ends
 
 
 def width(text: str) -> int:
-    """Columns on a terminal: East Asian characters take two, what stands on another takes none."""
+    """Columns on a terminal: East Asian characters take two, combining characters take none."""
     if text.isascii():
         return len(text)
     return sum(
@@ -16,7 +16,7 @@ def width(text: str) -> int:
 
 
 def fitted(text: str, columns: int) -> str:
-    """Cut or padded to exactly so many columns."""
+    """Cut or padded to exactly that number of columns."""
     text = text[: 4 * columns]
     if width(text) > columns:
         while width(text) > columns - 2:

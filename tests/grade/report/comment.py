@@ -1,4 +1,4 @@
-"""comment.py - what a student is told of one function: the one place for it.
+"""comment.py - the comment for a student on one function; it is written only here.
 
 Fields first (a label, words), which pages lay out by themselves; then the same as lines of 79
 columns, as 'make exercises' prints them. Hidden inputs are described, never printed, whatever the
@@ -25,7 +25,7 @@ def mistake_words(mistake: dict, partly: bool = False) -> str:
 
 
 def mistake_fields(mistake: dict, partly: bool) -> list:
-    """What the judge said of a mistake, and of the second one, if there is one."""
+    """The judge's words about a mistake, and about the second one, if there is one."""
     told = [("looks like", mistake_words(mistake, partly)),
             ("you'd see", mistake["picture"].replace("~", NO_BREAK))]
     if "also" in mistake:
@@ -48,7 +48,7 @@ def what_to_try(stem: str, function: dict) -> str:
 
 
 def fields(stem: str, function: dict) -> list:
-    """Pairs of label and words; the label is empty where the words stand alone. [] where right."""
+    """Pairs of label and words; the label is empty if the words need none. [] if the function is right."""
     state = function["state"]
     if state == "right":
         return []

@@ -48,7 +48,7 @@ def quartiles(records: list) -> tuple:
 
 
 def trouble(function: dict):
-    """What kind of thing went wrong, as a key and a sentence; None where nothing did."""
+    """The kind of failure, as a key and a sentence; None if nothing went wrong."""
     if function["state"] in ("timed out", "crashed"):
         how = function["how"] or sentence(function)
         said = how.startswith(function["state"])

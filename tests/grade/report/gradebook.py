@@ -13,7 +13,7 @@ from grade.visible import number
 from .figures import stems_of
 from .points import clean_class
 
-RUNS = "=+-@\t\r\n" + "＝＋－＠"  # the wide ones are signs, too, where Excel speaks Japanese
+RUNS = "=+-@\t\r\n" + "＝＋－＠"  # a Japanese Excel also takes the wide ones for signs
 MARK = "\ufeff"
 PLAIN = re.compile(r"[\w ./:-]*", re.ASCII)
 
@@ -23,7 +23,7 @@ def cell(text: str) -> str:
 
 
 def mark(score) -> str:
-    """An empty cell is no score; a grade book takes it for none, and not for 0."""
+    """An empty cell: a grade book reads it as a missing score, not as 0."""
     return "" if score is None else number(score)
 
 

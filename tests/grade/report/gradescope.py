@@ -10,7 +10,7 @@ from .points import UNSAFE, clean, points
 
 
 def summary(record: dict) -> str:
-    """What stands above all tests."""
+    """The text above all tests."""
     score = "no score" if record["score"] is None else f"{number(record['score'])} of {number(record['max'])}"
     lines = [UNSAFE] if record["unsafe"] else []
     lines.append(f"{record['status']}: {score}")

@@ -115,7 +115,7 @@ def chapter(stem: dict):
             )
         )
         if rest:
-            inside.append(tag("pre", "\n".join(rest), tabindex="0", aria_label="what was said"))
+            inside.append(tag("pre", "\n".join(rest), tabindex="0", aria_label="the message"))
     return tag(
         "section",
         tag("h2", tag("span", stem["stem"]), tag("span", of(stem), class_="marks"), class_="head"),

@@ -8,9 +8,9 @@ from .comment import function_lines, stem_lines, stem_says, sentence, waiting_wo
 
 UNSAFE = "UNSAFE: graded without a sandbox (UNSAFE=1). These marks may be forged."
 
-# What each state is to a reader that knows four outcomes. A file that was not handed in is skipped,
+# Each state as one of the four outcomes that test readers know. A file that was not handed in is skipped,
 # since a class need not be past chapter 02; where nothing at all was, that is a failure.
-# What waits passes if the policy gives it its marks.
+# A waiting function passes if the policy gives it its marks.
 OUTCOMES = {
     "right": "passed",
     "wrong": "failure",

@@ -8,7 +8,7 @@ from .columns import COLUMNS, fitted, wrapped
 from .figures import bins, circumstances, most_made, not_answered, quartiles, scored, stems_of
 from .points import UNSAFE, any_unsafe, clean_class
 
-LONG_CLASS = 40  # up to so many are all shown
+LONG_CLASS = 40  # a class up to this size is shown in full
 MOST_LATE = 12  # that are named
 SHOWN_OF_LONG = 12  # of each kind, else
 
