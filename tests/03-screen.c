@@ -1,5 +1,5 @@
-// 03-screen.c - tests of exercise 03. Expected: the deck's point, fractions worked by hand, and
-// that there and back is where one was.
+// 03-screen.c - tests of exercise 03. Expected values: the deck's point, fractions worked out by
+// hand, and that going there and back returns to the start.
 #include "exercises/03-screen.h"
 
 #include "tests/judge/test.h"
@@ -87,7 +87,7 @@ START_TEST(beyond_the_screen_is_beyond_0_to_1)
 }
 END_TEST
 
-// Equal steps on the screen are equal steps in the square, wherever they begin.
+// Equal steps on the screen are equal steps in the square, wherever they start.
 START_TEST(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_less_t)
 {
     for (int i = 0; i < 20; i++) {
@@ -131,7 +131,7 @@ static Resolution screen_of_any_shape(int i)
     return shapes[i % 4];
 }
 
-// The law of scale: a screen of k times as many pixels has the same shares of them.
+// The law of scale: on a screen of k times as many pixels the shares are the same.
 START_TEST(a_point_of_screens_of_any_shape_is_its_share_of_them)
 {
     for (int i = 0; i < 20; i++) {
@@ -192,7 +192,7 @@ START_TEST(a_share_of_screens_of_any_shape_is_as_many_pixels)
 }
 END_TEST
 
-// Two answers are tried here at once. What is wrong with one alone shows in its own tests first.
+// Two answers are tested together here. If one alone is wrong, its own tests show it first.
 START_TEST(to_the_square_and_back_is_the_same_point)
 {
     for (int i = 0; i < 50; i++) {
@@ -247,7 +247,7 @@ START_TEST(the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner)
 }
 END_TEST
 
-// Beyond 16777216 a float cannot say half a pixel.
+// Beyond 16777216 a float cannot represent half a pixel.
 START_TEST(the_centre_of_a_pixel_far_out_is_half_a_pixel_on)
 {
     expect_center(20000001, 3, 20000001.5, 3.5);
@@ -255,7 +255,7 @@ START_TEST(the_centre_of_a_pixel_far_out_is_half_a_pixel_on)
 }
 END_TEST
 
-// The first point that a pixel has is (column, row), the last ones are short of the next pixel's.
+// The first point of a pixel is (column, row); its last points are just before the next pixel.
 START_TEST(the_centre_of_any_pixel_is_half_way_to_the_next_pixel)
 {
     for (int i = 0; i < 20; i++) {

@@ -1,12 +1,12 @@
-// 04-pixel-ray.c - tests of exercise 04. Expected: rays worked by hand, and what projecting onto
-// the camera's own axes must give back. A direction may have any positive length.
+// 04-pixel-ray.c - tests of exercise 04. Expected values: rays worked out by hand, and what a
+// projection onto the camera's own axes must give back. A direction may have any positive length.
 #include "exercises/04-pixel-ray.h"
 
 #include "tests/judge/test.h"
 
 static const double tolerance = 1e-9;
 
-// The camera of the tests of exercise 01: no two numbers alike, nothing 0 or 1.
+// The camera of the tests of exercise 01: no two numbers are equal, none is 0 or 1.
 static Camera oblique_camera(void)
 {
     return (Camera){.origin = vec3_of(3, -5, 7),
@@ -31,8 +31,8 @@ static void expect_direction(Camera camera, Resolution screen, Pixel pixel, vec3
     expect_same_ray(pixel_ray(camera, screen, pixel), (Ray){camera.origin, direction}, tolerance);
 }
 
-// Where the ray of a pixel meets the image plane: along right and along up from its middle.
-// Behind the eye, or beside it, there is no such place.
+// The point where the ray of a pixel meets the image plane: along right and along up from its
+// middle. Behind the eye, or beside it, there is no such point.
 static vec3 place_on_plane(Camera camera, Resolution screen, Pixel pixel)
 {
     vec3 v = pixel_ray(camera, screen, pixel).direction;
@@ -74,7 +74,7 @@ START_TEST(all_eight_pixels_of_a_screen_of_4_by_2)
 }
 END_TEST
 
-// By hand: as above with columns for rows; seen in the other hand, x is the other way round.
+// By hand: as above with columns and rows swapped; for the other handedness, x is reversed.
 START_TEST(a_screen_of_2_by_4_seen_by_a_right_handed_camera)
 {
     Camera c = camera_of_the_deck();
@@ -167,7 +167,7 @@ static Resolution screen_of_any_shape(int i)
     return shapes[i % 4];
 }
 
-// The law of scale: in a world that is k times as large the ray begins k times as far out, and its
+// The law of scale: in a world that is k times as large the ray starts k times as far out, and its
 // direction is the same; its length is free anyway.
 START_TEST(screens_of_any_shape_in_worlds_of_any_size)
 {

@@ -1,10 +1,11 @@
-// laws.c - laws of exercise 03: a share of the whole is as many pixels, from the same edge.
+// laws.c - the laws of exercise 03: a share of the whole is the same share of the pixels, from the
+// same edge.
 #include "tests/03-screen/laws.h"
 
 #include "tests/judge/law.h"
 #include "tests/judge/reference/distinct_digits.h"
 
-// Wide of the contract's 1e-9 of a pixel, and of 1e-12 normalized.
+// Much wider than the contract's 1e-9 of a pixel, and 1e-12 normalized.
 static bool far_from(double yours, double right, double size)
 {
     return !(fabs(yours - right) <= 1e-8 + 1e-11 * (size + fabs(right)));
@@ -52,8 +53,8 @@ void law_normalized_to_screen(ScreenPoint yours, Normalized place, Resolution sc
     }
 }
 
-// The centre lies inside the pixel, and as far from the one side as from the other. Says so where
-// it does not.
+// The centre lies inside the pixel, and as far from one side as from the other. Says so if it does
+// not.
 static bool off_center(double yours, int number, const char *letter, const char *kind)
 {
     double before = yours - number, behind = number + 1.0 - yours;
@@ -65,8 +66,8 @@ static bool off_center(double yours, int number, const char *letter, const char 
     if (!far_from(before, behind, 0))
         return false;
     Apart a = apart(before, behind);
-    law_broken("your %s is %s after the beginning of %s %d and %s before its end; a centre is as "
-               "far from both",
+    law_broken("your %s is %s after the start of %s %d and %s before its end; a centre is as far "
+               "from both",
                letter, a.yours.s, kind, number, a.right.s);
     return true;
 }

@@ -1,4 +1,4 @@
-// laws.h - laws of exercise 03.
+// laws.h - the laws of exercise 03.
 #ifndef TESTS_03_SCREEN_LAWS_H
 #define TESTS_03_SCREEN_LAWS_H
 

@@ -1,4 +1,4 @@
-// mistakes.c - wrong answers to exercise 03: centres of pixels, and where the rest is.
+// mistakes.c - wrong answers to exercise 03: centres of pixels, and the list of all tables.
 #include "exercises/03-screen.h"
 #include "tests/judge/mistake.h"
 
@@ -71,49 +71,51 @@ static ScreenPoint upward(Pixel pixel)
 
 static const Mistake center_mistakes[] = {
     MISTAKE("M-corner", pixel_center, corner_of_the_pixel, "(column, row)",
-            "that is the pixel's upper left corner, shared with three others. If a 1 / 2 stands in "
-            "your code: of whole numbers it is 0.",
+            "this is the pixel's upper left corner, which it shares with three other pixels. If "
+            "your code has 1 / 2: in C that is an integer division, and its result is 0.",
             "half a pixel off"),
     MISTAKE("M-far", pixel_center, far_corner_of_the_pixel, "(column + 1, row + 1)",
-            "that is the pixel's lower right corner; it goes right through the square.",
+            "this is the pixel's lower right corner, across the whole square.",
             "half a pixel off the other way"),
     MISTAKE("M-swap", pixel_center, row_and_column_swapped, "(row + 1/2, column + 1/2)",
             "x counts columns, from the left, and y counts rows, from the top.",
             "mirrored in the diagonal: rows become columns"),
     MISTAKE("M-back", pixel_center, half_a_pixel_back, "(column - 1/2, row - 1/2)",
-            "the square begins at (column, row) and reaches right and down from there. This is the "
-            "centre of its neighbour.",
+            "the pixel's square starts at (column, row) and extends right and down from there. "
+            "This is the centre of another pixel.",
             "a whole pixel off, to the left and upward"),
     MISTAKE("M-up", pixel_center, half_a_pixel_up, "(column + 1/2, row - 1/2)",
-            "y grows downward, and the square reaches down from its row. This is the centre of the "
+            "y grows downward, and the square extends down from its row. This is the centre of the "
             "pixel above.",
             "a pixel too high"),
     MISTAKE("M-left", pixel_center, half_a_pixel_left, "(column - 1/2, row + 1/2)",
-            "the square reaches to the right from its column. This is the centre of the pixel on "
+            "the square extends to the right from its column. This is the centre of the pixel on "
             "the left.",
             "a pixel too far left"),
-    MISTAKE("M-column", pixel_center, only_the_column, "(column + 1/2, row)",
-            "that is the middle of the pixel's upper edge. Its rows have a height, too.",
-            "half a pixel off, upward"),
-    MISTAKE("M-row", pixel_center, only_the_row, "(column, row + 1/2)",
-            "that is the middle of the pixel's left side. Its columns have a width, too.",
-            "half a pixel off, to the left"),
+    MISTAKE(
+        "M-column", pixel_center, only_the_column, "(column + 1/2, row)",
+        "this is the middle of the pixel's upper edge. A row also has a height: add half of it.",
+        "half a pixel off, upward"),
+    MISTAKE(
+        "M-row", pixel_center, only_the_row, "(column, row + 1/2)",
+        "this is the middle of the pixel's left side. A column also has a width: add half of it.",
+        "half a pixel off, to the left"),
     MISTAKE("M-average", pixel_center, average_with_1, "((column + 1)/2, (row + 1)/2)",
-            "the column itself is halved. Only the pixel that is added is to be cut in half.",
+            "the column itself is halved. Only the added pixel is halved: column + 1/2.",
             "only the upper left quarter of the view, at twice its size"),
     MISTAKE("M-times", pixel_center, halved, "(column/2, row/2)",
-            "that is half way from the corner of the screen to the pixel. The centre is half a "
+            "this is half way from the corner of the screen to the pixel. The centre is half a "
             "pixel away from the pixel's own corner.",
             "only the upper left quarter of the view, at twice its size"),
     MISTAKE("M-double", pixel_center, doubled, "(2 column + 1, 2 row + 1)",
-            "that counts in halves of a pixel. x and y count whole ones.",
+            "this counts in halves of a pixel. x and y count whole pixels.",
             "everything at half its size, in the upper left quarter"),
     MISTAKE("M-cc", pixel_center, column_for_both, "(column + 1/2, column + 1/2)",
             "how far down a pixel is depends on its row.",
-            "stripes from top to bottom: all rows alike"),
+            "stripes from top to bottom: all rows are alike"),
     MISTAKE(
         "M-down", pixel_center, upward, "(column + 1/2, -(row + 1/2))",
-        "y grows downward on the screen, as rows do. Turning over comes later, on the way to t.",
+        "y grows downward on the screen, as rows do. The axis is reversed later, in the step to t.",
         "upside down, and the view a whole picture too high"),
     {0},
 };

@@ -1,4 +1,4 @@
-// probes.c - calls that tell mistakes of exercise 03 apart: portrait and landscape, on the
+// probes.c - calls that distinguish the mistakes of exercise 03: portrait and landscape, on the
 // screen and beyond it.
 #include "exercises/03-screen.h"
 

@@ -1,4 +1,4 @@
-// unknown.c - wrong answers to exercise 03 that are no known mistake.
+// unknown.c - wrong answers to exercise 03 that are not known mistakes.
 #include "tests/proof/unknown.h"
 
 const Unknown unknowns[] = {

@@ -1,4 +1,4 @@
-// variants.c - right answers to exercise 03, written otherwise.
+// variants.c - right answers to exercise 03, written in other ways.
 #include "exercises/03-screen.h"
 
 #include "tests/proof/variants.h"
@@ -50,7 +50,7 @@ static ScreenPoint by_a_helper(Pixel pixel)
     return (ScreenPoint){middle(pixel.column), middle(pixel.row)};
 }
 
-// Where x is between two ends, as a share.
+// The position of x between two ends, as a share.
 static double share(double x, double from, double to)
 {
     return (x - from) / (to - from);
@@ -103,7 +103,7 @@ const Variant variants[] = {
     VARIANT(normalized_to_screen, up_from_the_bottom, "up from the bottom edge"),
     VARIANT(normalized_to_screen, sign_outside, "minus the height, times t - 1"),
     VARIANT(pixel_center, between_the_corners, "half way between the corners"),
-    VARIANT(pixel_center, by_a_helper, "a helper, in whole numbers as long as it can"),
+    VARIANT(pixel_center, by_a_helper, "a helper, in integers as long as possible"),
     VARIANT(screen_to_normalized, inverse_lerp, "a helper: the share between two ends"),
     VARIANT(screen_to_normalized, in_long_double, "in long double"),
     VARIANT(normalized_to_screen, lerp, "a helper: between two ends"),

@@ -1,5 +1,5 @@
-// free.c - right, and with the freedom of the contract: a direction 3 long, whatever the
-// camera.
+// free.c - a right answer that uses the freedom of the contract: a direction of length 3, whatever
+// the camera.
 #include "exercises/04-pixel-ray.h"
 
 #include "exercises/01-corners.h"

@@ -1,12 +1,12 @@
-// laws.c - laws of exercise 04: a ray begins in the eye and goes through its pixel.
+// laws.c - the laws of exercise 04: a ray starts at the eye and goes through its pixel.
 #include "tests/04-pixel-ray/laws.h"
 
 #include "common/text.h"
 #include "tests/judge/law.h"
 #include "tests/judge/reference/distinct_digits.h"
 
-// Where the ray meets the plane, counted in pixels from an edge of it; its pixel of that number
-// has to be there, as far on one side as on the other. A pixel is size large in the world.
+// The point where the ray meets the plane, counted in pixels from an edge; its pixel must be there,
+// as far on one side as on the other. A pixel has this size in the world.
 static bool beside_its_pixel(double place, int number, double size, double tolerance,
                              const char *edge, const char *kind)
 {
@@ -22,7 +22,8 @@ static bool beside_its_pixel(double place, int number, double size, double toler
 
 void law_pixel_ray(Ray yours, Camera camera, Resolution screen, Pixel pixel)
 {
-    // Wide of the contract's 1e-9; a ray that is flat to the plane meets it less exactly.
+    // Much wider than the contract's 1e-9; a ray that is nearly parallel to the plane meets it less
+    // exactly.
     double size = camera.distance + camera.width + camera.height;
     double tolerance = 1e-8 * size * size / camera.distance;
     vec3 v = yours.direction;
@@ -32,7 +33,7 @@ void law_pixel_ray(Ray yours, Camera camera, Resolution screen, Pixel pixel)
     }
     if (!(vec3_length(yours.origin - camera.origin) <= 1e-8 * size)) {
         Apart a = apart_vec3(yours.origin, camera.origin);
-        law_broken("your ray begins at %s; the eye is at %s", a.yours.s, a.right.s);
+        law_broken("your ray starts at %s; the eye is at %s", a.yours.s, a.right.s);
         return;
     }
     double ahead = without_noise(vec3_dot(v, camera.forward), 1e-12 * vec3_length(v));

@@ -1,4 +1,4 @@
-// laws.h - laws of exercise 04.
+// laws.h - the laws of exercise 04.
 #ifndef TESTS_04_PIXEL_RAY_LAWS_H
 #define TESTS_04_PIXEL_RAY_LAWS_H
 

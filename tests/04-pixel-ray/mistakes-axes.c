@@ -77,38 +77,39 @@ static Ray in_float(Camera camera, Resolution screen, Pixel pixel)
 
 const Mistake axis_mistakes[] = {
     MISTAKE("P-less-x", pixel_ray, one_column_less, "column/(W - 1)",
-            "that puts the outermost centres onto the edges of the plane, to the left and to the "
-            "right. They lie half a pixel inside.",
+            "this puts the outermost centres onto the left and right edges of the plane. They lie "
+            "half a pixel inside.",
             "everything slightly too narrow; in a single column, nothing"),
     MISTAKE("P-less-y", pixel_ray, one_row_less, "row/(H - 1)",
-            "that puts the outermost centres onto the edges of the plane, at the top and at the "
-            "bottom. They lie half a pixel inside.",
+            "this puts the outermost centres onto the top and bottom edges of the plane. They lie "
+            "half a pixel inside.",
             "everything slightly too low; in a single row, nothing"),
     MISTAKE("P-wide-x", pixel_ray, s_from_minus_1, "s from -1 to 1",
-            "s goes from -1 to 1, and t from 0 to 1. Both are to go from 0 to 1.",
+            "s goes from -1 to 1, and t from 0 to 1. Both must go from 0 to 1.",
             "everything at half its width, and shifted"),
     MISTAKE("P-wide-y", pixel_ray, t_from_minus_1, "t from -1 to 1",
-            "t goes from -1 to 1, and s from 0 to 1. Both are to go from 0 to 1.",
+            "t goes from -1 to 1, and s from 0 to 1. Both must go from 0 to 1.",
             "everything at half its height, and shifted"),
-    MISTAKE("P-whole-x", pixel_ray, whole_columns_divided, "column/W in whole numbers",
-            "in C, 300 / 640 of two ints is 0, so the rays of all columns go to the left edge.",
-            "stripes from left to right: all columns alike"),
-    MISTAKE("P-whole-y", pixel_ray, whole_rows_divided, "row/H in whole numbers",
-            "in C, 400 / 480 of two ints is 0, so the rays of all rows go to the top edge.",
-            "stripes from top to bottom: all rows alike"),
-    MISTAKE("P-thin", pixel_ray, straight_ahead_where_a_side_is_1,
-            "straight ahead where W or H is 1",
-            "a single column still has as many rows as the screen is high, and each has a place of "
-            "its own. No screen needs a case of its own.",
-            "nothing amiss, but in pictures of one column or row"),
+    MISTAKE("P-whole-x", pixel_ray, whole_columns_divided, "column/W in integers",
+            "in C, 300 / 640 is an integer division: its result is 0, so the rays of all columns "
+            "go to the left edge.",
+            "stripes from left to right: all columns are alike"),
+    MISTAKE("P-whole-y", pixel_ray, whole_rows_divided, "row/H in integers",
+            "in C, 400 / 480 is an integer division: its result is 0, so the rays of all rows go "
+            "to the top edge.",
+            "stripes from top to bottom: all rows are alike"),
+    MISTAKE("P-thin", pixel_ray, straight_ahead_where_a_side_is_1, "straight ahead if W or H is 1",
+            "a single column still has as many rows as the screen is high, and each has its own "
+            "place. No screen needs a special case.",
+            "no visible difference, except in pictures of one column or row"),
     MISTAKE("P-larger", pixel_ray, larger_side_for_both, "the larger of W and H for both",
             "x is a share of W and y a share of H, whichever is larger.",
-            "right on a square screen; elsewhere out of shape and shifted"),
+            "right on a square screen; if not square, out of shape and shifted"),
     MISTAKE("P-smaller", pixel_ray, smaller_side_for_both, "the smaller of W and H for both",
             "x is a share of W and y a share of H, whichever is larger.",
-            "right on a square screen; elsewhere out of shape and shifted"),
+            "right on a square screen; if not square, out of shape and shifted"),
     MISTAKE("P-float", pixel_ray, in_float, "in float",
-            "a float keeps 7 digits, and the ray is asked for to 9. Use double.",
-            "nothing amiss, or ragged rims"),
+            "a float has 7 digits, and the ray needs 9. Use double.",
+            "no visible difference, or ragged edges"),
     {0},
 };

@@ -1,4 +1,4 @@
-// probes.c - calls that tell mistakes of exercise 04 apart: any camera, portrait and
+// probes.c - calls that distinguish the mistakes of exercise 04: any camera, portrait and
 // landscape.
 #include "exercises/04-pixel-ray.h"
 

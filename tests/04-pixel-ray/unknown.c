@@ -1,4 +1,4 @@
-// unknown.c - wrong answers to exercise 04 that are no known mistake by their values alone.
+// unknown.c - wrong answers to exercise 04 that are not known mistakes by their values alone.
 #include "tests/proof/unknown.h"
 
 #include "exercises/04-pixel-ray.h"

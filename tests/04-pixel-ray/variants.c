@@ -1,4 +1,4 @@
-// variants.c - right answers to exercise 04, written otherwise: directions of other lengths,
+// variants.c - right answers to exercise 04, written in other ways: directions of other lengths,
 // and other ways to the same place.
 #include "exercises/04-pixel-ray.h"
 
@@ -47,7 +47,7 @@ static Ray by_hand(Camera camera, Resolution screen, Pixel pixel)
     return (Ray){camera.origin, direction};
 }
 
-// As in many a renderer: the step from one pixel to the next, from the upper left corner on.
+// As in many renderers: the step from one pixel to the next, starting at the upper left corner.
 static Ray in_steps_of_a_pixel(Camera camera, Resolution screen, Pixel pixel)
 {
     vec3 across = camera.width / screen.width * camera.right;
@@ -60,7 +60,7 @@ static Ray in_steps_of_a_pixel(Camera camera, Resolution screen, Pixel pixel)
     return (Ray){camera.origin, direction};
 }
 
-// Twice the way to the centre is the sum of the ways to two opposite corners of the pixel.
+// Twice the vector to the centre is the sum of the vectors to two opposite corners of the pixel.
 static Ray between_corners_of_the_pixel(Camera camera, Resolution screen, Pixel pixel)
 {
     ScreenPoint corner = {pixel.column, pixel.row}, opposite = {corner.x + 1, corner.y + 1};
@@ -70,7 +70,7 @@ static Ray between_corners_of_the_pixel(Camera camera, Resolution screen, Pixel 
                  image_plane_vector(camera, a.s, a.t) + image_plane_vector(camera, b.s, b.t)};
 }
 
-// Between the corners of the plane, by how many pixels are on each side.
+// Between the corners of the plane, weighted by the number of pixels on each side.
 static Ray between_the_corners(Camera camera, Resolution screen, Pixel pixel)
 {
     double right = (pixel.column + 0.5) / screen.width, down = (pixel.row + 0.5) / screen.height;
