@@ -1,5 +1,5 @@
-// 05-quadratic.c - tests of exercise 05. Expected: the deck's section, chords worked by hand, and
-// what is true of any ray and sphere that were built from their hits.
+// 05-quadratic.c - tests of exercise 05. Expected values: the deck's section, chords worked out by
+// hand, and what is true of any ray and sphere that were constructed from their hits.
 #include "tests/05-quadratic/support.h"
 
 #include <stdlib.h>
@@ -119,8 +119,8 @@ START_TEST(c_is_negative_for_a_ray_that_begins_inside)
 }
 END_TEST
 
-// What the equation says: at every t, how far the point's squared distance from the centre is
-// from the squared radius.
+// The meaning of the equation: at every t, the point's squared distance from the centre minus the
+// squared radius.
 static double distance_squared_less_radius_squared(Ray ray, vec3 center, double radius, double t)
 {
     double distance = vec3_length(ray.origin + t * ray.direction - center);
@@ -142,8 +142,7 @@ START_TEST(at_every_t_it_is_the_squared_distance_less_the_squared_radius)
 END_TEST
 
 // A ray whose angle to the line from its origin to the centre is known, in a world of any size; the
-// direction is a little longer or shorter than that world is large. size: of the numbers that go
-// in.
+// direction is a little longer or shorter than the size of that world. size: of the arguments.
 typedef struct {
     Ray ray; // in object coordinates
     double radius, size;
@@ -163,7 +162,7 @@ static Angled random_angled(double world)
                      (distance - radius) * (distance + radius)}};
 }
 
-// The law of scale: with everything k times as large a, b and c are k^2 times as large.
+// The law of scale: with everything k times as large, a, b and c are k^2 times as large.
 START_TEST(an_equation_may_be_of_any_size)
 {
     enum { COUNT = 25 };
@@ -352,14 +351,15 @@ START_TEST(where_a_and_b_are_0_there_are_no_roots)
 }
 END_TEST
 
-// The law of scale: whatever a, b and c are all multiplied by, the roots stay; and with b and c
-// divided by k and its square, the roots are 1/k of what they were. Nothing is small in itself.
+// The law of scale: if a, b and c are all multiplied by one number, the roots stay; and with b and
+// c divided by k and its square, the roots are 1/k of what they were. No coefficient is small in
+// itself.
 START_TEST(coefficients_and_roots_may_be_large_or_small)
 {
     enum { COUNT = 25 };
     for (int i = 0; i < COUNT; i++) {
         double size = random_scale(i, COUNT), bend = random_scale((7 * i) % COUNT, COUNT);
-        double a = random_number(0.5, 5) * pow(bend, 3); // size may be anything beside it
+        double a = random_number(0.5, 5) * pow(bend, 3); // size may be any number compared with it
         double t = size * random_number(-9, 9), gap = size * random_number(0.1, 9);
         if (i % 5 == 4)
             a = -a;
@@ -398,7 +398,7 @@ START_TEST(a_line_may_be_steep_or_almost_level)
 }
 END_TEST
 
-// Far out it bends all the same: the second root is where the line would never be.
+// Far out it still bends: the second root is where the line would never be.
 START_TEST(a_parabola_that_hardly_bends_has_two_roots)
 {
     for (int i = 0; i < 5; i++) {
@@ -413,7 +413,7 @@ END_TEST
 
 static void expect_aimed(Aimed aimed)
 {
-    given("made so", "that the angle at the surface is known");
+    given("known", "the angle at the surface");
     expect_meetings(aimed.ray, aimed.sphere, two(aimed.near, aimed.far),
                     ROOT_TOLERANCE * aimed.sphere.radius / vec3_length(aimed.ray.direction));
 }
@@ -486,7 +486,8 @@ START_TEST(the_chord_is_twice_the_radius_times_the_cosine)
 }
 END_TEST
 
-// From 3 away, with a radius of 2: 1 and 5 to go, on a direction that is ever longer or shorter.
+// 3 away, with a radius of 2: 1 and 5 to go, with a direction that gets longer or shorter each
+// time.
 START_TEST(both_places_may_be_of_any_size)
 {
     for (int power = -16; power <= 16; power++) {
@@ -588,8 +589,9 @@ START_TEST(what_is_beside_is_not_hit)
 }
 END_TEST
 
-// Only rays along an axis, 1 or 2 long, and whole numbers: sides of 3 and 4 have a diagonal of 5.
-// So nothing is rounded, whichever of the usual formulas is used, and every right answer hits.
+// Only rays along an axis, 1 or 2 long, and whole numbers: a triangle with sides 3 and 4 has the
+// diagonal 5. So nothing is rounded, whichever of the usual formulas is used, and every right
+// answer hits.
 START_TEST(a_tangent_ray_hits)
 {
     Ray ray = {vec3_of(-4, 3, 0), vec3_of(1, 0, 0)};
@@ -632,7 +634,7 @@ START_TEST(a_surface_close_to_the_eye_is_hit)
 }
 END_TEST
 
-// 700 to go, on a direction that is ever shorter.
+// 700 to go, with a direction that gets shorter each time.
 START_TEST(t_may_be_of_any_size)
 {
     for (double length = 1; length > 1e-17; length /= 10) {
@@ -642,7 +644,8 @@ START_TEST(t_may_be_of_any_size)
 }
 END_TEST
 
-// The ray of a pixel ends on the image plane; what stands between the eye and the plane is seen.
+// The ray of a pixel reaches the image plane at t = 1; spheres between the eye and the plane are
+// seen.
 START_TEST(what_is_in_front_of_the_image_plane_is_hit)
 {
     Ray ray = {vec3_of(0, 0, 0), vec3_of(0, 0, -4)};
@@ -651,7 +654,7 @@ START_TEST(what_is_in_front_of_the_image_plane_is_hit)
 END_TEST
 
 // The law of scale: with the world k times as large t is k times as large, and with the direction k
-// times as long it is 1/k of it. First a tiny world and a long direction, last the other way round.
+// times as long it is 1/k of that. First a tiny world and a long direction, last the reverse.
 START_TEST(worlds_and_directions_of_any_size_are_hit_in_the_same_place)
 {
     enum { COUNT = 25 };
@@ -675,7 +678,7 @@ START_TEST(a_point_on_a_sphere_that_is_aimed_at_is_hit)
 {
     for (int i = 0; i < 50; i++) {
         Aimed aimed = random_aimed(random_number(0.1, 1000));
-        given("made so", "that the point which is met is known");
+        given("known", "the point of the hit");
         expect_hit(aimed.ray, aimed.sphere, aimed.near);
     }
 }
@@ -710,7 +713,7 @@ START_TEST(enormous_and_tiny_coefficients_neither_overflow_nor_vanish)
 }
 END_TEST
 
-// The same, its t counted in two thirds: then a and c are far apart.
+// The same, with t counted in two thirds: then a and c are far apart.
 START_TEST(nearly_equal_roots_keep_their_digits_where_a_and_c_differ)
 {
     Quadratic q = {2.25 * 94906265.625, 1.5 * -189812534, 94906268.375};
@@ -780,9 +783,9 @@ END_TEST
 
 // Far away, enormous, tiny. These tests cost no marks.
 
-// (2, 3, 6) and (3, -6, 2) are at right angles and 7 long. So with the ray from the origin along
-// the first, and a centre so many of it ahead and so many of the other aside, everything is a whole
-// number: chords come from whole right-angled triangles.
+// (2, 3, 6) and (3, -6, 2) are at right angles and 7 long. With the ray from the origin along the
+// first, and a centre some multiples of it ahead and some multiples of the other to the side, every
+// number is whole: chords come from right-angled triangles with whole sides.
 static Ray whole_ray(void)
 {
     return (Ray){vec3_of(0, 0, 0), vec3_of(2, 3, 6)};
@@ -831,7 +834,7 @@ START_TEST(points_on_small_distant_spheres_are_met)
 {
     for (int i = 0; i < 20; i++) {
         Aimed aimed = random_aimed(1e6);
-        given("made so", "that the point which is met is known");
+        given("known", "the point of the hit");
         expect_meetings(aimed.ray, aimed.sphere, two(aimed.near, aimed.far),
                         ROOT_TOLERANCE * aimed.sphere.radius / vec3_length(aimed.ray.direction));
     }
@@ -850,7 +853,7 @@ START_TEST(directions_may_be_of_any_length)
 }
 END_TEST
 
-// Whatever is longest in the direction, and whichever way it goes.
+// Whichever component of the direction is longest, and whatever its sign.
 START_TEST(directions_of_any_length_may_go_any_way)
 {
     double length[] = {1e-200, 1e200};
@@ -865,7 +868,7 @@ START_TEST(directions_of_any_length_may_go_any_way)
 }
 END_TEST
 
-// Origin times direction is of no unusual size here; the direction is.
+// The product of origin and direction has no unusual size here; the direction has.
 START_TEST(a_long_direction_from_near_the_origin_of_the_world)
 {
     Ray ray = {vec3_of(1e-200, 1e-200, 1e-200), 1e200 * vec3_of(2, 3, 6)};
@@ -873,7 +876,7 @@ START_TEST(a_long_direction_from_near_the_origin_of_the_world)
 }
 END_TEST
 
-// Each alone would do; together their squares are beyond the numbers.
+// Each alone would be fine; together their squares leave the range of a double.
 START_TEST(scene_and_direction_may_both_be_large_or_small)
 {
     double size[] = {1e100, 1e-100};
@@ -927,7 +930,7 @@ START_TEST(scenes_may_be_enormous_or_tiny)
 }
 END_TEST
 
-// The two are 3 * 10^308 apart, which no double holds.
+// The two are 3 * 10^308 apart, which is more than a double can hold.
 START_TEST(a_ray_goes_from_one_end_of_the_numbers_to_the_other)
 {
     Ray ray = {vec3_of(-1.5e308, 0, 0), vec3_of(4, 0, 0)};

@@ -1,11 +1,11 @@
-// composed.c - answers to exercise 05 that ask others of it.
+// composed.c - answers to exercise 05 that call other answers of it.
 #include "tests/proof/composed.h"
 
 #include "solutions/05-quadratic.c"
 
 SOLUTION(hit_sphere);
 
-// As the slides have it.
+// As on the slides.
 static Roots by_object(Ray ray, Sphere sphere)
 {
     return quadratic_roots(object_quadratic(to_object_coordinates(ray, sphere), sphere.radius));

@@ -1,4 +1,4 @@
-// free.c - right, by the formulas of the slides, which round otherwise than the reference.
+// free.c - right answers by the formulas of the slides, which round differently from the reference.
 #include "exercises/05-quadratic.h"
 
 Ray to_object_coordinates(Ray ray, Sphere sphere)

@@ -1,12 +1,12 @@
-// laws.c - what must hold of a ray, a sphere and their quadratic, whatever the numbers.
+// laws.c - what must hold for a ray, a sphere and their quadratic, whatever the numbers.
 //
-// Tolerances are wide, so that the slide's plain formula never breaks a law; where numbers are so
-// extreme that it loses all digits, the laws keep silent.
+// Tolerances are wide, so that the slide's plain formula never breaks a law; if numbers are so
+// extreme that it loses all digits, the laws are silent.
 #include "tests/05-quadratic/laws.h"
 
 #include "common/text.h"
 
-// 0 or of a size whose square is harmless.
+// 0, or of a size whose square stays in range.
 static bool tame(double x)
 {
     return x == 0 || (fabs(x) > 1e-50 && fabs(x) < 1e50);
@@ -26,21 +26,21 @@ void law_to_object_coordinates(Ray yours, Ray ray, Sphere sphere)
     double size = vec3_length(ray.origin) + vec3_length(sphere.center);
     double mine = vec3_length(ray.origin - sphere.center);
     if (!(vec3_length(yours.direction - ray.direction) <= 1e-9 * vec3_length(ray.direction)))
-        law_broken("your direction is %s, the one that was given is %s: seen from elsewhere "
-                   "a direction stays what it is",
+        law_broken("your direction is %s, the given one is %s: a direction is the same seen from "
+                   "any point",
                    vec3_text(yours.direction).s, vec3_text(ray.direction).s);
     else if (!(fabs(vec3_length(yours.origin) - mine) <= 1e-9 * size))
-        law_broken("your origin is %s away from the centre, which is at (0, 0, 0) now; in the "
+        law_broken("your origin is %s away from the centre, which is now at (0, 0, 0); in the "
                    "world the eye is %s away from it",
                    number_text(vec3_length(yours.origin)).s, number_text(mine).s);
     else if (!(vec3_length(yours.origin - (ray.origin - sphere.center)) <= 1e-9 * size))
         law_broken("your origin is as far from the centre as it should be, but in another "
-                   "direction: centre and origin together are %s, and the eye is at %s",
+                   "direction: centre plus origin is %s, and the eye is at %s",
                    vec3_text(sphere.center + yours.origin).s, vec3_text(ray.origin).s);
 }
 
-// p is the eye as seen from the centre; size is how large the numbers were that went in. One at a
-// time: c alone counts at t = 0, then a and b by what they do to the parabola.
+// p is the eye seen from the centre; size is the size of the arguments. One at a time: only c
+// counts at t = 0, then a and b by how they change the parabola.
 static void law_of_coefficients(Quadratic yours, vec3 p, vec3 v, double r, double size)
 {
     double a = vec3_dot(v, v), b = 2 * vec3_dot(p, v), c = vec3_dot(p, p) - r * r;
@@ -48,7 +48,7 @@ static void law_of_coefficients(Quadratic yours, vec3 p, vec3 v, double r, doubl
     if (!tame_vec3(p) || !tame_vec3(v) || !tame(r) || !tame(size) || speed == 0)
         return;
     if (!(fabs(yours.c - c) <= tolerance))
-        law_broken("at t = 0, where the ray begins, your a t^2 + b t + c is %s; the eye is %s from "
+        law_broken("at t = 0, where the ray starts, your a t^2 + b t + c is %s; the eye is %s from "
                    "the centre and r is %s: the difference of their squares is %s",
                    number_text(yours.c).s, number_text(vec3_length(p)).s, number_text(r).s,
                    number_text(c).s);
@@ -82,8 +82,8 @@ static void law_of_a_line(Roots yours, Quadratic q)
 {
     if (yours.count != (q.b == 0 ? 0 : 1))
         law_broken("with a = 0 it is a line, and %s; you return count = %d",
-                   q.b == 0 ? "with b = 0 too it is level and never crosses 0"
-                            : "this one crosses 0 once",
+                   q.b == 0 ? "with b = 0 as well it is level and never crosses 0"
+                            : "this line crosses 0 once",
                    yours.count);
     else if (yours.count == 1 && !(fabs(q.b * yours.t[0] + q.c) <= 1e-9 * fabs(q.c)))
         law_broken("b t + c is %s at your root %s, not 0", number_text(q.b * yours.t[0] + q.c).s,
@@ -94,7 +94,7 @@ static void law_of_a_parabola(Roots yours, Quadratic q)
 {
     double d = q.b * q.b - 4 * q.a * q.c, size = q.b * q.b + 4 * fabs(q.a * q.c);
     if (yours.count != 0 && yours.count != 2) {
-        law_broken("you return count = %d, and a parabola has 2 roots (maybe equal ones) or none",
+        law_broken("you return count = %d, but a parabola has 2 roots (which may be equal) or none",
                    yours.count);
         return;
     }
@@ -105,7 +105,7 @@ static void law_of_a_parabola(Roots yours, Quadratic q)
         law_broken("D = b^2 - 4ac is %s, below 0: the parabola never crosses 0, but you return two "
                    "roots",
                    number_text(d).s);
-    // 4a (a t^2 + b t + c) is (2at + b)^2 - D, which rounding of D bounds.
+    // 4a (a t^2 + b t + c) is (2at + b)^2 - D; the rounding of D bounds it.
     for (int i = 0; i < yours.count; i++) {
         double t = yours.t[i], value = (q.a * t + q.b) * t + q.c;
         if (!isfinite(t))
@@ -120,8 +120,8 @@ static void law_of_a_parabola(Roots yours, Quadratic q)
         law_broken("your roots are not ascending: %s comes before %s", number_text(yours.t[0]).s,
                    number_text(yours.t[1]).s);
     if (yours.count == 2 && !(fabs(q.a * (yours.t[0] + yours.t[1]) + q.b) <= 1e-6 * sqrt(size)))
-        law_broken("both sides of a parabola are alike, but your roots %s and %s lie round %s, and "
-                   "its middle is at %s",
+        law_broken("a parabola is symmetric, but your roots %s and %s are around %s, and its "
+                   "middle is at %s",
                    number_text(yours.t[0]).s, number_text(yours.t[1]).s,
                    number_text((yours.t[0] + yours.t[1]) / 2).s, number_text(-q.b / (2 * q.a)).s);
 }
@@ -138,16 +138,16 @@ void law_quadratic_roots(Roots yours, Quadratic q)
 
 // ---- sphere_roots, hit_sphere -------------------------------------------------------------------
 
-// The ray seen from the centre, and where it comes closest to it.
+// The ray seen from the centre, and the point where it comes closest to it.
 typedef struct {
     vec3 p, v;
     double r, speed, distance;
     double foot, l, half; // t and distance of the closest point; half the chord, in t
-    bool beside, through; // clearly; a ray that only grazes is neither
+    bool beside, through; // clearly; a ray that only grazes does neither
 } Sight;
 
-// False where the plain formula has too few digits left to be judged: extreme numbers, and spheres
-// thousands of radii away or moved far from the world's origin.
+// False if the plain formula has too few digits left to be judged: for extreme numbers, and for
+// spheres thousands of radii away or far from the world's origin.
 static bool look(Ray ray, Sphere sphere, Sight *sight)
 {
     vec3 p = ray.origin - sphere.center, v = ray.direction;
@@ -180,8 +180,8 @@ void law_sphere_roots(Roots yours, Ray ray, Sphere sphere)
     if (!look(ray, sphere, &sight))
         return;
     if (yours.count != 0 && yours.count != 2) {
-        law_broken("you return count = %d, and a line meets a sphere in 2 places (equal ones where "
-                   "it touches) or in none",
+        law_broken("you return count = %d, but a line meets a sphere in 2 places (equal ones if it "
+                   "only touches) or in none",
                    yours.count);
         return;
     }
@@ -220,7 +220,7 @@ void law_hit_sphere(double yours, Ray ray, Sphere sphere)
         if (sight.through && far > margin)
             law_broken("the ray %s and passes %s from the centre, r is %s: it hits ahead of the "
                        "eye, but you return NO_HIT",
-                       near < 0 ? "begins inside the sphere" : "comes from outside",
+                       near < 0 ? "starts inside the sphere" : "comes from outside",
                        number_text(sight.l).s, number_text(sight.r).s);
         return;
     }
@@ -237,6 +237,7 @@ void law_hit_sphere(double yours, Ray ray, Sphere sphere)
         law_broken("the point at your t = %s is not on the sphere: |p + tv - c| - r = %s",
                    number_text(yours).s, number_text(off_the_sphere(&sight, yours)).s);
     else if (sight.through && near > margin && yours > sight.foot)
-        law_broken("at your t = %s the ray leaves the sphere, and it came into it ahead of the eye",
-                   number_text(yours).s);
+        law_broken(
+            "at your t = %s the ray leaves the sphere, but it has entered it ahead of the eye",
+            number_text(yours).s);
 }

@@ -1,4 +1,4 @@
-// mistakes-count.c - wrong roots: how many, in which order, and where a = 0.
+// mistakes-count.c - wrong roots: their number, their order, and those for a = 0.
 #include "tests/05-quadratic/mistakes.h"
 
 static Roots double_root_lost(Quadratic q)
@@ -83,52 +83,52 @@ static Roots nothing_where_b_is_0(Quadratic q)
     return q.b == 0 ? no_roots : slide(q);
 }
 
-#define NOT_OF_SPHERES "nothing amiss, since for a ray and a sphere a is never 0"
+#define NOT_OF_SPHERES "no visible difference, because for a ray and a sphere a is never 0"
 
 const Mistake count_mistakes[] = {
-    MISTAKE("R5", quadratic_roots, double_root_lost, "roots only where D > 0",
-            "D = 0 is the ray that just touches: both places have become one, but it is met.",
-            "hardly anything: single pixels missing at the rim"),
-    MISTAKE("R5-once", quadratic_roots, double_root_once, "one root where D = 0",
-            "both places have become one, and still count as two: only a line, a = 0, has a single "
+    MISTAKE(
+        "R5", quadratic_roots, double_root_lost, "roots only if D > 0",
+        "D = 0 is the ray that just touches the sphere: both places are equal, but it is a hit.",
+        "hardly anything: single pixels missing at the edge"),
+    MISTAKE("R5-once", quadratic_roots, double_root_once, "one root if D = 0",
+            "both places are equal, but they still count as two: only a line, a = 0, has a single "
             "root.",
-            "hardly anything: single pixels missing at the rim"),
+            "hardly anything: single pixels missing at the edge"),
     MISTAKE("R-order", quadratic_roots, minus_before_plus, "first with -, then with + sqrt(D)",
-            "dividing by a negative a turns their order round.",
-            "nothing amiss, since for a ray and a sphere a is positive"),
-    MISTAKE("R-down", quadratic_roots, descending, "the larger root first",
-            "the eye sees the place that comes first along the ray, and looks for it in t[0].",
-            "the inside of every sphere"),
-    MISTAKE("R-real", quadratic_roots, real_parts, "t = -b / (2a) where D < 0",
-            "that is where the ray comes closest to the sphere, but it passes beside.",
+            "dividing by a negative a reverses their order.",
+            "no visible difference, because for a ray and a sphere a is positive"),
+    MISTAKE(
+        "R-down", quadratic_roots, descending, "the larger root first",
+        "the eye sees the place that comes first along the ray, and hit_sphere expects it in t[0].",
+        "the inside of every sphere"),
+    MISTAKE("R-real", quadratic_roots, real_parts, "t = -b / (2a) if D < 0",
+            "this is where the ray comes closest to the sphere, but it misses the sphere.",
             "a picture filled by the sphere: every ray hits"),
-    MISTAKE("R-nan", quadratic_roots, discriminant_not_looked_at, "sqrt(D) where D < 0, too",
-            "that is no number. A negative D says that the ray passes beside the sphere, and there "
-            "are no roots.",
-            "nothing amiss, by luck: nan > 0 is false, so hit_sphere takes it for a miss"),
-    MISTAKE("R-a0", quadratic_roots, divided_by_0, "/ (2a) where a = 0, too",
-            "that divides by 0. Without t^2 the parabola is a straight line, and has to be treated "
-            "as one.",
+    MISTAKE("R-nan", quadratic_roots, discriminant_not_looked_at, "sqrt(D) even if D < 0",
+            "this gives NaN. A negative D means that the ray misses the sphere, and there are no "
+            "roots.",
+            "no visible difference, by luck: nan > 0 is false, so hit_sphere treats it as a miss"),
+    MISTAKE("R-a0", quadratic_roots, divided_by_0, "/ (2a) even if a = 0",
+            "this divides by 0. Without t^2 the parabola is a straight line: solve b t + c = 0.",
             NOT_OF_SPHERES),
-    MISTAKE("R-line", quadratic_roots, line_not_seen, "no roots where a = 0",
-            "what remains is a straight line, and unless it is level it crosses 0 once.",
+    MISTAKE("R-line", quadratic_roots, line_not_seen, "no roots if a = 0",
+            "a straight line is left, and it crosses 0 once unless it is level.", NOT_OF_SPHERES),
+    MISTAKE("R-line2", quadratic_roots, line_with_two_roots, "two equal roots if a = 0",
+            "a straight line crosses 0 once; unlike a parabola, it does not touch it.",
             NOT_OF_SPHERES),
-    MISTAKE("R-line2", quadratic_roots, line_with_two_roots, "two equal roots where a = 0",
-            "a straight line crosses 0 once; it does not touch it as a parabola does.",
+    MISTAKE("R-sign", quadratic_roots, line_of_the_wrong_sign, "t = c / b if a = 0",
+            "put it into b t + c: the result is 2c, but it must be 0.", NOT_OF_SPHERES),
+    MISTAKE("R-zero", quadratic_roots, level_line_divided_by_0, "t = -c / b even if b = 0",
+            "this divides by 0. With a = b = 0 the line is level and never crosses 0.",
             NOT_OF_SPHERES),
-    MISTAKE("R-sign", quadratic_roots, line_of_the_wrong_sign, "t = c / b where a = 0",
-            "put it into b t + c: that gives 2c, and 0 is wanted.", NOT_OF_SPHERES),
-    MISTAKE("R-zero", quadratic_roots, level_line_divided_by_0, "t = -c / b where b = 0, too",
-            "that divides by 0. With a = b = 0 the line is level and never crosses 0.",
-            NOT_OF_SPHERES),
-    MISTAKE("R-all", quadratic_roots, zero_equals_zero, "t = 0 where a = b = c = 0",
-            "0 = 0 holds for every t, so that none can be named.", NOT_OF_SPHERES),
+    MISTAKE("R-all", quadratic_roots, zero_equals_zero, "t = 0 if a = b = c = 0",
+            "0 = 0 holds for every t, so there is no single root to return.", NOT_OF_SPHERES),
     MISTAKE("R-ahead", quadratic_roots, positive_roots_only, "only the roots above 0",
-            "which places are ahead of the eye is hit_sphere's question. The equation has both.",
-            "nothing amiss, until somebody asks where the whole line meets the sphere"),
-    MISTAKE("R-b0", quadratic_roots, nothing_where_b_is_0, "no roots where b = 0",
-            "b = 0 says only that the ray begins where it is closest to the centre; the two places "
-            "then lie opposite to each other.",
-            "no sphere round an eye that is in its middle"),
+            "hit_sphere decides which places are ahead of the eye. The equation has both roots.",
+            "no visible difference, until a caller needs the hits of the whole line"),
+    MISTAKE("R-b0", quadratic_roots, nothing_where_b_is_0, "no roots if b = 0",
+            "b = 0 says only that the ray starts where it is closest to the centre; the two places "
+            "are then on opposite sides.",
+            "a sphere that vanishes if the eye is at its centre"),
     {0},
 };

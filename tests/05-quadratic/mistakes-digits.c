@@ -1,9 +1,10 @@
-// mistakes-digits.c - answers that are right but for their last digits.
+// mistakes-digits.c - answers that are right except for their last digits.
 //
-// Only the extra tests, which cost no marks, can tell them from right; hence the X in front.
+// Only the extra tests, which cost no marks, can distinguish them from right ones; hence the X in
+// front.
 #include "tests/05-quadratic/mistakes.h"
 
-// The stable sum, but neither the discriminant nor the range is looked after.
+// The stable sum, but without care for the discriminant or the range.
 static Roots only_the_sum(Quadratic q)
 {
     double d = discriminant(q), sum = -(q.b + copysign(sqrt(d), q.b)) / 2;
@@ -29,26 +30,26 @@ static Roots foot_without_scale(Ray ray, Sphere s)
 }
 
 const Mistake digit_mistakes[] = {
-    MISTAKE("X-slide", quadratic_roots, slide, "t = (-b +- sqrt(D)) / (2a)",
-            "right, and good enough for every mark. Where -b and sqrt(D) nearly cancel, digits are "
-            "lost.",
-            "nothing amiss, but for small spheres very far away"),
+    MISTAKE(
+        "X-slide", quadratic_roots, slide, "t = (-b +- sqrt(D)) / (2a)",
+        "right, and good enough for full marks. If -b and sqrt(D) nearly cancel, digits are lost.",
+        "no visible difference, except for small spheres very far away"),
     MISTAKE("X-sum", quadratic_roots, only_the_sum, "q/a and c/q, with the sign of b",
-            "right, and nothing cancels in q. In D = b^2 - 4ac it still does, and large numbers "
-            "overflow in it.",
-            "nothing amiss, but for small spheres very far away"),
+            "right, and nothing cancels in q. But digits still cancel in D = b^2 - 4ac, and it "
+            "overflows for large numbers.",
+            "no visible difference, except for small spheres very far away"),
     MISTAKE("X-sphere", sphere_roots, slide_for_spheres, "the roots of a, b, c by the slide",
-            "right, and good enough for every mark. Far from a small sphere r^2 drowns in p.p, and "
-            "then in D once more.",
+            "right, and good enough for full marks. Far from a small sphere, r^2 is lost beside "
+            "p.p, and then again in D.",
             "speckled or missing spheres, a million radii away"),
     MISTAKE("X-stable", sphere_roots, stable_roots_of_the_slide,
             "stable roots of the slide's a, b, c",
-            "right, and the roots could not be more careful. But what c = p.p - r^2 has lost they "
-            "cannot find again.",
+            "right, and the roots are as careful as possible. But they cannot recover the digits "
+            "that c = p.p - r^2 has lost.",
             "speckled or missing spheres, ten million radii away"),
     MISTAKE("X-scale", sphere_roots, foot_without_scale, "t = -p.v / v.v +- sqrt(r^2 - l^2) / |v|",
-            "right, and as it should be for distant spheres. Squares of the largest and tiniest "
-            "numbers still leave the range of a double.",
-            "nothing amiss in any scene that could be drawn"),
+            "right, and good for distant spheres. But squares of the largest and smallest numbers "
+            "leave the range of a double.",
+            "no visible difference in any scene that can be drawn"),
     {0},
 };

@@ -1,6 +1,6 @@
-// mistakes-limits.c - right in part: answers with a limit of their own, for the sizes that
-// their authors thought of (a length is neither small nor large in itself, only beside another
-// one); and those that forget one component of three.
+// mistakes-limits.c - right in part: answers with a limit of their own, for the sizes that their
+// authors thought of (a length is neither small nor large in itself, only compared with another
+// one); and those that forget one of three components.
 #include "tests/05-quadratic/mistakes.h"
 
 // ---- quadratic_roots
@@ -121,7 +121,7 @@ static Ray z_not_moved(Ray ray, Sphere s)
     return (Ray){ray.origin - s.center, ray.direction};
 }
 
-// Sums of two products where three belong: what is left is a circle in the plane of x and y.
+// Sums of two products instead of three: the result is a circle in the plane of x and y.
 static vec3 without_z(vec3 v)
 {
     return vec3_of(v[0], v[1], 0);
@@ -159,63 +159,62 @@ static Quadratic z_left_out_of_the_world(Ray ray, Sphere s)
 }
 
 #define TWO_OF_THREE                                                                               \
-    "a dot product is the sum of three products, and that of the z components is missing."
-#define SEVEN_DIGITS "a float keeps 7 digits, and squares and differences use them up. Use double."
+    "a dot product is the sum of three products, and the product of the z components is missing."
+#define SEVEN_DIGITS "a float has 7 digits, and squares and differences use them up. Use double."
 
 const Mistake limit_mistakes[] = {
-    MISTAKE("R-a-tiny", quadratic_roots, small_a_taken_for_0, "a line where |a| < 1e-6",
-            "with a short direction a is small, and still the parabola bends. It is a line only "
-            "where a is 0.",
+    MISTAKE("R-a-tiny", quadratic_roots, small_a_taken_for_0, "a line if |a| < 1e-6",
+            "with a short direction a is small, but the parabola still bends. It is a line only if "
+            "a is 0.",
             "whole scenes lost if they are large and the directions short"),
-    MISTAKE("R-b-tiny", quadratic_roots, small_b_taken_for_0, "no root where a = 0 and |b| < 1e-6",
+    MISTAKE("R-b-tiny", quadratic_roots, small_b_taken_for_0, "no root if a = 0 and |b| < 1e-6",
             "a line that rises slowly still crosses 0, only farther away.",
-            "nothing amiss, since for a ray and a sphere a is never 0"),
-    MISTAKE("R-D-tiny", quadratic_roots, small_discriminant_taken_for_0,
-            "one place where |D| < 1e-6",
-            "how small D is depends on how large a, b and c are. For a small sphere or a short "
+            "no visible difference, because for a ray and a sphere a is never 0"),
+    MISTAKE("R-D-tiny", quadratic_roots, small_discriminant_taken_for_0, "one place if |D| < 1e-6",
+            "the size of D depends on the size of a, b and c. For a small sphere or a short "
             "direction D is always small.",
-            "small spheres as flat discs, too large"),
-    MISTAKE("R5-tiny", quadratic_roots, small_discriminant_lost, "roots only where D > 1e-6",
-            "how small D is depends on how large a, b and c are. For a small sphere or a short "
+            "small spheres drawn as flat discs, and too large"),
+    MISTAKE("R5-tiny", quadratic_roots, small_discriminant_lost, "roots only if D > 1e-6",
+            "the size of D depends on the size of a, b and c. For a small sphere or a short "
             "direction D is always small.",
             "small spheres vanish"),
     MISTAKE("R-float", quadratic_roots, in_float, "the formula in float", SEVEN_DIGITS,
-            "speckles, and ragged rims"),
+            "speckles, and ragged edges"),
     MISTAKE("S-tiny", sphere_roots, nothing_shorter_than_a_millionth,
-            "nothing where t[1] - t[0] is below 1e-6",
+            "nothing if t[1] - t[0] is below 1e-6",
             "with a long direction the whole sphere is that short in t.",
-            "spheres vanish where the directions are long"),
+            "spheres vanish if the directions are long"),
     MISTAKE("R10-micro", hit_sphere, epsilon_of_a_millionth, "only t > 0.000001",
-            "rays that start on a surface need something like it; these start at the eye. And t "
-            "counts in lengths of v: with a long v all of a scene is nearer than that.",
-            "spheres vanish where the directions are long"),
+            "rays that start on a surface need such a limit; these start at the eye. And t counts "
+            "in lengths of v: with a long v the whole scene is nearer than that.",
+            "spheres vanish if the directions are long"),
     MISTAKE("R10-nano", hit_sphere, epsilon_of_a_billionth, "only t > 0.000000001",
-            "rays that start on a surface need something like it; these start at the eye. And t "
-            "counts in lengths of v: with a long v all of a scene is nearer than that.",
-            "nothing amiss, until the directions are very long"),
+            "rays that start on a surface need such a limit; these start at the eye. And t counts "
+            "in lengths of v: with a long v the whole scene is nearer than that.",
+            "no visible difference, until the directions are very long"),
     MISTAKE("T-limit", hit_sphere, at_most_a_thousand, "only t < 1000",
-            "there is no farthest place that can be seen: t counts in lengths of v, and with a "
-            "short v everything is farther than that.",
+            "the eye sees at any distance: t counts in lengths of v, and with a short v everything "
+            "is farther than that.",
             "distant spheres vanish"),
     MISTAKE("T-limit-far", hit_sphere, at_most_a_million, "only t < 1000000",
-            "there is no farthest place that can be seen: t counts in lengths of v, and with a "
-            "short v everything is farther than that.",
+            "the eye sees at any distance: t counts in lengths of v, and with a short v everything "
+            "is farther than that.",
             "very distant spheres vanish"),
     MISTAKE("T-float", hit_sphere, hit_in_float, "the formula in float", SEVEN_DIGITS,
-            "speckles, and ragged rims"),
+            "speckles, and ragged edges"),
     MISTAKE("Q-float", object_quadratic, equation_in_float, "a, b, c in float", SEVEN_DIGITS,
-            "speckles, and ragged rims"),
+            "speckles, and ragged edges"),
     MISTAKE("Q-float-world", world_quadratic, world_equation_in_float, "a, b, c in float",
-            SEVEN_DIGITS, "speckles, and ragged rims"),
+            SEVEN_DIGITS, "speckles, and ragged edges"),
     MISTAKE("Q5-tiny", object_quadratic, a_at_least_a_millionth, "a at least 1e-6",
             "a is 0 only for a v of length 0, which no ray has. For a short v it is small.",
-            "spheres out of shape where the directions are short"),
-    MISTAKE("O-z", to_object_coordinates, z_not_moved, "z as it came",
-            "x and y are seen from the centre of the sphere, z is not. A vector has three "
+            "spheres out of shape if the directions are short"),
+    MISTAKE("O-z", to_object_coordinates, z_not_moved, "z unchanged",
+            "x and y are seen from the centre of the sphere, but z is not. A vector has three "
             "components.",
-            "spheres moved along z into the middle of the world"),
+            "spheres moved along z to the origin of the world"),
     MISTAKE("Q-z", object_quadratic, z_left_out, "x and y only", TWO_OF_THREE,
-            "endless tubes in place of spheres"),
+            "endless tubes instead of spheres"),
     MISTAKE("Q-z-a", object_quadratic, z_left_out_of_a, "a = v_x^2 + v_y^2", TWO_OF_THREE,
             "distorted spheres, or none"),
     MISTAKE("Q-z-b", object_quadratic, z_left_out_of_b, "b = 2 (p_x v_x + p_y v_y)", TWO_OF_THREE,
@@ -223,6 +222,6 @@ const Mistake limit_mistakes[] = {
     MISTAKE("Q-z-c", object_quadratic, z_left_out_of_c, "c = p_x^2 + p_y^2 - r^2", TWO_OF_THREE,
             "distorted spheres, or none"),
     MISTAKE("Q-z-world", world_quadratic, z_left_out_of_the_world, "x and y only", TWO_OF_THREE,
-            "endless tubes in place of spheres"),
+            "endless tubes instead of spheres"),
     {0},
 };

@@ -1,8 +1,8 @@
-// mistakes-plain.c - wrong roots of those who have the formula and not yet what lies at its
-// edges: no line where a = 0, the order as it comes; and no look at the sign of D, or that already.
+// mistakes-plain.c - wrong roots of students who have the formula but not its special cases yet: no
+// line for a = 0, the order as computed; and the sign of D ignored, or already checked.
 #include "tests/05-quadratic/mistakes.h"
 
-// From slip(q, d, sign), the root with this sign of the square root; and D as it is taken to be.
+// From slip(q, d, sign), the root with this sign of the square root; and D as it is assumed to be.
 #define PLAIN(slip, D)                                                                             \
     static Roots slip##_checked(Quadratic q)                                                       \
     {                                                                                              \
@@ -77,35 +77,35 @@ PLAIN(plus_4ac, q.b *q.b + 4 * q.a * q.c)
 
 const Mistake plain_mistakes[] = {
     MISTAKE("R-plain", quadratic_roots, right_checked, "(-b - sqrt(D)) / (2a) always first",
-            "right for a > 0, and that is all that rays need. For a < 0 it is the larger one, and "
-            "a = 0 divides by 0: what remains is a line.",
-            "nothing amiss, since for a ray and a sphere a is positive"),
+            "right for a > 0, and rays need no more. For a < 0 this is the larger root, and a = 0 "
+            "divides by 0: then it is a line.",
+            "no visible difference, because for a ray and a sphere a is positive"),
     MISTAKE("R-bare", quadratic_roots, right_bare, "(-b +- sqrt(D)) / (2a), whatever a and D are",
-            "a negative D has no square root: the ray passes beside. And a may be negative, which "
-            "turns the order round, or 0.",
-            "nothing amiss, by luck: nan > 0 is false, so hit_sphere takes it for a miss"),
+            "a negative D has no square root: the ray misses the sphere. And a may be negative, "
+            "which reverses the order, or 0.",
+            "no visible difference, by luck: nan > 0 is false, so hit_sphere treats it as a miss"),
     BOTH("R-plus", plus_first, "first with +, then with - sqrt(D)",
-         "for a > 0 that is the larger root first, and t[0] is to be the smaller one.",
+         "for a > 0 this is the larger root first, but t[0] must be the smaller one.",
          "the inside of every sphere"),
     BOTH("R1", halved_then_times_a, "t = (-b +- sqrt(D)) / 2 * a",
-         "C goes from left to right: it divides by 2, then multiplies by a. With a v of length 1, "
-         "so a = 1, it does not show.",
+         "C evaluates from left to right: it divides by 2, then multiplies by a. If v has length "
+         "1, so a = 1, you do not see it.",
          "the right outlines at wrong depths"),
     BOTH("R1-b", b_not_divided, "t = -b +- sqrt(D) / (2a)",
-         "C divides before it adds, so that only the square root is divided. All that is above the "
-         "fraction bar needs parentheses.",
+         "C divides before it adds, so only the square root is divided. The whole numerator needs "
+         "parentheses.",
          "the right outlines, everything much too far"),
     BOTH("R1-none", no_parentheses, "t = -b +- sqrt(D) / 2 * a",
-         "C divides and multiplies from left to right, and adds last. What is above the fraction "
-         "bar needs parentheses, and so does what is below it.",
+         "C divides and multiplies from left to right, and adds last. The numerator needs "
+         "parentheses, and so does the denominator.",
          "the right outlines, everything much too far"),
     BOTH("R2", less_ac, "D = b^2 - ac",
-         "this goes with half of b, and the b here is the whole one.", "bloated spheres"),
+         "this discriminant is for half of b, but b here is the whole one.", "bloated spheres"),
     BOTH("R2-plus", plus_4ac, "D = b^2 + 4ac",
-         "seen from outside the sphere this is never negative, so that no ray can miss.",
+         "seen from outside the sphere this is never negative, so no ray can miss.",
          "a picture filled by the sphere: every ray hits"),
     BOTH("R4", plus_b, "t = (b +- sqrt(D)) / (2a)",
-         "these roots belong to the ray that runs the other way: what is ahead comes out behind.",
+         "these roots belong to the ray in the opposite direction: places ahead come out behind.",
          "a blank picture"),
     BOTH("R-sqrt", root_not_taken, "t = (-b +- D) / (2a)",
          "D is a square, like b^2, and cannot be added to b.",

@@ -62,7 +62,7 @@ static Roots in_single_precision(Ray ray, Sphere s)
     return slide((Quadratic){(float)q.a, (float)q.b, (float)q.c});
 }
 
-// By the closest approach, as the extra suggests: it is at foot, l from the centre.
+// By the closest approach, as the extra suggests: it is at foot, at the distance l from the centre.
 static Roots by_closest_approach(Ray ray, Sphere s, double foot, double half_chord)
 {
     vec3 closest = ray.origin + foot * ray.direction - s.center;
@@ -109,53 +109,56 @@ static Roots chord_not_squared(Ray ray, Sphere s)
 }
 
 const Mistake sphere_mistakes[] = {
-    MISTAKE("Q7-roots", sphere_roots, sphere_at_the_origin, "a, b, c of the ray as it came",
-            "before it is seen from the sphere's centre, that is a sphere in the middle of the "
-            "world.",
-            "every sphere in the middle of the world"),
+    MISTAKE("Q7-roots", sphere_roots, sphere_at_the_origin,
+            "a, b, c of the ray in world coordinates",
+            "without the step to object coordinates this is a sphere at the origin of the world.",
+            "every sphere at the origin of the world"),
     MISTAKE("S-unit", sphere_roots, direction_made_unit_first, "v / |v|, and its roots",
-            "they are lengths in the world, and whoever goes t times v needs them in lengths of "
-            "v.",
+            "these roots are lengths in the world, but the caller needs t in lengths of v.",
             "the right outlines at wrong depths"),
-    MISTAKE("S-ahead", sphere_roots, ahead_only, "nothing where both roots are behind",
-            "here the whole line is asked for. Which places are ahead is hit_sphere's question.",
-            "nothing amiss, until somebody asks for what is behind"),
+    MISTAKE(
+        "S-ahead", sphere_roots, ahead_only, "nothing if both roots are behind",
+        "this function returns the places of the whole line. hit_sphere decides which are ahead.",
+        "no visible difference, until a caller needs the places behind"),
     MISTAKE("S-inside", sphere_roots, outside_only, "only the root ahead, from inside",
-            "the line meets the sphere behind the eye, too, and here the whole line is asked for.",
-            "nothing amiss, until somebody asks for what is behind"),
-    MISTAKE("R5-sphere", sphere_roots, tangent_is_a_miss, "a miss where the line just touches",
-            "at l = r both places have become one, but the sphere is met.",
-            "hardly anything: single pixels missing at the rim"),
-    MISTAKE("S-once", sphere_roots, tangent_is_met_once, "one root where the line just touches",
-            "both places have become one, and still count as two.",
-            "hardly anything: single pixels missing at the rim"),
-    MISTAKE("S-always", sphere_roots, always_met, "t = -p.v / v.v where it passes beside",
-            "that is where the line is closest to the sphere, and it does not meet it there.",
-            "a picture filled by the sphere: every ray hits"),
+            "the line also meets the sphere behind the eye, and this function returns the places "
+            "of the whole line.",
+            "no visible difference, until a caller needs the places behind"),
+    MISTAKE("R5-sphere", sphere_roots, tangent_is_a_miss, "a miss if the line just touches",
+            "at l = r both places are equal, but the line does touch the sphere.",
+            "hardly anything: single pixels missing at the edge"),
+    MISTAKE("S-once", sphere_roots, tangent_is_met_once, "one root if the line just touches",
+            "both places are equal, but they still count as two.",
+            "hardly anything: single pixels missing at the edge"),
+    MISTAKE(
+        "S-always", sphere_roots, always_met, "t = -p.v / v.v if it misses",
+        "this is where the line is closest to the sphere, and it does not meet the sphere there.",
+        "a picture filled by the sphere: every ray hits"),
     MISTAKE("S-double", sphere_roots, radius_doubled, "2r for r",
-            "r is the way from the centre to the surface, not from side to side.",
+            "r is the distance from the centre to the surface, not from side to side.",
             "spheres of twice the size"),
-    MISTAKE("S-down", sphere_roots, far_one_first, "the far place first",
-            "the eye sees the place that comes first along the ray, and looks for it in t[0].",
-            "the inside of every sphere"),
+    MISTAKE(
+        "S-down", sphere_roots, far_one_first, "the far place first",
+        "the eye sees the place that comes first along the ray, and hit_sphere expects it in t[0].",
+        "the inside of every sphere"),
     MISTAKE("S-float", sphere_roots, in_single_precision, "a, b, c as float",
-            "a float has 7 digits, and what is left of them in p.p - r^2 is too few for a sphere "
-            "some radii away.",
+            "a float has 7 digits, and too few of them are left in p.p - r^2 for a sphere some "
+            "radii away.",
             "rough, speckled spheres in the distance"),
     MISTAKE("S-chord", sphere_roots, chord_as_a_length, "t = -p.v / v.v +- sqrt(r^2 - l^2)",
-            "the first part is in lengths of v, half the chord is a length in the world. They "
-            "cannot be added as they are.",
+            "the first part is in lengths of v, but half the chord is a length in the world. "
+            "Convert one before you add them.",
             "the right outlines, but spheres too flat or too deep"),
     MISTAKE("S-chord-a", sphere_roots, chord_divided_by_a, "t = (-p.v +- sqrt(r^2 - l^2)) / v.v",
-            "v.v is the length of v, squared. Half the chord is a plain length and has to be "
-            "counted in lengths of v.",
+            "v.v is the squared length of v. Half the chord is a plain length: divide it by |v|.",
             "the right outlines, but spheres too flat or too deep"),
-    MISTAKE("S-foot", sphere_roots, foot_as_if_unit, "closest approach at t = -p.v",
-            "that needs a v of length 1. With a longer one the foot lands beyond the sphere.",
-            "a blank picture, or distorted spheres"),
+    MISTAKE(
+        "S-foot", sphere_roots, foot_as_if_unit, "closest approach at t = -p.v",
+        "this is true only if v has length 1. With a longer one the point is beyond the sphere.",
+        "a blank picture, or distorted spheres"),
     MISTAKE("S-square", sphere_roots, chord_not_squared, "half chord = r - l",
-            "radius, l and half the chord are the sides of a right-angled triangle, so it is their "
-            "squares that add up.",
+            "the radius, l and half the chord are the sides of a right-angled triangle, so the "
+            "squares add up.",
             "the right outlines, but pointed where spheres should be round"),
     {0},
 };

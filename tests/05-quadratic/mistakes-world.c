@@ -1,7 +1,7 @@
-// mistakes-world.c - wrong answers in world coordinates: where the centre is lost.
+// mistakes-world.c - wrong answers in world coordinates: places where the centre is lost.
 #include "tests/05-quadratic/mistakes.h"
 
-// The slide's a, b, c for a ray seen from somewhere: q is what stands for p - C.
+// The slide's a, b, c for a ray seen from some point: q takes the place of p - C.
 static Quadratic seen_from(vec3 q, Ray ray, double r)
 {
     vec3 v = ray.direction;
@@ -134,76 +134,74 @@ static Quadratic direction_from_the_centre(Ray ray, Sphere s)
 
 const Mistake world_mistakes[] = {
     MISTAKE("Q7-world", world_quadratic, centre_left_out, "b = 2 p.v, c = p.p - r^2",
-            "the centre is in neither, so this is a sphere in the middle of the world.",
-            "every sphere in the middle of the world"),
+            "the centre is missing in both, so this is a sphere at the origin of the world.",
+            "every sphere at the origin of the world"),
     MISTAKE("Q9-world", world_quadratic, centre_added, "b = 2 (p + C).v, c = |p + C|^2 - r^2",
-            "the length of p + C is how far p is from -C, and there the sphere is not.",
+            "the length of p + C is the distance from p to -C, and the sphere is not there.",
             "every sphere mirrored to the other side of the world's origin"),
     MISTAKE("Q2-world", world_quadratic, b_from_the_eye, "b = 2 (C - p).v",
-            "with this sign what lies ahead on the ray is found behind its origin. c does not "
-            "mind, since it is made of squares; b does.",
-            "the sphere vanish, and one that is behind the eye appear"),
+            "with this sign, places ahead on the ray come out behind its origin. c is right, "
+            "because squares ignore the sign; b is not.",
+            "spheres vanish, and those behind the eye appear"),
     MISTAKE("Q1-world", world_quadratic, half_b, "b = p.v - C.v",
-            "square p - C + tv: the product of p - C with v comes up in it more than once.",
+            "square p - C + tv: the product of p - C with v occurs twice.",
             "holes, or a blank picture"),
-    MISTAKE(
-        "Q1-half", world_quadratic, half_of_the_centre_in_b, "b = 2 p.v - C.v",
-        "only the eye has been doubled. If eye and sphere move together nothing may change, "
-        "and here b does.",
-        "spheres of the wrong size in the wrong places, but for one in the middle of the world"),
-    MISTAKE(
-        "Q-b", world_quadratic, centre_only_in_c, "b = 2 p.v",
-        "c knows where the centre is and b does not: they speak of two different spheres.",
-        "spheres of the wrong size in the wrong places, but for one in the middle of the world"),
-    MISTAKE(
-        "Q9-b", world_quadratic, centre_added_in_b, "b = 2 (p.v + C.v)",
-        "c measures from the centre, but b from the opposite place, -C.",
-        "spheres of the wrong size in the wrong places, but for one in the middle of the world"),
+    MISTAKE("Q1-half", world_quadratic, half_of_the_centre_in_b, "b = 2 p.v - C.v",
+            "only the eye's part is doubled. If eye and sphere move together nothing may change, "
+            "but here b does.",
+            "spheres of the wrong size in the wrong places, except one at the origin of the world"),
+    MISTAKE("Q-b", world_quadratic, centre_only_in_c, "b = 2 p.v",
+            "c knows the centre but b does not: they describe two different spheres.",
+            "spheres of the wrong size in the wrong places, except one at the origin of the world"),
+    MISTAKE("Q9-b", world_quadratic, centre_added_in_b, "b = 2 (p.v + C.v)",
+            "c measures from the centre, but b from the opposite point, -C.",
+            "spheres of the wrong size in the wrong places, except one at the origin of the world"),
     MISTAKE("Q3-world", world_quadratic, radius_not_squared, "c = |p - C|^2 - r",
-            "one is the square of a length, the other a length. With a radius of 1 it does not "
-            "show.",
-            "spheres of the wrong size, but for those of radius 1"),
-    MISTAKE("Q4-world", world_quadratic, radius_added, "c = |p - C|^2 + r^2",
-            "c is what is left at t = 0, so for an eye on the surface it must be 0; this never is.",
-            "a blank picture"),
+            "one is a squared length, the other a length. If r is 1, you do not see it.",
+            "spheres of the wrong size, except those of radius 1"),
+    MISTAKE(
+        "Q4-world", world_quadratic, radius_added, "c = |p - C|^2 + r^2",
+        "at t = 0 only c is left, so for an eye on the surface it must be 0; this c is never 0.",
+        "a blank picture"),
     MISTAKE("Q-point-world", world_quadratic, radius_left_out, "c = |p - C|^2",
-            "without its radius a sphere is only its centre, and hardly any ray meets that.",
+            "without its radius a sphere is only its centre, and hardly any ray hits a point.",
             "a blank picture"),
     MISTAKE("Q5-world", world_quadratic, a_is_1, "a = 1",
-            "that needs a v of length 1. The ray of a pixel ends on the image plane, so v is as "
-            "long as the way there.",
-            "distorted spheres, bloated where v is long"),
+            "this is true only if v has length 1. The v of a pixel's ray ends on the image plane, "
+            "so it is longer.",
+            "distorted spheres, bloated if v is long"),
     MISTAKE("Q5-root-world", world_quadratic, a_is_a_length, "a = |v|",
-            "the lengths in this equation are squared, that of v too. With a v of length 1 it does "
-            "not show.",
-            "distorted spheres, bloated where v is long"),
+            "all lengths in this equation are squared, also that of v. If v has length 1, you do "
+            "not see it.",
+            "distorted spheres, bloated if v is long"),
     MISTAKE("Q-lengths-world", world_quadratic, lengths_for_squares, "a = |v|, c = |p - C| - r^2",
             "the dot product of a vector with itself is the square of its length, and all lengths "
             "in this equation are squared.",
             "distorted spheres that fill the picture"),
     MISTAKE("Q-squares", world_quadratic, squares_subtracted, "c = p.p - C.C - r^2",
-            "p.p - C.C is 0 wherever eye and centre are equally far from the world's origin, "
-            "however far they are from each other.",
-            "spheres far too large, but for one in the middle of the world"),
+            "p.p - C.C is 0 if eye and centre are equally far from the world's origin, however far "
+            "they are from each other.",
+            "spheres far too large, except one at the origin of the world"),
     MISTAKE("Q-sum", world_quadratic, squares_added, "c = p.p + C.C - r^2",
-            "that is the distance, squared, only where eye and centre are seen at a right angle "
-            "from the world's origin.",
-            "spheres of the wrong size, but for one in the middle of the world"),
+            "this is the squared distance only if eye and centre are at a right angle seen from "
+            "the world's origin.",
+            "spheres of the wrong size, except one at the origin of the world"),
     MISTAKE("Q-once", world_quadratic, mixed_product_once, "c = p.p - p.C + C.C - r^2",
-            "multiply (p - C).(p - C) out: p meets C in it more than once.",
-            "spheres of the wrong size, but for one in the middle of the world"),
+            "multiply out (p - C).(p - C): p.C occurs twice.",
+            "spheres of the wrong size, except one at the origin of the world"),
     MISTAKE("Q9-c", world_quadratic, mixed_product_added, "c = p.p + 2 p.C + C.C - r^2",
-            "that measures the eye from -C, opposite to the centre.",
-            "spheres of the wrong size, but for one in the middle of the world"),
+            "this measures the eye from -C, opposite to the centre.",
+            "spheres of the wrong size, except one at the origin of the world"),
     MISTAKE("Q-cc", world_quadratic, centre_squared_left_out, "c = p.p - 2 p.C - r^2",
-            "for an eye at the world's origin nothing of the distance to the sphere is left.",
-            "spheres that swell the farther they are from the middle of the world"),
-    MISTAKE("Q-cc-sign", world_quadratic, centre_squared_subtracted, "c = p.p - 2 p.C - C.C - r^2",
-            "for an eye at the world's origin the squared distance would be -C.C, less than "
-            "nothing.",
-            "spheres that swell the farther they are from the middle of the world"),
-    MISTAKE("Q-v", world_quadratic, direction_from_the_centre, "v - C in place of v",
-            "a direction is a difference of two points. Seen from the centre it stays what it is.",
-            "spheres bent and out of place, but for one in the middle of the world"),
+            "C.C is missing: for an eye at the world's origin nothing of the distance to the "
+            "sphere is left.",
+            "spheres that grow with their distance from the origin of the world"),
+    MISTAKE(
+        "Q-cc-sign", world_quadratic, centre_squared_subtracted, "c = p.p - 2 p.C - C.C - r^2",
+        "for an eye at the world's origin the squared distance would be -C.C, which is negative.",
+        "spheres that grow with their distance from the origin of the world"),
+    MISTAKE("Q-v", world_quadratic, direction_from_the_centre, "v - C instead of v",
+            "a direction is a difference of two points. Seen from the centre it is the same.",
+            "spheres bent and out of place, except one at the origin of the world"),
     {0},
 };

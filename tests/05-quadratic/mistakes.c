@@ -1,7 +1,7 @@
-// mistakes.c - wrong answers to exercise 05, a file each for what they go wrong in.
+// mistakes.c - wrong answers to exercise 05, one file for each kind.
 //
-// In formulas p, v is the ray and r the radius, as on the slides; c is the sphere's centre, or C
-// where c is a coefficient.
+// In formulas p, v is the ray and r the radius, as on the slides; c is the sphere's centre, or C if
+// c is a coefficient.
 #include "tests/05-quadratic/mistakes.h"
 
 const Mistake *const mistakes[] = {

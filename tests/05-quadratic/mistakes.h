@@ -11,7 +11,7 @@ extern const Mistake object_mistakes[], world_mistakes[], formula_mistakes[], pl
 
 static const Roots no_roots = {0};
 
-// How most people write it, but for one slip. So where a = 0 it is right as well.
+// The usual way to write it, with one slip. So it is right if a = 0.
 static inline Roots line_root(Quadratic q)
 {
     return q.b == 0 ? no_roots : (Roots){1, {-q.c / q.b}};
@@ -27,7 +27,7 @@ static inline double discriminant(Quadratic q)
     return q.b * q.b - 4 * q.a * q.c;
 }
 
-// The formula of the slide: right, but for the digits that it loses.
+// The formula of the slide: right, except for the digits that it loses.
 static inline Roots slide(Quadratic q)
 {
     double d = discriminant(q);

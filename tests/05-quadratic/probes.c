@@ -1,4 +1,4 @@
-// probes.c - calls that tell mistakes of exercise 05 apart: from outside, from inside, past
+// probes.c - calls that distinguish the mistakes of exercise 05: from outside, from inside, past
 // the sphere and away from it; p.v of either sign, near and far, short and long directions.
 #include "tests/05-quadratic/support.h"
 
@@ -6,7 +6,7 @@
 
 enum { MANY = 64 };
 
-// From 1e-7 to 1 as often small as large, so that every threshold lies between two of them.
+// From 1e-7 to 1, small as often as large, so that every threshold is between two of them.
 static double any_small(void)
 {
     return pow(10, random_number(-7, 0));
@@ -111,7 +111,7 @@ START_TEST(hits_at_any_t)
 }
 END_TEST
 
-// The way back to the near place is so short that its digits are lost where roots are subtracted.
+// The distance back to the near place is so short that its digits are lost if roots are subtracted.
 START_TEST(hits_from_just_below_the_surface)
 {
     for (int i = 0; i < MANY / 8; i++) {

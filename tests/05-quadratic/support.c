@@ -1,7 +1,8 @@
-// support.c - rays and spheres whose hits are known, and how the tests of exercise 05 say them.
+// support.c - rays and spheres whose hits are known, and how the tests of exercise 05 describe
+// them.
 #include "tests/05-quadratic/support.h"
 
-// ---- saying it ----------------------------------------------------------------------------------
+// ---- descriptions ------------------------------------------------------------------------------
 
 void given_quadratic(Quadratic q)
 {
@@ -48,9 +49,9 @@ Roots two(double t, double u)
     return (Roots){2, {t, u}};
 }
 
-// ---- what is met --------------------------------------------------------------------------------
+// ---- rays and spheres --------------------------------------------------------------------------
 
-// The deck's section: the circle of radius 1 round the origin, seen from (-4, -1).
+// The deck's section: the circle of radius 1 around the origin, seen from (-4, -1).
 Ray ray_of_the_deck(double x, double y)
 {
     return (Ray){vec3_of(-4, -1, 0), vec3_of(x, y, 0)};
@@ -97,7 +98,7 @@ Aimed random_behind(void)
     return random_aimed(-random_number(2.1, 100));
 }
 
-// From beside a point next to the sphere, where the ray is at right angles to its radius.
+// From a point beside the sphere, where the ray is at right angles to its radius.
 Aimed random_beside(void)
 {
     Aimed aimed = {.sphere = random_sphere(5, 0.1, 3), .near = NO_HIT, .far = NO_HIT};

@@ -1,4 +1,4 @@
-// variants.c - right answers to exercise 05, written otherwise.
+// variants.c - right answers to exercise 05, written in other ways.
 #include "exercises/05-quadratic.h"
 
 #include "tests/proof/variants.h"
@@ -19,7 +19,7 @@ static Ray axis_by_axis(Ray ray, Sphere sphere)
     return seen;
 }
 
-// Points have a 1 behind them and directions a 0, so that a translation moves only points.
+// Points have a fourth component 1 and directions 0, so that a translation moves only points.
 static Ray by_a_matrix(Ray ray, Sphere sphere)
 {
     double matrix[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
@@ -217,7 +217,7 @@ static Roots half_b(Quadratic q)
     return (Roots){2, {fmin(t, u), fmax(t, u)}};
 }
 
-// t^2 + pt + q = 0, as German schools have it.
+// t^2 + pt + q = 0, as taught in German schools.
 static Roots divided_by_a(Quadratic q)
 {
     if (q.a == 0)
@@ -241,7 +241,7 @@ static Roots without_cancelling(Quadratic q)
     return t < u ? (Roots){2, {t, u}} : (Roots){2, {u, t}};
 }
 
-// So that nothing overflows: the roots stay.
+// So that nothing overflows: the roots stay the same.
 static Roots largest_made_1(Quadratic q)
 {
     double largest = fmax(fabs(q.a), fmax(fabs(q.b), fabs(q.c)));
@@ -272,7 +272,7 @@ static Roots kahans_discriminant(Quadratic q)
     return roots.t[0] <= roots.t[1] ? roots : (Roots){2, {roots.t[1], roots.t[0]}};
 }
 
-// The middle, and how far to each side.
+// The middle, and the distance to each side.
 static Roots middle_and_reach(Quadratic q)
 {
     if (q.a == 0)
@@ -301,7 +301,7 @@ static Roots signs_by_a(Quadratic q)
     return (Roots){2, {root_with_sign(q, sqrt(d), first), root_with_sign(q, sqrt(d), -first)}};
 }
 
-// One that the sphere's ray has turned round is the other's opposite.
+// If the sphere's ray is reversed, a root becomes minus the other.
 static Roots turned_until_b_is_negative(Quadratic q)
 {
     if (q.b <= 0 || q.a == 0)
@@ -346,14 +346,14 @@ static Roots by_the_closest_point(Ray ray, Sphere sphere)
     return (Roots){2, {foot - half, foot + half}};
 }
 
-// All of the world in radii: then the sphere is that of radius 1 round the origin.
+// All lengths of the world in radii: then the sphere has radius 1 and its centre at the origin.
 static Roots in_radii(Ray ray, Sphere sphere)
 {
     vec3 p = (ray.origin - sphere.center) / sphere.radius, v = ray.direction / sphere.radius;
     return plain((Quadratic){vec3_dot(v, v), 2 * vec3_dot(v, p), vec3_dot(p, p) - 1});
 }
 
-// |p x v| / |v| is how far the line passes from the centre.
+// |p x v| / |v| is the distance of the line from the centre.
 static Roots by_the_cross_product(Ray ray, Sphere sphere)
 {
     vec3 to_center = sphere.center - ray.origin, v = ray.direction;
@@ -407,7 +407,7 @@ static double from_the_world(Ray ray, Sphere sphere)
     return roots.count > 0 ? roots.t[0] : NO_HIT;
 }
 
-// From outside, what points away cannot hit.
+// From outside, a ray that points away cannot hit.
 static double rejected_early(Ray ray, Sphere sphere)
 {
     vec3 p = ray.origin - sphere.center, v = ray.direction;
@@ -444,7 +444,7 @@ static double foot_and_half_the_chord(Ray ray, Sphere sphere)
     return middle + half > 0 ? (middle + half) / length : NO_HIT;
 }
 
-// As the lesson advises for distant spheres; else the slide's formula.
+// As the lesson advises for distant spheres; if not distant, the slide's formula.
 static double c_as_a_product_in_place(Ray ray, Sphere sphere)
 {
     vec3 p = ray.origin - sphere.center, v = ray.direction;
@@ -508,22 +508,22 @@ static double in_radii_and_long_double(Ray ray, Sphere sphere)
 const Variant variants[] = {
     VARIANT(to_object_coordinates, only_the_origin_moves, "the origin of a copy moves"),
     VARIANT(to_object_coordinates, axis_by_axis, "a loop over the axes"),
-    VARIANT(to_object_coordinates, by_a_matrix, "a matrix, with a 1 behind points"),
+    VARIANT(to_object_coordinates, by_a_matrix, "a matrix, with a fourth component 1 for points"),
     VARIANT(object_quadratic, by_the_diagonal, "b from |p + v|"),
     VARIANT(object_quadratic, by_lengths, "lengths squared, and a unit direction"),
     VARIANT(object_quadratic, in_long_double, "in long double"),
-    VARIANT(object_quadratic, with_fma, "by fma"),
+    VARIANT(object_quadratic, with_fma, "with fma"),
     VARIANT(world_quadratic, squares_of_each_axis, "a helper that squares one axis"),
     VARIANT(world_quadratic, multiplied_out, "multiplied out, axis by axis"),
     VARIANT(world_quadratic, c_of_the_world_as_a_product, "c = (|p - C| + r)(|p - C| - r)"),
     VARIANT(quadratic_roots, largest_made_1, "divided by the largest coefficient"),
     VARIANT(quadratic_roots, roots_in_long_double, "in long double; the second from the sum"),
     VARIANT(quadratic_roots, kahans_discriminant, "Kahan's discriminant, with fma"),
-    VARIANT(quadratic_roots, middle_and_reach, "the vertex, and how far to each side"),
-    VARIANT(quadratic_roots, signs_by_a, "which sign comes first, by that of a"),
+    VARIANT(quadratic_roots, middle_and_reach, "the vertex, and the distance to each side"),
+    VARIANT(quadratic_roots, signs_by_a, "the sign that comes first depends on the sign of a"),
     VARIANT(quadratic_roots, turned_until_b_is_negative, "recursion, until b is negative"),
     VARIANT(sphere_roots, in_radii, "the world divided by the radius"),
-    VARIANT(sphere_roots, by_the_cross_product, "the distance by the cross product"),
+    VARIANT(sphere_roots, by_the_cross_product, "the distance with the cross product"),
     VARIANT(sphere_roots, in_the_plane, "a circle in the plane along the ray"),
     VARIANT(hit_sphere, foot_and_half_the_chord, "the foot of the perpendicular, and half a chord"),
     VARIANT(hit_sphere, c_as_a_product_in_place, "c = (|p| - r)(|p| + r) in place"),
@@ -538,7 +538,7 @@ const Variant variants[] = {
     VARIANT(world_quadratic, towards_the_centre, "C - p, and the sign of b changed"),
     VARIANT(world_quadratic, by_object_coordinates, "made of the other two answers"),
     VARIANT(quadratic_roots, plain, "the slide's formula, and a swap"),
-    VARIANT(quadratic_roots, made_positive_first, "a made positive, a NaN asked for"),
+    VARIANT(quadratic_roots, made_positive_first, "a made positive, and a test for NaN"),
     VARIANT(quadratic_roots, half_b, "half of b"),
     VARIANT(quadratic_roots, divided_by_a, "divided by a first"),
     VARIANT(quadratic_roots, without_cancelling, "the other root from the product"),
@@ -546,10 +546,10 @@ const Variant variants[] = {
     VARIANT(sphere_roots, in_the_world, "in world coordinates"),
     VARIANT(sphere_roots, projected, "the centre projected onto the ray"),
     VARIANT(sphere_roots, by_the_closest_point, "half a chord from the closest point"),
-    VARIANT(hit_sphere, nested_conditions, "conditions in place of a loop"),
+    VARIANT(hit_sphere, nested_conditions, "conditions instead of a loop"),
     VARIANT(hit_sphere, smallest_of_all, "the smallest of those above 0"),
     VARIANT(hit_sphere, from_the_world, "from the last root down"),
-    VARIANT(hit_sphere, rejected_early, "what points away rejected early"),
+    VARIANT(hit_sphere, rejected_early, "rays that point away rejected early"),
     VARIANT(hit_sphere, with_a_unit_direction, "a unit direction, then t / |v|"),
     {0},
 };
