@@ -1,16 +1,16 @@
 # camera-frame.gp - the camera <p, r, u, f, d, w, h> (slide 'Camera').
 title = "A camera: a frame, a distance, a width, a height"
-description = sprintf("The eye p is at %s. At it stand three arrows at right angles: right r is %s, up u %s, \
-forward f %s. Straight ahead, at the distance d = %s, hangs the image plane, a grid of 8 by 8 pixels, w = %s \
-wide and h = %s high; lines lead from the eye to its corners. Arrows x, y, z show the world's axes%s.", \
+description = sprintf("The eye p is at %s. Three arrows at right angles start there: right r is %s, up u is %s, \
+forward f is %s. The image plane is straight ahead, at the distance d = %s. It is a grid of 8 by 8 pixels, w = %s \
+wide and h = %s high. Lines go from the eye to its corners. The arrows x, y, z show the world's axes%s.", \
     eye_text, right_text, up_text, forward_text, d_text, w_text, h_text, \
-    origin_is_far ? ", here below the camera, their origin being too far off" : "")
+    origin_is_far ? ", here below the camera, because their origin is too far away" : "")
 steps = 4
 room = "0.06 0.86 0.09 0.94"
 if (!turned) azimuth = 32
 @see
 
-# Dimensions stand this far from the edges.
+# How far dimensions are from the edges.
 gap = 14
 plot $x_axis using @vector with @axis lc rgb grey title "x axis", \
     $y_axis using @vector with @axis lc rgb grey title "y axis", \

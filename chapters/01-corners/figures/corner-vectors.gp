@@ -1,15 +1,16 @@
 # corner-vectors.gp - the two upper corners, each a sum of three legs (slide 'Finding vectors').
 title = "From the eye to the upper corners"
-description = sprintf("From the eye p, the upper left corner of the image plane is at \
-d f − (w/2) r + (h/2) u = %s, the upper right one at d f + (w/2) r + (h/2) u = %s: an arrow d f ahead to the \
-middle, one of half the width aside to either edge, one of half the height up. Here d is %s, w %s, h %s.", \
+description = sprintf("The vector from the eye p to the upper left corner of the image plane is \
+d f − (w/2) r + (h/2) u = %s. The vector to the upper right corner is d f + (w/2) r + (h/2) u = %s. Each is the sum \
+of three arrows: d f forward to the middle, half the width sideways to an edge, half the height up. \
+Here d is %s, w is %s, h is %s.", \
     upper_left_text, upper_right_text, d_text, w_text, h_text)
 steps = 5
 left = "d f − (w/2) r + (h/2) u"
 right = "d f + (w/2) r + (h/2) u"
 left_is = "= ".upper_left_text
 right_is = "= ".upper_right_text
-# Room beside the plane for what is written there.
+# Room for the text beside the plane.
 room = sprintf("0.08 %g 0.06 0.86", 1 - (long(right, text_size) + 20) / width)
 if (!turned) azimuth = 34
 @see

@@ -1,9 +1,9 @@
 # double-dwh.gp - 'Would it matter if d, w, h were all doubled?' (slide 'Camera'): no, the same rays.
 title = "d, w and h all doubled: the same rays"
-description = sprintf("Four rays lead from the eye p through the corners of the image plane with d = %s, w = %s, h = %s. \
-The plane with all three doubled, 2 d = %s, 2 w = %s, 2 h = %s, has its corners on the same rays, and so has the one \
-divided by d, at the distance d/d = %s, with w/d = %s and h/d = %s. A fifth ray, s = %s of the way across and t = %s \
-up, goes through that place of all three.", d_text, w_text, h_text, twice_d_text, twice_w_text, twice_h_text, \
+description = sprintf("Four rays go from the eye p through the corners of the image plane with d = %s, w = %s, h = %s. \
+If all three are doubled, 2 d = %s, 2 w = %s, 2 h = %s, the corners of the plane are on the same rays. If all three are \
+divided by d, so that d/d = %s, w/d = %s, h/d = %s, they are also on the same rays. A fifth ray goes through the same \
+place on all three planes: s = %s of the way across, t = %s of the way up.", d_text, w_text, h_text, twice_d_text, twice_w_text, twice_h_text, \
     unit_d_text, unit_w_text, unit_h_text, s_text, t_text)
 steps = 4
 room = "0.06 0.92 0.08 0.94"

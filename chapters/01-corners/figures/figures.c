@@ -1,4 +1,4 @@
-// figures.c - what the figures of chapter 01 show, in numbers.
+// figures.c - the numbers that the figures of chapter 01 show.
 #include "chapters/01-corners/figures/figures.h"
 
 #include "chapters/shared/plane.h"
@@ -12,7 +12,7 @@ static double largest(Camera c)
 
 // ---- the camera -------------------------------------------------------------------------------
 
-// The way from one place on the plane to another, as an arrow.
+// An arrow from one place on the plane to another.
 static void plot_edge(Plot *plot, const char *name, Camera c, vec3 from, vec3 to)
 {
     plot_vector(plot, name, c.origin + from, to - from);
@@ -25,8 +25,8 @@ static void one_axis(Plot *plot, const char *name, vec3 from, vec3 to)
     plot_fit(plot, to, 0);
 }
 
-// The world's axes: through its origin, along all of the camera. Where the origin is too far off
-// for a picture of both, three short arrows below the camera show the directions alone.
+// The world's axes go through the origin and along the whole camera. If the origin is too far away
+// to show both, three short arrows below the camera show only the directions.
 static void world_axes(Plot *plot, Camera c)
 {
     static const char *const names[] = {"x_axis", "y_axis", "z_axis"};
@@ -48,7 +48,8 @@ static void world_axes(Plot *plot, Camera c)
     }
 }
 
-// A quarter of the camera long; in the deck's that is 1, the length of a unit vector.
+// The arrows are a quarter of the camera long: 1 for the deck's camera, the length of a unit
+// vector.
 static void frame_arrows(Plot *plot, Camera c)
 {
     const vec3 frame[] = {c.right, c.up, c.forward};
@@ -56,7 +57,7 @@ static void frame_arrows(Plot *plot, Camera c)
     for (int i = 0; i < 3; i++) {
         vec3 arrow = largest(c) / 4 * frame[i];
         plot_vector(plot, names[i], c.origin, arrow);
-        plot_fit(plot, c.origin + 1.2 * arrow, 0); // where its name stands
+        plot_fit(plot, c.origin + 1.2 * arrow, 0); // the place of its name
     }
 }
 
@@ -79,8 +80,8 @@ static void camera_frame(Plot *plot, void *given)
 
 // ---- vectors to the plane ---------------------------------------------------------------------
 
-// The legs of the way to both upper corners: ahead to the middle, half a width aside, half a height
-// up; each as the difference of two vectors of exercise 01.
+// The legs of the walk to both upper corners: forward to the middle, half a width sideways, half a
+// height up. Each leg is the difference of two vectors of exercise 01.
 static void corner_vectors(Plot *plot, void *given)
 {
     Camera c = ((const View *)given)->camera;
@@ -96,8 +97,8 @@ static void corner_vectors(Plot *plot, void *given)
     plot_vector(plot, "upper_right", c.origin, upper_right(c));
 }
 
-// The point that is s across and t up: by its shares of the edges, and by the legs from the middle.
-// The slide's own, 30% and 10%, by the function that answers it.
+// The point s across and t up: its parts of the edges, and the legs of the walk to it. The slide's
+// point, 30% and 10%, comes from the function that answers the slide's question.
 static void point_30_10(Plot *plot, void *given)
 {
     const View *view = given;
@@ -124,8 +125,8 @@ static void point_30_10(Plot *plot, void *given)
 
 // ---- doubling ---------------------------------------------------------------------------------
 
-// One camera three times: as it is, doubled, and at distance 1. Rays through the corners, and one
-// through s across, t up, as far as the farthest plane and a bit.
+// One camera three times: as it is, doubled, and with distance 1. Rays go through the corners and
+// through the place s across, t up; they end a little beyond the farthest plane.
 static void double_dwh(Plot *plot, void *given)
 {
     const View *view = given;
@@ -154,7 +155,7 @@ static void double_dwh(Plot *plot, void *given)
     }
     plot_block_end(plot);
     const Camera cameras[] = {c, twice, unit};
-    plot_block(plot, "same_place", "x y z where the last ray goes through each plane");
+    plot_block(plot, "same_place", "x y z of the points where the last ray meets each plane");
     for (int i = 0; i < 3; i++)
         plot_row_point(plot, cameras[i].origin + image_plane_vector(cameras[i], view->s, view->t));
     plot_block_end(plot);
@@ -162,8 +163,8 @@ static void double_dwh(Plot *plot, void *given)
 
 // ---- yours and right --------------------------------------------------------------------------
 
-// An example: the point 30% across and 10% up, and who counts from the middle of the plane, which
-// is half a width and half a height from the corner.
+// An example: the point 30% across and 10% up, and the answer of somebody who counts from the
+// middle of the plane. That answer is wrong by half a width and half a height.
 static void yours_and_right(Plot *plot, void *given)
 {
     const View *view = given;

@@ -5,7 +5,7 @@
 #include "common/camera.h"
 #include "common/figure/plot.h"
 
-// A camera, a place on its image plane, and somebody's answer (NaN: nobody's).
+// A camera, a place on its image plane, and an answer to draw beside the right one (NaN: none).
 typedef struct {
     Camera camera;
     double s, t;

@@ -1,17 +1,17 @@
-# point-30-10.gp - a point on the image plane by its shares of the edges (slide 'Finding vectors').
+# point-30-10.gp - a point on the image plane, so far across and so far up (slide 'Finding vectors').
 title = sprintf("%s %% across the image plane and %s %% up", percent_across_text, percent_up_text)
 formula = "d f + (s − ½) w r + (t − ½) h u"
-description = sprintf("The image plane with lines at every tenth of its width and height. A point lies %s %% of the \
-way across from the left edge, s = %s, and %s %% up from the bottom, t = %s. From the eye p an arrow d f leads ahead \
-to the middle, one of (s − ½) w r aside, one of (t − ½) h u up or down to the point. Their sum \
-%s is %s: the vector from the eye to the point. Here d is %s, w %s, h %s.", \
+description = sprintf("The image plane has lines at every tenth of its width and height. A point is %s %% of the \
+way across from the left edge, s = %s, and %s %% of the way up from the bottom edge, t = %s. Three arrows lead to it \
+from the eye p: d f forward to the middle, (s − ½) w r sideways, (t − ½) h u up or down. Their sum \
+%s = %s is the vector from the eye to the point. Here d is %s, w is %s, h is %s.", \
     percent_across_text, s_text, percent_up_text, t_text, formula, vector_text, d_text, w_text, h_text)
 steps = 3
 room = sprintf("0.08 %g 0.12 0.80", 1 - 100.0 / width)
 if (!turned) azimuth = 42
 @see
 
-# What is written, and where: at the legs, on the side where there is room.
+# The labels of the legs are on the side where there is room.
 gap = 14
 aside_is = "(s − ½) w r"
 up_is = "(t − ½) h u"

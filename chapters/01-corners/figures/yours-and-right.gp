@@ -1,13 +1,13 @@
 # yours-and-right.gp - a vector that ends where it should, and one that does not, dashed beside it.
 #
-# The judge draws wrong answers of chapters 01 and 04 by this layout, too.
+# The judge also uses this layout to draw wrong answers of chapters 01 and 04.
 title = asked.": yours beside the right one"
-description = sprintf("The image plane, and two vectors from %s to it. ", eye_text).beside_words(0)
+description = sprintf("The image plane, and two vectors to it from %s. ", eye_text).beside_words(0)
 steps = 3
 room = "0.10 0.95 0.05 0.90"
 @see
 @beside
-# Another's answer, where it differs from what is right, stands in the place of the example.
+# A wrong answer of the user takes the place of the example.
 example = "for [_=wrong:0]"
 if (exists("your_answer_text")) { set label 93 your_answer_text; set label 94 ""; set label 95 "" }
 

@@ -1,11 +1,12 @@
-# camera-forms.gp - what a camera may be given by (slide 'Other camera representations'), and the
-# camera that is found from it: its plane, and its frame r, u, f at the middle.
+# camera-forms.gp - four ways to give a camera (slide 'Other camera representations'), and the camera
+# that is found from each: its plane, and its frame r, u, f at the middle.
 title = "Four other ways to give a camera"
-description = sprintf("Four panels, each with the eye at %s. Look-at: the point looked at, %s, an up vector %s, width %s \
-and aspect ratio %s. Four points: the corners of the image plane. Lower left corner %s and two vectors, \
-%s across and %s up. Four vectors from the eye to the corners. \
-From each the same image plane is found, with the same frame r, u, f at its middle. \
-Look-at: %s. Points: %s. Corner and vectors: %s. Four vectors: %s.", \
+description = sprintf("Four panels show one camera with the eye at %s, given in four ways. Look-at: the look-at point %s, \
+the up vector %s, the width %s and the aspect ratio %s. Four points: the corners of the image plane. \
+Corner and vectors: the lower left corner %s and two vectors, %s across and %s up. \
+Four vectors: those from the eye to the corners. \
+Each gives an image plane, and a frame r, u, f at its middle. \
+From the look-at: %s. From four points: %s. From corner and vectors: %s. From four vectors: %s.", \
     eye_text, at_text, look_up_text, w_text, aspect_text, lower_left_text, across_text, upward_text, \
     look_at_found, points_found, corner_found, vectors_found)
 steps = 5
@@ -17,8 +18,8 @@ shift_y[3] = -height / 2.0
 shift_x[4] = width / 2.0
 shift_y[4] = -height / 2.0
 
-# A panel for each form. In the middle: its title, above, and what was found, below; where yours is
-# another, that is said under it.
+# A panel for each form. Its title is above the middle, and the camera that was found is below. If
+# the user's answer gives another camera, that one is below the right one.
 forms = "look_at points corner vectors"
 array titles[4] = ["look-at", "eye and four points", "eye, lower left corner, two vectors", "eye and four vectors"]
 found(panel) = value(word(forms, panel)."_found")
@@ -28,7 +29,7 @@ title_place = "(shift_x[panel] + width / 4.0):(shift_y[panel] + height - 24)"
 found_place = "(shift_x[panel] + width / 4.0):(shift_y[panel] + height / 2.0 + 50)"
 yours_place = "(shift_x[panel] + width / 4.0):(shift_y[panel] + height / 2.0 + 34)"
 
-# A panel at each of the first four steps; in the fifth, what was found, in all of them.
+# Each of the first four steps adds a panel. The fifth adds the cameras that were found.
 panels = "for [panel=1:(step < 4 ? step : 4)]"
 this = "panel - 1"
 short = "vectors head filled size 9,18,90 lw 1.8"

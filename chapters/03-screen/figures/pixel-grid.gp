@@ -1,11 +1,11 @@
 # pixel-grid.gp - a pixel is a square, and its centre stands for it (slide 'Normalized screen
-# coordinates'). A large screen is shown around the pixel only.
+# coordinates'). Of a large screen, only the part around the pixel is shown.
 title = "A pixel is a square, and its centre stands for it"
 s_is = sprintf("(%s + ½)/%s", pixel_column_text, screen_W_text)
 t_is = sprintf("1 − (%s + ½)/%s", pixel_row_text, screen_H_text)
-description = sprintf("%s %s by %s pixels; columns count from the left, rows from the top. The pixel in column %s, \
-row %s is a square; its centre, the point %s, stands for it. Normalized that is s = %s = %s and t = %s = %s, \
-where s counts from the left edge, t from the bottom, each from 0 to 1.", \
+description = sprintf("%s %s by %s pixels. Columns count from the left, rows from the top. The pixel in column %s, \
+row %s is a square, and its centre, the point %s, stands for it. Normalized, the centre is s = %s = %s and \
+t = %s = %s. s goes from 0 at the left edge to 1 at the right edge, t from 0 at the bottom to 1 at the top.", \
     whole ? "A screen of" : "A part of a screen of", screen_W_text, screen_H_text, pixel_column_text, pixel_row_text, \
     center_text, s_is, place_s_text, t_is, place_t_text)
 steps = 5
@@ -20,12 +20,12 @@ AT(s) = U(1, s * screen_W)
 UP(t) = V(1, (t - 1) * screen_H)
 axis_gap = 12
 short(x) = x < 0.001 ? sprintf("%.5f", x) : sprintf("%.4g", x)
-# Where there is no room for each column's number, every second has one.
+# If there is no room for the number of each column, every second one is numbered.
 dense = 11 * strlen(screen_W_text) + 4 > size[1]
 number(column) = dense && int(abs(column - pixel_column)) % 2 ? "" : sprintf("%d", column)
 corners = "(U(1,$1+pixel_column)):(V(1,$2-pixel_row-1))"
 
-# What is said stands to the right; in the narrow shape in two columns below.
+# The text is on the right; in the narrow shape, it is below, in two columns.
 words_x(column) = narrow ? (0.11 + 0.42 * column) * width : 0.71 * width
 words_y(row, row_below) = narrow ? 124 - 26 * row_below : 440 - 26 * row
 set label 1 sprintf("%s%s × %s pixels", whole ? "" : "part of ", screen_W_text, screen_H_text) \

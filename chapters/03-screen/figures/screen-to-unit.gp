@@ -1,16 +1,16 @@
-# screen-to-unit.gp - a point of the screen, and the same one in the unit square (slide 'Normalized
-# screen coordinates').
-title = "A point of the screen, normalized"
+# screen-to-unit.gp - a point on the screen, and the same point in the unit square (slide
+# 'Normalized screen coordinates').
+title = "A point on the screen, normalized"
 s_is = sprintf("%s/%s", point_x_text, screen_W_text)
 from_top = sprintf(point_y < 0 ? "(%s)/%s" : "%s/%s", point_y_text, screen_H_text)
 t_is = "1 − ".from_top
-description = sprintf("Left, a screen of %s by %s pixels: its origin is at the upper left, x counts to the \
-right, y down. The point %s on it. Right, the unit square: its origin is at the lower left, s counts to \
-the right, t up. The same point is at s = %s, t = %s there: %s.", \
+description = sprintf("On the left is a screen of %s by %s pixels. Its origin is at the upper left; x counts to the \
+right, y counts down. It shows the point %s. On the right is the unit square. Its origin is at the lower left; \
+s counts to the right, t counts up. There, the same point is at s = %s, t = %s: %s.", \
     screen_W_text, screen_H_text, point_text, s_is, t_is, place_text)
 steps = 5
 
-# Panel 1 is the screen, y down; panel 2 the unit square. A point beyond one is beyond the other.
+# Panel 1 is the screen, with y down; panel 2 is the unit square. A point outside one is outside both.
 panel = 1; room = "0.115 0.47 0.27 0.84"
 low_x = least(0, point_x); high_x = most(screen_W, point_x)
 low_y = -most(screen_H, point_y); high_y = -least(0, point_y)
@@ -25,7 +25,7 @@ bottom = V(2, least(0, place_t))
 square_left = U(2, least(0, place_s))
 between = V(1, -screen_H / 2)
 
-# Labels stand beside their lines, away from the edges; a line too short for its label has none.
+# Labels are beside their lines, away from the edges. A line that is too short has no label.
 side = point_x > 0.6 * screen_W ? -1 : 1
 beside = side > 0 ? "labels left" : "labels right"
 over = point_y > 0.75 * screen_H ? 1 : -1

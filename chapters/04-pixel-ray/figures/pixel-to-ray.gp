@@ -1,12 +1,14 @@
-# pixel-to-ray.gp - from a pixel to its ray, one chain (slide 'Mapping from Pixel to Camera Ray').
+# pixel-to-ray.gp - the chain from a pixel to its ray (slide 'Mapping from Pixel to Camera Ray').
 title = "From a pixel to its ray"
-description = sprintf("The pixel in column %s, row %s of a screen of %s by %s pixels is a square; its centre is the \
-point %s of the screen. In the unit square, with s = x/W and t = 1 − y/H, that is (s, t) = %s. On the image plane, the vector from the eye to \
-there is v = d f + (s − ½) w r + (t − ½) h u = %s. The ray starts at the eye, p = %s, and its points are p + t v.", \
+description = sprintf("The pixel in column %s, row %s of a screen of %s by %s pixels is a square. Its centre is the \
+point %s on the screen. In the unit square, with s = x/W and t = 1 − y/H, the centre is at (s, t) = %s. The vector from \
+the eye to that place on the image plane is v = d f + (s − ½) w r + (t − ½) h u = %s. The ray starts at the eye, p = %s, \
+and its points are p + t v.", \
     pixel_column_text, pixel_row_text, screen_W_text, screen_H_text, center_text, place_text, v_text, origin_text)
 steps = 5
 
-# Above: panel 1 is the pixel under a lens, 2 the screen, y down, 3 the unit square. Below: the world.
+# In the upper half, panel 1 is the pixel under a lens, 2 is the screen, with y down, and 3 is the
+# unit square. In the lower half is the world.
 low_x = pixel_column; high_x = pixel_column + 1; low_y = -pixel_row - 1; high_y = -pixel_row
 panel = 1; room = "0.05 0.21 0.70 0.91"
 @flat
@@ -32,7 +34,7 @@ if (step >= 2) { set label 2 "centre ".center_text at U(2,screen_W/2),captions c
 if (step >= 3) { set label 3 math("(s, t)")." = ".place_text at @caption_3 tc rgb ink }
 if (step >= 4) { set label 4 math("v = d f + (s − ½) w r + (t − ½) h u").sprintf(" = %s", v_text) at 0.05*width,72 tc rgb pink }
 if (step >= 5) { set label 5 sprintf("ray: %s from %s = %s", math("p + t v"), math("p"), origin_text) at 0.05*width,46 tc rgb blue }
-# Yours: the first link that is another.
+# Of the user's answer: the first link that is wrong.
 link = exists("your_center_text") ? "centre ".your("center_text") : exists("your_place_text") ? "(s, t) = ".your("place_text") : \
     exists("your_v_text") ? "v = ".your("v_text") : exists("your_origin_text") ? "p = ".your("origin_text") : "the ray"
 if (wrong) { set label 6 "yours: ".link at 0.05*width,18 tc rgb orange }
