@@ -1,8 +1,8 @@
 // main.c - chapter 01: from the eye to the image plane.
 //
-// Tells the story of the slides 'Camera' and 'Finding vectors from the eye to the image plane' with
-// the deck's camera, or with the reader's own. Its picture is the image plane itself, each place
-// coloured by the direction of its vector, with the three answers as dots.
+// Answers the questions of the slides 'Camera' and 'Finding vectors from the eye to the image
+// plane' step by step, for the deck's camera or for the user's own. Its picture is the image plane:
+// the colour of each place shows the direction of its vector, and the three answers are white dots.
 #include "chapters/01-corners/figures/figures.h"
 #include "common/options.h"
 #include "common/picture.h"
@@ -14,7 +14,7 @@
 
 enum { PICTURE = 320 }; // pixels each way
 
-static void the_three_questions(Camera c)
+static void three_questions(Camera c)
 {
     story_heading("Vectors from the eye to the image plane");
     story_line("upper left", "%s", vec3_text(upper_left(c)).s);
@@ -22,15 +22,17 @@ static void the_three_questions(Camera c)
     story_line("30% across, 10% up", "%s", vec3_text(across_30_up_10(c)).s);
 }
 
-static void the_way(Camera c, double s, double t)
+static void walk_to(Camera c, double s, double t)
 {
     vec3 middle = image_plane_vector(c, 0.5, 0.5);
-    vec3 aside = image_plane_vector(c, s, 0.5);
+    vec3 sideways = image_plane_vector(c, s, 0.5);
     vec3 there = image_plane_vector(c, s, t);
-    story_heading("The way to s = %s across, t = %s up", number_text(s).s, number_text(t).s);
-    story_line("ahead to the middle", "%s", vec3_text(middle).s);
-    story_line("then aside", "%-24s adds %s", vec3_text(aside).s, vec3_text(aside - middle).s);
-    story_line("then up or down", "%-24s adds %s", vec3_text(there).s, vec3_text(there - aside).s);
+    story_heading("The walk to s = %s across, t = %s up", number_text(s).s, number_text(t).s);
+    story_line("forward to the middle", "%s", vec3_text(middle).s);
+    story_line("then sideways", "%-24s adds %s", vec3_text(sideways).s,
+               vec3_text(sideways - middle).s);
+    story_line("then up or down", "%-24s adds %s", vec3_text(there).s,
+               vec3_text(there - sideways).s);
     story_line("as a point of the world", "%-24s adds the eye", vec3_text(c.origin + there).s);
 }
 
@@ -49,10 +51,10 @@ static void doubling(Camera c)
         printf("  %-10s %-10s %-10s %s\n", number_text(cameras[i].distance).s,
                number_text(cameras[i].width).s, number_text(cameras[i].height).s,
                vec3_text(image_plane_vector(cameras[i], 0, 1)).s);
-    printf("  Longer or shorter, the same direction: the same rays, the same picture.\n");
+    printf("  The lengths differ, the directions do not: the same rays, the same picture.\n");
 }
 
-// s and t go from edge to edge here, so that the corners are in the picture.
+// Here s and t reach 0 and 1, so that the corners are in the picture.
 static Color color_of_vector(Pixel pixel, void *given)
 {
     const Camera *c = given;
@@ -73,20 +75,21 @@ int main(int argc, char **argv)
     const char *picture = NULL;
     const Option options[] = {
         CAMERA_OPTIONS(view.camera),
-        {"s", 's', "S", option_number, &view.s, "across the plane, 0 to 1"},
-        {"t", 't', "T", option_number, &view.t, "up the plane, 0 to 1"},
-        {"picture", 0, "FILE.png", option_string, &picture, "draw the image plane instead"},
-        {"yours", 0, "X,Y,Z", option_vec3, &view.yours, "in the figure yours-and-right"},
+        {"s", 's', "S", option_number, &view.s, "how far across the plane, 0 to 1"},
+        {"t", 't', "T", option_number, &view.t, "how far up the plane, 0 to 1"},
+        {"picture", 0, "FILE.png", option_string, &picture, "draw the image plane instead of text"},
+        {"yours", 0, "X,Y,Z", option_vec3, &view.yours,
+         "your vector in the figure yours-and-right"},
         FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...",
                    "From the eye to the image plane, step by step. Without options:\n"
-                   "the deck's camera, and the way to its upper left corner."};
+                   "the deck's camera, and the walk to its upper left corner."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     Camera c = view.camera;
     story_needs_camera(argv[0], c);
-    // The story goes to the upper left corner, the figures to the slide's 30% across and 10% up.
+    // By default the text shows the upper left corner, and a figure the slide's 30% across, 10% up.
     bool drawn = figure.name != NULL;
     view.s = isnan(view.s) ? (drawn ? 0.3 : 0) : view.s;
     view.t = isnan(view.t) ? (drawn ? 0.1 : 1) : view.t;
@@ -98,8 +101,8 @@ int main(int argc, char **argv)
     printf("01-corners: from the eye to the image plane\n");
     story_heading("The camera <p, r, u, f, d, w, h>");
     story_camera(c);
-    the_three_questions(c);
-    the_way(c, view.s, view.t);
+    three_questions(c);
+    walk_to(c, view.s, view.t);
     doubling(c);
     return story_end();
 }
