@@ -129,14 +129,14 @@ $(B)/common.a $(B)/chapters/shared.a:
 # Where a folder lacks an answer, the blank stands in.
 BLANKS := $(STEMS:%=build/blanks/%.c)
 # Blanks are made from the solutions; a handout has them made.
-MAKE_BLANK := $(B)/tests/blank
-$(MAKE_BLANK): $(B)/tests/blank.o
+MAKE_BLANK := $(B)/tests/handout/make_blank
+$(MAKE_BLANK): $(MAKE_BLANK).o
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
 build/blanks/%.c: solutions/%.c $(MAKE_BLANK)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(MAKE_BLANK) $< > $@
-build/blanks/%.c: tests/told/blanks/%.c
+build/blanks/%.c: tests/handout/replay/blanks/%.c
 	$(Q)mkdir -p $(@D)
 	$(Q)cp $< $@
 
@@ -241,8 +241,9 @@ include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit
 
 # ---- the habits of the house ------------------------------------------------------------------
 
-C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] exercises/*.h solutions/*.c \
-	tests/*.[ch] tests/*/*.[ch] $(patsubst %,tests/%/*.[ch],course/explained judge/reference grade/confine grade/mark))
+C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] exercises/*.h solutions/*.c) \
+	$(filter-out tests/benches/peers/% tests/grade/attacks/% tests/grade/example/%,$(wildcard tests/*.[ch] \
+	tests/*/*.[ch] tests/*/*/*.[ch]))
 FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)
 format: ## lay out the C sources (clang-format)
 	@clang-format -i $(FORMATTED)

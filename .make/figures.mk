@@ -17,7 +17,7 @@ figure_files = $(call layout_of,$(1)) $(wildcard common/figure/*.gp \
 	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
 # Beside another's answers, what is right, by the solutions or as a handout has recorded it, and what the
 # judge says is wrong.
-RIGHT := $(if $(wildcard solutions/.),$(if $(filter-out solutions,$(A)),$(B)/solutions/figures),tests/told/figures)
+RIGHT := $(if $(wildcard solutions/.),$(if $(filter-out solutions,$(A)),$(B)/solutions/figures),tests/handout/replay/figures)
 ifneq ($(filter $(B)/%,$(RIGHT)),)
 RIGHT_PROGRAMS := $(STEMS:%=$(B)/solutions/%)
 $(RIGHT_PROGRAMS): $(B)/solutions/%: $$(call chapter_objects,$$*) \

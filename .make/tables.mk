@@ -1,11 +1,11 @@
-# What a handout has instead of tests, solutions and references: tables of what is right (tests/told/),
+# What a handout has instead of tests, solutions and references: tables of what is right (tests/handout/replay/),
 # and the student's own earlier answers. Included by the handout's Makefile.
 
 # The judge asks what the table says.
 JUDGES := $(STEMS:%=$(B)/judge/%)
-$(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/told/path/%.o \
+$(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/replay/path/%.o \
 		$(patsubst %,$(B)/tests/judge/%.o,call kept process ending judge system_call) $(REPORTING) \
-		$(DRAWING) $(B)/tests/told/right.o $(B)/common.a | $(TABLE)/%.table
+		$(DRAWING) $(B)/tests/handout/replay/right.o $(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -13,7 +13,7 @@ $(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/told/path/%.o \
 # The toolkit itself, whatever stands in exercises/.
 CHECKS := $(COMMON_TESTS) $(TABLE_CHECKS)
 check: $(RUN) $(CHECKS) $(JUDGES) $(BLANKS) ## the tests of the toolkit
-	@CC='$(CC)' MAKEFLAGS= $(RUN) $(B)/log $(CHECKS) tests/told/blanks.sh
+	@CC='$(CC)' MAKEFLAGS= $(RUN) $(B)/log $(CHECKS) tests/handout/replay/blanks.sh
 
 # A chapter stands on the answers of the earlier ones: each is judged first, and what it was
 # compiled to (the blank, where it does not compile) is linked with the later ones.
@@ -21,6 +21,6 @@ earlier_answers = $(patsubst %,$(VERDICT)/%/answer.o,$(call earlier,$(1)))
 stands_on = $(call earlier,$(1))
 
 # The calls of a table, made directly.
-for_debug = $(B)/tests/told/debug.o $(B)/told/path/$(1).o $(TOLD) \
+for_debug = $(B)/tests/handout/replay/debug.o $(B)/replay/path/$(1).o $(TOLD) \
 	$(B)/tests/judge/same.o $(B)/judge/dispatch-$(1).o \
 	$(call earlier_answers,$(1)) $(B)/common.a

@@ -11,7 +11,7 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 # What every program of tests is made of: its list of tests, and the words for given and expected.
 TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
 	show random types type_words) $(B)/tests/course/page.o
-COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/common/*.c tests/course/check_*.c \
+COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/course/check_*.c \
 	tests/course/explained/*.c))
 # What judges answers (tests/course/course.c), in parts.
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c %/explain_main.c tests/course/check_%, \
@@ -25,14 +25,14 @@ $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/main.o $(B)/common.a
 $(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*.c tests/[0-9]*/*.c tests/judge/*.c)): OPTIMIZE = -O0
 
 # What runs the tests.
-RUN := $(B)/tests/check
-$(RUN): $(B)/tests/check.o
+RUN := $(B)/tests/house/runner/run_tests
+$(RUN): $(RUN).o
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
 
 # What packs a student's answers (make submission).
-PACK := $(B)/tests/submission/pack
-$(PACK): $(patsubst %,$(B)/tests/submission/%.o,pack stored_zip) $(B)/common.a
+PACK := $(B)/tests/course/submission/pack
+$(PACK): $(patsubst %,$(B)/tests/course/submission/%.o,pack stored_zip) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 
@@ -67,21 +67,21 @@ earlier = $(strip $(call before,$(STEMS),$(1)))
 # ---- tests without the tests ------------------------------------------------------------------
 
 # What the tests ask and what is right, as a table that no test and no answer can be read from
-# (tests/told/): made here from the tests, and all that a handout has to judge by.
-TABLE := $(if $(wildcard tests/told/*.table),tests/told,$(B)/told)
-$(STEMS:%=$(B)/told/path/%.c): $(B)/told/path/%.c:
+# (tests/handout/replay/): made here from the tests, and all that a handout has to judge by.
+TABLE := $(if $(wildcard tests/handout/replay/*.table),tests/handout/replay,$(B)/replay)
+$(STEMS:%=$(B)/replay/path/%.c): $(B)/replay/path/%.c:
 	$(Q)mkdir -p $(@D)
-	$(Q)printf '#include "tests/told/replay.h"\n\nconst char told_path[] = "%s";\n' \
+	$(Q)printf '#include "tests/handout/replay/replay.h"\n\nconst char told_path[] = "%s";\n' \
 		$(TABLE)/$*.table > $@
-$(STEMS:%=$(B)/told/path/%.o): %.o: %.c $(B)/flags.mk $(SETUP_FIRST)
+$(STEMS:%=$(B)/replay/path/%.o): %.o: %.c $(B)/flags.mk $(SETUP_FIRST)
 	$(Q)$(COMPILE) -o $@ $<
-TOLD := $(B)/tests/told/table.o $(B)/tests/judge/numbers.o $(CALLING)
+TOLD := $(B)/tests/handout/replay/table.o $(B)/tests/judge/numbers.o $(CALLING)
 REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard $(DIAGNOSIS)) $(TOLD) \
-	$(patsubst %,$(B)/tests/told/%.o,replay expect)
+	$(patsubst %,$(B)/tests/handout/replay/%.o,replay expect)
 
 # A table by itself: what is right passes, and each mistake's values are failed and named.
-TABLE_CHECKS := $(STEMS:%=$(B)/told/check/%)
-$(TABLE_CHECKS): $(B)/told/check/%: $(REPLAY) $(B)/told/path/%.o $(B)/tests/told/check.o \
+TABLE_CHECKS := $(STEMS:%=$(B)/replay/check/%)
+$(TABLE_CHECKS): $(B)/replay/check/%: $(REPLAY) $(B)/replay/path/%.o $(B)/tests/handout/replay/check.o \
 		$(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)

@@ -1,6 +1,6 @@
 # lessons.mk - make lesson-figures: the figures that are committed, for readers who build nothing. Included
 # by the Makefile.
-LESSON_FIGURES := $(B)/tests/figures/lesson_figures
+LESSON_FIGURES := $(B)/tests/house/figures/lesson_figures
 $(LESSON_FIGURES): $(LESSON_FIGURES).o
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^

@@ -68,8 +68,8 @@ missing: $(if $(LACKS),,$$(addprefix $$(B)/tests/matrix/,$$(CHOSEN))) ## what a 
 # the compiler sifts, and a program a stem that tries them. GENERATED_SEED=... makes others.
 GENERATED_SEED ?= 2015
 GENERATED_MOST ?= 400
-MUTATE := $(B)/tests/generated/mutate
-$(MUTATE): $(patsubst %,$(B)/tests/generated/%.o,mutate put source slips statements pen)
+MUTATE := $(B)/tests/proof/generated/mutate
+$(MUTATE): $(patsubst %,$(B)/tests/proof/generated/%.o,mutate put source slips statements pen)
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
 MUTANTS := $(STEMS:%=$(B)/generated/%.o)
@@ -92,10 +92,10 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 # that is different for whoever asks.
 mutants_of = $(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(1) $(@D)/$*/*.i > $(@D)/$*.c
 ALL_ERRORS = $(if $(findstring clang,$(CC)),-ferror-limit=0)
-TRIALS := $(STEMS:%=$(B)/tests/generated/%)
-$(TRIALS): $(B)/tests/generated/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
+TRIALS := $(STEMS:%=$(B)/tests/proof/generated/%)
+$(TRIALS): $(B)/tests/proof/generated/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
 		$$(call parts,tests/$$*/probes) $(TESTING) $(HEARING) $(B)/generated/%.o \
-		$(patsubst %,$(B)/tests/generated/%.o,try truth guard question ask_screen ask_cameras \
+		$(patsubst %,$(B)/tests/proof/generated/%.o,try truth guard question ask_screen ask_cameras \
 		ask_spheres ask_scenes ask_lights) $(B)/tests/handout/here.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -113,18 +113,18 @@ $(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,
 
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
 # it takes; and shadows and mirrors against chapter 07.
-SAME_ENGINES := $(patsubst %,$(B)/tests/fast/%,same files memory)
-ENGINES := $(B)/tests/fast/same $(B)/tests/fast/lit
+SAME_ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same files memory)
+ENGINES := $(B)/tests/house/engines/same $(B)/tests/house/engines/lit
 ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
-$(SAME_ENGINES): $(patsubst %,$(B)/tests/fast/%.o,against made made_difficult made_far parts)
-$(B)/tests/fast/lit: $(B)/tests/fast/lit_scenes.o
+$(SAME_ENGINES): $(patsubst %,$(B)/tests/house/engines/%.o,against made made_difficult made_far parts)
+$(B)/tests/house/engines/lit: $(B)/tests/house/engines/lit_scenes.o
 $(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(B)/chapters/shared.a \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
 # What a hostile answer asks for when the reference is lent.
-ODD_QUESTIONS := $(B)/tests/lending/odd_questions
+ODD_QUESTIONS := $(B)/tests/proof/odd_questions
 $(ODD_QUESTIONS): $(ODD_QUESTIONS).o $(CALLING) $(REFERENCES) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
@@ -137,7 +137,7 @@ $(TYPES): $(TYPES).o $(B)/tests/judge/main.o $(TESTING) $(CALLING) $(patsubst %,
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
 # Numbers as they are read against the C library's.
-NUMBERS := $(B)/tests/exact/numbers
+NUMBERS := $(B)/tests/proof/exact/numbers
 $(NUMBERS): $(NUMBERS).o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
@@ -151,19 +151,19 @@ $(SAME): $(B)/tests/proof/same_picture.o
 # ---- recorded tables ----------------------------------------------------------------------------
 
 # Where the tables come from; and right answers written otherwise, held against them.
-TELLERS := $(STEMS:%=$(B)/told/tell/%)
-$(TELLERS): $(B)/told/tell/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
-		$$(call parts,tests/$$*/probes) $(TESTING) $(HEARING) $(B)/tests/told/table.o \
+TELLERS := $(STEMS:%=$(B)/replay/tell/%)
+$(TELLERS): $(B)/replay/tell/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
+		$$(call parts,tests/$$*/probes) $(TESTING) $(HEARING) $(B)/tests/handout/replay/table.o \
 		$(patsubst %,$(B)/tests/handout/%.o,tell asked takes here) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 TABLES := $(STEMS:%=$(TABLE)/%.table)
-$(TABLES): $(TABLE)/%.table: $(B)/told/tell/%
+$(TABLES): $(TABLE)/%.table: $(B)/replay/tell/%
 	$(call say,tell,$@)
 	$(Q)env -u SEED $< $@
-TABLE_VARIANTS := $(patsubst tests/%/variants.c,$(B)/told/variants/%,$(wildcard tests/[0-9]*/variants.c))
-$(TABLE_VARIANTS): $(B)/told/variants/%: $(filter-out $(HEARING),$(REPLAY)) $(B)/told/path/%.o $(B)/tests/%/variants.o \
+TABLE_VARIANTS := $(patsubst tests/%/variants.c,$(B)/replay/variants/%,$(wildcard tests/[0-9]*/variants.c))
+$(TABLE_VARIANTS): $(B)/replay/variants/%: $(filter-out $(HEARING),$(REPLAY)) $(B)/replay/path/%.o $(B)/tests/%/variants.o \
 		$(patsubst %,$(B)/tests/handout/%.o,variants here) $(HEARING) $(B)/common.a | $(TABLE)/%.table
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
@@ -180,14 +180,14 @@ FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUI
 CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TYPES) $(ODD_QUESTIONS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
 FOR_CHECKS := $(DRAW_FIGURES) $(MAKE_PAGE) $(EXPLAIN) $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
 check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests (two minutes on two cores)
-	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh)
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/house/*.sh)
 
 # What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
 FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
 .PHONY: check-all check-long
 check-all: $(RUN) $(CHECKS) $(FOR_LONG) ## those that need longer, too
-	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/shell/*.sh tests/long/*.sh)
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/house/*.sh tests/proof/*.sh)
 
 check-long: $(RUN) $(FOR_LONG) ## only those that need longer
-	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(NUMBERS) $(wildcard tests/long/*.sh)
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(NUMBERS) $(wildcard tests/proof/*.sh)

@@ -3,7 +3,8 @@
 // The quick engines decide with margins that cover what is rounded off, for a sphere that is up to
 // EXTREME_RADII of its radii away, and for lengths whose squares of squares a double holds. A scene
 // that goes beyond is cast by 'plain', whichever engine was asked for: the picture stays the same.
-// Tried (tests/fast/same.c): bins err from 1e14 radii on, object from 1e15.5, the others from 1e16.
+// Tried (tests/house/engines/same.c): bins err from 1e14 radii on, object from 1e15.5, the others
+// from 1e16.
 #ifndef CHAPTERS_08_FAST_EXTREMES_H
 #define CHAPTERS_08_FAST_EXTREMES_H
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_HANDOUT_ASKED_H
 #define TESTS_HANDOUT_ASKED_H
 
-#include "tests/told/told.h"
+#include "tests/handout/replay/told.h"
 
 // From now on the reference answers, and is listened to.
 void asked_begin(void);

@@ -2,7 +2,7 @@
 #ifndef TESTS_HANDOUT_TAKES_H
 #define TESTS_HANDOUT_TAKES_H
 
-#include "tests/told/told.h"
+#include "tests/handout/replay/told.h"
 
 // Asks it again and again with one result changed a little: tolerance, reasons, free length.
 void takes_for_right(ToldTest *test);

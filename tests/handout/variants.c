@@ -1,6 +1,6 @@
 // variants.c - no right answer, however it is written, is failed or accused by the table.
 #include "tests/handout/here.h"
-#include "tests/told/replay.h"
+#include "tests/handout/replay/replay.h"
 
 #include "tests/judge/runner.h"
 #include "tests/judge/show.h"

@@ -117,7 +117,7 @@ static int verdict(const char *folder, const char *figures)
 }
 
 // What a student would read of each known mistake: two versions of the tests are compared by it
-// (tests/record.sh).
+// (tests/proof/by_hand/record.sh).
 static int verdicts_of_mistakes(const char *folder)
 {
     for (int table = 0; mistakes[table] != NULL; table++) {

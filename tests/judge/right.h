@@ -1,5 +1,5 @@
 // right.h - what is right for a call that was kept: by the reference, or where there is none by a
-// table (tests/told/right.c).
+// table (tests/handout/replay/right.c).
 #ifndef TESTS_JUDGE_RIGHT_H
 #define TESTS_JUDGE_RIGHT_H
 

@@ -139,7 +139,7 @@ submission_1002:
 
 class Copies(Export):
     """A copy of the toolkit or of the handout, of which exercises/ counts."""
-    ELSEWHERE = ["solutions", "tests/told/blanks", "tests/05-quadratic", "tests", "build/blanks", "build/x/y",
+    ELSEWHERE = ["solutions", "tests/handout/replay/blanks", "tests/05-quadratic", "tests", "build/blanks", "build/x/y",
                  "chapters",
                  ".make", "common"]
 

@@ -1,4 +1,4 @@
-"""test_pack.py - 'make submission' (tests/submission/pack.c), and the copies of the tree that people hand in.
+"""test_pack.py - 'make submission' (tests/course/submission/pack.c), and the copies of the tree that people hand in.
 
 The archive is read by Python's zipfile, which shares nothing with its writer.
 """
@@ -11,7 +11,7 @@ from pathlib import Path
 from grade.collect import submissions
 from .scratch import Scratch
 
-PACK = os.environ.get("PACK", "build/tests/submission/pack")
+PACK = os.environ.get("PACK", "build/tests/course/submission/pack")
 STEMS = sorted(path.stem for path in Path("solutions").glob("*.c"))
 TREE = ("Makefile", "README.md", ".make", "common", "chapters", "exercises", "solutions", "tests")
 

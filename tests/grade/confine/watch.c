@@ -12,7 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// When a child ends, its own children become children of this process, so that at last all are gone.
+// When a child ends, its own children become children of this process, so that at last all are
+// gone.
 static void end_all(void)
 {
     char path[60];

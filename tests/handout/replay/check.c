@@ -1,0 +1,107 @@
+// check.c - is a table strict, and does its judge know what it sees?
+//
+// The right values must pass, and nobody be accused; the values of each known mistake must fail,
+// and name it. The other end of the pipe gives what the table has.
+#include "tests/handout/replay/replay.h"
+
+#include "tests/judge/runner.h"
+#include "tests/judge/suspects.h"
+#include "tests/judge/transport.h"
+
+#include <string.h>
+
+static Outcomes outcomes;
+static int gives = -1; // which mistake of the function; -1: what is right
+static int passed, failed;
+static Wire answer;
+
+static Wire *begin(int exercise)
+{
+    static Wire wire;
+    (void)exercise;
+    wire_clear(&wire);
+    return &wire;
+}
+
+static void look_up(int exercise)
+{
+    static Wire in;
+    static Numbers ignored;
+    Resolution size;
+    const ToldCall *call = told_now();
+    wire_clear(&in);
+    layout_write(exercises[exercise].arguments, &call->arguments, &size, &in);
+    layout_read(exercises[exercise].arguments, &in, &size, &ignored);
+    wire_clear(&answer);
+    layout_write(exercises[exercise].results,
+                 &call->results[gives < 0 ? 0 : call->of_mistake[gives]], &size, &answer);
+}
+
+static Wire *receive(int exercise)
+{
+    (void)exercise;
+    return &answer;
+}
+
+static const Transport recorded = {begin, look_up, receive, NULL};
+
+static int run(const char *function, bool extra)
+{
+    int count = 0;
+    suspects_begin();
+    run_tests(function, NULL, ANSWERS_APART, &outcomes);
+    for (int i = 0; i < outcomes.count; i++)
+        count += !outcomes.tests[i].passed && (extra || !outcomes.tests[i].extra);
+    records_end();
+    for (int i = 0; exercises[i].name != NULL; i++) {
+        static Outcomes probes;
+        if (function != NULL && strcmp(exercises[i].name, function) != 0)
+            continue;
+        run_probes(i, NULL, &probes);
+        records_end();
+    }
+    return count;
+}
+
+static void settle(bool good, const char *what, const char *function, const char *why)
+{
+    if (!good)
+        printf("not ok: %s %s: %s\n", what, function, why);
+    *(good ? &passed : &failed) += 1;
+}
+
+static void check_mistake(const ToldMistake *mistake)
+{
+    int exercise = exercise_number(mistake->function);
+    int count = run(mistake->function, mistake->digits);
+    const Mistake *named = suspect(exercise, 0, mistake->digits);
+    settle(count > 0, "mistake fails no test:", mistake->function, mistake->why);
+    settle(named != NULL && strcmp(named->why, mistake->why) == 0,
+           "mistake is not named:", mistake->function, mistake->why);
+}
+
+int main(int argc, char **argv)
+{
+    const char *slash = strrchr(argv[0], '/');
+    const Told *told = told_table();
+    (void)argc;
+    switch_to_process(slash != NULL ? slash + 1 : argv[0]);
+    transport_use(&recorded);
+    settle(run(NULL, true) == 0 && outcomes.count > 0, "what is right", "", "does not pass");
+    for (int i = 0; i < told->mistake_count; i++)
+        settle(suspect(exercise_number(told->mistakes[i].function), 0, true) == NULL,
+               "what is right is accused:", told->mistakes[i].function, told->mistakes[i].why);
+    const char *function = "";
+    for (int i = 0; i < told->mistake_count; i++) {
+        // Mistakes of a function are counted in the order of the list, wherever they stand.
+        gives = 0;
+        function = told->mistakes[i].function;
+        for (int k = 0; k < i; k++)
+            gives += strcmp(told->mistakes[k].function, function) == 0;
+        check_mistake(&told->mistakes[i]);
+    }
+    printf("table of %s (%d mistakes, %d tests): %d passed, %d failed\n",
+           slash != NULL ? slash + 1 : argv[0], told->mistake_count, told->test_count, passed,
+           failed);
+    return failed == 0 ? 0 : 1;
+}

@@ -1,0 +1,45 @@
+// debug.c - the calls of one test of a table, made directly: for gdb (tests/course/course.c).
+//
+//   PROGRAM --test NAME
+#include "tests/handout/replay/replay.h"
+#include "tests/judge/dispatch.h"
+#include "tests/judge/exercise.h"
+
+#include <string.h>
+
+void case_begins(int number);
+
+// Where gdb stops.
+__attribute__((noinline)) void case_begins(int number)
+{
+    __asm__ volatile("" ::"r"(number));
+}
+
+static void make_calls(int exercise, const ToldTest *test)
+{
+    static Wire in, out;
+    Resolution size;
+    for (int i = 0; i < test->call_count; i++) {
+        wire_clear(&in);
+        wire_clear(&out);
+        layout_write(exercises[exercise].arguments, &test->calls[i].arguments, &size, &in);
+        case_begins(i + 1);
+        dispatch(exercise, &in, &out);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    static Told told;
+    FILE *file = fopen(told_path, "rb");
+    if (argc != 3 || file == NULL || !told_read(file, &told)) {
+        fprintf(stderr, "Usage: %s --test NAME (and %s must be there)\n", argv[0], told_path);
+        return 2;
+    }
+    fclose(file);
+    for (int i = 0; i < told.test_count; i++)
+        for (int k = 0; strcmp(told.tests[i].name, argv[2]) == 0 && exercises[k].name != NULL; k++)
+            if (strcmp(exercises[k].name, told.tests[i].function) == 0)
+                make_calls(k, &told.tests[i]);
+    return 0;
+}

@@ -1,0 +1,168 @@
+// expect.c - what came must be what the table says: in the words of the tests (test.h).
+#include "tests/handout/replay/replay.h"
+
+#include "tests/judge/expect_roots.h"
+#include "tests/judge/record.h"
+#include "tests/judge/test.h"
+
+#include <string.h>
+
+static vec3 vec3_at(const Numbers *numbers, int i)
+{
+    return vec3_of(numbers->at[i], numbers->at[i + 1], numbers->at[i + 2]);
+}
+
+static Ray ray_of(const Numbers *numbers)
+{
+    return (Ray){vec3_at(numbers, 0), vec3_at(numbers, 3)};
+}
+
+static Camera camera_at(const Numbers *numbers, int i)
+{
+    return (Camera){.origin = vec3_at(numbers, i),
+                    .right = vec3_at(numbers, i + 3),
+                    .up = vec3_at(numbers, i + 6),
+                    .forward = vec3_at(numbers, i + 9),
+                    .distance = numbers->at[i + 12],
+                    .width = numbers->at[i + 13],
+                    .height = numbers->at[i + 14]};
+}
+
+static Roots roots_of(const Numbers *numbers)
+{
+    return (Roots){(int)numbers->at[0], {numbers->at[1], numbers->at[2]}};
+}
+
+// As long as nothing has been expected of this case, more can be said of it.
+static void looking_at(const char *what)
+{
+    record_now()->closed = false;
+    given("looking at", "%s", what);
+}
+
+static bool near(double yours, double expected, double tolerance)
+{
+    return yours == expected || fabs(yours - expected) <= tolerance;
+}
+
+static void expect_ray(Ray yours, Ray expected, const ToldCall *call)
+{
+    double tolerance = call->tolerance;
+    if (call->length_is_free) {
+        expect_same_ray(yours, expected, tolerance);
+        return;
+    }
+    vec3 off = yours.origin - expected.origin;
+    if (!(near(off[0], 0, tolerance) && near(off[1], 0, tolerance) && near(off[2], 0, tolerance))) {
+        looking_at("the origin");
+        expect_vec3(yours.origin, expected.origin, tolerance);
+    }
+    looking_at("the direction");
+    expect_vec3(yours.direction, expected.direction, tolerance);
+}
+
+// As far as the right step, or some times as far.
+static void expect_step(vec3 yours, vec3 expected, const ToldCall *call)
+{
+    double tolerance = call->tolerance;
+    vec3 from = vec3_at(&call->arguments, STEP_FROM), step = expected - from;
+    double times = vec3_dot(yours - from, step) / vec3_dot(step, step);
+    vec3 nearest = from + fmin(fmax(times, call->least), call->most) * step, off = yours - nearest;
+    if (near(off[0], 0, tolerance) && near(off[1], 0, tolerance) && near(off[2], 0, tolerance))
+        expected = nearest;
+    record_now()->closed = false;
+    given("as right", "from %s to %s times as far from the point as expected",
+          number_text(call->least).s, number_text(call->most).s);
+    expect_vec3(yours, expected, tolerance);
+}
+
+// Any reason that the test takes for right; and then the camera, which stays as it was where it is
+// refused.
+static void expect_fault_and_camera(const Numbers *yours, const ToldCall *call)
+{
+    const Numbers *expected = &call->results[0];
+    int fault = (int)yours->at[0];
+    if (fault < 0 || fault >= CAMERA_FAULTS || (call->reasons >> fault & 1) == 0)
+        expect_fault((CameraFault)fault, (CameraFault)expected->at[0]);
+    if (fault != CAMERA_OK)
+        looking_at("*camera, which stays as it was");
+    expect_camera(camera_at(yours, 1), camera_at(expected, 1), call->tolerance);
+}
+
+static Image image_of(const Numbers *numbers, Resolution size)
+{
+    Image image;
+    Message message;
+    if (!image_create(&image, size, &message))
+        ck_abort_msg("%s", message.text);
+    for (int i = 0; i < 3 * size.width * size.height; i++)
+        image.rgb[i] = (uint8_t)numbers->at[i];
+    return image;
+}
+
+// The picture; then, where there is one, its depth.
+static void expect_picture(const Numbers *yours, const ToldCall *call, Resolution size)
+{
+    static Image theirs, right; // freed by the next: a test that fails leaves by a jump
+    image_free(&theirs);
+    image_free(&right);
+    theirs = image_of(yours, size);
+    right = image_of(&call->results[0], size);
+    expect_same_image(&theirs, &right);
+    for (int i = 3 * size.width * size.height; i < yours->count; i++) {
+        double expected = call->results[0].at[i];
+        int pixel = i - 3 * size.width * size.height;
+        if (near(yours->at[i], expected, call->tolerance))
+            continue;
+        record_now()->closed = false;
+        given("looking at", "the depth of column %d, row %d", pixel % size.width,
+              pixel / size.width);
+        expect_number(yours->at[i], expected, call->tolerance);
+    }
+}
+
+static void expect_hit(const Numbers *yours, const ToldCall *call)
+{
+    const Numbers *expected = &call->results[0];
+    if (!near(yours->at[0], expected->at[0], call->tolerance)) {
+        looking_at("t");
+        expect_number(yours->at[0], expected->at[0], call->tolerance);
+    }
+    looking_at("the index of the sphere");
+    expect_int((long)yours->at[1], (long)expected->at[1]);
+}
+
+void told_expect(const char *results, const ToldCall *call, const Numbers *yours, Resolution size)
+{
+    const Numbers *expected = &call->results[0];
+    double tolerance = call->tolerance;
+    if (yours->count != expected->count)
+        record_how(HOW_CRASHED, "answered with what is no answer");
+    if (strcmp(results, "double") == 0) {
+        expect_number(yours->at[0], expected->at[0], tolerance);
+    } else if (call->most > 0) {
+        expect_step(vec3_at(yours, 0), vec3_at(expected, 0), call);
+    } else if (strcmp(results, "vec3") == 0) {
+        expect_vec3(vec3_at(yours, 0), vec3_at(expected, 0), tolerance);
+    } else if (strcmp(results, "Camera") == 0) {
+        expect_camera(camera_at(yours, 0), camera_at(expected, 0), tolerance);
+    } else if (strcmp(results, "CameraFault Camera") == 0) {
+        expect_fault_and_camera(yours, call);
+    } else if (strcmp(results, "Normalized") == 0 || strcmp(results, "ScreenPoint") == 0) {
+        expect_pair(yours->at[0], yours->at[1], expected->at[0], expected->at[1], tolerance);
+    } else if (strcmp(results, "Ray") == 0) {
+        expect_ray(ray_of(yours), ray_of(expected), call);
+    } else if (strcmp(results, "Quadratic") == 0) {
+        looking_at("a, b, c");
+        expect_vec3(vec3_at(yours, 0), vec3_at(expected, 0), tolerance);
+    } else if (strcmp(results, "Roots") == 0) {
+        expect_roots(roots_of(yours), roots_of(expected), tolerance);
+    } else if (strcmp(results, "Hit") == 0) {
+        expect_hit(yours, call);
+    } else if (strncmp(results, "Pixels", 6) == 0) {
+        expect_picture(yours, call, size);
+    } else {
+        fprintf(stderr, "tests/handout/replay/expect.c does not know the results '%s'\n", results);
+        exit(2);
+    }
+}

@@ -1,0 +1,5 @@
+#!/bin/sh
+# example.sh - the instructor's page and its ten submissions.
+. tests/house/runner/library.sh
+needs_grading example 'the example of grading'
+python3 -B tests/grade/check example test_example

@@ -1,0 +1,47 @@
+#!/bin/sh
+# lesson_figures.sh - the figures in the lessons are byte for byte those that the code draws, and their words.
+# The SVGs of gnuplot 5.4 and 6.0 are the same bytes.
+set -u
+. tests/house/runner/library.sh
+. tests/house/figures/scripts.sh
+
+needs 'figures in the lessons' "that the lessons' figures are those of the code" gnuplot
+drawn=$scratch/drawn
+draw() {
+    scripts_into "$drawn" || return 1
+    # shellcheck disable=SC2086 # names are words
+    FORMAT=svg THEME='' SHAPE='' STEPS='' "$BUILD/chapters/gallery/draw_figures" "$drawn" $names
+}
+compare() {
+    "$BUILD/tests/house/figures/lesson_figures" "$@" >"$scratch/said"
+}
+fails() {
+    ! "$@"
+}
+check 'the figures are drawn' draw
+for chapter in chapters/[0-9]*; do
+    all_is_shown() {
+        compare "$drawn" "$chapter" || { cat "$scratch/said"; return 1; }
+    }
+    check "${chapter#chapters/} shows its figures, light and dark, as the code draws them" all_is_shown
+done
+
+# What is wrong is noticed, and written afresh.
+cp -r chapters/03-screen "$scratch/"
+copy=$scratch/03-screen
+echo ' ' >>"$copy/figures/pixel-grid-dark.svg"
+check 'a figure of other bytes is noticed' fails compare "$drawn" "$copy"
+check 'with its name' says 'pixel-grid-dark.svg is not what the code draws: make lesson-figures'
+rm "$copy/figures/pixel-grid.svg"
+check 'a missing figure is noticed' fails compare "$drawn" "$copy"
+check 'with its name also' says 'pixel-grid.svg is missing'
+sed 's/ alt="[^"]*"/ alt="other words"/' chapters/03-screen/README.md >"$copy/README.md"
+check 'other words are noticed' fails compare "$drawn" "$copy"
+check 'with the name of the figure' says 'shows screen-to-unit with other words'
+check 'all of it can be written afresh' compare --write "$drawn" "$copy"
+check 'and is then what is committed' diff -r chapters/03-screen "$copy"
+grep -v 'pixel-grid.svg' chapters/03-screen/README.md >"$copy/README.md"
+check 'a figure that is not shown is noticed' fails compare "$drawn" "$copy"
+check 'with the line that shows it' says '" src="figures/pixel-grid.svg"></picture>'
+check 'and cannot be placed by a program' fails compare --write "$drawn" "$copy"
+finish 'figures in the lessons'

@@ -1,0 +1,103 @@
+#!/bin/sh
+# lessons.sh - what the lessons say of the programs is what the programs say.
+set -u
+. tests/house/runner/library.sh
+
+# The lines of the lesson's ```text blocks, all of which the chapter's program must print.
+quotes_its_program() {
+    "$PROGRAMS/$1" >"$scratch/printed" || return 1
+    awk '/^```text$/ { inside = 1; next } /^```/ { inside = 0 } inside && NF' \
+        "chapters/$1/README.md" >"$scratch/quoted"
+    [ -s "$scratch/quoted" ] || { echo "no \`\`\`text block"; return 1; }
+    ! grep -vxFf "$scratch/printed" "$scratch/quoted"
+}
+
+links_lead_somewhere() {
+    folder=$(dirname "$1")
+    status=0
+    # shellcheck disable=SC2013 # links have no blanks
+    for link in $(grep -o '](\([^)#]*\)' "$1" | sed 's/^](//' | grep -v '^http'); do
+        [ -e "$folder/$link" ] || { echo "$link"; status=1; }
+    done
+    return $status
+}
+
+# Both ends of the world: the deck's numbers, with no arguments, and a story that ends well.
+tells_its_story() {
+    "$PROGRAMS/$1" --help >/dev/null && ! "$PROGRAMS/$1" --no-such-option 2>/dev/null
+}
+
+for lesson in chapters/*/README.md; do
+    stem=$(basename "$(dirname "$lesson")")
+    check "the lesson of $stem quotes its program" quotes_its_program "$stem"
+    check "the program of $stem has help and knows its options" tells_its_story "$stem"
+    check "the links of $lesson lead somewhere" links_lead_somewhere "$lesson"
+done
+for page in README.md chapters/README.md exercises/README.md .github/CONTRIBUTING.md; do
+    check "the links of $page lead somewhere" links_lead_somewhere "$page"
+done
+
+# What an exercise has to use of common/ is described where its reader looks.
+describes() {
+    grep -q "$1(" common/image.h && grep -q "$1(" chapters/06-ray-casting/README.md &&
+        grep -q "$1(" exercises/06-ray-casting.h
+}
+for name in image_set image_index; do
+    check "the lesson and the contract of 06 describe $name" describes "$name"
+done
+
+# make names the folder whose path has a blank, and nothing else.
+refuses_the_blank_in() {
+    make "$@" help >"$scratch/printed" 2>&1 && return 1
+    cat "$scratch/printed"
+    grep -qF "$wanted" "$scratch/printed" && ! grep -q solutions "$scratch/printed"
+}
+mkdir -p "$scratch/a blank" && ln -s "$PWD/Makefile" "$scratch/a blank/Makefile"
+wanted="a blank'"
+check 'a blank in the path of the toolkit is said' refuses_the_blank_in -C "$scratch/a blank"
+wanted="ANSWERS='a blank': expected one folder"
+check 'a blank in the path of the answers is said' refuses_the_blank_in ANSWERS='a blank'
+
+# The deck's answers, to the digit.
+prints() {
+    program=$1
+    shift
+    "$PROGRAMS/$program" "$@" >"$scratch/printed" && cat "$scratch/printed"
+    grep -qF -- "$wanted" "$scratch/printed"
+}
+wanted='upper left                  (-1, 1, 4)'
+check 'chapter 01 prints the upper left corner' prints 01-corners
+wanted='30% across, 10% up          (-0.4, -0.8, 4)'
+check 'chapter 01 prints the point 30% across, 10% up' prints 01-corners
+wanted='(0.46875, 0.166667)'
+check 'chapter 03 prints (300, 400) normalized' prints 03-screen
+wanted='upper left                  (-2, 1, 4)'
+check 'chapter 01 takes the numbers of its reader' prints 01-corners --width 4
+wanted='right-handed                right (-1, 0, 0)'
+check 'chapter 02 shows what the wrong hand does' prints 02-cameras
+wanted='3.62151'
+check "chapter 05 prints the hit of the deck's arrow" prints 05-quadratic
+
+# What is no camera, and what cannot be, is refused.
+exits_with() {
+    status=$1
+    shift
+    "$@" >"$scratch/printed" 2>&1
+    found=$?
+    cat "$scratch/printed"
+    [ "$found" -eq "$status" ]
+}
+check 'chapter 01 refuses what is no camera' exits_with 1 "$PROGRAMS/01-corners" --right 2,0,0
+check 'chapter 02 refuses to look at the eye' exits_with 1 "$PROGRAMS/02-cameras" --eye 1,2,3 --at 1,2,3
+check 'chapter 02 refuses options that belong to no look-at' exits_with 2 "$PROGRAMS/02-cameras" --hand left
+check 'chapter 03 refuses a pixel off the screen' exits_with 2 "$PROGRAMS/03-screen" --size 4x3 --pixel 4,0
+check 'chapter 04 refuses a pixel off the screen' exits_with 2 "$PROGRAMS/04-pixel-ray" --size 4x3 --pixel 0,3
+check 'chapter 05 refuses a radius of 0' exits_with 2 "$PROGRAMS/05-quadratic" --radius 0
+check 'chapter 05 refuses a direction of length 0' exits_with 2 "$PROGRAMS/05-quadratic" --direction 0,0,0
+check 'chapter 05 refuses what is no number' exits_with 2 "$PROGRAMS/05-quadratic" --radius nan
+check 'chapter 03 says what it cannot write' exits_with 1 "$PROGRAMS/03-screen" --picture /no/such/folder/x.png
+
+[ ! -c /dev/full ] ||
+    check 'a story that cannot be printed ends with 1' exits_with 1 sh -c "$PROGRAMS/03-screen >/dev/full"
+
+finish lessons

@@ -1,7 +1,0 @@
-#!/bin/sh
-# grade.sh - a grader that is killed, shared, and started again gives the same marks, and what goes wrong on the
-# machine is no mark.
-. tests/library.sh
-once grading "a grader that is killed, shared, and started again"
-needs_grading grading 'grading, long'
-python3 -B tests/grade/check "grading, long" test_regrade test_faults

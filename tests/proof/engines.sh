@@ -1,0 +1,91 @@
+#!/bin/sh
+# engines.sh - chapter 08's engines on all scenes there are, on a thousand random ones, in as much
+# memory as they may take, and on processors that have less.
+# Only reads the tree.
+set -u
+. tests/house/runner/library.sh
+
+same=$BUILD/tests/house/engines/same
+files=$BUILD/tests/house/engines/files
+memory=$BUILD/tests/house/engines/memory
+scenes=$BUILD/scenes
+three=chapters/06-ray-casting/three-spheres.nff
+cd "$here" || exit 1
+
+# ---- the same picture ---------------------------------------------------------------------------
+
+# Against chapter 06's loop; of what takes it more than 1e10 tests of a ray and a sphere, against the
+# hierarchy, and rows of that against chapter 06's.
+if [ -z "${BRIEF:-}" ]; then
+    counted "$same" 1000 101
+    # shellcheck disable=SC2046 # names are words
+    counted "$files" 1920x1080 1e10 $(echo chapters/06-ray-casting/*.nff chapters/*/figures/*.nff) \
+        "$scenes"/*.nff
+    counted "$files" 4096x4096 1e10 "$three" "$scenes/sphereflake-91.nff"
+else
+    echo "skipped: engines on the largest scenes, which are tested once (BRIEF)"
+    counted "$same" 100 101
+    counted "$files" 320x180 1e10 "$three" "$scenes/sphereflake-91.nff"
+fi
+
+# ---- memory -------------------------------------------------------------------------------------
+
+# Ten million spheres are 480 MB, and half as much again is for what is cast with.
+has_memory() {
+    [ "$(awk '/^MemAvailable:/ { print int($2 / 1024) }' /proc/meminfo 2>/dev/null || echo 0)" -gt 1500 ]
+}
+case $BUILD in
+*sanitize*) echo "skipped: the memory of engines, for sanitizers take more" ;;
+*)
+    if [ -n "${BRIEF:-}" ]; then
+        counted "$memory" 1000000 2 1
+    elif has_memory; then
+        counted "$memory" 10000000 2 1
+        counted "$memory" 10000000 1 10
+    else
+        echo "skipped: engines with ten million spheres, which need 1.5 GB of free memory"
+    fi
+    ;;
+esac
+
+# ---- instruction sets ---------------------------------------------------------------------------
+
+# Objects for the baseline have no wider vectors in them. And what those for wider ones give away is
+# named after their instruction set: else the linker might take it for all.
+wide='(avx2|avx512)'
+no_wide_vectors() {
+    find "$BUILD/chapters" "$BUILD/common" "$BUILD/solutions" -name '*.o' ! -name '*.avx*.o' \
+        -exec objdump -d --no-show-raw-insn '{}' + >"$scratch/code" || return 1
+    ! grep -E '%[yz]mm[0-9]' "$scratch/code"
+}
+none_given_away() {
+    # As NAME TYPE VALUE SIZE.
+    find "$BUILD/chapters" -name '*.avx*.o' -exec nm -P -g --defined-only '{}' + >"$scratch/names" &&
+        [ -s "$scratch/names" ] && ! grep -vE "^[A-Za-z0-9_]*_$wide [A-Z] |:\$" "$scratch/names"
+}
+case "$(uname -m) $COMPILER $BUILD" in
+x86_64*-march=* | *sanitize*) echo "skipped: which vectors objects have, for they are for another purpose" ;;
+x86_64*)
+    if command -v objdump >/dev/null; then
+        check 'objects for any processor have no vectors that not all have' no_wide_vectors
+        check 'objects for other processors give away nothing by a name of all' none_given_away
+    else
+        echo "skipped: which vectors objects have: objdump is missing ('make setup' installs it)"
+    fi
+    ;;
+esac
+
+# A processor without AVX, and one with AVX2; an instruction that it lacks ends the program.
+case "$(uname -m) $BUILD" in
+*sanitize*) echo "skipped: engines on other processors, where sanitizers do not run" ;;
+x86_64*)
+    if command -v qemu-x86_64 >/dev/null; then
+        counted qemu-x86_64 -cpu Nehalem "$same" 30 101
+        counted qemu-x86_64 -cpu max "$same" 10 101
+    else
+        echo "skipped: engines on other processors, which need QEMU (make setup FOR=contributor)"
+    fi
+    ;;
+esac
+
+finish 'engines, long'

@@ -1,0 +1,108 @@
+#!/bin/sh
+# figures.sh - figures of 1000 cameras, in four chapters, and of 1000 rays and scenes, in two (fewer
+# with MOST_CAMERAS and MOST_SCENES); and all files that make figures makes.
+# Only reads the tree.
+set -u
+. tests/house/runner/library.sh
+. tests/house/figures/scripts.sh
+once 'figures, long' "hundreds of figures of each kind"
+
+needs 'figures, long' 'figures' gnuplot python3
+
+CAMERAS=${MOST_CAMERAS:-250} SCENES=${MOST_SCENES:-500} counted sh tests/house/figures.sh
+
+# Draws by the rules of the environment; says what was said.
+drawn=$scratch/figures
+draws() {
+    folder=$1
+    shift
+    # shellcheck disable=SC2086 # names are words
+    env "$@" "$BUILD/chapters/gallery/draw_figures" "$folder" $names >"$scratch/said" 2>&1
+}
+without_a_word() {
+    draws "$@"
+    status=$?
+    cat "$scratch/said"
+    [ $status -eq 0 ] && [ "$(wc -l <"$scratch/said")" -eq 1 ]
+}
+fails() {
+    ! "$@"
+}
+check 'every figure has a script' scripts_into "$drawn"
+
+check 'all figures are drawn, in every format and theme, without a word' \
+    without_a_word "$drawn" FORMAT=svg,pdf,png,tex
+check 'what is drawn is not drawn again' without_a_word "$drawn" FORMAT=svg,pdf,png,tex
+check 'and that is said' says '(0 drawn now)'
+
+cp -r "$drawn" "$scratch/again"
+find "$scratch/again" -maxdepth 1 -type f ! -name '*.gp' -exec rm '{}' +
+same_bytes() {
+    for file in "$scratch/again"/*; do
+        cmp "$file" "$drawn/${file##*/}" || return 1
+    done
+    [ "$(find "$drawn" -type f | wc -l)" -eq "$(find "$scratch/again" -type f | wc -l)" ]
+}
+# In another time zone, and a second later at least.
+check 'drawn once more' without_a_word "$scratch/again" FORMAT=svg,pdf,png,tex TZ=Asia/Tokyo
+check 'every file has the same bytes' same_bytes
+
+check 'both shapes and every step are drawn without a word' \
+    without_a_word "$drawn" FORMAT=svg,pdf,png,tex SHAPE=16:9,4:3 STEPS=1
+# shellcheck disable=SC2086
+counted python3 tests/house/figures/outputs.py "$drawn" $names
+nothing_is_left() {
+    [ -z "$(find "$drawn" -name '.?*' ! -name .drawn)" ]
+}
+check 'no file of the work is left' nothing_is_left
+
+# What is wrong is said, and nothing older is lost.
+first=$(echo "$names" | cut -d' ' -f2)
+one=$scratch/one
+mkdir "$one"
+cp "$drawn/$first.gp" "$one/"
+all=$names
+names=$first
+check 'a format that there is none of is refused' fails draws "$one" FORMAT=svg,jpg
+check 'with those that there are' says 'FORMAT=jpg: expected svg, pdf, png, tex'
+check 'so is a theme' fails draws "$one" THEME=grey
+check 'and a shape' fails draws "$one" SHAPE=1:1
+check 'and no list at all' fails draws "$one" FORMAT=,
+check 'one picture alone can be drawn' without_a_word "$one" FORMAT=png THEME=dark SHAPE=4:3
+check 'and no other' test "$(echo "$one"/*.png)" = "$one/$first-4x3-dark.png"
+check 'a picture of a script' without_a_word "$one" FORMAT=svg
+cp "$one/$first.svg" "$scratch/before.svg"
+sed '/^# ---- the layout$/{n
+a\
+print no_such_number
+}' "$drawn/$first.gp" >"$one/$first.gp"
+check 'a mistake in a layout is no success' fails draws "$one" FORMAT=svg
+check 'it is told by the line of the layout' says "$(echo chapters/*/figures/"$first.gp"):1: gnuplot: undefined variable: no_such_number"
+check 'once' test "$(wc -l <"$scratch/said")" -eq 1
+check 'the older picture is left as it was' cmp "$one/$first.svg" "$scratch/before.svg"
+sed '$a\
+number = 1 +' "$drawn/$first.gp" >"$one/$first.gp"
+check 'a mistake of grammar, too' fails draws "$one" FORMAT=svg
+check 'with what stands there' says 'near: number = 1 +'
+cp "$drawn/$first.gp" "$one/"
+echo 'set print "-"; print "a word of warning"' >>"$one/$first.gp"
+check 'what gnuplot says besides is passed on' draws "$one" FORMAT=svg
+check 'with the picture' says 'a word of warning'
+
+# Without gnuplot; without a font.
+cp "$drawn/$first.gp" "$one/"
+check 'without gnuplot there is no success' fails without gnuplot draws "$one" FORMAT=svg
+check 'but it is said what to install' says "gnuplot is missing, so no figure is drawn: 'make setup' installs it."
+printf '<?xml version="1.0"?>\n<fontconfig><cachedir>%s</cachedir></fontconfig>\n' "$scratch/cache" >"$scratch/fonts.conf"
+rm -f "$one/$first."[sp]*
+export FONTCONFIG_FILE="$scratch/fonts.conf"
+check 'without a font, PNGs and PDFs are not drawn' fails draws "$one" FORMAT=svg,png,pdf THEME=light
+check 'that is said' says 'There is no font'
+check 'so, too, where fonts cannot be listed' fails without fc-list draws "$one" FORMAT=png
+check 'no PNG without text is left' test ! -e "$one/$first.png"
+check 'what needs no font is drawn' cmp "$one/$first.svg" "$drawn/$first.svg"
+unset FONTCONFIG_FILE
+check 'with fonts that cannot be listed, all is drawn' without fc-list draws "$one" FORMAT=png
+names=$all
+
+finish 'figures, long'

@@ -1,0 +1,61 @@
+#!/bin/sh
+# gallery.sh - the page of pictures and figures, in a headless Chromium.
+# Only reads the tree.
+set -u
+. tests/house/runner/library.sh
+. tests/house/figures/scripts.sh
+once gallery "the page of pictures"
+
+needs gallery 'the page of pictures' gnuplot python3
+built=$scratch/solutions
+page=$built/gallery/index.html
+mkdir -p "$built/gallery"
+scripts_into "$built/figures" || exit 1
+for chapter in chapters/0[1-5]-*; do
+    stem=${chapter#chapters/}
+    "$PROGRAMS/$stem" --picture "$built/gallery/$stem.png" || exit 1
+done
+for scene in chapters/06-ray-casting/*.nff "$BUILD"/scenes/*.nff; do
+    # Chapter 06's own loop takes minutes for the scenes that are there to be measured.
+    "$PROGRAMS/08-fast" -s 160x120 -o "$built/gallery/$(basename "$scene" .nff).png" "$scene" 2>"$scratch/said" || exit 1
+done
+# A picture whose name is not fit for a page.
+cp "$built/gallery/sunflower.png" "$built/gallery/a \"<b>\" & c#1 50%?.png"
+
+draw() {
+    # shellcheck disable=SC2086 # names are words
+    env "$@" "$BUILD/chapters/gallery/draw_figures" "$built/figures" $names
+}
+says() {
+    grep -qF -- "$1" "$page"
+}
+says_not() {
+    ! says "$1"
+}
+check 'a page is made without any figure' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'and says so' says 'No figure is drawn yet'
+first=$(echo "$names" | cut -d' ' -f2)
+check 'figures are drawn' draw FORMAT=svg,png SHAPE=16:9,4:3 STEPS=1
+check 'the page is made' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'it links what is there' says "../figures/$first-dark.png"
+check 'each step' says "../figures/$first-4x3-step1-dark.svg"
+check 'and not what is not' says_not "../figures/$first.pdf"
+cp "$page" "$scratch/before.html"
+check 'the page has the same bytes' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'every time' cmp "$page" "$scratch/before.html"
+# What is left of an older script is not linked.
+echo '# another' >>"$built/figures/$first.gp"
+check 'with another script' draw FORMAT=svg THEME=light,dark
+check 'the page is made once more' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'and does not link what was drawn before' says_not "../figures/$first.png"
+check 'but what is drawn now' says "../figures/$first-dark.svg"
+check 'all again' draw FORMAT=svg,png,pdf,tex
+check 'and for details' draw FORMAT=svg SHAPE=16:9,4:3 STEPS=1
+check 'for the browser' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+
+if ! python3 -c 'import sys; sys.path.insert(0, "tests/house/figures"); import browser; sys.exit(not browser.found())'; then
+    skip gallery "the page in a browser, which needs Chromium (make setup FOR=contributor)"
+fi
+# shellcheck disable=SC2086
+counted python3 tests/house/figures/gallery.py "$page" "$(echo $names | wc -w)"
+finish gallery

@@ -1,0 +1,16 @@
+// guard.h - calls an answer that may crash or never come to an end.
+#ifndef TESTS_GENERATED_GUARD_H
+#define TESTS_GENERATED_GUARD_H
+
+#include "tests/proof/generated/question.h"
+
+// Once, before the first call.
+void guard_begin(void);
+
+// Who answers the tests from now on.
+void guard_answer_by(AnyFunction *answer);
+
+// Asks. Where nothing came back, said->count is 0.
+void guarded_ask(const Subject *subject, AnyFunction *answer, Question *question, Answer *said);
+
+#endif

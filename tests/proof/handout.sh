@@ -1,0 +1,206 @@
+#!/bin/sh
+# handout.sh - the students' archive, as a student has it: a clean folder, no git, no home, and the
+# README's two commands; then right answers, wrong ones, missing ones, with gcc and with clang.
+set -u
+. tests/house/runner/library.sh
+once handout "the handout"
+export NO_COLOR=1 LC_ALL=C
+unset ANSWERS # a student's are in exercises/
+
+archive=build/handout.tar.gz
+make_handout() {
+    make --no-print-directory -s handout
+}
+dated() {
+    SOURCE_DATE_EPOCH=86400 make_handout && tar tvzf $archive | grep -q '1970-01-02'
+}
+same_again() {
+    make_handout && cmp $archive "$scratch/first.tar.gz"
+}
+# From a clone the archive is the same, byte by byte.
+from_a_clone() {
+    git clone -q . "$scratch/clone" && (cd "$scratch/clone" && make_handout) &&
+        cmp $archive "$scratch/clone/build/handout.tar.gz"
+}
+make --no-print-directory -s all handout >/dev/null || exit 1
+cp $archive "$scratch/first.tar.gz"
+check 'the date can be said' dated
+check 'a second archive has the same bytes' same_again
+if [ -z "$(git status --porcelain 2>&1)" ]; then
+    check 'a clone makes the same archive' from_a_clone
+else
+    echo 'skipped: a clone of what is not committed (or no git)'
+fi
+
+# A command in the unpacked archive; no git is to be found there, and no home.
+mkdir "$scratch/bin"
+printf '#!/bin/sh\nexit 127\n' >"$scratch/bin/git"
+chmod +x "$scratch/bin/git"
+inside() {
+    (cd "$tree" && env -u HOME -u MAKEFLAGS -u MAKELEVEL PATH="$scratch/bin:$PATH" CC="$compiler" "$@") >"$scratch/said" 2>&1
+}
+fails() {
+    ! inside "$@"
+}
+answers() {
+    cp solutions/*.c "$tree/exercises"
+}
+blank() {
+    cp "$tree/tests/handout/replay/blanks/$1.c" "$tree/exercises"
+}
+spoil() {
+    sed "$2" "solutions/$1.c" >"$tree/exercises/$1.c"
+    ! cmp -s "solutions/$1.c" "$tree/exercises/$1.c"
+}
+checks_itself() {
+    inside make check
+    tail -n 20 "$scratch/said"
+    tail -n 1 "$scratch/said" | grep -q '^[1-9][0-9]* passed, 0 failed$'
+}
+
+# Chapter 05 as the slides have it, without a care for digits.
+by_the_slides() {
+    cat >"$tree/exercises/05-quadratic.c" <<'EOF'
+#include "exercises/05-quadratic.h"
+
+Ray to_object_coordinates(Ray ray, Sphere sphere)
+{
+    return (Ray){ray.origin - sphere.center, ray.direction};
+}
+
+Quadratic object_quadratic(Ray object_ray, double radius)
+{
+    vec3 p = object_ray.origin, v = object_ray.direction;
+    return (Quadratic){vec3_dot(v, v), 2 * vec3_dot(p, v), vec3_dot(p, p) - radius * radius};
+}
+
+Quadratic world_quadratic(Ray ray, Sphere sphere)
+{
+    return object_quadratic(to_object_coordinates(ray, sphere), sphere.radius);
+}
+
+Roots quadratic_roots(Quadratic q)
+{
+    if (q.a == 0)
+        return q.b == 0 ? (Roots){0} : (Roots){1, {-q.c / q.b}};
+    double D = q.b * q.b - 4 * q.a * q.c;
+    if (!(D >= 0))
+        return (Roots){0};
+    double t = (-q.b - sqrt(D)) / (2 * q.a), u = (-q.b + sqrt(D)) / (2 * q.a);
+    return (Roots){2, {fmin(t, u), fmax(t, u)}};
+}
+
+Roots sphere_roots(Ray ray, Sphere sphere)
+{
+    return quadratic_roots(world_quadratic(ray, sphere));
+}
+
+double hit_sphere(Ray ray, Sphere sphere)
+{
+    Roots roots = sphere_roots(ray, sphere);
+    return roots.count == 0 ? NO_HIT : roots.t[0] > 0 ? roots.t[0] : roots.t[1] > 0 ? roots.t[1] : NO_HIT;
+}
+EOF
+}
+
+# While chapter 03 is saved wrong, what is known of chapter 04, which stands on it.
+watches_what_stands_on() {
+    start env -u MAKEFLAGS CC="$compiler" make -C "$tree" watch >"$scratch/watched" 2>&1
+    wait_until grep -q Watching "$scratch/watched" || return 1
+    spoil 03-screen 's|1 - point.y|point.y|'
+    wait_until grep -q '^unsure' "$tree/build/exercises/verdict/04-pixel-ray.record"
+    status=$?
+    end_started
+    return $status
+}
+
+for compiler in gcc clang; do
+    command -v $compiler >/dev/null || continue
+    tree=$scratch/my-course-$compiler
+    mkdir "$scratch/unpacked" && tar xzf $archive -C "$scratch/unpacked" &&
+        mv "$scratch/unpacked/ray-casting" "$tree" && rmdir "$scratch/unpacked"
+
+    check "$compiler: it builds from a clean folder" inside make setup all
+    check "$compiler: without a warning" says_not 'warning'
+    check "$compiler: and says what is missing for a picture" says 'not yet'
+    check "$compiler: it checks itself" checks_itself
+    check "$compiler: blanks are not wrong" inside make exercises
+    check "$compiler: but the first is next" says 'upper_left  is not answered yet'
+    check "$compiler: what is blank is said when it is packed" inside make submission
+    check "$compiler: by chapter" says '05-quadratic.c       still blank'
+    answers
+    check "$compiler: the answers are packed" inside make submission
+    check "$compiler: and where is said" says 'Hand in this file: build/submission.zip (7 files)'
+    check "$compiler: right answers are right, every chapter" inside make exercises
+    check "$compiler: and said to be" says 'All right, every chapter.'
+    check "$compiler: their pictures are drawn" inside make
+    check "$compiler: all of them" test -s "$tree/build/exercises/gallery/sphereflake-7381.png"
+    check "$compiler: it still checks itself" checks_itself
+    for stem in 01-corners 02-cameras 04-pixel-ray 06-ray-casting; do
+        check "$compiler: the picture of $stem is the solution's" build/tests/same_picture \
+            "build/solutions/gallery/$(echo "$stem" | sed 's/06.*/three-spheres/').png" \
+            "$tree/build/exercises/gallery/$(echo "$stem" | sed 's/06.*/three-spheres/').png"
+    done
+
+    spoil 03-screen 's|1 - point.y|point.y|'
+    check "$compiler: a wrong answer is no success" fails make exercises EX=03
+    check "$compiler: what went in is shown" says 'screen     640 x 480'
+    check "$compiler: the mistake is named" says 'looks like a known mistake: y counts down'
+    if command -v gnuplot >/dev/null; then
+        check "$compiler: and drawn" says 'see        build/exercises/figures/screen_to_normalized.svg'
+        check "$compiler: beside what is right" grep -q '(0.46875, 0.166667); yours' \
+            "$tree/build/exercises/figures/screen_to_normalized.txt"
+    fi
+    check "$compiler: what stands on it is not called wrong" fails make exercises EX=04
+    check "$compiler: but that is said" says 'cannot be told yet: pixel_ray'
+    check "$compiler: with what it stands on" says 'stands on your 03-screen, which is not right yet:'
+    check "$compiler: and where to begin" says 'Next: exercises/03-screen.c'
+    blank 03-screen
+    inside make exercises EX=04
+    check "$compiler: a missing answer is said, too" says 'stands on your 03-screen'
+    check "$compiler: as what is waited for" says 'waiting: pixel_ray'
+    echo 'this is no C' >"$tree/exercises/03-screen.c"
+    check "$compiler: one that does not compile spoils nothing else" fails make exercises
+    check "$compiler: it is said" says '03-screen        does not compile'
+    inside make exercises EX=04
+    check "$compiler: and what stands on it" says 'stands on your 03-screen'
+    answers
+    spoil 01-corners 's|c.distance \* c.forward - c.width / 2|c.distance * c.forward - c.width|'
+    if command -v gnuplot >/dev/null; then
+        check "$compiler: figures are drawn" inside make figures FORMAT=svg
+        check "$compiler: what is wrong is named in them" grep -q 'upper_left: the whole width' \
+            "$tree/build/exercises/figures/corner-vectors.svg"
+        blank 01-corners
+        check "$compiler: what lacks an answer stops no other" inside make figures FORMAT=svg
+        check "$compiler: and is said to be" says 'not yet   build/exercises/figures/corner-vectors: needs'
+    fi
+    spoil 01-corners 's|(s - 0.5)|s|'
+    check "$compiler: inside a chapter" fails make exercises EX=01
+    check "$compiler: what calls what is wrong is not told" says 'cannot be told yet: across_30_up_10'
+    answers
+    check "$compiler: then all is right again" inside make exercises
+
+    by_the_slides
+    check "$compiler: what the slides say is right" inside make exercises EX=05
+    check "$compiler: and good enough to stand on" inside make exercises EX=06
+    check "$compiler: but keeps not all digits" grep -q '^extra	wrong' \
+        "$tree/build/exercises/verdict/05-quadratic.record"
+    answers
+    check "$compiler: watching, what stands on the saved answer is judged, too" watches_what_stands_on
+    answers
+
+    inside make hint EX=02
+    check "$compiler: what is right needs no hint" says 'needs no hint'
+    blank 02-cameras
+    inside make hint EX=02
+    check "$compiler: a blank has one" says 'hint 1 of'
+    answers
+    check "$compiler: reset keeps the answer" inside make reset EX=02
+    check "$compiler: beside the blank" test -e "$tree/exercises/02-cameras.c.backup-1"
+    answers
+    spoil 05-quadratic 's|ray.origin - sphere.center|ray.origin + sphere.center|'
+    inside env GDB_FLAGS=-batch make debug EX=05
+    check "$compiler: debug stops in the call that failed" says 'Breakpoint 2, to_object_coordinates'
+done
+
+finish handout

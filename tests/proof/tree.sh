@@ -1,0 +1,75 @@
+#!/bin/sh
+# tree.sh - the tree as its users have it: a copy, the README's commands, answers in exercises/.
+set -u
+. tests/house/runner/library.sh
+. tests/house/figures/scripts.sh
+once tree "the tree as its users have it"
+
+tree=$scratch/tree
+mkdir "$tree"
+git ls-files -z --cached --others --exclude-standard | xargs -0 cp --parents -t "$tree" 2>/dev/null
+cd "$tree" || exit 1
+
+says() {
+    make 2>&1 | grep -qF "$1"
+}
+make_quietly() {
+    make --no-print-directory -j2 "$@" >"$scratch/log" 2>&1 || { tail -n 20 "$scratch/log"; return 1; }
+}
+only_rebuilds_nothing() {
+    make --no-print-directory | grep -v 'Nothing to do' && return 1
+    return 0
+}
+refused() {
+    ! "$@" >"$scratch/log" 2>&1
+}
+
+check 'make builds and casts from a clean copy' make_quietly
+check 'a second make does nothing and says so' only_rebuilds_nothing
+check 'every picture is there' test -s build/solutions/gallery/three-spheres.png
+check 'the picture in the README is the one that is cast' \
+    "$here/$BUILD/tests/same_picture" .github/sunflower.png build/solutions/gallery/sunflower.png
+
+check 'and a page of all' test -s build/solutions/gallery/index.html
+if command -v gnuplot >/dev/null; then
+    check 'with every figure, light and dark' test -s build/solutions/figures/corner-vectors-dark.svg
+    rm -r build/solutions/figures build/solutions/drawn
+fi
+check 'without gnuplot make goes on' without gnuplot make_quietly
+check 'and says what to install' grep -qF "no figures, for gnuplot is missing ('make setup' installs it)" "$scratch/log"
+check 'the scripts are written' test -s build/solutions/figures/corner-vectors.gp
+check 'make figures is no success then' refused without gnuplot make figures
+check 'and says what to install' grep -qF "gnuplot is missing, so no figure is drawn: 'make setup' installs it." "$scratch/log"
+check 'without gnuplot a second make does nothing' without gnuplot only_rebuilds_nothing
+if command -v gnuplot >/dev/null; then
+    check 'once it is there, make goes on' make_quietly
+    check 'and draws' test -s build/solutions/figures/corner-vectors-dark.svg
+fi
+
+for file in exercises/*.c; do
+    printf 'this is no C at all {{{\n' >"$file"
+done
+check 'make check passes whatever stands in exercises/' make_quietly check
+for file in exercises/*.c; do
+    cp "solutions/$(basename "$file")" "$file"
+done
+check 'with solutions in exercises/, make exercises is content' make_quietly exercises
+check 'make ANSWERS=exercises draws with them' make_quietly ANSWERS=exercises
+check 'and they draw the same picture' "$here/$BUILD/tests/same_picture" \
+    build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
+
+rm exercises/05-quadratic.c exercises/07-shading.c
+check 'a picture that lacks answers is no error' make_quietly ANSWERS=exercises
+check 'it is said that it is not there yet' \
+    grep -q 'not yet .*/sunflower.png: needs hit_sphere (and 3 more)' "$scratch/log"
+check 'so, too, of light' grep -q 'not yet .*/07-diffuse.png: needs surface_normal' "$scratch/log"
+three=chapters/06-ray-casting/three-spheres.nff
+check 'a program that is run is refused' refused build/exercises/06-ray-casting -o "$scratch/x.png" $three
+check 'and names all that is missing' grep -q 'not answered yet: quadratic_roots' "$scratch/log"
+check 'light is refused, too' refused build/exercises/07-shading -o "$scratch/x.png" $three
+check 'with its names' grep -q 'not answered yet: off_surface' "$scratch/log"
+check 'the older picture is left as it was' "$here/$BUILD/tests/same_picture" \
+    build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
+
+cd "$here" || exit 1
+finish tree
