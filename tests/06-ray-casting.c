@@ -1,5 +1,5 @@
-// 06-ray-casting.c - tests of exercise 06. Expected: the deck's three spheres worked by hand, and
-// pictures decided by angles: a sphere is a cone as seen from the eye.
+// 06-ray-casting.c - tests of exercise 06. Expected values: the deck's three spheres worked out by
+// hand, and pictures decided by angles: seen from the eye, a sphere is a cone.
 #include "tests/06-ray-casting/support.h"
 
 #include "exercises/04-pixel-ray.h"
@@ -81,7 +81,7 @@ START_TEST(the_first_and_the_last_sphere_can_be_hit)
 }
 END_TEST
 
-// The centre of the large one is farther, its surface is nearer: 10 - 8 against 5 - 1.
+// The centre of the large one is farther away, its surface is nearer: 10 - 8 against 5 - 1.
 START_TEST(the_nearest_surface_counts_and_not_the_nearest_centre)
 {
     Sphere spheres[] = {sphere_at(0, 0, -5, 1, RED), sphere_at(0, 0, -10, 8, GREEN)};
@@ -105,7 +105,7 @@ START_TEST(t_counts_in_lengths_of_the_direction)
 }
 END_TEST
 
-// Green, round the eye, is left at t = 7; red stands inside it.
+// The ray leaves green, which is around the eye, at t = 7; red is inside it.
 START_TEST(from_inside_a_sphere_its_far_side_is_hit_and_what_stands_before_it)
 {
     Sphere spheres[] = {sphere_at(0, 0, 0, 7, GREEN), sphere_at(0, 3, -4, 1, RED)};
@@ -117,7 +117,7 @@ START_TEST(from_inside_a_sphere_its_far_side_is_hit_and_what_stands_before_it)
 }
 END_TEST
 
-// By hand, with rays along -z from z = 20: over (x, y) a sphere round (cx, cy, cz) reaches up to
+// By hand, with rays along -z from z = 20: over (x, y) a sphere around (cx, cy, cz) reaches up to
 // cz + sqrt(9 - (x - cx)^2 - (y - cy)^2).
 START_TEST(where_spheres_of_the_deck_overlap_red_comes_first_then_green_then_blue)
 {
@@ -161,7 +161,7 @@ END_TEST
 static void leaves_nothing_of_what_was_in_the_image(Cast *cast)
 {
     Scene scene = scene_of(0, NULL);
-    // Neither 1 nor next to nothing survives what is done to colours by mistake.
+    // Neither 1 nor almost 0 is changed by a mistake in the colours.
     scene.background = vec3_of(1, 0.4, 0.002);
     Resolution sizes[] = {{5, 3}, {1, 1}, {1, 2}, {6, 2}};
     const char *pictures[] = {"...............", ".", "..", "............"};
@@ -186,8 +186,8 @@ static void draws_a_sphere_straight_ahead_as_a_disc(Cast *cast)
 }
 IN_BOTH_ORDERS(draws_a_sphere_straight_ahead_as_a_disc)
 
-// One sphere straight behind each coloured pixel, and none is near another. Green is farther away
-// than what comes before it.
+// One sphere in the direction of each coloured pixel, and none is near another. Green is farther
+// away than those before it in the list.
 static void has_left_and_right_and_up_and_down_where_they_are(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(-20, 10, -10, 2, RED), sphere_at(0, 10, -10, 2, RED),
@@ -217,8 +217,8 @@ static void fills_the_first_and_the_last_row_and_column(Cast *cast)
 }
 IN_BOTH_ORDERS(fills_the_first_and_the_last_row_and_column)
 
-// All straight ahead: on the plane the radius squared of the farther's disc is 225 / 175, of the
-// nearer's 1 / 15.
+// All straight ahead: on the plane the radius squared of the farther one's disc is 225 / 175, of
+// the nearer one's 1 / 15.
 static void shows_the_nearer_sphere_in_any_order_of_the_scene(Cast *cast)
 {
     Sphere near = sphere_at(0, 0, -4, 1, RED), far = sphere_at(0, 0, -20, 15, GREEN);
@@ -245,7 +245,7 @@ static void colours_equals_as_the_lower_index(Cast *cast)
 }
 IN_BOTH_ORDERS(colours_equals_as_the_lower_index)
 
-// From the middle of a sphere every pixel is blue, unless something stands inside it.
+// From the centre of a sphere every pixel is blue, unless another sphere is inside it.
 static void looks_out_from_inside_a_sphere(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(0, 0, 0, 50, BLUE), sphere_at(10, 0, -10, 2, RED)};
@@ -257,7 +257,7 @@ static void looks_out_from_inside_a_sphere(Cast *cast)
 }
 IN_BOTH_ORDERS(looks_out_from_inside_a_sphere)
 
-// The plane is 8 away; red stands before it, blue behind it, green behind the eye.
+// The plane is 8 away; red is in front of it, blue beyond it, green behind the eye.
 static void shows_what_is_before_the_image_plane_and_nothing_behind_the_eye(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(-2, 0, -4, 0.5, RED), sphere_at(0, 0, 5, 2, GREEN),
@@ -272,7 +272,7 @@ static void shows_what_is_before_the_image_plane_and_nothing_behind_the_eye(Cast
 IN_BOTH_ORDERS(shows_what_is_before_the_image_plane_and_nothing_behind_the_eye)
 
 // The deck's camera: eye (2, 2, -4), plane x 1 to 3, y 1 to 3 at z = 0. Four pixels each way: the
-// centre of the upper left one is (1.25, 2.75, 0), where red stands; green is in the lower row.
+// centre of the upper left one is (1.25, 2.75, 0), and red is there; green is in the lower row.
 static void draws_with_the_left_handed_camera_of_the_deck(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(1.25, 2.75, 0, 0.1, RED), sphere_at(2.25, 1.25, 0, 0.1, GREEN)};
@@ -286,8 +286,8 @@ static void draws_with_the_left_handed_camera_of_the_deck(Cast *cast)
 IN_BOTH_ORDERS(draws_with_the_left_handed_camera_of_the_deck)
 
 // Seen from z = 400 the rays are nearly along -z. Five pixels each way, 2 wide at z = 0: their
-// centres are -4, -2 .. 4. By hand, as above: on each of them red is before green, green before
-// blue.
+// centres are -4, -2 .. 4. By hand, as above: on each of them red is in front of green, and green
+// in front of blue.
 static void draws_the_three_spheres_of_the_deck(Cast *cast)
 {
     Scene scene = scene_of_the_deck();
@@ -339,7 +339,7 @@ IN_BOTH_ORDERS(draws_what_cones_say_of_spheres_one_behind_the_other)
 
 START_TEST(what_is_in_the_depth_before_does_not_matter)
 {
-    // The white one is seen by the pixel that would come behind the last.
+    // The white one is seen by the pixel that would come after the last one.
     Sphere spheres[] = {sphere_at(10, 0, -10, 2, GREEN), sphere_at(0, 0, -10, 2, RED),
                         sphere_at(0, 0, -20, 2, BLUE), sphere_at(-10, -10, -10, 2, WHITE)};
     Scene scene = scene_of(4, spheres);
@@ -356,7 +356,7 @@ START_TEST(what_is_in_the_depth_before_does_not_matter)
         given("depth", "%g everywhere before", junk[i]);
         cast_object_order(&scene, camera_with_pixels_of_1(size), &image, depth);
         expect_same_image(&image, &expected);
-        given("looking at", "what is behind the last depth");
+        given("looking at", "the number after the last depth");
         expect_number(depth[3], 1e9, 0);
     }
     image_free(&expected);
@@ -414,7 +414,7 @@ START_TEST(where_there_is_nothing_every_depth_is_no_hit)
 }
 END_TEST
 
-// Spheres that overlap and pass through each other, some twice, in two colours: ties.
+// Spheres that overlap and intersect each other, some twice, in two colours: ties.
 START_TEST(both_orders_give_the_same_bytes)
 {
     Resolution size = {24, 17};
@@ -437,7 +437,7 @@ START_TEST(both_orders_give_the_same_bytes)
         given_scene(&scene);
         given_camera(camera);
         given_size(size);
-        given("compared", "with what image order gives");
+        given("compared", "with the picture in image order");
         image_order(&scene, camera, &by_pixel);
         object_order(&scene, camera, &by_sphere);
         expect_same_image(&by_sphere, &by_pixel);
@@ -449,10 +449,10 @@ END_TEST
 
 // ---- worlds of any size ------------------------------------------------------------------------
 
-// Nothing is too near, too far, too close together or one too many.
+// No sphere is too near, too far, too close to another, or one too many.
 
-// The world that many times as large, the image plane that many times as far and as wide: t counts
-// in lengths of the way to the plane, so it grows with the first and shrinks with the second.
+// The world multiplied by one factor, the image plane's distance and width by another: t counts in
+// lengths of the vector to the plane, so it grows with the first and shrinks with the second.
 typedef struct {
     double world, plane;
 } Scale;
@@ -461,7 +461,7 @@ enum { SCALES = 9 };
 
 static Scale scale_number(int i)
 {
-    // First those in which t and the way to a hit are of different sizes.
+    // First those in which t and the distance of a hit have different sizes.
     static const Scale scales[SCALES] = {{1, 1e8}, {1, 1e-8},   {1e-8, 1e-8}, {1e8, 1e8}, {1e-8, 1},
                                          {1e8, 1}, {1e-8, 1e8}, {1e8, 1e-8},  {1e-3, 1e3}};
     double world = scales[i].world * random_number(0.5, 2);
@@ -500,7 +500,8 @@ START_TEST(in_a_world_of_any_size_along_a_direction_of_any_length_the_nearest_is
 END_TEST
 
 // Two of the same radius straight ahead, one of them so much nearer that no right answer can take
-// the other: ten times what a hit may be off. The nearer one is the first, the last or between.
+// the other: ten times the allowed error of a hit. The nearer one is the first, the last or
+// between.
 START_TEST(of_spheres_close_together_the_nearer_is_hit)
 {
     for (int i = 0; i < 54; i++) {
@@ -520,9 +521,9 @@ START_TEST(of_spheres_close_together_the_nearer_is_hit)
 }
 END_TEST
 
-// Ladders: whoever has a limit fails at the rung behind it, and is known by that.
+// Ladders: an answer with a limit fails at the first rung after it, and that rung names the limit.
 
-// One sphere straight ahead and another behind it.
+// One sphere straight ahead and another farther away.
 static Scene two_at(double t)
 {
     static Sphere spheres[2];
@@ -571,7 +572,7 @@ START_TEST(no_t_is_too_large)
     for (int i = 0; i < RUNGS; i++) {
         Scene scene = two_at(up(i));
         expect_nearest(straight_ahead, &scene, up(i), 1);
-        scene = two_at(up(i) / 2); // 1.5e9, which an int still holds
+        scene = two_at(up(i) / 2); // 1.5e9, which an int can still hold
         expect_nearest(straight_ahead, &scene, up(i) / 2, 1);
     }
 }
@@ -602,7 +603,7 @@ START_TEST(whichever_way_the_ray_goes_the_nearest_is_hit)
 }
 END_TEST
 
-// Beside the ray, but for the last.
+// Beside the ray, except for the last.
 static void many_spheres(int count, Sphere *spheres)
 {
     for (int i = 0; i < count; i++)
@@ -610,8 +611,8 @@ static void many_spheres(int count, Sphere *spheres)
                                     : sphere_at(3 + i, 2, -9, 1, RED + i % 3);
 }
 
-// No number of spheres is the most that a scene may have. Who has room for so many only is known by
-// that number: the last that it has room for is hit, the next one is not.
+// A scene may have any number of spheres. An answer with room for a fixed number is recognised by
+// that number: it hits the last sphere that fits, and misses the next one.
 static const int rooms[] = {10, 16, 20, 32, 50, 64, 100, 128, 256};
 enum { ROOMS = sizeof rooms / sizeof *rooms, MOST_SPHERES = 1001 };
 static Sphere many[MOST_SPHERES];

@@ -12,7 +12,7 @@ const Composed composed[] = {
     {0},
 };
 
-// What a mistake of the one is in the other.
+// Which mistake a mistake of the called function becomes in the caller.
 const SameMistake same_mistakes[] = {
     {"camera_from_points", "V-mirror", "F-right"},
     {"camera_from_points", "V-eye", "F-eye"},

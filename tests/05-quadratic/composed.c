@@ -40,7 +40,7 @@ const Composed composed[] = {
     COMPOSED(hit_sphere, hit_by_world),   {0},
 };
 
-// What a mistake of the one is in the other.
+// Which mistake a mistake of the called function becomes in the caller.
 const SameMistake same_mistakes[] = {
     {"sphere_roots", "Q7", "Q7-roots"},
     {"sphere_roots", "O-unit", "S-unit"},

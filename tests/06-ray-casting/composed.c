@@ -1,9 +1,9 @@
-// composed.c - answers to exercise 06 that ask others of it.
+// composed.c - answers to exercise 06 that call other answers of it.
 #include "tests/proof/composed.h"
 
 #include "exercises/06-ray-casting.h"
 
-// Where nearest_hit has found a sphere that there is not, a student's answer may guard itself.
+// If nearest_hit has found a sphere that does not exist, a student's answer may guard itself.
 static const Surface *some_surface(const Scene *scene, int sphere)
 {
     static const Surface black;
@@ -20,7 +20,7 @@ const Composed composed[] = {
     {0},
 };
 
-// What a mistake of the one is in the other.
+// Which mistake a mistake of the called function becomes in the caller.
 const SameMistake same_mistakes[] = {
     {"cast_image_order", "H1", "I-last"},
     {"cast_image_order", "H1-first", "I-first"},

@@ -1,4 +1,4 @@
-// laws-pictures.c - laws of both orders: each pixel shows what its ray hits first.
+// laws-pictures.c - the laws of both orders: each pixel shows the first hit of its ray.
 #include "tests/06-ray-casting/laws.h"
 
 #include "exercises/04-pixel-ray.h"
@@ -29,7 +29,8 @@ static bool is_background(const uint8_t *bytes, const Scene *scene)
     return are(bytes, scene->background);
 }
 
-// The sphere of this colour that the ray hits first; else any; with NO_HIT, -1 where there is none.
+// The sphere of this colour that the ray hits first; if it hits none of them, any; with NO_HIT, -1
+// if there is none.
 static Hit coloured_so(const uint8_t *bytes, Ray ray, const Scene *scene)
 {
     Hit found = {NO_HIT, -1};
@@ -64,7 +65,7 @@ static bool colours_are_of_the_scene(const Scene *scene, const Image *image)
     return false;
 }
 
-// Which pixel of the right picture a turned one shows here.
+// The pixel of the right picture that a turned picture shows here.
 static Pixel turned(int turn, Pixel here, Resolution size)
 {
     Pixel opposite = {size.width - 1 - here.column, size.height - 1 - here.row};
@@ -78,7 +79,7 @@ static Pixel turned(int turn, Pixel here, Resolution size)
 static bool is_not_turned(const Image *yours, const Image *right)
 {
     static const char *const turns[] = {"upside down", "mirrored", "turned by 180 degrees",
-                                        "with rows and columns exchanged"};
+                                        "with rows and columns swapped"};
     Resolution size = right->size;
     for (int turn = 0; turn < 4; turn++) {
         bool same = true, different = false;

@@ -1,17 +1,17 @@
-// laws.c - laws of nearest_hit: what is hit is there, and nothing is before it.
+// laws.c - the laws of nearest_hit: the hit is on its sphere, and no sphere is in front of it.
 #include "tests/06-ray-casting/laws.h"
 
 #include "exercises/05-quadratic.h"
 #include "tests/judge/law.h"
 
-// How far the point at t is from the surface, in radii: negative inside.
+// The distance of the point at t from the surface, in radii: negative inside.
 static double off_the_sphere(Ray ray, double t, Sphere sphere)
 {
     vec3 point = ray.origin + t * ray.direction;
     return vec3_length(point - sphere.center) / sphere.radius - 1;
 }
 
-// Whether rounding may decide if the sphere is hit: the ray grazes it, or begins on it.
+// Whether rounding may decide if the sphere is hit: the ray grazes it, or starts on it.
 static bool is_doubtful(Ray ray, Sphere sphere)
 {
     vec3 center = sphere.center - ray.origin;
@@ -27,10 +27,10 @@ static bool both_or_none(Hit yours, const Scene *scene)
         law_broken("your sphere is number %d, but the scene has %d, counted from 0", yours.sphere,
                    count);
     else if (yours.sphere == -1 && yours.t != NO_HIT)
-        law_broken("your sphere is -1, none, but your t is %s; without a hit it is NO_HIT",
+        law_broken("your sphere is -1, no sphere, but your t is %s; without a hit t is NO_HIT",
                    number_text(yours.t).s);
     else if (yours.sphere >= 0 && yours.t == NO_HIT)
-        law_broken("your sphere is number %d, but your t is NO_HIT; which of them is it?",
+        law_broken("your sphere is number %d, but your t is NO_HIT: set either both or neither",
                    yours.sphere);
     else
         return true;

@@ -10,7 +10,7 @@ void law_nearest_hit(Hit yours, Ray ray, const Scene *scene);
 void law_cast_image_order(const Scene *scene, Camera camera, Image *image);
 void law_cast_object_order(const Scene *scene, Camera camera, Image *image, double *depth);
 
-// How far a hit may be off, in radii along the ray (exercises/05-quadratic.h), and so in t.
+// How far a hit may be off, in radii along the ray (exercises/05-quadratic.h), and therefore in t.
 #define HIT_TOLERANCE 1e-6
 
 static inline double hit_rounding(Ray ray, Sphere sphere)

@@ -41,7 +41,7 @@ OF_THE_FIRST(256)
 
 // ---- other pictures -----------------------------------------------------------------------------
 
-// Rays of one's own, through the places of the pixels on the plane.
+// Rays of their own, through the places of the pixels on the plane.
 static void cast_places(bool less_1, const Scene *scene, Camera camera, Image *image, double *depth)
 {
     Resolution size = image->size;
@@ -67,7 +67,7 @@ static void object_through_width_less_1(const Scene *scene, Camera camera, Image
     cast_places(true, scene, camera, image, depth);
 }
 
-// The camera's height taken from the picture's shape, or its width.
+// The camera's height computed from the picture's shape, or its width.
 static Camera shaped(bool width, Camera camera, Resolution size)
 {
     if (width)
@@ -101,7 +101,7 @@ static void object_plane_at_1(const Scene *scene, Camera camera, Image *image, d
     cast_object_order(scene, camera, image, depth);
 }
 
-// What is hit stays the colour of the pixels that follow in the row and below.
+// The colour of a hit is kept for the next pixels of the row and below.
 static void colour_kept(const Scene *scene, Camera camera, Image *image)
 {
     int sphere = -1;
@@ -125,7 +125,7 @@ static void last_pixel_left_out(const Scene *scene, Camera camera, Image *image)
 
 // ---- depths -------------------------------------------------------------------------------------
 
-// Where a pixel has a depth already, it keeps that, whatever is painted there.
+// A pixel that has a depth already keeps it, whatever is painted there.
 static void first_depth_kept(const Scene *scene, Camera camera, Image *image, double *depth)
 {
     cast_nothing(&(Slips){0}, scene, image, depth);
@@ -163,26 +163,26 @@ STARTS(the_largest, 1.7976931348623157e308)
         MISTAKE("O-" id, cast_object_order, object_##slip, formula, why, picture)
 #define FROM(least, slip)                                                                          \
     BOTH("t-" least, slip, "hits with t up to " least " dropped",                                  \
-         "t counts in lengths of the direction, and scenes are of any size: in front of the eye "  \
-         "is whatever has t > 0.",                                                                 \
-         "all right in a scene of one size, holes in others")
+         "t counts in lengths of the direction, and scenes are of any size: every hit with "       \
+         "t > 0 is in front of the eye.",                                                          \
+         "right in scenes of one size, holes in others")
 #define UP_TO(most, slip)                                                                          \
     BOTH("up-" most, slip, "only hits with t below " most,                                         \
-         "scenes have no such end: a t of any size is a hit.",                                     \
-         "all right, until a sphere is farther away than that")
+         "a scene may be of any size: every t > 0 is a hit.",                                      \
+         "no visible difference, until a sphere is farther away than that")
 #define BY(epsilon, slip)                                                                          \
-    BOTH("by-" epsilon, slip, "only what is nearer by " epsilon,                                   \
-         "scenes are of any size, and t counts in lengths of the direction: nearer is nearer, by " \
-         "however little.",                                                                        \
-         "all right in a scene of one size, wrong colours in smaller ones")
+    BOTH("by-" epsilon, slip, "only hits that are nearer by " epsilon,                             \
+         "scenes are of any size, and t counts in lengths of the direction: nearer is nearer, "    \
+         "by however little.",                                                                     \
+         "right in scenes of one size, wrong colours in smaller ones")
 #define ROOM(number)                                                                               \
     BOTH("room" #number, of_##number, "the first " #number " spheres",                             \
-         "a scene has as many spheres as it says: sphere_count.",                                  \
-         "all right, until a scene has more spheres")
+         "the number of spheres in the scene is sphere_count.",                                    \
+         "no visible difference, until a scene has more spheres")
 #define STARTS_ROW(t, answer)                                                                      \
     MISTAKE("Z-" t, cast_object_order, answer, "depths that start at " t,                          \
-            "scenes have no such end. Where nothing is hit the depth is NO_HIT.",                  \
-            "all right, until a sphere is farther away than that")
+            "a scene may be of any size. If nothing is hit the depth is NO_HIT.",                  \
+            "no visible difference, until a sphere is farther away than that")
 
 const Mistake picture_limit_mistakes[] = {
     FROM("0.001", from_1e_3),
@@ -208,33 +208,33 @@ const Mistake picture_limit_mistakes[] = {
     ROOM(128),
     ROOM(256),
     BOTH("N3", through_width_less_1, "divided by width - 1 and height - 1",
-         "w pixels are w steps wide, and the ray goes through the centre of its pixel: that is "
+         "w pixels are w steps wide, and the ray goes through the centre of its pixel: use "
          "pixel_ray.",
          "slightly too large; nothing in an image of one row or one column"),
-    BOTH("height-shape", height_by_shape, "the height of the image plane by the image's shape",
-         "the camera says how high its plane is. pixel_ray takes it as it is.",
-         "stretched where pixels are not square"),
-    BOTH("width-shape", width_by_shape, "the width of the image plane by the image's shape",
-         "the camera says how wide its plane is. pixel_ray takes it as it is.",
-         "stretched where pixels are not square"),
+    BOTH("height-shape", height_by_shape, "the height of the image plane from the image's shape",
+         "the camera gives the height of its plane. pixel_ray uses it unchanged.",
+         "stretched if pixels are not square"),
+    BOTH("width-shape", width_by_shape, "the width of the image plane from the image's shape",
+         "the camera gives the width of its plane. pixel_ray uses it unchanged.",
+         "stretched if pixels are not square"),
     BOTH("plane1", plane_at_1, "an image plane 1 away",
-         "the camera says how far away its plane is. pixel_ray takes it as it is.",
+         "the camera gives the distance of its plane. pixel_ray uses it unchanged.",
          "spheres too small or too large, unless the distance is 1"),
-    MISTAKE("I-kept", cast_image_order, colour_kept, "the colour of the last hit where none is",
-            "where nothing is hit, the pixel has the background's colour: set it for each pixel.",
+    MISTAKE("I-kept", cast_image_order, colour_kept, "the colour of the last hit if nothing is hit",
+            "if nothing is hit, the pixel has the background's colour: set it for each pixel.",
             "spheres smeared to the right and down"),
     MISTAKE("I-pixel", cast_image_order, last_pixel_left_out, "the last pixel not painted",
-            "w * h pixels are number 0 to w * h - 1, and the last of them is one of them.",
+            "the w * h pixels have the numbers 0 to w * h - 1, and the last one must be painted.",
             "a dot in the lower right corner"),
     MISTAKE("Z-first-t", cast_object_order, first_depth_kept, "the depth of the first hit kept",
-            "when a nearer sphere is painted, its t has to be stored, too.",
+            "when a nearer sphere is painted, store its t as well.",
             "far spheres in front of near ones, in the order of the scene"),
     STARTS_ROW("100", depth_starts_at_100),
     STARTS_ROW("1e6", depth_starts_at_1e6),
     STARTS_ROW("1e9", depth_starts_at_1e9),
     STARTS_ROW("1e30", depth_starts_at_1e30),
-    MISTAKE("Z-max", cast_object_order, depth_starts_at_the_largest, "DBL_MAX where nothing is hit",
-            "a ray that meets nothing goes on for ever: its t is NO_HIT, which is infinite.",
-            "the same picture; but who asks t < NO_HIT is told that there is a hit"),
+    MISTAKE("Z-max", cast_object_order, depth_starts_at_the_largest, "DBL_MAX if nothing is hit",
+            "a ray that misses everything never ends: its t is NO_HIT, which is infinite.",
+            "the same picture; but a caller who tests t < NO_HIT sees a hit"),
     {0},
 };

@@ -50,7 +50,7 @@ NEARER_BY(nearer_by_a_hundred_thousandth, 1e-5)
 NEARER_BY(nearer_by_a_millionth, 1e-6)
 NEARER_BY(nearer_by_a_billionth, 1e-9)
 
-// A scene of so many spheres, if it has more.
+// A scene of this many spheres, if it has more.
 static inline Scene at_most(int most, const Scene *scene)
 {
     Scene some = *scene;

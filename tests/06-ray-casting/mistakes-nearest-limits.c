@@ -1,7 +1,7 @@
 // mistakes-nearest-limits.c - wrong answers to nearest_hit: limits that no scene has.
 #include "tests/06-ray-casting/mistakes-limits.h"
 
-// What is right but for a limit that no scene has, and the rows of the table for these.
+// Right except for a limit that no scene has, and the rows of the table for these.
 #define FROM(name, t_of) LOOP(name, nothing, t_of, nearer)
 FROM(from_1e_4, hit_beyond_1e_4)
 FROM(from_1e_5, hit_beyond_1e_5)
@@ -41,22 +41,22 @@ OF_THE_FIRST(256)
 
 #define FROM_ROW(id, answer, least)                                                                \
     MISTAKE(id, nearest_hit, answer, "hits with t up to " least " dropped",                        \
-            "t counts in lengths of the direction, and scenes are of any size: in front of the "   \
-            "eye is whatever has t > 0.",                                                          \
-            "all right in a scene of one size, holes in others")
+            "t counts in lengths of the direction, and scenes are of any size: every hit with "    \
+            "t > 0 is in front of the eye.",                                                       \
+            "right in scenes of one size, holes in others")
 #define UP_TO_ROW(id, answer, most)                                                                \
     MISTAKE(id, nearest_hit, answer, "only hits with t below " most,                               \
-            "scenes have no such end: a t of any size is a hit.",                                  \
-            "all right, until a sphere is farther away than that")
+            "a scene may be of any size: every t > 0 is a hit.",                                   \
+            "no visible difference, until a sphere is farther away than that")
 #define BY_ROW(id, answer, epsilon)                                                                \
-    MISTAKE(id, nearest_hit, answer, "only what is nearer by " epsilon,                            \
+    MISTAKE(id, nearest_hit, answer, "only hits that are nearer by " epsilon,                      \
             "scenes are of any size, and t counts in lengths of the direction: nearer is nearer, " \
             "by however little.",                                                                  \
-            "all right in a scene of one size, wrong colours in smaller ones")
+            "right in scenes of one size, wrong colours in smaller ones")
 #define FIRST_ROW(number)                                                                          \
     MISTAKE("H-room" #number, nearest_hit, of_the_first_##number, "the first " #number " spheres", \
-            "a scene has as many spheres as it says: sphere_count.",                               \
-            "all right, until a scene has more spheres")
+            "the number of spheres in the scene is sphere_count.",                                 \
+            "no visible difference, until a scene has more spheres")
 
 const Mistake nearest_limit_mistakes[] = {
     FROM_ROW("H-1e-4", from_1e_4, "1e-4"),

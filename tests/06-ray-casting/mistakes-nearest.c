@@ -4,7 +4,8 @@
 
 #include <float.h>
 
-// ---- one loop, and what may slip in it ----------------------------------------------------------
+// ---- one loop, and possible slips in it
+// ----------------------------------------------------------
 
 static bool more(double t, double best)
 {
@@ -49,7 +50,7 @@ static Hit without_the_last(Ray ray, const Scene *scene)
     return nearest_hit(ray, &rest);
 }
 
-// What is past the last one is the answering process's guard.
+// The guard of the answering process comes after the last sphere.
 static Hit one_too_many(Ray ray, const Scene *scene)
 {
     Hit hit = nearest_hit(ray, scene);
@@ -96,7 +97,7 @@ static Hit forgotten_at_a_miss(Ray ray, const Scene *scene)
     return best;
 }
 
-// Each is compared with the one before it only.
+// Each is compared only with the one before it.
 static Hit nearer_than_the_one_before(Ray ray, const Scene *scene)
 {
     Hit hit = nothing;
@@ -154,7 +155,7 @@ static Hit nearest_centre(Ray ray, const Scene *scene)
     return hit;
 }
 
-// ---- the right sphere, wrongly said -------------------------------------------------------------
+// ---- the right sphere, but a wrong result ------------------------------------------------------
 
 static Hit index_0_for_nothing(Ray ray, const Scene *scene)
 {
@@ -196,7 +197,7 @@ static Hit t_forgotten(Ray ray, const Scene *scene)
     return (Hit){NO_HIT, last_hit(ray, scene).sphere};
 }
 
-// As without the braces of an if: what was meant for hits is done for every sphere.
+// As without the braces of an if: the statements for a hit are executed for every sphere.
 static Hit always_the_last_index(Ray ray, const Scene *scene)
 {
     return (Hit){nearest_hit(ray, scene).t, scene->sphere_count - 1};
@@ -204,12 +205,12 @@ static Hit always_the_last_index(Ray ray, const Scene *scene)
 
 const Mistake nearest_mistakes[] = {
     MISTAKE("H1", nearest_hit, last_hit, "the last sphere of the list that is hit",
-            "each hit replaces the one before, also a nearer one. What covers what depends on the "
-            "distance, not on the order of the scene.",
+            "each hit replaces the one before, even a nearer one. The distance decides which "
+            "sphere covers another, not the order of the scene.",
             "far spheres in front of near ones, in the order of the scene"),
     MISTAKE("H1-first", nearest_hit, first_hit, "the first sphere of the list that is hit",
-            "the spheres behind it in the list were not asked; one of them may be nearer.",
-            "what comes first in the scene covers everything"),
+            "the search stops too early: a sphere later in the list may be nearer.",
+            "the first spheres of the scene cover everything"),
     MISTAKE("H3", nearest_hit, best_starts_at_minus_1, "a best t that starts at -1",
             "hits are in front of the eye, t > 0, so none is ever below -1.",
             "blank: background only"),
@@ -217,113 +218,113 @@ const Mistake nearest_mistakes[] = {
             "hits are in front of the eye, t > 0, so none is ever below 0.",
             "blank: background only"),
     MISTAKE("H3-zeros", nearest_hit, best_is_all_zeros, "all zeros: t = 0 on sphere 0",
-            "that says that sphere 0 touches the eye, and nothing can be nearer than that.",
+            "this means that sphere 0 touches the eye, and nothing can be nearer than that.",
             "sphere 0's colour everywhere"),
-    MISTAKE("H3-10", nearest_hit, best_starts_at_10, "a best t that starts at 10",
-            "some spheres are farther away than that, and an answer without a hit has t = NO_HIT.",
-            "spheres cut off where they are far away"),
+    MISTAKE(
+        "H3-10", nearest_hit, best_starts_at_10, "a best t that starts at 10",
+        "some spheres are farther away than that, and if nothing is hit the result has t = NO_HIT.",
+        "spheres cut off where they are far away"),
     MISTAKE("H3-1000", nearest_hit, best_starts_at_1000, "a best t that starts at 1000",
-            "scenes have no such end, and an answer without a hit has t = NO_HIT.",
-            "all right, until a sphere is farther away than that"),
-    MISTAKE("H3-max", nearest_hit, best_starts_at_the_largest, "t = DBL_MAX where there is no hit",
-            "a ray that meets nothing goes on for ever: its t is NO_HIT, which is infinite.",
-            "nothing wrong; but who asks t < NO_HIT is told that there is a hit"),
+            "a scene may be of any size, and if nothing is hit the result has t = NO_HIT.",
+            "no visible difference, until a sphere is farther away than that"),
+    MISTAKE("H3-max", nearest_hit, best_starts_at_the_largest, "t = DBL_MAX if nothing is hit",
+            "a ray that misses everything never ends: its t is NO_HIT, which is infinite.",
+            "no visible difference; but a caller who tests t < NO_HIT sees a hit"),
     MISTAKE("H-more", nearest_hit, never_beyond_infinity, "hits whose t is more than NO_HIT",
             "NO_HIT is infinite; no hit is farther away than that.", "blank: background only"),
-    MISTAKE("H-miss", nearest_hit, misses_win, "the largest t, NO_HIT included",
-            "of what is on one ray the eye sees the nearest. And a sphere that is missed counts "
-            "here as one that is infinitely far away.",
-            "spheres at places where they are not"),
+    MISTAKE("H-miss", nearest_hit, misses_win, "the largest t, including NO_HIT",
+            "the eye sees the nearest hit on a ray. And a missed sphere counts here as one that is "
+            "infinitely far away.",
+            "spheres at places where there are none"),
     MISTAKE("H-far", nearest_hit, farthest, "the farthest hit",
-            "the nearest sphere covers what is behind it; the smallest t wins.",
+            "the nearest sphere covers the farther ones; the smallest t wins.",
             "the scene from back to front: far spheres in front of near ones"),
     MISTAKE("H-centre", nearest_hit, nearest_centre, "the sphere whose centre is nearest",
             "the eye sees surfaces. A large sphere may come nearer than a small one whose centre "
-            "is before its own.",
-            "spheres that pass through each other are cut at the wrong place"),
+            "is in front of its own.",
+            "spheres that intersect are cut at the wrong place"),
     MISTAKE("H-tie", nearest_hit, higher_index_of_equals, "the last one of equally near spheres",
-            "an equal t is no nearer. Of equals the lower index is asked for.",
+            "an equal t is not nearer. Of equal hits the lower index counts.",
             "another colour where two spheres touch or coincide"),
     MISTAKE("H-from1", nearest_hit, without_the_first, "sphere 0 left out",
             "spheres are counted from 0.", "the first sphere of the scene is missing"),
     MISTAKE("H-last", nearest_hit, without_the_last, "the last sphere left out",
-            "counted from 0, the last of n spheres has the index n - 1, and it is one of them.",
+            "counted from 0, the last of n spheres has the index n - 1, and it must be tested.",
             "the last sphere of the scene is missing"),
     MISTAKE("H-count", nearest_hit, one_too_many, "a loop up to i <= sphere_count",
-            "n spheres are number 0 to n - 1. There is no sphere number sphere_count: what is past "
-            "the end of an array could be anything.",
-            "a crash, or the colour of something that is not there"),
-    MISTAKE("R6-scene", nearest_hit, where_spheres_end, "the t where a sphere is left",
-            "the ray enters a sphere before it leaves it, and the eye sees the side that is "
-            "turned towards it.",
-            "spheres from behind; a large one may vanish behind a small one"),
-    MISTAKE("R7-scene", nearest_hit, behind_the_eye_too, "the smallest t, negative ones included",
-            "a ray begins at the eye. What has t < 0 is behind it.",
+            "n spheres have the numbers 0 to n - 1. There is no sphere number sphere_count: "
+            "reading past the end of an array can give anything.",
+            "a crash, or the colour of a sphere that does not exist"),
+    MISTAKE("R6-scene", nearest_hit, where_spheres_end, "the t where the ray leaves the sphere",
+            "the ray enters a sphere before it leaves it, and the eye sees the side that faces it.",
+            "spheres seen from behind; a large one may vanish behind a small one"),
+    MISTAKE("R7-scene", nearest_hit, behind_the_eye_too, "the smallest t, even if negative",
+            "a ray starts at the eye. Hits with t < 0 are behind the eye.",
             "ghosts of the spheres behind the eye, mirrored and upside down"),
-    MISTAKE("R8-scene", nearest_hit, nothing_from_inside, "no hit on a sphere round the eye",
+    MISTAKE("R8-scene", nearest_hit, nothing_from_inside, "no hit on a sphere around the eye",
             "from inside, the near side is behind the eye, but the ray still leaves through the "
             "far one.",
             "a sphere vanishes as soon as the eye enters it"),
     MISTAKE("D1-scene", nearest_hit, from_the_image_plane, "hits with t up to 1 dropped",
-            "the image plane is a window, not a wall: what stands between it and the eye is "
-            "seen too.",
+            "the image plane is a window, not a wall: spheres between it and the eye are visible.",
             "near spheres vanish"),
     MISTAKE("R10-scene", nearest_hit, from_a_tenth, "hits with t up to 0.1 dropped",
             "with a long direction even a small t may be a long way.", "near spheres vanish"),
     MISTAKE("R10-small", nearest_hit, from_a_thousandth, "hits with t up to 0.001 dropped",
             "with a long direction even a small t may be a long way.", "very near spheres vanish"),
     MISTAKE("H-float", nearest_hit, in_single_precision, "t as a float",
-            "a float has 7 digits, a double 16, and hit_sphere's answer has as many.",
+            "a float has 7 digits and a double 16, as many as the t of hit_sphere.",
             "speckles where surfaces nearly touch"),
-    MISTAKE("H-none0", nearest_hit, index_0_for_nothing, "index 0 where nothing is hit",
-            "0 is the first sphere; none is -1.", "the first sphere's colour for the background"),
-    MISTAKE("H-none-1", nearest_hit, minus_1_for_no_hit, "t = -1 where nothing is hit",
+    MISTAKE("H-none0", nearest_hit, index_0_for_nothing, "index 0 if nothing is hit",
+            "0 is the first sphere; a miss is -1.",
+            "the first sphere's colour instead of the background"),
+    MISTAKE("H-none-1", nearest_hit, minus_1_for_no_hit, "t = -1 if nothing is hit",
             "-1 would be behind the eye, and nearer than every hit. NO_HIT is farther than all.",
-            "nothing wrong; but who compares by t takes nothing for the nearest"),
-    MISTAKE("H-way", nearest_hit, way_for_t, "the way to the hit: t times the direction's length",
+            "no visible difference; but a caller who compares t takes a miss for the nearest hit"),
+    MISTAKE("H-way", nearest_hit, way_for_t,
+            "the distance to the hit: t times the direction's length",
             "t counts in lengths of the direction, and a direction may have any length.",
-            "the same picture; the point at that t is off the sphere"),
+            "the same picture; the point at that t is not on the sphere"),
     MISTAKE("H-surface", nearest_hit, surface_for_sphere, "the index of the sphere's surface",
-            "several spheres may share a surface, so it does not say which of them was hit.",
+            "several spheres may share a surface, so it does not tell which of them was hit.",
             "spheres in each other's colours"),
     MISTAKE("H-count1", nearest_hit, counted_from_1, "the spheres counted from 1",
             "the first sphere has the index 0.", "each sphere in the next one's colour"),
     MISTAKE("H-no-sphere", nearest_hit, sphere_forgotten, "the right t, with -1 for the sphere",
-            "-1 says that nothing was hit. Which sphere is it that this t belongs to?",
+            "-1 says that nothing was hit. Return the index of the sphere with this t.",
             "blank: background only"),
     MISTAKE("H-no-t", nearest_hit, t_forgotten, "the last sphere that is hit, with t = NO_HIT",
-            "comparing only works if the best t so far is remembered with its sphere.",
+            "comparing works only if you remember the best t so far together with its sphere.",
             "far spheres in front of near ones, in the order of the scene"),
     MISTAKE("H-braces", nearest_hit, always_the_last_index, "the right t, but the last sphere",
             "the index changes with every sphere, whether it is nearer or not. An if without "
             "braces ends after one statement.",
             "everything in the last sphere's colour"),
     MISTAKE("H-break", nearest_hit, until_one_is_missed, "the spheres up to the first miss",
-            "a sphere that is missed says nothing of the next one: go on.",
+            "a sphere that is missed says nothing about the next one: go on.",
             "spheres missing, depending on the order of the scene"),
     MISTAKE("H-stop", nearest_hit, until_one_is_farther,
             "the spheres up to the first that is not nearer",
-            "a sphere that is farther away says nothing of the next one: go on.",
+            "a sphere that is farther away says nothing about the next one: go on.",
             "far spheres in front of near ones, in the order of the scene"),
     MISTAKE("H-reset", nearest_hit, forgotten_at_a_miss, "the hits since the last miss",
-            "a sphere that is missed takes nothing from the others: there, leave the best as it "
-            "is.",
+            "a sphere that is missed does not change the other hits: keep the best so far.",
             "spheres missing, depending on the order of the scene"),
     MISTAKE("H-before", nearest_hit, nearer_than_the_one_before,
             "each sphere compared with the one before it",
-            "compare with the nearest of all so far, and remember that.",
+            "compare with the nearest of all so far, and remember it.",
             "far spheres in front of near ones, in the order of the scene"),
     MISTAKE("H-first-index", nearest_hit, first_of_the_hits,
             "the right t, but the first hit's index",
             "a nearer hit replaces both: the t and the index of its sphere.",
             "spheres in each other's colours"),
     MISTAKE("H-abs", nearest_hit, nearest_either_way, "the smallest |t|",
-            "a ray begins at the eye. What has t < 0 is behind it, however near.",
+            "a ray starts at the eye. Hits with t < 0 are behind the eye, however near.",
             "ghosts of the spheres behind the eye, mirrored and upside down"),
     MISTAKE("P7-scene", nearest_hit, from_the_origin, "the ray from the world's origin",
-            "a ray begins at its origin.", "moving the camera changes nothing"),
-    MISTAKE("H-none-count", nearest_hit, count_for_nothing, "sphere_count where nothing is hit",
-            "the last sphere has the number sphere_count - 1, and none is -1.",
-            "a crash, or any colour for the background"),
+            "a ray starts at its origin.", "moving the camera changes nothing"),
+    MISTAKE("H-none-count", nearest_hit, count_for_nothing, "sphere_count if nothing is hit",
+            "the last sphere has the number sphere_count - 1, and a miss is -1.",
+            "a crash, or an arbitrary colour for the background"),
     {0},
 };

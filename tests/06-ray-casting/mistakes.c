@@ -1,5 +1,5 @@
-// mistakes.c - wrong answers to exercise 06: their tables. A picture from nearest_hit's is
-// drawn by the right loops.
+// mistakes.c - wrong answers to exercise 06: the list of their tables. Pictures from a wrong
+// nearest_hit are drawn by the right loops.
 #include "tests/06-ray-casting/mistakes.h"
 
 const Mistake *const mistakes[] = {

@@ -1,7 +1,7 @@
 // mistakes.h - what wrong answers to exercise 06 share: a picture cast with slips.
 //
-// One way to cast, in object order. Each place where people slip is a member of Slips; what is not
-// named is right. Image order is the same with a depth of its own.
+// One way to cast, in object order. Each place where people slip is a member of Slips; members that
+// are not set are right. Image order is the same with its own depth.
 #ifndef TESTS_06_RAY_CASTING_MISTAKES_H
 #define TESTS_06_RAY_CASTING_MISTAKES_H
 
@@ -118,14 +118,14 @@ static inline Color flat_color(const Scene *scene, int sphere)
 typedef struct {
     double (*t_of)(Ray ray, Sphere sphere);
     bool (*replaces)(double t, double best);
-    Pixel (*ray_of)(Pixel pixel, Resolution size); // whose ray is taken for a pixel
+    Pixel (*ray_of)(Pixel pixel, Resolution size); // the pixel whose ray is used
     Color (*color)(const Scene *scene, int sphere);
     bool (*left_out)(Pixel pixel, Resolution size);
-    bool one_pass;                              // what is left out has no background either
-    bool no_background;                         // it is never painted
-    bool background_where_missed;               // by each sphere
-    bool background_where_farther;              // by each sphere, where it is not painted itself
-    int first_sphere, last_sphere;              // how many are left out
+    bool one_pass;                 // pixels that are left out do not get a background either
+    bool no_background;            // it is never painted
+    bool background_where_missed;  // by each sphere
+    bool background_where_farther; // by each sphere, if it is not painted itself
+    int first_sphere, last_sphere; // how many are left out
     int (*place)(Pixel pixel, Resolution size); // in depth
     bool depth_kept;                            // not set before the loops
     bool depth_starts_elsewhere;                // at this number:

@@ -1,5 +1,5 @@
-// probes.c - calls that tell mistakes of exercise 06 apart: spheres before and behind each
-// other, behind the eye and round it, in any order; pictures of either shape, by any camera.
+// probes.c - calls that distinguish the mistakes of exercise 06: spheres in front of and behind
+// each other, behind the eye and around it, in any order; pictures of either shape, by any camera.
 #include "tests/06-ray-casting/support.h"
 
 #include "tests/judge/suspects.h"
@@ -8,7 +8,8 @@
 
 enum { SPHERES = 6 };
 
-// Along a ray, before and behind its origin and round it, a little to the side, and in any order.
+// Along a ray, ahead of and behind its origin and around it, a little to the side, and in any
+// order.
 static void random_row(Sphere *spheres, Ray ray)
 {
     vec3 along = vec3_unit(ray.direction);
@@ -31,7 +32,7 @@ static Scene any_scene(Sphere *spheres, int count)
     Scene scene = scene_of(count, spheres);
     scene.background = random_vec3(0.1, 0.9);
     scene.ambient = random_vec3(0.1, 0.9);
-    scene.lights = lights; // for whoever counts them instead of spheres
+    scene.lights = lights; // for answers that count them instead of spheres
     scene.light_count = (count + 3) % 5;
     return scene;
 }
@@ -72,12 +73,12 @@ static void ask_for_pictures(Cast *cast)
         Camera camera = random_camera();
         camera.distance = random_number(0.5, 1.5);
         random_row(spheres, (Ray){camera.origin + 2 * camera.forward, camera.forward});
-        if (i % 4 == 1) // round the eye
+        if (i % 4 == 1) // around the eye
             spheres[i % 3].center = camera.origin + 0.3 * spheres[i % 3].radius * random_unit();
         if (i % 4 == 2) // two that are equal
             spheres[1].center = spheres[0].center, spheres[1].radius = spheres[0].radius;
         Scene scene = any_scene(spheres, SPHERES);
-        if (i % 5 == 3) // brighter than all that is in it
+        if (i % 5 == 3) // brighter than everything in it
             scene.background = vec3_of(1, 1, 0.4);
         Resolution size = i % 2 == 0 ? (Resolution){11, 7} : (Resolution){6, 9};
         Image image = odd_image(size);

@@ -1,4 +1,4 @@
-// support-cones.c - what a sphere looks like from the eye, without any quadratic: a cone.
+// support-cones.c - the outline of a sphere seen from the eye, without a quadratic: a cone.
 #include "tests/06-ray-casting/support.h"
 
 #include "exercises/04-pixel-ray.h"
@@ -8,9 +8,9 @@ static double cosine_between(vec3 v, vec3 w)
     return vec3_dot(v, w) / (vec3_length(v) * vec3_length(w));
 }
 
-// 1 where the direction from the eye meets the sphere, 0 where it does not, -1 where it passes too
-// close to the silhouette to be sure. From the eye a sphere of radius r, D away, is a cone whose
-// half angle has the sine r / D.
+// 1 if the direction from the eye meets the sphere, 0 if it does not, -1 if it passes too close to
+// the silhouette to be sure. Seen from the eye a sphere of radius r, D away, is a cone whose half
+// angle has the sine r / D.
 static int sees(vec3 eye, vec3 direction, Sphere sphere)
 {
     vec3 center = sphere.center - eye;
@@ -19,8 +19,8 @@ static int sees(vec3 eye, vec3 direction, Sphere sphere)
     return fabs(inside) < TOLERANCE ? -1 : inside > 0;
 }
 
-// How far the sphere is in that direction, by the law of cosines in the triangle of the eye, the
-// hit and the centre.
+// The distance of the sphere in that direction, by the law of cosines in the triangle of the eye,
+// the hit and the centre.
 static double distance_seen(vec3 eye, vec3 direction, Sphere sphere)
 {
     vec3 center = sphere.center - eye;
@@ -80,7 +80,7 @@ Camera shells_behind(Resolution size, Pixel pixel, Sphere *spheres)
     return camera;
 }
 
-// What each pixel shows by cones, a sphere or -1; false where one is doubtful.
+// The sphere that each pixel shows, or -1, by cones; false if one is doubtful.
 static bool sees_shells(Camera camera, Resolution size, const Sphere *spheres, int *seen)
 {
     for (int i = 0; i < size.width * size.height; i++) {

@@ -1,4 +1,4 @@
-// support.c - scenes and images for the tests of exercise 06, and how they are said.
+// support.c - scenes and images for the tests of exercise 06, and how they are described.
 #include "tests/06-ray-casting/support.h"
 
 #include <stdio.h>
@@ -139,7 +139,7 @@ static bool is_near(double depth, double t)
     return depth == t || (t < NO_HIT && fabs(depth - t) <= TOLERANCE * t);
 }
 
-// One call, and one pixel of it is looked at: the first that is not as expected.
+// One call, and one of its pixels is reported: the first that is not as expected.
 void expect_depths(const Scene *scene, Camera camera, Resolution size, const double *expected)
 {
     double depth[MOST_PIXELS];

@@ -1,4 +1,4 @@
-// unknown.c - wrong answers to exercise 06 that are no known mistake.
+// unknown.c - wrong answers to exercise 06 that are not known mistakes.
 #include "tests/proof/unknown.h"
 
 #include "exercises/05-quadratic.h"
@@ -38,7 +38,7 @@ static void all_green(const Scene *scene, Camera camera, Image *image)
 }
 
 const Unknown unknowns[] = {
-    UNKNOWN(nearest_hit, equal_is_nearer, NOBODY, "<= with NO_HIT, too"),
+    UNKNOWN(nearest_hit, equal_is_nearer, NOBODY, "<= with NO_HIT as well"),
     UNKNOWN(nearest_hit, best_is_kept, NOBODY " your function gives another result", "static"),
     UNKNOWN(cast_image_order, all_green, NOBODY " every pixel", "green"),
     {0},

@@ -1,4 +1,4 @@
-// variants.c - right answers to exercise 06, written otherwise.
+// variants.c - right answers to exercise 06, written in other ways.
 #include "exercises/06-ray-casting.h"
 
 #include "exercises/04-pixel-ray.h"
@@ -59,7 +59,7 @@ static Hit with_pointers(Ray ray, const Scene *scene)
                            : (Hit){hit_sphere(ray, *nearest), (int)(nearest - scene->spheres)};
 }
 
-// t is a little different from the reference's, by rounding.
+// t differs a little from the reference's, by rounding.
 static Hit by_the_foot_of_the_perpendicular(Ray ray, const Scene *scene)
 {
     double length = vec3_length(ray.direction);
@@ -138,7 +138,7 @@ static Hit sorted_by_t(Ray ray, const Scene *scene)
     return first;
 }
 
-// The first sphere is the best at first, hit or not.
+// The first sphere is the best so far, hit or not.
 static Hit starting_with_sphere_0(Ray ray, const Scene *scene)
 {
     if (scene->sphere_count == 0)
@@ -248,7 +248,7 @@ static void unit_directions(const Scene *scene, Camera camera, Image *image)
         }
 }
 
-// Each pixel looks for its own nearest, without nearest_hit.
+// Each pixel searches for its own nearest hit, without nearest_hit.
 static void nearest_in_place(const Scene *scene, Camera camera, Image *image)
 {
     const Resolution size = image->size;
@@ -374,7 +374,7 @@ static void background_last(const Scene *scene, Camera camera, Image *image, dou
             image_set(image, (Pixel){i % size.width, i / size.width}, scene->background);
 }
 
-// Which sphere is remembered too, and all is painted at the end.
+// The sphere is remembered as well, and everything is painted at the end.
 static void indices_first(const Scene *scene, Camera camera, Image *image, double *depth)
 {
     Resolution size = image->size;
@@ -395,7 +395,7 @@ static void indices_first(const Scene *scene, Camera camera, Image *image, doubl
     free(sphere);
 }
 
-// A depth of one's own, in long double, and copied at the end.
+// A depth array of its own, in long double, copied at the end.
 static void depth_of_its_own(const Scene *scene, Camera camera, Image *image, double *depth)
 {
     Resolution size = image->size;
@@ -422,11 +422,11 @@ static void depth_of_its_own(const Scene *scene, Camera camera, Image *image, do
 }
 
 typedef struct {
-    int left, right, top, bottom; // of the first and behind the last
+    int left, right, top, bottom; // the first, and the one after the last
 } Box;
 
 // The columns or rows that may meet the sphere: where two planes through the eye touch it. All of
-// them, where the eye is in it or it reaches beside or behind the eye.
+// them, if the eye is inside or the sphere reaches beside or behind the eye.
 static void span(vec3 center, double radius, vec3 forward, vec3 aside, double reach, int count,
                  int *first, int *end)
 {
@@ -497,9 +497,9 @@ static void with_rays_computed_once(const Scene *scene, Camera camera, Image *im
 const Variant variants[] = {
     VARIANT(nearest_hit, with_a_flag, "a flag for 'found one'"),
     VARIANT(nearest_hit, backward, "backward, with <="),
-    VARIANT(nearest_hit, first_t_then_sphere, "first the least t, then whose it is"),
+    VARIANT(nearest_hit, first_t_then_sphere, "first the least t, then its sphere"),
     VARIANT(nearest_hit, with_pointers, "pointers, and hits computed twice"),
-    VARIANT(nearest_hit, by_the_foot_of_the_perpendicular, "hits by geometry of one's own"),
+    VARIANT(nearest_hit, by_the_foot_of_the_perpendicular, "hits with its own geometry"),
     VARIANT(nearest_hit, by_recursion, "recursion"),
     VARIANT(nearest_hit, by_halves, "recursion by halves"),
     VARIANT(nearest_hit, sorted_by_t, "sorted by t, then by index"),

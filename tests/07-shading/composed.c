@@ -21,7 +21,7 @@ const Composed composed[] = {
     {0},
 };
 
-// What a mistake of the one is in the other.
+// Which mistake a mistake of the called function becomes in the caller.
 const SameMistake same_mistakes[] = {
     {"phong_term", "MI-back", "PH-reversed"},
     {"phong_term", "MI-opposite", "PH-le"},
