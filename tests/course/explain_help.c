@@ -48,18 +48,17 @@ const char *help_loop(const Explanation *all, size_t line)
 {
     bool is_for = text_matches(answer_code(&all->code.answer, line), "(^|[^A-Za-z_0-9])for *\\(");
     return text_format(
-        "the ; behind %s%zu %s: what follows is no longer part of it. Take the ; away.",
+        "the ; after %s%zu %s: the next statement is no longer part of it. Remove the ;.",
         is_for ? "for (...) in line " : "the bracket in line ", line,
         is_for ? "ends the loop" : "ends the statement");
 }
 
 static const char *help_missing_return(size_t lost)
 {
-    const char *words =
-        "the function ends without return: what it gives back is then whatever is lying about.";
-    return lost == 0 ? words
-                     : text_format("%s Line %zu computes something and does not give it back.",
-                                   words, lost);
+    const char *words = "the function ends without return: its return value is then undefined.";
+    return lost == 0
+               ? words
+               : text_format("%s Line %zu computes a value, but does not return it.", words, lost);
 }
 
 // ---- values -------------------------------------------------------------------------------------
@@ -82,10 +81,10 @@ static const char *help_expression(const Explanation *all, const Mistake *mistak
         const char *type = mistake->name, *how = written(&all->code, type);
         if (how[0] != '\0' && text_matches(text_from(behind, strlen(type)), "^ *[({]"))
             return text_is(type, "vec3")
-                       ? text_format("%s is a type and no function: write %s.", type, how)
-                       : text_format("%s is a type and no function: %s makes one.", type, how);
+                       ? text_format("%s is a type, not a function: write %s.", type, how)
+                       : text_format("%s is a type, not a function: %s makes one.", type, how);
         return how[0] != '\0' && text_matches(mistake->message->ahead, "[(,] *$")
-                   ? "a call has values in its brackets, without their types."
+                   ? "in a call, write only the values, without their types."
                    : "";
     }
     if (behind[0] != '{' && behind[0] != '[')
@@ -93,17 +92,16 @@ static const char *help_expression(const Explanation *all, const Mistake *mistak
     const char *type = type_here(all, mistake), *how = written(&all->code, type);
     if (text_is(type, "vec3"))
         return text_format("a vec3 is written %s.", how);
-    return how[0] != '\0'
-               ? text_format("braces make a value with their type in front of them: %s.", how)
-               : "braces make a value with their type in front of them, as in (Ray){origin, "
-                 "direction}.";
+    return how[0] != '\0' ? text_format("put the type in parentheses before the braces: %s.", how)
+                          : "put the type in parentheses before the braces, as in (Ray){origin, "
+                            "direction}.";
 }
 
 static const char *help_comma(const Explanation *all, const Mistake *mistake)
 {
     const char *type = mistake->wanted[0] != '\0' ? mistake->wanted : type_here(all, mistake);
     const char *how = written(&all->code, type);
-    const char *words = "a, b is only b, in brackets too: what stands before the comma is lost.";
+    const char *words = "the value of (a, b) is b alone: the part before the comma is lost.";
     return how[0] == '\0'
                ? words
                : text_format("%s %s is written %s.", words, capital(with_article(type)), how);
@@ -163,11 +161,11 @@ static bool has_vector_product(const Explanation *all, const Mistake *mistake)
 static const char *help_vector(const Explanation *all, const Mistake *mistake)
 {
     if (has_vector_product(all, mistake))
-        return "v * w multiplies component by component and is a vector; for a number, say "
+        return "v * w multiplies component by component and gives a vector; for a number, write "
                "vec3_dot(v, w).";
     return text_format(
-        "a vector stands where a number is wanted. v * w is a vector, too; for a number, "
-        "say vec3_dot(v, w), vec3_length(v) or v[0].%s",
+        "this is a vector, but a number is expected. v * w is also a vector; for a number, "
+        "write vec3_dot(v, w), vec3_length(v) or v[0].%s",
         text_has(mistake->text, "initializ") ? " Or is the type of the variable wrong?" : "");
 }
 
@@ -229,11 +227,11 @@ static const char *help_count(const Explanation *all, const Mistake *mistake)
     const char *name = declared[0] != '\0' ? declared : function != NULL ? quoted(function) : "";
     // clang tells the name only in its note, and none if the function is built in.
     if (name[0] == '\0' || (text_has(mistake->text, "function call") && declared[0] == '\0'))
-        return "look at the prototype of the function: it says what it takes.";
+        return "look at the prototype of the function: it lists the parameters.";
     const DeclaredFunction *known = header_function(&all->code.headers, name);
     if (known != NULL)
         return text_format("its prototype is  %s  in %s.", known->prototype, known->header);
-    return text_format("look at the prototype of %s: it says what it takes.", name);
+    return text_format("look at the prototype of %s: it lists the parameters.", name);
 }
 
 // ---- which of them ------------------------------------------------------------------------------
@@ -257,10 +255,10 @@ static const char *help_slip(const Explanation *all, const Mistake *mistake)
     if (text_begins(text, "expected identifier or '('") && code[0] == '{' &&
         text_matches(answer_code(answer, before), "\\);$"))
         return text_format(
-            "the ; at the end of line %zu parts the function from its { }: take it away.", before);
+            "the ; at the end of line %zu separates the function from its { }: remove it.", before);
     if (text_begins(text, "expected expression") && after_blanks(ahead)[0] == '\0' &&
         text_matches(answer_code(answer, before), ",$"))
-        return text_format("line %zu ends in a comma, where a semicolon belongs.", before);
+        return text_format("line %zu ends with a comma, but needs a semicolon.", before);
     if (mistake->is_unused_value && text_has(code, "=="))
         return "== compares; to give a variable a value, write =.";
     if (text_says(text, "used uninitialized|uninitialized when used"))
@@ -270,16 +268,17 @@ static const char *help_slip(const Explanation *all, const Mistake *mistake)
             "the contract of this chapter is #include \"%s\"; other headers are in common/.",
             all->code.contract);
     if (text_begins(text, "expected") && text_matches(behind, "^ *x [A-Za-z(]"))
-        return "x is no operator in C: * multiplies, and the cross product is vec3_cross(v, w).";
+        return "x is not an operator in C: * multiplies, and the cross product is vec3_cross(v, "
+               "w).";
     if (text_begins(text, "expected ')'") && answer_brackets(answer, mistake->line) > 0)
-        return "a ) is missing: here are more ( than ).";
+        return "a ) is missing: there are more ( than ).";
     if ((text_says(text, "before ')' token|^extraneous ')'") ||
          text_is(text, "expected expression")) &&
         answer_brackets(answer, mistake->line) < 0)
-        return "a ) too many: here are more ) than (.";
+        return "one ) too many: there are more ) than (.";
     if (text_begins(text, "expected '('") &&
         text_matches(code, "(^|[^A-Za-z_0-9])(if|while|for) +[^ (]"))
-        return "after if, while and for comes a bracket: if (x > 0).";
+        return "if, while and for need parentheses: if (x > 0).";
     if (text_says(text, "^expected '}'|^expected ')'") && text_matches(ahead, "[A-Za-z_0-9)] *$") &&
         text_matches(behind, "^ *[A-Za-z_(]"))
         return "an operator or a comma is missing there (2 t is 2 * t).";
@@ -288,7 +287,7 @@ static const char *help_slip(const Explanation *all, const Mistake *mistake)
         return "C writes >= and <=, not => and =<.";
     if (text_matches(text, "^(expected expression( before '[A-Za-z]|$)|unexpected type name)") &&
         after_blanks(ahead)[0] == '\0' && begins_declaration(&all->code, behind))
-        return "a declaration after if, else or for needs braces round it: { }.";
+        return "a declaration after if, else or for needs braces around it: { }.";
     return "";
 }
 
@@ -307,9 +306,10 @@ static const char *help_parts_and_powers(const Explanation *all, const Mistake *
     if (text_begins(text, "invalid operands to binary") && mistake->message->behind[0] == '^')
         return help_power(all, mistake, "^ is exclusive or in C");
     if (text_matches(text, "^invalid type argument of unary '\\*'|^indirection requires pointer"))
-        return text_has(code, "**") ? help_power(all, mistake, "C has no **")
-                                    : "a * in front asks what a pointer points to, and this is no "
-                                      "pointer: take the * away.";
+        return text_has(code, "**")
+                   ? help_power(all, mistake, "C has no **")
+                   : "a * in front of a name reads through a pointer, and this is not a "
+                     "pointer: remove the *.";
     if (text_matches(text, "^invalid (suffix|digit) .* (integer|decimal|floating) constant"))
         return help_times(code);
     if (text_begins(text, "called object"))
@@ -336,16 +336,16 @@ static const char *help_declaration(const Explanation *all, const Mistake *mista
     if (mistake->is_signature)
         return help_signature(all, mistake);
     if (text_matches(text, "discards '?(const|qualifiers)"))
-        return "what it points to is not yours to change: put const in front of the pointer's "
+        return "the data it points to must not change: put const in front of the pointer's "
                "type.";
     if (text_matches(text, "^parameter names .without types|^a parameter list without types"))
         return "that declares a function. A variable gets its value by =, as in Pixel pixel = "
                "{column, row};";
     if (text_begins(text, "invalid initializer") && wanted_parts[0] != '\0')
-        return text_format("%s is wanted here: %s.", with_article(mistake->wanted),
+        return text_format("%s is expected here: %s.", with_article(mistake->wanted),
                            written(&all->code, mistake->wanted));
     if (text_says(text, "^'return' with no value|should return a value"))
-        return "this return gives nothing back: behind it belongs what it is to give back.";
+        return "return without a value: this function must return one. Write it after return.";
     if (mistake->is_missing_return)
         return help_missing_return(all->about[mistake->begins].lost);
     return "";
@@ -356,16 +356,16 @@ const char *help(const Explanation *all, const Mistake *mistake)
     const char *text = mistake->text;
     if (mistake->is_pasted)
         return "a character that is not C was pasted there: a dash, a quote, a sign or a space "
-               "that only looks like one. Delete it and type it anew.";
+               "that only looks like one. Delete it and type it again.";
     if (mistake->keyword[0] != '\0')
         return text_format("%s is misspelled: %s.", mistake->slip, mistake->keyword);
     if (mistake->decimal[0] != '\0')
-        return text_format("%s is two numbers in C. If it is meant as one, write %s.",
+        return text_format("%s is two numbers in C. If you mean one number, write %s.",
                            mistake->decimal, text_replaced(mistake->decimal, ",", "."));
     if (mistake->is_missing_brace)
         return help_brace(all, mistake);
     if (mistake->is_outside)
-        return "this stands outside of every function: before it there is a } too many.";
+        return "this is outside of every function: there is one } too many before it.";
     const char *slip = help_slip(all, mistake);
     if (slip[0] != '\0')
         return slip;

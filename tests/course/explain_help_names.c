@@ -68,19 +68,18 @@ static const char *library_of(const Mistake *mistake)
 static const char *help_other_language(const char *name)
 {
     if (text_is(name, "M_PI"))
-        return "C11 has no M_PI: say PI (common/vec3.h).";
+        return "C11 has no M_PI: write PI (common/vec3.h).";
     if (text_is(name, "std"))
         return "C has no std:: - the functions of <math.h> have no such prefix, as in sqrt(x).";
     if (text_is(name, "new"))
         return "C has no new: a struct is written (Ray){origin, direction}, a vec3 vec3_of(x, y, "
                "z).";
     if (text_is_one_of(name, "let var auto def"))
-        return text_format(
-            "C has no %s: in front of a new variable stands its type, as in double x or "
-            "vec3 v.",
-            name);
+        return text_format("C has no %s: declare a new variable with its type, as in double x or "
+                           "vec3 v.",
+                           name);
     if (text_matches(name, "^return[a-z]"))
-        return text_format("a blank is missing: return %s", name + strlen("return"));
+        return text_format("a space is missing: return %s", name + strlen("return"));
     return "";
 }
 
@@ -111,7 +110,7 @@ static const char *help_whole(const Explanation *all, const Mistake *mistake)
         whole_of(&all->code, text_part(behind, sign, length), mistake->line, &owner);
     if (whole[0] == '\0')
         return "";
-    return text_format("nothing here is called %s. %s has another name here: say %s.", name,
+    return text_format("nothing here is called %s. %s has another name here: write %s.", name,
                        owner[0] == '\0' ? "It" : text_format("The %s", owner), whole);
 }
 
@@ -122,8 +121,8 @@ static const char *help_part(const Explanation *all, const Mistake *mistake)
     if (whole[0] == '\0')
         return "";
     if (owner[0] == '\0')
-        return text_format("%s is the name of parts: say %s.", mistake->name, whole);
-    return text_format("%s is a part of %s (%s): say %s.", mistake->name, with_article(owner),
+        return text_format("%s is the name of parts: write %s.", mistake->name, whole);
+    return text_format("%s is a part of %s (%s): write %s.", mistake->name, with_article(owner),
                        header_of(&all->code.headers, owner), whole);
 }
 
@@ -146,10 +145,12 @@ static const char *help_thought_of(const Explanation *all, const Mistake *mistak
     return "";
 }
 
-// "Camera c, double s and double t"
+// " The parameters of NAME are Camera c, double s and double t."; "" if there are none.
 static const char *parameters_of(const Code *code, size_t line)
 {
     Scope scope = scope_of(code, line);
+    if (scope.parameters == 0)
+        return "";
     const char *list = "";
     for (size_t i = 0; i < scope.parameters; i++)
         list = text_format("%s%s%s" UNBROKEN "%s%s", list,
@@ -158,21 +159,20 @@ static const char *parameters_of(const Code *code, size_t line)
                                                       : " and ",
                            scope.variables[i].type, scope.variables[i].is_pointer ? "*" : "",
                            scope.variables[i].name);
-    return list;
+    return text_format(" The parameter%s of %s %s %s.", scope.parameters == 1 ? "" : "s",
+                       answer_function_around(&code->answer, line),
+                       scope.parameters == 1 ? "is" : "are", list);
 }
 
 static const char *help_nothing(const Explanation *all, const Mistake *mistake, bool is_variable)
 {
     const Code *code = &all->code;
     const char *given = is_variable ? parameters_of(code, mistake->line) : "";
-    if (given[0] != '\0')
-        given = text_format(" %s is given %s.",
-                            answer_function_around(&code->answer, mistake->line), given);
     if (strlen(mistake->name) > 1)
         return text_format("nothing here is called %s. Is it spelled as in the contract, %s?%s",
                            mistake->name, code->contract, given);
     return text_format(
-        "nothing here is called %s.%s A variable of your own is declared first, with its type.",
+        "nothing here is called %s.%s Declare a variable of your own first, with its type.",
         mistake->is_letter ? all->about[mistake->begins].strange_letters : mistake->name, given);
 }
 
@@ -247,7 +247,7 @@ static const char *help_spelling(const Explanation *all, const Mistake *mistake,
         return thought;
     if (!is_function && !is_type && header_parts(headers, type)[0] != '\0')
         return text_format(
-            "nothing here is called %s. A %s of your own is declared first: %s" UNBROKEN
+            "nothing here is called %s. A %s of your own must be declared first: %s" UNBROKEN
             "%s" UNBROKEN "=" UNBROKEN "...;",
             name, type, type, name);
     return "";
@@ -284,7 +284,7 @@ const char *help_unknown(const Explanation *all, const Mistake *mistake)
     const char *header = header_of(headers, name);
     if (words[0] == '\0' && header != NULL && !answer_includes(&all->code.answer, header) &&
         !text_is(header, all->code.contract))
-        words = text_format("%s is declared elsewhere: #include \"%s\"", name, header);
+        words = text_format("%s is declared in another file: #include \"%s\"", name, header);
     if (words[0] == '\0')
         words = help_spelling(all, mistake, is_function, is_type);
     return words[0] == '\0' ? help_nothing(all, mistake, !is_function && !is_type) : words;
@@ -299,12 +299,11 @@ static const char *help_redefinition(const Explanation *all, const Mistake *mist
     const char *header = header_of(&all->code.headers, name);
     for (size_t i = 0; i < answer->function_count && answer->functions[i].line < mistake->line; i++)
         if (text_is(answer->functions[i].name, name))
-            return text_format("%s is defined already, in line %zu.", name,
+            return text_format("%s is already defined in line %zu.", name,
                                answer->functions[i].line);
-    return header == NULL
-               ? ""
-               : text_format("%s is in %s already: use that one, or give yours another name.", name,
-                             header);
+    return header == NULL ? ""
+                          : text_format("%s is already in %s: use it, or give yours another name.",
+                                        name, header);
 }
 
 const char *help_signature(const Explanation *all, const Mistake *mistake)
@@ -315,18 +314,18 @@ const char *help_signature(const Explanation *all, const Mistake *mistake)
     Scope scope = scope_of(code, mistake->line);
     for (size_t i = 0; i < scope.parameters; i++)
         if (text_is(scope.variables[i].name, name))
-            return text_format("%s is given to %s already: give yours another name.", name, here);
+            return text_format("%s is already a parameter of %s: give yours another name.", name,
+                               here);
     if (text_begins(mistake->text, "redefinition"))
         return help_redefinition(all, mistake, name);
     const DeclaredFunction *function = header_function(&code->headers, name);
     if (function == NULL)
         return "";
     if (text_has(mistake->text, "static declaration"))
-        return text_format("take the static in front of %s away: it is called from other files.",
-                           name);
+        return text_format("remove the static in front of %s: other files call it.", name);
     if (text_is(function->header, code->contract))
-        return text_format("the contract, %s, says  %s: your function has to begin like that.",
+        return text_format("the contract, %s, says  %s: your function must begin like that.",
                            code->contract, function->prototype);
-    return text_format("%s is in %s already, as  %s: give yours another name.", name,
+    return text_format("%s is already in %s, as  %s: give yours another name.", name,
                        function->header, function->prototype);
 }

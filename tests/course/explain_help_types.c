@@ -30,11 +30,11 @@ const char *help_arrow(const Explanation *all, const Mistake *mistake)
             "%s %s %s, whose parts are %s.%s", name,
             text_has(mistake->text, "to use '->'") ? "points to" : "is", with_article(type), parts,
             text_is(type, "Sphere") && header_field(headers, "Surface", part) != NULL
-                ? text_format(" How it looks is said by scene_surface(scene, i)->%s.", part)
+                ? text_format(" For its look, write scene_surface(scene, i)->%s.", part)
                 : "");
     if (text_has(mistake->text, "did you mean to use '->'"))
-        return text_format("%s is a pointer: say %s->%s.", name, name, part);
-    return text_format("%s is no pointer: say %s.%s.", name, name, part);
+        return text_format("%s is a pointer: write %s->%s.", name, name, part);
+    return text_format("%s is not a pointer: write %s.%s.", name, name, part);
 }
 
 const char *help_parts(const Explanation *all, const Mistake *mistake)
@@ -44,12 +44,12 @@ const char *help_parts(const Explanation *all, const Mistake *mistake)
                            ? bare_type(mistake->name)
                            : type_of(&all->code, name, mistake->line);
     if (ahead[0] != '\0' && ahead[strlen(ahead) - 1] == ' ')
-        return "a dot between blanks is no product: numbers are multiplied by *, and v . w is "
+        return "a dot is not a product in C: multiply numbers with *, and write v . w as "
                "vec3_dot(v, w).";
     if (is_vector_type(type))
-        return "a vec3 has no parts with names: its components are v[0], v[1], v[2].";
+        return "a vec3 has no named parts: its components are v[0], v[1], v[2].";
     if (!is_number(type))
-        return "what stands before the dot has no parts with names: a number has none, and those "
+        return "the value before the dot has no named parts: a number has none, and the components "
                "of "
                "a vec3 are v[0], v[1], v[2].";
     const char *owner, *part = part_behind(mistake);
@@ -58,7 +58,7 @@ const char *help_parts(const Explanation *all, const Mistake *mistake)
         text_format("%s is a number and has no parts.", name[0] == '\0' ? "this" : name);
     if (whole[0] == '\0')
         return number;
-    return text_format("%s %s is a part of %s. Say %s.", number, part,
+    return text_format("%s %s is a part of %s. Write %s.", number, part,
                        owner[0] == '\0' ? "others" : with_article(owner), whole);
 }
 
@@ -243,23 +243,23 @@ static const char *what_is_wanted(const Explanation *all, const Mistake *mistake
 {
     const char *header = header_of(&all->code.headers, here),
                *wanted = with_article(mistake->wanted);
-    const char *who = called[0] != '\0' ? text_format("%s wants %s there", called, wanted)
-                                        : text_format("%s is wanted here", wanted);
+    const char *who = called[0] != '\0' ? text_format("%s expects %s there", called, wanted)
+                                        : text_format("%s is expected here", wanted);
     if (text_has(mistake->text, "returning") && here[0] != '\0')
-        who = text_format("%s gives back %s%s", here, wanted,
+        who = text_format("%s returns %s%s", here, wanted,
                           header != NULL ? text_format(" (%s)", header) : "");
-    return text_format("%s, and this is %s", who, with_article(mistake->given));
+    return text_format("%s, but this is %s", who, with_article(mistake->given));
 }
 
 static const char *help_pointer(const Mistake *mistake)
 {
     const char *here = expression_here(mistake), *behind = mistake->message->behind;
     if (is_pointer_to(mistake->given, mistake->wanted))
-        return behind[0] == '&' ? "Take the & away."
+        return behind[0] == '&' ? "Remove the &."
                : text_matches(here, "(spheres|lights|surfaces)$")
                    ? text_format("One of them is %s[i].", here)
-                   : "A * in front of a pointer is what it points to.";
-    return behind[0] == '*' ? "Take the * away: without it, it is a pointer."
+                   : "A * in front of a pointer gives the value it points to.";
+    return behind[0] == '*' ? "Remove the *: without it, this is a pointer."
                             : "A & in front makes a pointer to it.";
 }
 
@@ -283,7 +283,7 @@ const char *help_types(const Explanation *all, const Mistake *mistake)
         const char *target = text_expression_at_end(text_before(mistake->code, "="));
         return is_number(given)
                    ? text_format("%s. One of the numbers there is %s[i].", what, target)
-                   : text_format("%s. To store it where %s points, say *%s = ...", what, target,
+                   : text_format("%s. To store it where %s points, write *%s = ...", what, target,
                                  target);
     }
     if (text_has(text, "assigning") && text_matches(mistake->code, "[^=<>!]=[^=].*\\?"))

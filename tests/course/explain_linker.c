@@ -32,7 +32,7 @@ static const char *explained(const Answer *answer, const char *line)
     const char *twice = named_after(line, "multiple definition of ");
     const char *missing = named_after(line, "undefined reference to ");
     if (text_is(twice, "main"))
-        return "  leave main out: the tests have one";
+        return "  remove main: the tests have their own";
     if (twice[0] != '\0')
         return text_format("  %s is already the name of something else: make yours static", twice);
     if (missing[0] == '\0')

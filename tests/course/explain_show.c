@@ -104,7 +104,7 @@ static void show_elsewhere(FILE *out, const Diagnostics *diagnostics)
     show_wrapped(out, diagnostics->elsewhere, "  ");
     if (diagnostics->where_included[0] != '\0')
         show_wrapped(out,
-                     text_format("  help: it shows there, but look at %s and above it.",
+                     text_format("  help: the error shows there, but look at %s and above it.",
                                  diagnostics->where_included),
                      "        ");
 }

@@ -32,7 +32,7 @@ check 'what stands where no keyword may is none' says_not misspelled
 dash=$(printf '\342\200\223')
 quotes=$(printf '\342\200\234x\342\200\235')
 cross=$(printf '\303\227')
-pasted='a character that is not C was pasted there: a dash, a quote, a sign or a space that only looks like one. Delete it and type it anew.'
+pasted='a character that is not C was pasted there: a dash, a quote, a sign or a space that only looks like one. Delete it and type it again.'
 explains 'a pasted dash' 01-corners \
     "s|c.forward - c.width|c.forward $dash c.width|; /^vec3 upper_right/,\$s|$dash|-|" "$pasted"
 explains 'pasted quotes' 05-quadratic \
@@ -42,22 +42,22 @@ explains 'a pasted cross' 02-cameras "s|return 2 . distance|return 2 $cross dist
 
 explains 'std::' 02-cameras 's|return 2 .|return std::sqrt(2) *|' 'C has no std::'
 explains 'vec3(...)' 01-corners 's|return image_plane_vector.*|return vec3(0, 0, 0);|' \
-    'vec3 is a type and no function: write vec3_of(x, y, z).'
+    'vec3 is a type, not a function: write vec3_of(x, y, z).'
 explains '(vec3)(...)' 01-corners 's|return image_plane_vector.*|return (vec3)(0, 0, 0);|' \
     'a vec3 is written vec3_of(x, y, z).'
 explains 'Ray(...)' 04-pixel-ray 's|return (Ray).*|return Ray(camera.origin, camera.up);|' \
-    'Ray is a type and no function: (Ray){origin, direction} makes one.'
+    'Ray is a type, not a function: (Ray){origin, direction} makes one.'
 explains '(Ray)(...)' 04-pixel-ray 's|return (Ray).*|return (Ray)(camera.origin, camera.up);|' \
     'a Ray is written (Ray){origin, direction}.'
 explains 'new Ray(...)' 04-pixel-ray 's|return (Ray).*|return new Ray(camera.origin, camera.up);|' \
     'C has no new:'
 explains 'types in a call' 05-quadratic 's|return NO_HIT|return vec3_dot(vec3 p, v)|' \
-    'a call has values in its brackets, without their types.'
+    'in a call, write only the values, without their types.'
 explains 'return {...}' 03-screen 's|return (Normalized){|return {|' \
-    'braces make a value with their type in front of them: (Normalized){s, t}.'
+    'put the type in parentheses before the braces: (Normalized){s, t}.'
 explains 'return {...} of a vector' 01-corners 's|return image_plane_vector.*|return {0, 0, 0};|' \
     'a vec3 is written vec3_of(x, y, z).'
-lost='a, b is only b, in brackets too: what stands before the comma is lost.'
+lost='the value of (a, b) is b alone: the part before the comma is lost.'
 explains 'return (a, b)' 03-screen 's|return (Normalized).*|return (point.x, point.y);|' \
     "$lost A Normalized is written (Normalized){s, t}."
 explains 'return a, b' 03-screen 's|return (Normalized).*|return point.x, point.y;|' \
@@ -85,14 +85,14 @@ explains '^ to another power' 07-shading 's|pow(cosine, shine)|cosine^shine|' \
     '^ is exclusive or in C: write pow(cosine, shine).'
 explains '** to another power' 07-shading 's|pow(cosine, shine)|cosine ** shine|' 'C has no **: write pow(cosine, shine).'
 explains 'x between numbers' 01-corners 's|return image_plane_v.*|return c.distance x c.forward;|' \
-    'x is no operator in C: * multiplies, and the cross product is vec3_cross(v, w).'
+    'x is not an operator in C: * multiplies, and the cross product is vec3_cross(v, w).'
 explains 'a dot between numbers' 01-corners 's|return image_plane_v.*|return c.distance . c.forward;|' \
-    'a dot between blanks is no product: numbers are multiplied by *, and v . w is vec3_dot(v, w).'
+    'a dot is not a product in C: multiply numbers with *, and write v . w as vec3_dot(v, w).'
 explains '=> for >=' 05-quadratic 's|(roots.t.i. > 0)|(roots.t[i] => 0)|' 'C writes >= and <=, not => and =<.'
 explains 'if without a bracket' 05-quadratic 's|if (roots.t.i. > 0)|if roots.t[i] > 0|' \
-    'after if, while and for comes a bracket: if (x > 0).'
+    'if, while and for need parentheses: if (x > 0).'
 explains 'a ) too few' 01-corners 's|return image_plane_v.*|return (c.distance * c.forward + c.up;|' \
-    'a ) is missing: here are more ( than ).'
+    'a ) is missing: there are more ( than ).'
 explains 'an operator left out in a struct' 05-quadratic 's|2 . vec3_dot(p, v), vec3_dot(p, p) - radius|2 vec3_dot(p, v), vec3_dot(p, p) - radius|' \
     'an operator or a comma is missing there (2 t is 2 * t).'
 
@@ -102,15 +102,15 @@ half=$(printf '\302\275')
 dot=$(printf '\302\267')
 explains 'a pasted half' 01-corners "s|return image_plane_v.*|return $half * c.width * c.right;|" "$pasted"
 explains 'a pasted dot' 01-corners "s|return image_plane_v.*|return c.width $dot c.right;|" "$pasted"
-explains 'a blank left out' 01-corners 's|return image_plane_v.*|returnc.distance * c.up;|' 'a blank is missing: return c'
+explains 'a blank left out' 01-corners 's|return image_plane_v.*|returnc.distance * c.up;|' 'a space is missing: return c'
 explains 'a ; in front of {' 01-corners '/^vec3 upper_left/s|$|;|' \
-    "the ; at the end of line $(grep -n '^vec3 upper_left' solutions/01-corners.c | cut -d : -f 1) parts the function from its { }: take it away."
+    "the ; at the end of line $(grep -n '^vec3 upper_left' solutions/01-corners.c | cut -d : -f 1) separates the function from its { }: remove it."
 explains 'no type of result' 01-corners 's|^vec3 upper_left|upper_left|' \
-    'the contract, exercises/01-corners.h, says vec3 upper_left(Camera c): your function has to begin like that.'
+    'the contract, exercises/01-corners.h, says vec3 upper_left(Camera c): your function must begin like that.'
 explains 'a name that is taken' 01-corners 's|    c.distance = 1;|    int c = 1;|' \
-    'c is given to with_unit_distance already: give yours another name.'
+    'c is already a parameter of with_unit_distance: give yours another name.'
 explains 'a comma at the end of a line' 01-corners 's|    c.distance = 1;|    c.distance = 1,|' \
-    "line $(grep -n '    c.distance = 1;' solutions/01-corners.c | cut -d : -f 1) ends in a comma, where a semicolon belongs."
+    "line $(grep -n '    c.distance = 1;' solutions/01-corners.c | cut -d : -f 1) ends with a comma, but needs a semicolon."
 warned() {
     broken "$2" "$3"
     check "$1" helps "$4"
@@ -121,10 +121,10 @@ warned '== for =' 01-corners 's|    c.distance = 1;|    c.distance == 1;|' '== c
 warned '= for ==' 05-quadratic 's|if (q.a == 0)|if (q.a = 0)|' '= assigns; to compare, write ==.'
 warned '& for &&' 05-quadratic 's|if (roots.t.i. > 0)|if (i \& 1 > 0)|' '&& is and, || is or; & and | work on bits.'
 warned 'a declaration after if' 05-quadratic '/^double hit_sphere/,/^}/s|return roots.t.i.;|float t = roots.t[i]; return t;|' \
-    'a declaration after if, else or for needs braces round it: { }.'
+    'a declaration after if, else or for needs braces around it: { }.'
 
 # A decimal comma, wherever the compiler stumbles over it.
-point='0,5 is two numbers in C. If it is meant as one, write 0.5.'
+point='0,5 is two numbers in C. If you mean one number, write 0.5.'
 decimal_comma() {
     broken "$2" "$3"
     check "a decimal comma $1" helps "$point"
@@ -144,7 +144,7 @@ check 'three arguments without blanks are no decimal comma' says_not 'two number
 
 broken 05-quadratic 's|for (int i = 0; i < roots.count; i++)|&;|'
 check 'a for that ends at once' \
-    helps "the ; behind for (...) in line $(line_of '; i++);') ends the loop: what follows is no longer part of it."
+    helps "the ; after for (...) in line $(line_of '; i++);') ends the loop: the next statement is no longer part of it."
 check 'a for that ends at once: said once for each' [ "$(grep -c "^$answer:" "$scratch/said")" -eq 2 ]
 explains 'a variable of a loop, behind it' 05-quadratic 's|return NO_HIT|return roots.t[i]|' \
     'i is known only inside the loop of line'
@@ -164,7 +164,7 @@ unclosed 03-screen pixel_center
 explains 'a { too many' 05-quadratic 's|(roots.t.i. > 0)|& {|' \
     'a } is missing, in or before the function that begins in line'
 explains 'a } too many' 05-quadratic 's|Roots roots = sphere_roots(ray, sphere);|& }|' \
-    'this stands outside of every function: before it there is a } too many.'
+    'this is outside of every function: there is one } too many before it.'
 
 # ---- the width ----------------------------------------------------------------------------------
 

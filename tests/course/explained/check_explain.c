@@ -244,8 +244,8 @@ START_TEST(what_is_declared_in_a_function_is_not_given_to_it)
                 "01-corners.c:4:12: error: 'y' undeclared (first use in this function)\n"
                 "    4 |     return y;\n"
                 "      |            ^\n"
-                "  help: nothing here is called y. A variable of your own is declared first,\n"
-                "        with its type.\n");
+                "  help: nothing here is called y. Declare a variable of your own first, with\n"
+                "        its type.\n");
 }
 END_TEST
 
@@ -302,7 +302,7 @@ START_TEST(a_main_of_ones_own_is_to_be_left_out)
                 "/usr/bin/ld: answer.o: in function `main':\n"
                 "a.c:(.text+0x0): multiple definition of `main'; answering.o: first defined here\n"
                 "collect2: error: ld returned 1 exit status\n",
-                "  leave main out: the tests have one\n");
+                "  remove main: the tests have their own\n");
 }
 END_TEST
 
