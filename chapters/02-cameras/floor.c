@@ -1,7 +1,7 @@
-// floor.c - a tiled floor, seen by the same look-at in a world of either hand.
+// floor.c - a tiled floor, seen by the same look-at in a right-handed and in a left-handed world.
 //
 // The x axis is red, the z axis blue, both from the origin in their positive direction. In one
-// world red leads to the right, in the other to the left: the pictures are mirror images.
+// world red goes to the right, in the other to the left: the pictures are mirror images.
 #include "chapters/02-cameras/floor.h"
 
 #include "common/picture.h"
@@ -25,7 +25,7 @@ static Color color_of_floor(vec3 eye, vec3 v)
     return light ? vec3_of(0.9, 0.88, 0.8) : vec3_of(0.55, 0.55, 0.5);
 }
 
-// Where the camera was refused, or not found, there is nothing to see.
+// If the camera was refused or is not answered yet, the pixel is black.
 static Color color_of_pixel(Pixel pixel, void *given)
 {
     (void)given;

@@ -1,4 +1,4 @@
-// floor.h - a tiled floor, seen by the same look-at in a world of either hand.
+// floor.h - a tiled floor, seen by the same look-at in a right-handed and in a left-handed world.
 #ifndef CHAPTERS_02_CAMERAS_FLOOR_H
 #define CHAPTERS_02_CAMERAS_FLOOR_H
 

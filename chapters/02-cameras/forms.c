@@ -1,4 +1,4 @@
-// forms.c - from the frame to the other forms; the way back is exercise 02.
+// forms.c - finds the other forms from the frame; the opposite direction is exercise 02.
 #include "chapters/02-cameras/forms.h"
 
 #include "exercises/01-corners.h"

@@ -10,10 +10,10 @@ typedef struct {
     vec3 across, upward; // from the lower left corner
 } Forms;
 
-// The other forms of this camera, by the vectors of exercise 01.
+// The other forms of this camera, computed with the vectors of exercise 01.
 Forms forms_of(Camera camera);
 
-// Which hand its frame has.
+// The hand of its frame.
 Handedness hand_of(Camera camera);
 
 #endif

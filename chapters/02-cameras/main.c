@@ -1,7 +1,8 @@
 // main.c - chapter 02: other ways to give a camera.
 //
-// The same camera in all five forms of the slides, there and back; then which hand the world has,
-// the angle that NFF gives, and what is no camera. Its picture (floor.c) shows both hands.
+// Shows one camera in all five forms of the slides and finds it again from each; then one look-at
+// in worlds of both hands, the angle that NFF gives, and numbers that are not a camera. Its picture
+// (floor.c) shows both hands.
 #include "chapters/02-cameras/figures/figures.h"
 #include "chapters/02-cameras/floor.h"
 #include "chapters/02-cameras/forms.h"
@@ -32,7 +33,7 @@ static void show_corners(Corners corners)
     story_line("  lower right", "%s", vec3_text(corners.lower_right).s);
 }
 
-// The rays of two cameras through the same places, as unit vectors: how far apart at most.
+// The largest difference between the rays of two cameras through the same places, as unit vectors.
 static double rays_apart(Camera c, Camera other)
 {
     double largest = 0;
@@ -82,7 +83,7 @@ static void five_forms(Camera c)
     story_line("eye", "%s", vec3_text(c.origin).s);
     show_corners(forms.vectors);
 
-    story_heading("And back: the frame found from each");
+    story_heading("And back: the frame that was found from each form");
     Camera found = c;
     CameraFault fault = camera_from_look_at(view, hand_of(c), &found);
     show_back("from the look-at", fault, found, c);
@@ -97,7 +98,7 @@ static void five_forms(Camera c)
 
 static void both_hands(Camera c)
 {
-    story_heading("The same look-at, in a world of either hand");
+    story_heading("The same look-at in a right-handed and in a left-handed world");
     for (Handedness hand = RIGHT_HANDED; hand <= LEFT_HANDED; hand++) {
         Camera found = c;
         CameraFault fault = camera_from_look_at(forms_of(c).look_at, hand, &found);
@@ -108,13 +109,13 @@ static void both_hands(Camera c)
         else
             story_line(hands[hand], "right %s", vec3_text(found.right).s);
     }
-    printf("  Mix them up, and the picture is its own mirror image.\n");
+    printf("  If you mix them up, the picture is its own mirror image.\n");
 }
 
 static void angles(Camera c)
 {
     double degrees = 2 * atan2(c.width / 2, c.distance) * 180 / PI;
-    story_heading("The width by its angle, as NFF gives it");
+    story_heading("The width from an angle, as NFF scenes give it");
     story_line("this camera sees", "%s degrees across", number_text(degrees).s);
     story_line("width from that angle", "%s", number_text(width_from_angle(degrees, c.distance)).s);
     story_line("90 degrees, distance 1", "%s", number_text(width_from_angle(90, 1)).s);
@@ -122,27 +123,27 @@ static void angles(Camera c)
 
 static void refusals(Camera c)
 {
-    Camera none = c;
-    LookAt nowhere = forms_of(c).look_at, along = nowhere;
-    nowhere.at = nowhere.eye;
-    along.up = 2 * (along.at - along.eye);
-    Corners skew = forms_of(c).vectors, aside = skew;
+    Camera unused = c;
+    LookAt at_the_eye = forms_of(c).look_at, up_along_view = at_the_eye;
+    at_the_eye.at = at_the_eye.eye;
+    up_along_view.up = 2 * (up_along_view.at - up_along_view.eye);
+    Corners skew = forms_of(c).vectors, sideways = skew;
     skew.upper_right += 0.1 * c.width * c.right;
-    aside.upper_left += c.width * c.right;
-    aside.upper_right += c.width * c.right;
-    aside.lower_left += c.width * c.right;
-    aside.lower_right += c.width * c.right;
+    sideways.upper_left += c.width * c.right;
+    sideways.upper_right += c.width * c.right;
+    sideways.lower_left += c.width * c.right;
+    sideways.lower_right += c.width * c.right;
 
-    story_heading("No cameras");
+    story_heading("Numbers that are not a camera");
     const struct {
-        const char *what;
+        const char *description;
         CameraFault fault;
-    } tries[] = {{"looking at the eye", camera_from_look_at(nowhere, hand_of(c), &none)},
-                 {"up along the view", camera_from_look_at(along, hand_of(c), &none)},
-                 {"one corner pulled out", camera_from_vectors(c.origin, skew, &none)},
-                 {"a plane not straight ahead", camera_from_vectors(c.origin, aside, &none)}};
+    } tries[] = {{"looking at the eye", camera_from_look_at(at_the_eye, hand_of(c), &unused)},
+                 {"up along the view", camera_from_look_at(up_along_view, hand_of(c), &unused)},
+                 {"one corner moved", camera_from_vectors(c.origin, skew, &unused)},
+                 {"a plane not straight ahead", camera_from_vectors(c.origin, sideways, &unused)}};
     for (int i = 0; i < 4; i++)
-        story_line(tries[i].what, "%s",
+        story_line(tries[i].description, "%s",
                    answers_missing() > 0 ? "not answered yet" : camera_fault_text(tries[i].fault));
 }
 
@@ -151,12 +152,12 @@ static bool given(vec3 v)
     return !isnan(v[0]);
 }
 
-static double or_else(double x, double otherwise)
+static double or_else(double x, double replacement)
 {
-    return isnan(x) ? otherwise : x;
+    return isnan(x) ? replacement : x;
 }
 
-// The camera of a look-at; what was not given is the deck's.
+// The camera of a look-at. Its camera is the deck's until camera_from_look_at stores another.
 static Camera camera_looking_at(const char *program, LookAt view, Handedness hand)
 {
     Camera c = camera_of_the_deck();
@@ -164,7 +165,7 @@ static Camera camera_looking_at(const char *program, LookAt view, Handedness han
     if (answers_report() != 0)
         exit(EXIT_COULD_NOT);
     if (fault != CAMERA_OK) {
-        fprintf(stderr, "%s: this is no camera: %s\n", program, camera_fault_text(fault));
+        fprintf(stderr, "%s: this is not a camera: %s\n", program, camera_fault_text(fault));
         exit(EXIT_COULD_NOT);
     }
     return c;
@@ -182,13 +183,13 @@ int main(int argc, char **argv)
     const char *picture = NULL;
     const Option options[] = {
         CAMERA_OPTIONS(c),
-        {"at", 'a', "X,Y,Z", option_vec3, &at, "a look-at, with --eye, --up, --width and:"},
+        {"at", 'a', "X,Y,Z", option_vec3, &at, "the look-at point; uses --eye, --up, --width and:"},
         {"aspect", 0, "RATIO", option_number, &aspect, "its width / height (1)"},
         {"picture", 0, "FILE.png", option_string, &picture, "draw a floor in worlds of both hands"},
         {"hand", 0, "left|right", option_hand, &hand, "the hand of its world (right)"},
         FIGURE_OPTIONS(figure),
         {0}};
-    Usage usage = {"[OPTION]...", "One camera in the five forms of the deck, there and back.\n"
+    Usage usage = {"[OPTION]...", "One camera in the five forms of the deck, and found from each.\n"
                                   "Without options: the deck's camera."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
@@ -196,9 +197,9 @@ int main(int argc, char **argv)
         return floor_picture(picture);
     bool frame_only = given(c.right) || given(c.forward) || !isnan(c.distance) || !isnan(c.height);
     if (given(at) && frame_only)
-        options_wrong(argv[0], "--at finds right, forward, distance and height by itself");
+        options_wrong(argv[0], "--at already gives right, forward, distance and height");
     if (!given(at) && (!isnan(aspect) || hand >= 0))
-        options_wrong(argv[0], "--aspect and --hand belong to --at");
+        options_wrong(argv[0], "--aspect and --hand need --at");
 
     vec3 up = given(c.up) ? c.up : deck.up;
     c.origin = given(c.origin) ? c.origin : deck.origin;
@@ -216,7 +217,7 @@ int main(int argc, char **argv)
     if (figure.name != NULL)
         return cameras_figure(argv[0], figure, c, up);
 
-    printf("02-cameras: one camera, told in five ways\n");
+    printf("02-cameras: one camera, given in five ways\n");
     if (given(at)) {
         story_heading("Up was given as %s", vec3_text(up).s);
         story_line("at right angles to f", "%s", vec3_text(c.up).s);

@@ -12,7 +12,7 @@ typedef struct {
     vec3 yours;
 } View;
 
-// Prints a figure's script; returns what main returns.
+// Prints a figure's script. Returns the exit status for main.
 int corners_figure(const char *program, FigureCommand command, const View *view);
 
 #endif

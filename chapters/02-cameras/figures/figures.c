@@ -1,4 +1,4 @@
-// figures.c - what the figures of chapter 02 show, in numbers.
+// figures.c - the numbers that the figures of chapter 02 show.
 #include "chapters/02-cameras/figures/figures.h"
 
 #include "chapters/02-cameras/forms.h"
@@ -14,7 +14,7 @@ typedef struct {
     vec3 up;
 } Given;
 
-// A camera that exercise 02 found from a form. Where it says there is none, all is in the eye.
+// A camera that exercise 02 found from a form. If it was refused, the plane is one point, the eye.
 typedef struct {
     const char *form;
     CameraFault fault;
@@ -41,12 +41,12 @@ static void plot_words(Plot *plot, Found found)
     plot_text(plot, name, words.s);
 }
 
-// $planes and $frames of all that was found, with an empty line between two cameras.
+// $planes and $frames of all cameras that were found, with an empty line between two cameras.
 static void plot_found(Plot *plot, const Found *found, int count)
 {
     for (int i = 0; i < count; i++)
         plot_words(plot, found[i]);
-    plot_block(plot, "planes", "x y z of the corners, from the upper left on");
+    plot_block(plot, "planes", "x y z of the corners, starting at the upper left");
     for (int i = 0; i < count; i++) {
         if (i > 0)
             plot_gap(plot);
@@ -68,7 +68,7 @@ static void plot_found(Plot *plot, const Found *found, int count)
     plot_block_end(plot);
 }
 
-// What is given, form by form.
+// The given numbers, form by form.
 static void plot_forms(Plot *plot, vec3 eye, Forms forms)
 {
     LookAt view = forms.look_at;
@@ -95,7 +95,7 @@ static void plot_forms(Plot *plot, vec3 eye, Forms forms)
     plot_vector(plot, "upward", forms.points.lower_left, forms.upward);
 }
 
-// Each form as it is given, and the camera that exercise 02 finds from it.
+// Each form, and the camera that exercise 02 finds from it.
 static void camera_forms(Plot *plot, void *given)
 {
     const Given *g = given;

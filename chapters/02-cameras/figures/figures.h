@@ -5,8 +5,8 @@
 #include "common/camera.h"
 #include "common/figure/plot.h"
 
-// Prints a figure's script; up is as it was given to a look-at, or the camera's own. Returns what
-// main returns.
+// Prints a figure's script. up is the up vector of a look-at, or the camera's own. Returns the exit
+// status for main.
 int cameras_figure(const char *program, FigureCommand command, Camera camera, vec3 up);
 
 #endif
