@@ -1,6 +1,6 @@
 // 05-quadratic.c - exercise 05: where a ray meets a sphere.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/05-quadratic.h. The lesson: chapters/05-quadratic/README.md.
 // After each change:   make exercises EX=05
 #include "exercises/05-quadratic.h"

@@ -1,6 +1,6 @@
 // 06-ray-casting.c - exercise 06: the picture.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/06-ray-casting.h. The lesson: chapters/06-ray-casting/README.md.
 // After each change:   make exercises EX=06
 #include "exercises/06-ray-casting.h"

@@ -1,17 +1,18 @@
 // 06-ray-casting.h - exercise 06: the picture.
 //
-// Slides 'Ray casting process' and 'Two ways of rendering a picture'. Made of the answers of 04
-// and 05. Colours are flat: what a sphere's surface says (scene_surface in scene.h).
-// Tolerance: none. Both orders give the same bytes. Worlds are of any size and have any number of
-// spheres; images are of any shape, also one pixel wide.
+// Slides 'Ray casting process' and 'Two ways of rendering a picture'. These functions call your
+// answers of 04 and 05. Colours are flat: a sphere has the colour of its surface (scene_surface in
+// scene.h).
+// Tolerance: none. Both orders give the same bytes. Worlds have any size and any number of spheres.
+// Images have any shape, for example one pixel wide.
 //
 // From common/image.h, for both orders:
 //   image_set(image, pixel, color);   colours one pixel of an Image *. The pixel is a Pixel, so
-//                                     {column, row}, counted from 0 at the upper left. A pixel
-//                                     outside the image ends the program with a message.
-//   image_index(image, pixel)         the number of this pixel, from 0, counted row by row from the
-//                                     top: depth[image_index(image, pixel)] is its depth. It does
-//                                     not check: a pixel outside gives a wrong number.
+//                                     {column, row}, counted from 0 at the upper left. If the pixel
+//                                     is outside the image, the program ends with a message.
+//   image_index(image, pixel)         returns the number of this pixel, counted from 0, row by row
+//                                     from the top: depth[image_index(image, pixel)] is its depth.
+//                                     It does not check: for a pixel outside, the number is wrong.
 #ifndef EXERCISES_06_RAY_CASTING_H
 #define EXERCISES_06_RAY_CASTING_H
 
@@ -20,17 +21,19 @@
 #include "common/ray.h"
 #include "common/scene.h"
 
-// "Find the closest in front of the camera that intersects the ray." The smallest t > 0 and the
-// index of its sphere; of equals, the lower index. None: NO_HIT and -1.
+// "Find the closest in front of the camera that intersects the ray." Returns the smallest t > 0 and
+// the index of its sphere. If two t are equal, the lower index wins. If no sphere is hit, it
+// returns NO_HIT and -1.
 Hit nearest_hit(Ray ray, const Scene *scene);
 
-// Image order: for each pixel on the screen, find the object that colours it. Sets every pixel
-// of the image, to the scene's background where nothing is hit.
+// Image order: for each pixel on the screen, find the object that colours it. Sets every pixel of
+// the image. If the ray of a pixel hits nothing, the pixel has the colour of the scene's
+// background.
 void cast_image_order(const Scene *scene, Camera camera, Image *image);
 
-// Object order: for each object, find the pixels that it colours; the two loops exchanged. depth
-// has room for one t per pixel, row by row from the top; what is in it does not matter before,
-// afterwards it holds the t of the nearest hit, or NO_HIT.
+// Object order: for each object, find the pixels that it colours. The two loops are exchanged.
+// depth has room for one t per pixel, row by row from the top. Before the call it may contain
+// anything; after the call it contains the t of the nearest hit, or NO_HIT.
 void cast_object_order(const Scene *scene, Camera camera, Image *image, double *depth);
 
 #endif

@@ -1,6 +1,6 @@
-// 07-shading.c - exercise 07: light, and what a surface makes of it.
+// 07-shading.c - exercise 07: light, and the colour that a surface sends back.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/07-shading.h. The lesson: chapters/07-shading/README.md.
 // After each change:   make exercises EX=07
 #include "exercises/07-shading.h"

@@ -1,14 +1,15 @@
-// 07-shading.h - exercise 07: light, and what a surface makes of it.
+// 07-shading.h - exercise 07: light, and the colour that a surface sends back.
 //
 // Slide 'Still something missing ...': the same three spheres, flat and shaded. Phong,
 // 'Illumination for Computer Generated Pictures', 1975; Blinn, 'Models of Light Reflection for
 // Computer Synthesized Pictures', 1977; Whitted, 'An Improved Illumination Model for Shaded
-// Display', 1980. Colours and lights are numbers from 0 on, not clamped before clamp_color; kd and
-// ks are 0 to 1. Normals are unit; other vectors have any length but 0, unless a line says unit.
-// Radii are positive.
-// Tolerance: 1e-9 of the numbers that go in; of a colour, of the light that goes in. Only what a
-// curved mirror shows depends a little on how far its rays start off the surface. Worlds and lights
-// are of any size: no number is too small or too large, and there may be any number of things.
+// Display', 1980. Colours and lights are numbers from 0 upwards; only clamp_color clamps them. kd
+// and ks are 0 to 1. Normals are unit vectors; other vectors have any length except 0, unless a
+// line says unit. Radii are positive.
+// Tolerance: 1e-9 of the numbers that go in; for a colour, of the light that goes in. Only the
+// image in a curved mirror depends a little on how far its rays start off the surface. Worlds and
+// lights have any size: no number is too small or too large. There may be any number of spheres and
+// lights.
 #ifndef EXERCISES_07_SHADING_H
 #define EXERCISES_07_SHADING_H
 
@@ -16,61 +17,64 @@
 #include "common/scene.h"
 #include "common/sphere.h"
 
-// The normal of a sphere at a point of it: unit, at right angles to the surface, outward.
+// The normal of a sphere at a point of it: a unit vector, at right angles to the surface, outward.
 vec3 surface_normal(Sphere sphere, vec3 point);
 
-// The ray from a place towards a light (scene.h). Of a point light, t = 1 is the light itself; of
-// a distant one the direction is the light's own, as long as it is, the same from everywhere.
+// The ray from a place towards a light (scene.h). For a point light, the light itself is at t = 1.
+// For a distant light, the direction is the light's own, with its own length, and the same from
+// everywhere.
 Ray ray_to_light(vec3 from, Light light);
 
-// What is there without any light: kd times the surface's colour, times the ambient light,
-// colour by colour.
+// The colour without any light source: kd times the colour of the surface, times the ambient light,
+// separately for red, green and blue.
 Color ambient_term(Color surface, double kd, Color ambient);
 
 // Lambert: kd times the colour, times the light, times the cosine of the angle between the normal
-// and the way to the light; nothing where the light is behind the surface.
+// and the direction to the light; black if the light is behind the surface.
 Color diffuse_term(Color surface, double kd, Color light, vec3 normal, vec3 to_light);
 
-// The direction in which a mirror sends a ray on, whichever side it comes from. As long as the one
-// that comes in.
+// The direction in which a ray continues from a mirror, whichever side it comes from. It has the
+// length of the direction that comes in.
 vec3 mirror_direction(vec3 direction, vec3 normal);
 
-// Phong's highlight, in the colour of the light: ks times the light, times the cosine between the
-// mirrored light and the way to the eye, to the power of shine. Nothing where that cosine is
-// negative, or the light is behind the surface. The eye is in front of it, and shine is not 0 where
-// the cosine is negative: pow(0, 0) is 1.
+// Phong's highlight, in the colour of the light: ks times the light, times the cosine of the angle
+// between the mirrored light and the direction to the eye, to the power of shine. Black if that
+// cosine is negative, or if the light is behind the surface. You may assume that the eye is in
+// front of the surface, and that shine is not 0 if the cosine is negative (pow(0, 0) is 1).
 Color phong_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
-// Blinn's variant: the cosine between the normal and the vector half-way between light and eye,
-// which may be anywhere.
+// Blinn's variant: the cosine is that of the angle between the normal and the vector half-way
+// between light and eye. Here the eye may be anywhere.
 Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
 // A point of a sphere, moved off its surface to the side to which normal points, so that a ray from
-// there does not meet the surface that it starts from: at least 2^-32 and at most 2^-28 times the
-// size of the numbers, which is the radius plus the largest coordinate of the centre (its absolute
-// value). No fixed epsilon: scenes are of any size.
+// there does not meet the surface where it starts. The distance is at least 2^-32 and at most 2^-28
+// times the size of the numbers. That size is the radius plus the largest absolute value of a
+// coordinate of the centre. Do not use a fixed epsilon: scenes have any size.
 vec3 off_surface(Sphere sphere, vec3 point, vec3 normal);
 
-// How much of a light arrives at a place: 1, or 0 where any sphere is in between. Of a point light,
-// what lies behind it is not in between. A surface that meets the light to a millionth of its
-// radius may be either.
+// How much of a light arrives at a place: 1, or 0 if any sphere is in between. A sphere beyond a
+// point light is not in between. If a surface touches the light, to a millionth of its radius, both
+// are right.
 double visibility(const Scene *scene, vec3 from, Light light);
 
-// The light that a surface sends back along the ray that hit it: ambient, and of each light that
-// arrives diffuse and Phong's specular. Seen from inside, the normal is turned to the eye's side.
-// The surface and the ambient light are the scene's. No mirrors. How the way to a light begins off
-// the surface is free, as long as it does not meet the surface there.
+// The light that a surface sends back along the ray that hit it: the ambient term, and for each
+// light that arrives the diffuse term and Phong's specular term. If the ray comes from inside, the
+// normal is turned to the side of the eye. The surface and the ambient light are those of the
+// scene. No mirrors. The ray to a light may start anywhere off the surface, as long as it does not
+// meet the surface there.
 Color shade(const Scene *scene, Ray ray, Hit hit);
 
-// The colour that a ray sees: the background; or what shade says and, where depth > 0 and the
-// surface's specular is not 0, specular times what the mirrored ray sees with depth - 1.
+// The colour that a ray sees. If it hits nothing, this is the background. If it hits a sphere, this
+// is the colour that shade returns; and if depth > 0 and the specular of the surface is not 0,
+// specular times the colour that the mirrored ray sees, with depth - 1, is added.
 Color trace_ray(const Scene *scene, Ray ray, int depth);
 
 // Each number at least 0 and at most 1.
 Color clamp_color(Color color);
 
-// For a display of this gamma, which is positive: each number to the power of 1 / gamma. Numbers
-// are 0 to 1.
+// The colour for a display of this gamma, which is positive: each number to the power of 1 / gamma.
+// Numbers are 0 to 1.
 Color gamma_encode(Color color, double gamma);
 
 #endif

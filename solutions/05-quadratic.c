@@ -1,6 +1,6 @@
 // 05-quadratic.c - exercise 05: where a ray meets a sphere.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/05-quadratic.h. The lesson: chapters/05-quadratic/README.md.
 // After each change:   make exercises EX=05
 #include "exercises/05-quadratic.h"
@@ -8,8 +8,8 @@
 #include "common/answers.h"
 
 // BEGIN SOLUTION
-// The slide's a, b, c, and roots that keep their digits: q instead of a difference of nearly
-// equal numbers, and for the sphere a discriminant measured at the ray's closest approach.
+// The slide's a, b, c, and roots that keep their digits: no difference of nearly equal numbers, and
+// for the sphere a discriminant computed at the point of the ray that is closest to the centre.
 // END SOLUTION
 
 Ray to_object_coordinates(Ray ray, Sphere sphere)
@@ -53,8 +53,8 @@ static Roots ascending(double t, double u)
     return t <= u ? (Roots){2, {t, u}} : (Roots){2, {u, t}};
 }
 
-// b^2 - 4ac to nearly its last digit: fma yields what rounding the product 4ac lost (Kahan, 'On the
-// Cost of Floating-Point Computation Without Extra-Precise Arithmetic').
+// b^2 - 4ac, exact almost to its last digit: fma gives the part of 4ac that rounding lost (Kahan,
+// 'On the Cost of Floating-Point Computation Without Extra-Precise Arithmetic').
 static double discriminant(Quadratic q)
 {
     double product = 4 * q.a * q.c;
@@ -62,8 +62,8 @@ static double discriminant(Quadratic q)
     return fma(q.b, q.b, -product) + lost;
 }
 
-// With t = 2^k u and all three coefficients times a power of two, nothing overflows, and b^2 and
-// 4ac count alike. Powers of two cost no digit.
+// Substitutes t = 2^k u and multiplies all three coefficients by a power of two, so that nothing
+// overflows and b^2 and 4ac have similar sizes. Powers of two lose no digits.
 static Quadratic balanced(Quadratic q, int *k)
 {
     *k = q.c == 0 ? exponent(q.b) - exponent(q.a) : (exponent(q.c) - exponent(q.a)) / 2;
@@ -87,7 +87,7 @@ Roots quadratic_roots(Quadratic q)
     if (q.a == 0)
         return q.b == 0 ? (Roots){0} : (Roots){1, {-q.c / q.b}};
 
-    // Where b^2 outweighs 4ac by far, the square root is b to the last digit.
+    // If b^2 is much larger than 4ac, the square root is b to the last digit.
     if (q.b != 0 && 2 * exponent(q.b) - exponent(q.a) - exponent(q.c) > 200)
         return ascending(-q.b / q.a, -q.c / q.b);
 
@@ -96,8 +96,8 @@ Roots quadratic_roots(Quadratic q)
     double d = discriminant(even);
     if (d < 0)
         return (Roots){0};
-    // -b and the square root get the same sign, so that they add up and no digit is lost; the
-    // other root follows from their product, c / a.
+    // -b and the square root get the same sign, so that they add up and no digit is lost. The
+    // other root follows from the product of both roots, c / a.
     double sum = -(even.b + copysign(sqrt(d), even.b)) / 2;
     if (sum == 0)
         return (Roots){2, {0, 0}};
@@ -106,9 +106,9 @@ Roots quadratic_roots(Quadratic q)
 }
 
 // BEGIN SOLUTION
-// The line p + tv against a sphere of radius r round the origin. At its closest approach to the
-// centre it is l away, at t = -p.v / v.v; half the chord inside the sphere is then
-// sqrt(r^2 - l^2). Written as (r - l)(r + l) nothing cancels, however far p is.
+// Where the line p + tv meets a sphere of radius r around the origin. The line is closest to the
+// centre at t = -p.v / v.v. Its distance is l there, so half the chord is sqrt(r^2 - l^2) long.
+// Written as (r - l)(r + l), no digits cancel, however far away p is.
 static Roots roots_near_origin(vec3 p, vec3 v, double r)
 {
     double a = vec3_dot(v, v);
@@ -117,7 +117,7 @@ static Roots roots_near_origin(vec3 p, vec3 v, double r)
     double l_squared = vec3_dot(closest, closest);
     if (!(l_squared <= r * r))
         return (Roots){0};
-    double l = fmin(sqrt(l_squared), r); // among the tiniest numbers squares are rough
+    double l = fmin(sqrt(l_squared), r); // squares of the smallest numbers lose digits
     double distance = vec3_length(p);
     double c = (distance - r) * (distance + r);
     double sum = -(half_b + copysign(sqrt(a * (r - l) * (r + l)), half_b));
@@ -136,7 +136,7 @@ static bool squares_well(double x)
     return x > 0x1p-400 && x < 0x1p400;
 }
 
-// The same with everything brought near 1 by powers of two.
+// The same, after powers of two have scaled all numbers to about 1.
 static Roots roots_when_extreme(Ray ray, Sphere sphere)
 {
     vec3 o = ray.origin, c = sphere.center, v = ray.direction;
@@ -145,7 +145,7 @@ static Roots roots_when_extreme(Ray ray, Sphere sphere)
     int speed = exponent(largest(v));
     v = vec3_of(ldexp(v[0], -speed), ldexp(v[1], -speed), ldexp(v[2], -speed));
 
-    // Halved first, since o - c may overflow.
+    // Halved first, because o - c may overflow.
     vec3 p = o / 2 - c / 2;
     double r = sphere.radius / 2;
     int size = exponent(fmax(largest(p), r));

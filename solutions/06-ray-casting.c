@@ -1,6 +1,6 @@
 // 06-ray-casting.c - exercise 06: the picture.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/06-ray-casting.h. The lesson: chapters/06-ray-casting/README.md.
 // After each change:   make exercises EX=06
 #include "exercises/06-ray-casting.h"
@@ -10,8 +10,8 @@
 #include "exercises/05-quadratic.h"
 
 // BEGIN SOLUTION
-// For each pixel its ray, for the ray its nearest hit, for the hit its colour: image order. Turn
-// the loops inside out, remember a depth per pixel, and it is object order.
+// Image order: for each pixel its ray, for the ray its nearest hit, for the hit its colour. If you
+// exchange the loops and remember a depth for each pixel, it is object order.
 // END SOLUTION
 
 Hit nearest_hit(Ray ray, const Scene *scene)

@@ -1,6 +1,6 @@
-// 07-shading.c - exercise 07: light, and what a surface makes of it.
+// 07-shading.c - exercise 07: light, and the colour that a surface sends back.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/07-shading.h. The lesson: chapters/07-shading/README.md.
 // After each change:   make exercises EX=07
 #include "exercises/07-shading.h"
@@ -10,8 +10,8 @@
 #include "exercises/06-ray-casting.h"
 
 // BEGIN SOLUTION
-// Light is added up: what is everywhere, and from each light that nothing hides what the surface
-// scatters and what it throws like a mirror. A mirror asks the same question once more.
+// The colour is a sum: the ambient light, and for each light that no sphere hides, the diffuse and
+// the specular light. A mirror asks the same question again, with another ray.
 // END SOLUTION
 
 vec3 surface_normal(Sphere sphere, vec3 point)
@@ -106,7 +106,7 @@ double visibility(const Scene *scene, vec3 from, Light light)
 }
 
 // BEGIN SOLUTION
-// The normal at a hit, on the side from which the ray came.
+// The normal at a hit, turned to the side from which the ray came.
 static vec3 normal_at(Sphere sphere, vec3 point, Ray ray)
 {
     vec3 normal = surface_normal(sphere, point);
