@@ -9,8 +9,8 @@
 
 // ---- off_surface: how far, and to which side ---------------------------------------------------
 
-// From a point of the sphere, straight to the side of the normal, by what the contract allows: any
-// number from 2^-32 to 2^-28 of the size.
+// From a point of the sphere, straight to the side of the normal, by the step that the contract
+// allows: any number from 2^-32 to 2^-28 of the size.
 static void expect_off(Sphere sphere, vec3 point, vec3 normal, double size)
 {
     const double rounding = 0x1p-46 * size;
@@ -21,11 +21,12 @@ static void expect_off(Sphere sphere, vec3 point, vec3 normal, double size)
     vec3 moved = off_surface(sphere, point, normal) - point;
     double along = vec3_dot(moved, normal), aside = vec3_length(moved - along * normal);
     char expected[200];
-    snprintf(expected, sizeof expected, "moved by %.24s to %.24s along the normal, and not aside",
+    snprintf(expected, sizeof expected,
+             "moved by %.24s to %.24s along the normal, and not to the side",
              number_text_to(0x1p-32 * size, 3).s, number_text_to(0x1p-28 * size, 3).s);
     expect_law(along >= 0x1p-32 * size - rounding && along <= 0x1p-28 * size + rounding &&
                    aside <= rounding,
-               expected, "moved by %.40s along the normal, by %.40s aside",
+               expected, "moved by %.40s along the normal, by %.40s to the side",
                number_text_to(along, 3).s, number_text_to(aside, 3).s);
 }
 
@@ -34,7 +35,7 @@ static Sphere sphere_round(vec3 center, double radius)
     return (Sphere){.center = center, .radius = radius};
 }
 
-// So that the sphere touches the origin of the world, where the smallest step is seen.
+// So that the sphere touches the origin of the world, where the smallest step is visible.
 static Sphere sphere_at_origin(vec3 outward, double radius)
 {
     return sphere_round(-radius * outward, radius);
@@ -68,7 +69,7 @@ START_TEST(scenes_may_be_of_any_size)
 }
 END_TEST
 
-// The farther from the origin of the world, the coarser are the numbers there.
+// The farther from the origin of the world, the coarser the numbers are.
 START_TEST(a_small_sphere_far_away_needs_as_large_a_step_as_a_large_one)
 {
     vec3 up = vec3_of(0, 1, 0);
@@ -124,7 +125,7 @@ START_TEST(anywhere_it_is_a_step_along_the_normal)
 }
 END_TEST
 
-// ---- visibility: what is between a place and a light -------------------------------------------
+// ---- visibility: spheres between a point and a light ------------------------------------------
 
 // By hand, mostly on an axis.
 
@@ -171,7 +172,8 @@ START_TEST(a_sphere_beside_hides_nothing)
 }
 END_TEST
 
-// Seen from (0, 6, 0) the light is beyond the sphere; the way to its coordinates is another.
+// Seen from (0, 6, 0) the light is beyond the sphere; the vector to its coordinates has another
+// direction.
 START_TEST(the_way_to_a_point_light_begins_at_the_place)
 {
     expect_visible(sphere_on_the_axis(4, 1), vec3_of(0, 6, 0), point_light(0, -6, 8), 0);
@@ -179,7 +181,7 @@ START_TEST(the_way_to_a_point_light_begins_at_the_place)
 }
 END_TEST
 
-// By chance these are 1 in lengths of the way to the light; that of (0, 0, 4) is 4 long.
+// By chance these are 1 in lengths of the vector to the light; that of (0, 0, 4) is 4 long.
 START_TEST(what_is_behind_a_point_light_hides_nothing)
 {
     expect_visible(sphere_on_the_axis(6, 1), origin, point_light(0, 0, 4), 1);
@@ -259,7 +261,7 @@ START_TEST(two_spheres_hide_a_light_no_more_than_one)
 }
 END_TEST
 
-// The nearest of all is no help: it is behind the light, beside the way or before the place.
+// The nearest of all does not hide it: it is behind the light, beside the way or behind the point.
 START_TEST(of_spheres_only_those_in_between_count)
 {
     const World *world =
@@ -316,16 +318,16 @@ START_TEST(glass_hides_a_light_like_anything_else)
     glass.transmittance = 0.8;
     empty_world(&world);
     put_sphere(&world, vec3_of(0, 0, 5), 1, glass);
-    given("made so", "that the sphere lets 0.8 of the light through");
+    given("known", "the sphere lets 0.8 of the light through");
     expect_visible(&world, origin, point_light(0, 0, 10), 0);
 }
 END_TEST
 
-// ---- shade: what each light gives, by hand -----------------------------------------------------
+// ---- shade: the terms of each light, by hand ---------------------------------------------------
 
 // A sphere of radius 1 whose highest point is the origin of the world, seen from straight above:
-// there the normal is up, and so is the way to the eye. Ambient is 0.5 * (0.8, 0.6, 0.4) times the
-// ambient light.
+// there the normal is up, and so is the direction to the eye. Ambient is 0.5 * (0.8, 0.6, 0.4)
+// times the ambient light.
 static const Color ambient = {0.5 * 0.8 * 0.3, 0.5 * 0.6 * 0.2, 0.5 * 0.4 * 0.1};
 
 static World world;
@@ -496,7 +498,7 @@ START_TEST(how_long_the_direction_of_the_ray_is_does_not_change_the_shade)
 }
 END_TEST
 
-// Eye and light in a hollow sphere round the origin, opposite the point: it is turned to them.
+// Eye and light in a hollow sphere around the origin, opposite the point: its surface faces them.
 START_TEST(inside_a_sphere_the_surface_is_turned_to_the_eye)
 {
     empty_world(&world);
@@ -610,7 +612,7 @@ START_TEST(what_a_mirror_shows_is_lit_as_it_is)
 }
 END_TEST
 
-// Bright light from the middle; the sum is not clamped on the way.
+// Bright light from the centre; the sum is not clamped on the way.
 START_TEST(bright_light_is_not_clamped_in_mirrors_either)
 {
     facing_mirrors(0.5, 0.25);
@@ -621,9 +623,9 @@ START_TEST(bright_light_is_not_clamped_in_mirrors_either)
 }
 END_TEST
 
-// Hit at (3, 0, 4), where the normal is (3, 0, 4) / 5: what came along -z leaves along (24, 0, 7).
-// Other spheres wait straight on, along the normal, the other way round, and back where it came
-// from; and a lamp inside the ball, where nobody should see it.
+// Hit at (3, 0, 4), where the normal is (3, 0, 4) / 5: a ray along -z leaves along (24, 0, 7).
+// Other spheres are straight on, along the normal, in the opposite direction, and back at the
+// start; and a lamp is inside the ball, where no ray should see it.
 START_TEST(the_angle_out_is_the_angle_in)
 {
     const vec3 hit = {3, 0, 4}, mirrored = {0.96, 0, 0.28};
@@ -669,13 +671,13 @@ END_TEST
 
 // ---- scenes of any size, and random ones -------------------------------------------------------
 
-// What is seen in a mirror must not depend on how far a right answer goes off its surface: random
+// The colour in a mirror must not depend on how far a right answer goes off its surface: random
 // mirrors face each other on an axis, or their colours are ambient only.
 
 // ---- visibility ---------------------------------------------------------------------------------
 
-// The shadow of a sphere in the light of a point is a cone: its half angle has the sine
-// radius / distance. Places behind the sphere, a little inside that cone and a little outside.
+// The shadow of a sphere in the light of a point is a cone: its half angle has the sine radius /
+// distance. Points behind the sphere, a little inside that cone and a little outside.
 START_TEST(in_an_eclipse_the_shadow_is_a_cone)
 {
     for (int i = 0; i < 20; i++) {
@@ -714,8 +716,8 @@ END_TEST
 
 // ---- shade --------------------------------------------------------------------------------------
 
-// A hit is right to within rounding only. So short of the surface or behind it are 5e-11 of the
-// radius, less than off_surface goes at least.
+// A hit is right only to within rounding. So these are in front of the surface or behind it by
+// 5e-11 of the radius, less than the smallest step of off_surface.
 START_TEST(a_hit_that_rounding_put_a_hair_inside_the_sphere_is_lit)
 {
     for (int i = -6; i <= 8; i += 2) {
@@ -735,7 +737,7 @@ START_TEST(a_hit_that_rounding_put_a_hair_inside_the_sphere_is_lit)
 }
 END_TEST
 
-// The crumb is so many radii above it, and half as large: in the way of the light from above,
+// The crumb is this many radii above it, and half as large: in the way of the light from above,
 // beside the way of the other, whose mirror image meets the eye.
 START_TEST(a_crumb_close_to_the_surface_casts_its_shadow)
 {
@@ -787,7 +789,7 @@ START_TEST(mirrors_may_be_close_together_in_scenes_of_any_size)
 }
 END_TEST
 
-// Whatever a ball alone mirrors is not itself, also where the eye is close to it and the origin of
+// A single ball mirrors everything except itself, even if the eye is close to it and the origin of
 // the world is far away.
 START_TEST(a_ball_does_not_see_itself)
 {
@@ -849,10 +851,11 @@ START_TEST(any_mirrors_show_what_geometry_says)
 }
 END_TEST
 
-// ---- no limit is right, of how many, how near, how far, how deep or how weak -------------------
+// ---- no limit is right: how many, how near, how far, how deep or how weak ---------------------
 
-// Ladders: whoever has a limit fails at the rung behind it, and is known by that. Of many things
-// there is room for all: the last that somebody has room for is there, and then one more.
+// Ladders: an answer with a limit fails at the first rung after it, and that rung names the limit.
+// Any number of things is allowed: first as many as an answer with a fixed size has room for, and
+// then one more.
 
 static const vec3 onward = {0, 0, 1};
 
@@ -876,7 +879,7 @@ static Light light_at(LightKind kind, vec3 position)
 
 // ---- visibility ---------------------------------------------------------------------------------
 
-// One sphere whose near side is so far onward, a tenth of that large.
+// One sphere whose near side is at this distance, a tenth of that large.
 static void one_sphere(double t)
 {
     empty_world(&world);
@@ -915,8 +918,9 @@ START_TEST(however_long_the_way_to_a_light_is_a_sphere_in_between_hides_it)
 }
 END_TEST
 
-// By a part of the radius that is ten times what a hit may be off: the surface is that close before
-// the light, or behind it. The farther the light, the smaller is that beside the way to it.
+// By a part of the radius that is ten times the allowed error of a hit: the surface is that close
+// in front of the light, or beyond it. The farther the light, the smaller that is compared with the
+// way to it.
 START_TEST(what_is_just_before_a_light_hides_it_and_what_is_just_behind_does_not)
 {
     for (int i = 0; i < 6; i++) {
@@ -966,7 +970,7 @@ static Color ambient_seen(void)
     return ambient_of(&world, 0);
 }
 
-// Straight above, where the light gives all that it can: of each light its number is its colour.
+// Straight above, where the light has its full effect: the colour of each light is its number.
 START_TEST(the_last_of_however_many_lights_counts)
 {
     static const int most[] = {2, 3, 4, 5, 8, 10, 16, 20, 32};
@@ -1001,7 +1005,7 @@ START_TEST(light_of_any_strength_is_scattered_and_mirrored)
 }
 END_TEST
 
-// 0.3, 0.03 ... 3e-7, above the horizon of a light that is white.
+// 0.3, 0.03 ... 3e-7, above the horizon of a white light.
 enum { SMALL = 7 };
 
 START_TEST(however_low_the_light_is_it_is_scattered)
@@ -1059,7 +1063,7 @@ END_TEST
 
 // ---- trace_ray ----------------------------------------------------------------------------------
 
-// Two mirrors on the axis, 4 before the eye and 6 behind it.
+// Two mirrors on the axis, 4 in front of the eye and 6 behind it.
 static void facing(double ks, double other_ks)
 {
     empty_world(&world);
@@ -1090,7 +1094,7 @@ START_TEST(however_weak_a_mirror_is_it_mirrors)
 }
 END_TEST
 
-// In each other they show less and less: 0.04, 0.0016 ... 3e-7 of it.
+// In each other they show less and less: 0.04, 0.0016 ... 3e-7 of the light.
 START_TEST(however_little_comes_through_all_mirrors_it_counts)
 {
     for (int depth = 0; depth <= 5; depth++) {

@@ -1,5 +1,5 @@
-// 07-shading.c - tests of exercise 07. Expected: terms worked by hand with cosines that are short
-// numbers, and vectors that were built from the angles that they must have.
+// 07-shading.c - tests of exercise 07. Expected values: terms worked out by hand with cosines that
+// are short numbers, and vectors that were constructed from the angles that they must have.
 #include "tests/07-shading/support.h"
 
 #include "tests/07-shading/support-scene.h"
@@ -130,7 +130,7 @@ START_TEST(what_runs_along_the_mirror_runs_on)
 }
 END_TEST
 
-// By hand: (3, 3, -3) goes 3 along (2, 2, 1) / 3, so twice that, (4, 4, 2), is taken off.
+// By hand: (3, 3, -3) goes 3 along (2, 2, 1) / 3, so twice that, (4, 4, 2), is subtracted.
 START_TEST(a_mirror_that_stands_askew)
 {
     expect_mirrored(vec3_of(3, 3, -3), vec3_of(-2, -2, -1) / 3, vec3_of(-1, -1, -5));
@@ -195,7 +195,7 @@ START_TEST(much_ambient_light_may_be_brighter_than_white)
 }
 END_TEST
 
-// What comes out is chosen, and the ambient light made to fit.
+// The result is chosen, and the ambient light made to fit.
 START_TEST(an_ambient_term_that_was_chosen_comes_back)
 {
     for (int i = 0; i < 20; i++) {
@@ -222,7 +222,7 @@ static void expect_diffuse(Color surface, double kd, Color light, vec3 normal, v
                 TOLERANCE * largest(light));
 }
 
-// A surface that has all of a white light: what comes out is the share that arrives.
+// A surface that reflects all of a white light: the result is the share that arrives.
 static void expect_diffuse_share(vec3 to_light, double share)
 {
     expect_diffuse(vec3_of(1, 1, 1), 1, vec3_of(1, 1, 1), up, to_light, share * vec3_of(1, 1, 1));
@@ -235,7 +235,7 @@ START_TEST(light_from_straight_above_is_scattered_in_full)
 }
 END_TEST
 
-// 3, 4, 5: the cosine is 4 / 5 where the light is high, and 3 / 5 where it is low.
+// 3, 4, 5: the cosine is 4 / 5 if the light is high, and 3 / 5 if it is low.
 START_TEST(the_lower_the_light_the_less_is_scattered)
 {
     expect_diffuse_share(vec3_of(0.6, 0.8, 0), 0.8);
@@ -303,7 +303,7 @@ static void expect_phong(double ks, double shine, Color light, vec3 normal, vec3
                 TOLERANCE * largest(light));
 }
 
-// All of a white light, over a surface that lies flat.
+// All of a white light, over a horizontal surface.
 static void expect_phong_share(double shine, vec3 to_light, vec3 to_eye, double share)
 {
     expect_phong(1, shine, vec3_of(1, 1, 1), up, to_light, to_eye, share * vec3_of(1, 1, 1));
@@ -371,8 +371,8 @@ START_TEST(far_from_the_mirrored_light_there_is_no_highlight)
 }
 END_TEST
 
-// Mirrored all the same, (4, -3, 0) would go to (-4, -3, 0); the cosine of (-4, 1, 0) with that is
-// positive.
+// If it were mirrored nevertheless, (4, -3, 0) would go to (-4, -3, 0); the cosine of (-4, 1, 0)
+// with that is positive.
 START_TEST(a_light_behind_the_surface_makes_no_highlight)
 {
     expect_phong_share(2, vec3_of(4, -3, 0), vec3_of(-4, -3, 0), 0);
@@ -384,8 +384,8 @@ START_TEST(a_light_behind_the_surface_makes_no_highlight)
 }
 END_TEST
 
-// The light and its mirrored way are as far from the normal, on either side of it, and the eye is
-// at a chosen angle from the latter, above the surface.
+// The light and its mirrored direction are equally far from the normal, on opposite sides, and the
+// eye is at a chosen angle from the latter, above the surface.
 START_TEST(at_an_angle_from_the_mirrored_light_that_was_chosen)
 {
     for (int i = 0; i < 40; i++) {
@@ -414,7 +414,7 @@ static void expect_halfway(double ks, double shine, Color light, vec3 normal, ve
                 TOLERANCE * largest(light));
 }
 
-// All of a white light, over a surface that lies flat.
+// All of a white light, over a horizontal surface.
 static void expect_halfway_share(double shine, vec3 to_light, vec3 to_eye, double share)
 {
     expect_halfway(1, shine, vec3_of(1, 1, 1), up, to_light, to_eye, share * vec3_of(1, 1, 1));
@@ -494,8 +494,8 @@ START_TEST(from_behind_the_surface_comes_no_highlight)
 }
 END_TEST
 
-// The half-way vector is at a chosen angle from the normal; light and eye are as far from it, on
-// either side.
+// The half-way vector is at a chosen angle from the normal; light and eye are equally far from it,
+// on opposite sides.
 START_TEST(half_way_at_an_angle_that_was_chosen)
 {
     for (int i = 0; i < 40; i++) {
@@ -576,7 +576,7 @@ START_TEST(with_a_gamma_of_1_nothing_changes)
 }
 END_TEST
 
-// The display squares what it gets, so a quarter of the light wants half; and so on.
+// The display squares its input, so a quarter of the light needs half; and so on.
 START_TEST(a_gamma_of_2_wants_the_square_root_and_3_the_cube_root)
 {
     expect_encoded(vec3_of(0.25, 0.01, 0.81), 2, vec3_of(0.5, 0.1, 0.9));
@@ -595,7 +595,7 @@ START_TEST(black_stays_black_and_white_stays_white)
 }
 END_TEST
 
-// With another program: 2.2nd roots.
+// From another program: 2.2nd roots.
 START_TEST(a_gamma_of_2_2_as_most_displays_have_it)
 {
     expect_encoded(vec3_of(0.2, 0.5, 0.8), 2.2,
@@ -617,10 +617,10 @@ END_TEST
 
 // ---- light of any strength, from any distance and angle ----------------------------------------
 
-// Nothing is too weak, too low, too far or too bright to count. Ladders: whoever has a limit fails
-// at the rung behind it, and is known by that.
+// No light is too weak, too low, too far or too bright to count. Ladders: an answer with a limit
+// fails at the first rung after it, and that rung names the limit.
 
-// 0.3, 0.03 ... 3e-8: what can still be told from 0 by the tolerance of a colour.
+// 0.3, 0.03 ... 3e-8: the smallest that the tolerance of a colour still distinguishes from 0.
 enum { SMALL = 8 };
 
 static double small(int i)
@@ -638,7 +638,7 @@ static double size_number(int i)
 
 static const vec3 white = {1, 1, 1};
 
-// ---- the ways of light --------------------------------------------------------------------------
+// ---- directions of light ------------------------------------------------------------------------
 
 START_TEST(a_normal_is_unit_in_worlds_of_any_size)
 {
@@ -756,7 +756,7 @@ START_TEST(a_surface_that_hardly_shines_has_a_weak_highlight_here_too)
 }
 END_TEST
 
-// ---- how far ------------------------------------------------------------------------------------
+// ---- distances ----------------------------------------------------------------------------------
 
 START_TEST(a_light_may_be_as_near_or_as_far_as_it_likes)
 {
@@ -788,7 +788,7 @@ START_TEST(here_too_light_and_eye_may_be_as_near_or_as_far_as_they_like)
 }
 END_TEST
 
-// ---- which angle --------------------------------------------------------------------------------
+// ---- angles -------------------------------------------------------------------------------------
 
 START_TEST(a_light_however_low_still_scatters)
 {
@@ -819,7 +819,7 @@ START_TEST(a_light_however_low_has_its_highlight)
 }
 END_TEST
 
-// Half-way between it and the eye is half of the angle between them from the eye.
+// The half-way vector between it and the eye is at half the angle between them from the eye.
 START_TEST(a_light_however_low_has_its_highlight_here_too)
 {
     for (int i = 0; i < SMALL; i++) {
@@ -840,7 +840,7 @@ START_TEST(a_cosine_however_small_has_its_power)
 }
 END_TEST
 
-// Light and eye in the same direction: that is half-way, too.
+// Light and eye in the same direction: that is also the half-way vector.
 START_TEST(a_cosine_however_small_has_its_power_here_too)
 {
     for (int i = 0; i < SMALL; i++) {
@@ -854,7 +854,7 @@ END_TEST
 
 // ---- shine --------------------------------------------------------------------------------------
 
-// From the dullest to the most polished: where half of ks of the light is seen.
+// From the dullest to the most polished: the angle at which half of ks of the light is seen.
 static const double shines[] = {0.25, 0.75, 1,   3,   10,  11,  20,   33,
                                 64,   100,  101, 128, 129, 300, 1001, 1e4};
 enum { SHINES = sizeof shines / sizeof *shines };
@@ -892,7 +892,7 @@ START_TEST(a_high_power_leaves_little)
 }
 END_TEST
 
-// How much of it is seen at a small angle from the middle: with a high power that is not all of it.
+// The share that is seen at a small angle from the middle: with a high power that is not all of it.
 static double near_the_middle(double angle)
 {
     return pow(cos(angle), 50);
@@ -948,7 +948,7 @@ START_TEST(however_bright_it_is_it_becomes_1)
 }
 END_TEST
 
-// With another program, as above: 0.4 to the power of 1 / gamma.
+// From another program, as above: 0.4 to the power of 1 / gamma.
 START_TEST(any_gamma_is_taken_as_it_is)
 {
     for (int i = 0; i < 12; i++) {

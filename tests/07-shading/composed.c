@@ -1,9 +1,9 @@
-// composed.c - answers to exercise 07 that ask others of it.
+// composed.c - answers to exercise 07 that call other answers of it.
 #include "tests/proof/composed.h"
 
 #include "exercises/07-shading.h"
 
-// Calls itself: that is no question to another.
+// It calls itself: that is not a call of another answer.
 Color own_trace_ray(const Scene *scene, Ray ray, int depth);
 #define trace_ray own_trace_ray
 #include "solutions/07-shading.c"

@@ -1,4 +1,5 @@
-// laws-colors.c - laws of what a display gets: it fits, and it comes out as it was meant.
+// laws-colors.c - laws of the colours for a display: they fit, and the display shows them as
+// intended.
 #include "tests/07-shading/laws.h"
 
 #include "tests/judge/reference/distinct_digits.h"
@@ -15,10 +16,10 @@ void law_clamp_color(Color yours, Color color)
             law_broken("your %s is %s; it must be at least 0 and at most 1", names[i],
                        number_text(yours[i]).s);
         else if (fits && !(fabs(yours[i] - color[i]) <= enough))
-            law_broken("your %s is %s; it was %s, between 0 and 1, and stays as it was", names[i],
+            law_broken("your %s is %s; it was %s, between 0 and 1, and must not change", names[i],
                        apart(yours[i], color[i]).yours.s, apart(yours[i], color[i]).right.s);
         else if (!fits && !(fabs(yours[i] - (color[i] > 1)) <= enough))
-            law_broken("your %s is %s; it was %s, and %d is the nearest that fits", names[i],
+            law_broken("your %s is %s; it was %s, and %d is the nearest value that fits", names[i],
                        number_text(yours[i]).s, number_text(color[i]).s, color[i] > 1);
         else
             continue;
@@ -38,8 +39,8 @@ void law_gamma_encode(Color yours, Color color, double gamma)
             law_broken("your %s is %s, which no display can show", names[i],
                        number_text(yours[i]).s);
         else
-            law_broken("your %s is %s: to the power of gamma, which is what the display makes of "
-                       "it, that is %s, and %s was meant",
+            law_broken("your %s is %s: the display raises it to the power of gamma, which gives "
+                       "%s, but it should give %s",
                        names[i], number_text(yours[i]).s, a.yours.s, a.right.s);
         return;
     }

@@ -1,7 +1,7 @@
-// laws-scene.c - laws of light in a scene: what is in between, and what adds up.
+// laws-scene.c - laws of light in a scene: what hides it, and how it adds up.
 //
-// They judge what was asked for by the right answers to what it is made of, and keep silent where
-// rounding, or how far a right answer goes off its surface, may decide.
+// They judge an answer by the right answers to its parts, and are silent if rounding, or how far a
+// right answer goes off its surface, may decide.
 #include "tests/07-shading/laws.h"
 
 #include "exercises/05-quadratic.h"
@@ -19,32 +19,30 @@ void law_off_surface(vec3 yours, Sphere sphere, vec3 point, vec3 normal)
     if (!vec3_is_finite(yours))
         law_broken("your point is %s", vec3_text(yours).s);
     else if (!(aside <= rounding) && aside > fabs(along))
-        law_broken("your point is %s away from the one that was given, and not along the normal",
+        law_broken("your point is %s away from the given one, and not along the normal",
                    number_text_to(vec3_length(moved), 3).s);
     else if (fabs(along) <= rounding)
-        law_broken("your point has not moved, or by next to nothing: numbers like these, up to %s, "
-                   "are not that fine",
+        law_broken("your point has not moved, or almost not: numbers of this size, up to %s, are "
+                   "not that fine",
                    number_text_to(size, 3).s);
     else if (along < 0)
-        law_broken("your point has moved by %s to the side to which the normal does not point",
+        law_broken("your point has moved by %s to the side opposite to the normal",
                    number_text_to(-along, 3).s);
     else if (along < least - rounding)
-        law_broken("your point has moved by %s; the numbers are up to %s, so it should be %s at "
-                   "least",
-                   number_text_to(along, 3).s, number_text_to(size, 3).s,
-                   number_text_to(least, 3).s);
+        law_broken(
+            "your point has moved by %s; the numbers are up to %s, so it should be at least %s",
+            number_text_to(along, 3).s, number_text_to(size, 3).s, number_text_to(least, 3).s);
     else if (along > most + rounding)
-        law_broken("your point has moved by %s; the numbers are up to %s, so it should be %s at "
-                   "most",
-                   number_text_to(along, 3).s, number_text_to(size, 3).s,
-                   number_text_to(most, 3).s);
+        law_broken(
+            "your point has moved by %s; the numbers are up to %s, so it should be at most %s",
+            number_text_to(along, 3).s, number_text_to(size, 3).s, number_text_to(most, 3).s);
     else if (!(aside <= rounding))
-        law_broken("your point has moved aside, too, by %s", number_text_to(aside, 3).s);
+        law_broken("your point has also moved to the side, by %s", number_text_to(aside, 3).s);
 }
 
 // ---- visibility ---------------------------------------------------------------------------------
 
-// Whether a hit may be there or not by rounding: at either end of the way, or at the rim.
+// Whether rounding may decide if there is a hit: at either end of the way, or at the edge.
 static bool is_doubtful(Ray ray, double reach, Sphere sphere)
 {
     vec3 away = ray.origin - sphere.center;
@@ -71,14 +69,14 @@ void law_visibility(double yours, const Scene *scene, vec3 from, Light light)
             doubtful = true;
         } else if (t < reach) {
             if (yours != 0)
-                law_broken("you return 1, but on the way to the light sphere %d is met at t = %s%s",
+                law_broken("you return 1, but on the way to the light sphere %d is hit at t = %s%s",
                            i, number_text(t).s,
                            light.kind == LIGHT_POINT ? "; the light is at t = 1" : "");
             return;
         }
     }
     if (yours == 0 && !doubtful)
-        law_broken("you return 0, but none of the %d spheres is between the place and the light",
+        law_broken("you return 0, but none of the %d spheres is between the point and the light",
                    scene->sphere_count);
 }
 
@@ -92,7 +90,7 @@ static bool close_to(Color yours, Color right, double tolerance)
     return close;
 }
 
-// What is only ambient, and what each light adds to it.
+// The ambient part alone, and what each light adds to it.
 static Color with_lights(const Scene *scene, Ray ray, Hit hit, int first, int end)
 {
     Scene some = *scene;
@@ -112,23 +110,22 @@ void law_shade(Color yours, const Scene *scene, Ray ray, Hit hit)
         if (close_to(gives, vec3_of(0, 0, 0), tolerance))
             continue;
         if (close_to(yours, right - gives, tolerance))
-            law_broken("in your colour light %d is missing: it arrives, and gives %s", i,
+            law_broken("in your colour light %d is missing: it arrives, and adds %s", i,
                        vec3_text(gives).s);
         else if (close_to(yours, right + gives, tolerance))
-            law_broken("in your colour light %d is twice", i);
+            law_broken("in your colour light %d is counted twice", i);
     }
     Apart both = apart_vec3(yours, right);
     if (close_to(yours, right - ambient, tolerance))
-        law_broken("in your colour the ambient light is missing: it gives %s",
-                   vec3_text(ambient).s);
+        law_broken("in your colour the ambient light is missing: it adds %s", vec3_text(ambient).s);
     else
-        law_broken("your colour is %s. Ambient light gives %s, and the lights that arrive %s",
+        law_broken("your colour is %s. Ambient light adds %s, and the lights that arrive %s",
                    both.yours.s, vec3_text(ambient).s, vec3_text(right - ambient).s);
 }
 
 void law_trace_ray(Color yours, const Scene *scene, Ray ray, int depth)
 {
-    // What a mirror shows depends on how far off its surface a ray starts.
+    // The colour in a mirror depends on how far off its surface a ray starts.
     const double tolerance = 1e-5;
     Color right = trace_ray(scene, ray, depth);
     Hit hit = nearest_hit(ray, scene);
@@ -142,12 +139,12 @@ void law_trace_ray(Color yours, const Scene *scene, Ray ray, int depth)
     Color own = shade(scene, ray, hit);
     double ks = scene_surface(scene, hit.sphere)->specular;
     if (depth <= 0 || ks == 0)
-        law_broken("the ray hits sphere %d, %s: so its colour is what shade says, %s; yours is %s",
-                   hit.sphere, ks == 0 ? "which is no mirror" : "and depth is 0", vec3_text(own).s,
-                   vec3_text(yours).s);
+        law_broken("the ray hits sphere %d, %s: so its colour is that of shade, %s; yours is %s",
+                   hit.sphere, ks == 0 ? "which is not a mirror" : "and depth is 0",
+                   vec3_text(own).s, vec3_text(yours).s);
     else
-        law_broken("the ray hits sphere %d. shade says %s, the mirrored ray sees %s, and ks is %s; "
-                   "your colour is %s",
+        law_broken("the ray hits sphere %d. shade returns %s, the mirrored ray sees %s, and ks is "
+                   "%s; your colour is %s",
                    hit.sphere, vec3_text(own).s, vec3_text((right - own) / ks).s, number_text(ks).s,
                    vec3_text(yours).s);
 }

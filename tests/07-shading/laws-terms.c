@@ -1,4 +1,4 @@
-// laws-terms.c - laws of the terms: what share of which light comes back, colour by colour.
+// laws-terms.c - laws of the terms: the share of each light that comes back, colour by colour.
 #include "tests/07-shading/laws.h"
 
 #include "tests/judge/reference/distinct_digits.h"
@@ -18,7 +18,7 @@ static bool not_finite(Color color)
     return false;
 }
 
-// So much of it, in each colour; 'of' says of what.
+// The share, in each colour; 'of' names the whole.
 static void is_share(Color yours, double share, const char *why, Color of, const char *of_what)
 {
     for (int i = 0; i < 3; i++) {
@@ -73,8 +73,8 @@ void law_diffuse_term(Color yours, Color surface, double kd, Color light, vec3 n
     is_share(yours, kd * cosine, what, surface * light, "the surface's times the light's");
 }
 
-// What both highlights have in common; name is that of the cosine. An eye behind the surface sees
-// nothing of it, and whoever says so is right, too.
+// The part that both highlights share; name is that of the cosine. An eye behind the surface does
+// not see a highlight, and an answer that says so is also right.
 static void law_of_highlight(Color yours, double ks, double shine, Color light, double low,
                              double high, double cosine, const char *name)
 {

@@ -1,4 +1,4 @@
-// laws-vectors.c - laws of the ways that light takes: how long, and where to.
+// laws-vectors.c - laws of the directions of light: how long, and where to.
 #include "tests/07-shading/laws.h"
 
 #include "tests/judge/reference/distinct_digits.h"
@@ -19,7 +19,7 @@ static double largest(vec3 v)
     return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
 }
 
-// To degrees: of two vectors, of which none is 0.
+// In degrees: between two vectors, neither of them 0.
 static double degrees_between(vec3 v, vec3 w)
 {
     return atan2(vec3_length(vec3_cross(v, w)), vec3_dot(v, w)) * 180 / PI;
@@ -33,12 +33,13 @@ void law_surface_normal(vec3 yours, Sphere sphere, vec3 point)
         return;
     double length = vec3_length(yours);
     if (length > 0 && vec3_dot(yours, radius) < 0) {
-        law_broken("your normal points into the sphere: %s degrees from the way outward, from the "
-                   "centre to the point",
+        law_broken("your normal points into the sphere: %s degrees from the direction outward, "
+                   "from the centre to the point",
                    number_text_to(degrees_between(yours, radius), 4).s);
     } else if (length > 0 && !(degrees_between(yours, radius) <= 60 * rounding)) {
-        law_broken("your normal is %s degrees off the way outward, from the centre to the point",
-                   number_text_to(degrees_between(yours, radius), 4).s);
+        law_broken(
+            "your normal is %s degrees off the direction outward, from the centre to the point",
+            number_text_to(degrees_between(yours, radius), 4).s);
     } else if (!(fabs(length - 1) <= rounding)) {
         Apart a = apart(length, 1);
         law_broken("your normal has length %s, and must have %s", a.yours.s, a.right.s);
@@ -53,7 +54,7 @@ void law_ray_to_light(Ray yours, vec3 from, Light light)
         return;
     if (!(largest(yours.origin - from) <= size)) {
         Apart a = apart_vec3(yours.origin, from);
-        law_broken("your ray begins at %s; it must begin at the place that asks, %s", a.yours.s,
+        law_broken("your ray starts at %s; it must start at the given point, %s", a.yours.s,
                    a.right.s);
     } else if (light.kind == LIGHT_POINT && !(largest(end - light.position) <= size)) {
         Apart a = apart_vec3(end, light.position);
@@ -76,18 +77,18 @@ void law_mirror_direction(vec3 yours, vec3 direction, vec3 normal)
     vec3 along_in = direction - in * normal, along_out = yours - out * normal;
     if (!(fabs(vec3_length(yours) - vec3_length(direction)) <= size)) {
         Apart a = apart(vec3_length(yours), vec3_length(direction));
-        law_broken("your mirrored direction has length %s, and what comes in %s: a mirror changes "
-                   "no length",
+        law_broken("your mirrored direction has length %s, and the incoming one %s: a mirror does "
+                   "not change the length",
                    a.yours.s, a.right.s);
     } else if (!(fabs(out + in) <= size)) {
         Apart a = apart(out, -in);
-        law_broken("along the normal your mirrored direction goes %s; what comes in goes %s, so it "
-                   "must be %s",
+        law_broken("along the normal your mirrored direction goes %s; the incoming one goes %s, so "
+                   "it must be %s",
                    a.yours.s, number_text(in).s, a.right.s);
     } else if (!(largest(along_out - along_in) <= size)) {
         Apart a = apart_vec3(along_out, along_in);
-        law_broken("without its part along the normal your mirrored direction is %s; that of what "
-                   "comes in is %s, and must stay",
+        law_broken("without its part along the normal your mirrored direction is %s; that part of "
+                   "the incoming one is %s, and must stay",
                    a.yours.s, a.right.s);
     }
 }

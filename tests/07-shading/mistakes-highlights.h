@@ -1,11 +1,11 @@
-// mistakes-highlights.h - slips that both highlights know: what is made of the right cosine.
+// mistakes-highlights.h - slips in both highlights: a wrong use of the right cosine.
 #ifndef TESTS_07_SHADING_MISTAKES_HIGHLIGHTS_H
 #define TESTS_07_SHADING_MISTAKES_HIGHLIGHTS_H
 
 #include "tests/07-shading/mistakes.h"
 
-// One highlight. cosine is that which is taken to the power of shine; low is that of the way to the
-// light and the normal.
+// One highlight. cosine is the one that is raised to the power of shine; low is that of the normal
+// and the direction to the light.
 typedef struct {
     double ks, shine;
     Color light;
@@ -65,8 +65,8 @@ static inline double power(Highlight h)
         return as_it_should_be((Highlight){ks, shine, light, other, vec3_dot(n, vec3_unit(l))});   \
     }
 
-// Their rows of the table: which is "PH" or "HW", exercise a string, or it would be the reference's
-// name by then.
+// Their rows of the table: which is "PH" or "HW", exercise a string, because its name would already
+// be replaced by the reference's.
 #define ROW(id, exercise, answer, formula, why, picture)                                           \
     {                                                                                              \
         id, exercise, (AnyFunction *)(answer), formula, why, picture                               \
@@ -76,59 +76,61 @@ static inline double power(Highlight h)
         "a light behind the surface does not reach it, whatever " cosine " is.",                   \
         "highlights on the dark side"),                                                            \
         ROW(which "-negative", exercise, negative_forgotten, "no test for " cosine " > 0",         \
-            "an even power of a negative cosine is positive, and a power that is not whole "       \
-            "is no number.",                                                                       \
+            "an even power of a negative cosine is positive, and a power that is not a whole "     \
+            "number "                                                                              \
+            "is NaN.",                                                                             \
             "a second highlight where there should be none, or black specks"),                     \
         ROW(which "-tests", exercise, both_forgotten, "neither n.l > 0 nor " cosine " > 0",        \
             "a light behind the surface does not reach it; and an even power of a negative "       \
             "cosine is positive.",                                                                 \
             "highlights on the dark side, or black specks"),                                       \
         ROW(which "-abs", exercise, no_sign, "|" cosine "|",                                       \
-            "a negative cosine is more than 90 degrees off, and there is nothing to see.",         \
+            "a negative cosine means an angle of more than 90 degrees, without a highlight.",      \
             "a second highlight where there should be none"),                                      \
         ROW(which "-abs-tests", exercise, no_sign_at_all, "|" cosine "|, whatever n.l",            \
-            "a negative cosine is more than 90 degrees off, and a light behind the surface "       \
-            "does not reach it.",                                                                  \
+            "a negative cosine means an angle of more than 90 degrees, and a light behind the "    \
+            "surface does not reach it.",                                                          \
             "highlights on all sides"),                                                            \
         ROW(which "-ks", exercise, ks_forgotten, "ks left out",                                    \
-            "only ks of the light is thrown like that.", "glaring highlights"),                    \
-        ROW(which "-ks-twice", exercise, ks_twice, "ks^2", "ks is a share, once.",                 \
-            "dull highlights"),                                                                    \
+            "only ks of the light is reflected like this.", "highlights too bright"),              \
+        ROW(which "-ks-twice", exercise, ks_twice, "ks^2", "ks is a share: multiply by it once.",  \
+            "highlights too dark"),                                                                \
         ROW(which "-ks-less-1", exercise, ks_less_1, "1 - ks",                                     \
-            "ks is the share that is thrown, not what is left.",                                   \
-            "dull surfaces that glare, and polished ones that do not"),                            \
+            "ks is the share that is reflected, not the rest.",                                    \
+            "dull surfaces with bright highlights, and polished ones without"),                    \
         ROW(which "-light", exercise, light_forgotten, "the light left out",                       \
             "a highlight is an image of the light and has its colour.",                            \
             "white highlights, whatever the light"),                                               \
         ROW(which "-plus", exercise, light_added, "power + light",                                 \
-            "the power is the share of the light that is seen, and shares are multiplied.",        \
+            "the power is the share of the light that is seen: multiply the light by it.",         \
             "highlights as large as half of the sphere"),                                          \
         ROW(which "-grey", exercise, grey_light, "the mean of the light",                          \
             "a highlight is an image of the light and has its colour.", "grey highlights"),        \
         ROW(which "-power", exercise, power_forgotten, "shine left out",                           \
             "the power makes the highlight small.", "highlights that are wide and dull"),          \
         ROW(which "-times", exercise, multiplied, cosine " times shine",                           \
-            "the cosine is taken to the power of shine: pow.", "wide highlights that glare"),      \
+            "the cosine is raised to the power of shine: pow.",                                    \
+            "wide highlights, and too bright"),                                                    \
         ROW(which "-outside", exercise, power_outside, "(ks (" cosine "))^shine",                  \
-            "only the cosine is taken to the power, ks is outside of it.",                         \
-            "hardly any highlights"),                                                              \
+            "only the cosine is raised to the power, without ks.", "hardly any highlights"),       \
         ROW(which "-swapped", exercise, swapped, "shine^(" cosine ")",                             \
-            "pow takes what is multiplied with itself first, then how often.", "glaring discs"),   \
+            "the first argument of pow is the base, the second the exponent.",                     \
+            "discs that are too bright"),                                                          \
         ROW(which "-whole", exercise, whole_shine, "shine without its fraction",                   \
-            "shine is a double, and need not be whole: pow knows what to do.",                     \
+            "shine is a double, and need not be a whole number: pow accepts any.",                 \
             "highlights a little too large"),                                                      \
         ROW(which "-root", exercise, root, "(" cosine ")^(1 / shine)",                             \
-            "that is a root, and makes the highlight large instead of small.",                     \
+            "this is a root, and makes the highlight large instead of small.",                     \
             "highlights that cover half of the sphere"),                                           \
         ROW(which "-low", exercise, times_low, "times n.l",                                        \
-            "how low the light is counts for what is scattered. A mirror throws all of it.",       \
-            "highlights that fade towards the rim"),                                               \
+            "the cosine n.l belongs to the diffuse term. A mirror reflects all of the light.",     \
+            "highlights that fade towards the edge"),                                              \
         ROW(which "-energy", exercise, as_much_as_scattered, "times (shine + 2) / (2 pi)",         \
-            "that keeps the sum of all light the same, in later models. Here there is only "       \
+            "this keeps the sum of all light constant, in later models. Here there is only "       \
             "ks.",                                                                                 \
-            "small highlights that glare"),                                                        \
+            "small highlights, and too bright"),                                                   \
         ROW(which "-clip", exercise, clipped, "no more than 1",                                    \
             "light is clamped once, at the end, by clamp_color.",                                  \
-            "nothing at first; sums of bright lights come out too dark")
+            "no visible difference at first; sums of bright lights come out too dark")
 
 #endif

@@ -1,4 +1,4 @@
-// mistakes-light.c - wrong ways to the light.
+// mistakes-light.c - wrong rays to the light.
 #include "tests/07-shading/mistakes.h"
 
 static bool is_point(Light light)
@@ -6,7 +6,7 @@ static bool is_point(Light light)
     return light.kind == LIGHT_POINT;
 }
 
-// The right direction, to be spoiled.
+// The right direction, for mistakes that change it.
 static vec3 way(vec3 from, Light light)
 {
     return is_point(light) ? light.position - from : light.position;
@@ -110,67 +110,65 @@ static Ray a_unit_bit_ahead(vec3 from, Light light)
 
 const Mistake light_mistakes[] = {
     MISTAKE("S2-ray", ray_to_light, from_light_to_surface, "the direction from the light",
-            "it must lead towards the light: the end less the beginning.",
+            "it must point towards the light: the end minus the start.",
             "spheres lit on the far side"),
     MISTAKE("S2-point", ray_to_light, point_reversed, "from - position, of a point light",
-            "that leads from the light to the surface. The end less the beginning: position - "
-            "from.",
-            "spheres lit on the side that is away from a point light"),
+            "this leads from the light to the surface. The end minus the start: position - from.",
+            "spheres lit on the side away from a point light"),
     MISTAKE("S2-distant", ray_to_light, distant_reversed, "-position, of a distant light",
-            "scene.h says that a distant light lies in that direction, so it is already the way "
-            "towards it.",
-            "spheres lit on the side that is away from the sun"),
-    MISTAKE("LI-distant", ray_to_light, all_distant, "position, whatever the kind",
-            "the way to a point light depends on where one starts.",
+            "scene.h says that a distant light lies in that direction, so it already points "
+            "towards the light.",
+            "spheres lit on the side away from the sun"),
+    MISTAKE("LI-distant", ray_to_light, all_distant, "position, for both kinds",
+            "the direction to a point light depends on the start.",
             "lamps that light like the sun: the same side of every sphere"),
-    MISTAKE("LI-point", ray_to_light, all_point, "position - from, whatever the kind",
-            "a distant light has no place. What it has is a direction, the same from everywhere.",
+    MISTAKE("LI-point", ray_to_light, all_point, "position - from, for both kinds",
+            "a distant light has no place. It has a direction, the same from everywhere.",
             "a sun that is as near as a lamp"),
-    MISTAKE("S2-all-point", ray_to_light, all_point_reversed, "from - position, whatever the kind",
-            "that leads away from a point light; and a distant one has no place at all.",
+    MISTAKE("S2-all-point", ray_to_light, all_point_reversed, "from - position, for both kinds",
+            "this points away from a point light; and a distant one has no place at all.",
             "spheres lit on the far side"),
-    MISTAKE("LI-kinds", ray_to_light, kinds_swapped, "the kinds exchanged",
-            "LIGHT_POINT is the one that stands at its position.",
+    MISTAKE("LI-kinds", ray_to_light, kinds_swapped, "the kinds swapped",
+            "LIGHT_POINT is the light at a position.",
             "lamps that light like the sun, and a sun like a lamp"),
-    MISTAKE("LI-unit", ray_to_light, all_unit, "the direction made unit",
-            "then t = 1 is not the light any more, and who looks for what is in between looks at "
-            "the wrong stretch.",
-            "shadows that are missing, or cast by what stands behind the light"),
+    MISTAKE("LI-unit", ray_to_light, all_unit, "the direction normalised",
+            "then t = 1 is not the light any more, and a search for spheres in between uses the "
+            "wrong range of t.",
+            "shadows that are missing, or cast by spheres behind the light"),
     MISTAKE("LI-unit-point", ray_to_light, point_unit, "(position - from) / |position - from|",
-            "then t = 1 is not the light any more, and who looks for what is in between looks at "
-            "the wrong stretch.",
-            "shadows that are missing, or cast by what stands behind the light"),
-    MISTAKE("LI-unit-distant", ray_to_light, distant_unit,
-            "position / |position|, of a distant one",
-            "it goes the right way, but the contract says: the light's own direction, as it is.",
-            "nothing; the terms make it unit anyway"),
-    MISTAKE("LI-back", ray_to_light, starts_at_the_light, "from the light to the place",
-            "the ray begins at the place and leads to the light. From a distant light none can "
-            "begin.",
+            "then t = 1 is not the light any more, and a search for spheres in between uses the "
+            "wrong range of t.",
+            "shadows that are missing, or cast by spheres behind the light"),
+    MISTAKE(
+        "LI-unit-distant", ray_to_light, distant_unit, "position / |position|, of a distant one",
+        "the direction is right, but the contract asks for the light's own direction, unchanged.",
+        "no visible difference; the terms normalise it anyway"),
+    MISTAKE("LI-back", ray_to_light, starts_at_the_light, "from the light to the point",
+            "the ray starts at the point and leads to the light. From a distant light no ray can "
+            "start.",
             "spheres lit on the far side"),
     MISTAKE("LI-back-point", ray_to_light, starts_at_the_point_light,
-            "from the point light to the place",
-            "the same stretch, but the other way: the ray begins at the place, and t = 1 is the "
-            "light.",
+            "from the point light to the point",
+            "the same segment, but reversed: the ray starts at the point, and t = 1 is the light.",
             "spheres lit on the far side"),
-    MISTAKE("LI-start", ray_to_light, starts_at_the_light_and_leaves, "an origin in the light",
-            "the ray begins at the place that asks for light.", "shadows in odd places"),
+    MISTAKE("LI-start", ray_to_light, starts_at_the_light_and_leaves, "an origin at the light",
+            "the ray starts at the given point, from.", "shadows in odd places"),
     MISTAKE("LI-origin", ray_to_light, starts_at_the_origin, "an origin of (0, 0, 0)",
-            "the ray begins at the place that asks for light.", "everything in shadow, or nothing"),
+            "the ray starts at the given point, from.", "everything in shadow, or nothing"),
     MISTAKE("LI-plus", ray_to_light, added, "position + from",
-            "the way from one place to another is the end less the beginning.",
-            "spheres lit from odd sides, worse the farther they are from the origin"),
+            "the vector from one point to another is the end minus the start.",
+            "spheres lit from wrong sides, worse the farther they are from the origin"),
     MISTAKE("LI-place", ray_to_light, point_of_the_distant, "from + position, of a distant light",
-            "that is a place on the way, not a direction.",
-            "a sun that stands elsewhere for every sphere"),
-    MISTAKE("LI-swapped", ray_to_light, vector_and_point_swapped, "origin and direction exchanged",
-            "the origin is where the ray begins, a place; the direction is a difference.",
+            "this is a point on the way, not a direction.",
+            "a sun in another place for every sphere"),
+    MISTAKE("LI-swapped", ray_to_light, vector_and_point_swapped, "origin and direction swapped",
+            "the origin is a point, where the ray starts; the direction is a difference of points.",
             "light and shadow in odd places"),
     MISTAKE("LI-ahead", ray_to_light, a_bit_ahead, "an origin 0.001 of the way ahead",
-            "the place is given by whoever asks, and off_surface has moved it as far as needed.",
-            "shadows that begin a little beside what casts them"),
+            "the caller gives the point, and off_surface has already moved it as far as needed.",
+            "shadows that start a little beside their spheres"),
     MISTAKE("LI-ahead-unit", ray_to_light, a_unit_bit_ahead, "an origin 0.001 ahead",
-            "the place is given by whoever asks, and off_surface has moved it as far as needed. In "
+            "the caller gives the point, and off_surface has already moved it as far as needed. In "
             "a tiny scene 0.001 is a long way.",
             "tiny scenes without shadows"),
     {0},

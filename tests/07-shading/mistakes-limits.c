@@ -1,5 +1,5 @@
 // mistakes-limits.c - wrong answers to exercise 07: limits that no scene and no light has, and
-// fields of a surface taken one for the other.
+// fields of a surface that are swapped.
 #include "tests/07-shading/mistakes-scene.h"
 #include "tests/07-shading/mistakes.h"
 
@@ -45,7 +45,7 @@ HIGHLIGHT(shine_at_most_128, shine = fmin(128, shine))
 HIGHLIGHT(shine_at_most_1000, shine = fmin(1000, shine))
 HIGHLIGHT(shine_rounded, shine = floor(shine + 0.5))
 HIGHLIGHT(ks_and_shine, double kept = ks; ks = shine; shine = kept)
-// The cosine on which a highlight depends, and all of it where that is nearly 1.
+// The cosine on which a highlight depends, and all of it if that is nearly 1.
 static Color phong_all_near_the_middle(double ks, double shine, Color light, vec3 n, vec3 l, vec3 e)
 {
     vec3 mirrored = 2 * vec3_dot(n, l) * n - l;
@@ -68,50 +68,49 @@ HIGHLIGHT(low_from_1e_6, if (low < 1e-6) return grey(0))
         MISTAKE("HW-" id, halfway_term, halfway_##slip, formula, why, picture)
 #define AT_MOST(number)                                                                            \
     BOTH("most" #number, shine_at_most_##number, "a shine of at most " #number,                    \
-         "shine has no such end: a polished surface may have more.",                               \
-         "highlights of polished surfaces too large")
+         "a polished surface may have any shine.", "highlights of polished surfaces too large")
 
 const Mistake term_limit_mistakes[] = {
-    MISTAKE("DI-1e-2", diffuse_term, diffuse_from_1e_2, "nothing where n.l is below 0.01",
-            "a low light scatters little, but not nothing: only below 0 there is nothing.",
-            "a dark rim before the shadow begins"),
-    MISTAKE("DI-1e-3", diffuse_term, diffuse_from_1e_3, "nothing where n.l is below 0.001",
-            "a low light scatters little, but not nothing: only below 0 there is nothing.",
+    MISTAKE("DI-1e-2", diffuse_term, diffuse_from_1e_2, "nothing if n.l is below 0.01",
+            "a low light gives little, but not nothing: only below 0 it gives nothing.",
+            "a dark edge before the shadow starts"),
+    MISTAKE("DI-1e-3", diffuse_term, diffuse_from_1e_3, "nothing if n.l is below 0.001",
+            "a low light gives little, but not nothing: only below 0 it gives nothing.",
             "hardly anything"),
-    MISTAKE("DI-1e-6", diffuse_term, diffuse_from_1e_6, "nothing where n.l is below 1e-6",
-            "a low light scatters little, but not nothing: only below 0 there is nothing.",
+    MISTAKE("DI-1e-6", diffuse_term, diffuse_from_1e_6, "nothing if n.l is below 1e-6",
+            "a low light gives little, but not nothing: only below 0 it gives nothing.",
             "hardly anything"),
-    BOTH("near1", all_near_the_middle, "all of ks where the cosine is above 0.999999",
-         "with a high shine the highlight is already weaker there: take the power of any cosine.",
-         "a flat spot in the middle of small highlights"),
-    BOTH("shine0", black_without_shine, "nothing where shine is 0",
-         "anything to the power of 0 is 1: with a shine of 0 all of ks is seen.",
-         "no highlight where it should be as wide as can be"),
+    BOTH(
+        "near1", all_near_the_middle, "all of ks if the cosine is above 0.999999",
+        "with a high shine the highlight is already weaker there: raise every cosine to the power.",
+        "a flat spot in the middle of small highlights"),
+    BOTH("shine0", black_without_shine, "nothing if shine is 0",
+         "any number to the power of 0 is 1: with a shine of 0 all of ks is seen.",
+         "no highlight where it should be widest"),
     BOTH("shine1", shine_at_least_1, "a shine of at least 1",
-         "a shine below 1 makes the highlight wider still: take it as it is.",
+         "a shine below 1 makes the highlight wider still: use it unchanged.",
          "highlights of dull surfaces too small"),
     AT_MOST(10),
     AT_MOST(100),
     AT_MOST(128),
     AT_MOST(1000),
-    BOTH("rounded", shine_rounded, "shine rounded to a whole number",
-         "shine is a double, and need not be whole: pow knows what to do.",
+    BOTH("rounded", shine_rounded, "shine rounded to an integer",
+         "shine is a double, and need not be a whole number: pow accepts any.",
          "highlights a little too large or too small"),
-    BOTH("ks-shine", ks_and_shine, "ks and shine exchanged",
-         "shine is the power, ks what multiplies the result. Look at the order of the arguments.",
-         "wide highlights that glare"),
-    BOTH("1e-3", low_from_1e_3, "nothing where n.l is below 0.001",
-         "a light that is low makes a highlight, too: only below 0 there is none.",
-         "highlights cut off at rims"),
-    BOTH("1e-6", low_from_1e_6, "nothing where n.l is below 1e-6",
-         "a light that is low makes a highlight, too: only below 0 there is none.",
-         "hardly anything"),
+    BOTH("ks-shine", ks_and_shine, "ks and shine swapped",
+         "shine is the power, ks multiplies the result. Look at the order of the arguments.",
+         "wide highlights, and too bright"),
+    BOTH("1e-3", low_from_1e_3, "nothing if n.l is below 0.001",
+         "a low light also makes a highlight: only below 0 there is none.",
+         "highlights cut off at edges"),
+    BOTH("1e-6", low_from_1e_6, "nothing if n.l is below 1e-6",
+         "a low light also makes a highlight: only below 0 there is none.", "hardly anything"),
     {0},
 };
 
 // ---- one of three -------------------------------------------------------------------------------
 
-// What is right for some of the three numbers, and as it was for the others.
+// Right for some of the three numbers, and unchanged for the others.
 static vec3 where(bool x, bool y, bool z, vec3 right, vec3 as_it_was)
 {
     return vec3_of(x ? right[0] : as_it_was[0], y ? right[1] : as_it_was[1],
@@ -157,13 +156,13 @@ AXIS(minus_y, 1, -1, 1)
 AXIS(minus_z, 1, 1, -1)
 
 #define ONLY_ROW(id, name, what)                                                                   \
-    MISTAKE("CL-" id, clamp_color, clamped_##name, what " clamped", "all three have to fit.",      \
+    MISTAKE("CL-" id, clamp_color, clamped_##name, what " clamped", "all three must fit.",         \
             "speckles of wrong colours in the brightest spots"),                                   \
         MISTAKE("GA-" id, gamma_encode, encoded_##name, what " encoded",                           \
                 "the display does the same to all three.", "a picture in false colours")
 #define AXIS_ROW(axis)                                                                             \
     MISTAKE("W-minus-" #axis, surface_normal, normal_minus_##axis, #axis " with the wrong sign",   \
-            "of all three coordinates it is the point less the centre.",                           \
+            "each coordinate is the point's minus the centre's.",                                  \
             "spheres lit from a wrong side"),                                                      \
         MISTAKE("MI-minus-" #axis, mirror_direction, mirrored_minus_##axis,                        \
                 #axis " with the wrong sign", "all three coordinates are v - 2 (v.n) n.",          \
@@ -174,12 +173,12 @@ const Mistake axis_mistakes[] = {
     ONLY_ROW("blue", blue, "only blue"),
     ONLY_ROW("but-red", but_red, "only green and blue"),
     ONLY_ROW("but-green", but_green, "only red and blue"),
-    MISTAKE("CL-and", clamp_color, where_all_exceed, "clamped only where all three are out",
-            "each number is clamped by itself: one that is out is enough.",
+    MISTAKE("CL-and", clamp_color, where_all_exceed, "clamped only if all three do not fit",
+            "each number is clamped by itself, whether the others fit or not.",
             "speckles of wrong colours in the brightest spots"),
-    MISTAKE(
-        "CL-black-below", clamp_color, black_where_one_is_below, "all black where one is below 0",
-        "each number is clamped by itself, and the others stay.", "black spots with hard edges"),
+    MISTAKE("CL-black-below", clamp_color, black_where_one_is_below, "all black if one is below 0",
+            "each number is clamped by itself, and the others do not change.",
+            "black spots with hard edges"),
     AXIS_ROW(x),
     AXIS_ROW(y),
     AXIS_ROW(z),
@@ -237,18 +236,19 @@ static double until_one_is_missed(const Scene *scene, vec3 from, Light light)
 
 #define SHADOW_ROOM(number)                                                                        \
     MISTAKE("V-room" #number, visibility, shadow_of_##number, "the first " #number " spheres",     \
-            "a scene has as many spheres as it says: sphere_count.",                               \
-            "all right, until a scene has more spheres")
+            "the number of spheres in the scene is sphere_count.",                                 \
+            "no visible difference, until a scene has more spheres")
 #define SHADOW_FROM(least, answer)                                                                 \
-    MISTAKE("V-" least, visibility, answer, "hits with t > " least,                                \
-            "what is close to the surface casts a shadow, too. p is off its surface already: t > " \
-            "0.",                                                                                  \
-            "light under small things that stand on a surface")
+    MISTAKE(                                                                                       \
+        "V-" least, visibility, answer, "hits with t > " least,                                    \
+        "a sphere close to the surface also casts a shadow. p is off its surface already: t > "    \
+        "0.",                                                                                      \
+        "light under small objects on a surface")
 #define SHADOW_TO(most, answer)                                                                    \
     MISTAKE("V-to-" most, visibility, answer, "of a distant light, hits with t < " most,           \
             "a distant light is beyond everything, and its direction has any length: t of a hit "  \
-            "has no end.",                                                                         \
-            "in sunlight what is far casts no shadow")
+            "has no upper limit.",                                                                 \
+            "in sunlight distant objects cast no shadow")
 
 const Mistake shadow_limit_mistakes[] = {
     SHADOW_ROOM(8),
@@ -270,7 +270,7 @@ const Mistake shadow_limit_mistakes[] = {
     MISTAKE("V-sun", visibility, shadow_of_distant, "1 for every point light",
             "a sphere in between hides a point light like any other.", "no shadows by lamps"),
     MISTAKE("V-break", visibility, until_one_is_missed, "the spheres up to the first miss",
-            "a sphere that is missed says nothing of the next one: only after the loop it is known "
+            "a sphere that is missed says nothing about the next one: only after the loop you know "
             "that none is in between.",
             "shadows missing, depending on the order of the scene"),
     {0},
@@ -296,7 +296,7 @@ LIGHTS(10)
 LIGHTS(16)
 LIGHTS(32)
 
-// As if the surface that is hit were another one; the ambient term as it is.
+// As if another surface were hit; the ambient term unchanged.
 typedef struct {
     double kd, ks, shine;
 } Fields;
@@ -333,8 +333,8 @@ FIELDS(rest_for_kd, 1 - s->specular, s->specular, s->shine)
 
 #define LIGHTS_ROW(number)                                                                         \
     MISTAKE("L-room" #number, shade, of_##number##_lights, "the first " #number " lights",         \
-            "a scene has as many lights as it says: light_count.",                                 \
-            "all right, until a scene has more lights")
+            "the number of lights in the scene is light_count.",                                   \
+            "no visible difference, until a scene has more lights")
 #define FIELDS_ROW(id, name, formula, why)                                                         \
     MISTAKE(id, shade, name, formula, why, "highlights or colours of another surface")
 
@@ -344,20 +344,20 @@ const Mistake shade_limit_mistakes[] = {
     LIGHTS_ROW(10),
     LIGHTS_ROW(16),
     LIGHTS_ROW(32),
-    FIELDS_ROW("L-ks-shine", ks_for_shine, "ks in the place of shine",
-               "ks is how strong the highlight is; shine is the power."),
-    FIELDS_ROW("L-shine-ks", shine_for_ks, "shine in the place of ks",
-               "shine is the power; ks is how strong the highlight is."),
-    FIELDS_ROW("L-ks-and-shine", ks_shine_swapped, "ks and shine exchanged",
+    FIELDS_ROW("L-ks-shine", ks_for_shine, "ks instead of shine",
+               "ks is the strength of the highlight; shine is the power."),
+    FIELDS_ROW("L-shine-ks", shine_for_ks, "shine instead of ks",
+               "shine is the power; ks is the strength of the highlight."),
+    FIELDS_ROW("L-ks-and-shine", ks_shine_swapped, "ks and shine swapped",
                "phong_term takes ks first, then shine."),
-    FIELDS_ROW("L-kd-ks", kd_for_ks, "kd in the place of ks",
-               "kd is what is scattered; the highlight has ks, the surface's specular."),
-    FIELDS_ROW("L-ks-kd", ks_for_kd, "ks in the place of kd",
-               "ks is for the highlight; what is scattered is kd, the surface's diffuse."),
-    FIELDS_ROW("L-rest-ks", rest_for_ks, "1 - kd in the place of ks",
-               "kd and ks need not make 1: the surface says its ks."),
-    FIELDS_ROW("L-rest-kd", rest_for_kd, "1 - ks in the place of kd",
-               "kd and ks need not make 1: the surface says its kd."),
+    FIELDS_ROW("L-kd-ks", kd_for_ks, "kd instead of ks",
+               "kd belongs to the diffuse term; the highlight has ks, the surface's specular."),
+    FIELDS_ROW("L-ks-kd", ks_for_kd, "ks instead of kd",
+               "ks belongs to the highlight; the diffuse term has kd, the surface's diffuse."),
+    FIELDS_ROW("L-rest-ks", rest_for_ks, "1 - kd instead of ks",
+               "kd + ks need not be 1: the surface has its own ks."),
+    FIELDS_ROW("L-rest-kd", rest_for_kd, "1 - ks instead of kd",
+               "kd + ks need not be 1: the surface has its own kd."),
     {0},
 };
 
@@ -412,15 +412,16 @@ LIMITED(share_from_1e_6, INT_MAX, 0, 1e-6)
 
 #define DEEPEST_ROW(number)                                                                        \
     MISTAKE("T-most" #number, trace_ray, at_most_##number, "a depth of at most " #number,          \
-            "the depth that is asked for has no such end.",                                        \
-            "all right, until mirrors face each other")
+            "the caller may ask for any depth.",                                                   \
+            "no visible difference, until mirrors face each other")
 #define KS_ROW(least, name)                                                                        \
-    MISTAKE("T-ks-" least, trace_ray, name, "mirrors only where ks is more than " least,           \
-            "a weak mirror is one, too: specular is not 0.", "weak mirrors do not mirror")
+    MISTAKE("T-ks-" least, trace_ray, name, "mirrors only if ks is more than " least,              \
+            "a weak mirror is also a mirror: its specular is not 0.",                              \
+            "weak mirrors do not mirror")
 #define SHARE_ROW(least, name)                                                                     \
     MISTAKE("T-share-" least, trace_ray, name,                                                     \
             "mirrors only while more than " least " of them comes through",                        \
-            "only depth and ks decide when it ends: what is mirrored may be bright.",              \
+            "only depth and ks decide where it ends: the mirrored object may be bright.",          \
             "mirrors in mirrors missing")
 
 const Mistake mirror_limit_mistakes[] = {

@@ -4,7 +4,7 @@
 
 #include "tests/07-shading/mistakes-scene.h"
 
-// A mirrored ray, and what becomes of what it sees. What is not named is right.
+// A mirrored ray, and what is made of the colour that it sees. Members that are not set are right.
 typedef struct {
     Start *start;
     vec3 (*direction)(vec3 direction, vec3 normal);

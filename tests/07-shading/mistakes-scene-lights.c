@@ -1,8 +1,8 @@
-// mistakes-scene-lights.c - wrong answers to shade: what each light gives.
+// mistakes-scene-lights.c - wrong answers to shade: what each light adds.
 #include "tests/07-shading/mistakes-scene.h"
 #include "tests/judge/wire.h"
 
-// One light at a hit, and all that its terms are made of.
+// One light at a hit, and the arguments of its terms.
 typedef struct {
     const Scene *scene;
     const Surface *surface;
@@ -35,7 +35,7 @@ static Lit shadowless(Lit l)
 
 typedef Color Give(Lit lit);
 
-// One light too many: what is past the last one is the answering process's guard.
+// One light too many: the guard of the answering process comes after the last one.
 static Color shade_lights(bool too_many, Give *give, const Scene *scene, Ray ray, Hit hit)
 {
     Sphere sphere = scene->spheres[hit.sphere];
@@ -71,7 +71,7 @@ static Color one_light_too_many(const Scene *scene, Ray ray, Hit hit)
     return shade_lights(true, both_of, scene, ray, hit);
 }
 
-// Each light gives something else than it should.
+// Each light adds something else than it should.
 #define GIVES(name, ...)                                                                           \
     static Color give_##name(Lit l)                                                                \
     {                                                                                              \
@@ -110,68 +110,69 @@ GIVES(as_if_all_distant, l.to_light += l.point; return both_of(l))
 
 const Mistake shade_light_mistakes[] = {
     MISTAKE("L-diffuse", shade, no_diffuse, "no diffuse term",
-            "each light that arrives gives both: what is scattered, and the highlight.",
+            "each light that arrives adds both: the diffuse term and the highlight.",
             "highlights on dark spheres"),
-    MISTAKE(
-        "L-count", shade, one_light_too_many, "a loop up to i <= light_count",
-        "n lights are number 0 to n - 1. There is no light number light_count: what is past the "
-        "end of an array could be anything.",
-        "a light that nobody has set, in any colour, or a crash"),
+    MISTAKE("L-count", shade, one_light_too_many, "a loop up to i <= light_count",
+            "n lights have the numbers 0 to n - 1. There is no light number light_count: reading "
+            "past the end of an array can give anything.",
+            "a light that was never set, in any colour, or a crash"),
     MISTAKE("L-specular", shade, no_specular, "no specular term",
-            "each light that arrives gives both: what is scattered, and the highlight.",
+            "each light that arrives adds both: the diffuse term and the highlight.",
             "everything as dull as chalk"),
-    MISTAKE("L-shadow", shade, no_shadows, "lights whether they arrive or not",
-            "ask visibility first.", "no shadows"),
-    MISTAKE("L-shadow-d", shade, diffuse_without_shadow, "diffuse whether the light arrives or not",
-            "without light nothing is scattered. visibility is for both terms.",
-            "no shadows, but highlights that end where shadows should begin"),
+    MISTAKE("L-shadow", shade, no_shadows, "lights added whether they arrive or not",
+            "call visibility first.", "no shadows"),
+    MISTAKE("L-shadow-d", shade, diffuse_without_shadow,
+            "diffuse added whether the light arrives or not",
+            "without light nothing is scattered. visibility counts for both terms.",
+            "no shadows, but highlights that end where shadows should start"),
     MISTAKE("L-shadow-s", shade, specular_without_shadow,
-            "specular whether the light arrives or not",
-            "without light there is no highlight. visibility is for both terms.",
+            "specular added whether the light arrives or not",
+            "without light there is no highlight. visibility counts for both terms.",
             "highlights in the shadow"),
-    MISTAKE("L-inverted", shade, light_only_in_shadow, "lights that do not arrive",
-            "visibility is 1 where the light arrives.", "light only where shadows should be"),
-    MISTAKE("L-white", shade, light_of_white, "all lights white and 1 bright",
-            "each light has a colour of its own: how much of red, green and blue it sends.",
+    MISTAKE("L-inverted", shade, light_only_in_shadow, "lights added only if they do not arrive",
+            "visibility is 1 if the light arrives.", "light only where shadows should be"),
+    MISTAKE("L-white", shade, light_of_white, "all lights white, with brightness 1",
+            "each light has its own colour: how much red, green and blue it sends.",
             "coloured lights look white, weak ones as bright as others"),
     MISTAKE("L-white-d", shade, diffuse_of_white, "diffuse as if of a white light",
-            "what is scattered is the colour of the surface times that of the light.",
+            "the diffuse term is the colour of the surface times that of the light.",
             "only highlights show the colour of the light"),
     MISTAKE("L-white-s", shade, specular_of_white, "highlights always white",
-            "they have the colour of the light.", "white highlights in coloured light"),
+            "highlights have the colour of the light.", "white highlights in coloured light"),
     MISTAKE("L-metal", shade, specular_in_the_color, "specular times the surface's colour",
             "Phong's highlight has the colour of the light, whatever the surface's is.",
-            "highlights as of coloured metal"),
-    MISTAKE("L-swapped", shade, kd_and_ks_swapped, "kd and ks exchanged",
-            "kd is what is scattered, ks what is thrown like a mirror.",
-            "shiny things dull, dull things shiny"),
+            "highlights as if of coloured metal"),
+    MISTAKE("L-swapped", shade, kd_and_ks_swapped, "kd and ks swapped",
+            "kd belongs to the diffuse term, ks to the highlight.",
+            "shiny objects dull, dull objects shiny"),
     MISTAKE("L-kd", shade, without_kd, "diffuse without kd",
-            "kd says how much of the light is scattered.", "too bright, all alike"),
+            "kd says how much of the light is scattered.", "everything too bright"),
     MISTAKE("L-ks", shade, without_ks, "specular without ks",
-            "ks says how much of the light is thrown back like by a mirror: of chalk nothing.",
-            "highlights on everything, chalk too"),
+            "ks says how much of the light is reflected as by a mirror: chalk reflects nothing.",
+            "highlights on everything, even on chalk"),
     MISTAKE("L-shine", shade, shine_1, "a shine of 1",
-            "each surface has a shine of its own, the power of the cosine.",
+            "each surface has its own shine, the power of the cosine.",
             "broad, blurred highlights"),
     MISTAKE("L-shine2", shade, shine_doubled, "twice the shine",
             "the power of the cosine is shine itself.", "highlights too small"),
     MISTAKE("L-halfway", shade, halfway, "Blinn's highlight",
-            "here Phong's is asked for: phong_term.", "highlights broader than asked for"),
+            "this function needs Phong's: phong_term.", "highlights too broad"),
     MISTAKE("L-square", shade, weaker_with_the_square, "light divided by the distance squared",
-            "so it is in the world; here lights are as bright as they say, however far.",
-            "dark, but right beside the lamps"),
+            "it is so in reality; here a light has the same brightness at any distance.",
+            "dark, except right beside the lamps"),
     MISTAKE("L-root", shade, weaker_with_the_distance, "light divided by the distance",
-            "here lights are as bright as they say, however far.",
-            "dark, but right beside the lamps"),
-    MISTAKE("L-eye", shade, eye_for_light, "the way to the eye for the way to the light",
-            "the eye is where the ray comes from; the light is elsewhere.",
+            "here a light has the same brightness at any distance.",
+            "dark, except right beside the lamps"),
+    MISTAKE("L-eye", shade, eye_for_light,
+            "the direction to the eye instead of the direction to the light",
+            "the ray comes from the eye; the light is elsewhere.",
             "as if there were a lamp at the eye"),
     MISTAKE("L-clamp", shade, each_clamped, "each light at most 1",
-            "what is too bright is cut off at the very end, by clamp_color.",
-            "all right, but for bright lights in mirrors"),
-    MISTAKE("L-distant", shade, as_if_all_distant, "l as way to a light, not l - p",
-            "only a distant light has a direction; the way to a point light is l - p. And that is "
-            "what ray_to_light is for.",
-            "light as of the sun, from somewhere beside the lamp"),
+            "colours are clamped only at the very end, by clamp_color.",
+            "no visible difference, except for bright lights in mirrors"),
+    MISTAKE("L-distant", shade, as_if_all_distant, "l as direction to a light, not l - p",
+            "only a distant light is a direction; the vector to a point light is l - p. "
+            "ray_to_light does this.",
+            "light as if of the sun, from a wrong direction"),
     {0},
 };

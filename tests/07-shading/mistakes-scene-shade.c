@@ -1,7 +1,7 @@
-// mistakes-scene-shade.c - wrong answers to shade: what is summed up, and for which surface.
+// mistakes-scene-shade.c - wrong answers to shade: the terms of the sum, and the surface.
 #include "tests/07-shading/mistakes-scene.h"
 
-// What is known at a hit.
+// The values that are known at a hit.
 typedef struct {
     const Scene *scene;
     const Surface *surface;
@@ -46,7 +46,7 @@ static Color sum_of(Place p)
 
 // ---- the sum ------------------------------------------------------------------------------------
 
-// A place that differs from the right one in a way, and the usual sum.
+// A place that differs from the right one in some way, and the usual sum.
 #define AT(name, ...)                                                                              \
     static Color name(const Scene *scene, Ray ray, Hit hit)                                        \
     {                                                                                              \
@@ -115,7 +115,7 @@ START_AT(offset_1e_9, start_a_billionth_off)
 
 const Mistake shade_mistakes[] = {
     MISTAKE("S-ambient", shade, no_ambient, "the lights alone",
-            "the scene has a light that is everywhere, too: add its term once.",
+            "the scene also has a light that is everywhere: add its term once.",
             "pitch-black shadows"),
     MISTAKE("S-only-ambient", shade, ambient_alone, "ambient alone",
             "each light that arrives adds its diffuse and its specular term. If you add them: does "
@@ -126,14 +126,14 @@ const Mistake shade_mistakes[] = {
             "that is chapter 06: now the lights decide how much of it is seen.",
             "flat spheres, as before"),
     MISTAKE("S-clamp", shade, sum_clamped, "the sum, at most 1",
-            "what is too bright is cut off at the very end, by clamp_color; in a mirror it may be "
+            "colours are clamped only at the very end, by clamp_color; in a mirror this one may be "
             "just right.",
-            "all right, but for dull highlights in mirrors"),
+            "no visible difference, except for dull highlights in mirrors"),
     MISTAKE("S-twice", shade, sum_times_color, "the whole sum times the surface's colour",
-            "the terms have the colour in them already; and highlights have that of the light.",
+            "the terms contain the colour already; and highlights have that of the light.",
             "colours too dark, highlights as if of coloured metal"),
     MISTAKE("S-each", shade, ambient_for_each_light, "ambient once for each light",
-            "it has nothing to do with the lights: add it once, before the loop.",
+            "it does not depend on the lights: add it once, before the loop.",
             "pale shadows where there are several lights"),
     MISTAKE("S-average", shade, lights_averaged, "the mean of the lights",
             "two lamps give more light than one: they add up.",
@@ -142,79 +142,82 @@ const Mistake shade_mistakes[] = {
             "two lamps give more light than one: all of it adds up.",
             "darker with every light that is added"),
     MISTAKE("S-raw", shade, ambient_is_the_light, "the ambient light itself",
-            "the surface sends back only its part of it: ambient_term has kd and the colour.",
+            "the surface reflects only its part of it: ambient_term has kd and the colour.",
             "grey shadows on surfaces of any colour"),
     MISTAKE("S-kd", shade, ambient_without_kd, "ambient without kd",
-            "as of any light the surface scatters kd of it: ambient_term.", "pale shadows"),
-    MISTAKE("S-nff", shade, ambient_of_nff, "SCENE_AMBIENT for the ambient light",
-            "that is what a scene from a file begins with. Take what this scene says.",
-            "all right, until a scene has another ambient light"),
+            "the surface scatters only kd of the ambient light as well: ambient_term.",
+            "pale shadows"),
+    MISTAKE("S-nff", shade, ambient_of_nff, "SCENE_AMBIENT instead of the scene's ambient light",
+            "that is the initial value for a scene from a file. Use the value of this scene.",
+            "no visible difference, until a scene has another ambient light"),
     MISTAKE("S-background", shade, ambient_of_the_background, "the background as ambient light",
             "the scene has both, and they differ.", "shadows in the colour of the sky"),
-    MISTAKE("S-mirror", shade, background_added, "ks times the background on top",
+    MISTAKE("S-mirror", shade, background_added, "plus ks times the background",
             "mirrors come later, in trace_ray; here there are only lights.",
             "everything glows a little"),
     MISTAKE("S-index", shade, surface_of_that_number, "the surface of the sphere's number",
-            "spheres and surfaces are counted apart; each sphere says which surface it has: "
-            "scene_surface.",
+            "spheres and surfaces are numbered separately; each sphere has the number of its "
+            "surface: scene_surface.",
             "spheres in each other's colours"),
     MISTAKE("S-surface0", shade, surface_0, "always surface 0",
-            "each sphere says which surface it has: scene_surface.", "all spheres in one colour"),
+            "each sphere has the number of its surface: scene_surface.",
+            "all spheres in one colour"),
     MISTAKE("S-sphere0", shade, surface_of_sphere_0, "the surface of sphere 0",
-            "the hit says which sphere it is on.", "all spheres in the colour of the first"),
-    MISTAKE("S-turn", shade, normal_not_turned, "the normal outward, inside too",
-            "from inside the other side of the surface is seen: turn the normal round where it "
-            "points away from the eye.",
+            "the hit has the index of its sphere.", "all spheres in the colour of the first"),
+    MISTAKE("S-turn", shade, normal_not_turned, "the normal outward, even from inside",
+            "from inside the other side of the surface is visible: reverse the normal if it points "
+            "away from the eye.",
             "hollow spheres dark inside, lit by what is outside"),
-    MISTAKE("W3-shade", shade, normal_reversed, "the normal turned away from the eye",
-            "it has to point to the side of the eye: where normal and direction of the ray have a "
-            "positive dot product, turn it round.",
+    MISTAKE("W3-shade", shade, normal_reversed, "the normal on the side away from the eye",
+            "it must point to the side of the eye: if the dot product of the normal and the ray's "
+            "direction is positive, reverse it.",
             "dark spheres"),
     MISTAKE("W-unit", shade, normal_not_unit, "p - c as normal",
-            "that is as long as the radius: divide by it.", "large spheres glare"),
+            "this is as long as the radius: divide by it.", "large spheres too bright"),
     MISTAKE("W2-shade", shade, normal_from_the_origin, "p / |p| as normal",
-            "the way from the centre to the point is p - c.",
-            "right only for a sphere in the middle of the world"),
-    MISTAKE("S-eye", shade, eye_reversed, "the ray's direction as way to the eye",
-            "the ray comes from the eye. The way to it is the opposite, -v.",
-            "highlights only at rims, opposite the light"),
-    MISTAKE("S-eye-place", shade, eye_is_a_place, "the ray's origin as way to the eye",
-            "that is a place. The way from the point to it is -v, or o - p.",
+            "the vector from the centre to the point is p - c.",
+            "right only for a sphere at the origin of the world"),
+    MISTAKE("S-eye", shade, eye_reversed, "the ray's direction as direction to the eye",
+            "the ray comes from the eye. The direction to the eye is the opposite, -v.",
+            "highlights only at edges, opposite the light"),
+    MISTAKE("S-eye-place", shade, eye_is_a_place, "the ray's origin as direction to the eye",
+            "this is a point. The vector from the hit to it is -v, or o - p.",
             "highlights at wrong places"),
-    MISTAKE("S-eye-origin", shade, eye_at_the_origin, "-p as way to the eye",
-            "that is the way to the origin of the world; the eye is where the ray begins.",
+    MISTAKE("S-eye-origin", shade, eye_at_the_origin, "-p as direction to the eye",
+            "this is the direction to the origin of the world; the eye is where the ray starts.",
             "highlights at wrong places, unless the eye is at the origin"),
     MISTAKE("S-t", shade, point_as_if_unit, "o + t v / |v|",
-            "t counts in lengths of v as it is: o + t v.", "right only for rays of length 1"),
+            "t counts in lengths of v, unchanged: o + t v.", "right only for rays of length 1"),
     MISTAKE("S-from-eye", shade, seen_from_the_eye, "visibility from the eye",
-            "whether the light arrives is asked where the surface is.",
+            "test visibility from the surface: does the light arrive there?",
             "no shadows, or all dark when the eye is in one"),
     MISTAKE("S-acne", shade, no_offset, "visibility from p itself",
             "rounding leaves p on either side of its surface, and from below the surface hides "
             "every light: off_surface.",
-            "black speckles all over what should be lit"),
-    MISTAKE("S-outside", shade, offset_outward, "inside, the normal turned only for one of the two",
-            "the terms and off_surface both need the normal that is turned to the eye; else the "
-            "surface hides its own light.",
+            "black speckles on all lit surfaces"),
+    MISTAKE("S-outside", shade, offset_outward,
+            "inside, the normal reversed for only one of the two",
+            "the terms and off_surface both need the normal on the eye's side; if not, the surface "
+            "hides its own light.",
             "hollow spheres dark inside"),
     MISTAKE("S-back", shade, offset_along_the_ray, "visibility from o + (1 - 1e-9) t v",
-            "that depends on how far the eye is. How coarse the numbers are depends on the sphere: "
-            "off_surface.",
-            "speckles on what is close to the eye; lost shadows far away"),
+            "this step depends on the distance of the eye. The precision of the numbers depends on "
+            "the sphere: off_surface.",
+            "speckles on objects close to the eye; lost shadows far away"),
     MISTAKE("S-1e-3", shade, offset_1e_3, "visibility from p + 0.001 n",
-            "that is too far in a small scene and nothing in a huge one: off_surface.",
-            "all right in a scene of one size, speckles or lost shadows in others"),
+            "this is too far in a small scene and nothing in a huge one: off_surface.",
+            "right in scenes of one size, speckles or lost shadows in others"),
     MISTAKE("S-1e-4", shade, offset_1e_4, "visibility from p + 1e-4 n",
-            "that is too far in a small scene and nothing in a huge one: off_surface.",
-            "all right in a scene of one size, speckles or lost shadows in others"),
+            "this is too far in a small scene and nothing in a huge one: off_surface.",
+            "right in scenes of one size, speckles or lost shadows in others"),
     MISTAKE("S-1e-5", shade, offset_1e_5, "visibility from p + 1e-5 n",
-            "that is too far in a small scene and nothing in a huge one: off_surface.",
-            "all right in a scene of one size, speckles or lost shadows in others"),
+            "this is too far in a small scene and nothing in a huge one: off_surface.",
+            "right in scenes of one size, speckles or lost shadows in others"),
     MISTAKE("S-1e-6", shade, offset_1e_6, "visibility from p + 1e-6 n",
-            "that is too far in a small scene and nothing in a huge one: off_surface.",
-            "all right in a scene of one size, speckles or lost shadows in others"),
+            "this is too far in a small scene and nothing in a huge one: off_surface.",
+            "right in scenes of one size, speckles or lost shadows in others"),
     MISTAKE("S-1e-9", shade, offset_1e_9, "visibility from p + 1e-9 n",
-            "that is too far in a small scene and nothing in a huge one: off_surface.",
-            "all right in a scene of one size, speckles or lost shadows in others"),
+            "this is too far in a small scene and nothing in a huge one: off_surface.",
+            "right in scenes of one size, speckles or lost shadows in others"),
     {0},
 };

@@ -110,69 +110,67 @@ RELATIVE(a_float_epsilon_of_the_size, 0x1p-23)
 
 const Mistake offset_mistakes[] = {
     MISTAKE("O-none", off_surface, not_at_all, "p",
-            "rounding leaves p on either side of its surface. From the wrong side a ray meets the "
+            "rounding leaves p on either side of its surface. From the wrong side a ray hits the "
             "surface that it starts from.",
-            "black speckles all over what should be lit"),
+            "black speckles on all lit surfaces"),
     MISTAKE("O-other", off_surface, to_the_other_side, "p - e s n",
-            "the point has to go to the side to which the normal points; on the other one it is "
-            "behind its own surface.",
+            "the point must go to the side of the normal; on the other side it is below its own "
+            "surface.",
             "everything in its own shadow"),
     MISTAKE("O-outward", off_surface, always_outward, "p + e s (p - c) / |p - c|",
-            "that is always outward. Seen from inside, the normal that is given points inward, "
-            "and that is where the point has to go.",
-            "all right outside; hollow spheres dark inside"),
+            "this is always outward. Seen from inside, the given normal points inward, and the "
+            "point must go there.",
+            "right outside; hollow spheres dark inside"),
     MISTAKE("O-inward", off_surface, always_inward, "p - e s (p - c) / |p - c|",
-            "that is always inward. The normal says to which side; mostly it is outward.",
-            "everything in its own shadow, but for hollow spheres"),
+            "this is always inward. The normal gives the side; mostly it is outward.",
+            "everything in its own shadow, except hollow spheres"),
     MISTAKE("O-plus", off_surface, in_every_coordinate, "p + e s",
-            "a vector plus a number adds it to each coordinate. Multiply the normal by it, and "
-            "add that.",
+            "adding a number to a vector adds it to each coordinate. Multiply the normal by it, "
+            "and add that.",
             "speckles on half of every sphere"),
     MISTAKE("O-centre", off_surface, from_the_centre, "c + (r + e s) n",
-            "where the normal is turned inward, that is a point on the opposite side of the "
-            "sphere.",
-            "all right outside; hollow spheres dark inside"),
+            "if the normal points inward, this is a point on the opposite side of the sphere.",
+            "right outside; hollow spheres dark inside"),
     MISTAKE("O-step", off_surface, only_the_step, "e s n",
-            "that is by how much to move, and not yet where to: begin at p.",
+            "this is only the step: start at p and add it.",
             "shadows and mirrors as if everything were at the origin of the world"),
     MISTAKE("O-radius", off_surface, by_the_radius, "p + e r n",
-            "far from the origin of the world numbers are coarse, also on a small sphere: "
-            "coordinates of the centre count, too.",
+            "far from the origin of the world numbers are coarse, even on a small sphere: include "
+            "the coordinates of the centre.",
             "speckles on small spheres that are far away from the origin"),
     MISTAKE("O-coordinate", off_surface, by_the_centre, "p + e max(|cx|, |cy|, |cz|) n",
-            "round the origin of the world that is nothing. The radius counts, too.",
-            "speckles on spheres round the origin"),
+            "near the origin of the world that is almost 0. Include the radius.",
+            "speckles on spheres around the origin"),
     MISTAKE("O-point", off_surface, by_the_point, "p + e max(|px|, |py|, |pz|) n",
-            "near the origin of the world that is nothing, but the numbers that p was computed "
-            "from are large: radius and centre.",
+            "near the origin of the world that is almost 0, but p was computed from large numbers: "
+            "radius and centre.",
             "speckles where a large sphere passes near the origin"),
     MISTAKE("O-x", off_surface, by_the_first_coordinate, "p + e (r + |cx|) n",
             "the largest of the three coordinates counts, x, y or z.",
             "speckles on spheres that are far up or far ahead"),
     MISTAKE("O-sign", off_surface, by_signed_coordinates, "p + e (r + max(cx, cy, cz)) n",
-            "-1000 is as large a number as 1000 and as coarse: take the absolute value of each.",
-            "speckles on spheres where coordinates are negative"),
+            "-1000 is as large and as coarse as 1000: use absolute values.",
+            "speckles on spheres with negative coordinates"),
     MISTAKE("O-sum", off_surface, by_the_sum_with_signs, "p + e (r + cx + cy + cz) n",
-            "negative coordinates take away what the others add. The largest absolute value "
-            "counts.",
+            "negative coordinates cancel the others. The largest absolute value counts.",
             "speckles here and there, depending on where a sphere is"),
     MISTAKE("O-square", off_surface, by_the_square_of_the_size, "p + e s^2 n",
-            "in a scene of twice the size, the step has to be twice as long, and not four times.",
+            "in a scene of twice the size, the step must be twice as long, not four times.",
             "speckles in small scenes; in large ones shadows that start too late"),
     MISTAKE("O-1e-3s", off_surface, a_thousandth_of_the_size, "p + 1e-3 s n",
-            "that is so far that it jumps over whatever lies close to the surface.",
-            "light under things that stand on a surface"),
+            "this step is so long that it jumps over objects close to the surface.",
+            "light under objects on a surface"),
     MISTAKE("O-1e-5s", off_surface, a_hundred_thousandth_of_the_size, "p + 1e-5 s n",
-            "doubles have 16 digits: less will do, and what lies close to the surface still "
-            "casts its shadow.",
-            "light under small things that stand on a surface"),
+            "doubles have 16 digits: a smaller step is enough, and objects close to the surface "
+            "still cast their shadows.",
+            "light under small objects on a surface"),
     MISTAKE("O-1e-6s", off_surface, a_millionth_of_the_size, "p + 1e-6 s n",
-            "doubles have 16 digits: 1e-9 is enough, and what lies close to the surface still "
-            "casts its shadow.",
-            "hardly anything; a rim of light under very small things"),
+            "doubles have 16 digits: 1e-9 is enough, and objects close to the surface still cast "
+            "their shadows.",
+            "hardly anything; an edge of light under very small objects"),
     MISTAKE("O-float", off_surface, a_float_epsilon_of_the_size, "p + 2^-23 s n",
-            "that is the grain of a float. A double is much finer.",
-            "hardly anything; a rim of light under very small things"),
+            "this is the precision of a float. A double is much finer.",
+            "hardly anything; an edge of light under very small objects"),
     {0},
 };
 
@@ -201,11 +199,11 @@ FIXED(fixed_1e_9, 1e-9)
     MISTAKE("O-" digits, off_surface, answer, "p + " digits " n",                                  \
             digits " is huge in a scene of the size of an atom and nothing in one of the size of " \
                    "a galaxy. Let it grow with the numbers.",                                      \
-            "all right in a scene of one size, speckles or lost shadows in others")
+            "right in scenes of one size, speckles or lost shadows in others")
 
 const Mistake fixed_offset_mistakes[] = {
     MISTAKE("O-1", off_surface, fixed_1, "p + n",
-            "the normal is 1 long, and that may be more than the whole sphere: only a tiny part "
+            "the normal has length 1, and that may be more than the whole sphere: only a tiny part "
             "of it is needed.",
             "shadows and mirrors that belong to some other place"),
     FIXED_ROW("0.1", fixed_1e_1),

@@ -1,4 +1,4 @@
-// mistakes-scene.h - what wrong answers about a whole scene share: where a ray may wrongly start.
+// mistakes-scene.h - what wrong answers about a whole scene share: wrong starts of a ray.
 #ifndef TESTS_07_SHADING_MISTAKES_SCENE_H
 #define TESTS_07_SHADING_MISTAKES_SCENE_H
 
@@ -54,7 +54,7 @@ STEP(start_1e_5_off, 1e-5)
 STEP(start_a_millionth_off, 1e-6)
 STEP(start_a_billionth_off, 1e-9)
 
-// Up to which t something is before the light.
+// Up to which t a hit is nearer than the light.
 static inline double reach_of(Light light)
 {
     return light.kind == LIGHT_DISTANT ? NO_HIT : 1;

@@ -1,4 +1,4 @@
-// mistakes-shadow-spheres.c - wrong answers to visibility: which spheres, and what is returned.
+// mistakes-shadow-spheres.c - wrong answers to visibility: which spheres, and the return value.
 #include "tests/07-shading/mistakes-scene.h"
 
 static double visible_if(bool visible)
@@ -11,7 +11,7 @@ static bool hides(const Scene *scene, int i, vec3 from, Light light)
     return hit_sphere(ray_to_light(from, light), scene->spheres[i]) < reach_of(light);
 }
 
-// How many of the spheres from first up to end, without that.
+// The number of spheres from first up to end, without that one.
 static int count_hiding(const Scene *scene, int first, int end, vec3 from, Light light)
 {
     int count = 0;
@@ -22,7 +22,7 @@ static int count_hiding(const Scene *scene, int first, int end, vec3 from, Light
 
 // ---- which sphere, and which of its roots -------------------------------------------------------
 
-// What the loop says of each sphere counts only for the last.
+// The result of the loop counts only for the last sphere.
 static double last_sphere_only(const Scene *scene, vec3 from, Light light)
 {
     bool visible = true;
@@ -135,15 +135,15 @@ static double t_of_the_hit(const Scene *scene, vec3 from, Light light)
 }
 
 const Mistake shadow_sphere_mistakes[] = {
-    MISTAKE("V-last", visibility, last_sphere_only, "what the last sphere says",
-            "each sphere overwrites what was found out before. One that hides the light is enough: "
+    MISTAKE("V-last", visibility, last_sphere_only, "only the last sphere",
+            "each sphere overwrites what was found before. One that hides the light is enough: "
             "return at once.",
             "shadows of one sphere only"),
-    MISTAKE("V-first", visibility, first_sphere_only, "what the first sphere says",
-            "if the first does not hide the light, another one may: only after the loop it is "
-            "known that none does.",
+    MISTAKE("V-first", visibility, first_sphere_only, "only the first sphere",
+            "if the first does not hide the light, another one may: only after the loop you know "
+            "that none does.",
             "shadows of one sphere only"),
-    MISTAKE("V-all", visibility, all_spheres_needed, "0 where every sphere is in between",
+    MISTAKE("V-all", visibility, all_spheres_needed, "0 only if every sphere is in between",
             "one sphere in between is enough.", "hardly any shadow"),
     MISTAKE("V-from1", visibility, without_first, "sphere 0 left out",
             "spheres are counted from 0.", "the first sphere casts no shadow"),
@@ -151,42 +151,44 @@ const Mistake shadow_sphere_mistakes[] = {
             "counted from 0, the last of n spheres has the index n - 1, and it is one of them.",
             "the last sphere casts no shadow"),
     MISTAKE("V-behind", visibility, behind_the_place_too,
-            "near roots with t < 1, negative ones too",
-            "what has t < 0 is on the other side of the place, away from the light.",
-            "things behind a surface cast shadows on it"),
-    MISTAKE("V-line", visibility, anywhere_on_the_line, "any root, also behind the place or light",
-            "in between is where 0 < t < 1.", "far too many shadows"),
+            "near roots with t < 1, even negative ones",
+            "a hit with t < 0 is on the other side of the point, away from the light.",
+            "objects behind a surface cast shadows on it"),
+    MISTAKE("V-line", visibility, anywhere_on_the_line,
+            "any root, even behind the point or the light", "in between means 0 < t < 1.",
+            "far too many shadows"),
     MISTAKE("R8-shadow", visibility, spheres_entered_only, "near roots only",
-            "from inside a sphere the near root is behind the place, but the way to a light "
-            "outside still meets the sphere where it leaves it.",
+            "from inside a sphere the near root is behind the point, but the way to a light "
+            "outside still hits the far side.",
             "light inside closed spheres"),
     MISTAKE("R6-shadow", visibility, spheres_left_only, "far roots only",
-            "a light inside a sphere is hidden by the side where its ray comes in.",
+            "a light inside a sphere is hidden by the side where the ray enters.",
             "lamps that shine out of closed spheres"),
-    MISTAKE("V-centre", visibility, by_centres, "hits of spheres whose centre is before the light",
-            "light and place may be before a sphere's centre, or inside it. Where the surface is "
-            "hit counts.",
+    MISTAKE("V-centre", visibility, by_centres,
+            "hits of spheres whose centre is nearer than the light",
+            "light and point may be in front of a sphere's centre, or inside it. The hit on its "
+            "surface counts.",
             "parts of shadows missing near lamps"),
     MISTAKE("V-inverted", visibility, inverted, "1 in the shadow, 0 in the light",
-            "it is how much of the light arrives: 0 where a sphere is in between.",
+            "the return value is the share of the light that arrives: 0 if a sphere is in between.",
             "light only where shadows should be"),
     MISTAKE("V-1", visibility, always_lit, "1", "spheres in between hide the light.", "no shadows"),
     MISTAKE("V-0", visibility, always_dark, "0",
-            "where no sphere is in between, all of the light arrives.", "no light at all"),
+            "if no sphere is in between, all of the light arrives.", "no light at all"),
     MISTAKE("V-half", visibility, half_in_shadow, "1/2 in the shadow",
-            "nothing of this light arrives there. That shadows are not black comes from ambient "
-            "light.",
+            "none of this light arrives there. Shadows are not black because of the ambient light.",
             "pale shadows"),
     MISTAKE("V-halves", visibility, half_for_each, "half for each sphere in between",
-            "one is enough to hide the light, and more of them hide no more than that.",
+            "one is enough to hide the light, and more spheres hide no more than that.",
             "pale shadows, darker where they overlap"),
-    MISTAKE("V-less", visibility, less_one_for_each, "1 less for each sphere in between",
-            "below 0 nothing can arrive: behind two spheres that is negative light.",
+    MISTAKE("V-less", visibility, less_one_for_each, "minus 1 for each sphere in between",
+            "light cannot be negative: with two spheres in between this is below 0.",
             "shadows too dark where they overlap"),
-    MISTAKE("V-glass", visibility, through_glass, "times the transmittance of what is in between",
-            "here any sphere hides the light, glass like stone.", "pale shadows of glass"),
+    MISTAKE("V-glass", visibility, through_glass,
+            "times the transmittance of the spheres in between",
+            "here any sphere hides the light, glass as well as stone.", "pale shadows of glass"),
     MISTAKE("V-t", visibility, t_of_the_hit, "t of the hit",
-            "0 or 1 is asked for. How far away the sphere in between is does not matter.",
+            "the return value is 0 or 1. The distance of the sphere in between does not matter.",
             "shadows with a gradient"),
     {0},
 };

@@ -1,7 +1,8 @@
 // mistakes-shadow.c - wrong answers to visibility: the ray, and which hits count.
 #include "tests/07-shading/mistakes-scene.h"
 
-// ---- one loop, and what may slip in it ----------------------------------------------------------
+// ---- one loop, and possible slips in it
+// ----------------------------------------------------------
 
 static double visible_if(bool visible)
 {
@@ -66,66 +67,68 @@ SHADOW(up_to_a_ten_thousandth, ray_to_light(from, light), 0, (1 - 1e-4) * reach_
 SHADOW(only_beyond, ray_to_light(from, light), reach_of(light), NO_HIT)
 
 const Mistake shadow_mistakes[] = {
-    MISTAKE("V-beyond", visibility, beyond_the_light, "any hit at all",
-            "a point light stands at t = 1 of its ray, and what is behind it is not in its way.",
-            "shadows of things behind the lamp"),
-    MISTAKE("V-reach1", visibility, reach_1_for_all, "hits with t < 1, of a distant light too",
-            "t = 1 is only where its direction's tip is; the light itself is beyond everything.",
-            "in sunlight only what is very close casts a shadow"),
+    MISTAKE(
+        "V-beyond", visibility, beyond_the_light, "any hit at all",
+        "a point light is at t = 1 of its ray, and a sphere behind the light is not in its way.",
+        "shadows of objects behind the lamp"),
+    MISTAKE("V-reach1", visibility, reach_1_for_all, "hits with t < 1, even of a distant light",
+            "the tip of its direction is at t = 1; the light itself is beyond everything.",
+            "in sunlight only very close objects cast a shadow"),
     MISTAKE("V-unit", visibility, unit_and_reach_1, "hits with t < 1, of a direction of length 1",
-            "then the point light is at t = its distance. Along the way as it is, it is at t = 1.",
-            "shadows of things behind the lamp, or hardly any"),
+            "then the point light is at t = its distance. If you do not normalise the direction, "
+            "it is at t = 1.",
+            "shadows of objects behind the lamp, or hardly any"),
     MISTAKE("V-distance", visibility, t_against_the_distance, "hits with t < |l - p|",
-            "t counts in lengths of the direction, which is as long as the way to the light: it is "
-            "at t = 1.",
-            "shadows of things behind the lamp"),
+            "t counts in lengths of the direction, which is as long as the distance of the light: "
+            "it is at t = 1.",
+            "shadows of objects behind the lamp"),
     MISTAKE("V-reversed", visibility, way_reversed, "the ray away from the light",
-            "from the place to the light it is l - p, and what is on the other side of the place "
-            "is in nobody's way.",
+            "from the point to the light it is l - p, and a sphere on the other side of the point "
+            "is not in the way.",
             "shadows on the wrong side"),
-    MISTAKE("V-minus", visibility, place_not_subtracted, "direction l, of a point light too",
-            "l is a place. The way to it from p is l - p.",
+    MISTAKE("V-minus", visibility, place_not_subtracted, "direction l, even of a point light",
+            "l is a point. The vector to it from p is l - p.",
             "shadows in one direction, as in the sun, and at wrong places"),
     MISTAKE("V-always-minus", visibility, place_always_subtracted,
-            "direction l - p, of a distant light too",
-            "a distant light is in the same direction from everywhere: what is given is that "
-            "direction.",
+            "direction l - p, even of a distant light",
+            "a distant light is in the same direction from everywhere: l is that direction.",
             "shadows in the sun that spread as from a lamp"),
     MISTAKE("V-lamp", visibility, distant_as_point, "a distant light like a point light",
-            "a distant light has no place: its direction is given, and nothing is behind it.",
+            "a distant light has no place: l is its direction, and nothing is behind the light.",
             "shadows in the sun that spread as from a lamp"),
     MISTAKE("V-origin", visibility, from_the_origin_of_the_world, "the ray from the world's origin",
-            "whether the light arrives is asked at p.", "everything dark or everything lit"),
+            "test visibility from p: does the light arrive there?",
+            "everything dark or everything lit"),
     MISTAKE("V-swapped", visibility, place_for_direction, "origin l, direction p",
-            "a ray has a place to start from, p, and a direction, l - p.",
-            "shadows here and there, without any sense"),
+            "a ray needs a point to start from, p, and a direction, l - p.",
+            "shadows in random places"),
     MISTAKE("V-through", visibility, beyond_the_place, "any hit of the ray from the light",
-            "what is behind the place is not between the two: 0 < t < 1 only.",
-            "what stands in front of something is dark as well"),
-    MISTAKE("V-1e-3", visibility, hits_from_a_thousandth, "hits with t > 0.001",
-            "what is close to the surface casts a shadow, too. p is off its surface already: t > "
-            "0.",
-            "light under things that stand on a surface"),
-    MISTAKE("V-1e-4", visibility, hits_from_a_ten_thousandth, "hits with t > 1e-4",
-            "what is close to the surface casts a shadow, too. p is off its surface already: t > "
-            "0.",
-            "light under things that stand on a surface"),
-    MISTAKE("V-1e-5", visibility, hits_from_a_hundred_thousandth, "hits with t > 1e-5",
-            "what is close to the surface casts a shadow, too. p is off its surface already: t > "
-            "0.",
-            "light under small things that stand on a surface"),
-    MISTAKE("V-1e-6", visibility, hits_from_a_millionth, "hits with t > 1e-6",
-            "what is close to the surface casts a shadow, too. p is off its surface already: t > "
-            "0.",
-            "light under small things that stand on a surface"),
+            "a hit behind the point is not between the two: 0 < t < 1 only.",
+            "surfaces with an object behind them are dark as well"),
+    MISTAKE(
+        "V-1e-3", visibility, hits_from_a_thousandth, "hits with t > 0.001",
+        "a sphere close to the surface also casts a shadow. p is off its surface already: t > 0.",
+        "light under objects on a surface"),
+    MISTAKE(
+        "V-1e-4", visibility, hits_from_a_ten_thousandth, "hits with t > 1e-4",
+        "a sphere close to the surface also casts a shadow. p is off its surface already: t > 0.",
+        "light under objects on a surface"),
+    MISTAKE(
+        "V-1e-5", visibility, hits_from_a_hundred_thousandth, "hits with t > 1e-5",
+        "a sphere close to the surface also casts a shadow. p is off its surface already: t > 0.",
+        "light under small objects on a surface"),
+    MISTAKE(
+        "V-1e-6", visibility, hits_from_a_millionth, "hits with t > 1e-6",
+        "a sphere close to the surface also casts a shadow. p is off its surface already: t > 0.",
+        "light under small objects on a surface"),
     MISTAKE("V-0.999", visibility, up_to_a_thousandth, "hits with t < 0.999",
-            "the light is at t = 1, and what is close before it hides it.",
+            "the light is at t = 1, and a sphere just in front of it hides it.",
             "a lamp that shines through its own shade"),
     MISTAKE("V-0.9999", visibility, up_to_a_ten_thousandth, "hits with t < 0.9999",
-            "the light is at t = 1, and what is close before it hides it.",
+            "the light is at t = 1, and a sphere just in front of it hides it.",
             "a lamp that shines through its own shade"),
     MISTAKE("V-only-beyond", visibility, only_beyond, "hits with t > 1",
-            "those are behind the light. In between is what has 0 < t < 1.",
-            "shadows of things behind the lamp, and of nothing else"),
+            "those are behind the light. In between means 0 < t < 1.",
+            "shadows of objects behind the lamp, and of no others"),
     {0},
 };

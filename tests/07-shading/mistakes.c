@@ -1,7 +1,7 @@
-// mistakes.c - wrong answers to exercise 07, a file each for what they go wrong in.
+// mistakes.c - wrong answers to exercise 07, one file for each kind.
 //
-// In formulas n is the normal, l the way to the light, e that to the eye, v a direction; c and r
-// are the sphere's centre and radius.
+// In formulas n is the normal, l the direction to the light, e the direction to the eye, v a
+// direction; c and r are the sphere's centre and radius.
 #include "tests/07-shading/mistakes.h"
 
 #include "tests/07-shading/mistakes-scene.h"

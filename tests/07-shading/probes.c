@@ -1,6 +1,6 @@
-// probes.c - calls that tell mistakes of exercise 07 apart: colours and lights that are neither
-// grey nor full, lights and eyes on either side of the surface, worlds of several spheres and
-// lights.
+// probes.c - calls that distinguish the mistakes of exercise 07: colours and lights that are
+// neither grey nor full, lights and eyes on either side of the surface, worlds of several spheres
+// and lights.
 #include "tests/07-shading/support-scene.h"
 #include "tests/07-shading/support.h"
 
@@ -112,7 +112,7 @@ START_TEST(steps_off_any_surface)
 {
     for (int i = 0; i < 2 * MANY; i++) {
         Sphere sphere = random_sphere(2, 0.2, 4);
-        // Far away along one axis: the step shows in the others.
+        // Far away along one axis: the step is visible in the others.
         if (i % 4 != 3)
             sphere.center[i % 3] = (i % 2 == 0 ? 1 : -1) * random_number(300, 3000);
         vec3 normal = random_unit();
@@ -121,14 +121,14 @@ START_TEST(steps_off_any_surface)
 }
 END_TEST
 
-// From 1e-7 to 1 as often small as large, so that every threshold lies between two of them.
+// From 1e-7 to 1, small as often as large, so that every threshold is between two of them.
 static double any_small(void)
 {
     return pow(10, random_number(-7, 0));
 }
 
-// A sphere that the way from a place to another enters after some part of it; 0 to 1 is between the
-// two.
+// A sphere that the ray from one point to another enters after some part of the way; 0 to 1 is
+// between the two.
 static void put_on_the_way(World *world, vec3 from, vec3 to, double part)
 {
     vec3 way = to - from, normal = random_unit();
@@ -154,7 +154,7 @@ START_TEST(what_arrives_anywhere)
                       : i % 8 == 6 ? -random_number(0.05, 1)
                                    : -0.01;
         put_on_the_way(&world, from, to, part);
-        if (i % 9 == 6) // the first beyond the light, the last before it
+        if (i % 9 == 6) // the first beyond the light, the last in front of it
             put_on_the_way(&world, from, to, random_number(0.2, 0.8));
         if (i % 5 == 0)
             put_on_the_way(&world, from, to, random_number(-1, 2));
@@ -165,8 +165,7 @@ START_TEST(what_arrives_anywhere)
 }
 END_TEST
 
-// Most spheres are seen, and some of the lights that they would have are hidden from them; some
-// eyes are inside.
+// Most spheres are visible, and some of their lights are hidden from them; some eyes are inside.
 static Ray any_view(World *world, int i)
 {
     random_world(world, 2 + i % 6, i % 4, 1);
@@ -261,7 +260,7 @@ START_TEST(light_of_near_lamps)
 }
 END_TEST
 
-// From rim to rim: where eye and light are opposite each other, close above the surface.
+// From edge to edge: with eye and light opposite each other, close above the surface.
 START_TEST(light_that_grazes)
 {
     for (int i = 0; i < MANY; i++) {
@@ -291,7 +290,7 @@ START_TEST(what_any_ray_sees)
 }
 END_TEST
 
-// So deep that each more is seen: mirrors that face each other.
+// So deep that one level more is visible: mirrors that face each other.
 START_TEST(what_is_seen_in_many_mirrors)
 {
     for (int depth = 0; depth < 9; depth++) {

@@ -1,10 +1,10 @@
 // support-exact.c - light and mirrors in long double, by geometry and without an offset.
 //
 // A ray that leaves a sphere outwards never meets it again; one that leaves it inwards meets it at
-// the end of a chord. So no ray has to be moved off the surface that it starts from.
+// the end of a chord. So no ray must be moved off the surface that it starts from.
 #include "tests/07-shading/support-scene.h"
 
-// What is nearer to a rim than that, in radii or in lengths of the ray, is left to nobody's luck.
+// Anything nearer to an edge than this, in radii or in lengths of the ray, is left undecided.
 #define DOUBT 2e-3L
 
 typedef long double Exact;
@@ -44,7 +44,7 @@ static Vector unit(Vector v)
     return plus((Vector){0, 0, 0}, 1 / sqrtl(dot(v, v)), v);
 }
 
-// The first t > 0 at which the way meets sphere i, from the foot of the perpendicular; else -1.
+// The first t > 0 at which the ray meets sphere i, from the foot of the perpendicular; -1 if none.
 static Exact first_meeting(Look *look, Way way, int i)
 {
     const Sphere *sphere = &look->scene->spheres[i];
@@ -97,7 +97,7 @@ static int nearest(Look *look, Way way, Exact *t)
     return found;
 }
 
-// What is at the end of a way, seen from its start.
+// The end of a ray, seen from its start.
 typedef struct {
     Way back;      // from there, towards where it came from
     Vector normal; // on that side
@@ -141,7 +141,7 @@ static void add_shade(Look *look, const Place *place, Exact sum[3])
         add_light(look, place, &look->scene->lights[i], sum);
 }
 
-// A loop: how much of what is seen next comes through all the mirrors so far.
+// A loop: the share of the next colour that comes through all the mirrors so far.
 static void add_trace(Look *look, Way way, int depth, Exact sum[3])
 {
     Exact share = 1;
@@ -165,7 +165,7 @@ static void add_trace(Look *look, Way way, int depth, Exact sum[3])
     }
 }
 
-// ---- as the answers have it ---------------------------------------------------------------------
+// ---- as the answers compute it -----------------------------------------------------------------
 
 static Way way_of(Ray ray)
 {

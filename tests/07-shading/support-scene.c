@@ -1,4 +1,4 @@
-// support-scene.c - the worlds that the tests of exercise 07 look at, and how they are said.
+// support-scene.c - the worlds of the tests of exercise 07, and how they are described.
 #include "tests/07-shading/support-scene.h"
 
 #include "tests/07-shading/support.h"
@@ -16,7 +16,7 @@ void empty_world(World *world)
                            .surfaces = world->surfaces,
                            .surface_count = 1,
                            .lights = world->lights};
-    // What is behind the last light glares, for whoever counts one too far.
+    // The light after the last one is too bright, for answers that count one too many.
     for (int i = 0; i < MOST_LIGHTS; i++)
         world->lights[i] = distant_light(0.3, 0.5, 0.2);
 }
@@ -132,7 +132,7 @@ Color to_and_fro(Color first, double ks, Color second, double other_ks, int dept
     return sum;
 }
 
-// ---- saying it ----------------------------------------------------------------------------------
+// ---- descriptions ------------------------------------------------------------------------------
 
 enum { MOST_SHOWN = 10 };
 
@@ -201,7 +201,7 @@ void expect_visible(const World *world, vec3 from, Light light, double expected)
     expect_number(visibility(&world->scene, from, light), expected, 0);
 }
 
-// The tolerance of a colour is a part of the light that there is.
+// The tolerance of a colour is a part of the light in the scene.
 static double brightest(const Scene *scene)
 {
     double most = fmax(largest(scene->ambient), largest(scene->background));

@@ -12,8 +12,8 @@
 
 enum { MOST_SPHERES = 300, MOST_LIGHTS = 40 };
 
-// A scene, and what it points to. Sphere i has surface i + 1, so that whoever takes the one number
-// for the other is seen; surface 0 is nobody's, and unlike all others.
+// A scene, and the arrays it points to. Sphere i has surface i + 1, so that an answer that confuses
+// the two numbers is noticed; no sphere has surface 0, which is unlike all others.
 typedef struct {
     Scene scene;
     Sphere spheres[MOST_SPHERES];
@@ -21,7 +21,7 @@ typedef struct {
     Light lights[MOST_LIGHTS];
 } World;
 
-// Nothing but a background and an ambient light, neither black, white nor grey.
+// Only a background and an ambient light, neither black, white nor grey.
 void empty_world(World *world);
 // Returns its index.
 int put_sphere(World *world, vec3 center, double radius, Surface surface);
@@ -37,21 +37,21 @@ Light distant_light(double x, double y, double z);
 void random_world(World *world, int spheres, int lights, double size);
 Surface random_surface(void);
 Color random_scene_color(void);
-// From 1 / most to most, as often small as large.
+// From 1 / most to most, small as often as large.
 double random_size(double most);
-// Towards one of the spheres, from anywhere, inside spheres too.
+// Towards one of the spheres, from anywhere, even from inside spheres.
 Ray random_view(const World *world, double size);
 
 // ---- mirrors ------------------------------------------------------------------------------------
 
 Surface mirror(Color color, double specular);
 Color ambient_of(const World *world, int sphere);
-// What a sphere looks like from where the light is, straight ahead.
+// A sphere as seen from the light, straight ahead.
 Color lit_from_the_eye(const World *world, int sphere, Color light);
 // Two mirrors that face each other: the first, the second in it, the first in that ...
 Color to_and_fro(Color first, double ks, Color second, double other_ks, int depth);
 
-// ---- saying it ----------------------------------------------------------------------------------
+// ---- descriptions ------------------------------------------------------------------------------
 
 void given_world(const World *world);
 void given_scene_light(const Light *light);
@@ -62,9 +62,9 @@ void expect_trace(const World *world, Ray ray, int depth, Color expected);
 // ---- the same, computed in another way (support-exact.c) -------------------------------
 
 // In long double, and without an offset: on which side of its own sphere a ray starts is known
-// there. False where something is so close to a rim that rounding may decide.
+// there. False if something is so close to an edge that rounding may decide.
 bool exact_visibility(const World *world, vec3 from, Light light, double *visibility);
-// What the ray hits first.
+// The first hit of the ray.
 bool exact_hit(const World *world, Ray ray, Hit *hit);
 bool exact_shade(const World *world, Ray ray, Color *color);
 bool exact_trace(const World *world, Ray ray, int depth, Color *color);

@@ -1,4 +1,4 @@
-// support.c - what the tests of exercise 07 are given, and how it is said.
+// support.c - the arguments for the tests of exercise 07, and how they are described.
 #include "tests/07-shading/support.h"
 
 void given_color(const char *name, Color color)

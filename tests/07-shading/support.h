@@ -8,12 +8,12 @@
 
 #define TOLERANCE 1e-9
 
-// What goes in.
+// The arguments.
 void given_light(Light light);
 void given_color(const char *name, Color color);
 void given_highlight(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
-// What must come out: to 1e-9 of the numbers that go in, and of the light for a colour.
+// The expected results: to 1e-9 of the arguments, and of the light for a colour.
 double largest(vec3 v); // of its three numbers, without their signs
 
 Sphere sphere_at(double x, double y, double z, double radius);
@@ -22,7 +22,7 @@ Color random_color(double low, double high);
 // At right angles to a unit vector, and unit.
 vec3 random_across(vec3 unit);
 
-// In the plane of two unit vectors at right angles, so far from the first towards the second.
+// In the plane of two unit vectors at right angles, at an angle from the first towards the second.
 vec3 turned(vec3 from, double degrees, vec3 towards);
 
 #endif

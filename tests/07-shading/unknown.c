@@ -1,4 +1,4 @@
-// unknown.c - wrong answers to exercise 07 that are no known mistake.
+// unknown.c - wrong answers to exercise 07 that are not known mistakes.
 #include "tests/proof/unknown.h"
 
 #include "exercises/07-shading.h"

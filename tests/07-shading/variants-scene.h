@@ -1,4 +1,4 @@
-// variants-scene.h - right answers to exercise 07 that need a scene, written otherwise.
+// variants-scene.h - right answers to exercise 07 that need a scene, written in other ways.
 //
 // Static functions, for the one table of 07-shading.c.
 #ifndef TESTS_07_SHADING_VARIANTS_SCENE_H
@@ -170,7 +170,7 @@ static Color all_in_one(const Scene *scene, Ray ray, Hit hit)
     return sum;
 }
 
-// What a place knows, and each light in its turn.
+// The values at a place, and each light in its turn.
 typedef struct {
     const Scene *scene;
     const Surface *surface;

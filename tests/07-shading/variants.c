@@ -1,4 +1,4 @@
-// variants.c - right answers to exercise 07, written otherwise.
+// variants.c - right answers to exercise 07, written in other ways.
 #include "exercises/07-shading.h"
 
 #include "tests/07-shading/variants-scene.h"
@@ -6,7 +6,7 @@
 
 static const Color black = {0, 0, 0};
 
-// ---- the ways of light --------------------------------------------------------------------------
+// ---- directions of light ------------------------------------------------------------------------
 
 static vec3 divided_by_radius(Sphere sphere, vec3 point)
 {
@@ -84,7 +84,7 @@ static vec3 by_a_unit_direction(vec3 direction, vec3 normal)
     return length * (unit - normal * 2 * vec3_dot(normal, unit));
 }
 
-// Turned by half a turn round the normal, and back.
+// Rotated by half a turn around the normal, and reversed.
 static vec3 by_half_a_turn(vec3 direction, vec3 normal)
 {
     vec3 across = vec3_cross(vec3_cross(normal, direction), normal);
@@ -182,7 +182,7 @@ static Color unit_before_mirroring(double ks, double shine, Color light, vec3 n,
     return color;
 }
 
-// Half a turn round the normal takes the light to where it is mirrored.
+// Half a turn around the normal takes the light to its mirrored direction.
 static Color phong_by_half_a_turn(double ks, double shine, Color light, vec3 n, vec3 l, vec3 e)
 {
     vec3 across = l - vec3_dot(l, n) * n, turned = l - 2 * across;
@@ -208,7 +208,7 @@ static Color phong_by_cosines(double ks, double shine, Color light, vec3 n, vec3
     return low > 0 && cosine > 0 ? ks * exp(shine * log(cosine)) * light : black;
 }
 
-// Who is behind the surface does not see it.
+// An eye behind the surface does not see it.
 static Color phong_not_seen_from_behind(double ks, double shine, Color light, vec3 n, vec3 l,
                                         vec3 e)
 {
@@ -328,52 +328,53 @@ static Color encoded_after_clamping(Color color, double gamma)
 
 const Variant variants[] = {
     VARIANT(surface_normal, divided_by_radius, "divided by the radius"),
-    VARIANT(surface_normal, inward_and_turned, "inward, and turned round"),
-    VARIANT(surface_normal, gradient, "the gradient, made unit"),
+    VARIANT(surface_normal, inward_and_turned, "inward, and reversed"),
+    VARIANT(surface_normal, gradient, "the gradient, normalised"),
     VARIANT(surface_normal, in_long_doubles, "long double"),
     VARIANT(ray_to_light, field_by_field, "field by field"),
     VARIANT(ray_to_light, by_a_switch, "a switch"),
     VARIANT(ray_to_light, changed_where_it_is_near, "changed for a point light"),
     VARIANT(mirror_direction, along_and_across, "the parts along and across the normal"),
     VARIANT(mirror_direction, back_from_the_other_side, "2 (n.-v) n + v"),
-    VARIANT(mirror_direction, by_a_unit_direction, "a unit direction, made as long again"),
+    VARIANT(mirror_direction, by_a_unit_direction, "a unit direction, with its length restored"),
     VARIANT(mirror_direction, by_a_matrix, "Householder's matrix"),
-    VARIANT(mirror_direction, by_half_a_turn, "half a turn round the normal, and back"),
+    VARIANT(mirror_direction, by_half_a_turn, "half a turn around the normal, and reversed"),
     VARIANT(mirror_direction, in_a_frame, "a frame on the mirror"),
     VARIANT(ambient_term, light_first, "the light times kd first"),
     VARIANT(ambient_term, ambient_by_components, "component by component"),
     VARIANT(diffuse_term, diffuse_by_components, "n.l / |l|, component by component"),
-    VARIANT(diffuse_term, by_the_angle, "the angle, by atan2"),
+    VARIANT(diffuse_term, by_the_angle, "the angle, with atan2"),
     VARIANT(diffuse_term, never_negative, "(c + |c|) / 2"),
-    VARIANT(diffuse_term, all_made_unit, "the normal made unit, too"),
+    VARIANT(diffuse_term, all_made_unit, "the normal normalised as well"),
     VARIANT(phong_term, phong_by_the_formula, "2 (n.l) n - l"),
-    VARIANT(phong_term, unit_before_mirroring, "unit first, then mirrored"),
-    VARIANT(phong_term, phong_by_half_a_turn, "half a turn round the normal"),
+    VARIANT(phong_term, unit_before_mirroring, "normalised first, then mirrored"),
+    VARIANT(phong_term, phong_by_half_a_turn, "half a turn around the normal"),
     VARIANT(phong_term, eye_mirrored, "the eye mirrored"),
-    VARIANT(phong_term, phong_by_cosines, "of three dot products, by logarithms"),
+    VARIANT(phong_term, phong_by_cosines, "of three dot products, with logarithms"),
     VARIANT(phong_term, phong_not_seen_from_behind, "nothing for an eye behind the surface"),
     VARIANT(halfway_term, halfway_by_the_mean, "the mean, divided by its length"),
     VARIANT(halfway_term, halfway_by_cosines, "of three dot products"),
-    VARIANT(halfway_term, halfway_in_long_double, "long double, by logarithms"),
+    VARIANT(halfway_term, halfway_in_long_double, "long double, with logarithms"),
     VARIANT(halfway_term, halfway_by_lengths, "both as long as each other first"),
     VARIANT(halfway_term, halfway_not_seen_from_behind, "nothing for an eye behind the surface"),
     VARIANT(clamp_color, clamped_by_conditions, "conditions"),
     VARIANT(clamp_color, clamped_from_above, "conditions, from above first"),
     VARIANT(clamp_color, clamped_by_a_helper, "a helper function"),
-    VARIANT(gamma_encode, encoded_by_logarithms, "by logarithms"),
+    VARIANT(gamma_encode, encoded_by_logarithms, "with logarithms"),
     VARIANT(gamma_encode, encoded_in_base_2, "logarithms in base 2"),
     VARIANT(gamma_encode, encoded_by_roots, "sqrt and cbrt, else powl"),
     VARIANT(gamma_encode, encoded_after_clamping, "clamped first"),
     VARIANT(off_surface, a_billionth, "1e-9 of the size"),
     VARIANT(off_surface, as_little_as_allowed, "as little as the contract allows"),
     VARIANT(off_surface, as_far_as_allowed, "as far as the contract allows"),
-    VARIANT(off_surface, by_the_length_of_the_centre, "the length of the centre for its largest"),
+    VARIANT(off_surface, by_the_length_of_the_centre,
+            "the length of the centre instead of its largest coordinate"),
     VARIANT(off_surface, with_a_loop, "coordinate by coordinate"),
-    VARIANT(visibility, by_the_nearest_hit, "by nearest_hit"),
+    VARIANT(visibility, by_the_nearest_hit, "with nearest_hit"),
     VARIANT(visibility, in_lengths, "unit directions and lengths"),
     VARIANT(visibility, by_distances, "the distance of each centre from the way"),
     VARIANT(visibility, by_recursion, "recursion"),
-    VARIANT(visibility, without_what_hides, "what hides counted"),
+    VARIANT(visibility, without_what_hides, "the number of spheres that hide it"),
     VARIANT(visibility, in_long_double, "the nearest, in long double"),
     VARIANT(shade, lights_by_recursion, "recursion over the lights"),
     VARIANT(shade, color_by_color, "colour by colour, in long double"),
