@@ -2,22 +2,22 @@
 # The parts that it includes are in .make/, a subject each.
 #
 # Which answers are linked is chosen here and nowhere else: ANSWERS=exercises (yours),
-# ANSWERS=solutions, or any folder. What it lacks is filled with blanks.
+# ANSWERS=solutions, or any folder. Missing answers are replaced by blanks.
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .DEFAULT_GOAL := all
 
-# As many at a time as there are processors, unless -j says otherwise. (What this machine is asked, it is
-# asked by one shell: make does so between a saved answer and its verdict, too.)
+# As many jobs as there are processors, unless -j says something else. (One shell asks all questions about
+# this machine, because make also asks them between a saved answer and its verdict.)
 ASKED := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2; $(CC) --version 2>/dev/null | { IFS= read -r line; echo "$$line"; })
 MAKEFLAGS += -j$(firstword $(ASKED))
 
-# A students' handout has no solutions/, no tests of the exercises and no .make/toolkit/. What is there
-# decides.
+# A students' handout has no solutions/, no tests of the exercises and no .make/toolkit/. The
+# existing files decide.
 ANSWERS ?= $(if $(wildcard solutions/.),solutions,exercises)
 STEMS := $(sort $(notdir $(basename $(wildcard exercises/*.h))))
 
-# What is only asked when something is built or drawn of all chapters is not asked between a saved
+# Questions that matter only when all chapters are built or drawn are not asked between a saved
 # answer and its verdict.
 JUDGES_ONLY := $(if $(filter-out exercises watch hint debug reset status,$(or $(MAKECMDGOALS),all)),,yes)
 
@@ -40,7 +40,7 @@ ifeq ($(wildcard $(STEMS:%=$(A)/%.c)),)
 $(error ANSWERS=$(ANSWERS): no answer in it, expected $(firstword $(STEMS)).c and the like)
 endif
 
-# Where an answer is missing, the pictures that do without it are drawn all the same.
+# If an answer is missing, the pictures that do not need it are still drawn.
 ifneq ($(A),solutions)
 MAKEFLAGS += -k
 endif
@@ -69,8 +69,8 @@ endif
 CFLAGS ?= -O2 -g
 WERROR ?= $(if $(CI),-Werror)
 # -ffp-contract=off: fused multiplications would make pictures differ between machines.
-# -Wno-psabi: gcc notes that a vec3 is passed in another way where AVX is on; that is no concern
-# of a build with one compiler and one set of flags, which the stamp below makes sure of.
+# -Wno-psabi: gcc notes that a vec3 is passed in another way if AVX is on. That does not matter in a
+# build with one compiler and one set of flags, which the stamp below guarantees.
 LANGUAGE := -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I.
 STRICT := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes
 # Two warnings are errors for everybody: what is left out there is found by luck or not at all.
@@ -118,7 +118,7 @@ $(B)/common/image_png.o: EXTRA = $(PNG_CFLAGS)
 $(B)/tests/%.o: EXTRA = $(CHECK_CFLAGS)
 
 $(B)/common.a: $(patsubst %.c,$(B)/%.o,$(wildcard common/*.c common/figure/*.c))
-# What the programs of several chapters share; of both, the linker takes what it needs.
+# The code that the programs of several chapters share. From both archives the linker takes what it needs.
 $(B)/chapters/shared.a: $(patsubst %.c,$(B)/%.o,$(wildcard chapters/shared/*.c))
 $(B)/common.a $(B)/chapters/shared.a:
 	$(call say,archive,$@)
@@ -126,7 +126,7 @@ $(B)/common.a $(B)/chapters/shared.a:
 
 # ---- answers ----------------------------------------------------------------------------------
 
-# Where a folder lacks an answer, the blank stands in.
+# If a folder lacks an answer, the blank is used.
 BLANKS := $(STEMS:%=build/blanks/%.c)
 # Blanks are made from the solutions; a handout has them made.
 MAKE_BLANK := $(B)/tests/handout/make_blank
@@ -196,7 +196,7 @@ $(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(B)/cha
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
 GALLERY := $(BUILT)/gallery
-# A picture that needs what a student has not answered yet is no error: that is said, in one line.
+# A picture that needs a missing answer is not an error: one line says so.
 TRY = $(if $(filter solutions,$(ANSWERS)),,chapters/shared/try_picture $@)
 # The picture of a chapter, which chapters/NN-stem/picture.txt describes in words. The other pictures
 # of a chapter, and the scenes of which they are cast, are in its pictures.mk.

@@ -1,6 +1,6 @@
 # exercises.mk - make exercises, watch, hint, debug, reset, submission. Included by the Makefile.
 
-# 'make exercises' judges what stands in exercises/, unless another folder is named. The chapters
+# 'make exercises' judges the answers in exercises/, unless another folder is named. The chapters
 # whose answer has not changed are not judged again.
 EXERCISES := $(if $(filter command line environment,$(origin ANSWERS)),$(A),exercises)
 CHOSEN := $(if $(EX),$(filter $(EX)% 0$(EX)%,$(STEMS)),$(STEMS))
@@ -19,7 +19,7 @@ ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
 $(info Building the judge, once; that takes a moment ...)
 endif
 endif
-# What the answering process holds besides the answer.
+# The parts of the answering process besides the answer.
 ANSWERING := $(patsubst %,$(B)/tests/judge/%.o,answering calls_traced) $(CALLING)
 answering = $(ANSWERING) $(B)/judge/dispatch-$(1).o \
 	$(lent) $(earlier_answers) $(B)/common.a
@@ -36,7 +36,7 @@ QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections -finstrument-functions $(SANIT
 	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
 JUDGES_LAYOUTS := common/figure/plot.gp chapters/01-corners/figures/yours-and-right.gp $(wildcard tests/judge/layouts/*.gp)
 
-# What judges answers and says so (tests/course/course.c), and how it does: the plan.
+# The program that judges answers and prints verdicts (tests/course/course.c), and its plan.
 COURSE := $(B)/course
 $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o $(B)/common.a
 	$(call say,link,$@)
@@ -57,7 +57,7 @@ $(PLAN): Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags.mk
 FOR_JUDGING = $(COURSE) $(PLAN) $(DRAW_FIGURES) $(B)/weak.h $(B)/exercises.names $(BLANKS) $(JUDGES_LAYOUTS) \
 	$(foreach s,$(1),$(B)/judge/$(s) $(filter-out $(VERDICT)/%,$(call answering,$(s))))
 USED_WITH = $(if $(value stands_on),$(STEMS),$(1))
-# What the first verdict needs is built by 'make all' already: nobody waits for it then.
+# 'make all' already builds everything that the first verdict needs, so nobody waits for it.
 FOR_EXERCISES = $(call FOR_JUDGING,$(STEMS))
 
 # Make starts course itself, without a shell, and has nothing to add to what course has said.

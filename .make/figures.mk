@@ -29,7 +29,7 @@ $(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(B)/solutions/$$(call stem_of,$$*) $$(call fig
 	$(Q)mkdir -p $(@D)
 	$(Q)$< --figure $* > $@
 endif
-# With something missing, a figure is not yet; that is said in one line.
+# If something is missing, the figure is not drawn, and one line says so.
 $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,$$*) \
 		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(RECORDS) $$(LIST))
 	$(Q)mkdir -p $(@D)
@@ -46,8 +46,8 @@ figures: $(FIGURES_WANTED:%=$(FIGURES)/%.gp) $(DRAW_FIGURES) $(MAKE_PAGE) ## the
 	@echo "All on a page: $(PAGE)"
 .PHONY: figures
 
-# 'make' draws them for the web. Where gnuplot was missing and has come, they are drawn again. What
-# wrong answers make impossible to draw is said, and stops nothing else.
+# 'make' draws them for the web. If gnuplot was missing and is there now, they are drawn again. A figure
+# that wrong answers make impossible is reported, and stops nothing else.
 DRAWN := $(BUILT)/drawn
 ifeq ($(if $(JUDGES_ONLY),,$(shell cat $(DRAWN) 2>/dev/null)),without gnuplot)
 $(shell command -v gnuplot >/dev/null && rm -f $(DRAWN))

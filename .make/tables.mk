@@ -1,4 +1,4 @@
-# What a handout has instead of tests, solutions and references: tables of what is right (tests/handout/replay/),
+# A handout has these instead of tests, solutions and references: tables of right results (tests/handout/replay/),
 # and the student's own earlier answers. Included by the handout's Makefile.
 
 # The judge asks what the table says.
@@ -10,13 +10,13 @@ $(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/replay/path/%.o \
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
-# The toolkit itself, whatever stands in exercises/.
+# The toolkit itself, whatever the contents of exercises/.
 CHECKS := $(COMMON_TESTS) $(TABLE_CHECKS)
 check: $(RUN) $(CHECKS) $(JUDGES) $(BLANKS) ## the tests of the toolkit
 	@CC='$(CC)' MAKEFLAGS= $(RUN) $(B)/log $(CHECKS) tests/handout/replay/blanks.sh
 
-# A chapter stands on the answers of the earlier ones: each is judged first, and what it was
-# compiled to (the blank, where it does not compile) is linked with the later ones.
+# A chapter depends on the answers of the earlier ones: each is judged first, and its object file
+# (that of the blank, if it does not compile) is linked with the later ones.
 earlier_answers = $(patsubst %,$(VERDICT)/%/answer.o,$(call earlier,$(1)))
 stands_on = $(call earlier,$(1))
 

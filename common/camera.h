@@ -38,7 +38,7 @@ typedef struct {
     vec3 upper_left, upper_right, lower_left, lower_right;
 } Corners;
 
-// Why something is no camera. A negative value is no answer at all.
+// Why something is not a camera. A negative value means that there is no answer.
 typedef enum {
     CAMERA_OK,
     CAMERA_NOT_FINITE,
@@ -60,7 +60,7 @@ typedef enum {
 // CAMERA_OK, or the first of CAMERA_NOT_FINITE .. CAMERA_NO_HEIGHT that holds.
 CameraFault camera_check(Camera camera);
 
-// The reason in words, as the end of the sentence "this is no camera: ...".
+// The reason in words, as the end of the sentence "this is not a camera: ...".
 const char *camera_fault_text(CameraFault fault);
 
 // The camera of the slide: eye (2, 2, -4), looking along +z, d 4, w 2, h 2. It is left-handed.

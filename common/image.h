@@ -35,7 +35,7 @@ enum { IMAGE_PROGRESS_STEP = 1024 };
 bool image_create(Image *image, Resolution size, Message *message);
 void image_free(Image *image);
 
-// Where a pixel, which must lie in the image, stands among all of them, and its three bytes.
+// The index of a pixel, which must be inside the image, and the place of its three bytes.
 static inline size_t image_index(const Image *image, Pixel pixel)
 {
     return (size_t)pixel.row * (size_t)image->size.width + (size_t)pixel.column;

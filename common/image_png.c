@@ -19,7 +19,7 @@ typedef struct {
     int slots[SLOTS]; // where a colour stands, from 1; 0: none
 } Palette;
 
-// Where a colour is, or would be. (2654435761: Knuth's, 2^32 over the golden ratio.)
+// The slot of a colour, or the free slot for it. (2654435761: Knuth's, 2^32 over the golden ratio.)
 static int *slot_of(Palette *palette, const uint8_t *rgb)
 {
     uint32_t key = rgb[0] | (uint32_t)rgb[1] << 8 | (uint32_t)rgb[2] << 16;
@@ -79,7 +79,7 @@ static void ignore_warning(png_structp png, png_const_charp words)
 
 // A picture of spheres is areas, and rows that are like the row above: the difference from that,
 // and of compression only runs. That takes about a quarter of the time of libpng's defaults, and a
-// tenth for a flat picture, which is half as large, too (tests/benches/pictures.c).
+// tenth for a flat picture, which is also half as large (tests/benches/pictures.c).
 static void set_compression(png_structp png)
 {
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
@@ -112,7 +112,7 @@ static void encode(png_structp png, png_infop info, const Image *image, Palette 
     png_write_end(png, info);
 }
 
-// The jump comes back to here, where there is no variable that it could spoil.
+// longjmp returns to this function, which has no local variable that it could spoil.
 static bool try_to_encode(png_structp png, png_infop info, const Image *image, Palette *palette,
                           FILE *file)
 {

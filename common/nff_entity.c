@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Room for one more behind count items: the array doubles whenever it is full.
+// Room for one more after count items: the array doubles whenever it is full.
 static void *room_for_one(void *items, int count, size_t size)
 {
     if (count != 0 && (count & (count - 1)) != 0)

@@ -30,7 +30,7 @@ bool nff_wrong(NffLine *line, const char *format, ...)
     return false;
 }
 
-// Moves what is left to the front, and reads more behind it. False where there is no more.
+// Moves the rest to the front and reads more after it. False if there is no more.
 static bool hold_more(NffLine *line)
 {
     size_t left = (size_t)(line->end - line->next);
@@ -55,7 +55,7 @@ static char *read_text(NffLine *line)
         size_t length = stop != NULL ? (size_t)(stop - line->next) : held;
         size_t seen = length <= NFF_LONGEST_LINE ? length : NFF_LONGEST_LINE + 1;
         if (memchr(line->next, '\0', seen) != NULL)
-            nff_wrong(line, "a zero byte: this is no text, expected an NFF scene");
+            nff_wrong(line, "a zero byte: this is not text, expected an NFF scene");
         else if (length > NFF_LONGEST_LINE)
             nff_wrong(line, "a line of more than %d characters, expected an NFF scene",
                       NFF_LONGEST_LINE);
@@ -137,12 +137,13 @@ static bool read_word(NffLine *line, int index, const char *expected, double *nu
     const char *word = line->words[index];
     const char *end = read_number(word, number);
     if (end == NULL || *end != '\0')
-        return nff_wrong(line, "'%s' is no finite number, expected %s", word_text(word).s,
+        return nff_wrong(line, "'%s' is not a finite number, expected %s", word_text(word).s,
                          expected);
     return true;
 }
 
-// What is passed over is looked at, or a line too few would swallow what follows unseen.
+// Skipped lines are also checked: if one were missing, the next entity would be lost without a
+// word.
 bool nff_skip(NffLine *line, int lines)
 {
     char expected[80];

@@ -29,9 +29,9 @@ void nff_begin(NffLine *line, FILE *file, const char *file_name, Message *messag
 // where the file cannot be read; then failed is set.
 bool nff_next(NffLine *line);
 
-// Goes to the next line and reads it where it is a plain one: this letter, so many numbers, each
-// behind one blank, and the end of the line. Most lines of long scenes are, and this is quick.
-// Where it is anything else false, and nothing has happened; nff_next says what it is.
+// Goes to the next line and reads it if it is a plain one: this letter, this count of numbers, each
+// after one space, and the end of the line. Most lines of long scenes are plain, and this is quick.
+// For any other line: false, and nothing has happened; call nff_next to read it.
 bool nff_plain(NffLine *line, char letter, int count, double *numbers);
 
 // Passes over lines of numbers that the toolkit has no use for. False where the file ends before,
@@ -41,8 +41,8 @@ bool nff_skip(NffLine *line, int lines);
 // Says FILE:LINE: and what is wrong. Always false.
 bool nff_wrong(NffLine *line, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-// Reads all words behind the first as numbers, from least to most of them. False where one is
-// none, or there are too few or too many; expected says what the line should have been.
+// Reads all words after the first as numbers, from least to most of them. False if one is not a
+// number, or there are too few or too many; expected says what the line should have been.
 bool nff_numbers(NffLine *line, const char *expected, int least, int most, double *numbers);
 bool nff_vec3(NffLine *line, const char *expected, vec3 *v);
 

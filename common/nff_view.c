@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-// The lines of a viewpoint, each of which must stand once.
+// The lines of a viewpoint; each must occur once.
 enum { FROM = 1, AT = 2, UP = 4, ANGLE = 8, HITHER = 16, RESOLUTION = 32 };
 static const struct {
     const char *word;

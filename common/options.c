@@ -160,7 +160,7 @@ int options_read(int argc, char **argv, const Option *options, Usage usage)
                                  : word_text(argv[optind - 1]);
             options_wrong(argv[0],
                           found == ':' ? "%s: a value is missing"
-                                       : "'%s' is no option, or takes no value",
+                                       : "'%s' is not an option, or takes no value",
                           word.s);
         }
         const Option *o = options;

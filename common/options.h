@@ -21,7 +21,7 @@ typedef struct {
     const char *help; // one line
 } Option;
 
-// What a program says of itself in --help.
+// The text of a program for --help.
 typedef struct {
     const char *synopsis; // what follows the program's name
     const char *purpose;  // one sentence or two

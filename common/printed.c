@@ -12,7 +12,7 @@
 
 static const char *name;
 
-// What a full buffer could not write before is known by ferror only, without the reason.
+// If a full buffer could not be written earlier, only ferror knows it, without the reason.
 static void check(void)
 {
     errno = 0;

@@ -52,7 +52,7 @@ bool scene_load(const char *path, Scene *scene, Message *message)
 const Surface *scene_surface(const Scene *scene, int i)
 {
     if (i < 0 || i >= scene->sphere_count) {
-        fprintf(stderr, "scene_surface: there is no sphere %d in a scene of %d\n", i,
+        fprintf(stderr, "scene_surface: sphere %d does not exist in a scene of %d\n", i,
                 scene->sphere_count);
         abort();
     }

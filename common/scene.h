@@ -22,14 +22,14 @@
 
 #define SCENE_AMBIENT 0.1
 
-// Where the picture is taken from. Turning it into a camera is exercise 02.
+// The viewpoint of the picture. Turning it into a camera is exercise 02.
 typedef struct {
     vec3 from, at, up;
     double angle;          // degrees, 0 to 180, across the width of the image, edge to edge
     Resolution resolution; // pixels are square
 } Viewpoint;
 
-// A point light stands at its position; a distant one, like the sun, lies in that direction from
+// A point light is at its position; a distant one, like the sun, is in that direction from
 // everywhere. NFF has point lights.
 typedef enum { LIGHT_POINT, LIGHT_DISTANT } LightKind;
 
@@ -58,7 +58,8 @@ typedef struct {
     int light_count;
 } Scene;
 
-// What sphere number i looks like. There is no sphere -1: that stops the program, and says so.
+// The surface of sphere number i. If i is not a sphere's number, as -1, the program stops with a
+// message.
 const Surface *scene_surface(const Scene *scene, int i);
 
 // Reads a scene. On failure false, message says FILE:LINE: what is wrong, what was expected, and

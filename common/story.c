@@ -51,6 +51,6 @@ void story_needs_camera(const char *program, Camera camera)
     if (fault == CAMERA_OK)
         return;
     fflush(stdout);
-    fprintf(stderr, "%s: this is no camera: %s\n", program, camera_fault_text(fault));
+    fprintf(stderr, "%s: this is not a camera: %s\n", program, camera_fault_text(fault));
     exit(EXIT_COULD_NOT);
 }

@@ -17,7 +17,8 @@ void story_camera(Camera camera);
 // the story could not be printed.
 int story_end(void);
 
-// Where these numbers are no camera: says why on stderr, names the program, and exits with 1.
+// If these numbers are not a camera, prints the reason and the program's name on stderr and exits
+// with 1.
 void story_needs_camera(const char *program, Camera camera);
 
 #endif

@@ -84,7 +84,7 @@ static const char *read_digits(const char *text, uint64_t *digits)
     return text;
 }
 
-// The power of ten behind an 'e', added to what is there; NULL where it is none, or a large one.
+// The power of ten after an 'e', added to *power; NULL if it is not a number, or a large one.
 static const char *read_power(const char *text, int *power)
 {
     bool negative = *text == '-';
@@ -133,7 +133,7 @@ static const char *read_short_number(const char *text, double *number)
 
 const char *read_number(const char *text, double *number)
 {
-    // Where doubles are computed with more digits than they hold, they are rounded twice.
+    // If doubles are computed with more digits than they hold, they are rounded twice.
     const char *short_end = FLT_EVAL_METHOD == 0 ? read_short_number(text, number) : NULL;
     if (short_end != NULL)
         return short_end;

@@ -17,8 +17,9 @@ static bool close_written(FILE *file, const char *path, Message *message)
 
 // ---- signals ----------------------------------------------------------------------------------
 
-// While a temporary file is there, a signal that ends the program removes it. What the program
-// ignored before stays ignored. A file that grows beyond a limit is no end but an error (EFBIG).
+// While a temporary file is there, a signal that ends the program removes it. Signals that the
+// program ignored stay ignored. A file that grows beyond a limit does not end it: that is an error
+// (EFBIG).
 static const int ending[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGALRM, SIGXCPU};
 enum { ENDINGS = sizeof ending / sizeof ending[0] };
 static struct sigaction before[ENDINGS], before_limit;

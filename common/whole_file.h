@@ -1,7 +1,7 @@
 // whole_file.h - files that are written whole or not at all.
 //
-// What is new is written beside its place under another name and renamed when it is complete, so
-// that whoever looks sees the old file or the new one, never half of one. A program that is ended
+// The new file is written beside its place under another name and renamed when it is complete. So
+// every reader sees the old file or the new one, never half of one. A program that is ended
 // meanwhile by a signal (Ctrl-C, say) removes the other file first; only SIGKILL can leave it.
 #ifndef COMMON_WHOLE_FILE_H
 #define COMMON_WHOLE_FILE_H
@@ -14,7 +14,7 @@
 // Writes what is given to a file. False, and a message that names path, where it could not.
 typedef bool FileWriter(FILE *file, const void *given, const char *path, Message *message);
 
-// False, and a message, where it is plain before any work that path cannot be written.
+// False, and a message, if it is clear before any work that path cannot be written.
 bool file_path_is_writable(const char *path, Message *message);
 
 // Whether two paths lead to one and the same ordinary file, by whatever links.

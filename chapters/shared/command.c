@@ -107,7 +107,7 @@ static bool load(Drawing *drawing, const Command *command)
     CameraFault fault = scene_camera(&drawing->scene.view, drawing->size, &drawing->camera);
     if (fault == CAMERA_OK)
         return true;
-    message_set(&message, "%.300s: its viewpoint is no camera: %s", drawing->scene_path,
+    message_set(&message, "%.300s: its viewpoint is not a camera: %s", drawing->scene_path,
                 camera_fault_text(fault));
     scene_free(&drawing->scene);
     return report(message.text);

@@ -8,7 +8,7 @@
 // label of numbers has a minus sign, not a hyphen.
 char *gnuplot_string(const char *text, bool is_label);
 
-// To more digits than any canvas shows; NaN, which gnuplot leaves out, where it is not finite.
+// To more digits than any canvas shows. If x is not finite: NaN, which gnuplot leaves out.
 Text gnuplot_number(double x);
 
 #endif

@@ -29,7 +29,7 @@ static bool define(Plot *plot, const char *name, const char *value)
     return is_wrong;
 }
 
-// It is wrong where the numbers are that it shows: what rounding leaves of 0 reads otherwise, too.
+// It is wrong if its numbers are: a 0 that is off by rounding also has another text.
 static void define_label(Plot *plot, const char *name, const char *label, bool is_wrong)
 {
     char key[100], *value = gnuplot_string(label, true);

@@ -3,7 +3,7 @@
 #   gnuplot NAME.gp                                      draws NAME.svg, light, 16:9
 #   gnuplot -e 'format="png"; theme="dark"' NAME.gp
 #
-# What can be said with -e: format svg, pdf, png, tex (cairolatex) or txt (the figure in words); theme
+# Settings for -e: format svg, pdf, png, tex (cairolatex) or txt (the figure in words); theme
 # light or dark; shape 16:9 or 4:3; step (what is drawn up to there); output (the file, without its
 # ending); background (a colour); azimuth, elevation (degrees: from where it is seen).
 if (!exists("format")) format = "svg"
@@ -108,7 +108,7 @@ large(s) = sized(s, 1.25)
 # A layout says how many steps it has: steps = 5.
 steps = 1
 # In a plot: '@step2 ...' is drawn from step 2 on; '@who $DATA index who ...' draws what is right and,
-# where there is something wrong, yours beside it, dashed.
+# if something is wrong, yours beside it, dashed.
 step2 = "for [_=2:step:1000]"
 step3 = "for [_=3:step:1000]"
 step4 = "for [_=4:step:1000]"
@@ -125,7 +125,7 @@ hair = "lines lw 0.8"
 arrow = sprintf("vectors head filled size %g,18,90 lw 2.2", 12)
 thin_arrow = sprintf("vectors head filled size %g,18,90 lw 1.2", 9)
 dimension = sprintf("vectors heads filled size %g,16,90 lw 1", 8)
-# Without a head; of the world; and a plane that what is behind it shines through.
+# Without a head; of the world; and a plane that lets the things behind it shine through.
 leg = "vectors nohead lw 1.2"
 axis = sprintf("vectors head filled size %g,18,90 lw 1", 9)
 glass = "transparent solid 0.6"
@@ -154,7 +154,7 @@ seen_y(x, y, z) = above(along_right(x, y, z), along_up(x, y, z), along_forward(x
 seen_near(x, y, z) = near(along_right(x, y, z), along_up(x, y, z), along_forward(x, y, z))
 X(x, y, z) = shift_x[panel] + middle_x + scale * (seen_x(x, y, z) - center_x)
 Y(x, y, z) = shift_y[panel] + middle_y + scale * (seen_y(x, y, z) - center_y)
-# Several pictures side by side: panel 2 stands where panel 1 does, but for shift_x[2] to the right and
+# Several pictures side by side: panel 2 is panel 1 moved by shift_x[2] to the right and
 # shift_y[2] up; '@panel2 $DATA using @point ...' draws in it.
 panel = 1
 array shift_x[8]
@@ -271,7 +271,7 @@ finish = 'unset output; \
     if (format eq "txt") { set print output.".txt"; print title; print ""; \
         print description.(wrong ? differs : "").(wrong && note ne "" ? " ".note : ""); unset print }'
 
-# Where something is wrong, a word on what is dashed, and why.
+# If something is wrong, words about the dashed lines, and the reason.
 legend = 'if (wrong) { \
     set arrow 99 from 0, 0 to width, 0 nohead lc rgb faint lw 1; \
     set label 99 "solid: right\ndashed: yours" at width - 16, -24 right font small_font tc rgb grey front; \

@@ -1,11 +1,11 @@
 // plot.h - figures: numbers and a layout become one gnuplot script that needs nothing else.
 //
 // A figure is a layout, chapters/NN-stem/figures/NAME.gp, and the data that the chapter's program
-// computes for it: numbers, points, vectors, tables. The script that is written holds both, behind
+// computes for it: numbers, points, vectors, tables. The script holds both, after
 // common/figure/plot.gp (formats, themes, projection), so that 'gnuplot NAME.gp' draws it anywhere.
 //
-// All data are the world's: the script projects them. Where the data of right answers are given
-// too (--beside), those are index 0 of each block, and what is drawn dashed beside them, yours, is
+// All data are the world's: the script projects them. If the data of right answers are also
+// given (--beside), those are index 0 of each block, and yours, drawn dashed beside them, are
 // index 1; of variables, NAME is right and your_NAME is yours.
 #ifndef COMMON_FIGURE_PLOT_H
 #define COMMON_FIGURE_PLOT_H
@@ -19,7 +19,7 @@ typedef struct Plot Plot;
 
 // ---- by name: numbers, words, points, vectors (plot.c) ----------------------------------------
 
-// NAME = x, and NAME_text = "x" as labels show it: to 4 digits, or to as many as are said.
+// NAME = x, and NAME_text = "x" as labels show it: to 4 digits, or to the given number.
 void plot_number(Plot *plot, const char *name, double x);
 void plot_number_to(Plot *plot, const char *name, double x, int digits);
 
@@ -56,7 +56,7 @@ bool plot_block_end(Plot *plot); // whether it differs from what is right
 
 // ---- what the layout starts from (plot_fit.c, plot_script.c) ----------------------------------
 
-// What the picture has to show: a point, or a sphere of a radius.
+// A thing that the picture must show: a point, or a sphere of a radius.
 void plot_fit(Plot *plot, vec3 center, double radius);
 
 // Puts a file of gnuplot's words before the data: what some layouts have in common, common/NAME.gp.
@@ -70,11 +70,11 @@ typedef struct {
     void (*data)(Plot *plot, void *given);
 } Figure;
 
-// What the command line says about figures.
+// The command line's options for figures.
 typedef struct {
-    const char *name;  // which; "list": their names; NULL where a story or a picture is wanted
+    const char *name;  // which; "list": their names; NULL for a story or a picture
     const char *right; // the script of the same figure by right answers; NULL: there is none
-    const char *note;  // what is said where something differs; NULL: nothing
+    const char *note;  // a note if something differs; NULL: none
 } FigureCommand;
 
 #define FIGURE_OPTIONS(command)                                                                    \
@@ -89,8 +89,8 @@ typedef struct {
 int plot_figure(const char *program, const char *chapter, const Figure *figures,
                 FigureCommand command, void *given);
 
-// The script alone, for who is no program of a chapter, by the layout in that file. False, and a
-// message on stderr, where a file cannot be read.
+// The script alone, for callers other than the chapter programs, by the layout in that file. False,
+// and a message on stderr, if a file cannot be read.
 bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
                  const char *note, void *given);
 

@@ -33,7 +33,7 @@ void plot_fit_wrong(Plot *plot, vec3 place)
         plot_fit(plot, place, 0);
 }
 
-// What is right has to be seen whatever is wrong.
+// The right parts must be visible, however wrong the others are.
 void plot_fit_end(Plot *plot)
 {
     fclose(plot->fit);

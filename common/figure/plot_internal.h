@@ -1,4 +1,5 @@
-// plot_internal.h - a figure's script while it is collected: what the files behind plot.h share.
+// plot_internal.h - a figure's script while it is collected: shared by the files that implement
+// plot.h.
 #ifndef COMMON_FIGURE_PLOT_INTERNAL_H
 #define COMMON_FIGURE_PLOT_INTERNAL_H
 
@@ -6,7 +7,7 @@
 
 struct Plot {
     FILE *script;
-    FILE *included; // what stands before the data
+    FILE *included; // the text before the data
     FILE *fit;      // rows of $fit
     char *fit_text;
     size_t fit_size;
@@ -15,9 +16,9 @@ struct Plot {
     size_t rows_size;
     const char *block;
     const char *columns;
-    char *right; // the data by right answers; NULL where there are none
+    char *right; // the data by right answers; NULL if there are none
     bool wrong;  // something differs from them
-    bool failed; // a file could not be read; that has been said
+    bool failed; // a file could not be read, and a message said so
 };
 
 // ---- what is right (plot_right.c) -------------------------------------------------------------
@@ -33,7 +34,7 @@ bool plot_is_right(const char *right, size_t size, const char *yours);
 
 // ---- what has to be seen (plot_fit.c) ---------------------------------------------------------
 
-// Shows what is wrong, where that is near enough to leave the rest of the figure legible.
+// Shows a wrong part, if it is near enough to leave the rest of the figure legible.
 void plot_fit_wrong(Plot *plot, vec3 place);
 
 // Writes $fit, when all else is written.

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// From behind key, which begins a line, up to end.
+// From the end of key, which begins a line, up to end.
 static size_t between(const Plot *plot, const char *key, const char *end, const char **begin)
 {
     const char *found = plot->right != NULL ? strstr(plot->right, key) : NULL;
@@ -22,7 +22,7 @@ size_t plot_right_value(const Plot *plot, const char *name, const char **begin)
     return between(plot, key, "\n", begin);
 }
 
-// Behind the block's first line stands the comment that names its columns.
+// After the block's first line comes the comment that names its columns.
 size_t plot_right_rows(const Plot *plot, const char *block, const char **begin)
 {
     char key[120];
@@ -36,7 +36,7 @@ size_t plot_right_rows(const Plot *plot, const char *block, const char **begin)
     return size;
 }
 
-// A number as data or a label has it; next is behind it, or at its begin where there is none.
+// A number as in data or in a label. next points after it, or to its start if there is none.
 static double number_at(const char *text, const char **next)
 {
     bool minus = strncmp(text, "\u2212", strlen("\u2212")) == 0;

@@ -43,8 +43,8 @@ void plot_include(Plot *plot, const char *path)
     free(text);
 }
 
-// Of a script by right answers, the data: what stands between the two. All of it where it is only
-// those.
+// The data of a script by right answers: the text between the two lines, or all of it if it is
+// only data.
 static void keep_data(char *script)
 {
     char *begin = strstr(script, DATA_BEGIN);
@@ -55,7 +55,7 @@ static void keep_data(char *script)
         *end = '\0';
 }
 
-// Whether something is wrong has to be known at the top, and is only behind the data.
+// The top of the script must say whether something is wrong, but that is known only after the data.
 static void write_script(Plot *plot, FILE *out, const Figure *figure, const char *head,
                          const char *layout, const char *note, void *given)
 {

@@ -6,7 +6,7 @@
 
 # A number with a minus sign.
 number(x) = (x < 0 ? "−" : "").sprintf("%.10g", abs(x))
-# Where yours is another number, both: said after the right one; or how many marks of yours to draw.
+# If your number differs, both are shown, yours after the right one; or the number of your marks to draw.
 differs(name) = exists("your_".name)
 yours(name) = differs(name) ? ", yours ".value("your_".name."_text") : ""
 # A label needs a place, even one that says nothing: gnuplot 5.4 crashes where it has none.
@@ -34,7 +34,7 @@ from_circle(u, v, w, h) = sqrt(most(abs(u - ball_u) - w, 0)**2 + most(abs(v - ba
 # Do a label of n characters at u, v and one of m at x, y overlap?
 overlap(u, v, n, x, y, m) = abs(u - x) < half(n) + half(m) + 4 && abs(v - y) < 22
 # '@beside_roots': hit0_u, hit0_v, hit1_u, hit1_v for the labels of n0 and n1 characters at the two roots,
-# moved apart until they touch neither the circle nor each other. (Where there is no root, NaN < 4 holds.)
+# moved apart until they touch neither the circle nor each other. (Without a root, NaN < 4 holds.)
 label_u(t, n, e) = beside_u(t_u(t), n) + e * line_u
 label_v(t, n, e) = beside_v(t_v(t), n) + e * line_v
 from_label(e) = most(abs(label_u(t0, n0, -e0 - e) - label_u(t1, n1, e1 + e)) - half(n0) - half(n1), \

@@ -1,9 +1,9 @@
-# spheres.gp - spheres before and behind the image plane, as shaded discs with great circles.
+# spheres.gp - spheres in front of and behind the image plane, as shaded discs with great circles.
 #
 # $spheres has a row for each of 'balls' spheres: number x y z radius rgb (65536 r + 256 g + b).
-# '@spheres', after @see, makes three lists for the plot command: @behind is what the image plane is
-# drawn over, @before what is drawn over it, @names the letters. seen(x, y, z) is 1 where neither a
-# sphere nor the image plane hides a place of the world.
+# '@spheres', after @see, makes three lists for the plot command: @behind is drawn
+# before the image plane, @before after it, @names are the letters. seen(x, y, z) is 1 if neither a
+# sphere nor the image plane hides that place of the world.
 #
 # Far spheres are drawn first. Where two meet, a plane through their common circle divides them, and
 # of the nearer one just what is beyond it is drawn: so neither hides too much. The image plane
@@ -76,7 +76,7 @@ arc_n(which, phi) = which == 0 ? near(cos(phi), 0, sin(phi)) : near(cos(phi), si
 on_arc(i, list, which, phi) = arc_n(which, phi) > 0 && beyond(i, list, words(list), ball_r[i] * arc_x(which, phi), \
     ball_r[i] * arc_y(which, phi), ball_r[i] * arc_n(which, phi)) ? ball_y[i] + ball_r[i] * arc_y(which, phi) : NaN
 
-# What draws sphere i: its shades, its outline, its great circles.
+# The commands that draw sphere i: its shades, its outline, its great circles.
 layers = 10
 disc(i, list, k) = sprintf("'+' using (disc_x(%d,'%s',%g,$0)):(disc_y(%d,'%s',%g,$0)) with filledcurves closed \
 fc rgb '%s' fs solid noborder title '%s %s', ", i, list, k, i, list, k, shade(ball_rgb[i], 0.55 * k - 0.3), \
@@ -131,15 +131,15 @@ spheres = 'set samples 145; count = 0; behind = ""; before = ""; names = ""; \
         else { if (ball_h[i] < ball_r[i]) { before = before.ball(i, "0".divided[i]) } }; \
         names = names.name_at(i, spot(i, 0)) }'
 
-# Round a hit on a sphere that is too large to be drawn, a ground: '@patches', behind all else.
+# Around a hit on a sphere that is too large to draw (a ground): '@patches', drawn first.
 patches = '$patches index 0 using @point:(pale($4)) with filledcurves closed fc rgb variable fs solid noborder title "patches", \
     $patches index 0 using @point with @hair lc rgb grey title "patches, outline", \
     $patch_names index 0 using @point:(small(ball_name($4))) with labels tc rgb ink title "patches, names",'
 in_part(_) = patched ? "Of a sphere that is not drawn as a whole there is what is round the hit. " : ""
 
-# A ray's bold part, where it is seen.
+# A ray's bold part, if it is visible.
 bold = "(X($1,$2,$3)):($5 == 1 && seen($1,$2,$3) ? Y($1,$2,$3) : NaN)"
-# What is left out of the picture, or drawn elsewhere; a function, as not all layouts have these numbers.
+# The parts left out of the picture, or drawn elsewhere. A function, because not all layouts have these numbers.
 drawn(_) = (coarse || balls < all_balls || plane_t < 1 ? "Drawn: " : " ").(coarse ? sprintf("%s of %s pixels", \
     grid_text, size_text) : "").(coarse && balls < all_balls ? ", " : "").(balls < all_balls ? \
     sprintf("%d of %d spheres", balls, all_balls) : "").(plane_t == 1 ? "" : \

@@ -260,7 +260,7 @@ does_not_build 'a header that only another chapter includes' 01-corners \
     's|return c.distance \* c.forward - |printf("x");\n    &|' 'printf is in the standard library: #include <stdio.h>'
 does_not_build 'its contract not included' 01-corners '/#include "exercises/d' \
     '#include "exercises/01-corners.h" is missing at the top'
-does_not_build 'a main' 01-corners 's|^Camera with|int main(void)\n{\n    return 0;\n}\n\n&|' 'leave main out'
+does_not_build 'a main' 01-corners 's|^Camera with|int main(void)\n{\n    return 0;\n}\n\n&|' 'remove main'
 does_not_build 'an inline that is nowhere else' 01-corners \
     's|^vec3 upper_left|inline double half(double x)\n{\n    return x / 2;\n}\n\n&|; s|c.width / 2|half(c.width)|' \
     'half is inline: write static inline'
@@ -341,7 +341,7 @@ check 'what it could do better is listed' says 'more digits in quadratic_roots,'
 cp solutions/05-quadratic.c "$answers"
 answer 06-ray-casting 's|nothing ? scene->background : ||'
 judge EX=06
-check 'a colour of sphere -1 is said to be none' says 'scene_surface: there is no sphere -1'
+check 'the colour of sphere -1 is reported as missing' says 'scene_surface: sphere -1 does not exist'
 cp solutions/06-ray-casting.c "$answers"
 # In a picture that is higher than wide that leads behind the last depth.
 answer 06-ray-casting 's|depth\[i\]|depth[i / width * height + i % width]|'

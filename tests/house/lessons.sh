@@ -78,7 +78,7 @@ check 'chapter 02 shows what the wrong hand does' prints 02-cameras
 wanted='3.62151'
 check "chapter 05 prints the hit of the deck's arrow" prints 05-quadratic
 
-# What is no camera, and what cannot be, is refused.
+# Invalid cameras and impossible numbers are refused.
 exits_with() {
     status=$1
     shift
@@ -87,7 +87,7 @@ exits_with() {
     cat "$scratch/printed"
     [ "$found" -eq "$status" ]
 }
-check 'chapter 01 refuses what is no camera' exits_with 1 "$PROGRAMS/01-corners" --right 2,0,0
+check 'chapter 01 refuses invalid cameras' exits_with 1 "$PROGRAMS/01-corners" --right 2,0,0
 check 'chapter 02 refuses to look at the eye' exits_with 1 "$PROGRAMS/02-cameras" --eye 1,2,3 --at 1,2,3
 check 'chapter 02 refuses options that belong to no look-at' exits_with 2 "$PROGRAMS/02-cameras" --hand left
 check 'chapter 03 refuses a pixel off the screen' exits_with 2 "$PROGRAMS/03-screen" --size 4x3 --pixel 4,0
