@@ -19,7 +19,7 @@ STEMS := $(sort $(notdir $(basename $(wildcard exercises/*.h))))
 
 # Questions that matter only when all chapters are built or drawn are not asked between a saved
 # answer and its verdict.
-JUDGES_ONLY := $(if $(filter-out exercises watch hint debug reset status,$(or $(MAKECMDGOALS),all)),,yes)
+JUDGES_ONLY := $(if $(filter-out exercises watch hint debug reset status optional tasks,$(or $(MAKECMDGOALS),all)),,yes)
 
 # Answers inside the tree are named from its top, others by their whole path. Not by patsubst: the
 # path of the tree may have a '%'.
@@ -93,7 +93,7 @@ Q := $(if $(V),,@)
 say = $(if $(V),,@$(TALK))
 TALK = printf '  %-9s %s\n' '$(1)' '$(2)'
 # A student wants the verdict, not what it took.
-ifneq ($(filter exercises watch hint debug submission,$(MAKECMDGOALS)),)
+ifneq ($(filter exercises watch hint debug submission optional tasks,$(MAKECMDGOALS)),)
 TALK = :
 endif
 
@@ -237,11 +237,12 @@ setup: ## install what is missing (FOR=lecturer, instructor, contributor)
 
 include .make/tests.mk
 include .make/exercises.mk
+include .make/optional.mk
 include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit/handout.mk .make/toolkit/lessons.mk)
 
 # ---- the habits of the house ------------------------------------------------------------------
 
-C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] exercises/*.h solutions/*.c) \
+C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] exercises/*.h solutions/*.c solutions/*/*.c) \
 	$(filter-out tests/benches/peers/% tests/grade/attacks/% tests/grade/example/%,$(wildcard tests/*.[ch] \
 	tests/*/*.[ch] tests/*/*/*.[ch]))
 FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)

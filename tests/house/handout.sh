@@ -59,9 +59,9 @@ only_for_students() {
 check 'its Makefile makes nothing that is not for students' only_for_students
 
 # Lines that are somebody's answer: not those that a blank, common/ or a chapter has, too.
-awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 } inside && !/\/\/~/' solutions/*.c |
+awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 } inside && !/\/\/~/' solutions/*.c solutions/optional/*.c |
     sed 's/^ *//; s/ *$//' | awk 'length > 25' | sort -u >"$scratch/answers"
-cat build/blanks/*.c common/*.[ch] common/figure/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] |
+cat build/blanks/*.c build/blanks/optional/*.c common/*.[ch] common/figure/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] |
     awk 'FNR == NR { given = given "\n" $0; next } index(given, $0) == 0' - "$scratch/answers" >"$scratch/secret"
 check 'no line of a solution is in it' holds_none_of "$scratch/secret"
 for teller in build/replay/tell/*; do
@@ -71,7 +71,7 @@ check 'no formula of a mistake is in it' holds_none_of "$scratch/formulas"
 # No function of it is an answer in another form: it calls what the reference of that answer calls, in a
 # body of its own. (A function that only calls each answer once, to see which are missing, is none.)
 repeats_no_answer() {
-    find "$scratch/tree" -name '*.c' ! -path '*/exercises/*' ! -path '*/blanks/*' -exec awk '
+    find "$scratch/tree" -name '*.c' ! -path '*/exercises/[0-9]*' ! -path '*/blanks/*' -exec awk '
         function check(answer, calls,    called, i, count) {
             count = split(calls, called, " ")
             for (i = 1; i <= count; i++)

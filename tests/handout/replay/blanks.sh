@@ -27,7 +27,7 @@ check 'the first blank is the first thing to do' says 'is not answered yet'
 
 answers=$scratch/answers
 mkdir "$answers"
-cp build/blanks/* "$answers"
+cp build/blanks/*.c "$answers"
 echo 'this is no C' >"$answers/03-screen.c"
 refused() {
     ! judge

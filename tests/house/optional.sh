@@ -1,0 +1,56 @@
+#!/bin/sh
+# optional.sh - the optional tasks: each solution draws its picture, each blank does not, and make says so.
+set -u
+. tests/house/runner/library.sh
+
+tasks=$(basename -s .c solutions/optional/*.c)
+optional() {
+    make --no-print-directory optional "$@" >"$scratch/said" 2>&1
+}
+is_right() {
+    optional ANSWERS=solutions TASK="$1" && says "$1: right"
+}
+# The reference's chapters, and no answer to the task: its blank is used.
+answers=$scratch/answers
+mkdir -p "$answers/optional" && cp solutions/*.c "$answers"
+is_missing() {
+    ! optional ANSWERS="$answers" TASK="$1" && says "$1: needs "
+}
+blank_is_committed() {
+    cmp "build/blanks/optional/$1.c" "exercises/optional/$1.c"
+}
+has_hints() {
+    awk -v task="### $1" '/^###? / { inside = $0 == task } inside && /<details><summary>/ { n++ } END { exit n < 2 }' \
+        exercises/optional/README.md && grep -qF "](pictures/$1.png)" exercises/optional/README.md
+}
+for task in $tasks; do
+    check "the solution of $task draws its picture" is_right "$task"
+    check "its blank draws none, and make names what is missing" is_missing "$task"
+    check "the blank in exercises/ is that of the solution" blank_is_committed "$task"
+    check "there is a picture and a hint for it" has_hints "$task"
+done
+
+# One that is wrong: half the angle.
+sed 's|degrees / 2 \* PI|degrees / 4 * PI|' solutions/optional/01-fisheye.c >"$answers/optional/01-fisheye.c"
+says_how_wrong() {
+    ! optional ANSWERS="$answers" TASK=fisheye && says ' of 57600 pixels differ, by up to ' &&
+        panels=$(sed -n 's/.*yours, expected, difference: //p' "$scratch/said") && [ -s "$panels" ]
+}
+check 'a wrong picture is counted, and shown beside the expected one' says_how_wrong
+is_listed() {
+    optional ANSWERS="$answers" && says 'pixels differ' && says 'not begun' &&
+        [ "$(grep -c '^  [0-9]' "$scratch/said")" -eq "$(echo "$tasks" | wc -l)" ]
+}
+check 'the list has all tasks with their state' is_listed
+printf 'this is not C\n' >"$answers/optional/01-fisheye.c"
+does_not_compile() {
+    ! optional ANSWERS="$answers" TASK=fisheye && says 'error:'
+}
+check 'a task that does not compile is an error' does_not_compile
+unknown() {
+    ! optional TASK=nothing && says 'TASK=nothing: no such task'
+}
+check 'an unknown task is refused' unknown
+rm -rf "build/${answers:?}"
+
+finish optional
