@@ -8,5 +8,7 @@ $(LESSON_FIGURES): $(LESSON_FIGURES).o
 # Their test needs what compares them.
 check check-all check-long: $(LESSON_FIGURES)
 lesson-figures: $(DRAWN) $(LESSON_FIGURES) ## write the figures that the lessons show, and their words
+	@FORMAT=svg THEME= SHAPE= STEPS=1 $(DRAW_FIGURES) $(FIGURES) \
+		$$($(LESSON_FIGURES) --in-steps $(CHAPTERS:%=chapters/%))
 	@$(LESSON_FIGURES) --write $(FIGURES) $(CHAPTERS:%=chapters/%)
 .PHONY: lesson-figures

@@ -1,7 +1,7 @@
 // main.c - chapter 03: places on the screen.
 //
-// The deck's point (300, 400) on 640 x 480, normalized and back; the corners; pixel centres. Its
-// picture colours each pixel by its own coordinates: red is s, green is t.
+// Shows the deck's point (300, 400) on 640 x 480, the corners and pixel centres, normalized and
+// back. Its picture colours each pixel by its own coordinates: red is s, green is t.
 #include "chapters/03-screen/figures/figures.h"
 #include "common/options.h"
 #include "common/picture.h"
@@ -27,7 +27,7 @@ static void show_pixel(Pixel pixel, Resolution screen)
     show_point(label, pixel_center(pixel), screen);
 }
 
-static void tell(double x, double y, Pixel pixel, Resolution screen)
+static void show_places(double x, double y, Pixel pixel, Resolution screen)
 {
     double width = screen.width, height = screen.height;
     printf("03-screen: places on the screen\n");
@@ -40,12 +40,12 @@ static void tell(double x, double y, Pixel pixel, Resolution screen)
     show_point("lower right", (ScreenPoint){width, height}, screen);
     show_point("middle", (ScreenPoint){width / 2, height / 2}, screen);
 
-    story_heading("A pixel is a square; its centre stands for it");
+    story_heading("A pixel is a square, and its centre stands for it");
     printf("  %-16s %-18s %-26s %s\n", "", "centre (x, y)", "normalized (s, t)", "and back");
     show_pixel(pixel, screen);
     show_pixel((Pixel){0, 0}, screen);
     show_pixel((Pixel){screen.width - 1, screen.height - 1}, screen);
-    printf("  No centre lies on the edge: s and t stay inside (0, 1).\n");
+    printf("  No centre is on an edge: s and t are always inside (0, 1).\n");
 }
 
 static Color color_of_place(Pixel pixel, void *given)
@@ -54,7 +54,8 @@ static Color color_of_place(Pixel pixel, void *given)
     return vec3_of(place.s, place.t, 0.25);
 }
 
-// What was not given is the deck's; but pixels that are to be seen want a small screen.
+// Fills in the deck's numbers for those that are not given. The figure of single pixels needs a
+// small screen.
 static void complete(Resolution *screen, double point[2], FigureCommand figure)
 {
     bool deck = figure.name == NULL || strcmp(figure.name, "pixel-grid") != 0 || screen->width > 0;
@@ -74,18 +75,20 @@ int main(int argc, char **argv)
     FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
-        {"point", 'p', "X,Y", option_pair, point, "a point of the screen (300,400)"},
+        {"point", 'p', "X,Y", option_pair, point, "a point on the screen (300,400)"},
         {"pixel", 0, "COLUMN,ROW", option_pixel, &pixel, "a pixel (the one the point is in)"},
-        {"size", 's', "WIDTHxHEIGHT", option_size, &screen, "of the screen (640x480)"},
-        {"picture", 0, "FILE.png", option_string, &picture, "draw instead: red is s, green is t"},
+        {"size", 's', "WIDTHxHEIGHT", option_size, &screen, "size of the screen (640x480)"},
+        {"picture", 0, "FILE.png", option_string, &picture,
+         "draw the screen: red is s, green is t"},
         FIGURE_OPTIONS(figure),
         {0}};
-    Usage usage = {"[OPTION]...", "Screen points, normalized and back. Without options: the point\n"
-                                  "(300, 400) on a screen of 640 x 480."};
+    Usage usage = {"[OPTION]...",
+                   "Points on the screen, normalized and back. Without options: the point\n"
+                   "(300, 400) on a screen of 640 x 480."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     complete(&screen, point, figure);
-    if (pixel.column < 0) // floor; the last pixel holds the far edge too
+    if (pixel.column < 0) // floor; a point on the far edge belongs to the last pixel
         pixel = (Pixel){(int)fmax(0, fmin(floor(point[0]), screen.width - 1)),
                         (int)fmax(0, fmin(floor(point[1]), screen.height - 1))};
     if (pixel.column >= screen.width || pixel.row >= screen.height)
@@ -95,6 +98,6 @@ int main(int argc, char **argv)
         return screen_figure(argv[0], figure, &(Spot){screen, {point[0], point[1]}, pixel});
     if (picture != NULL)
         return picture_write(picture, screen, color_of_place, &screen);
-    tell(point[0], point[1], pixel, screen);
+    show_places(point[0], point[1], pixel, screen);
     return story_end();
 }

@@ -9,8 +9,10 @@ needs 'figures in the lessons' "that the lessons' figures are those of the code"
 drawn=$scratch/drawn
 draw() {
     scripts_into "$drawn" || return 1
-    # shellcheck disable=SC2086 # names are words
-    FORMAT=svg THEME='' SHAPE='' STEPS='' "$BUILD/chapters/gallery/draw_figures" "$drawn" $names
+    # shellcheck disable=SC2046,SC2086 # names are words
+    FORMAT=svg THEME='' SHAPE='' STEPS='' "$BUILD/chapters/gallery/draw_figures" "$drawn" $names &&
+        FORMAT=svg THEME='' SHAPE='' STEPS=1 "$BUILD/chapters/gallery/draw_figures" "$drawn" \
+            $("$BUILD/tests/house/figures/lesson_figures" --in-steps chapters/[0-9]*)
 }
 compare() {
     "$BUILD/tests/house/figures/lesson_figures" "$@" >"$scratch/said"
@@ -33,11 +35,14 @@ echo ' ' >>"$copy/figures/pixel-grid-dark.svg"
 check 'a figure of other bytes is noticed' fails compare "$drawn" "$copy"
 check 'with its name' says 'pixel-grid-dark.svg is not what the code draws: make lesson-figures'
 rm "$copy/figures/pixel-grid.svg"
+echo ' ' >>"$copy/figures/screen-to-unit-step2.svg"
 check 'a missing figure is noticed' fails compare "$drawn" "$copy"
 check 'with its name also' says 'pixel-grid.svg is missing'
-sed 's/ alt="[^"]*"/ alt="other words"/' chapters/03-screen/README.md >"$copy/README.md"
+check 'a step of other bytes is noticed' says 'screen-to-unit-step2.svg is not what the code draws'
+sed 's/ alt="[A-Z]/ alt="?/' chapters/03-screen/README.md >"$copy/README.md"
 check 'other words are noticed' fails compare "$drawn" "$copy"
 check 'with the name of the figure' says 'shows screen-to-unit with other words'
+check 'also those of a step' says 'shows screen-to-unit-step2 with other words'
 check 'all of it can be written afresh' compare --write "$drawn" "$copy"
 check 'and is then what is committed' diff -r chapters/03-screen "$copy"
 grep -v 'pixel-grid.svg' chapters/03-screen/README.md >"$copy/README.md"

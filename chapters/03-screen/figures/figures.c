@@ -1,6 +1,6 @@
-// figures.c - what the figures of chapter 03 show, in numbers.
+// figures.c - the numbers that the figures of chapter 03 show.
 //
-// Blocks in x and y are the screen's: y counts down, and it is the layout that draws it so.
+// Blocks in x and y are in screen coordinates: y counts down. The layouts draw it that way.
 #include "chapters/03-screen/figures/figures.h"
 
 #include "exercises/03-screen.h"
@@ -21,7 +21,7 @@ static void screen_to_unit(Plot *plot, void *given)
 
 // ---- pixel-grid ---------------------------------------------------------------------------------
 
-// Pixels that can be told apart: all of a small screen, or those around one.
+// Pixels large enough to be seen one by one: all of a small screen, or those around one.
 typedef struct {
     int first, end, all; // first <= shown < end, of all columns or rows
 } Shown;
@@ -35,7 +35,7 @@ static Shown shown_around(int at, int all, bool whole, int most)
     return (Shown){first, first + count, all};
 }
 
-// Where the screen goes on beyond what is shown, lines go on a little.
+// If the screen goes on beyond the part that is shown, its lines go on a little.
 static double begin_of(Shown shown)
 {
     return shown.first > 0 ? shown.first - 0.4 : 0;
@@ -53,7 +53,7 @@ static void line(Plot *plot, double x0, double y0, double x1, double y1)
     plot_gap(plot);
 }
 
-// The lines between pixels; outer: the edges of the screen instead, those that are in sight.
+// The lines between pixels, or, if outer, the edges of the screen, as far as they are shown.
 static void lines(Plot *plot, Shown columns, Shown rows, bool outer)
 {
     for (int i = columns.first; i <= columns.end; i++)
@@ -62,13 +62,13 @@ static void lines(Plot *plot, Shown columns, Shown rows, bool outer)
     for (int i = rows.first; i <= rows.end; i++)
         if ((i == 0 || i == rows.all) == outer)
             line(plot, begin_of(columns), i, end_of(columns), i);
-    // A screen of one pixel has no line inside, and a block must have something.
+    // A screen of one pixel has no line inside, but a block must not be empty.
     plot_row(plot, 2, (const double[]){NAN, NAN});
 }
 
 static void counted(Plot *plot, const char *name, Shown shown)
 {
-    plot_block(plot, name, "the number of each, which is where it begins");
+    plot_block(plot, name, "the number of each, and also the coordinate where it begins");
     for (int i = shown.first; i < shown.end; i++)
         plot_row(plot, 1, (const double[]){i});
     plot_block_end(plot);

@@ -12,7 +12,7 @@ typedef struct {
     Pixel pixel;
 } Spot;
 
-// Prints a figure's script; returns what main returns.
+// Prints a figure's script. Returns the exit status for main.
 int screen_figure(const char *program, FigureCommand command, const Spot *spot);
 
 #endif

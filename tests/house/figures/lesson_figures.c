@@ -2,6 +2,7 @@
 //
 //   lesson_figures FOLDER CHAPTER...           says what differs; exit status 1 if anything does
 //   lesson_figures --write FOLDER CHAPTER...   writes it afresh
+//   lesson_figures --in-steps CHAPTER...       names the figures of which lessons show a step
 //
 // FOLDER has what draw_figures made: NAME.svg, NAME-dark.svg, NAME.txt. Each layout
 // CHAPTER/figures/NAME.gp has both pictures beside it, and CHAPTER/README.md shows them on a line
@@ -152,47 +153,120 @@ static char *shown(const char *chapter, char *lesson, const char *name, const ch
     return new;
 }
 
+// A figure that was drawn, its copies in a chapter and the line of the lesson; returns the lesson
+// as it should be, for freeing.
+static char *check_figure(const char *drawn, const char *chapter, char *lesson, const char *name,
+                          const char *in_words)
+{
+    for (int dark = 0; dark < 2; dark++) {
+        const char *theme = dark ? "-dark" : "";
+        char *svg = text_of(path_of("%s/%s%s.svg", drawn, name, theme).s);
+        if (svg == NULL || in_words == NULL) {
+            fprintf(stderr, "%s/%s%s.svg: not drawn\n", drawn, name, theme);
+            exit(2);
+        }
+        stands_alone(name, svg);
+        same(path_of("%s/figures/%s%s.svg", chapter, name, theme).s, svg, "make lesson-figures");
+        free(svg);
+    }
+    char *right = line_of(name, in_words);
+    lesson = shown(chapter, lesson, name, right);
+    free(right);
+    return lesson;
+}
+
+// The line that shows a figure, or NULL.
+static const char *line_that_shows(const char *lesson, const char *name)
+{
+    const char *at = strstr(lesson, path_of("src=\"figures/%s.svg\"", name).s);
+    while (at != NULL && at > lesson && at[-1] != '\n')
+        at--;
+    return at;
+}
+
+// The end of the first sentences of a text: a full stop before a space, a quote or a line's end.
+static const char *after_sentences(const char *text, int count)
+{
+    for (; *text != '\0' && count > 0; text++)
+        if (*text == '.' && strchr(" \"\n", text[1]) != NULL)
+            count--;
+    return text;
+}
+
+static int sentences_in(const char *line)
+{
+    const char *at = strstr(line, " alt=\""), *end = at == NULL ? NULL : strchr(at + 6, '"');
+    int count = 0;
+    while (end != NULL && count < 100 && after_sentences(at, count + 1) <= end)
+        count++;
+    return count;
+}
+
+// A lesson may also show a step of a figure, so that a question does not show its answer. Its words
+// are the first sentences of the figure's: as many as the lesson has now.
+static char *check_step(const char *drawn, const char *chapter, char *lesson, const char *name,
+                        const char *in_words)
+{
+    int sentences = sentences_in(line_that_shows(lesson, name));
+    const char *begin = in_words + strcspn(in_words, "\n");
+    char *words = strdup(in_words);
+    words[after_sentences(begin, sentences > 0 ? sentences : 1) - in_words] = '\0';
+    lesson = check_figure(drawn, chapter, lesson, name, words);
+    free(words);
+    return lesson;
+}
+
+enum { MOST_STEPS = 9 };
+
+// Prints the name of each figure of which a step is shown, or checks a chapter's figures.
+static char *go_through(const char *drawn, const char *chapter, char *lesson, bool only_names)
+{
+    glob_t layouts;
+    if (glob(path_of("%s/figures/*.gp", chapter).s, 0, NULL, &layouts) != 0)
+        return lesson;
+    for (size_t k = 0; k < layouts.gl_pathc; k++) {
+        Path layout = path_of("%s", layouts.gl_pathv[k]);
+        *strrchr(layout.s, '.') = '\0';
+        const char *name = strrchr(layout.s, '/') + 1;
+        char *in_words = only_names ? NULL : text_of(path_of("%s/%s.txt", drawn, name).s);
+        if (!only_names)
+            lesson = check_figure(drawn, chapter, lesson, name, in_words);
+        bool named = false;
+        for (int step = 1; step <= MOST_STEPS; step++) {
+            Path at_step = path_of("%s-step%d", name, step);
+            if (line_that_shows(lesson, at_step.s) == NULL)
+                continue;
+            if (!only_names)
+                lesson = check_step(drawn, chapter, lesson, at_step.s, in_words);
+            else if (!named)
+                puts(name);
+            named = true;
+        }
+        free(in_words);
+    }
+    globfree(&layouts);
+    return lesson;
+}
+
 int main(int argc, char *argv[])
 {
     writing = argc > 1 && strcmp(argv[1], "--write") == 0;
+    bool only_names = argc > 1 && strcmp(argv[1], "--in-steps") == 0;
     argv += writing;
     argc -= writing;
     if (argc < 3) {
-        fprintf(stderr, "Usage: lesson_figures [--write] FOLDER CHAPTER...\n");
+        fprintf(stderr, "Usage: lesson_figures [--write] FOLDER CHAPTER...\n"
+                        "       lesson_figures --in-steps CHAPTER...\n");
         return 2;
     }
     for (int i = 2; i < argc; i++) {
         Path readme = path_of("%s/README.md", argv[i]);
         char *lesson = text_of(readme.s), *before = text_of(readme.s);
-        glob_t layouts;
         if (lesson == NULL || before == NULL) {
             perror(readme.s);
             return 2;
         }
-        int none = glob(path_of("%s/figures/*.gp", argv[i]).s, 0, NULL, &layouts);
-        for (size_t k = 0; none == 0 && k < layouts.gl_pathc; k++) {
-            Path layout = path_of("%s", layouts.gl_pathv[k]);
-            *strrchr(layout.s, '.') = '\0';
-            const char *name = strrchr(layout.s, '/') + 1;
-            char *in_words = text_of(path_of("%s/%s.txt", argv[1], name).s);
-            for (int dark = 0; dark < 2; dark++) {
-                const char *theme = dark ? "-dark" : "";
-                char *svg = text_of(path_of("%s/%s%s.svg", argv[1], name, theme).s);
-                if (svg == NULL || in_words == NULL) {
-                    fprintf(stderr, "%s/%s%s.svg: not drawn\n", argv[1], name, theme);
-                    return 2;
-                }
-                stands_alone(name, svg);
-                same(path_of("%s%s.svg", layout.s, theme).s, svg, "make lesson-figures");
-                free(svg);
-            }
-            char *right = line_of(name, in_words);
-            lesson = shown(argv[i], lesson, name, right);
-            free(right);
-            free(in_words);
-        }
-        if (none == 0)
-            globfree(&layouts);
+        lesson = go_through(argv[1], argv[i], lesson, only_names);
         if (writing && strcmp(lesson, before) != 0)
             write_text(readme.s, lesson);
         free(lesson);
