@@ -1,7 +1,7 @@
 // main.c - chapter 04: the ray of a pixel.
 //
-// Follows one pixel from its column and row to its ray. Its picture colours each pixel by the
-// direction of its ray: red along x, green along y, blue along z.
+// Follows one pixel from its column and row to its ray. Its picture shows the direction of each
+// pixel's ray as a colour: red along x, green along y, blue along z.
 #include "chapters/04-pixel-ray/figures/figures.h"
 #include "common/options.h"
 #include "common/picture.h"
@@ -58,10 +58,10 @@ int main(int argc, char **argv)
     const char *picture = NULL;
     const Option options[] = {
         {"pixel", 'p', "COLUMN,ROW", option_pixel, &pixel,
-         "the pixel (300,400; in the middle of another size)"},
-        {"size", 's', "WIDTHxHEIGHT", option_size, &view.screen, "of the screen (640x480)"},
+         "the pixel (300,400; of another size the middle one)"},
+        {"size", 's', "WIDTHxHEIGHT", option_size, &view.screen, "size of the screen (640x480)"},
         CAMERA_OPTIONS(view.camera),
-        {"picture", 0, "FILE.png", option_string, &picture, "draw instead: directions as colours"},
+        {"picture", 0, "FILE.png", option_string, &picture, "draw the directions as colours"},
         FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...", "From a pixel to its ray, step by step. Without options: pixel\n"

@@ -1,4 +1,5 @@
-// figures.c - what the figure of chapter 04 shows, in numbers: the chain, a link a function.
+// figures.c - the numbers that the figure of chapter 04 shows: the chain, one function for each
+// link.
 #include "chapters/04-pixel-ray/figures/figures.h"
 
 #include "chapters/shared/plane.h"
@@ -7,7 +8,7 @@
 #include "exercises/03-screen.h"
 #include "exercises/04-pixel-ray.h"
 
-// How far the ray is drawn, in times the way to the image plane.
+// The length of the drawn ray, as a multiple of the vector to the image plane.
 #define FAR 1.5
 
 static void vector_data(Plot *plot, Camera c, Normalized place)
@@ -18,7 +19,7 @@ static void vector_data(Plot *plot, Camera c, Normalized place)
     plot_label(plot, "v", vec3_text(there).s);
     plot_vector(plot, "along_s", c.origin + left, there - left);
     plot_vector(plot, "along_t", c.origin + below, there - below);
-    // A place that is far off, being wrong, would make all else too small to see.
+    // A wrong place may be far away, and would make everything else too small to see.
     if (fabs(place.s - 0.5) <= 0.5 && fabs(place.t - 0.5) <= 0.5)
         plot_fit(plot, c.origin + FAR * there, 0);
 }

@@ -13,7 +13,7 @@ typedef struct {
     Pixel pixel;
 } Aim;
 
-// Prints a figure's script; returns what main returns.
+// Prints a figure's script. Returns the exit status for main.
 int pixel_ray_figure(const char *program, FigureCommand command, const Aim *aim);
 
 #endif
