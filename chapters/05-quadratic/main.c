@@ -155,19 +155,21 @@ int main(int argc, char **argv)
     FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
-        {"origin", 'o', "X,Y,Z", option_vec3, &given.ray.origin, "p, of the ray"},
-        {"direction", 'd', "X,Y,Z", option_vec3, &given.ray.direction, "v, of any length but 0"},
-        {"center", 'c', "X,Y,Z", option_vec3, &given.sphere.center, "c, of the sphere"},
-        {"radius", 'r', "R", option_number, &given.sphere.radius, "r, more than 0"},
-        {"picture", 0, "FILE.png", option_string, &picture, "draw a sphere by its depth instead"},
+        {"origin", 'o', "X,Y,Z", option_vec3, &given.ray.origin, "p, the origin of the ray"},
+        {"direction", 'd', "X,Y,Z", option_vec3, &given.ray.direction,
+         "v, its direction, of any length except 0"},
+        {"center", 'c', "X,Y,Z", option_vec3, &given.sphere.center, "c, the centre of the sphere"},
+        {"radius", 'r', "R", option_number, &given.sphere.radius, "r, its radius, greater than 0"},
+        {"picture", 0, "FILE.png", option_string, &picture, "draw a picture of a sphere instead"},
         FIGURE_OPTIONS(figure),
         {0}};
-    Usage usage = {"[OPTION]...", "A ray and a sphere: the quadratic, its roots, the hit. Without\n"
-                                  "options: the ray and the circle of the deck's drawing."};
+    Usage usage = {"[OPTION]...",
+                   "A ray and a sphere: the quadratic, its roots and the hit. Without\n"
+                   "options it uses the ray and the circle of the deck's drawing."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     if (!(given.sphere.radius > 0))
-        options_wrong(argv[0], "--radius: expected more than 0");
+        options_wrong(argv[0], "--radius: expected a number greater than 0");
     if (vec3_dot(given.ray.direction, given.ray.direction) == 0)
         options_wrong(argv[0], "--direction: expected a length other than 0");
     if (figure.name != NULL)

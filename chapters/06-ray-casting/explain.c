@@ -125,8 +125,8 @@ static void verdict(Quadratic q, Roots roots, double hit)
         story_line("    hit", "none: both are behind the eye");
     else
         story_line("    hit", "t = %s, %s", number_text(hit).s,
-                   roots.t[0] == roots.t[1] ? "where it touches"
-                   : roots.t[0] > 0         ? "the smaller root: it enters"
+                   roots.t[0] == roots.t[1] ? "it touches the sphere"
+                   : roots.t[0] > 0         ? "the smaller root: the ray enters"
                                             : "the only root > 0: the eye is inside");
 }
 
@@ -148,7 +148,7 @@ static void the_spheres(Ray ray, const Scene *scene)
     Outcome outcome = outcome_of(ray, scene, MOST_TOLD);
     story_heading("Each sphere: a t^2 + b t + c = 0");
     if (scene->sphere_count > outcome.told_count)
-        printf("  Of %d spheres, %d to be told of: the nearest hits, the narrowest misses.\n",
+        printf("  %d spheres; these %d have the nearest hits or the narrowest misses.\n",
                scene->sphere_count, outcome.told_count);
     for (int i = 0; i < outcome.told_count; i++)
         one_sphere(ray, scene, outcome.told[i]);
@@ -168,7 +168,7 @@ static Hit the_nearest(Ray ray, const Scene *scene)
                hits[i].sphere == nearest.sphere ? ": nearest" : "");
     }
     if (count > MOST_TOLD)
-        printf("  and %d farther ones\n", count - MOST_TOLD);
+        printf("  and %d hits that are farther away\n", count - MOST_TOLD);
     if (count == 0)
         printf("  There is none: the pixel has the colour of the background.\n");
     return nearest;
@@ -206,7 +206,7 @@ static void the_color(const Shot *shot, Hit nearest)
     if (pixel_as_cast(shot, cast))
         story_line("in the picture", "%d, %d, %d%s", cast[0], cast[1], cast[2],
                    memcmp(bytes, cast, 3) == 0 ? ", the same"
-                                               : ": another; look at cast_image_order");
+                                               : ": different; look at cast_image_order");
 }
 
 int explain(const Shot *shot, const char *scene_path)

@@ -108,15 +108,15 @@ int main(int argc, char **argv)
     Question question = {.explained = {-1, -1}, .pixel = {-1, -1}};
     const Option options[] = {
         COMMAND_OPTIONS(command),
-        {"order", 0, "image|object", option_order, &order, "which loop is the outer (image)"},
+        {"order", 0, "image|object", option_order, &order, "the outer loop (image)"},
         {"explain", 0, "COLUMN,ROW", option_pixel, &question.explained,
-         "tell the story of one pixel instead"},
+         "explain one pixel, in numbers, instead"},
         {"pixel", 0, "COLUMN,ROW", option_pixel, &question.pixel,
-         "the one whose ray a figure shows"},
+         "the pixel whose ray a figure shows"},
         FIGURE_OPTIONS(question.figure),
         {0}};
     Usage usage = {"[OPTION]... [SCENE.nff]",
-                   "Casts a scene, flat. Without arguments: the deck's three spheres."};
+                   "Draws a scene in flat colours. Without arguments: the deck's three spheres."};
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);

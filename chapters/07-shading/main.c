@@ -1,4 +1,4 @@
-// main.c - chapter 07: light, and what a surface makes of it.
+// main.c - chapter 07: light, and the colour that a surface sends back.
 //
 // Draws a scene shaded. Without arguments it makes the deck's closing slide again: three spheres,
 // flat and shaded, side by side.
@@ -93,16 +93,17 @@ int main(int argc, char **argv)
     FigureCommand figure = {0};
     const Option options[] = {
         COMMAND_OPTIONS(command),
-        {"explain", 0, "COLUMN,ROW", option_pixel, &pixel, "the light at a pixel, in numbers"},
-        {"flat", 0, NULL, option_flag, &flat, "leave the shading out"},
+        {"explain", 0, "COLUMN,ROW", option_pixel, &pixel,
+         "explain the light at a pixel, in numbers"},
+        {"flat", 0, NULL, option_flag, &flat, "draw without shading"},
         {"term", 0, "NAME", option_term, &term, "only ambient, diffuse or specular light"},
         LIGHTING_OPTIONS(lighting),
         {"export", 0, "pov|pbrt", option_format, &format,
-         "write the scene for them instead (to -o)"},
+         "write the scene for that renderer, to -o"},
         FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]... [SCENE.nff]",
-                   "Casts a scene, shaded. Without a scene: the deck's three spheres, flat and\n"
+                   "Draws a scene with light. Without a scene: the deck's three spheres, flat and\n"
                    "shaded, side by side."};
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)

@@ -73,7 +73,7 @@ void tell_shading(const Drawing *drawing, Pixel pixel, int depth)
     Resolution screen = drawing->image.size;
     Ray ray = pixel_ray(drawing->camera, screen, pixel);
     Hit hit = nearest_hit(ray, scene);
-    printf("07-shading: light, and what a surface makes of it\n");
+    printf("07-shading: light, and the colour that a surface sends back\n");
     story_heading("What pixel (%d, %d) sees", pixel.column, pixel.row);
     if (hit.sphere < 0) {
         story_line("nothing", "the background, %s", vec3_text(scene->background).s);

@@ -64,15 +64,15 @@ int main(int argc, char **argv)
         COMMAND_OPTIONS(command),
         {"engine", 'e', "NAME", option_engine, &engine,
          "plain, object, bvh, packet, tiles, bins (auto)"},
-        {"threads", 't', "N", option_threads, &threads, "at the same time, 1 to 256 (1)"},
+        {"threads", 't', "N", option_threads, &threads, "number of threads, 1 to 256 (1)"},
         {"shaded", 0, NULL, option_flag, &shaded, "with shadows and mirrors: plain, bvh (auto)"},
         LIGHTING_OPTIONS(lighting),
         {0}};
     Usage usage = {
         "[OPTION]... [SCENE.nff]",
-        "Casts a scene, flat or shaded, by an engine. Without arguments: which there are, and the\n"
-        "deck's three spheres. If a sphere is more than 1e12 of its radii away, or a length is\n"
-        "above 1e60 or below 1e-60, plain casts the scene, whichever engine is asked for."};
+        "Draws a scene, flat or shaded, with one of six engines. Without arguments it lists the\n"
+        "engines, and draws the deck's three spheres. If a sphere is more than 1e12 of its radii\n"
+        "away, or a length is above 1e60 or below 1e-60, plain casts the scene instead."};
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);

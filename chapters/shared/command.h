@@ -22,7 +22,7 @@ typedef struct {
      &(command).output, "the picture (gallery/SCENE.png)"},                                        \
     {                                                                                              \
         "size", 's', "WIDTHxHEIGHT", option_size, &(command).size,                                 \
-            "of the picture (what the scene says)"                                                 \
+            "size of the picture (the scene's)"                                                    \
     }
 
 // All that a picture needs.

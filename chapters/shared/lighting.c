@@ -37,7 +37,7 @@ void lighting_check(const Lighting *lighting, const char *program)
     if (lighting->style.samples < 1)
         options_wrong(program, "--samples: expected 1 to 64");
     if (!(lighting->style.gamma > 0))
-        options_wrong(program, "--gamma: expected more than 0");
+        options_wrong(program, "--gamma: expected a number greater than 0");
 }
 
 bool lighting_apply(const Lighting *lighting, Scene *scene)

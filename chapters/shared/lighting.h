@@ -14,13 +14,13 @@ typedef struct {
 // Where no option says otherwise.
 extern const Lighting lighting_untold;
 
-#define LIGHTING_OPTIONS(told)                                                                     \
-    {"depth", 0, "N", option_count, &(told).style.depth, "mirrors to follow a ray, up to 64 (5)"}, \
-        {"samples", 0, "N", option_count, &(told).style.samples, "N x N a pixel, 1 to 64 (1)"},    \
-        {"ambient", 0, "A", option_ambient, &(told).ambient, "light everywhere, from 0 (0.1)"},    \
-        {"sun", 0, "X,Y,Z", option_sun, &(told).sun, "a distant light from there, no others"},     \
-    {                                                                                              \
-        "gamma", 0, "G", option_number, &(told).style.gamma, "of the display (1: leave as is)"     \
+#define LIGHTING_OPTIONS(told)                                                                       \
+    {"depth", 0, "N", option_count, &(told).style.depth, "follow a ray over up to N mirrors (5)"},   \
+        {"samples", 0, "N", option_count, &(told).style.samples, "N x N rays a pixel, 1 to 64 (1)"}, \
+        {"ambient", 0, "A", option_ambient, &(told).ambient, "ambient light, 0 or more (0.1)"},      \
+        {"sun", 0, "X,Y,Z", option_sun, &(told).sun, "only one light, a distant one, from there"},   \
+    {                                                                                                \
+        "gamma", 0, "G", option_number, &(told).style.gamma, "gamma of the display (1: no change)"   \
     }
 
 OptionReader option_count;   // int, 0 to 64

@@ -519,7 +519,7 @@ for spot in ((5, 7), (2, 4), (6, 0)):
 BELOW = {**GROUND, "from": (0, -0.5, 6)}
 nearest_hit(BELOW, (5, 4))
 words = Figure(PROGRAM, "object-order", *scene_options({**BELOW, "spheres": BELOW["spheres"][:1]}, (5, 4))).in_words()[1]
-checks.that("from inside there is no outline", "Sphere A has no outline here, as the eye is in it." in words, words)
+checks.that("from inside there is no outline", "Sphere A has no outline here, because the eye is in it." in words, words)
 explain_figure(FOUR, (4, 4))
 explain_figure(ALONG, (0, 0))
 story(FOUR, (4, 4))

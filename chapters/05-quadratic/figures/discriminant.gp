@@ -1,4 +1,4 @@
-# discriminant.gp - what the sign of b² − 4ac and the signs of the roots say: five rays and one sphere.
+# discriminant.gp - the sign of b² − 4ac and the signs of the roots, for five rays and one sphere.
 array names[5] = ["miss", "tangent", "two hits", "inside", "behind"]
 of(i, what) = value(sprintf("panel%d_%s", i, what))
 roots(i) = of(i, "roots") == 0 ? "no root" : of(i, "t0") == of(i, "t1") ? sprintf("double root %s", of(i, "t0_text")) : \
@@ -9,9 +9,9 @@ your_roots(i) = !(differs(sprintf("panel%d_t0", i)) || differs(sprintf("panel%d_
 used(i, t) = of(i, "hit") > 0 ? "use ".t." = ".of(i, "hit_text") : "no hit"
 in_words(i) = sprintf("%s: b² − 4ac = %s, roots: %s; %s. ", names[i], of(i, "D_text"), roots(i), \
     used(i, "t"))
-title = "What the discriminant says"
+title = "The discriminant, and the signs of the roots"
 description = "Five rays against one sphere, each below its parabola f(t). ".in_words(1).in_words(2).in_words(3). \
-    in_words(4).in_words(5)."A hit is the smallest root above 0."
+    in_words(4).in_words(5)."The hit is the smallest root greater than 0."
 steps = 5
 if (wrong) { set label 99 "solid: right\ndashed, squares: yours" }
 

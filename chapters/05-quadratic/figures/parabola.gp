@@ -5,12 +5,12 @@ term(text, x) = (text[1:1] eq "−" ? " − ".text[2:*] : " + ".text).x
 polynomial(square) = (a == 1 ? "" : a_text." ").square.(b == 0 ? "" : term(b_text, " t")).(c == 0 ? "" : term(c_text, ""))
 your_coefficients = (differs("a") ? "a".yours("a")."  " : "").(differs("b") ? "b".yours("b")."  " : "").(differs("c") ? "c".yours("c") : "")
 title = "The quadratic as a parabola"
-description = sprintf("Above, f(t) = |p + t v|² − r² = %s over an axis for t; f(0) is %s. Below, on the same axis, \
+description = sprintf("Above, f(t) = |p + t v|² − r² = %s above an axis for t; f(0) is %s. Below, on the same axis, \
 the ray and the circle. ", polynomial("t²"), c_text).( \
-    roots == 0 ? sprintf("The parabola stays above the axis, the line misses the circle; at its lowest, t = %s, f is %s.", \
+    roots == 0 ? sprintf("The parabola stays above the axis, and the line misses the circle. At the lowest point, t = %s, f is %s.", \
         t_nearest_text, f_nearest_text) : \
-    touches ? sprintf("The parabola touches the axis, and the line the circle, at t = %s.", t0_text) : \
-    sprintf("The parabola crosses the axis, and the line the circle, at t0 = %s and t1 = %s.", t0_text, t1_text))
+    touches ? sprintf("The parabola touches the axis, and the line touches the circle, at t = %s.", t0_text) : \
+    sprintf("The parabola crosses the axis, and the line crosses the circle, at t0 = %s and t1 = %s.", t0_text, t1_text))
 text_w = most(330, 60 + 9.4 * strlen(polynomial("t²")))
 steps = 4
 if (wrong) { set label 99 "solid: right\ndashed, squares: yours" }

@@ -4,18 +4,18 @@ title = "A ray and a sphere"
 description = sprintf("The section through the ray and the centre of the sphere. p is %s, v is %s, the centre c is %s, \
 r is %s%s. |p + t v|² = r² in object coordinates has a = %s, b = %s, c = %s, and b² − 4ac is %s: ", \
     origin_text, velocity_text, center_text, r_text, moved ? "; p − c is ".object_p_text : "", a_text, b_text, c_text, D_text).( \
-    roots == 0 ? sprintf("no hit; at t = %s the line is nearest, %s from c.", t_nearest_text, away_text) : \
+    roots == 0 ? sprintf("no hit. The line is closest to c at t = %s, at a distance of %s.", t_nearest_text, away_text) : \
     touches ? sprintf("the line touches the circle at t = %s.", t0_text) : \
     sprintf("the line meets the circle at t0 = %s and t1 = %s.", t0_text, t1_text)).( \
-    hit > 0 ? sprintf(" The hit is at t = %s.", hit_text) : roots > 0 ? " Nothing is in front of p." : "")
+    hit > 0 ? sprintf(" The hit is at t = %s.", hit_text) : roots > 0 ? " No hit is in front of p." : "")
 verdict = hit > 0 ? math("t").sprintf(" = %s is the hit", hit_text) : roots > 0 ? "no root > 0: no hit" : \
     "no root: ".math("c").sprintf(" is %s away", away_text)
 your_hit_words = differs("hit") ? (your_hit > 0 ? yours("hit") : ", yours: none") : ""
 steps = 5
 if (wrong) { set label 99 "solid: right\ndashed, squares: yours" }
 
-# Room for the labels of the roots; and for the numbers, in a corner that line and circle leave free,
-# else beside both.
+# Room for the labels of the roots. The numbers are in a corner that the line and the circle leave free,
+# or beside both.
 azimuth = 90
 elevation = 0
 n0 = strlen(t0_text) + (touches ? 10 : 5)
@@ -61,7 +61,7 @@ if (!free(text_x, text_y)) {
 say(k) = text_y - k * row
 @beside_roots
 
-# What else is said beside the line, where there is room for it.
+# Other labels beside the line, if there is room for them.
 v_label = stride == 1 ? "v" : stride_text." v"
 p_label = near_p ? "p" : "to p"
 n_p = strlen(p_label)

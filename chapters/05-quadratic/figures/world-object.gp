@@ -1,5 +1,5 @@
-# world-object.gp - the same ray and sphere in world and in object coordinates: what is moved by −c, and
-# the roots that stay (slide 'Ray and sphere in world coordinates').
+# world-object.gp - the same ray and sphere in world and in object coordinates: points move by −c, the
+# roots stay (slide 'Ray and sphere in world coordinates').
 coefficients(at) = math("a").sprintf(" = %s,  ", value(at."_a_text")).math("b").sprintf(" = %s,  ", value(at."_b_text")). \
     math("c").sprintf(" = %s", value(at."_c_text"))
 your_coefficients(at) = (differs(at."_a") ? "a".yours(at."_a")." " : "").(differs(at."_b") ? "b".yours(at."_b")." " : ""). \
@@ -10,16 +10,16 @@ found(at, t) = count(at) == 0 ? "no root" : root(at, 0) eq root(at, 1) ? t."_0 =
     t."_0 = ".root(at, 0).",  ".t."_1 = ".root(at, 1)
 plain(at) = count(at) == 0 ? "no root" : root(at, 0)." and ".root(at, 1)
 title = "World and object coordinates"
-description = sprintf("Left, in the world: a ray from %s along %s, and a sphere round c = %s of radius %s; its equation \
-|(p + t v) − c|² = r² has a = %s, b = %s, c = %s, and roots: %s. Right, moved by −c: the ray starts at %s, the sphere is \
-round the origin; |p + t v|² = r² has a = %s, b = %s, c = %s, and roots: %s.", origin_text, velocity_text, center_text, r_text, \
+description = sprintf("Left, in the world: a ray from %s along %s, and a sphere of radius %s around c = %s. Its equation \
+|(p + t v) − c|² = r² has a = %s, b = %s, c = %s, and roots: %s. Right, moved by −c: the ray starts at %s, and the sphere is \
+around the origin. The equation |p + t v|² = r² has a = %s, b = %s, c = %s, and roots: %s.", origin_text, velocity_text, r_text, center_text, \
     world_a_text, world_b_text, world_c_text, plain("world"), object_p_text, object_a_text, object_b_text, object_c_text, \
     plain("object"))
 steps = 4
 if (wrong) { set label 99 "solid: right\ndashed, squares: yours" }
 lift = wrong ? 20 : 0
 
-# The world in the left half; the other half is the same, moved.
+# The world is in the left half; the other half is the same, moved.
 azimuth = 90
 elevation = 0
 room = "0.045 0.445 0.32 0.88"
@@ -41,7 +41,7 @@ left_text = 0.245 * width
 right_text = 0.755 * width
 taken(u, v) = object_roots > 0 && (overlap(u, v, 1, hit0_u, hit0_v, 2) || overlap(u, v, 1, hit1_u, hit1_v, 2))
 axis_name(i) = word("x y z", int(i))
-# The name of an axis stands beside its tip, or above it where the ray would cross it; t_1 beside an axis.
+# The name of an axis is beside its tip, or above it if the ray would cross it; t_1 is beside an axis.
 from_ray(u, v) = abs((u - t_u(0)) * (t_v(1) - t_v(0)) - (v - t_v(0)) * (t_u(1) - t_u(0))) / \
     sqrt((t_u(1) - t_u(0))**2 + (t_v(1) - t_v(0))**2)
 crossed(u, v) = from_ray(u + 10, v - 6) < 10

@@ -1,6 +1,6 @@
 # explain.gp - the whole story of one pixel, in steps (slide 'Ray casting process').
 note = drawn(0)
-# Of sphere k of those that are told of: its numbers, and what they say.
+# The numbers of sphere k of those that are explained, and their meaning.
 of(what, k) = k > told ? "" : value(sprintf("%s_%d_text", what, k))
 number(what, k) = k > told ? 0 : value(sprintf("%s_%d", what, k))
 called(k) = k > told ? "" : value(sprintf("name_%d", k))
@@ -15,7 +15,7 @@ verdict = all_hits == 0 ? "no hit: background" : "smallest ".math("t")." > 0:  "
 title = "One pixel, explained"
 description = sprintf("Pixel %s of %s has its centre at (%s, %s); s is %s, t is %s; the vector from the eye, %s, is %s. ", \
     pixel_text, size_text, screen_x_text, screen_y_text, s_text, t_text, p_text, vector_v_text).all_plain(1). \
-    (all_hits == 0 ? "Nothing is hit: background. " : \
+    (all_hits == 0 ? "The ray hits nothing, so the pixel shows the background. " : \
     sprintf("The smallest t > 0 is %s, on sphere %s. ", nearest_text, nearest_name)). \
     sprintf("The colour is %s. ", bytes_text).in_part(0).note
 steps = 6

@@ -1,7 +1,7 @@
-# image-order.gp - for each pixel its ray, and what it hits (slide 'Image order').
+# image-order.gp - for each pixel its ray, and the sphere that it hits (slide 'Image order').
 note = drawn(0)
 title = "Image order: for each pixel, find the object that colours it"
-description = sprintf("From the eye a ray goes through the centre of pixel %s of %s and %s. ", pixel_text, size_text, \
+description = sprintf("A ray goes from the eye through the centre of pixel %s of %s and %s. ", pixel_text, size_text, \
     all_hits == 0 ? "meets no sphere" : sprintf("meets sphere %s at t = %s", nearest_name, nearest_text)). \
     (misses ? "The ray of another pixel meets nothing. " : "").sprintf("The rays through the centres of %d of the \
 %s pixels that are drawn hit a sphere. %s", cells, grid_text, in_part(0).note)

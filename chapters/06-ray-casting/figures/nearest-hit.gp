@@ -1,13 +1,13 @@
 # nearest-hit.gp - along one ray: the smallest t > 0 (slide 'Ray casting process').
 #
-# Each sphere is turned round the ray into the paper, so circles and hits have their true distances;
-# lengths are counted in the ray's t. Of spheres too large for the paper (part is 1: a ground), what the
-# window from low_x to high_x and low_y to high_y shows of them.
+# Each sphere is turned around the ray into the paper, so circles and hits have their true distances.
+# Lengths are measured in the ray's t. If a sphere is too large for the paper (part is 1: a ground), only
+# its part in the window from low_x to high_x and low_y to high_y is drawn.
 left_out = (balls < all_balls ? sprintf("Drawn are %d of %d spheres. ", balls, all_balls) : "").(part_names eq "" ? "" : \
     sprintf("Of %s only a part is drawn.", part_names))
 title = "The nearest hit: the smallest t > 0"
-description = sprintf("A ray and %d spheres. ", balls).(behind_names eq "" ? "" : \
-    sprintf("Behind the eye, t < 0, so not hit: %s. ", behind_names)).(missed_names eq "" ? "" : \
+description = sprintf("One ray and %d spheres. ", balls).(behind_names eq "" ? "" : \
+    sprintf("Behind the eye, t < 0, so they are not hits: %s. ", behind_names)).(missed_names eq "" ? "" : \
     sprintf("Missed: %s. ", missed_names)).(all_hits == 0 ? "No t is greater than 0, so nothing is hit. " : \
     sprintf("Hit: %s. The smallest t > 0 is %s, on sphere %s. ", hit_names, nearest_text, nearest_name)). \
     left_out
@@ -27,7 +27,7 @@ ticks = floor((high_x - first) / tick)
 tick_at(k) = first + tick * k
 inside_text(number, fate, r) = r < 10 ? "" : ball_name(number).(fate > 1 || r < 44 ? "" : \
     fate == 0 ? "\n".small("missed") : "\n".small("behind"))
-# Within the window; and where the name of a part is: half way from the hit to what is nearest the middle.
+# Within the window; the name of a part is half way from the hit to the place nearest to the middle.
 shown_t(t) = most(low_x, least(high_x, t))
 shown_side(side) = most(low_y, least(high_y, side))
 name_side(side, r) = side + (side < 0 ? -0.5 : 0.5) * r

@@ -1,9 +1,9 @@
 # object-order.gp - for one object, the pixels that it colours (slide 'Object order').
 note = drawn(0)
 title = "Object order: for each object, find the pixels that it colours"
-description = (!eye_inside ? sprintf("Lines go from the outline of sphere %s to the eye; where they cross the image plane is \
-the sphere's outline in the picture. It would colour the %d of the %s pixels that are drawn whose centres are inside. ", \
-    object_name, cells, grid_text) : sprintf("Sphere %s has no outline here, as the eye is in it. It would colour %d of the \
+description = (!eye_inside ? sprintf("Lines go from the outline of sphere %s to the eye. The places where they cross the image plane \
+are its outline in the picture. Of the pixels that are drawn, the sphere colours those with centres inside: %d of %s. ", \
+    object_name, cells, grid_text) : sprintf("Sphere %s has no outline here, because the eye is in it. It colours %d of the \
 %s pixels that are drawn. ", object_name, cells, grid_text)).note
 steps = 4
 room = "0.04 0.96 0.16 0.93"
@@ -25,7 +25,7 @@ plot @behind \
     @step3 $outline using @point with @thick lc rgb ink title "outline on the plane", \
     @names \
     @step4 $eye using (width / 2):(44):(sprintf(!eye_inside ? "%d pixel centre%s inside the outline of %s" : \
-        "%d pixel centre%s, for the eye is in %s", cells, cells == 1 ? "" : "s", object_name)) \
+        "%d pixel centre%s, because the eye is in %s", cells, cells == 1 ? "" : "s", object_name)) \
         with labels tc rgb ink title "count", \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \

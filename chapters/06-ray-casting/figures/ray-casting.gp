@@ -1,16 +1,16 @@
-# ray-casting.gp - one ray, all it meets, and the colour of what is closest (slide 'Ray casting').
+# ray-casting.gp - one ray, all its hits, and the colour of the closest one (slide 'Ray casting').
 note = drawn(0)
-# In words: the rows of $hits behind the comment and the first, which is the closest.
+# In words: the rows of $hits after the comment and the first row, which is the closest.
 hits_from(i) = i > |$hits| || i > 9 ? "" : (i < 3 || words($hits[i]) < 5 || word($hits[i], 5) eq "-1" ? "" : \
     sprintf("It meets sphere %s at t = %.4g. ", ball_name(int(word($hits[i], 5) + 0)), word($hits[i], 4) + 0)).hits_from(i + 1)
 title = "Ray casting: the closest hit colours the pixel"
 description = sprintf("The ray of pixel %s of %s goes from the eye through the image plane. ", pixel_text, size_text). \
-    (all_hits == 0 ? "It meets no sphere, so the pixel keeps the background. " : \
+    (all_hits == 0 ? "It meets no sphere, so the pixel has the colour of the background. " : \
     sprintf("It meets %d of %d spheres; the closest hit is on sphere %s at t = %s, so the pixel has its colour. ", \
         all_hits, all_balls, nearest_name, nearest_text).hits_from(1)). \
     sprintf("%d of the %s pixels that are drawn show a sphere. %s", cells, grid_text, in_part(0).note)
 hit_words(i, t, ball) = math("t").sprintf(" = %.4g, sphere %s%s", t, ball_name(ball), i == 0 ? ": closest" : "")
-# The words of a hit are at the left of the line to it, or where that is too near to the edge, at the right.
+# The words of a hit are at the left of the line to it, or at the right if the edge is too near.
 at_left(i, ball, x) = ball >= 0 && x > (i == 0 ? 330 : 240)
 nothing(i) = all_hits == 0 && i == 0 ? "the ray meets nothing" : ""
 under(k) = 96 - 24 * k

@@ -1,8 +1,8 @@
 # flat-and-shaded.gp - the closing slide: the same spheres, flat and shaded ('Still something missing').
 title = "Flat, and shaded"
 description = sprintf("The same %s spheres twice. Left, flat: each has one colour. Right, shaded: bright where the \
-surface faces the light.", spheres_text).(has_highlight ? " A highlight is where it mirrors the light into the eye." : ""). \
-    (has_shadow ? sprintf(" In the shadow of a sphere is only ambient light, %s of white.", ambient_text) : "")
+surface faces the light.", spheres_text).(has_highlight ? " A highlight is where the surface mirrors the light into the eye." : ""). \
+    (has_shadow ? sprintf(" In the shadow of a sphere there is only ambient light, %s of white.", ambient_text) : "")
 steps = 4
 low_x = 0; high_x = columns; low_y = 0; high_y = rows
 panel = 1; room = "0.02 0.49 0.14 0.94"
@@ -15,7 +15,7 @@ byte(rgb, n) = n == 1 ? int(rgb) / 65536 : n == 2 ? int(rgb) / 256 % 256 : int(r
 pixels(panel) = sprintf("(U(%d,$1+0.5)):(V(%d,$2+0.5)):(byte($3,1)):(byte($3,2)):(byte($3,3))", panel, panel)
 left_pixels = pixels(1)
 right_pixels = pixels(2)
-# Words above the picture, and lines to what they name: white in black, to be seen on any colour.
+# Words above the picture, and lines to the places that they name: white in black, visible on any colour.
 shadow_at = shadow_first ? 0.2 : 0.84
 highlight_at = shadow_first ? 0.84 : 0.2
 from_word(at) = sprintf("(U(2,%g*columns)):(V(2,rows)+8):(U(2,$1)-U(2,%g*columns)):(V(2,$2)-V(2,rows)-8)", at, at)

@@ -1,13 +1,13 @@
-# self-hit.gp - why a ray must not start on the surface that it leaves, and what helps.
+# self-hit.gp - why a ray must not start on the surface that it leaves, and the remedy.
 title = "A surface that hits itself"
-description = sprintf("A ray hits a sphere; rounding leaves the point %s inside. From there the way to the light \
-meets the sphere at once, at t = %s: the surface shadows itself. Started %s outside, along the normal, it \
-meets nothing before the light.", inside_by_text, self_t_text, offset_size_text)
+description = sprintf("A ray hits a sphere. Because of rounding, the point is %s inside. A ray from there to the light \
+immediately meets the sphere, at t = %s: the surface casts a shadow on itself. A ray that starts %s outside, along the \
+normal, meets nothing before the light.", inside_by_text, self_t_text, offset_size_text)
 steps = 4
 low_x = -3.4; high_x = 1.1; low_y = -1.1; high_y = 4.2
 panel = 1; room = "0.03 0.50 0.10 0.92"
 @flat
-# The loupe: the surface is a line, the normal is up, and distances are not to scale.
+# The magnifying glass: the surface is a line, the normal is up, and distances are not to scale.
 low_x = -3; high_x = 3; low_y = -3; high_y = 3
 panel = 2; room = "0.52 0.97 0.08 0.92"
 @flat
