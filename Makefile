@@ -211,7 +211,7 @@ include $(sort $(wildcard chapters/*/pictures.mk))
 
 # Scenes that a program writes: chapters/NN-stem/NAME_nff.c writes NAME-x.nff, given its ARGUMENTS.
 NFF_PROGRAMS := $(patsubst %.c,$(B)/%,$(wildcard chapters/*/*_nff.c))
-$(NFF_PROGRAMS): %: %.o $(B)/common.a
+$(NFF_PROGRAMS): %: %.o $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 generator_of = $(B)/$(basename $(wildcard chapters/*/$(firstword $(subst -, ,$(1)))_nff.c))

@@ -5,8 +5,9 @@ $(LESSON_FIGURES): $(LESSON_FIGURES).o
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
 
-# Their test needs what compares them.
+# The tests of them need what compares them, and the scene of the last picture.
 check check-all check-long: $(LESSON_FIGURES)
+check-all check-long: $(B)/scenes/finale.nff
 lesson-figures: $(DRAWN) $(LESSON_FIGURES) ## write the figures that the lessons show, and their words
 	@FORMAT=svg THEME= SHAPE= STEPS=1 $(DRAW_FIGURES) $(FIGURES) \
 		$$($(LESSON_FIGURES) --in-steps $(CHAPTERS:%=chapters/%))

@@ -27,8 +27,6 @@ refused() {
 check 'make builds and casts from a clean copy' make_quietly
 check 'a second make does nothing and says so' only_rebuilds_nothing
 check 'every picture is there' test -s build/solutions/gallery/three-spheres.png
-check 'the picture in the README is the one that is cast' \
-    "$here/$BUILD/tests/same_picture" .github/sunflower.png build/solutions/gallery/sunflower.png
 
 check 'and a page of all' test -s build/solutions/gallery/index.html
 if command -v gnuplot >/dev/null; then
