@@ -79,7 +79,7 @@ check 'what was printed is shown in whichever test fails' says 'it printed hello
 fresh
 answer 05-quadratic '/^Roots quadratic_roots/,/^}/c Roots quadratic_roots(Quadratic q)\n{\n    double d = q.b * q.b - 4 * q.a * q.c;\n    if (d < 0)\n        return (Roots){0};\n    return (Roots){2, {(-q.b - sqrt(d)) / 2 * q.a, (-q.b + sqrt(d)) / 2 * q.a}};\n}'
 judge EX=05
-check 'a mistake is named though cases at the edge are not written yet' says 'C goes from left to right'
+check 'a mistake is named though cases at the edge are not written yet' says 'C evaluates from left to right'
 fresh
 answer 03-screen 's|{point.x / screen.width, 1 - point.y|{point.x < 0 ? 0 : point.x / screen.width, point.y|'
 judge EX=03

@@ -101,7 +101,7 @@ vector("upper_left", ("c.distance * c.forward - c.width / 2", "c.distance * c.fo
 vector("upper_right", ("c.distance * c.forward + c.width / 2", "c.distance * c.forward - c.width / 2"),
        (1, 1, 4), (-1, 1, 4), "off by (−2, 0, 0) = −w r", "")
 vector("across_30_up_10", ("image_plane_vector(c, 0.3, 0.1)", "image_plane_vector(c, 0.8, 0.6)"),
-       (-0.4, -0.8, 4), (0.6, 0.2, 4), "off by (1, 1, 0) = ½ w r + ½ h u", "counted from the middle")
+       (-0.4, -0.8, 4), (0.6, 0.2, 4), "off by (1, 1, 0) = ½ w r + ½ h u", "from the middle")
 
 # ---- rays -------------------------------------------------------------------------------------------
 
@@ -141,7 +141,7 @@ if figure is not None:
         label = ("d f", "w r", "h u")[i]
         checks.near(f"camera: right {label}", figure.tips(f"right {label}"), figure.place(plus(p, right)))
         checks.near(f"camera: yours {label}", figure.tips(f"yours {label}"), figure.place(plus(p, yours)))
-    has_words(figure, "h 2", "h 4", "", "the height stays")
+    has_words(figure, "h 2", "h 4", "", "the height is unchanged")
 figure = figure_of("camera_from_look_at", "02-cameras", ("world == RIGHT_HANDED", "world != RIGHT_HANDED"))
 if figure is not None:
     has_words(figure, "r (1, 0, 0)", "r (−1, 0, 0)", "", "")
