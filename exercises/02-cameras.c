@@ -1,13 +1,13 @@
 // 02-cameras.c - exercise 02: other ways to give a camera.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/02-cameras.h. The lesson: chapters/02-cameras/README.md.
 // After each change:   make exercises EX=02
 #include "exercises/02-cameras.h"
 
 #include "common/answers.h"
 
-// Stores what was found, if it is a camera.
+// Stores the camera and returns CAMERA_OK, or returns the reason why it is not a camera.
 static CameraFault give(Camera found, Camera *camera)
 {
     CameraFault fault = camera_check(found);
@@ -19,7 +19,7 @@ static CameraFault give(Camera found, Camera *camera)
 CameraFault camera_from_vectors(vec3 eye, Corners vectors, Camera *camera)
 {
     // BEGIN SOLUTION
-    // When you have a camera:  return give(found, camera);
+    // When you have found a camera:  return give(found, camera);
     (void)give;
     return NOT_ANSWERED(CameraFault);
     // END SOLUTION

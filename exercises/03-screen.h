@@ -1,23 +1,24 @@
 // 03-screen.h - exercise 03: places on the screen.
 //
-// Slide 'Normalized screen coordinates'. The screen has its origin at the upper left, y down;
-// normalized coordinates have theirs at the lower left, t up (screen.h).
-// Scale: on a screen of k times as many pixels the same shares are k times as many pixels. Tests
-// use screens of any shape, from a single column or row to a million pixels.
-// Tolerance: 1e-12 normalized, 1e-9 of a pixel.
+// Slide 'Normalized screen coordinates'. The origin of the screen is at the upper left, and y
+// counts down. The origin of normalized coordinates is at the lower left, and t counts up
+// (screen.h). Scale: if the screen has k times as many pixels, x and y are k times as large, and s
+// and t are the same. Tests use screens of any shape, from a single column or row to a million
+// pixels. Tolerance: 1e-12 for normalized coordinates, 1e-9 of a pixel for points.
 #ifndef EXERCISES_03_SCREEN_H
 #define EXERCISES_03_SCREEN_H
 
 #include "common/screen.h"
 
-// "What are the point's normalized screen coordinates?" (0, 0) at the lower left of the screen,
-// (1, 1) at the upper right. Points beyond the screen are beyond 0..1.
+// "What are the point's normalized screen coordinates?" Returns (0, 0) for the lower left corner of
+// the screen and (1, 1) for the upper right corner. For a point outside the screen, s or t is
+// outside 0..1.
 Normalized screen_to_normalized(ScreenPoint point, Resolution screen);
 
-// And back.
+// Returns the point on the screen that has these normalized coordinates.
 ScreenPoint normalized_to_screen(Normalized place, Resolution screen);
 
-// The point that stands for a pixel: its centre.
+// Returns the point that stands for a pixel: its centre.
 ScreenPoint pixel_center(Pixel pixel);
 
 #endif

@@ -1,6 +1,6 @@
 // 04-pixel-ray.c - exercise 04: the ray of a pixel.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/04-pixel-ray.h. The lesson: chapters/04-pixel-ray/README.md.
 // After each change:   make exercises EX=04
 #include "exercises/04-pixel-ray.h"

@@ -1,6 +1,6 @@
 // 01-corners.c - exercise 01: from the eye to the image plane.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/01-corners.h. The lesson: chapters/01-corners/README.md.
 // After each change:   make exercises EX=01
 #include "exercises/01-corners.h"
@@ -8,7 +8,7 @@
 #include "common/answers.h"
 
 // BEGIN SOLUTION
-// From the eye go forward to the middle of the plane, then sideways along right, then along up.
+// From the eye, walk forward to the middle of the plane, then sideways along right, then along up.
 // END SOLUTION
 
 vec3 upper_left(Camera c)

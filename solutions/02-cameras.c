@@ -1,6 +1,6 @@
 // 02-cameras.c - exercise 02: other ways to give a camera.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/02-cameras.h. The lesson: chapters/02-cameras/README.md.
 // After each change:   make exercises EX=02
 #include "exercises/02-cameras.h"
@@ -8,11 +8,11 @@
 #include "common/answers.h"
 
 // BEGIN SOLUTION
-// Points, and corner and vectors, become four vectors; four vectors become the frame. Look-at
-// makes the frame from cross products. Every camera is checked before it is given out.
+// Four points, and a corner with two vectors, become four vectors; four vectors become the frame.
+// A look-at becomes the frame by cross products. Every camera is checked before it is stored.
 // END SOLUTION
 
-// Stores what was found, if it is a camera.
+// Stores the camera and returns CAMERA_OK, or returns the reason why it is not a camera.
 static CameraFault give(Camera found, Camera *camera)
 {
     CameraFault fault = camera_check(found);
@@ -24,7 +24,7 @@ static CameraFault give(Camera found, Camera *camera)
 CameraFault camera_from_vectors(vec3 eye, Corners vectors, Camera *camera)
 {
     // BEGIN SOLUTION
-    //~ // When you have a camera:  return give(found, camera);
+    //~ // When you have found a camera:  return give(found, camera);
     //~ (void)give;
     //~ return NOT_ANSWERED(CameraFault);
     vec3 across = vectors.upper_right - vectors.upper_left;
@@ -47,7 +47,7 @@ CameraFault camera_from_vectors(vec3 eye, Corners vectors, Camera *camera)
     if (found.height == 0)
         return CAMERA_NO_HEIGHT;
 
-    // In a rectangle the edges opposite are the same vectors, and meet at right angles.
+    // In a rectangle, opposite edges are the same vector, and edges that meet are at right angles.
     vec3 gap = across - (vectors.lower_right - vectors.lower_left);
     if (vec3_length(gap) > CAMERA_TOLERANCE * (found.width + found.height) ||
         fabs(vec3_dot(found.right, found.up)) > CAMERA_TOLERANCE)
@@ -99,7 +99,7 @@ CameraFault camera_from_look_at(LookAt view, Handedness world, Camera *camera)
     if (vec3_length(sideways) <= CAMERA_TOLERANCE * up_length)
         return CAMERA_UP_ALONG_VIEW;
     vec3 right = vec3_unit(sideways);
-    // Where up is nearly along the view, rounding leaves right not quite at right angles.
+    // If up is almost along the view, rounding errors make right lean; make it perpendicular again.
     right = vec3_unit(right - vec3_dot(right, forward) * forward);
     vec3 up = world == RIGHT_HANDED ? vec3_cross(right, forward) : vec3_cross(forward, right);
     Camera found = {.origin = view.eye,

@@ -1,6 +1,6 @@
 // 03-screen.c - exercise 03: places on the screen.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/03-screen.h. The lesson: chapters/03-screen/README.md.
 // After each change:   make exercises EX=03
 #include "exercises/03-screen.h"
@@ -8,7 +8,7 @@
 #include "common/answers.h"
 
 // BEGIN SOLUTION
-// Divide by the size, and turn the vertical axis over: y counts down, t counts up.
+// Divide by the size, and flip the vertical axis: y counts down, t counts up.
 // END SOLUTION
 
 Normalized screen_to_normalized(ScreenPoint point, Resolution screen)

@@ -1,6 +1,6 @@
 // 04-pixel-ray.c - exercise 04: the ray of a pixel.
 //
-// The answers stand between BEGIN SOLUTION and END SOLUTION; helpers may go anywhere.
+// Your answers go between BEGIN SOLUTION and END SOLUTION; helper functions may go anywhere.
 // Questions and rules: exercises/04-pixel-ray.h. The lesson: chapters/04-pixel-ray/README.md.
 // After each change:   make exercises EX=04
 #include "exercises/04-pixel-ray.h"
@@ -10,7 +10,7 @@
 #include "exercises/03-screen.h"
 
 // BEGIN SOLUTION
-// Pixel, its point, normalized, vector from the eye: chapter 03 and then chapter 01.
+// From the pixel to its centre, to (s, t), to the vector from the eye: chapter 03, then chapter 01.
 // END SOLUTION
 
 Ray pixel_ray(Camera camera, Resolution screen, Pixel pixel)
