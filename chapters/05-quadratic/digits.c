@@ -1,6 +1,7 @@
 // digits.c - where the slide's formulas lose their digits.
 //
-// Triangles of sides 3, 4, 5 make the right answers short numbers, known without computing.
+// The triangles have sides 3, 4, 5, so the right answers are short numbers, known without
+// computing.
 #include "chapters/05-quadratic/digits.h"
 
 #include "common/answers.h"
@@ -10,7 +11,7 @@
 
 #include <stdio.h>
 
-// Exact in binary, and it gives the squares digits to lose.
+// Exact in binary, and its square has many digits that can be lost.
 static const double fraction = 27.0 / 128;
 
 static const char *near_root(Roots roots, Text *text)
@@ -35,9 +36,9 @@ void digits_lost_in_the_world(void)
     }
 }
 
-// The ray goes along (2, 3, 6), of length 7; (6, 2, -3), of length 7 too, is at right angles to it.
-// A sphere of radius 35, passed 21 off its centre, is entered 28 before the closest approach: 4
-// lengths of the direction.
+// The ray goes along (2, 3, 6), of length 7. At right angles to it is (6, 2, -3), also of length 7.
+// The ray passes the centre of a sphere of radius 35 at a distance of 21, so it enters the sphere
+// 28 before the closest point: 4 lengths of the direction.
 void digits_lost_far_away(void)
 {
     const vec3 along = vec3_of(2, 3, 6), across = vec3_of(6, 2, -3);

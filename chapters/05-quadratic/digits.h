@@ -2,10 +2,10 @@
 #ifndef CHAPTERS_05_QUADRATIC_DIGITS_H
 #define CHAPTERS_05_QUADRATIC_DIGITS_H
 
-// The same ray and sphere, moved away from the world's origin together: c in both coordinates.
+// Moves a ray and a sphere away from the world's origin together, and prints c in both coordinates.
 void digits_lost_in_the_world(void);
 
-// A sphere that is moved away from the eye: the near root from a, b, c, and from sphere_roots.
+// Moves a sphere away from the eye, and prints the near root from a, b, c and from sphere_roots.
 void digits_lost_far_away(void);
 
 #endif

@@ -1,7 +1,7 @@
 // main.c - chapter 05: where a ray meets a sphere.
 //
-// The slide's derivation line by line in numbers, a, b, c, the roots and the hit; the same in
-// world coordinates; and where each of them loses its digits (digits.c).
+// Prints the slide's derivation line by line in numbers, a, b, c, the roots and the hit; the same
+// in world coordinates; and examples of lost digits (digits.c).
 #include "chapters/05-quadratic/digits.h"
 #include "chapters/05-quadratic/figures/figures.h"
 #include "chapters/05-quadratic/numbers.h"
@@ -17,7 +17,7 @@
 
 enum { COLUMNS = 4 };
 
-// The lines of the slide 'Solving quadratic', each on its own, for a ray in object coordinates.
+// The lines of the slide 'Solving quadratic', computed separately, for a ray in object coordinates.
 static double length_squared(Ray ray, double t)
 {
     double length = vec3_length(ray.origin + t * ray.direction);
@@ -37,7 +37,7 @@ static double sum_of_products(Ray ray, double t)
     return sum;
 }
 
-// Each axis by itself is a ray, whose quadratic is answered like any other; radius 0 leaves p and
+// Each axis alone is a ray with a quadratic like any other. Radius 0 leaves only the terms of p and
 // v.
 static double sum_multiplied_out(Ray ray, double t)
 {
@@ -137,8 +137,8 @@ static void tell(Ray ray, Sphere sphere)
     digits_lost_far_away();
 }
 
-// The deck's camera before one sphere: the nearer the hit, the brighter, from 1.15 to 1.48 times as
-// far as the image plane.
+// The deck's camera in front of one sphere: the nearer the hit, the brighter the pixel, from 1.48
+// to 1.15 times the distance of the image plane.
 static Color color_of_depth(Pixel pixel, void *given)
 {
     const Resolution *screen = given;

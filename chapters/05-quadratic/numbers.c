@@ -1,9 +1,9 @@
-// numbers.c - a quadratic, its roots and where they are, as data of figures.
+// numbers.c - a quadratic, its roots and their places, as data of figures.
 #include "chapters/05-quadratic/numbers.h"
 
 #include <stdio.h>
 
-// A wrong answer, or none yet, may say anything of how many there are.
+// The count of a wrong answer, or of a blank, may be any number.
 int roots_shown(Roots roots)
 {
     return roots.count < 0 ? 0 : roots.count > 2 ? 2 : roots.count;
@@ -46,7 +46,7 @@ void coefficient_numbers(Plot *plot, const char *prefix, Quadratic q, int digits
     plot_number_to(plot, joined(prefix, "D"), discriminant(q), digits);
 }
 
-// So many digits that the two roots are told apart.
+// Enough digits to distinguish the two roots.
 int root_digits(Roots roots)
 {
     double apart = root_shown(roots, 1) - root_shown(roots, 0), large = fabs(root_shown(roots, 1));
@@ -61,7 +61,7 @@ void root_numbers(Plot *plot, const char *prefix, Roots roots)
     plot_number_to(plot, joined(prefix, "t1"), root_shown(roots, 1), root_digits(roots));
 }
 
-// A place on the line; not a number where t is none, so that nothing is drawn.
+// A place on the line. NaN if t is infinite or NaN, so that nothing is drawn.
 void root_mark(Plot *plot, const char *name, Ray ray, double t)
 {
     plot_point(plot, name, ray.origin + (isfinite(t) ? t : NAN) * ray.direction);

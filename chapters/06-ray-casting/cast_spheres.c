@@ -1,4 +1,4 @@
-// cast_spheres.c - a picture whose colours are numbers: what chapter 06 draws, to be counted.
+// cast_spheres.c - a picture whose colours are the numbers of spheres.
 #include "chapters/06-ray-casting/cast_spheres.h"
 
 #include "exercises/06-ray-casting.h"
@@ -19,7 +19,7 @@ static int number_of_color(const uint8_t *rgb)
 // The same spheres, each with a surface of its own.
 static bool number_spheres(const Scene *scene, Scene *numbered)
 {
-    size_t count = (size_t)scene->sphere_count + 1; // no array is empty
+    size_t count = (size_t)scene->sphere_count + 1; // so that no array is empty
     *numbered = *scene;
     numbered->background = color_of_number(0);
     numbered->spheres = malloc(count * sizeof *numbered->spheres);

@@ -1,4 +1,4 @@
-// cast_spheres.h - which sphere each pixel of a picture shows, by the student's own picture.
+// cast_spheres.h - which sphere each pixel of a picture shows, according to the linked answers.
 #ifndef CHAPTERS_06_RAY_CASTING_CAST_SPHERES_H
 #define CHAPTERS_06_RAY_CASTING_CAST_SPHERES_H
 
@@ -9,7 +9,8 @@
 #include <stdbool.h>
 
 // Casts the scene in image order with a colour of its own for each sphere, and reads the colours as
-// numbers: spheres[row * width + column] is the sphere's, or -1. False, where memory is short.
+// numbers: spheres[row * width + column] is the index of the sphere, or -1. False if there is not
+// enough memory.
 bool cast_spheres(const Scene *scene, Camera camera, Resolution size, int *spheres);
 
 #endif

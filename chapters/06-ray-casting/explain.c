@@ -1,7 +1,7 @@
-// explain.c - the whole story of one pixel, in words and numbers.
+// explain.c - one pixel from its column and row to its colour, in words and numbers.
 //
-// Each number comes from the function of the exercise that finds it, so the story is that of the
-// picture, whoever's answers are linked.
+// Each number comes from the exercise function that computes it. So this explains the picture of
+// the answers that are linked, also if they are wrong.
 #include "chapters/06-ray-casting/explain.h"
 
 #include "common/answers.h"
@@ -14,7 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_CAST = 4000000 }; // questions of a ray and a sphere: well below a second
+enum { MOST_CAST = 4000000 }; // pairs of a ray and a sphere: well below a second
 
 double discriminant(Quadratic q)
 {
@@ -28,7 +28,7 @@ typedef struct {
     double key;
 } Ranked;
 
-// Keeps the lowest keys, ascending. count is how many were offered.
+// Keeps the lowest keys in ascending order. count is the number of calls so far.
 static void rank(Ranked *list, int room, int *count, Ranked one)
 {
     int place = *count < room ? *count : room;
@@ -40,7 +40,7 @@ static void rank(Ranked *list, int room, int *count, Ranked one)
     ++*count;
 }
 
-// How far past a sphere the ray goes, in radii.
+// The distance at which the ray passes the centre of a sphere, in radii.
 static double gap(Ray ray, Sphere sphere)
 {
     vec3 p = sphere.center - ray.origin;
@@ -72,7 +72,8 @@ Outcome outcome_of(Ray ray, const Scene *scene, int room)
         else
             rank(misses, room, &outcome.missed, (Ranked){i, gap(ray, sphere)});
     }
-    // Room for two narrow misses and one behind the eye, and the rest for hits; or the other way.
+    // Room for two narrow misses and one sphere behind the eye, and the rest for hits. If there are
+    // fewer hits, the others get their room.
     int others = outcome.missed < 2 ? outcome.missed : 2;
     int back = outcome.behind < 1 ? outcome.behind : 1;
     int front = outcome.hit < room - others - back ? outcome.hit : room - others - back;
@@ -84,7 +85,7 @@ Outcome outcome_of(Ray ray, const Scene *scene, int room)
     return outcome;
 }
 
-// ---- the story --------------------------------------------------------------------------------
+// ---- the explanation ----------------------------------------------------------------------------
 
 static Ray the_ray(const Shot *shot)
 {
@@ -101,8 +102,8 @@ static Ray the_ray(const Shot *shot)
     return ray;
 }
 
-// What the discriminant says of the roots. The formula may lose its digits where a ray just touches
-// (chapter 05); otherwise the answers contradict each other.
+// The meaning of the discriminant. Its sign may contradict the roots because digits are lost near a
+// tangent (chapter 05); if not, the answers contradict each other.
 static const char *discriminant_says(Quadratic q, bool none)
 {
     double d = discriminant(q);
@@ -113,7 +114,7 @@ static const char *discriminant_says(Quadratic q, bool none)
     return none ? ", but sphere_roots finds none" : " < 0, but sphere_roots finds some";
 }
 
-// What the roots say, in words.
+// The meaning of the roots, in words.
 static void verdict(Quadratic q, Roots roots, double hit)
 {
     bool none = roots.count == 0;
@@ -174,7 +175,7 @@ static Hit the_nearest(Ray ray, const Scene *scene)
     return nearest;
 }
 
-// The same pixel of the picture, where casting all of it takes no time. False where it does.
+// The same pixel of the cast picture. False if casting the whole picture would take too long.
 static bool pixel_as_cast(const Shot *shot, uint8_t rgb[3])
 {
     Message message;

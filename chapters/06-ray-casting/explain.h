@@ -1,4 +1,4 @@
-// explain.h - the whole story of one pixel: from its column and row to its colour.
+// explain.h - one pixel, explained from its column and row to its colour.
 #ifndef CHAPTERS_06_RAY_CASTING_EXPLAIN_H
 #define CHAPTERS_06_RAY_CASTING_EXPLAIN_H
 
@@ -7,21 +7,21 @@
 
 enum { MOST_TOLD = 8 };
 
-// What a ray does with a scene's spheres, and of which of them it is worth telling.
+// How many spheres of a scene a ray hits and misses, and which of them are explained.
 typedef struct {
-    int hit, behind, missed; // how many
+    int hit, behind, missed; // number of spheres
     int told[MOST_TOLD];     // indices, ascending
     int told_count;
 } Outcome;
 
-// Tells of all spheres where they are few; else of the nearest hits and the narrowest misses, in
-// all of no more than room.
+// Chooses all spheres if they are few. If not, it chooses the nearest hits and the narrowest
+// misses, in all at most room.
 Outcome outcome_of(Ray ray, const Scene *scene, int room);
 
 // b^2 - 4ac
 double discriminant(Quadratic q);
 
-// Prints the story; returns what main returns. scene_path is what the scene goes by.
+// Prints the explanation; returns the result of main. scene_path is the name of the scene.
 int explain(const Shot *shot, const char *scene_path);
 
 // The same as a figure's data; given is a Shown.

@@ -1,8 +1,8 @@
 // main.c - chapter 06: the picture.
 //
-// Casts a scene, pixel by pixel (image order) or sphere by sphere (object order). Without
-// arguments it casts the deck's three spheres, and sketches them on the terminal too. With
-// --explain it tells the story of one pixel instead; with --figure it draws how that is found.
+// Casts a scene, pixel by pixel (image order) or sphere by sphere (object order). Without arguments
+// it casts the deck's three spheres, and also sketches them on the terminal. With --explain it
+// explains one pixel instead; with --figure it prints the script of a figure.
 #include "chapters/06-ray-casting/cast_spheres.h"
 #include "chapters/06-ray-casting/explain.h"
 #include "chapters/06-ray-casting/figures/figures.h"
@@ -69,9 +69,9 @@ static void tell(const Drawing *drawing)
     sketch(drawing);
 }
 
-// What is asked of one pixel, instead of the picture.
+// A question about one pixel, instead of the picture.
 typedef struct {
-    Pixel explained, pixel; // column -1: none is named
+    Pixel explained, pixel; // column -1: not given
     FigureCommand figure;
 } Question;
 

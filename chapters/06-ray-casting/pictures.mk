@@ -1,4 +1,5 @@
-# pictures.mk - what chapter 06 casts: its scenes, and scenes that its programs write (NAME_nff.c).
+# pictures.mk - the pictures of chapter 06: of its scenes, and of scenes that its programs write
+# (NAME_nff.c).
 GENERATED := sphereflake-91 sphereflake-820 sphereflake-7381 sunflower
 $(B)/scenes/sphereflake-91.nff: ARGUMENTS = 2
 $(B)/scenes/sphereflake-820.nff: ARGUMENTS = 3

@@ -1,8 +1,8 @@
-// sunflower_nff.c - writes a scene made to be looked at: a bowl of spheres, laid like a sunflower's
-// seeds.
+// sunflower_nff.c - writes a beautiful scene: a bowl of spheres, placed like the seeds of a
+// sunflower.
 //
-// Each sphere is turned by the golden angle from the one before, so that no two lie in line; they
-// grow outward and their colours go once round the wheel.
+// Each sphere is turned by the golden angle from the one before, so that no two are in line. They
+// grow outward, and their colours go once around the wheel.
 #include "common/printed.h"
 #include "common/vec3.h"
 

@@ -1,7 +1,7 @@
 // export.c - the scene for POV-Ray and pbrt-v4, with the same camera.
 //
-// Both have left-handed worlds. Nothing is mirrored for them: the camera is not given as a look-at,
-// but by its own three directions, and those are the same picture in a world of either hand.
+// Both have left-handed worlds. Nothing has to be mirrored: the camera is not written as a look-at,
+// but as its own three directions, and those give the same picture in a world of either hand.
 #include "chapters/07-shading/export.h"
 
 #include "common/whole_file.h"
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// As short as gives the same number back.
+// The shortest text that reads back as the same number.
 static Text number(double x)
 {
     int digits = TEXT_DIGITS;
@@ -43,7 +43,7 @@ static void pov_surface(FILE *out, const Export *what, const Surface *surface)
     fprintf(out, " }\n");
 }
 
-// A distant light is a parallel one, far outside the scene.
+// A distant light is a parallel light, far outside the scene.
 static void pov_light(FILE *out, const Scene *scene, Light light)
 {
     double far = 1;
@@ -94,7 +94,7 @@ static void pbrt_rgb(FILE *out, const char *name, Color color)
             number(color[2]).s);
 }
 
-// From the world to the camera, who looks along z; column by column.
+// From the world to the camera, which looks along z; column by column.
 static void pbrt_camera(FILE *out, Camera c)
 {
     const vec3 rows[3] = {c.right, c.up, c.forward};
@@ -111,9 +111,9 @@ static void pbrt_camera(FILE *out, Camera c)
             number(-x).s, number(x).s, number(-y).s, number(y).s);
 }
 
-// In a path tracer light weakens with distance. So that a point light is as bright as here at the
-// point straight ahead of the camera on the image plane, its intensity is pi times its distance
-// squared.
+// In a path tracer, light weakens with distance. The intensity is pi times the squared distance
+// from the light to the point straight ahead of the camera on the image plane. So at that point a
+// point light is as bright as it is here.
 static void pbrt_light(FILE *out, const Export *what, Light light)
 {
     Camera c = what->camera;
@@ -134,7 +134,7 @@ static void pbrt_surface(FILE *out, const Export *what, const Surface *surface)
         fprintf(out, "Material \"diffuse\" \"rgb reflectance\" [ 0 0 0 ]\n");
         return;
     }
-    // The width of Phong's highlight as roughness.
+    // The roughness that gives a highlight of the same width as Phong's.
     double roughness = sqrt(2 / (surface->shine + 2));
     fprintf(out, "Material \"%s\"", surface->specular > 0 ? "coateddiffuse" : "diffuse");
     pbrt_rgb(out, "reflectance", surface->diffuse * surface->color);

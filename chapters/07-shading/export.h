@@ -15,12 +15,12 @@ typedef struct {
     const Scene *scene;
     Camera camera;
     Resolution size;
-    int depth; // how many mirrors are followed
+    int depth; // number of mirrors that a ray follows
     bool flat; // surfaces shine by themselves, in their colour
     Text name; // of the scene, for a comment
 } Export;
 
-// Writes the scene to a file, whole or not at all. False, and a message, where it could not.
+// Writes the scene to a file, completely or not at all. If it fails: false, and a message.
 bool export_scene(const Export *what, const char *path, Message *message);
 
 #endif

@@ -1,7 +1,7 @@
 // main.c - chapter 07: light, and the colour that a surface sends back.
 //
-// Draws a scene shaded. Without arguments it makes the deck's closing slide again: three spheres,
-// flat and shaded, side by side.
+// Draws a scene with light. Without arguments it draws the deck's closing slide again: three
+// spheres, flat and shaded, side by side.
 #include "chapters/07-shading/export.h"
 #include "chapters/07-shading/figures/figures.h"
 #include "chapters/07-shading/story.h"
@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Where the story is told unless told: near the highlight of the red sphere.
+// The pixel that is explained by default: near the highlight of the red sphere.
 static const Pixel in_the_light = {430, 130};
 
 static const struct {
@@ -40,7 +40,7 @@ static bool option_format(const char *text, void *into)
     return strcmp(text, "pov") == 0 || strcmp(text, "pbrt") == 0;
 }
 
-// Flat at the left, shaded at the right. False where memory is short.
+// Flat at the left, shaded at the right. False if there is not enough memory.
 static bool draw_both(Drawing *drawing, Style style)
 {
     Image left = drawing->image, right = {0}, both = {0};
@@ -117,7 +117,7 @@ int main(int argc, char **argv)
         command.picture_name = "still-something-missing";
 
     static Drawing drawing;
-    // Others shade what is exported.
+    // Another renderer shades an exported scene.
     bool ready = format != EXPORT_NONE ? picture_needs_are_met(IMAGE_ORDER)
                                        : shading_needs_are_met(lighting.style);
     if (!ready ||

@@ -1,5 +1,5 @@
-# pictures.mk - what chapter 07 casts: light, term by term, and together with the flat one, as on the
-# closing slide.
+# pictures.mk - the pictures of chapter 07: each term of the light alone; and the flat and the shaded
+# picture together, as on the closing slide.
 TERMS := ambient diffuse specular
 TERM_PICTURES := $(TERMS:%=$(GALLERY)/07-%.png)
 PICTURES += $(GALLERY)/still-something-missing.png $(TERM_PICTURES)

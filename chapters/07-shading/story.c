@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// What shade makes of one light alone, and of a surface that has only one of the two terms.
+// The colour that shade returns for one light alone, and a surface with only one of the two terms.
 static vec3 one_term(const Scene *scene, Light light, Ray ray, Hit hit, bool diffuse)
 {
     Surface surface = *scene_surface(scene, hit.sphere);

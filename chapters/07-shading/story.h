@@ -4,7 +4,7 @@
 
 #include "chapters/shared/command.h"
 
-// What the ray of a pixel sees, term by term, and through so many mirrors.
+// Prints the light that the ray of a pixel sees, term by term, with depth mirrors.
 void tell_shading(const Drawing *drawing, Pixel pixel, int depth);
 
 #endif

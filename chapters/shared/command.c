@@ -1,4 +1,4 @@
-// command.c - from the command line to a scene, a camera and an empty image; and to the file.
+// command.c - reads a scene, its camera and an empty image from the command line; writes the file.
 #include "chapters/shared/command.h"
 
 #include "chapters/shared/scene_camera.h"
@@ -13,7 +13,8 @@
 #include <time.h>
 #include <unistd.h>
 
-// The chapter's own scene, wherever the program was called from: up from the program's folder.
+// The path of the chapter's own scene: upwards from the program's folder, for any working
+// directory.
 static bool find_own_scene(char *path, size_t size, const char *program, const char *own_scene)
 {
     char up[64] = "";
@@ -22,11 +23,11 @@ static bool find_own_scene(char *path, size_t size, const char *program, const c
                 (int)size &&
             access(path, R_OK) == 0)
             return true;
-    fprintf(stderr, "%s: %s is not to be found above the program's folder\n", program, own_scene);
+    fprintf(stderr, "%s: %s not found above the program's folder\n", program, own_scene);
     return false;
 }
 
-// gallery/SCENE.png beside the program, the folder made where it is not there.
+// gallery/SCENE.png beside the program. Makes the folder if it does not exist.
 static bool gallery_path(char *path, size_t size, const char *program, const char *scene_path)
 {
     const char *slash = strrchr(scene_path, '/');
@@ -42,8 +43,8 @@ static bool gallery_path(char *path, size_t size, const char *program, const cha
                     name) < (int)size;
 }
 
-// How far, on a terminal, once it has taken a second. The loops are the reader's own, so all that
-// is known is how many pixels were set.
+// Shows progress on a terminal, after the first second. The loops are the student's own, so only
+// the number of pixels that were set is known.
 static void show_progress(const Image *image)
 {
     static time_t began, last;
@@ -67,7 +68,7 @@ static bool report(const char *text)
     return false;
 }
 
-// Which scene; false where there is none to be found.
+// Finds the scene's path; false if there is none.
 static bool find_scene(Drawing *drawing, const Command *command, const char *own_scene)
 {
     if (command->scene_path == NULL)
@@ -95,14 +96,14 @@ static bool find_output(Drawing *drawing, const Command *command)
     return file_path_is_writable(drawing->output, &message) || report(message.text);
 }
 
-// The scene that was found, read, and its camera.
+// Reads the scene, and finds its camera.
 static bool load(Drawing *drawing, const Command *command)
 {
     Message message;
     if (!scene_load(drawing->scene_path, &drawing->scene, &message))
         return report(message.text);
     if (drawing->scene.sphere_count == 0)
-        fprintf(stderr, "%s: warning: there are no spheres in it\n", drawing->scene_path);
+        fprintf(stderr, "%s: warning: the scene has no spheres\n", drawing->scene_path);
     drawing->size = command->size.width > 0 ? command->size : drawing->scene.view.resolution;
     CameraFault fault = scene_camera(&drawing->scene.view, drawing->size, &drawing->camera);
     if (fault == CAMERA_OK)

@@ -1,6 +1,6 @@
 // command.h - the command line that the programs which draw scenes share.
 //
-// PROGRAM [-o FILE.png] [-s WIDTHxHEIGHT] [SCENE.nff], and what else a chapter adds.
+// PROGRAM [-o FILE.png] [-s WIDTHxHEIGHT] [SCENE.nff], and the options that a chapter adds.
 #ifndef CHAPTERS_SHARED_COMMAND_H
 #define CHAPTERS_SHARED_COMMAND_H
 
@@ -11,7 +11,7 @@
 
 typedef struct {
     const char *output;       // -o; NULL: the gallery
-    Resolution size;          // -s; width 0: as the scene says
+    Resolution size;          // -s; width 0: the scene's
     const char *scene_path;   // NULL: the chapter's own
     const char *picture_name; // without -o, in the gallery; NULL: the scene's
 } Command;
@@ -25,7 +25,7 @@ typedef struct {
             "size of the picture (the scene's)"                                                    \
     }
 
-// All that a picture needs.
+// Everything that a picture needs.
 typedef struct {
     const char *program;
     Scene scene;
@@ -37,7 +37,7 @@ typedef struct {
 } Drawing;
 
 // Reads the scene, finds its camera, makes room for the image. own_scene is the chapter's, by its
-// path from the top of the project. False, and the reason on stderr, where something is missing.
+// path from the top of the project. If something is missing: false, and the reason on stderr.
 bool drawing_begin(Drawing *drawing, const char *program, const Command *command,
                    const char *own_scene);
 
@@ -45,7 +45,7 @@ bool drawing_begin(Drawing *drawing, const char *program, const Command *command
 bool drawing_prepare(Drawing *drawing, const char *program, const Command *command,
                      const char *own_scene);
 
-// Writes the picture; what main returns.
+// Writes the picture; returns the result of main.
 int drawing_end(Drawing *drawing);
 
 #endif

@@ -1,4 +1,4 @@
-// lighting.c - the options of a shaded picture: reading them, and what they change in a scene.
+// lighting.c - the options of a shaded picture: reads them, and changes the scene.
 #include "chapters/shared/lighting.h"
 
 #include <stdlib.h>

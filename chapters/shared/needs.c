@@ -1,4 +1,4 @@
-// needs.c - which answers a picture is made of.
+// needs.c - the answers that a picture needs.
 #include "chapters/shared/needs.h"
 
 #include "common/answers.h"

@@ -1,4 +1,4 @@
-// needs.h - which answers a picture is made of, and whether each is there.
+// needs.h - the answers that a picture needs, and whether each of them is there.
 #ifndef CHAPTERS_SHARED_NEEDS_H
 #define CHAPTERS_SHARED_NEEDS_H
 
@@ -7,8 +7,8 @@
 // The two ways of rendering a picture.
 typedef enum { IMAGE_ORDER, OBJECT_ORDER } Order;
 
-// Casts a picture of one pixel. Where that calls a blank, false, and every blank among the answers
-// that pictures are made of is named on stderr, not only the first, which stops the work.
+// Casts a picture of one pixel. If that calls a blank: false, and every blank among the answers
+// that pictures need is named on stderr, not only the first one.
 bool picture_needs_are_met(Order order);
 
 #endif

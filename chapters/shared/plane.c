@@ -37,7 +37,7 @@ static void pixels(Plot *plot, Camera c, int columns, int rows)
         place(plot, c, 1, (double)i / rows);
         plot_gap(plot);
     }
-    if (columns == 1 && rows == 1) // gnuplot complains of no rows
+    if (columns == 1 && rows == 1) // gnuplot complains about an empty block
         plot_row(plot, 3, (const double[]){NAN, NAN, NAN});
     plot_block_end(plot);
 }

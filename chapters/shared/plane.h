@@ -9,7 +9,7 @@
 // d, w, h, and the frame right, up, forward, from whose right side the figure is seen.
 void plane_data(Plot *plot, Camera camera, int columns, int rows);
 
-// $NAME, the outline of a camera's image plane, which the figure is made to show, too.
+// $NAME, the outline of a camera's image plane. The figure makes room for it.
 void plane_outline(Plot *plot, const char *name, Camera camera);
 
 // The same as rows of a block that has begun.

@@ -9,23 +9,23 @@
 
 #include <stdbool.h>
 
-// How a picture is made of a scene.
+// How a scene becomes a picture.
 typedef struct {
-    int samples;  // each way in a pixel: 3 makes 9
-    int depth;    // how many mirrors a ray is followed through
-    double gamma; // of the display; 1 leaves the numbers as they are
+    int samples;  // in each direction of a pixel: 3 makes 9
+    int depth;    // number of mirrors that a ray follows
+    double gamma; // of the display; 1 does not change the numbers
 } Style;
 
-// What is drawn of the light. One term alone shows what it adds.
+// The part of the light that is drawn. One term alone shows its contribution.
 typedef enum { TERM_ALL, TERM_AMBIENT, TERM_DIFFUSE, TERM_SPECULAR, TERM_FLAT } Term;
 
-// Leaves all but a term out of a scene. Flat: surfaces shine by themselves, in their colour.
+// Removes all terms except one from a scene. Flat: surfaces shine by themselves, in their colour.
 void keep_term(Scene *scene, Term term);
 
-// The colour that a ray sees in a world, as trace_ray finds it or in another way.
+// The colour that a ray sees in a world, computed by trace_ray or in another way.
 typedef Color Tracer(void *world, Ray ray, int depth);
 
-// How the rays of a picture are sent.
+// The rays of a picture.
 typedef struct {
     Camera camera;
     Resolution screen;
@@ -42,8 +42,8 @@ Tracer trace_scene;
 // Sets every pixel of the image.
 void render(const Scene *scene, Camera camera, Style style, Image *image);
 
-// Calls each answer that a picture in this style is made of, once. False, each one that is missing
-// named on stderr, where there is a blank.
+// Calls each answer that a picture in this style needs, once. If there is a blank: false, and each
+// missing answer is named on stderr.
 bool shading_needs_are_met(Style style);
 
 #endif

@@ -5,8 +5,8 @@
 #include "common/camera.h"
 #include "common/scene.h"
 
-// The camera that sees what the viewpoint says, on a screen of this size (pixels are square, so
-// the size gives the aspect). CAMERA_OK, or the reason why there is none.
+// The camera of a viewpoint, for a screen of this size (pixels are square, so the size gives the
+// aspect ratio). CAMERA_OK, or the reason why there is no camera.
 CameraFault scene_camera(const Viewpoint *view, Resolution screen, Camera *camera);
 
 #endif

@@ -1,4 +1,4 @@
-// discriminant.c - five rays and a sphere: what the discriminant and the signs of the roots say.
+// discriminant.c - five rays and a sphere: the discriminant and the signs of the roots.
 #include "chapters/05-quadratic/figures/discriminant.h"
 
 #include "chapters/05-quadratic/numbers.h"
@@ -9,9 +9,9 @@ enum { SAMPLES = 400, SITUATIONS = 5 };
 
 static const double half_panel = 1.75; // in radii, as in the layout
 
-// Five rays along x against the same sphere, in object coordinates; the numbers of where they start
-// are short in binary, and so is the tangent's distance from the centre, 17/8: it is one, exactly,
-// by any of the usual formulas.
+// Five rays along x against the same sphere, in object coordinates. The coordinates of their
+// origins are short in binary, and so is the distance of the tangent's origin from the centre,
+// 17/8. So every usual formula finds exactly a tangent.
 static const struct {
     double x, y;   // of p, in radii
     double middle; // of the panel
@@ -21,7 +21,7 @@ static const struct {
                             {-0.5, 0.5, 0.2},
                             {1.25, 0.5, 0.5}};
 
-// The radius to 22 binary digits, so that its square, times small numbers, is exact.
+// The radius, rounded to 22 binary digits, so that its square times small numbers is exact.
 static double rounded(double radius)
 {
     int exponent;
@@ -29,7 +29,7 @@ static double rounded(double radius)
     return ldexp(round(ldexp(fraction, 22)), exponent - 22);
 }
 
-// v is as long as the radius or shorter, down to its half: a power of two.
+// The length of v is a power of two, from half the radius up to the radius.
 static double speed_for(double radius)
 {
     int exponent;
@@ -82,11 +82,11 @@ static void curve(Plot *plot, const char *name, double radius, bool ahead)
             double x = (situations[i].middle + half_panel * (2.0 * k / SAMPLES - 1)) * radius;
             double t = (x - m.ray.origin[0]) / m.ray.direction[0], f = quadratic_value(q, t);
             bool shown = f <= 2.4 * radius * radius && f >= -1.2 * radius * radius;
-            // Both have the place next to t = 0, so that no gap is seen.
+            // Both curves contain the place next to t = 0, so that there is no gap.
             if (shown && (ahead ? t >= 0 : t < 0.02))
                 plot_row(plot, 3, (const double[]){i + 1, x, f});
         }
-        // Where all of it is on the other side, or out of the picture.
+        // For a curve that is completely on the other side, or outside the picture.
         plot_row(plot, 3, (const double[]){i + 1, NAN, NAN});
         plot_gap(plot);
     }

@@ -1,10 +1,10 @@
-// discriminant.h - five rays and a sphere: what the discriminant and the signs of the roots say.
+// discriminant.h - five rays and a sphere: the discriminant and the signs of the roots.
 #ifndef CHAPTERS_05_QUADRATIC_FIGURES_DISCRIMINANT_H
 #define CHAPTERS_05_QUADRATIC_FIGURES_DISCRIMINANT_H
 
 #include "common/figure/plot.h"
 
-// The data of that figure; given is a Meeting, of which only the radius counts.
+// The data of that figure; given is a Meeting, and only its radius is used.
 void discriminant_figure(Plot *plot, void *given);
 
 #endif

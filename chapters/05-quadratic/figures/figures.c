@@ -1,4 +1,4 @@
-// figures.c - what the figures of chapter 05 show, in numbers.
+// figures.c - the data of the figures of chapter 05.
 #include "chapters/05-quadratic/figures/figures.h"
 
 #include "chapters/05-quadratic/figures/discriminant.h"
@@ -34,7 +34,7 @@ static void ray_sphere(Plot *plot, void *given)
 
 // ---- parabola ----------------------------------------------------------------------------------
 
-// t and f(t), where f is between the bottom and the top of the picture.
+// t and f(t), for each f between the bottom and the top of the picture.
 static void parabola(Plot *plot, const char *name, Quadratic q, const double t[2],
                      const double f[2])
 {
@@ -55,8 +55,8 @@ static void parabola(Plot *plot, const char *name, Quadratic q, const double t[2
     plot_block_end(plot);
 }
 
-// The f that are shown: the axis, the lowest point, and above it a parabola as wide as the circle
-// and half.
+// The range of f that is shown: the axis, the lowest point, and above it so much that the parabola
+// is one and a half times as wide as the circle.
 static void heights(const Section *s, double f[2])
 {
     double r = s->sphere.radius, lowest = (s->away - r) * (s->away + r);
@@ -73,7 +73,7 @@ static void parabola_data(Plot *plot, void *given)
     Section section = section_level(m->ray, m->sphere);
     for (int i = 0; i < roots_shown(roots); i++)
         section_include(&section, roots.t[i]);
-    section_include(&section, -q.b / (2 * q.a)); // the lowest point, should it be elsewhere
+    section_include(&section, -q.b / (2 * q.a)); // the lowest point, if it is elsewhere
     section_end(&section);
     section_data(plot, &section);
 
@@ -98,7 +98,7 @@ static bool same_point(vec3 a, vec3 b)
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-// The deck's sphere is round the origin, where both coordinates are the same; moved, they are two.
+// The deck's sphere is around the origin, so both coordinates are the same. Moved, they differ.
 static Meeting moved(const Meeting *m)
 {
     Meeting deck = meeting_of_the_deck(), moved = *m;
@@ -111,8 +111,8 @@ static Meeting moved(const Meeting *m)
     return moved;
 }
 
-// The world's axes on the paper, as far as they are not seen from their end; center is where that
-// is seen in the world.
+// The world's axes on the paper, except those that are seen from their end. center is the place of
+// their origin in the world.
 static void axes(Plot *plot, const char *name, const Section *s, vec3 center, double low,
                  double high)
 {
@@ -130,7 +130,7 @@ static void axes(Plot *plot, const char *name, const Section *s, vec3 center, do
     plot_block_end(plot);
 }
 
-// The world's origin and c from there; where that is far away, only c's end, and no axes.
+// The world's origin and c from there. If the origin is far away: only the end of c, and no axes.
 static void world_axes(Plot *plot, const Section *s)
 {
     vec3 c = s->sphere.center, zero = vec3_of(0, 0, 0);

@@ -7,13 +7,13 @@ enum {
     FAR_TICKS = 6
 };
 
-// How many sizes away p is still shown: across the paper, and up.
+// The largest distance of p, in sizes, at which it is still shown: across the paper, and up.
 static const double reach[2] = {20, 11};
 
 // ---- where things are --------------------------------------------------------------------------
 
-// A direction at right angles to the line; none is better than another, but the plane of x and y is
-// the deck's.
+// Any direction at right angles to the line. It is in the plane of x and y if possible, because the
+// deck's drawing is.
 static vec3 any_off(vec3 line)
 {
     return fabs(line[1]) < 0.9 ? vec3_of(0, 1, 0) : vec3_of(1, 0, 0);
@@ -37,7 +37,7 @@ static Section meeting(Ray ray, Sphere sphere)
     return s;
 }
 
-// p is shown unless it is far away; then the line comes from, or goes on, out of the picture.
+// p is shown unless it is far away; then the line begins or ends outside the picture.
 static Section in_sight(Section s)
 {
     double to_p = -s.t * vec3_length(s.ray.direction);
@@ -85,7 +85,7 @@ void section_include(Section *s, double t)
     s->high = fmax(s->high, t + margin);
 }
 
-// 1, 2 or 5 of a power of ten where 1 itself will not do.
+// 1, or if that is too small or too large, 1, 2 or 5 times a power of ten.
 static double stride(const Section *s)
 {
     double most = (s->high - s->low) / (s->near ? 1.5 : 2.5);
@@ -102,7 +102,7 @@ static double stride(const Section *s)
 void section_end(Section *s)
 {
     s->stride = stride(s);
-    if (s->near) // the tip of v, too, has to be seen
+    if (s->near) // the tip of v must also be visible
         s->high = fmax(s->high, 1.1 * s->stride);
     s->first = s->near ? 0 : s->t > 0 ? s->low : s->high - s->stride;
 }
@@ -144,7 +144,7 @@ static void ticks(Plot *plot, const Section *s)
         vec3 p = section_point(s, t);
         plot_row(plot, 4, (const double[]){p[0], p[1], p[2], t});
     }
-    // So far away that whole t are one double: the table is not empty all the same.
+    // So far away that neighbouring whole numbers are the same double: the block must not be empty.
     if (!(from * step <= s->high - margin))
         plot_row(plot, 4, (const double[]){s->nearest[0], s->nearest[1], s->nearest[2], s->t});
     plot_block_end(plot);

@@ -1,7 +1,8 @@
 // section.h - the plane through a ray and the centre of a sphere, as a figure shows it.
 //
-// Whatever the ray and the sphere are, all that matters happens in that plane: a line and a circle,
-// in true lengths. Data stay points of the world; two directions in the plane are the paper's.
+// Everything that matters happens in that plane, for any ray and sphere: a line and a circle, in
+// true lengths. The data are points of the world; two directions in the plane are those of the
+// paper.
 #ifndef CHAPTERS_05_QUADRATIC_FIGURES_SECTION_H
 #define CHAPTERS_05_QUADRATIC_FIGURES_SECTION_H
 
@@ -17,34 +18,34 @@ typedef struct {
     vec3 nearest; // the point of the line that is nearest to the centre
     double t;     // its t
     double away;  // how far it is from the centre
-    double size;  // of what has to be seen: the radius, or away where that is larger
+    double size;  // of the part that must be visible: the larger of radius and away
     vec3 right, up;
 
-    // How much of the line is shown.
+    // The part of the line that is shown.
     double low, high; // from which t to which
-    bool near;        // is p in sight, or too far away for that?
-    double stride;    // from mark to mark: 1, unless that is too near or too far
-    double first;     // where the arrow of v starts: at p, where that is in sight
+    bool near;        // is p shown, or is it too far away?
+    double stride;    // from mark to mark: 1, unless that is too small or too large
+    double first;     // the t at which the arrow of v starts: at p, if p is shown
 } Section;
 
-// With the world's up as far as possible up on the paper, and seen from where z is positive.
+// The world's up is up on the paper, as far as possible, seen from the side of positive z.
 Section section_upright(Ray ray, Sphere sphere);
 
-// Turned until the ray goes to the right, above the centre.
+// Turned so that the ray goes to the right, above the centre.
 Section section_level(Ray ray, Sphere sphere);
 
-// Makes room for a t, unless that is too far away or no number.
+// Makes room for a t, unless it is too far away or NaN.
 void section_include(Section *section, double t);
 
 // A point of the line.
 vec3 section_point(const Section *section, double t);
 
-// When all that it has to show is included: how it is marked.
+// Chooses the marks, after everything that must be visible is included.
 void section_end(Section *section);
 
-// The paper's directions, and $center, $circle, $radius, $p (or, where that is too far away, the
+// Writes the directions of the paper, and $center, $circle, $radius, $p (if p is too far away, the
 // end of the line towards it), $v, $ahead and $behind (of p), $ticks, $nearest, $apart (from the
-// centre to there).
+// centre to $nearest).
 void section_data(Plot *plot, const Section *section);
 
 #endif

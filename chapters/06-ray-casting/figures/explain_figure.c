@@ -1,4 +1,4 @@
-// explain_figure.c - the story of one pixel as a figure's data.
+// explain_figure.c - one pixel, explained, as the data of a figure.
 #include "chapters/06-ray-casting/explain.h"
 
 #include "exercises/03-screen.h"
@@ -59,7 +59,8 @@ void explain_figure_data(Plot *plot, void *given)
     plot_number(plot, "t", place.t);
     plot_vector(plot, "vector_v", shot.camera.origin,
                 ray_to_plane(shown->ray, shot.camera).direction);
-    // To the plane as it is drawn, which may be nearer than where the vector ends.
+    // It ends on the plane that is drawn, which may be nearer to the eye than the end of the
+    // vector.
     plot_vector(plot, "arrow", shot.camera.origin,
                 ray_to_plane(shown->ray, shown->camera).direction);
     plot_direction(plot, "p", shown->ray.origin);

@@ -1,4 +1,4 @@
-// figures.c - what the figures of chapter 06 show, in numbers.
+// figures.c - the data of the figures of chapter 06.
 #include "chapters/06-ray-casting/figures/figures.h"
 
 #include "chapters/06-ray-casting/cast_spheres.h"
@@ -14,8 +14,8 @@
 
 // ---- image order, and the whole of ray casting ------------------------------------------------
 
-// The drawn pixels in the colours of the spheres that they show in some scene, of which 'first' is
-// the sphere 0; where there is none, the background is kept.
+// The drawn pixels in the colours of the spheres that they show in a scene. Its sphere 0 is sphere
+// 'first' of the whole scene. A pixel that shows no sphere keeps the background.
 static void cells_data(Plot *plot, const Shown *shown, const Scene *scene, int first)
 {
     int spheres[MOST_CELLS * MOST_CELLS], cells = 0, count = shown->grid.width * shown->grid.height;
@@ -46,7 +46,7 @@ static void ray_casting(Plot *plot, void *given)
     cast_cells(plot, shown);
 }
 
-// The pixel that meets nothing and is nearest to a place up and to the left; its ray goes on.
+// The ray of a pixel that hits nothing; of several, the one nearest to a place up and to the left.
 static void missing_ray(Plot *plot, const Shown *shown)
 {
     double best = INFINITY;
@@ -76,7 +76,7 @@ static void image_order(Plot *plot, void *given)
 
 enum { OUTLINE_PLACES = 72, LINES = 6, LINE_PLACES = 160 };
 
-// A place of the circle that is the sphere's outline as the eye sees it: there the line of sight
+// A place of the circle that is the sphere's outline, seen from the eye. There the line of sight
 // touches the sphere, at right angles to its radius.
 static vec3 outline_place(Camera c, Sphere sphere, double angle)
 {
@@ -90,8 +90,8 @@ static vec3 outline_place(Camera c, Sphere sphere, double angle)
            sphere.radius * sqrt(1 - flat * flat) * (cos(angle) * aside + sin(angle) * up);
 }
 
-// Where a line of sight crosses the image plane; NaN where not before it, or far beside it, as the
-// outline of a ground does.
+// The place where a line of sight crosses the image plane. NaN if the line goes backwards, or
+// crosses far beside the plane, as the outline of a ground does.
 static vec3 on_plane(Camera c, vec3 v)
 {
     vec3 place = c.distance / vec3_dot(v, c.forward) * v;
@@ -113,8 +113,8 @@ static void outline_on_plane(Plot *plot, Camera c, Sphere sphere)
     plot_block_end(plot);
 }
 
-// Half way along a line of sight to the plane. A function of its own: as a part of the loop that
-// calls it, gcc 14 to 16 stop at it with an internal error (-O2).
+// Half way along a line of sight to the plane. It must be a separate function: inside the loop that
+// calls it, gcc 14 to 16 stop with an internal compiler error (-O2).
 static void arrow_head(Plot *plot, Camera c, vec3 v)
 {
     double ahead = vec3_dot(v, c.forward);
@@ -122,8 +122,8 @@ static void arrow_head(Plot *plot, Camera c, vec3 v)
     plot_row_vector(plot, p, -0.3 * w);
 }
 
-// The lines as places, as hidden parts are left out; and the arrowheads half way to the plane.
-// Where the sphere is not drawn they end behind the plane.
+// The lines as rows of places, because hidden parts are left out; and the arrowheads half way to
+// the plane. If the sphere is not drawn, the lines end beyond the plane.
 static void lines_to_eye(Plot *plot, Camera c, Sphere sphere, bool drawn)
 {
     int near[OUTLINE_PLACES], count = 0, lines = 0;
@@ -153,7 +153,7 @@ static void lines_to_eye(Plot *plot, Camera c, Sphere sphere, bool drawn)
     plot_block_end(plot);
 }
 
-// The sphere that the pixel's ray hits, else the one that most pixels show.
+// The sphere that the pixel's ray hits. If there is none, the one that most pixels show.
 static int the_object(const Shown *shown)
 {
     const Scene *scene = shown->shot.scene;
@@ -162,7 +162,7 @@ static int the_object(const Shown *shown)
     return shown->sphere_count > 0 ? shown->spheres[0] : scene->sphere_count > 0 ? 0 : -1;
 }
 
-// The pixels that one sphere would colour, were it alone.
+// The pixels that one sphere would colour if it were alone.
 static void cells_of(Plot *plot, const Shown *shown, int object)
 {
     Scene alone = *shown->shot.scene;
@@ -182,7 +182,7 @@ static void object_order(Plot *plot, void *given)
     plot_include(plot, "common/figure/spheres.gp");
     cells_of(plot, shown, object);
     plot_text(plot, "object_name", object < 0 ? "" : sphere_name(object).s);
-    // No sphere, no outline: a point takes its place.
+    // Without a sphere there is no outline: a point takes its place.
     Sphere sphere = {.center = shown->shot.camera.origin + shown->shot.camera.forward};
     if (object >= 0)
         sphere = shown->shot.scene->spheres[object];
@@ -199,7 +199,7 @@ static const Figure figures[] = {
     {"ray-casting", ray_casting},     {"nearest-hit", nearest_figure_data},
     {"explain", explain_figure_data}, {0}};
 
-// The scenes of the figures, and pixels whose hits can be seen from where a figure looks.
+// The scenes of the figures, and pixels whose hits are visible from the figure's viewpoint.
 static const struct {
     const char *name, *scene;
     Pixel pixel;

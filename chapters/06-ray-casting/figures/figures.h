@@ -4,13 +4,13 @@
 
 #include "chapters/06-ray-casting/figures/shown.h"
 
-// The scene that a figure shows where none is named, by its path from the top of the project.
+// The scene that a figure shows by default, as a path from the top of the project.
 const char *figure_scene(const char *name);
 
-// The pixel of that scene; column -1: any.
+// The pixel of that scene; column -1 means any pixel.
 Pixel figure_pixel(const char *name);
 
-// Prints a figure's script; returns what main returns.
+// Prints a figure's script; returns the result of main.
 int casting_figure(const char *program, FigureCommand command, Shot shot);
 
 #endif

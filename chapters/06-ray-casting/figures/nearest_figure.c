@@ -1,4 +1,4 @@
-// nearest_figure.c - one ray and what it meets, flat, as a figure's data.
+// nearest_figure.c - one ray and the spheres that it meets, in a plane, as the data of a figure.
 #include "chapters/06-ray-casting/figures/nearest_figure.h"
 
 #include "chapters/06-ray-casting/figures/window.h"
@@ -10,11 +10,11 @@
 
 enum { MOST_CIRCLES = 8, MOST_MISSED = 2, IN_PART = 4 };
 
-// A sphere as its ray meets it: turned round the ray into the paper, measured in the ray's t.
+// A sphere, turned around the ray into the paper, and measured in the ray's t.
 typedef struct {
     int sphere;
-    double t, aside, radius; // aside: from the ray to the middle
-    bool part;               // only what the window shows of it is drawn
+    double t, aside, radius; // aside: from the ray to the centre
+    bool part;               // only its part in the window is drawn
 } Circle;
 
 static Circle circle_of(const Shown *shown, int sphere)
@@ -30,8 +30,8 @@ static Circle circle_of(const Shown *shown, int sphere)
 
 #define PASSED 1e9 // more than any t
 
-// How little it matters: what is hit first, spheres that are met soon, those that the ray passes by
-// closely.
+// The lower, the more important: first the nearest hit, then spheres that the ray meets soon, then
+// those that it passes closely.
 static double far_off(const Shown *shown, Circle circle)
 {
     if (shown->hit_count > 0 && shown->hits[0].sphere == circle.sphere)
@@ -51,7 +51,7 @@ static double reach(const Shown *shown)
     return far;
 }
 
-// So far off or so large that nothing else would be left to see.
+// So far away or so large that everything else would be too small.
 static bool out_of_reach(const Shown *shown, Circle circle)
 {
     return fabs(circle.t) + fabs(circle.aside) + circle.radius > 12 * reach(shown);
@@ -62,7 +62,7 @@ static int choose_circles(const Shown *shown, Circle *circles)
     int count = 0;
     for (int i = 0; i < shown->shot.scene->sphere_count; i++) {
         Circle circle = circle_of(shown, i);
-        // Of a ground that is hit, a sphere of radius 1000, what is near the hit.
+        // Of a ground that is hit (a sphere of radius 1000), only the part near the hit is drawn.
         circle.part = out_of_reach(shown, circle);
         if (circle.part && hit_sphere(shown->ray, shown->shot.scene->spheres[i]) > reach(shown))
             continue;
@@ -75,14 +75,14 @@ static int choose_circles(const Shown *shown, Circle *circles)
         if (count < MOST_CIRCLES)
             count++;
     }
-    // Of many spheres, no more misses than say so.
+    // If there are many spheres, only a few misses are shown.
     if (shown->shot.scene->sphere_count > MOST_CIRCLES)
         while (count > MOST_MISSED && far_off(shown, circles[count - MOST_MISSED - 1]) > PASSED)
             count--;
     return count;
 }
 
-// What becomes of a sphere: 0 missed, 1 behind the eye, 2 hit but farther, 3 the nearest hit.
+// The fate of a sphere: 0 missed, 1 behind the eye, 2 hit but not nearest, 3 the nearest hit.
 static int fate(const Shown *shown, Circle circle, Roots roots)
 {
     if (roots.count == 0)
@@ -124,7 +124,7 @@ static void circle_data(Plot *plot, const Shown *shown, const Circle *circles, i
                                   met ? intervals[i].t[1] : NAN, hit < NO_HIT ? hit : NAN, lanes[i],
                                   c.part});
     }
-    // Where all are missed each row has a NaN; such a block is not drawn (plot_block.c).
+    // If all spheres are missed, each row has a NaN; such a block is not drawn (plot_block.c).
     double nowhere[11];
     for (int i = 0; i < 11; i++)
         nowhere[i] = 1e9;
@@ -138,7 +138,7 @@ static void circle_data(Plot *plot, const Shown *shown, const Circle *circles, i
     plot_block_end(plot);
 }
 
-// The names of the spheres of some fate, or of those drawn in part, as "A, C".
+// The names of the spheres with some fate, or of those drawn in part, as "A, C".
 static void names(Plot *plot, const char *name, const Shown *shown, const Circle *circles,
                   int count, int low, int high)
 {
@@ -154,7 +154,8 @@ static void names(Plot *plot, const char *name, const Shown *shown, const Circle
     plot_text(plot, name, text);
 }
 
-// What has to be seen: the eye, v, all circles; of those drawn in part the hit, with room round it.
+// The part that must be visible: the eye, v, all circles; for circles drawn in part, the hit with
+// room around it.
 static Window window_of(const Shown *shown, const Circle *circles, int count)
 {
     Window w = {{-0.1, -0.1}, {1.2, 0.1}};
@@ -218,7 +219,7 @@ void nearest_figure_data(Plot *plot, void *given)
     names(plot, "behind_names", shown, circles, count, 1, 1);
     names(plot, "hit_names", shown, circles, count, 2, 3);
     names(plot, "part_names", shown, circles, count, IN_PART, IN_PART);
-    // What is large is drawn under what is small.
+    // Large circles are drawn first, below small ones.
     qsort(circles, (size_t)count, sizeof *circles, larger_first);
     Window window = window_of(shown, circles, count);
     circle_data(plot, shown, circles, count);

@@ -47,7 +47,7 @@ int hits_of(Ray ray, const Scene *scene, Hit *hits, int room)
     return count;
 }
 
-// A picture of that shape with few pixels, where it has too many to be drawn.
+// A picture of the same shape with fewer pixels, if there are too many to draw.
 static Resolution grid_of(Resolution size)
 {
     int longer = size.width > size.height ? size.width : size.height;
@@ -68,7 +68,8 @@ static int hits_through(const Shown *shown, Pixel cell)
     return count;
 }
 
-// The pixel in the middle of the cell whose ray meets most; of several, one near the middle.
+// The pixel in the middle of the cell whose ray meets the most spheres; of several, one near the
+// middle.
 static Pixel telling_pixel(const Shown *shown)
 {
     Resolution grid = shown->grid, size = shown->shot.size;
@@ -88,7 +89,7 @@ static Pixel telling_pixel(const Shown *shown)
                    (2 * cell.row + 1) * size.height / (2 * grid.height)};
 }
 
-// From inside or right beside a sphere there is no outline, or one that leaves no room for others.
+// Seen from inside or close beside, a sphere has no outline, or one that leaves no room for others.
 static bool can_be_drawn(const Shown *shown, const Sphere *sphere)
 {
     double away = vec3_length(sphere->center - shown->shot.camera.origin) - sphere->radius;
@@ -106,8 +107,8 @@ static void show_sphere(Shown *shown, int sphere)
     shown->spheres[shown->sphere_count++] = sphere;
 }
 
-// Scenes have their image plane in their midst, where it hides half of them. Nearer to the eye, and
-// smaller by as much, it makes the same rays (chapter 01).
+// The image plane of a scene is among its spheres, and would hide half of them. Nearer to the eye,
+// and smaller by the same factor, it makes the same rays (chapter 01).
 static Camera with_plane_before_spheres(const Shown *shown)
 {
     Camera c = shown->shot.camera;
@@ -127,8 +128,8 @@ static Camera with_plane_before_spheres(const Shown *shown)
     return c;
 }
 
-// A step that visits all of so many cells, and far from where it has just been: where there is not
-// room for all spheres, those that are shown come from all over the picture.
+// A step that visits all the cells, each far from the one before. So if there is not room for all
+// spheres, those that are shown come from all over the picture.
 static int stride(int cells)
 {
     int step = (int)(0.618 * cells) + 1;

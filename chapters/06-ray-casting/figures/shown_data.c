@@ -1,4 +1,5 @@
-// shown_data.c - what a figure shows of a scene, as data, by the answers of chapters 01 to 06.
+// shown_data.c - the part of a scene that a figure shows, as data, by the answers of chapters 01 to
+// 06.
 #include "chapters/06-ray-casting/figures/shown.h"
 #include "chapters/shared/plane.h"
 #include "exercises/01-corners.h"
@@ -27,12 +28,12 @@ static void spheres(Plot *plot, const Shown *shown)
                                   rgb_number(scene_surface(scene, number)->color)});
         plot_fit(plot, s->center, s->radius);
     }
-    if (shown->sphere_count == 0) // gnuplot complains of no rows
+    if (shown->sphere_count == 0) // gnuplot complains about an empty block
         plot_row(plot, 6, (const double[]){0, 0, 0, 0, 0, 0});
     plot_block_end(plot);
 }
 
-// A rectangle of the image plane, of a pixel among so many.
+// The rectangle of a pixel on the image plane.
 static void rectangle(Plot *plot, Camera camera, Resolution size, Pixel pixel, double rgb)
 {
     static const int corners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
@@ -80,7 +81,8 @@ void shown_ray(Plot *plot, const char *name, Ray ray, double end, double solid)
     plot_fit(plot, ray.origin + end * ray.direction, 0);
 }
 
-// Where a ray crosses the image plane. Rays may be of any length, so that is not always t = 1.
+// The place where a ray crosses the image plane. Directions have any length, so t may differ from
+// 1.
 static double plane_t(Camera c, Ray ray)
 {
     return c.distance / vec3_dot(ray.direction, c.forward);
@@ -93,7 +95,7 @@ double shown_end(const Shown *shown)
     for (int i = 0; i < hits; i++)
         if (1.1 * shown->hits[i].t > end)
             end = 1.1 * shown->hits[i].t;
-    // A ray that meets nothing goes on as far as there are spheres.
+    // A ray that hits nothing is drawn as far as there are spheres.
     for (int i = 0; i < shown->sphere_count && hits == 0; i++) {
         vec3 center = shown->shot.scene->spheres[shown->spheres[i]].center;
         double t = vec3_length(center - shown->ray.origin) / vec3_length(shown->ray.direction);
@@ -114,7 +116,8 @@ static void hits(Plot *plot, const Shown *shown)
         vec3 p = shown->ray.origin + hit.t * shown->ray.direction;
         plot_row(plot, 5, (const double[]){p[0], p[1], p[2], hit.t, hit.sphere});
     }
-    // The first hit and the others are drawn apart, and gnuplot complains where there are no rows.
+    // The first hit and the others are drawn separately, and gnuplot complains about an empty
+    // block.
     plot_row(plot, 5, (const double[]){NAN, NAN, NAN, NAN, -1});
     plot_row(plot, 5, (const double[]){NAN, NAN, NAN, NAN, -1});
     plot_block_end(plot);
@@ -125,8 +128,9 @@ static void hits(Plot *plot, const Shown *shown)
         rgb_number(any ? scene_surface(scene, shown->hits[0].sphere)->color : scene->background));
 }
 
-// A place of a sphere, near the point that is 'out' from the centre: aside of it by a share of the
-// radius, in a direction round it. side is a unit vector at right angles to out.
+// A place of a sphere, near the point in the direction 'out' from the centre. It is a share of the
+// radius away from that point, in a direction around it. side is a unit vector at right angles to
+// out.
 static vec3 on_sphere(Sphere s, vec3 out, vec3 side, double share, double angle)
 {
     vec3 round = s.radius * cos(angle) * side + sin(angle) * vec3_cross(out, side);

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-// Leaves what is on the window's side of one edge: sign * at[axis] <= sign * limit.
+// Keeps the part on the window's side of one edge: sign * at[axis] <= sign * limit.
 static int cut(Place *places, int count, int axis, double limit, double sign)
 {
     Place left[MOST_PLACES];
@@ -30,7 +30,7 @@ static int cut(Place *places, int count, int axis, double limit, double sign)
 
 int window_part(Window window, const double middle[2], double radius, Place places[MOST_PLACES])
 {
-    // Only the sector that the window is in, as nothing else of a large circle would be smooth.
+    // Only the sector that contains the window, because a whole large circle would not be smooth.
     double x = (window.low[0] + window.high[0]) / 2 - middle[0];
     double y = (window.low[1] + window.high[1]) / 2 - middle[1];
     double half = hypot(window.high[0] - window.low[0], window.high[1] - window.low[1]) / 2;

@@ -1,4 +1,4 @@
-// window.h - what of a circle is within a rectangle, for circles too large for the paper.
+// window.h - the part of a circle within a rectangle, for circles that are too large for the paper.
 #ifndef CHAPTERS_06_RAY_CASTING_FIGURES_WINDOW_H
 #define CHAPTERS_06_RAY_CASTING_FIGURES_WINDOW_H
 
@@ -10,12 +10,12 @@ typedef struct {
 
 typedef struct {
     double at[2];
-    bool on_circle; // else on the window's edge
+    bool on_circle; // if not, it is on the window's edge
 } Place;
 
 enum { ARC_PLACES = 512, MOST_PLACES = ARC_PLACES + 16 };
 
-// The corners of what the window shows of the disc, in order; returns how many.
+// The corners of the part of the disc in the window, in order; returns their number.
 int window_part(Window window, const double middle[2], double radius, Place places[MOST_PLACES]);
 
 #endif

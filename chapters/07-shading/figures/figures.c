@@ -1,4 +1,4 @@
-// figures.c - what the figures of chapter 07 show, in numbers.
+// figures.c - the data of the figures of chapter 07.
 #include "chapters/07-shading/figures/figures.h"
 
 #include "chapters/shared/render.h"
@@ -29,7 +29,7 @@ static void picture_data(Plot *plot, const char *name, const Image *image)
     plot_block_end(plot);
 }
 
-// Where on the picture, in its pixels from the lower left; and whether anywhere.
+// A place on the picture, in pixels from the lower left; and whether there is one.
 static void spot_data(Plot *plot, const char *name, const char *has, Pixel pixel)
 {
     plot_block(plot, name, "x y on the picture");
@@ -40,7 +40,7 @@ static void spot_data(Plot *plot, const char *name, const char *has, Pixel pixel
 
 #define NO_PIXEL ((Pixel){-1, -1})
 
-// Of the pixels that see a sphere the one where the value is largest, and more than 0.
+// Of the pixels that see a sphere, the one with the largest value greater than 0.
 static Pixel most(const Drawing *drawing, double (*value)(const Drawing *, Ray, Hit))
 {
     const Resolution screen = {COLUMNS, ROWS};
@@ -59,14 +59,14 @@ static Pixel most(const Drawing *drawing, double (*value)(const Drawing *, Ray, 
     return best;
 }
 
-// How much of the first light reaches a place from which its normal points away.
+// How much of the first light arrives at a point of a surface, 0 or 1, whichever side it falls on.
 static double light_here(const Drawing *drawing, vec3 point, Hit hit, vec3 normal)
 {
     vec3 start = off_surface(drawing->scene.spheres[hit.sphere], point, normal);
     return visibility(&drawing->scene, start, drawing->scene.lights[0]);
 }
 
-// How exactly the first light is mirrored into the eye; the first sphere that shines goes first.
+// How exactly the first light is mirrored into the eye; the first shiny sphere has priority.
 static double highlight_here(const Drawing *drawing, Ray ray, Hit hit)
 {
     const Scene *scene = &drawing->scene;
@@ -79,7 +79,7 @@ static double highlight_here(const Drawing *drawing, Ray ray, Hit hit)
     return seen ? cosine + scene->sphere_count - hit.sphere : 0;
 }
 
-// Facing the light, and yet dark.
+// The surface faces the light, but is dark.
 static double shadow_here(const Drawing *drawing, Ray ray, Hit hit)
 {
     const Scene *scene = &drawing->scene;
@@ -115,9 +115,9 @@ static void flat_and_shaded(Plot *plot, void *given)
 
 // ---- a surface that hits itself ---------------------------------------------------------------
 
-// Of the rays that hit the sphere, the first whose way to the light, started at the very point,
-// meets the sphere at once: rounding put the point inside. Each formula rounds in its own way and
-// finds its own ray; they differ by so little that the figure is the same.
+// The first of the rays for which a second ray, from the hit point to the light, immediately meets
+// the sphere again, because rounding put the point inside. Each formula rounds in its own way and
+// finds its own ray. They differ by so little that the figure is the same.
 static Ray unlucky_ray(Sphere sphere, Light light)
 {
     Ray ray = {vec3_of(-4, 3, 0), vec3_of(1, 0, 0)};

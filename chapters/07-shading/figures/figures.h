@@ -5,8 +5,8 @@
 #include "chapters/shared/command.h"
 #include "common/figure/plot.h"
 
-// Prints a figure's script; returns what main returns. The scene of a drawing, or the chapter's
-// own.
+// Prints a figure's script; returns the result of main. The scene is that of a drawing, or the
+// chapter's own.
 int shading_figure(FigureCommand command, const Drawing *drawing);
 
 #endif
