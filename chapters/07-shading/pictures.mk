@@ -15,7 +15,7 @@ $(GALLERY)/still-something-missing.png: chapters/06-ray-casting/three-spheres.nf
 # The last picture takes some twenty seconds; chapter 08 casts it, with chapter 07's light.
 SCENES += $(B)/scenes/finale.nff
 ifneq ($(wildcard chapters/08-fast/main.c),)
-FINALE := $(GALLERY)/finale.png
+FINALE := $(BUILT)/finale.png
 finale: $(FINALE) ## the picture of README.md (ANSWERS=exercises: by your own code)
 	@echo "The picture: $(FINALE)"
 $(FINALE): $(B)/scenes/finale.nff $(BUILT)/08-fast

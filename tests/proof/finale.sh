@@ -11,7 +11,7 @@ picture=chapters/07-shading/finale.png
 check 'the last picture is drawn' "$PROGRAMS/08-fast" --shaded --samples 2 --threads 2 -o "$scratch/finale.png" "$BUILD/scenes/finale.nff"
 check 'its blocks of pixels are those of the tree' "$BUILD/tests/same_picture" "$scratch/finale.png" $picture --blocks 16
 check 'and all of it' "$BUILD/tests/same_picture" "$scratch/finale.png" $picture 921600 7
-check 'with less than 600 kB' test "$(wc -c <$picture)" -lt 600000
+check "it has less than 600 kB" test "$(wc -c <$picture)" -lt 600000
 check 'README.md shows it' grep -qF "]($picture)" README.md
 # One marble less is noticed: sphere 1200, which is not hidden.
 fails() {
