@@ -116,7 +116,7 @@ START_TEST(s_and_t_are_counted_from_the_lower_left_corner)
 END_TEST
 
 // No place is a special case, and neither is a place just beside the middle or an edge.
-START_TEST(a_place_just_beside_the_middle_or_an_edge_is_there)
+START_TEST(a_place_just_beside_the_middle_or_an_edge_is_right)
 {
     Camera c = oblique_camera();
     const double shares[] = {0.499, 0.501, 0.001, 0.999, 1.001, -0.001};
@@ -319,7 +319,7 @@ void list_tests(void)
     tests_of("image_plane_vector");
     test(the_middle_of_the_plane_is_straight_ahead);
     test(s_and_t_are_counted_from_the_lower_left_corner);
-    test(a_place_just_beside_the_middle_or_an_edge_is_there);
+    test(a_place_just_beside_the_middle_or_an_edge_is_right);
     test(every_place_is_d_ahead_and_its_share_of_w_and_h_aside);
     test(every_place_in_worlds_of_any_size);
     tests_of("with_unit_distance");

@@ -33,7 +33,7 @@ START_TEST(four_vectors_keep_the_rays_to_twelve_digits)
 }
 END_TEST
 
-START_TEST(four_vectors_that_end_in_no_rectangle_are_refused)
+START_TEST(four_vectors_that_do_not_end_in_a_rectangle_are_refused)
 {
     refuses(VECTORS, RECTANGLE);
 }
@@ -69,7 +69,7 @@ START_TEST(four_vectors_in_worlds_of_any_size_give_the_camera)
 }
 END_TEST
 
-START_TEST(four_vectors_that_give_no_camera_are_refused_in_worlds_of_any_size)
+START_TEST(four_vectors_of_an_invalid_camera_are_refused_in_worlds_of_any_size)
 {
     refuses_in_worlds_of_any_size(VECTORS);
 }
@@ -107,7 +107,7 @@ START_TEST(four_points_keep_the_rays_to_twelve_digits)
 }
 END_TEST
 
-START_TEST(four_points_that_are_no_rectangle_are_refused)
+START_TEST(four_points_that_are_not_a_rectangle_are_refused)
 {
     refuses(POINTS, RECTANGLE);
 }
@@ -143,7 +143,7 @@ START_TEST(four_points_in_worlds_of_any_size_give_the_camera)
 }
 END_TEST
 
-START_TEST(four_points_that_give_no_camera_are_refused_in_worlds_of_any_size)
+START_TEST(four_points_of_an_invalid_camera_are_refused_in_worlds_of_any_size)
 {
     refuses_in_worlds_of_any_size(POINTS);
 }
@@ -217,7 +217,7 @@ START_TEST(a_corner_and_two_vectors_in_worlds_of_any_size_give_the_camera)
 }
 END_TEST
 
-START_TEST(a_corner_and_two_vectors_that_give_no_camera_are_refused_in_worlds_of_any_size)
+START_TEST(corner_and_vectors_of_an_invalid_camera_are_refused_in_worlds_of_any_size)
 {
     refuses_in_worlds_of_any_size(CORNER);
 }
@@ -335,7 +335,7 @@ START_TEST(up_may_lean_until_it_is_almost_along_the_view)
 END_TEST
 
 // By hand: 4 wide on a screen of 640 x 480 is 3 high.
-START_TEST(the_height_is_the_width_by_the_aspect)
+START_TEST(the_height_is_the_width_divided_by_the_aspect)
 {
     Camera c = camera_of_the_deck();
     c.width = 4;
@@ -536,7 +536,7 @@ static void expect_width(double degrees, double distance, double width)
 }
 
 // Half of the picture is a right-angled triangle with two equal legs.
-START_TEST(under_90_degrees_the_plane_is_twice_as_wide_as_far)
+START_TEST(at_90_degrees_the_plane_is_twice_as_wide_as_its_distance)
 {
     expect_width(90, 1, 2);
     expect_width(90, 3.5, 7);
@@ -544,7 +544,7 @@ START_TEST(under_90_degrees_the_plane_is_twice_as_wide_as_far)
 END_TEST
 
 // By hand: eye and edges are an equilateral triangle, its height the distance.
-START_TEST(under_60_degrees_the_plane_is_as_wide_as_the_edges_are_far)
+START_TEST(at_60_degrees_the_plane_is_as_wide_as_the_distance_to_its_edges)
 {
     expect_width(60, 1, 2 / sqrt(3));
     expect_width(60, sqrt(3), 2);
@@ -552,7 +552,7 @@ START_TEST(under_60_degrees_the_plane_is_as_wide_as_the_edges_are_far)
 END_TEST
 
 // By hand: the tangent of 22.5 degrees is sqrt(2) - 1, of 15 it is 2 - sqrt(3), of 60 sqrt(3).
-START_TEST(under_30_and_45_and_120_degrees_the_tangents_are_known)
+START_TEST(at_30_45_and_120_degrees_the_tangents_are_known)
 {
     expect_width(45, 1, 2 * sqrt(2) - 2);
     expect_width(30, 1, 4 - 2 * sqrt(3));
@@ -574,7 +574,7 @@ START_TEST(twice_as_far_away_is_twice_as_wide)
 END_TEST
 
 // At such angles an arc and its tangent are equal to 20 digits.
-START_TEST(under_a_very_small_angle_the_width_is_that_of_the_arc)
+START_TEST(at_a_very_small_angle_the_width_is_the_length_of_the_arc)
 {
     given_number("degrees", 1e-6);
     given_number("distance", 180e6);
@@ -583,7 +583,7 @@ START_TEST(under_a_very_small_angle_the_width_is_that_of_the_arc)
 END_TEST
 
 // The law of scale: the width grows with the distance.
-START_TEST(at_any_distance_the_width_grows_with_it)
+START_TEST(the_width_grows_with_the_distance)
 {
     enum { COUNT = 13 };
     for (int i = 0; i < COUNT; i++) {
@@ -594,7 +594,7 @@ START_TEST(at_any_distance_the_width_grows_with_it)
 END_TEST
 
 // For a small x the tangent is x + x^3 / 3 + 2 x^5 / 15 + 17 x^7 / 315.
-START_TEST(under_any_small_angle_the_width_is_that_of_the_tangents_series)
+START_TEST(at_any_small_angle_the_width_is_that_of_the_tangent_series)
 {
     for (int i = 0; i < 10; i++) {
         double degrees = pow(10, -6 + 0.6 * i) * random_number(1, 2), distance = 2;
@@ -606,7 +606,7 @@ START_TEST(under_any_small_angle_the_width_is_that_of_the_tangents_series)
 END_TEST
 
 // Whole numbers first: they are shorter to read.
-START_TEST(from_the_eye_the_edges_are_that_angle_apart)
+START_TEST(seen_from_the_eye_the_edges_are_the_given_angle_apart)
 {
     for (int i = 0; i < 25; i++) {
         double degrees = random_number(1, 175), distance = random_number(1, 20);
@@ -630,25 +630,25 @@ void list_tests(void)
     test(four_vectors_give_an_oblique_camera_of_either_hand);
     test(four_vectors_of_any_camera_give_it_back);
     test(four_vectors_keep_the_rays_to_twelve_digits);
-    test(four_vectors_that_end_in_no_rectangle_are_refused);
+    test(four_vectors_that_do_not_end_in_a_rectangle_are_refused);
     test(four_vectors_to_a_rectangle_not_straight_ahead_are_refused);
     test(four_vectors_that_leave_no_distance_width_or_height_are_refused);
     test(four_vectors_pushed_out_of_shape_or_place_are_refused);
     test(four_vectors_that_are_not_finite_are_refused);
     test(four_vectors_in_worlds_of_any_size_give_the_camera);
-    test(four_vectors_that_give_no_camera_are_refused_in_worlds_of_any_size);
+    test(four_vectors_of_an_invalid_camera_are_refused_in_worlds_of_any_size);
     tests_of("camera_from_points");
     test(the_four_points_of_the_deck_give_its_camera);
     test(four_points_give_an_oblique_camera_of_either_hand);
     test(four_points_of_any_camera_give_it_back);
     test(four_points_keep_the_rays_to_twelve_digits);
-    test(four_points_that_are_no_rectangle_are_refused);
+    test(four_points_that_are_not_a_rectangle_are_refused);
     test(four_points_of_a_rectangle_not_straight_ahead_are_refused);
     test(four_points_that_leave_no_distance_width_or_height_are_refused);
     test(four_points_pushed_out_of_shape_or_place_are_refused);
     test(four_points_that_are_not_finite_are_refused);
     test(four_points_in_worlds_of_any_size_give_the_camera);
-    test(four_points_that_give_no_camera_are_refused_in_worlds_of_any_size);
+    test(four_points_of_an_invalid_camera_are_refused_in_worlds_of_any_size);
     tests_of("camera_from_corner");
     test(the_corner_and_two_vectors_of_the_deck_give_its_camera);
     test(a_corner_and_two_vectors_give_an_oblique_camera_of_either_hand);
@@ -660,7 +660,7 @@ void list_tests(void)
     test(a_corner_and_two_vectors_pushed_out_of_shape_or_place_are_refused);
     test(a_corner_and_two_vectors_that_are_not_finite_are_refused);
     test(a_corner_and_two_vectors_in_worlds_of_any_size_give_the_camera);
-    test(a_corner_and_two_vectors_that_give_no_camera_are_refused_in_worlds_of_any_size);
+    test(corner_and_vectors_of_an_invalid_camera_are_refused_in_worlds_of_any_size);
     tests_of("camera_from_look_at");
     test(the_look_at_of_the_deck_gives_its_camera_in_a_left_handed_world);
     test(the_look_at_of_the_deck_is_mirrored_in_a_right_handed_world);
@@ -668,7 +668,7 @@ void list_tests(void)
     test(an_oblique_look_at_in_a_world_of_either_hand);
     test(up_may_lean_and_have_any_length);
     test(up_may_lean_until_it_is_almost_along_the_view);
-    test(the_height_is_the_width_by_the_aspect);
+    test(the_height_is_the_width_divided_by_the_aspect);
     test(the_plane_passes_through_the_point_looked_at);
     test(the_look_at_of_any_camera_gives_it_back);
     test(a_look_at_in_worlds_of_any_size_gives_the_camera);
@@ -684,12 +684,12 @@ void list_tests(void)
     tests_of_extra("camera_from_look_at");
     test(up_may_be_almost_along_an_oblique_view);
     tests_of("width_from_angle");
-    test(under_90_degrees_the_plane_is_twice_as_wide_as_far);
-    test(under_60_degrees_the_plane_is_as_wide_as_the_edges_are_far);
-    test(under_30_and_45_and_120_degrees_the_tangents_are_known);
+    test(at_90_degrees_the_plane_is_twice_as_wide_as_its_distance);
+    test(at_60_degrees_the_plane_is_as_wide_as_the_distance_to_its_edges);
+    test(at_30_45_and_120_degrees_the_tangents_are_known);
     test(twice_as_far_away_is_twice_as_wide);
-    test(under_a_very_small_angle_the_width_is_that_of_the_arc);
-    test(at_any_distance_the_width_grows_with_it);
-    test(under_any_small_angle_the_width_is_that_of_the_tangents_series);
-    test(from_the_eye_the_edges_are_that_angle_apart);
+    test(at_a_very_small_angle_the_width_is_the_length_of_the_arc);
+    test(the_width_grows_with_the_distance);
+    test(at_any_small_angle_the_width_is_that_of_the_tangent_series);
+    test(seen_from_the_eye_the_edges_are_the_given_angle_apart);
 }

@@ -88,7 +88,7 @@ START_TEST(beyond_the_screen_is_beyond_0_to_1)
 END_TEST
 
 // Equal steps on the screen are equal steps in the square, wherever they start.
-START_TEST(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_less_t)
+START_TEST(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_a_tenth_less_t)
 {
     for (int i = 0; i < 20; i++) {
         Resolution screen = random_screen(1, 2000);
@@ -180,7 +180,7 @@ START_TEST(a_place_on_a_single_column_or_row)
 }
 END_TEST
 
-START_TEST(a_share_of_screens_of_any_shape_is_as_many_pixels)
+START_TEST(a_share_of_a_screen_of_any_shape_is_that_share_of_its_pixels)
 {
     for (int i = 0; i < 20; i++) {
         Resolution screen = screen_of_any_shape(i);
@@ -276,7 +276,7 @@ void list_tests(void)
     test(a_point_may_lie_between_whole_pixels);
     test(a_screen_of_a_single_pixel_is_a_screen);
     test(beyond_the_screen_is_beyond_0_to_1);
-    test(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_less_t);
+    test(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_a_tenth_less_t);
     test(a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom);
     test(a_screen_of_a_single_column_or_row_is_a_screen);
     test(a_point_of_screens_of_any_shape_is_its_share_of_them);
@@ -286,7 +286,7 @@ void list_tests(void)
     test(a_place_may_be_between_whole_pixels_on_the_screen);
     test(beyond_0_to_1_is_beyond_the_screen);
     test(a_place_on_a_single_column_or_row);
-    test(a_share_of_screens_of_any_shape_is_as_many_pixels);
+    test(a_share_of_a_screen_of_any_shape_is_that_share_of_its_pixels);
     test(to_the_square_and_back_is_the_same_point);
     test(to_the_screen_and_back_is_the_same_place);
     tests_of("pixel_center");

@@ -114,7 +114,7 @@ START_TEST(a_screen_of_a_single_column_or_row)
 }
 END_TEST
 
-START_TEST(every_ray_begins_in_the_eye)
+START_TEST(every_ray_starts_at_the_eye)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -125,7 +125,7 @@ START_TEST(every_ray_begins_in_the_eye)
 }
 END_TEST
 
-START_TEST(opposite_pixels_are_opposite_each_other_around_straight_ahead)
+START_TEST(opposite_pixels_have_rays_on_opposite_sides_of_straight_ahead)
 {
     for (int i = 0; i < 20; i++) {
         Camera c = random_camera();
@@ -201,8 +201,8 @@ void list_tests(void)
     test(a_single_pixel_looks_straight_ahead);
     test(the_pixels_of_an_oblique_camera_away_from_the_origin);
     test(a_screen_of_a_single_column_or_row);
-    test(every_ray_begins_in_the_eye);
-    test(opposite_pixels_are_opposite_each_other_around_straight_ahead);
+    test(every_ray_starts_at_the_eye);
+    test(opposite_pixels_have_rays_on_opposite_sides_of_straight_ahead);
     test(every_ray_meets_the_plane_in_the_middle_of_its_pixel);
     test(screens_of_any_shape_in_worlds_of_any_size);
 }

@@ -26,7 +26,7 @@ START_TEST(the_direction_stays_as_it_is)
 }
 END_TEST
 
-START_TEST(a_place_that_was_chosen_round_the_centre_comes_back)
+START_TEST(a_point_chosen_around_the_centre_is_found_again)
 {
     for (int i = 0; i < 20; i++) {
         vec3 place = random_vec3(-9, 9);
@@ -100,7 +100,7 @@ START_TEST(a_radius_of_3_and_a_direction_of_length_3)
 END_TEST
 
 // By hand: 1.0001^2, 2 * 0.5 * 1.0001, 0.25 - 1/16; and 0.9999^2. None of them is 1.
-START_TEST(a_direction_that_is_nearly_unit_is_not_unit)
+START_TEST(a_direction_of_almost_unit_length_is_not_unit)
 {
     Ray ray = {vec3_of(0.5, 0, 0), vec3_of(1.0001, 0, 0)};
     given_object_ray(ray, 0.25);
@@ -111,7 +111,7 @@ START_TEST(a_direction_that_is_nearly_unit_is_not_unit)
 }
 END_TEST
 
-START_TEST(c_is_negative_for_a_ray_that_begins_inside)
+START_TEST(c_is_negative_for_a_ray_that_starts_inside)
 {
     Ray ray = {vec3_of(0, 0, 1), vec3_of(0, 0, 2)};
     given_object_ray(ray, 4);
@@ -127,7 +127,7 @@ static double distance_squared_less_radius_squared(Ray ray, vec3 center, double 
     return (distance - radius) * (distance + radius);
 }
 
-START_TEST(at_every_t_it_is_the_squared_distance_less_the_squared_radius)
+START_TEST(at_every_t_it_is_the_squared_distance_minus_the_squared_radius)
 {
     for (int i = 0; i < 30; i++) {
         Ray ray = random_ray(5, 2);
@@ -207,7 +207,7 @@ START_TEST(moving_the_eye_and_the_sphere_together_changes_nothing)
 }
 END_TEST
 
-START_TEST(in_the_world_too_it_is_the_squared_distance_less_the_squared_radius)
+START_TEST(in_the_world_it_is_also_the_squared_distance_minus_the_squared_radius)
 {
     for (int i = 0; i < 30; i++) {
         Ray ray = random_ray(5, 2);
@@ -259,7 +259,7 @@ START_TEST(the_roots_of_the_arrow_of_the_deck)
 }
 END_TEST
 
-START_TEST(roots_that_were_chosen_come_back)
+START_TEST(chosen_roots_are_found_again)
 {
     expect_roots_of(with_roots(1, 2, 3), two(2, 3), TOLERANCE);
     expect_roots_of(with_roots(2, -1, 5), two(-1, 5), TOLERANCE);
@@ -297,7 +297,7 @@ START_TEST(a_double_root_counts_as_two)
 }
 END_TEST
 
-START_TEST(there_are_no_roots_where_the_parabola_stays_on_one_side)
+START_TEST(a_parabola_that_stays_on_one_side_has_no_roots)
 {
     Quadratic none[] = {{1, 0, 1}, {2, -4, 9}, {1, 1, 0.5}, {-1, 2, -5}};
     for (int i = 0; i < 4; i++) {
@@ -315,13 +315,13 @@ START_TEST(there_are_no_roots_where_the_parabola_stays_on_one_side)
 }
 END_TEST
 
-START_TEST(where_b_is_0_the_roots_are_opposite)
+START_TEST(if_b_is_0_the_roots_are_opposite)
 {
     expect_roots_of((Quadratic){4, 0, -9}, two(-1.5, 1.5), TOLERANCE);
 }
 END_TEST
 
-START_TEST(where_c_is_0_one_root_is_0)
+START_TEST(if_c_is_0_one_root_is_0)
 {
     expect_roots_of((Quadratic){2, -6, 0}, two(0, 3), TOLERANCE);
     expect_roots_of((Quadratic){2, 6, 0}, two(-3, 0), TOLERANCE);
@@ -330,7 +330,7 @@ START_TEST(where_c_is_0_one_root_is_0)
 }
 END_TEST
 
-START_TEST(where_a_is_0_it_is_a_line_with_one_root)
+START_TEST(if_a_is_0_it_is_a_line_with_one_root)
 {
     expect_roots_of((Quadratic){0, 2, -6}, (Roots){1, {3}}, TOLERANCE);
     expect_roots_of((Quadratic){0, -4, 0}, (Roots){1, {0}}, TOLERANCE);
@@ -341,7 +341,7 @@ START_TEST(where_a_is_0_it_is_a_line_with_one_root)
 }
 END_TEST
 
-START_TEST(where_a_and_b_are_0_there_are_no_roots)
+START_TEST(if_a_and_b_are_0_there_are_no_roots)
 {
     double c[] = {5, -5, 0, 1, -1};
     for (int i = 0; i < 5; i++) {
@@ -424,14 +424,14 @@ START_TEST(the_line_drawn_in_the_deck_meets_the_sphere_in_the_hits_drawn)
 }
 END_TEST
 
-START_TEST(a_sphere_off_the_origin_is_met_in_the_same_places)
+START_TEST(a_sphere_away_from_the_origin_is_met_at_the_same_t)
 {
     Ray ray = {vec3_of(3, 8, -2), vec3_of(1, 0.5, 0)};
     expect_meetings(ray, sphere_at(7, 9, -2, 1), two(3.2, 4), ROOT_TOLERANCE);
 }
 END_TEST
 
-START_TEST(what_is_behind_the_origin_is_met_too)
+START_TEST(a_sphere_behind_the_origin_is_also_met)
 {
     expect_meetings(ray_of_the_deck(-1, -0.5), unit_sphere(), two(-4, -3.2), ROOT_TOLERANCE);
     for (int i = 0; i < 10; i++)
@@ -439,14 +439,14 @@ START_TEST(what_is_behind_the_origin_is_met_too)
 }
 END_TEST
 
-START_TEST(from_the_middle_it_is_met_on_both_sides)
+START_TEST(from_its_centre_a_sphere_is_met_on_both_sides)
 {
     Ray ray = {vec3_of(1, 1, 1), vec3_of(0, 0, 2)};
     expect_meetings(ray, sphere_at(1, 1, 1, 3), two(-1.5, 1.5), ROOT_TOLERANCE);
 }
 END_TEST
 
-START_TEST(a_tangent_line_meets_it_twice_in_one_place)
+START_TEST(a_tangent_line_meets_a_sphere_twice_at_one_point)
 {
     // As for hit_sphere: nothing is rounded, whichever of the usual formulas is used.
     Ray ray = {vec3_of(-4, 3, 0), vec3_of(1, 0, 0)};
@@ -456,14 +456,14 @@ START_TEST(a_tangent_line_meets_it_twice_in_one_place)
 }
 END_TEST
 
-START_TEST(a_line_that_touches_it_where_it_starts_meets_it_at_0)
+START_TEST(a_line_that_touches_a_sphere_at_its_start_meets_it_at_0)
 {
     Ray ray = {vec3_of(3, 5, 0), vec3_of(0, 0, 2)};
     expect_meetings(ray, sphere_at(3, 4, 0, 1), two(0, 0), ROOT_TOLERANCE);
 }
 END_TEST
 
-START_TEST(a_line_that_passes_beside_it_does_not_meet_it)
+START_TEST(a_line_that_passes_beside_a_sphere_does_not_meet_it)
 {
     Ray ray = {vec3_of(-4, 1.25, 0), vec3_of(1, 0, 0)};
     given_ray_and_sphere(ray, unit_sphere());
@@ -488,7 +488,7 @@ END_TEST
 
 // 3 away, with a radius of 2: 1 and 5 to go, with a direction that gets longer or shorter each
 // time.
-START_TEST(both_places_may_be_of_any_size)
+START_TEST(both_t_may_be_of_any_size)
 {
     for (int power = -16; power <= 16; power++) {
         double length = pow(10, power);
@@ -499,7 +499,7 @@ START_TEST(both_places_may_be_of_any_size)
 }
 END_TEST
 
-START_TEST(worlds_and_directions_of_any_size_are_met_in_the_same_places)
+START_TEST(spheres_are_met_at_the_right_t_in_any_world_and_along_any_direction)
 {
     enum { COUNT = 25 };
     for (int i = 0; i < COUNT; i++) {
@@ -536,7 +536,7 @@ START_TEST(the_arrow_of_the_deck_hits_the_near_side_of_the_sphere)
 }
 END_TEST
 
-START_TEST(from_outside_the_nearer_of_two_places_is_hit)
+START_TEST(from_outside_the_nearer_of_two_points_is_hit)
 {
     expect_hit(ray_of_the_deck(1, 0.5), unit_sphere(), 3.2);
     Ray ray = {vec3_of(3, 8, -2), vec3_of(1, 0.5, 0)};
@@ -568,7 +568,7 @@ START_TEST(from_inside_the_exit_is_hit)
 }
 END_TEST
 
-START_TEST(what_is_behind_is_not_hit)
+START_TEST(a_sphere_behind_the_eye_is_not_hit)
 {
     expect_hit(ray_of_the_deck(-1, -0.5), unit_sphere(), NO_HIT);
     for (int i = 0; i < 10; i++) {
@@ -578,7 +578,7 @@ START_TEST(what_is_behind_is_not_hit)
 }
 END_TEST
 
-START_TEST(what_is_beside_is_not_hit)
+START_TEST(a_sphere_beside_the_ray_is_not_hit)
 {
     Ray ray = {vec3_of(-4, 1.25, 0), vec3_of(1, 0, 0)};
     expect_hit(ray, unit_sphere(), NO_HIT);
@@ -604,7 +604,7 @@ START_TEST(a_tangent_ray_hits)
 END_TEST
 
 // On the surface in the direction of an axis, for the same reason.
-START_TEST(from_the_surface_inwards_the_other_side_is_hit)
+START_TEST(from_the_surface_inward_the_far_side_is_hit)
 {
     Ray ray = {vec3_of(0, 0, 5), vec3_of(0, 0, -2)};
     expect_hit(ray, sphere_at(0, 0, 2, 3), 3);
@@ -613,7 +613,7 @@ START_TEST(from_the_surface_inwards_the_other_side_is_hit)
 }
 END_TEST
 
-START_TEST(from_the_surface_outwards_nothing_is_hit)
+START_TEST(from_the_surface_outward_nothing_is_hit)
 {
     Ray ray = {vec3_of(0, 0, 5), vec3_of(0, 0, 2)};
     expect_hit(ray, sphere_at(0, 0, 2, 3), NO_HIT);
@@ -646,7 +646,7 @@ END_TEST
 
 // The ray of a pixel reaches the image plane at t = 1; spheres between the eye and the plane are
 // seen.
-START_TEST(what_is_in_front_of_the_image_plane_is_hit)
+START_TEST(a_sphere_in_front_of_the_image_plane_is_hit)
 {
     Ray ray = {vec3_of(0, 0, 0), vec3_of(0, 0, -4)};
     expect_hit(ray, sphere_at(0, 0, -3, 1), 0.5);
@@ -655,7 +655,7 @@ END_TEST
 
 // The law of scale: with the world k times as large t is k times as large, and with the direction k
 // times as long it is 1/k of that. First a tiny world and a long direction, last the reverse.
-START_TEST(worlds_and_directions_of_any_size_are_hit_in_the_same_place)
+START_TEST(spheres_are_hit_at_the_right_t_in_any_world_and_along_any_direction)
 {
     enum { COUNT = 25 };
     for (int i = 0; i < COUNT; i++) {
@@ -674,7 +674,7 @@ START_TEST(worlds_and_directions_of_any_size_are_hit_in_the_same_place)
 }
 END_TEST
 
-START_TEST(a_point_on_a_sphere_that_is_aimed_at_is_hit)
+START_TEST(a_ray_aimed_at_a_point_on_a_sphere_hits_it)
 {
     for (int i = 0; i < 50; i++) {
         Aimed aimed = random_aimed(random_number(0.1, 1000));
@@ -714,7 +714,7 @@ START_TEST(enormous_and_tiny_coefficients_neither_overflow_nor_vanish)
 END_TEST
 
 // The same, with t counted in two thirds: then a and c are far apart.
-START_TEST(nearly_equal_roots_keep_their_digits_where_a_and_c_differ)
+START_TEST(nearly_equal_roots_keep_their_digits_if_a_and_c_differ)
 {
     Quadratic q = {2.25 * 94906265.625, 1.5 * -189812534, 94906268.375};
     expect_roots_of(q, two(1 / 1.5, 94906268.375 / 94906265.625 / 1.5), 1e-12);
@@ -733,7 +733,7 @@ START_TEST(coefficients_and_roots_may_be_of_any_size)
 }
 END_TEST
 
-START_TEST(where_b_is_0_or_nearly_coefficients_may_be_of_any_size)
+START_TEST(if_b_is_0_or_almost_0_coefficients_may_be_of_any_size)
 {
     expect_roots_of((Quadratic){0x1p600, 0, -0x1p-600}, two(-0x1p-600, 0x1p-600), 0x1p-640);
     expect_roots_of((Quadratic){0x1p-600, 0, -0x1p600}, two(-0x1p600, 0x1p600), 0x1p560);
@@ -745,7 +745,7 @@ START_TEST(where_b_is_0_or_nearly_coefficients_may_be_of_any_size)
 }
 END_TEST
 
-START_TEST(where_c_is_0_coefficients_may_be_of_any_size)
+START_TEST(if_c_is_0_coefficients_may_be_of_any_size)
 {
     expect_roots_of((Quadratic){0x1p500, -0x3p-300, 0}, two(0, 0x3p-800), 0x1p-840);
     expect_roots_of((Quadratic){0x1p-100, -0x3p-700, 0}, two(0, 0x3p-600), 0x1p-640);
@@ -754,7 +754,7 @@ START_TEST(where_c_is_0_coefficients_may_be_of_any_size)
 END_TEST
 
 // Then the roots are -c / b and -b / a to the last digit.
-START_TEST(b_may_outweigh_the_others_by_far)
+START_TEST(b_may_be_far_larger_than_the_others)
 {
     expect_roots_of((Quadratic){1, -0x1p400, 0}, two(0, 0x1p400), 0x1p360);
     Quadratic q = {0x1p-300, -0x1p100, -0x1p-50};
@@ -767,7 +767,7 @@ START_TEST(b_may_outweigh_the_others_by_far)
 }
 END_TEST
 
-START_TEST(what_is_no_number_has_no_roots)
+START_TEST(nan_has_no_roots)
 {
     const double none[] = {NAN, INFINITY, -INFINITY};
     for (int i = 0; i < 9; i++) {
@@ -798,7 +798,7 @@ static Sphere whole_sphere(double ahead, double aside, double radius_in_sevens)
 }
 
 // The triangle 3, 4, 5.
-START_TEST(a_small_sphere_far_away_is_met_where_it_is)
+START_TEST(a_small_sphere_far_away_is_met_at_the_right_t)
 {
     double ahead[] = {1234567, 7654321, 12345679, 98765431};
     for (int i = 0; i < 4; i++)
@@ -830,7 +830,7 @@ START_TEST(a_grazing_ray_keeps_its_short_chord)
 }
 END_TEST
 
-START_TEST(points_on_small_distant_spheres_are_met)
+START_TEST(rays_aimed_at_small_distant_spheres_meet_them)
 {
     for (int i = 0; i < 20; i++) {
         Aimed aimed = random_aimed(1e6);
@@ -854,7 +854,7 @@ START_TEST(directions_may_be_of_any_length)
 END_TEST
 
 // Whichever component of the direction is longest, and whatever its sign.
-START_TEST(directions_of_any_length_may_go_any_way)
+START_TEST(directions_of_any_length_may_point_anywhere)
 {
     double length[] = {1e-200, 1e200};
     for (int i = 0; i < 12; i++) {
@@ -877,7 +877,7 @@ START_TEST(a_long_direction_from_near_the_origin_of_the_world)
 END_TEST
 
 // Each alone would be fine; together their squares leave the range of a double.
-START_TEST(scene_and_direction_may_both_be_large_or_small)
+START_TEST(world_and_direction_may_both_be_large_or_small)
 {
     double size[] = {1e100, 1e-100};
     for (int i = 0; i < 2; i++) {
@@ -890,7 +890,7 @@ START_TEST(scene_and_direction_may_both_be_large_or_small)
 }
 END_TEST
 
-START_TEST(an_enormous_sphere_is_met_from_its_middle)
+START_TEST(an_enormous_sphere_is_met_from_its_centre)
 {
     Ray ray = {vec3_of(1, 2, 3), vec3_of(1, 0, 0)};
     expect_meetings(ray, sphere_at(1, 2, 3, 1e200), two(-1e200, 1e200), 1e190);
@@ -904,7 +904,7 @@ START_TEST(a_sphere_straight_ahead_is_met_however_far_it_is)
 }
 END_TEST
 
-START_TEST(what_is_no_number_meets_nothing)
+START_TEST(nan_meets_nothing)
 {
     const double none[] = {NAN, INFINITY, -INFINITY};
     for (int i = 0; i < 9; i++) {
@@ -931,7 +931,7 @@ START_TEST(scenes_may_be_enormous_or_tiny)
 END_TEST
 
 // The two are 3 * 10^308 apart, which is more than a double can hold.
-START_TEST(a_ray_goes_from_one_end_of_the_numbers_to_the_other)
+START_TEST(a_ray_may_cross_the_whole_range_of_a_double)
 {
     Ray ray = {vec3_of(-1.5e308, 0, 0), vec3_of(4, 0, 0)};
     expect_meetings(ray, sphere_at(1.5e308, 0, 0, 1e308), two(0.5e308, 1e308), 1e300);
@@ -940,7 +940,7 @@ END_TEST
 
 // Straight down from a millionth (2^-20) above a huge sphere, and from below. 1234567 + 2^-20 is a
 // double; its square is not.
-START_TEST(next_to_a_huge_sphere_a_short_way_keeps_its_digits)
+START_TEST(next_to_a_huge_sphere_a_short_distance_keeps_its_digits)
 {
     const double height = 0x1p-20;
     Sphere huge = sphere_at(0, 0, 0, 1234567);
@@ -959,86 +959,86 @@ void list_tests(void)
     tests_of("to_object_coordinates");
     test(the_origin_is_seen_from_the_centre_of_the_sphere);
     test(the_direction_stays_as_it_is);
-    test(a_place_that_was_chosen_round_the_centre_comes_back);
+    test(a_point_chosen_around_the_centre_is_found_again);
     test(worlds_and_directions_may_be_of_any_size);
     tests_of("object_quadratic");
     test(the_equation_of_the_arrow_of_the_deck);
     test(the_equation_of_the_ray_through_the_hits_drawn_in_the_deck);
     test(a_radius_of_3_and_a_direction_of_length_3);
-    test(a_direction_that_is_nearly_unit_is_not_unit);
-    test(c_is_negative_for_a_ray_that_begins_inside);
-    test(at_every_t_it_is_the_squared_distance_less_the_squared_radius);
+    test(a_direction_of_almost_unit_length_is_not_unit);
+    test(c_is_negative_for_a_ray_that_starts_inside);
+    test(at_every_t_it_is_the_squared_distance_minus_the_squared_radius);
     test(an_equation_may_be_of_any_size);
     tests_of("world_quadratic");
     test(a_sphere_at_the_origin_of_the_world_gives_what_object_coordinates_give);
     test(a_sphere_off_the_origin_of_the_world);
     test(moving_the_eye_and_the_sphere_together_changes_nothing);
-    test(in_the_world_too_it_is_the_squared_distance_less_the_squared_radius);
+    test(in_the_world_it_is_also_the_squared_distance_minus_the_squared_radius);
     test(an_equation_of_the_world_may_be_of_any_size);
     tests_of("quadratic_roots");
     test(the_roots_are_the_t_of_the_hits_drawn_in_the_deck);
     test(the_roots_of_the_arrow_of_the_deck);
-    test(roots_that_were_chosen_come_back);
+    test(chosen_roots_are_found_again);
     test(roots_come_in_ascending_order_even_when_a_is_negative);
     test(a_double_root_counts_as_two);
-    test(there_are_no_roots_where_the_parabola_stays_on_one_side);
-    test(where_b_is_0_the_roots_are_opposite);
-    test(where_c_is_0_one_root_is_0);
-    test(where_a_is_0_it_is_a_line_with_one_root);
-    test(where_a_and_b_are_0_there_are_no_roots);
+    test(a_parabola_that_stays_on_one_side_has_no_roots);
+    test(if_b_is_0_the_roots_are_opposite);
+    test(if_c_is_0_one_root_is_0);
+    test(if_a_is_0_it_is_a_line_with_one_root);
+    test(if_a_and_b_are_0_there_are_no_roots);
     test(coefficients_and_roots_may_be_large_or_small);
     test(a_discriminant_may_be_of_any_size);
     test(a_line_may_be_steep_or_almost_level);
     test(a_parabola_that_hardly_bends_has_two_roots);
     tests_of("sphere_roots");
     test(the_line_drawn_in_the_deck_meets_the_sphere_in_the_hits_drawn);
-    test(a_sphere_off_the_origin_is_met_in_the_same_places);
-    test(what_is_behind_the_origin_is_met_too);
-    test(from_the_middle_it_is_met_on_both_sides);
-    test(a_tangent_line_meets_it_twice_in_one_place);
-    test(a_line_that_touches_it_where_it_starts_meets_it_at_0);
-    test(a_line_that_passes_beside_it_does_not_meet_it);
+    test(a_sphere_away_from_the_origin_is_met_at_the_same_t);
+    test(a_sphere_behind_the_origin_is_also_met);
+    test(from_its_centre_a_sphere_is_met_on_both_sides);
+    test(a_tangent_line_meets_a_sphere_twice_at_one_point);
+    test(a_line_that_touches_a_sphere_at_its_start_meets_it_at_0);
+    test(a_line_that_passes_beside_a_sphere_does_not_meet_it);
     test(the_chord_is_twice_the_radius_times_the_cosine);
-    test(both_places_may_be_of_any_size);
-    test(worlds_and_directions_of_any_size_are_met_in_the_same_places);
+    test(both_t_may_be_of_any_size);
+    test(spheres_are_met_at_the_right_t_in_any_world_and_along_any_direction);
     tests_of("hit_sphere");
     test(the_arrow_of_the_deck_hits_the_near_side_of_the_sphere);
-    test(from_outside_the_nearer_of_two_places_is_hit);
+    test(from_outside_the_nearer_of_two_points_is_hit);
     test(t_counts_in_lengths_of_the_direction);
     test(from_inside_the_exit_is_hit);
-    test(what_is_behind_is_not_hit);
-    test(what_is_beside_is_not_hit);
+    test(a_sphere_behind_the_eye_is_not_hit);
+    test(a_sphere_beside_the_ray_is_not_hit);
     test(a_tangent_ray_hits);
-    test(from_the_surface_inwards_the_other_side_is_hit);
-    test(from_the_surface_outwards_nothing_is_hit);
+    test(from_the_surface_inward_the_far_side_is_hit);
+    test(from_the_surface_outward_nothing_is_hit);
     test(a_surface_close_to_the_eye_is_hit);
     test(t_may_be_of_any_size);
-    test(what_is_in_front_of_the_image_plane_is_hit);
-    test(worlds_and_directions_of_any_size_are_hit_in_the_same_place);
-    test(a_point_on_a_sphere_that_is_aimed_at_is_hit);
+    test(a_sphere_in_front_of_the_image_plane_is_hit);
+    test(spheres_are_hit_at_the_right_t_in_any_world_and_along_any_direction);
+    test(a_ray_aimed_at_a_point_on_a_sphere_hits_it);
     tests_of_extra("quadratic_roots");
     test(a_small_root_beside_a_large_one_keeps_its_digits);
     test(roots_that_are_nearly_equal_keep_their_digits);
     test(enormous_and_tiny_coefficients_neither_overflow_nor_vanish);
-    test(nearly_equal_roots_keep_their_digits_where_a_and_c_differ);
+    test(nearly_equal_roots_keep_their_digits_if_a_and_c_differ);
     test(coefficients_and_roots_may_be_of_any_size);
-    test(where_b_is_0_or_nearly_coefficients_may_be_of_any_size);
-    test(where_c_is_0_coefficients_may_be_of_any_size);
-    test(b_may_outweigh_the_others_by_far);
-    test(what_is_no_number_has_no_roots);
+    test(if_b_is_0_or_almost_0_coefficients_may_be_of_any_size);
+    test(if_c_is_0_coefficients_may_be_of_any_size);
+    test(b_may_be_far_larger_than_the_others);
+    test(nan_has_no_roots);
     tests_of_extra("sphere_roots");
-    test(a_small_sphere_far_away_is_met_where_it_is);
+    test(a_small_sphere_far_away_is_met_at_the_right_t);
     test(a_small_sphere_far_away_is_hit_or_missed_by_a_ten_millionth);
     test(a_grazing_ray_keeps_its_short_chord);
-    test(points_on_small_distant_spheres_are_met);
+    test(rays_aimed_at_small_distant_spheres_meet_them);
     test(directions_may_be_of_any_length);
-    test(directions_of_any_length_may_go_any_way);
+    test(directions_of_any_length_may_point_anywhere);
     test(a_long_direction_from_near_the_origin_of_the_world);
-    test(scene_and_direction_may_both_be_large_or_small);
-    test(an_enormous_sphere_is_met_from_its_middle);
+    test(world_and_direction_may_both_be_large_or_small);
+    test(an_enormous_sphere_is_met_from_its_centre);
     test(a_sphere_straight_ahead_is_met_however_far_it_is);
-    test(what_is_no_number_meets_nothing);
+    test(nan_meets_nothing);
     test(scenes_may_be_enormous_or_tiny);
-    test(a_ray_goes_from_one_end_of_the_numbers_to_the_other);
-    test(next_to_a_huge_sphere_a_short_way_keeps_its_digits);
+    test(a_ray_may_cross_the_whole_range_of_a_double);
+    test(next_to_a_huge_sphere_a_short_distance_keeps_its_digits);
 }

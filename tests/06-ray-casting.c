@@ -38,7 +38,7 @@ START_TEST(the_nearest_of_three_is_hit_in_any_order_of_the_scene)
 }
 END_TEST
 
-START_TEST(of_equals_the_lower_index_is_hit)
+START_TEST(of_equal_hits_the_lower_index_counts)
 {
     Sphere spheres[] = {sphere_at(0, 0, -9, 1, RED), sphere_at(0, 0, -5, 1, GREEN),
                         sphere_at(0, 0, -5, 1, BLUE), sphere_at(0, 0, -5, 1, WHITE)};
@@ -56,7 +56,7 @@ START_TEST(what_is_behind_the_eye_is_not_hit)
 }
 END_TEST
 
-START_TEST(where_nothing_is_hit_there_is_no_hit_and_no_sphere)
+START_TEST(if_nothing_is_hit_t_is_no_hit_and_the_sphere_is_none)
 {
     Sphere spheres[] = {sphere_at(5, 0, -5, 1, RED), sphere_at(-5, 0, -5, 1, GREEN)};
     Scene scene = scene_of(2, spheres);
@@ -106,7 +106,7 @@ START_TEST(t_counts_in_lengths_of_the_direction)
 END_TEST
 
 // The ray leaves green, which is around the eye, at t = 7; red is inside it.
-START_TEST(from_inside_a_sphere_its_far_side_is_hit_and_what_stands_before_it)
+START_TEST(from_inside_a_sphere_its_far_side_is_hit_unless_another_sphere_is_nearer)
 {
     Sphere spheres[] = {sphere_at(0, 0, 0, 7, GREEN), sphere_at(0, 3, -4, 1, RED)};
     Scene scene = scene_of(2, spheres);
@@ -119,7 +119,7 @@ END_TEST
 
 // By hand, with rays along -z from z = 20: over (x, y) a sphere around (cx, cy, cz) reaches up to
 // cz + sqrt(9 - (x - cx)^2 - (y - cy)^2).
-START_TEST(where_spheres_of_the_deck_overlap_red_comes_first_then_green_then_blue)
+START_TEST(if_spheres_of_the_deck_overlap_red_comes_first_then_green_then_blue)
 {
     static const struct {
         double x, y, z;
@@ -158,7 +158,7 @@ END_TEST
 
 // ---- both orders: what the picture shows -------------------------------------------------------
 
-static void leaves_nothing_of_what_was_in_the_image(Cast *cast)
+static void paints_over_the_old_contents_of_the_image(Cast *cast)
 {
     Scene scene = scene_of(0, NULL);
     // Neither 1 nor almost 0 is changed by a mistake in the colours.
@@ -168,7 +168,7 @@ static void leaves_nothing_of_what_was_in_the_image(Cast *cast)
     for (int i = 0; i < 4; i++)
         expect_picture(cast, &scene, camera_with_pixels_of_1(sizes[i]), sizes[i], pictures[i]);
 }
-IN_BOTH_ORDERS(leaves_nothing_of_what_was_in_the_image)
+IN_BOTH_ORDERS(paints_over_the_old_contents_of_the_image)
 
 // From the eye the sphere, 10 away, is a cone; on the plane, 1 away, a disc whose radius squared is
 // r^2 / (100 - r^2). So 3 for r^2 = 75: pixels with x^2 + y^2 < 3.
@@ -188,7 +188,7 @@ IN_BOTH_ORDERS(draws_a_sphere_straight_ahead_as_a_disc)
 
 // One sphere in the direction of each coloured pixel, and none is near another. Green is farther
 // away than those before it in the list.
-static void has_left_and_right_and_up_and_down_where_they_are(Cast *cast)
+static void shows_left_and_right_and_up_and_down_where_they_are(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(-20, 10, -10, 2, RED), sphere_at(0, 10, -10, 2, RED),
                         sphere_at(-10, -10, -10, 2, BLUE), sphere_at(20, 0, -10, 2, GREEN)};
@@ -199,7 +199,7 @@ static void has_left_and_right_and_up_and_down_where_they_are(Cast *cast)
                    "....g"
                    ".b...");
 }
-IN_BOTH_ORDERS(has_left_and_right_and_up_and_down_where_they_are)
+IN_BOTH_ORDERS(shows_left_and_right_and_up_and_down_where_they_are)
 
 // A picture that is higher than wide.
 static void fills_the_first_and_the_last_row_and_column(Cast *cast)
@@ -233,7 +233,7 @@ static void shows_the_nearer_sphere_in_any_order_of_the_scene(Cast *cast)
 }
 IN_BOTH_ORDERS(shows_the_nearer_sphere_in_any_order_of_the_scene)
 
-static void colours_equals_as_the_lower_index(Cast *cast)
+static void gives_equal_hits_the_colour_of_the_lower_index(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(0, 0, -10, 8, BLUE), sphere_at(0, 0, -10, 8, RED)};
     Scene scene = scene_of(2, spheres);
@@ -243,7 +243,7 @@ static void colours_equals_as_the_lower_index(Cast *cast)
                    "bbb"
                    ".b.");
 }
-IN_BOTH_ORDERS(colours_equals_as_the_lower_index)
+IN_BOTH_ORDERS(gives_equal_hits_the_colour_of_the_lower_index)
 
 // From the centre of a sphere every pixel is blue, unless another sphere is inside it.
 static void looks_out_from_inside_a_sphere(Cast *cast)
@@ -258,7 +258,7 @@ static void looks_out_from_inside_a_sphere(Cast *cast)
 IN_BOTH_ORDERS(looks_out_from_inside_a_sphere)
 
 // The plane is 8 away; red is in front of it, blue beyond it, green behind the eye.
-static void shows_what_is_before_the_image_plane_and_nothing_behind_the_eye(Cast *cast)
+static void shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye(Cast *cast)
 {
     Sphere spheres[] = {sphere_at(-2, 0, -4, 0.5, RED), sphere_at(0, 0, 5, 2, GREEN),
                         sphere_at(8, 0, -16, 2, BLUE)};
@@ -269,7 +269,7 @@ static void shows_what_is_before_the_image_plane_and_nothing_behind_the_eye(Cast
     camera.width = 12;
     expect_picture(cast, &scene, camera, size, "r.b");
 }
-IN_BOTH_ORDERS(shows_what_is_before_the_image_plane_and_nothing_behind_the_eye)
+IN_BOTH_ORDERS(shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye)
 
 // The deck's camera: eye (2, 2, -4), plane x 1 to 3, y 1 to 3 at z = 0. Four pixels each way: the
 // centre of the upper left one is (1.25, 2.75, 0), and red is there; green is in the lower row.
@@ -305,7 +305,7 @@ static void draws_the_three_spheres_of_the_deck(Cast *cast)
 }
 IN_BOTH_ORDERS(draws_the_three_spheres_of_the_deck)
 
-static void draws_what_cones_say_of_spheres_one_behind_the_other(Cast *cast)
+static void draws_spheres_one_behind_the_other_as_cones_say(Cast *cast)
 {
     Resolution size = {16, 9};
     int checked = 0;
@@ -333,11 +333,11 @@ static void draws_what_cones_say_of_spheres_one_behind_the_other(Cast *cast)
         checked++;
     }
 }
-IN_BOTH_ORDERS(draws_what_cones_say_of_spheres_one_behind_the_other)
+IN_BOTH_ORDERS(draws_spheres_one_behind_the_other_as_cones_say)
 
 // ---- object order: its depth, and that image order agrees --------------------------------------
 
-START_TEST(what_is_in_the_depth_before_does_not_matter)
+START_TEST(the_old_values_in_depth_do_not_matter)
 {
     // The white one is seen by the pixel that would come after the last one.
     Sphere spheres[] = {sphere_at(10, 0, -10, 2, GREEN), sphere_at(0, 0, -10, 2, RED),
@@ -405,7 +405,7 @@ START_TEST(the_depth_of_spheres_one_behind_the_other_is_that_of_the_nearest)
 }
 END_TEST
 
-START_TEST(where_there_is_nothing_every_depth_is_no_hit)
+START_TEST(in_an_empty_scene_every_depth_is_no_hit)
 {
     Scene scene = scene_of(0, NULL);
     Resolution size = {2, 2};
@@ -578,7 +578,7 @@ START_TEST(no_t_is_too_large)
 }
 END_TEST
 
-START_TEST(no_sphere_is_nearer_by_too_little)
+START_TEST(the_nearer_sphere_is_hit_however_small_the_difference)
 {
     for (int i = 0; i < RUNGS; i++) {
         double t;
@@ -588,7 +588,7 @@ START_TEST(no_sphere_is_nearer_by_too_little)
 }
 END_TEST
 
-START_TEST(whichever_way_the_ray_goes_the_nearest_is_hit)
+START_TEST(in_any_direction_the_nearest_is_hit)
 {
     for (int i = 0; i < 6; i++) {
         vec3 axis = vec3_of(0, 0, 0), from = vec3_of(3, -2, 4);
@@ -696,27 +696,27 @@ static void expect_green(Cast *cast, Scene scene)
     expect_picture(cast, &scene, camera_with_pixels_of_1(size), size, "g");
 }
 
-static void draws_however_small_t_is(Cast *cast)
+static void draws_spheres_however_small_t_is(Cast *cast)
 {
     for (int i = 0; i < RUNGS; i++)
         expect_green(cast, two_at(down(i)));
 }
-IN_BOTH_ORDERS(draws_however_small_t_is)
+IN_BOTH_ORDERS(draws_spheres_however_small_t_is)
 
-static void draws_however_large_t_is(Cast *cast)
+static void draws_spheres_however_large_t_is(Cast *cast)
 {
     for (int i = 0; i < RUNGS; i++)
         expect_green(cast, two_at(up(i)));
 }
-IN_BOTH_ORDERS(draws_however_large_t_is)
+IN_BOTH_ORDERS(draws_spheres_however_large_t_is)
 
-static void draws_what_is_nearer_by_however_little(Cast *cast)
+static void draws_the_nearer_sphere_however_small_the_difference(Cast *cast)
 {
     double t;
     for (int i = 0; i < RUNGS; i++)
         expect_green(cast, two_apart(down(i), &t));
 }
-IN_BOTH_ORDERS(draws_what_is_nearer_by_however_little)
+IN_BOTH_ORDERS(draws_the_nearer_sphere_however_small_the_difference)
 
 // ---- depth --------------------------------------------------------------------------------------
 
@@ -746,68 +746,68 @@ void list_tests(void)
 {
     tests_of("nearest_hit");
     test(the_nearest_of_three_is_hit_in_any_order_of_the_scene);
-    test(of_equals_the_lower_index_is_hit);
+    test(of_equal_hits_the_lower_index_counts);
     test(what_is_behind_the_eye_is_not_hit);
-    test(where_nothing_is_hit_there_is_no_hit_and_no_sphere);
+    test(if_nothing_is_hit_t_is_no_hit_and_the_sphere_is_none);
     test(in_an_empty_scene_nothing_is_hit);
     test(the_first_and_the_last_sphere_can_be_hit);
     test(the_nearest_surface_counts_and_not_the_nearest_centre);
     test(t_counts_in_lengths_of_the_direction);
-    test(from_inside_a_sphere_its_far_side_is_hit_and_what_stands_before_it);
-    test(where_spheres_of_the_deck_overlap_red_comes_first_then_green_then_blue);
+    test(from_inside_a_sphere_its_far_side_is_hit_unless_another_sphere_is_nearer);
+    test(if_spheres_of_the_deck_overlap_red_comes_first_then_green_then_blue);
     test(of_spheres_one_behind_the_other_the_nearest_is_hit);
     test(in_a_world_of_any_size_along_a_direction_of_any_length_the_nearest_is_hit);
     test(of_spheres_close_together_the_nearer_is_hit);
     test(no_t_is_too_small);
     test(no_t_is_too_large);
-    test(no_sphere_is_nearer_by_too_little);
-    test(whichever_way_the_ray_goes_the_nearest_is_hit);
+    test(the_nearer_sphere_is_hit_however_small_the_difference);
+    test(in_any_direction_the_nearest_is_hit);
     test(the_last_of_many_spheres_is_hit);
     tests_of("cast_image_order");
-    test(image_order_leaves_nothing_of_what_was_in_the_image);
+    test(image_order_paints_over_the_old_contents_of_the_image);
     test(image_order_draws_a_sphere_straight_ahead_as_a_disc);
-    test(image_order_has_left_and_right_and_up_and_down_where_they_are);
+    test(image_order_shows_left_and_right_and_up_and_down_where_they_are);
     test(image_order_fills_the_first_and_the_last_row_and_column);
     test(image_order_shows_the_nearer_sphere_in_any_order_of_the_scene);
-    test(image_order_colours_equals_as_the_lower_index);
+    test(image_order_gives_equal_hits_the_colour_of_the_lower_index);
     test(image_order_looks_out_from_inside_a_sphere);
-    test(image_order_shows_what_is_before_the_image_plane_and_nothing_behind_the_eye);
+    test(image_order_shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye);
     test(image_order_draws_with_the_left_handed_camera_of_the_deck);
     test(image_order_draws_the_three_spheres_of_the_deck);
-    test(image_order_draws_what_cones_say_of_spheres_one_behind_the_other);
+    test(image_order_draws_spheres_one_behind_the_other_as_cones_say);
     test(image_order_draws_worlds_of_any_size);
     test(image_order_draws_pictures_of_any_shape);
     test(image_order_draws_the_last_of_many_spheres);
     test(image_order_draws_the_nearer_of_two_close_together);
-    test(image_order_draws_however_small_t_is);
-    test(image_order_draws_however_large_t_is);
-    test(image_order_draws_what_is_nearer_by_however_little);
+    test(image_order_draws_spheres_however_small_t_is);
+    test(image_order_draws_spheres_however_large_t_is);
+    test(image_order_draws_the_nearer_sphere_however_small_the_difference);
     tests_of("cast_object_order");
-    test(object_order_leaves_nothing_of_what_was_in_the_image);
+    test(object_order_paints_over_the_old_contents_of_the_image);
     test(object_order_draws_a_sphere_straight_ahead_as_a_disc);
-    test(object_order_has_left_and_right_and_up_and_down_where_they_are);
+    test(object_order_shows_left_and_right_and_up_and_down_where_they_are);
     test(object_order_fills_the_first_and_the_last_row_and_column);
     test(object_order_shows_the_nearer_sphere_in_any_order_of_the_scene);
-    test(object_order_colours_equals_as_the_lower_index);
+    test(object_order_gives_equal_hits_the_colour_of_the_lower_index);
     test(object_order_looks_out_from_inside_a_sphere);
-    test(object_order_shows_what_is_before_the_image_plane_and_nothing_behind_the_eye);
+    test(object_order_shows_spheres_in_front_of_the_image_plane_and_none_behind_the_eye);
     test(object_order_draws_with_the_left_handed_camera_of_the_deck);
     test(object_order_draws_the_three_spheres_of_the_deck);
-    test(object_order_draws_what_cones_say_of_spheres_one_behind_the_other);
+    test(object_order_draws_spheres_one_behind_the_other_as_cones_say);
     tests_of("cast_object_order");
-    test(what_is_in_the_depth_before_does_not_matter);
+    test(the_old_values_in_depth_do_not_matter);
     test(the_depth_straight_ahead_is_the_t_of_the_nearest_hit);
     test(the_depth_goes_row_by_row_and_counts_in_lengths_of_the_direction);
     test(the_depth_of_spheres_one_behind_the_other_is_that_of_the_nearest);
-    test(where_there_is_nothing_every_depth_is_no_hit);
+    test(in_an_empty_scene_every_depth_is_no_hit);
     test(both_orders_give_the_same_bytes);
     test(object_order_draws_worlds_of_any_size);
     test(object_order_draws_pictures_of_any_shape);
     test(object_order_draws_the_last_of_many_spheres);
     test(object_order_draws_the_nearer_of_two_close_together);
-    test(object_order_draws_however_small_t_is);
-    test(object_order_draws_however_large_t_is);
-    test(object_order_draws_what_is_nearer_by_however_little);
+    test(object_order_draws_spheres_however_small_t_is);
+    test(object_order_draws_spheres_however_large_t_is);
+    test(object_order_draws_the_nearer_sphere_however_small_the_difference);
     test(the_depth_in_worlds_of_any_size_is_that_of_the_nearest);
     test(the_depth_in_pictures_of_any_shape_goes_row_by_row);
 }

@@ -100,7 +100,7 @@ START_TEST(negative_coordinates_are_as_large_as_positive_ones)
 }
 END_TEST
 
-START_TEST(round_the_origin_of_the_world_the_radius_counts)
+START_TEST(around_the_origin_of_the_world_the_radius_counts)
 {
     vec3 up = vec3_of(0, 1, 0);
     expect_off(sphere_round(-2.5e5 * up, 1e6), 7.5e5 * up, up, 1.25e6);
@@ -147,7 +147,7 @@ static const World *sphere_on_the_axis(double center, double radius)
 
 static const vec3 origin = {0, 0, 0};
 
-START_TEST(where_there_is_nothing_light_arrives)
+START_TEST(in_an_empty_scene_light_arrives)
 {
     const World *nothing = spheres_on_the_axis(0, NULL, NULL);
     expect_visible(nothing, origin, point_light(1, 2, 3), 1);
@@ -163,7 +163,7 @@ START_TEST(a_sphere_in_between_hides_a_light)
 }
 END_TEST
 
-START_TEST(a_sphere_beside_hides_nothing)
+START_TEST(a_sphere_beside_the_way_hides_nothing)
 {
     expect_visible(sphere_on_the_axis(5, 1), vec3_of(1.5, 0, 0), point_light(1.5, 0, 10), 1);
     expect_visible(sphere_on_the_axis(5, 1), vec3_of(1.5, 0, 0), distant_light(0, 0, 10), 1);
@@ -174,7 +174,7 @@ END_TEST
 
 // Seen from (0, 6, 0) the light is beyond the sphere; the vector to its coordinates has another
 // direction.
-START_TEST(the_way_to_a_point_light_begins_at_the_place)
+START_TEST(the_way_to_a_point_light_starts_at_the_point)
 {
     expect_visible(sphere_on_the_axis(4, 1), vec3_of(0, 6, 0), point_light(0, -6, 8), 0);
     expect_visible(sphere_on_the_axis(4, 1), vec3_of(0, 6, 0), point_light(0, 0, 8), 1);
@@ -182,7 +182,7 @@ START_TEST(the_way_to_a_point_light_begins_at_the_place)
 END_TEST
 
 // By chance these are 1 in lengths of the vector to the light; that of (0, 0, 4) is 4 long.
-START_TEST(what_is_behind_a_point_light_hides_nothing)
+START_TEST(a_sphere_behind_a_point_light_hides_nothing)
 {
     expect_visible(sphere_on_the_axis(6, 1), origin, point_light(0, 0, 4), 1);
     expect_visible(sphere_on_the_axis(0.5, 0.1), origin, point_light(0, 0, 0.25), 1);
@@ -190,14 +190,14 @@ START_TEST(what_is_behind_a_point_light_hides_nothing)
 }
 END_TEST
 
-START_TEST(what_is_far_from_the_place_but_before_the_light_hides_it)
+START_TEST(a_sphere_far_from_the_point_but_in_front_of_the_light_hides_it)
 {
     expect_visible(sphere_on_the_axis(9e5, 1e4), origin, point_light(0, 0, 1e6), 0);
     expect_visible(sphere_on_the_axis(9e-5, 1e-6), origin, point_light(0, 0, 1e-4), 0);
 }
 END_TEST
 
-START_TEST(what_is_behind_the_place_hides_nothing)
+START_TEST(a_sphere_behind_the_point_hides_nothing)
 {
     expect_visible(sphere_on_the_axis(-5, 1), origin, point_light(0, 0, 4), 1);
     expect_visible(sphere_on_the_axis(-5, 1), origin, distant_light(0, 0, 4), 1);
@@ -288,7 +288,7 @@ START_TEST(a_light_inside_a_sphere_is_not_seen_from_outside)
 }
 END_TEST
 
-START_TEST(what_is_close_to_the_place_hides_a_light_too)
+START_TEST(a_sphere_close_to_the_point_also_hides_a_light)
 {
     const double gaps[] = {3e-2, 3e-3, 3e-4, 3e-5, 3e-6, 3e-7, 3e-8};
     for (int i = 0; i < 7; i++) {
@@ -300,7 +300,7 @@ START_TEST(what_is_close_to_the_place_hides_a_light_too)
 }
 END_TEST
 
-START_TEST(what_is_close_to_a_light_hides_it_too)
+START_TEST(a_sphere_close_to_a_light_also_hides_it)
 {
     const double gaps[] = {1e-2, 1e-4, 1e-6};
     for (int i = 0; i < 3; i++) {
@@ -347,7 +347,7 @@ static Color diffuse(double cosine, Color light)
     return 0.5 * cosine * vec3_of(0.8, 0.6, 0.4) * light;
 }
 
-START_TEST(without_lights_there_is_the_ambient_light_of_the_scene)
+START_TEST(without_lights_only_ambient_light_is_left)
 {
     world_seen_from_above(0.4, 3);
     expect_shade(&world, EYE_ABOVE, HIT_AT_2, ambient);
@@ -356,7 +356,7 @@ START_TEST(without_lights_there_is_the_ambient_light_of_the_scene)
 }
 END_TEST
 
-START_TEST(a_light_straight_above_gives_all_that_it_can)
+START_TEST(a_light_straight_above_has_its_full_effect)
 {
     for (int kind = LIGHT_POINT; kind <= LIGHT_DISTANT; kind++) {
         world_seen_from_above(0.4, 3);
@@ -375,7 +375,7 @@ START_TEST(a_dull_surface_has_no_highlight)
 END_TEST
 
 // 1/2 for diffuse, (1/2)^3 for the highlight, which has the colour of the light.
-START_TEST(aslant_there_is_less_of_both)
+START_TEST(a_light_at_an_angle_has_less_of_both_terms)
 {
     for (int kind = LIGHT_POINT; kind <= LIGHT_DISTANT; kind++) {
         world_seen_from_above(0.4, 3);
@@ -397,7 +397,7 @@ START_TEST(the_highlight_is_where_the_mirrored_light_meets_the_eye)
 }
 END_TEST
 
-START_TEST(where_the_mirrored_light_goes_away_from_the_eye_there_is_no_highlight)
+START_TEST(if_the_mirrored_light_goes_away_from_the_eye_there_is_no_highlight)
 {
     world_seen_from_above(0.4, 3);
     put_light(&world, LIGHT_POINT, at_60_degrees, yellow);
@@ -448,7 +448,7 @@ START_TEST(a_light_that_is_hidden_takes_nothing_from_the_others)
 }
 END_TEST
 
-START_TEST(what_is_behind_a_light_or_beside_makes_no_shadow)
+START_TEST(a_sphere_behind_a_light_or_beside_it_makes_no_shadow)
 {
     world_seen_from_above(0.4, 3);
     put_light(&world, LIGHT_POINT, at_60_degrees, yellow);
@@ -499,7 +499,7 @@ START_TEST(how_long_the_direction_of_the_ray_is_does_not_change_the_shade)
 END_TEST
 
 // Eye and light in a hollow sphere around the origin, opposite the point: its surface faces them.
-START_TEST(inside_a_sphere_the_surface_is_turned_to_the_eye)
+START_TEST(inside_a_sphere_the_normal_points_to_the_eye)
 {
     empty_world(&world);
     put_sphere(&world, vec3_of(0, 0, 0), 6, surface_of(dull().color, 0.5, 0.4, 3));
@@ -532,7 +532,7 @@ static void facing_mirrors(double ks, double other_ks)
 static const Ray ahead = {{0, 0, 0}, {0, 0, -2}}, behind = {{0, 0, 0}, {0, 0, 3}},
                  upward = {{0, 0, 0}, {0, 1, 0}};
 
-START_TEST(where_nothing_is_hit_there_is_the_background)
+START_TEST(if_nothing_is_hit_the_background_is_seen)
 {
     for (int depth = 0; depth < 3; depth++) {
         facing_mirrors(0.5, 0.25);
@@ -554,7 +554,7 @@ START_TEST(at_depth_0_a_mirror_shows_only_itself)
 }
 END_TEST
 
-START_TEST(a_surface_without_specular_is_no_mirror)
+START_TEST(a_surface_without_specular_is_not_a_mirror)
 {
     facing_mirrors(0, 0.25);
     for (int depth = 0; depth < 4; depth++)
@@ -565,7 +565,7 @@ START_TEST(a_surface_without_specular_is_no_mirror)
 }
 END_TEST
 
-START_TEST(a_mirror_shows_the_background_too)
+START_TEST(a_mirror_also_shows_the_background)
 {
     empty_world(&world);
     put_sphere(&world, vec3_of(0, 0, -5), 1, mirror(green, 0.5));
@@ -594,14 +594,14 @@ START_TEST(mirrors_that_face_each_other_are_seen_as_often_as_depth_says)
 }
 END_TEST
 
-START_TEST(a_perfect_mirror_takes_nothing_away)
+START_TEST(a_perfect_mirror_loses_no_light)
 {
     facing_mirrors(1, 1);
     expect_trace(&world, ahead, 20, 11 * ambient_of(&world, 0) + 10 * ambient_of(&world, 1));
 }
 END_TEST
 
-START_TEST(what_a_mirror_shows_is_lit_as_it_is)
+START_TEST(objects_in_a_mirror_are_lit_as_usual)
 {
     facing_mirrors(0.5, 0.25);
     put_light(&world, LIGHT_POINT, vec3_of(0, 0, 0), pink);
@@ -698,7 +698,7 @@ START_TEST(in_an_eclipse_the_shadow_is_a_cone)
 }
 END_TEST
 
-START_TEST(any_spheres_hide_any_light_as_geometry_has_it)
+START_TEST(any_spheres_hide_any_light_as_geometry_says)
 {
     double visible;
     for (int i = 0, seen = 0, hidden = 0; i < 40 || seen < 8 || hidden < 8;) {
@@ -718,7 +718,7 @@ END_TEST
 
 // A hit is right only to within rounding. So these are in front of the surface or behind it by
 // 5e-11 of the radius, less than the smallest step of off_surface.
-START_TEST(a_hit_that_rounding_put_a_hair_inside_the_sphere_is_lit)
+START_TEST(a_hit_that_rounding_put_just_inside_the_sphere_is_lit)
 {
     for (int i = -6; i <= 8; i += 2) {
         double size = pow(10, i);
@@ -739,7 +739,7 @@ END_TEST
 
 // The crumb is this many radii above it, and half as large: in the way of the light from above,
 // beside the way of the other, whose mirror image meets the eye.
-START_TEST(a_crumb_close_to_the_surface_casts_its_shadow)
+START_TEST(a_tiny_sphere_close_to_the_surface_casts_its_shadow)
 {
     for (int i = 0; i < 30; i++) {
         double size = pow(10, 8 - i % 15), above = i < 15 ? 1e-5 : 1e-7;
@@ -886,7 +886,7 @@ static void one_sphere(double t)
     put_sphere(&world, 1.1 * t * onward, 0.1 * t, dull());
 }
 
-START_TEST(however_near_it_hides_a_light)
+START_TEST(a_sphere_hides_a_light_however_near_it_is)
 {
     for (int i = 0; i < RUNGS; i++) {
         one_sphere(down(i));
@@ -896,7 +896,7 @@ START_TEST(however_near_it_hides_a_light)
 }
 END_TEST
 
-START_TEST(however_far_it_hides_a_light_that_is_beyond)
+START_TEST(a_sphere_hides_a_light_beyond_it_however_far_it_is)
 {
     for (int i = 0; i < RUNGS; i++) {
         one_sphere(up(i));
@@ -907,7 +907,7 @@ START_TEST(however_far_it_hides_a_light_that_is_beyond)
 }
 END_TEST
 
-START_TEST(however_long_the_way_to_a_light_is_a_sphere_in_between_hides_it)
+START_TEST(a_sphere_in_between_hides_a_light_at_any_distance)
 {
     for (int i = 0; i < RUNGS; i++) {
         one_sphere(1);
@@ -921,7 +921,7 @@ END_TEST
 // By a part of the radius that is ten times the allowed error of a hit: the surface is that close
 // in front of the light, or beyond it. The farther the light, the smaller that is compared with the
 // way to it.
-START_TEST(what_is_just_before_a_light_hides_it_and_what_is_just_behind_does_not)
+START_TEST(a_sphere_just_in_front_of_a_light_hides_it_and_one_just_behind_does_not)
 {
     for (int i = 0; i < 6; i++) {
         double away = i < 3 ? 10 : 900, gap = pow(10, -3 - i % 3);
@@ -938,7 +938,7 @@ END_TEST
 static const int rooms[] = {8, 10, 16, 20, 32, 50, 64, 100, 128, 256};
 enum { ROOMS = sizeof rooms / sizeof *rooms };
 
-START_TEST(the_last_of_however_many_spheres_hides_a_light)
+START_TEST(the_last_of_any_number_of_spheres_hides_a_light)
 {
     for (int i = 0; i <= 2 * ROOMS; i++) {
         int count = i < 2 * ROOMS ? rooms[i / 2] + i % 2 : MOST_SPHERES;
@@ -971,7 +971,7 @@ static Color ambient_seen(void)
 }
 
 // Straight above, where the light has its full effect: the colour of each light is its number.
-START_TEST(the_last_of_however_many_lights_counts)
+START_TEST(the_last_of_any_number_of_lights_counts)
 {
     static const int most[] = {2, 3, 4, 5, 8, 10, 16, 20, 32};
     for (int i = 0; i < 18; i++) {
@@ -1008,7 +1008,7 @@ END_TEST
 // 0.3, 0.03 ... 3e-7, above the horizon of a white light.
 enum { SMALL = 7 };
 
-START_TEST(however_low_the_light_is_it_is_scattered)
+START_TEST(a_light_is_scattered_however_low_it_is)
 {
     for (int i = 0; i < SMALL; i++) {
         double cosine = down(i) / hypot(1, down(i));
@@ -1020,7 +1020,7 @@ START_TEST(however_low_the_light_is_it_is_scattered)
 }
 END_TEST
 
-START_TEST(however_little_a_surface_sends_back_it_counts)
+START_TEST(a_surface_counts_however_little_it_reflects)
 {
     for (int i = 0; i < SMALL; i++) {
         surface_seen_from_above(shiny(0.5, down(i), 3));
@@ -1036,7 +1036,7 @@ START_TEST(however_little_a_surface_sends_back_it_counts)
 END_TEST
 
 // From straight above the highlight is all of ks, whatever its power; at 60 degrees 2^-shine of it.
-START_TEST(a_surface_has_the_shine_that_it_says)
+START_TEST(a_surface_has_its_own_shine)
 {
     const double shines[] = {0, 0.5, 1, 2, 10, 20};
     for (int i = 0; i < 6; i++) {
@@ -1071,7 +1071,7 @@ static void facing(double ks, double other_ks)
     put_sphere(&world, vec3_of(0, 0, -8), 2, mirror(vec3_of(0.9, 0.4, 0.6), other_ks));
 }
 
-START_TEST(mirrors_are_looked_into_as_deep_as_it_says)
+START_TEST(mirrors_are_followed_as_deep_as_depth_says)
 {
     static const int depths[] = {2, 3, 4, 5, 6, 8, 10, 15, 16, 20, 30, 32, 50, 64, 99, 100, 128};
     for (int i = 0; i < 34; i++) {
@@ -1083,7 +1083,7 @@ START_TEST(mirrors_are_looked_into_as_deep_as_it_says)
 }
 END_TEST
 
-START_TEST(however_weak_a_mirror_is_it_mirrors)
+START_TEST(a_mirror_counts_however_weak_it_is)
 {
     for (int i = 0; i < SMALL; i++) {
         empty_world(&world);
@@ -1095,7 +1095,7 @@ START_TEST(however_weak_a_mirror_is_it_mirrors)
 END_TEST
 
 // In each other they show less and less: 0.04, 0.0016 ... 3e-7 of the light.
-START_TEST(however_little_comes_through_all_mirrors_it_counts)
+START_TEST(light_through_many_mirrors_counts_however_little_it_is)
 {
     for (int depth = 0; depth <= 5; depth++) {
         facing(0.04, 0.04);
@@ -1116,7 +1116,7 @@ START_TEST(at_any_t_there_is_a_mirror)
 }
 END_TEST
 
-START_TEST(the_last_of_however_many_spheres_is_mirrored)
+START_TEST(the_last_of_any_number_of_spheres_is_mirrored)
 {
     for (int i = 0; i <= 2 * ROOMS; i++) {
         int count = i < 2 * ROOMS ? rooms[i / 2] + i % 2 : MOST_SPHERES;
@@ -1139,16 +1139,16 @@ void list_tests_with_scenes(void)
     test(scenes_may_be_of_any_size);
     test(a_small_sphere_far_away_needs_as_large_a_step_as_a_large_one);
     test(negative_coordinates_are_as_large_as_positive_ones);
-    test(round_the_origin_of_the_world_the_radius_counts);
+    test(around_the_origin_of_the_world_the_radius_counts);
     test(anywhere_it_is_a_step_along_the_normal);
     tests_of("visibility");
-    test(where_there_is_nothing_light_arrives);
+    test(in_an_empty_scene_light_arrives);
     test(a_sphere_in_between_hides_a_light);
-    test(a_sphere_beside_hides_nothing);
-    test(the_way_to_a_point_light_begins_at_the_place);
-    test(what_is_behind_a_point_light_hides_nothing);
-    test(what_is_far_from_the_place_but_before_the_light_hides_it);
-    test(what_is_behind_the_place_hides_nothing);
+    test(a_sphere_beside_the_way_hides_nothing);
+    test(the_way_to_a_point_light_starts_at_the_point);
+    test(a_sphere_behind_a_point_light_hides_nothing);
+    test(a_sphere_far_from_the_point_but_in_front_of_the_light_hides_it);
+    test(a_sphere_behind_the_point_hides_nothing);
     test(a_distant_light_is_beyond_everything);
     test(how_long_the_direction_of_a_distant_light_is_does_not_matter);
     test(the_first_of_many_spheres_is_enough);
@@ -1158,50 +1158,50 @@ void list_tests_with_scenes(void)
     test(of_spheres_only_those_in_between_count);
     test(from_inside_a_sphere_only_lights_inside_it_are_seen);
     test(a_light_inside_a_sphere_is_not_seen_from_outside);
-    test(what_is_close_to_the_place_hides_a_light_too);
-    test(what_is_close_to_a_light_hides_it_too);
+    test(a_sphere_close_to_the_point_also_hides_a_light);
+    test(a_sphere_close_to_a_light_also_hides_it);
     test(glass_hides_a_light_like_anything_else);
     test(in_an_eclipse_the_shadow_is_a_cone);
-    test(any_spheres_hide_any_light_as_geometry_has_it);
-    test(however_near_it_hides_a_light);
-    test(however_far_it_hides_a_light_that_is_beyond);
-    test(however_long_the_way_to_a_light_is_a_sphere_in_between_hides_it);
-    test(what_is_just_before_a_light_hides_it_and_what_is_just_behind_does_not);
-    test(the_last_of_however_many_spheres_hides_a_light);
+    test(any_spheres_hide_any_light_as_geometry_says);
+    test(a_sphere_hides_a_light_however_near_it_is);
+    test(a_sphere_hides_a_light_beyond_it_however_far_it_is);
+    test(a_sphere_in_between_hides_a_light_at_any_distance);
+    test(a_sphere_just_in_front_of_a_light_hides_it_and_one_just_behind_does_not);
+    test(the_last_of_any_number_of_spheres_hides_a_light);
     tests_of("shade");
-    test(without_lights_there_is_the_ambient_light_of_the_scene);
-    test(a_light_straight_above_gives_all_that_it_can);
+    test(without_lights_only_ambient_light_is_left);
+    test(a_light_straight_above_has_its_full_effect);
     test(a_dull_surface_has_no_highlight);
-    test(aslant_there_is_less_of_both);
+    test(a_light_at_an_angle_has_less_of_both_terms);
     test(the_highlight_is_where_the_mirrored_light_meets_the_eye);
-    test(where_the_mirrored_light_goes_away_from_the_eye_there_is_no_highlight);
+    test(if_the_mirrored_light_goes_away_from_the_eye_there_is_no_highlight);
     test(lights_add_up);
     test(in_the_shadow_the_ambient_light_is_left);
     test(a_light_that_is_hidden_takes_nothing_from_the_others);
-    test(what_is_behind_a_light_or_beside_makes_no_shadow);
+    test(a_sphere_behind_a_light_or_beside_it_makes_no_shadow);
     test(a_surface_that_is_turned_away_from_the_light_is_in_its_own_shadow);
     test(bright_light_is_not_clamped);
     test(the_surface_is_that_of_the_sphere_that_was_hit);
     test(how_long_the_direction_of_the_ray_is_does_not_change_the_shade);
-    test(inside_a_sphere_the_surface_is_turned_to_the_eye);
-    test(a_hit_that_rounding_put_a_hair_inside_the_sphere_is_lit);
-    test(a_crumb_close_to_the_surface_casts_its_shadow);
+    test(inside_a_sphere_the_normal_points_to_the_eye);
+    test(a_hit_that_rounding_put_just_inside_the_sphere_is_lit);
+    test(a_tiny_sphere_close_to_the_surface_casts_its_shadow);
     test(any_lights_on_any_spheres_give_what_geometry_says);
-    test(the_last_of_however_many_lights_counts);
+    test(the_last_of_any_number_of_lights_counts);
     test(light_of_any_strength_is_scattered_and_mirrored);
-    test(however_low_the_light_is_it_is_scattered);
-    test(however_little_a_surface_sends_back_it_counts);
-    test(a_surface_has_the_shine_that_it_says);
+    test(a_light_is_scattered_however_low_it_is);
+    test(a_surface_counts_however_little_it_reflects);
+    test(a_surface_has_its_own_shine);
     test(at_any_t_a_surface_is_lit);
     tests_of("trace_ray");
-    test(where_nothing_is_hit_there_is_the_background);
+    test(if_nothing_is_hit_the_background_is_seen);
     test(at_depth_0_a_mirror_shows_only_itself);
-    test(a_surface_without_specular_is_no_mirror);
-    test(a_mirror_shows_the_background_too);
+    test(a_surface_without_specular_is_not_a_mirror);
+    test(a_mirror_also_shows_the_background);
     test(one_mirror_shows_the_other);
     test(mirrors_that_face_each_other_are_seen_as_often_as_depth_says);
-    test(a_perfect_mirror_takes_nothing_away);
-    test(what_a_mirror_shows_is_lit_as_it_is);
+    test(a_perfect_mirror_loses_no_light);
+    test(objects_in_a_mirror_are_lit_as_usual);
     test(bright_light_is_not_clamped_in_mirrors_either);
     test(the_angle_out_is_the_angle_in);
     test(how_long_the_direction_of_the_ray_is_does_not_matter);
@@ -1210,9 +1210,9 @@ void list_tests_with_scenes(void)
     test(a_ball_does_not_see_itself);
     test(on_any_axis_and_in_any_light_mirrors_face_each_other);
     test(any_mirrors_show_what_geometry_says);
-    test(mirrors_are_looked_into_as_deep_as_it_says);
-    test(however_weak_a_mirror_is_it_mirrors);
-    test(however_little_comes_through_all_mirrors_it_counts);
+    test(mirrors_are_followed_as_deep_as_depth_says);
+    test(a_mirror_counts_however_weak_it_is);
+    test(light_through_many_mirrors_counts_however_little_it_is);
     test(at_any_t_there_is_a_mirror);
-    test(the_last_of_however_many_spheres_is_mirrored);
+    test(the_last_of_any_number_of_spheres_is_mirrored);
 }

@@ -29,7 +29,7 @@ START_TEST(on_opposite_sides_the_normals_are_opposite)
 END_TEST
 
 // (2, 3, 6) is 7 long.
-START_TEST(a_normal_is_unit_however_large_the_sphere)
+START_TEST(a_normal_is_unit_however_large_the_sphere_is)
 {
     vec3 normal = vec3_of(2, 3, 6) / 7;
     expect_normal(sphere_at(4, -1, 2, 7), vec3_of(6, 2, 8), normal);
@@ -38,7 +38,7 @@ START_TEST(a_normal_is_unit_however_large_the_sphere)
 }
 END_TEST
 
-START_TEST(a_normal_that_was_chosen_comes_back)
+START_TEST(a_chosen_normal_is_found_again)
 {
     for (int i = 0; i < 20; i++) {
         Sphere sphere = random_sphere(9, 0.1, 5);
@@ -69,7 +69,7 @@ static Light light_of(LightKind kind, vec3 position)
     return (Light){position, {0.9, 0.7, 0.8}, kind};
 }
 
-START_TEST(a_point_light_is_reached_at_t_1)
+START_TEST(a_point_light_is_at_t_1)
 {
     Light light = light_of(LIGHT_POINT, vec3_of(4, 6, 3));
     expect_ray_to_light(vec3_of(1, 2, 3), light, vec3_of(3, 4, 0));
@@ -87,7 +87,7 @@ START_TEST(a_distant_light_has_one_direction_from_everywhere)
 }
 END_TEST
 
-START_TEST(the_way_to_a_light_that_was_put_somewhere_comes_back)
+START_TEST(the_ray_reaches_a_light_at_a_chosen_place)
 {
     for (int i = 0; i < 20; i++) {
         vec3 from = random_vec3(-9, 9), way = random_unit();
@@ -109,14 +109,14 @@ static void expect_mirrored(vec3 direction, vec3 normal, vec3 mirrored)
 
 static const vec3 up = {0, 1, 0};
 
-START_TEST(what_falls_straight_on_comes_straight_back)
+START_TEST(a_ray_along_the_normal_comes_straight_back)
 {
     expect_mirrored(vec3_of(0, -1, 0), up, vec3_of(0, 1, 0));
     expect_mirrored(vec3_of(-2, -3, -6), vec3_of(2, 3, 6) / 7, vec3_of(2, 3, 6));
 }
 END_TEST
 
-START_TEST(what_comes_down_at_a_slant_goes_on_and_up)
+START_TEST(a_ray_that_comes_down_at_an_angle_goes_on_and_up)
 {
     expect_mirrored(vec3_of(1, -1, 0), up, vec3_of(1, 1, 0));
     expect_mirrored(vec3_of(3, -4, 12), up, vec3_of(3, 4, 12));
@@ -124,14 +124,14 @@ START_TEST(what_comes_down_at_a_slant_goes_on_and_up)
 }
 END_TEST
 
-START_TEST(what_runs_along_the_mirror_runs_on)
+START_TEST(a_ray_along_the_mirror_goes_on_unchanged)
 {
     expect_mirrored(vec3_of(2, 0, 1), up, vec3_of(2, 0, 1));
 }
 END_TEST
 
 // By hand: (3, 3, -3) goes 3 along (2, 2, 1) / 3, so twice that, (4, 4, 2), is subtracted.
-START_TEST(a_mirror_that_stands_askew)
+START_TEST(a_mirror_at_an_angle)
 {
     expect_mirrored(vec3_of(3, 3, -3), vec3_of(-2, -2, -1) / 3, vec3_of(-1, -1, -5));
     expect_mirrored(vec3_of(1, 1, 5), vec3_of(-2, -2, -1) / 3, vec3_of(-3, -3, 3));
@@ -145,7 +145,7 @@ START_TEST(a_mirror_has_two_sides)
 }
 END_TEST
 
-START_TEST(the_part_along_the_normal_turns_round_and_the_part_across_it_stays)
+START_TEST(the_part_along_the_normal_is_reversed_and_the_part_across_it_stays)
 {
     for (int i = 0; i < 20; i++) {
         vec3 normal = random_unit(), across = random_across(normal);
@@ -166,7 +166,7 @@ static void expect_ambient(Color surface, double kd, Color ambient, Color color)
     expect_vec3(ambient_term(surface, kd, ambient), color, TOLERANCE * largest(ambient));
 }
 
-START_TEST(in_white_ambient_light_there_is_kd_of_the_surface)
+START_TEST(in_white_ambient_light_kd_of_the_surface_is_seen)
 {
     Color surface = vec3_of(0.8, 0.4, 0.2);
     expect_ambient(surface, 1, vec3_of(1, 1, 1), vec3_of(0.8, 0.4, 0.2));
@@ -183,20 +183,20 @@ START_TEST(ambient_light_is_multiplied_colour_by_colour)
 }
 END_TEST
 
-START_TEST(without_ambient_light_nothing_is_there)
+START_TEST(without_ambient_light_the_term_is_black)
 {
     expect_ambient(vec3_of(0.8, 0.5, 0.2), 0.5, vec3_of(0, 0, 0), vec3_of(0, 0, 0));
 }
 END_TEST
 
-START_TEST(much_ambient_light_may_be_brighter_than_white)
+START_TEST(strong_ambient_light_may_be_brighter_than_white)
 {
     expect_ambient(vec3_of(0.9, 0.5, 0.1), 1, vec3_of(4, 3, 2), vec3_of(3.6, 1.5, 0.2));
 }
 END_TEST
 
 // The result is chosen, and the ambient light made to fit.
-START_TEST(an_ambient_term_that_was_chosen_comes_back)
+START_TEST(a_chosen_ambient_term_is_found_again)
 {
     for (int i = 0; i < 20; i++) {
         Color surface = random_color(0.3, 1), color = random_color(0, 1);
@@ -279,7 +279,7 @@ START_TEST(a_bright_light_may_be_scattered_brighter_than_white)
 }
 END_TEST
 
-START_TEST(at_an_angle_that_was_chosen_its_cosine_is_scattered)
+START_TEST(at_a_chosen_angle_its_cosine_is_scattered)
 {
     for (int i = 0; i < 30; i++) {
         Color surface = random_color(0.2, 1), light = random_color(0.2, 2);
@@ -309,7 +309,7 @@ static void expect_phong_share(double shine, vec3 to_light, vec3 to_eye, double 
     expect_phong(1, shine, vec3_of(1, 1, 1), up, to_light, to_eye, share * vec3_of(1, 1, 1));
 }
 
-START_TEST(who_looks_where_the_light_is_mirrored_to_sees_ks_of_the_light)
+START_TEST(an_eye_in_the_mirrored_direction_sees_ks_of_the_light)
 {
     Color light = vec3_of(0.9, 0.7, 0.8);
     for (int shine = 1; shine < 100; shine *= 3) {
@@ -322,7 +322,7 @@ START_TEST(who_looks_where_the_light_is_mirrored_to_sees_ks_of_the_light)
 END_TEST
 
 // From straight above the light is mirrored straight up; the cosine of (3, 4) with that is 4 / 5.
-START_TEST(the_cosine_with_the_mirrored_light_is_taken_to_the_power_of_shine)
+START_TEST(the_cosine_with_the_mirrored_light_is_raised_to_the_power_of_shine)
 {
     expect_phong_share(1, vec3_of(0, 1, 0), vec3_of(0.6, 0.8, 0), 0.8);
     expect_phong_share(2, vec3_of(0, 1, 0), vec3_of(0.6, 0.8, 0), 0.64);
@@ -386,7 +386,7 @@ END_TEST
 
 // The light and its mirrored direction are equally far from the normal, on opposite sides, and the
 // eye is at a chosen angle from the latter, above the surface.
-START_TEST(at_an_angle_from_the_mirrored_light_that_was_chosen)
+START_TEST(at_a_chosen_angle_from_the_mirrored_light)
 {
     for (int i = 0; i < 40; i++) {
         vec3 normal = random_unit(), across = random_across(normal);
@@ -420,7 +420,7 @@ static void expect_halfway_share(double shine, vec3 to_light, vec3 to_eye, doubl
     expect_halfway(1, shine, vec3_of(1, 1, 1), up, to_light, to_eye, share * vec3_of(1, 1, 1));
 }
 
-START_TEST(where_the_normal_is_half_way_ks_of_the_light_is_seen)
+START_TEST(if_the_normal_is_half_way_ks_of_the_light_is_seen)
 {
     Color light = vec3_of(0.9, 0.7, 0.8);
     for (int shine = 1; shine < 100; shine *= 3) {
@@ -434,7 +434,7 @@ END_TEST
 
 // Half-way between (0, 1, 0) and (24, 7, 0) / 25 is (3, 4, 0) / 5: twice (3, 4, 0) / 5 times the
 // cosine 4 / 5 is their sum. Its cosine with the normal is 4 / 5.
-START_TEST(the_cosine_with_the_normal_is_taken_to_the_power_of_shine)
+START_TEST(the_cosine_with_the_normal_is_raised_to_the_power_of_shine)
 {
     vec3 eye = vec3_of(0.96, 0.28, 0), eye_aside = vec3_of(0, 0.28, -0.96);
     expect_halfway_share(1, vec3_of(0, 1, 0), eye, 0.8);
@@ -465,7 +465,7 @@ START_TEST(only_the_directions_of_light_and_eye_matter)
 }
 END_TEST
 
-START_TEST(this_highlight_too_has_the_colour_of_the_light)
+START_TEST(this_highlight_also_has_the_colour_of_the_light)
 {
     expect_halfway(0.5, 2, vec3_of(1, 0.5, 0), up, vec3_of(0, 1, 0), vec3_of(24, 7, 0),
                    vec3_of(0.32, 0.16, 0));
@@ -476,7 +476,7 @@ END_TEST
 
 // Half-way between (4, 3, 0) / 5 and the eye is below the surface: there the cosine is negative,
 // its square is not.
-START_TEST(half_way_below_the_surface_there_is_no_highlight)
+START_TEST(if_half_way_is_below_the_surface_there_is_no_highlight)
 {
     for (int shine = 1; shine <= 4; shine++) {
         expect_halfway_share(shine, vec3_of(4, 3, 0), vec3_of(0, -1, 0), 0);
@@ -486,7 +486,7 @@ START_TEST(half_way_below_the_surface_there_is_no_highlight)
 }
 END_TEST
 
-START_TEST(from_behind_the_surface_comes_no_highlight)
+START_TEST(a_light_behind_the_surface_has_no_highlight_here_either)
 {
     expect_halfway_share(2, vec3_of(4, -3, 0), vec3_of(-4, -3, 0), 0);
     expect_halfway_share(2, vec3_of(4, -3, 0), vec3_of(0, 1, 0), 0);
@@ -496,7 +496,7 @@ END_TEST
 
 // The half-way vector is at a chosen angle from the normal; light and eye are equally far from it,
 // on opposite sides.
-START_TEST(half_way_at_an_angle_that_was_chosen)
+START_TEST(half_way_at_a_chosen_angle)
 {
     for (int i = 0; i < 40; i++) {
         vec3 normal = random_unit();
@@ -524,14 +524,14 @@ static void expect_clamped(Color color, Color clamped)
     expect_vec3(clamp_color(color), clamped, TOLERANCE);
 }
 
-START_TEST(what_is_between_0_and_1_stays)
+START_TEST(a_number_between_0_and_1_stays)
 {
     expect_clamped(vec3_of(0.25, 0.5, 0.125), vec3_of(0.25, 0.5, 0.125));
     expect_clamped(vec3_of(0, 1, 0.999), vec3_of(0, 1, 0.999));
 }
 END_TEST
 
-START_TEST(what_is_above_1_becomes_1_and_the_others_stay)
+START_TEST(a_number_above_1_becomes_1_and_the_others_stay)
 {
     expect_clamped(vec3_of(0.5, 300, 0.25), vec3_of(0.5, 1, 0.25));
     expect_clamped(vec3_of(1.5, 0.5, 0.25), vec3_of(1, 0.5, 0.25));
@@ -540,7 +540,7 @@ START_TEST(what_is_above_1_becomes_1_and_the_others_stay)
 }
 END_TEST
 
-START_TEST(what_is_below_0_becomes_0_and_the_others_stay)
+START_TEST(a_number_below_0_becomes_0_and_the_others_stay)
 {
     expect_clamped(vec3_of(-0.5, -300, 0.25), vec3_of(0, 0, 0.25));
     expect_clamped(vec3_of(-0.25, 0.5, 0.75), vec3_of(0, 0.5, 0.75));
@@ -577,7 +577,7 @@ START_TEST(with_a_gamma_of_1_nothing_changes)
 END_TEST
 
 // The display squares its input, so a quarter of the light needs half; and so on.
-START_TEST(a_gamma_of_2_wants_the_square_root_and_3_the_cube_root)
+START_TEST(a_gamma_of_2_needs_the_square_root_and_3_the_cube_root)
 {
     expect_encoded(vec3_of(0.25, 0.01, 0.81), 2, vec3_of(0.5, 0.1, 0.9));
     expect_encoded(vec3_of(0.125, 0.001, 0.512), 3, vec3_of(0.5, 0.1, 0.8));
@@ -596,14 +596,14 @@ START_TEST(black_stays_black_and_white_stays_white)
 END_TEST
 
 // From another program: 2.2nd roots.
-START_TEST(a_gamma_of_2_2_as_most_displays_have_it)
+START_TEST(a_gamma_of_2_2_as_of_most_displays)
 {
     expect_encoded(vec3_of(0.2, 0.5, 0.8), 2.2,
                    vec3_of(0.4811565050522864, 0.7297400528407231, 0.9035454309190944));
 }
 END_TEST
 
-START_TEST(what_the_display_makes_of_it_is_what_was_meant)
+START_TEST(the_display_shows_the_colour_that_was_meant)
 {
     for (int i = 0; i < 20; i++) {
         Color encoded = random_color(0.1, 1);
@@ -650,7 +650,7 @@ START_TEST(a_normal_is_unit_in_worlds_of_any_size)
 }
 END_TEST
 
-START_TEST(the_way_to_a_light_is_as_long_as_it_is_in_worlds_of_any_size)
+START_TEST(the_way_to_a_light_has_the_right_length_in_worlds_of_any_size)
 {
     for (int i = 0; i < SIZES; i++) {
         double size = size_number(i);
@@ -673,7 +673,7 @@ START_TEST(directions_of_any_length_are_mirrored)
 }
 END_TEST
 
-START_TEST(what_grazes_a_mirror_is_mirrored_too)
+START_TEST(a_ray_that_grazes_a_mirror_is_also_mirrored)
 {
     for (int i = 0; i < SMALL; i++) {
         expect_mirrored(vec3_of(1, -small(i), 0), up, vec3_of(1, small(i), 0));
@@ -715,7 +715,7 @@ START_TEST(a_highlight_is_as_strong_as_its_light)
 }
 END_TEST
 
-START_TEST(this_highlight_too_is_as_strong_as_its_light)
+START_TEST(this_highlight_is_also_as_strong_as_its_light)
 {
     for (int i = 0; i < SIZES; i++) {
         Color light = size_number(i) * light_color;
@@ -724,7 +724,7 @@ START_TEST(this_highlight_too_is_as_strong_as_its_light)
 }
 END_TEST
 
-START_TEST(a_dark_surface_sends_back_little_of_the_ambient_light)
+START_TEST(a_dark_surface_reflects_little_of_the_ambient_light)
 {
     for (int i = 0; i < SMALL; i++) {
         expect_ambient(small(i) * surface_color, 1, white, small(i) * surface_color);
@@ -749,7 +749,7 @@ START_TEST(a_surface_that_hardly_shines_has_a_weak_highlight)
 }
 END_TEST
 
-START_TEST(a_surface_that_hardly_shines_has_a_weak_highlight_here_too)
+START_TEST(a_surface_that_hardly_shines_also_has_a_weak_highlight_here)
 {
     for (int i = 0; i < SMALL; i++)
         expect_halfway(small(i), 2, white, up, up, up, small(i) * white);
@@ -758,7 +758,7 @@ END_TEST
 
 // ---- distances ----------------------------------------------------------------------------------
 
-START_TEST(a_light_may_be_as_near_or_as_far_as_it_likes)
+START_TEST(a_light_may_be_at_any_distance)
 {
     for (int i = 0; i < SIZES; i++)
         expect_diffuse(surface_color, 0.5, light_color, up, size_number(i) * vec3_of(0.6, 0.8, 0),
@@ -766,7 +766,7 @@ START_TEST(a_light_may_be_as_near_or_as_far_as_it_likes)
 }
 END_TEST
 
-START_TEST(light_and_eye_may_be_as_near_or_as_far_as_they_like)
+START_TEST(light_and_eye_may_be_at_any_distance)
 {
     for (int i = 0; i < 2 * SIZES; i++) {
         double to_light = i < SIZES ? size_number(i) : 1;
@@ -777,7 +777,7 @@ START_TEST(light_and_eye_may_be_as_near_or_as_far_as_they_like)
 }
 END_TEST
 
-START_TEST(here_too_light_and_eye_may_be_as_near_or_as_far_as_they_like)
+START_TEST(light_and_eye_may_be_at_any_distance_here_as_well)
 {
     for (int i = 0; i < 2 * SIZES; i++) {
         double to_light = i < SIZES ? size_number(i) : 1;
@@ -790,7 +790,7 @@ END_TEST
 
 // ---- angles -------------------------------------------------------------------------------------
 
-START_TEST(a_light_however_low_still_scatters)
+START_TEST(a_light_is_scattered_even_if_it_is_very_low)
 {
     for (int i = 0; i < SMALL; i++) {
         double cosine = small(i) / hypot(1, small(i));
@@ -799,7 +799,7 @@ START_TEST(a_light_however_low_still_scatters)
 }
 END_TEST
 
-START_TEST(a_light_nearly_straight_above_scatters_nearly_all)
+START_TEST(a_light_almost_straight_above_is_scattered_almost_fully)
 {
     for (int i = 0; i < SMALL; i++) {
         double cosine = 1 - small(i), aside = sqrt((1 - cosine) * (1 + cosine));
@@ -809,7 +809,7 @@ START_TEST(a_light_nearly_straight_above_scatters_nearly_all)
 END_TEST
 
 // The light is a little above the surface; mirrored, (-1, e, 0). The eye is at 45 degrees.
-START_TEST(a_light_however_low_has_its_highlight)
+START_TEST(a_light_has_its_highlight_even_if_it_is_very_low)
 {
     for (int i = 0; i < SMALL; i++) {
         double cosine = cos(PI / 4 - atan(small(i)));
@@ -820,7 +820,7 @@ START_TEST(a_light_however_low_has_its_highlight)
 END_TEST
 
 // The half-way vector between it and the eye is at half the angle between them from the eye.
-START_TEST(a_light_however_low_has_its_highlight_here_too)
+START_TEST(a_light_has_its_highlight_here_even_if_it_is_very_low)
 {
     for (int i = 0; i < SMALL; i++) {
         double cosine = cos((PI / 4 - atan(small(i))) / 2);
@@ -830,7 +830,7 @@ START_TEST(a_light_however_low_has_its_highlight_here_too)
 }
 END_TEST
 
-START_TEST(a_cosine_however_small_has_its_power)
+START_TEST(a_cosine_has_its_power_even_if_it_is_very_small)
 {
     for (int i = 0; i < SMALL; i++) {
         double cosine = small(i) / hypot(1, small(i));
@@ -841,7 +841,7 @@ START_TEST(a_cosine_however_small_has_its_power)
 END_TEST
 
 // Light and eye in the same direction: that is also the half-way vector.
-START_TEST(a_cosine_however_small_has_its_power_here_too)
+START_TEST(a_cosine_has_its_power_here_even_if_it_is_very_small)
 {
     for (int i = 0; i < SMALL; i++) {
         double cosine = small(i) / hypot(1, small(i));
@@ -865,7 +865,7 @@ static vec3 half_seen(double shine)
     return vec3_of(sqrt((1 - cosine) * (1 + cosine)), cosine, 0);
 }
 
-START_TEST(shine_may_be_as_large_or_as_small_as_it_likes)
+START_TEST(shine_may_be_of_any_size)
 {
     for (int i = 0; i < SHINES; i++)
         expect_phong(1, shines[i], white, up, up, half_seen(shines[i]), 0.5 * white);
@@ -873,7 +873,7 @@ START_TEST(shine_may_be_as_large_or_as_small_as_it_likes)
 }
 END_TEST
 
-START_TEST(here_too_shine_may_be_as_large_or_as_small_as_it_likes)
+START_TEST(shine_may_be_of_any_size_here_as_well)
 {
     for (int i = 0; i < SHINES; i++) {
         vec3 there = half_seen(shines[i]);
@@ -906,7 +906,7 @@ START_TEST(close_to_its_middle_a_highlight_is_already_weaker)
 }
 END_TEST
 
-START_TEST(close_to_its_middle_this_highlight_too_is_weaker)
+START_TEST(close_to_its_middle_this_highlight_is_also_weaker)
 {
     for (double angle = 0.03; angle > 1e-5; angle /= 10) {
         vec3 there = vec3_of(sin(angle), cos(angle), 0);
@@ -915,7 +915,7 @@ START_TEST(close_to_its_middle_this_highlight_too_is_weaker)
 }
 END_TEST
 
-START_TEST(a_high_power_leaves_little_here_too)
+START_TEST(a_high_power_also_leaves_little_here)
 {
     const vec3 there = {0, 0.5, 0.86602540378443864676};
     for (int shine = 1; shine <= 24; shine++)
@@ -925,7 +925,7 @@ END_TEST
 
 // ---- for a display ------------------------------------------------------------------------------
 
-START_TEST(what_just_fits_stays_and_what_just_does_not_is_clamped)
+START_TEST(a_number_that_just_fits_stays_and_one_that_just_does_not_is_clamped)
 {
     for (int i = 0; i < SMALL; i++) {
         double e = small(i);
@@ -937,7 +937,7 @@ START_TEST(what_just_fits_stays_and_what_just_does_not_is_clamped)
 }
 END_TEST
 
-START_TEST(however_bright_it_is_it_becomes_1)
+START_TEST(a_number_above_1_becomes_1_however_bright_it_is)
 {
     for (int i = 0; i < 13; i++) {
         double bright = 3 * pow(10, i);
@@ -949,7 +949,7 @@ START_TEST(however_bright_it_is_it_becomes_1)
 END_TEST
 
 // From another program, as above: 0.4 to the power of 1 / gamma.
-START_TEST(any_gamma_is_taken_as_it_is)
+START_TEST(any_gamma_is_used_unchanged)
 {
     for (int i = 0; i < 12; i++) {
         const double gammas[] = {1.001, 0.95, 1.05, 2.05, 2.15, 2.3, 2.5, 3.5, 7, 25, 0.3, 0.06};
@@ -960,7 +960,7 @@ START_TEST(any_gamma_is_taken_as_it_is)
 }
 END_TEST
 
-START_TEST(however_dark_it_is_it_is_encoded)
+START_TEST(a_colour_is_encoded_however_dark_it_is)
 {
     for (int i = 0; i < SMALL; i++) {
         double e = small(i);
@@ -976,33 +976,33 @@ void list_tests(void)
     tests_of("surface_normal");
     test(at_the_top_of_a_sphere_the_normal_points_up);
     test(on_opposite_sides_the_normals_are_opposite);
-    test(a_normal_is_unit_however_large_the_sphere);
-    test(a_normal_that_was_chosen_comes_back);
+    test(a_normal_is_unit_however_large_the_sphere_is);
+    test(a_chosen_normal_is_found_again);
     test(a_normal_is_unit_in_worlds_of_any_size);
 
     tests_of("ray_to_light");
-    test(a_point_light_is_reached_at_t_1);
+    test(a_point_light_is_at_t_1);
     test(a_distant_light_has_one_direction_from_everywhere);
-    test(the_way_to_a_light_that_was_put_somewhere_comes_back);
-    test(the_way_to_a_light_is_as_long_as_it_is_in_worlds_of_any_size);
+    test(the_ray_reaches_a_light_at_a_chosen_place);
+    test(the_way_to_a_light_has_the_right_length_in_worlds_of_any_size);
 
     tests_of("mirror_direction");
-    test(what_falls_straight_on_comes_straight_back);
-    test(what_comes_down_at_a_slant_goes_on_and_up);
-    test(what_runs_along_the_mirror_runs_on);
-    test(a_mirror_that_stands_askew);
+    test(a_ray_along_the_normal_comes_straight_back);
+    test(a_ray_that_comes_down_at_an_angle_goes_on_and_up);
+    test(a_ray_along_the_mirror_goes_on_unchanged);
+    test(a_mirror_at_an_angle);
     test(a_mirror_has_two_sides);
-    test(the_part_along_the_normal_turns_round_and_the_part_across_it_stays);
+    test(the_part_along_the_normal_is_reversed_and_the_part_across_it_stays);
     test(directions_of_any_length_are_mirrored);
-    test(what_grazes_a_mirror_is_mirrored_too);
+    test(a_ray_that_grazes_a_mirror_is_also_mirrored);
     tests_of("ambient_term");
-    test(in_white_ambient_light_there_is_kd_of_the_surface);
+    test(in_white_ambient_light_kd_of_the_surface_is_seen);
     test(ambient_light_is_multiplied_colour_by_colour);
-    test(without_ambient_light_nothing_is_there);
-    test(much_ambient_light_may_be_brighter_than_white);
-    test(an_ambient_term_that_was_chosen_comes_back);
+    test(without_ambient_light_the_term_is_black);
+    test(strong_ambient_light_may_be_brighter_than_white);
+    test(a_chosen_ambient_term_is_found_again);
     test(ambient_light_may_be_of_any_strength);
-    test(a_dark_surface_sends_back_little_of_the_ambient_light);
+    test(a_dark_surface_reflects_little_of_the_ambient_light);
 
     tests_of("diffuse_term");
     test(light_from_straight_above_is_scattered_in_full);
@@ -1011,61 +1011,61 @@ void list_tests(void)
     test(a_light_behind_the_surface_scatters_nothing);
     test(light_is_multiplied_colour_by_colour);
     test(a_bright_light_may_be_scattered_brighter_than_white);
-    test(at_an_angle_that_was_chosen_its_cosine_is_scattered);
+    test(at_a_chosen_angle_its_cosine_is_scattered);
     test(a_light_may_be_of_any_strength);
     test(a_dark_surface_scatters_little);
-    test(a_light_may_be_as_near_or_as_far_as_it_likes);
-    test(a_light_however_low_still_scatters);
-    test(a_light_nearly_straight_above_scatters_nearly_all);
+    test(a_light_may_be_at_any_distance);
+    test(a_light_is_scattered_even_if_it_is_very_low);
+    test(a_light_almost_straight_above_is_scattered_almost_fully);
     tests_of("phong_term");
-    test(who_looks_where_the_light_is_mirrored_to_sees_ks_of_the_light);
-    test(the_cosine_with_the_mirrored_light_is_taken_to_the_power_of_shine);
+    test(an_eye_in_the_mirrored_direction_sees_ks_of_the_light);
+    test(the_cosine_with_the_mirrored_light_is_raised_to_the_power_of_shine);
     test(shine_need_not_be_a_whole_number);
     test(how_far_light_and_eye_are_does_not_matter);
     test(a_highlight_has_the_colour_of_the_light);
     test(far_from_the_mirrored_light_there_is_no_highlight);
     test(a_light_behind_the_surface_makes_no_highlight);
-    test(at_an_angle_from_the_mirrored_light_that_was_chosen);
+    test(at_a_chosen_angle_from_the_mirrored_light);
     test(a_highlight_is_as_strong_as_its_light);
     test(a_surface_that_hardly_shines_has_a_weak_highlight);
-    test(light_and_eye_may_be_as_near_or_as_far_as_they_like);
-    test(a_light_however_low_has_its_highlight);
-    test(a_cosine_however_small_has_its_power);
-    test(shine_may_be_as_large_or_as_small_as_it_likes);
+    test(light_and_eye_may_be_at_any_distance);
+    test(a_light_has_its_highlight_even_if_it_is_very_low);
+    test(a_cosine_has_its_power_even_if_it_is_very_small);
+    test(shine_may_be_of_any_size);
     test(a_high_power_leaves_little);
     test(close_to_its_middle_a_highlight_is_already_weaker);
     tests_of("halfway_term");
-    test(where_the_normal_is_half_way_ks_of_the_light_is_seen);
-    test(the_cosine_with_the_normal_is_taken_to_the_power_of_shine);
+    test(if_the_normal_is_half_way_ks_of_the_light_is_seen);
+    test(the_cosine_with_the_normal_is_raised_to_the_power_of_shine);
     test(shine_need_not_be_a_whole_number_here_either);
     test(only_the_directions_of_light_and_eye_matter);
-    test(this_highlight_too_has_the_colour_of_the_light);
-    test(half_way_below_the_surface_there_is_no_highlight);
-    test(from_behind_the_surface_comes_no_highlight);
-    test(half_way_at_an_angle_that_was_chosen);
-    test(this_highlight_too_is_as_strong_as_its_light);
-    test(a_surface_that_hardly_shines_has_a_weak_highlight_here_too);
-    test(here_too_light_and_eye_may_be_as_near_or_as_far_as_they_like);
-    test(a_light_however_low_has_its_highlight_here_too);
-    test(a_cosine_however_small_has_its_power_here_too);
-    test(here_too_shine_may_be_as_large_or_as_small_as_it_likes);
-    test(a_high_power_leaves_little_here_too);
-    test(close_to_its_middle_this_highlight_too_is_weaker);
+    test(this_highlight_also_has_the_colour_of_the_light);
+    test(if_half_way_is_below_the_surface_there_is_no_highlight);
+    test(a_light_behind_the_surface_has_no_highlight_here_either);
+    test(half_way_at_a_chosen_angle);
+    test(this_highlight_is_also_as_strong_as_its_light);
+    test(a_surface_that_hardly_shines_also_has_a_weak_highlight_here);
+    test(light_and_eye_may_be_at_any_distance_here_as_well);
+    test(a_light_has_its_highlight_here_even_if_it_is_very_low);
+    test(a_cosine_has_its_power_here_even_if_it_is_very_small);
+    test(shine_may_be_of_any_size_here_as_well);
+    test(a_high_power_also_leaves_little_here);
+    test(close_to_its_middle_this_highlight_is_also_weaker);
     tests_of("clamp_color");
-    test(what_is_between_0_and_1_stays);
-    test(what_is_above_1_becomes_1_and_the_others_stay);
-    test(what_is_below_0_becomes_0_and_the_others_stay);
+    test(a_number_between_0_and_1_stays);
+    test(a_number_above_1_becomes_1_and_the_others_stay);
+    test(a_number_below_0_becomes_0_and_the_others_stay);
     test(each_number_is_clamped_by_itself);
-    test(what_just_fits_stays_and_what_just_does_not_is_clamped);
-    test(however_bright_it_is_it_becomes_1);
+    test(a_number_that_just_fits_stays_and_one_that_just_does_not_is_clamped);
+    test(a_number_above_1_becomes_1_however_bright_it_is);
 
     tests_of("gamma_encode");
     test(with_a_gamma_of_1_nothing_changes);
-    test(a_gamma_of_2_wants_the_square_root_and_3_the_cube_root);
+    test(a_gamma_of_2_needs_the_square_root_and_3_the_cube_root);
     test(black_stays_black_and_white_stays_white);
-    test(a_gamma_of_2_2_as_most_displays_have_it);
-    test(what_the_display_makes_of_it_is_what_was_meant);
-    test(any_gamma_is_taken_as_it_is);
-    test(however_dark_it_is_it_is_encoded);
+    test(a_gamma_of_2_2_as_of_most_displays);
+    test(the_display_shows_the_colour_that_was_meant);
+    test(any_gamma_is_used_unchanged);
+    test(a_colour_is_encoded_however_dark_it_is);
     list_tests_with_scenes();
 }
