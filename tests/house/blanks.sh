@@ -14,7 +14,7 @@ for solution in solutions/*.c; do
     check "the blank of $stem passes no test" passes_nothing "$stem"
 done
 
-# What a blank says is in it, and nothing of the answer.
+# A blank contains its own lines, and nothing of the answer.
 cat >"$scratch/solution.c" <<'EOF'
 double f(void)
 {

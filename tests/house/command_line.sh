@@ -9,7 +9,7 @@ name=command_line
 
 expect_exit 0 'a scene is cast' -o good.png good.nff
 expect_picture 20x10 good.png 'the picture has the resolution of its scene'
-expect 'nothing is said on stderr' "$said" [ ! -s "$work/said/err" ]
+expect 'nothing is printed on stderr' "$said" [ ! -s "$work/said/err" ]
 expect_exit 0 '-s is taken' -s 32x24 -o sized.png good.nff
 expect_picture 32x24 sized.png '-s overrides the resolution of the scene'
 expect_exit 0 'options may follow the scene' good.nff -o after.png -s 32x24
@@ -20,7 +20,7 @@ expect 'long and short options mean the same' 'another picture' same_file sized.
 expect_exit 0 'names may have spaces' -o 'my picture.png' -s 32x24 ./good.nff
 expect_picture 32x24 'my picture.png' 'a name with spaces is one name'
 cp good.nff ./-good.nff
-expect_exit 0 'behind -- a name may begin with a dash' -o dash.png -- -good.nff
+expect_exit 0 'after -- a name may begin with a dash' -o dash.png -- -good.nff
 expect_exit 0 'one pixel is a picture' -s 1x1 -o one.png good.nff
 expect_picture 1x1 one.png 'one pixel is a picture'
 expect_exit 0 'the size of a scene may be out of shape' -s 200x1 -o flat.png good.nff
@@ -49,7 +49,7 @@ cp good.nff elsewhere/chapters/06-ray-casting/three-spheres.nff
 expect 'without arguments the picture is in the gallery beside the program' "$(cat errors.txt)" \
     same_file good.png elsewhere/gallery/three-spheres.png
 expect 'without arguments the program tells its story' 'nothing' [ -s said.txt ]
-expect 'without arguments nothing is said on stderr' "$(cat errors.txt)" [ ! -s errors.txt ]
+expect 'without arguments nothing is printed on stderr' "$(cat errors.txt)" [ ! -s errors.txt ]
 (cd / && "$work/in/elsewhere/06-ray-casting" -s 32x24 "$work/in/good.nff" > /dev/null 2>&1)
 expect_picture 32x24 elsewhere/gallery/good.png 'the picture goes by the name of its scene'
 
@@ -71,7 +71,7 @@ expect 'what is left out does not change the picture' 'another picture' \
 
 # ---- help and wrong usage -----------------------------------------------------------------------
 
-expect_exit 0 '--help is no error' --help
+expect_exit 0 '--help is not an error' --help
 for word in Usage --output --size --order image object WIDTHxHEIGHT SCENE.nff FILE.png --help; do
     expect "--help names $word" "$(head -c 300 "$work/said/out")" \
         grep -q -e "$word" "$work/said/out"
@@ -83,10 +83,10 @@ expect_usage "--sideways" 'an unknown option is refused' --sideways
 expect_usage "'-x'" 'an unknown letter is refused' -x good.nff
 expect_usage "2 scenes" 'two scenes are refused' good.nff good.nff
 expect_usage "order.*sideways.*image\|object" 'an unknown order is refused' --order sideways
-expect_usage 'value is missing' 'an order is needed behind --order' --order
-expect_usage '-o.*value is missing' 'a file is needed behind -o' -o
-expect_usage '-s.*value is missing' 'a size is needed behind -s' good.nff -s
-expect_usage 'FILE.png' 'an empty name is no file' -o '' good.nff
+expect_usage 'value is missing' 'an order is needed after --order' --order
+expect_usage '-o.*value is missing' 'a file is needed after -o' -o
+expect_usage '-s.*value is missing' 'a size is needed after -s' good.nff -s
+expect_usage 'FILE.png' 'an empty name is refused' -o '' good.nff
 for size in 0x0 0x5 5x0 -1x5 5x-1 10 10x x10 axb '' 5x5x5 '5 x 5' 1.5x2 1e2x5 nanxnan infx1 \
     16385x1 1000000000x1000000000 18446744073709551617x1; do
     expect_usage 'WIDTHxHEIGHT' "the size '$size' is refused" -s "$size" -o size.png good.nff

@@ -35,18 +35,18 @@ expect_bad_scene 9 'end of the file' 'a polygon that breaks off is refused' \
 expect_bad_scene 7 'zero byte' 'a zero byte is refused' "${view}s 0 0 \0000 1\n"
 expect_bad_scene 7 "'\?\[2J'" 'escape codes of a scene are not passed on' "$view\0033[2J\n"
 head -c 3000 "$program" > bad.nff
-expect_bad_file 1 . 'a program is no scene'
+expect_bad_file 1 . 'a program is not a scene'
 cp good.png bad.nff
-expect_bad_file 1 . 'a picture is no scene'
+expect_bad_file 1 . 'a picture is not a scene'
 head -c 5000000 /dev/zero | tr '\0' s > bad.nff
 expect_bad_file 1 'more than 1000 characters' 'a line of five million characters is refused'
 
 expect_says 1 '^no\.nff: .*No such file' 'a missing scene is named' -o bad.png no.nff
-expect_says 1 '^elsewhere:.*s a directory' 'a folder is no scene' -o bad.png elsewhere
-expect_says 1 'good.nff/: .*Not a directory' 'a file is no folder' -o bad.png good.nff/
-expect 'what is no scene makes no picture' 'there is one' [ ! -e bad.png ]
+expect_says 1 '^elsewhere:.*s a directory' 'a folder is not a scene' -o bad.png elsewhere
+expect_says 1 'good.nff/: .*Not a directory' 'a file is not a folder' -o bad.png good.nff/
+expect 'what is not a scene makes no picture' 'there is one' [ ! -e bad.png ]
 
-# What is read well may still be no camera.
+# A readable scene may still not be a camera.
 no_camera() {
     printf '%b' "v\nfrom 0 0 9\nat $1\nup $2\nangle 40\nresolution 20 10\n" > bad.nff
     expect_says 1 "^bad\.nff:.*$3" "$4" -o bad.png bad.nff
@@ -84,7 +84,7 @@ untouched 'a bad size is refused over a picture'
     "$program" -s 1200x1200 -o out/old.png > /dev/null 2> "$work/said/err"
 )
 expect 'a disk that is full in the middle is an error' "exit $?" [ $? -eq 1 ]
-expect 'a disk that is full in the middle is said' "$(cat "$work/said/err")" \
+expect 'a disk that becomes full is reported' "$(cat "$work/said/err")" \
     grep -q 'out/old.png: cannot write' "$work/said/err"
 untouched 'a disk is full in the middle'
 
@@ -108,17 +108,17 @@ else
     expect_says 1 '^full.png: .*No space left' 'a link to a full device is an error' \
         -o full.png good.nff
     expect 'the link to a device is a link still' "$(ls -l full.png)" [ -h full.png ]
-    expect 'the device behind a link is a device still' "$(ls -l "$full")" [ -c "$full" ]
+    expect 'the device that a link points to stays a device' "$(ls -l "$full")" [ -c "$full" ]
     expect_exit 0 'a device is written to' -o "$null" good.nff
     expect 'a device that was written to is a device still' "$(ls -l "$null")" [ -c "$null" ]
 fi
 
-expect_says 1 '^out: .*folder' 'a folder is no picture' -o out good.nff
-untouched 'a folder is no picture'
+expect_says 1 '^out: .*folder' 'a folder is not a picture' -o out good.nff
+untouched 'a folder is not a picture'
 expect_says 1 '^no/such/a\.png: .*No such file' 'a missing folder is named' \
     -o no/such/a.png good.nff
 expect 'a missing folder is not made' 'it is' [ ! -e no ]
-expect_says 1 '^good.nff/a.png: .*Not a directory' 'a file is no folder to write to' \
+expect_says 1 '^good.nff/a.png: .*Not a directory' 'a file is not a folder to write to' \
     -o good.nff/a.png good.nff
 if [ "$(id -u)" -ne 0 ]; then
     chmod a-w out

@@ -43,9 +43,9 @@ judge # builds the judge, which make says: not what is looked at below
 judge EX=01
 check 'a blank is not answered yet' first_line_says '01-corners  upper_left  is not answered yet'
 check 'its slide is named' first_line_says 'slide: Finding vectors from the eye'
-check 'what is asked is said' says 'Give an expression for the upper left corner.'
+check 'the question is shown' says 'Give an expression for the upper left corner.'
 check 'a blank is not called wrong' says_not 'wrong'
-check 'what comes next is said' says 'Next: '
+check 'the next step is shown' says 'Next: '
 
 fresh
 answer 01-corners 's|c.width / 2 \* c.right + c.height / 2|c.width * c.right + c.height|; s|#include "common/answers.h"|&\n#include <stdio.h>|; s|return c.distance \* c.forward - |printf("my d is %g\\n", c.distance);\n    &|'
@@ -84,7 +84,7 @@ fresh
 answer 03-screen 's|{point.x / screen.width, 1 - point.y|{point.x < 0 ? 0 : point.x / screen.width, point.y|'
 judge EX=03
 check 'of two mistakes the one that shows first is named' says 'looks like (x/W, y/H)'
-check 'and that something else is not right is said' says 'Something else is also not right yet'
+check 'and it says that something else is also wrong' says 'Something else is also not right yet'
 # 1/2 of both, and neither alone.
 fresh
 answer 01-corners 's|c.distance \* c.forward - c.width / 2|c.forward - c.width|'
@@ -101,7 +101,7 @@ fresh
 answer 02-cameras 's|^CameraFault camera_from_points|static int calls;\n&|; s|return camera_from_vectors(eye, vectors, camera);|calls++;\n    CameraFault fault = camera_from_vectors(eye, vectors, camera);\n    camera->width *= calls;\n    return fault;|'
 judge EX=02
 check 'a state that is kept between calls is seen' says 'gives another result when it is called again'
-# What is past the end is no luck: the answering process has put something there.
+# Memory past the end never looks right by luck: the answering process has filled it.
 fresh
 answer 06-ray-casting 's|i < scene->sphere_count; i++|i <= scene->sphere_count; i++|'
 judge EX=06
@@ -116,11 +116,11 @@ check 'by itself' says_not 'Something else'
 fresh
 answer 02-cameras 's|return camera_from_vectors(eye, vectors, camera);|camera_from_vectors(eye, vectors, camera);|'
 judge EX=02
-check 'a forgotten return is no pass' says 'does not compile'
+check 'a forgotten return does not pass' says 'does not compile'
 fresh
 answer 05-quadratic 's|i < roots.count|i <= roots.count|'
 judge EX=05
-check 'an index beyond the end is no pass' says 'went beyond the end of an array'
+check 'an index beyond the end does not pass' says 'went beyond the end of an array'
 
 fresh
 answer 01-corners 's|(s - 0.5)|s|'
@@ -148,34 +148,34 @@ fresh
 answer 01-corners ''
 echo 'this is no C' >"$answers/05-quadratic.c"
 judge EX=05
-check 'a compile error is said, with the file' says "$answers/05-quadratic.c:"
+check 'a compile error is reported, with the file' says "$answers/05-quadratic.c:"
 judge
 check 'a compile error in chapter 05 does not hide chapter 01' says '01-corners       done'
 check 'nor is it hidden' says '05-quadratic     does not compile'
 check 'what is wrong comes before what is not answered yet' first_line_says '05-quadratic  does not compile'
 
 answer_that_does '*(volatile int *)0 = 1'
-check 'a write to nowhere is said in words' says 'crashed: write to address 0'
+check 'a write to nowhere is reported in words' says 'crashed: write to address 0'
 check 'and what went in is shown' says 'screen     640 x 480'
 answer_that_does 'printf("here\\n"); point.x = *(volatile double *)16' '#include <stdio.h>'
-check 'a read from nowhere is said in words' says 'crashed: read of address 0x10'
+check 'a read from nowhere is reported in words' says 'crashed: read of address 0x10'
 check 'and what was printed before it' says 'it printed here'
 answer_that_does 'for (volatile int i = 0; i < 1; i *= 2);'
-check 'an endless loop is said in words' says 'was still running after 1 s (an endless loop?)'
+check 'an endless loop is reported in words' says 'was still running after 1 s (an endless loop?)'
 answer_that_does 'exit(0)' '#include <stdlib.h>'
-check 'an exit is no pass' says 'ended the program by itself (exit status 0)'
+check 'an exit does not pass' says 'ended the program by itself (exit status 0)'
 answer_that_does 'volatile int zero = 0; zero = 7 \/ zero'
-check 'a division by zero is said in words' says 'divided a whole number by zero'
+check 'a division by zero is reported in words' says 'divided a whole number by zero'
 answer_that_does 'abort()' '#include <stdlib.h>'
-check 'an abort is said in words' says 'it was aborted'
+check 'an abort is reported in words' says 'it was aborted'
 answer_that_does 'volatile char big[10000]; big[0] = 1; if (point.x != 1e9) return screen_to_normalized((ScreenPoint){point.x + big[0], 0}, screen)'
-check 'endless recursion is said in words' says 'the stack is full'
+check 'endless recursion is reported in words' says 'the stack is full'
 answer_that_does 'for (;;) { volatile char *p = malloc(1 << 20); p[0] = 1; }' '#include <stdlib.h>'
-check 'memory that runs out is said in words' says 'ran out of memory'
+check 'memory that runs out is reported in words' says 'ran out of memory'
 answer_that_does 'close(4); for (;;) pause()' '#include <unistd.h>'
-check 'a closed pipe is said in words' says 'closed its pipe'
+check 'a closed pipe is reported in words' says 'closed its pipe'
 answer_that_does 'write(4, "all tests passed, full marks, honestly; and this is longer than any header would be, so that it is read as one.", 112)' '#include <unistd.h>'
-check 'a forged answer is no answer' says 'answered with what is no answer'
+check 'a forged answer is not an answer' says 'sent an invalid answer'
 answer_that_does 'for (;;) puts("spam")' '#include <stdio.h>'
 check 'a flood ends' says 'printed more than a million characters'
 answer_that_does 'for (int i = 0; i < 9; i++) printf("%c[31mline %d\\n", 27, i)' '#include <stdio.h>'
@@ -189,7 +189,7 @@ debugs() {
 fresh
 answer 06-ray-casting 's|^Hit nearest_hit|char letter_of(int i);\nchar letter_of(int i)\n{\n    return (char)i;\n}\n\n&|; s|t < nearest.t|t > letter_of(0)|'
 if command -v gdb >/dev/null; then
-    check 'a helper may have any name for the debugger, too' debugs 'Breakpoint 2, nearest_hit'
+    check 'also for the debugger, a helper may have any name' debugs 'Breakpoint 2, nearest_hit'
 fi
 
 # ---- 1/2 and 0,5 --------------------------------------------------------------------------------
@@ -218,7 +218,7 @@ explains 'in a macro, and not only 0' 07-shading 's|^Color gamma_encode|#define 
 fresh
 answer 01-corners 's|c.width / 2|(double)1/2 * c.width * 1/2|'
 judge EX=01
-check 'what is no such division is not called one' says_not 'whole numbers'
+check 'another division is not called one' says_not 'whole numbers'
 fresh
 answer 01-corners 's|(c, 0.3, 0.1)|(c, 1/2, 0.1)|; s|c.height / 2|c.height * (1/2 + 0.5)|'
 judge EX=01
@@ -226,16 +226,16 @@ check 'what is right is not corrected' says_not "in line $(grep -nF '(1/2 + 0.5)
 fresh
 answer 03-screen 's|pixel.row + 0.5|pixel.row + 0,5|'
 judge EX=03
-check 'a decimal comma is said' says '  help: 0,5 is two numbers in C. If it is meant as one, write 0.5.'
-check 'and is no other mistake' says_not 'looks like'
+check 'a decimal comma is reported' says '  help: 0,5 is two numbers in C. If you mean one number, write 0.5.'
+check 'and is not another mistake' says_not 'looks like'
 check 'nor breaks another rule' says_not '  but '
 fresh
 answer 01-corners 's|(s - 0.5)|(s - 0,5)|'
 judge EX=01
-check 'a decimal comma in brackets is said' says '  help: 0,5 is two numbers in C. If it is meant as one, write 0.5.'
+check 'a decimal comma in brackets is reported' says '  help: 0,5 is two numbers in C. If you mean one number, write 0.5.'
 check 'and has no other name' says_not 'looks like'
 
-# ---- what is right here builds, too ---------------------------------------------------------------
+# ---- a right answer also builds -----------------------------------------------------------------
 
 fresh
 answer 01-corners 's|^vec3 upper_left|double half(double x)\n{\n    return x / 2;\n}\n\n&|; s|c.width / 2|half(c.width)|'
@@ -254,7 +254,7 @@ does_not_build() {
     answer "$2" "$3"
     judge EX="${2%%-*}"
     check "$1: it is not right" says_not 'done'
-    check "$1: why is said" says "$4"
+    check "$1: the reason is reported" says "$4"
 }
 does_not_build 'a header that only another chapter includes' 01-corners \
     's|return c.distance \* c.forward - |printf("x");\n    &|' 'printf is in the standard library: #include <stdio.h>'
@@ -297,7 +297,7 @@ answer 01-corners 's|(s - 0.5)|s|'
 hint
 check 'a hint is for what is wrong, not for what waits' says 'image_plane_vector  hint 1 of'
 
-# What a chapter lacks is said in a line for each picture; the others are drawn.
+# For each picture that lacks an answer there is one line; the others are drawn.
 fresh
 for solution in solutions/*.c; do
     cp "$solution" "$answers"
@@ -307,8 +307,8 @@ gallery=build$answers/gallery
 cast() {
     make --no-print-directory ANSWERS="$answers" "$gallery/three-spheres.png" "$gallery/07-diffuse.png" >"$scratch/said" 2>&1
 }
-check 'a picture whose chapter is blank is no error' cast
-check 'what it lacks is said in one line' says "not yet   $gallery/07-diffuse.png: needs surface_normal (and 10 more)"
+check 'a picture whose chapter is blank is not an error' cast
+check 'the missing answer is reported in one line' says "not yet   $gallery/07-diffuse.png: needs surface_normal (and 10 more)"
 check 'the others are drawn' test -s "$gallery/three-spheres.png"
 check 'a scene is exported without light' "build$answers/07-shading" --export pov -o "$scratch/scene.pov"
 answer 07-shading '/^Color gamma_encode/,/^}/c Color gamma_encode(Color color, double gamma)\n{\n    return NOT_ANSWERED(Color);\n}'
@@ -317,7 +317,7 @@ for_a_display() {
     "build$answers/07-shading" --gamma 2.2 -o "$scratch/gamma.png" >"$scratch/said" 2>&1
     [ $? -eq 1 ] && [ ! -e "$scratch/gamma.png" ] && says 'not answered yet: gamma_encode'
 }
-check 'for a display it is not, and why is said' for_a_display
+check 'for a display it is not, and the reason is reported' for_a_display
 
 fresh
 for solution in solutions/*.c; do
@@ -343,13 +343,13 @@ answer 06-ray-casting 's|nothing ? scene->background : ||'
 judge EX=06
 check 'the colour of sphere -1 is reported as missing' says 'scene_surface: sphere -1 does not exist'
 cp solutions/06-ray-casting.c "$answers"
-# In a picture that is higher than wide that leads behind the last depth.
+# In a picture that is higher than wide, that index is beyond the last depth.
 answer 06-ray-casting 's|depth\[i\]|depth[i / width * height + i % width]|'
 judge EX=06
 check 'rows of the height are named, also where they leave the depth' says 'looks like depth[row * height + column]'
 cp solutions/06-ray-casting.c "$answers"
 judge
-check 'and the end of the road is said' says 'You have written a ray caster.'
+check 'and the end of the road is reported' says 'You have written a ray caster.'
 check 'with the picture drawn' says 'still-something-missing.png'
 check 'and drawn by their code' test -s "build$answers/gallery/still-something-missing.png"
 

@@ -8,7 +8,7 @@ set -u
 # ---- the common five, and the missing return ----------------------------------------------------
 
 broken 01-corners 's|c.height / 2 \* c.up;|c.height / 2 * c.up|'
-check 'a missing semicolon is said, with its line' \
+check 'a missing semicolon is reported, with its line' \
     helps "a semicolon is missing at the end of line $(line_of 'c.height / 2 * c.up')."
 check 'a missing semicolon: only their own file' only_their_own
 check 'help that was given is not repeated' [ "$(grep -c 'help:' "$scratch/said")" -eq 2 ]
@@ -19,12 +19,12 @@ check 'where the next line is blamed, the line before is named' \
 check 'what only follows from a missing semicolon is left out' says_not 'undeclared'
 
 broken 01-corners 's|return c.distance \* c.forward|return c.distance c.forward|'
-check 'a missing operator is no missing semicolon alone' helps "in line $(line_of 'distance c.f') a semicolon is missing, or an operator"
+check 'a missing operator is not a missing semicolon alone' helps "in line $(line_of 'distance c.f') a semicolon is missing, or an operator"
 
 broken 05-quadratic 's|double a = vec3_dot(v, v);|double a = v * v;|'
 check 'v * v as a number: vec3_dot is named' helps 'v * w multiplies component by component and gives a vector; for a number, write vec3_dot(v, w).'
 check 'v * v as a number: only their own file' only_their_own
-check 'nobody is told what a vec3 is made of' says_not '__vector'
+check 'nobody reads how a vec3 is built' says_not '__vector'
 broken 05-quadratic 's|double l = fmin.*|double l = sqrt(closest * closest);|'
 check 'v * v handed to sqrt: vec3_dot is named' helps 'v * w multiplies'
 check 'v * v handed to sqrt: only their own file' only_their_own
@@ -33,31 +33,31 @@ check 'v * v compared with a number: vec3_dot is named' helps 'v * w multiplies'
 broken 02-cameras 's|return 2 \* distance \* tan.*|vec3 v = {1, 2, 3}; return v * v;|'
 check 'v * v returned as a number: vec3_dot is named' helps 'v * w multiplies'
 broken 02-cameras 's|double distance = vec3_length(ahead)|double distance = ahead|'
-check 'a vector for a number, without a product, is told how to become one' \
+check 'a vector for a number, without a product: the help says how to make one' \
     helps 'this is a vector, but a number is expected'
 broken 05-quadratic 's|vec3_dot(p, p) - radius|vec3_dot(p, radius) - radius|'
 check 'a number for a vector gets no such help' says_not 'a vector stands'
-check 'but is told what is wanted' \
+check 'but the help says what is expected' \
     helps 'vec3_dot expects a vec3 there, but this is a double. Its prototype is double vec3_dot(vec3 v, vec3 w) in'
 
 broken 05-quadratic 's|double a = vec3_dot(v, v);|double a = v.x * v.x;|'
-check 'v.x is told to be v[0]' helps 'a vec3 has no named parts: its components are v[0], v[1], v[2].'
+check 'v.x: the help names v[0]' helps 'a vec3 has no named parts: its components are v[0], v[1], v[2].'
 
 broken 05-quadratic 's|return NO_HIT|return nothing|'
-check 'an undeclared name is told where to look' \
+check 'an undeclared name: the help says where to look' \
     helps 'nothing here is called nothing. Is it spelled as in the contract, exercises/05-quadratic.h?'
 broken 05-quadratic 's|roots = sphere_roots|roots = spere_roots|'
-check 'an undeclared function is told where to look' helps 'nothing here is called spere_roots.'
+check 'an undeclared function: the help says where to look' helps 'nothing here is called spere_roots.'
 check 'what only follows from an undeclared function is left out' alone
 broken 01-corners 's|c.width / 2|width / 2|'
-check 'a part without its whole is told whose it is' helps 'width is a part of a Camera (common/camera.h)'
+check 'a part without its whole: the help names whose it is' helps 'width is a part of a Camera (common/camera.h)'
 broken 02-cameras 's|PI / 180|M_PI / 180|; s|^// Stores.*|#undef M_PI|'
-check 'M_PI is told to be PI' helps 'C11 has no M_PI: write PI (common/vec3.h).'
+check 'M_PI: the help names PI' helps 'C11 has no M_PI: write PI (common/vec3.h).'
 broken 06-ray-casting '/#include "exercises.05/d'
-check 'a function of another chapter is told its header' \
+check 'a function of another chapter: the help names its header' \
     helps 'hit_sphere is declared in another file: #include "exercises/05-quadratic.h"'
 broken 01-corners 's|return c.distance \* c.forward -|printf("here");\n    &|'
-check 'printf is told its header' helps 'printf is in the standard library: #include <stdio.h>'
+check 'printf: the help names its header' helps 'printf is in the standard library: #include <stdio.h>'
 
 broken 05-quadratic 's|vec3_dot(p, p) - radius|vec3_dot(p) - radius|'
 check 'too few arguments: the prototype is shown' \
@@ -71,57 +71,57 @@ check 'one left out in the middle: the prototype is shown' \
     helps 'its prototype is Ray pixel_ray(Camera camera, Resolution screen, Pixel pixel) in exercises/04-pixel-ray.h.'
 
 broken 02-cameras 's|return 2 \* distance \* tan.*|if (distance > 3) return 2;|'
-check 'a missing return is told what comes of it' helps 'the function ends without return'
+check 'a missing return: the help says why it matters' helps 'the function ends without return'
 check 'a missing return is an error, said once' alone
 broken 01-corners 's|return c.distance . c.forward + (s|c.distance * c.forward + (s|'
-check 'a result that is not given back is told where' \
+check 'a result that is not returned: the help names the line' \
     says "then undefined. Line $(line_of '    c.distance * c.forward + (s') computes a value, but does not return it."
 check 'a result that is not given back: alone' alone
 broken 02-cameras 's|return 2 \* distance \* tan.*|return;|'
-check 'a return without a value is no missing return' helps 'return without a value: this function must return one'
+check 'a return without a value is not a missing return' helps 'return without a value: this function must return one'
 broken 01-corners 's|c.width / 2 \* c.right + c.height / 2 \* c.up;|w;|'
 check 'but not where the return is what is wrong' says_not 'ends without return'
 
 # ---- functions that nobody declared -------------------------------------------------------------
 
-explains 'dot is told to be vec3_dot' 05-quadratic 's|vec3_dot(p, p) - radius|dot(p, p) - radius|' \
+explains 'dot: the help names vec3_dot' 05-quadratic 's|vec3_dot(p, p) - radius|dot(p, p) - radius|' \
     'here its name is vec3_dot: double vec3_dot(vec3 v, vec3 w) in common/vec3.h.'
-explains 'cross is told to be vec3_cross' 02-cameras \
+explains 'cross: the help names vec3_cross' 02-cameras \
     's|vec3_cross(forward, view.up)|cross(forward, view.up)|' 'here its name is vec3_cross:'
-explains 'normalize is told to be vec3_unit' 02-cameras \
+explains 'normalize: the help names vec3_unit' 02-cameras \
     's|vec3_unit(sideways)|\n        normalize(sideways)|' \
     'here its name is vec3_unit: vec3 vec3_unit(vec3 v)'
-explains 'unit is told to be vec3_unit' 02-cameras 's|vec3_unit(sideways)|unit(sideways)|' \
+explains 'unit: the help names vec3_unit' 02-cameras 's|vec3_unit(sideways)|unit(sideways)|' \
     'here its name is vec3_unit:'
 for name in length norm magnitude; do
-    explains "$name is told to be vec3_length" 05-quadratic \
+    explains "$name: the help names vec3_length" 05-quadratic \
         "s|distance = vec3_length(p)|distance = $name(p)|" \
         'here its name is vec3_length: double vec3_length(vec3 v)'
 done
-explains 'print is told to be printf' 05-quadratic \
+explains 'print: the help names printf' 05-quadratic \
     's|    return NO_HIT|    print("x"); return NO_HIT|' 'in C its name is printf, of <stdio.h>.'
-explains 'the name the compiler thinks of is told its header' 02-cameras \
+explains 'the name the compiler thinks of: the help names its header' 02-cameras \
     's|vec3_cross(f|vec3_cros(f|' \
     'nothing here is called vec3_cros. vec3_cross is in common/vec3.h.'
 check 'the compiler may say what it thinks of' says "did you mean 'vec3_cross'?"
 
 # ---- types --------------------------------------------------------------------------------------
 
-explains 'a vector for a struct is told the struct' 04-pixel-ray \
+explains 'a vector for a struct: the help names the struct' 04-pixel-ray \
     's|return (Ray).*|return image_plane_vector(camera, place.s, place.t);|' \
     'pixel_ray returns a Ray (exercises/04-pixel-ray.h), but this is a vec3. Write (Ray){origin, direction}.'
-check 'a vector for a struct is no vector for a number' says_not 'number is expected'
-explains 'a struct for a vector is told the vector' 01-corners \
+check 'a vector for a struct is not a vector for a number' says_not 'number is expected'
+explains 'a struct for a vector: the help names the vector' 01-corners \
     's|return image_plane_vector.*|return c;|' \
     'across_30_up_10 returns a vec3 (exercises/01-corners.h), but this is a Camera. Write vec3_of(x, y, z).'
-explains 'a struct for a number is told its parts' 05-quadratic 's|return NO_HIT|return roots|' \
+explains 'a struct for a number: the help names its parts' 05-quadratic 's|return NO_HIT|return roots|' \
     'hit_sphere returns a double (exercises/05-quadratic.h), but this is a Roots. Its parts are count, t.'
 broken 05-quadratic 's|Roots roots = sphere_roots(ray|double roots = sphere_roots(ray|'
 check 'a variable of the wrong type is suspected' helps 'a double is expected here, but this is a Roots. Is the type of the variable right?'
-explains 'the wrong argument is told what makes a right one' 04-pixel-ray \
+explains 'the wrong argument: the help names the function that makes a right one' 04-pixel-ray \
     's|pixel_center(pixel)|pixel|' \
     'screen_to_normalized expects a ScreenPoint there, but this is a Pixel. pixel_center (exercises/03-screen.h) makes a ScreenPoint of a Pixel.'
-explains 'the wrong initializer is told what makes a right one' 04-pixel-ray \
+explains 'the wrong initializer: the help names the function that makes a right one' 04-pixel-ray \
     's|Normalized place = .*|Normalized place = pixel_center(pixel);|' \
     'a Normalized is expected here, but this is a ScreenPoint. screen_to_normalized (exercises/03-screen.h) makes a Normalized of a ScreenPoint and a Resolution.'
 broken 06-ray-casting 's|pixel_ray(camera, image->size, pixel)|pixel_ray(camera, pixel, image->size)|'
@@ -206,7 +206,7 @@ explains 'a part that has the name of a function' 02-cameras 's|vec3 across = ve
     'upper_right is a part of a Corners (common/camera.h): write vectors.upper_right.'
 explains 'capitals' 05-quadratic '/^double hit_sphere/,/^}/s|NO_HIT|no_hit|' \
     'nothing here is called no_hit. It is written NO_HIT (common/ray.h).'
-explains 'a variable is no type' 06-ray-casting '/^void cast_image/,/^}/s|nearest_hit(pixel_ray(camera, image->size, pixel), scene)|nearest_hit(ray, scene)|' \
+explains 'a variable is not a type' 06-ray-casting '/^void cast_image/,/^}/s|nearest_hit(pixel_ray(camera, image->size, pixel), scene)|nearest_hit(ray, scene)|' \
     'nothing here is called ray. A Ray of your own must be declared first: Ray ray = ...;'
 explains 'a loop that declares nothing' 05-quadratic '/^double hit_sphere/,/^}/s|for (int i|for (i|' \
     'i is not declared: for (int i = ...; ...; ...).'
@@ -235,7 +235,7 @@ broken 04-pixel-ray 's|(pixel_center(pixel), screen)|(screen, pixel_center(pixel
 check 'exchanged arguments are known as such' \
     helps 'screen_to_normalized expects a ScreenPoint there, but this is a Resolution: the arguments are in another order. Its prototype is Normalized screen_to_normalized(ScreenPoint point, Resolution screen)'
 broken 01-corners 's|image_plane_vector(c, 0.3, 0.1)|image_plane_vector(0.3, 0.1, c)|'
-check 'numbers first, too' helps 'image_plane_vector expects a Camera there, but this is a double: the arguments are in another order.'
+check 'numbers first as well' helps 'image_plane_vector expects a Camera there, but this is a double: the arguments are in another order.'
 broken 06-ray-casting 's|pixel_ray(camera, image->size, pixel)|pixel_ray(image->size, pixel, camera)|'
 check 'and all of them' helps 'pixel_ray expects a Camera there, but this is a Resolution: the arguments are in another order.'
 

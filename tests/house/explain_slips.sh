@@ -27,7 +27,7 @@ check 'fro, twice' [ "$(grep -c "^$answer:" "$scratch/said")" -eq 2 ]
 broken 05-quadratic 's|return NO_HIT|return white|'
 check 'what only looks like a keyword is none' says_not misspelled
 broken 05-quadratic 's|return NO_HIT|return reurn * 2|'
-check 'what stands where no keyword may is none' says_not misspelled
+check 'a word in a place where no keyword may be is not one' says_not misspelled
 
 dash=$(printf '\342\200\223')
 quotes=$(printf '\342\200\234x\342\200\235')
@@ -146,7 +146,7 @@ broken 05-quadratic 's|for (int i = 0; i < roots.count; i++)|&;|'
 check 'a for that ends at once' \
     helps "the ; after for (...) in line $(line_of '; i++);') ends the loop: the next statement is no longer part of it."
 check 'a for that ends at once: said once for each' [ "$(grep -c "^$answer:" "$scratch/said")" -eq 2 ]
-explains 'a variable of a loop, behind it' 05-quadratic 's|return NO_HIT|return roots.t[i]|' \
+explains 'a variable of a loop, used after it' 05-quadratic 's|return NO_HIT|return roots.t[i]|' \
     'i is known only inside the loop of line'
 
 # Without the } of that function.
@@ -230,6 +230,6 @@ compile 03-screen
 check 'a header that a student spoils still leads to their file' says "$answer:"
 
 : | "$explain" "$answer" >"$scratch/said"
-check 'of nothing, nothing is said' [ ! -s "$scratch/said" ]
+check 'an empty message stays empty' [ ! -s "$scratch/said" ]
 
 finish explain_slips

@@ -7,7 +7,7 @@ set -u
 programs=${PROGRAMS:-build/solutions}
 three=chapters/06-ray-casting/three-spheres.nff
 
-# The same bytes, by the hierarchy and by chapter 07's own loop; with so many threads.
+# The same bytes, by the hierarchy and by chapter 07's own loop, with that many threads.
 draws_the_same() {
     threads=$1
     shift
@@ -56,7 +56,7 @@ lesson_is_right() {
     [ -s "$scratch/commands" ] && sh -e "$scratch/commands"
 }
 check "the lesson's commands draw" lesson_is_right
-# Another machine's pow may round otherwise.
+# pow may round differently on another machine.
 check "one of them the last picture of chapter 07's lesson" \
     "$BUILD/tests/same_picture" "$scratch/last.png" chapters/07-shading/sphereflake.png 100
 

@@ -43,7 +43,7 @@ same() {
 }
 check 'by them the sphere of 05 is the same picture' same 05-quadratic --picture
 check 'the spheres of 06 are' same 06-ray-casting -s 160x120 -o
-check 'in object order, too' same 06-ray-casting -s 160x120 --order object -o
+check 'and in object order' same 06-ray-casting -s 160x120 --order object -o
 check 'the shaded spheres of 07 are' same 07-shading -s 80x60 -o
 for engine in plain object bvh packet tiles bins; do
     check "those that $engine casts are" same 08-fast --engine $engine -s 160x120 -o

@@ -42,7 +42,7 @@ nobody_s() {
 }
 check 'make handout makes the archive' make_handout
 check 'it can be unpacked' look_into "$archive"
-check 'made elsewhere, where exercises/ has answers in it, it has the same bytes' elsewhere
+check 'made in another tree with answers in exercises/, it has the same bytes' elsewhere
 unset SOURCE_DATE_EPOCH
 check 'all of it is in one folder' in_one_folder
 check 'nobody owns it, and all of it has one date' nobody_s
@@ -58,10 +58,10 @@ only_for_students() {
 }
 check 'its Makefile makes nothing that is not for students' only_for_students
 
-# Lines that are somebody's answer: not those that a blank, common/ or a chapter has, too.
-awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 } inside && !/\/\/~/' solutions/*.c solutions/optional/*.c |
+# Lines that occur only in answers, not in a blank, in common/ or in a chapter.
+awk '/BEGIN SOLUTION/ { inside = 1; next } /END SOLUTION/ { inside = 0 } inside && !/\/\/~/' solutions/*.c |
     sed 's/^ *//; s/ *$//' | awk 'length > 25' | sort -u >"$scratch/answers"
-cat build/blanks/*.c build/blanks/optional/*.c common/*.[ch] common/figure/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] |
+cat build/blanks/*.c common/*.[ch] common/figure/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] |
     awk 'FNR == NR { given = given "\n" $0; next } index(given, $0) == 0' - "$scratch/answers" >"$scratch/secret"
 check 'no line of a solution is in it' holds_none_of "$scratch/secret"
 for teller in build/replay/tell/*; do
@@ -71,7 +71,7 @@ check 'no formula of a mistake is in it' holds_none_of "$scratch/formulas"
 # No function of it is an answer in another form: it calls what the reference of that answer calls, in a
 # body of its own. (A function that only calls each answer once, to see which are missing, is none.)
 repeats_no_answer() {
-    find "$scratch/tree" -name '*.c' ! -path '*/exercises/[0-9]*' ! -path '*/blanks/*' -exec awk '
+    find "$scratch/tree" -name '*.c' ! -path '*/exercises/*' ! -path '*/blanks/*' -exec awk '
         function check(answer, calls,    called, i, count) {
             count = split(calls, called, " ")
             for (i = 1; i <= count; i++)
@@ -102,7 +102,7 @@ repeats_no_answer() {
 check 'no function of it is an answer in another form' repeats_no_answer
 check 'nor has it chapter 08, which is made of answers' none_of_these '08-fast'
 
-# What is right is there for every figure: variables, and blocks of numbers.
+# The right data are there for every figure: variables, and blocks of numbers.
 right_data_are_numbers() {
     status=0
     for layout in chapters/*/figures/*.gp; do
@@ -121,7 +121,7 @@ names_no_solutions() {
 }
 check 'a lesson calls programs where they are' names_no_solutions
 
-# What the grader finds in it when somebody hands it in as it is.
+# The grader's result if somebody hands it in unchanged.
 grader_finds() {
     (cd "$scratch/tree" && zip_it ray-casting) && python3 -B - "$scratch/handed-in" <<'PYTHON'
 import sys
@@ -159,7 +159,7 @@ links_lead_somewhere() {
     return $status
 }
 check 'the links of its pages lead somewhere' links_lead_somewhere
-# What its files include and its scripts call is in it.
+# Every file that it includes and every script that it calls is in it.
 is_whole() {
     status=0
     for name in $(

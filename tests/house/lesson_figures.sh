@@ -28,7 +28,7 @@ for chapter in chapters/[0-9]*; do
     check "${chapter#chapters/} shows its figures, light and dark, as the code draws them" all_is_shown
 done
 
-# What is wrong is noticed, and written afresh.
+# A wrong file is noticed, and written again.
 cp -r chapters/03-screen "$scratch/"
 copy=$scratch/03-screen
 echo ' ' >>"$copy/figures/pixel-grid-dark.svg"

@@ -37,7 +37,7 @@ for page in README.md chapters/README.md exercises/README.md .github/CONTRIBUTIN
     check "the links of $page lead somewhere" links_lead_somewhere "$page"
 done
 
-# What an exercise has to use of common/ is described where its reader looks.
+# Every function of common/ that an exercise needs is described where its reader looks.
 describes() {
     grep -q "$1(" common/image.h && grep -q "$1(" chapters/06-ray-casting/README.md &&
         grep -q "$1(" exercises/06-ray-casting.h
@@ -54,9 +54,9 @@ refuses_the_blank_in() {
 }
 mkdir -p "$scratch/a blank" && ln -s "$PWD/Makefile" "$scratch/a blank/Makefile"
 wanted="a blank'"
-check 'a blank in the path of the toolkit is said' refuses_the_blank_in -C "$scratch/a blank"
+check 'a space in the path of the toolkit is reported' refuses_the_blank_in -C "$scratch/a blank"
 wanted="ANSWERS='a blank': expected one folder"
-check 'a blank in the path of the answers is said' refuses_the_blank_in ANSWERS='a blank'
+check 'a space in the path of the answers is reported' refuses_the_blank_in ANSWERS='a blank'
 
 # The deck's answers, to the digit.
 prints() {
@@ -94,7 +94,7 @@ check 'chapter 03 refuses a pixel off the screen' exits_with 2 "$PROGRAMS/03-scr
 check 'chapter 04 refuses a pixel off the screen' exits_with 2 "$PROGRAMS/04-pixel-ray" --size 4x3 --pixel 0,3
 check 'chapter 05 refuses a radius of 0' exits_with 2 "$PROGRAMS/05-quadratic" --radius 0
 check 'chapter 05 refuses a direction of length 0' exits_with 2 "$PROGRAMS/05-quadratic" --direction 0,0,0
-check 'chapter 05 refuses what is no number' exits_with 2 "$PROGRAMS/05-quadratic" --radius nan
+check 'chapter 05 refuses NaN' exits_with 2 "$PROGRAMS/05-quadratic" --radius nan
 check 'chapter 03 says what it cannot write' exits_with 1 "$PROGRAMS/03-screen" --picture /no/such/folder/x.png
 
 [ ! -c /dev/full ] ||

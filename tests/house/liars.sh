@@ -1,7 +1,7 @@
 #!/bin/sh
 # liars.sh - answering processes that speak the judge's language, and lie.
 #
-# What comes through the pipe was written by hostile code: nothing of it is believed or shown unless
+# Hostile code wrote everything that comes through the pipe: none of it is believed or shown unless
 # it can be true.
 # Only reads the tree.
 set -u
@@ -10,7 +10,7 @@ set -u
 folder=$scratch/verdict
 mkdir "$folder"
 
-# An answering process that, in the place of an answer, sends a header and bytes behind it, so
+# An answering process that, in the place of an answer, sends a header and bytes after it, so
 # changed.
 lies() {
     cat >"$scratch/liar.c" <<EOF
@@ -54,7 +54,7 @@ reports() {
     sed '1d; /^function/,$d' "$folder/report" | grep -qx "$1	$2"
 }
 is_no_answer() {
-    reports state crashed && reports how 'answered with what is no answer'
+    reports state crashed && reports how 'sent an invalid answer'
 }
 
 check 'zeros are judged' lies ''
@@ -63,18 +63,18 @@ check 'a blank may say its name' lies 'strcpy(header.missing, "upper_left");'
 check 'and is not answered yet' reports state unanswered
 
 check 'a name that is none is judged' lies 'strcpy(header.missing, "\033[2Jright");'
-check 'and is no answer' is_no_answer
+check 'and is not an answer' is_no_answer
 check 'a name and more is judged' lies 'strcpy(header.missing, "upper_left right");'
-check 'and is no answer' is_no_answer
+check 'and is not an answer' is_no_answer
 check 'a name without an end is judged' lies 'memset(header.missing, 97, sizeof header.missing);'
-check 'and is no answer' is_no_answer
+check 'and is not an answer' is_no_answer
 
 crash='header.kind = WIRE_CRASH; header.size = sizeof crash;'
 check 'a crash is judged' lies "$crash crash.address = 4096;"
 check 'and told' reports how 'crashed: write to address 0x1000'
 check 'a crash by no signal is judged' lies "$crash crash.signal = 123456789;"
-check 'and is no answer' is_no_answer
+check 'and is not an answer' is_no_answer
 check 'a crash by a negative signal is judged' lies "$crash crash.signal = -1;"
-check 'and is no answer' is_no_answer
+check 'and is not an answer' is_no_answer
 
 finish liars

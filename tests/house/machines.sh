@@ -18,7 +18,7 @@ no_other_word() {
 }
 if command -v gnuplot >/dev/null; then
     check 'gnuplot draws a figure' draws_in C.UTF-8
-    check 'and in locale C, too' draws_in C
+    check 'and in locale C' draws_in C
     check 'without a word that matters' no_other_word
     check 'the same bytes' cmp "$scratch/C.svg" "$scratch/C.UTF-8.svg"
 else
@@ -76,7 +76,7 @@ mkdir "$scratch/50%" && cp solutions/*.c "$scratch/50%"
 check "answers elsewhere must have none, and that is said" says_in_the_copy "expected a folder whose path has no '%'" \
     make --no-print-directory -C "$tree" ANSWERS="$scratch/50%"
 chmod a-w "$tree"
-check 'a tree that can only be read is said to be' says_in_the_copy 'make cannot write into' \
+check 'a tree that can only be read is reported as such' says_in_the_copy 'make cannot write into' \
     as_another make --no-print-directory -C "$tree"
 chmod u+w "$tree"
 mkdir "$tree/build" && : >"$tree/build/flags" && chmod a-w "$tree/build/flags" "$tree/build"
@@ -86,7 +86,7 @@ chmod -R u+w "$tree"
 
 # ---- what drives gnuplot --------------------------------------------------------------------------
 
-# If gnuplot draws nothing and says nothing, nobody says otherwise.
+# If gnuplot draws nothing and prints nothing, make does not claim a figure.
 draws_nothing() {
     mkdir -p "$scratch/bin" "$scratch/figures"
     printf '#!/bin/sh\nexit 0\n' >"$scratch/bin/gnuplot"
@@ -101,7 +101,7 @@ fi
 
 # ---- setup ----------------------------------------------------------------------------------------
 
-# No package is there, sudo wants a password, and there is no terminal.
+# No package is installed, sudo asks for a password, and there is no terminal.
 advises() {
     mkdir -p "$scratch/sudo"
     for tool in sh cat mktemp rm id printf sed grep uname dirname; do

@@ -10,7 +10,7 @@ check 'CK_RUN_CASE=upper_left runs what --only upper_left runs' cmp "$scratch/on
 check 'and those are fewer than all' test "$("$tests" | tail -n 1)" != "$(tail -n 1 "$scratch/case")"
 check 'and all of them pass' grep -q ', 0 failed$' "$scratch/case"
 CK_RUN_CASE=nothing "$tests" >"$scratch/none"
-check 'a name that is no function fails' test $? -eq 1
+check 'the name of a missing function fails' test $? -eq 1
 
 mkdir "$scratch/all" "$scratch/one"
 "$BUILD/judge/01-corners" /bin/false "$scratch/all" >"$scratch/said" 2>&1

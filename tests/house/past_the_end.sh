@@ -30,20 +30,20 @@ check 'a pixel too many among the spheres' fails cast_object_order 06-ray-castin
     's|^        for (int i = 0; i < width|        for (int i = 0; i <= width|'
 check 'a depth too many that is set' fails cast_object_order 06-ray-casting \
     's|depth\[i\] = NO_HIT;|depth[i + 1] = depth[i] = NO_HIT;|'
-check 'is said to be one' says 'it         wrote past the end of the image or of depth'
+check 'is reported' says 'it         wrote past the end of the image or of depth'
 check 'a depth before the first' fails cast_object_order 06-ray-casting \
     's|depth\[i\] = NO_HIT;|depth[i - 1] = depth[i] = NO_HIT;|'
 check 'a pixel too many that is painted past image_set' fails cast_image_order 06-ray-casting \
     's|image_set(image, pixel,|image_bytes(image, pixel)[3] = 7, &|'
-check 'is said to be one, too' says 'it         wrote past the end of the image or of depth'
+check 'is reported as well' says 'it         wrote past the end of the image or of depth'
 check 'a sphere too many' fails nearest_hit 06-ray-casting 's|i < scene->sphere_count|i <= scene->sphere_count|'
 check 'is named' says 'looks like a loop up to i <= sphere_count'
 check 'a sphere too many in the shadow' fails visibility 07-shading \
     '/^double visibility/,/^}/s|i < scene->sphere_count|i <= scene->sphere_count|'
 check 'a sphere before the first' fails visibility 07-shading '/^double visibility/,/^}/s|int i = 0|int i = -1|'
 check 'a light too many' fails shade 07-shading 's!i < scene->light_count!i <= scene->light_count!'
-check 'is named, too' says 'looks like a loop up to i <= light_count'
-# What is wrong with the result says more than that it is written in the wrong place.
+check 'is named as well' says 'looks like a loop up to i <= light_count'
+# A wrong result says more than a write in the wrong place.
 check 'rows of another length' fails cast_object_order 06-ray-casting \
     '/sphere_count/,$s|depth\[i\]|depth[i / width * height + i % width]|'
 check 'are named' says 'looks like depth[row * height + column]'

@@ -5,7 +5,7 @@ set -u
 . tests/house/runner/library.sh
 
 scene=chapters/06-ray-casting/three-spheres.nff
-# Where the pictures of programs without -o go to.
+# The folder for pictures of programs without -o.
 mkdir "$scratch/programs"
 for program in "$PROGRAMS"/0[1-8]-*; do
     { [ -f "$program" ] && [ -x "$program" ]; } || continue
@@ -36,7 +36,7 @@ if [ -c /dev/full ]; then
         -o "$scratch/a.png" "$scene"
     check 'a scene that cannot be printed is an error' says_that_it_cannot_print \
         "$BUILD/chapters/06-ray-casting/sphereflake_nff" 2
-    check 'a longer one, too' says_that_it_cannot_print "$BUILD/chapters/06-ray-casting/sphereflake_nff" 4
+    check 'a longer one as well' says_that_it_cannot_print "$BUILD/chapters/06-ray-casting/sphereflake_nff" 4
     check 'and the sunflower' says_that_it_cannot_print "$BUILD/chapters/06-ray-casting/sunflower_nff"
 else
     echo 'skipped: output that cannot be printed: this system has no /dev/full'
@@ -55,7 +55,7 @@ check 'and one of nothing' refuses "$BUILD/chapters/06-ray-casting/sphereflake_n
 check 'and of two numbers' refuses "$BUILD/chapters/06-ray-casting/sphereflake_nff" 2 2
 check 'the sunflower takes no number' refuses "$BUILD/chapters/06-ray-casting/sunflower_nff" 2
 
-# What is written must not be what was read.
+# The output file must not be the input file.
 is_kept() {
     "$scratch/programs/$1" -s 8x6 -o "$2" "$3" >"$scratch/said" 2>&1
     status=$?

@@ -1,5 +1,5 @@
 #!/bin/sh
-# seeds.sh - what SEED does: other inputs for each, the same for the same, and none is told.
+# seeds.sh - the effect of SEED: other inputs for each, the same for the same, and none is shown.
 set -u
 . tests/house/runner/library.sh
 
@@ -53,12 +53,12 @@ among_them() {
     [ -s "$scratch/single" ] && ! grep -vxFf "$scratch/one" "$scratch/single"
 }
 check 'the same seed makes the same inputs' cmp "$scratch/one" "$scratch/again"
-check 'for one function alone, too' cmp "$scratch/one" "$scratch/only"
-check 'for one test alone, too' among_them
+check 'and for one function alone' cmp "$scratch/one" "$scratch/only"
+check 'and for one test alone' among_them
 check 'another seed makes other inputs' differ one two
 check 'and none makes those that are public' differ one public
 
-# ---- what is told of them -----------------------------------------------------------------------
+# ---- how they are reported ----------------------------------------------------------------------
 
 # Chapter 01 with a first statement of its first answer, for other cameras than the public tests
 # that come first: those are 4 and 6 away from their planes.
@@ -88,10 +88,10 @@ answer_that_does "$unknown" SEED=1
 check 'with a seed the failed test is named' says 'the corners do not depend on where the eye is'
 check 'and no number of it is shown' tells_no_number
 answer_that_does 'return c.origin * *(volatile char *)(size_t)(1e6 * c.distance);' SEED=1
-check 'a crash is told' says 'crashed: read of a wrong address'
+check 'a crash is reported' says 'crashed: read of a wrong address'
 check 'but not of which address' tells_no_number
 answer_that_does 'exit((int)(40 * c.distance));' SEED=1
-check 'an exit is told' says '  it         ended the program by itself'
+check 'an exit is reported' says '  it         ended the program by itself'
 check 'but not with which status' tells_no_number
 
 sed '/^Camera with_unit_distance/,/^}/s|// BEGIN SOLUTION|&\n    if (c.distance <= 1) {\n        return c;\n    }|' \
@@ -102,7 +102,7 @@ check 'and its numbers are not' tells_no_number
 
 # ---- marks do not depend on it ------------------------------------------------------------------
 
-check 'with other seeds right is right and mistakes are named, too' \
+check 'with other seeds right answers pass and mistakes are named' \
     env SEEDS=2 FIRST=4711 tests/proof/seeds.sh
 
 finish seeds

@@ -84,7 +84,7 @@ refuses() {
 }
 check 'no samples are refused' refuses 'samples' 2 --samples 0 "$three"
 check 'nor is a gamma of 0 taken' refuses 'gamma' 2 --gamma 0 "$three"
-check 'nor a depth that is no number' refuses 'depth' 2 --depth many "$three"
+check 'nor a depth that is not a number' refuses 'depth' 2 --depth many "$three"
 check 'nor another term' refuses 'term' 2 --term glossy "$three"
 check 'nor another renderer' refuses 'export' 2 --export blender -o x "$three"
 check 'an export wants a file' refuses '-o FILE' 2 --export pov "$three"
@@ -92,8 +92,8 @@ check 'nor is less than no light' refuses 'ambient' 2 --ambient -3 "$three"
 check 'nor a sun without a direction' refuses 'sun' 2 --sun 0,0,0 "$three"
 check 'the terms that there are are said' refuses 'ambient, diffuse' 2 --term glossy "$three"
 check 'two scenes are one too many' refuses '2 scenes' 2 "$three" "$three"
-check 'a scene that is not there is said' refuses 'cannot be read' 1 -o "$scratch/x.png" none.nff
-check 'a full disk is said, and nothing is left' refuses 'written' 1 --export pov -o /dev/full "$three"
+check 'a missing scene is reported' refuses 'cannot be read' 1 -o "$scratch/x.png" none.nff
+check 'a full disk is reported, and nothing is left' refuses 'written' 1 --export pov -o /dev/full "$three"
 
 exports() {
     "$program" "$@" "$three" && [ -s "$scratch/scene.pov" ]

@@ -21,15 +21,15 @@ ends_with() {
     [ "$(tail -n "$(echo "$wanted" | wc -l)" "$scratch/said")" = "$wanted" ]
 }
 check 'the sum is the last line' ends_with '3 passed, 0 failed' "$scratch/whole"
-check 'nothing is said to be untested then' says_not 'Not tested'
-check 'what was skipped is said just before it' ends_with 'Not tested here:
+check 'then nothing is listed as untested' says_not 'Not tested'
+check 'the skipped tests are listed just before it' ends_with 'Not tested here:
   a picture: gnuplot is missing (make setup installs it)
 6 passed, 1 failed' "$scratch/part" "$scratch/whole" "$scratch/wrong"
 says_this many '+ 3 known mistakes' '+ 4 tests' 'a line' 'many: 1 passed, 0 failed'
 says_this more '+ 40 known mistakes' '+ seed 7: 12 inputs' 'more: 1 passed, 0 failed'
 check 'what is counted is added up' ends_with 'In all: 43 known mistakes, 4 tests
 2 passed, 0 failed' "$scratch/many" "$scratch/more"
-check 'and what else is worth saying is said' says 'seed 7: 12 inputs'
+check 'and other useful lines are shown' says 'seed 7: 12 inputs'
 check 'other lines are not' says_not 'a line'
 
 # A test that does not come to its end has failed, whatever it has said.
@@ -41,9 +41,9 @@ ends_by() {
     [ $status -eq 1 ] && [ "$(tail -n 1 "$scratch/said")" = '3 passed, 1 failed' ]
 }
 check 'a test that exits with 3 has failed' ends_by 'exit 3'
-check 'which is said' says "$scratch/ends: ended with exit status 3"
+check 'and that is reported' says "$scratch/ends: ended with exit status 3"
 check 'so has one that is killed' ends_by 'kill -9 $$'
-check 'which is said' says "$scratch/ends: ended by signal 9"
+check 'and that is reported' says "$scratch/ends: ended by signal 9"
 check 'so has one whose last line is another' ends_by 'echo "and more"'
 
 # Scripts that may build take turns; those that only read run beside them.

@@ -90,7 +90,7 @@ two_at_once() {
 }
 check 'two runs at once say the same' two_at_once
 
-# What is saved before watch has judged for the first time is judged, too.
+# A save before watch has judged for the first time is also judged.
 saved_early() {
     fresh
     start env POLL="$1" make --no-print-directory watch ANSWERS="$answers" >"$scratch/watched" 2>&1
@@ -131,7 +131,7 @@ is_not_said_by_make() {
     wrong_answer --default && says_not 'make:'
 }
 if env --default-signal=QUIT true 2>/dev/null; then
-    check 'a wrong answer is no error of make, but the status is not 0' is_not_said_by_make
+    check 'a wrong answer is not an error of make, but the status is not 0' is_not_said_by_make
     check 'nor is it where make ignores the signal for that' wrong_answer --ignore
 fi
 # A path is longer, and stays in one piece.
@@ -145,9 +145,9 @@ lists_commands() {
     says 'n       the next line'
 }
 if command -v gdb >/dev/null; then
-    check 'debug lists what gdb can be told' lists_commands
+    check 'debug lists the commands of gdb' lists_commands
 fi
-# From the saved answer to its verdict. What its picture takes comes afterwards.
+# From the saved answer to its verdict; the time for its picture comes afterwards.
 starts_few_programs() {
     fresh
     course exercises EX=01

@@ -2,7 +2,7 @@
 # yours.sh - a wrong answer is drawn beside the right one: under its verdict, and in every figure.
 #
 # Needs gnuplot to draw and Python to read.
-# shellcheck disable=SC2016 # what is in single quotes is meant as it stands
+# shellcheck disable=SC2016 # single quotes are meant literally
 set -u
 . tests/house/runner/library.sh
 
@@ -20,7 +20,7 @@ marks_are_right() {
 }
 check 'each mark of a dozen wrong answers is where it belongs' marks_are_right
 
-# Without gnuplot no path is said that leads nowhere; pictures need none.
+# Without gnuplot no missing file is named; pictures do not need gnuplot.
 fresh() {
     rm -rf "$answers"
     mkdir -p "$answers"
@@ -82,19 +82,19 @@ check 'but known to be wrong' holds 'wrong = 1' "$figures/corner-vectors.gp"
 
 spoil 01-corners 's|return image_plane_vector(c, 0.3, 0.1)|return *(vec3 *)16|'
 check 'a crash stops no other figure' draws
-check 'it is said in one line' says "not yet   $figures/yours-and-right: "
+check 'it is reported in one line' says "not yet   $figures/yours-and-right: "
 check 'and nothing older is left of it' is_not_there "$figures/yours-and-right.svg"
 check 'the others are drawn' is_there "$figures/corner-vectors.svg"
 
 cp build/blanks/01-corners.c "$answers"
 check 'a blank stops no other figure' draws
-check 'what it lacks is said in one line' says "not yet   $figures/corner-vectors: needs image_plane_vector"
+check 'the missing answer is reported in one line' says "not yet   $figures/corner-vectors: needs image_plane_vector"
 
-# Other words for the same, and other digits of 0, are no difference.
+# Other words for the same number, and other digits of 0, are not a difference.
 fresh
 spoil 01-corners 's|c.height / 2 \* c.up;|0.5 * (c.height + 1e-13) * c.up + vec3_of(1e-17, 0, 1e-16);|'
 check 'figures by right answers are drawn' draws
-check 'what rounding leaves is no difference' holds 'wrong = 0' "$figures/corner-vectors.gp"
+check 'a rounding error is not a difference' holds 'wrong = 0' "$figures/corner-vectors.gp"
 
 # The same figure with more rows, with fewer and with none.
 other_rows() {
@@ -112,8 +112,8 @@ check 'more rows than are right are drawn' other_rows '/^\$grid/ { print; getlin
 check 'fewer rows than are right are drawn' other_rows '/^\$grid/ { print; getline; print; print "1 2 3"; next } { print }'
 check 'no rows in place of some are drawn' other_rows \
     '/^\$upper_left/ { print; getline; print; getline; print "1e9 1e9 1e9 1e9 1e9 1e9"; next } { print }'
-check 'nothing that is said is a command' is_not_there "$scratch/hacked"
-check 'it is said as it is' holds "\"'touch hacked'\" \\ %s @see _^{}" "$scratch/both.txt"
+check 'no word of a mistake runs as a command' is_not_there "$scratch/hacked"
+check 'it is shown as it is' holds "\"'touch hacked'\" \\ %s @see _^{}" "$scratch/both.txt"
 
 rm -rf "${answers:?}" "build$answers"
 finish yours

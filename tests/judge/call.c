@@ -281,7 +281,7 @@ static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
         memcpy(&crash, wire.bytes, sizeof crash);
         describe_crash(why, size, &crash);
     } else if (!sane || answer.kind != WIRE_ANSWER) {
-        snprintf(why, size, "answered with what is no answer");
+        snprintf(why, size, "sent an invalid answer");
     } else {
         if (answer.missing[0] != '\0')
             record_missing(answer.missing);
@@ -313,7 +313,7 @@ static void finish(int exercise)
     if (wire_is_read(&wire))
         return;
     broken[exercise].how = HOW_CRASHED;
-    snprintf(broken[exercise].why, sizeof broken[exercise].why, "answered with what is no answer");
+    snprintf(broken[exercise].why, sizeof broken[exercise].why, "sent an invalid answer");
     process_stop(false);
     break_off(exercise);
 }

@@ -19,7 +19,7 @@ static void describe_signal(char *why, size_t size, int number)
                         : number == SIGABRT ? "it was aborted (an assertion that failed?)"
                         : number == SIGILL  ? "it went beyond the end of an array"
                         : number == SIGKILL ? "it was killed"
-                        : number == SIGSYS  ? "it asked the system for what no answer needs"
+                        : number == SIGSYS  ? "it made a system call that no answer needs"
                                             : strsignal(number);
     snprintf(why, size, "crashed: %s", words);
 }

@@ -137,7 +137,7 @@ void told_expect(const char *results, const ToldCall *call, const Numbers *yours
     const Numbers *expected = &call->results[0];
     double tolerance = call->tolerance;
     if (yours->count != expected->count)
-        record_how(HOW_CRASHED, "answered with what is no answer");
+        record_how(HOW_CRASHED, "sent an invalid answer");
     if (strcmp(results, "double") == 0) {
         expect_number(yours->at[0], expected->at[0], tolerance);
     } else if (call->most > 0) {
