@@ -191,13 +191,15 @@ endef
 $(foreach k,$(LANES_KINDS),$(eval $(call lanes_rule,$(k))))
 
 .SECONDEXPANSION:
+# Programs of other answers than the solutions note which they call (chapters/shared/answers_called.c).
+NOTE_CALLS := $(if $(filter-out solutions,$(A)),$$(sed 's/^/-Wl,--wrap=/' $(B)/exercises.names))
 $(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
+	$(Q)$(LINK) $(NOTE_CALLS) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
 GALLERY := $(BUILT)/gallery
-# A picture that needs a missing answer is not an error: one line says so.
-TRY = $(if $(filter solutions,$(ANSWERS)),,chapters/shared/try_picture $@)
+# A picture that lacks an answer is not an error: its program says so in one line (common/answers.h).
+TRY = $(if $(filter solutions,$(ANSWERS)),,NOT_YET=$@)
 # The picture of a chapter, which chapters/NN-stem/picture.txt describes in words. The other pictures
 # of a chapter, and the scenes of which they are cast, are in its pictures.mk.
 CHAPTER_PICTURES := $(patsubst chapters/%/picture.txt,%,$(wildcard chapters/*/picture.txt))

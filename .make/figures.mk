@@ -29,13 +29,20 @@ $(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(B)/solutions/$$(call stem_of,$$*) $$(call fig
 	$(Q)mkdir -p $(@D)
 	$(Q)$< --figure $* > $@
 endif
-# If something is missing, the figure is not drawn, and one line says so.
+# A figure that calls an answer that is missing is not drawn: its program says so in one line (NOT_YET,
+# common/answers.h), and no older figure is left in its place. Below a wrong figure is what the judge says of the
+# answers that it calls.
 $(SCRIPTS): $(FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$*) $$(call figure_files,$$*) \
-		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(RECORDS) $$(LIST))
+		$(RIGHT:%=%/$$*.gp) $(if $(RIGHT),$$(RECORDS))
 	$(Q)mkdir -p $(@D)
-	$(Q)$(if $(RIGHT),note=$$(awk -v figure=$* -v verdicts=$(VERDICT) -f .make/notes.awk chapters/*/*.c chapters/*/figures/*.c); \
-		common/figure/write_script $@ $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"},$< \
-		--figure $* > $@)
+	$(Q)$(if $(RIGHT),$(beside_right),$< --figure $* > $@)
+define beside_right
+note=$$($(COURSE) note $(PLAN) $$({ $< --figure $* --answers; } 2>/dev/null)); \
+NOT_YET=$(FIGURES)/$* $< --figure $* --beside $(RIGHT)/$*.gp $${note:+--note "$$note"} > $@.new || \
+	echo '  not yet   $(FIGURES)/$*: crashed'; \
+if [ -s $@.new ]; then mv $@.new $@; \
+	else rm -f $@.new $(foreach rest,.* -4x3* -step* -dark*,$(FIGURES)/$*$(rest)); fi
+endef
 
 DRAW_FIGURES := $(B)/chapters/gallery/draw_figures
 MAKE_PAGE := $(B)/chapters/gallery/gallery

@@ -21,8 +21,15 @@ const char *answer_missing(int i);
 // Forgets them, so that the next call stands for itself.
 void answers_forget(void);
 
+// Notes that this answer was called, once for each name: the names are kept, not copied. Only in
+// programs whose calls pass chapters/shared/answers_called.c.
+void answer_called(const char *function);
+int answers_called(void);
+const char *answer_that_was_called(int i);
+
 // Names on stderr what was called and is not answered yet. Returns what main returns: 0, or 1 if
-// there was any.
+// there was any. With NOT_YET=PICTURE in the environment (make sets it), the picture lacks them:
+// that is said in one line, and the program ends with 0.
 int answers_report(void);
 
 #endif

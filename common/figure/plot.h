@@ -75,11 +75,13 @@ typedef struct {
     const char *name;  // which; "list": their names; NULL for a story or a picture
     const char *right; // the script of the same figure by right answers; NULL: there is none
     const char *note;  // a note if something differs; NULL: none
+    bool answers;      // instead of the script, the names of the answers that its data call
 } FigureCommand;
 
 #define FIGURE_OPTIONS(command)                                                                    \
     {"figure", 0, "NAME", option_string, &(command).name, "print a figure's gnuplot script"},      \
         {"beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both shown"},  \
+        {"answers", 0, NULL, option_flag, &(command).answers, "the answers that figure calls"},    \
     {                                                                                              \
         "note", 0, "WORDS", option_string, &(command).note, "what to say where they differ"        \
     }

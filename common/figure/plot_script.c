@@ -125,8 +125,10 @@ int plot_figure(const char *program, const char *chapter, const Figure *figures,
     FILE *out = open_memstream(&script, &size);
     bool written = plot_script(out, path, figure, command.right, command.note, given);
     fclose(out);
-    int status = written ? answers_report() : EXIT_COULD_NOT;
-    if (status == EXIT_DONE)
+    for (int i = 0; command.answers && i < answers_called(); i++)
+        puts(answer_that_was_called(i));
+    int status = command.answers ? EXIT_DONE : written ? answers_report() : EXIT_COULD_NOT;
+    if (!command.answers && status == EXIT_DONE)
         fputs(script, stdout);
     free(script);
     return status;

@@ -9,12 +9,14 @@
 //   course hint PLAN STEM          one hint more
 //   course debug PLAN STEM PROGRAM gdb at the call that failed
 //   course reset PLAN STEM         the blank in the place of the answer, which is kept
+//   course note PLAN NAME...       what is below a figure that calls these answers, if one is wrong
 //   course status PLAN STEM...     a line for each function: STEM NAME STATE, with a tab between
 //   them
 //
 // PLAN: how answers are judged, as make has written it down (judging_plan.h). It starts compilers,
 // judges, and what draws; it never loads an answer. In the environment: ALL=1 shows all that needs
 // work; NO_COLOR, TERM, COLUMNS (page.h); POLL (watch.h); GDB_FLAGS.
+#include "tests/course/figure_note.h"
 #include "tests/course/hints.h"
 #include "tests/course/judging.h"
 #include "tests/course/programs.h"
@@ -315,11 +317,12 @@ int main(int argc, char **argv)
     const char *what = argc > 3 ? argv[1] : "";
     bool is_debug = strcmp(what, "debug") == 0;
     if (argc < 4 || (is_debug && argc != 5) ||
-        strstr(" judge show exercises watch hint debug reset status ", what) == NULL) {
+        strstr(" judge show exercises watch hint debug reset status note ", what) == NULL) {
         fprintf(stderr,
                 "Usage: %s judge|show|exercises|watch|hint|reset|status PLAN STEM...\n"
-                "       %s debug PLAN STEM PROGRAM\n",
-                argv[0], argv[0]);
+                "       %s debug PLAN STEM PROGRAM\n"
+                "       %s note PLAN NAME...\n",
+                argv[0], argv[0], argv[0]);
         return 2;
     }
     for (const char *const *name = (const char *[]){"MAKEFLAGS", "MFLAGS", "MAKELEVEL", NULL};
@@ -329,6 +332,11 @@ int main(int argc, char **argv)
     programs_end_with_us();
     if (!plan_read(argv[2], &course.plan))
         return 2;
+    if (strcmp(what, "note") == 0) {
+        figure_note(stdout, &course.plan, argc - 3, argv + 3);
+        plan_free(&course.plan);
+        return 0;
+    }
     for (int i = 3; i < (is_debug ? 4 : argc); i++) {
         int chapter = plan_chapter(&course.plan, argv[i]);
         if (chapter < 0) {

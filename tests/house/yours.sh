@@ -72,6 +72,15 @@ check 'figures by wrong answers are drawn' draws
 check 'what is wrong is dashed' holds 'stroke-dasharray' "$figures/corner-vectors.svg"
 check 'the mistake is named below it' holds 'upper_left looks like d f − w r + h/2 u: the whole width.' "$figures/corner-vectors.txt"
 check 'and in its alternative text' holds 'the whole width.' "$figures/corner-vectors.svg"
+calls() {
+    program=build$answers/$1
+    figure=$2
+    shift 2
+    "$program" --figure "$figure" --answers >"$scratch/said" && printf '%s\n' "$@" | diff - "$scratch/said"
+}
+check 'a program knows which answers a figure calls' calls 01-corners point-30-10 image_plane_vector across_30_up_10
+check 'and those that its answers call in other chapters' calls 04-pixel-ray pixel-to-ray \
+    pixel_center screen_to_normalized pixel_ray image_plane_vector
 check 'a figure that is right says nothing of it' holds 'wrong = 0' "$figures/yours-and-right.gp"
 check 'nor of the mistake' holds_not 'whole width' "$figures/yours-and-right.svg"
 

@@ -7,6 +7,7 @@
 #include "tests/judge/test.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -117,6 +118,41 @@ static int the_report_names_file_and_function(void)
     return 0;
 }
 
+static int an_answer_that_is_called_is_known(void)
+{
+    CLAIM(1, answers_called() == 0);
+    answer_called("upper_left");
+    answer_called("upper_right");
+    CLAIM(2, answers_called() == 2 && strcmp(answer_that_was_called(1), "upper_right") == 0);
+    for (int i = 0; i < 1000; i++)
+        answer_called("upper_left");
+    for (int i = 0; i < answers_called(); i++)
+        CLAIM(3, answer_that_was_called(i) != NULL);
+    return 0;
+}
+
+// The program ends there, so another process does it.
+static int make_gets_one_line_and_goes_on(void)
+{
+    int ends[2], status;
+    CLAIM(1, pipe(ends) == 0 && setenv("NOT_YET", "gallery/x.png", 1) == 0);
+    CLAIM(2, answers_report() == 0);
+    pid_t process = fork();
+    if (process == 0) {
+        dup2(ends[1], STDERR_FILENO);
+        not_answered("upper_left", "exercises/01-corners.c", NULL, 0);
+        not_answered("upper_right", "exercises/01-corners.c", NULL, 0);
+        answers_report();
+        _exit(7);
+    }
+    CLAIM(3, waitpid(process, &status, 0) == process && WIFEXITED(status));
+    CLAIM(4, WEXITSTATUS(status) == 0);
+    char words[400] = "";
+    CLAIM(5, read(ends[0], words, sizeof words - 1) > 0);
+    CLAIM(6, strcmp(words, "  not yet   gallery/x.png: needs upper_left (and 1 more)\n") == 0);
+    return 0;
+}
+
 START_TEST(a_blank_returns_nan_and_minus_1)
 {
     expect_all_true(a_blank_returns_the_impossible);
@@ -147,6 +183,18 @@ START_TEST(the_report_names_each_blank_and_its_file)
 }
 END_TEST
 
+START_TEST(an_answer_that_is_called_is_known_by_name)
+{
+    expect_all_true(an_answer_that_is_called_is_known);
+}
+END_TEST
+
+START_TEST(for_make_a_missing_answer_is_one_line_and_not_an_error)
+{
+    expect_all_true(make_gets_one_line_and_goes_on);
+}
+END_TEST
+
 void list_tests(void)
 {
     tests_of("not_answered");
@@ -155,4 +203,6 @@ void list_tests(void)
     test(a_thousand_blanks_do_no_harm);
     test(what_a_blank_returns_is_shown_as_not_answered_yet);
     test(the_report_names_each_blank_and_its_file);
+    test(an_answer_that_is_called_is_known_by_name);
+    test(for_make_a_missing_answer_is_one_line_and_not_an_error);
 }
