@@ -109,7 +109,7 @@ static void both_hands(Camera c)
         else
             story_line(hands[hand], "right %s", vec3_text(found.right).s);
     }
-    printf("  If you mix them up, the picture is its own mirror image.\n");
+    printf("  If you mix them up, the picture is mirrored.\n");
 }
 
 static void angles(Camera c)
