@@ -241,35 +241,7 @@ include .make/tests.mk
 include .make/exercises.mk
 include .make/optional.mk
 include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit/handout.mk .make/toolkit/lessons.mk)
+include .make/house.mk
 
-# ---- the habits of the house ------------------------------------------------------------------
-
-C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] exercises/*.h solutions/*.c solutions/*/*.c) \
-	$(filter-out tests/benches/peers/% tests/grade/attacks/% tests/grade/example/%,$(wildcard tests/*.[ch] \
-	tests/*/*.[ch] tests/*/*/*.[ch]))
-FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)
-format: ## lay out the C sources (clang-format)
-	@clang-format -i $(FORMATTED)
-
-format-check: ## fails where 'make format' would change something
-	@clang-format --dry-run -Werror $(FORMATTED)
-
-# Not in known mistakes, where bugs are what is wanted.
-tidy: $(B)/compile_commands.json ## look for bugs (clang-tidy)
-	clang-tidy --quiet -p $(B) $(filter-out $(wildcard tests/[0-9]*/mistakes*),$(filter %.c,$(C_SOURCES)))
-
-$(B)/compile_commands.json: Makefile $(filter %.c,$(C_SOURCES)) $(SETUP_FIRST)
-	@mkdir -p $(@D)
-	@for f in $(filter %.c,$(C_SOURCES)); do \
-		printf '{"directory": "%s", "file": "%s", "command": "%s -c %s"},\n' \
-			'$(CURDIR)' "$$f" '$(CC) $(LANGUAGE) $(STRICT) $(PNG_CFLAGS)' "$$f"; \
-	done | sed '1s/^/[/; $$s/,$$/]/' > $@
-
-clean: ## remove what was built
-	rm -rf build
-
-help: ## this
-	@awk -v parts='$(filter %.mk,$(MAKEFILE_LIST))' -f .make/help.awk
-
-.PHONY: all setup check exercises watch hint debug reset format format-check tidy clean help
+.PHONY: all setup check exercises watch hint debug reset
 -include $(shell find $(B) -name '*.d' 2>/dev/null)

@@ -1,0 +1,33 @@
+# house.mk - make format, tidy, clean, help: the habits of the house. Included by the Makefile, last, so that
+# 'make help' lists them last.
+C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] exercises/*.h solutions/*.c solutions/*/*.c) \
+	$(filter-out tests/benches/peers/% tests/grade/attacks/% tests/grade/example/%,$(wildcard tests/*.[ch] \
+	tests/*/*.[ch] tests/*/*/*.[ch]))
+FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)
+format: ## lay out the C sources (clang-format)
+	@clang-format -i $(FORMATTED)
+
+format-check: ## fails where 'make format' would change something
+	@clang-format --dry-run -Werror $(FORMATTED)
+
+# Not in known mistakes, where bugs are what is wanted.
+tidy: $(B)/compile_commands.json ## look for bugs (clang-tidy)
+	clang-tidy --quiet -p $(B) $(filter-out $(wildcard tests/[0-9]*/mistakes*),$(filter %.c,$(C_SOURCES)))
+
+$(B)/compile_commands.json: Makefile $(filter %.c,$(C_SOURCES)) $(SETUP_FIRST)
+	@mkdir -p $(@D)
+	@for f in $(filter %.c,$(C_SOURCES)); do \
+		printf '{"directory": "%s", "file": "%s", "command": "%s -c %s"},\n' \
+			'$(CURDIR)' "$$f" '$(CC) $(LANGUAGE) $(STRICT) $(PNG_CFLAGS)' "$$f"; \
+	done | sed '1s/^/[/; $$s/,$$/]/' > $@
+
+clean: ## remove what was built
+	rm -rf build
+
+# The comment of a target says what it is for; the names are filled up to 13 letters.
+help: ## this
+	@cat $(filter Makefile %.mk,$(MAKEFILE_LIST)) | sed -n \
+		-e 's/^\([a-z-]*\):.*## \(.*\)/  make \1             \2/' \
+		-e 's/^\(  make [a-z -]\{13\}[a-z-]*\) */\1 /p'
+
+.PHONY: format format-check tidy clean help
