@@ -1,8 +1,8 @@
-// bins.c - step 6: object order with bins. Every sphere goes into the bins of the tiles it is in,
-// near ones first; then every tile asks the spheres of its bin, until what is left is hidden.
+// bins.c - step 6: object order with bins. Every sphere goes into the bins of its tiles, near
+// spheres first. Then every tile asks the spheres of its bin, until the others are hidden.
 //
-// A tile's pixels stay in the cache for as long as it takes (Fuchs et al., 'Pixel-Planes 5', 1989);
-// most of what is far behind is never looked at.
+// A tile's pixels stay in the cache meanwhile (Fuchs et al., 'Pixel-Planes 5', 1989). Most of the
+// hidden spheres are never asked.
 #include "chapters/08-fast/bins_sort.h"
 #include "chapters/08-fast/bins_tile.h"
 #include "chapters/08-fast/engine.h"
@@ -23,9 +23,9 @@ typedef struct {
     Place *places;
     Bins bins;
     int columns, top;              // of tiles; the first row in the bins
-    atomic_llong entries;          // at most so many in the bins of all tiles
+    atomic_llong entries;          // upper limit of the items in the bins of all tiles
     atomic_uint nearest, farthest; // depths of places
-    atomic_bool extreme;           // some sphere is (extremes.h)
+    atomic_bool extreme;           // some sphere has extreme numbers (extremes.h)
 } Casting;
 
 static Eye eye_of(const Work *work)
@@ -102,8 +102,8 @@ static void cast_tile(void *given, int tile)
               casting->bins.start[tile + 1] - start);
 }
 
-// Where spheres cover a lot, all bins at once would take too much memory: then it is the bins of
-// some rows of tiles at a time.
+// If spheres cover many tiles, all bins together would take too much memory. Then only the bins of
+// some rows of tiles are made at a time.
 static bool cast_rows(Casting *casting, int count)
 {
     const Work *work = casting->tiling.work;
@@ -138,7 +138,7 @@ bool cast_bins(const Work *work, Message *message)
                        .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,
                        .nearest = UINT_MAX};
     if (places != NULL && sorted != NULL && paints != NULL) {
-        // What so few parts take is less than a second thread costs.
+        // For so few parts, a second thread costs more than it saves.
         in_parallel(parts < 40 ? 1 : work->threads, parts, place_some, &casting);
         if (!casting.extreme)
             visible = places_by_depth(places, count, casting.nearest, casting.farthest, sorted,

@@ -1,31 +1,30 @@
 // bins_lanes.c - the inner loops of step 6, 16 pixels or spheres at a time.
 //
-// Compiled for several instruction sets (lanes.h). Multiplications may be fused with additions
-// here, which rounds less; what is float's to decide is decided with a margin, the rest is left to
-// double.
+// Compiled for several instruction sets (lanes.h). The compiler may fuse multiplications with
+// additions here, which rounds less. Float decides with a margin, and leaves the rest to double.
 #include "chapters/08-fast/bins_lanes.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-// ---- where spheres are ------------------------------------------------------------------------
+// ---- places of spheres ------------------------------------------------------------------------
 
 static inline double between(double low, double x, double high)
 {
     return x > low ? x < high ? x : high : low;
 }
 
-// A pixel is in where its centre is; rounding is far below so much of a pixel.
+// A pixel is inside if its centre is. Rounding errors are much smaller than this part of a pixel.
 #define MARGIN (1.0 / 64)
 
-// A little more than the square root; float has it sooner.
+// A little more than the square root; float is faster.
 static inline double root(double x)
 {
     return (double)sqrtf((float)x) * (1 + 1e-6);
 }
 
-// Towards 0, to what places are sorted by.
+// Rounds towards 0, to the bits by which places are sorted.
 static inline float coarse(float x)
 {
     uint32_t bits;
@@ -35,7 +34,7 @@ static inline float coarse(float x)
     return x;
 }
 
-// The outline of each sphere becomes pixels, and how near it comes to the eye a float.
+// The outline of each sphere becomes pixels, and its least distance from the eye a float.
 static void place(const Eye *eye, const Positions *positions, int first, int count, Place *places)
 {
     double left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], near[PLACES];
@@ -84,8 +83,8 @@ static void clear(Tile *tile, int columns, int rows, int color)
     }
 }
 
-// The columns of a part are asked 16 at a time. Where the last 16 would reach beyond the tile, the
-// first begin so much earlier.
+// The columns of a part are asked 16 at a time. If the last 16 would reach beyond the tile, the
+// first 16 begin earlier by as much.
 static inline int first_lane(Part part)
 {
     int lanes = (part.right - part.left + LANES - 1) / LANES * LANES;
@@ -117,9 +116,9 @@ static float farthest(const Tile *tile, Part part)
 }
 
 // By Lagrange's identity D = b^2 - |v|^2 (|c|^2 - r^2) is r^2 |v|^2 - |c x v|^2: there no large
-// numbers cancel. The ray x columns and y rows on is v + x g + y h. Counted from the middle of the
-// sphere's part, no term is much larger than D gets in it, so float has D to some 2^-24 of their
-// sum.
+// numbers cancel. The ray x columns and y rows away is v + x g + y h. Counted from the middle of
+// the sphere's part, no term is much larger than the largest D in it. So the error of D in float is
+// about 2^-24 of the sum of the terms.
 static void outline(const Rays *rays, const Candidates *from, int count, Outlines *to)
 {
     const double *f = rays->first, *g = rays->column, *h = rays->row;
@@ -155,9 +154,9 @@ static void outline(const Rays *rays, const Candidates *from, int count, Outline
         double apart = cx * cx + cy * cy + cz * cz;
         bool safe = (apart - square > 1e-3 * apart) & (b - b_range > 1e-6 * b_sum) &
                     (b_sum < 1e15) & (d_sum > 1e-30) & (d_sum < 1e30);
-        // Each term is rounded at most six times, in float; and double is not exact either.
+        // Each term is rounded at most six times in float, and double is not exact either.
         double d_error = 4 * FLT_EPSILON * d_sum + 1e-14 * (square * vv + sqrt(ww * vv * apart));
-        // A square root near 0 magnifies its error, so D that small is doubtful, too.
+        // A square root near 0 magnifies its error, so such a small D is also in doubt.
         double doubt = 0x1p-16 * d_sum + 2 * d_error;
         to->x[i] = (float)column;
         to->y[i] = (float)row;
@@ -177,8 +176,8 @@ static void outline(const Rays *rays, const Candidates *from, int count, Outline
     }
 }
 
-// One sphere asks its pixels, 16 in a row at a time. sure is how far D is above u^2: where it is
-// above the margin the sphere is surely nearer, where it is below -margin surely not.
+// One sphere asks its pixels, 16 in a row at a time. sure is the difference of D and u^2: above the
+// margin the sphere is certainly nearer, below -margin it is certainly not.
 static void ask(Tile *restrict tile, const Outlines *restrict of, int n, Part part, float slack,
                 int color)
 {
@@ -238,7 +237,7 @@ static inline void paint_row(const int *restrict color, int columns, uint8_t *re
 static void paint(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart)
 {
     for (int row = 0; row < rows; row++, rgb += apart) {
-        // Of a number of columns that it knows the compiler makes more.
+        // The compiler optimises better for a constant number of columns.
         if (columns == TILE_WIDTH)
             paint_row(&tile->color[row * TILE_WIDTH], TILE_WIDTH, rgb);
         else

@@ -11,9 +11,9 @@
 
 enum { TILE_WIDTH = 32, TILE_HEIGHT = 32 };
 
-// Where on the screen a sphere is (columns left to right - 1, rows top to bottom - 1), and how near
-// it comes to the eye: a little less rather than more, and without the last PLACE_DROPPED bits of
-// the float, so that places can be sorted by what is left.
+// The place of a sphere on the screen (columns left to right - 1, rows top to bottom - 1), and its
+// least distance from the eye. That is rounded down, without the last PLACE_DROPPED bits of the
+// float; places are sorted by the other bits.
 enum { PLACE_DROPPED = 15 };
 typedef struct {
     uint16_t left, right, top, bottom;
@@ -24,7 +24,7 @@ typedef struct {
 static inline uint32_t place_depth(Place place)
 {
     uint32_t bits;
-    memcpy(&bits, &place.near, sizeof bits); // floats that are not negative sort as their bits do
+    memcpy(&bits, &place.near, sizeof bits); // floats from 0 up have the order of their bits
     return bits >> PLACE_DROPPED;
 }
 
@@ -40,11 +40,11 @@ typedef struct {
     double width, height;
 } Eye;
 
-// The pixels of a tile. s is how far the nearest surface is, as t v.v, which is its distance times
-// |v|; a pixel that float cannot decide has UNSURE in its colour.
+// The pixels of a tile. s is the distance of the nearest surface, as t v.v, which is the distance
+// times |v|. A pixel that float cannot decide has UNSURE in its colour.
 enum { UNSURE = 1 << 24 };
 typedef struct {
-    // Where a line of the cache begins, so that 16 of them are in one.
+    // Aligned to a cache line, so that 16 of them are in one line.
     _Alignas(64) float s[TILE_HEIGHT * TILE_WIDTH];
     int color[TILE_HEIGHT * TILE_WIDTH]; // red, 256 green, 65536 blue
 } Tile;
@@ -54,51 +54,51 @@ typedef struct {
     int left, right, top, bottom;
 } Part;
 
-// The rays of a tile: the first pixel's, and what is added from column to column and row to row;
-// and the products of these two with themselves and one another.
+// The rays of a tile: that of the first pixel, and the differences from column to column and from
+// row to row; and the dot products of these two differences.
 typedef struct {
     double first[3], column[3], row[3];
     double columns, rows, both;
 } Rays;
 
-// Spheres that may be seen: the centre from the eye, the radius; a pixel in the middle of its part
-// of the tile, and how far that reaches from there.
+// Spheres that may be visible: the centre from the eye, the radius; a pixel in the middle of the
+// sphere's part of the tile, and how far that part reaches from there.
 typedef struct {
     double x[LANES], y[LANES], z[LANES], radius[LANES];
     double column[LANES], row[LANES], half_width[LANES], half_height[LANES];
 } Candidates;
 
-// Spheres as a tile sees them. D is a quarter of chapter 05's discriminant, c the centre from the
+// Spheres, seen from a tile. D is a quarter of chapter 05's discriminant, c the centre from the
 // eye, v the ray. For the ray x columns and y rows from the pixel (x, y)
 //   D   = d + dx x + dy y + dxx x^2 + dxy x y + dyy y^2
 //   c.v = b + bx x + by y
-// and it meets the sphere at t v.v = c.v - sqrt(D). With u = c.v - s that is nearer than s where
-// D > u^2, or where u < 0 and D > 0; where these differ by less than doubt, float cannot tell. c.v
-// is off by at most b_error, and the new s by s_error.
+// and it meets the sphere at t v.v = c.v - sqrt(D). With u = c.v - s that is nearer than s if D >
+// u^2, or if u < 0 and D > 0. If the two sides differ by less than doubt, float cannot decide. The
+// error of c.v is at most b_error, and that of the new s at most s_error.
 typedef struct {
     float x[LANES], y[LANES];
     float d[LANES], dx[LANES], dy[LANES], dxx[LANES], dxy[LANES], dyy[LANES];
     float b[LANES], bx[LANES], by[LANES];
     float doubt[LANES], b_error[LANES], s_error[LANES];
-    // 0 where float is not to be trusted: where the eye is in the sphere or close to it, or it is
-    // partly beside or behind the eye, or of an extraordinary size.
+    // 0 if float is not reliable: if the eye is inside the sphere or close to it, if the sphere is
+    // partly beside or behind the eye, or if its size is extreme.
     int safe[LANES];
 } Outlines;
 
 typedef struct {
-    // Where so many spheres are on the screen; they are the scene's from number first on.
+    // The places of count spheres on the screen; they are those of the scene from number first on.
     void (*place)(const Eye *eye, const Positions *positions, int first, int count, Place *places);
-    // Nothing seen yet, in so many columns and rows; there is nothing to see in the others.
+    // Clears these columns and rows; the other pixels of the tile are outside the screen.
     void (*clear)(Tile *tile, int columns, int rows, int color);
     // The largest s.
     float (*farthest)(const Tile *tile, Part part);
-    // What the tile sees of so many candidates.
+    // The outlines of count candidates, seen from the tile.
     void (*outline)(const Rays *rays, const Candidates *candidates, int count, Outlines *outlines);
-    // Sphere number n of these asks the pixels of its part; what was seen may be off by slack.
+    // Sphere number n of these asks the pixels of its part. slack is the largest error of any s.
     void (*ask)(Tile *tile, const Outlines *outlines, int n, Part part, float slack, int color);
     // Is any pixel unsure?
     bool (*unsure)(const Tile *tile);
-    // Writes bytes of red, green and blue; rows of the image are so many bytes apart.
+    // Writes bytes of red, green and blue; apart is the number of bytes from row to row.
     void (*paint)(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart);
 } BinsLanes;
 

@@ -1,8 +1,9 @@
-// bins_sort.c - a counting sort: count what goes into each bin, add up where each begins, fill.
+// bins_sort.c - a counting sort: count the items of each bin, add up where each bin begins, fill.
 //
-// Every thread has a share of the items and counts by itself. Where bin b begins for share p is
-// then known beforehand: behind what all shares have in earlier bins, and earlier shares in this
-// one. So all fill at the same time, without asking each other, and items stay in order.
+// Every thread has a share of the items and counts separately. The items of share p in bin b come
+// after those of all shares in earlier bins, and after those of earlier shares in this bin. So each
+// thread knows its places beforehand: all fill at the same time without locks, and items keep their
+// order.
 #include "chapters/08-fast/bins_sort.h"
 
 #include "chapters/08-fast/large_memory.h"
@@ -16,12 +17,12 @@ typedef struct {
     const Place *places;
     int count;
     Place *sorted;            // by depth
-    uint32_t nearest;         // by depth: of all
+    uint32_t nearest;         // by depth: the least depth
     int columns, top, bottom; // by tile
     int *items;
     int bin_count, shares;
-    size_t *counts;  // of each share, bin after bin; then where it fills
-    size_t *corners; // by tile, of each share; less than 0 wraps round, and adds up right
+    size_t *counts;  // of each share, bin after bin; later the next place to fill
+    size_t *corners; // by tile, of each share; numbers below 0 wrap around, but the sums are right
 } Sort;
 
 static bool is_visible(Place place)
@@ -29,7 +30,7 @@ static bool is_visible(Place place)
     return place.left < place.right && place.top < place.bottom;
 }
 
-// The tiles of a place that are in the bins: some columns of some rows.
+// The tiles of a place, among the rows that have bins: some columns of some rows.
 static inline Part tiles_of(const Sort *sort, Place place)
 {
     int top = place.top / TILE_HEIGHT, bottom = (place.bottom - 1) / TILE_HEIGHT + 1;
@@ -71,10 +72,10 @@ static void fill_depths(void *given, int share)
     }
 }
 
-// A place is in some columns of some rows. Where it begins and ends is noted at the four corners,
-// and adding up along rows and columns gives the counts (Crow, 'Summed-Area Tables for Texture
-// Mapping', 1984, the other way round): four steps for each place, however many tiles, and none
-// that makes the processor guess where a loop ends.
+// A place covers some columns of some rows. Only its four corners are noted; adding up along rows
+// and columns gives the counts (Crow, 'Summed-Area Tables for Texture Mapping', 1984, in reverse).
+// That is four steps for each place, however many tiles it covers, and the processor need not
+// predict the end of a loop.
 static void count_tiles(void *given, int share)
 {
     const Sort *sort = given;
@@ -113,8 +114,8 @@ static void fill_tiles(void *given, int share)
     }
 }
 
-// From how many there are to where they begin: a prefix sum. start: where each bin does; may be
-// NULL. Returns how many there are in all.
+// Turns counts into the places where they begin: a prefix sum. start gets the begin of each bin; it
+// may be NULL. Returns the sum of all counts.
 static size_t add_up(const Sort *sort, size_t *start)
 {
     size_t sum = 0;

@@ -1,4 +1,4 @@
-// bins_sort.h - which spheres are in which bin: a counting sort.
+// bins_sort.h - sorts spheres into bins: a counting sort.
 #ifndef CHAPTERS_08_FAST_BINS_SORT_H
 #define CHAPTERS_08_FAST_BINS_SORT_H
 
@@ -6,8 +6,8 @@
 
 #include <stdbool.h>
 
-// The visible among so many places, near ones first; the depths of all are from nearest to
-// farthest. Returns how many they are; -1 where memory is short.
+// The visible ones of count places, near ones first; all depths are from nearest to farthest.
+// Returns their number; -1 if there is not enough memory.
 int places_by_depth(const Place *places, int count, uint32_t nearest, uint32_t farthest,
                     Place *sorted, int threads);
 
@@ -17,8 +17,8 @@ typedef struct {
     size_t *start;
 } Bins;
 
-// Which of so many places are in which tile, of the rows of tiles top to bottom - 1, columns in
-// each. They keep their order. False where memory is short. Free it with bins_free.
+// Sorts count places into the tiles of the rows top to bottom - 1, with columns tiles in each row.
+// The places keep their order. False if there is not enough memory. Free it with bins_free.
 bool bins_by_tile(Bins *bins, const Place *places, int count, int columns, int top, int bottom,
                   int threads);
 void bins_free(Bins *bins);

@@ -1,8 +1,8 @@
 // bins_tile.c - one tile of the screen: its spheres ask its pixels, the near ones first, until the
-// rest is hidden behind what was seen.
+// rest is hidden.
 //
-// Float decides where its error cannot matter (bins_lanes.c). What it leaves open is decided by
-// chapter 05's hit_sphere, in double, at the end.
+// Float decides if its error cannot matter (bins_lanes.c). At the end, chapter 05's hit_sphere
+// decides the other pixels in double.
 #include "chapters/08-fast/bins_tile.h"
 
 #include "chapters/08-fast/nearest.h"
@@ -13,7 +13,7 @@
 #include <float.h>
 #include <math.h>
 
-// Spheres that are made ready together, and until the farthest pixel is looked for again.
+// Spheres that are prepared together; after that, the farthest pixel is computed again.
 enum { AT_ONCE = 8, UNTIL_NEXT_LOOK = 16 };
 
 typedef struct {
@@ -21,15 +21,15 @@ typedef struct {
     Pixel corner;
     int columns, rows;
     Rays rays;
-    float shortest; // at most the length of any of them
-    float slack;    // how far off any s may be
+    float shortest; // not more than the length of any of them
+    float slack;    // the largest error of any s
     Tile pixels;
-    // The spheres that are to ask next.
+    // The spheres that ask next.
     int waiting;
     Candidates candidates;
     int spheres[AT_ONCE];
     Part parts[AT_ONCE];
-    float nearest[AT_ONCE]; // s is not less
+    float nearest[AT_ONCE]; // a lower bound of s
 } Here;
 
 static void allow(Here *here, float error)
@@ -52,7 +52,7 @@ static int color_of(const Tiling *tiling, int sphere)
     return rgb[0] | rgb[1] << 8 | rgb[2] << 16;
 }
 
-// A sphere asks its pixels in double. (A t that float does not hold is left open as well.)
+// A sphere asks its pixels in double. (If float cannot hold the t, the pixel remains undecided.)
 static void ask_in_double(Here *here, int number, Part part, float nearest)
 {
     Sphere sphere = here->tiling->work->scene->spheres[number];
@@ -81,8 +81,8 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
     }
 }
 
-// Which of the spheres does a pixel see? Most of them its ray misses by far: |c x v| / |v| is how
-// far it passes from the centre, and the margins are many times what rounding does to that.
+// Which of the spheres does a pixel see? Its ray misses most of them by far: |c x v| / |v| is its
+// distance from the centre, and the margins are many times the rounding error of that.
 static int decide(const Here *here, Ray ray, const int *bin, size_t count)
 {
     vec3 v = ray.direction;
@@ -121,7 +121,7 @@ static Part part_of(const Here *here, Place place)
                   top > 0 ? top : 0, bottom < here->rows ? bottom : here->rows};
 }
 
-// Where a candidate is, from the eye, and where the pixels that it may ask.
+// The place of a candidate, from the eye, and the pixels that it may ask.
 static void set_candidate(Here *here, int i)
 {
     const Work *work = here->tiling->work;
@@ -140,8 +140,8 @@ static void set_candidate(Here *here, int i)
     to->half_height[i] = row - part.top;
 }
 
-// Do all pixels of a sphere's part see something nearer? Where they do not, mostly the one in the
-// middle says so.
+// Do all pixels of a sphere's part see something nearer? If they do not, usually the pixel in the
+// middle is one of those.
 static bool is_hidden(const Here *here, int i)
 {
     Part part = here->parts[i];
@@ -172,8 +172,8 @@ static void ask_waiting(Here *here)
     here->waiting = 0;
 }
 
-// Returns how many of the spheres may be seen at all. What comes next is fetched into the cache:
-// the bin names places and spheres in no order of memory, and a sphere may be in two lines of it.
+// Returns the number of spheres that may be visible. The next ones are fetched into the cache: the
+// order of the bin is not that of the memory, and a sphere may be in two lines of the cache.
 static size_t ask_all(Here *here, const int *bin, size_t count)
 {
     const Tiling *tiling = here->tiling;
@@ -214,7 +214,7 @@ static Rays rays_from(vec3 first, vec3 column, vec3 row)
     return rays;
 }
 
-// How far it is from x to the columns (or rows) of the tile; with a sign, and 0 inside.
+// The distance from x to the columns (or rows) of the tile, with a sign, and 0 inside.
 static double nearest_to(double x, int first, int count)
 {
     return fmin(fmax(x, first), first + count) - x;
@@ -230,18 +230,18 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
     here.corner = corner;
     here.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
     here.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
-    // From one pixel to the next it is the same step on the plane, so that is where rays end.
+    // The rays end on the plane, because the step from one pixel to the next is the same there.
     here.rays = rays_from(ray_to_plane(pixel_ray(camera, image->size, corner), camera).direction,
                           camera.width / width * camera.right, -camera.height / height * camera.up);
     double x = camera.width / width * nearest_to(width / 2.0, corner.column, here.columns);
     double y = camera.height / height * nearest_to(height / 2.0, corner.row, here.rows);
-    // A little less, so that rounding makes it no longer than any.
+    // A little less, so that it is not longer than any ray, in spite of rounding.
     here.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
     here.slack = 0;
     here.waiting = 0;
     uint8_t *rgb = image_bytes(image, corner);
     size_t apart = 3 * (size_t)width;
-    // What will be written is fetched into the cache meanwhile.
+    // The bytes that will be written are fetched into the cache meanwhile.
     for (int row = 0; row < here.rows; row++) {
         __builtin_prefetch(rgb + (size_t)row * apart, 1);
         __builtin_prefetch(rgb + (size_t)row * apart + 3 * here.columns - 1, 1);

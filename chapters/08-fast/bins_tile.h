@@ -6,7 +6,7 @@
 #include "chapters/08-fast/engine.h"
 #include "chapters/08-fast/paint.h"
 
-// What all tiles share.
+// The data that all tiles share.
 typedef struct {
     const Work *work;
     const BinsLanes *lanes;
@@ -14,8 +14,8 @@ typedef struct {
     const Paint *paints;
 } Tiling;
 
-// Colours the tile whose upper left pixel this is, by the spheres whose places these are: so
-// many, near ones first.
+// Colours the tile with this upper left pixel. bin has the places of its count spheres, near ones
+// first.
 void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count);
 
 #endif

@@ -1,7 +1,7 @@
 // bvh.c - step 3: a hierarchy of boxes, one ray at a time. Every ray asks the spheres on its way.
 //
-// Nearer boxes first, and none that begins behind what is hit already. The spheres are asked as in
-// chapter 05, so the picture is the same to the bit.
+// The ray enters nearer boxes first, and no box that begins farther away than a hit that was found.
+// The spheres are asked as in chapter 05, so the picture is the same to the bit.
 #include "chapters/08-fast/engine.h"
 
 #include "chapters/08-fast/clock.h"

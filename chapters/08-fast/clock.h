@@ -1,4 +1,4 @@
-// clock.h - what time it is, for measuring.
+// clock.h - the time, for measuring.
 #ifndef CHAPTERS_08_FAST_CLOCK_H
 #define CHAPTERS_08_FAST_CLOCK_H
 

@@ -1,7 +1,7 @@
-// engine.h - ways to cast one and the same picture.
+// engine.h - six ways to cast the same picture.
 //
-// Each engine is a step: a small file of its own, and a section of the lesson. All give the pixels
-// of chapter 06; they differ in which questions they leave out, and how many they ask at a time.
+// Each engine is a step: a small file, and a section of the lesson. All give the pixels of chapter
+// 06. They differ in the questions that they leave out, and in how many they ask at a time.
 #ifndef CHAPTERS_08_FAST_ENGINE_H
 #define CHAPTERS_08_FAST_ENGINE_H
 
@@ -13,30 +13,30 @@
 
 #include <stdbool.h>
 
-// What is to be cast.
+// The picture to cast.
 typedef struct {
     const Scene *scene;
     Camera camera;
     Image *image; // every pixel is set
     int threads;  // at least 1
-    // Where not NULL: when casting began, on the clock of clock.h. What was built before, a
-    // hierarchy, is good for every camera.
+    // If not NULL: gets the time when casting began, by clock.h. A hierarchy that was built before
+    // that can be used with every camera.
     double *built;
 } Work;
 
 typedef struct {
     const char *name;
     const char *idea; // in one line
-    // False, and a message, where memory is short; the image may be half done then.
+    // If there is not enough memory: false, and a message. Then the image may be incomplete.
     bool (*cast)(const Work *work, Message *message);
-    // The same with the light of chapter 07; NULL where the engine knows no rays but the eye's.
+    // The same with the light of chapter 07; NULL if the engine can only cast rays from the eye.
     bool (*light)(const Work *work, Style style, Message *message);
 } Engine;
 
 // In the order of the lesson; the last one has no name.
 extern const Engine engines[];
 
-// NULL where there is none of this name.
+// NULL if there is no engine of this name.
 const Engine *engine_named(const char *name);
 
 // 1. Chapter 06's loop: every pixel asks every sphere.

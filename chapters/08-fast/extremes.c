@@ -1,4 +1,4 @@
-// extremes.c - whether a scene goes beyond what the quick engines can be trusted with.
+// extremes.c - whether the numbers of a scene are beyond the limits of the fast engines.
 #include "chapters/08-fast/extremes.h"
 
 bool extreme_camera(Camera camera)

@@ -1,10 +1,10 @@
-// extremes.h - numbers that only chapter 06's loop is right about.
+// extremes.h - numbers for which only chapter 06's loop is right.
 //
-// The quick engines decide with margins that cover what is rounded off, for a sphere that is up to
-// EXTREME_RADII of its radii away, and for lengths whose squares of squares a double holds. A scene
-// that goes beyond is cast by 'plain', whichever engine was asked for: the picture stays the same.
-// Tried (tests/house/engines/same.c): bins err from 1e14 radii on, object from 1e15.5, the others
-// from 1e16.
+// The fast engines decide with margins that cover rounding errors, for a sphere up to EXTREME_RADII
+// of its radii away, and for lengths whose fourth powers are in the range of a double. If a scene
+// is beyond that, 'plain' casts it, whichever engine was chosen: the picture stays the same.
+// Measured (tests/house/engines/same.c): bins are wrong from 1e14 radii on, object from 1e15.5, the
+// others from 1e16.
 #ifndef CHAPTERS_08_FAST_EXTREMES_H
 #define CHAPTERS_08_FAST_EXTREMES_H
 
@@ -13,7 +13,7 @@
 #include <math.h>
 
 #define EXTREME_RADII 1e12
-#define EXTREME_LENGTH 1e60 // and 1 over it
+#define EXTREME_LENGTH 1e60 // and its reciprocal
 
 static inline bool extreme_length(double x)
 {
@@ -26,7 +26,7 @@ static inline bool extreme_place(vec3 place)
              fabs(place[2]) <= EXTREME_LENGTH);
 }
 
-// As seen from an eye whose place is not extreme.
+// Seen from an eye whose place is not extreme.
 static inline bool extreme_sphere(vec3 eye, const Sphere *sphere)
 {
     vec3 c = sphere->center - eye;
@@ -37,11 +37,11 @@ static inline bool extreme_sphere(vec3 eye, const Sphere *sphere)
 
 bool extreme_camera(Camera camera);
 
-// Whether a picture has to be cast by 'plain'.
+// Whether 'plain' must cast a picture.
 bool extreme_scene(const Work *work);
 
-// The same for light: rays start anywhere then, so the largest distance counts, in radii of the
-// smallest sphere.
+// The same for light: then rays start anywhere, so the largest distance is compared with the radius
+// of the smallest sphere.
 bool extreme_light(const Work *work);
 
 #endif

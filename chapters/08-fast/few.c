@@ -1,4 +1,5 @@
-// few.c - the path of a ray: what it hits, what hides the lights from there, and on by the mirror.
+// few.c - the spheres that the path of a ray meets: those it hits, by way of mirrors, and those
+// that hide a light from there.
 #include "chapters/08-fast/few.h"
 
 #include "chapters/08-fast/nearest.h"
@@ -11,7 +12,7 @@
 bool few_begin(Few *few, const Hierarchy *hierarchy, const Scene *scene, int depth)
 {
     *few = (Few){.hierarchy = hierarchy, .scene = scene, .few = *scene};
-    // A ray hits one sphere, and of those that hide a light from there one will do.
+    // A ray hits one sphere, and for each light one sphere that hides it is enough.
     double most = (depth + 1.0) * (scene->light_count + 1.0);
     size_t room = 1 + (size_t)fmin(most, scene->sphere_count);
     few->few.spheres = malloc(room * sizeof *few->few.spheres);
@@ -28,7 +29,7 @@ void few_end(Few *few)
     free(few->indices);
 }
 
-// Puts a sphere among the few, once, and in order.
+// Adds a sphere to the few, once, and in order.
 static void keep(Few *few, int sphere)
 {
     int count = few->few.sphere_count, i = count;
@@ -41,7 +42,7 @@ static void keep(Few *few, int sphere)
     few->few.sphere_count++;
 }
 
-// Whether a sphere hides a light: chapter 07 says so, of a world with nothing else in it.
+// Whether a sphere hides a light, by chapter 07's function, in a world with only this sphere.
 static bool hides(const Sphere *sphere, vec3 from, Light light)
 {
     Sphere alone = *sphere;
@@ -49,13 +50,14 @@ static bool hides(const Sphere *sphere, vec3 from, Light light)
     return !(visibility(&world, from, light) > 0);
 }
 
-// Some sphere that hides a light; -1 where none does. Not the nearest: the first found will do.
+// A sphere that hides a light; -1 if there is none. It need not be the nearest one.
 static int hider(const Few *few, vec3 from, Light light)
 {
     const Hierarchy *hierarchy = few->hierarchy;
     Ray ray = ray_to_light(from, light);
     Way way = way_of(ray);
-    // A box that begins behind the light hides nothing, nor does what is in it; but for rounding.
+    // A box that begins beyond the light, and its spheres, hide nothing; with a margin for
+    // rounding.
     double reach = light.kind == LIGHT_DISTANT ? NO_HIT : 1 + 1e-9;
     int waiting[HIERARCHY_DEEPEST + 1], count = 0;
     waiting[count++] = 0;
@@ -79,7 +81,7 @@ static int hider(const Few *few, vec3 from, Light light)
     return -1;
 }
 
-// Keeps what a ray meets, and its mirrored rays, as far as trace_ray follows them.
+// Keeps the spheres that a ray and its mirrored rays meet, as far as trace_ray follows them.
 static void follow(Few *few, Ray ray, int depth)
 {
     const Scene *scene = few->scene;

@@ -1,4 +1,4 @@
-// hierarchy.c - building a bounding volume hierarchy: where to split, and splitting.
+// hierarchy.c - builds a bounding volume hierarchy: chooses where to split, and splits.
 #include "chapters/08-fast/hierarchy.h"
 
 #include "chapters/08-fast/large_memory.h"
@@ -6,8 +6,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-// BINS: so many slices along an axis. LEAF: more spheres than these are split even where that does
-// not pay. Deeper than DEEP they are just halved, so that no node is deeper than HIERARCHY_DEEPEST.
+// BINS: the number of slices along an axis. LEAF: more spheres than these are split even if that
+// costs more. Deeper than DEEP they are simply halved, so that no node is deeper than
+// HIERARCHY_DEEPEST.
 enum { BINS = 16, LEAF = 4, DEEP = 64 };
 
 typedef struct {
@@ -17,7 +18,7 @@ typedef struct {
 
 static const Box nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
 
-// Not fmin and fmax: what they make of what is not a number costs a call.
+// Not fmin and fmax: their rules for NaN cost a function call.
 static inline double smaller(double a, double b)
 {
     return a < b ? a : b;
@@ -63,7 +64,7 @@ static int bin_of(Split split, Sphere sphere)
     return bin < BINS ? bin : BINS - 1;
 }
 
-// The cheapest split along an axis; infinite where all centres are in one place.
+// The cheapest split along an axis; its cost is infinite if all centres are in one place.
 static Split best_split_along(const Builder *builder, int axis, int first, int count)
 {
     const int *order = builder->hierarchy->order + first;
@@ -86,7 +87,7 @@ static Split best_split_along(const Builder *builder, int axis, int first, int c
         boxes[bin] = around_both(boxes[bin], around_sphere(sphere));
         counts[bin]++;
     }
-    // From the right: what the second child would cost. Then from the left: both together.
+    // From the right: the cost of the second child. Then from the left: the cost of both together.
     double right[BINS];
     Box box = nothing;
     for (int i = BINS - 1, n = 0; i > 0; i--) {
@@ -109,7 +110,7 @@ static Split best_split_along(const Builder *builder, int axis, int first, int c
 
 // ---- splitting --------------------------------------------------------------------------------
 
-// Brings those before the split to the front; how many they are.
+// Moves the spheres before the split to the front; returns their number.
 static int partition(const Builder *builder, Split split, int first, int count)
 {
     int *order = builder->hierarchy->order;
@@ -141,7 +142,7 @@ static void build(const Builder *builder, int first, int count, int depth)
         if (other.cost < split.cost)
             split = other;
     }
-    // A step down costs about as much as asking a sphere.
+    // A step down costs about as much as one sphere.
     bool worth = split.cost + box_surface(&node->box) < count * box_surface(&node->box);
     if (count <= LEAF && !worth)
         return;

@@ -1,6 +1,6 @@
 // hierarchy.h - a bounding volume hierarchy: boxes of boxes of spheres.
 //
-// A box that a ray misses holds nothing that it hits. Built from the top by the surface area
+// If a ray misses a box, it misses everything in it. Built from the top by the surface area
 // heuristic (MacDonald and Booth, 'Heuristics for Ray Tracing Using Space Subdivision', 1990; with
 // bins: Wald, 'On Fast Construction of SAH-based Bounding Volume Hierarchies', 2007).
 #ifndef CHAPTERS_08_FAST_HIERARCHY_H
@@ -15,7 +15,7 @@ typedef struct {
     double low[3], high[3];
 } Box;
 
-// Half of it, which will do for comparing; 0 of a box that holds nothing.
+// Half of the surface, which is enough for comparing; 0 for an empty box.
 static inline double box_surface(const Box *box)
 {
     double x = box->high[0] - box->low[0], y = box->high[1] - box->low[1];
@@ -24,8 +24,8 @@ static inline double box_surface(const Box *box)
 }
 
 // A node holds count spheres, from first on in the order of the hierarchy. It has two children, or
-// none: a leaf. The one is the next of the nodes, the other is number other; along axis the centres
-// in the one are before those in the other.
+// none: then it is a leaf. The first child is the next node, the second one is number other. Along
+// axis, the centres in the first child are before those in the second.
 typedef struct {
     Box box;
     int first, count;
@@ -39,11 +39,11 @@ typedef struct {
     int *order; // indices of the scene's spheres
 } Hierarchy;
 
-// How many boxes in one another there are at most.
+// The largest depth of the hierarchy.
 enum { HIERARCHY_DEEPEST = 128 };
 
-// False where memory is short. Boxes are a little larger than their spheres: what rounding lets a
-// ray hit lies in them, too.
+// False if there is not enough memory. Boxes are a little larger than their spheres, so that they
+// contain every hit, in spite of rounding.
 bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene);
 void hierarchy_free(Hierarchy *hierarchy);
 

@@ -5,8 +5,8 @@ const char *const lanes_names[LANES_KINDS] = {"baseline", "avx2", "avx512"};
 
 LanesKind lanes_at_most = LANES_AVX512;
 
-// What is asked for here is what the Makefile compiles for, no more and no less. The compiler's
-// library also asks whether the system saves the wide registers.
+// Asks for exactly the instruction sets that the Makefile compiles for. The compiler's library also
+// asks whether the system saves the wide registers.
 static LanesKind lanes_of_processor(void)
 {
 #ifdef __x86_64__

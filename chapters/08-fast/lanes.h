@@ -1,14 +1,14 @@
 // lanes.h - the same loops for several instruction sets, and which of them this processor has.
 //
-// A file NAME_lanes.c is compiled once for each kind (Makefile), with LANES_KIND set to its name,
-// and gives what is in it under a name of its own: LANES(bins) is bins_avx512, bins_avx2 or
-// bins_baseline. Its loops are plain C over arrays; the compiler makes of 16 steps at a time what
-// the instruction set has: one vector of 16 floats, two of 8, four of 4. A lane is one of the 16.
-// '#pragma omp simd' promises the compiler that no step needs what another one finds, but for what
-// is in 'reduction(| : any)': to that all add with |, in any order.
+// A file NAME_lanes.c is compiled once for each kind (Makefile), with LANES_KIND set to the name of
+// the kind, and its functions get names of their own: LANES(bins) is bins_avx512, bins_avx2 or
+// bins_baseline. Its loops are plain C over arrays. The compiler turns 16 steps at a time into the
+// vectors of the instruction set: one of 16 floats, two of 8, or four of 4. A lane is one of the
+// 16. '#pragma omp simd' promises the compiler that no step needs the result of another one, except
+// for 'reduction(| : any)': all steps combine their results with |, in any order.
 //
-// Such objects take numbers and arrays only, never a vec3: between instruction sets that is passed
-// in different ways.
+// The functions in these files take only numbers and arrays, never a vec3, because instruction sets
+// pass a vec3 in different ways.
 #ifndef CHAPTERS_08_FAST_LANES_H
 #define CHAPTERS_08_FAST_LANES_H
 

@@ -17,7 +17,7 @@ typedef struct {
     bool short_of_memory;
 } Lit;
 
-// Other rows are another thread's at the same time, so image_set will not do.
+// Other threads write other rows at the same time, so image_set cannot be used.
 static void set_pixel(Image *image, Pixel pixel, Color color)
 {
     uint8_t *rgb = image_bytes(image, pixel);

@@ -1,6 +1,6 @@
 // main.c - chapter 08: the same picture, faster.
 //
-// Casts a scene as chapter 06 does, by an engine of one's choice, and says how many rays a second.
+// Draws a scene like chapters 06 and 07, with one of six engines, and prints the time that it took.
 #include "chapters/08-fast/clock.h"
 #include "chapters/08-fast/engine.h"
 #include "chapters/08-fast/extremes.h"
@@ -25,8 +25,8 @@ static bool option_threads(const char *text, void *into)
     return option_whole(text, 1, 256, into);
 }
 
-// Hierarchies take longer to build than bins to cast, and a picture is cast once. But shadows and
-// mirrors send rays from everywhere.
+// Building a hierarchy takes longer than casting with bins, and a picture is cast only once. But
+// for shadows and mirrors, rays start everywhere.
 static const Engine *engine_for(bool shaded)
 {
     return engine_named(shaded ? "bvh" : "bins");

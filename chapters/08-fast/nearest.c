@@ -1,5 +1,5 @@
-// nearest.c - what one ray hits: nearer boxes first, and none that begins behind what is hit
-// already.
+// nearest.c - the nearest hit of one ray. It enters nearer boxes first, and no box that begins
+// farther away than a hit that was found.
 #include "chapters/08-fast/nearest.h"
 
 #include "chapters/08-fast/way.h"
@@ -31,7 +31,7 @@ Hit hierarchy_nearest(const Hierarchy *hierarchy, const Scene *scene, Ray ray)
     Hit nearest = {NO_HIT, -1};
     double enters = entry(&nodes[0].box, &way);
     for (;;) {
-        // A box may begin a rounding behind a hit in it.
+        // Because of rounding, a box may begin a little beyond a hit in it.
         if (enters < NO_HIT && enters <= nearest.t * (1 + 1e-9)) {
             if (nodes[node].other == 0) {
                 nearest = ask_leaf(hierarchy, scene, &nodes[node], ray, &way, nearest);

@@ -1,11 +1,11 @@
-// nearest.h - what one ray hits, by a hierarchy.
+// nearest.h - the nearest hit of one ray, by a hierarchy.
 #ifndef CHAPTERS_08_FAST_NEAREST_H
 #define CHAPTERS_08_FAST_NEAREST_H
 
 #include "chapters/08-fast/hierarchy.h"
 #include "common/ray.h"
 
-// The nearer of two hits; as in chapter 06, the lower index where both are equally near.
+// The nearer of two hits; as in chapter 06, the lower index wins if both are equally near.
 static inline Hit nearer(Hit a, Hit b)
 {
     bool b_wins = b.t < a.t || (b.t == a.t && b.t < NO_HIT && b.sphere < a.sphere);

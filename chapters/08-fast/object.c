@@ -1,8 +1,8 @@
 // object.c - step 2: object order. Every sphere asks the pixels of its rectangle, and only those.
 //
-// The deck's first idea taken seriously: a sphere's outline on the image plane is an ellipse, and
-// its rectangle is exact (view.c). What is nearest so far is kept for each pixel, t and sphere: a
-// z-buffer.
+// This is the deck's first idea. The outline of a sphere on the image plane is an ellipse, and its
+// rectangle is exact (view.c). For each pixel the t and the sphere of the nearest hit so far are
+// kept: a z-buffer.
 #include "chapters/08-fast/engine.h"
 
 #include "chapters/08-fast/extremes.h"

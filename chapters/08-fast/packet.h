@@ -1,8 +1,8 @@
-// packet.h - 16 rays at a time: what they see so far, and asking one sphere.
+// packet.h - 16 rays at a time: what they see so far, and how they ask one sphere.
 //
-// What is compared is t v.v = c.v - sqrt(D) (seen.h), so that nothing need be divided. It is known
-// to lie between two bounds; which sphere is nearest is known where the bounds of all others begin
-// behind the end of its own.
+// The rays compare t v.v = c.v - sqrt(D) (seen.h), so that they need not divide. It is between two
+// known bounds. A sphere is certainly the nearest if the lower bounds of all others are greater
+// than its upper bound.
 #ifndef CHAPTERS_08_FAST_PACKET_H
 #define CHAPTERS_08_FAST_PACKET_H
 
@@ -15,10 +15,10 @@
 #include <string.h>
 
 typedef struct {
-    alignas(64) float x[LANES];     // a vector is read fastest where a line of the cache begins
+    alignas(64) float x[LANES];     // aligned to a cache line, where vectors are read fastest
     float y[LANES], squared[LANES]; // the rays are (x, y, 1); their v.v
-    float begin[LANES], end[LANES]; // the bounds of the nearest that is surely hit
-    float rival[LANES];             // where those of all others begin
+    float begin[LANES], end[LANES]; // the bounds of the nearest certain hit
+    float rival[LANES];             // the lower bound of all others
     int color[LANES];
 } Packet;
 
@@ -55,9 +55,9 @@ static inline float aside(const Seen *seen, float x, float y)
     return a * a + b * b + c * c;
 }
 
-// Whether any ray may hit the sphere before what it surely hits: D >= 0, and c.v - sqrt(D) <= end,
-// which is so where c.v - end is not positive or its square is at most D. This leaves the square
-// roots to the few that need them. D is that of the larger sphere, so none is left out.
+// Whether any ray may hit the sphere before its nearest certain hit: D >= 0, and c.v - sqrt(D) <=
+// end. That is true if c.v - end is not positive, or if its square is at most D. So only a few
+// spheres need square roots. D is that of the larger sphere, so no sphere is left out.
 static inline bool packet_may_see(const Packet *packet, const Seen *seen)
 {
     int any = 0;
@@ -77,8 +77,8 @@ static inline float root(float d)
     return sqrtf(d > 0 ? d : 0);
 }
 
-// What ray i learns of a sphere: it hits it between begin and end; or perhaps, from begin on, where
-// end is infinite; or not at all, where both are.
+// Ray i learns about a sphere: it hits the sphere between begin and end. If end is infinite, it may
+// hit the sphere, at begin or later; if both are infinite, it misses.
 static inline void packet_take(Packet *packet, int i, int color, float begin, float end)
 {
     float old_begin = packet->begin[i], old_end = packet->end[i], rival = packet->rival[i];
@@ -91,7 +91,7 @@ static inline void packet_take(Packet *packet, int i, int color, float begin, fl
     packet->rival[i] = loser < rival ? loser : rival;
 }
 
-// Asks a sphere. The larger of the two that stand for it is entered first, the smaller one last.
+// Asks a sphere, which is between a larger and a smaller one: the ray enters the larger one first.
 static inline void packet_see(Packet *packet, const Seen *seen, int color)
 {
 #pragma omp simd
@@ -120,7 +120,7 @@ static inline void packet_see_around(Packet *packet, const Seen *seen, int color
     }
 }
 
-// Hands the 16 colours to the tile. The nearest is certain where no other can begin before its end.
+// Gives the 16 colours to the tile. The nearest is certain if no other can begin before its end.
 static inline void packet_end(const Packet *packet, int column, int row, Tile *tile)
 {
     int colors[LANES], doubts = 0;

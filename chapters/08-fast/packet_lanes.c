@@ -1,12 +1,12 @@
 // packet_lanes.c - step 4: 16 rays at a time through the hierarchy.
 //
-// A box is entered where any of the 16 enters it; a sphere is asked for all of them at once.
+// The packet enters a box if any of the 16 rays enters it. A sphere is asked for all 16 at once.
 #include "chapters/08-fast/packet.h"
 
 typedef struct {
     float x[LANES], y[LANES], z[LANES]; // 1 / direction, along the axes of the world
     float per_squared[LANES];
-    float end[LANES]; // a little behind what is surely hit, as t
+    float end[LANES]; // a little more than the t of the nearest certain hit
     float middle[3];  // a direction in the middle
 } Inverse;
 
@@ -15,7 +15,7 @@ static float direction(const View *view, int axis, float x, float y)
     return (float)view->ahead[axis] + x * (float)view->right[axis] + y * (float)view->up[axis];
 }
 
-// Never of 0: infinity times 0 would be no number.
+// Never for 0: infinity times 0 would be NaN.
 static float inverse(float x)
 {
     return 1 / (fabsf(x) > 1e-30F ? x : 1e-30F);
@@ -35,7 +35,7 @@ static void inverse_of(Inverse *of, const View *view, const Packet *packet)
         of->middle[axis] = direction(view, axis, packet->x[LANES / 2], packet->y[LANES / 2]);
 }
 
-// Whether any ray enters the box before what it surely hits: the slabs of way.h, for 16 rays.
+// Whether any ray enters the box before its nearest certain hit: the slabs of way.h, for 16 rays.
 static inline bool packet_enters(const Inverse *of, const SeenNode *node)
 {
     float low_x = node->low[0], low_y = node->low[1], low_z = node->low[2];
@@ -69,8 +69,8 @@ static void ask_leaf(Packet *packet, Inverse *of, const View *view, const SeenNo
     }
 }
 
-// Depth first, and of two children the one where the ray in the middle comes first, by its
-// direction along the axis of their split.
+// Depth first. Of two children, the first is the one that the ray in the middle meets first, by its
+// direction along the axis of the split.
 static void walk(Packet *packet, const View *view, int column, int row)
 {
     Inverse of;

@@ -1,4 +1,4 @@
-// paint.c - the bytes of what a scene's spheres look like.
+// paint.c - the colours of a scene's spheres as bytes.
 #include "chapters/08-fast/paint.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// paint.h - the bytes of what a scene's spheres look like, found once.
+// paint.h - the colours of a scene's spheres as bytes, computed once.
 #ifndef CHAPTERS_08_FAST_PAINT_H
 #define CHAPTERS_08_FAST_PAINT_H
 
@@ -11,8 +11,8 @@ typedef struct {
     uint8_t rgb[3];
 } Paint;
 
-// One for each surface, and behind the last the background. Free it with free; NULL where memory is
-// short.
+// One for each surface, and after the last one the background. Free it with free; NULL if there is
+// not enough memory.
 Paint *paints_of(const Scene *scene);
 
 // Colours a pixel by the sphere that it sees, -1 for none. Unlike image_set this may be called by

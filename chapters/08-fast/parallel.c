@@ -1,8 +1,9 @@
-// parallel.c - a queue: whoever is free takes the next numbers.
+// parallel.c - a queue: a thread that is free takes the next numbers.
 //
-// Many at first, then fewer, at last one by one (guided self-scheduling: Polychronopoulos and Kuck,
-// 1987): all are done at the same time, and meanwhile each is at its own place. Neighbours in a
-// picture share lines of the cache, and two threads that write to one line wait for each other.
+// It takes many at first, then fewer, at last one by one (guided self-scheduling: Polychronopoulos
+// and Kuck, 1987). So all threads finish at the same time, and each works at its own place
+// meanwhile. Neighbours in a picture share cache lines, and two threads that write to one line wait
+// for each other.
 #include "chapters/08-fast/parallel.h"
 
 #include <pthread.h>
@@ -17,7 +18,7 @@ typedef struct {
     void *given;
 } Queue;
 
-// Some of what is left, from first on; 0 where nothing is.
+// Takes some of the remaining numbers, from first on; 0 if none remain.
 static int take_some(Queue *queue, int *first)
 {
     int some;

@@ -2,9 +2,9 @@
 #ifndef CHAPTERS_08_FAST_PARALLEL_H
 #define CHAPTERS_08_FAST_PARALLEL_H
 
-// Calls part(given, i) for each i from 0 to parts - 1, each once, in no order, by so many threads
-// (POSIX threads: every Unix has them, and a queue is all that is needed). With 1, in this one.
-// Where a thread cannot be had, the others do its work.
+// Calls part(given, i) once for each i from 0 to parts - 1, in any order, by this number of threads
+// (POSIX threads: every Unix has them, and only a queue is needed). With 1, it uses the caller's
+// thread. If a thread cannot be created, the others do its work.
 void in_parallel(int threads, int parts, void (*part)(void *given, int i), void *given);
 
 #endif

@@ -1,6 +1,7 @@
 // plain.c - step 1: chapter 06's loop. Every pixel asks every sphere.
 //
-// What all others are held against. The only thing added is that rows may be shared out.
+// All other engines are compared with this one. Compared with chapter 06, only threads that share
+// the rows are new.
 #include "chapters/08-fast/engine.h"
 
 #include "chapters/08-fast/paint.h"

@@ -1,7 +1,8 @@
-// random_nff.c - writes a scene of random spheres: as many as are asked for, in a cube.
+// random_nff.c - writes a scene of random spheres in a cube; their number is an argument.
 //
 // Centres uniform in [-1, 1]^3, radii uniform from 0.2 to 0.6 times the mean distance between
-// neighbours, 2 / cbrt(n), so that rays pass many and hit one. The same spheres every time.
+// neighbours, 2 / cbrt(n), so that a ray passes many and hits one. The spheres are the same every
+// time.
 #include "common/options.h"
 #include "common/printed.h"
 

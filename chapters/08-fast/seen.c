@@ -1,5 +1,5 @@
-// seen.c - steps 4 and 5: what they share. Tiles of pixels are walked in floats (seen_scene.c makes
-// them of the scene), and what is left in doubt is decided by step 3.
+// seen.c - the common part of steps 4 and 5. They cast tiles of pixels in floats (seen_scene.c
+// converts the scene), and step 3 decides the pixels in doubt.
 #include "chapters/08-fast/seen.h"
 
 #include "chapters/08-fast/clock.h"
@@ -22,7 +22,7 @@ static int tiles(int pixels)
     return (pixels + TILE - 1) / TILE;
 }
 
-// What is in doubt: step 3, in double.
+// Decides a pixel in doubt: step 3, in double.
 static void decide(const Cast *cast, Pixel pixel)
 {
     const Work *work = cast->work;

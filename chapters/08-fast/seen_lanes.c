@@ -1,19 +1,20 @@
-// seen_lanes.c - spheres become floats, and get the blocks of pixels where they may be seen.
+// seen_lanes.c - converts spheres to floats, and finds the blocks of pixels where they may be
+// visible.
 #include "chapters/08-fast/seen.h"
 
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
-// Between 0 and most; what is not a number counts as 0.
+// Clamped between 0 and most; NaN counts as 0.
 static inline double clamped(double x, double most)
 {
     x = x > 0 ? x : 0;
     return x < most ? x : most;
 }
 
-// From where a sphere's outline begins and ends along an axis of the screen, in pixels, to the
-// pixels whose centres lie between, to blocks. A sixteenth of a pixel more, for rounding.
+// From the begin and end of a sphere's outline along an axis of the screen, in pixels, to the
+// pixels whose centres are between them, to blocks. A sixteenth of a pixel more, for rounding.
 static inline void blocks(double begin, double end, int count, int *first, int *last)
 {
     double pixels = (double)count * BLOCK;
@@ -49,7 +50,7 @@ int LANES(see)(const View *view, const Unseen *unseen, Seen *seen)
         larger[i] = (float)(r * r + doubt * (r + doubt));
         smaller[i] = (float)(r * r - doubt * (r + doubt));
 
-        // The outline, as in view.c; the whole screen where the sphere is too near beside the eye.
+        // The outline, as in view.c; the whole screen if the sphere is too near beside the eye.
         r *= 1 + 1e-9;
         double g = (z - r) * (z + r), gx = x * x + g, gy = y * y + g;
         int near = z <= 1.01 * r, none = (z + r <= 0) | (distance <= r);
@@ -81,8 +82,8 @@ int LANES(see)(const View *view, const Unseen *unseen, Seen *seen)
     return found;
 }
 
-// Four bytes at a time are copied faster than three; not the last ones of a row, for the next pixel
-// may be another thread's.
+// Copying four bytes at a time is faster than three, except at the end of a row, because the next
+// pixel may belong to another thread.
 static inline void paint_row(const int *colors, int columns, uint8_t *rgb)
 {
     for (int i = 0; i < columns - 1; i++)
@@ -93,7 +94,7 @@ static inline void paint_row(const int *colors, int columns, uint8_t *rgb)
 void LANES(paint_tile)(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart)
 {
     for (int row = 0; row < rows; row++, rgb += apart) {
-        if (columns == TILE) // how many the compiler knows now, and makes more of it
+        if (columns == TILE) // a constant number, for which the compiler optimises better
             paint_row(tile->colors + row * TILE, TILE, rgb);
         else
             paint_row(tile->colors + row * TILE, columns, rgb);

@@ -33,7 +33,7 @@ static void line_up(void *given, int part)
     int begin = part * AT_A_TIME, end = begin + AT_A_TIME;
     int padded = (from->sphere_count + SEEN_AT_ONCE - 1) / SEEN_AT_ONCE * SEEN_AT_ONCE;
     for (int i = begin; i < end && i < padded; i++) {
-        // What fills up the last 64 is never asked for.
+        // The spheres that fill up the last 64 are never used.
         int place = i < from->sphere_count ? i : 0;
         const Sphere *sphere = &from->spheres[scene->hierarchy.order[place]];
         Unseen *unseen = &scene->unseen[i / SEEN_AT_ONCE];
@@ -82,7 +82,8 @@ void seen_scene_free(SeenScene *scene)
     hierarchy_free(&scene->hierarchy);
 }
 
-// ---- for one ----------------------------------------------------------------------------------
+// ---- for one camera
+// ----------------------------------------------------------------------------------
 
 static void see_spheres(void *given, int part)
 {
@@ -120,7 +121,7 @@ static void see_nodes(void *given, int part)
     }
 }
 
-// The spheres that the eye is in: every ray hits them, so they have no outline.
+// The spheres around the eye: every ray hits them, so they have no outline.
 static void find_around(SeenScene *scene)
 {
     for (int i = 0; i < scene->work->scene->sphere_count; i++) {

@@ -1,4 +1,4 @@
-// seen_scene.h - steps 4 and 5: a scene and a camera become what the loops over floats are told.
+// seen_scene.h - steps 4 and 5: a scene and a camera become the input of the loops over floats.
 #ifndef CHAPTERS_08_FAST_SEEN_SCENE_H
 #define CHAPTERS_08_FAST_SEEN_SCENE_H
 
@@ -11,26 +11,26 @@
 
 typedef struct {
     const Work *work;
-    // For every camera: the hierarchy; what lies in its order.
+    // For every camera: the hierarchy, and the arrays in its order.
     Hierarchy hierarchy;
     Paint *paints;
     Unseen *unseen;
-    WideNode *wide; // where it was wanted
+    WideNode *wide; // if it is needed
     int *colors;
-    // For this one.
+    // For this camera.
     See *see;
     Seen *seen;
-    SeenNode *nodes; // where wide was not wanted
+    SeenNode *nodes; // if wide is not needed
     int *around;
     float *x, *y;
     atomic_int found; // SEEN_AROUND | SEEN_BADLY
     View view;
 } SeenScene;
 
-// What is good for every camera. False where memory is short. Free it either way.
+// Prepares the part for every camera. False if there is not enough memory. Free it in both cases.
 bool seen_scene_build(SeenScene *scene, const Work *work, bool wide);
-// What the camera sees. False where floats will not do: see SEEN_BADLY; and for rays nearly at
-// right angles to the view.
+// Prepares the part for this camera. False if floats are not good enough: see SEEN_BADLY. That is
+// also the case for rays nearly at right angles to the view.
 bool seen_scene_look(SeenScene *scene);
 void seen_scene_free(SeenScene *scene);
 

@@ -1,8 +1,8 @@
 // tiles_lanes.c - step 5: a tile's whole frustum through the hierarchy.
 //
-// What the packets of a tile would ask, each for itself, is asked once: a box lies beside the
-// frustum where it lies outside of one of its four sides. Each sphere then is shown to the packets
-// where it may be seen, by its outline, as in step 2.
+// The tile asks once the questions that each of its packets would ask: a box is beside the frustum
+// if it is outside one of its four sides. Then each sphere is shown to the packets where it may be
+// visible, by its outline, as in step 2.
 #include "chapters/08-fast/packet.h"
 
 enum { PACKETS = TILE_BLOCKS * TILE_BLOCKS, LEFT = 0, RIGHT, TOP, BOTTOM, AHEAD, PLANES };
@@ -11,11 +11,11 @@ enum { PACKETS = TILE_BLOCKS * TILE_BLOCKS, LEFT = 0, RIGHT, TOP, BOTTOM, AHEAD,
 typedef struct {
     float normal[PLANES][3];
     float shortest; // of the tile's rays
-    float farthest; // nothing behind can be seen, along AHEAD
+    float farthest; // nothing farther away is visible, along AHEAD
     Packet packets[PACKETS];
 } Frustum;
 
-// What is still to be entered or asked, the nearest last.
+// Nodes still to enter and spheres still to ask, the nearest last.
 typedef struct {
     float near;
     int first, count; // as in WideNode
@@ -50,15 +50,15 @@ static void frustum_begin(Frustum *frustum, const View *view, const Tile *tile)
         for (int k = 0; k < view->around_count; k++)
             packet_see_around(&frustum->packets[i], &view->seen[view->around[k]],
                               view->colors[view->around[k]]);
-        if (column >= view->columns || row >= view->rows) // beyond the screen all is hidden
+        if (column >= view->columns || row >= view->rows) // beyond the screen everything is hidden
             memset(frustum->packets[i].end, 0, sizeof frustum->packets[i].end);
     }
 }
 
-// Which boxes of a node are in the frustum, or may be: bits. And how near each begins. Along a
-// direction n a box reaches from n.middle - |n|.half to n.middle + |n|.half; where even the
-// latter is outside of a side, all of it is. For rounding, boxes are larger by 2^-20 of how far the
-// node reaches.
+// Which boxes of a node are, or may be, in the frustum, as bits; and how near each begins. Along a
+// direction n a box reaches from n.middle - |n|.half to n.middle + |n|.half. If even the latter is
+// outside a side, the whole box is. For rounding, boxes are larger by 2^-20 of the largest distance
+// in the node.
 static unsigned frustum_enters(const Frustum *frustum, const View *view, const WideNode *node,
                                float *near)
 {
@@ -87,7 +87,7 @@ static unsigned frustum_enters(const Frustum *frustum, const View *view, const W
     return enters;
 }
 
-// Whether any of the packets that were shown the sphere may see it.
+// Whether any of the packets in the sphere's outline may see it.
 static bool show(Frustum *frustum, const View *view, const Tile *tile, int sphere)
 {
     const Seen *seen = &view->seen[sphere];
@@ -107,7 +107,7 @@ static bool show(Frustum *frustum, const View *view, const Tile *tile, int spher
     return changed;
 }
 
-// Floats of one sign are in the order of their bits, and the largest whole number is found faster.
+// Floats of one sign have the order of their bits, and the largest integer is found faster.
 static float largest(const float *x)
 {
     int32_t most = 0;
@@ -122,8 +122,9 @@ static float largest(const float *x)
     return result;
 }
 
-// Spheres ask the tile; then nothing matters behind the farthest of what its rays surely hit. (An
-// end is t v.v, a distance times |v|: divided by the least |v| it is no less than the distance.)
+// Spheres ask the tile. After that, nothing farther away than the farthest of its certain hits
+// matters. (An end is t v.v, a distance times |v|: divided by the least |v| it is not less than the
+// distance.)
 static void ask(Frustum *frustum, const View *view, const Tile *tile, int first, int count)
 {
     bool changed = false;
@@ -139,8 +140,8 @@ static void ask(Frustum *frustum, const View *view, const Tile *tile, int first,
     frustum->farthest = largest(end) / frustum->shortest;
 }
 
-// Puts the boxes of a node that are entered among the waiting, sorted, the nearest last; how many
-// there are now.
+// Adds the boxes of a node that the tile enters to the waiting ones, sorted, the nearest last;
+// returns the new number.
 static int enter(const Frustum *frustum, const View *view, const WideNode *node, Waiting *waiting,
                  int count)
 {

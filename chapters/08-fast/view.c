@@ -1,4 +1,4 @@
-// view.c - where a sphere is on the screen.
+// view.c - the rectangle of a sphere on the screen.
 #include "chapters/08-fast/view.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@ vec3 view_center(Camera camera, Sphere sphere)
 }
 
 // The ends of a sphere's outline along one axis of the plane at distance 1. Seen along the other
-// axis, two lines through the eye touch a circle round (ahead, aside); g = ahead^2 - r^2 > 0.
+// axis, two lines through the eye touch a circle around (ahead, aside); g = ahead^2 - r^2 > 0.
 static void outline(double ahead, double aside, double r, double g, double *low, double *high)
 {
     double middle = ahead * aside / g;
@@ -28,7 +28,7 @@ Rectangle view_rectangle(Camera camera, Resolution screen, Sphere sphere)
 {
     const Rectangle none = {0}, all = {0, screen.width, 0, screen.height};
     vec3 c = view_center(camera, sphere);
-    double r = sphere.radius * (1 + 1e-9); // rounding makes no sphere larger than that
+    double r = sphere.radius * (1 + 1e-9); // rounding does not make a sphere larger than that
     double g = (c[2] - r) * (c[2] + r);
     if (c[2] + r <= 0)
         return none;

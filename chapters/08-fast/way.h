@@ -1,12 +1,12 @@
-// way.h - what a ray passes by: boxes and spheres that it may hit, and those that it surely misses.
+// way.h - tests which boxes a ray enters, and which spheres it certainly misses.
 #ifndef CHAPTERS_08_FAST_WAY_H
 #define CHAPTERS_08_FAST_WAY_H
 
 #include "chapters/08-fast/hierarchy.h"
 #include "common/ray.h"
 
-// A ray and, for each axis, 1 / direction and whether it goes backwards; and 1 / v.v, which is not
-// a number where squares would leave the range of a double.
+// A ray and, for each axis, 1 / direction and whether it goes backwards; and 1 / v.v, which is NaN
+// if squares would leave the range of a double.
 typedef struct {
     double origin[3], inverse[3];
     bool backwards[3];
@@ -26,8 +26,8 @@ static inline Way way_of(Ray ray)
     return way;
 }
 
-// What of the way lies between two opposite sides of a box. In the plane of a side that is 0 times
-// infinity, which is no number; comparing with it is false, so it changes nothing.
+// The part of the ray between two opposite sides of a box. If the ray is in the plane of a side,
+// this is 0 times infinity, NaN; comparing with NaN is false, so it changes nothing.
 static inline void clip(const Way *way, int axis, const Box *box, double *enters, double *leaves)
 {
     double low = box->low[axis], high = box->high[axis];
@@ -38,8 +38,9 @@ static inline void clip(const Way *way, int axis, const Box *box, double *enters
     *leaves = far < *leaves ? far : *leaves;
 }
 
-// Where the ray enters a box (0 where it starts inside); infinite where it misses it. The slabs
-// between opposite sides, one after the other (Kay and Kajiya, 'Ray Tracing Complex Scenes', 1986).
+// The t at which the ray enters a box (0 if it starts inside); infinite if it misses the box. The
+// slabs between opposite sides, one after the other (Kay and Kajiya, 'Ray Tracing Complex Scenes',
+// 1986).
 static inline double entry(const Box *box, const Way *way)
 {
     double enters = 0, leaves = INFINITY;
@@ -49,9 +50,9 @@ static inline double entry(const Box *box, const Way *way)
     return enters <= leaves ? enters : INFINITY;
 }
 
-// Whether the ray passes so far beside the sphere that rounding makes no hit of it: by Pythagoras,
-// which is quicker than chapter 05, and less exact. The margins are many times what is rounded off
-// on either way.
+// Whether the ray misses the sphere by so much that rounding cannot make it a hit: by Pythagoras,
+// which is faster than chapter 05, and less exact. The margins are many times the rounding error of
+// both.
 static inline bool surely_misses(const Way *way, Ray ray, const Sphere *sphere)
 {
     vec3 p = sphere->center - ray.origin;

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// So few spheres are asked faster than their boxes.
+// Asking so few spheres is faster than asking their boxes.
 enum { FEW = 4 };
 
 typedef struct {
@@ -22,7 +22,7 @@ static bool is_leaf(const Node *node)
     return node->other == 0 || node->count <= FEW;
 }
 
-// The nodes below one, at most 16 and at least its children; how many there are.
+// The nodes below one, at most 16 and at least its children; returns their number.
 static int open_boxes(const Node *from, int node, int *below)
 {
     int count = 1;
@@ -55,7 +55,7 @@ static void set_box(WideNode *wide, int i, const Node *node)
     wide->count[i] = (uint8_t)(is_leaf(node) ? node->count : 0);
 }
 
-// As realloc, which would not begin each node where a line of the cache does.
+// Like realloc, but each node begins at the start of a cache line.
 static bool make_room(Widening *widening)
 {
     int room = 2 * widening->room + 16;
@@ -70,7 +70,7 @@ static bool make_room(Widening *widening)
     return true;
 }
 
-// The number of the new node; negative where memory is short.
+// The number of the new node; negative if there is not enough memory.
 static int widen(Widening *widening, int node)
 {
     if (widening->count == widening->room && !make_room(widening))

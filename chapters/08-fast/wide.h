@@ -1,4 +1,4 @@
-// wide.h - the same hierarchy with 16 boxes in a node, so that all are asked at once.
+// wide.h - the same hierarchy with 16 boxes in a node, so that all 16 are asked at once.
 //
 // After Wald, Benthin and Boulos, 'Getting Rid of Packets', 2008.
 #ifndef CHAPTERS_08_FAST_WIDE_H
@@ -11,18 +11,18 @@
 #include <stdint.h>
 
 // The middles of the boxes and half their sizes, by axis, from a corner of the node's own box: near
-// it floats are fine, wherever it is. 512 bytes, where a line of the cache begins.
+// that corner floats are precise enough. 512 bytes, from the start of a cache line.
 typedef struct {
     alignas(64) float middle[3][LANES];
     float half[3][LANES];
-    int first[LANES]; // of the spheres in a box; or, where there are 0, a node
+    int first[LANES]; // of the spheres in a box; if count is 0, a node
     uint8_t count[LANES];
     double corner[3];
     float size; // of the node's own box, its longest side
-    int boxes;  // so many of the 16
+    int boxes;  // number of boxes, at most 16
 } WideNode;
 
-// NULL where memory is short. The root is the first. Free it with free.
+// NULL if there is not enough memory. The root is the first node. Free it with free.
 WideNode *wide_build(const Hierarchy *hierarchy);
 
 #endif
