@@ -14,6 +14,8 @@ DRAWN_PICTURES := $(patsubst %,$(GALLERY)/%,$(notdir $(LESSON_PICTURES)))
 check check-all check-long: $(LESSON_FIGURES) $(DRAWN_PICTURES)
 check-all check-long: $(B)/scenes/finale.nff
 lesson-figures: $(DRAWN) $(LESSON_FIGURES) $(DRAWN_PICTURES) $(SAME) ## write the figures and pictures that the lessons show, and the figures' words
+	@export FORMAT=svg THEME= SHAPE=16:9,4:3; STEPS= $(DRAW_FIGURES) $(FIGURES) $(FIGURE_NAMES) && \
+		STEPS=1 $(DRAW_FIGURES) $(FIGURES) $$($(LESSON_FIGURES) --in-steps $(CHAPTERS:%=chapters/%))
 	@$(LESSON_FIGURES) --write $(FIGURES) $(CHAPTERS:%=chapters/%)
 	@for picture in $(LESSON_PICTURES); do \
 		drawn=$(GALLERY)/$${picture##*/}; \

@@ -10,8 +10,8 @@ drawn=$scratch/drawn
 draw() {
     scripts_into "$drawn" || return 1
     # shellcheck disable=SC2046,SC2086 # names are words
-    FORMAT=svg THEME='' SHAPE='' STEPS='' "$BUILD/chapters/gallery/draw_figures" "$drawn" $names &&
-        FORMAT=svg THEME='' SHAPE='' STEPS=1 "$BUILD/chapters/gallery/draw_figures" "$drawn" \
+    FORMAT=svg THEME='' SHAPE=16:9,4:3 STEPS='' "$BUILD/chapters/gallery/draw_figures" "$drawn" $names &&
+        FORMAT=svg THEME='' SHAPE=16:9,4:3 STEPS=1 "$BUILD/chapters/gallery/draw_figures" "$drawn" \
             $("$BUILD/tests/house/figures/lesson_figures" --in-steps chapters/[0-9]*)
 }
 compare() {
@@ -25,7 +25,7 @@ for chapter in chapters/[0-9]*; do
     all_is_shown() {
         compare "$drawn" "$chapter" || { cat "$scratch/said"; return 1; }
     }
-    check "${chapter#chapters/} shows its figures, light and dark, as the code draws them" all_is_shown
+    check "${chapter#chapters/} shows its figures, light and dark, wide and narrow, as the code draws them" all_is_shown
 done
 
 # A wrong file is noticed, and written again.

@@ -4,9 +4,10 @@
 //   lesson_figures --write FOLDER CHAPTER...   writes it afresh
 //   lesson_figures --in-steps CHAPTER...       names the figures of which lessons show a step
 //
-// FOLDER has what draw_figures made: NAME.svg, NAME-dark.svg, NAME.txt. Each layout
-// CHAPTER/figures/NAME.gp has both pictures beside it, and CHAPTER/README.md shows them on a line
-// of its own, light and dark, with the words of NAME.txt for readers who do not see them.
+// FOLDER has what draw_figures made: NAME[-4x3][-dark].svg, NAME.txt. Each layout
+// CHAPTER/figures/NAME.gp has these pictures beside it, and CHAPTER/README.md shows them on a line
+// of its own, light and dark, wide and narrow, with the words of NAME.txt for readers who do not
+// see them.
 #include <glob.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -19,6 +20,15 @@ enum { MOST_BYTES = 160000 };
 typedef struct {
     char s[1000];
 } Path;
+
+// On a narrow screen the text of a figure in the shape 4:3 is a third larger.
+static const struct {
+    const char *shape, *theme, *media;
+} variants[] = {{"", "", ""},
+                {"", "-dark", "(prefers-color-scheme: dark)"},
+                {"-4x3", "", "(max-width: 600px)"},
+                {"-4x3", "-dark", "(max-width: 600px) and (prefers-color-scheme: dark)"}};
+enum { VARIANTS = sizeof variants / sizeof variants[0] };
 
 static bool writing;
 static int differences;
@@ -96,6 +106,15 @@ static void stands_alone(const char *name, const char *svg)
         differs("%s.svg has %zu bytes, which is more than %d", name, strlen(svg), MOST_BYTES);
 }
 
+// The file of a figure or a step, as draw_figures names it: NAME[-4x3][-stepN][-dark].
+static Path variant(const char *name, size_t v)
+{
+    const char *step = strstr(name, "-step");
+    size_t length = step == NULL ? strlen(name) : (size_t)(step - name);
+    return path_of("%.*s%s%s%s", (int)length, name, variants[v].shape, name + length,
+                   variants[v].theme);
+}
+
 // The line of a lesson that shows a figure, for freeing. A figure in words is its title, an empty
 // line, and sentences.
 static char *line_of(const char *name, const char *in_words)
@@ -105,11 +124,11 @@ static char *line_of(const char *name, const char *in_words)
     FILE *out = open_memstream(&line, &size);
     if (out == NULL)
         exit(2);
-    fprintf(
-        out,
-        "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"figures/%s-dark.svg\">"
-        "<img alt=\"",
-        name);
+    fprintf(out, "<picture>");
+    for (size_t v = VARIANTS - 1; v > 0; v--)
+        fprintf(out, "<source media=\"%s\" srcset=\"figures/%s.svg\">", variants[v].media,
+                variant(name, v).s);
+    fprintf(out, "<img alt=\"");
     const char *words = strchr(in_words, '\n');
     for (words = words == NULL ? in_words : words + strspn(words, "\n"); *words != '\0'; words++)
         if (*words == '\n')
@@ -158,15 +177,15 @@ static char *shown(const char *chapter, char *lesson, const char *name, const ch
 static char *check_figure(const char *drawn, const char *chapter, char *lesson, const char *name,
                           const char *in_words)
 {
-    for (int dark = 0; dark < 2; dark++) {
-        const char *theme = dark ? "-dark" : "";
-        char *svg = text_of(path_of("%s/%s%s.svg", drawn, name, theme).s);
+    for (size_t v = 0; v < VARIANTS; v++) {
+        Path file = variant(name, v);
+        char *svg = text_of(path_of("%s/%s.svg", drawn, file.s).s);
         if (svg == NULL || in_words == NULL) {
-            fprintf(stderr, "%s/%s%s.svg: not drawn\n", drawn, name, theme);
+            fprintf(stderr, "%s/%s.svg: not drawn\n", drawn, file.s);
             exit(2);
         }
-        stands_alone(name, svg);
-        same(path_of("%s/figures/%s%s.svg", chapter, name, theme).s, svg, "make lesson-figures");
+        stands_alone(file.s, svg);
+        same(path_of("%s/figures/%s.svg", chapter, file.s).s, svg, "make lesson-figures");
         free(svg);
     }
     char *right = line_of(name, in_words);
