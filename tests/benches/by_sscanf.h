@@ -6,8 +6,8 @@
 
 #include <stdbool.h>
 
-// Spheres, colours, background and view. False where the file cannot be read. What is wrong in it
-// is not told. Free it with scene_free.
+// Spheres, colours, background and view. False if the file cannot be read, without
+// a reason. Free it with scene_free.
 bool scene_by_sscanf(const char *path, Scene *scene);
 
 #endif

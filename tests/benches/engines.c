@@ -3,11 +3,11 @@
 // Usage: engines [-r ROUNDS] [-s WIDTHxHEIGHT] [-t THREADS]... [-e ENGINE]... [-o FILE.csv]
 // SCENE...
 //
-// All that is measured of a scene takes turns, round after round, so that what else the machine
-// does meets all alike; medians are said, with the quartiles. Every picture is compared with that
-// of the hierarchy first, and what differs has no number: of the engines each pixel, of peers what
-// is sphere and what is not, but for one pixel in two thousand on silhouettes. Who would take more
-// than SECONDS (3) casts a smaller picture.
+// All that is measured of a scene takes turns, round after round, so that other work of the machine
+// affects all of them alike; it prints medians and quartiles. Every picture is compared with that
+// of the hierarchy first, and a picture that differs gets no number: of the engines each pixel, of
+// peers what is sphere and what is not, but for one pixel in two thousand on silhouettes. Who would
+// take more than SECONDS (3) casts a smaller picture.
 #include "chapters/08-fast/clock.h"
 #include "chapters/shared/scene_camera.h"
 #include "tests/benches/measure.h"
@@ -19,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// All rounds of one take not much longer than so many pictures of SECONDS.
+// All rounds of one engine take about as long as this many pictures of SECONDS.
 #define MOST_PICTURES 5
 enum { MOST_THREADS = 8, MOST_CHOSEN = 16, SMALLEST = 64 };
 
@@ -126,7 +126,7 @@ static Resolution size_for(const Engine *engine, const Scene *scene, const Plan 
     return plan->size;
 }
 
-// The hierarchy's picture of the scene, cast again only where another size is wanted.
+// The hierarchy's picture of the scene, cast again only for another size.
 static const Image *expected_picture(const Scene *scene, Resolution size)
 {
     static Image expected;

@@ -19,8 +19,8 @@ exec 3<>"$scratch/said"
 start make --no-print-directory watch ANSWERS="$answers" >&3 2>&1
 trap 'end_started; rm -rf "$scratch" "build$answers"' EXIT
 
-# The verdict is there when it says what is next, or that the chapter is right; what comes behind
-# (the chapter's picture) is waited for, too, but not timed.
+# The verdict is there when it says what is next, or that the chapter is right; the lines after it
+# (the chapter's picture) are also read, but not timed.
 until_said() {
     while IFS= read -r line <&3; do
         case $line in

@@ -13,7 +13,7 @@ typedef struct {
 
 extern Measured measured;
 
-// Other ray casters, behind the same interface; none unless PEERS=1. The last one has no name.
+// Other ray casters, with the same interface; none unless PEERS=1. The last one has no name.
 extern const Engine peers[];
 
 bool cast_embree_8(const Work *work, Message *message);

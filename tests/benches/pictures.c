@@ -2,7 +2,7 @@
 //
 // Usage: pictures FILE.png...: each is written again, in memory, with each setting; milliseconds of
 // the processor's time, the median of 5, and bytes. As red, green and blue, and, where it has few
-// colours, by palette. What common/image_png.c does was chosen by this.
+// colours, by palette. The settings of common/image_png.c were chosen by these numbers.
 #include <png.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -89,7 +89,7 @@ static void add_up(Report *report, const Row *row, double times, double frame_ti
     report->sums[i].least = fmin(report->sums[i].least, times);
 }
 
-// The first line of /proc/cpuinfo that begins so, behind its colon.
+// The text after the colon in the first line of /proc/cpuinfo that begins like this.
 static void print_processor(void)
 {
     char line[300];

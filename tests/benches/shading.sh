@@ -11,7 +11,7 @@ depth=${DEPTH:-3}
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 
-# draw NAME: 'plain', or so many threads.
+# draw NAME: 'plain', or a number of threads.
 draw() {
     case $1 in
     plain) set -- 07-shading plain ;;

@@ -223,7 +223,7 @@ static int debug(const Course *course, const char *program)
     judging_record(&course->judging, course->last, &record);
     const FunctionRecord *function = function_for_debug(&record);
     if (function == NULL) {
-        printf("%s: nothing is wrong that can be debugged (make exercises EX=%.2s).\n", stem, stem);
+        printf("%s: there is no wrong answer to debug (make exercises EX=%.2s).\n", stem, stem);
         chapter_record_free(&record);
         return 0;
     }
@@ -286,7 +286,7 @@ static int status(const Course *course)
 static int reset(const JudgingPlan *plan, int chapter)
 {
     if (strcmp(plan->answers, "solutions") == 0) {
-        fprintf(stderr, "make reset: solutions/ has no blanks, they are made from it\n");
+        fprintf(stderr, "make reset: solutions/ has no blanks; the blanks are made from it\n");
         return 1;
     }
     const char *stem = plan->chapters[chapter].stem;

@@ -18,7 +18,7 @@ int folder_lock(const char *folder)
     if (flock(lock, LOCK_EX | LOCK_NB) == 0)
         return lock;
     if (errno == EWOULDBLOCK)
-        fprintf(stderr, "These answers are being judged already; waiting for that to end ...\n");
+        fprintf(stderr, "These answers are already being judged; waiting until that is done ...\n");
     while (flock(lock, LOCK_EX) != 0)
         if (errno != EINTR) {
             close(lock);

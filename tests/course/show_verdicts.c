@@ -257,7 +257,7 @@ static void show_stands(const Page *page, const Chapter *chapter, char first[64]
         int length = (int)strcspn(entry->value, " ");
         snprintf(stem, sizeof stem, "%.*s", length, entry->value);
         put_commas(names, sizeof names, entry->value + length);
-        snprintf(label, sizeof label, "stands on your %s, which is not right yet", stem);
+        snprintf(label, sizeof label, "depends on your %s, which is not right yet", stem);
         show_names(page, label, names);
         if (first[0] == '\0')
             strcpy(first, stem);
@@ -284,7 +284,7 @@ static void show_progress(const Page *page, const Chapter *chapter, bool is_next
     if (is_next) {
         show_those(page, chapter, "wrong", "wrong");
         show_those(page, chapter, "waiting", "waiting");
-        show_those(page, chapter, "cannot be told yet", "unsure");
+        show_those(page, chapter, "cannot be judged yet", "unsure");
         show_stands(page, chapter, stands_on);
         show_those(page, chapter, "not answered yet", "unanswered");
     }

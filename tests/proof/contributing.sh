@@ -15,7 +15,7 @@ unset MAKEFLAGS ANSWERS CI # what is missing is a warning then, and no error
 # 'make skeletons' writes only over what is committed.
 git init -q . && git add -A && git -c user.name=nobody -c user.email=nobody@localhost commit -qm copy || exit 1
 
-# The page, cut at its fences: block-NN begins with what stands behind ```.
+# The page, cut at its fences: block-NN begins with the text after ```.
 csplit -s -n 3 -f "$scratch/block-" "$page" '/^ *```/' '{*}'
 steps=0
 for block in "$scratch"/block-*; do
@@ -41,7 +41,7 @@ for block in "$scratch"/block-*; do
 done
 check 'the page has both examples' test "$steps" -ge 11
 
-# What was added is judged like the rest, and each mistake is named.
+# The new exercise is judged like the others, and each mistake is named.
 for stem in 02-cameras 09-plane; do
     check "$stem is tested like the others" make -s "build/tests/matrix/$stem"
     check 'and its mistakes are named' "build/tests/matrix/$stem"

@@ -11,7 +11,7 @@ needs 'figures, long' 'figures' gnuplot python3
 
 CAMERAS=${MOST_CAMERAS:-250} SCENES=${MOST_SCENES:-500} counted sh tests/house/figures.sh
 
-# Draws by the rules of the environment; says what was said.
+# Draws by the rules of the environment; prints its output.
 drawn=$scratch/figures
 draws() {
     folder=$1
@@ -32,8 +32,8 @@ check 'every figure has a script' scripts_into "$drawn"
 
 check 'all figures are drawn, in every format and theme, without a word' \
     without_a_word "$drawn" FORMAT=svg,pdf,png,tex
-check 'what is drawn is not drawn again' without_a_word "$drawn" FORMAT=svg,pdf,png,tex
-check 'and that is said' says '(0 drawn now)'
+check 'an existing figure is not drawn again' without_a_word "$drawn" FORMAT=svg,pdf,png,tex
+check 'and that is reported' says '(0 drawn now)'
 
 cp -r "$drawn" "$scratch/again"
 find "$scratch/again" -maxdepth 1 -type f ! -name '*.gp' -exec rm '{}' +
@@ -56,7 +56,7 @@ nothing_is_left() {
 }
 check 'no file of the work is left' nothing_is_left
 
-# What is wrong is said, and nothing older is lost.
+# A mistake is reported, and no older figure is lost.
 first=$(echo "$names" | cut -d' ' -f2)
 one=$scratch/one
 mkdir "$one"
@@ -76,14 +76,14 @@ sed '/^# ---- the layout$/{n
 a\
 print no_such_number
 }' "$drawn/$first.gp" >"$one/$first.gp"
-check 'a mistake in a layout is no success' fails draws "$one" FORMAT=svg
-check 'it is told by the line of the layout' says "$(echo chapters/*/figures/"$first.gp"):1: gnuplot: undefined variable: no_such_number"
+check 'a mistake in a layout is a failure' fails draws "$one" FORMAT=svg
+check 'the message names the line of the layout' says "$(echo chapters/*/figures/"$first.gp"):1: gnuplot: undefined variable: no_such_number"
 check 'once' test "$(wc -l <"$scratch/said")" -eq 1
 check 'the older picture is left as it was' cmp "$one/$first.svg" "$scratch/before.svg"
 sed '$a\
 number = 1 +' "$drawn/$first.gp" >"$one/$first.gp"
-check 'a mistake of grammar, too' fails draws "$one" FORMAT=svg
-check 'with what stands there' says 'near: number = 1 +'
+check 'so is a syntax error' fails draws "$one" FORMAT=svg
+check 'with the text of that place' says 'near: number = 1 +'
 cp "$drawn/$first.gp" "$one/"
 echo 'set print "-"; print "a word of warning"' >>"$one/$first.gp"
 check 'what gnuplot says besides is passed on' draws "$one" FORMAT=svg
@@ -91,14 +91,14 @@ check 'with the picture' says 'a word of warning'
 
 # Without gnuplot; without a font.
 cp "$drawn/$first.gp" "$one/"
-check 'without gnuplot there is no success' fails without gnuplot draws "$one" FORMAT=svg
-check 'but it is said what to install' says "gnuplot is missing, so no figure is drawn: 'make setup' installs it."
+check 'without gnuplot it fails' fails without gnuplot draws "$one" FORMAT=svg
+check 'and says what to install' says "gnuplot is missing, so no figure is drawn: 'make setup' installs it."
 printf '<?xml version="1.0"?>\n<fontconfig><cachedir>%s</cachedir></fontconfig>\n' "$scratch/cache" >"$scratch/fonts.conf"
 rm -f "$one/$first."[sp]*
 export FONTCONFIG_FILE="$scratch/fonts.conf"
 check 'without a font, PNGs and PDFs are not drawn' fails draws "$one" FORMAT=svg,png,pdf THEME=light
-check 'that is said' says 'There is no font'
-check 'so, too, where fonts cannot be listed' fails without fc-list draws "$one" FORMAT=png
+check 'and that is reported' says 'There is no font'
+check 'nor if fonts cannot be listed' fails without fc-list draws "$one" FORMAT=png
 check 'no PNG without text is left' test ! -e "$one/$first.png"
 check 'what needs no font is drawn' cmp "$one/$first.svg" "$drawn/$first.svg"
 unset FONTCONFIG_FILE

@@ -27,12 +27,12 @@ runs() {
 }
 check 'the fuzz target of scenes builds' \
     builds scene common/scene.c common/nff_*.c common/text.c common/answers.c
-check "the scene reader stands $seconds s of fuzzing" runs scene nff.dict tests/proof/fuzz/corpus
-# A case each of what is recorded.
+check "the scene reader survives $seconds s of fuzzing" runs scene nff.dict tests/proof/fuzz/corpus
+# One case for each recorded text.
 mkdir "$scratch/cases"
 cat tests/course/explained/*.txt | csplit -s -z -n 3 -f "$scratch/cases/" - '/^== /' '{*}'
 check 'the fuzz target of the explainer builds' \
     builds explain tests/course/explain_[!m]*.c tests/course/explain_me*.c tests/course/explain_mi*.c
-check "the explainer stands $seconds s of fuzzing" runs explain explain.dict "$scratch/cases"
+check "the explainer survives $seconds s of fuzzing" runs explain explain.dict "$scratch/cases"
 cat "$scratch/tried"
 finish fuzz

@@ -43,7 +43,7 @@ check 'and not what is not' says_not "../figures/$first.pdf"
 cp "$page" "$scratch/before.html"
 check 'the page has the same bytes' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
 check 'every time' cmp "$page" "$scratch/before.html"
-# What is left of an older script is not linked.
+# The figure of an older script is not linked.
 echo '# another' >>"$built/figures/$first.gp"
 check 'with another script' draw FORMAT=svg THEME=light,dark
 check 'the page is made once more' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"

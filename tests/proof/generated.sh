@@ -1,6 +1,6 @@
 #!/bin/sh
-# generated.sh - thousands of wrong answers that nobody has thought of: are they failed, and is what
-# is said of them true?
+# generated.sh - thousands of wrong answers that nobody has thought of: do they fail, and is the verdict
+# on them true?
 #
 # tests/proof/generated/ makes them of all answers that are known, with a seed, tries them, and judges the
 # judge. A wrong one that passes, a right one that fails and a false name fail, unless somebody looked

@@ -1,6 +1,6 @@
 #!/bin/sh
-# grade.sh - a grader that is killed, shared, and started again gives the same marks, and what goes wrong on the
-# machine is no mark.
+# grade.sh - a grader that is killed, shared, and started again gives the same marks, and a failure of the
+# machine is never a mark.
 . tests/house/runner/library.sh
 once grading "a grader that is killed, shared, and started again"
 needs_grading grading 'grading, long'

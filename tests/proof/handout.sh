@@ -24,7 +24,7 @@ from_a_clone() {
 }
 make --no-print-directory -s all handout >/dev/null || exit 1
 cp $archive "$scratch/first.tar.gz"
-check 'the date can be said' dated
+check 'the date can be given' dated
 check 'a second archive has the same bytes' same_again
 if [ -z "$(git status --porcelain 2>&1)" ]; then
     check 'a clone makes the same archive' from_a_clone
@@ -103,7 +103,7 @@ double hit_sphere(Ray ray, Sphere sphere)
 EOF
 }
 
-# While chapter 03 is saved wrong, what is known of chapter 04, which stands on it.
+# While chapter 03 is saved wrong: the verdict on chapter 04, which depends on it.
 watches_what_stands_on() {
     start env -u MAKEFLAGS CC="$compiler" make -C "$tree" watch >"$scratch/watched" 2>&1
     wait_until grep -q Watching "$scratch/watched" || return 1
@@ -126,11 +126,11 @@ for compiler in gcc clang; do
     check "$compiler: it checks itself" checks_itself
     check "$compiler: blanks are not wrong" inside make exercises
     check "$compiler: but the first is next" says 'upper_left  is not answered yet'
-    check "$compiler: what is blank is said when it is packed" inside make submission
+    check "$compiler: blanks are reported when answers are packed" inside make submission
     check "$compiler: by chapter" says '05-quadratic.c       still blank'
     answers
     check "$compiler: the answers are packed" inside make submission
-    check "$compiler: and where is said" says 'Hand in this file: build/submission.zip (7 files)'
+    check "$compiler: and the place is printed" says 'Hand in this file: build/submission.zip (7 files)'
     check "$compiler: right answers are right, every chapter" inside make exercises
     check "$compiler: and said to be" says 'All right, every chapter.'
     check "$compiler: their pictures are drawn" inside make
@@ -143,7 +143,7 @@ for compiler in gcc clang; do
     done
 
     spoil 03-screen 's|1 - point.y|point.y|'
-    check "$compiler: a wrong answer is no success" fails make exercises EX=03
+    check "$compiler: a wrong answer is a failure" fails make exercises EX=03
     check "$compiler: what went in is shown" says 'screen     640 x 480'
     check "$compiler: the mistake is named" says 'looks like a known mistake: y counts down'
     if command -v gnuplot >/dev/null; then
@@ -151,19 +151,19 @@ for compiler in gcc clang; do
         check "$compiler: beside what is right" grep -q '(0.46875, 0.166667); yours' \
             "$tree/build/exercises/figures/screen_to_normalized.txt"
     fi
-    check "$compiler: what stands on it is not called wrong" fails make exercises EX=04
-    check "$compiler: but that is said" says 'cannot be told yet: pixel_ray'
-    check "$compiler: with what it stands on" says 'stands on your 03-screen, which is not right yet:'
+    check "$compiler: a chapter that depends on it is not called wrong" fails make exercises EX=04
+    check "$compiler: but the verdict says so" says 'cannot be judged yet: pixel_ray'
+    check "$compiler: with the chapter it depends on" says 'depends on your 03-screen, which is not right yet:'
     check "$compiler: and where to begin" says 'Next: exercises/03-screen.c'
     blank 03-screen
     inside make exercises EX=04
-    check "$compiler: a missing answer is said, too" says 'stands on your 03-screen'
-    check "$compiler: as what is waited for" says 'waiting: pixel_ray'
-    echo 'this is no C' >"$tree/exercises/03-screen.c"
+    check "$compiler: a missing answer is also reported" says 'depends on your 03-screen'
+    check "$compiler: as the reason for waiting" says 'waiting: pixel_ray'
+    echo 'this is not C' >"$tree/exercises/03-screen.c"
     check "$compiler: one that does not compile spoils nothing else" fails make exercises
-    check "$compiler: it is said" says '03-screen        does not compile'
+    check "$compiler: and it says so" says '03-screen        does not compile'
     inside make exercises EX=04
-    check "$compiler: and what stands on it" says 'stands on your 03-screen'
+    check "$compiler: and so does the chapter that depends on it" says 'depends on your 03-screen'
     answers
     spoil 01-corners 's|c.distance \* c.forward - c.width / 2|c.distance * c.forward - c.width|'
     if command -v gnuplot >/dev/null; then
@@ -171,22 +171,22 @@ for compiler in gcc clang; do
         check "$compiler: what is wrong is named in them" grep -q 'upper_left: the whole width' \
             "$tree/build/exercises/figures/corner-vectors.svg"
         blank 01-corners
-        check "$compiler: what lacks an answer stops no other" inside make figures FORMAT=svg
-        check "$compiler: and is said to be" says 'not yet   build/exercises/figures/corner-vectors: needs'
+        check "$compiler: a figure that lacks an answer stops no other" inside make figures FORMAT=svg
+        check "$compiler: and is reported" says 'not yet   build/exercises/figures/corner-vectors: needs'
     fi
     spoil 01-corners 's|(s - 0.5)|s|'
     check "$compiler: inside a chapter" fails make exercises EX=01
-    check "$compiler: what calls what is wrong is not told" says 'cannot be told yet: across_30_up_10'
+    check "$compiler: a function that calls a wrong one is not judged" says 'cannot be judged yet: across_30_up_10'
     answers
     check "$compiler: then all is right again" inside make exercises
 
     by_the_slides
-    check "$compiler: what the slides say is right" inside make exercises EX=05
-    check "$compiler: and good enough to stand on" inside make exercises EX=06
+    check "$compiler: the formulas of the slides are right" inside make exercises EX=05
+    check "$compiler: and good enough for the next chapter" inside make exercises EX=06
     check "$compiler: but keeps not all digits" grep -q '^extra	wrong' \
         "$tree/build/exercises/verdict/05-quadratic.record"
     answers
-    check "$compiler: watching, what stands on the saved answer is judged, too" watches_what_stands_on
+    check "$compiler: watch also judges the chapters that depend on the saved answer" watches_what_stands_on
     answers
 
     inside make hint EX=02

@@ -3,10 +3,10 @@
 // Each mistake must fail a test of its function and be named from its values; each test must be
 // failed by a mistake, or it cannot fail and is worth nothing; no exercise may lack what it needs
 // (missing.h); no right answer, however it is
-// written, may be failed or accused; of a wrong answer that is no known mistake nothing false is
-// said (unknown.c), nor of one whose mistake is another function's (composed.c); and an
-// answer that only knows the public inputs by heart must fail wherever there is a SEED, and not be
-// told the others.
+// written, may fail or be accused. The verdict on a wrong answer that is not a known mistake must
+// not be false (unknown.c), nor that on an answer whose mistake is in another function
+// (composed.c). A table of the public inputs must fail with every SEED, and must not learn the
+// hidden inputs.
 #include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 #include "tests/proof/composed.h"
@@ -31,7 +31,7 @@ static void settle(bool good, const char *what, const char *name, const char *wh
     *(good ? &passed : &failed) += 1;
 }
 
-// How many tests fail, of those that count (extra ones only where they are asked for).
+// How many tests fail, of those that count (extra ones only on request).
 static int run(const char *function, Outcomes *outcomes, bool extra)
 {
     int count = 0;
@@ -138,7 +138,7 @@ static bool passes_all(const Outcomes *outcomes)
     return true;
 }
 
-// What the judge says of an answer, in short.
+// The judge's verdict on an answer, in short.
 static void say(char *words, size_t size, Diagnosis it)
 {
     if (it.mistake == NULL)
@@ -208,14 +208,15 @@ static void check_parts(void)
                     check_part(whole, &mistakes[table][i]);
 }
 
-// ---- answers by heart ---------------------------------------------------------------------------
+// ---- hard-coded answers
+// --------------------------------------------------------------------------
 
 static void check_by_heart(const char *function, const char *seed)
 {
     setenv("SEED", seed, 1);
     for (int garbage = 0; garbage < 2; garbage++) {
         table_recite(garbage == 0 ? 0x00 : 0xff);
-        settle(run(function, &some, false) > 0, "the public inputs by heart are enough for",
+        settle(run(function, &some, false) > 0, "a table of the public inputs is enough for",
                function, seed);
         settle(!told, "hidden inputs may be told:", function, seed);
     }
@@ -234,8 +235,8 @@ static void check_table(const char *stem)
         table_learn();
         run(function, &some, true);
         table_recite(0xff);
-        settle(run(function, &some, true) == 0, "by heart fails, though nothing is new:", function,
-               "");
+        settle(run(function, &some, true) == 0,
+               "a table fails, although no input is new:", function, "");
         for (int k = 0; seed == NULL && k < 3; k++)
             check_by_heart(function, (const char *[]){"1", "20150921", "9223372036854775807"}[k]);
         if (seed != NULL)

@@ -158,7 +158,7 @@ mutants_of() {
 
 # ---- everything that is not the mutant, once ----------------------------------------------------
 
-# What links the tests of a stem, as the Makefile says it, with @ for the folder of the mutant.
+# The Makefile's link command for the tests of a stem, with @ for the folder of the mutant.
 prepare() {
     cp "solutions/$1.c" "$scratch/reference"
     make --no-print-directory V=1 ANSWERS="$scratch/reference" \

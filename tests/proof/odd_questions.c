@@ -93,7 +93,7 @@ static void put_scene(Wire *wire)
         put_light(wire);
 }
 
-// A picture of so many pixels, or one that only says so.
+// A picture with that many pixels, or one that only claims so.
 static size_t put_image(Wire *wire)
 {
     Resolution size = {(int)draw(9), (int)draw(9)}, said = size;

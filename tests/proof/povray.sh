@@ -31,7 +31,7 @@ for scene in chapters/06-ray-casting/three-spheres.nff "$BUILD/scenes/sunflower.
     check "$name: flat, the same picture" agrees "$name" "$scene" --flat
     check "$name: shaded, the same but for rounding" agrees "$name" "$scene" --depth 5
 done
-check 'a distant light, too' agrees three-spheres chapters/06-ray-casting/three-spheres.nff --sun 1,2,3
+check 'also with a distant light' agrees three-spheres chapters/06-ray-casting/three-spheres.nff --sun 1,2,3
 # Not by luck: the mirror image is another picture.
 mirrored_is_another() {
     sed 's/right <15/right <-15/' "$scratch/three-spheres.pov" >"$scratch/mirrored.pov"

@@ -2,7 +2,7 @@
 # seeds.sh - the matrix of every stem with many seeds: marks must not depend on luck.
 #
 # With each seed the reference and all other right answers pass and are not accused, every mistake
-# fails and is named, and who knows only the public inputs by heart fails. In the environment:
+# fails and is named, and a table of the public inputs fails. In the environment:
 # SEEDS, how many (48), from FIRST on (1).
 # Only reads the tree.
 set -u

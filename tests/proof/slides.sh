@@ -17,8 +17,8 @@ said() {
 fails() {
     ! said "$@"
 }
-check 'without LaTeX there are no slides' fails without pdflatex chapters/make_slides --ready
-check 'and it is said what to install' says "LaTeX lacks pdflatex: 'make setup FOR=lecturer' installs it."
+check 'without LaTeX it fails' fails without pdflatex chapters/make_slides --ready
+check 'and says what to install' says "LaTeX lacks pdflatex: 'make setup FOR=lecturer' installs it."
 if ! chapters/make_slides --ready >/dev/null 2>&1; then
     skip slides "slides, which need LaTeX with Beamer (make setup FOR=lecturer)"
 fi
@@ -37,7 +37,7 @@ pages() {
 }
 if command -v pdfinfo >/dev/null; then
     check 'with a page for each step, and one for the whole' test "$(pages "$drawn/slides.pdf")" -eq $((steps + 1))
-    check 'in the dark, too' test "$(pages "$drawn/slides-dark.pdf")" -eq $((steps + 1))
+    check 'also with dark pages' test "$(pages "$drawn/slides-dark.pdf")" -eq $((steps + 1))
     has_text() {
         pdftotext "$drawn/slides.pdf" - | grep -q '(−1, 1, 4)\|(-1, 1, 4)'
     }
@@ -77,7 +77,7 @@ check 'the slides are made there by LaTeX alone' compiles slides
 check 'and in the dark' compiles '\def\theme{dark}\input{slides}'
 
 printf '\\documentclass{beamer}\n\\begin{document}\n\\nosuchcommand\n\\end{document}\n' >"$scratch/wrong.tex"
-check 'what LaTeX does not understand is no success' fails chapters/make_slides "$drawn" "$scratch/wrong.tex"
+check 'a LaTeX error is a failure' fails chapters/make_slides "$drawn" "$scratch/wrong.tex"
 check 'and is shown' says 'nosuchcommand'
 check 'by no picture that is left' test ! -e "$drawn/wrong.pdf"
 

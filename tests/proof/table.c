@@ -1,4 +1,4 @@
-// table.c - an answer that knows by heart what it was asked before, and nothing else.
+// table.c - an answer that is a table of the earlier questions, and nothing else.
 #include "tests/proof/table.h"
 
 #include "tests/judge/message.h"
@@ -37,10 +37,10 @@ void table_learn(void)
     learning = true;
 }
 
-void table_recite(uint8_t otherwise)
+void table_recite(uint8_t for_others)
 {
     learning = false;
-    garbage = otherwise;
+    garbage = for_others;
 }
 
 static const Line *look_up(int exercise, const Wire *question)

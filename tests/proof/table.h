@@ -1,4 +1,4 @@
-// table.h - an answer that knows by heart what it was asked before, and nothing else.
+// table.h - an answer that is a table of the earlier questions, and nothing else.
 //
 // A transport of the matrix (transport.h): while it learns, the reference tells it what to say;
 // then it says what it learned, and garbage to any other question.

@@ -36,7 +36,7 @@ fi
 check 'without gnuplot make goes on' without gnuplot make_quietly
 check 'and says what to install' grep -qF "no figures, for gnuplot is missing ('make setup' installs it)" "$scratch/log"
 check 'the scripts are written' test -s build/solutions/figures/corner-vectors.gp
-check 'make figures is no success then' refused without gnuplot make figures
+check 'make figures fails then' refused without gnuplot make figures
 check 'and says what to install' grep -qF "gnuplot is missing, so no figure is drawn: 'make setup' installs it." "$scratch/log"
 check 'without gnuplot a second make does nothing' without gnuplot only_rebuilds_nothing
 if command -v gnuplot >/dev/null; then
@@ -47,7 +47,7 @@ fi
 for file in exercises/*.c; do
     printf 'this is no C at all {{{\n' >"$file"
 done
-check 'make check passes whatever stands in exercises/' make_quietly check
+check 'make check passes with any contents of exercises/' make_quietly check
 for file in exercises/*.c; do
     cp "solutions/$(basename "$file")" "$file"
 done
@@ -57,14 +57,14 @@ check 'and they draw the same picture' "$here/$BUILD/tests/same_picture" \
     build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
 
 rm exercises/05-quadratic.c exercises/07-shading.c
-check 'a picture that lacks answers is no error' make_quietly ANSWERS=exercises
-check 'it is said that it is not there yet' \
+check 'a picture that lacks answers is not an error' make_quietly ANSWERS=exercises
+check 'one line says that it is not there yet' \
     grep -q 'not yet .*/sunflower.png: needs hit_sphere (and 3 more)' "$scratch/log"
-check 'so, too, of light' grep -q 'not yet .*/07-diffuse.png: needs surface_normal' "$scratch/log"
+check 'also for the pictures with light' grep -q 'not yet .*/07-diffuse.png: needs surface_normal' "$scratch/log"
 three=chapters/06-ray-casting/three-spheres.nff
 check 'a program that is run is refused' refused build/exercises/06-ray-casting -o "$scratch/x.png" $three
-check 'and names all that is missing' grep -q 'not answered yet: quadratic_roots' "$scratch/log"
-check 'light is refused, too' refused build/exercises/07-shading -o "$scratch/x.png" $three
+check 'and names every missing answer' grep -q 'not answered yet: quadratic_roots' "$scratch/log"
+check 'so is light' refused build/exercises/07-shading -o "$scratch/x.png" $three
 check 'with its names' grep -q 'not answered yet: off_surface' "$scratch/log"
 check 'the older picture is left as it was' "$here/$BUILD/tests/same_picture" \
     build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png

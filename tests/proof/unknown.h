@@ -1,4 +1,4 @@
-// unknown.h - wrong answers that are no known mistake, and what the judge must say of them.
+// unknown.h - wrong answers that are not known mistakes, and the verdict that each must get.
 //
 // They are two mistakes at once, or like a known one on some inputs only, or answers of another
 // kind. It is better to name nobody than somebody else.

@@ -1,6 +1,6 @@
-// variants.h - right answers, written otherwise than the reference.
+// variants.h - right answers, written in other ways than the reference.
 //
-// None may be failed or accused of a mistake: make check proves it.
+// None may fail or be accused of a mistake: make check proves it.
 #ifndef TESTS_PROOF_VARIANTS_H
 #define TESTS_PROOF_VARIANTS_H
 

@@ -1,6 +1,6 @@
 // programs.c - POV-Ray and Tachyon as peers: the scene in their own language, their own clocks.
 //
-// What they draw is read back, so that it can be compared as all others are.
+// Their pictures are read back, so that they can be compared like all others.
 #include "chapters/07-shading/export.h"
 #include "tests/benches/measure.h"
 
@@ -18,7 +18,7 @@ static const char *scratch(void)
     return folder != NULL ? folder : "/tmp";
 }
 
-// Columns and rows of a PNG behind the first so many, into the image.
+// The columns and rows of a PNG after the first more_columns and more_rows, into the image.
 static bool read_picture(const char *path, Image *image, int more_rows, int more_columns,
                          Message *message)
 {

@@ -24,7 +24,7 @@ fi
 work=$(mktemp -d "${TMPDIR:-/var/tmp}/fresh.XXXXXX") || exit 1
 logs=$tree/build/fresh
 mkdir -p "$logs" || exit 1
-# What is mounted, and what runs, is in namespaces of its own, and ends with the process that made them.
+# The mounts and processes are in their own namespaces, and end with the process that made them.
 running=""
 trap '[ -z "$running" ] || { kill -KILL "$running"; wait "$running"; } 2>/dev/null
     rm -rf --one-file-system "$work"' EXIT
@@ -71,13 +71,13 @@ system() {
     alone debootstrap --variant=minbase --cache-dir="$(cd "$kept" && pwd)" \
         --include=git,make,gcc,libc6-dev "$suite" "$root" "$MIRROR"
 }
-# The network as it is here, and what apt is told of it.
+# The network of this machine, and apt's settings for it.
 network() {
     cp -L /etc/resolv.conf "$root/etc/resolv.conf"
     apt-config dump 2>/dev/null | grep '^Acquire::' >"$root/etc/apt/apt.conf.d/90as-outside"
     true
 }
-# The last commit. Git reads another user's tree only if it is told to.
+# The last commit. Git needs permission to read another user's tree.
 clone() {
     git config --file "$work/.gitconfig" safe.directory '*' &&
         HOME=$work git clone --quiet --no-local "$tree" "$root/root/tree"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# record.sh - writes what people see into FOLDER: what is said of every known mistake, the figures and
+# record.sh - writes what people see into FOLDER: the verdict on every known mistake, the figures and
 # pictures, the handout's list of files, and the reports of the example class.
 #
 # Two versions of the tree that should look the same to everybody are compared by it: a record of

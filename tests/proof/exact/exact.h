@@ -11,7 +11,7 @@
 
 void exact_begin(void);
 
-// What all others speak of.
+// Sets the case that all other functions here use.
 void exact_set(Case c);
 
 // Does the line meet the sphere? Does the ray hit it?

@@ -1,6 +1,6 @@
 // numbers.c - read_number against strtod: the same double to the bit, and the same end.
 //
-// Usage: numbers [COUNT]: so many numbers of each kind (20000). What is simple is read by one
+// Usage: numbers [COUNT]: COUNT numbers of each kind (20000). Simple numbers are read by one
 // multiplication or division (common/text.c); here it is held against the C library's own, which
 // rounds correctly. The last line counts kinds.
 #include "common/text.h"

@@ -2,7 +2,7 @@
 //
 // Doubles are whole numbers times a power of two, so GMP computes the discriminant without any
 // error. The claim: the reference never disagrees on whether the line meets the sphere, nor on
-// whether the ray hits it, except where |l - r| <= k eps |o - c|. l is the distance of the line
+// whether the ray hits it, except if |l - r| <= k eps |o - c|. l is the distance of the line
 // from the centre c, r the radius, o the ray's origin. Both roots are compared too.
 #include "exercises/05-quadratic.h"
 

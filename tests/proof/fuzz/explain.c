@@ -13,7 +13,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-// What is longer only repeats what a line can do.
+// A longer input only repeats the cases of one line.
 enum { LONGEST_INPUT = 1 << 14, LONGEST_LINE = 79 };
 
 #define MUST(holds)                                                                                \

@@ -19,7 +19,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 #define NAME "fuzz.nff"
 
-// What is longer only repeats what a line can do.
+// A longer input only repeats the cases of one line.
 enum { LONGEST_INPUT = 1 << 16 };
 
 #define MUST(holds)                                                                                \
@@ -44,7 +44,7 @@ static void check_viewpoint(const Viewpoint *view)
     MUST(view->resolution.height >= 1 && view->resolution.height <= IMAGE_MAX_SIDE);
 }
 
-// A scene of so many lines: each holds at most one thing.
+// A scene with this number of lines: each holds at most one thing.
 static void check_scene(const Scene *scene, int lines)
 {
     check_viewpoint(&scene->view);
