@@ -2,7 +2,7 @@
 #ifndef CHAPTERS_02_CAMERAS_FLOOR_H
 #define CHAPTERS_02_CAMERAS_FLOOR_H
 
-// Draws both, right-handed on the left. Returns what main returns.
+// Draws both, right-handed on the left. Returns the exit status for main.
 int floor_picture(const char *path);
 
 #endif

@@ -157,7 +157,7 @@ static double or_else(double x, double replacement)
     return isnan(x) ? replacement : x;
 }
 
-// The camera of a look-at. Its camera is the deck's until camera_from_look_at stores another.
+// The camera of a look-at. Exits with the reason if there is none.
 static Camera camera_looking_at(const char *program, LookAt view, Handedness hand)
 {
     Camera c = camera_of_the_deck();

@@ -1,4 +1,4 @@
-# point-30-10.gp - a point on the image plane, so far across and so far up (slide 'Finding vectors').
+# point-30-10.gp - a point on the image plane, named by two fractions (slide 'Finding vectors').
 title = sprintf("%s %% across the image plane and %s %% up", percent_across_text, percent_up_text)
 formula = "d f + (s − ½) w r + (t − ½) h u"
 description = sprintf("The image plane has lines at every tenth of its width and height. A point is %s %% of the \
