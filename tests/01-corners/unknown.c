@@ -70,7 +70,7 @@ const Unknown unknowns[] = {
     UNKNOWN(upper_left, the_smaller_side, NOBODY, "the smaller side for both"),
     UNKNOWN(upper_left, decimal_comma, NOBODY, "0,5 for 0.5"),
     UNKNOWN(upper_left, always_zero, NOBODY " your function returns the same", "always 0"),
-    UNKNOWN(upper_left, just_forward, NOBODY " your function returns one of the values", "f"),
+    UNKNOWN(upper_left, just_forward, NOBODY " your function returns one of its arguments", "f"),
     UNKNOWN(upper_left, growing, NOBODY " your function gives another result", "a counter"),
     UNKNOWN(upper_left, down_and_mirrored, "C2-C3", "both signs"),
     UNKNOWN(upper_left, whole_width_and_no_distance, "C1-w and C4", "w, and no d"),

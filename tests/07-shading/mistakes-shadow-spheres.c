@@ -148,7 +148,7 @@ const Mistake shadow_sphere_mistakes[] = {
     MISTAKE("V-from1", visibility, without_first, "sphere 0 left out",
             "spheres are counted from 0.", "the first sphere casts no shadow"),
     MISTAKE("V-but-last", visibility, without_last, "the last sphere left out",
-            "counted from 0, the last of n spheres has the index n - 1, and it is one of them.",
+            "counted from 0, the last of n spheres has the index n - 1, and it must be tested.",
             "the last sphere casts no shadow"),
     MISTAKE("V-behind", visibility, behind_the_place_too,
             "near roots with t < 1, even negative ones",

@@ -130,7 +130,7 @@ check 'the other one is what is wrong' first_line_says 'image_plane_vector'
 fresh
 answer 01-corners '/^vec3 upper_left/,/^}/s|return .*|return upper_right(c) - c.width * c.right;|; /^vec3 upper_right/,/^}/s|return .*|return upper_left(c) + c.width * c.right;|'
 judge EX=01
-check 'two that call each other are both wrong' says 'the stack is full'
+check 'two that call each other are both wrong' says 'stack overflow'
 check 'and neither waits for the other' says_not 'waiting'
 
 fresh
@@ -165,11 +165,11 @@ check 'an endless loop is reported in words' says 'was still running after 1 s (
 answer_that_does 'exit(0)' '#include <stdlib.h>'
 check 'an exit does not pass' says 'ended the program by itself (exit status 0)'
 answer_that_does 'volatile int zero = 0; zero = 7 \/ zero'
-check 'a division by zero is reported in words' says 'divided a whole number by zero'
+check 'a division by zero is reported in words' says 'divided an integer by zero'
 answer_that_does 'abort()' '#include <stdlib.h>'
 check 'an abort is reported in words' says 'it was aborted'
 answer_that_does 'volatile char big[10000]; big[0] = 1; if (point.x != 1e9) return screen_to_normalized((ScreenPoint){point.x + big[0], 0}, screen)'
-check 'endless recursion is reported in words' says 'the stack is full'
+check 'endless recursion is reported in words' says 'stack overflow'
 answer_that_does 'for (;;) { volatile char *p = malloc(1 << 20); p[0] = 1; }' '#include <stdlib.h>'
 check 'memory that runs out is reported in words' says 'ran out of memory'
 answer_that_does 'close(4); for (;;) pause()' '#include <unistd.h>'

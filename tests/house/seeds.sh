@@ -88,7 +88,7 @@ answer_that_does "$unknown" SEED=1
 check 'with a seed the failed test is named' says 'the corners do not depend on where the eye is'
 check 'and no number of it is shown' tells_no_number
 answer_that_does 'return c.origin * *(volatile char *)(size_t)(1e6 * c.distance);' SEED=1
-check 'a crash is reported' says 'crashed: read of a wrong address'
+check 'a crash is reported' says 'crashed: read of an invalid address'
 check 'but not of which address' tells_no_number
 answer_that_does 'exit((int)(40 * c.distance));' SEED=1
 check 'an exit is reported' says '  it         ended the program by itself'

@@ -267,7 +267,7 @@ static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
     if (moved == 0) {
         *how = HOW_TIMED_OUT;
         if (left.end == MACHINE_TOO_BUSY)
-            give_up_on_machine("an answer was not given a processor", 0);
+            give_up_on_machine("an answer did not get a processor", 0);
         snprintf(why, size,
                  left.end == TOO_MUCH_WORK ? "was still running after %g s (an endless loop?)"
                                            : "waited for something that never comes",
@@ -292,7 +292,7 @@ static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
         if (work_of[exercise] <= MOST_CALLS * process_most_work())
             return true;
         *how = HOW_TIMED_OUT;
-        snprintf(why, size, "needs far too long: %g s, in its calls together",
+        snprintf(why, size, "takes far too long: %g s for all its calls",
                  MOST_CALLS * process_most_work());
     }
     process_stop(false);

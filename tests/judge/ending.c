@@ -15,8 +15,8 @@ static void describe_signal(char *why, size_t size, int number)
         snprintf(why, size, "printed more than a million characters");
         return;
     }
-    const char *words = number == SIGFPE    ? "it divided a whole number by zero"
-                        : number == SIGABRT ? "it was aborted (an assertion that failed?)"
+    const char *words = number == SIGFPE    ? "it divided an integer by zero"
+                        : number == SIGABRT ? "it was aborted (did an assertion fail?)"
                         : number == SIGILL  ? "it went beyond the end of an array"
                         : number == SIGKILL ? "it was killed"
                         : number == SIGSYS  ? "it made a system call that no answer needs"
@@ -29,7 +29,7 @@ void describe_crash(char *why, size_t size, const WireCrash *crash)
 {
     static const char *const access[] = {"read of", "write to"};
     if (crash->stack_overflow)
-        snprintf(why, size, "crashed: the stack is full (it calls itself without end?)");
+        snprintf(why, size, "crashed: stack overflow (does it call itself without end?)");
     else if (crash->signal == SIGSYS)
         snprintf(why, size, "wanted %s, which no answer needs",
                  system_call_purpose(crash->system_call));
@@ -38,7 +38,7 @@ void describe_crash(char *why, size_t size, const WireCrash *crash)
     else if (crash->signal == SIGSEGV || crash->signal == SIGBUS) {
         const char *how = crash->access < 0 ? "access to" : access[crash->access != 0];
         if (record_now()->hidden && crash->address != 0)
-            snprintf(why, size, "crashed: %s a wrong address", how);
+            snprintf(why, size, "crashed: %s an invalid address", how);
         else
             snprintf(why, size, "crashed: %s address %s%llx", how, crash->address == 0 ? "" : "0x",
                      (unsigned long long)crash->address);

@@ -276,7 +276,7 @@ static const char *what_was_not_set(const Evidence *evidence)
     const char *unset = fields_that(evidence, is_unset);
     if (unset[0] != '\0') {
         snprintf(words, sizeof words,
-                 "%s was never set: your function returns what happened to be in memory there",
+                 "%s was never set: your function returns a value that happened to be in memory",
                  unset);
         return words;
     }
@@ -295,8 +295,8 @@ static const char *what_changes(const Evidence *evidence, bool changed_since)
     for (int i = 0; i < evidence->call_count; i++)
         if (changed_since || evidence->calls[i].changes)
             return "your function gives another result when it is called again with the same "
-                   "arguments: it keeps something between calls (a static or global variable?), or "
-                   "uses a variable that was never set or an array beyond its end";
+                   "arguments: it keeps a value between calls (in a static or global variable?), "
+                   "uses a variable that was never set, or reads past the end of an array";
     return NULL;
 }
 
@@ -358,15 +358,15 @@ static const char *what_is_trivial(const Evidence *evidence)
         if (fault <= CAMERA_OK || fault >= CAMERA_FAULTS || !is_always_the_same(evidence, 1))
             return NULL;
         snprintf(words, sizeof words,
-                 "your function refuses whatever it is given, always for the same reason: %s",
+                 "your function refuses all arguments, always for the same reason: %s",
                  camera_fault_text((CameraFault)fault));
         return words;
     }
     if (is_always_the_same(evidence, yours->count))
-        return "your function returns the same result in every call, whatever it is given";
+        return "your function returns the same result in every call, whatever its arguments are";
     for (int from = 0; from < evidence->calls[0].arguments.count; from++)
         if (is_argument(evidence, from))
-            return "your function returns one of the values that it is given, as it came";
+            return "your function returns one of its arguments unchanged";
     return NULL;
 }
 

@@ -97,11 +97,11 @@ static Text ray_off(Ray right, Ray yours)
     double angle = atan2(vec3_length(cross), vec3_dot(yours.direction, right.direction)) * 180 / PI;
     if (vec3_length(off) > 1e-9 * (1 + vec3_length(right.origin)))
         snprintf(text.s, sizeof text.s,
-                 angle < 1e-6 ? "begins off by %.60s"
-                              : "begins off by %.60s, points %.40s\u00b0 aside",
+                 angle < 1e-6 ? "starts off by %.60s"
+                              : "starts off by %.60s, points off by %.40s\u00b0",
                  vec3_text_to(off, 4).s, number_text_to(angle, 3).s);
     else
-        snprintf(text.s, sizeof text.s, "points %.40s\u00b0 aside", number_text_to(angle, 3).s);
+        snprintf(text.s, sizeof text.s, "points off by %.40s\u00b0", number_text_to(angle, 3).s);
     return text;
 }
 

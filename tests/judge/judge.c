@@ -178,7 +178,7 @@ int main(int argc, char **argv)
     }
     FILE *printed = process_printed_file();
     if (printed == NULL) {
-        perror("no file for what the answers print");
+        perror("cannot make a file for the output of the answers");
         return 2;
     }
     const char *slash = strrchr(argv[0], '/');

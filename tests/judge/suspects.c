@@ -249,12 +249,13 @@ static const char *where_it_crashed(const Records *shown_records, const Outcomes
         if (test->extra || !is_of_memory(test->record->how))
             continue;
         if (shown_records == NULL)
-            return "called with other arguments your function crashed: it reads or writes memory "
-                   "that is not its own, or uses a variable that was never set";
+            return "called with other arguments, your function crashed: it reads or writes memory "
+                   "that does not belong to it, or uses a variable that was never set";
         const Record *shown = records_find(shown_records, test->name);
         if (shown != NULL && shown->how[0] == '\0')
-            return "called again with the same arguments your function crashed: it reads or writes "
-                   "memory that is not its own, or uses a variable that was never set";
+            return "called again with the same arguments, your function crashed: it reads or "
+                   "writes memory that does not belong to it, or uses a variable that was never "
+                   "set";
     }
     return NULL;
 }

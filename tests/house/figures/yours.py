@@ -128,7 +128,7 @@ if figure is not None:
     checks.near("object: your arrow", figure.tips("yours"), figure.place(plus(yours, v)))
     checks.near("object: the centre", figure.dots("center"), figure.place((0, 0, 0)))
     has_words(figure, "from (−3, 3, 2) along (0, 0, −1)", "from (5, 1, 4) along (0, 0, −1)",
-              "begins off by (8, −2, 2)", "p + c")
+              "starts off by (8, −2, 2)", "p + c")
 
 # ---- cameras ----------------------------------------------------------------------------------------
 
