@@ -15,13 +15,13 @@ endif
 VERDICT := $(B)/$(EXERCISES:/%=%)/verdict
 RECORDS := $(STEMS:%=$(VERDICT)/%.record)
 ifneq ($(filter exercises watch debug hint status,$(MAKECMDGOALS)),)
-ifeq ($(wildcard $(B)/judge/$(firstword $(CHOSEN))),)
+ifeq ($(wildcard $(B)/judge),)
 $(info Building the judge, once; that takes a moment ...)
 endif
 endif
 # The parts of the answering process besides the answer.
 ANSWERING := $(patsubst %,$(B)/tests/judge/%.o,answering calls_traced) $(CALLING)
-answering = $(ANSWERING) $(B)/judge/dispatch-$(1).o \
+answering = $(ANSWERING) $(B)/dispatch/$(1).o \
 	$(lent) $(earlier_answers) $(B)/common.a
 # The tests judge. A handout has none, and judges by recorded tables.
 include $(firstword $(wildcard .make/toolkit/tests.mk .make/tables.mk))
@@ -42,7 +42,7 @@ $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o $(
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 PLAN := $(VERDICT)/plan
-plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'judge	$(B)/judge/$(s)' 'objects	$(call answering,$(s))' \
+plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'objects	$(call answering,$(s))' \
 	$(if $(value stands_on),'stands on	$(call stands_on,$(s))'))
 $(PLAN): Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags.mk
 	@mkdir -p $(@D)
@@ -51,11 +51,11 @@ $(PLAN): Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags.mk
 		'compile	$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c' \
 		'link	$(LINK)' 'quick	$(QUICK_LINKER) $(if $(SANITIZE),,-Wl$(comma)-S)' \
 		$(if $(value stands_on),'hide	$(HIDE_HELPERS)','lend	-Wl$(comma)--defsym=NAME=lent_NAME') \
-		'used	$(B)/weak.h $(COURSE) $(JUDGES_LAYOUTS)' $(plan_lines) > $@.new
+		'judge	$(JUDGE)' 'used	$(B)/weak.h $(COURSE) $(JUDGES_LAYOUTS)' $(plan_lines) > $@.new
 	@mv $@.new $@
 # All that course uses.
 FOR_JUDGING = $(COURSE) $(PLAN) $(DRAW_FIGURES) $(B)/weak.h $(B)/exercises.names $(BLANKS) $(JUDGES_LAYOUTS) \
-	$(foreach s,$(1),$(B)/judge/$(s) $(filter-out $(VERDICT)/%,$(call answering,$(s))))
+	$(JUDGE) $(foreach s,$(1),$(filter-out $(VERDICT)/%,$(call answering,$(s))))
 USED_WITH = $(if $(value stands_on),$(STEMS),$(1))
 # 'make all' already builds everything that the first verdict needs, so nobody waits for it.
 FOR_EXERCISES = $(call FOR_JUDGING,$(STEMS))

@@ -2,18 +2,17 @@
 # and the student's own earlier answers. Included by the handout's Makefile.
 
 # The judge asks what the table says.
-JUDGES := $(STEMS:%=$(B)/judge/%)
-$(JUDGES): $(B)/judge/%: $(REPLAY) $(B)/replay/path/%.o \
+$(JUDGE): $(REPLAY) \
 		$(patsubst %,$(B)/tests/judge/%.o,call kept process ending judge system_call) $(REPORTING) \
-		$(DRAWING) $(B)/tests/handout/replay/right.o $(B)/common.a | $(TABLE)/%.table
+		$(DRAWING) $(B)/tests/handout/replay/right.o $(B)/common.a | $(STEMS:%=$(TABLE)/%.table)
 	$(call say,link,$@)
-	$(Q)mkdir -p $(@D)
+	$(Q)mkdir -p $(@D) && rm -rf $@
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
-# The toolkit itself, whatever the contents of exercises/.
-CHECKS := $(COMMON_TESTS) $(TABLE_CHECKS)
-check: $(RUN) $(CHECKS) $(JUDGES) $(BLANKS) ## the tests of the toolkit
-	@CC='$(CC)' MAKEFLAGS= $(RUN) $(B)/log $(CHECKS) tests/handout/replay/blanks.sh
+# The toolkit itself, whatever stands in exercises/.
+CHECKS := $(COMMON_TESTS)
+check: $(RUN) $(CHECKS) $(TABLE_CHECK) $(JUDGE) $(BLANKS) ## the tests of the toolkit
+	@CC='$(CC)' MAKEFLAGS= $(RUN) $(B)/log $(CHECKS) $(STEMS:%='$(TABLE_CHECK) %') tests/handout/replay/blanks.sh
 
 # A chapter depends on the answers of the earlier ones: each is judged first, and its object file
 # (that of the blank, if it does not compile) is linked with the later ones.
@@ -21,6 +20,6 @@ earlier_answers = $(patsubst %,$(VERDICT)/%/answer.o,$(call earlier,$(1)))
 stands_on = $(call earlier,$(1))
 
 # The calls of a table, made directly.
-for_debug = $(B)/tests/handout/replay/debug.o $(B)/replay/path/$(1).o $(TOLD) \
-	$(B)/tests/judge/same.o $(B)/judge/dispatch-$(1).o \
+for_debug = $(B)/tests/handout/replay/debug.o $(TOLD) \
+	$(B)/tests/judge/same.o $(B)/dispatch/$(1).o \
 	$(call earlier_answers,$(1)) $(B)/common.a

@@ -10,8 +10,8 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 
 # What every program of tests is made of: its list of tests, and the words for given and expected.
 TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
-	show random types type_words) $(B)/tests/course/page.o
-COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/course/check_*.c \
+	show random stem types type_words) $(B)/tests/course/page.o
+COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/common/*.c tests/course/check_*.c \
 	tests/course/explained/*.c))
 # What judges answers (tests/course/course.c), in parts.
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c %/explain_main.c tests/course/check_%, \
@@ -36,8 +36,11 @@ $(PACK): $(patsubst %,$(B)/tests/course/submission/%.o,pack stored_zip) $(B)/com
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 
+# The judge of all stems: by the tests, or in a handout by tables.
+JUDGE := $(B)/judge
+
 # The list of the exercises, for programs that are not C (the format is in its source).
-LIST := build/judge/list
+LIST := build/list_exercises
 $(LIST): $(patsubst %,tests/judge/%.c,list exercise types) tests/exercises.def tests/judge/types.def
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(LANGUAGE) -o $@ $(filter %.c,$^)
@@ -46,8 +49,8 @@ $(LIST): $(patsubst %,tests/judge/%.c,list exercise types) tests/exercises.def t
 CALLING := $(patsubst %,$(B)/tests/judge/%.o,transport message wire exercise types)
 # The answering process, for each stem: its number without zeros; 0 is all of them.
 answered = $(if $(filter all,$(1)),0,$(patsubst 0%,%,$(firstword $(subst -, ,$(1)))))
-DISPATCHES := $(patsubst %,$(B)/judge/dispatch-%.o,$(STEMS) all)
-$(DISPATCHES): $(B)/judge/dispatch-%.o: tests/judge/dispatch.c $(B)/flags.mk $(SETUP_FIRST)
+DISPATCHES := $(patsubst %,$(B)/dispatch/%.o,$(STEMS) all)
+$(DISPATCHES): $(B)/dispatch/%.o: tests/judge/dispatch.c $(B)/flags.mk $(SETUP_FIRST)
 	$(call say,compile,$< for $*)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -o $@ $<
@@ -69,20 +72,14 @@ earlier = $(strip $(call before,$(STEMS),$(1)))
 # What the tests ask and what is right, as a table that no test and no answer can be read from
 # (tests/handout/replay/): made here from the tests, and all that a handout has to judge by.
 TABLE := $(if $(wildcard tests/handout/replay/*.table),tests/handout/replay,$(B)/replay)
-$(STEMS:%=$(B)/replay/path/%.c): $(B)/replay/path/%.c:
-	$(Q)mkdir -p $(@D)
-	$(Q)printf '#include "tests/handout/replay/replay.h"\n\nconst char told_path[] = "%s";\n' \
-		$(TABLE)/$*.table > $@
-$(STEMS:%=$(B)/replay/path/%.o): %.o: %.c $(B)/flags.mk $(SETUP_FIRST)
-	$(Q)$(COMPILE) -o $@ $<
+$(B)/tests/handout/replay/table.o: EXTRA = '-DTABLES="$(TABLE)"'
 TOLD := $(B)/tests/handout/replay/table.o $(B)/tests/judge/numbers.o $(CALLING)
 REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard $(DIAGNOSIS)) $(TOLD) \
 	$(patsubst %,$(B)/tests/handout/replay/%.o,replay expect)
 
 # A table by itself: what is right passes, and each mistake's values are failed and named.
-TABLE_CHECKS := $(STEMS:%=$(B)/replay/check/%)
-$(TABLE_CHECKS): $(B)/replay/check/%: $(REPLAY) $(B)/replay/path/%.o $(B)/tests/handout/replay/check.o \
-		$(B)/common.a | $(TABLE)/%.table
+TABLE_CHECK := $(B)/replay/check
+$(TABLE_CHECK): $(REPLAY) $(B)/tests/handout/replay/check.o $(B)/common.a | $(STEMS:%=$(TABLE)/%.table)
 	$(call say,link,$@)
-	$(Q)mkdir -p $(@D)
+	$(Q)mkdir -p $(@D) && rm -rf $@
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm

@@ -299,7 +299,7 @@ START_TEST(unit_distance_gives_the_same_rays_in_worlds_of_any_size)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("upper_left");
     test(the_upper_left_corner_of_the_deck_is_minus_1_1_4);
@@ -327,3 +327,5 @@ void list_tests(void)
     test(unit_distance_gives_the_same_rays);
     test(unit_distance_gives_the_same_rays_in_worlds_of_any_size);
 }
+
+OF_STEM(list_tests)

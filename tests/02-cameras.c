@@ -623,7 +623,7 @@ START_TEST(seen_from_the_eye_the_edges_are_the_given_angle_apart)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("camera_from_vectors");
     test(the_four_vectors_of_the_deck_give_its_camera);
@@ -693,3 +693,5 @@ void list_tests(void)
     test(at_any_small_angle_the_width_is_that_of_the_tangent_series);
     test(seen_from_the_eye_the_edges_are_the_given_angle_apart);
 }
+
+OF_STEM(list_tests)

@@ -267,7 +267,7 @@ START_TEST(the_centre_of_any_pixel_is_half_way_to_the_next_pixel)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("screen_to_normalized");
     test(the_point_of_the_deck_is_one_sixth_up_and_just_left_of_the_middle);
@@ -296,3 +296,5 @@ void list_tests(void)
     test(the_centre_of_a_pixel_far_out_is_half_a_pixel_on);
     test(the_centre_of_any_pixel_is_half_way_to_the_next_pixel);
 }
+
+OF_STEM(list_tests)

@@ -191,7 +191,7 @@ START_TEST(screens_of_any_shape_in_worlds_of_any_size)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("pixel_ray");
     test(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners);
@@ -206,3 +206,5 @@ void list_tests(void)
     test(every_ray_meets_the_plane_in_the_middle_of_its_pixel);
     test(screens_of_any_shape_in_worlds_of_any_size);
 }
+
+OF_STEM(list_tests)

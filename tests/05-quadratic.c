@@ -954,7 +954,7 @@ START_TEST(next_to_a_huge_sphere_a_short_distance_keeps_its_digits)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("to_object_coordinates");
     test(the_origin_is_seen_from_the_centre_of_the_sphere);
@@ -1042,3 +1042,5 @@ void list_tests(void)
     test(a_ray_may_cross_the_whole_range_of_a_double);
     test(next_to_a_huge_sphere_a_short_distance_keeps_its_digits);
 }
+
+OF_STEM(list_tests)

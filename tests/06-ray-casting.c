@@ -742,7 +742,7 @@ START_TEST(the_depth_in_pictures_of_any_shape_goes_row_by_row)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("nearest_hit");
     test(the_nearest_of_three_is_hit_in_any_order_of_the_scene);
@@ -811,3 +811,5 @@ void list_tests(void)
     test(the_depth_in_worlds_of_any_size_is_that_of_the_nearest);
     test(the_depth_in_pictures_of_any_shape_goes_row_by_row);
 }
+
+OF_STEM(list_tests)

@@ -971,7 +971,7 @@ START_TEST(a_colour_is_encoded_however_dark_it_is)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("surface_normal");
     test(at_the_top_of_a_sphere_the_normal_points_up);
@@ -1069,3 +1069,5 @@ void list_tests(void)
     test(a_colour_is_encoded_however_dark_it_is);
     list_tests_with_scenes();
 }
+
+OF_STEM(list_tests)

@@ -42,7 +42,7 @@ $(B)/tests/benches/pictures: %: %.o
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lz
 bench-pictures: $(B)/tests/benches/pictures $(BUILT)/07-shading $(BUILT)/08-fast $(SCENES) ## a PNG by libpng's settings: time and size
 	@tests/benches/pictures.sh $(B) $(BUILT)
-bench: $(JUDGES) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
+bench: $(JUDGE) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
 	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-reading bench-wait bench-shading
 	@tests/benches/latency.sh
 	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')

@@ -52,20 +52,13 @@ $(KIT)/link/%.o:
 
 # All chapters in one process, which draws a picture; and the picture that it should be.
 $(KIT)/link/all.o: $(B)/tests/grade/confine/entry.o $(ANSWERING) \
-	$(B)/judge/dispatch-all.o
+	$(B)/dispatch/all.o
 KIT_LINKS += $(KIT)/link/all.o
-LAST := $(lastword $(filter 06%,$(STEMS)))
-RIGHTS := $(STEMS:%=$(B)/judge/right-%.o)
-$(RIGHTS): $(B)/judge/right-%.o: solutions/%.c tests/judge/reference/rename.def tests/exercises.def $(B)/flags.mk
-	$(call say,compile,$< for pictures)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(call renamed,$(call answered,$*),right_) > $(@:.o=.h)
-	$(Q)$(COMPILE) -include $(@:.o=.h) -o $@ $<
-DRAW := $(B)/judge/picture
-$(DRAW): $(B)/tests/grade/mark/picture.o $(RIGHTS) $(B)/chapters/shared/scene_camera.o $(TESTING) $(HEARING) \
-		$(TO_PROCESS) $(call parts,tests/$(LAST)/mistakes) $(B)/common.a
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+PICTURE := $(KIT)/picture
+DRAW := $(PICTURE)/draw
+$(DRAW): $(B)/tests/grade/mark/picture.o $(STEMS:%=$(B)/solutions/direct/%.o) $(B)/tests/judge/direct_answers.o \
+		$(B)/chapters/shared/scene_camera.o $(TESTING) $(HEARING) $(TO_PROCESS) $(B)/common.a
+	$(link_program)
 SCENE_TO_DRAW := chapters/06-ray-casting/three-spheres.nff
 $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 	$(Q)$(DRAW) nobody $(SCENE_TO_DRAW) $@
@@ -74,8 +67,8 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
 $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
 		$(B)/common.a $(KIT)/expected.png $(LIST)
-	$(Q)cp $(B)/common.a $(KIT)/link/ && cp $(SCENE_TO_DRAW) $(B)/judge/scene.nff
-	$(Q)printf '%s\n' 'JUDGES=$(abspath $(B)/judge)' \
+	$(Q)cp $(B)/common.a $(KIT)/link/ && cp $(SCENE_TO_DRAW) $(PICTURE)/scene.nff
+	$(Q)printf '%s\n' 'JUDGE=$(abspath $(JUDGE))' 'PICTURE=$(abspath $(PICTURE))' \
 		'COMPILE=$(CC) $(QUICK_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \
 		'PARTS=$(if $(IS_CLANG),,-pass-exit-codes -wrapper)' \
 		'LINK=ld -static -s -z noexecstack -e graded_start' \
@@ -86,7 +79,7 @@ $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONF
 grade: export SUBMISSIONS := $(SUBMISSIONS)
 grade: export OUT := $(or $(OUT),build/grades)
 grade: export POLICY := $(POLICY)
-grade: $(KIT)/commands $(JUDGES) ## mark a class: SUBMISSIONS=dir OUT=build/grades
+grade: $(KIT)/commands $(JUDGE) ## mark a class: SUBMISSIONS=dir OUT=build/grades
 	@python3 -B tests/grade $(KIT)
 
 gradescope: ## build/gradescope.zip, an autograder for Gradescope

@@ -3,65 +3,90 @@
 
 # ---- the tests, the mistakes and the laws -----------------------------------------------------
 
-# A stem's tests, calling the answers directly: that answer, and the reference for the stems before.
+# What is known of the stems. A program has that of all stems, and its first argument says which stem it
+# is about (tests/judge/stem.h).
 parts = $(patsubst %.c,$(B)/%.o,$(wildcard $(1)*.c))
 tests_of = $(call parts,tests/$(1)) $(call parts,tests/$(1)/support)
-test_objects = $(call tests_of,$(1)) $(TESTING) $(B)/tests/judge/main.o \
-	$(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1))) $(B)/common.a
-TESTS := $(STEMS:%=$(BUILT)/tests/%)
-$(TESTS): $(BUILT)/tests/%: $(BUILT)/%.o $$(call test_objects,$$*)
+known = $(call parts,tests/[0-9]*/$(1))
+ALL_TESTS := $(call parts,tests/[0-9]) $(call known,support)
+define link_program
 	$(call say,link,$@)
-	$(Q)mkdir -p $(@D)
+	$(Q)mkdir -p $(@D) && rm -rf $@
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+endef
 
-# The judge: the same tests, asking another process for the answers (proxies). Mistakes and laws
-# stand beside the reference, which goes by other names there.
+# The tests call proxies, which ask whoever answers. Mistakes and laws are beside the reference, which goes
+# by other names there; so do answers that are linked into a program (tests/judge/direct_answers.h).
 renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tests/judge/reference/rename.def
+as_names = sed -n 's/^ *\# *define //p'
 $(B)/reference.h: tests/judge/reference/rename.def tests/exercises.def $(SETUP_FIRST)
 	$(Q)$(call renamed,0,reference_) > $@
-BESIDE_REFERENCE := $(foreach kind,mistakes laws variants unknown,$(call parts,tests/[0-9]*/$(kind)))
+$(B)/reference.names: $(B)/reference.h
+	$(Q)$(as_names) $< > $@
+BESIDE_REFERENCE := $(foreach kind,mistakes laws variants unknown,$(call known,$(kind)))
 $(BESIDE_REFERENCE): EXTRA = -include $(B)/reference.h
 $(BESIDE_REFERENCE): $(B)/reference.h
 REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
-$(REFERENCES): $(B)/tests/reference/%.o: solutions/%.c $(B)/reference.h $(B)/flags.mk $(SETUP_FIRST)
-	$(call say,compile,$< as reference)
+$(REFERENCES): $(B)/tests/reference/%.o: $(B)/solutions/%.o $(B)/reference.names
 	$(Q)mkdir -p $(@D)
-	$(Q)$(COMPILE) -include $(B)/reference.h -o $@ $<
+	$(Q)objcopy --redefine-syms=$(B)/reference.names $< $@
 # What the answers do beside the known mistakes.
 HEARING := $(patsubst %,$(B)/tests/judge/%.o,reference/hearing reference/proxies reference/corners \
 	switchboard $(DIAGNOSIS)) \
-	$(B)/tests/judge/numbers.o $(CALLING) $(call parts,tests/[0-9]*/laws) $(REFERENCES)
+	$(B)/tests/judge/numbers.o $(CALLING) $(call known,laws) $(REFERENCES)
 # What calls an answering process.
 TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,call kept process ending system_call)
 # With the reference for the chapters before, one mistake costs once; and the judge lends.
 lent = $(B)/tests/judge/reference/lent.o
 earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
-for_debug = $(call test_objects,$(1))
-JUDGES := $(STEMS:%=$(B)/judge/%)
-$(JUDGES): $(B)/judge/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) $(TESTING) \
-		$(HEARING) $(TO_PROCESS) $$(call parts,tests/$$*/probes) $(DRAWING) \
+$(JUDGE): $(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) \
+		$(HEARING) $(TO_PROCESS) $(DRAWING) \
 		$(REPORTING) $(patsubst %,$(B)/tests/judge/%.o,judge reference/right) $(B)/common.a
-	$(call say,link,$@)
+	$(link_program)
+
+# The tests alone, calling an answer in their own process, and the reference for all other stems.
+$(STEMS:%=$(B)/answer_names/%): $(B)/answer_names/%: tests/judge/reference/rename.def tests/exercises.def $(SETUP_FIRST)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
-# The matrix: the same, and in the place of the answering process a table that the reference fills.
-MATRICES := $(STEMS:%=$(B)/tests/matrix/%)
-$(call parts,tests/[0-9]*/composed): EXTRA = -include $(B)/weak.h
-$(call parts,tests/[0-9]*/composed): $(B)/weak.h
-$(MATRICES): $(B)/tests/matrix/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
-		$$(call parts,tests/$$*/probes) $$(call parts,tests/$$*/variants) $$(call parts,tests/$$*/composed) $$(call parts,tests/$$*/unknown) \
+	$(Q)$(call renamed,$(call answered,$*),answer_) | $(as_names) > $@
+define direct_answers
+$(STEMS:%=$(1)/direct/%.o): $(1)/direct/%.o: $(2)/%.o $(B)/answer_names/%
+	$$(Q)mkdir -p $$(@D)
+	$$(Q)objcopy --redefine-syms=$(B)/answer_names/$$* $$< $$@
+endef
+$(foreach folder,$(sort $(BUILT) $(B)/solutions $(B)/blanks),$(eval $(call direct_answers,$(folder),$(folder))))
+DIRECT := $(ALL_TESTS) $(TESTING) $(HEARING) $(patsubst %,$(B)/tests/judge/%.o,main call_directly direct_answers)
+TESTS := $(BUILT)/tests
+$(TESTS): $(DIRECT) $(STEMS:%=$(BUILT)/direct/%.o) $(B)/common.a
+	$(link_program)
+# For a debugger an answer keeps its names: the tests of its stem, and nobody in between.
+for_debug = $(call tests_of,$(1)) $(TESTING) $(B)/tests/judge/main.o $(call earlier_answers,$(1)) $(B)/common.a
+
+# Blanks are made afresh, whatever is in exercises/, and must pass nothing.
+BLANK_TESTS := $(B)/tests/blanks
+$(STEMS:%=$(B)/blanks/%.o): WARNINGS = $(FOR_STUDENTS)
+$(STEMS:%=$(B)/blanks/%.o): $(B)/blanks/%.o: build/blanks/%.c $(B)/flags.mk
+	$(call say,compile,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(COMPILE) -o $@ $<
+$(BLANK_TESTS): $(DIRECT) $(STEMS:%=$(B)/blanks/direct/%.o) $(B)/common.a
+	$(link_program)
+
+# The matrix: the tests and all that is known, and in the place of the answering process a table that the
+# reference fills.
+MATRIX := $(B)/tests/matrix
+$(call known,composed): EXTRA = -include $(B)/weak.h
+$(call known,composed): $(B)/weak.h
+$(MATRIX): $(ALL_TESTS) $(foreach kind,mistakes probes variants composed unknown,$(call known,$(kind))) \
 		$(TESTING) $(HEARING) $(patsubst %,$(B)/tests/proof/%.o,matrix missing table) $(B)/common.a
-	$(call say,link,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+	$(link_program)
 
 # What a new chapter lacks before anything of it can be linked.
 lacks = $(or $(firstword $(foreach f,solutions/$(1).c tests/$(1).c tests/$(1)/mistakes.c \
 	chapters/$(1)/README.md chapters/$(1)/main.c,$(if $(wildcard $(f)),,$(f)))), \
 	$(if $(shell grep -F '"$(1)"' tests/exercises.def),,an entry in tests/exercises.def))
 LACKS := $(if $(filter missing,$(MAKECMDGOALS)),$(strip $(foreach s,$(CHOSEN),$(call lacks,$(s)))))
-missing: $(if $(LACKS),,$$(addprefix $$(B)/tests/matrix/,$$(CHOSEN))) ## what a new exercise or chapter still lacks (EX=02)
-	@$(if $(LACKS),echo 'Next: $(CHOSEN) lacks $(LACKS)'; exit 1,for matrix in $^; do $$matrix --missing || exit 1; done)
+missing: $(if $(LACKS),,$(MATRIX)) ## what a new exercise or chapter still lacks (EX=02)
+	@$(if $(LACKS),echo 'Next: $(CHOSEN) lacks $(LACKS)'; exit 1,for stem in $(CHOSEN); do $(MATRIX) $$stem --missing || exit 1; done)
 .PHONY: missing
 
 # Wrong answers that nobody has thought of: slips of the pen in every answer that is known, which
@@ -92,24 +117,11 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 # that is different for whoever asks.
 mutants_of = $(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(1) $(@D)/$*/*.i > $(@D)/$*.c
 ALL_ERRORS = $(if $(findstring clang,$(CC)),-ferror-limit=0)
-TRIALS := $(STEMS:%=$(B)/tests/proof/generated/%)
-$(TRIALS): $(B)/tests/proof/generated/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
-		$$(call parts,tests/$$*/probes) $(TESTING) $(HEARING) $(B)/generated/%.o \
+TRIALS := $(B)/tests/try_generated
+$(TRIALS): $(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) $(HEARING) $(MUTANTS) \
 		$(patsubst %,$(B)/tests/proof/generated/%.o,try truth guard question ask_screen ask_cameras \
 		ask_spheres ask_scenes ask_lights) $(B)/tests/handout/here.o $(B)/common.a
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
-
-# Blanks are made afresh, whatever stands in exercises/, and must pass nothing.
-BLANK_TESTS := $(STEMS:%=$(B)/tests/blanks/%)
-$(BLANK_TESTS:%=%.o): WARNINGS = $(FOR_STUDENTS)
-$(BLANK_TESTS:%=%.o): $(B)/tests/blanks/%.o: build/blanks/%.c $(B)/flags.mk
-	$(call say,compile,$<)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(COMPILE) -o $@ $<
-$(BLANK_TESTS): $(B)/tests/blanks/%: $(B)/tests/blanks/%.o $$(call test_objects,$$*)
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+	$(link_program)
 
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
 # it takes; and shadows and mirrors against chapter 07.
@@ -151,23 +163,18 @@ $(SAME): $(B)/tests/proof/same_picture.o
 # ---- recorded tables ----------------------------------------------------------------------------
 
 # Where the tables come from; and right answers written otherwise, held against them.
-TELLERS := $(STEMS:%=$(B)/replay/tell/%)
-$(TELLERS): $(B)/replay/tell/%: $$(call tests_of,$$*) $$(call parts,tests/$$*/mistakes) \
-		$$(call parts,tests/$$*/probes) $(TESTING) $(HEARING) $(B)/tests/handout/replay/table.o \
+TELL := $(B)/replay/tell
+$(TELL): $(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) $(HEARING) $(B)/tests/handout/replay/table.o \
 		$(patsubst %,$(B)/tests/handout/%.o,tell asked takes here) $(B)/common.a
-	$(call say,link,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+	$(link_program)
 TABLES := $(STEMS:%=$(TABLE)/%.table)
-$(TABLES): $(TABLE)/%.table: $(B)/replay/tell/%
+$(TABLES): $(TABLE)/%.table: $(TELL)
 	$(call say,tell,$@)
-	$(Q)env -u SEED $< $@
-TABLE_VARIANTS := $(patsubst tests/%/variants.c,$(B)/replay/variants/%,$(wildcard tests/[0-9]*/variants.c))
-$(TABLE_VARIANTS): $(B)/replay/variants/%: $(filter-out $(HEARING),$(REPLAY)) $(B)/replay/path/%.o $(B)/tests/%/variants.o \
-		$(patsubst %,$(B)/tests/handout/%.o,variants here) $(HEARING) $(B)/common.a | $(TABLE)/%.table
-	$(call say,link,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+	$(Q)env -u SEED $< $* $@
+TABLE_VARIANTS := $(B)/replay/variants
+$(TABLE_VARIANTS): $(filter-out $(HEARING),$(REPLAY)) $(call known,variants) \
+		$(patsubst %,$(B)/tests/handout/%.o,variants here) $(HEARING) $(B)/common.a | $(TABLES)
+	$(link_program)
 
 KIT := $(B)/grading
 CAN_GRADE := $(if $(JUDGES_ONLY),,$(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
@@ -177,17 +184,19 @@ CAN_GRADE := $(if $(JUDGES_ONLY),,$(shell pkg-config --exists libseccomp 2>/dev/
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
-CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TYPES) $(ODD_QUESTIONS) $(TESTS) $(ENGINES) $(MATRICES) $(TABLE_CHECKS) $(TABLE_VARIANTS)
-FOR_CHECKS := $(DRAW_FIGURES) $(MAKE_PAGE) $(EXPLAIN) $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(JUDGES) $(GRADABLE:%=%/commands)
+CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TYPES) $(ODD_QUESTIONS) $(ENGINES)
+OF_STEMS := $(TESTS) $(MATRIX) $(TABLE_CHECK) $(TABLE_VARIANTS)
+of_stems = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %'))
+FOR_CHECKS := $(DRAW_FIGURES) $(MAKE_PAGE) $(EXPLAIN) $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands)
 check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests (two minutes on two cores)
-	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/house/*.sh)
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh)
 
 # What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
 FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
 .PHONY: check-all check-long
 check-all: $(RUN) $(CHECKS) $(FOR_LONG) ## those that need longer, too
-	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(wildcard tests/house/*.sh tests/proof/*.sh)
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh tests/proof/*.sh)
 
 check-long: $(RUN) $(FOR_LONG) ## only those that need longer
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(NUMBERS) $(wildcard tests/proof/*.sh)

@@ -15,15 +15,16 @@ static vec3 upper_right_by_place(Camera c)
     return image_plane_vector(c, 1, 1);
 }
 
-const Composed composed[] = {
+static const Composed composed[] = {
     COMPOSED(across_30_up_10, own_across_30_up_10),
     COMPOSED(upper_left, upper_left_by_place),
     COMPOSED(upper_right, upper_right_by_place),
     {0},
 };
+OF_STEM(composed)
 
 // Which mistake a mistake of the called function becomes in the caller.
-const SameMistake same_mistakes[] = {
+static const SameMistake same_mistakes[] = {
     {"across_30_up_10", "G-middle", "C6"},
     {"across_30_up_10", "G-s", "C6-x"},
     {"across_30_up_10", "G-t", "C6-y"},
@@ -97,3 +98,4 @@ const SameMistake same_mistakes[] = {
     {"upper_right", "G-z", "C-z-right"},
     {0},
 };
+OF_STEM(same_mistakes)

@@ -57,7 +57,7 @@ static Camera only_where_the_plane_is_near(Camera c)
 
 #define SEVEN_DIGITS "a float has 7 digits, and the answer needs 9. Use double."
 
-const Mistake limit_mistakes[] = {
+const Mistake place_limit_mistakes[] = {
     SIDES("C-float", in_float, "the formula in float", "the formula in float", SEVEN_DIGITS,
           "no visible difference, or ragged edges"),
     SIDES("C-z", only_x_and_y, "x and y right, z = 0", "x and y right, z = 0",

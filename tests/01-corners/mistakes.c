@@ -3,7 +3,8 @@
 #include "tests/judge/mistake.h"
 
 extern const Mistake corner_size_mistakes[], corner_way_mistakes[];
-extern const Mistake across_mistakes[], place_mistakes[], place_ahead_mistakes[], limit_mistakes[];
+extern const Mistake across_mistakes[], place_mistakes[], place_ahead_mistakes[],
+    place_limit_mistakes[];
 
 // The right answer, for mistakes that change it afterwards.
 static Camera width_and_height_divided(Camera c)
@@ -176,6 +177,7 @@ static const Mistake unit_distance_mistakes[] = {
     {0},
 };
 
-const Mistake *const mistakes[] = {
-    corner_size_mistakes, corner_way_mistakes,    across_mistakes, place_mistakes,
-    place_ahead_mistakes, unit_distance_mistakes, limit_mistakes,  NULL};
+static const Mistake *const mistakes[] = {
+    corner_size_mistakes, corner_way_mistakes,    across_mistakes,      place_mistakes,
+    place_ahead_mistakes, unit_distance_mistakes, place_limit_mistakes, NULL};
+OF_STEM(mistakes)

@@ -49,7 +49,7 @@ START_TEST(unit_distance_of_any_camera)
 }
 END_TEST
 
-void list_probes(void)
+static void list_probes(void)
 {
     tests_of("upper_left");
     test(upper_left_of_any_camera);
@@ -62,3 +62,5 @@ void list_probes(void)
     tests_of("with_unit_distance");
     test(unit_distance_of_any_camera);
 }
+
+OF_STEM(list_probes)

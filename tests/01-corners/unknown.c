@@ -64,7 +64,7 @@ static vec3 place_turned_and_doubled(Camera c, double s, double t)
     return c.distance * c.forward + (0.5 - s) * c.width * c.right + 2 * (t - 0.5) * c.height * c.up;
 }
 
-const Unknown unknowns[] = {
+static const Unknown unknowns[] = {
     UNKNOWN(upper_left, rounded_distance, NOBODY, "(int)d"),
     UNKNOWN(upper_left, the_larger_side, NOBODY, "the larger side for both"),
     UNKNOWN(upper_left, the_smaller_side, NOBODY, "the smaller side for both"),
@@ -78,3 +78,4 @@ const Unknown unknowns[] = {
     UNKNOWN(image_plane_vector, place_turned_and_doubled, NOBODY, "s mirrored, and h twice"),
     {0},
 };
+OF_STEM(unknowns)

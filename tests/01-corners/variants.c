@@ -199,7 +199,7 @@ static Camera by_the_angles(Camera c)
     return c;
 }
 
-const Variant variants[] = {
+static const Variant variants[] = {
     VARIANT(upper_left, leg_by_leg, "leg by leg, up before right"),
     VARIANT(upper_left, halved_at_the_end, "doubled, and halved at the end"),
     VARIANT(upper_left, as_a_place, "the place s = 0, t = 1"),
@@ -225,3 +225,4 @@ const Variant variants[] = {
     VARIANT(with_unit_distance, by_the_angles, "with atan2 and tan of the angles"),
     {0},
 };
+OF_STEM(variants)

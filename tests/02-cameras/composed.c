@@ -6,14 +6,15 @@
 SOLUTION(camera_from_points);
 SOLUTION(camera_from_corner);
 
-const Composed composed[] = {
+static const Composed composed[] = {
     COMPOSED(camera_from_points, own_camera_from_points),
     COMPOSED(camera_from_corner, own_camera_from_corner),
     {0},
 };
+OF_STEM(composed)
 
 // Which mistake a mistake of the called function becomes in the caller.
-const SameMistake same_mistakes[] = {
+static const SameMistake same_mistakes[] = {
     {"camera_from_points", "V-mirror", "F-right"},
     {"camera_from_points", "V-eye", "F-eye"},
     {"camera_from_points", "V-ok", "F-ok"},
@@ -33,3 +34,4 @@ const SameMistake same_mistakes[] = {
     {"camera_from_corner", "V-both", "K-square"},
     {0},
 };
+OF_STEM(same_mistakes)

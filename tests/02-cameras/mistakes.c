@@ -128,14 +128,15 @@ static const Mistake angle_mistakes[] = {
     {0},
 };
 
-const Mistake *const mistakes[] = {vector_mistakes,
-                                   vector_refusal_mistakes,
-                                   vector_unchecked_mistakes,
-                                   point_mistakes,
-                                   corner_mistakes,
-                                   look_at_mistakes,
-                                   look_at_refusal_mistakes,
-                                   look_at_unchecked_mistakes,
-                                   angle_mistakes,
-                                   camera_limit_mistakes,
-                                   NULL};
+static const Mistake *const mistakes[] = {vector_mistakes,
+                                          vector_refusal_mistakes,
+                                          vector_unchecked_mistakes,
+                                          point_mistakes,
+                                          corner_mistakes,
+                                          look_at_mistakes,
+                                          look_at_refusal_mistakes,
+                                          look_at_unchecked_mistakes,
+                                          angle_mistakes,
+                                          camera_limit_mistakes,
+                                          NULL};
+OF_STEM(mistakes)

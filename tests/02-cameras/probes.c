@@ -358,7 +358,7 @@ START_TEST(any_angle)
 }
 END_TEST
 
-void list_probes(void)
+static void list_probes(void)
 {
     tests_of("camera_from_vectors");
     test(vectors_to_any_rectangle);
@@ -378,3 +378,5 @@ void list_probes(void)
     tests_of("width_from_angle");
     test(any_angle);
 }
+
+OF_STEM(list_probes)

@@ -82,7 +82,7 @@ static CameraFault height_times_aspect(LookAt view, Handedness world, Camera *ca
     return CAMERA_OK;
 }
 
-const Unknown unknowns[] = {
+static const Unknown unknowns[] = {
     UNKNOWN(camera_from_look_at, height_times_aspect, "L10", "reasons in another order"),
     UNKNOWN(camera_from_vectors, by_diagonals,
             NOBODY " CAMERA_NOT_PERPENDICULAR is not a reason of this contract",
@@ -94,3 +94,4 @@ const Unknown unknowns[] = {
     UNKNOWN(width_from_angle, radians_twice, NOBODY, "degrees converted to radians twice"),
     {0},
 };
+OF_STEM(unknowns)

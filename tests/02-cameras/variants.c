@@ -362,7 +362,7 @@ static double legs_of_a_triangle(double degrees, double distance)
     return hypotenuse * sin(radians / 2) + hypotenuse * sin(radians - radians / 2);
 }
 
-const Variant variants[] = {
+static const Variant variants[] = {
     VARIANT(camera_from_points, by_diagonals, "points first; the middle from a diagonal"),
     VARIANT(camera_from_vectors, vectors_by_diagonals, "as points, seen from the origin"),
     VARIANT(camera_from_vectors, vectors_as_points, "turned into points, and back"),
@@ -389,3 +389,4 @@ const Variant variants[] = {
     VARIANT(width_from_angle, legs_of_a_triangle, "the legs of a triangle, with sine and cosine"),
     {0},
 };
+OF_STEM(variants)

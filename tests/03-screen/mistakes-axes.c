@@ -78,7 +78,7 @@ static ScreenPoint center_in_float(Pixel pixel)
     "four pixels have five edges, and from the first edge to the last it is four pixels, not "     \
     "three."
 
-const Mistake axis_mistakes[] = {
+const Mistake screen_axis_mistakes[] = {
     MISTAKE("N3-x", screen_to_normalized, one_column_less, "x/(W - 1)", EDGES,
             "everything slightly too wide"),
     MISTAKE("N3-y", screen_to_normalized, one_row_less, "y/(H - 1)", EDGES,

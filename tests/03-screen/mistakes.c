@@ -2,7 +2,7 @@
 #include "exercises/03-screen.h"
 #include "tests/judge/mistake.h"
 
-extern const Mistake there_mistakes[], back_mistakes[], axis_mistakes[];
+extern const Mistake there_mistakes[], back_mistakes[], screen_axis_mistakes[];
 
 static ScreenPoint corner_of_the_pixel(Pixel pixel)
 {
@@ -120,5 +120,6 @@ static const Mistake center_mistakes[] = {
     {0},
 };
 
-const Mistake *const mistakes[] = {there_mistakes, back_mistakes, center_mistakes, axis_mistakes,
-                                   NULL};
+static const Mistake *const mistakes[] = {there_mistakes, back_mistakes, center_mistakes,
+                                          screen_axis_mistakes, NULL};
+OF_STEM(mistakes)

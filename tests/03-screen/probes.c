@@ -41,7 +41,7 @@ START_TEST(any_pixel)
 }
 END_TEST
 
-void list_probes(void)
+static void list_probes(void)
 {
     tests_of("screen_to_normalized");
     test(any_point_of_any_screen);
@@ -50,3 +50,5 @@ void list_probes(void)
     tests_of("pixel_center");
     test(any_pixel);
 }
+
+OF_STEM(list_probes)

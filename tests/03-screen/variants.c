@@ -96,7 +96,7 @@ static ScreenPoint moved_by_half(Pixel pixel)
     return center;
 }
 
-const Variant variants[] = {
+static const Variant variants[] = {
     VARIANT(screen_to_normalized, rest_of_the_height, "the rest of the height, divided"),
     VARIANT(screen_to_normalized, from_the_middle, "counted from the middle"),
     VARIANT(screen_to_normalized, times_the_reciprocal, "times the size of a pixel"),
@@ -111,3 +111,4 @@ const Variant variants[] = {
     VARIANT(pixel_center, moved_by_half, "the corner, moved"),
     {0},
 };
+OF_STEM(variants)

@@ -75,7 +75,7 @@ static Ray in_float(Camera camera, Resolution screen, Pixel pixel)
     return ray;
 }
 
-const Mistake axis_mistakes[] = {
+const Mistake pixel_axis_mistakes[] = {
     MISTAKE("P-less-x", pixel_ray, one_column_less, "column/(W - 1)",
             "this puts the outermost centres onto the left and right edges of the plane. They lie "
             "half a pixel inside.",

@@ -6,7 +6,7 @@
 #include "exercises/03-screen.h"
 #include "tests/judge/mistake.h"
 
-extern const Mistake pixel_mistakes[], axis_mistakes[];
+extern const Mistake pixel_mistakes[], pixel_axis_mistakes[];
 
 // The right way as far as s and t.
 static Normalized place_of(Resolution screen, Pixel pixel)
@@ -240,4 +240,6 @@ static const Mistake camera_mistakes[] = {
     {0},
 };
 
-const Mistake *const mistakes[] = {pixel_mistakes, camera_mistakes, axis_mistakes, NULL};
+static const Mistake *const mistakes[] = {pixel_mistakes, camera_mistakes, pixel_axis_mistakes,
+                                          NULL};
+OF_STEM(mistakes)

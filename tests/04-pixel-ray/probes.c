@@ -28,9 +28,11 @@ START_TEST(any_pixel_of_a_single_row_or_column)
 }
 END_TEST
 
-void list_probes(void)
+static void list_probes(void)
 {
     tests_of("pixel_ray");
     test(any_pixel_of_any_camera);
     test(any_pixel_of_a_single_row_or_column);
 }
+
+OF_STEM(list_probes)

@@ -16,8 +16,9 @@ static Ray always_forward(Camera camera, Resolution screen, Pixel pixel)
     return (Ray){camera.origin, 3 * camera.forward};
 }
 
-const Unknown unknowns[] = {
+static const Unknown unknowns[] = {
     UNKNOWN(pixel_ray, from_the_middle_of_the_world, "P7", "no eye, and a unit direction"),
     UNKNOWN(pixel_ray, always_forward, NOBODY, "straight ahead"),
     {0},
 };
+OF_STEM(unknowns)

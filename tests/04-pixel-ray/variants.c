@@ -131,7 +131,7 @@ static Ray by_recursion(Camera camera, Resolution screen, Pixel pixel)
     return (Ray){camera.origin, step(direction, half_down, 2 * pixel.row + 1)};
 }
 
-const Variant variants[] = {
+static const Variant variants[] = {
     VARIANT(pixel_ray, of_length_1, "a direction of length 1"),
     VARIANT(pixel_ray, much_longer, "a direction 4321 times as long"),
     VARIANT(pixel_ray, much_shorter, "a direction 98765 times as short"),
@@ -147,3 +147,4 @@ const Variant variants[] = {
     VARIANT(pixel_ray, by_recursion, "half pixels by recursion"),
     {0},
 };
+OF_STEM(variants)

@@ -34,14 +34,15 @@ static double hit_by_world(Ray ray, Sphere sphere)
     return first_ahead(by_world(ray, sphere));
 }
 
-const Composed composed[] = {
+static const Composed composed[] = {
     COMPOSED(sphere_roots, by_object),    COMPOSED(sphere_roots, by_world),
     COMPOSED(hit_sphere, own_hit_sphere), COMPOSED(hit_sphere, hit_by_object),
     COMPOSED(hit_sphere, hit_by_world),   {0},
 };
+OF_STEM(composed)
 
 // Which mistake a mistake of the called function becomes in the caller.
-const SameMistake same_mistakes[] = {
+static const SameMistake same_mistakes[] = {
     {"sphere_roots", "Q7", "Q7-roots"},
     {"sphere_roots", "O-unit", "S-unit"},
     {"sphere_roots", "R-plus-plain", "S-down"},
@@ -74,3 +75,4 @@ const SameMistake same_mistakes[] = {
     {"hit_sphere", "Q5", "Q5-hit"},
     {0},
 };
+OF_STEM(same_mistakes)

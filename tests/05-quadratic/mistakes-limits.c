@@ -162,7 +162,7 @@ static Quadratic z_left_out_of_the_world(Ray ray, Sphere s)
     "a dot product is the sum of three products, and the product of the z components is missing."
 #define SEVEN_DIGITS "a float has 7 digits, and squares and differences use them up. Use double."
 
-const Mistake limit_mistakes[] = {
+const Mistake root_limit_mistakes[] = {
     MISTAKE("R-a-tiny", quadratic_roots, small_a_taken_for_0, "a line if |a| < 1e-6",
             "with a short direction a is small, but the parabola still bends. It is a line only if "
             "a is 0.",

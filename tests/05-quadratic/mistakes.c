@@ -4,7 +4,8 @@
 // c is a coefficient.
 #include "tests/05-quadratic/mistakes.h"
 
-const Mistake *const mistakes[] = {
-    object_mistakes, world_mistakes, formula_mistakes, plain_mistakes, count_mistakes,
-    sphere_mistakes, hit_mistakes,   limit_mistakes,   digit_mistakes, NULL,
+static const Mistake *const mistakes[] = {
+    object_mistakes, world_mistakes, formula_mistakes,    plain_mistakes, count_mistakes,
+    sphere_mistakes, hit_mistakes,   root_limit_mistakes, digit_mistakes, NULL,
 };
+OF_STEM(mistakes)

@@ -7,7 +7,7 @@
 #include "tests/judge/mistake.h"
 
 extern const Mistake object_mistakes[], world_mistakes[], formula_mistakes[], plain_mistakes[],
-    count_mistakes[], sphere_mistakes[], hit_mistakes[], limit_mistakes[], digit_mistakes[];
+    count_mistakes[], sphere_mistakes[], hit_mistakes[], root_limit_mistakes[], digit_mistakes[];
 
 static const Roots no_roots = {0};
 

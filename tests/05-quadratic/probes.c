@@ -122,7 +122,7 @@ START_TEST(hits_from_just_below_the_surface)
 }
 END_TEST
 
-void list_probes(void)
+static void list_probes(void)
 {
     tests_of("to_object_coordinates");
     test(any_ray_in_object_coordinates);
@@ -139,3 +139,5 @@ void list_probes(void)
     test(hits_at_any_t);
     test(hits_from_just_below_the_surface);
 }
+
+OF_STEM(list_probes)

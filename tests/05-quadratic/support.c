@@ -62,11 +62,6 @@ Sphere unit_sphere(void)
     return (Sphere){.center = vec3_of(0, 0, 0), .radius = 1};
 }
 
-Sphere sphere_at(double x, double y, double z, double radius)
-{
-    return (Sphere){.center = vec3_of(x, y, z), .radius = radius};
-}
-
 Aimed random_aimed(double radii_away)
 {
     Aimed aimed;

@@ -24,7 +24,10 @@ Roots two(double t, double u);
 // The deck's section: the circle of radius 1 around the origin, seen from (-4, -1).
 Ray ray_of_the_deck(double x, double y);
 Sphere unit_sphere(void);
-Sphere sphere_at(double x, double y, double z, double radius);
+static inline Sphere sphere_at(double x, double y, double z, double radius)
+{
+    return (Sphere){.center = vec3_of(x, y, z), .radius = radius};
+}
 
 // A random sphere, and a ray that was constructed backwards: from a point on the sphere outwards to
 // the origin. cosine is that of the angle to the surface's normal there, so that the chord inside

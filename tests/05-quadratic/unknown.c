@@ -48,7 +48,7 @@ static double far_from_inside_only(Ray ray, Sphere sphere)
     return roots.count > 0 && roots.t[0] < 0 && roots.t[1] > 0 ? roots.t[1] : NO_HIT;
 }
 
-const Unknown unknowns[] = {
+static const Unknown unknowns[] = {
     UNKNOWN(object_quadratic, no_2_and_no_square, "Q1 and Q3", "b = p.v, and r for r^2"),
     UNKNOWN(object_quadratic, always_ahead, NOBODY, "b = 2 |p.v|"),
     UNKNOWN(hit_sphere, never, NOBODY " your function returns the same", "always NO_HIT"),
@@ -57,3 +57,4 @@ const Unknown unknowns[] = {
     UNKNOWN(hit_sphere, far_from_inside_only, NOBODY, "only from inside"),
     {0},
 };
+OF_STEM(unknowns)

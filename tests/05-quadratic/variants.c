@@ -505,7 +505,7 @@ static double in_radii_and_long_double(Ray ray, Sphere sphere)
     return near > 0 ? (double)near : far > 0 ? (double)far : NO_HIT;
 }
 
-const Variant variants[] = {
+static const Variant variants[] = {
     VARIANT(to_object_coordinates, only_the_origin_moves, "the origin of a copy moves"),
     VARIANT(to_object_coordinates, axis_by_axis, "a loop over the axes"),
     VARIANT(to_object_coordinates, by_a_matrix, "a matrix, with a fourth component 1 for points"),
@@ -553,3 +553,4 @@ const Variant variants[] = {
     VARIANT(hit_sphere, with_a_unit_direction, "a unit direction, then t / |v|"),
     {0},
 };
+OF_STEM(variants)

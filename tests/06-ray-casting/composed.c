@@ -15,13 +15,14 @@ static const Surface *some_surface(const Scene *scene, int sphere)
 
 SOLUTION(cast_image_order);
 
-const Composed composed[] = {
+static const Composed composed[] = {
     COMPOSED(cast_image_order, own_cast_image_order),
     {0},
 };
+OF_STEM(composed)
 
 // Which mistake a mistake of the called function becomes in the caller.
-const SameMistake same_mistakes[] = {
+static const SameMistake same_mistakes[] = {
     {"cast_image_order", "H1", "I-last"},
     {"cast_image_order", "H1-first", "I-first"},
     {"cast_image_order", "H3", "I-none"},
@@ -63,3 +64,4 @@ const SameMistake same_mistakes[] = {
     {"cast_image_order", "H-room256", "I-room256"},
     {0},
 };
+OF_STEM(same_mistakes)

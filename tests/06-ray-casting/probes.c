@@ -99,7 +99,7 @@ START_TEST(pictures_of_any_scene_in_object_order)
 }
 END_TEST
 
-void list_probes(void)
+static void list_probes(void)
 {
     tests_of("nearest_hit");
     test(nearest_hits_of_any_ray);
@@ -108,3 +108,5 @@ void list_probes(void)
     tests_of("cast_object_order");
     test(pictures_of_any_scene_in_object_order);
 }
+
+OF_STEM(list_probes)

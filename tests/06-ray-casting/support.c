@@ -21,11 +21,6 @@ char letter_of(int color)
     return letters[color];
 }
 
-Sphere sphere_at(double x, double y, double z, double radius, int color)
-{
-    return (Sphere){vec3_of(x, y, z), radius, color};
-}
-
 Scene scene_of(int count, Sphere *spheres)
 {
     return (Scene){.background = vec3_of(0.35, 0.45, 0.55),

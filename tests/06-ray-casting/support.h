@@ -16,7 +16,11 @@ enum { UNUSED, RED, GREEN, BLUE, WHITE, COLORS, SURFACES = 24 };
 extern Surface surfaces[SURFACES];
 char letter_of(int color);
 
-Sphere sphere_at(double x, double y, double z, double radius, int color);
+static inline Sphere sphere_at(double x, double y, double z, double radius, int color)
+{
+    return (Sphere){vec3_of(x, y, z), radius, color};
+}
+
 // On a greyish blue. The spheres still belong to the caller.
 Scene scene_of(int count, Sphere *spheres);
 // The deck's three; as NFF, z is towards the eye.

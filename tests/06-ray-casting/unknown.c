@@ -37,9 +37,10 @@ static void all_green(const Scene *scene, Camera camera, Image *image)
             image_set(image, (Pixel){column, row}, vec3_of(0, 1, 0.2));
 }
 
-const Unknown unknowns[] = {
+static const Unknown unknowns[] = {
     UNKNOWN(nearest_hit, equal_is_nearer, NOBODY, "<= with NO_HIT as well"),
     UNKNOWN(nearest_hit, best_is_kept, NOBODY " your function gives another result", "static"),
     UNKNOWN(cast_image_order, all_green, NOBODY " every pixel", "green"),
     {0},
 };
+OF_STEM(unknowns)

@@ -494,7 +494,7 @@ static void with_rays_computed_once(const Scene *scene, Camera camera, Image *im
     free(colors);
 }
 
-const Variant variants[] = {
+static const Variant variants[] = {
     VARIANT(nearest_hit, with_a_flag, "a flag for 'found one'"),
     VARIANT(nearest_hit, backward, "backward, with <="),
     VARIANT(nearest_hit, first_t_then_sphere, "first the least t, then its sphere"),
@@ -525,3 +525,4 @@ const Variant variants[] = {
     VARIANT(cast_object_order, with_rays_computed_once, "rays and colours in arrays"),
     {0},
 };
+OF_STEM(variants)

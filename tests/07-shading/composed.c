@@ -13,16 +13,17 @@ SOLUTION(phong_term);
 SOLUTION(visibility);
 SOLUTION(shade);
 
-const Composed composed[] = {
+static const Composed composed[] = {
     COMPOSED(phong_term, own_phong_term),
     COMPOSED(visibility, own_visibility),
     COMPOSED(shade, own_shade),
     COMPOSED(trace_ray, own_trace_ray),
     {0},
 };
+OF_STEM(composed)
 
 // Which mistake a mistake of the called function becomes in the caller.
-const SameMistake same_mistakes[] = {
+static const SameMistake same_mistakes[] = {
     {"phong_term", "MI-back", "PH-reversed"},
     {"phong_term", "MI-opposite", "PH-le"},
     {"phong_term", "MI-normal", "PH-ne"},
@@ -77,3 +78,4 @@ const SameMistake same_mistakes[] = {
     {"trace_ray", "O-1e-9", "T-1e-9"},
     {0},
 };
+OF_STEM(same_mistakes)

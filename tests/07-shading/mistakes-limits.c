@@ -168,7 +168,7 @@ AXIS(minus_z, 1, 1, -1)
                 #axis " with the wrong sign", "all three coordinates are v - 2 (v.n) n.",          \
                 "mirrors that show the wrong side")
 
-const Mistake axis_mistakes[] = {
+const Mistake shading_axis_mistakes[] = {
     ONLY_ROW("green", green, "only green"),
     ONLY_ROW("blue", blue, "only blue"),
     ONLY_ROW("but-red", but_red, "only green and blue"),

@@ -6,7 +6,7 @@
 
 #include "tests/07-shading/mistakes-scene.h"
 
-const Mistake *const mistakes[] = {
+static const Mistake *const mistakes[] = {
     normal_mistakes,
     light_mistakes,
     mirror_mistakes,
@@ -27,9 +27,10 @@ const Mistake *const mistakes[] = {
     seen_mistakes,
     mirror_depth_mistakes,
     term_limit_mistakes,
-    axis_mistakes,
+    shading_axis_mistakes,
     shadow_limit_mistakes,
     shade_limit_mistakes,
     mirror_limit_mistakes,
     NULL,
 };
+OF_STEM(mistakes)

@@ -8,7 +8,7 @@
 
 extern const Mistake normal_mistakes[], light_mistakes[], mirror_mistakes[], ambient_mistakes[],
     diffuse_mistakes[], phong_mistakes[], halfway_mistakes[], clamp_mistakes[], gamma_mistakes[],
-    term_limit_mistakes[], axis_mistakes[];
+    term_limit_mistakes[], shading_axis_mistakes[];
 
 // All three alike.
 static inline vec3 grey(double x)

@@ -330,7 +330,7 @@ START_TEST(encoded_colors)
 }
 END_TEST
 
-void list_probes(void)
+static void list_probes(void)
 {
     tests_of("surface_normal");
     test(normals_of_any_sphere);
@@ -364,3 +364,5 @@ void list_probes(void)
     tests_of("gamma_encode");
     test(encoded_colors);
 }
+
+OF_STEM(list_probes)

@@ -27,11 +27,6 @@ double largest(vec3 v)
     return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
 }
 
-Sphere sphere_at(double x, double y, double z, double radius)
-{
-    return (Sphere){.center = vec3_of(x, y, z), .radius = radius};
-}
-
 Color random_color(double low, double high)
 {
     return random_vec3(low, high);

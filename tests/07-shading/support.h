@@ -16,7 +16,11 @@ void given_highlight(double ks, double shine, Color light, vec3 normal, vec3 to_
 // The expected results: to 1e-9 of the arguments, and of the light for a colour.
 double largest(vec3 v); // of its three numbers, without their signs
 
-Sphere sphere_at(double x, double y, double z, double radius);
+static inline Sphere sphere_at(double x, double y, double z, double radius)
+{
+    return (Sphere){.center = vec3_of(x, y, z), .radius = radius};
+}
+
 Color random_color(double low, double high);
 
 // At right angles to a unit vector, and unit.

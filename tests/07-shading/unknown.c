@@ -34,7 +34,7 @@ static Color kd_and_sign(Color surface, double kd, Color light, vec3 normal, vec
     return diffuse_term(surface, kd * kd, light, -normal, to_light);
 }
 
-const Unknown unknowns[] = {
+static const Unknown unknowns[] = {
     UNKNOWN(clamp_color, above_only_together, NOBODY, "above 1 only if all three are"),
     UNKNOWN(surface_normal, away_from_the_origin, NOBODY, "turned by the sign of n.point"),
     UNKNOWN(shade, point_without_origin, NOBODY, "hit point without the origin"),
@@ -42,3 +42,4 @@ const Unknown unknowns[] = {
     UNKNOWN(diffuse_term, kd_and_sign, NOBODY, "kd squared, and away from the light"),
     {0},
 };
+OF_STEM(unknowns)

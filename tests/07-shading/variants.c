@@ -326,7 +326,7 @@ static Color encoded_after_clamping(Color color, double gamma)
     return color;
 }
 
-const Variant variants[] = {
+static const Variant variants[] = {
     VARIANT(surface_normal, divided_by_radius, "divided by the radius"),
     VARIANT(surface_normal, inward_and_turned, "inward, and reversed"),
     VARIANT(surface_normal, gradient, "the gradient, normalised"),
@@ -385,3 +385,4 @@ const Variant variants[] = {
     VARIANT(trace_ray, in_a_loop, "a loop, as little off as allowed"),
     {0},
 };
+OF_STEM(variants)

@@ -154,7 +154,7 @@ START_TEST(a_function_has_one_state)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("chapter_record");
     test(what_is_written_comes_back);
@@ -164,3 +164,5 @@ void list_tests(void)
     test(a_run_that_does_not_finish_leaves_the_record);
     test(a_function_has_one_state);
 }
+
+OF_STEM(list_tests)

@@ -143,7 +143,7 @@ START_TEST(a_chapter_without_a_verdict_has_nothing_right)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("judging");
     test(one_waits_until_the_other_is_done);
@@ -151,3 +151,5 @@ void list_tests(void)
     test(only_what_it_calls_and_is_not_right_excuses);
     test(a_chapter_without_a_verdict_has_nothing_right);
 }
+
+OF_STEM(list_tests)

@@ -122,7 +122,7 @@ START_TEST(the_environment_says_how_wide)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("page");
     test(words_wrap_under_each_other);
@@ -134,3 +134,5 @@ void list_tests(void)
     test(what_was_printed_is_harmless_and_short);
     test(the_environment_says_how_wide);
 }
+
+OF_STEM(list_tests)

@@ -254,7 +254,7 @@ static int debug(const Course *course, const char *program)
         command_add(&command, "-ex");
         command_add(&command, commands[i]);
     }
-    const char *words[] = {"--args", program, "--test", test};
+    const char *words[] = {"--args", program, stem, "--test", test};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
         command_add(&command, words[i]);
     setenv("CK_FORK", "no", 1);

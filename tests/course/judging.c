@@ -36,10 +36,10 @@ Judging judging_begin(const JudgingPlan *plan)
     uint64_t common = HASH_BEGIN;
     for (int i = 0; i < plan->all.count; i++)
         common = hash_string(common, plan->all.entries[i].value);
-    common = hash_of_files(common, plan->used);
+    common = hash_file(hash_of_files(common, plan->used), plan->judge);
     for (int i = 0; i < plan->count; i++) {
         const PlannedChapter *chapter = &plan->chapters[i];
-        judging.tools[i] = hash_file(common, chapter->judge);
+        judging.tools[i] = common;
         // What is made for another chapter is of that one's text, which is looked at below.
         Command objects = {.count = 0};
         command_words(&objects, chapter->objects);
@@ -246,7 +246,8 @@ static bool passes_with_lent(const JudgingPlan *plan, int chapter, const char *f
     if (link_answering(plan, chapter, "alone", true, lent, "/dev/null") != 0)
         return false;
     Command command = {.count = 0};
-    command_add(&command, plan->chapters[chapter].judge);
+    command_add(&command, plan->judge);
+    command_add(&command, plan->chapters[chapter].stem);
     command_add(&command, program.s);
     command_add(&command, "--only");
     command_add(&command, function);
@@ -400,7 +401,8 @@ static int ask(const Judging *judging, int chapter, const char *hash)
     }
     mkdir(plan->figures, 0777);
     Command command = {.count = 0};
-    command_add(&command, plan->chapters[chapter].judge);
+    command_add(&command, plan->judge);
+    command_add(&command, plan->chapters[chapter].stem);
     command_add(&command, program.s);
     command_add(&command, folder.s);
     command_add(&command, plan->figures);

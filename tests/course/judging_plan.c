@@ -29,6 +29,7 @@ bool plan_read(const char *path, JudgingPlan *plan)
         {"compile", &plan->compile, true}, {"link", &plan->link, true},
         {"hide", &plan->hide, false},      {"quick", &plan->quick, false},
         {"lend", &plan->lend, false},      {"used", &plan->used, false},
+        {"judge", &plan->judge, true},
     };
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         *keys[i].value = entry_value(entries, head, keys[i].key);
@@ -42,8 +43,7 @@ bool plan_read(const char *path, JudgingPlan *plan)
         if (plan->count == MOST_CHAPTERS)
             return complain(path, "too many chapters");
         plan->chapters[plan->count++] =
-            (PlannedChapter){entries[i].value, entry_value(entries + i, end - i, "judge"),
-                             entry_value(entries + i, end - i, "objects"),
+            (PlannedChapter){entries[i].value, entry_value(entries + i, end - i, "objects"),
                              entry_value(entries + i, end - i, "stands on")};
         i = end;
     }

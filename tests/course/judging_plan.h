@@ -19,12 +19,12 @@
 //     lend        what the linker is told for each exercise that the reference answers in the place
 //                 of the answer, NAME for its name: -Wl,--defsym=NAME=lent_NAME; none if nothing is
 //                 lent
+//     judge       the program that judges: JUDGE STEM STEM/answering FOLDER FIGURES
 //     used        files that the commands use, besides
 //
 // Then each chapter:
 //
 //     chapter     01-corners
-//     judge       the program that judges it: JUDGE STEM/answering STEM FIGURES
 //     objects     what the answering process holds besides the answer
 //     stands on   the chapters whose answers are among the objects; none if the reference's are
 #ifndef TESTS_COURSE_JUDGING_PLAN_H
@@ -35,13 +35,13 @@
 enum { MOST_CHAPTERS = 32 };
 
 typedef struct {
-    const char *stem, *judge, *objects, *stands_on;
+    const char *stem, *objects, *stands_on;
 } PlannedChapter;
 
 typedef struct {
     Entries all;
     const char *answers, *built, *verdict, *figures, *draw, *blanks;
-    const char *compile, *hide, *link, *quick, *lend, *used;
+    const char *compile, *hide, *link, *quick, *lend, *judge, *used;
     int count;
     PlannedChapter chapters[MOST_CHAPTERS];
 } JudgingPlan;

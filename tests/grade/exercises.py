@@ -1,11 +1,11 @@
-"""exercises.py - every exercise, once, in the order of the course: asks build/judge/list."""
+"""exercises.py - every exercise, once, in the order of the course: asks build/list_exercises."""
 from __future__ import annotations
 
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
-LIST = Path(__file__).resolve().parent.parent.parent / "build/judge/list"
+LIST = Path(__file__).resolve().parent.parent.parent / "build/list_exercises"
 
 
 @dataclass(frozen=True)

@@ -96,6 +96,7 @@ static void write_down(int exercise)
         fail("arguments that tests/judge/numbers.c cannot read");
     add_corners(call, &exercises[exercise]);
     result_of(call, exercise, exercises[exercise].reference);
+    const Mistake *const *mistakes = chosen_mistakes();
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++) {
             const Mistake *mistake = &mistakes[table][i];

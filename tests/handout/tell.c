@@ -1,7 +1,7 @@
 // tell.c - makes the table of a stem from its tests, the reference and the mistakes.
 //
-//   PROGRAM FILE
-//   PROGRAM --formulas    says what the mistakes compute, a line each: what no handout may hold
+//   tell STEM FILE
+//   tell STEM --formulas    says what the mistakes compute, a line each: what no handout may hold
 //
 // First each test runs as it is, and its calls are written down. Then it runs again and again with
 // one result changed a little, to find out what else it takes for right: the table is as strict
@@ -11,6 +11,7 @@
 
 #include "tests/judge/record.h"
 #include "tests/judge/runner.h"
+#include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 
 #include <string.h>
@@ -57,6 +58,7 @@ static void add_mistake(const Mistake *mistake)
 
 static int say_formulas(void)
 {
+    const Mistake *const *mistakes = chosen_mistakes();
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++)
             puts(mistakes[table][i].formula);
@@ -65,14 +67,20 @@ static int say_formulas(void)
 
 int main(int argc, char **argv)
 {
-    if (argc == 2 && strcmp(argv[1], "--formulas") == 0)
-        return say_formulas();
-    const char *slash = strrchr(argv[0], '/'), *stem = slash != NULL ? slash + 1 : argv[0];
-    FILE *file = argc == 2 ? fopen(argv[1], "wb") : NULL;
-    if (file == NULL) {
-        fprintf(stderr, "Usage: %s FILE\n", argv[0]);
+    if (argc != 3) {
+        fprintf(stderr, "Usage: %s STEM FILE|--formulas\n", argv[0]);
         return 2;
     }
+    const char *stem = argv[1];
+    choose_stem(stem);
+    if (strcmp(argv[2], "--formulas") == 0)
+        return say_formulas();
+    FILE *file = fopen(argv[2], "wb");
+    if (file == NULL) {
+        perror(argv[2]);
+        return 2;
+    }
+    const Mistake *const *mistakes = chosen_mistakes();
     switch_to_process(stem);
     asked_begin();
     run_tests(NULL, NULL, ANSWERS_APART, &all);
@@ -88,7 +96,7 @@ int main(int argc, char **argv)
             add_mistake(&mistakes[table][i]);
     bool written = told_write(file, &told);
     if (fclose(file) != 0 || !written) {
-        perror(argv[1]);
+        perror(argv[2]);
         return 1;
     }
     return 0;

@@ -1,9 +1,12 @@
 // variants.c - no right answer, however it is written, is failed or accused by the table.
+//
+//   variants STEM
 #include "tests/handout/here.h"
 #include "tests/handout/replay/replay.h"
 
 #include "tests/judge/runner.h"
 #include "tests/judge/show.h"
+#include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 #include "tests/proof/variants.h"
 
@@ -34,11 +37,12 @@ static bool is_right(const Variant *variant)
 
 int main(int argc, char **argv)
 {
-    const char *slash = strrchr(argv[0], '/'), *stem = slash != NULL ? slash + 1 : argv[0];
+    const char *stem = argc > 1 ? argv[1] : NULL;
     int passed = 0, failed = 0;
-    (void)argc;
+    choose_stem(stem);
     switch_to_process(stem);
-    for (int i = 0; variants[i].exercise != NULL; i++)
+    const Variant *variants = chosen_stem()->variants;
+    for (int i = 0; variants != NULL && variants[i].exercise != NULL; i++)
         *(is_right(&variants[i]) ? &passed : &failed) += 1;
     printf("right answers by the table of %s: %d passed, %d failed\n", stem, passed, failed);
     return failed == 0 && passed > 0 ? 0 : 1;

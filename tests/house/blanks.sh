@@ -4,7 +4,7 @@ set -u
 . tests/house/runner/library.sh
 
 passes_nothing() {
-    "$BUILD/tests/blanks/$1" >"$scratch/blank" 2>&1
+    "$BUILD/tests/blanks" "$1" >"$scratch/blank" 2>&1
     cat "$scratch/blank"
     grep -q "^$1: 0 passed, [1-9][0-9]* failed\$" "$scratch/blank"
 }

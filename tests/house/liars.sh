@@ -45,7 +45,7 @@ EOF
     # shellcheck disable=SC2086 # the compiler's flags are words
     $COMPILER -o "$scratch/liar" "$scratch/liar.c" -lm || return 1
     shift
-    env "$@" "$BUILD/judge/01-corners" "$scratch/liar" "$folder" >"$scratch/said" 2>&1
+    env "$@" "$BUILD/judge" 01-corners "$scratch/liar" "$folder" >"$scratch/said" 2>&1
     [ $? -eq 1 ]
 }
 # The first function, which is upper_left: what the report has of it under a name.

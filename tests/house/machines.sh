@@ -125,7 +125,7 @@ waits_for_setup() {
     printf '#!/bin/sh\n[ -e %s/installed ] && exec %s "$@"\n' "$late" "$pkg_config" >"$scratch/late-bin/pkg-config"
     printf '#!/bin/sh\nsleep 1\n: >%s/installed\n' "$late" >"$late/.make/setup"
     chmod +x "$scratch/late-bin/pkg-config"
-    PATH=$scratch/late-bin:$PATH make --no-print-directory -C "$late" setup build/judge/01-corners \
+    PATH=$scratch/late-bin:$PATH make --no-print-directory -C "$late" setup build/judge \
         build/solutions/01-corners >"$scratch/said" 2>&1 || { tail "$scratch/said"; return 1; }
 }
 check 'what is built waits for setup' waits_for_setup

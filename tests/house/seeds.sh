@@ -10,9 +10,9 @@ mkdir "$answers" "$folder"
 # ---- what is a seed -----------------------------------------------------------------------------
 
 refuses_seed() {
-    SEED=$1 "$BUILD/judge/01-corners" /bin/false "$folder" 2>"$scratch/said"
+    SEED=$1 "$BUILD/judge" 01-corners /bin/false "$folder" 2>"$scratch/said"
     [ $? -eq 2 ] || return 1
-    SEED=$1 "$PROGRAMS/tests/01-corners" 2>>"$scratch/said"
+    SEED=$1 "$PROGRAMS/tests" 01-corners 2>>"$scratch/said"
     [ $? -eq 2 ] || return 1
     cat "$scratch/said"
     [ "$(grep -c 'expected a whole number from 0 to 9223372036854775807' "$scratch/said")" -eq 2 ]
@@ -21,7 +21,7 @@ for seed in '' x 1x -1 +1 ' 1' '1 ' 0x10 1.5 1e3 9223372036854775808 99999999999
     check "SEED='$seed' is refused" refuses_seed "$seed"
 done
 for seed in 0 1 0042 9223372036854775807; do
-    check "SEED=$seed is a seed" env SEED=$seed "$PROGRAMS/tests/01-corners"
+    check "SEED=$seed is a seed" env SEED=$seed "$PROGRAMS/tests" 01-corners
 done
 
 # ---- which inputs it makes ----------------------------------------------------------------------
@@ -30,7 +30,7 @@ done
 sed 's|#include "common/answers.h"|&\n#include <stdio.h>|
     /^vec3 upper_left/,/^}/s|// BEGIN SOLUTION|&\n    fprintf(stderr, "%.17g %.17g\\n", c.distance, c.origin[0]);|' \
     solutions/01-corners.c >"$answers/01-corners.c"
-talking=build$answers/tests/01-corners # by the ordinary build
+talking=build$answers/tests # by the ordinary build
 check 'an answer that says what it is asked is built' \
     make --no-print-directory ANSWERS="$answers" "$talking"
 asked() {
@@ -38,12 +38,12 @@ asked() {
     shift
     env "$@" 2>"$scratch/$file" >/dev/null
 }
-asked public "$talking"
-asked one SEED=1 "$talking"
-asked again SEED=1 "$talking"
-asked only SEED=1 "$talking" --only upper_left
-asked single SEED=1 "$talking" --test the_corners_do_not_depend_on_where_the_eye_is
-asked two SEED=2 "$talking"
+asked public "$talking" 01-corners
+asked one SEED=1 "$talking" 01-corners
+asked again SEED=1 "$talking" 01-corners
+asked only SEED=1 "$talking" 01-corners --only upper_left
+asked single SEED=1 "$talking" 01-corners --test the_corners_do_not_depend_on_where_the_eye_is
+asked two SEED=2 "$talking" 01-corners
 rm -rf "build$scratch"
 differ() {
     [ -s "$scratch/$1" ] && [ -s "$scratch/$2" ] && ! cmp "$scratch/$1" "$scratch/$2"

@@ -53,7 +53,7 @@ ended() {
     sed 's|return (Normalized){point.x|for (volatile int i = 0; i < 1; i *= 2);\n    &|' solutions/03-screen.c >"$answers/03-screen.c"
     start make --no-print-directory exercises EX=03 ANSWERS="$answers" >/dev/null 2>&1
     group=${started##* }
-    wait_until is_running "build/judge/03-screen" || return 1
+    wait_until is_running "build$answers/verdict/03-screen/answering" || return 1
     kill -s "$1" -- "-$group"
     wait "$group" 2>/dev/null
     wait_until nothing_runs

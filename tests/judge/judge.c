@@ -1,14 +1,17 @@
 // judge.c - the tests of a stem against an answering process: the verdict.
 //
-//   PROGRAM ANSWERS FOLDER [FIGURES]
+//   judge STEM ANSWERS FOLDER [FIGURES]
 //                                    all tests. FOLDER/report says how each function is, and why
 //                                    (report.h); FIGURES/NAME.gp or .png what can be drawn of it
 //                                    (figure.h). Exit status 0 if all are right, 1 if not
-//   PROGRAM ANSWERS --only NAME LENT...   exit status 0 where NAME passes all its graded tests
+//   judge STEM ANSWERS --only NAME LENT...   exit status 0 where NAME passes all its graded tests
 //                                    while the reference answers those that are lent; prints which
 //                                    of them NAME asked for
-//   PROGRAM --mistakes FOLDER        the same of every known mistake, as if it were an answer:
+//   judge STEM --mistakes FOLDER     the same of every known mistake, as if it were an answer:
 //                                    FOLDER/FUNCTION.ID/report
+//
+// The functions of STEM are called in the process ANSWERS, those of all other stems are answered by
+// the reference (switchboard.h).
 //
 // The student's code is in the process ANSWERS. This one never loads, parses or runs any of it.
 #include "tests/judge/call.h"
@@ -17,6 +20,7 @@
 #include "tests/judge/process.h"
 #include "tests/judge/report.h"
 #include "tests/judge/runner.h"
+#include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 
 #include <errno.h>
@@ -120,6 +124,7 @@ static int verdict(const char *folder, const char *figures)
 // (tests/proof/by_hand/record.sh).
 static int verdicts_of_mistakes(const char *folder)
 {
+    const Mistake *const *mistakes = chosen_mistakes();
     for (int table = 0; mistakes[table] != NULL; table++) {
         for (const Mistake *mistake = mistakes[table]; mistake->id != NULL; mistake++) {
             char path[4096];
@@ -166,31 +171,32 @@ static void lend(char **names)
 
 int main(int argc, char **argv)
 {
-    if (argc == 3 && strcmp(argv[1], "--mistakes") == 0)
-        return verdicts_of_mistakes(argv[2]);
-    bool only = argc >= 4 && strcmp(argv[2], "--only") == 0;
-    if (argc != 3 && argc != 4 && !only) {
+    bool all_mistakes = argc == 4 && strcmp(argv[2], "--mistakes") == 0;
+    bool only = argc >= 5 && strcmp(argv[3], "--only") == 0;
+    if (argc != 4 && argc != 5 && !only) {
         fprintf(stderr,
-                "Usage: %s ANSWERS FOLDER [FIGURES] | ANSWERS --only NAME LENT... | "
-                "--mistakes FOLDER\n",
+                "Usage: %s STEM ANSWERS FOLDER [FIGURES] | STEM ANSWERS --only NAME LENT... | "
+                "STEM --mistakes FOLDER\n",
                 argv[0]);
         return 2;
     }
+    choose_stem(argv[1]);
+    if (all_mistakes)
+        return verdicts_of_mistakes(argv[3]);
     FILE *printed = process_printed_file();
     if (printed == NULL) {
         perror("cannot make a file for the output of the answers");
         return 2;
     }
-    const char *slash = strrchr(argv[0], '/');
-    switch_to_process(slash != NULL ? slash + 1 : argv[0]);
-    call_answers_from(argv[1], fileno(printed));
+    switch_to_process(argv[1]);
+    call_answers_from(argv[2], fileno(printed));
     records_catch_printed(fileno(printed));
     if (only)
-        lend(argv + 4);
+        lend(argv + 5);
     keep_calls(!only);
-    run_tests(only ? argv[3] : NULL, NULL, ANSWERS_APART, &outcomes);
+    run_tests(only ? argv[4] : NULL, NULL, ANSWERS_APART, &outcomes);
     keep_calls(false);
-    int status = only ? passes(argv + 4) : verdict(argv[2], argv[3]);
+    int status = only ? passes(argv + 5) : verdict(argv[3], argv[4]);
     call_stop();
     return status;
 }

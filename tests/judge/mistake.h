@@ -5,11 +5,12 @@
 #ifndef TESTS_JUDGE_MISTAKE_H
 #define TESTS_JUDGE_MISTAKE_H
 
+#include "tests/judge/stem.h"
 #include "tests/judge/switchboard.h"
 
 #include <stddef.h>
 
-typedef struct {
+typedef struct Mistake {
     const char *id;       // C2, as the field's list of mistakes has it, or a name of our own
     const char *exercise; // the function that it answers wrongly
     AnyFunction *answer;
@@ -23,7 +24,7 @@ typedef struct {
         id, #exercise, (AnyFunction *)(answer), formula, why, picture                              \
     }
 
-// The tables of one stem, and NULL; each table ends with a Mistake whose id is NULL.
-extern const Mistake *const mistakes[];
+// A stem has one list of tables of them, OF_STEM(mistakes), which ends with NULL; each table ends
+// with a Mistake whose id is NULL. chosen_mistakes() is the list of the stem that was chosen.
 
 #endif

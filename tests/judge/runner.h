@@ -26,11 +26,11 @@ typedef struct {
 // for in another process, they cannot, and tests run here.
 typedef enum { ANSWERS_HERE, ANSWERS_APART } WhereAnswersAre;
 
-// Runs those of one function, or those of one name, or (both NULL) all.
+// Runs the tests of the stem that was chosen (stem.h): those of one function, or those of one name,
+// or (both NULL) all.
 void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes);
 
-// Those of one function in this list, as probes (suspects.h). No records where there are none.
-void run_listed_probes(void (*list)(void), const char *function, const char *name,
-                       Outcomes *outcomes);
+// The probes of one function (suspects.h). No records if there are none.
+void run_listed_probes(const char *function, const char *name, Outcomes *outcomes);
 
 #endif

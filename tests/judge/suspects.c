@@ -53,6 +53,7 @@ void suspects_begin(void)
     memset(cases, 0, sizeof cases);
     memset(laws, 0, sizeof laws);
     awake = true;
+    const Mistake *const *mistakes = chosen_mistakes();
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++)
             take_up(&mistakes[table][i]);
@@ -183,13 +184,9 @@ static const char *law_of(int test)
 
 // ---- diagnosis ----------------------------------------------------------------------------------
 
-#pragma weak list_probes
-
 void run_probes(int exercise, const char *name, Outcomes *outcomes)
 {
-    outcomes->count = 0;
-    if (list_probes != NULL)
-        run_listed_probes(list_probes, exercises[exercise].name, name, outcomes);
+    run_listed_probes(exercises[exercise].name, name, outcomes);
 }
 
 // The first graded test that failed; -1 where none did.

@@ -20,8 +20,8 @@ void suspects_begin(void);
 const Mistake *suspect(int exercise, int nth, bool extra);
 
 // Probes are calls that separate mistakes and are not graded: of inputs in general position, in
-// tests/NN-stem/probes.c. They run like tests, and nothing is expected of them.
-void list_probes(void);
+// tests/NN-stem/probes.c, OF_STEM(list_probes). They run like tests, and nothing is expected of
+// them.
 void run_probes(int exercise, const char *name, Outcomes *outcomes); // name NULL: all of them
 
 // All of that about an exercise whose tests have failed: they are run again, now beside the

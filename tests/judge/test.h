@@ -14,12 +14,20 @@
 #include "common/sphere.h"
 #include "common/text.h"
 #include "common/vec3.h"
+#include "tests/judge/stem.h"
 #include "tests/judge/types.h"
 
 #include <check.h>
 
-// Each file of tests has this one list: tests_of a function, then its tests, and so on.
-void list_tests(void);
+// Each stem has one list of tests: tests_of a function, then its tests, and so on.
+//
+//     static void list_tests(void)
+//     {
+//         tests_of("upper_left");
+//         test(the_upper_left_corner_of_the_deck_is_minus_1_1_4);
+//     }
+//
+//     OF_STEM(list_tests)
 void tests_of(const char *function);
 void tests_of_extra(const char *function); // that cost no marks
 void test(const TTest *test);

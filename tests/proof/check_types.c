@@ -167,7 +167,7 @@ START_TEST(a_plane_is_told_in_the_words_of_its_entry)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("types");
     test(the_padding_of_a_plane_crosses_as_zeros);
@@ -177,3 +177,5 @@ void list_tests(void)
     test(a_plane_is_told_in_the_words_of_its_entry);
     test(numbers_of_a_plane_are_recorded_in_the_order_of_its_fields);
 }
+
+OF_STEM(list_tests)

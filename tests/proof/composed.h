@@ -4,18 +4,19 @@
 #ifndef TESTS_PROOF_COMPOSED_H
 #define TESTS_PROOF_COMPOSED_H
 
+#include "tests/judge/stem.h"
 #include "tests/judge/switchboard.h"
 
 #include <stddef.h>
 
-typedef struct {
+typedef struct Composed {
     const char *exercise;
     AnyFunction *answer;
 } Composed;
 
 // A mistake of one exercise that gives the same in another as one of its own, on whatever input: it
 // is named as that. Of any other nobody must be named.
-typedef struct {
+typedef struct SameMistake {
     const char *exercise;
     const char *part; // the id of the mistake in what it asks
     const char *said; // ID, ID in part, ID and ID, as in tests/proof/unknown.h
@@ -31,8 +32,7 @@ typedef struct {
 #exercise, (AnyFunction *)(answer)                                                         \
     }
 
-// Of one stem; ends with one whose exercise is NULL. Not defined where no function asks another.
-extern const Composed composed[];
-extern const SameMistake same_mistakes[];
+// A stem has one table of each, OF_STEM(composed) and OF_STEM(same_mistakes), which end with one
+// whose exercise is NULL; none if no function of it asks another.
 
 #endif

@@ -43,8 +43,8 @@ check 'the page has both examples' test "$steps" -ge 11
 
 # The new exercise is judged like the others, and each mistake is named.
 for stem in 02-cameras 09-plane; do
-    check "$stem is tested like the others" make -s "build/tests/matrix/$stem"
-    check 'and its mistakes are named' "build/tests/matrix/$stem"
+    check "$stem is tested like the others" make -s build/tests/matrix
+    check 'and its mistakes are named' build/tests/matrix "$stem"
 done
 check 'the blanks are written' make -s skeletons
 check 'and ask for it' grep -q '^double aspect_of(Camera c)$' exercises/02-cameras.c

@@ -1,5 +1,9 @@
 // matrix.c - are the tests strict, and do they know what they see?
 //
+//   matrix STEM
+//   matrix STEM --missing     what an exercise of the stem still lacks
+//   matrix STEM --composed    only mistakes that are seen through another function
+//
 // Each mistake must fail a test of its function and be named from its values; each test must be
 // failed by a mistake, or it cannot fail and is worth nothing; no exercise may lack what it needs
 // (missing.h); no right answer, however it is
@@ -8,6 +12,7 @@
 // (composed.c). A table of the public inputs must fail with every SEED, and must not learn the
 // hidden inputs.
 #include "tests/judge/runner.h"
+#include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 #include "tests/proof/composed.h"
 #include "tests/proof/missing.h"
@@ -70,6 +75,7 @@ static void check_reference(void)
 
 static int count_of(const char *exercise)
 {
+    const Mistake *const *mistakes = chosen_mistakes();
     int count = 0;
     for (int table = 0; mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++)
@@ -166,13 +172,10 @@ static void check_unknown(const Unknown *unknown)
 
 // ---- mistakes of other functions of the chapter -------------------------------------------------
 
-#pragma weak composed
-#pragma weak same_mistakes
-
 // How a mistake of a part is named in the whole; NOBODY where it is not.
 static const char *same_mistake(const char *exercise, const char *part)
 {
-    for (const SameMistake *same = same_mistakes; same->exercise != NULL; same++)
+    for (const SameMistake *same = chosen_stem()->same_mistakes; same->exercise != NULL; same++)
         if (strcmp(same->exercise, exercise) == 0 && strcmp(same->part, part) == 0)
             return same->said;
     return NOBODY;
@@ -183,7 +186,7 @@ static void check_part(const Composed *whole, const Mistake *part)
 {
     char words[500];
     switch_to_reference();
-    for (const Composed *other = composed; other->exercise != NULL; other++)
+    for (const Composed *other = chosen_stem()->composed; other->exercise != NULL; other++)
         switch_one(other->exercise, other->answer);
     switch_one(whole->exercise, whole->answer);
     switch_one(part->exercise, part->answer);
@@ -201,7 +204,9 @@ static void check_part(const Composed *whole, const Mistake *part)
 
 static void check_parts(void)
 {
-    for (const Composed *whole = composed; whole != NULL && whole->exercise != NULL; whole++)
+    const Mistake *const *mistakes = chosen_mistakes();
+    for (const Composed *whole = chosen_stem()->composed; whole != NULL && whole->exercise != NULL;
+         whole++)
         for (int table = 0; mistakes[table] != NULL; table++)
             for (int i = 0; mistakes[table][i].id != NULL; i++)
                 if (strcmp(mistakes[table][i].exercise, whole->exercise) != 0)
@@ -256,9 +261,9 @@ static int only_parts(const char *stem)
 
 int main(int argc, char **argv)
 {
-    const char *slash = strrchr(argv[0], '/');
-    const char *stem = slash != NULL ? slash + 1 : argv[0];
-    const char *option = argc == 2 ? argv[1] : "";
+    const char *stem = argc > 1 ? argv[1] : NULL, *option = argc == 3 ? argv[2] : "";
+    choose_stem(stem);
+    const Mistake *const *mistakes = chosen_mistakes();
     check_reference();
     char words[500];
     bool lacks = something_is_missing(stem, words, sizeof words);
@@ -281,9 +286,11 @@ int main(int argc, char **argv)
             check_mistake(&mistakes[table][i]);
     for (int i = 0; i < all.count; i++)
         settle(failed_by_some[i], "test", all.tests[i].name, "no mistake fails it");
-    for (const Variant *it = variants; it != NULL && it->exercise != NULL; it++, variant_count++)
+    for (const Variant *it = chosen_stem()->variants; it != NULL && it->exercise != NULL;
+         it++, variant_count++)
         check_variant(it);
-    for (const Unknown *it = unknowns; it != NULL && it->exercise != NULL; it++, unknown_count++)
+    for (const Unknown *it = chosen_stem()->unknowns; it != NULL && it->exercise != NULL;
+         it++, unknown_count++)
         check_unknown(it);
     check_table(stem);
     printf("+ %d known mistakes\n+ %d pairs of them told apart\n+ %d tests\n+ %d right "

@@ -5,11 +5,12 @@
 #ifndef TESTS_PROOF_UNKNOWN_H
 #define TESTS_PROOF_UNKNOWN_H
 
+#include "tests/judge/stem.h"
 #include "tests/judge/switchboard.h"
 
 #include <stddef.h>
 
-typedef struct {
+typedef struct Unknown {
     const char *exercise; // the function that it answers
     AnyFunction *answer;
     const char *said; // ID, ID in part, ID and ID; or NOBODY and how the words begin
@@ -23,8 +24,6 @@ typedef struct {
 #exercise, (AnyFunction *)(answer), said, what                                             \
     }
 
-// Of one stem; ends with an Unknown whose exercise is NULL.
-#pragma weak unknowns // a new chapter may have none yet
-extern const Unknown unknowns[];
+// A stem has one table of them, OF_STEM(unknowns), which ends with one whose exercise is NULL.
 
 #endif

@@ -4,11 +4,12 @@
 #ifndef TESTS_PROOF_VARIANTS_H
 #define TESTS_PROOF_VARIANTS_H
 
+#include "tests/judge/stem.h"
 #include "tests/judge/switchboard.h"
 
 #include <stddef.h>
 
-typedef struct {
+typedef struct Variant {
     const char *exercise; // the function that it answers
     AnyFunction *answer;
     const char *what; // how it differs, in a few words
@@ -19,8 +20,6 @@ typedef struct {
 #exercise, (AnyFunction *)(answer), what                                                   \
     }
 
-// Of one stem; ends with a Variant whose exercise is NULL.
-#pragma weak variants // a new chapter may have none yet
-extern const Variant variants[];
+// A stem has one table of them, OF_STEM(variants), which ends with one whose exercise is NULL.
 
 #endif

@@ -382,7 +382,7 @@ START_TEST(a_decimal_comma_is_not_another_mistake)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("explain");
     test(semicolons_and_braces);
@@ -410,3 +410,5 @@ void list_tests(void)
     test(a_division_that_is_right_is_not_accused);
     test(a_decimal_comma_is_not_another_mistake);
 }
+
+OF_STEM(list_tests)

@@ -1,5 +1,5 @@
-// files_and_network.c - files, the network and other programs: everything that an answer does not need.
-// cases.py reads it: each section is one submission, and states the result that it must get.
+// files_and_network.c - files, the network and other programs: everything that an answer does not
+// need. cases.py reads it: each section is one submission, and states the result that it must get.
 
 // ---- files-read: opens what it should not see: solutions, tests, classmates, the home directory.
 // stem: 01-corners
@@ -14,7 +14,7 @@ vec3 upper_left(Camera c)
 {
     const char *places[] = {"@TREE@/solutions/01-corners.c",
                             "@TREE@/tests/01-corners.c",
-                            "@TREE@/build/judge/01-corners",
+                            "@TREE@/build/judge",
                             "@SUBMISSIONS@/honest/01-corners.c",
                             "@HOME@/.netrc",
                             "@OUT@",
@@ -144,7 +144,7 @@ vec3 upper_left(Camera c)
 
 vec3 upper_left(Camera c)
 {
-    const char *names[] = {"@TREE@/build/judge/01-corners", "@TREE@/build/solutions/01-corners.o",
+    const char *names[] = {"@TREE@/build/judge", "@TREE@/build/solutions/01-corners.o",
                            "/tmp/hostile-was-here.so", "libcheck.so", "libpng16.so.16"};
     for (int i = 0; i < 5; i++)
         if (dlopen(names[i], RTLD_NOW) != NULL)
@@ -383,10 +383,8 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-// ---- tamper-tree: changes the solutions, the judge and the policy, for itself and whoever is next.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
+// ---- tamper-tree: changes the solutions, the judge and the policy, for itself and whoever is
+// next. stem: 01-corners expect: graded | crashed earns: nothing
 #include "exercises/01-corners.h"
 #include <fcntl.h>
 #include <stdio.h>
@@ -395,8 +393,8 @@ vec3 upper_left(Camera c)
 
 vec3 upper_left(Camera c)
 {
-    const char *places[] = {"@TREE@/solutions/01-corners.c", "@TREE@/build/judge/01-corners",
-                            "@TREE@/tests/grade/policy",   "@TREE@/Makefile",
+    const char *places[] = {"@TREE@/solutions/01-corners.c", "@TREE@/build/judge",
+                            "@TREE@/tests/grade/policy",     "@TREE@/Makefile",
                             "@TREE@/build/common.a",         "/proc/self/exe"};
     for (int i = 0; i < 6; i++)
         if (open(places[i], O_WRONLY | O_APPEND) >= 0 || chmod(places[i], 0600) == 0 ||

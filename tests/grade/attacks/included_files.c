@@ -83,16 +83,14 @@ vec3 upper_left(Camera c)
     return vec3_of(7777, bytes[0], 0);
 }
 
-// ---- include-by-pragma: pragmas that open files: their dates, and headers that are compiled already.
-// stem: 01-corners
-// expect: graded | does not compile
-// earns: nothing
+// ---- include-by-pragma: pragmas that open files: their dates, and headers that are compiled
+// already. stem: 01-corners expect: graded | does not compile earns: nothing
 #include "exercises/01-corners.h"
 #pragma GCC dependency "@TREE@/solutions/01-corners.c" is older
 #pragma GCC pch_preprocess "@TREE@/build/solutions/01-corners.o"
 #pragma clang module import solutions
 #pragma include_alias("common/vec3.h", "@TREE@/solutions/01-corners.c")
-#pragma GCC optimize("-fdump-tree-all", "-fplugin=@TREE@/build/judge/01-corners")
+#pragma GCC optimize("-fdump-tree-all", "-fplugin=@TREE@/build/judge")
 #pragma comment(lib, "@TREE@/build/solutions/01-corners.o")
 
 vec3 upper_left(Camera c)
@@ -185,17 +183,14 @@ __asm__(".incbin \"../honest/01-corners.o\"");
 #include "/proc/self/cwd/solutions/01-corners.c"
 #endif
 
-// ---- include-system-files: files that are no C, so that the compiler quotes them in its complaints.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
-#include "@HOME@/.netrc"
+// ---- include-system-files: files that are no C, so that the compiler quotes them in its
+// complaints. stem: 01-corners expect: does not compile earns: nothing rest: none
 #include "/etc/passwd"
 #include "/etc/shadow"
 #include "/proc/self/cmdline"
 #include "/proc/self/environ"
 #include "/proc/self/mountinfo"
+#include "@HOME@/.netrc"
 
 // ---- include-tests: the tests, the mistakes and the judge, for what they expect.
 // stem: 01-corners
@@ -203,9 +198,9 @@ __asm__(".incbin \"../honest/01-corners.o\"");
 // earns: nothing
 // rest: none
 #include "@TREE@/tests/01-corners.c"
-#include "tests/judge/test.h"
 #include "tests/01-corners/laws.c"
 #include "tests/01-corners/mistakes.c"
+#include "tests/judge/test.h"
 
 // ---- include-what-is-there: probes for every place that it can think of, and takes what it finds.
 // stem: 01-corners

@@ -1,11 +1,10 @@
-// lent_answers.c - misuse of the reference answers that the judge lends, and searches for the reference.
-// cases.py reads it: each section is one submission, and states the result that it must get.
+// lent_answers.c - misuse of the reference answers that the judge lends, and searches for the
+// reference. cases.py reads it: each section is one submission, and states the result that it must
+// get.
 
-// ---- lend-a-long-task: has the judge itself draw, by the answer that it lends, a picture of a hundred
-// thousand spheres and a million pixels.
-// stem: 06-ray-casting
-// expect: timed out | graded | crashed
-// earns: nothing
+// ---- lend-a-long-task: has the judge itself draw, by the answer that it lends, a picture of a
+// hundred thousand spheres and a million pixels. stem: 06-ray-casting expect: timed out | graded |
+// crashed earns: nothing
 #include "exercises/06-ray-casting.h"
 
 #include <stdlib.h>
@@ -22,10 +21,8 @@ void cast_object_order(const Scene *scene, Camera camera, Image *image, double *
     cast_image_order(&large, camera, &picture);
 }
 
-// ---- lend-itself: once another answer is lent by the judge, asks it over the pipe for this one, too.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
+// ---- lend-itself: once another answer is lent by the judge, asks it over the pipe for this one,
+// too. stem: 01-corners expect: graded | crashed earns: nothing
 #include "exercises/01-corners.h"
 #include <stdint.h>
 #include <string.h>
@@ -124,10 +121,8 @@ vec3 upper_right(Camera c)
     return c.right;
 }
 
-// ---- lend-without-end: asks for a mirror in a mirror, two thousand million times, once that is lent.
-// stem: 07-shading
-// expect: graded | crashed
-// earns: nothing
+// ---- lend-without-end: asks for a mirror in a mirror, two thousand million times, once that is
+// lent. stem: 07-shading expect: graded | crashed earns: nothing
 #include "exercises/07-shading.h"
 
 vec3 trace_ray(const Scene *scene, Ray ray, int depth)
@@ -144,10 +139,8 @@ vec3 clamp_color(vec3 color)
     return trace_ray(&scene, (Ray){vec3_of(0, 0, 0), vec3_of(0, 0, 1)}, 2147483647);
 }
 
-// ---- reference-by-name: looks the reference up while it runs, in itself and in the judge's program.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
+// ---- reference-by-name: looks the reference up while it runs, in itself and in the judge's
+// program. stem: 01-corners expect: graded | crashed earns: nothing
 #include "exercises/01-corners.h"
 #include <dlfcn.h>
 #include <stddef.h>
@@ -157,8 +150,7 @@ typedef vec3 Function(Camera c);
 vec3 upper_left(Camera c)
 {
     const char *names[] = {"reference_upper_left", "lent_upper_left", "_upper_left"};
-    void *places[] = {NULL, dlopen(NULL, RTLD_NOW),
-                      dlopen("@TREE@/build/judge/01-corners", RTLD_NOW)};
+    void *places[] = {NULL, dlopen(NULL, RTLD_NOW), dlopen("@TREE@/build/judge", RTLD_NOW)};
     vec3 thrown_away = upper_right(c);
     for (int i = 0; i < 9; i++) {
         Function *found = (Function *)dlsym(places[i / 3], names[i % 3]);
@@ -173,10 +165,8 @@ vec3 upper_right(Camera c)
     return c.up;
 }
 
-// ---- reference-left-behind: returns what is not set, hoping that the right answer still lies there.
-// stem: 01-corners
-// expect: graded
-// earns: nothing
+// ---- reference-left-behind: returns what is not set, hoping that the right answer still lies
+// there. stem: 01-corners expect: graded earns: nothing
 #include "exercises/01-corners.h"
 
 vec3 upper_left(Camera c)
@@ -198,10 +188,8 @@ Camera with_unit_distance(Camera c)
     return left;
 }
 
-// ---- reference-left-on-the-stack: calls an answer of the chapter, then digs in the stack it has used.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
+// ---- reference-left-on-the-stack: calls an answer of the chapter, then digs in the stack it has
+// used. stem: 01-corners expect: graded | crashed earns: nothing
 #include "exercises/01-corners.h"
 
 static vec3 dig(int depth)
@@ -227,9 +215,8 @@ vec3 upper_right(Camera c)
     return c.right;
 }
 
-// ---- reference-next-door: when another answer is replaced by the reference, its own is not far from
-// there. Calls what lies around it, until something knows the deck's corner.
-// stem: 01-corners
+// ---- reference-next-door: when another answer is replaced by the reference, its own is not far
+// from there. Calls what lies around it, until something knows the deck's corner. stem: 01-corners
 // expect: graded | crashed | timed out
 // earns: nothing
 #include "exercises/01-corners.h"

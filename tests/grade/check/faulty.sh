@@ -2,8 +2,8 @@
 # faulty.sh - a compiler, a linker or a judge that fails if an answer asks for it by '// fault: ...'.
 #
 #   faulty.sh compiler|linker COMMAND...     in the submission's folder
-#   JUDGES/STEM ...                          a copy of this; the judge itself is JUDGES/real/STEM, and
-#                                            all fail by what JUDGES/real/fault says, if that is there
+#   JUDGE/judge STEM ...                     a copy of this; the judge itself is JUDGE/real/judge, and
+#                                            it fails by what JUDGE/real/fault says, if that is there
 fault=$(sed -n 's|^// fault: ||p' ./*.c | head -n 1)
 real=${0%/*}/real
 if [ -d "$real" ]; then
@@ -21,16 +21,16 @@ case $tool,$fault in
 'compiler,the compiler refuses a file once') [ -e refused ] || { : >refused; exit 90; } ;;
 'linker,the linker refuses a file once') [ -e refused ] || { : >refused; exit 1; } ;;
 'judge,the judge gives up') exit 2 ;;
-'judge,the judge is killed when it lends') [ "$3" != --only ] || kill -9 $$ ;;
+'judge,the judge is killed when it lends') [ "$4" != --only ] || kill -9 $$ ;;
 'judge,the report is cut')
     "$@"
     status=$?
-    sed -i '/^function/,$d' "$3/report"
+    sed -i '/^function/,$d' "$4/report"
     exit $status
     ;;
 'judge,every verdict is wrong')
     "$@"
-    sed -i 's/\tright/\tcrashed/' "$3/report"
+    sed -i 's/\tright/\tcrashed/' "$4/report"
     exit 1
     ;;
 esac

@@ -41,16 +41,15 @@ def faulty_kit(work: Path, always: str = "") -> Path:
     old, new = Path(KIT).resolve(), kit.resolve()
     lines = (kit / "commands").read_text().replace(str(old), str(new)).splitlines()
     commands = dict(line.split("=", 1) for line in lines)
-    judges = new / "judges"
-    (judges / "real").mkdir(parents=True)
-    for stem in [*STEMS, "picture", "scene.nff"]:
-        shutil.copy(Path(commands["JUDGES"], stem), judges / "real" / stem)
-        shutil.copy(FAULTY if stem in STEMS else Path(commands["JUDGES"], stem), judges / stem)
+    picture = new / "picture"       # a folder that the sandbox shows when it judges
+    (picture / "real").mkdir()
+    shutil.copy(commands["JUDGE"], picture / "real" / "judge")
+    shutil.copy(FAULTY, picture / "judge")
     if always:
-        (judges / "real" / "fault").write_text(always)
+        (picture / "real" / "fault").write_text(always)
     for place in ("headers", "link"):
         shutil.copy(FAULTY, kit / place)
-    commands["JUDGES"] = str(judges)
+    commands["JUDGE"] = str(picture / "judge")
     commands["COMPILE"] = f"{new}/headers/{FAULTY.name} compiler {commands['COMPILE']}"
     commands["LINK"] = f"{new}/link/{FAULTY.name} linker {commands['LINK']}"
     (kit / "commands").write_text("".join(f"{key}={value}\n" for key, value in commands.items()))
@@ -242,7 +241,7 @@ class Faults(Sentences):
             self.kills_leave_nothing(self.work / sandbox, sandbox)
 
     def test_a_kill_is_no_mark(self) -> None:
-        self.killed("the judge", lambda words: words[0].endswith("/judge/01-corners"))
+        self.killed("the judge", lambda words: words[0].endswith("/judge") and words[1] == "01-corners")
         self.killed("the answering process", lambda words: words[0] == "answering")
 
     def test_how_a_part_of_the_compiler_ended_is_known(self) -> None:

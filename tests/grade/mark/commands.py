@@ -44,7 +44,8 @@ class Command:
 @dataclass(frozen=True)
 class Kit:
     folder: Path
-    judges: Path
+    judge_program: str
+    picture: Path                   # the folder of what draws a picture
     compiler: list[str]
     parts_of_compiler: list[str]    # what makes a compiler of several programs run each by another one
     linker: list[str]
@@ -104,20 +105,20 @@ class Kit:
         return Command(stem, ["objdump", "-r", f"{stem}.o"], BUILT, writes=f"{stem}.relocations")
 
     def judge(self, stem: str) -> Command:
-        return Command(stem, [str(self.judges / stem), f"{stem}.exe", f"{stem}.d"], JUDGED)
+        return Command(stem, [self.judge_program, stem, f"{stem}.exe", f"{stem}.d"], JUDGED)
 
     def judge_lent(self, stem: str, name: str, others: list[str]) -> Command:
         """NAME.asked will have the names of those that it asked for."""
-        return Command(name, [str(self.judges / stem), f"{stem}.{name}.exe", "--only", name, *others], JUDGED,
+        return Command(name, [self.judge_program, stem, f"{stem}.{name}.exe", "--only", name, *others], JUDGED,
                        writes=f"{name}.asked")
 
     def draw(self, answered: list[str]) -> Command:
-        return Command("all", [str(self.judges / "picture"), "all.exe", str(self.judges / "scene.nff"), "yours.png",
+        return Command("all", [str(self.picture / "draw"), "all.exe", str(self.picture / "scene.nff"), "yours.png",
                                *answered], JUDGED)
 
 
 def read_kit(folder: Path) -> Kit:
     lines = (folder / "commands").read_text().splitlines()
     commands = {key: words.split() for key, words in (line.split("=", 1) for line in lines)}
-    return Kit(folder, Path(*commands["JUDGES"]), commands["COMPILE"], commands["PARTS"], commands["LINK"],
+    return Kit(folder, *commands["JUDGE"], Path(*commands["PICTURE"]), commands["COMPILE"], commands["PARTS"], commands["LINK"],
                commands["LIBRARIES"])

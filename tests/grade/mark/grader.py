@@ -75,9 +75,8 @@ class Grader:
         self.called: dict[str, set[str]] = {}
         part, parts = given.shard or (1, 1)
         self.work = self.out / ".work" / f"{part}-of-{parts}"
-        judges = sorted(path for path in self.kit.judges.iterdir() if path.name in self.stems)
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
-        self.tests = sum_of_files([exercises.LIST, *GRADER, *judges,
+        self.tests = sum_of_files([exercises.LIST, *GRADER, Path(self.kit.judge_program),
                                    *sorted((self.kit.folder / "link").iterdir()),
                                    *(self.kit.folder / name for name in ("commands", "parts", "explain")), *confine])
 

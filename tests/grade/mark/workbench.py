@@ -36,7 +36,7 @@ class Workbench:
         environment = {"SEED": str(self.seed)}
         if self.sandbox.confine:
             environment["CONFINE"] = self.sandbox.confine
-        readable = [self.kit.parts, str(self.kit.judges)]
+        readable = [self.kit.parts, self.kit.judge_program, str(self.kit.picture)]
         return self._run("judge", commands, lambda words: self.sandbox.judge(self.folder, readable, words), environment)
 
     def check_room(self) -> None:

@@ -1,10 +1,13 @@
 // check.c - is a table strict, and does its judge know what it sees?
 //
+//   check STEM
+//
 // The right values must pass, and nobody be accused; the values of each known mistake must fail,
 // and name it. The other end of the pipe gives what the table has.
 #include "tests/handout/replay/replay.h"
 
 #include "tests/judge/runner.h"
+#include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/transport.h"
 
@@ -82,10 +85,10 @@ static void check_mistake(const ToldMistake *mistake)
 
 int main(int argc, char **argv)
 {
-    const char *slash = strrchr(argv[0], '/');
+    const char *stem = argc > 1 ? argv[1] : NULL;
+    choose_stem(stem);
     const Told *told = told_table();
-    (void)argc;
-    switch_to_process(slash != NULL ? slash + 1 : argv[0]);
+    switch_to_process(stem);
     transport_use(&recorded);
     settle(run(NULL, true) == 0 && outcomes.count > 0, "what is right", "", "does not pass");
     for (int i = 0; i < told->mistake_count; i++)
@@ -100,8 +103,7 @@ int main(int argc, char **argv)
             gives += strcmp(told->mistakes[k].function, function) == 0;
         check_mistake(&told->mistakes[i]);
     }
-    printf("table of %s (%d mistakes, %d tests): %d passed, %d failed\n",
-           slash != NULL ? slash + 1 : argv[0], told->mistake_count, told->test_count, passed,
-           failed);
+    printf("table of %s (%d mistakes, %d tests): %d passed, %d failed\n", stem, told->mistake_count,
+           told->test_count, passed, failed);
     return failed == 0 ? 0 : 1;
 }

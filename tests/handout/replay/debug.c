@@ -1,7 +1,8 @@
 // debug.c - the calls of one test of a table, made directly: for gdb (tests/course/course.c).
 //
-//   PROGRAM --test NAME
+//   PROGRAM STEM --test NAME
 #include "tests/handout/replay/replay.h"
+
 #include "tests/judge/dispatch.h"
 #include "tests/judge/exercise.h"
 
@@ -31,14 +32,13 @@ static void make_calls(int exercise, const ToldTest *test)
 int main(int argc, char **argv)
 {
     static Told told;
-    FILE *file = fopen(told_path, "rb");
-    if (argc != 3 || file == NULL || !told_read(file, &told)) {
-        fprintf(stderr, "Usage: %s --test NAME (and %s must be there)\n", argv[0], told_path);
+    if (argc != 4) {
+        fprintf(stderr, "Usage: %s STEM --test NAME\n", argv[0]);
         return 2;
     }
-    fclose(file);
+    told_load(argv[1], &told);
     for (int i = 0; i < told.test_count; i++)
-        for (int k = 0; strcmp(told.tests[i].name, argv[2]) == 0 && exercises[k].name != NULL; k++)
+        for (int k = 0; strcmp(told.tests[i].name, argv[3]) == 0 && exercises[k].name != NULL; k++)
             if (strcmp(exercises[k].name, told.tests[i].function) == 0)
                 make_calls(k, &told.tests[i]);
     return 0;

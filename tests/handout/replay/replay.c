@@ -6,6 +6,7 @@
 
 #include "tests/judge/record.h"
 #include "tests/judge/runner.h"
+#include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/test.h"
 #include "tests/judge/transport.h"
@@ -17,7 +18,7 @@ enum { MOST_MISTAKES = 1000 };
 static Told told;
 static const ToldCall *now;
 static Mistake known[MOST_MISTAKES + 1];
-const Mistake *const mistakes[] = {known, NULL};
+static const Mistake *const mistakes[] = {known, NULL};
 
 const Told *told_table(void)
 {
@@ -29,18 +30,13 @@ const ToldCall *told_now(void)
     return now;
 }
 
-// Before main: the mistakes are asked for before the tests are.
-__attribute__((constructor)) static void read_table(void)
+static void load_table(void)
 {
-    FILE *file = fopen(told_path, "rb");
-    bool good = file != NULL && told_read(file, &told) && told.mistake_count <= MOST_MISTAKES;
-    for (int i = 0; good && i < told.test_count; i++)
-        good = exercise_number(told.tests[i].function) >= 0;
-    if (!good) {
-        fprintf(stderr, "%s: cannot be read, or is no table of this version\n", told_path);
+    told_load(chosen_stem()->name, &told);
+    if (told.mistake_count > MOST_MISTAKES) {
+        fprintf(stderr, "%s: more than %d mistakes\n", chosen_stem()->name, MOST_MISTAKES);
         exit(2);
     }
-    fclose(file);
     for (int i = 0; i < told.mistake_count; i++)
         known[i] = (Mistake){.id = told.mistakes[i].digits ? "X-" : "",
                              .exercise = told.mistakes[i].function,
@@ -111,7 +107,7 @@ static void list(bool probes)
         const ToldTest *it = &told.tests[i];
         if ((it->probe != 0) != probes)
             continue;
-        tests[i] = (TTest){it->name, replay, told_path, 1};
+        tests[i] = (TTest){it->name, replay, __FILE__, 1};
         if (extra != (it->extra != 0) || strcmp(function, it->function) != 0)
             it->extra ? tests_of_extra(it->function) : tests_of(it->function);
         function = it->function;
@@ -120,12 +116,23 @@ static void list(bool probes)
     }
 }
 
-void list_tests(void)
+static void list_tests(void)
 {
     list(false);
 }
 
-void list_probes(void)
+static void list_probes(void)
 {
     list(true);
+}
+
+__attribute__((constructor)) static void add_all_stems(void)
+{
+    for (int i = 0; exercises[i].name != NULL; i++) {
+        Stem *stem = stem_named(exercises[i].stem);
+        stem->load = load_table;
+        stem->list_tests = list_tests;
+        stem->list_probes = list_probes;
+        stem->mistakes = mistakes;
+    }
 }

@@ -4,9 +4,7 @@
 
 #include "tests/handout/replay/told.h"
 
-// Where the table of this program lies; made by the Makefile.
-extern const char told_path[];
-
+// Of the stem that was chosen.
 const Told *told_table(void);
 
 // The call that is being made.

@@ -44,8 +44,10 @@ typedef struct {
     ToldMistake *mistakes;
 } Told;
 
-// False where the file cannot be read or written, or is no such table.
-bool told_read(FILE *file, Told *told);
+// Exits with 2, and a message, if the stem has no table or it cannot be read.
+void told_load(const char *stem, Told *told);
+
+// False if the file cannot be written.
 bool told_write(FILE *file, Told *told);
 
 // From malloc, one more of it; the new one is all zero.

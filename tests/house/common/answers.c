@@ -195,7 +195,7 @@ START_TEST(for_make_a_missing_answer_is_one_line_and_not_an_error)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("not_answered");
     test(a_blank_returns_nan_and_minus_1);
@@ -206,3 +206,5 @@ void list_tests(void)
     test(an_answer_that_is_called_is_known_by_name);
     test(for_make_a_missing_answer_is_one_line_and_not_an_error);
 }
+
+OF_STEM(list_tests)

@@ -197,7 +197,7 @@ START_TEST(a_reason_that_there_is_not_has_words_too)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("camera_of_the_deck");
     test(the_camera_of_the_deck_has_the_numbers_of_its_slide);
@@ -215,3 +215,5 @@ void list_tests(void)
     test(every_reason_has_words_of_its_own);
     test(a_reason_that_there_is_not_has_words_too);
 }
+
+OF_STEM(list_tests)

@@ -152,7 +152,7 @@ START_TEST(progress_is_reported_after_every_1024_pixels)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("byte_from_color");
     test(a_byte_is_255_times_the_colour_rounded);
@@ -167,3 +167,5 @@ void list_tests(void)
     test(impossible_sizes_are_refused);
     test(the_longest_sides_are_16384);
 }
+
+OF_STEM(list_tests)

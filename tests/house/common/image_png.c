@@ -172,7 +172,7 @@ START_TEST(names_may_hold_spaces_and_need_no_folder)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("image_write_png");
     test(a_picture_is_read_back_as_it_was_written);
@@ -184,3 +184,5 @@ void list_tests(void)
     test(through_a_link_the_file_is_replaced_and_the_link_stays);
     test(names_may_hold_spaces_and_need_no_folder);
 }
+
+OF_STEM(list_tests)

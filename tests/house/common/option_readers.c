@@ -150,7 +150,7 @@ START_TEST(a_flag_is_set)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("option_size");
     test(a_size_is_two_whole_numbers_with_x_between);
@@ -168,3 +168,5 @@ void list_tests(void)
     tests_of("option_flag");
     test(a_flag_is_set);
 }
+
+OF_STEM(list_tests)

@@ -214,7 +214,7 @@ START_TEST(what_a_program_finds_wrong_itself_ends_alike)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("options_read");
     test(the_exit_codes_are_0_1_and_2);
@@ -229,3 +229,5 @@ void list_tests(void)
     tests_of("options_wrong");
     test(what_a_program_finds_wrong_itself_ends_alike);
 }
+
+OF_STEM(list_tests)

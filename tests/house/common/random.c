@@ -77,7 +77,7 @@ START_TEST(only_what_is_made_from_a_seed_is_hidden)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("random_number");
     test(without_a_seed_every_test_has_the_stream_of_2015);
@@ -85,3 +85,5 @@ void list_tests(void)
     test(other_seeds_and_other_names_have_other_streams);
     test(only_what_is_made_from_a_seed_is_hidden);
 }
+
+OF_STEM(list_tests)

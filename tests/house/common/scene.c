@@ -179,7 +179,7 @@ START_TEST(a_scene_may_be_freed_twice)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("scene_read meaning");
     test(the_viewpoint_is_read);
@@ -197,3 +197,5 @@ void list_tests(void)
     test(a_scene_is_loaded_from_a_path);
     test(a_scene_may_be_freed_twice);
 }
+
+OF_STEM(list_tests)

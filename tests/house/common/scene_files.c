@@ -172,7 +172,7 @@ START_TEST(an_error_that_follows_a_warning_still_has_its_line)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("scene_read writing");
     test(comments_reach_to_the_end_of_the_line);
@@ -190,3 +190,5 @@ void list_tests(void)
     test(a_message_is_one_line_of_plain_characters);
     test(an_error_that_follows_a_warning_still_has_its_line);
 }
+
+OF_STEM(list_tests)

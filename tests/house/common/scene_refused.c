@@ -188,7 +188,7 @@ START_TEST(unknown_words_are_named)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("scene_read leaving out");
     test(cones_and_polygons_are_left_out_with_one_warning);
@@ -208,3 +208,5 @@ void list_tests(void)
     test(colours_are_from_0_to_1);
     test(unknown_words_are_named);
 }
+
+OF_STEM(list_tests)

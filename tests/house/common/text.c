@@ -175,7 +175,7 @@ START_TEST(a_message_that_is_too_long_is_cut)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("read_number");
     test(numbers_are_read_as_they_are_written);
@@ -197,3 +197,5 @@ void list_tests(void)
     test(a_message_is_set_and_false);
     test(a_message_that_is_too_long_is_cut);
 }
+
+OF_STEM(list_tests)

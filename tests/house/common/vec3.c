@@ -192,7 +192,7 @@ START_TEST(pi_is_half_the_way_round)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("vec3_dot");
     test(the_dot_product_adds_up_the_products_of_the_components);
@@ -217,3 +217,5 @@ void list_tests(void)
     test(arrays_from_malloc_hold_vectors);
     test(pi_is_half_the_way_round);
 }
+
+OF_STEM(list_tests)

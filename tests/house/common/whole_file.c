@@ -233,7 +233,7 @@ START_TEST(whether_a_path_can_be_written_is_known_before_any_work)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("image_write_png");
     test(a_full_device_is_reported_and_stays_a_device);
@@ -247,3 +247,5 @@ void list_tests(void)
     tests_of("file_path_is_writable");
     test(whether_a_path_can_be_written_is_known_before_any_work);
 }
+
+OF_STEM(list_tests)

@@ -147,7 +147,7 @@ START_TEST(a_file_is_the_same_by_whatever_path)
 }
 END_TEST
 
-void list_tests(void)
+static void list_tests(void)
 {
     tests_of("file_write_whole");
     test(a_program_that_is_ended_leaves_the_older_file_and_nothing_else);
@@ -157,3 +157,5 @@ void list_tests(void)
     tests_of("file_is_same");
     test(a_file_is_the_same_by_whatever_path);
 }
+
+OF_STEM(list_tests)

@@ -3,6 +3,8 @@
 //
 //   run_tests LOG-FOLDER PROGRAM...
 //
+// A program may be followed by an argument, after a blank: 'build/tests/matrix 05-quadratic'.
+//
 // The last line of a test is 'NAME: N passed, N failed'. A test that ends without it, or exits
 // non-zero though nothing failed, counts as one failure, and all that it printed is shown. Of a
 // test that passes some lines are shown: '+ words'; '+ N things' as a sum over all tests, at the
@@ -73,7 +75,7 @@ static void set_test(Test *test, const char *program)
     fcntl(fileno(test->log), F_SETFD, FD_CLOEXEC);
     snprintf(test->name, sizeof test->name, "%s", program);
     for (char *c = test->name; *c != '\0'; c++)
-        if (*c == '/')
+        if (*c == '/' || *c == ' ')
             *c = '_';
 }
 
@@ -89,6 +91,16 @@ static void stop(int signal_number)
     _exit(128 + signal_number);
 }
 
+static _Noreturn void run(const char *words)
+{
+    char *program = strdup(words), *argument = program != NULL ? strchr(program, ' ') : NULL;
+    if (argument != NULL)
+        *argument++ = '\0';
+    execl(program, program, argument, (char *)NULL);
+    perror(words);
+    _exit(127);
+}
+
 static void begin(Test *test)
 {
     test->began = time(NULL);
@@ -101,9 +113,7 @@ static void begin(Test *test)
         setpgid(0, 0);
         dup2(fileno(test->log), STDOUT_FILENO);
         dup2(fileno(test->log), STDERR_FILENO);
-        execl(test->program, test->program, (char *)NULL);
-        perror(test->program);
-        _exit(127);
+        run(test->program);
     }
     setpgid(test->process, test->process);
 }

@@ -7,8 +7,8 @@
 set -eu
 folder=$1
 mkdir -p "$folder/mistakes" "$folder/figures" "$folder/pictures"
-for judge in build/judge/[0-9][0-9]-*; do
-    [ ! -x "$judge" ] || "$judge" --mistakes "$folder/mistakes"
+for contract in exercises/*.h; do
+    build/judge "$(basename "$contract" .h)" --mistakes "$folder/mistakes"
 done
 cp build/solutions/figures/*.svg "$folder/figures"
 cp build/solutions/gallery/*.png "$folder/pictures"

@@ -4,15 +4,15 @@
 #define TESTS_GENERATED_GENERATED_H
 
 #include "tests/judge/exercise.h"
+#include "tests/judge/stem.h"
 
-typedef struct {
+typedef struct Generated {
     const char *exercise;
     const char *from;   // the answer that was changed
     const char *change; // FUNCTION:LINE: the statement, [[what stood there => what stands there]]
     AnyFunction *answer;
 } Generated;
 
-// Of one stem; ends with one whose exercise is NULL.
-extern const Generated generated[];
+// A stem has one table of them, OF_STEM(generated), which ends with one whose exercise is NULL.
 
 #endif

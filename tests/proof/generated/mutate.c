@@ -115,11 +115,11 @@ static void put_all(void)
         else
             put_mutant(&chosen[i], i);
     }
-    printf("const Generated generated[] = {\n");
+    printf("static const Generated generated[] = {\n");
     for (int i = 0; i < chosen_count; i++)
         if (!chosen[i].bad)
             put_row(&chosen[i], i);
-    printf("{0}};\n");
+    printf("{0}};\nOF_STEM(generated)\n");
 }
 
 static void read_errors(const char *path)

@@ -1,6 +1,6 @@
 // try.c - what the tests make of wrong answers that nobody has thought of.
 //
-//   PROGRAM SEED [REVIEWED | -v]
+//   generated STEM SEED [REVIEWED | -v]
 //
 // Each generated answer (mutate.c) takes the tests of its exercise and is diagnosed as a student's
 // would be. Then another judge, with questions of its own (truth.h), decides whether it is wrong at
@@ -17,6 +17,7 @@
 #include "tests/proof/generated/truth.h"
 
 #include "tests/judge/runner.h"
+#include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 
 #include <signal.h>
@@ -94,6 +95,7 @@ static void judge(const Generated *it)
 // Whether it was made of a known mistake that is right wherever a question goes.
 static bool is_of_unseen(const Generated *it)
 {
+    const Mistake *const *mistakes = chosen_mistakes();
     const char *id = strrchr(it->from, ':');
     for (int table = 0; id != NULL && mistakes[table] != NULL; table++)
         for (int i = 0; mistakes[table][i].id != NULL; i++) {
@@ -264,7 +266,8 @@ static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose)
         printf("not ok: %s: no questions\n", exercise->name);
         return false;
     }
-    for (int i = 0; generated[i].exercise != NULL; i++) {
+    const Generated *generated = chosen_stem()->generated;
+    for (int i = 0; generated != NULL && generated[i].exercise != NULL; i++) {
         if (strcmp(generated[i].exercise, exercise->name) != 0)
             continue;
         try_one(&generated[i]);
@@ -282,12 +285,13 @@ static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose)
 
 int main(int argc, char **argv)
 {
-    const char *slash = strrchr(argv[0], '/'), *stem = slash != NULL ? slash + 1 : argv[0];
-    uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 2015;
-    bool verbose = argc > 2 && strcmp(argv[2], "-v") == 0;
+    const char *stem = argc > 1 ? argv[1] : NULL;
+    uint64_t seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 2015;
+    bool verbose = argc > 3 && strcmp(argv[3], "-v") == 0;
     const char *only = getenv("ONLY");
-    if (argc > 2 && !verbose)
-        read_reviews(argv[2]);
+    choose_stem(stem);
+    if (argc > 3 && !verbose)
+        read_reviews(argv[3]);
     int passed = 0, failed = 0;
     trial = mmap(NULL, sizeof *trial, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (trial == MAP_FAILED)

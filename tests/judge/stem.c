@@ -1,0 +1,80 @@
+// stem.c - what is known of each stem, and which stem this run of the program is about.
+#include "tests/judge/stem.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_STEMS = 100 };
+
+static Stem stems[MOST_STEMS];
+static int count;
+static const Stem *chosen;
+
+static Stem *find(const char *name, int length)
+{
+    for (int i = 0; i < count; i++)
+        if ((int)strlen(stems[i].name) == length &&
+            strncmp(stems[i].name, name, (size_t)length) == 0)
+            return &stems[i];
+    return NULL;
+}
+
+static Stem *find_or_add(const char *name, int length)
+{
+    Stem *stem = find(name, length);
+    if (stem != NULL)
+        return stem;
+    if (count == MOST_STEMS || length >= (int)sizeof stem->name) {
+        fprintf(stderr, "%.*s: more than %d stems, or its name is too long\n", length, name,
+                MOST_STEMS);
+        exit(2);
+    }
+    stem = &stems[count++];
+    snprintf(stem->name, sizeof stem->name, "%.*s", length, name);
+    return stem;
+}
+
+Stem *stem_of_file(const char *file)
+{
+    const char *const folders[] = {"tests/", "generated/"};
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++) {
+        const char *at = strstr(file, folders[i]);
+        if (at != NULL)
+            return find_or_add(at + strlen(folders[i]),
+                               (int)strcspn(at + strlen(folders[i]), "/."));
+    }
+    return find_or_add(file, (int)strcspn(file, "/."));
+}
+
+Stem *stem_named(const char *name)
+{
+    return find_or_add(name, (int)strlen(name));
+}
+
+void choose_stem(const char *name)
+{
+    chosen = name == NULL && count == 1 ? &stems[0]
+             : name == NULL             ? NULL
+                                        : find(name, (int)strlen(name));
+    if (chosen == NULL) {
+        fprintf(stderr, "%s: no such stem, expected one of:", name != NULL ? name : "");
+        for (int i = 0; i < count; i++)
+            fprintf(stderr, " %s", stems[i].name);
+        fprintf(stderr, "\n");
+        exit(2);
+    }
+    if (chosen->load != NULL)
+        chosen->load();
+}
+
+const Stem *chosen_stem(void)
+{
+    return chosen;
+}
+
+const struct Mistake *const *chosen_mistakes(void)
+{
+    static const struct Mistake *const none[] = {NULL};
+    return chosen->mistakes != NULL ? chosen->mistakes : none;
+}
