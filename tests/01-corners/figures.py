@@ -1,4 +1,4 @@
-"""figures.py - the figures of chapter 01 show what is so."""
+"""figures.py - the figures of chapter 01 are right."""
 import os
 import random
 import tempfile
@@ -26,7 +26,7 @@ def place_of(c, s, t):
 
 
 def arrow(figure, title, start, end, aside=(0, 0)):
-    """An arrow or a line between two points of the world, moved aside on the canvas."""
+    """An arrow or a line between two points of the world, moved to the side on the canvas."""
     at = [tuple(x + d for x, d in zip(figure.place(p), aside)) for p in (start, end)]
     stroke, tips = figure.strokes(title)[0], figure.tips(title)
     ends = tips[::-1] if len(tips) == 2 else [stroke[0], *(tips or stroke[-1:])]
@@ -64,7 +64,7 @@ def camera_frame(c, options, shape):
     grid = [((i / 8, 0), (i / 8, 1)) for i in range(1, 8)] + [((0, i / 8), (1, i / 8)) for i in range(1, 8)]
     for stroke, ends in zip(figure.strokes("grid"), grid):
         checks.near("a line of the grid", stroke, [figure.place(place_of(c, *end)) for end in ends])
-    checks.that("there are all lines", [len(figure.strokes(t)) for t in ("to the corners", "grid")] == [4, 14])
+    checks.that("all lines are there", [len(figure.strokes(t)) for t in ("to the corners", "grid")] == [4, 14])
     upper_left, upper_right, lower_right, _ = corners(c)
     arrow(figure, "w", upper_left, upper_right, (0, 14))
     arrow(figure, "h", lower_right, upper_right, (14, 0))
@@ -73,7 +73,7 @@ def camera_frame(c, options, shape):
 
 
 def axes(figure, c, middle):
-    """Through the world's origin where that is near; parallel to themselves in any case."""
+    """Through the world's origin if it is near; always parallel to the axes."""
     size = max(c["d"], c["w"], c["h"])
     far = sum(x * x for x in middle) ** 0.5 > 1.5 * size
     zero = plus(plus(c["p"], c["f"], 0.4 * c["d"]), c["u"], -0.2 * c["h"] - 0.4 * size)
@@ -131,12 +131,12 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
     figure = drawn("double-dwh", options, shape)
     figure.see(c["r"], c["u"], c["f"], room=(0.06, 0.92, 0.08, 0.94), azimuth=32)
     eye(figure, c)
-    # From the eye, all of another camera is so many times as far.
+    # Seen from the eye, everything of another camera is multiplied by one factor.
     larger = {"plane": 1, "twice": 2, "unit": 1 / c["d"]}
     for title, factor in larger.items():
         outline(figure, title, c, [plus(c["p"], plus(p, c["p"], -1), factor) for p in corners(c)])
     through = [plus(c["p"], legs(c, 2 * s - 1, 2 * t - 1), factor) for factor in larger.values()]
-    checks.near("one place of all", figure.dots("same place"), [figure.place(p) for p in through])
+    checks.near("all at one place", figure.dots("same place"), [figure.place(p) for p in through])
     far = 1.15 * max(larger.values())
     ends = [plus(c["p"], plus(corners(c)[i], c["p"], -1), far) for i in (0, 1, 3, 2)]
     checks.near("the rays", [stroke[-1] for stroke in figure.strokes("rays")], [figure.place(p) for p in ends])
@@ -148,7 +148,7 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
 
 
 def yours_beside_right():
-    """Another camera in the place of a wrong answer: both are drawn, the other one dashed."""
+    """Another camera instead of a wrong answer: both are drawn, the other one dashed."""
     wrong = dict(DECK, w=3)
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "right.gp")
@@ -162,14 +162,14 @@ def yours_beside_right():
     checks.near("right and yours", figure.tips("upper right"), [figure.place(p) for p in ends])
     dashed = [path.get("stroke-dasharray") for group in figure.groups("upper right")
               for path in group.iter() if "M" in (path.get("d") or "") and "Z" not in path.get("d")]
-    checks.that("yours is dashed, and it alone", [d is not None for d in dashed] == [False, True], str(dashed))
-    checks.that("what is dashed is said", "dashed: yours" in " ".join(w for w, _, _ in figure.labels()))
-    checks.that("what is right has nothing beside it", len(same.tips("upper right")) == 1)
+    checks.that("only yours is dashed", [d is not None for d in dashed] == [False, True], str(dashed))
+    checks.that("the words name the dashed one", "dashed: yours" in " ".join(w for w, _, _ in figure.labels()))
+    checks.that("a right answer is drawn alone", len(same.tips("upper right")) == 1)
     on_the_canvas(checks, "yours beside right", figure)
 
 
 def yours_and_right(c, options, yours=None):
-    """The point 30% across and 10% up; by default, who counts from the middle of the plane."""
+    """The point 30% across and 10% up; by default, an answer that starts from the middle."""
     figure = Figure("01-corners", "yours-and-right", *options)
     figure.see(c["r"], c["u"], c["f"], room=(0.10, 0.95, 0.05, 0.90))
     right = legs(c, -0.4, -0.8)
@@ -182,7 +182,7 @@ def yours_and_right(c, options, yours=None):
 
 
 def is_said(figure, off):
-    checks.that("yours and right: what it is off by", figure.text("off_text") == off, figure.text("off_text"))
+    checks.that("yours and right: the difference", figure.text("off_text") == off, figure.text("off_text"))
 
 
 FIGURES = {"camera-frame": camera_frame, "corner-vectors": corner_vectors,

@@ -1,4 +1,4 @@
-"""figures.py - the figure of chapter 02 shows what is so: four forms, and one camera from each."""
+"""figures.py - the figure of chapter 02 is right: four forms, and one camera from each."""
 import os
 import random
 
@@ -20,12 +20,12 @@ def cross(v, w):
 
 
 def in_panel(drawn, panel):
-    """One of what is drawn once in each panel; nothing where there are fewer."""
+    """One of the things that each panel has once; None if there are fewer."""
     return drawn[panel:panel + 1]
 
 
 def ends_of(figure, title):
-    """Where an arrow or a line starts and ends."""
+    """The start and the end of an arrow or a line."""
     stroke, tips = figure.strokes(title)[0], figure.tips(title)
     return tips[::-1] if len(tips) == 2 else [stroke[0], *(tips or stroke[-1:])]
 
@@ -56,7 +56,7 @@ def camera_forms(c, options, shape, up=None):
                         [place(form, middle), place(form, plus(middle, c[name], size))])
 
     checks.near("the point looked at", figure.dots("at"), place("look-at", middle))
-    checks.near("the way there", ends_of(figure, "view"), [place("look-at", p) for p in (c["p"], middle)])
+    checks.near("the arrow to it", ends_of(figure, "view"), [place("look-at", p) for p in (c["p"], middle)])
     checks.near("up", figure.tips("up"), place("look-at", plus(c["p"], unit(up), c["d"] / 4)))
     checks.near("the four points", figure.dots("points"),
                 [place("points", p) for p in (upper_left, upper_right, lower_left, lower_right)])
@@ -70,16 +70,16 @@ def camera_forms(c, options, shape, up=None):
 
     found = f"d = {label(c['d'])}, w = {label(c['w'])}, h = {label(c['h'])}"
     labels = [words for words, _, _ in figure.labels()]
-    checks.that("what each form gives is said", labels.count(found) == 4, f"not 4 times {found!r} in {labels}")
+    checks.that("each form's result is in the words", labels.count(found) == 4, f"not 4 times {found!r} in {labels}")
     for text in (f"w = {label(c['w'])}", f"w/h = {label(c['w'] / c['h'])}"):
         checks.that(f"a label says {text!r}", text in labels, str(labels))
     _, words = figure.in_words()
     for v in (c["p"], middle, up, lower_left, times(c["w"], c["r"]), times(c["h"], c["u"])):
-        checks.that(f"{label_of(v)} is told in words", label_of(v) in words, words)
+        checks.that(f"{label_of(v)} is in the words", label_of(v) in words, words)
 
 
 def looking(dice):
-    """A camera by a look-at in a world of either hand, with an up that leans; as frame and options."""
+    """A camera by a look-at in a world of either handedness, with an up that leans; as frame and options."""
     eye, at = (tuple(dice.uniform(-9, 9) for _ in range(3)) for _ in range(2))
     ahead = plus(at, eye, -1)
     f, hand = unit(ahead), dice.choice(["left", "right"])

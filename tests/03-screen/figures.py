@@ -1,4 +1,4 @@
-"""figures.py - the figures of chapter 03 show what is so."""
+"""figures.py - the figures of chapter 03 are right."""
 import os
 import random
 
@@ -67,8 +67,8 @@ def pixel_grid(size, pixel, options):
         seen.append(range(int(numbers[0]), int(numbers[-1]) + 1))
         checks.that("the numbers count up", numbers == list(seen[-1]), str(numbers))
         checks.that("the pixel is in sight", at in numbers, str(numbers))
-        checks.that("as many as can be told apart", len(numbers) == (count if whole else min(count, part)))
-        checks.that("the screen ends where it ends, or goes on", low == (numbers[0] - 0.4 if numbers[0] else 0) and
+        checks.that("as many as can be distinguished", len(numbers) == (count if whole else min(count, part)))
+        checks.that("the screen ends at its edge, or goes on", low == (numbers[0] - 0.4 if numbers[0] else 0) and
                     high == (numbers[-1] + 1 + 0.4 * (numbers[-1] + 1 < count)), f"{low} to {high}")
     low = (figure.number("begin_x"), -figure.number("end_y"))
     high = (figure.number("end_x"), -figure.number("begin_y"))
@@ -86,11 +86,11 @@ def pixel_grid(size, pixel, options):
     lower, side = panel.place(0, low[1])[1] - 12, panel.place(high[0], 0)[0] + 12
     checks.near("from the centre to its s", line(figure, "to s"), [middle, (middle[0], lower)])
     checks.near("from the centre to its t", line(figure, "to t"), [middle, (side, middle[1])])
-    checks.that("the column's number stands over it", label_at(figure, str(column), x=middle[0]))
-    checks.that("the row's number stands beside it", label_at(figure, str(row), y=middle[1]))
+    checks.that("the column's number is above it", label_at(figure, str(column), x=middle[0]))
+    checks.that("the row's number is beside it", label_at(figure, str(row), y=middle[1]))
     shows(figure, f"pixel {pair(column, row)}", f"centre {pair(x, y)}", f"s = ({column} + ½)/{across}",
           f"t = 1 − ({row} + ½)/{down}", f"= {number(s)}", f"= {number(t)}")
-    if whole:  # 0 and 1 are the edges' s and t, where the centre's own number leaves them room
+    if whole:  # 0 and 1 are s and t of the edges, if the centre's own number leaves room for them
         left, bottom = panel.place(0, -down)
         right, top = panel.place(across, 0)
         for text, far_off, at in (("0", s * across, {"x": left}), ("1", (1 - s) * across, {"x": right}),
@@ -109,7 +109,7 @@ for figure_name in ("screen-to-unit", "pixel-grid"):
 dice = random.Random(3)
 for i in range(int(os.environ.get("CAMERAS", "5"))):
     across, down = dice.randint(1, 4000), dice.randint(1, 4000)
-    low, high = ((0, 1), (-0.3, 1.3))[i % 2]  # beyond the screen, too
+    low, high = ((0, 1), (-0.3, 1.3))[i % 2]  # also beyond the screen
     point = dice.uniform(low, high) * across, dice.uniform(low, high) * down
     screen_to_unit((across, down), point, ["--size", f"{across}x{down}", "--point", "%.17g,%.17g" % point])
     if i % 2 == 0:

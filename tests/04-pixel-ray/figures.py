@@ -1,4 +1,4 @@
-"""figures.py - the figure of chapter 04 shows what is so: each link of the chain."""
+"""figures.py - the figure of chapter 04 is right: each link of the chain."""
 import os
 import random
 
@@ -9,12 +9,12 @@ from flat import Panel, in_words, line, number, pair, stroke
 
 checks = Checks("figures of 04-pixel-ray")
 DOT = 0.05  # canvas units
-FAR = 1.5  # how far the ray is drawn, in times the way to the plane
+FAR = 1.5  # the length of the ray in the figure, in lengths of v
 SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))
 
 
 def toward(c, s, t):
-    """From the eye to a place of the plane: from its corners, by how near each is."""
+    """From the eye to a place of the plane: the mean of its corners, weighted by nearness."""
     upper_left, upper_right, lower_right, lower_left = corners(c)
     place = (0, 0, 0)
     for corner, share in ((upper_left, (1 - s) * t), (upper_right, s * t),
@@ -83,7 +83,7 @@ def pixel_to_ray(c, size, pixel, options):
     for text in (f"pixel {pair(*pixel)}", f"centre {pair(column + 0.5, row + 0.5)}", f"(s, t) = {pair(s, t)}",
                  f"s = x/{across}", f"t = 1 − y/{down}", "p", "v", "p + t v"):
         checks.that(f"the label {text!r}", text in labels, str(labels))
-    if c is DECK:  # what is 0 to rounding has other digits elsewhere
+    if c is DECK:  # a number that is 0 except for rounding has other digits on other machines
         vector = "(" + ", ".join(number(x) for x in toward(c, s, t)) + ")"
         checks.that("the vector's label", f"v = d f + (s − ½) w r + (t − ½) h u = {vector}" in labels, str(labels))
         checks.that("the ray's label", "ray: p + t v from p = (2, 2, −4)" in labels, str(labels))

@@ -1,7 +1,7 @@
-"""figures.py - the figures of chapter 05 show what is so.
+"""figures.py - the figures of chapter 05 are right.
 
-Where a line meets a sphere is found without a quadratic: the centre is projected on the line, the
-rest is Pythagoras. Where the sphere is drawn says how large a unit is, and where the rest belongs.
+The points where a line meets a sphere are computed without a quadratic: the centre is projected on
+the line, the rest is Pythagoras. The drawn sphere gives the scale and the place of everything else.
 """
 import math
 import os
@@ -33,7 +33,7 @@ def across(v, line):
 
 
 class Meeting:
-    """A ray and a sphere, and where they meet."""
+    """A ray and a sphere, and the points where they meet."""
 
     def __init__(self, p, v, c, r):
         self.p, self.v, self.c, self.r = p, v, c, r
@@ -63,7 +63,7 @@ class Meeting:
                 f"--radius={self.r:.17g}"]
 
     def upright(self):
-        """To the right and up on the paper: seen from where z is positive, y up as far as it can be."""
+        """To the right and up on the paper: seen from where z is positive, y as far up as possible."""
         out = cross(self.line, self.off)
         if out[2] < 0:
             out = times(-1, out)
@@ -81,7 +81,7 @@ class Meeting:
 
 
 class Panel:
-    """Where the points of the section belong, told by where its circle is drawn."""
+    """The right places of the section's points, computed from the drawn circle."""
 
     def __init__(self, meeting, circle, right, up, center=None):
         self.meeting, self.right, self.up = meeting, right, up
@@ -118,13 +118,13 @@ def has_numbers(figure, prefix, m):
                                   (1, 1, 1 + m.r**2, 1 + m.coefficients()[1]**2)):
         checks.that(f"{prefix}{name}", abs(figure.number(prefix + name) - wanted) <= 1e-9 * max(size, abs(wanted)),
                     f"{figure.number(prefix + name)}, expected {wanted}")
-    checks.that(f"{prefix}roots: how many", figure.number(prefix + "roots") == len(m.roots))
+    checks.that(f"{prefix}roots: the count", figure.number(prefix + "roots") == len(m.roots))
     for i, t in enumerate(m.roots):
         checks.same(f"{prefix}t{i}", [figure.number(f"{prefix}t{i}")], [t])
 
 
 def meets_in(figure, panel, m, names):
-    """The marks of both roots, and none where there is none."""
+    """The marks of both roots, and no mark if there is no root."""
     for t, name in zip(m.roots or [None, None], names):
         found = figure.dots(name)
         if t is None:
@@ -140,7 +140,7 @@ def ray_in(figure, panel, m):
         start = m.p
         checks.near("the arrow v", figure.tips("v"), panel.place(plus(start, m.v, figure.number("stride"))))
     for place in (point for line in figure.lines("p + t v") for point in line):
-        checks.that("the line is where p + t v is", abs(sum(
+        checks.that("the line goes through p + t v", abs(sum(
             (place[i] - panel.place(m.p)[i]) * dot(m.off, axis)
             for i, axis in enumerate((panel.right, panel.up)))) < 0.1 * max(1, m.away / m.r), str(place))
 
@@ -199,7 +199,7 @@ def parabola(m):
     _, _, c, _ = m.coefficients()
     off_the_top = any("off the top" in text for text, _, _ in figure.labels())
     if figure.number("near_p"):
-        checks.that("what is off the top is said to be", off_the_top == (c > figure.number("f_high")))
+        checks.that("the words name what is off the top", off_the_top == (c > figure.number("f_high")))
         checks.near("f(0)", figure.dots("f(0)"), [] if off_the_top else [(panel.place(m.p)[0], axis + k * c)])
     return figure
 
@@ -234,7 +234,7 @@ def discriminant(r):
                 roots[list(roots)[kind]].append((place[0], axes[i]))
     for title, wanted in {**marks, **roots}.items():
         checks.near(title, figure.dots(title), wanted)
-    checks.that("a tangent is one exactly", figure.number("panel2_D") == 0
+    checks.that("a tangent is exactly one", figure.number("panel2_D") == 0
                 and figure.number("panel2_t0") == figure.number("panel2_t1"))
     for i, sign in enumerate((-1, 0, 1, 1, 1)):
         d = figure.number(f"panel{i + 1}_D")
@@ -267,7 +267,7 @@ def world_object(m, options=None, by=(0, 0, 0)):
         checks.near("p − c", figure.dots("p − c"), there.place(seen.p))
         checks.near("v, moved", figure.tips("object v"), there.place(seen.at(figure.number("stride"))))
     if figure.number("near_origin"):
-        # An axis is drawn through the origin along x, y or z: where it would reach the tip's place.
+        # An axis is drawn through the origin along x, y or z: the point where it would reach the tip.
         for x, y, z, dx, dy, dz, _ in figure.block("world_axes"):
             checks.that("an axis goes through the origin", length(cross((x, y, z), (dx, dy, dz))) < 1e-6)
     return figure
@@ -295,7 +295,7 @@ checks.same("the deck's first hit", [deck.hit], [3.621514], within=1e-6)
 for title in ("ray-sphere", "parabola", "discriminant", "world-object"):
     holds_for_every(checks, P, title)
 
-# Miss, tangent, inside, behind, through the centre, far away: each with what it says.
+# Miss, tangent, inside, behind, through the centre, far away: each with its words.
 CASES = [
     (((-4, 2, 0), (1, 0, 0), (0, 0, 0), 1), "no root: c is 2 away", "no root"),
     (((-4, -1, 0), (1, 0, 0), (0, 0, 0), 1), "t0 = t1 = 4", "t0 = t1 = 4"),

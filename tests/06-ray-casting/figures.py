@@ -1,7 +1,7 @@
-"""figures.py - the figures of chapter 06, and its story of one pixel, say what is so.
+"""figures.py - the figures of chapter 06, and its story of one pixel, are right.
 
-Scenes are made here, as NFF. What is so is computed by plane geometry: a ray's place nearest to a
-sphere's centre, and half the chord through there; no quadratic.
+Scenes are made here, as NFF. The expected values are computed by plane geometry, without a
+quadratic: the point of a ray nearest to a sphere's centre, and half the chord through it.
 """
 import math
 import os
@@ -27,7 +27,7 @@ ALONG = {"from": (0, 0, 0), "at": (1, 0, 0), "up": (0, 1, 0), "angle": 60, "size
          "spheres": [((-1.3, 0.25, 0), 0.7, (0.74, 0.36, 0.62)), ((2.2, 1.75, 0), 0.85, (0.5, 0.53, 0.57)),
                      ((7.9, -0.35, 0), 1.5, (0.85, 0.42, 0.13)), ((4.1, 0.5, 0), 0.95, (0.1, 0.58, 0.44))]}
 
-# Spheres on a ground, as many scenes have it; pixel (5, 7) sees the ground, (2, 4) what stands on it.
+# Spheres on a ground, as in many scenes; pixel (5, 7) sees the ground, (2, 4) a sphere on it.
 GROUND = {"from": (0, 1.5, 6), "at": (0, 1, 0), "up": (0, 1, 0), "angle": 50, "size": (12, 9), "background": (0.5, 0.7, 0.9),
           "spheres": [((0, -1000, 0), 1000, (0.5, 0.5, 0.5)), ((-1.2, 1, 0), 1, (0.8, 0.2, 0.2)),
                       ((1.4, 0.8, 0.5), 0.8, (0.2, 0.6, 0.9))]}
@@ -44,7 +44,7 @@ def cross(a, b):
 
 
 class World:
-    """A scene, its camera, and what its rays hit."""
+    """A scene, its camera, and the hits of its rays."""
 
     def __init__(self, scene):
         self.scene, self.eye, self.spheres = scene, scene["from"], scene["spheres"]
@@ -112,7 +112,7 @@ def write(scene):
 
 
 def some_scene(dice, count):
-    """Spheres before an eye that looks anywhere; some meet, some lie behind the eye."""
+    """Spheres in front of an eye that looks anywhere; some intersect, some are behind the eye."""
     eye = tuple(dice.uniform(-5, 5) for _ in range(3))
     while True:
         ahead = tuple(dice.uniform(-9, 9) for _ in range(3))
@@ -132,23 +132,23 @@ def some_scene(dice, count):
 
 
 def telling_pixel(world, dice):
-    """A pixel whose ray hits as much as any other's."""
+    """A pixel whose ray hits as many spheres as any other's."""
     pixels = [(column, row) for column in range(world.columns) for row in range(world.rows)]
     dice.shuffle(pixels)
     return max(pixels, key=lambda pixel: len(world.hits(world.pixel(*pixel))))
 
 
-# ---- what the figures in space share ----------------------------------------------------------------
+# ---- shared by the figures in space -----------------------------------------------------------------
 
 def see(figure, world, room):
     figure.see(world.r, world.u, world.f, room=room)
     nearer = figure.number("plane_t")
-    checks.that("the image plane is where it is, or nearer", 0 < nearer <= 1)
+    checks.that("the image plane is in its place, or nearer", 0 < nearer <= 1)
     return nearer
 
 
 def shown_spheres(figure, world, expected):
-    """The discs: which, where, how large, of what colour, and the far ones first."""
+    """The discs: their names, places, sizes and colours, and the far ones first."""
     data = {int(row[0]): row for row in figure.block("spheres")}
     checks.that("these spheres are drawn", figure.number("balls") == len(expected) and
                 (not expected or set(data) == set(expected)), f"{sorted(data)}, expected {sorted(expected)}")
@@ -157,13 +157,13 @@ def shown_spheres(figure, world, expected):
         center, radius, color = world.spheres[number]
         checks.same("a sphere's data", data[number][1:], [*center, radius, rgb(color)])
         name, middle = chr(ord("A") + number), figure.place(center)
-        whole = [shape for title in (f"sphere {name}", f"before the plane, sphere {name}")
+        whole = [shape for title in (f"sphere {name}", f"in front of the plane, sphere {name}")
                  for shape in (figure.polygons(title) if title in figure.plots else [])]
         away = [math.hypot(x - middle[0], y - middle[1]) for shape in whole for x, y in shape]
         others = [i for i in expected if i != number]
         apart = all(length(plus(center, world.spheres[i][0], -1)) > radius + world.spheres[i][1] for i in others)
         if apart and f"sphere {name}" in figure.plots:
-            checks.that("a sphere that meets no other is a whole disc",
+            checks.that("a sphere that does not intersect another is a whole disc",
                         all(abs(a - figure.scale * radius) <= NEAR for a in away), f"{min(away)} to {max(away)}")
         checks.that("no sphere is larger than its disc", all(a <= figure.scale * radius + NEAR for a in away))
         if f"sphere {name}" in figure.plots:
@@ -173,7 +173,7 @@ def shown_spheres(figure, world, expected):
 
 
 def cells(figure, world, nearer, expected):
-    """Which pixels are coloured, in what colour, and where."""
+    """The coloured pixels, their colours and their places."""
     rows = figure.block("pixels")
     got = {(int(row[4]), int(row[5])): int(row[3]) for row in rows if row[4] >= 0}
     checks.that("the pixels that are coloured", got == expected, f"{got}, expected {expected}")
@@ -195,7 +195,7 @@ def drawn_at(figure, world, nearer):
 
 
 def cast(world):
-    """What each pixel shows, where that is a sphere."""
+    """The sphere that each pixel shows, if it shows one."""
     found = {}
     for row in range(world.rows):
         for column in range(world.columns):
@@ -221,11 +221,11 @@ def drawable(world, i):
 
 
 def patches(figure, world, hits):
-    """Of spheres that are hit and cannot be drawn as a whole: a circle on them, round the hit."""
+    """For spheres that are hit and cannot be drawn as a whole: a circle on them, around the hit."""
     wanted = [(t, i) for t, i in hits[:4] if not drawable(world, i)]
     rows = [row for row in figure.block("patches") if wanted]
     names = [int(row[3]) for row in figure.block("patch_names")]
-    checks.that("what is drawn of large spheres", names == [i for _, i in wanted], f"{names}, expected {wanted}")
+    checks.that("the drawn parts of large spheres", names == [i for _, i in wanted], f"{names}, expected {wanted}")
     places = len(rows) // max(1, len(wanted))
     for k, (t, i) in enumerate(wanted):
         center, radius, color = world.spheres[i]
@@ -233,7 +233,7 @@ def patches(figure, world, hits):
         for row in rows[k * places:(k + 1) * places]:
             checks.same("a patch is on its sphere", [length(plus(tuple(row[:3]), center, -1)), row[3]], [radius, rgb(color)])
             away = length(plus(tuple(row[:3]), hit, -1)) / length(plus(hit, world.eye, -1))
-            checks.that("and round the hit", 0.19 < away < 0.29, str(away))
+            checks.that("and around the hit", 0.19 < away < 0.29, str(away))
     drawn = figure.polygons("patches") if wanted else []
     corners = [corner for shape in drawn for corner in shape[:places]]
     checks.near("its place", sorted(corners), sorted(figure.place(row[:3]) for row in rows))
@@ -266,18 +266,18 @@ def ray_casting(scene, pixel, options=None):
     checks.near("the outline of the plane", figure.lines("plane")[0], outline)
     checks.that("the number of hits", figure.number("all_hits") == len(hits))
     along = figure.lines("ray, all of it")[0]
-    checks.near("the ray begins in the eye", along[:1], [figure.place(world.eye)])
+    checks.near("the ray starts at the eye", along[:1], [figure.place(world.eye)])
     for (t, sphere), row in zip(hits[:4], figure.block("hits")):
         checks.same("a hit: its place, t, sphere", row, [*plus(world.eye, v, t), t, sphere])
     places = [figure.place(plus(world.eye, v, t)) for t, _ in hits[:4]]
     checks.near("the dot of the closest hit", figure.dots("closest hit"), places[:1])
     checks.near("the rings of the farther hits", figure.dots("farther hits"), places[1:])
     texts = " ".join(text for text, _, _ in figure.labels())
-    checks.that("no label is but a number", not any(
+    checks.that("no label is only a number", not any(
         re.fullmatch(r"-?[0-9.]+", text) for text, _, _ in figure.labels()), texts)
     for t, sphere in hits[:4]:
         name = f"{t:.4g}, sphere {chr(ord('A') + sphere)}"
-        checks.that("a hit's t is told", name in texts, f"{name} in {texts}")
+        checks.that("the t of a hit is in the words", name in texts, f"{name} in {texts}")
     if hits:
         checks.same("the pixel's colour", [figure.number("pixel_rgb")], [rgb(world.color(v))])
         checks.that("the closest is named", f"{hits[0][0]:.4g}, sphere {chr(ord('A') + hits[0][1])}: closest" in texts)
@@ -328,7 +328,7 @@ def object_order(scene, pixel, options=None):
             continue
         v = plus(tuple(row), world.eye, -1)
         angle = math.acos(min(1, dot(v, axis) / length(v) / length(axis)))
-        checks.same("the outline is seen under the sphere's angle", [angle], [slope])
+        checks.same("the outline has the sphere's angle, seen from the eye", [angle], [slope])
         checks.same("the outline is on the plane", [dot(v, world.f)], [nearer * world.d])
     if all(not math.isnan(row[0]) for row in figure.block("outline")):
         checks.near("the outline's places", figure.lines("outline on the plane")[0],
@@ -348,7 +348,7 @@ def flat_place(figure, room, low_x, high_x, low_y, high_y):
 
 
 def parts_of_circles(figure, place, circles, window):
-    """Of each circle that is too large just what the window shows is filled, and its arc drawn."""
+    """Of each circle that is too large, only the visible part is filled, and its arc drawn."""
     low_x, high_x, low_y, high_y = window
     (left, low), (right, high) = place(low_x, low_y), place(high_x, high_y)
     one = place(1, 0)[0] - place(0, 0)[0]
@@ -387,8 +387,8 @@ def nearest_hit(scene, pixel, options=None):
         off = plus(p, v, -t)
         side = -1 if dot(off, world.u) < 0 else 1
         circles[number] = (t, side * length(off) / length(v), radius / length(v))
-    # What would make all else tiny, more than 12 times as far as the ray is drawn, is left out where it
-    # is not hit; else it is drawn where a window shows it.
+    # A sphere more than 12 times as far as the end of the ray would make everything else tiny. It is left
+    # out if it is not hit; if it is hit, the part in a window is drawn.
     reach = max([1.2] + [t for t, _ in hits[:4]])
     far = {i for i, (t, y, r) in circles.items() if abs(t) + abs(y) + r > 12 * reach}
     parts = {i: t for t, i in hits if i in far and t <= reach}
@@ -409,7 +409,7 @@ def nearest_hit(scene, pixel, options=None):
         checks.same("a circle", row[1:4], circles[number])
         fate = (0 if ends is None else 3 if hits and hits[0][1] == number else
                 2 if number in [i for _, i in hits] else 1)
-        checks.that("what becomes of a sphere", row[5] == fate, f"{row[5]}, expected {fate}")
+        checks.that("how a sphere is drawn", row[5] == fate, f"{row[5]}, expected {fate}")
         if ends:
             checks.same("its roots", row[6:8], ends)
     wanted = sorted(place(t, 0) for i in circles for t in world.roots(v, i) or () if low_x <= t <= high_x)
@@ -427,7 +427,7 @@ def nearest_hit(scene, pixel, options=None):
     parts_of_circles(figure, place, [circles[i] for i in parts], (low_x, high_x, low_y, high_y))
     if hits:
         words = f"{hits[0][0]:.4g}, sphere {chr(ord('A') + hits[0][1])}"
-        checks.that("the smallest t is told", any(text.startswith("smallest") and text.endswith(words)
+        checks.that("the smallest t is in the words", any(text.startswith("smallest") and text.endswith(words)
                                                   for text, _, _ in figure.labels()), words)
 
 
@@ -454,7 +454,7 @@ def explain_figure(scene, pixel, options=None):
         checks.same("the discriminant", [figure.number(f"discriminant_{k}")], [b * b - 4 * a * c],
                     within=1e-5 * max(1, b * b))
         ends = world.roots(v, number)
-        checks.that("how many roots", figure.number(f"roots_{k}") == (2 if ends else 0))
+        checks.that("the number of roots", figure.number(f"roots_{k}") == (2 if ends else 0))
         if ends:
             checks.same("the roots", [figure.number(f"root_0_{k}"), figure.number(f"root_1_{k}")], ends)
     bytes_text = ", ".join(str(math.floor(255 * x + 0.5)) for x in world.color(v))
@@ -478,7 +478,7 @@ def story(scene, pixel):
     path, picture = write(scene), os.path.join(folder.name, "picture.png")
     done = run("--explain", f"{pixel[0]},{pixel[1]}", path)
     text = done.stdout
-    checks.that("the story is told", done.returncode == 0 and done.stderr == "", done.stderr)
+    checks.that("there is a story", done.returncode == 0 and done.stderr == "", done.stderr)
     checks.that("it is at most 80 columns wide", all(len(line) <= 80 for line in text.splitlines()),
                 max(text.splitlines(), key=len))
     v = world.pixel(*pixel)
@@ -502,7 +502,7 @@ def story(scene, pixel):
                 int(in_words.group(4), 16) == rgb(world.color(v)), in_words.group(0))
     for order in ("image", "object"):
         run("--order", order, "-o", picture, path)
-        checks.that(f"the picture has it, too, in {order} order", png.pixel(picture, *pixel) == color)
+        checks.that(f"the picture also has it, in {order} order", png.pixel(picture, *pixel) == color)
     checks.that("the story says so", "the same" in text and "another" not in text)
 
 
@@ -519,7 +519,7 @@ for spot in ((5, 7), (2, 4), (6, 0)):
 BELOW = {**GROUND, "from": (0, -0.5, 6)}
 nearest_hit(BELOW, (5, 4))
 words = Figure(PROGRAM, "object-order", *scene_options({**BELOW, "spheres": BELOW["spheres"][:1]}, (5, 4))).in_words()[1]
-checks.that("from inside there is no outline", "Sphere A has no outline here, because the eye is in it." in words, words)
+checks.that("seen from inside, a sphere has no outline", "Sphere A has no outline here, because the eye is in it." in words, words)
 explain_figure(FOUR, (4, 4))
 explain_figure(ALONG, (0, 0))
 story(FOUR, (4, 4))
@@ -530,7 +530,7 @@ for name in ("ray-casting", "image-order", "object-order", "nearest-hit", "expla
     empty = {**DECK, "spheres": []}
     Figure(PROGRAM, name, *scene_options(empty, (3, 3)))
 figure = Figure(PROGRAM, "object-order")
-checks.that("the deck's kind of sphere is inside its picture",
+checks.that("a sphere like the deck's is inside its picture",
             all(1 <= x <= 3 and 1 <= y <= 3 for x, y, _ in figure.block("outline")))
 
 dice = random.Random(6)

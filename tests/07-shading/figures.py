@@ -1,4 +1,4 @@
-"""figures.py - the figures of chapter 07 show what is so."""
+"""figures.py - the figures of chapter 07 are right."""
 import math
 import tempfile
 
@@ -19,7 +19,7 @@ def unit(v):
 
 
 def meets(origin, direction, center):
-    """Where a line of unit direction enters a sphere, by the centre's distance from it."""
+    """The point where a line of unit direction enters a sphere, from the centre's distance to it."""
     to_center = plus(center, origin, -1)
     ahead = dot(to_center, direction)
     square = RADIUS ** 2 - (dot(to_center, to_center) - ahead ** 2)
@@ -27,7 +27,7 @@ def meets(origin, direction, center):
 
 
 def light_of(column, row):
-    """(flat, shaded) bytes of a pixel, and how near it is to an edge where rounding decides."""
+    """(flat, shaded) bytes of a pixel, and how near it is to an edge, where rounding decides."""
     half = math.tan(math.radians(ANGLE / 2))
     x = (2 * (column + 0.5) / COLUMNS - 1) * half
     y = (1 - 2 * (row + 0.5) / ROWS) * half * ROWS / COLUMNS
@@ -61,8 +61,8 @@ for row in range(ROWS):
         wrong += bytes_of(flat[ROWS - 1 - row][column]) != wanted[0]
         got = bytes_of(shaded[ROWS - 1 - row][column])
         far += max(abs(a - b) for a, b in zip(got, wanted[1])) > 1
-checks.that("every pixel of the flat picture is what the light model says", wrong == 0, f"{wrong} are not")
-checks.that("and of the shaded one, but for edges of shadows", far <= 12, f"{far} are not")
+checks.that("every pixel of the flat picture agrees with the light model", wrong == 0, f"{wrong} are not")
+checks.that("and of the shaded one, except at edges of shadows", far <= 12, f"{far} are not")
 (x, y), = figure.block("highlight")
 lit = light_of(int(x), int(ROWS - y))[1]
 brightest = max(light_of(c, r)[1][1] for r in range(ROWS) for c in range(COLUMNS)
@@ -75,7 +75,7 @@ holds_for_every(checks, "07-shading", "flat-and-shaded")
 
 
 def pointed_at(name, text):
-    """Which of the two words there are where a lecturer has this scene."""
+    """Which of the two words the figure of this scene has."""
     with tempfile.NamedTemporaryFile("w", suffix=".nff", encoding="ascii") as file:
         file.write(text)
         file.flush()
@@ -84,7 +84,7 @@ def pointed_at(name, text):
     on_the_canvas(checks, name, own)
     words = {text.words for text in own.texts()} & {"highlight", "shadow"}
     told = {word for word in ("highlight", "shadow") if word in own.in_words()[1].lower()}
-    checks.that(f"{name}: told is what is pointed at", words == told, f"{words}, {told}")
+    checks.that(f"{name}: the words name what the arrows point at", words == told, f"{words}, {told}")
     return own, words
 
 
@@ -94,7 +94,7 @@ own, words = pointed_at("a ground", VIEW + "f 0.5 0.5 0.5 1 0 1 0 1\ns 0 -1000 0
 checks.that("on a ground: both", len(words) == 2, str(words))
 (x, y), = own.block("highlight")
 red, green, _ = bytes_of(own.block("flat")[int(y)][int(x)])
-checks.that("the highlight is on what shines, not on the ground", red > 2 * green, f"{red}, {green}")
+checks.that("the highlight is on the shiny sphere, not on the ground", red > 2 * green, f"{red}, {green}")
 own, words = pointed_at("alone and dull", VIEW + "f 0.5 0.5 0.5 1 0 1 0 1\ns 0 1 0 1\n")
 checks.that("alone and dull: neither", not words, str(words))
 
@@ -105,7 +105,7 @@ b = dot((px, py, pz), v)
 hit = plus((px, py, pz), v, -b - math.sqrt(b * b - dot((px, py, pz), (px, py, pz)) + 1))
 checks.same("the ray ends on the sphere", [px + vx, py + vy, pz + vz], list(hit))
 (*at, nx, ny, nz), = figure.block("normal")
-checks.same("the normal is the point itself, of a unit sphere round the origin", [nx, ny, nz], list(hit))
+checks.same("the normal is the point itself, of a unit sphere around the origin", [nx, ny, nz], list(hit))
 (*_, ox, oy, oz), = figure.block("offset")
 size = math.sqrt(ox * ox + oy * oy + oz * oz)
 checks.that("the start is off by 2^-32 to 2^-28 of the radius", 2 ** -32 <= size <= 2 ** -28, str(size))
@@ -114,12 +114,12 @@ light = figure.block("light")[0]
 angle = math.degrees(math.acos(dot(unit(plus(light, hit, -1)), hit)))
 checks.same("the angle to the light", [figure.number("light_angle")], [angle])
 checks.that("the point is a rounding inside", 0 < figure.number("inside_by") < 1e-15)
-checks.that("its ray to the light meets the sphere at once", 0 < figure.number("self_t") < 1e-14)
+checks.that("its ray to the light hits the sphere at once", 0 < figure.number("self_t") < 1e-14)
 checks.that("not so from the start", figure.number("largest_from_start") < 0)
 one = figure.dots("light")[0][0] - figure.dots("centre")[0][0]
 scale = one / light[0]
 center = figure.dots("centre")[0]
-checks.near("the light is where it stands", figure.dots("light"),
+checks.near("the light is at its place", figure.dots("light"),
             (center[0] + scale * light[0], center[1] + scale * light[1]))
 checks.near("the point is on the circle", figure.dots("point"),
             (center[0] + scale * hit[0], center[1] + scale * hit[1]))

@@ -1,5 +1,5 @@
 #!/bin/sh
-# figures.sh - what the figures show is so: each chapter's, by computations of their own.
+# figures.sh - the figures of each chapter are right, by independent computations.
 #
 # Needs gnuplot to draw and Python to read; CAMERAS says how many random ones are tried in each of
 # chapters 01 to 04, SCENES how many rays or scenes in each of 05 and 06 (as many).
