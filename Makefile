@@ -172,11 +172,11 @@ endif
 CHAPTERS := $(patsubst chapters/%/main.c,%,$(sort $(wildcard chapters/*/main.c)))
 PROGRAMS := $(CHAPTERS:%=$(BUILT)/%)
 chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c %_lanes.c,$(wildcard \
-	chapters/$(1)/*.c chapters/$(1)/figures/*.c))) $(foreach k,$(LANES_KINDS),$(patsubst %.c,$(B)/%.$(k).o,$(wildcard \
-	chapters/$(1)/*_lanes.c)))
+	chapters/$(1)/*.c chapters/$(1)/*/*.c))) $(foreach k,$(LANES_KINDS),$(patsubst %.c,$(B)/%.$(k).o,$(wildcard \
+	chapters/$(1)/*/*_lanes.c)))
 
 # The loops in NAME_lanes.c are compiled for several instruction sets; which of them a processor has
-# is asked when the program runs (chapters/08-fast/lanes.c). Nowhere but there may multiplications
+# is asked when the program runs (chapters/08-fast/engines/lanes.c). Nowhere but there may multiplications
 # be fused with additions: what these loops decide, they decide with a margin.
 LANES_KINDS := baseline $(if $(JUDGES_ONLY),,$(if $(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),avx2 avx512))
 FOR_avx2 := -mavx2 -mfma

@@ -1,6 +1,6 @@
 # house.mk - make format, tidy, clean, help: the habits of the house. Included by the Makefile, last, so that
 # 'make help' lists them last.
-C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/figures/*.[ch] exercises/*.h solutions/*.c solutions/*/*.c) \
+C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/*/*.[ch] exercises/*.h solutions/*.c solutions/*/*.c) \
 	$(filter-out tests/benches/peers/% tests/grade/attacks/% tests/grade/example/%,$(wildcard tests/*.[ch] \
 	tests/*/*.[ch] tests/*/*/*.[ch]))
 FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)

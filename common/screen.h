@@ -28,4 +28,10 @@ typedef struct {
     double s, t;
 } Normalized;
 
+// A part of the screen between two columns and two rows of points: x from left to right, y from top
+// to bottom.
+typedef struct {
+    double left, right, top, bottom;
+} ScreenRectangle;
+
 #endif

@@ -8,7 +8,7 @@
 // of the hierarchy first, and a picture that differs gets no number: of the engines each pixel, of
 // peers what is sphere and what is not, but for one pixel in two thousand on silhouettes. Who would
 // take more than SECONDS (3) casts a smaller picture.
-#include "chapters/08-fast/clock.h"
+#include "chapters/08-fast/engines/clock.h"
 #include "chapters/shared/scene_camera.h"
 #include "tests/benches/measure.h"
 #include "tests/benches/report.h"

@@ -2,7 +2,7 @@
 #ifndef TESTS_BENCHES_MEASURE_H
 #define TESTS_BENCHES_MEASURE_H
 
-#include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/engines/engine.h"
 
 // Seconds, by a peer that measures itself: what another camera could use, and the casting. An
 // engine says when its casting begins (Work.built).

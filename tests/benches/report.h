@@ -2,7 +2,7 @@
 #ifndef TESTS_BENCHES_REPORT_H
 #define TESTS_BENCHES_REPORT_H
 
-#include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/engines/engine.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -24,8 +24,14 @@ def who_is_shown(records: list) -> list:
     return [record for record in records if id(record) in chosen]
 
 
+def stems_that_count(records: list) -> list:
+    """Without the chapters that are worth nothing; all, if none is worth anything."""
+    counting = {stem["stem"] for record in records for stem in record["stems"] if stem["max"] > 0}
+    return [stem for stem in stems_of(records) if not counting or stem in counting]
+
+
 def table(records: list) -> list:
-    stems, shown = stems_of(records), who_is_shown(records)
+    stems, shown = stems_that_count(records), who_is_shown(records)
     column = 6 if len(stems) <= 6 else 5
     status = max([6] + [len(record["status"]) for record in shown])
     name = COLUMNS - (1 + status) - 7 - column * len(stems)

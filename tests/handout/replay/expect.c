@@ -150,6 +150,11 @@ void told_expect(const char *results, const ToldCall *call, const Numbers *yours
         expect_fault_and_camera(yours, call);
     } else if (strcmp(results, "Normalized") == 0 || strcmp(results, "ScreenPoint") == 0) {
         expect_pair(yours->at[0], yours->at[1], expected->at[0], expected->at[1], tolerance);
+    } else if (strcmp(results, "ScreenRectangle") == 0) {
+        looking_at("left and right");
+        expect_pair(yours->at[0], yours->at[1], expected->at[0], expected->at[1], tolerance);
+        looking_at("top and bottom");
+        expect_pair(yours->at[2], yours->at[3], expected->at[2], expected->at[3], tolerance);
     } else if (strcmp(results, "Ray") == 0) {
         expect_ray(ray_of(yours), ray_of(expected), call);
     } else if (strcmp(results, "Quadratic") == 0) {

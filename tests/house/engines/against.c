@@ -1,7 +1,7 @@
 // against.c - the engines of chapter 08, each against one and the same picture.
 #include "tests/house/engines/against.h"
 
-#include "chapters/08-fast/lanes.h"
+#include "chapters/08-fast/engines/lanes.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
 

@@ -6,7 +6,7 @@
 #ifndef TESTS_FAST_AGAINST_H
 #define TESTS_FAST_AGAINST_H
 
-#include "chapters/08-fast/engine.h"
+#include "chapters/08-fast/engines/engine.h"
 
 // What all comparisons of this program came to.
 extern int passed, failed;

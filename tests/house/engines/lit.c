@@ -4,8 +4,8 @@
 // Usage: lit [SCENES [FIRST]]: so many random scenes, from number FIRST on (100, 1). Of each, what
 // every pixel's ray sees is compared to the last digit; and a picture of few samples, with one
 // thread and with three, to the byte. The last line counts.
-#include "chapters/08-fast/engine.h"
-#include "chapters/08-fast/few.h"
+#include "chapters/08-fast/engines/engine.h"
+#include "chapters/08-fast/engines/few.h"
 #include "chapters/shared/scene_camera.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/07-shading.h"

@@ -1,0 +1,248 @@
+// bins_lanes.c - the inner loops of step 6, 16 pixels or spheres at a time.
+//
+// Compiled for several instruction sets (lanes.h). The compiler may fuse multiplications with
+// additions here, which rounds less. Float decides with a margin, and leaves the rest to double.
+#include "chapters/08-fast/engines/bins_lanes.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+// ---- places of spheres ------------------------------------------------------------------------
+
+static inline double between(double low, double x, double high)
+{
+    return x > low ? x < high ? x : high : low;
+}
+
+// A pixel is inside if its centre is. Rounding errors are much smaller than this part of a pixel.
+#define MARGIN (1.0 / 64)
+
+// A little more than the square root; float is faster.
+static inline double root(double x)
+{
+    return (double)sqrtf((float)x) * (1 + 1e-6);
+}
+
+// Rounds towards 0, to the bits by which places are sorted.
+static inline float coarse(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    bits &= ~((1U << PLACE_DROPPED) - 1);
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+// The outline of each sphere becomes pixels, and its least distance from the eye a float.
+static void place(const Eye *eye, const Positions *positions, int first, int count, Place *places)
+{
+    double left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], near[PLACES];
+    const double *rx = eye->right, *ux = eye->up, *fx = eye->forward;
+    double width = eye->width, height = eye->height, across = eye->across, down = eye->down;
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double x = positions->x[i], y = positions->y[i], z = positions->z[i];
+        double exact = positions->radius[i], r = exact * (1 + 1e-9);
+        double aside = x * rx[0] + y * rx[1] + z * rx[2];
+        double above = x * ux[0] + y * ux[1] + z * ux[2];
+        double ahead = x * fx[0] + y * fx[1] + z * fx[2];
+        double g = (ahead - r) * (ahead + r);
+        double square = x * x + y * y + z * z;
+        bool ordinary = ahead > r && g > 1e-30 && square < 1e30;
+        // view.c: outline(), both axes at once.
+        double safe = ordinary ? g : 1;
+        double over = 1 / safe, x_middle = ahead * aside * over, y_middle = ahead * above * over;
+        double x_half = r * over * root(aside * aside + safe);
+        double y_half = r * over * root(above * above + safe);
+        double x_low = width / 2 + across * (x_middle - x_half) + 0.5 - MARGIN;
+        double x_high = width / 2 + across * (x_middle + x_half) + 0.5 + MARGIN;
+        double y_low = height / 2 - down * (y_middle + y_half) + 0.5 - MARGIN;
+        double y_high = height / 2 - down * (y_middle - y_half) + 0.5 + MARGIN;
+        bool ahead_of_eye = ahead + r > 0;
+        left[i] = ordinary ? between(0, x_low, width) : 0;
+        right[i] = ordinary ? between(0, x_high, width) : ahead_of_eye ? width : 0;
+        top[i] = ordinary ? between(0, y_low, height) : 0;
+        bottom[i] = ordinary ? between(0, y_high, height) : height;
+        double distance = root(square);
+        double nearest = fabs(distance - exact) - 4e-6 * distance;
+        near[i] = nearest > 1e-15 && square < 1e30 ? nearest : 0;
+    }
+    for (int i = 0; i < count; i++)
+        places[i] = (Place){(uint16_t)left[i],   (uint16_t)right[i],     (uint16_t)top[i],
+                            (uint16_t)bottom[i], coarse((float)near[i]), first + i};
+}
+
+// ---- the pixels of a tile ---------------------------------------------------------------------
+
+static void clear(Tile *tile, int columns, int rows, int color)
+{
+    for (int i = 0; i < TILE_WIDTH * TILE_HEIGHT; i++) {
+        tile->s[i] = i % TILE_WIDTH < columns && i / TILE_WIDTH < rows ? INFINITY : 0;
+        tile->color[i] = color;
+    }
+}
+
+// The columns of a part are asked 16 at a time. If the last 16 would reach beyond the tile, the
+// first 16 begin earlier by as much.
+static inline int first_lane(Part part)
+{
+    int lanes = (part.right - part.left + LANES - 1) / LANES * LANES;
+    return part.left < TILE_WIDTH - lanes ? part.left : TILE_WIDTH - lanes;
+}
+
+static float farthest(const Tile *tile, Part part)
+{
+    float most[LANES] = {0};
+    for (int first = first_lane(part); first < part.right; first += LANES) {
+        float in[LANES];
+#pragma omp simd
+        for (int i = 0; i < LANES; i++)
+            in[i] = first + i >= part.left && first + i < part.right ? INFINITY : 0;
+        for (int row = part.top; row < part.bottom; row++) {
+            const float *s = &tile->s[row * TILE_WIDTH + first];
+#pragma omp simd
+            for (int i = 0; i < LANES; i++) {
+                float seen = s[i] < in[i] ? s[i] : in[i];
+                most[i] = most[i] > seen ? most[i] : seen;
+            }
+        }
+    }
+    float result = 0;
+#pragma omp simd reduction(max : result)
+    for (int i = 0; i < LANES; i++)
+        result = most[i] > result ? most[i] : result;
+    return result;
+}
+
+// By Lagrange's identity D = b^2 - |v|^2 (|c|^2 - r^2) is r^2 |v|^2 - |c x v|^2: there no large
+// numbers cancel. The ray x columns and y rows away is v + x g + y h. Counted from the middle of
+// the sphere's part, no term is much larger than the largest D in it. So the error of D in float is
+// about 2^-24 of the sum of the terms.
+static void outline(const Rays *rays, const Candidates *from, int count, Outlines *to)
+{
+    const double *f = rays->first, *g = rays->column, *h = rays->row;
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double column = from->column[i], row = from->row[i];
+        double half_x = from->half_width[i], half_y = from->half_height[i];
+        double cx = from->x[i], cy = from->y[i], cz = from->z[i];
+        double r = from->radius[i], square = r * r;
+        double vx = f[0] + column * g[0] + row * h[0];
+        double vy = f[1] + column * g[1] + row * h[1];
+        double vz = f[2] + column * g[2] + row * h[2];
+        // c x v, c x g and c x h; then dot products of these, and of v and g, v and h.
+        double wx = cy * vz - cz * vy, wy = cz * vx - cx * vz, wz = cx * vy - cy * vx;
+        double gx = cy * g[2] - cz * g[1], gy = cz * g[0] - cx * g[2], gz = cx * g[1] - cy * g[0];
+        double hx = cy * h[2] - cz * h[1], hy = cz * h[0] - cx * h[2], hz = cx * h[1] - cy * h[0];
+        double vv = vx * vx + vy * vy + vz * vz, ww = wx * wx + wy * wy + wz * wz;
+        double vg = vx * g[0] + vy * g[1] + vz * g[2], wg = wx * gx + wy * gy + wz * gz;
+        double vh = vx * h[0] + vy * h[1] + vz * h[2], wh = wx * hx + wy * hy + wz * hz;
+        double gg = gx * gx + gy * gy + gz * gz, hh = hx * hx + hy * hy + hz * hz;
+        double gh = gx * hx + gy * hy + gz * hz;
+        double d = square * vv - ww;
+        double dx = 2 * (square * vg - wg), dy = 2 * (square * vh - wh);
+        double dxx = square * rays->columns - gg, dyy = square * rays->rows - hh;
+        double dxy = 2 * (square * rays->both - gh);
+        double b = cx * vx + cy * vy + cz * vz;
+        double bx = cx * g[0] + cy * g[1] + cz * g[2], by = cx * h[0] + cy * h[1] + cz * h[2];
+
+        // The sum of D's terms, and how much b varies.
+        double d_sum = fabs(d) + (fabs(dx) + fabs(dxx) * half_x) * half_x +
+                       (fabs(dy) + fabs(dyy) * half_y) * half_y + fabs(dxy) * half_x * half_y;
+        double b_range = fabs(bx) * half_x + fabs(by) * half_y, b_sum = fabs(b) + b_range;
+        double apart = cx * cx + cy * cy + cz * cz;
+        bool safe = (apart - square > 1e-3 * apart) & (b - b_range > 1e-6 * b_sum) &
+                    (b_sum < 1e15) & (d_sum > 1e-30) & (d_sum < 1e30);
+        // Each term is rounded at most six times in float, and double is not exact either.
+        double d_error = 4 * FLT_EPSILON * d_sum + 1e-14 * (square * vv + sqrt(ww * vv * apart));
+        // A square root near 0 magnifies its error, so such a small D is also in doubt.
+        double doubt = 0x1p-16 * d_sum + 2 * d_error;
+        to->x[i] = (float)column;
+        to->y[i] = (float)row;
+        to->d[i] = (float)d;
+        to->dx[i] = (float)dx;
+        to->dy[i] = (float)dy;
+        to->dxx[i] = (float)dxx;
+        to->dxy[i] = (float)dxy;
+        to->dyy[i] = (float)dyy;
+        to->b[i] = (float)b;
+        to->bx[i] = (float)bx;
+        to->by[i] = (float)by;
+        to->doubt[i] = (float)doubt;
+        to->b_error[i] = (float)(3 * FLT_EPSILON * b_sum);
+        to->s_error[i] = (float)(5 * FLT_EPSILON * b_sum + d_error / sqrt(doubt));
+        to->safe[i] = safe ? 1 : 0;
+    }
+}
+
+// One sphere asks its pixels, 16 in a row at a time. sure is the difference of D and u^2: above the
+// margin the sphere is certainly nearer, below -margin it is certainly not.
+static void ask(Tile *restrict tile, const Outlines *restrict of, int n, Part part, float slack,
+                int color)
+{
+    const float u_error = of->b_error[n] + slack;
+    const float doubt = of->doubt[n] + u_error * u_error, slope = 2 * u_error;
+    for (int first = first_lane(part); first < part.right; first += LANES) {
+        float x[LANES], d[LANES], b[LANES];
+#pragma omp simd
+        for (int i = 0; i < LANES; i++) {
+            int column = first + i;
+            x[i] = (float)column - of->x[n];
+            d[i] = x[i] * (of->dx[n] + x[i] * of->dxx[n]);
+            d[i] = column >= part.left && column < part.right ? d[i] : -INFINITY;
+            b[i] = x[i] * of->bx[n];
+        }
+        for (int row = part.top; row < part.bottom; row++) {
+            float y = (float)row - of->y[n];
+            float d_row = of->d[n] + y * (of->dy[n] + y * of->dyy[n]);
+            float d_both = y * of->dxy[n], b_row = of->b[n] + y * of->by[n];
+            float *restrict s = &tile->s[row * TILE_WIDTH + first];
+            int *restrict seen = &tile->color[row * TILE_WIDTH + first];
+#pragma omp simd
+            for (int i = 0; i < LANES; i++) {
+                float D = d[i] + d_row + d_both * x[i];
+                float middle = b[i] + b_row;
+                float u = middle - s[i];
+                u = u > 0 ? u : 0;
+                float sure = D - u * u, margin = doubt + slope * u;
+                float root = sqrtf(D > 0 ? D : 0);
+                int kept = sure > margin ? color | (seen[i] & UNSURE) : seen[i];
+                int unsure = fabsf(sure) <= margin ? UNSURE : 0;
+                s[i] = sure > margin ? middle - root : s[i];
+                seen[i] = kept | unsure;
+            }
+        }
+    }
+}
+
+static bool unsure(const Tile *tile)
+{
+    int all = 0;
+#pragma omp simd reduction(| : all)
+    for (int i = 0; i < TILE_WIDTH * TILE_HEIGHT; i++)
+        all |= tile->color[i];
+    return (all & UNSURE) != 0;
+}
+
+static inline void paint_row(const int *restrict color, int columns, uint8_t *restrict rgb)
+{
+    for (int i = 0; i < columns; i++) {
+        rgb[3 * i] = (uint8_t)color[i];
+        rgb[3 * i + 1] = (uint8_t)(color[i] >> 8);
+        rgb[3 * i + 2] = (uint8_t)(color[i] >> 16);
+    }
+}
+
+static void paint(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart)
+{
+    for (int row = 0; row < rows; row++, rgb += apart) {
+        // The compiler optimises better for a constant number of columns.
+        if (columns == TILE_WIDTH)
+            paint_row(&tile->color[row * TILE_WIDTH], TILE_WIDTH, rgb);
+        else
+            paint_row(&tile->color[row * TILE_WIDTH], columns, rgb);
+    }
+}
+
+const BinsLanes LANES(bins) = {place, clear, farthest, outline, ask, unsure, paint};

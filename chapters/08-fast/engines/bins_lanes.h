@@ -1,0 +1,107 @@
+// bins_lanes.h - the inner loops of step 6, as numbers and arrays.
+#ifndef CHAPTERS_08_FAST_BINS_LANES_H
+#define CHAPTERS_08_FAST_BINS_LANES_H
+
+#include "chapters/08-fast/engines/lanes.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+enum { TILE_WIDTH = 32, TILE_HEIGHT = 32 };
+
+// The place of a sphere on the screen (columns left to right - 1, rows top to bottom - 1), and its
+// least distance from the eye. That is rounded down, without the last PLACE_DROPPED bits of the
+// float; places are sorted by the other bits.
+enum { PLACE_DROPPED = 15 };
+typedef struct {
+    uint16_t left, right, top, bottom;
+    float near;
+    int sphere;
+} Place;
+
+static inline uint32_t place_depth(Place place)
+{
+    uint32_t bits;
+    memcpy(&bits, &place.near, sizeof bits); // floats from 0 up have the order of their bits
+    return bits >> PLACE_DROPPED;
+}
+
+// Spheres as seen from the eye, and the camera: its axes, and from the plane at distance 1 to
+// pixels.
+enum { PLACES = 256 };
+typedef struct {
+    double x[PLACES], y[PLACES], z[PLACES], radius[PLACES];
+} Positions;
+typedef struct {
+    double right[3], up[3], forward[3];
+    double across, down; // pixels per unit of the plane
+    double width, height;
+} Eye;
+
+// The pixels of a tile. s is the distance of the nearest surface, as t v.v, which is the distance
+// times |v|. A pixel that float cannot decide has UNSURE in its colour.
+enum { UNSURE = 1 << 24 };
+typedef struct {
+    // Aligned to a cache line, so that 16 of them are in one line.
+    _Alignas(64) float s[TILE_HEIGHT * TILE_WIDTH];
+    int color[TILE_HEIGHT * TILE_WIDTH]; // red, 256 green, 65536 blue
+} Tile;
+
+// A part of a tile.
+typedef struct {
+    int left, right, top, bottom;
+} Part;
+
+// The rays of a tile: that of the first pixel, and the differences from column to column and from
+// row to row; and the dot products of these two differences.
+typedef struct {
+    double first[3], column[3], row[3];
+    double columns, rows, both;
+} Rays;
+
+// Spheres that may be visible: the centre from the eye, the radius; a pixel in the middle of the
+// sphere's part of the tile, and how far that part reaches from there.
+typedef struct {
+    double x[LANES], y[LANES], z[LANES], radius[LANES];
+    double column[LANES], row[LANES], half_width[LANES], half_height[LANES];
+} Candidates;
+
+// Spheres, seen from a tile. D is a quarter of chapter 05's discriminant, c the centre from the
+// eye, v the ray. For the ray x columns and y rows from the pixel (x, y)
+//   D   = d + dx x + dy y + dxx x^2 + dxy x y + dyy y^2
+//   c.v = b + bx x + by y
+// and it meets the sphere at t v.v = c.v - sqrt(D). With u = c.v - s that is nearer than s if D >
+// u^2, or if u < 0 and D > 0. If the two sides differ by less than doubt, float cannot decide. The
+// error of c.v is at most b_error, and that of the new s at most s_error.
+typedef struct {
+    float x[LANES], y[LANES];
+    float d[LANES], dx[LANES], dy[LANES], dxx[LANES], dxy[LANES], dyy[LANES];
+    float b[LANES], bx[LANES], by[LANES];
+    float doubt[LANES], b_error[LANES], s_error[LANES];
+    // 0 if float is not reliable: if the eye is inside the sphere or close to it, if the sphere is
+    // partly beside or behind the eye, or if its size is extreme.
+    int safe[LANES];
+} Outlines;
+
+typedef struct {
+    // The places of count spheres on the screen; they are those of the scene from number first on.
+    void (*place)(const Eye *eye, const Positions *positions, int first, int count, Place *places);
+    // Clears these columns and rows; the other pixels of the tile are outside the screen.
+    void (*clear)(Tile *tile, int columns, int rows, int color);
+    // The largest s.
+    float (*farthest)(const Tile *tile, Part part);
+    // The outlines of count candidates, seen from the tile.
+    void (*outline)(const Rays *rays, const Candidates *candidates, int count, Outlines *outlines);
+    // Sphere number n of these asks the pixels of its part. slack is the largest error of any s.
+    void (*ask)(Tile *tile, const Outlines *outlines, int n, Part part, float slack, int color);
+    // Is any pixel unsure?
+    bool (*unsure)(const Tile *tile);
+    // Writes bytes of red, green and blue; apart is the number of bytes from row to row.
+    void (*paint)(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart);
+} BinsLanes;
+
+extern const BinsLanes bins_baseline, bins_avx2, bins_avx512;
+
+#endif

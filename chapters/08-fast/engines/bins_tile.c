@@ -1,0 +1,252 @@
+// bins_tile.c - one tile of the screen: its spheres ask its pixels, the near ones first, until the
+// rest is hidden.
+//
+// Float decides if its error cannot matter (bins_lanes.c). At the end, chapter 05's hit_sphere
+// decides the other pixels in double.
+#include "chapters/08-fast/engines/bins_tile.h"
+
+#include "chapters/08-fast/engines/nearest.h"
+#include "chapters/08-fast/engines/view.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/05-quadratic.h"
+
+#include <float.h>
+#include <math.h>
+
+// Spheres that are prepared together; after that, the farthest pixel is computed again.
+enum { AT_ONCE = 8, UNTIL_NEXT_LOOK = 16 };
+
+typedef struct {
+    const Tiling *tiling;
+    Pixel corner;
+    int columns, rows;
+    Rays rays;
+    float shortest; // not more than the length of any of them
+    float slack;    // the largest error of any s
+    Tile pixels;
+    // The spheres that ask next.
+    int waiting;
+    Candidates candidates;
+    int spheres[AT_ONCE];
+    Part parts[AT_ONCE];
+    float nearest[AT_ONCE]; // a lower bound of s
+} Here;
+
+static void allow(Here *here, float error)
+{
+    here->slack = error > here->slack ? error : here->slack;
+}
+
+static Ray ray_of(const Here *here, int column, int row)
+{
+    const Work *work = here->tiling->work;
+    Pixel pixel = {here->corner.column + column, here->corner.row + row};
+    return pixel_ray(work->camera, work->image->size, pixel);
+}
+
+static int color_of(const Tiling *tiling, int sphere)
+{
+    const Scene *scene = tiling->work->scene;
+    int surface = sphere < 0 ? scene->surface_count : scene->spheres[sphere].surface;
+    const uint8_t *rgb = tiling->paints[surface].rgb;
+    return rgb[0] | rgb[1] << 8 | rgb[2] << 16;
+}
+
+// A sphere asks its pixels in double. (If float cannot hold the t, the pixel remains undecided.)
+static void ask_in_double(Here *here, int number, Part part, float nearest)
+{
+    Sphere sphere = here->tiling->work->scene->spheres[number];
+    int color = color_of(here->tiling, number);
+    for (int row = part.top; row < part.bottom; row++) {
+        for (int column = part.left; column < part.right; column++) {
+            float *s = &here->pixels.s[row * TILE_WIDTH + column];
+            int *seen = &here->pixels.color[row * TILE_WIDTH + column];
+            if (nearest > *s + here->slack)
+                continue;
+            Ray ray = ray_of(here, column, row);
+            double t = hit_sphere(ray, sphere);
+            if (t == NO_HIT)
+                continue;
+            vec3 to_plane = ray_to_plane(ray, here->tiling->work->camera).direction;
+            double at = t * vec3_dot(ray.direction, to_plane);
+            double margin = 2 * here->slack + 4 * FLT_EPSILON * at;
+            if (!(at > 1e-30 && at < 1e30 && fabs(at - *s) > margin)) {
+                *seen |= UNSURE;
+            } else if (at < *s) {
+                *s = (float)at;
+                *seen = color | (*seen & UNSURE);
+                allow(here, (float)(FLT_EPSILON * at));
+            }
+        }
+    }
+}
+
+// Which of the spheres does a pixel see? Its ray misses most of them by far: |c x v| / |v| is its
+// distance from the centre, and the margins are many times the rounding error of that.
+static int decide(const Here *here, Ray ray, const int *bin, size_t count)
+{
+    vec3 v = ray.direction;
+    double vv = vec3_dot(v, v);
+    Hit nearest = {NO_HIT, -1};
+    for (size_t i = 0; i < count; i++) {
+        int number = here->tiling->places[bin[i]].sphere;
+        Sphere sphere = here->tiling->work->scene->spheres[number];
+        vec3 c = sphere.center - ray.origin, w = vec3_cross(c, v);
+        double square = sphere.radius * sphere.radius, ww = vec3_dot(w, w);
+        if (ww > 1e-250 && ww > 1.000001 * square * vv + 1e-18 * vec3_dot(c, c) * vv)
+            continue;
+        nearest = nearer(nearest, (Hit){hit_sphere(ray, sphere), number});
+    }
+    return nearest.sphere;
+}
+
+static void decide_unsure(Here *here, const int *bin, size_t count)
+{
+    if (!here->tiling->lanes->unsure(&here->pixels))
+        return;
+    for (int row = 0; row < here->rows; row++) {
+        for (int column = 0; column < here->columns; column++) {
+            int *seen = &here->pixels.color[row * TILE_WIDTH + column];
+            if (*seen & UNSURE)
+                *seen = color_of(here->tiling, decide(here, ray_of(here, column, row), bin, count));
+        }
+    }
+}
+
+static Part part_of(const Here *here, Place place)
+{
+    int left = place.left - here->corner.column, right = place.right - here->corner.column;
+    int top = place.top - here->corner.row, bottom = place.bottom - here->corner.row;
+    return (Part){left > 0 ? left : 0, right < here->columns ? right : here->columns,
+                  top > 0 ? top : 0, bottom < here->rows ? bottom : here->rows};
+}
+
+// The place of a candidate, from the eye, and the pixels that it may ask.
+static void set_candidate(Here *here, int i)
+{
+    const Work *work = here->tiling->work;
+    const Sphere *sphere = &work->scene->spheres[here->spheres[i]];
+    Candidates *to = &here->candidates;
+    vec3 c = sphere->center - work->camera.origin;
+    to->x[i] = c[0];
+    to->y[i] = c[1];
+    to->z[i] = c[2];
+    to->radius[i] = sphere->radius;
+    Part part = here->parts[i];
+    int column = (part.left + part.right) / 2, row = (part.top + part.bottom) / 2;
+    to->column[i] = column;
+    to->row[i] = row;
+    to->half_width[i] = column - part.left;
+    to->half_height[i] = row - part.top;
+}
+
+// Do all pixels of a sphere's part see something nearer? If they do not, usually the pixel in the
+// middle is one of those.
+static bool is_hidden(const Here *here, int i)
+{
+    Part part = here->parts[i];
+    int row = (part.top + part.bottom) / 2, column = (part.left + part.right) / 2;
+    float nearest = here->nearest[i] - here->slack;
+    return nearest > here->pixels.s[row * TILE_WIDTH + column] &&
+           nearest > here->tiling->lanes->farthest(&here->pixels, part);
+}
+
+static void ask_waiting(Here *here)
+{
+    const BinsLanes *lanes = here->tiling->lanes;
+    Outlines outlines;
+    for (int i = 0; i < here->waiting; i++)
+        set_candidate(here, i);
+    lanes->outline(&here->rays, &here->candidates, here->waiting, &outlines);
+    for (int i = 0; i < here->waiting; i++) {
+        if (is_hidden(here, i))
+            continue;
+        if (outlines.safe[i]) {
+            lanes->ask(&here->pixels, &outlines, i, here->parts[i], here->slack,
+                       color_of(here->tiling, here->spheres[i]));
+            allow(here, outlines.s_error[i]);
+        } else {
+            ask_in_double(here, here->spheres[i], here->parts[i], here->nearest[i]);
+        }
+    }
+    here->waiting = 0;
+}
+
+// Returns the number of spheres that may be visible. The next ones are fetched into the cache: the
+// order of the bin is not that of the memory, and a sphere may be in two lines of the cache.
+static size_t ask_all(Here *here, const int *bin, size_t count)
+{
+    const Tiling *tiling = here->tiling;
+    const Part all = {0, here->columns, 0, here->rows};
+    float farthest = INFINITY;
+    size_t i;
+    for (i = 0; i < count; i++) {
+        if (i + 16 < count) {
+            const Sphere *soon = &tiling->work->scene->spheres[tiling->places[bin[i + 8]].sphere];
+            __builtin_prefetch(soon);
+            __builtin_prefetch(&soon->surface);
+            __builtin_prefetch(&tiling->places[bin[i + 16]]);
+        }
+        if (i % UNTIL_NEXT_LOOK == UNTIL_NEXT_LOOK - 1)
+            farthest = tiling->lanes->farthest(&here->pixels, all);
+        Place place = tiling->places[bin[i]];
+        float nearest = place.near * here->shortest;
+        if (nearest > farthest + here->slack)
+            break;
+        here->spheres[here->waiting] = place.sphere;
+        here->parts[here->waiting] = part_of(here, place);
+        here->nearest[here->waiting] = nearest;
+        if (++here->waiting == AT_ONCE)
+            ask_waiting(here);
+    }
+    ask_waiting(here);
+    return i;
+}
+
+static Rays rays_from(vec3 first, vec3 column, vec3 row)
+{
+    Rays rays = {.columns = vec3_dot(column, column),
+                 .rows = vec3_dot(row, row),
+                 .both = vec3_dot(column, row)};
+    view_store(rays.first, first);
+    view_store(rays.column, column);
+    view_store(rays.row, row);
+    return rays;
+}
+
+// The distance from x to the columns (or rows) of the tile, with a sign, and 0 inside.
+static double nearest_to(double x, int first, int count)
+{
+    return fmin(fmax(x, first), first + count) - x;
+}
+
+void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
+{
+    Image *image = tiling->work->image;
+    Camera camera = tiling->work->camera;
+    int width = image->size.width, height = image->size.height;
+    Here here;
+    here.tiling = tiling;
+    here.corner = corner;
+    here.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
+    here.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
+    // The rays end on the plane, because the step from one pixel to the next is the same there.
+    here.rays = rays_from(ray_to_plane(pixel_ray(camera, image->size, corner), camera).direction,
+                          camera.width / width * camera.right, -camera.height / height * camera.up);
+    double x = camera.width / width * nearest_to(width / 2.0, corner.column, here.columns);
+    double y = camera.height / height * nearest_to(height / 2.0, corner.row, here.rows);
+    // A little less, so that it is not longer than any ray, in spite of rounding.
+    here.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
+    here.slack = 0;
+    here.waiting = 0;
+    uint8_t *rgb = image_bytes(image, corner);
+    size_t apart = 3 * (size_t)width;
+    // The bytes that will be written are fetched into the cache meanwhile.
+    for (int row = 0; row < here.rows; row++) {
+        __builtin_prefetch(rgb + (size_t)row * apart, 1);
+        __builtin_prefetch(rgb + (size_t)row * apart + 3 * here.columns - 1, 1);
+    }
+    tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
+    decide_unsure(&here, bin, ask_all(&here, bin, count));
+    tiling->lanes->paint(&here.pixels, here.columns, here.rows, rgb, apart);
+}

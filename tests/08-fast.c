@@ -1,0 +1,341 @@
+// 08-fast.c - tests of exercise 08. Expected: rectangles worked by hand from right triangles with
+// whole sides, rectangles from angles, points of the outline, and rays that hit.
+#include "exercises/08-fast.h"
+
+#include "tests/judge/test.h"
+
+static const double tolerance = 1e-6; // of a pixel
+
+// Sees 45 degrees to each side: its plane is 1 ahead and 2 wide and high. It is not at the origin.
+static Camera camera_of_45_degrees(void)
+{
+    return (Camera){.origin = vec3_of(1, -2, 3),
+                    .right = vec3_of(1, 0, 0),
+                    .up = vec3_of(0, 1, 0),
+                    .forward = vec3_of(0, 0, 1),
+                    .distance = 1,
+                    .width = 2,
+                    .height = 2};
+}
+
+// Three different sizes, and no axis of the world: every number of it counts.
+static Camera oblique_camera(void)
+{
+    return (Camera){.origin = vec3_of(3, -5, 7),
+                    .right = vec3_of(2, -2, 1) / 3,
+                    .up = vec3_of(2, 1, -2) / 3,
+                    .forward = vec3_of(1, 2, 2) / 3,
+                    .distance = 6,
+                    .width = 24,
+                    .height = 9};
+}
+
+// A sphere whose centre is so far to the right, up and ahead.
+static Sphere sphere_at(Camera c, double right, double up, double ahead, double radius)
+{
+    return (Sphere){c.origin + right * c.right + up * c.up + ahead * c.forward, radius, 0};
+}
+
+static void given_view(Camera camera, Resolution screen, Sphere sphere)
+{
+    vec3 c = sphere.center - camera.origin;
+    given_camera(camera);
+    given("screen", "%d x %d", screen.width, screen.height);
+    given_sphere(sphere);
+    given("seen from the eye", "%s right, %s up, %s ahead",
+          number_text(vec3_dot(c, camera.right)).s, number_text(vec3_dot(c, camera.up)).s,
+          number_text(vec3_dot(c, camera.forward)).s);
+}
+
+static void expect_rectangle(Camera camera, Resolution screen, Sphere sphere,
+                             ScreenRectangle expected)
+{
+    ScreenRectangle yours = sphere_rectangle(camera, screen, sphere);
+    given_view(camera, screen, sphere);
+    given("looking at", "left and right");
+    expect_pair(yours.left, yours.right, expected.left, expected.right, tolerance);
+    given_view(camera, screen, sphere);
+    given("looking at", "top and bottom");
+    expect_pair(yours.top, yours.bottom, expected.top, expected.bottom, tolerance);
+}
+
+// By hand: sides 9, 40, 41. The tangent has m = 9/40 = 0.225 of 0.25 on each side of the middle.
+START_TEST(a_sphere_straight_ahead_of_the_camera_of_the_deck)
+{
+    Camera c = camera_of_the_deck();
+    expect_rectangle(c, (Resolution){640, 480}, sphere_at(c, 0, 0, 41, 9),
+                     (ScreenRectangle){32, 608, 24, 456});
+}
+END_TEST
+
+// By hand: 5 ahead, radius 3, 3 aside: g = 16, m = (15 -+ 15) / 16, that is 0 and 15/8. Not aside:
+// m = -+3/4.
+START_TEST(a_sphere_whose_edge_is_straight_ahead)
+{
+    Camera c = camera_of_45_degrees();
+    c.width = 8;
+    c.height = 4;
+    Resolution screen = {800, 200};
+    expect_rectangle(c, screen, sphere_at(c, 3, 0, 5, 3),
+                     (ScreenRectangle){400, 587.5, 62.5, 137.5});
+    expect_rectangle(c, screen, sphere_at(c, -3, 0, 5, 3),
+                     (ScreenRectangle){212.5, 400, 62.5, 137.5});
+}
+END_TEST
+
+// By hand, up and down: m = 0 and 15/8 up, of 2 on the plane.
+START_TEST(a_sphere_above_is_in_the_upper_half_of_the_screen)
+{
+    Camera c = camera_of_45_degrees();
+    c.height = 4;
+    Resolution screen = {100, 400};
+    expect_rectangle(c, screen, sphere_at(c, 0, 3, 5, 3), (ScreenRectangle){12.5, 87.5, 12.5, 200});
+    expect_rectangle(c, screen, sphere_at(c, 0, -3, 5, 3),
+                     (ScreenRectangle){12.5, 87.5, 200, 387.5});
+}
+END_TEST
+
+// By hand: m = 0 and 15/8 to the right, of 2 on the plane; upwards m = (-20 -+ 3 * sqrt(32)) / 16,
+// too.
+START_TEST(a_sphere_on_the_right_and_below_for_an_oblique_camera)
+{
+    Camera c = oblique_camera();
+    Resolution screen = {320, 90};
+    double high = (-20 + 3 * sqrt(32)) / 16; // up; the lower end is below the screen
+    expect_rectangle(c, screen, sphere_at(c, 3, -4, 5, 3),
+                     (ScreenRectangle){160, 310, 45 - 60 * high, 90});
+}
+END_TEST
+
+START_TEST(between_the_eye_and_the_image_plane_it_is_seen)
+{
+    Camera c = camera_of_the_deck();
+    expect_rectangle(c, (Resolution){640, 480}, sphere_at(c, 0, 0, 0.41, 0.09),
+                     (ScreenRectangle){32, 608, 24, 456});
+}
+END_TEST
+
+START_TEST(behind_the_eye_there_is_nothing)
+{
+    for (int i = 0; i < 10; i++) {
+        Camera c = random_camera();
+        Resolution screen = random_screen(2, 900);
+        double radius = random_number(0.2, 3), behind = radius * random_number(1.1, 5);
+        double aside = random_number(-2, 2), up = random_number(-2, 2);
+        expect_rectangle(c, screen, sphere_at(c, aside, up, -behind, radius),
+                         (ScreenRectangle){0, 0, 0, 0});
+    }
+}
+END_TEST
+
+START_TEST(around_the_eye_it_is_the_whole_screen)
+{
+    for (int i = 0; i < 10; i++) {
+        Camera c = random_camera();
+        Resolution screen = random_screen(2, 900);
+        double radius = random_number(0.5, 3);
+        Sphere sphere = {c.origin + radius * random_number(0, 0.9) * random_unit(), radius, 0};
+        expect_rectangle(c, screen, sphere, (ScreenRectangle){0, screen.width, 0, screen.height});
+    }
+}
+END_TEST
+
+// The sphere reaches behind the eye, but the eye is outside: by how far ahead the centre is.
+START_TEST(beside_the_eye_it_is_the_whole_screen)
+{
+    for (int i = 0; i < 10; i++) {
+        Camera c = random_camera();
+        Resolution screen = random_screen(2, 900);
+        double radius = random_number(0.5, 3), angle = random_number(0, 2 * PI);
+        double aside = radius * random_number(1.2, 4), ahead = radius * random_number(-0.9, 0.9);
+        expect_rectangle(c, screen,
+                         sphere_at(c, aside * cos(angle), aside * sin(angle), ahead, radius),
+                         (ScreenRectangle){0, screen.width, 0, screen.height});
+    }
+}
+END_TEST
+
+// By hand: m from 0 to 15/8, and from -3/4 to 3/4, where the plane has -1 to 1.
+START_TEST(what_is_beyond_the_edges_is_cut_off)
+{
+    Camera c = camera_of_45_degrees();
+    Resolution screen = {200, 100};
+    expect_rectangle(c, screen, sphere_at(c, 3, 0, 5, 3), (ScreenRectangle){100, 200, 12.5, 87.5});
+    expect_rectangle(c, screen, sphere_at(c, -3, 0, 5, 3), (ScreenRectangle){0, 100, 12.5, 87.5});
+    expect_rectangle(c, screen, sphere_at(c, 0, 3, 5, 3), (ScreenRectangle){25, 175, 0, 50});
+    expect_rectangle(c, screen, sphere_at(c, 0, -3, 5, 3), (ScreenRectangle){25, 175, 50, 100});
+}
+END_TEST
+
+START_TEST(a_sphere_larger_than_the_screen_covers_it)
+{
+    Camera c = camera_of_the_deck();
+    expect_rectangle(c, (Resolution){640, 480}, sphere_at(c, 0.5, -0.25, 5, 4),
+                     (ScreenRectangle){0, 640, 0, 480});
+}
+END_TEST
+
+// By hand: 20 aside, 5 ahead, radius 3: m is above 2 on that side, where the plane ends at 1.
+START_TEST(a_sphere_beside_the_screen_has_no_rectangle)
+{
+    Camera c = camera_of_45_degrees();
+    Resolution screen = {320, 200};
+    for (int way = -1; way <= 1; way += 2) {
+        expect_rectangle(c, screen, sphere_at(c, way * 20, 0, 5, 3), (ScreenRectangle){0, 0, 0, 0});
+        expect_rectangle(c, screen, sphere_at(c, 0, way * 20, 5, 3), (ScreenRectangle){0, 0, 0, 0});
+    }
+}
+END_TEST
+
+// ---- any camera, any sphere --------------------------------------------------------------------
+
+// Somewhere in front of the camera, most of them in its view, large and small.
+static Sphere random_sphere_in_view(Camera c)
+{
+    double radius = random_number(0.1, 2), ahead = radius * random_number(1.2, 12);
+    double right = ahead * c.width / c.distance * random_number(-0.6, 0.6);
+    double up = ahead * c.height / c.distance * random_number(-0.6, 0.6);
+    return sphere_at(c, right, up, ahead, radius);
+}
+
+static double limited(double x, double most)
+{
+    return x < 0 ? 0 : x > most ? most : x;
+}
+
+// Seen along one axis, the angle to the centre and the angle between the centre and the tangents.
+// In numbers of half the screen.
+static void angles(double ahead, double aside, double radius, double half, double edges[2])
+{
+    double middle = atan2(aside, ahead), around = asin(radius / hypot(aside, ahead));
+    edges[0] = tan(middle - around) / half;
+    edges[1] = tan(middle + around) / half;
+}
+
+static ScreenRectangle rectangle_by_angles(Camera c, Resolution screen, Sphere sphere)
+{
+    vec3 to = sphere.center - c.origin;
+    double x[2], y[2], ahead = vec3_dot(to, c.forward), w = screen.width, h = screen.height;
+    angles(ahead, vec3_dot(to, c.right), sphere.radius, c.width / 2 / c.distance, x);
+    angles(ahead, vec3_dot(to, c.up), sphere.radius, c.height / 2 / c.distance, y);
+    if (x[0] >= 1 || x[1] <= -1 || y[0] >= 1 || y[1] <= -1)
+        return (ScreenRectangle){0, 0, 0, 0};
+    return (ScreenRectangle){limited((1 + x[0]) / 2 * w, w), limited((1 + x[1]) / 2 * w, w),
+                             limited((1 - y[1]) / 2 * h, h), limited((1 - y[0]) / 2 * h, h)};
+}
+
+START_TEST(the_edges_are_where_the_angles_of_the_tangents_say)
+{
+    for (int i = 0; i < 60; i++) {
+        Camera c = random_camera();
+        Resolution screen = random_screen(2, 900);
+        Sphere sphere = random_sphere_in_view(c);
+        expect_rectangle(c, screen, sphere, rectangle_by_angles(c, screen, sphere));
+    }
+}
+END_TEST
+
+START_TEST(worlds_of_any_size_have_the_same_rectangles)
+{
+    enum { COUNT = 26 };
+    for (int i = 0; i < COUNT; i++) {
+        Camera c = random_camera();
+        Resolution screen = random_screen(2, 900);
+        Sphere sphere = random_sphere_in_view(c);
+        ScreenRectangle expected = rectangle_by_angles(c, screen, sphere);
+        double world = random_scale(i, COUNT);
+        c.origin *= world;
+        c.distance *= world;
+        c.width *= world;
+        c.height *= world;
+        sphere.center *= world;
+        sphere.radius *= world;
+        expect_rectangle(c, screen, sphere, expected);
+    }
+}
+END_TEST
+
+// Every point of the outline is on a circle: seen from the eye, nearer than the centre.
+START_TEST(every_point_of_the_outline_is_in_the_rectangle_and_the_outermost_are_on_its_edges)
+{
+    enum { POINTS = 720 };
+    for (int i = 0; i < 10; i++) {
+        Camera c = camera_of_45_degrees();
+        Resolution screen = random_screen(200, 900);
+        double radius = random_number(0.1, 1), ahead = radius * random_number(5, 9);
+        Sphere sphere = sphere_at(c, random_number(-0.4, 0.4) * ahead,
+                                  random_number(-0.4, 0.4) * ahead, ahead, radius);
+        vec3 to = sphere.center - c.origin, axis = vec3_unit(to);
+        double share = vec3_dot(to, to), nearer = 1 - radius * radius / share;
+        vec3 one = vec3_unit(vec3_cross(axis, c.up)), other = vec3_cross(axis, one);
+        ScreenRectangle seen = {INFINITY, -INFINITY, INFINITY, -INFINITY};
+        for (int k = 0; k < POINTS; k++) {
+            double angle = 2 * PI * k / POINTS;
+            vec3 p = nearer * to + radius * sqrt(nearer) * (cos(angle) * one + sin(angle) * other);
+            double x = (1 + p[0] / p[2]) / 2 * screen.width;
+            double y = (1 - p[1] / p[2]) / 2 * screen.height;
+            seen = (ScreenRectangle){fmin(seen.left, x), fmax(seen.right, x), fmin(seen.top, y),
+                                     fmax(seen.bottom, y)};
+        }
+        // Between two points of the outline it bends by less than a 20000th of its size.
+        double bend = (seen.right - seen.left + seen.bottom - seen.top) / 20000;
+        ScreenRectangle yours = sphere_rectangle(c, screen, sphere);
+        given_view(c, screen, sphere);
+        given("seen", "the outermost of %d points of the outline: left and right", POINTS);
+        expect_pair(yours.left, yours.right, seen.left, seen.right, bend);
+        given_view(c, screen, sphere);
+        given("seen", "the outermost of %d points of the outline: top and bottom", POINTS);
+        expect_pair(yours.top, yours.bottom, seen.top, seen.bottom, bend);
+    }
+}
+END_TEST
+
+// By brute force: how far each pixel's ray passes from the centre.
+START_TEST(no_pixel_outside_of_the_rectangle_shows_the_sphere)
+{
+    for (int i = 0; i < 12; i++) {
+        Camera c = random_camera();
+        Resolution screen = random_screen(10, 40);
+        Sphere sphere = random_sphere_in_view(c);
+        ScreenRectangle yours = sphere_rectangle(c, screen, sphere);
+        vec3 to = sphere.center - c.origin;
+        for (int k = 0; k < screen.width * screen.height; k++) {
+            double x = k % screen.width + 0.5, y = k / screen.width + 0.5;
+            vec3 v = c.distance * c.forward + (x / screen.width - 0.5) * c.width * c.right +
+                     (0.5 - y / screen.height) * c.height * c.up;
+            vec3 off = vec3_cross(to, vec3_unit(v));
+            bool inside = x >= yours.left - tolerance && x <= yours.right + tolerance &&
+                          y >= yours.top - tolerance && y <= yours.bottom + tolerance;
+            if (vec3_length(off) > sphere.radius || inside)
+                continue;
+            given_view(c, screen, sphere);
+            given("seen", "the point %s, whose ray hits the sphere", pair_text(x, y).s);
+            expect_law(false, "the point is inside your rectangle", "x %s to %s, y %s to %s",
+                       number_text(yours.left).s, number_text(yours.right).s,
+                       number_text(yours.top).s, number_text(yours.bottom).s);
+        }
+    }
+}
+END_TEST
+
+static void list_tests(void)
+{
+    tests_of("sphere_rectangle");
+    test(a_sphere_straight_ahead_of_the_camera_of_the_deck);
+    test(a_sphere_whose_edge_is_straight_ahead);
+    test(a_sphere_above_is_in_the_upper_half_of_the_screen);
+    test(a_sphere_on_the_right_and_below_for_an_oblique_camera);
+    test(between_the_eye_and_the_image_plane_it_is_seen);
+    test(behind_the_eye_there_is_nothing);
+    test(around_the_eye_it_is_the_whole_screen);
+    test(beside_the_eye_it_is_the_whole_screen);
+    test(what_is_beyond_the_edges_is_cut_off);
+    test(a_sphere_larger_than_the_screen_covers_it);
+    test(a_sphere_beside_the_screen_has_no_rectangle);
+    test(the_edges_are_where_the_angles_of_the_tangents_say);
+    test(worlds_of_any_size_have_the_same_rectangles);
+    test(every_point_of_the_outline_is_in_the_rectangle_and_the_outermost_are_on_its_edges);
+    test(no_pixel_outside_of_the_rectangle_shows_the_sphere);
+}
+
+OF_STEM(list_tests)
