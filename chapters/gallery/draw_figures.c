@@ -7,6 +7,8 @@
 // script is left alone. In the environment: FORMAT, THEME, SHAPE (lists with commas), STEPS (1: a
 // picture for each step, too). Pictures appear whole or not at all; the same script gives the same
 // bytes. Exit status: 1 if something could not be drawn, 2 wrong usage, 3 no gnuplot.
+#include "chapters/gallery/latex_picture.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -426,6 +428,22 @@ static bool move(Path from, Path to)
     return rename(from.s, to.s) == 0;
 }
 
+static bool make_latex(Path path, Path in_words, Path graphics)
+{
+    size_t size, words_length, new_size;
+    char *drawn = text_of(path, &size), *text = text_of(in_words, &words_length), *new = NULL;
+    FILE *out = open_memstream(&new, &new_size);
+    if (out == NULL)
+        could_not("memory");
+    bool made = size > 0 && write_latex_picture(out, drawn, text, graphics.s);
+    fclose(out);
+    made = made && write_text(path, new, new_size);
+    free(drawn);
+    free(text);
+    free(new);
+    return made;
+}
+
 // What gnuplot has drawn in the folder 'in' becomes what is wanted.
 static bool finish(const Job *job, Path in)
 {
@@ -446,13 +464,8 @@ static bool finish(const Job *job, Path in)
     if (strcmp(job->format, "tex") == 0) {
         // What LaTeX draws over is a PDF, which must not have the name of the figure as a PDF.
         Path graphics = path_of("%s/%s-tex.pdf", in.s, job->output);
-        Path as_words = path_of("words=%s", in_words.s), new = path_of("%s/new", in.s);
-        Path as_graphics = path_of("graphics=%s-tex", job->output);
-        char *const arguments[] = {
-            "awk",   "-v", as_words.s, "-v", as_graphics.s, "-f", "chapters/gallery/tex.awk",
-            drawn.s, NULL};
         return move(path_of("%s/%s.pdf", in.s, job->output), graphics) && undate(graphics) &&
-               run(arguments, NULL, new.s) == 0 && move(new, drawn);
+               make_latex(drawn, in_words, path_of("%s-tex", job->output));
     }
     if (strcmp(job->format, "pdf") == 0)
         return exists(drawn) && undate(drawn);
@@ -519,7 +532,7 @@ static void add_job(const char *name, const char *output, const char *format, co
     Path picture = path_of("%s/%s.%s", folder, output, format);
     if (is_newer(picture, path_of("%s/.drawn/%s.gp", folder, name)) &&
         is_newer(picture, path_of("chapters/gallery/draw_figures.c")) &&
-        is_newer(picture, path_of("chapters/gallery/tex.awk")))
+        is_newer(picture, path_of("chapters/gallery/latex_picture.c")))
         return;
     if (job_count == job_room) {
         job_room = 2 * job_room + 100;

@@ -67,7 +67,7 @@ if (format eq "png") {
 }
 if (tex) {
     # The slides' own font, as large as the others' looks; \small and \large beside it. Labels are made fit
-    # for LaTeX by chapters/gallery/tex.awk.
+    # for LaTeX by chapters/gallery/latex_picture.c.
     set terminal cairolatex pdf input colortext header '\def\small{\fontsize{7.5}{9}\selectfont}\
 \def\large{\fontsize{11}{13}\selectfont}\fontsize{9}{11}\selectfont' size (width / 60.0) cm,tall_cm cm \
         linewidth 1.89 background rgb background
@@ -95,7 +95,7 @@ italic(s) = strlen(s) == 0 ? "" : \
     (is_letter(s[1:1]) ? "{/'DejaVu Serif':Italic ".s[1:1]."}" : s[1:1]).italic(s[2:*])
 math(s) = tex ? "$".s."$" : italic(s)
 # Smaller and larger text, mathematics in it or not. (LaTeX's terminal takes a label that begins with a
-# brace for something else; chapters/gallery/tex.awk drops the bar.)
+# brace for something else; chapters/gallery/latex_picture.c drops the bar.)
 sized(s, by) = s eq "" ? "" : (tex ? "¦" : "").sprintf("{/*%g %s}", by, slim(s))
 # The SVG of gnuplot 5.4 forgets a size after a change of font that has none.
 slim(s) = strstrt(s, ":Italic ") == 0 ? s : \
