@@ -102,7 +102,7 @@ plot @step2 $circle using @point with filledcurves closed fc rgb surface fs soli
         (small_ball ? "" : math("r")) with labels tc rgb ink title "r, label", \
     @step2 $center using @point with @dot lc rgb ink title "c", \
     @step2 $center using (ball_u-c_off*off_u-c_back*line_u):(ball_v-c_off*off_v-c_back*line_v):(c_label) with labels tc rgb ink title "c, label", \
-    @step2 $center using (text_x):(say(0)):(math("|p + t v|^2 = r^2")) with labels left tc rgb ink title "equation", \
+    @step3 $center using (text_x):(say(0)):(math("|p + t v|^2 = r^2")) with labels left tc rgb ink title "equation", \
     @step3 $center using (text_x):(say(1)):(math("a = v·v = ").a_text.yours("a")) with labels left tc rgb grey title "a", \
     @step3 $center using (text_x):(say(2)):(math("b = 2 p·v = ").b_text.yours("b")) with labels left tc rgb grey title "b", \
     @step3 $center using (text_x):(say(3)):(math("c = p·p − r^2 = ").c_text.yours("c")) with labels left tc rgb grey title "c = p·p − r²", \
