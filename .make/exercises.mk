@@ -36,26 +36,57 @@ QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections -finstrument-functions $(SANIT
 	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
 JUDGES_LAYOUTS := common/figure/plot.gp chapters/01-corners/figures/yours-and-right.gp $(wildcard tests/judge/layouts/*.gp)
 
+# What a student's answers draw, before a chapter is right and after it (tests/course/pictures/). In
+# the toolkit the reference, under other names, is used for what is not answered; a handout has none.
+DRAWING_ANSWERS := $(B)/tests/course/pictures/draw.o
+$(DRAWING_ANSWERS): EXTRA = $(PNG_CFLAGS) -include $(B)/weak.h
+$(DRAWING_ANSWERS): $(B)/weak.h
+HAS_REFERENCE := $(wildcard solutions/.)
+right_of = $(if $(HAS_REFERENCE),$(B)/solutions/direct/$(1).o)
+SPHERES := tests/course/pictures/spheres.nff
+RECORDED := $(TABLE)/spheres.png
+ifneq ($(HAS_REFERENCE),)
+$(RECORDED): $(SPHERES) $(B)/solutions/07-shading
+	$(call say,record,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(B)/solutions/07-shading -o $@ $<
+endif
+drawing_of = $(call chapter_objects,$(1)) $(B)/chapters/shared.a $(B)/common.a
+FOR_PICTURES = $(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(RECORDED) $(B)/common.a \
+	$(foreach s,$(STEMS),$(call right_of,$(s))) $(foreach s,$(1),$(call drawing_of,$(s)))
+
 # The program that judges answers and prints verdicts (tests/course/course.c), and its plan.
 COURSE := $(B)/course
 $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 PLAN := $(VERDICT)/plan
+# cc says (-###) which linker it would start, and how; course starts that one itself. Nothing is needed
+# for optimising at link time, nor a build id.
+QUICK = $(QUICK_LINKER) $(if $(SANITIZE),,-Wl$(comma)-S)
+QUICK_PROGRAM = $(shell command -v $(if $(QUICK_LINKER),$(patsubst -fuse-ld=%,ld.%,$(QUICK_LINKER)),ld))
+ANY_OBJECT := $(B)/tests/course/page.o
+as_linker = sed -n '/^ .* -o NAME /{ s/"//g; s/ -plugin [^ ]*//; s/ -plugin-opt=[^ ]*//g; s/ -fuse-ld=[^ ]*//; \
+	s/ --build-id / /; s|^ [^ ]*/collect2|$(QUICK_PROGRAM)|; s| $(ANY_OBJECT) | OBJECTS |; s/^ */directly	/p; }'
 plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'objects	$(call answering,$(s))' \
-	$(if $(value stands_on),'stands on	$(call stands_on,$(s))'))
-$(PLAN): Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags.mk
+	$(if $(value stands_on),'stands on	$(call stands_on,$(s))') $(if $(HAS_REFERENCE),'right	$(call right_of,$(s))') \
+	'program	$(B)/tests/judge/calls_traced.o $(call drawing_of,$(s))')
+$(PLAN): $(ANY_OBJECT) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags.mk
 	@mkdir -p $(@D)
 	@printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
 		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'draw	$(DRAW_FIGURES) --one' 'blanks	build/blanks' \
 		'compile	$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c' \
-		'link	$(LINK)' 'quick	$(QUICK_LINKER) $(if $(SANITIZE),,-Wl$(comma)-S)' \
+		'link	$(LINK)' 'quick	$(QUICK)' \
 		$(if $(value stands_on),'hide	$(HIDE_HELPERS)','lend	-Wl$(comma)--defsym=NAME=lent_NAME') \
+		'drawing	$(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(B)/common.a' \
+		'spheres	$(SPHERES) $(RECORDED)' 'libraries	$(PNG_LIBS) -lm -lpthread' \
+		$(if $(HAS_REFERENCE),'reference	-Wl$(comma)--defsym=NAME=answer_NAME') \
+		"$$($(LINK) $(QUICK) -### -o NAME $(ANY_OBJECT) -lm 2>&1 | $(as_linker))" \
 		'judge	$(JUDGE)' 'used	$(B)/weak.h $(COURSE) $(JUDGES_LAYOUTS)' $(plan_lines) > $@.new
 	@mv $@.new $@
 # All that course uses.
 FOR_JUDGING = $(COURSE) $(PLAN) $(DRAW_FIGURES) $(B)/weak.h $(B)/exercises.names $(BLANKS) $(JUDGES_LAYOUTS) \
-	$(JUDGE) $(foreach s,$(1),$(filter-out $(VERDICT)/%,$(call answering,$(s))))
+	$(FOR_PICTURES) $(JUDGE) $(foreach s,$(1),$(filter-out $(VERDICT)/%,$(call answering,$(s))))
 USED_WITH = $(if $(value stands_on),$(STEMS),$(1))
 # 'make all' already builds everything that the first verdict needs, so nobody waits for it.
 FOR_EXERCISES = $(call FOR_JUDGING,$(STEMS))

@@ -11,11 +11,12 @@
 //   course reset PLAN STEM         the blank in the place of the answer, which is kept
 //   course note PLAN NAME...       what is below a figure that calls these answers, if one is wrong
 //   course status PLAN STEM...     a line for each function: STEM NAME STATE, with a tab between
-//   them
+//                                  them; then how many of all chapters are right
 //
 // PLAN: how answers are judged, as make has written it down (judging_plan.h). It starts compilers,
 // judges, and what draws; it never loads an answer. In the environment: ALL=1 shows all that needs
 // work; NO_COLOR, TERM, COLUMNS (page.h); POLL (watch.h); GDB_FLAGS.
+#include "tests/course/answer_pictures.h"
 #include "tests/course/figure_note.h"
 #include "tests/course/hints.h"
 #include "tests/course/judging.h"
@@ -69,9 +70,10 @@ static void reward_what_is_new(const Page *page, const Course *course,
         chapter_record_free(&record);
         if (!right) {
             unlink(mark.s);
+            show_answer_pictures(page, &course->judging, i);
         } else if (access(mark.s, F_OK) != 0) {
             putc('\n', page->out);
-            reward_chapter(page, &course->plan, i, false);
+            reward_chapter(page, &course->judging, i, false);
             FILE *file = fopen(mark.s, "w");
             if (file != NULL)
                 fclose(file);
@@ -94,7 +96,7 @@ static Standing show(const Course *course, const bool chosen[MOST_CHAPTERS], int
     else if (count > 1)
         reward_all(&page, &course->plan);
     else
-        reward_chapter(&page, &course->plan, last, true);
+        reward_chapter(&page, &course->judging, last, true);
     fflush(stdout);
     return standing;
 }
@@ -279,6 +281,8 @@ static int status(const Course *course)
                    function_state(&record.functions[k]));
         chapter_record_free(&record);
     }
+    Progress progress = progress_so_far(&course->plan);
+    printf("all chapters\t\t%d of %d functions are right\n", progress.right, progress.of);
     return 0;
 }
 

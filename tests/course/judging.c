@@ -7,6 +7,7 @@
 #include "tests/course/call_graph.h"
 #include "tests/course/explain.h"
 #include "tests/course/folder_lock.h"
+#include "tests/course/linking.h"
 #include "tests/course/programs.h"
 #include "tests/course/whole_text.h"
 #include "tests/judge/exercise.h"
@@ -204,36 +205,21 @@ static int compile_answer(const Judging *judging, int chapter, const char *hash)
 }
 
 // lent: exercises that the reference answers.
-static int link_answering(const JudgingPlan *plan, int chapter, const char *program, bool quick,
+static int link_answering(const JudgingPlan *plan, int chapter, const char *program, LinkedBy by,
                           const char *lent, const char *said)
 {
     PlanPath output = plan_file(plan, chapter, program),
              object = plan_file(plan, chapter, "answer.o");
-    Command command = {.count = 0}, names = {.count = 0};
-    command_words(&command, plan->link);
-    if (quick)
-        command_words(&command, plan->quick);
+    Linking linking = linking_begin(plan, by, output.s);
+    Command names = {.count = 0};
     command_words(&names, lent);
-    for (int i = 0; i < names.count; i++) {
-        char option[400] = "";
-        for (const char *c = plan->lend; *c != '\0' && strlen(option) + 100 < sizeof option;) {
-            bool is_name = strncmp(c, "NAME", 4) == 0;
-            size_t length = strlen(option);
-            snprintf(option + length, sizeof option - length, is_name ? "%s" : "%.1s",
-                     is_name ? names.words[i] : c);
-            c += is_name ? 4 : 1;
-        }
-        command_words(&command, option);
-    }
-    command_add(&command, "-o");
-    command_add(&command, output.s);
-    command_add(&command, object.s);
-    command_words(&command, plan->chapters[chapter].objects);
-    command_add(&command, "-lm");
-    int status = program_run(&command, said);
-    command_free(&command);
+    for (int i = 0; i < names.count; i++)
+        linking_tell(&linking, plan->lend, names.words[i]);
     command_free(&names);
-    return status;
+    linking_add(&linking, object.s);
+    linking_add(&linking, plan->chapters[chapter].objects);
+    linking_add(&linking, "-lm");
+    return linking_end(&linking, said);
 }
 
 // ---- who waits --------------------------------------------------------------------------------
@@ -243,7 +229,7 @@ static bool passes_with_lent(const JudgingPlan *plan, int chapter, const char *f
                              const char *lent)
 {
     PlanPath program = plan_file(plan, chapter, "alone");
-    if (link_answering(plan, chapter, "alone", true, lent, "/dev/null") != 0)
+    if (link_answering(plan, chapter, "alone", LINK_DIRECTLY, lent, "/dev/null") != 0)
         return false;
     Command command = {.count = 0};
     command_add(&command, plan->judge);
@@ -388,10 +374,10 @@ static int ask(const Judging *judging, int chapter, const char *hash)
              folder = plan_beside(plan, chapter, "");
     PlanPath linker = plan_file(plan, chapter, "linker"), said = plan_file(plan, chapter, "said");
     unlink(plan_file(plan, chapter, "report").s);
-    int linked = link_answering(plan, chapter, "answering", true, "", linker.s);
+    int linked = link_answering(plan, chapter, "answering", LINK_DIRECTLY, "", linker.s);
     // The quick linker may be gone, and the ordinary one's words are known.
     if (linked != 0)
-        linked = link_answering(plan, chapter, "answering", false, "", linker.s);
+        linked = link_answering(plan, chapter, "answering", LINK_PLAINLY, "", linker.s);
     hide_helpers(plan, chapter);
     if (linked != 0) {
         char *words = explained(plan, chapter, explain_linker, "linker");

@@ -23,13 +23,24 @@ bool plan_read(const char *path, JudgingPlan *plan)
         const char *key, **value;
         bool needed;
     } keys[] = {
-        {"answers", &plan->answers, true}, {"built", &plan->built, true},
-        {"verdict", &plan->verdict, true}, {"figures", &plan->figures, true},
-        {"draw", &plan->draw, true},       {"blanks", &plan->blanks, true},
-        {"compile", &plan->compile, true}, {"link", &plan->link, true},
-        {"hide", &plan->hide, false},      {"quick", &plan->quick, false},
-        {"lend", &plan->lend, false},      {"used", &plan->used, false},
+        {"answers", &plan->answers, true},
+        {"built", &plan->built, true},
+        {"verdict", &plan->verdict, true},
+        {"figures", &plan->figures, true},
+        {"draw", &plan->draw, true},
+        {"blanks", &plan->blanks, true},
+        {"compile", &plan->compile, true},
+        {"link", &plan->link, true},
+        {"hide", &plan->hide, false},
+        {"quick", &plan->quick, false},
+        {"lend", &plan->lend, false},
         {"judge", &plan->judge, true},
+        {"used", &plan->used, false},
+        {"drawing", &plan->drawing, true},
+        {"spheres", &plan->spheres, true},
+        {"reference", &plan->reference, false},
+        {"libraries", &plan->libraries, false},
+        {"directly", &plan->directly, false},
     };
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         *keys[i].value = entry_value(entries, head, keys[i].key);
@@ -44,7 +55,9 @@ bool plan_read(const char *path, JudgingPlan *plan)
             return complain(path, "too many chapters");
         plan->chapters[plan->count++] =
             (PlannedChapter){entries[i].value, entry_value(entries + i, end - i, "objects"),
-                             entry_value(entries + i, end - i, "stands on")};
+                             entry_value(entries + i, end - i, "stands on"),
+                             entry_value(entries + i, end - i, "right"),
+                             entry_value(entries + i, end - i, "program")};
         i = end;
     }
     return true;

@@ -16,17 +16,26 @@
 //     link        the command that links an answering process:
 //                 LINK [QUICK] -o STEM/answering STEM/answer.o OBJECTS -lm
 //     quick       the options by which a quicker linker is chosen; or none
+//     directly    the same link without cc, NAME for the program and OBJECTS for the objects: what
+//                 cc says that it would start; or none
 //     lend        what the linker is told for each exercise that the reference answers in the place
 //                 of the answer, NAME for its name: -Wl,--defsym=NAME=lent_NAME; none if nothing is
 //                 lent
 //     judge       the program that judges: JUDGE STEM STEM/answering FOLDER FIGURES
 //     used        files that the commands use, besides
+//     reference   what the linker is told for each exercise that the reference answers in a
+//                 picture, NAME for its name; none if there is no reference
+//     drawing     what a picture of answers is drawn by, besides the answers (pictures/draw.c)
+//     spheres     the scene that these pictures show, and what is recorded of it
+//     libraries   the libraries that pictures are linked with
 //
 // Then each chapter:
 //
 //     chapter     01-corners
 //     objects     what the answering process holds besides the answer
 //     stands on   the chapters whose answers are among the objects; none if the reference's are
+//     right       the reference, as the linker is told to use it; none if there is none
+//     program     what the chapter's program consists of, besides the answers
 #ifndef TESTS_COURSE_JUDGING_PLAN_H
 #define TESTS_COURSE_JUDGING_PLAN_H
 
@@ -35,13 +44,14 @@
 enum { MOST_CHAPTERS = 32 };
 
 typedef struct {
-    const char *stem, *objects, *stands_on;
+    const char *stem, *objects, *stands_on, *right, *program;
 } PlannedChapter;
 
 typedef struct {
     Entries all;
     const char *answers, *built, *verdict, *figures, *draw, *blanks;
     const char *compile, *hide, *link, *quick, *lend, *judge, *used;
+    const char *reference, *drawing, *spheres, *libraries, *directly;
     int count;
     PlannedChapter chapters[MOST_CHAPTERS];
 } JudgingPlan;

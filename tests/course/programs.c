@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #ifdef __linux__
@@ -36,6 +37,21 @@ void command_words(Command *command, const char *text)
     command->parts[command->part_count++] = copy;
     for (char *rest = copy, *word; (word = strtok_r(rest, " ", &rest)) != NULL;)
         command_add(command, word);
+}
+
+void command_words_for(Command *command, const char *text, const char *name)
+{
+    char *words = NULL;
+    size_t size;
+    FILE *out = open_memstream(&words, &size);
+    if (out == NULL)
+        abort();
+    for (const char *at; (at = strstr(text, "NAME")) != NULL; text = at + strlen("NAME"))
+        fprintf(out, "%.*s%s", (int)(at - text), text, name);
+    fputs(text, out);
+    fclose(out);
+    command_words(command, words);
+    free(words);
 }
 
 void command_free(Command *command)
@@ -96,8 +112,16 @@ static int status_of(int status)
 
 int program_run(const Command *command, const char *output)
 {
+    return program_run_for(command, output, 0);
+}
+
+int program_run_for(const Command *command, const char *output, int seconds)
+{
     pid_t pid = start(0);
     if (pid == 0) {
+        const struct rlimit limit = {(rlim_t)seconds, (rlim_t)seconds};
+        if (seconds > 0)
+            setrlimit(RLIMIT_CPU, &limit);
         int in = open("/dev/null", O_RDONLY);
         int out = output != NULL ? open(output, O_WRONLY | O_CREAT | O_TRUNC, 0666) : -1;
         if (in >= 0 && dup2(in, STDIN_FILENO) >= 0 &&

@@ -16,6 +16,8 @@ typedef struct {
 
 void command_add(Command *command, const char *word);   // one word, which must stay there
 void command_words(Command *command, const char *text); // words that blanks separate
+// The same, with each NAME in the text replaced by a name.
+void command_words_for(Command *command, const char *text, const char *name);
 void command_free(Command *command);
 
 // From now on Ctrl-C, a closed terminal or kill ends what was started, then this program.
@@ -27,6 +29,8 @@ bool program_is_there(const char *name);
 // Runs it, its input from /dev/null, and all that it says into a file (NULL: where ours goes). Its
 // exit status; 128 and more after a signal; 127 if it cannot be started.
 int program_run(const Command *command, const char *output);
+// The same; after so many seconds of processor time the system ends it.
+int program_run_for(const Command *command, const char *output, int seconds);
 
 // Does a piece of work for each number from 0 to count - 1, each in a process of its own, as many
 // at a time as there are processors; its status is what the work returns, or -1.

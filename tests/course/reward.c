@@ -1,22 +1,36 @@
 // reward.c - what a chapter that is right makes possible.
 #include "tests/course/reward.h"
 
+#include "tests/course/answer_pictures.h"
 #include "tests/course/programs.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
+// Of processor time.
+enum { MOST_SECONDS = 20 };
+
+// How the chapter's program draws its picture, FILE for its path, and the answers that it calls.
 static const struct {
-    const char *stem, *now, *picture; // NULL: the chapter's own
+    const char *stem, *now, *picture, *drawn_by, *needs;
 } rewards[] = {
-    {"01", "Your vectors reach all of the image plane.", NULL},
-    {"02", "Your cameras now stand in either world.", NULL},
-    {"03", "Your pixels now know where they are.", NULL},
-    {"04", "Every pixel now has its ray.", NULL},
-    {"05", "Your rays now meet spheres, at the right place.", NULL},
-    {"06", "Your rays now find what is nearest.", "three-spheres"},
-    {"", "Nothing is missing any more.", "still-something-missing"},
+    {"01-corners", "Your vectors reach all of the image plane.", "01-corners", "--picture NAME",
+     "upper_left upper_right across_30_up_10 image_plane_vector"},
+    {"02-cameras", "Your cameras now stand in either world.", "02-cameras", "--picture NAME",
+     "image_plane_vector camera_from_look_at"},
+    {"03-screen", "Your pixels now know where they are.", "03-screen", "--picture NAME",
+     "pixel_center screen_to_normalized"},
+    {"04-pixel-ray", "Every pixel now has its ray.", "04-pixel-ray", "--picture NAME", "pixel_ray"},
+    {"05-quadratic", "Your rays now meet spheres, at the right place.", "05-quadratic",
+     "--picture NAME", "pixel_ray hit_sphere"},
+    {"06-ray-casting", "Your rays now find what is nearest.", "three-spheres",
+     "-o NAME chapters/06-ray-casting/three-spheres.nff",
+     "camera_from_look_at width_from_angle pixel_ray hit_sphere nearest_hit cast_image_order"},
+    {"07-shading", "Nothing is missing any more.", "still-something-missing", "-o NAME",
+     "camera_from_look_at width_from_angle pixel_ray nearest_hit shade trace_ray"},
 };
+enum { REWARD_COUNT = sizeof rewards / sizeof rewards[0] };
 
 static PlanPath picture_of(const JudgingPlan *plan, const char *name)
 {
@@ -26,7 +40,7 @@ static PlanPath picture_of(const JudgingPlan *plan, const char *name)
 }
 
 // make knows how; what it would say is said below.
-static bool draw(const JudgingPlan *plan, PlanPath picture)
+static bool make_picture(const JudgingPlan *plan, PlanPath picture)
 {
     char answers[MOST_PLAN_PATH + 20];
     snprintf(answers, sizeof answers, "ANSWERS=%s", plan->answers);
@@ -35,6 +49,24 @@ static bool draw(const JudgingPlan *plan, PlanPath picture)
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
         command_add(&command, words[i]);
     bool good = program_run(&command, "/dev/null") == 0;
+    command_free(&command);
+    return good;
+}
+
+// By the chapter's program, linked with the answers as they were judged.
+static bool draw(const Judging *judging, int chapter, int reward, PlanPath picture,
+                 Answerers *answerers)
+{
+    const JudgingPlan *plan = judging->plan;
+    PlanPath program = plan_file(plan, chapter, "program");
+    mkdir(path_of(plan->built, "gallery", "").s, 0777);
+    if (!link_with_answers(judging, chapter, plan->chapters[chapter].program, rewards[reward].needs,
+                           program.s, answerers))
+        return false;
+    Command command = {.count = 0};
+    command_add(&command, program.s);
+    command_words_for(&command, rewards[reward].drawn_by, picture.s);
+    bool good = program_run_for(&command, "/dev/null", MOST_SECONDS) == 0;
     command_free(&command);
     return good;
 }
@@ -52,29 +84,41 @@ void reward_all(const Page *page, const JudgingPlan *plan)
              sunflower = picture_of(plan, "sunflower");
     fprintf(page->out, "All right, every chapter. You have written a ray caster.\n");
     fflush(page->out);
-    if (draw(plan, last) && draw(plan, sunflower))
+    if (make_picture(plan, last) && make_picture(plan, sunflower))
         fprintf(page->out,
                 "  %s\n  %s\nwere drawn by your own code, every step from pixel to colour.\n"
                 "All pictures: make ANSWERS=%s\n",
                 last.s, sunflower.s, plan->answers);
 }
 
-void reward_chapter(const Page *page, const JudgingPlan *plan, int chapter, bool says_next)
+static void show_chapter_picture(const Page *page, const Judging *judging, int chapter, int reward)
 {
-    const char *stem = plan->chapters[chapter].stem;
-    int i = 0;
-    while (strncmp(stem, rewards[i].stem, strlen(rewards[i].stem)) != 0)
-        i++;
-    PlanPath picture = picture_of(plan, rewards[i].picture != NULL ? rewards[i].picture : stem);
-    fprintf(page->out, "%s is right. %s\n", stem, rewards[i].now);
-    fflush(page->out);
-    if (draw(plan, picture)) {
+    PlanPath picture = picture_of(judging->plan, rewards[reward].picture);
+    Answerers by;
+    if (!draw(judging, chapter, reward, picture, &by)) {
+        fprintf(page->out, "  Its picture %s%s: ",
+                by.missing[0] != '\0' ? "also needs " : "could not be drawn", by.missing);
+        say_again(page, judging->plan);
+        putc('\n', page->out);
+    } else if (by.wrong[0] == '\0' && by.reference[0] == '\0') {
         fprintf(page->out, "  drawn by your own code: %s\n", picture.s);
     } else {
-        fprintf(page->out, "  Its picture needs answers of earlier chapters, too: ");
-        say_again(page, plan);
-        putc('\n', page->out);
+        say_picture(page, picture.s, "The chapter's picture.", &by, "");
     }
+}
+
+void reward_chapter(const Page *page, const Judging *judging, int chapter, bool says_next)
+{
+    const JudgingPlan *plan = judging->plan;
+    const char *stem = plan->chapters[chapter].stem;
+    int reward = 0;
+    while (reward < REWARD_COUNT && strcmp(stem, rewards[reward].stem) != 0)
+        reward++;
+    fprintf(page->out, "%s is right. %s\n", stem, reward < REWARD_COUNT ? rewards[reward].now : "");
+    fflush(page->out);
+    if (reward < REWARD_COUNT)
+        show_chapter_picture(page, judging, chapter, reward);
+    show_right_pictures(page, judging, chapter, says_next);
     if (!says_next)
         return;
     if (chapter + 1 < plan->count) {

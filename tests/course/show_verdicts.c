@@ -299,6 +299,30 @@ static void show_progress(const Page *page, const Chapter *chapter, bool is_next
     }
 }
 
+Progress progress_so_far(const JudgingPlan *plan)
+{
+    Progress progress = {0, 0};
+    for (const Exercise *e = exercises; e->name != NULL; e++)
+        progress.of++;
+    for (int i = 0; i < plan->count; i++) {
+        ChapterRecord record;
+        if (record_read(plan_beside(plan, i, ".record").s, &record))
+            for (int k = 0; k < record.function_count; k++)
+                progress.right += strcmp(function_state(&record.functions[k]), "right") == 0;
+        chapter_record_free(&record);
+    }
+    return progress;
+}
+
+static void show_progress_so_far(const Page *page, const JudgingPlan *plan)
+{
+    Progress progress = progress_so_far(plan);
+    char line[100];
+    snprintf(line, sizeof line, "  %-16s %d of %d functions are right", "all chapters",
+             progress.right, progress.of);
+    page_line(page, PLAIN, line);
+}
+
 // Wrong comes before what is not answered yet.
 static bool is_wrong(const Chapter *chapter)
 {
@@ -339,6 +363,7 @@ Standing show_verdicts(const Page *page, const Judging *judging, const bool chos
     char stands_on[64] = "";
     for (int i = 0; i < count; i++)
         show_progress(page, &chapters[i], &chapters[i] == next, stands_on);
+    show_progress_so_far(page, plan);
     page_line(page, PLAIN, "");
     if (next != NULL) {
         bool has_trouble = function_for_debug(&next->record) != NULL ||

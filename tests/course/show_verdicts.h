@@ -18,6 +18,12 @@ typedef enum { ALL_RIGHT, SOMETHING_WRONG, BLANKS_LEFT } Standing;
 Standing show_verdicts(const Page *page, const Judging *judging, const bool chosen[MOST_CHAPTERS],
                        bool all, ShownFigures *shown);
 
+// How many functions are right, of all chapters, when each was judged last; and how many there are.
+typedef struct {
+    int right, of;
+} Progress;
+Progress progress_so_far(const JudgingPlan *plan);
+
 // Which function a hint is for: the first wrong one, the first blank, or the last that waits; NULL
 // if all are right. Which one gdb stops at: the first wrong one, or NULL.
 const FunctionRecord *function_for_hint(const ChapterRecord *record);

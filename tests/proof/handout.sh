@@ -128,6 +128,13 @@ for compiler in gcc clang; do
     check "$compiler: but the first is next" says 'upper_left  is not answered yet'
     check "$compiler: blanks are reported when answers are packed" inside make submission
     check "$compiler: by chapter" says '05-quadratic.c       still blank'
+    cp solutions/01-corners.c solutions/07-shading.c "$tree/exercises"
+    check "$compiler: one answered chapter draws spheres" inside make exercises EX=01
+    check "$compiler: by that answer and what is recorded" says 'Yours: image_plane_vector.'
+    check "$compiler: where it says" test -s "$tree/build/exercises/so-far/01-spheres.png"
+    inside make exercises EX=07
+    check "$compiler: what needs a reference is not drawn" [ "$(ls "$tree/build/exercises/so-far")" = 01-spheres.png ]
+    check "$compiler: since there is none" sh -c "! grep -E '^(reference|right)' '$tree/build/exercises/verdict/plan'"
     answers
     check "$compiler: the answers are packed" inside make submission
     check "$compiler: and the place is printed" says 'Hand in this file: build/submission.zip (7 files)'
