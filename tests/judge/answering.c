@@ -109,7 +109,7 @@ static void catch_crashes(void)
         sigaction(crashes[i], &action, NULL);
 }
 
-// Reads a message into the wire. False where it is none.
+// Reads a message into the wire. False if there is none.
 static bool receive(WireHeader *header, Wire *wire)
 {
     wire_clear(wire);
@@ -120,8 +120,8 @@ static bool receive(WireHeader *header, Wire *wire)
     return read_all(wire->bytes, wire->size);
 }
 
-// If an exercise of this chapter is lent, calls of it come here (lent.c) and the judge answers
-// them: this process never holds the reference of the chapter that is judged.
+// If an exercise of this chapter is lent, its calls come here (lent.c) and the judge answers them:
+// this process never holds the reference of the chapter that is judged.
 static Wire lent;
 
 static Wire *begin_asking(int exercise)
@@ -154,7 +154,7 @@ static void say_entered(int exercise)
         _exit(2);
 }
 
-// What is not set by the answer is this, then (paint.h).
+// A result that the answer does not set keeps these bytes (paint.h).
 static __attribute__((noinline)) void paint_stack(void)
 {
     enum { ROOM = 1 << 13 };
@@ -170,7 +170,7 @@ int main(void)
     static Wire in, out;
     static const Transport judge = {begin_asking, ask_judge, receive_lent, NULL};
     transport_use(&judge);
-    setvbuf(stdout, NULL, _IONBF, 0); // what was printed before a crash is there, too
+    setvbuf(stdout, NULL, _IONBF, 0); // so that the text printed before a crash is not lost
     before_call = paint_stack;
 #ifndef __SANITIZE_ADDRESS__ // which explains crashes better than we do
     catch_crashes();
@@ -182,7 +182,7 @@ int main(void)
         if (!dispatch(current.exercise, &in, &out))
             return 2;
         trace_end();
-        fflush(NULL); // what was printed is there before the answer is
+        fflush(NULL); // the printed text is there before the answer
         WireHeader header = current;
         header.kind = WIRE_ANSWER;
         header.size = out.size;

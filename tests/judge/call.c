@@ -66,8 +66,8 @@ bool call_has_entered(int exercise, int other)
     return has_entered[exercise][other];
 }
 
-// Calls that were answered by passing the question on, and those answered in another way with what
-// was lent.
+// The calls that were answered by passing the question on, and the calls to which something was
+// lent but that were answered in another way.
 static struct {
     Wire question, answers[16]; // of this call, and what was lent to the same question
     int count;
@@ -91,7 +91,7 @@ static bool begins_with(const Wire *whole, const Wire *part)
     return part->size <= whole->size && memcmp(whole->bytes, part->bytes, part->size) == 0;
 }
 
-// As numbers: a question that was moved a little is the same one.
+// As numbers: a question whose bytes were moved a little is the same one.
 static bool begins_like(const Wire *whole, const Wire *part)
 {
     if (part->size > whole->size)
@@ -143,14 +143,14 @@ static Wire *begin(int exercise)
     return &wire;
 }
 
-// What blank was called is the word of a process that may lie.
+// The name of the called blank comes from a process that may lie.
 static bool is_name_or_empty(const char *missing, size_t size)
 {
     return memchr(missing, '\0', size) != NULL &&
            (missing[0] == '\0' || exercise_number(missing) >= 0);
 }
 
-// So is why it crashed.
+// So does the reason of its crash.
 static bool is_crash(const WireHeader *answer)
 {
     WireCrash crash;
@@ -167,7 +167,7 @@ static int send(int kind, int exercise, Wire *message, Patience *left)
     return moved == 1 ? process_send(message->bytes, message->size, left) : moved;
 }
 
-// 2 where it came and is sane.
+// 2 if it arrived and is valid
 static int receive(WireHeader *header, Wire *message, Patience *left)
 {
     int moved = process_receive(header, sizeof *header, left);
@@ -182,13 +182,13 @@ static int receive(WireHeader *header, Wire *message, Patience *left)
     return moved == 1 ? 2 : moved;
 }
 
-// The process asks for another exercise of its chapter: the reference answers, where it is lent.
+// The process calls another exercise of its chapter: if that is lent, the reference answers.
 static bool lend(int exercise, Wire *question)
 {
     static Wire answer;
     wire_clear(&answer);
     question->is_hostile = true;
-    // No more work for the judge than it has asked for itself.
+    // The judge does no more work than it has asked for itself.
     AnyFunction *reference = exercises[exercise].reference;
     if (!is_lent[exercise] || reference == NULL || question->size > size_of_call + LENT_ROOM ||
         !apply(exercise, reference, question, &answer))
@@ -199,8 +199,8 @@ static bool lend(int exercise, Wire *question)
     return send(WIRE_LENT, exercise, &answer, &left) == 1;
 }
 
-// The process tells that it has entered another exercise. It may lie: then it is asked without that
-// one, and fails all the same.
+// The process reports that it has entered another exercise. It may lie: then the call is repeated
+// without that exercise, and fails anyway.
 static bool is_entered(int exercise, const WireHeader *header)
 {
     if (header->kind != WIRE_ENTERED || header->size != 0)
@@ -209,7 +209,7 @@ static bool is_entered(int exercise, const WireHeader *header)
     return true;
 }
 
-// What follows from no answer: nothing that is true of an answer can be said.
+// After a call without an answer: nothing that holds for answers can be checked.
 static _Noreturn void give_up_on_machine(const char *what, int error)
 {
     process_stop(false);
@@ -217,12 +217,12 @@ static _Noreturn void give_up_on_machine(const char *what, int error)
     exit(3);
 }
 
-// A process that ended, and that was never started, or was killed. Under confine an answer cannot
-// kill itself, and the grader links none that the kernel would kill for its size.
+// A process that ended, and one that was never started or was killed. Under confine an answer
+// cannot kill itself, and the grader does not link one that the kernel would kill for its size.
 static void check_machine(int status)
 {
     int error = process_start_error();
-    // Any other error is about the program: what it names as its interpreter, for example.
+    // Any other error is about the program: its interpreter does not exist, for example.
     bool is_the_machines = error == EAGAIN || error == ENOMEM || error == EMFILE ||
                            error == ENFILE || error == EIO || error == ENOSPC || error == ETXTBSY;
     if (is_the_machines)
@@ -233,7 +233,7 @@ static void check_machine(int status)
 
 static struct {
     Patience left;
-    int moved; // by sending: what process_send says
+    int moved; // while sending: the result of process_send
 } sent;
 
 static void send_call(int exercise)
@@ -249,14 +249,14 @@ static void send_call(int exercise)
     sent.moved = send(WIRE_CALL, exercise, &wire, &sent.left);
 }
 
-// Where no answer comes, why, and the process is gone.
+// If no answer comes: why, and the process has ended.
 static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
 {
     *how = HOW_CRASHED;
     WireHeader answer = {0};
     Patience left = sent.left;
     int moved = sent.moved;
-    // A process that is gone may have said why.
+    // A process that has ended may have reported why.
     if (moved != 0)
         moved = receive(&answer, &wire, &left);
     while (moved == 2 && (is_entered(exercise, &answer) ||

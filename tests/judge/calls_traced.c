@@ -6,7 +6,7 @@
 #include <string.h>
 
 // The exercises by number, and NULL for those that this program does not have. Only their addresses
-// are of interest, so their contracts are not included: here all of them are of one type.
+// are used, so their contracts are not included: here all of them have one type.
 typedef void Function(void);
 #define EXERCISE(stem, result, name, ...) extern Function name __attribute__((weak));
 #include "tests/exercises.def"
@@ -15,8 +15,8 @@ static Function *const exercises_here[] = {
 #include "tests/exercises.def"
 };
 
-// Most functions that are entered are helpers, or are entered again and again: those that have
-// nothing more to say in this call are known by their address.
+// Most functions that are entered are helpers, or are entered repeatedly: functions that need no
+// further report in this call are recognised by their address.
 enum { KNOWN = 256 };
 
 static const void *known[KNOWN];

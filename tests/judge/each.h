@@ -1,7 +1,7 @@
 // each.h - a macro for each element of a list in parentheses, by the preprocessor.
 //
-// EACH(MACRO, COMMA, x, (a, b)) is MACRO(x, 0, a), MACRO(x, 1, b); with NOTHING in the place of
-// COMMA nothing is between them. Up to eight elements.
+// EACH(MACRO, COMMA, x, (a, b)) is MACRO(x, 0, a), MACRO(x, 1, b); with NOTHING instead of COMMA
+// there is nothing between them. Up to eight elements.
 #ifndef TESTS_JUDGE_EACH_H
 #define TESTS_JUDGE_EACH_H
 

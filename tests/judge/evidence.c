@@ -1,4 +1,4 @@
-// evidence.c - what a wrong answer, the reference and each known mistake made of every call.
+// evidence.c - the results of a wrong answer, the reference and each known mistake for every call.
 #include "tests/judge/evidence.h"
 
 #include "tests/judge/paint.h"
@@ -25,8 +25,9 @@ void settle_freedom(int exercise, Numbers *numbers)
         d[i] /= length;
 }
 
-// Sphere, point and normal go in. The step off the surface is a billionth of the numbers, as much
-// as two ways to compute anything else may differ. A thousandth of it is left between two steps.
+// Sphere, point and normal are the arguments. The step off the surface is a billionth of the
+// numbers, as large as the difference between two right ways to compute anything else. A thousandth
+// of it is allowed between two steps.
 bool results_agree(int exercise, const Numbers *arguments, const Numbers *a, const Numbers *b)
 {
     enum { RADIUS = 3 };
@@ -50,7 +51,8 @@ static bool all_are_finite(const Numbers *numbers)
     return true;
 }
 
-// Not finite is a reason where something is not; the next two are of a camera that has been made.
+// 'Not finite' is a reason if some number is not finite; the next two are about a camera that has
+// been made.
 static bool may_be_a_reason(double fault, const Numbers *arguments)
 {
     if (fault == CAMERA_NOT_FINITE)

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-// The reference is not in every program: weak, or the linker would miss it.
+// The reference is not in every program: weak, so that the linker does not require it.
 #define EXERCISE(stem, result, name, parameters, ...)                                              \
     result reference_##name(DECLARED(parameters)) __attribute__((weak));
 #include "tests/exercises.def"
@@ -54,7 +54,7 @@
 #define TEXT_PIXELS(i, type, name) #type " *" #name
 #define COMMA_TEXT() ", "
 
-// Each begins with a blank, the first, too.
+// Each begins with a blank, also the first.
 #define ARGUMENT_WORD_VALUE(i, type, name) " " #type
 #define ARGUMENT_WORD_CONST_POINTER(i, type, name) " " #type
 #define ARGUMENT_WORD_POINTER(i, type, name) " " #type

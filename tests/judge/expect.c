@@ -1,4 +1,4 @@
-// expect.c - what must come out of a test, and both sides in words where it does not.
+// expect.c - the expected result of a test, and both sides in words if they differ.
 #include "tests/judge/record.h"
 #include "tests/judge/test.h"
 
@@ -31,7 +31,7 @@ static bool vec3_near(vec3 yours, vec3 expected, double tolerance)
            near(yours[2], expected[2], tolerance);
 }
 
-// Digits enough to see that two numbers differ, where they do.
+// Enough digits to see that two numbers differ, if they do.
 static int digits_that_tell(const double *yours, const double *expected, int count)
 {
     int digits = 6;
@@ -43,7 +43,7 @@ static int digits_that_tell(const double *yours, const double *expected, int cou
     return digits;
 }
 
-// One number, or several in parentheses, each under its like.
+// One number, or several in parentheses, each below its counterpart.
 static void settle_numbers(bool met, const double *yours, const double *expected, int count)
 {
     char y[400] = "", e[400] = "";

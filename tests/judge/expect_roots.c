@@ -1,4 +1,4 @@
-// expect_roots.c - roots that must come out, and both sides in words where they do not.
+// expect_roots.c - expected roots, and both sides in words if they differ.
 #include "tests/judge/expect_roots.h"
 
 #include "tests/judge/test.h"

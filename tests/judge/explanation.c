@@ -1,4 +1,4 @@
-// explanation.c - what a wrong answer is that is no known mistake by itself.
+// explanation.c - explains a wrong answer that is not simply one known mistake.
 #include "tests/judge/explanation.h"
 
 #include "tests/judge/paint.h"
@@ -8,9 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ENOUGH = 3 }; // general inputs that speak for a mistake
+enum { ENOUGH = 3 }; // general inputs that support a mistake
 
-// Where the mistake shows, the answer never is right, or it does not make that mistake.
+// Excluded: on a call where the mistake is wrong, the answer is right.
 static bool is_contradicted(const Evidence *evidence, int mistake)
 {
     for (int i = 0; i < evidence->call_count; i++)
@@ -19,7 +19,7 @@ static bool is_contradicted(const Evidence *evidence, int mistake)
     return false;
 }
 
-// By more than digits, of which every way to compute has its own.
+// By more than the last digits, which depend on how a formula is computed.
 static bool is_clearly_wrong(const EvidenceCall *call)
 {
     for (int i = 0; i < call->yours.count && i < call->right.count; i++) {
@@ -30,8 +30,8 @@ static bool is_clearly_wrong(const EvidenceCall *call)
     return false;
 }
 
-// The answer does what the mistake does, and what comes out cannot be by chance: no NO_HIT, 0 or
-// the like, which many mistakes return for many inputs.
+// The answer returns the same as the mistake, and not by chance: not NO_HIT, 0 or another value
+// that many mistakes return for many inputs.
 static bool speaks_for(const EvidenceCall *call, int mistake)
 {
     return is_clearly_wrong(call) && call->probe && !call->is_common && !call->is_right &&
@@ -47,7 +47,7 @@ static bool speaks_for_nobody_else(const EvidenceCall *call, int mistake, int co
     return true;
 }
 
-// In a number at least in which the mistake shows, the answer does what it does.
+// At least one number that the mistake gets wrong has the same value in the answer.
 static bool is_like(const EvidenceCall *call, int mistake)
 {
     const Numbers *theirs = &call->theirs[mistake].numbers;
@@ -58,9 +58,10 @@ static bool is_like(const EvidenceCall *call, int mistake)
     return like;
 }
 
-// Of the general inputs on which the mistake shows, the answer does the same on most, and on none
-// something else altogether: whoever computes a term in a wrong way has none of it on many inputs,
-// and yet did not leave it out. And it is most of what is wrong.
+// Of the general inputs on which the mistake is wrong, the answer agrees with it on most, and on
+// none it has something quite different: an answer that computes a term in a wrong way has none of
+// it on many inputs, but did not leave it out. And these inputs are most of those on which the
+// answer is wrong.
 static bool is_usual(const Evidence *evidence, int mistake)
 {
     int same = 0, shows = 0, wrong = 0;
@@ -79,7 +80,7 @@ static bool is_usual(const Evidence *evidence, int mistake)
     return 2 * same > shows && 2 * same > wrong;
 }
 
-// The only one for whom anything speaks.
+// The only mistake that any input supports.
 static Diagnosis in_part(const Evidence *evidence, int shown)
 {
     int count = evidence->mistake_count, found = -1, others = 0;
@@ -107,9 +108,9 @@ static Diagnosis in_part(const Evidence *evidence, int shown)
 
 // ---- two mistakes -------------------------------------------------------------------------------
 
-// Each number as the one mistake has it where the other is right there; where both are wrong, their
-// errors added up. Errors that partly take each other back are somebody else's: (1 - kd) is not kd
-// left out and the whole left out as well.
+// If one mistake is right in a number, that number is the other mistake's; if both are wrong, their
+// errors are added. Errors that partly cancel are another mistake: (1 - kd) is not kd left out and
+// the whole left out as well.
 static bool is_sum(const EvidenceCall *call, const Numbers *one, const Numbers *other)
 {
     const Numbers *yours = &call->yours, *right = &call->right;
@@ -136,7 +137,8 @@ static bool may_be_both(const EvidenceCall *call, int one, int other)
     return is_sum(call, &a->numbers, &b->numbers);
 }
 
-// In space, and their errors lead different ways: then they add up to this one by chance only.
+// In space, if the two errors have different directions: then they add up to this error only by
+// chance.
 static bool errors_differ(const EvidenceCall *call, int mistake, int other)
 {
     const Numbers *one = &call->theirs[mistake].numbers, *two = &call->theirs[other].numbers;
@@ -150,8 +152,8 @@ static bool errors_differ(const EvidenceCall *call, int mistake, int other)
     return call->right.count >= 3 && ee * ff - ef * ef > 1e-6 * ee * ff;
 }
 
-// What came is this mistake's, too: a number is as it alone has it, for the other one is right
-// there; or both show. Where the errors of both are alike, sums may be anything by chance.
+// The answer needs this mistake: one of its numbers is the mistake's, and the other mistake is
+// right there; or both are wrong. If the errors of both are equal, sums mean nothing.
 static bool is_needed(const EvidenceCall *call, int mistake, int other)
 {
     const Theirs *a = &call->theirs[mistake], *b = &call->theirs[other];
@@ -170,8 +172,8 @@ static bool is_needed(const EvidenceCall *call, int mistake, int other)
     return errors_differ(call, mistake, other);
 }
 
-// On how many general inputs the other mistake alone is not what came, but this one is: on all, or
-// on those where what came cannot be by chance.
+// The number of general inputs on which the other mistake alone does not give the answer, but this
+// one does: all of them, and those on which the agreement cannot be by chance.
 static void count_needed(const Evidence *evidence, int mistake, int other, int *all, int *telling)
 {
     *all = *telling = 0;
@@ -196,8 +198,8 @@ static bool are_both(const Evidence *evidence, int one, int other)
            (first_telling >= ENOUGH || second_telling >= ENOUGH);
 }
 
-// The only two that together are what came on every call; nobody where others are, too. Of pictures
-// too little is kept to say so, and steps off a surface are too small to be added up.
+// The only two that together explain every call; none if another pair does. For pictures too little
+// is kept to decide, and steps off a surface are too small to be added up.
 static Diagnosis two_at_once(const Evidence *evidence)
 {
     Diagnosis it = {0};
@@ -216,9 +218,11 @@ static Diagnosis two_at_once(const Evidence *evidence)
     return it;
 }
 
-// ---- what is not a matter of formulas -----------------------------------------------------------
+// ---- wrong answers that no formula explains
+// -------------------------------------------------------
 
-// The places of numbers in a result whose memory was never written: what was in the stack came.
+// The positions of the numbers in a result that were never written: the stack's old contents were
+// returned.
 static bool is_unset(const Evidence *evidence, int place)
 {
     int unset = 0;
@@ -231,8 +235,8 @@ static bool is_unset(const Evidence *evidence, int place)
     return unset > 0;
 }
 
-// The camera that a function was to store in *camera, and that is still there in part: in all calls
-// that were answered with a camera.
+// The camera that a function had to store in *camera, if part of the old one is still there: in all
+// calls that returned a camera.
 static bool is_left_as_it_was(const Evidence *evidence, int place)
 {
     int left = 0;
@@ -250,7 +254,7 @@ static bool is_left_as_it_was(const Evidence *evidence, int place)
 
 typedef bool IsSo(const Evidence *evidence, int place);
 
-// The fields of a result of which that is so, in words; "" where there are none.
+// The fields of a result for which that is true, in words; "" if there are none.
 static const char *fields_that(const Evidence *evidence, IsSo *is_so)
 {
     static char words[200];
@@ -300,7 +304,7 @@ static const char *what_changes(const Evidence *evidence, bool changed_since)
     return NULL;
 }
 
-// ---- answers that do not look at what they are given --------------------------------------------
+// ---- answers that ignore their arguments --------------------------------------------------------
 
 enum { MANY = 8 }; // calls
 
@@ -315,7 +319,7 @@ static bool is_always_the_same(const Evidence *evidence, int places)
     return evidence->call_count >= MANY;
 }
 
-// Whether all numbers of the result are those of the arguments that begin there.
+// Whether all numbers of the result are those of the arguments that start there.
 static bool is_argument(const Evidence *evidence, int from)
 {
     for (int i = 0; i < evidence->call_count; i++) {
@@ -370,7 +374,7 @@ static const char *what_is_trivial(const Evidence *evidence)
     return NULL;
 }
 
-// Those words hold no number of a test, so that they may be told of hidden ones, too.
+// These words contain no number of a test, so that they may also be shown for hidden tests.
 Diagnosis explain_by_evidence(const Evidence *evidence, int shown, bool changed_since)
 {
     const char *words = what_was_not_set(evidence);

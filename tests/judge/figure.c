@@ -1,4 +1,4 @@
-// figure.c - a wrong answer beside the right one: which kind it is, and its file.
+// figure.c - a wrong answer beside the right one: the kind of figure, and its file.
 #include "tests/judge/figure.h"
 
 #include "tests/judge/numbers.h"
@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-// By what goes in and what comes out, as words (exercise.h); the first that fits. Arguments: how
-// they begin.
+// By the arguments and the results, as words (exercise.h); the first that fits. Arguments: how they
+// begin.
 static const struct {
     const char *arguments, *results;
     const char *layout;
@@ -76,7 +76,8 @@ static void replace_all(char *text, size_t size, const char *old, const char *ne
     }
 }
 
-// Behind 'looks like' a formula with minus signs stands in the terminal; here they are drawn.
+// In the terminal, 'looks like' may be followed by a formula with hyphens for minus; here real
+// minus signs are drawn.
 static void why_of(char *why, size_t size, Diagnosis diagnosis)
 {
     const Mistake *mistake = diagnosis.mistake;

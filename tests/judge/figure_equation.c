@@ -51,7 +51,7 @@ bool read_equation(Wrong *wrong)
     return is_finite(equation.yours) && equation.right.a != 0;
 }
 
-// Where the parabola turns, found by looking: a third of the range is given up at a time.
+// The lowest or highest point of the parabola, by search: each step removes a third of the range.
 static double turning_point(Quadratic q)
 {
     double reach = 1 + (fabs(q.b) + fabs(q.c)) / fabs(q.a), low = -reach, high = reach;
@@ -65,7 +65,7 @@ static double turning_point(Quadratic q)
     return (low + high) / 2;
 }
 
-// So far to both sides that it has come back to 0 and gone on as far.
+// As far to both sides as the curve needs to return to 0 and go on as far again.
 static Range range_of(Quadratic q, Roots roots)
 {
     if (q.a == 0) {
@@ -85,7 +85,7 @@ static void add_values(Range *f, Quadratic q, Range t)
         range_add(f, value(q, t.low + (t.high - t.low) * i / SAMPLES));
 }
 
-// Of a curve, what is not far above or below the other.
+// The part of a curve that is not far above or below the other.
 static void write_curve(Plot *plot, const char *name, Quadratic q, Range t, Range f)
 {
     double room = 0.3 * (f.high - f.low);

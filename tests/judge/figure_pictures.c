@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-// Behind the scene and the camera the image goes in; what comes out is its pixels.
+// After the scene and the camera comes the image; the results are its pixels.
 bool write_pictures(Wrong *wrong, const char *path)
 {
     Scene scene;

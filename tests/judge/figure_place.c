@@ -1,4 +1,4 @@
-// figure_place.c - places on the screen and in the unit square: what went in, and what came out.
+// figure_place.c - places on the screen and in the unit square: the argument and the result.
 #include "tests/judge/figure.h"
 
 #include "common/figure/beside.h"
@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// A rectangle as wide and high as that; y or t down, or up.
+// A rectangle of this width and height; y or t down, or up.
 typedef struct {
     double left, bottom, width, height; // bottom: the lower number
     bool is_screen;
@@ -62,7 +62,8 @@ bool read_place(Wrong *wrong)
     return range_try(&x, places.yours[0]) && range_try(&y, places.yours[1]);
 }
 
-// $NAME_frame: the rectangle; NAME_low_x ... what has to be seen; NAME_down: whether y is.
+// $NAME_frame: the rectangle; NAME_low_x ... the range that must be visible; NAME_down: whether y
+// points down.
 static void write_panel(Plot *plot, const char *name, Panel panel, double seen[][2], int count)
 {
     char key[40];

@@ -12,7 +12,7 @@
 
 enum { MOST_SPHERES = 100 };
 
-// The places of an answer: at most two; which sphere, where that is asked.
+// The places of an answer: at most two; and which sphere, if the exercise asks for it.
 typedef struct {
     int count, sphere;
     double t[2];
@@ -81,7 +81,7 @@ bool read_section(Wrong *wrong)
            vec3_length(section.ray.direction) > 0;
 }
 
-// Along the ray and aside from it, each sphere turned round the ray into the paper: the first
+// Along the ray and to its side, each sphere rotated around the ray into the paper: the first
 // below.
 static void write_spheres(Plot *plot, Range *x, Range *y)
 {
@@ -122,7 +122,7 @@ static Text words_of(Places places, bool all_shown)
     return text;
 }
 
-// Those that can be seen beside the others.
+// Those that are visible beside the others.
 static Places shown(Places places, Range *x, double unit)
 {
     Places some = {0, places.sphere, {0, 0}};

@@ -71,7 +71,7 @@ static void write_plane(Plot *plot)
         plot_fit(plot, view.camera.origin + view.corners[i], 0);
 }
 
-// The length of a ray is free: drawn as long as the right one.
+// The length of a ray is free: it is drawn as long as the right one.
 static Ray as_long_as(Ray ray, Ray right)
 {
     ray.direction *= vec3_length(right.direction) / vec3_length(ray.direction);
@@ -128,8 +128,8 @@ void write_vector(Plot *plot, void *given)
     beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
 }
 
-// ---- a ray as a sphere sees it
-// ----------------------------------------------------------------------
+// ---- a ray in object coordinates
+// ---------------------------------------------------------------------
 
 static double radius;
 
@@ -152,7 +152,7 @@ void write_ray(Plot *plot, void *given)
     const Wrong *wrong = given;
     Ray right = view.right, yours = view.yours;
     bool moved = !figure_same_place(yours.origin, right.origin);
-    // Seen from aside, the sphere's centre not in front of the ray.
+    // Seen from the side, with the sphere's centre not in front of the ray.
     vec3 along = vec3_unit(right.direction);
     vec3 up = -right.origin - vec3_dot(-right.origin, along) * along;
     if (vec3_length(up) < 1e-6 * (1 + vec3_length(right.origin)))

@@ -1,4 +1,4 @@
-// given.c - what goes into a test, in words for its reader.
+// given.c - the arguments of a test, in words for its reader.
 #include "tests/judge/record.h"
 #include "tests/judge/test.h"
 

@@ -35,7 +35,7 @@ static Outcomes outcomes;
 typedef struct {
     const char *function;
     bool extra;
-    const Outcome *failed; // the first that did not pass; NULL where all did
+    const Outcome *failed; // the first that did not pass; NULL if all did
 } Group;
 
 // All groups in the order of the contract, which is also that of the student's file: the first that
@@ -73,7 +73,7 @@ static FILE *create(const char *folder, const char *name)
     return file;
 }
 
-// A report of which a part is missing says nothing true: the disk may be full.
+// A report with a missing part would be false: the disk may be full.
 static void finish(FILE *file)
 {
     bool bad = ferror(file) != 0;
@@ -83,7 +83,7 @@ static void finish(FILE *file)
     }
 }
 
-// A figure of an older answer is none of this one.
+// A figure of an older answer does not belong to this one.
 static void draw(const char *figures, const Group *group, Diagnosis diagnosis)
 {
     if (figures == NULL)
@@ -120,8 +120,8 @@ static int verdict(const char *folder, const char *figures)
     return all_right ? 0 : 1;
 }
 
-// What a student would read of each known mistake: two versions of the tests are compared by it
-// (tests/proof/by_hand/record.sh).
+// The texts that a student would read for each known mistake: two versions of the tests are
+// compared by them (tests/proof/by_hand/record.sh).
 static int verdicts_of_mistakes(const char *folder)
 {
     const Mistake *const *mistakes = chosen_mistakes();

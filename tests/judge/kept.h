@@ -6,17 +6,17 @@
 
 typedef struct {
     int exercise;
-    Wire question, answer; // as they crossed the pipe
+    Wire question, answer; // the bytes that crossed the pipe
 } Kept;
 
-// While it is on, calls are kept; it is off to begin with.
+// While it is on, calls are kept; at first it is off.
 void keep_calls(bool on);
 
-// For the call: what was asked, and what came.
+// For the call: the question, and the answer.
 void keep_question(int exercise, const Wire *question);
 void keep_answer(const Wire *answer);
 
-// Of the test of this number; NULL where its last call brought no answer.
+// Of the test of this number; NULL if its last call had no answer.
 Kept *kept_of(int test);
 
 #endif

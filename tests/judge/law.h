@@ -1,13 +1,14 @@
-// law.h - what must hold of an answer whatever the numbers, and the words for when it does not.
+// law.h - laws: properties that hold for every right answer whatever the numbers, and the words for
+// a broken one.
 //
-// If no known mistake explains a wrong answer, a law that it breaks still helps: 'your vector
-// goes 2 along forward; the plane is 4 ahead'. For each exercise NAME there is, in
+// If no known mistake explains a wrong answer, a law that it breaks still helps: 'your vector goes
+// 2 along forward; the plane is 4 ahead'. For each exercise NAME there is, in
 // tests/NN-stem/laws*.c,
 //
 //     void law_NAME(RESULT yours, PARAMETERS);
 //
-// called after each call of it, with what came out (in what pointers lead to, too). It must never
-// complain of a right answer, within the contract's tolerance.
+// called after each call of it, with the results (also those behind pointers). It must never
+// complain about a right answer, within the contract's tolerance.
 #ifndef TESTS_JUDGE_LAW_H
 #define TESTS_JUDGE_LAW_H
 

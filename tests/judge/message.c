@@ -5,7 +5,7 @@
 
 void (*before_call)(void);
 
-// The image of a call, whose size its pixels' values have.
+// The image of a call, whose size gives the number of pixels.
 static Image *image_of(const Exercise *exercise, void *const *arguments)
 {
     for (int i = 0; i < exercise->parameter_count; i++)
@@ -58,7 +58,7 @@ void get_results(Wire *wire, int number, void *result, void *const *arguments)
     }
 }
 
-// What the reference relies on, if a student's process asks for it.
+// The conditions that the reference relies on, if a student's process calls it.
 static bool are_allowed(const Wire *wire, const Exercise *exercise, void *const *arguments)
 {
     bool allowed = true;
@@ -80,7 +80,7 @@ static bool are_allowed(const Wire *wire, const Exercise *exercise, void *const 
     return allowed;
 }
 
-// Whether what was got from a message was written past its end.
+// Whether an array that came from a message was written past its end.
 static bool have_overrun(const Exercise *exercise, void *const *arguments)
 {
     const Image *image = image_of(exercise, arguments);
@@ -106,8 +106,8 @@ static void free_arguments(const Exercise *exercise, Value *values, void *const 
             wire_free_value(exercise->parameters[i].type, &values[i]);
 }
 
-// The function may set what is in an image to anything, so its results are read by the image that
-// it was given.
+// The function may change everything in an image, so its results are read with the image of the
+// arguments.
 bool apply(int number, AnyFunction *function, Wire *in, Wire *out)
 {
     const Exercise *exercise = &exercises[number];

@@ -5,7 +5,7 @@
 #include "tests/judge/exercise.h"
 #include "tests/judge/wire.h"
 
-// arguments: where each is, or what its pointer is (exercise.h). result: of what is returned.
+// arguments: the address of each, or the pointer itself (exercise.h). result: of the return value.
 void put_arguments(Wire *wire, int exercise, void *const *arguments);
 void put_results(Wire *wire, int exercise, const void *result, void *const *arguments);
 void get_results(Wire *wire, int exercise, void *result, void *const *arguments);

@@ -1,6 +1,6 @@
-// mistake.h - wrong answers that people really give, as code, and what to say of each.
+// mistake.h - wrong answers that people really give, as code, and the sentences about each.
 //
-// Each is in tests/NN-stem/mistakes*.c. make check proves that each fails a test of its function
+// They are in tests/NN-stem/mistakes*.c. make check proves that each fails a test of its function
 // and is named from its values alone, and that each test is failed by one.
 #ifndef TESTS_JUDGE_MISTAKE_H
 #define TESTS_JUDGE_MISTAKE_H
@@ -11,11 +11,11 @@
 #include <stddef.h>
 
 typedef struct Mistake {
-    const char *id;       // C2, as the field's list of mistakes has it, or a name of our own
+    const char *id;       // C2, as in the field's list of mistakes, or a name of our own
     const char *exercise; // the function that it answers wrongly
     AnyFunction *answer;
-    const char *formula; // what it computes, as the slide would write it
-    const char *why;     // why that is wrong, in terms of the picture; whole sentences
+    const char *formula; // its formula, as the slide would write it
+    const char *why;     // why it is wrong, in terms of the picture; whole sentences
     const char *picture; // what its author would see: 'everything at half its size'
 } Mistake;
 

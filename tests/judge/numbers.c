@@ -1,4 +1,4 @@
-// numbers.c - what crosses the pipe, as a list of numbers.
+// numbers.c - a message, as a list of numbers.
 #include "tests/judge/numbers.h"
 
 #include "tests/judge/same.h"
@@ -169,7 +169,7 @@ static bool walk_words(Walk *walk, const char *words)
     return !walk->bad && !walk->wire->bad;
 }
 
-// The name of the field that a number belongs to, or NULL beyond the last; and how many there are.
+// The name of the field that a number belongs to, or NULL after the last; and how many there are.
 typedef struct {
     int place, count;
     const char *name;
@@ -218,7 +218,7 @@ bool layout_is_step(const Exercise *exercise)
            strcmp(exercise->results, "vec3") == 0;
 }
 
-// Where there are fewer roots, the t that are none do not matter.
+// If there are fewer roots, the values of the unused t do not matter.
 static void clear_what_is_no_root(double *roots)
 {
     for (int i = 0; i < 2; i++)

@@ -1,4 +1,4 @@
-// paint.c - what the stack of the answering process is filled with before a call.
+// paint.c - the bytes that fill the stack of the answering process before a call.
 #include "tests/judge/paint.h"
 
 #include <string.h>

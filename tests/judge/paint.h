@@ -1,5 +1,5 @@
-// paint.h - what the stack of the answering process is filled with before a call, so that a result
-// that was never set is known by it.
+// paint.h - the bytes that fill the stack of the answering process before a call, so that a result
+// that was never set is recognised by them.
 #ifndef TESTS_JUDGE_PAINT_H
 #define TESTS_JUDGE_PAINT_H
 
@@ -12,7 +12,7 @@ enum { NO_PAINT, PAINT = 0x6b, OTHER_PAINT = 0x4d };
 void paint_calls(int paint);
 int paint_of_calls(void);
 
-// Whether a number is nothing but paint: of a double, or of an int.
+// Whether a number consists only of paint: of a double, or of an int.
 bool is_paint(double number, int paint);
 
 #endif

@@ -1,10 +1,10 @@
-// parameters.h - the parameters of an entry in tests/exercises.def, one after the other.
+// parameters.h - the parameters of an entry in tests/exercises.def, one by one.
 #ifndef TESTS_JUDGE_PARAMETERS_H
 #define TESTS_JUDGE_PARAMETERS_H
 
 #include "tests/judge/each.h"
 
-// How it is passed, what crosses the pipe for it, its name.
+// How it is passed, the type that crosses the pipe, its name.
 #define IN(type, name) (VALUE, type, name)
 #define IN_POINTER(type, name) (CONST_POINTER, type, name)
 #define IN_OUT(type, name) (POINTER, type, name)
@@ -24,7 +24,7 @@
 #define DECLARE_IMAGE(i, type, name) type *name
 #define DECLARE_PIXELS(i, type, name) type *name
 
-// Where its value is, as void *: the elements of an array of arguments.
+// The address of its value, as void *: the elements of an array of arguments.
 #define ADDRESSES(parameters) EACH(BY_PASSING, COMMA, ADDRESS, parameters)
 #define ADDRESS_VALUE(i, type, name) &name
 #define ADDRESS_CONST_POINTER(i, type, name) (void *)name
@@ -40,7 +40,7 @@
 #define ARGUMENT_IMAGE(i, type, name) (type *)arguments[i]
 #define ARGUMENT_PIXELS(i, type, name) (type *)arguments[i]
 
-// One thing for functions that return nothing, another for the others. Neither has a comma.
+// One thing for functions that return nothing, another for the others. Neither contains a comma.
 #define IF_VOID(result, yes, no) IF_VOID_(VOID_##result, yes, no, ~)
 #define IF_VOID_(...) THIRD(__VA_ARGS__)
 #define THIRD(a, b, c, ...) c

@@ -37,12 +37,12 @@ void process_begin(const char *answering, int printed)
 {
     program = answering;
     printed_file = printed;
-    // Behind what is there already, also when the judge has emptied the file in between.
+    // After the text that is there already, also if the judge has emptied the file in between.
     fcntl(printed, F_SETFL, O_APPEND);
     signal(SIGPIPE, SIG_IGN);
 #ifdef __linux__
     if (getenv("CONFINE") != NULL)
-        prctl(PR_SET_PDEATHSIG, SIGKILL); // a grader that is killed leaves nothing behind
+        prctl(PR_SET_PDEATHSIG, SIGKILL); // a grader that is killed leaves no process running
 #endif
 }
 
@@ -56,7 +56,7 @@ FILE *process_printed_file(void)
     return tmpfile();
 }
 
-// More where every access is checked.
+// More if every access is checked.
 double process_most_work(void)
 {
     static double seconds;
@@ -97,7 +97,7 @@ static void say_error(void)
 
 static void become_answering(const int calls[2], const int answers[2], const int errors[2])
 {
-    // Through high numbers, so that none of the five is closed by placing another.
+    // Through high numbers, so that none of the five is closed when another is placed.
     int in = fcntl(calls[0], F_DUPFD, 20), out = fcntl(answers[1], F_DUPFD, 20);
     int print = fcntl(printed_file, F_DUPFD, 20), said = fcntl(errors[1], F_DUPFD, 20);
     int null = open("/dev/null", O_RDONLY);
@@ -108,7 +108,7 @@ static void become_answering(const int calls[2], const int answers[2], const int
     for (int i = START_ERROR + 1; i < 64; i++)
         close(i);
 #ifdef __linux__
-    prctl(PR_SET_PDEATHSIG, SIGKILL); // if the judge is killed, nobody limits it any more
+    prctl(PR_SET_PDEATHSIG, SIGKILL); // if the judge is killed, nothing limits it any more
 #endif
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, MOST_PRINTED);
@@ -195,7 +195,7 @@ Patience patience_begin(void)
     return (Patience){.work_before = work, .work = work, .since = now()};
 }
 
-// Not merely waiting for a processor, nor stopped. Where that cannot be read, true.
+// Not merely waiting for a processor, nor stopped. True if that cannot be read.
 static bool is_asleep(void)
 {
     char path[40], words[600];
@@ -234,7 +234,7 @@ static int move(bool out, void *bytes, size_t size, Patience *left)
     while (size > 0) {
         struct pollfd end = {out ? calls_out : answers_in, out ? POLLOUT : POLLIN, 0};
         bool ready = poll(&end, 1, LOOK) > 0;
-        // Bytes that drip one by one are no answer, either. Once there are some, it may sleep.
+        // Bytes that arrive one by one are not an answer either. Once there are some, it may sleep.
         if ((!ready || place != bytes) && look(left, ready))
             return 0;
         if (!ready)

@@ -1,9 +1,9 @@
-// random.c - numbers that look random, and that whoever knows the seed can have again.
+// random.c - numbers that look random, and that are the same for the same seed.
 //
 // SplitMix64 (Steele, Lea, Flood, 'Fast Splittable Pseudorandom Number Generators'). Each test
-// begins anew, whatever ran before it: from 2015, or, where the environment has SEED, from that
-// seed and the test's name. What is made from a SEED is hidden from whoever is judged. Probes are
-// the same in every run.
+// starts again, whatever ran before it: from 2015, or, if the environment has SEED, from that seed
+// and the test's name. Inputs made from a SEED are hidden from the student. Probes are the same in
+// every run.
 #include "tests/judge/record.h"
 #include "tests/judge/test.h"
 
@@ -94,8 +94,8 @@ Camera random_camera(void)
     vec3 right = vec3_unit(vec3_cross(forward, random_unit()));
     vec3 up = vec3_cross(right, forward);
     if (random_number(0, 1) < 0.5)
-        up = -up; // the other hand
-    // One by one: in what order an initialiser asks is not said.
+        up = -up; // the other handedness
+    // One by one: C does not define in which order an initialiser calls them.
     vec3 origin = random_vec3(-5, 5);
     double distance = random_number(0.5, 6), width = random_number(0.5, 4);
     return (Camera){.origin = origin,

@@ -1,4 +1,4 @@
-// record.c - what is remembered of each test, kept where a crash of it cannot take it away.
+// record.c - the record of each test, kept where a crash of the test cannot destroy it.
 #include "tests/judge/record.h"
 
 #include "common/answers.h"
@@ -142,7 +142,7 @@ void record_fails_by_overrun(int test)
 }
 
 // A blank never passes, whatever it returned; nor does an answer that calls exit, which Check
-// takes for a pass.
+// counts as a pass.
 void record_teardown(void)
 {
     if (record_is_missing())

@@ -1,4 +1,4 @@
-// report.c - what the judge found, as lines for a program.
+// report.c - the judge's findings, as lines for a program.
 #include "tests/judge/report.h"
 
 #include "tests/course/entries.h"

@@ -13,7 +13,7 @@
 
 #include <stdio.h>
 
-// Failed: the first test that did; NULL where all passed.
+// Failed: the first test that did; NULL if all passed.
 void report_function(FILE *out, const char *function, const Outcome *failed, Diagnosis diagnosis);
 // After it, if it has extra tests: of those.
 void report_extra(FILE *out, const Outcome *failed);

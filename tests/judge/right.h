@@ -1,4 +1,4 @@
-// right.h - what is right for a call that was kept: by the reference, or where there is none by a
+// right.h - the right result for a call that was kept: by the reference, or, if there is none, by a
 // table (tests/handout/replay/right.c).
 #ifndef TESTS_JUDGE_RIGHT_H
 #define TESTS_JUDGE_RIGHT_H
@@ -6,11 +6,11 @@
 #include "tests/judge/kept.h"
 #include "tests/judge/record.h"
 
-// The answer, as it would have crossed the pipe. False where it is not known.
+// The answer, as it would have crossed the pipe. False if it is not known.
 bool right_answer(const Record *record, Kept *kept, Wire *right);
 
-// Of a camera that went in: from the eye to the upper left, upper right, lower right and lower left
-// corner of the image plane.
+// Of the camera in the arguments: from the eye to the upper left, upper right, lower right and
+// lower left corner of the image plane.
 bool right_corners(const Record *record, Camera camera, vec3 corners[4]);
 
 #endif

@@ -1,4 +1,4 @@
-// runner.c - on top of Check: which test is which, and how it ended.
+// runner.c - runs the tests with Check: which test is which, and how it ended.
 #include "tests/judge/runner.h"
 
 #include "tests/judge/stem.h"
@@ -83,7 +83,7 @@ static bool has_failed(const Outcomes *outcomes, const char *function)
 }
 
 // A function that writes past the end of an array is wrong, even if its results are right. If they
-// are not, those say more: an array with rows of another length has a wrong picture, too.
+// are not, they say more: an array with rows of another length also has a wrong picture.
 static void fail_by_overrun(Outcomes *outcomes)
 {
     for (int i = 0; i < outcomes->count; i++) {

@@ -13,7 +13,7 @@ typedef struct {
     const char *function; // whose test it is
     bool extra;           // costs no marks
     bool passed;
-    char how[160]; // how it ended, where it did not pass: in words
+    char how[160]; // how it ended, if it did not pass: in words
     const Record *record;
 } Outcome;
 
@@ -22,8 +22,8 @@ typedef struct {
     Outcome tests[MOST_TESTS];
 } Outcomes;
 
-// Where the answers are: called directly, they may crash and hang, so each test is a fork; asked
-// for in another process, they cannot, and tests run here.
+// Where the answers run: called directly, they may crash and hang, so each test is a fork; called
+// in another process, they cannot, and tests run here.
 typedef enum { ANSWERS_HERE, ANSWERS_APART } WhereAnswersAre;
 
 // Runs the tests of the stem that was chosen (stem.h): those of one function, or those of one name,

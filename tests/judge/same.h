@@ -1,6 +1,6 @@
-// same.h - do two numbers agree? As near as rounding leaves two ways to compute the same thing.
+// same.h - do two numbers agree? Within the rounding of two ways to compute the same thing.
 //
-// What a mistake computes is held against what a student returned: NaN agrees with NaN here.
+// The result of a mistake is compared with a student's: NaN agrees with NaN here.
 #ifndef TESTS_JUDGE_SAME_H
 #define TESTS_JUDGE_SAME_H
 

@@ -13,11 +13,11 @@ typedef struct {
     const char *given, *expected, *yours, *missing, *how, *printed;
 } ShownCall;
 
-// What went in, what was expected, what came out or how it ended, and the first lines of what was
-// printed. Where the test is hidden, only how it ended.
+// The arguments, the expected result, the student's or how it ended, and the first lines of the
+// output. If the test is hidden, only how it ended.
 void show_call(const Page *page, const ShownCall *call);
 
-// The same of a test that has just ended.
+// The same for a test that has just ended.
 void show_outcome(FILE *out, const Outcome *outcome);
 
 #endif

@@ -35,7 +35,7 @@ static struct {
 } laws[MOST_TESTS];
 
 static bool awake;         // since suspects_begin
-static Evidence *evidence; // where all is written down: then nobody is innocent yet
+static Evidence *evidence; // if every call is recorded: then no mistake is ruled out yet
 
 static void take_up(const Mistake *mistake)
 {
@@ -65,7 +65,7 @@ static bool is_on_trial(int exercise)
     return strcmp(record_now()->function, exercises[exercise].name) == 0;
 }
 
-// Only the last digits differ: what only extra tests can tell from right.
+// Only the last digits differ: only extra tests can distinguish it from right.
 static bool is_of_digits(const Mistake *mistake)
 {
     return strncmp(mistake->id, "X-", 2) == 0;
@@ -100,7 +100,7 @@ static void watch_refusals(int exercise, const Numbers *yours)
 }
 
 // On the extreme inputs of extra tests every way to arrange a formula has its own digits, so they
-// acquit nobody but those who are suspected of just that.
+// rule out only mistakes about digits.
 static void acquit(int exercise, const Heard *heard)
 {
     bool extra = record_now()->extra;
@@ -174,8 +174,8 @@ const char *suspect_broke_law(int exercise, bool hidden)
     return NULL;
 }
 
-// Of this test, in the case at which it stopped; or by its last call, where a case says first what
-// came of it and then what went in.
+// Of this test, in the case at which it stopped; or by its last call, if a case calls first and
+// names its arguments afterwards.
 static const char *law_of(int test)
 {
     bool last = laws[test].call == laws[test].calls || laws[test].number == record_of(test)->cases;
@@ -189,7 +189,7 @@ void run_probes(int exercise, const char *name, Outcomes *outcomes)
     run_listed_probes(exercises[exercise].name, name, outcomes);
 }
 
-// The first graded test that failed; -1 where none did.
+// The first graded test that failed; -1 if none did.
 static int first_failed(const Outcomes *outcomes)
 {
     for (int i = 0; i < outcomes->count; i++)
@@ -198,7 +198,7 @@ static int first_failed(const Outcomes *outcomes)
     return -1;
 }
 
-// A call that brought nothing agrees with nobody.
+// A call without an answer agrees with no mistake.
 static bool all_were_answered(const Outcomes *outcomes)
 {
     for (int i = 0; i < outcomes->count; i++)
@@ -219,7 +219,7 @@ static bool is_as_shown(const Record *shown, const Record *now)
     return shown == NULL || (is_same_case(shown, now) && strcmp(shown->yours, now->yours) == 0);
 }
 
-// Whether any test ended otherwise than when it was shown.
+// Whether any test ended in another way than when it was shown.
 static bool has_changed(const Records *shown_records, const Outcomes *now)
 {
     for (int i = 0; i < now->count; i++) {
@@ -238,7 +238,7 @@ static bool is_of_memory(const char *how)
     return strncmp(how, "crashed", 7) == 0 && strstr(how, "stack") == NULL;
 }
 
-// A crash that was not shown: what reads or writes beside its memory does so by chance.
+// A crash that was not shown: an answer that reads or writes outside its memory does so by chance.
 static const char *where_it_crashed(const Records *shown_records, const Outcomes *now)
 {
     for (int i = 0; i < now->count; i++) {
@@ -257,8 +257,8 @@ static const char *where_it_crashed(const Records *shown_records, const Outcomes
     return NULL;
 }
 
-// Runs all tests and probes, which acquit. False where that says nothing about the answer that was
-// shown: a call brought none, or another.
+// Runs all tests and probes, which rule out mistakes. False if that says nothing about the answer
+// that was shown: a call had no answer, or another one.
 static bool is_heard(int exercise, const Records *shown)
 {
     static Outcomes tests, probes;
@@ -316,8 +316,8 @@ Diagnosis diagnose(int exercise, bool hidden)
     paint_calls(PAINT);
     Diagnosis it = {0};
     bool heard = is_heard(exercise, shown);
-    // Many mistakes end in the same refusal, whatever goes in: none of them is named then. Nor is
-    // one of two that nothing tells apart, which the matrix refuses.
+    // Many mistakes end in the same refusal, whatever the arguments: then none of them is named.
+    // Nor is one of two that no test distinguishes, which the matrix rejects.
     if (heard && (cases[exercise].accepts || !cases[exercise].refuses) &&
         suspect(exercise, 1, false) == NULL)
         it.mistake = suspect(exercise, 0, false);
@@ -328,8 +328,8 @@ Diagnosis diagnose(int exercise, bool hidden)
     return it;
 }
 
-// A test that fails leaves by a jump, past what it would have freed, and mistakes fail on purpose:
-// the address sanitizer is not to look for leaks in programs that run them.
+// A test that fails leaves by a jump, past the code that would free its memory, and mistakes fail
+// on purpose: the address sanitizer must not look for leaks in programs that run them.
 const char *__asan_default_options(void);
 const char *__asan_default_options(void)
 {

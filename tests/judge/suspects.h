@@ -1,7 +1,7 @@
 // suspects.h - which known mistake a wrong answer is, and which law it breaks.
 //
-// A mistake is suspected until, on some input, it returns something else than the answer did. What
-// is left when all tests and probes have run agreed on all of them.
+// A mistake is suspected until, on some input, it returns something else than the answer did. The
+// mistakes that are left after all tests and probes agreed with the answer on all of them.
 #ifndef TESTS_JUDGE_SUSPECTS_H
 #define TESTS_JUDGE_SUSPECTS_H
 
@@ -12,11 +12,11 @@
 
 #include <stdbool.h>
 
-// Everybody is suspected again, no law is broken.
+// Every mistake is suspected again, no law is broken.
 void suspects_begin(void);
 
-// Who is left of an exercise: the nth, from 0; NULL where there are no more, or where the exercise
-// was never called. extra: those too that only extra tests can tell from right.
+// The suspects that are left of an exercise: the nth, from 0; NULL if there are no more, or if the
+// exercise was never called. extra: also those that only extra tests can distinguish from right.
 const Mistake *suspect(int exercise, int nth, bool extra);
 
 // Probes are calls that separate mistakes and are not graded: of inputs in general position, in
@@ -24,34 +24,34 @@ const Mistake *suspect(int exercise, int nth, bool extra);
 // them.
 void run_probes(int exercise, const char *name, Outcomes *outcomes); // name NULL: all of them
 
-// All of that about an exercise whose tests have failed: they are run again, now beside the
-// mistakes and the laws, which most answers never need.
+// All of that for an exercise whose tests have failed: they are run again, now with the mistakes
+// and the laws, which most answers never need.
 typedef struct {
     const Mistake *mistake; // NULL: not a known one
     const Mistake *other;   // a second one, if also
-    bool in_part;           // something else is wrong, too
+    bool in_part;           // something else is wrong as well
     bool also;              // both, on other inputs or in other parts of the result
-    const char *law;        // in words; NULL: there is a mistake, or nothing that may be told
+    const char *law;        // in words; NULL: there is a mistake, or nothing that may be shown
 } Diagnosis;
 Diagnosis diagnose(int exercise, bool hidden); // hidden: the first test that failed is
 
-// The first law that was broken by an exercise, in words; NULL where none was. hidden: where it was
-// broken only in hidden tests, too; the words tell their numbers.
+// The first law that was broken by an exercise, in words; NULL if none was. hidden: even if it was
+// broken only in hidden tests; the words contain their numbers.
 const char *suspect_broke_law(int exercise, bool hidden);
 
-// A call of an exercise, for those who know what it should have brought: numbers as numbers.h has
-// them. mistake: NULL for what is right; nth: its place among the mistakes of the exercise.
+// A call of an exercise, for code that knows the right result: numbers as numbers.h has them.
+// mistake: NULL for the right one; nth: its place among the mistakes of the exercise.
 typedef const Numbers *KnownValue(int exercise, const Mistake *mistake, int nth);
 typedef const Numbers *OnceMore(int exercise);
 typedef struct {
     const Numbers *arguments, *yours;
     KnownValue *by;
-    OnceMore *again; // asks the answer again
+    OnceMore *again; // calls the answer again
 } Heard;
 bool suspects_listen(int exercise);
 void suspects_hear(int exercise, const Heard *heard);
 
-// Whether to look at the laws of this exercise.
+// Whether to check the laws of this exercise.
 bool law_begin(int exercise);
 
 #endif

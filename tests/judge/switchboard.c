@@ -38,8 +38,8 @@ void switch_all_to_process(void)
     all_by_process = true;
 }
 
-// A test of one exercise may call others of the stem to find out more; those are the reference
-// then, so that one mistake costs once.
+// A test of one exercise may call others of the stem to find out more; the reference answers those,
+// so that one mistake costs marks once.
 AnyFunction *local_answer(int i)
 {
     if (answers[i] == NULL && !all_by_process &&

@@ -11,7 +11,7 @@
 // From now on the reference answers everything.
 void switch_to_reference(void);
 
-// From now on this function answers the exercise. False where there is no exercise of this name.
+// From now on this function answers the exercise. False if there is no exercise of this name.
 bool switch_one(const char *exercise, AnyFunction *answer);
 
 // From now on the transport (transport.h) answers the exercises of this stem, each in its own

@@ -1,7 +1,7 @@
-// test.h - how a test says what goes in and what must come out.
+// test.h - how a test gives its arguments and its expected results.
 //
-// Tests are Check's, called by their contract names, whoever answers. A test first says what is
-// given, then what it expects; when that fails, both are shown to the student:
+// Tests are Check's; they call the exercises by their contract names, whoever answers. A test first
+// says what is given, then what it expects; when that fails, both are shown to the student:
 //
 //     given_camera(c);
 //     expect_vec3(upper_left(c), vec3_of(-1, 1, 4), 1e-9);
@@ -32,7 +32,7 @@ void tests_of(const char *function);
 void tests_of_extra(const char *function); // that cost no marks
 void test(const TTest *test);
 
-// What goes in. The first after an expectation begins a new case.
+// The arguments. The first after an expectation begins a new case.
 void given(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void given_number(const char *name, double x);
 void given_vec3(const char *name, vec3 v);
@@ -41,12 +41,12 @@ void given_camera(Camera camera);
 void given_ray(Ray ray);
 void given_sphere(Sphere sphere);
 
-// What must come out, to within a tolerance that is absolute; NaN is never near anything.
+// The expected result, to within an absolute tolerance; NaN is never near anything.
 void expect_number(double yours, double expected, double tolerance);
 void expect_vec3(vec3 yours, vec3 expected, double tolerance);
 void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance);
 void expect_camera(Camera yours, Camera expected, double tolerance);
-// The same in a world of that size: the lengths are so many times as large, the directions are not.
+// The same in a world of that size: the lengths are multiplied by it, the directions are not.
 void expect_camera_of_size(Camera yours, Camera expected, double tolerance, double size);
 void expect_fault(CameraFault yours, CameraFault expected);
 void expect_int(long yours, long expected);
@@ -54,13 +54,13 @@ void expect_text(const char *yours, const char *expected);
 void expect_same_image(const Image *yours, const Image *expected);
 // The same half line: the origin, and the direction up to its length.
 void expect_same_ray(Ray yours, Ray expected, double tolerance);
-// A law: holds, or its words say what was expected and what came.
+// A law: it holds, or its words give the expected and the actual result.
 void expect_law(bool holds, const char *expected, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 // Numbers that look random, uniform from low to high: the same in every run and in each test, or,
-// where the environment has SEED, others for each seed and test.
-void random_take_seed(void); // from the environment; exits with 2 where it is no seed
+// if the environment has SEED, others for each seed and test.
+void random_take_seed(void); // from the environment; exits with 2 if it is not a seed
 void random_begin(const char *test, bool is_probe); // a probe's are never hidden
 double random_number(double low, double high);
 // The i-th of count sizes from 1e-6 to 1e6: the first and the last are these two, the others lie

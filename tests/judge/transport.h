@@ -1,8 +1,8 @@
-// transport.h - how a call reaches who answers it, and how the results come back.
+// transport.h - how a call reaches its answer, and how the results come back.
 //
-// The tests call exercises by their contract names; what answers is chosen by the main program: a
-// process over a pipe (call.h), a table of what was answered before (table.h), a function of this
-// process (tests/handout/here.h), or anything else that has these functions.
+// The tests call exercises by their contract names; the main program chooses what answers: a
+// process over a pipe (call.h), a table of recorded answers (table.h), a function of this process
+// (tests/handout/here.h), or anything else that has these functions.
 #ifndef TESTS_JUDGE_TRANSPORT_H
 #define TESTS_JUDGE_TRANSPORT_H
 

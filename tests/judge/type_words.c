@@ -1,4 +1,4 @@
-// type_words.c - a value in words, by what its type consists of.
+// type_words.c - a value in words, by the fields of its type.
 #include "tests/judge/types.h"
 
 #include "common/text.h"

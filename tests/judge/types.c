@@ -1,4 +1,4 @@
-// types.c - what a type consists of.
+// types.c - the parts of a type.
 #include "tests/judge/define_types.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-// types.h - what a type consists of, for whatever handles values of any type.
+// types.h - the parts of a type, for all code that handles values of any type.
 #ifndef TESTS_JUDGE_TYPES_H
 #define TESTS_JUDGE_TYPES_H
 
@@ -20,7 +20,7 @@ typedef struct Type Type;
 typedef struct {
     FieldKind kind;
     const char *name;
-    const char *label; // in words, with what follows it, before the value; NULL: is not told
+    const char *label; // in words, with the separator, before the value; NULL: is not shown
     const Type *type;  // of each item
     size_t offset;
     size_t count_at; // of a list: the offset of its int; of pixels: the offset of their Resolution
@@ -47,17 +47,17 @@ extern const Type type_void;
 // NULL if there is no type of this name.
 const Type *type_named(const char *name);
 
-// Whether a value holds all of itself: no pointer.
+// Whether a value contains all of its data: no pointer.
 bool type_is_flat(const Type *type);
 enum { TYPE_MOST_BYTES = 512 }; // no value is larger
 
-// Copies all that the type consists of, and no padding. The type is flat.
+// Copies all parts of the type, and no padding. The type is flat.
 void type_copy(const Type *type, void *to, const void *from);
 
 // A flat value in words: 'origin (0, 0, 0), direction (0, 0, 1)'.
 void type_words(const Type *type, const void *value, int digits, char *words, size_t size);
 
-// Calls for each number of a flat value, in order: where it is, and whether it is a double; an
+// Calls for each number of a flat value, in order: its address, and whether it is a double; an
 // integer has this many bytes. name: of the field; "" if the type has no fields.
 typedef void NumberVisitor(void *context, const char *name, void *number, size_t size,
                            bool is_double);

@@ -174,7 +174,7 @@ static void get_image(Wire *wire, Image *image)
 {
     Message message;
     Resolution size = image->size;
-    // A picture that is not in the message would be made of memory that is not there.
+    // A picture that is not in the message would be read from memory that is not there.
     bool is_there = !wire->bad && size.width > 0 && size.height > 0 &&
                     (uint64_t)size.width * (uint64_t)size.height <= (wire->size - wire->read) / 3;
     if (!is_there || !image_create(image, size, &message)) {
@@ -265,8 +265,8 @@ void wire_get_into_doubles(Wire *wire, double *doubles, const Image *image)
     wire_get(wire, doubles, sizeof *doubles * pixels_of(image));
 }
 
-// Room for a pixel's number that was computed with rows of another length: it is not one of these
-// doubles, but the answer is judged by the others, and not by what it did to the heap.
+// Room for the number of a pixel that was computed with rows of another length: it is not one of
+// these doubles, but the answer is judged by the others, and not by its damage to the heap.
 static size_t room_for_slips(const Image *image)
 {
     size_t sides = (size_t)image->size.width + (size_t)image->size.height;

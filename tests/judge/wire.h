@@ -18,9 +18,11 @@ typedef struct {
     size_t size;     // how many were put
     size_t room;     // how many there is room for
     size_t read;     // how many were got
-    bool bad;        // too short, too long, or senseless
-    bool is_hostile; // a question of a student's process: what the reference relies on is checked
-    bool overran;    // who made this answer wrote past the end of an array of the question
+    bool bad;        // too short, too long, or invalid
+    bool is_hostile; // a question of a student's process: the conditions of the reference are
+                     // checked
+    bool
+        overran; // the process that made this answer wrote past the end of an array of the question
 } Wire;
 
 // In front of every message.
@@ -32,12 +34,12 @@ typedef struct {
     int32_t kind;
     int32_t paint;    // of a call: a byte to fill the stack with before it (paint.h)
     int32_t overran;  // in an answer: it wrote past the end of the image or of depth
-    char missing[60]; // in an answer: the first blank that was called; empty where none was
+    char missing[60]; // in an answer: the first blank that was called; empty if none was
 } WireHeader;
 
 enum { WIRE_MAGIC = 0x52617943 };
-// The judge calls and lends, the answering process answers, asks for what is lent, or crashes; and
-// it tells which other exercises it enters meanwhile (calls_traced.h).
+// The judge calls and lends; the answering process answers, calls a lent exercise, or crashes; and
+// it reports which other exercises it enters meanwhile (calls_traced.h).
 enum { WIRE_CALL, WIRE_ANSWER, WIRE_CRASH, WIRE_ASK, WIRE_LENT, WIRE_ENTERED };
 
 // The message of a crash.
@@ -51,10 +53,10 @@ typedef struct {
 } WireCrash;
 
 void wire_clear(Wire *wire);
-bool wire_make_room(Wire *wire, uint64_t size); // for a message of so many bytes
+bool wire_make_room(Wire *wire, uint64_t size); // for a message of this many bytes
 void wire_put(Wire *wire, const void *value, size_t size);
 void wire_get(Wire *wire, void *value, size_t size);
-bool wire_is_read(const Wire *wire); // to its end, and nothing was bad
+bool wire_is_read(const Wire *wire); // to its end, and nothing was invalid
 
 // Whether the reference can be called with these; all of them if the question is not hostile.
 enum { WIRE_MOST_DEPTH = 100 };
@@ -63,24 +65,24 @@ bool wire_allows_hit(const Wire *wire, Hit hit, const Scene *scene);
 bool wire_allows_light(const Wire *wire, Light light);
 bool wire_allows_world(const Wire *wire, Handedness world);
 
-// A value of any type: what the type consists of, and zeros for its padding, which could hold what
-// the judge had there.
+// A value of any type: the parts of the type, and zeros for its padding, which could hold data of
+// the judge.
 void wire_put_value(Wire *wire, const Type *type, const void *value);
 void wire_get_value(Wire *wire, const Type *type, void *value);
-void wire_free_value(const Type *type, void *value); // what getting it took from malloc
+void wire_free_value(const Type *type, void *value); // memory that reading it took from malloc
 
-// Arrays that were got have a guard before their first item and after their last, for loops that
-// run once too often. A sphere all round the world, with a colour that no scene has, and a bright
-// light: one item too many is seen in the result. The guards of pixels and depths are read
-// afterwards: one item too many that was written is seen there, and a depth that is farther than
-// any hit is one that a hit replaces.
+// Arrays that were read have a guard before their first item and after their last, for loops that
+// run once too often. A sphere around the whole world, with a colour that no scene has, and a very
+// bright light: one item too many shows in the result. The guards of pixels and depths are checked
+// afterwards: one item too many that was written shows there, and the guard's depth is farther than
+// any hit, so that a hit replaces it.
 #define GUARD_SPHERE ((Sphere){{0, 0, 0}, 1e100, 0})
 #define GUARD_LIGHT ((Light){{0.48, 0.6, 0.64}, {1, 1, 1}, LIGHT_DISTANT})
 
 void wire_put_pixels(Wire *wire, const Image *image);
 void wire_get_pixels(Wire *wire, Image *image); // into an image of the same size
-// What is behind the pixels of an image that was got, or the depths of wire_get_doubles, is not as
-// it was.
+// The memory after the pixels of an image that was read, or after the depths of wire_get_doubles,
+// has changed.
 bool wire_pixels_overran(const Image *image);
 bool wire_doubles_overran(const double *doubles, const Image *image);
 

@@ -1,4 +1,4 @@
-// distinct_digits.h - two numbers as words, to the digits that tell them apart.
+// distinct_digits.h - two numbers as words, with enough digits to distinguish them.
 #ifndef TESTS_JUDGE_REFERENCE_DISTINCT_DIGITS_H
 #define TESTS_JUDGE_REFERENCE_DISTINCT_DIGITS_H
 
@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-// Rounding leaves 1e-16 where 0 is meant.
+// Rounding leaves 1e-16 instead of 0.
 static inline double without_noise(double x, double noise)
 {
     return fabs(x) <= noise ? 0 : x;

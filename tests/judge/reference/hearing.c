@@ -1,4 +1,5 @@
-// hearing.c - what the answer made of a call, beside what known functions make of the same.
+// hearing.c - the result of the answer for a call, and the results of known functions for the same
+// call.
 #include "tests/judge/reference/hearing.h"
 
 #include "tests/judge/message.h"
@@ -37,7 +38,7 @@ static const Numbers *by_function(int exercise, const Mistake *mistake, int nth)
     return &numbers;
 }
 
-// By whoever answered the first time.
+// By the one that answered the first time.
 static const Numbers *once_more(int exercise)
 {
     static Numbers numbers;

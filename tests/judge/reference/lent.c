@@ -1,6 +1,6 @@
 // lent.c - for the answering process: lent_NAME asks the judge for the reference's answer.
 //
-// If an exercise is lent, the linker puts lent_NAME in the place of a call of it.
+// If an exercise is lent, the linker puts lent_NAME in the place of its calls.
 #include "tests/judge/exercise.h"
 #include "tests/judge/parameters.h"
 #include "tests/judge/transport.h"

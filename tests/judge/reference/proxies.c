@@ -1,4 +1,4 @@
-// proxies.c - each exercise under its contract name, for the tests: whoever is switched on answers
+// proxies.c - each exercise under its contract name, for the tests: the chosen one answers
 // (switchboard.h), and the results are compared with the known mistakes and the laws.
 #include "tests/judge/message.h"
 #include "tests/judge/parameters.h"

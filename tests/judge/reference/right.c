@@ -1,4 +1,4 @@
-// right.c - what is right for a call that was kept, by the reference.
+// right.c - the right result for a call that was kept, by the reference.
 #include "tests/judge/right.h"
 
 #include "tests/judge/message.h"
