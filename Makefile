@@ -176,7 +176,7 @@ chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c %_lanes.c,$(wildc
 	chapters/$(1)/*/*_lanes.c)))
 
 # The loops in NAME_lanes.c are compiled for several instruction sets; which of them a processor has
-# is asked when the program runs (chapters/08-fast/engines/lanes.c). Nowhere but there may multiplications
+# is asked when the program runs (lanes.c of that chapter). Nowhere but there may multiplications
 # be fused with additions: what these loops decide, they decide with a margin.
 LANES_KINDS := baseline $(if $(JUDGES_ONLY),,$(if $(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),avx2 avx512))
 FOR_avx2 := -mavx2 -mfma
@@ -201,7 +201,7 @@ GALLERY := $(BUILT)/gallery
 # A picture that lacks an answer is not an error: its program says so in one line (common/answers.h).
 TRY = $(if $(filter solutions,$(ANSWERS)),,NOT_YET=$@)
 # The picture of a chapter, which chapters/NN-stem/picture.txt describes in words. The other pictures
-# of a chapter, and the scenes of which they are cast, are in its pictures.mk.
+# of a chapter, and the scenes of which they are cast, are in its chapter.mk.
 CHAPTER_PICTURES := $(patsubst chapters/%/picture.txt,%,$(wildcard chapters/*/picture.txt))
 PICTURES := $(CHAPTER_PICTURES:%=$(GALLERY)/%.png)
 $(PICTURES): $(GALLERY)/%.png: $(BUILT)/%
@@ -209,7 +209,7 @@ $(PICTURES): $(GALLERY)/%.png: $(BUILT)/%
 	$(Q)mkdir -p $(@D)
 	$(Q)$(TRY) $< --picture $@
 SCENES :=
-include $(sort $(wildcard chapters/*/pictures.mk))
+include $(sort $(wildcard chapters/*/chapter.mk))
 
 # Scenes that a program writes: chapters/NN-stem/NAME_nff.c writes NAME-x.nff, given its ARGUMENTS.
 NFF_PROGRAMS := $(patsubst %.c,$(B)/%,$(wildcard chapters/*/*_nff.c))

@@ -34,7 +34,7 @@ QUICK_LINKER = $(firstword $(foreach l,gold mold lld,$(if $(shell command -v ld.
 IS_CLANG := $(findstring clang,$(FLAGS_NOW))
 QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections -finstrument-functions $(SANITIZER) $(FOR_STUDENTS) \
 	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
-JUDGES_LAYOUTS := common/figure/plot.gp chapters/01-corners/figures/yours-and-right.gp $(wildcard tests/judge/layouts/*.gp)
+JUDGES_LAYOUTS := common/figure/plot.gp $(wildcard chapters/*/figures/yours-and-right.gp) $(wildcard tests/judge/layouts/*.gp)
 
 # What a student's answers draw, before a chapter is right and after it (tests/course/pictures/). In
 # the toolkit the reference, under other names, is used for what is not answered; a handout has none.

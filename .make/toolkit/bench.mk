@@ -8,10 +8,10 @@ $(error PEERS=$(PEERS) needs Embree 3: libembree-dev of Debian 12, embree3 elsew
 endif
 endif
 ENGINE_BENCH := $(B)/tests/benches/engines$(if $(PEERS),-and-peers)
-ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(B)/chapters/shared.a \
+ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) $(B)/chapters/shared.a \
 	$(STEMS:%=$(B)/solutions/%.o)
 PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers embree programs,none)) \
-	$(if $(PEERS),$(B)/chapters/07-shading/export.o)
+	$(if $(PEERS),$(B)/chapters/$(SHADING_CHAPTER)/export.o)
 $(B)/tests/benches/peers/embree.o: EXTRA = -O3 -march=native -fopenmp-simd -fno-math-errno \
 	-fno-trapping-math -ffp-contract=fast -mprefer-vector-width=512
 $(B)/tests/benches/peers/programs.o: EXTRA = $(PNG_CFLAGS)
@@ -27,20 +27,20 @@ $(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o \
 	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
 bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: others, too)
 	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
-bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/08-fast $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
+bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: others, too)
 	@PROGRAMS='$(BUILT)' BUILD='$(B)' PEERS='$(PEERS)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
 $(B)/tests/benches/reading: %: %.o $(B)/tests/benches/by_sscanf.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
 bench-reading: $(B)/tests/benches/reading $(filter $(B)/%,$(BENCH_SCENES)) ## scenes: beside sscanf
 	@$< $(filter %.nff,$^)
-bench-shading: $(BUILT)/07-shading $(BUILT)/08-fast $(B)/scenes/sphereflake-7381.nff ## shadows and mirrors: how much sooner by the hierarchy
+bench-shading: $(BUILT)/$(SHADING_CHAPTER) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-7381.nff ## shadows and mirrors: how much sooner by the hierarchy
 	@PROGRAMS='$(BUILT)' tests/benches/shading.sh $(B)/scenes/sphereflake-7381.nff
 $(B)/tests/benches/pictures.o: EXTRA = $(PNG_CFLAGS)
 $(B)/tests/benches/pictures: %: %.o
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lz
-bench-pictures: $(B)/tests/benches/pictures $(BUILT)/07-shading $(BUILT)/08-fast $(SCENES) ## a PNG by libpng's settings: time and size
+bench-pictures: $(B)/tests/benches/pictures $(BUILT)/$(SHADING_CHAPTER) $(BUILT)/$(ENGINE_CHAPTER) $(SCENES) ## a PNG by libpng's settings: time and size
 	@tests/benches/pictures.sh $(B) $(BUILT)
 bench: $(JUDGE) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
 	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-reading bench-wait bench-shading

@@ -59,7 +59,7 @@ DRAW := $(PICTURE)/draw
 $(DRAW): $(B)/tests/grade/mark/picture.o $(STEMS:%=$(B)/solutions/direct/%.o) $(B)/tests/judge/direct_answers.o \
 		$(B)/chapters/shared/scene_camera.o $(TESTING) $(HEARING) $(TO_PROCESS) $(B)/common.a
 	$(link_program)
-SCENE_TO_DRAW := chapters/06-ray-casting/three-spheres.nff
+SCENE_TO_DRAW := $(wildcard chapters/*/three-spheres.nff)
 $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 	$(Q)$(DRAW) nobody $(SCENE_TO_DRAW) $@
 

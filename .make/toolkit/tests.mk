@@ -130,7 +130,7 @@ ENGINES := $(B)/tests/house/engines/same $(B)/tests/house/engines/lit
 ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
 $(SAME_ENGINES): $(patsubst %,$(B)/tests/house/engines/%.o,against made made_difficult made_far parts)
 $(B)/tests/house/engines/lit: $(B)/tests/house/engines/lit_scenes.o
-$(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,08-fast)) $(B)/chapters/shared.a \
+$(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) $(B)/chapters/shared.a \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread

@@ -33,6 +33,11 @@ no_markers() {
 }
 check 'no page and no makefile has parts for somebody else' no_markers
 check 'README.md has at most 100 lines' test "$(wc -l <README.md)" -le 100
+# There are several awks, and what is worth a program is worth one in C.
+no_awk() {
+    ! grep -rnw awk Makefile .make chapters common exercises solutions tests/course tests/handout tests/judge
+}
+check 'only tests and measurements use awk' no_awk
 # Tests are started as programs.
 all_may_be_executed() {
     find tests/house tests/proof -maxdepth 1 -name '*.sh' ! -perm -u+x >"$scratch/found"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# machines.sh - other machines: locales, awks, names of folders, trees that cannot be written.
+# machines.sh - other machines: locales, names of folders, trees that cannot be written.
 # Only reads the tree.
 set -u
 . tests/house/runner/library.sh
@@ -24,25 +24,6 @@ if command -v gnuplot >/dev/null; then
 else
     echo "skipped: figures in locale C: gnuplot is missing ('make setup' installs it)"
 fi
-
-# ---- awks -----------------------------------------------------------------------------------------
-
-# What is left of awk is read by every awk that is here: the original one (macOS, BSD), busybox's, gawk, mawk.
-read_by_awk() {
-    mkdir -p "$scratch/$1"
-    printf '#!/bin/sh\nexec %s "$@"\n' "$2" >"$scratch/$1/awk"
-    chmod +x "$scratch/$1/awk"
-    for program in .make/*.awk tests/handout/*.awk chapters/gallery/*.awk; do
-        PATH=$scratch/$1:$PATH LC_ALL=C awk -f "$program" </dev/null >"$scratch/$1/parsed" 2>&1
-        ! grep -iE 'syntax error|illegal statement|unexpected token' "$scratch/$1/parsed" || return 1
-    done
-}
-check "all is read by this machine's awk" read_by_awk this "$(command -v awk)"
-for other in original-awk gawk mawk 'busybox awk'; do
-    if command -v "${other%% *}" >/dev/null; then
-        check "and by $other" read_by_awk "${other%% *}" "$(command -v "${other%% *}")${other#"${other%% *}"}"
-    fi
-done
 
 # ---- names of folders, trees that cannot be written -------------------------------------------------
 

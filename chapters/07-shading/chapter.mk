@@ -1,5 +1,6 @@
-# pictures.mk - the pictures of chapter 07: each term of the light alone; and the flat and the shaded
+# chapter.mk - the pictures of chapter 07: each term of the light alone; and the flat and the shaded
 # picture together, as on the closing slide.
+SHADING_CHAPTER := 07-shading
 TERMS := ambient diffuse specular
 TERM_PICTURES := $(TERMS:%=$(GALLERY)/07-%.png)
 PICTURES += $(GALLERY)/still-something-missing.png $(TERM_PICTURES)

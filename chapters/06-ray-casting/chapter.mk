@@ -1,4 +1,4 @@
-# pictures.mk - the pictures of chapter 06: of its scenes, and of scenes that its programs write
+# chapter.mk - the pictures of chapter 06: of its scenes, and of scenes that its programs write
 # (NAME_nff.c).
 GENERATED := sphereflake-91 sphereflake-820 sphereflake-7381 sunflower
 $(B)/scenes/sphereflake-91.nff: ARGUMENTS = 2
