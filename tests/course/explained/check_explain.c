@@ -1,7 +1,7 @@
 // check_explain.c - tests of what a student reads of a compiler's and a linker's words.
 //
 // Expected: explained/*.txt. Each case there is an answer, what compilers said of it, and what a
-// student reads. They were recorded from the awk program that the explainer was before; a case that
+// student reads. They were recorded from an earlier explainer; a case that
 // changes is a change for students.
 #include "tests/course/explain.h"
 
