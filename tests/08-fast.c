@@ -1,5 +1,5 @@
-// 08-fast.c - tests of exercise 08. Expected: rectangles worked by hand from right triangles with
-// whole sides, rectangles from angles, points of the outline, and rays that hit.
+// 08-fast.c - tests of exercise 08. Expected values: rectangles worked out by hand from right
+// triangles with whole sides, rectangles from angles, points of the outline, and rays that hit.
 #include "exercises/08-fast.h"
 
 #include "tests/judge/test.h"
@@ -30,7 +30,7 @@ static Camera oblique_camera(void)
                     .height = 9};
 }
 
-// A sphere whose centre is so far to the right, up and ahead.
+// A sphere whose centre is at this distance to the right, up and ahead.
 static Sphere sphere_at(Camera c, double right, double up, double ahead, double radius)
 {
     return (Sphere){c.origin + right * c.right + up * c.up + ahead * c.forward, radius, 0};
@@ -68,8 +68,8 @@ START_TEST(a_sphere_straight_ahead_of_the_camera_of_the_deck)
 }
 END_TEST
 
-// By hand: 5 ahead, radius 3, 3 aside: g = 16, m = (15 -+ 15) / 16, that is 0 and 15/8. Not aside:
-// m = -+3/4.
+// By hand: 5 ahead, radius 3, 3 to the side: g = 16, m = (15 -+ 15) / 16, that is 0 and 15/8. In
+// the middle: m = -+3/4.
 START_TEST(a_sphere_whose_edge_is_straight_ahead)
 {
     Camera c = camera_of_45_degrees();
@@ -95,8 +95,8 @@ START_TEST(a_sphere_above_is_in_the_upper_half_of_the_screen)
 }
 END_TEST
 
-// By hand: m = 0 and 15/8 to the right, of 2 on the plane; upwards m = (-20 -+ 3 * sqrt(32)) / 16,
-// too.
+// By hand: m = 0 and 15/8 to the right, of 2 on the plane; also m = (-20 -+ 3 * sqrt(32)) / 16
+// upwards.
 START_TEST(a_sphere_on_the_right_and_below_for_an_oblique_camera)
 {
     Camera c = oblique_camera();
@@ -107,7 +107,7 @@ START_TEST(a_sphere_on_the_right_and_below_for_an_oblique_camera)
 }
 END_TEST
 
-START_TEST(between_the_eye_and_the_image_plane_it_is_seen)
+START_TEST(a_sphere_between_the_eye_and_the_image_plane_is_seen)
 {
     Camera c = camera_of_the_deck();
     expect_rectangle(c, (Resolution){640, 480}, sphere_at(c, 0, 0, 0.41, 0.09),
@@ -115,7 +115,7 @@ START_TEST(between_the_eye_and_the_image_plane_it_is_seen)
 }
 END_TEST
 
-START_TEST(behind_the_eye_there_is_nothing)
+START_TEST(a_sphere_behind_the_eye_has_no_rectangle)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -128,7 +128,7 @@ START_TEST(behind_the_eye_there_is_nothing)
 }
 END_TEST
 
-START_TEST(around_the_eye_it_is_the_whole_screen)
+START_TEST(a_sphere_around_the_eye_covers_the_whole_screen)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -140,8 +140,9 @@ START_TEST(around_the_eye_it_is_the_whole_screen)
 }
 END_TEST
 
-// The sphere reaches behind the eye, but the eye is outside: by how far ahead the centre is.
-START_TEST(beside_the_eye_it_is_the_whole_screen)
+// The sphere reaches behind the eye, but the eye is outside: the argument is how far ahead the
+// centre is.
+START_TEST(a_sphere_beside_the_eye_covers_the_whole_screen)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -155,8 +156,8 @@ START_TEST(beside_the_eye_it_is_the_whole_screen)
 }
 END_TEST
 
-// By hand: m from 0 to 15/8, and from -3/4 to 3/4, where the plane has -1 to 1.
-START_TEST(what_is_beyond_the_edges_is_cut_off)
+// By hand: m from 0 to 15/8, and from -3/4 to 3/4; the plane has -1 to 1.
+START_TEST(the_part_beyond_the_edges_is_cut_off)
 {
     Camera c = camera_of_45_degrees();
     Resolution screen = {200, 100};
@@ -175,7 +176,7 @@ START_TEST(a_sphere_larger_than_the_screen_covers_it)
 }
 END_TEST
 
-// By hand: 20 aside, 5 ahead, radius 3: m is above 2 on that side, where the plane ends at 1.
+// By hand: 20 to the side, 5 ahead, radius 3: m is above 2 on that side, and the plane ends at 1.
 START_TEST(a_sphere_beside_the_screen_has_no_rectangle)
 {
     Camera c = camera_of_45_degrees();
@@ -290,7 +291,7 @@ START_TEST(every_point_of_the_outline_is_in_the_rectangle_and_the_outermost_are_
 }
 END_TEST
 
-// By brute force: how far each pixel's ray passes from the centre.
+// By brute force: the distance of each pixel's ray from the centre.
 START_TEST(no_pixel_outside_of_the_rectangle_shows_the_sphere)
 {
     for (int i = 0; i < 12; i++) {
@@ -325,11 +326,11 @@ static void list_tests(void)
     test(a_sphere_whose_edge_is_straight_ahead);
     test(a_sphere_above_is_in_the_upper_half_of_the_screen);
     test(a_sphere_on_the_right_and_below_for_an_oblique_camera);
-    test(between_the_eye_and_the_image_plane_it_is_seen);
-    test(behind_the_eye_there_is_nothing);
-    test(around_the_eye_it_is_the_whole_screen);
-    test(beside_the_eye_it_is_the_whole_screen);
-    test(what_is_beyond_the_edges_is_cut_off);
+    test(a_sphere_between_the_eye_and_the_image_plane_is_seen);
+    test(a_sphere_behind_the_eye_has_no_rectangle);
+    test(a_sphere_around_the_eye_covers_the_whole_screen);
+    test(a_sphere_beside_the_eye_covers_the_whole_screen);
+    test(the_part_beyond_the_edges_is_cut_off);
     test(a_sphere_larger_than_the_screen_covers_it);
     test(a_sphere_beside_the_screen_has_no_rectangle);
     test(the_edges_are_where_the_angles_of_the_tangents_say);

@@ -114,7 +114,7 @@ const Mistake place_mistakes[] = {
             "shifted upward by half a picture"),
     MISTAKE("G-plus", image_plane_vector, half_added, "d f + (s + 1/2) w r + (t + 1/2) h u",
             "here s = t = 0 is the upper right corner. s = t = 1/2 must be straight ahead.",
-            "shifted by a whole picture: blank, or what is beside the view"),
+            "shifted by a whole picture: blank, or the scene beside the view"),
     MISTAKE("G-over", image_plane_vector, up_from_the_top, "d f + (s - 1/2) w r + (t + 1/2) h u",
             "t starts at the top edge here, but it must start at the bottom.",
             "shifted upward by a whole picture"),

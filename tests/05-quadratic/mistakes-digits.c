@@ -39,8 +39,8 @@ const Mistake digit_mistakes[] = {
             "overflows for large numbers.",
             "no visible difference, except for small spheres very far away"),
     MISTAKE("X-sphere", sphere_roots, slide_for_spheres, "the roots of a, b, c by the slide",
-            "right, and good enough for full marks. Far from a small sphere, r^2 is lost beside "
-            "p.p, and then again in D.",
+            "right, and good enough for full marks. Far from a small sphere, r^2 loses its "
+            "digits beside p.p, and then again in D.",
             "speckled or missing spheres, a million radii away"),
     MISTAKE("X-stable", sphere_roots, stable_roots_of_the_slide,
             "stable roots of the slide's a, b, c",

@@ -172,11 +172,11 @@ const Mistake hit_mistakes[] = {
     MISTAKE("R5-hit", hit_sphere, tangent_missed, "a miss if both roots are equal",
             "such a ray just touches the sphere, and that is a hit.",
             "hardly anything: single pixels missing at the edge"),
-    MISTAKE("T-minus1", hit_sphere, minus_1_for_no_hit, "-1 for NO_HIT",
+    MISTAKE("T-minus1", hit_sphere, minus_1_for_no_hit, "-1 instead of NO_HIT",
             "a search for the smallest t finds -1 nearer than every sphere. NO_HIT is farther than "
             "all of them.",
             "a blank picture, or only the sphere that is last in the scene"),
-    MISTAKE("T-none0", hit_sphere, zero_for_no_hit, "0 for NO_HIT",
+    MISTAKE("T-none0", hit_sphere, zero_for_no_hit, "0 instead of NO_HIT",
             "a search for the smallest t finds 0 nearer than every sphere. NO_HIT is farther than "
             "all of them.",
             "a blank picture, or only the sphere that is last in the scene"),

@@ -134,7 +134,7 @@ const Mistake sphere_mistakes[] = {
         "S-always", sphere_roots, always_met, "t = -p.v / v.v if it misses",
         "this is where the line is closest to the sphere, and it does not meet the sphere there.",
         "a picture filled by the sphere: every ray hits"),
-    MISTAKE("S-double", sphere_roots, radius_doubled, "2r for r",
+    MISTAKE("S-double", sphere_roots, radius_doubled, "2r instead of r",
             "r is the distance from the centre to the surface, not from side to side.",
             "spheres of twice the size"),
     MISTAKE(

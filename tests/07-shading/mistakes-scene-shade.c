@@ -167,7 +167,7 @@ const Mistake shade_mistakes[] = {
     MISTAKE("S-turn", shade, normal_not_turned, "the normal outward, even from inside",
             "from inside the other side of the surface is visible: reverse the normal if it points "
             "away from the eye.",
-            "hollow spheres dark inside, lit by what is outside"),
+            "hollow spheres dark inside, lit by the lights outside"),
     MISTAKE("W3-shade", shade, normal_reversed, "the normal on the side away from the eye",
             "it must point to the side of the eye: if the dot product of the normal and the ray's "
             "direction is positive, reverse it.",

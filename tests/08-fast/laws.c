@@ -1,5 +1,5 @@
-// laws.c - laws of exercise 08: a rectangle is on the screen, and the centre of a sphere is in its
-// rectangle.
+// laws.c - the laws of exercise 08: a rectangle is on the screen, and the centre of a sphere is in
+// its rectangle.
 #include "tests/08-fast/laws.h"
 
 #include "common/text.h"
@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-// Wide of the contract's 1e-6.
+// Much wider than the contract's 1e-6.
 static const double noise = 1e-5;
 
 static bool in_order(const char *low, double from, const char *high, double to, const char *size,

@@ -1,4 +1,4 @@
-// laws.h - laws of exercise 08.
+// laws.h - the laws of exercise 08.
 #ifndef TESTS_08_FAST_LAWS_H
 #define TESTS_08_FAST_LAWS_H
 

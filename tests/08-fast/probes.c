@@ -1,4 +1,4 @@
-// probes.c - calls that tell mistakes of exercise 08 apart: any camera, any sphere.
+// probes.c - calls that distinguish the mistakes of exercise 08: any camera, any sphere.
 #include "exercises/08-fast.h"
 
 #include "tests/judge/suspects.h"

@@ -1,4 +1,4 @@
-// unknown.c - wrong answers to exercise 08 whose values alone are not a known mistake.
+// unknown.c - wrong answers to exercise 08 that are not known mistakes by their values alone.
 #include "tests/proof/unknown.h"
 
 #include "exercises/08-fast.h"

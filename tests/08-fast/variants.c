@@ -61,8 +61,7 @@ static ScreenRectangle by_chapter_05(Camera c, Resolution screen, Sphere sphere)
     return with_tangents(c, screen, sphere, roots);
 }
 
-// The points where the tangents touch the circle, which is turned by the angle whose sine is r /
-// |c|.
+// The points where the tangents touch the circle, rotated by the angle whose sine is r / |c|.
 static void touching_points(double ahead, double aside, double r, double m[2])
 {
     double square = ahead * ahead + aside * aside, length = sqrt(square - r * r);
@@ -114,11 +113,11 @@ static ScreenRectangle by_chapter_03(Camera c, Resolution screen, Sphere sphere)
 }
 
 static const Variant variants[] = {
-    VARIANT(sphere_rectangle, by_angles, "by the angles of the tangents"),
-    VARIANT(sphere_rectangle, by_chapter_05, "by quadratic_roots of chapter 05"),
-    VARIANT(sphere_rectangle, by_touching_points, "by the points that the tangents touch"),
+    VARIANT(sphere_rectangle, by_angles, "with the angles of the tangents"),
+    VARIANT(sphere_rectangle, by_chapter_05, "with quadratic_roots of chapter 05"),
+    VARIANT(sphere_rectangle, by_touching_points, "with the points that the tangents touch"),
     VARIANT(sphere_rectangle, by_long_double, "in long double"),
-    VARIANT(sphere_rectangle, by_chapter_03, "by angles and normalized_to_screen"),
+    VARIANT(sphere_rectangle, by_chapter_03, "with angles and normalized_to_screen"),
     {0},
 };
 OF_STEM(variants)
