@@ -9,7 +9,7 @@ $(JUDGE): $(REPLAY) \
 	$(Q)mkdir -p $(@D) && rm -rf $@
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
-# The toolkit itself, whatever stands in exercises/.
+# The toolkit itself, whatever the contents of exercises/.
 CHECKS := $(COMMON_TESTS)
 check: $(RUN) $(CHECKS) $(TABLE_CHECK) $(JUDGE) $(BLANKS) ## the tests of the toolkit
 	@CC='$(CC)' MAKEFLAGS= $(RUN) $(B)/log $(CHECKS) $(STEMS:%='$(TABLE_CHECK) %') tests/handout/replay/blanks.sh

@@ -11,7 +11,7 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 # What every program of tests is made of: its list of tests, and the words for given and expected.
 TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
 	show random stem types type_words) $(B)/tests/course/page.o
-COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/common/*.c tests/course/check_*.c \
+COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/course/check_*.c \
 	tests/course/explained/*.c))
 # What judges answers (tests/course/course.c), in parts.
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c %/explain_main.c tests/course/check_%, \
