@@ -70,6 +70,14 @@ quotes_the_bench() {
         done <"$scratch/tables"
 }
 check "the lesson's tables are what was measured" quotes_the_bench
+quotes_the_rectangles() {
+    "$programs/08-fast" --rectangles >"$scratch/rectangles" || return 1
+    [ "$(grep -c questions "$scratch/rectangles")" -eq 2 ] &&
+        sed '1,/^On a screen/d; /^$/d' "$scratch/rectangles" | while IFS= read -r line; do
+            grep -qxF -e "$line" chapters/08-fast/README.md || { echo "not there: $line" && return 1; }
+        done
+}
+check "the lesson's rectangles are those that the program prints" quotes_the_rectangles
 
 refuses() {
     words=$1
