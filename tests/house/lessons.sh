@@ -37,6 +37,15 @@ for page in README.md chapters/README.md exercises/README.md .github/CONTRIBUTIN
     check "the links of $page lead somewhere" links_lead_somewhere "$page"
 done
 
+# Each picture that is drawn while a chapter is answered has its name in the lesson of that chapter.
+names_its_pictures() {
+    sed -n 's/^PICTURE([a-z_]*, "\([^"]*\)".*/\1/p' tests/course/pictures/pictures.def >"$scratch/pictures"
+    [ -s "$scratch/pictures" ] && while IFS= read -r name; do
+        grep -qF "$name.png" chapters/"${name%%-*}"-*/README.md || { echo "not there: $name.png" && return 1; }
+    done <"$scratch/pictures"
+}
+check 'the lessons name the pictures that are drawn on the way' names_its_pictures
+
 # Every function of common/ that an exercise needs is described where its reader looks.
 describes() {
     grep -q "$1(" common/image.h && grep -q "$1(" chapters/06-ray-casting/README.md &&
