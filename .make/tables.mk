@@ -4,7 +4,7 @@
 # The judge asks what the table says.
 $(JUDGE): $(REPLAY) \
 		$(patsubst %,$(B)/tests/judge/%.o,call kept process ending judge system_call) $(REPORTING) \
-		$(DRAWING) $(B)/tests/handout/replay/right.o $(B)/common.a | $(STEMS:%=$(TABLE)/%.table)
+		$(DRAWING) $(B)/tests/handout/replay/right_answer.o $(B)/common.a | $(STEMS:%=$(TABLE)/%.table)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D) && rm -rf $@
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -21,5 +21,5 @@ stands_on = $(call earlier,$(1))
 
 # The calls of a table, made directly.
 for_debug = $(B)/tests/handout/replay/debug.o $(TOLD) \
-	$(B)/tests/judge/same.o $(B)/dispatch/$(1).o \
+	$(B)/tests/judge/equal_numbers.o $(B)/dispatch/$(1).o \
 	$(call earlier_answers,$(1)) $(B)/common.a

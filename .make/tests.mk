@@ -17,7 +17,7 @@ COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/co
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c %/explain_main.c tests/course/check_%, \
 	$(wildcard tests/course/*.c))) $(patsubst %,$(B)/tests/judge/%.o,exercise types)
 $(filter $(B)/tests/course/%,$(COMMON_TESTS)): $(filter-out %/page.o,$(COURSE_PARTS))
-$(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/main.o $(B)/common.a
+$(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/test_main.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(B)/common.a $(CHECK_LIBS) $(PNG_LIBS) -lm
 
@@ -41,7 +41,7 @@ JUDGE := $(B)/judge
 
 # The list of the exercises, for programs that are not C (the format is in its source).
 LIST := build/list_exercises
-$(LIST): $(patsubst %,tests/judge/%.c,list exercise types) tests/exercises.def tests/judge/types.def
+$(LIST): $(patsubst %,tests/judge/%.c,list_exercises exercise types) tests/exercises.def tests/judge/types.def
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(LANGUAGE) -o $@ $(filter %.c,$^)
 
@@ -56,7 +56,7 @@ $(DISPATCHES): $(B)/dispatch/%.o: tests/judge/dispatch.c $(B)/flags.mk $(SETUP_F
 	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -o $@ $<
 
 # Which known mistake a wrong answer is.
-DIAGNOSIS := suspects evidence explanation paint same
+DIAGNOSIS := suspects evidence explanation stack_paint equal_numbers
 
 # What the judge says of answers, for a program.
 REPORTING := $(B)/tests/judge/report.o $(patsubst %,$(B)/tests/course/%.o,entries whole_text)

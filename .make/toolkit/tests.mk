@@ -31,17 +31,17 @@ $(REFERENCES): $(B)/tests/reference/%.o: $(B)/solutions/%.o $(B)/reference.names
 	$(Q)mkdir -p $(@D)
 	$(Q)objcopy --redefine-syms=$(B)/reference.names $< $@
 # What the answers do beside the known mistakes.
-HEARING := $(patsubst %,$(B)/tests/judge/%.o,reference/hearing reference/proxies reference/corners \
+HEARING := $(patsubst %,$(B)/tests/judge/%.o,reference/mistake_comparison reference/proxies reference/corners \
 	switchboard $(DIAGNOSIS)) \
 	$(B)/tests/judge/numbers.o $(CALLING) $(call known,laws) $(REFERENCES)
 # What calls an answering process.
-TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,call kept process ending system_call)
+TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport recorded_calls process crash_reason system_call)
 # With the reference for the chapters before, one mistake costs once; and the judge lends.
-lent = $(B)/tests/judge/reference/lent.o
+lent = $(B)/tests/judge/reference/lent_answers.o
 earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
 $(JUDGE): $(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) \
 		$(HEARING) $(TO_PROCESS) $(DRAWING) \
-		$(REPORTING) $(patsubst %,$(B)/tests/judge/%.o,judge reference/right) $(B)/common.a
+		$(REPORTING) $(patsubst %,$(B)/tests/judge/%.o,judge reference/right_answer) $(B)/common.a
 	$(link_program)
 
 # The tests alone, calling an answer in their own process, and the reference for all other stems.
@@ -54,12 +54,12 @@ $(STEMS:%=$(1)/direct/%.o): $(1)/direct/%.o: $(2)/%.o $(B)/answer_names/%
 	$$(Q)objcopy --redefine-syms=$(B)/answer_names/$$* $$< $$@
 endef
 $(foreach folder,$(sort $(BUILT) $(B)/solutions $(B)/blanks),$(eval $(call direct_answers,$(folder),$(folder))))
-DIRECT := $(ALL_TESTS) $(TESTING) $(HEARING) $(patsubst %,$(B)/tests/judge/%.o,main call_directly direct_answers)
+DIRECT := $(ALL_TESTS) $(TESTING) $(HEARING) $(patsubst %,$(B)/tests/judge/%.o,test_main call_directly direct_answers)
 TESTS := $(BUILT)/tests
 $(TESTS): $(DIRECT) $(STEMS:%=$(BUILT)/direct/%.o) $(B)/common.a
 	$(link_program)
 # For a debugger an answer keeps its names: the tests of its stem, and nobody in between.
-for_debug = $(call tests_of,$(1)) $(TESTING) $(B)/tests/judge/main.o $(call earlier_answers,$(1)) $(B)/common.a
+for_debug = $(call tests_of,$(1)) $(TESTING) $(B)/tests/judge/test_main.o $(call earlier_answers,$(1)) $(B)/common.a
 
 # Blanks are made afresh, whatever is in exercises/, and must pass nothing.
 BLANK_TESTS := $(B)/tests/blanks
@@ -77,7 +77,7 @@ MATRIX := $(B)/tests/matrix
 $(call known,composed): EXTRA = -include $(B)/weak.h
 $(call known,composed): $(B)/weak.h
 $(MATRIX): $(ALL_TESTS) $(foreach kind,mistakes probes variants composed unknown,$(call known,$(kind))) \
-		$(TESTING) $(HEARING) $(patsubst %,$(B)/tests/proof/%.o,matrix missing table) $(B)/common.a
+		$(TESTING) $(HEARING) $(patsubst %,$(B)/tests/proof/%.o,matrix missing memorised_answers) $(B)/common.a
 	$(link_program)
 
 # What a new chapter lacks before anything of it can be linked.
@@ -94,7 +94,7 @@ missing: $(if $(LACKS),,$(MATRIX)) ## what a new exercise or chapter still lacks
 GENERATED_SEED ?= 2015
 GENERATED_MOST ?= 400
 MUTATE := $(B)/tests/proof/generated/mutate
-$(MUTATE): $(patsubst %,$(B)/tests/proof/generated/%.o,mutate put source slips statements pen)
+$(MUTATE): $(patsubst %,$(B)/tests/proof/generated/%.o,mutate write_mutants source slips statements slip_text)
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
 MUTANTS := $(STEMS:%=$(B)/generated/%.o)
@@ -119,8 +119,8 @@ mutants_of = $(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(1) $(@D)/$*/*.i > $
 ALL_ERRORS = $(if $(findstring clang,$(CC)),-ferror-limit=0)
 TRIALS := $(B)/tests/try_generated
 $(TRIALS): $(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) $(HEARING) $(MUTANTS) \
-		$(patsubst %,$(B)/tests/proof/generated/%.o,try truth guard question ask_screen ask_cameras \
-		ask_spheres ask_scenes ask_lights) $(B)/tests/handout/here.o $(B)/common.a
+		$(patsubst %,$(B)/tests/proof/generated/%.o,judge_mutants truth guard question ask_screen ask_cameras \
+		ask_spheres ask_scenes ask_lights) $(B)/tests/handout/direct_transport.o $(B)/common.a
 	$(link_program)
 
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
@@ -143,7 +143,7 @@ $(ODD_QUESTIONS): $(ODD_QUESTIONS).o $(CALLING) $(REFERENCES) $(B)/common.a
 
 # What a type's entry brings.
 TYPES := $(B)/tests/proof/check_types
-$(TYPES): $(TYPES).o $(B)/tests/judge/main.o $(TESTING) $(CALLING) $(patsubst %,$(B)/tests/%.o,judge/numbers judge/same) \
+$(TYPES): $(TYPES).o $(B)/tests/judge/test_main.o $(TESTING) $(CALLING) $(patsubst %,$(B)/tests/%.o,judge/numbers judge/equal_numbers) \
 		$(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
@@ -165,7 +165,7 @@ $(SAME): $(B)/tests/proof/same_picture.o
 # Where the tables come from; and right answers written otherwise, held against them.
 TELL := $(B)/replay/tell
 $(TELL): $(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) $(HEARING) $(B)/tests/handout/replay/table.o \
-		$(patsubst %,$(B)/tests/handout/%.o,tell asked takes here) $(B)/common.a
+		$(patsubst %,$(B)/tests/handout/%.o,make_table test_recorder accepted_results direct_transport) $(B)/common.a
 	$(link_program)
 TABLES := $(STEMS:%=$(TABLE)/%.table)
 $(TABLES): $(TABLE)/%.table: $(TELL)
@@ -173,7 +173,7 @@ $(TABLES): $(TABLE)/%.table: $(TELL)
 	$(Q)env -u SEED $< $* $@
 TABLE_VARIANTS := $(B)/replay/variants
 $(TABLE_VARIANTS): $(filter-out $(HEARING),$(REPLAY)) $(call known,variants) \
-		$(patsubst %,$(B)/tests/handout/%.o,variants here) $(HEARING) $(B)/common.a | $(TABLES)
+		$(patsubst %,$(B)/tests/handout/%.o,variants direct_transport) $(HEARING) $(B)/common.a | $(TABLES)
 	$(link_program)
 
 KIT := $(B)/grading

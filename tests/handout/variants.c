@@ -1,7 +1,7 @@
 // variants.c - no right answer, however it is written, is failed or accused by the table.
 //
 //   variants STEM
-#include "tests/handout/here.h"
+#include "tests/handout/direct_transport.h"
 #include "tests/handout/replay/replay.h"
 
 #include "tests/judge/runner.h"

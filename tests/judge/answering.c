@@ -120,8 +120,8 @@ static bool receive(WireHeader *header, Wire *wire)
     return read_all(wire->bytes, wire->size);
 }
 
-// If an exercise of this chapter is lent, its calls come here (lent.c) and the judge answers them:
-// this process never holds the reference of the chapter that is judged.
+// If an exercise of this chapter is lent, its calls come here (lent_answers.c) and the judge
+// answers them: this process never holds the reference of the chapter that is judged.
 static Wire lent;
 
 static Wire *begin_asking(int exercise)
@@ -154,7 +154,7 @@ static void say_entered(int exercise)
         _exit(2);
 }
 
-// A result that the answer does not set keeps these bytes (paint.h).
+// A result that the answer does not set keeps these bytes (stack_paint.h).
 static __attribute__((noinline)) void paint_stack(void)
 {
     enum { ROOM = 1 << 13 };

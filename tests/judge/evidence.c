@@ -1,9 +1,9 @@
 // evidence.c - the results of a wrong answer, the reference and each known mistake for every call.
 #include "tests/judge/evidence.h"
 
-#include "tests/judge/paint.h"
+#include "tests/judge/equal_numbers.h"
 #include "tests/judge/record.h"
-#include "tests/judge/same.h"
+#include "tests/judge/stack_paint.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 // explanation.c - explains a wrong answer that is not simply one known mistake.
 #include "tests/judge/explanation.h"
 
-#include "tests/judge/paint.h"
-#include "tests/judge/same.h"
+#include "tests/judge/equal_numbers.h"
+#include "tests/judge/stack_paint.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #include "tests/judge/figure.h"
 
 #include "tests/judge/numbers.h"
-#include "tests/judge/right.h"
+#include "tests/judge/right_answer.h"
 #include "tests/judge/switchboard.h"
 
 #include <stdio.h>

@@ -8,8 +8,8 @@
 #define TESTS_JUDGE_FIGURE_H
 
 #include "common/figure/plot.h"
-#include "tests/judge/kept.h"
 #include "tests/judge/record.h"
+#include "tests/judge/recorded_calls.h"
 #include "tests/judge/suspects.h"
 
 // Removes the figure of an older answer.

@@ -4,7 +4,7 @@
 #include "common/figure/beside.h"
 #include "common/ray.h"
 #include "tests/judge/numbers.h"
-#include "tests/judge/right.h"
+#include "tests/judge/right_answer.h"
 
 #include <stdio.h>
 #include <string.h>

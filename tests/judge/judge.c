@@ -14,10 +14,10 @@
 // the reference (switchboard.h).
 //
 // The student's code is in the process ANSWERS. This one never loads, parses or runs any of it.
-#include "tests/judge/call.h"
 #include "tests/judge/figure.h"
-#include "tests/judge/kept.h"
 #include "tests/judge/process.h"
+#include "tests/judge/process_transport.h"
+#include "tests/judge/recorded_calls.h"
 #include "tests/judge/report.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"

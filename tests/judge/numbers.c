@@ -1,7 +1,7 @@
 // numbers.c - a message, as a list of numbers.
 #include "tests/judge/numbers.h"
 
-#include "tests/judge/same.h"
+#include "tests/judge/equal_numbers.h"
 
 #include <math.h>
 #include <stdio.h>

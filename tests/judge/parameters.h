@@ -2,7 +2,7 @@
 #ifndef TESTS_JUDGE_PARAMETERS_H
 #define TESTS_JUDGE_PARAMETERS_H
 
-#include "tests/judge/each.h"
+#include "tests/judge/for_each.h"
 
 // How it is passed, the type that crosses the pipe, its name.
 #define IN(type, name) (VALUE, type, name)

@@ -2,8 +2,8 @@
 #include "tests/judge/report.h"
 
 #include "tests/course/entries.h"
-#include "tests/judge/call.h"
 #include "tests/judge/exercise.h"
+#include "tests/judge/process_transport.h"
 
 #include <string.h>
 

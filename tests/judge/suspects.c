@@ -4,8 +4,8 @@
 #include "tests/judge/evidence.h"
 #include "tests/judge/explanation.h"
 #include "tests/judge/law.h"
-#include "tests/judge/paint.h"
 #include "tests/judge/record.h"
+#include "tests/judge/stack_paint.h"
 
 #include <stdarg.h>
 #include <stdio.h>

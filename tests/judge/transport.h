@@ -1,8 +1,8 @@
 // transport.h - how a call reaches its answer, and how the results come back.
 //
 // The tests call exercises by their contract names; the main program chooses what answers: a
-// process over a pipe (call.h), a table of recorded answers (table.h), a function of this process
-// (tests/handout/here.h), or anything else that has these functions.
+// process over a pipe (process_transport.h), a table of recorded answers (table.h), a function of
+// this process (tests/handout/direct_transport.h), or anything else that has these functions.
 #ifndef TESTS_JUDGE_TRANSPORT_H
 #define TESTS_JUDGE_TRANSPORT_H
 

@@ -32,7 +32,7 @@ typedef struct {
     uint64_t nonce; // new for every call; the answer must bring it back
     uint64_t size;  // of the message that follows
     int32_t kind;
-    int32_t paint;    // of a call: a byte to fill the stack with before it (paint.h)
+    int32_t paint;    // of a call: a byte to fill the stack with before it (stack_paint.h)
     int32_t overran;  // in an answer: it wrote past the end of the image or of depth
     char missing[60]; // in an answer: the first blank that was called; empty if none was
 } WireHeader;

@@ -15,8 +15,8 @@
 #include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 #include "tests/proof/composed.h"
+#include "tests/proof/memorised_answers.h"
 #include "tests/proof/missing.h"
-#include "tests/proof/table.h"
 #include "tests/proof/unknown.h"
 #include "tests/proof/variants.h"
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_TOLD_REPLAY_H
 #define TESTS_TOLD_REPLAY_H
 
-#include "tests/handout/replay/told.h"
+#include "tests/handout/replay/table.h"
 
 // Of the stem that was chosen.
 const Told *told_table(void);

@@ -2,7 +2,7 @@
 //
 // Reading and writing are one walk, so that they cannot differ. Whole numbers are short; of a wrong
 // result only what differs from the right one is kept.
-#include "tests/handout/replay/told.h"
+#include "tests/handout/replay/table.h"
 
 #include <math.h>
 #include <string.h>

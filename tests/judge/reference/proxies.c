@@ -2,7 +2,7 @@
 // (switchboard.h), and the results are compared with the known mistakes and the laws.
 #include "tests/judge/message.h"
 #include "tests/judge/parameters.h"
-#include "tests/judge/reference/hearing.h"
+#include "tests/judge/reference/mistake_comparison.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/transport.h"
 

@@ -4,7 +4,7 @@
 // can be tried: what would end that process ends the call, and the test hears the same words.
 #include "tests/proof/generated/guard.h"
 
-#include "tests/handout/here.h"
+#include "tests/handout/direct_transport.h"
 #include "tests/judge/record.h"
 
 #include <setjmp.h>

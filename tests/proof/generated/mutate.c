@@ -5,7 +5,7 @@
 // From each answer of the sources (a solution, a mistake, a right answer written otherwise) one
 // slip of the pen, or two. Of each exercise MOST are taken at random, the solution's own slips
 // first. ERRORS is what the compiler said of an earlier output: lines that it names are left out.
-#include "tests/proof/generated/put.h"
+#include "tests/proof/generated/write_mutants.h"
 
 #include <stdint.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 // Operators, signs, constants, fields, names and arguments are taken for others, terms and
 // statements left out, operands swapped. Tokens are all that is looked at: what is no C in the end
 // is for the compiler to find.
-#include "tests/proof/generated/pen.h"
+#include "tests/proof/generated/slip_text.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // statements.c - slips of statements and of variables.
-#include "tests/proof/generated/pen.h"
+#include "tests/proof/generated/slip_text.h"
 
 #include <stdio.h>
 #include <string.h>

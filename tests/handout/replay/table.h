@@ -1,0 +1,56 @@
+// table.h - the table of a stem: what its tests ask, what is right, and what known mistakes answer.
+//
+// It is made by tests/handout/make_table.c from the tests, the reference and the mistakes, none of
+// which it holds: only public inputs, values, and the sentences that a student is told.
+#ifndef TESTS_HANDOUT_REPLAY_TABLE_H
+#define TESTS_HANDOUT_REPLAY_TABLE_H
+
+#include "tests/judge/mistake.h"
+#include "tests/judge/numbers.h"
+
+#include <stdio.h>
+
+// One call of the function that a test is about.
+typedef struct {
+    char *given; // lines: name, tab, value
+    Numbers arguments;
+    int result_count; // results that differ; the first is the right one
+    Numbers *results;
+    int mistake_count;
+    int *of_mistake;    // which of them each known mistake of the function gives
+    double tolerance;   // within which the test takes a number for right; absolute
+    int reasons;        // which CameraFaults it takes for right, a bit each
+    int length_is_free; // whether it takes the direction of a ray for right in any length
+    double least, most; // of a step from a point: how many times as far is right, too; else 0
+    Numbers corners;    // of the image plane, from the eye, where a vector to it is asked for
+} ToldCall;
+
+typedef struct {
+    char *function, *name; // the sentence
+    int extra;             // costs no marks
+    int probe;             // nothing is expected
+    int call_count;
+    ToldCall *calls;
+} ToldTest;
+
+typedef struct {
+    char *function, *why, *picture;
+    int digits; // only extra tests can tell it from right
+} ToldMistake;
+
+typedef struct {
+    int test_count, mistake_count;
+    ToldTest *tests;
+    ToldMistake *mistakes;
+} Told;
+
+// Exits with 2, and a message, if the stem has no table or it cannot be read.
+void told_load(const char *stem, Told *told);
+
+// False if the file cannot be written.
+bool told_write(FILE *file, Told *told);
+
+// From malloc, one more of it; the new one is all zero.
+void *told_grow(void *items, int *count, size_t size);
+
+#endif

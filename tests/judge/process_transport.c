@@ -1,0 +1,319 @@
+// process_transport.c - one call to the answering process, whatever becomes of it.
+#include "tests/judge/process_transport.h"
+
+#include "tests/judge/crash_reason.h"
+#include "tests/judge/exercise.h"
+#include "tests/judge/message.h"
+#include "tests/judge/process.h"
+#include "tests/judge/record.h"
+#include "tests/judge/recorded_calls.h"
+#include "tests/judge/stack_paint.h"
+
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/random.h>
+#include <sys/wait.h>
+
+enum {
+    MOST_CALLS = 5,   // times the work of one call, for all calls of an exercise together
+    LENT_ROOM = 4096, // bytes by which a question may be larger than the call
+};
+
+static Wire wire;
+static uint64_t nonce;
+static struct {
+    How how;
+    char why[120]; // an exercise is not called any more
+} broken[EXERCISE_COUNT];
+static double work_of[EXERCISE_COUNT]; // seconds, so far
+static size_t size_of_call;
+static bool is_lent[EXERCISE_COUNT], was_lent[EXERCISE_COUNT];
+static bool has_entered[EXERCISE_COUNT][EXERCISE_COUNT];
+
+static Wire *begin(int exercise);
+static void send_call(int exercise);
+static Wire *receive_answer(int exercise);
+static void finish(int exercise);
+
+void call_answers_from(const char *answering, int printed)
+{
+    static const Transport process = {begin, send_call, receive_answer, finish};
+    transport_use(&process);
+    process_begin(answering, printed);
+}
+
+void call_stop(void)
+{
+    process_stop(false);
+}
+
+void call_lend(int exercise)
+{
+    is_lent[exercise] = true;
+}
+
+bool call_has_lent(int exercise)
+{
+    return was_lent[exercise];
+}
+
+bool call_has_entered(int exercise, int other)
+{
+    return has_entered[exercise][other];
+}
+
+// The calls that were answered by passing the question on, and the calls to which something was
+// lent but that were answered in another way.
+static struct {
+    Wire question, answers[16]; // of this call, and what was lent to the same question
+    int count;
+    bool has_lent;
+    int passed, others;
+} pass_on;
+
+bool call_only_passes_on(void)
+{
+    return pass_on.passed > 0 && pass_on.others == 0;
+}
+
+static void copy(Wire *into, const Wire *from)
+{
+    wire_clear(into);
+    wire_put(into, from->bytes, from->size);
+}
+
+static bool begins_with(const Wire *whole, const Wire *part)
+{
+    return part->size <= whole->size && memcmp(whole->bytes, part->bytes, part->size) == 0;
+}
+
+// As numbers: a question whose bytes were moved a little is the same one.
+static bool begins_like(const Wire *whole, const Wire *part)
+{
+    if (part->size > whole->size)
+        return false;
+    for (size_t at = 0; at + sizeof(double) <= part->size; at += sizeof(double)) {
+        double a, b;
+        memcpy(&a, whole->bytes + at, sizeof a);
+        memcpy(&b, part->bytes + at, sizeof b);
+        if (!(fabs(a - b) <= 1e-6 * (1 + fabs(a))) && memcmp(&a, &b, sizeof a) != 0)
+            return false;
+    }
+    return true;
+}
+
+static void pass_on_call(const Wire *question)
+{
+    pass_on.count = 0;
+    pass_on.has_lent = false;
+    copy(&pass_on.question, question);
+}
+
+static void pass_on_begin(const Wire *question, const Wire *answer)
+{
+    const int most = sizeof pass_on.answers / sizeof pass_on.answers[0];
+    pass_on.has_lent = true;
+    if (pass_on.count < most && begins_like(&pass_on.question, question))
+        copy(&pass_on.answers[pass_on.count++], answer);
+}
+
+static void pass_on_end(const Wire *answer)
+{
+    bool passed = false;
+    for (int i = 0; i < pass_on.count; i++)
+        passed = passed || begins_with(answer, &pass_on.answers[i]);
+    pass_on.passed += pass_on.has_lent && passed;
+    pass_on.others += pass_on.has_lent && !passed;
+}
+
+static void break_off(int exercise)
+{
+    record_how(broken[exercise].how, broken[exercise].why);
+}
+
+static Wire *begin(int exercise)
+{
+    if (broken[exercise].why[0] != '\0')
+        break_off(exercise);
+    wire_clear(&wire);
+    return &wire;
+}
+
+// The name of the called blank comes from a process that may lie.
+static bool is_name_or_empty(const char *missing, size_t size)
+{
+    return memchr(missing, '\0', size) != NULL &&
+           (missing[0] == '\0' || exercise_number(missing) >= 0);
+}
+
+// So does the reason of its crash.
+static bool is_crash(const WireHeader *answer)
+{
+    WireCrash crash;
+    if (answer->kind != WIRE_CRASH || wire.size != sizeof crash)
+        return false;
+    memcpy(&crash, wire.bytes, sizeof crash);
+    return crash.signal > 0 && crash.signal < NSIG;
+}
+
+static int send(int kind, int exercise, Wire *message, Patience *left)
+{
+    WireHeader header = {WIRE_MAGIC, exercise, nonce, message->size, kind, paint_of_calls(), 0, ""};
+    int moved = process_send(&header, sizeof header, left);
+    return moved == 1 ? process_send(message->bytes, message->size, left) : moved;
+}
+
+// 2 if it arrived and is valid
+static int receive(WireHeader *header, Wire *message, Patience *left)
+{
+    int moved = process_receive(header, sizeof *header, left);
+    wire_clear(message);
+    if (moved != 1 || header->magic != WIRE_MAGIC || header->nonce != nonce ||
+        header->exercise < 0 || header->exercise >= EXERCISE_COUNT ||
+        !is_name_or_empty(header->missing, sizeof header->missing) ||
+        !wire_make_room(message, header->size))
+        return moved;
+    message->size = (size_t)header->size;
+    moved = process_receive(message->bytes, message->size, left);
+    return moved == 1 ? 2 : moved;
+}
+
+// The process calls another exercise of its chapter: if that is lent, the reference answers.
+static bool lend(int exercise, Wire *question)
+{
+    static Wire answer;
+    wire_clear(&answer);
+    question->is_hostile = true;
+    // The judge does no more work than it has asked for itself.
+    AnyFunction *reference = exercises[exercise].reference;
+    if (!is_lent[exercise] || reference == NULL || question->size > size_of_call + LENT_ROOM ||
+        !apply(exercise, reference, question, &answer))
+        return false;
+    was_lent[exercise] = true;
+    pass_on_begin(question, &answer);
+    Patience left = patience_begin();
+    return send(WIRE_LENT, exercise, &answer, &left) == 1;
+}
+
+// The process reports that it has entered another exercise. It may lie: then the call is repeated
+// without that exercise, and fails anyway.
+static bool is_entered(int exercise, const WireHeader *header)
+{
+    if (header->kind != WIRE_ENTERED || header->size != 0)
+        return false;
+    has_entered[exercise][header->exercise] = true;
+    return true;
+}
+
+// After a call without an answer: nothing that holds for answers can be checked.
+static _Noreturn void give_up_on_machine(const char *what, int error)
+{
+    process_stop(false);
+    fprintf(stderr, "%s%s%s\n", what, error != 0 ? ": " : "", error != 0 ? strerror(error) : "");
+    exit(3);
+}
+
+// A process that ended, and one that was never started or was killed. Under confine an answer
+// cannot kill itself, and the grader does not link one that the kernel would kill for its size.
+static void check_machine(int status)
+{
+    int error = process_start_error();
+    // Any other error is about the program: its interpreter does not exist, for example.
+    bool is_the_machines = error == EAGAIN || error == ENOMEM || error == EMFILE ||
+                           error == ENFILE || error == EIO || error == ENOSPC || error == ETXTBSY;
+    if (is_the_machines)
+        give_up_on_machine("an answering process cannot be started", error);
+    if (process_is_confined() && status >= 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL)
+        give_up_on_machine("an answering process was killed", 0);
+}
+
+static struct {
+    Patience left;
+    int moved; // while sending: the result of process_send
+} sent;
+
+static void send_call(int exercise)
+{
+    keep_question(exercise, &wire);
+    if (!process_start())
+        give_up_on_machine("an answering process cannot be started", errno);
+    if (getrandom(&nonce, sizeof nonce, 0) != sizeof nonce)
+        nonce++;
+    sent.left = patience_begin();
+    size_of_call = wire.size;
+    pass_on_call(&wire);
+    sent.moved = send(WIRE_CALL, exercise, &wire, &sent.left);
+}
+
+// If no answer comes: why, and the process has ended.
+static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
+{
+    *how = HOW_CRASHED;
+    WireHeader answer = {0};
+    Patience left = sent.left;
+    int moved = sent.moved;
+    // A process that has ended may have reported why.
+    if (moved != 0)
+        moved = receive(&answer, &wire, &left);
+    while (moved == 2 && (is_entered(exercise, &answer) ||
+                          (answer.kind == WIRE_ASK && lend(answer.exercise, &wire))))
+        moved = patience_is_over(&left) ? 0 : receive(&answer, &wire, &left);
+    wire.is_hostile = false;
+    bool sane = moved == 2 && answer.exercise == exercise;
+    if (moved == 0) {
+        *how = HOW_TIMED_OUT;
+        if (left.end == MACHINE_TOO_BUSY)
+            give_up_on_machine("an answer did not get a processor", 0);
+        snprintf(why, size,
+                 left.end == TOO_MUCH_WORK ? "was still running after %g s (an endless loop?)"
+                                           : "waited for something that never comes",
+                 process_most_work());
+    } else if (moved < 0) {
+        int status = process_stop(true);
+        check_machine(status);
+        describe_end(why, size, status);
+    } else if (sane && is_crash(&answer)) {
+        WireCrash crash;
+        memcpy(&crash, wire.bytes, sizeof crash);
+        describe_crash(why, size, &crash);
+    } else if (!sane || answer.kind != WIRE_ANSWER) {
+        snprintf(why, size, "sent an invalid answer");
+    } else {
+        if (answer.missing[0] != '\0')
+            record_missing(answer.missing);
+        if (answer.overran != 0)
+            record_overran();
+        pass_on_end(&wire);
+        work_of[exercise] += process_work() - left.work_before;
+        if (work_of[exercise] <= MOST_CALLS * process_most_work())
+            return true;
+        *how = HOW_TIMED_OUT;
+        snprintf(why, size, "takes far too long: %g s for all its calls",
+                 MOST_CALLS * process_most_work());
+    }
+    process_stop(false);
+    return false;
+}
+
+static Wire *receive_answer(int exercise)
+{
+    if (!wait_for_answer(exercise, &broken[exercise].how, broken[exercise].why,
+                         sizeof broken[exercise].why))
+        break_off(exercise);
+    keep_answer(&wire);
+    return &wire;
+}
+
+static void finish(int exercise)
+{
+    if (wire_is_read(&wire))
+        return;
+    broken[exercise].how = HOW_CRASHED;
+    snprintf(broken[exercise].why, sizeof broken[exercise].why, "sent an invalid answer");
+    process_stop(false);
+    break_off(exercise);
+}

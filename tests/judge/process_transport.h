@@ -1,0 +1,29 @@
+// process_transport.h - the transport to the answering process: the judge's side of a call.
+//
+// The process is started when it is first needed, and again after it crashed, hung or exited. A
+// call without an answer ends the test, with the reason in words; later calls of the same exercise
+// end their tests at once with the same reason, so that the judge waits only once for an endless
+// loop.
+#ifndef TESTS_JUDGE_PROCESS_TRANSPORT_H
+#define TESTS_JUDGE_PROCESS_TRANSPORT_H
+
+#include "tests/judge/transport.h"
+
+// From now on calls go to this program; the file receives what it prints (a descriptor).
+void call_answers_from(const char *answering, int printed);
+
+// From now on the process may call this exercise, and the reference answers. Did it?
+void call_lend(int exercise);
+bool call_has_lent(int exercise);
+
+// Whether every call to which something was lent returned just what was lent: then the answer did
+// no work of its own.
+bool call_only_passes_on(void);
+
+// Whether the answer to a call of an exercise has entered another one of the answers.
+bool call_has_entered(int exercise, int other);
+
+// Ends the answering process.
+void call_stop(void);
+
+#endif
