@@ -46,6 +46,16 @@ names_its_pictures() {
 }
 check 'the lessons name the pictures that are drawn on the way' names_its_pictures
 
+# The student's page says how long each chapter takes, in the words of its lesson.
+says_the_time_of() {
+    time=$(sed -n 's/^| time | \([^;|]*[^;| ]\).*/\1/p' "chapters/$1/README.md")
+    [ -n "$time" ] && grep -F "(../chapters/$1/README.md)" exercises/README.md | grep -qF "| $time |"
+}
+for lesson in chapters/[0-9]*/README.md; do
+    stem=$(basename "$(dirname "$lesson")")
+    check "the student's page says how long $stem takes" says_the_time_of "$stem"
+done
+
 # Every function of common/ that an exercise needs is described where its reader looks.
 describes() {
     grep -q "$1(" common/image.h && grep -q "$1(" chapters/06-ray-casting/README.md &&
