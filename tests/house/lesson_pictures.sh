@@ -5,7 +5,7 @@ set -u
 
 # Another machine's pow may round light otherwise.
 allowed_in() {
-    case $1 in 07-*) echo 100 ;; *) echo 0 ;; esac
+    case $1 in 0?-spheres.png | 07-*.png | still-something-missing.png) echo 100 ;; *) echo 0 ;; esac
 }
 for chapter in chapters/[0-9]*; do
     stem=${chapter#chapters/}
@@ -13,14 +13,14 @@ for chapter in chapters/[0-9]*; do
         grep -qE '^!\[[^]]+\]\(([a-z0-9/.-]+)\.png\)$' "$chapter/README.md"
 done
 for picture in chapters/[0-9]*/*.png; do
-    chapter=${picture%/*}
     name=${picture##*/}
     check "a lesson shows $picture" grep -qE "[(/]$name\)" chapters/[0-9]*/README.md
     # These two take too long to be drawn here: fast.sh and finale.sh draw them.
     case $name in sphereflake.png | finale.png) continue ;; esac
     check "$picture has at most 100 kB" test "$(wc -c <"$picture")" -le 100000
-    check "$picture is what the programs draw" \
-        "$BUILD/tests/same_picture" "$PROGRAMS/gallery/$name" "$picture" "$(allowed_in "${chapter#chapters/}")"
+    drawn=$BUILD/so-far/$name
+    [ -e "$drawn" ] || drawn=$PROGRAMS/gallery/$name
+    check "$picture is what the programs draw" "$BUILD/tests/same_picture" "$drawn" "$picture" "$(allowed_in "$name")"
 done
 # A chapter's own picture has the title that it has on the page of all pictures.
 for words in chapters/[0-9]*/picture.txt; do
