@@ -63,7 +63,7 @@ REPORTING := $(B)/tests/judge/report.o $(patsubst %,$(B)/tests/course/%.o,entrie
 
 # What the judge draws of a wrong answer.
 DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector camera place section \
-	equation pictures) $(B)/tests/judge/picture_panels.o
+	equation rectangle pictures) $(B)/tests/judge/picture_panels.o
 before = $(if $(filter-out $(2),$(firstword $(1))),$(firstword $(1)) $(call before,$(wordlist 2,99,$(1)),$(2)))
 earlier = $(strip $(call before,$(STEMS),$(1)))
 

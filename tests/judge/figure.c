@@ -22,6 +22,8 @@ static const struct {
     {"", "CameraFault Camera", "tests/judge/layouts/camera.gp", read_camera, write_camera},
     {"", "Normalized", "tests/judge/layouts/place.gp", read_place, write_place},
     {"", "ScreenPoint", "tests/judge/layouts/place.gp", read_place, write_place},
+    {"Camera", "ScreenRectangle", "tests/judge/layouts/rectangle.gp", read_rectangle,
+     write_rectangle},
     {"Ray Sphere", "Ray", "tests/judge/layouts/ray.gp", read_ray, write_ray},
     {"Ray", "Quadratic", "tests/judge/layouts/equation.gp", read_equation, write_equation},
     {"Quadratic", "Roots", "tests/judge/layouts/equation.gp", read_equation, write_equation},

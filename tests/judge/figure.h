@@ -32,8 +32,10 @@ typedef struct {
 typedef bool FigureReader(Wrong *wrong);
 typedef void FigureWriter(Plot *plot, void *wrong);
 
-FigureReader read_vector, read_ray, read_camera, read_place, read_section, read_equation;
-FigureWriter write_vector, write_ray, write_camera, write_place, write_section, write_equation;
+FigureReader read_vector, read_ray, read_camera, read_place, read_section, read_equation,
+    read_rectangle;
+FigureWriter write_vector, write_ray, write_camera, write_place, write_section, write_equation,
+    write_rectangle;
 
 // Yours, expected, and where they differ, side by side.
 bool write_pictures(Wrong *wrong, const char *path);

@@ -181,6 +181,24 @@ places("normalized_to_screen", ("(1 - place.t)", "place.t"), square_left, (0.468
 places("pixel_center", ("pixel.column + 0.5, pixel.row + 0.5", "pixel.column, pixel.row"), None, None,
        flat(MIDDLE, (0, -1), (1, 0)), (0.5, -0.5), (0, 0), ("(0.5, 0.5)", "(0, 0)", "off by (−0.5, −0.5)", ""))
 
+# ---- rectangles -------------------------------------------------------------------------------------
+
+# Sides 9, 40, 41: the tangents of the right answer are 9/40 aside, and those of this mistake 9 * 41 / 40^2.
+figure = figure_of("sphere_rectangle", "08-fast", ("sqrt(aside * aside + g)", "sqrt(aside * aside + ahead * ahead)"))
+if figure is not None:
+    at = flat((0.2, 0.8, 0.1, 0.68), (0, -480), (640, 0))
+
+    def corners_of(m):
+        x, y = 1280 * m, 960 * m
+        return [at(320 + i * x, -240 + j * y) for i, j in ((-1, 1), (1, 1), (1, -1), (-1, -1), (-1, 1))]
+
+    outline = figure.lines("outline")[0]
+    ends = [(f(x for x, _ in outline), f(y for _, y in outline)) for f in (min, max)]
+    checks.near("sphere_rectangle: right", figure.lines("right")[0], corners_of(9 / 40))
+    checks.near("sphere_rectangle: yours", figure.lines("yours")[0], corners_of(9 * 41 / 1600))
+    checks.near("sphere_rectangle: the outline reaches the edges", ends, [at(32, -456), at(608, -24)])
+    has_words(figure, "x 32 to 608, y 24 to 456", "x 24.8 to 615.2, y 18.6 to 461.4", "", "under the root")
+
 # ---- roots and hits -----------------------------------------------------------------------------------
 
 HALF = math.sqrt(1.25)  # the length of (1, 0.5), the direction of the deck's drawing

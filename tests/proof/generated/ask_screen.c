@@ -1,4 +1,4 @@
-// ask_screen.c - questions of exercises 01, 03 and 04, and the width from an angle of 02.
+// ask_screen.c - questions of exercises 01, 03, 04 and 08, and the width from an angle of 02.
 #include "tests/proof/generated/question.h"
 
 // ---- 01-corners ---------------------------------------------------------------------------------
@@ -114,6 +114,33 @@ static void ask_ray(AnyFunction *answer, Question *q, Answer *said)
     say_vec3(said, vec3_unit(ray.direction), 1e-8);
 }
 
+// ---- 08-fast ------------------------------------------------------------------------------------
+
+// In front of the camera, most of them on the screen; around the eye, beside it and behind it.
+static void draw_rectangle(Question *q)
+{
+    q->size = draw_any_size();
+    q->camera = draw_camera(q->size);
+    q->screen = (Resolution){1 + draw_below(1000), 1 + draw_below(1000)};
+    double r = q->size * draw_scale(0.05, 2), ahead = r * draw_scale(1.1, 40);
+    if (draw_one_in(4))
+        ahead = r * draw(-3, 0.9);
+    double reach = fmax(ahead, r) / q->camera.distance * (draw_one_in(4) ? 1.5 : 0.5);
+    vec3 aside = reach * draw(-1, 1) * q->camera.width * q->camera.right +
+                 reach * draw(-1, 1) * q->camera.height * q->camera.up;
+    q->sphere = (Sphere){q->camera.origin + ahead * q->camera.forward + aside, r, 0};
+}
+
+static void ask_rectangle(AnyFunction *answer, Question *q, Answer *said)
+{
+    ScreenRectangle box =
+        ((ScreenRectangle(*)(Camera, Resolution, Sphere))answer)(q->camera, q->screen, q->sphere);
+    say(said, box.left, 3e-6);
+    say(said, box.right, 3e-6);
+    say(said, box.top, 3e-6);
+    say(said, box.bottom, 3e-6);
+}
+
 const Subject screen_subjects[] = {
     {"upper_left", 600, draw_corners, ask_corner, NULL},
     {"upper_right", 600, draw_corners, ask_corner, NULL},
@@ -125,5 +152,6 @@ const Subject screen_subjects[] = {
     {"normalized_to_screen", 2000, draw_screen, ask_point, NULL},
     {"pixel_center", 1000, draw_screen, ask_center, NULL},
     {"pixel_ray", 2000, draw_pixel, ask_ray, NULL},
+    {"sphere_rectangle", 2000, draw_rectangle, ask_rectangle, NULL},
     {0},
 };
