@@ -383,8 +383,10 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-// ---- tamper-tree: changes the solutions, the judge and the policy, for itself and whoever is
-// next. stem: 01-corners expect: graded | crashed earns: nothing
+// ---- tamper-tree: changes the solutions, the judge and the policy, for itself and others.
+// stem: 01-corners
+// expect: graded | crashed
+// earns: nothing
 #include "exercises/01-corners.h"
 #include <fcntl.h>
 #include <stdio.h>
