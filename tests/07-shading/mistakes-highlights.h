@@ -77,8 +77,7 @@ static inline double power(Highlight h)
         "highlights on the dark side"),                                                            \
         ROW(which "-negative", exercise, negative_forgotten, "no test for " cosine " > 0",         \
             "an even power of a negative cosine is positive, and a power that is not a whole "     \
-            "number "                                                                              \
-            "is NaN.",                                                                             \
+            "number is NaN.",                                                                      \
             "a second highlight where there should be none, or black specks"),                     \
         ROW(which "-tests", exercise, both_forgotten, "neither n.l > 0 nor " cosine " > 0",        \
             "a light behind the surface does not reach it; and an even power of a negative "       \
