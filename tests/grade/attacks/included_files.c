@@ -84,7 +84,10 @@ vec3 upper_left(Camera c)
 }
 
 // ---- include-by-pragma: pragmas that open files: their dates, and headers that are compiled
-// already. stem: 01-corners expect: graded | does not compile earns: nothing
+// already.
+// stem: 01-corners
+// expect: graded | does not compile
+// earns: nothing
 #include "exercises/01-corners.h"
 #pragma GCC dependency "@TREE@/solutions/01-corners.c" is older
 #pragma GCC pch_preprocess "@TREE@/build/solutions/01-corners.o"
@@ -184,7 +187,11 @@ __asm__(".incbin \"../honest/01-corners.o\"");
 #endif
 
 // ---- include-system-files: files that are no C, so that the compiler quotes them in its
-// complaints. stem: 01-corners expect: does not compile earns: nothing rest: none
+// complaints.
+// stem: 01-corners
+// expect: does not compile
+// earns: nothing
+// rest: none
 #include "/etc/passwd"
 #include "/etc/shadow"
 #include "/proc/self/cmdline"

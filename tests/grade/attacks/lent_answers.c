@@ -3,8 +3,10 @@
 // get.
 
 // ---- lend-a-long-task: has the judge itself draw, by the answer that it lends, a picture of a
-// hundred thousand spheres and a million pixels. stem: 06-ray-casting expect: timed out | graded |
-// crashed earns: nothing
+// hundred thousand spheres and a million pixels.
+// stem: 06-ray-casting
+// expect: timed out | graded | crashed
+// earns: nothing
 #include "exercises/06-ray-casting.h"
 
 #include <stdlib.h>
@@ -22,7 +24,10 @@ void cast_object_order(const Scene *scene, Camera camera, Image *image, double *
 }
 
 // ---- lend-itself: once another answer is lent by the judge, asks it over the pipe for this one,
-// too. stem: 01-corners expect: graded | crashed earns: nothing
+// too.
+// stem: 01-corners
+// expect: graded | crashed
+// earns: nothing
 #include "exercises/01-corners.h"
 #include <stdint.h>
 #include <string.h>
@@ -122,7 +127,10 @@ vec3 upper_right(Camera c)
 }
 
 // ---- lend-without-end: asks for a mirror in a mirror, two thousand million times, once that is
-// lent. stem: 07-shading expect: graded | crashed earns: nothing
+// lent.
+// stem: 07-shading
+// expect: graded | crashed
+// earns: nothing
 #include "exercises/07-shading.h"
 
 vec3 trace_ray(const Scene *scene, Ray ray, int depth)
@@ -140,7 +148,10 @@ vec3 clamp_color(vec3 color)
 }
 
 // ---- reference-by-name: looks the reference up while it runs, in itself and in the judge's
-// program. stem: 01-corners expect: graded | crashed earns: nothing
+// program.
+// stem: 01-corners
+// expect: graded | crashed
+// earns: nothing
 #include "exercises/01-corners.h"
 #include <dlfcn.h>
 #include <stddef.h>
@@ -166,7 +177,10 @@ vec3 upper_right(Camera c)
 }
 
 // ---- reference-left-behind: returns what is not set, hoping that the right answer still lies
-// there. stem: 01-corners expect: graded earns: nothing
+// there.
+// stem: 01-corners
+// expect: graded
+// earns: nothing
 #include "exercises/01-corners.h"
 
 vec3 upper_left(Camera c)
@@ -189,7 +203,10 @@ Camera with_unit_distance(Camera c)
 }
 
 // ---- reference-left-on-the-stack: calls an answer of the chapter, then digs in the stack it has
-// used. stem: 01-corners expect: graded | crashed earns: nothing
+// used.
+// stem: 01-corners
+// expect: graded | crashed
+// earns: nothing
 #include "exercises/01-corners.h"
 
 static vec3 dig(int depth)
@@ -216,7 +233,8 @@ vec3 upper_right(Camera c)
 }
 
 // ---- reference-next-door: when another answer is replaced by the reference, its own is not far
-// from there. Calls what lies around it, until something knows the deck's corner. stem: 01-corners
+// from there. Calls what lies around it, until something knows the deck's corner.
+// stem: 01-corners
 // expect: graded | crashed | timed out
 // earns: nothing
 #include "exercises/01-corners.h"

@@ -88,7 +88,10 @@ vec3 upper_right(Camera c)
 }
 
 // ---- section-for-the-linker: sections in which linkers look for options, and for code to
-// optimise. stem: 01-corners expect: graded | crashed | does not compile earns: perhaps upper_right
+// optimise.
+// stem: 01-corners
+// expect: graded | crashed | does not compile
+// earns: perhaps upper_right
 #include "exercises/01-corners.h"
 
 __asm__(".section .drectve,\"e\",@progbits\n.ascii \" -defaultlib:hostile \"\n"
