@@ -24,12 +24,12 @@ $(TASK_PROGRAMS): $(TASK_FOLDER)/%: $$(call task_source,$$*) $(ANSWER_OBJECTS) $
 	$(Q)$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER) $(if $(filter solutions,$(A)),$(STRICT) $(WERROR),$(FOR_STUDENTS)) \
 		$(LDFLAGS) -o $@ $(filter %.c %.o %.a,$^) $(PNG_LIBS) -lm
 
-# What a task draws, and how far that is from what it should be.
+# The picture of a task, and how far it is from the expected one.
 TASK_STATES := $(OPTIONAL:%=$(TASK_FOLDER)/%.state)
 $(TASK_STATES): $(TASK_FOLDER)/%.state: $(TASK_FOLDER)/% $(TASK_STATE) exercises/optional/pictures/%.png \
 		$(wildcard exercises/optional/*.nff)
 	$(Q)rm -f $(@:.state=.png) $(@:.state=-panels.png)
-	$(Q)$< -o $(@:.state=.png) > $(@:.state=.words) 2>&1 || true
+	$(Q)$< -o $(@:.state=.png) > $(@:.state=.words) 2>&1 || echo "the program ended with status $$?" >> $(@:.state=.words)
 	$(Q)$(TASK_STATE) check $* $(@D) $(word 3,$^)
 
 # The programs are those of EXERCISES, which in the toolkit is another folder than ANSWERS.

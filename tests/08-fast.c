@@ -301,7 +301,8 @@ START_TEST(no_pixel_outside_of_the_rectangle_shows_the_sphere)
         ScreenRectangle yours = sphere_rectangle(c, screen, sphere);
         vec3 to = sphere.center - c.origin;
         for (int k = 0; k < screen.width * screen.height; k++) {
-            double x = k % screen.width + 0.5, y = k / screen.width + 0.5;
+            Pixel pixel = {k % screen.width, k / screen.width};
+            double x = pixel.column + 0.5, y = pixel.row + 0.5;
             vec3 v = c.distance * c.forward + (x / screen.width - 0.5) * c.width * c.right +
                      (0.5 - y / screen.height) * c.height * c.up;
             vec3 off = vec3_cross(to, vec3_unit(v));

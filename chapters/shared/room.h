@@ -14,7 +14,7 @@
 // shape of the screen.
 Camera room_camera(Resolution screen);
 
-// What a ray that starts inside the room sees.
+// The colour that a ray sees if it starts inside the room.
 Color room_color(Ray ray);
 
 #endif

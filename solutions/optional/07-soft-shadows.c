@@ -20,8 +20,9 @@ static void divide_light(Light light, Light *parts)
     //~ (void)light, (void)parts;
     //~ NOT_ANSWERED_YET();
     for (int i = 0; i < cells * cells; i++) {
-        double x = ((i % cells + 0.5) / cells - 0.5) * width;
-        double z = ((i / cells + 0.5) / cells - 0.5) * width;
+        int column = i % cells, row = i / cells;
+        double x = ((column + 0.5) / cells - 0.5) * width;
+        double z = ((row + 0.5) / cells - 0.5) * width;
         parts[i] = light;
         parts[i].position += vec3_of(x, 0, z);
         parts[i].color /= cells * cells;

@@ -52,6 +52,12 @@ does_not_compile() {
     ! optional ANSWERS="$answers" TASK=fisheye && says 'error:'
 }
 check 'a task that does not compile is an error' does_not_compile
+sed 's|double radius = hypot(right, up), angle|double radius = *(volatile double *)16, angle|' \
+    solutions/optional/01-fisheye.c >"$answers/optional/01-fisheye.c"
+crashes() {
+    ! optional ANSWERS="$answers" TASK=fisheye && says '01-fisheye: no picture: '
+}
+check 'a task that crashes has no picture' crashes
 unknown() {
     ! optional TASK=nothing && says 'TASK=nothing: no such task'
 }
