@@ -51,7 +51,9 @@ $(RECORDED): $(SPHERES) $(B)/solutions/07-shading
 	$(Q)mkdir -p $(@D)
 	$(Q)$(B)/solutions/07-shading -o $@ $<
 endif
-drawing_of = $(call chapter_objects,$(1)) $(B)/chapters/shared.a $(B)/common.a
+# A program with loops for several processors is built by make alone.
+drawing_of = $(if $(wildcard chapters/$(1)/*_lanes.c chapters/$(1)/*/*_lanes.c),,$(call chapter_objects,$(1)) \
+	$(B)/chapters/shared.a $(B)/common.a)
 FOR_PICTURES = $(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(RECORDED) $(B)/common.a \
 	$(foreach s,$(STEMS),$(call right_of,$(s))) $(foreach s,$(1),$(call drawing_of,$(s)))
 

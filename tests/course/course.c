@@ -94,7 +94,7 @@ static Standing show(const Course *course, const bool chosen[MOST_CHAPTERS], int
     if (standing != ALL_RIGHT)
         reward_what_is_new(&page, course, chosen);
     else if (count > 1)
-        reward_all(&page, &course->plan);
+        reward_all(&page, &course->judging);
     else
         reward_chapter(&page, &course->judging, last, true);
     fflush(stdout);

@@ -7,7 +7,7 @@
 
 // Its picture by the reader's own code; and, of the last one that was chosen, what comes next.
 void reward_chapter(const Page *page, const Judging *judging, int chapter, bool says_next);
-// All of them: the last picture.
-void reward_all(const Page *page, const JudgingPlan *plan);
+// All of them: the last pictures.
+void reward_all(const Page *page, const Judging *judging);
 
 #endif

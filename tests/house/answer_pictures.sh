@@ -97,6 +97,27 @@ only diffuse_term 's/fmax(0, cosine)/cosine/; s/kd \* cosine/cosine/'
 check 'a wrong term draws its picture' says "so-far/07-diffuse.png"
 check 'each time' says 'Yours, not right yet: diffuse_term.'
 
+# A rectangle is drawn around each sphere; a smaller one is another picture.
+answered 08-fast
+judge EX=08
+cp "$so_far/08-rectangles.png" "$scratch/rectangles.png"
+sed '/^ScreenRectangle sphere_rectangle/,/^}/s/sphere.radius/(0.5 * sphere.radius)/g' solutions/08-fast.c >"$answers/08-fast.c"
+judge EX=08
+check 'wrong rectangles are drawn' differ 08-rectangles "$scratch/rectangles.png"
+
+# All is right: the deck's last slide now, and the picture of README.md by a command, because it takes
+# longer and this is no terminal.
+answered
+cp solutions/*.c "$answers"
+judge
+check 'all of all functions are right' says "all chapters     $(grep -c '^EXERCISE(' tests/exercises.def) of $(grep -c '^EXERCISE(' tests/exercises.def) functions are right"
+check 'the last slide is drawn' test -s "build$answers/gallery/still-something-missing.png"
+check 'the picture of README.md has its command' says "make finale ANSWERS=$answers"
+finale_is_made() {
+    make --no-print-directory -n finale ANSWERS="$answers" >"$scratch/said" 2>&1 && says "build$answers/finale.png"
+}
+check 'which make knows' finale_is_made
+
 # What make starts between a saved right answer and its verdict with its pictures.
 starts_at_most() {
     answered 01-corners

@@ -15,6 +15,7 @@
 #include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
+#include "exercises/08-fast.h"
 
 #include <png.h>
 #include <stdio.h>
@@ -246,6 +247,29 @@ static Color traced(Pixel pixel, void *given)
 static Color encoded(Pixel pixel, void *given)
 {
     return gamma_encode(traced(pixel, given), 2.2);
+}
+
+// ---- chapter 08 -------------------------------------------------------------------------------
+
+static bool is_on_edge(ScreenRectangle r, Pixel pixel)
+{
+    double x = pixel.column, y = pixel.row;
+    bool across = x >= floor(r.left) && x <= floor(r.right);
+    bool down = y >= floor(r.top) && y <= floor(r.bottom);
+    return (across && (y == floor(r.top) || y == floor(r.bottom))) ||
+           (down && (x == floor(r.left) || x == floor(r.right)));
+}
+
+// The colours are recorded, from edge to edge as in chapter 01.
+static Color by_rectangles(Pixel pixel, void *given)
+{
+    const View *view = given;
+    Color seen =
+        seen_through(view, pixel.column / (SIDE - 1.0) - 0.5, 0.5 - pixel.row / (SIDE - 1.0));
+    for (int i = 0; i < view->scene.sphere_count; i++)
+        if (is_on_edge(sphere_rectangle(view->camera, view->size, view->scene.spheres[i]), pixel))
+            seen = vec3_of(1, 1, 1);
+    return seen;
 }
 
 // ---- all of them ------------------------------------------------------------------------------
