@@ -86,7 +86,7 @@ two_at_once() {
     done
     started=""
     cat "$scratch/run1" "$scratch/run2"
-    [ "$(grep -c ' done$' "$scratch/run1")" -eq 6 ] && [ "$(grep -c ' done$' "$scratch/run2")" -eq 6 ]
+    [ "$(grep -c ' done$' "$scratch/run1")" -eq 7 ] && [ "$(grep -c ' done$' "$scratch/run2")" -eq 7 ]
 }
 check 'two runs at once say the same' two_at_once
 
