@@ -9,7 +9,7 @@
 #include "exercises/03-screen.h"
 
 // BEGIN SOLUTION
-// Where the outline begins and ends on a plane at distance 1.
+// The two ends of an outline, on a plane at distance 1.
 typedef struct {
     double low, high;
 } Span;
