@@ -125,11 +125,11 @@ $(TRIALS): $(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) $
 
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
 # it takes; and shadows and mirrors against chapter 07.
-SAME_ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same files memory)
-ENGINES := $(B)/tests/house/engines/same $(B)/tests/house/engines/lit
+SAME_ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_pictures_of_files memory)
+ENGINES := $(B)/tests/house/engines/same_pictures $(B)/tests/house/engines/same_shading
 ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
-$(SAME_ENGINES): $(patsubst %,$(B)/tests/house/engines/%.o,against made made_difficult made_far parts)
-$(B)/tests/house/engines/lit: $(B)/tests/house/engines/lit_scenes.o
+$(SAME_ENGINES): $(patsubst %,$(B)/tests/house/engines/%.o,compare_engines test_scenes difficult_scenes far_scenes scene_parts)
+$(B)/tests/house/engines/same_shading: $(B)/tests/house/engines/shading_scenes.o
 $(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) $(B)/chapters/shared.a \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)

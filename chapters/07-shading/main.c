@@ -5,10 +5,10 @@
 #include "chapters/07-shading/export.h"
 #include "chapters/07-shading/figures/figures.h"
 #include "chapters/07-shading/story.h"
-#include "chapters/shared/command.h"
 #include "chapters/shared/lighting.h"
-#include "chapters/shared/needs.h"
+#include "chapters/shared/needed_answers.h"
 #include "chapters/shared/render.h"
+#include "chapters/shared/scene_command.h"
 #include "common/picture.h"
 #include "common/story.h"
 

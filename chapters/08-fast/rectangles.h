@@ -2,7 +2,7 @@
 #ifndef CHAPTERS_08_FAST_RECTANGLES_H
 #define CHAPTERS_08_FAST_RECTANGLES_H
 
-#include "chapters/shared/command.h"
+#include "chapters/shared/scene_command.h"
 
 // Prints the rectangle of each sphere, and how many questions the rectangles save. Returns the
 // result of main.

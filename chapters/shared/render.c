@@ -1,7 +1,7 @@
 // render.c - a shaded picture, by the answers of chapters 04 and 07.
 #include "chapters/shared/render.h"
 
-#include "chapters/shared/needs.h"
+#include "chapters/shared/needed_answers.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/07-shading.h"
 

@@ -2,7 +2,7 @@
 #ifndef CHAPTERS_SHARED_TASK_H
 #define CHAPTERS_SHARED_TASK_H
 
-#include "chapters/shared/command.h"
+#include "chapters/shared/scene_command.h"
 
 // The colour of one pixel. drawing holds the camera, the scene and the image with its size.
 typedef Color TaskColor(const Drawing *drawing, Pixel pixel);

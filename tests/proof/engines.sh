@@ -5,8 +5,8 @@
 set -u
 . tests/house/runner/library.sh
 
-same=$BUILD/tests/house/engines/same
-files=$BUILD/tests/house/engines/files
+same=$BUILD/tests/house/engines/same_pictures
+files=$BUILD/tests/house/engines/same_pictures_of_files
 memory=$BUILD/tests/house/engines/memory
 scenes=$BUILD/scenes
 three=chapters/06-ray-casting/three-spheres.nff

@@ -1,7 +1,7 @@
 // figures.c - the numbers that the figures of chapter 01 show.
 #include "chapters/01-corners/figures/figures.h"
 
-#include "chapters/shared/plane.h"
+#include "chapters/shared/camera_drawing.h"
 #include "common/figure/beside.h"
 #include "exercises/01-corners.h"
 

@@ -2,7 +2,7 @@
 #include "chapters/02-cameras/figures/figures.h"
 
 #include "chapters/02-cameras/forms.h"
-#include "chapters/shared/plane.h"
+#include "chapters/shared/camera_drawing.h"
 #include "common/text.h"
 #include "exercises/01-corners.h"
 #include "exercises/02-cameras.h"

@@ -2,7 +2,7 @@
 // link.
 #include "chapters/04-pixel-ray/figures/figures.h"
 
-#include "chapters/shared/plane.h"
+#include "chapters/shared/camera_drawing.h"
 #include "common/text.h"
 #include "exercises/01-corners.h"
 #include "exercises/03-screen.h"

@@ -1,7 +1,7 @@
 // nearest_figure.c - one ray and the spheres that it meets, in a plane, as the data of a figure.
 #include "chapters/06-ray-casting/figures/nearest_figure.h"
 
-#include "chapters/06-ray-casting/figures/window.h"
+#include "chapters/06-ray-casting/figures/clipped_circle.h"
 #include "exercises/05-quadratic.h"
 
 #include <stdio.h>

@@ -45,8 +45,8 @@ void shown_choose(Shown *shown, Shot shot);
 // Leaves one sphere of those that are shown, or that are not.
 void shown_only(Shown *shown, int sphere);
 
-// The camera and its pixels (plane.h), the spheres (common/figure/spheres.gp), and of the one
-// pixel: its $pixel, its $ray, its $hits.
+// The camera and its pixels (camera_drawing.h), the spheres (common/figure/spheres.gp), and of the
+// one pixel: its $pixel, its $ray, its $hits.
 void shown_data(Plot *plot, const Shown *shown);
 
 // Of the spheres that the ray hits and that are not shown, as of a ground, what is round the hit.

@@ -1,7 +1,7 @@
 // shown_data.c - the part of a scene that a figure shows, as data, by the answers of chapters 01 to
 // 06.
 #include "chapters/06-ray-casting/figures/shown.h"
-#include "chapters/shared/plane.h"
+#include "chapters/shared/camera_drawing.h"
 #include "exercises/01-corners.h"
 #include "exercises/03-screen.h"
 #include "exercises/04-pixel-ray.h"

@@ -2,7 +2,7 @@
 #ifndef CHAPTERS_07_SHADING_FIGURES_FIGURES_H
 #define CHAPTERS_07_SHADING_FIGURES_FIGURES_H
 
-#include "chapters/shared/command.h"
+#include "chapters/shared/scene_command.h"
 #include "common/figure/plot.h"
 
 // Prints a figure's script; returns the result of main. The scene is that of a drawing, or the

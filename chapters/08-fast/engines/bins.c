@@ -5,11 +5,11 @@
 // hidden spheres are never asked.
 #include "chapters/08-fast/engines/bins_sort.h"
 #include "chapters/08-fast/engines/bins_tile.h"
+#include "chapters/08-fast/engines/covered_pixels.h"
 #include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/engines/extremes.h"
 #include "chapters/08-fast/engines/large_memory.h"
+#include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/view.h"
 
 #include <limits.h>
 #include <stdatomic.h>
@@ -25,7 +25,7 @@ typedef struct {
     int columns, top;              // of tiles; the first row in the bins
     atomic_llong entries;          // upper limit of the items in the bins of all tiles
     atomic_uint nearest, farthest; // depths of places
-    atomic_bool extreme;           // some sphere has extreme numbers (extremes.h)
+    atomic_bool extreme;           // some sphere has extreme numbers (number_limits.h)
 } Casting;
 
 static Eye eye_of(const Work *work)

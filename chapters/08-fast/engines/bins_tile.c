@@ -5,8 +5,8 @@
 // decides the other pixels in double.
 #include "chapters/08-fast/engines/bins_tile.h"
 
-#include "chapters/08-fast/engines/nearest.h"
-#include "chapters/08-fast/engines/view.h"
+#include "chapters/08-fast/engines/covered_pixels.h"
+#include "chapters/08-fast/engines/nearest_hit.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 

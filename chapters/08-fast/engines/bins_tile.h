@@ -4,7 +4,7 @@
 
 #include "chapters/08-fast/engines/bins_lanes.h"
 #include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/engines/paint.h"
+#include "chapters/08-fast/engines/sphere_colors.h"
 
 // The data that all tiles share.
 typedef struct {

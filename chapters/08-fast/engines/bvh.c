@@ -5,10 +5,10 @@
 #include "chapters/08-fast/engines/engine.h"
 
 #include "chapters/08-fast/engines/clock.h"
-#include "chapters/08-fast/engines/extremes.h"
-#include "chapters/08-fast/engines/nearest.h"
-#include "chapters/08-fast/engines/paint.h"
+#include "chapters/08-fast/engines/nearest_hit.h"
+#include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/sphere_colors.h"
 #include "exercises/04-pixel-ray.h"
 
 #include <stdlib.h>

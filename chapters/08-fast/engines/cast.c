@@ -4,11 +4,11 @@
 
 #include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/engines/extremes.h"
+#include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/rectangles.h"
-#include "chapters/shared/command.h"
 #include "chapters/shared/lighting.h"
-#include "chapters/shared/needs.h"
+#include "chapters/shared/needed_answers.h"
+#include "chapters/shared/scene_command.h"
 #include "common/text.h"
 
 #include <stdio.h>

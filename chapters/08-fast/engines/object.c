@@ -1,14 +1,14 @@
 // object.c - step 2: object order. Every sphere asks the pixels of its rectangle, and only those.
 //
 // This is the deck's first idea. The outline of a sphere on the image plane is an ellipse, and its
-// rectangle is exact (view.c). For each pixel the t and the sphere of the nearest hit so far are
-// kept: a z-buffer.
+// rectangle is exact (covered_pixels.c). For each pixel the t and the sphere of the nearest hit so
+// far are kept: a z-buffer.
 #include "chapters/08-fast/engines/engine.h"
 
-#include "chapters/08-fast/engines/extremes.h"
-#include "chapters/08-fast/engines/paint.h"
+#include "chapters/08-fast/engines/covered_pixels.h"
+#include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/view.h"
+#include "chapters/08-fast/engines/sphere_colors.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 

@@ -1,12 +1,12 @@
 // packet.h - 16 rays at a time: what they see so far, and how they ask one sphere.
 //
-// The rays compare t v.v = c.v - sqrt(D) (seen.h), so that they need not divide. It is between two
-// known bounds. A sphere is certainly the nearest if the lower bounds of all others are greater
-// than its upper bound.
+// The rays compare t v.v = c.v - sqrt(D) (float_bounds.h), so that they need not divide. It is
+// between two known bounds. A sphere is certainly the nearest if the lower bounds of all others are
+// greater than its upper bound.
 #ifndef CHAPTERS_08_FAST_PACKET_H
 #define CHAPTERS_08_FAST_PACKET_H
 
-#include "chapters/08-fast/engines/seen.h"
+#include "chapters/08-fast/engines/float_bounds.h"
 
 #include <math.h>
 #include <stdalign.h>

@@ -4,8 +4,8 @@
 // the rows are new.
 #include "chapters/08-fast/engines/engine.h"
 
-#include "chapters/08-fast/engines/paint.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/sphere_colors.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
 

@@ -3,8 +3,8 @@
 // Built for this machine's instructions (-march=native), as Embree is. It takes only fields of
 // what it is given, never a vec3 by value.
 #include "chapters/08-fast/engines/clock.h"
-#include "chapters/08-fast/engines/paint.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/sphere_colors.h"
 #include "tests/benches/measure.h"
 
 #include <embree3/rtcore.h>

@@ -4,8 +4,8 @@
 // writes them but for their radii, which are so many times as large, at 1920 x 1080. The peak of
 // the whole process (getrusage) is taken before casting and after; it only rises. Rows of the
 // picture are chapter 06's. The last line counts.
-#include "tests/house/engines/against.h"
-#include "tests/house/engines/made.h"
+#include "tests/house/engines/compare_engines.h"
+#include "tests/house/engines/test_scenes.h"
 
 #include <stdio.h>
 #include <stdlib.h>

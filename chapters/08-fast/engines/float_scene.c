@@ -1,0 +1,180 @@
+// float_scene.c - the scene as floats: in the order of the hierarchy, from the eye.
+#include "chapters/08-fast/engines/float_scene.h"
+
+#include "chapters/08-fast/engines/covered_pixels.h"
+#include "chapters/08-fast/engines/large_memory.h"
+#include "chapters/08-fast/engines/parallel.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { AT_A_TIME = 64 * SEEN_AT_ONCE }; // spheres or nodes, by one thread
+
+static int parts(int of)
+{
+    return of / AT_A_TIME + (of % AT_A_TIME > 0);
+}
+
+// ---- for every camera -------------------------------------------------------------------------
+
+static int color_of(Paint paint)
+{
+    uint8_t bytes[sizeof(int)] = {paint.rgb[0], paint.rgb[1], paint.rgb[2]};
+    int color;
+    memcpy(&color, bytes, sizeof color);
+    return color;
+}
+
+// The spheres in the order of the hierarchy, as arrays that lanes can read.
+static void line_up(void *given, int part)
+{
+    SeenScene *scene = given;
+    const Scene *from = scene->work->scene;
+    int begin = part * AT_A_TIME, end = begin + AT_A_TIME;
+    int padded = (from->sphere_count + SEEN_AT_ONCE - 1) / SEEN_AT_ONCE * SEEN_AT_ONCE;
+    for (int i = begin; i < end && i < padded; i++) {
+        // The spheres that fill up the last 64 are never used.
+        int place = i < from->sphere_count ? i : 0;
+        const Sphere *sphere = &from->spheres[scene->hierarchy.order[place]];
+        Unseen *unseen = &scene->unseen[i / SEEN_AT_ONCE];
+        unseen->x[i % SEEN_AT_ONCE] = sphere->center[0];
+        unseen->y[i % SEEN_AT_ONCE] = sphere->center[1];
+        unseen->z[i % SEEN_AT_ONCE] = sphere->center[2];
+        unseen->radius[i % SEEN_AT_ONCE] = sphere->radius;
+        scene->colors[i] = color_of(scene->paints[sphere->surface]);
+    }
+}
+
+bool seen_scene_build(SeenScene *scene, const Work *work, bool wide)
+{
+    const size_t count = (size_t)work->scene->sphere_count, padded = count + SEEN_AT_ONCE;
+    static See *const sees[LANES_KINDS] = LANES_TABLE(see);
+    *scene = (SeenScene){.work = work, .paints = paints_of(work->scene), .see = sees[lanes_best()]};
+    scene->unseen = large_memory((count / SEEN_AT_ONCE + 1) * sizeof *scene->unseen);
+    scene->colors = large_memory(padded * sizeof *scene->colors);
+    scene->seen = large_memory(padded * sizeof *scene->seen);
+    scene->around = malloc((count + 1) * sizeof *scene->around);
+    scene->x = malloc(((size_t)work->image->size.width + TILE) * sizeof *scene->x);
+    scene->y = malloc(((size_t)work->image->size.height + TILE) * sizeof *scene->y);
+    if (scene->paints == NULL || scene->unseen == NULL || scene->colors == NULL ||
+        scene->seen == NULL || scene->around == NULL || scene->x == NULL || scene->y == NULL ||
+        !hierarchy_build(&scene->hierarchy, work->scene))
+        return false;
+    if (count > 0 && wide)
+        scene->wide = wide_build(&scene->hierarchy);
+    else if (count > 0)
+        scene->nodes = large_memory((size_t)scene->hierarchy.node_count * sizeof *scene->nodes);
+    in_parallel(work->threads, parts(work->scene->sphere_count), line_up, scene);
+    return count == 0 || scene->wide != NULL || scene->nodes != NULL;
+}
+
+void seen_scene_free(SeenScene *scene)
+{
+    free(scene->nodes);
+    free(scene->wide);
+    free(scene->y);
+    free(scene->x);
+    free(scene->around);
+    free(scene->seen);
+    free(scene->colors);
+    free(scene->unseen);
+    free(scene->paints);
+    hierarchy_free(&scene->hierarchy);
+}
+
+// ---- for one camera
+// ----------------------------------------------------------------------------------
+
+static void see_spheres(void *given, int part)
+{
+    SeenScene *scene = given;
+    int begin = part * AT_A_TIME, end = begin + AT_A_TIME, found = 0;
+    for (int i = begin; i < end && i < scene->work->scene->sphere_count; i += SEEN_AT_ONCE)
+        found |= scene->see(&scene->view, &scene->unseen[i / SEEN_AT_ONCE], &scene->seen[i]);
+    atomic_fetch_or(&scene->found, found);
+}
+
+// Boxes as floats, from the eye, a little larger (SeenNode).
+static void see_nodes(void *given, int part)
+{
+    SeenScene *scene = given;
+    const Hierarchy *hierarchy = &scene->hierarchy;
+    int begin = part * AT_A_TIME, end = begin + AT_A_TIME;
+    for (int i = begin; i < end && i < hierarchy->node_count; i++) {
+        const Node *node = &hierarchy->nodes[i];
+        double low[3], high[3], reach = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            low[axis] = node->box.low[axis] - scene->view.eye[axis];
+            high[axis] = node->box.high[axis] - scene->view.eye[axis];
+            reach = -low[axis] > reach ? -low[axis] : reach;
+            reach = high[axis] > reach ? high[axis] : reach;
+        }
+        SeenNode *seen = &scene->nodes[i];
+        for (int axis = 0; axis < 3; axis++) {
+            seen->low[axis] = (float)(low[axis] - 0x1p-19 * reach);
+            seen->high[axis] = (float)(high[axis] + 0x1p-19 * reach);
+        }
+        bool leaf = node->other == 0;
+        seen->other = leaf ? node->first : node->other;
+        seen->count = (short)(leaf ? node->count : 0);
+        seen->axis = (short)node->axis;
+    }
+}
+
+// The spheres around the eye: every ray hits them, so they have no outline.
+static void find_around(SeenScene *scene)
+{
+    for (int i = 0; i < scene->work->scene->sphere_count; i++) {
+        const Seen *seen = &scene->seen[i];
+        float squared = seen->x * seen->x + seen->y * seen->y + seen->z * seen->z;
+        if (squared < seen->smaller)
+            scene->around[scene->view.around_count++] = i;
+    }
+}
+
+static void set_view(SeenScene *scene)
+{
+    Camera camera = scene->work->camera;
+    Resolution screen = scene->work->image->size;
+    double width = camera.width / camera.distance, height = camera.height / camera.distance;
+    View *view = &scene->view;
+    *view = (View){.nodes = scene->nodes,
+                   .wide = scene->wide,
+                   .seen = scene->seen,
+                   .colors = scene->colors,
+                   .background = color_of(scene->paints[scene->work->scene->surface_count]),
+                   .around = scene->around,
+                   .scale_x = screen.width / width,
+                   .scale_y = screen.height / height,
+                   .middle_x = screen.width / 2.0,
+                   .middle_y = screen.height / 2.0,
+                   .columns = (screen.width + BLOCK - 1) / BLOCK,
+                   .rows = (screen.height + BLOCK - 1) / BLOCK,
+                   .x = scene->x,
+                   .y = scene->y};
+    view_store(view->eye, camera.origin);
+    view_store(view->right, camera.right);
+    view_store(view->up, camera.up);
+    view_store(view->ahead, camera.forward);
+    for (int i = 0; i < screen.width + TILE; i++)
+        scene->x[i] = (float)(((i + 0.5) / screen.width - 0.5) * width);
+    for (int i = 0; i < screen.height + TILE; i++)
+        scene->y[i] = (float)((0.5 - (i + 0.5) / screen.height) * height);
+}
+
+bool seen_scene_look(SeenScene *scene)
+{
+    const Work *work = scene->work;
+    Camera camera = work->camera;
+    if (camera.width > 500 * camera.distance || camera.height > 500 * camera.distance)
+        return false;
+    set_view(scene);
+    in_parallel(work->threads, parts(work->scene->sphere_count), see_spheres, scene);
+    if (scene->found & SEEN_BADLY)
+        return false;
+    if (scene->found & SEEN_AROUND)
+        find_around(scene);
+    if (scene->nodes != NULL)
+        in_parallel(work->threads, parts(scene->hierarchy.node_count), see_nodes, scene);
+    return true;
+}

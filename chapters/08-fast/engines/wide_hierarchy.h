@@ -1,0 +1,28 @@
+// wide_hierarchy.h - the same hierarchy with 16 boxes in a node, so that all 16 are asked at once.
+//
+// After Wald, Benthin and Boulos, 'Getting Rid of Packets', 2008.
+#ifndef CHAPTERS_08_FAST_ENGINES_WIDE_HIERARCHY_H
+#define CHAPTERS_08_FAST_ENGINES_WIDE_HIERARCHY_H
+
+#include "chapters/08-fast/engines/hierarchy.h"
+#include "chapters/08-fast/engines/lanes.h"
+
+#include <stdalign.h>
+#include <stdint.h>
+
+// The middles of the boxes and half their sizes, by axis, from a corner of the node's own box: near
+// that corner floats are precise enough. 512 bytes, from the start of a cache line.
+typedef struct {
+    alignas(64) float middle[3][LANES];
+    float half[3][LANES];
+    int first[LANES]; // of the spheres in a box; if count is 0, a node
+    uint8_t count[LANES];
+    double corner[3];
+    float size; // of the node's own box, its longest side
+    int boxes;  // number of boxes, at most 16
+} WideNode;
+
+// NULL if there is not enough memory. The root is the first node. Free it with free.
+WideNode *wide_build(const Hierarchy *hierarchy);
+
+#endif

@@ -1,0 +1,154 @@
+// scene_command.c - reads a scene, its camera and an empty image from the command line; writes the
+// file.
+#include "chapters/shared/scene_command.h"
+
+#include "chapters/shared/scene_camera.h"
+#include "common/options.h"
+#include "common/picture.h"
+#include "common/whole_file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+// The path of the chapter's own scene: upwards from the program's folder, for any working
+// directory.
+static bool find_own_scene(char *path, size_t size, const char *program, const char *own_scene)
+{
+    char up[64] = "";
+    for (int i = 0; i < 16; i++, strcat(up, "/.."))
+        if (snprintf(path, size, "%s%s/%s", picture_program_folder(program), up, own_scene) <
+                (int)size &&
+            access(path, R_OK) == 0)
+            return true;
+    fprintf(stderr, "%s: %s not found above the program's folder\n", program, own_scene);
+    return false;
+}
+
+// gallery/SCENE.png beside the program. Makes the folder if it does not exist.
+static bool gallery_path(char *path, size_t size, const char *program, const char *scene_path)
+{
+    const char *slash = strrchr(scene_path, '/');
+    const char *name = slash != NULL ? slash + 1 : scene_path;
+    const char *dot = strrchr(name, '.');
+    int length = (int)(dot != NULL && dot != name ? (size_t)(dot - name) : strlen(name));
+    int used = snprintf(path, size, "%s/gallery", picture_program_folder(program));
+    if (used < (int)size && mkdir(path, 0777) != 0 && errno != EEXIST) {
+        fprintf(stderr, "%s: cannot be made: %s\n", path, strerror(errno));
+        return false;
+    }
+    return snprintf(path, size, "%s/gallery/%.*s.png", picture_program_folder(program), length,
+                    name) < (int)size;
+}
+
+// Shows progress on a terminal, after the first second. The loops are the student's own, so only
+// the number of pixels that were set is known.
+static void show_progress(const Image *image)
+{
+    static time_t began, last;
+    time_t now = time(NULL);
+    if (began == 0)
+        began = last = now;
+    if (now == last)
+        return;
+    last = now;
+    long pixels = (long)image->size.width * image->size.height;
+    if (image->set_count <= pixels)
+        fprintf(stderr, "\r  %3ld %% after %ld s ", 100 * image->set_count / pixels,
+                (long)(now - began));
+    else
+        fprintf(stderr, "\r  %ld pixels set after %ld s ", image->set_count, (long)(now - began));
+}
+
+static bool report(const char *text)
+{
+    fprintf(stderr, "%s\n", text);
+    return false;
+}
+
+// Finds the scene's path; false if there is none.
+static bool find_scene(Drawing *drawing, const Command *command, const char *own_scene)
+{
+    if (command->scene_path == NULL)
+        return find_own_scene(drawing->scene_path, sizeof drawing->scene_path, drawing->program,
+                              own_scene);
+    if (strlen(command->scene_path) >= sizeof drawing->scene_path)
+        return report("the path of the scene is too long");
+    strcpy(drawing->scene_path, command->scene_path);
+    return true;
+}
+
+static bool find_output(Drawing *drawing, const Command *command)
+{
+    Message message;
+    if (command->output == NULL) {
+        if (!gallery_path(drawing->output, sizeof drawing->output, drawing->program,
+                          command->picture_name != NULL ? command->picture_name
+                                                        : drawing->scene_path))
+            return false;
+    } else {
+        if (strlen(command->output) >= sizeof drawing->output)
+            return report("the path of the picture is too long");
+        strcpy(drawing->output, command->output);
+    }
+    return file_path_is_writable(drawing->output, &message) || report(message.text);
+}
+
+// Reads the scene, and finds its camera.
+static bool load(Drawing *drawing, const Command *command)
+{
+    Message message;
+    if (!scene_load(drawing->scene_path, &drawing->scene, &message))
+        return report(message.text);
+    if (drawing->scene.sphere_count == 0)
+        fprintf(stderr, "%s: warning: the scene has no spheres\n", drawing->scene_path);
+    drawing->size = command->size.width > 0 ? command->size : drawing->scene.view.resolution;
+    CameraFault fault = scene_camera(&drawing->scene.view, drawing->size, &drawing->camera);
+    if (fault == CAMERA_OK)
+        return true;
+    message_set(&message, "%.300s: its viewpoint is not a camera: %s", drawing->scene_path,
+                camera_fault_text(fault));
+    scene_free(&drawing->scene);
+    return report(message.text);
+}
+
+bool drawing_prepare(Drawing *drawing, const char *program, const Command *command,
+                     const char *own_scene)
+{
+    *drawing = (Drawing){.program = program};
+    return find_scene(drawing, command, own_scene) && load(drawing, command);
+}
+
+bool drawing_begin(Drawing *drawing, const char *program, const Command *command,
+                   const char *own_scene)
+{
+    Message message;
+    *drawing = (Drawing){.program = program};
+    if (!find_scene(drawing, command, own_scene) || !find_output(drawing, command))
+        return false;
+    if (file_is_same(drawing->scene_path, drawing->output))
+        options_wrong(program, "%s is the scene itself and would be lost, expected -o ANOTHER-FILE",
+                      word_text(drawing->output).s);
+    if (!load(drawing, command))
+        return false;
+    if (!image_create(&drawing->image, drawing->size, &message)) {
+        scene_free(&drawing->scene);
+        return report(message.text);
+    }
+    if (isatty(STDERR_FILENO))
+        drawing->image.progress = show_progress;
+    return true;
+}
+
+int drawing_end(Drawing *drawing)
+{
+    if (drawing->image.progress != NULL)
+        fprintf(stderr, "\r%40s\r", "");
+    int status = picture_save(&drawing->image, drawing->output);
+    image_free(&drawing->image);
+    scene_free(&drawing->scene);
+    return status;
+}

@@ -1,0 +1,242 @@
+// shading_scenes.c - scenes that are awkward to light.
+#include "tests/house/engines/shading_scenes.h"
+
+#include "chapters/shared/scene_camera.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/06-ray-casting.h"
+#include "exercises/07-shading.h"
+
+#include <stddef.h>
+
+enum { MOST = 120, LIGHTS = 3 };
+
+static Sphere spheres[MOST];
+static Surface surfaces[MOST];
+static Light lights[LIGHTS];
+Scene lit_scene = {.spheres = spheres, .surfaces = surfaces, .lights = lights};
+int lit_depth;
+
+static unsigned long long state;
+
+static double uniform(double low, double high)
+{
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+}
+
+static vec3 anywhere(double size)
+{
+    double x = uniform(-size, size), y = uniform(-size, size);
+    return vec3_of(x, y, uniform(-size, size));
+}
+
+// Every sphere has a colour of its own, so that one taken for another shows; two of three mirror.
+static void add(vec3 center, double radius)
+{
+    int i = lit_scene.sphere_count;
+    if (i == MOST)
+        return;
+    Color color = vec3_of((i % 7 + 1) / 7.0, (i / 7 % 7 + 1) / 7.0, (i / 49 % 9 + 1) / 9.0);
+    surfaces[i] = (Surface){.color = color, .diffuse = 0.5, .specular = i % 3 / 3.0, .shine = 7};
+    spheres[i] = (Sphere){center, radius, i};
+    lit_scene.sphere_count = lit_scene.surface_count = i + 1;
+}
+
+static void light_up(vec3 position, LightKind kind)
+{
+    int i = lit_scene.light_count++;
+    lights[i] = (Light){position, vec3_of(0.7 - 0.2 * i, 0.5, 0.3 + 0.2 * i), kind};
+}
+
+static void look_from(vec3 from, vec3 at, double angle)
+{
+    lit_scene.sphere_count = lit_scene.surface_count = lit_scene.light_count = 0;
+    lit_scene.view = (Viewpoint){from, at, vec3_of(0, 1, 0), angle, {31, 23}};
+    lit_scene.background = vec3_of(0.1, 0.2, 0.3);
+    lit_scene.ambient = vec3_of(0.1, 0.1, 0.1);
+    lit_depth = 5;
+}
+
+static void heap(vec3 at, double size, int count, double radius)
+{
+    for (int i = 0; i < count; i++)
+        add(at + anywhere(size), radius * uniform(0.3, 1));
+}
+
+static const vec3 front = {0, 0, 5}, middle = {0, 0, 0}, above = {3, 9, 6};
+
+static void nothing(void)
+{
+    look_from(front, middle, 60);
+    light_up(above, LIGHT_POINT);
+}
+static void no_light(void)
+{
+    look_from(front, middle, 60);
+    heap(middle, 1.5, 30, 0.5);
+}
+static void inside(void)
+{
+    look_from(front, middle, 90);
+    light_up(above, LIGHT_POINT);
+    light_up(vec3_of(1, 1, 3), LIGHT_POINT);
+    add(middle, 30);
+    add(front, 1);
+    add(front, 2);
+    heap(middle, 4, 30, 1);
+}
+static void tangent(void)
+{
+    look_from(front, middle, 70);
+    light_up(vec3_of(0, 1, 0), LIGHT_DISTANT);
+    light_up(vec3_of(0, 4, 0), LIGHT_POINT);
+    for (int i = 0; i < 64; i++) {
+        int column = i % 4, row = i / 4 % 4, layer = i / 16;
+        add(vec3_of(column - 1.5, row - 1.5, -layer), 0.5);
+    }
+}
+static void coincident(void)
+{
+    look_from(front, middle, 60);
+    light_up(above, LIGHT_POINT);
+    light_up(vec3_of(-2, 1, 1), LIGHT_DISTANT);
+    // The lower of two indices counts, whichever of the two the hierarchy meets first.
+    vec3 there[12];
+    for (int i = 0; i < 72; i++) {
+        if (i < 12)
+            there[i] = anywhere(1.5);
+        add(there[i % 12], 0.7);
+    }
+}
+static void facing_mirrors(void)
+{
+    look_from(vec3_of(0, 0.3, 1), vec3_of(0, 0, -3), 80);
+    light_up(vec3_of(0.3, 1.5, 0), LIGHT_POINT);
+    for (int i = 0; i < 6; i++)
+        add(vec3_of(0, 0, i % 2 == 0 ? -1003 : 1003), 1000);
+    heap(middle, 2, 20, 0.4);
+}
+static void light_in_a_sphere(void)
+{
+    look_from(front, middle, 60);
+    light_up(vec3_of(0.5, 0.5, 0), LIGHT_POINT);
+    light_up(above, LIGHT_POINT);
+    add(vec3_of(0.5, 0.5, 0), 0.4);
+    add(above, 30);
+    heap(middle, 2, 30, 0.6);
+}
+
+// Where the ray of a pixel leaves the surface again; not a number where it meets nothing.
+static Ray leaves_at(Pixel pixel)
+{
+    Camera camera;
+    scene_camera(&lit_scene.view, lit_scene.view.resolution, &camera);
+    Ray ray = pixel_ray(camera, lit_scene.view.resolution, pixel);
+    Hit hit = nearest_hit(ray, &lit_scene);
+    if (hit.sphere < 0)
+        return (Ray){vec3_of(NAN, NAN, NAN), ray.direction};
+    vec3 point = ray.origin + hit.t * ray.direction;
+    vec3 normal = surface_normal(spheres[hit.sphere], point);
+    return (Ray){off_surface(spheres[hit.sphere], point, normal),
+                 mirror_direction(ray.direction, normal)};
+}
+
+static void light_on_a_surface(void)
+{
+    look_from(front, middle, 60);
+    add(middle, 1);
+    add(vec3_of(2, 0, 0), 1);
+    add(vec3_of(0, 2.25, 0), 0.25);
+    light_up(vec3_of(1, 0, 0), LIGHT_POINT);
+    light_up(vec3_of(0, 2, 0), LIGHT_POINT);
+    // A light at the very place from which it is looked for.
+    light_up(leaves_at((Pixel){15, 11}).origin, LIGHT_POINT);
+}
+static void far_from_the_origin(void)
+{
+    vec3 there = vec3_of(1e7, -3e7, 2e7);
+    look_from(there + front, there, 60);
+    light_up(there + above, LIGHT_POINT);
+    light_up(middle, LIGHT_POINT);
+    light_up(above, LIGHT_DISTANT);
+    heap(there, 2, 50, 0.6);
+}
+static void on_huge_ground(void)
+{
+    look_from(vec3_of(0, 1, 5), middle, 70);
+    light_up(above, LIGHT_DISTANT);
+    light_up(vec3_of(-1, 2, 1), LIGHT_POINT);
+    light_up(vec3_of(1e9, 1e9, 1e9), LIGHT_POINT);
+    add(vec3_of(0, -1e9, 0), 1e9 - 1);
+    add(vec3_of(0, -1e6, 0), 1e6 - 1);
+    heap(middle, 2, 40, 0.5);
+    add(vec3_of(0, 1e12, 0), 1e11);
+}
+
+// A sphere that a ray touches: so nearly that rounding decides whether it is hit.
+static void graze(Ray ray, double distance, double radius)
+{
+    vec3 along = vec3_unit(ray.direction),
+         aside = uniform(0, 1) < 0.5 ? vec3_of(1, 0, 0) : vec3_of(0, 1, 0);
+    aside = vec3_unit(aside - vec3_dot(aside, along) * along) * (uniform(0, 1) < 0.5 ? 1 : -1);
+    double beside = radius + uniform(-4e-16, 4e-16) * distance;
+    if (vec3_is_finite(ray.origin))
+        add(ray.origin + distance * along + beside * aside, radius);
+}
+static Pixel some_pixel(void)
+{
+    return (Pixel){(int)uniform(0, 31), (int)uniform(0, 23)};
+}
+static void grazing_the_view(void)
+{
+    double far = pow(10, uniform(0, 7));
+    look_from(vec3_of(0, 0, far), middle, 4 / far);
+    light_up(vec3_of(1, 2, 3), LIGHT_DISTANT);
+    Camera camera;
+    scene_camera(&lit_scene.view, lit_scene.view.resolution, &camera);
+    for (int i = 0; i < MOST; i++)
+        graze(pixel_ray(camera, lit_scene.view.resolution, some_pixel()), far * uniform(0.5, 1),
+              pow(10, uniform(-6, -1)));
+}
+static void grazing_the_light(void)
+{
+    look_from(front, middle, 20);
+    light_up(vec3_of(1e-8, -2e-8, 1), LIGHT_DISTANT);
+    light_up(vec3_of(-0.1, 0.2, 1e7), LIGHT_POINT);
+    lit_depth = 1;
+    add(vec3_of(0, 0, -50), 50);
+    add(vec3_of(0, 0, -50), 50.01);
+    while (lit_scene.sphere_count < MOST) {
+        Ray away = leaves_at(some_pixel());
+        double distance = pow(10, uniform(1, 7)), radius = pow(10, uniform(-6, -1));
+        int way = (int)uniform(0, 3);
+        graze(way == 2 ? away : ray_to_light(away.origin, lights[way]), distance, radius);
+    }
+}
+
+const LitScene lit_awkward[] = {{"nothing", nothing, 1},
+                                {"no light", no_light, 1},
+                                {"inside", inside, 1},
+                                {"tangent", tangent, 1},
+                                {"coincident", coincident, 10},
+                                {"mirrors that face each other", facing_mirrors, 1},
+                                {"a light in a sphere", light_in_a_sphere, 1},
+                                {"a light on a surface", light_on_a_surface, 1},
+                                {"far from the origin", far_from_the_origin, 1},
+                                {"on a huge ground", on_huge_ground, 1},
+                                {"grazing the view", grazing_the_view, 10},
+                                {"grazing the light", grazing_the_light, 10},
+                                {0}};
+
+void lit_at_random(unsigned number)
+{
+    state = number * 7919ULL + 1;
+    for (int i = 0; i < 8; i++)
+        uniform(0, 1);
+    look_from(anywhere(3), anywhere(1), uniform(20, 130));
+    lit_scene.view.up = vec3_of(0.1, 1, 0.2);
+    for (int i = (int)uniform(1, LIGHTS + 1); i > 0; i--)
+        light_up(anywhere(5), uniform(0, 1) < 0.5 ? LIGHT_POINT : LIGHT_DISTANT);
+    heap(middle, 2, (int)pow(MOST, uniform(0, 1)), pow(10, uniform(-1.5, 0.3)));
+    lit_depth = (int)uniform(0, 6);
+}

@@ -1,0 +1,22 @@
+// shading_scenes.h - scenes that are awkward to light.
+#ifndef TESTS_HOUSE_ENGINES_SHADING_SCENES_H
+#define TESTS_HOUSE_ENGINES_SHADING_SCENES_H
+
+#include "common/scene.h"
+
+// Where they are made, and how many mirrors are to be followed.
+extern Scene lit_scene;
+extern int lit_depth;
+
+typedef struct {
+    const char *name;
+    void (*make)(void);
+    int times; // it is another one every time
+} LitScene;
+
+// The last one has no name.
+extern const LitScene lit_awkward[];
+
+void lit_at_random(unsigned number);
+
+#endif

@@ -1,0 +1,44 @@
+// test_scenes.h - scenes that are made to be difficult, and random ones.
+#ifndef TESTS_HOUSE_ENGINES_TEST_SCENES_H
+#define TESTS_HOUSE_ENGINES_TEST_SCENES_H
+
+#include "common/camera.h"
+#include "common/scene.h"
+
+// A scene and who looks at it; the camera need not be one that NFF can say. One at a time: all use
+// the same memory.
+typedef struct {
+    char name[80];
+    Scene scene;
+    Camera camera;
+    Resolution size;
+} Made;
+
+// How a camera differs from that of an NFF viewpoint: not at all; its right is on the other side;
+// its pixels are no squares and its plane is near; its axes are off by as much as is allowed.
+typedef enum { FRAME_USUAL, FRAME_MIRRORED, FRAME_STRETCHED, FRAME_LEANING, FRAMES } Frame;
+
+// Number 0, 1, ... of the difficult ones; false where there is no more.
+bool made_difficult(Made *made, int number, Frame frame);
+
+// The same few spheres on a screen of any size.
+void made_sized(Made *made, Resolution size);
+
+// So many spheres that threads share them; spheres that cover so many tiles that bins are filled
+// for some of these at a time.
+void made_many(Made *made);
+void made_wide(Made *made);
+
+// A random one: one to 400 spheres of all kinds. For a number always the same, by one compiler:
+// in which order it takes the numbers of one call is its own affair.
+void made_at_random(Made *made, unsigned number);
+
+// Spheres that are about so many of their radii away from the eye.
+void made_far(Made *made, unsigned number, double radii, double radius);
+
+// So many small ones in a cube, as random_nff.c writes them but so many times larger, in memory of
+// their own. False where there is none.
+bool made_uniform(Made *made, int count, double larger);
+void made_uniform_free(Made *made);
+
+#endif

@@ -1,0 +1,63 @@
+#!/bin/sh
+# free_answers.sh - answers that are right and use the freedom of their contracts (tests/NN-stem/free.c) make
+# the same pictures and figures as the reference.
+set -u
+. tests/house/runner/library.sh
+
+answers=$scratch/free
+free=build$answers
+right=build/solutions
+trap 'end_started; rm -rf "$free" "$scratch"' EXIT
+
+programs='01-corners 02-cameras 03-screen 04-pixel-ray 05-quadratic 06-ray-casting 07-shading 08-fast'
+builds() {
+    mkdir -p "$answers" && cp solutions/*.c "$answers" &&
+        for answer in tests/[0-9]*/free.c; do
+            cp "$answer" "$answers/$(basename "$(dirname "$answer")").c" || return 1
+        done
+    by_reference=
+    by_them=
+    for stem in $programs; do
+        by_reference="$by_reference $right/$stem"
+        by_them="$by_them $free/$stem"
+    done
+    # shellcheck disable=SC2086 # several words
+    { make -s ANSWERS=solutions $by_reference && make -s ANSWERS="$answers" $by_them; } >"$scratch/said" 2>&1 ||
+        { tail -n 20 "$scratch/said"; return 1; }
+}
+check 'answers that use every freedom build' builds
+
+judged_right() {
+    make --no-print-directory exercises ANSWERS="$answers" EX="$1" >"$scratch/said" 2>&1
+    says "$2 is right"
+}
+check 'a direction 3 long is judged right' judged_right 04 04-pixel-ray
+check 'so are the formulas of the slides, with c as a product' judged_right 05 05-quadratic
+
+same() {
+    program=$1
+    shift
+    "$right/$program" "$@" "$scratch/right.png" >"$scratch/said" 2>&1 &&
+        "$free/$program" "$@" "$scratch/free.png" >"$scratch/said" 2>&1 &&
+        "$BUILD/tests/same_picture" "$scratch/right.png" "$scratch/free.png"
+}
+check 'by them the sphere of 05 is the same picture' same 05-quadratic --picture
+check 'the spheres of 06 are' same 06-ray-casting -s 160x120 -o
+check 'and in object order' same 06-ray-casting -s 160x120 --order object -o
+check 'the shaded spheres of 07 are' same 07-shading -s 80x60 -o
+for engine in plain object bvh packet tiles bins; do
+    check "those that $engine casts are" same 08-fast --engine $engine -s 160x120 -o
+done
+
+# Beside the reference's numbers nothing is called wrong.
+no_figure_differs() {
+    for layout in chapters/*/figures/*.gp; do
+        stem=${layout#chapters/} name=${layout##*/}
+        stem=${stem%%/*} name=${name%.gp}
+        "$right/$stem" --figure "$name" >"$scratch/right.gp" &&
+            "$free/$stem" --figure "$name" --beside "$scratch/right.gp" >"$scratch/free.gp" || return 1
+        ! grep -q '^wrong = 1' "$scratch/free.gp" || { echo "$name: something is called wrong"; return 1; }
+    done
+}
+check 'and no figure calls them wrong' no_figure_differs
+finish free_answers

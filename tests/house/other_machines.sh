@@ -1,0 +1,114 @@
+#!/bin/sh
+# other_machines.sh - other machines: locales, names of folders, trees that cannot be written.
+# Only reads the tree.
+set -u
+. tests/house/runner/library.sh
+
+# ---- locales ------------------------------------------------------------------------------------
+
+script=$scratch/figure.gp
+"$PROGRAMS/05-quadratic" --figure parabola >"$script"
+draws_in() {
+    (cd "$scratch" && LC_ALL=$1 gnuplot -e "output='$1'" figure.gp >"$scratch/said" 2>&1) && [ -s "$scratch/$1.svg" ]
+}
+# gnuplot 6 says nothing, and earlier ones nothing but this.
+no_other_word() {
+    grep -v 'iconv failed to convert degree sign' "$scratch/said"
+    [ $? -eq 1 ] && { [ ! -s "$scratch/said" ] || gnuplot --version | grep -q 'gnuplot [1-5]\.'; }
+}
+if command -v gnuplot >/dev/null; then
+    check 'gnuplot draws a figure' draws_in C.UTF-8
+    check 'and in locale C' draws_in C
+    check 'without a word that matters' no_other_word
+    check 'the same bytes' cmp "$scratch/C.svg" "$scratch/C.UTF-8.svg"
+else
+    echo "skipped: figures in locale C: gnuplot is missing ('make setup' installs it)"
+fi
+
+# ---- names of folders, trees that cannot be written -------------------------------------------------
+
+tree=$scratch/100%-mine
+copy_of_the_tree() {
+    mkdir "$tree" && cp -r Makefile .make common chapters exercises solutions tests "$tree" && chmod -R a+rX "$scratch"
+}
+says_in_the_copy() {
+    words=$1
+    shift
+    "$@" >"$scratch/said" 2>&1
+    status=$?
+    says "$words" && [ "$(wc -l <"$scratch/said")" -eq 1 ] && [ $status -ne 0 ]
+}
+knows_its_answers() {
+    make -s -C "$tree" -n all ANSWERS="$1" >"$scratch/said" 2>&1 || { tail -n 3 "$scratch/said"; return 1; }
+}
+# Root may write everywhere, so it becomes somebody else.
+as_another() {
+    if [ "$(id -u)" -ne 0 ]; then
+        "$@"
+    else
+        setpriv --reuid=65534 --regid=65534 --clear-groups "$@"
+    fi
+}
+check 'there is a copy of the tree' copy_of_the_tree
+check "a '%' in the path of the tree spoils nothing" knows_its_answers solutions
+check 'nor do answers by their whole path' knows_its_answers "$tree/solutions"
+rm -rf "$tree/build"
+mkdir "$scratch/50%" && cp solutions/*.c "$scratch/50%"
+check "answers elsewhere must have none, and that is said" says_in_the_copy "expected a folder whose path has no '%'" \
+    make --no-print-directory -C "$tree" ANSWERS="$scratch/50%"
+chmod a-w "$tree"
+check 'a tree that can only be read is reported as such' says_in_the_copy 'make cannot write into' \
+    as_another make --no-print-directory -C "$tree"
+chmod u+w "$tree"
+mkdir "$tree/build" && : >"$tree/build/flags" && chmod a-w "$tree/build/flags" "$tree/build"
+check 'so is one that somebody else has built' says_in_the_copy "make cannot write to 'build" \
+    as_another make --no-print-directory -C "$tree"
+chmod -R u+w "$tree"
+
+# ---- what drives gnuplot --------------------------------------------------------------------------
+
+# If gnuplot draws nothing and prints nothing, make does not claim a figure.
+draws_nothing() {
+    mkdir -p "$scratch/bin" "$scratch/figures"
+    printf '#!/bin/sh\nexit 0\n' >"$scratch/bin/gnuplot"
+    chmod +x "$scratch/bin/gnuplot"
+    cp "$script" "$scratch/figures"
+    PATH=$scratch/bin:$PATH FORMAT=svg "$BUILD/chapters/gallery/draw_figures" "$scratch/figures" figure >"$scratch/said" 2>&1
+    [ $? -eq 1 ] && says 'could not be made of what gnuplot drew' && says_not 'Figures: 1'
+}
+if command -v gnuplot >/dev/null; then
+    check 'pictures that were not drawn are not counted' draws_nothing
+fi
+
+# ---- setup ----------------------------------------------------------------------------------------
+
+# No package is installed, sudo asks for a password, and there is no terminal.
+advises() {
+    mkdir -p "$scratch/sudo"
+    for tool in sh cat mktemp rm id printf sed grep uname dirname; do
+        ln -sf "$(command -v $tool)" "$scratch/sudo/$tool"
+    done
+    printf '#!/bin/sh\nexit 1\n' >"$scratch/sudo/sudo"
+    cp "$scratch/sudo/sudo" "$scratch/sudo/apt-get"
+    printf '#!/bin/sh\necho 1000\n' >"$scratch/sudo/id.new"
+    chmod +x "$scratch"/sudo/*
+    mv "$scratch/sudo/id.new" "$scratch/sudo/id"
+    PATH=$scratch/sudo .make/setup </dev/null >"$scratch/said" 2>&1
+    [ $? -eq 1 ] && says '  sudo apt-get install -y' && says_not 'sudo -n'
+}
+check 'setup without a terminal advises what works on one' advises
+# 'make setup all' asks for no library before setup has ended, which has just installed it.
+late=$scratch/late
+waits_for_setup() {
+    mkdir "$late" "$scratch/late-bin" &&
+        cp -r Makefile .make common chapters exercises solutions tests "$late" || return 1
+    pkg_config=$(command -v pkg-config)
+    printf '#!/bin/sh\n[ -e %s/installed ] && exec %s "$@"\n' "$late" "$pkg_config" >"$scratch/late-bin/pkg-config"
+    printf '#!/bin/sh\nsleep 1\n: >%s/installed\n' "$late" >"$late/.make/setup"
+    chmod +x "$scratch/late-bin/pkg-config"
+    PATH=$scratch/late-bin:$PATH make --no-print-directory -C "$late" setup build/judge \
+        build/solutions/01-corners >"$scratch/said" 2>&1 || { tail "$scratch/said"; return 1; }
+}
+check 'what is built waits for setup' waits_for_setup
+
+finish other_machines
