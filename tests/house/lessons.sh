@@ -56,6 +56,16 @@ for lesson in chapters/[0-9]*/README.md; do
     check "the student's page says how long $stem takes" says_the_time_of "$stem"
 done
 
+# The files that lesson 08 tells its reader to read.
+files_are_there() {
+    # shellcheck disable=SC2016 # these are Markdown's backquotes
+    [ "$(grep -o '`[a-z_]*\.[ch]`' chapters/08-fast/README.md | tr -d '`' | sort -u | tee "$scratch/files" | wc -l)" -gt 20 ] &&
+        while IFS= read -r file; do
+            [ -e "chapters/08-fast/engines/$file" ] || [ -e "chapters/08-fast/$file" ] || { echo "not there: $file" && return 1; }
+        done <"$scratch/files"
+}
+check 'the lesson of 08 names files that exist' files_are_there
+
 # Every function of common/ that an exercise needs is described where its reader looks.
 describes() {
     grep -q "$1(" common/image.h && grep -q "$1(" chapters/06-ray-casting/README.md &&
