@@ -104,7 +104,7 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 	$(call say,mutate,$*)
 	$(Q)rm -rf $(@D)/$* && mkdir -p $(@D)/$*
 	$(Q)for source in $(filter %.c,$(call answers_of,$*)); do \
-		$(AS_REFERENCE) -E "$$source" -o "$(@D)/$*/$$(echo "$$source" | tr / -).i" || exit 1; done
+		$(AS_REFERENCE) '-DOF_STEM(part)=' -E "$$source" -o "$(@D)/$*/$$(echo "$$source" | tr / -).i" || exit 1; done
 	$(Q)$(call mutants_of,/dev/null)
 	$(Q)$(subst -w,-Werror=incompatible-pointer-types,$(AS_REFERENCE)) $(ALL_ERRORS) -fsyntax-only \
 		$(@D)/$*.c 2> $(@D)/$*.errors || true

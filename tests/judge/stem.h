@@ -30,11 +30,13 @@ typedef struct {
     const struct Generated *generated;       // tests/proof/generated/generated.h
 } Stem;
 
+#ifndef OF_STEM // as nothing if only the functions of a file are wanted (MUTANTS in tests.mk)
 #define OF_STEM(part)                                                                              \
     __attribute__((constructor)) static void add_##part(void)                                      \
     {                                                                                              \
         stem_of_file(__FILE__)->part = part;                                                       \
     }
+#endif
 
 // Each makes an entry for the stem if there is none.
 Stem *stem_of_file(const char *file);
