@@ -15,6 +15,8 @@
 
 #define FIELD(type, field) (FIELD_OF_ONE, type, field, #field " ")
 #define FIELD_AS(label, type, field) (FIELD_OF_ONE, type, field, label)
+#define LENGTH(type, field) (FIELD_OF_LENGTH, type, field, #field " ")
+#define LENGTH_AS(label, type, field) (FIELD_OF_LENGTH, type, field, label)
 #define LIST(type, field, count) (FIELD_OF_LIST, type, field, count)
 #define PIXELS(field) (FIELD_OF_PIXELS, ~, field, size)
 
@@ -23,15 +25,20 @@
 #define FIELD_BY_KIND(owner, kind, type, field, other) IN_##kind(owner, type, field, other)
 #define IN_FIELD_OF_ONE(owner, type, field, label)                                                 \
     {                                                                                              \
-        FIELD_OF_ONE, #field, label, &type_##type, offsetof(owner, field), 0                       \
+        FIELD_OF_ONE, #field, label, &type_##type, offsetof(owner, field), 0, false                \
+    }
+#define IN_FIELD_OF_LENGTH(owner, type, field, label)                                              \
+    {                                                                                              \
+        FIELD_OF_ONE, #field, label, &type_##type, offsetof(owner, field), 0, true                 \
     }
 #define IN_FIELD_OF_LIST(owner, type, field, count)                                                \
     {                                                                                              \
-        FIELD_OF_LIST, #field, NULL, &type_##type, offsetof(owner, field), offsetof(owner, count)  \
+        FIELD_OF_LIST, #field, NULL, &type_##type, offsetof(owner, field), offsetof(owner, count), \
+            false                                                                                  \
     }
 #define IN_FIELD_OF_PIXELS(owner, type, field, size)                                               \
     {                                                                                              \
-        FIELD_OF_PIXELS, #field, NULL, NULL, offsetof(owner, field), offsetof(owner, size)         \
+        FIELD_OF_PIXELS, #field, NULL, NULL, offsetof(owner, field), offsetof(owner, size), false  \
     }
 
 #endif

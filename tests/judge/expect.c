@@ -86,28 +86,27 @@ void expect_pair(double yours_x, double yours_y, double x, double y, double tole
     settle_numbers(met, (const double[]){yours_x, yours_y}, (const double[]){x, y}, 2);
 }
 
+void expect_value(const Type *type, const void *yours, const void *expected, double tolerance,
+                  double size)
+{
+    bool met = type_near(type, yours, expected, tolerance, tolerance * size);
+    char y[CAMERA_WORDS] = "", e[CAMERA_WORDS] = "";
+    int digits = 6;
+    while (!met && strcmp(y, e) == 0 && digits <= 17) {
+        type_words(type, yours, digits, y, sizeof y);
+        type_words(type, expected, digits++, e, sizeof e);
+    }
+    settle(met, y, e);
+}
+
 void expect_camera(Camera yours, Camera expected, double tolerance)
 {
-    expect_camera_of_size(yours, expected, tolerance, 1);
+    expect_value(&type_Camera, &yours, &expected, tolerance, 1);
 }
 
 void expect_camera_of_size(Camera yours, Camera expected, double tolerance, double size)
 {
-    double length = tolerance * size;
-    bool met = vec3_near(yours.origin, expected.origin, length) &&
-               vec3_near(yours.right, expected.right, tolerance) &&
-               vec3_near(yours.up, expected.up, tolerance) &&
-               vec3_near(yours.forward, expected.forward, tolerance) &&
-               near(yours.distance, expected.distance, length) &&
-               near(yours.width, expected.width, length) &&
-               near(yours.height, expected.height, length);
-    char y[CAMERA_WORDS] = "", e[CAMERA_WORDS] = "";
-    int digits = 6;
-    while (!met && strcmp(y, e) == 0 && digits <= 17) {
-        type_words(&type_Camera, &yours, digits, y, sizeof y);
-        type_words(&type_Camera, &expected, digits++, e, sizeof e);
-    }
-    settle(met, y, e);
+    expect_value(&type_Camera, &yours, &expected, tolerance, size);
 }
 
 void expect_fault(CameraFault yours, CameraFault expected)

@@ -34,7 +34,7 @@ bool layout_write(const char *types, const Numbers *numbers, Resolution *size, W
 int layout_places(const char *types);
 const char *layout_place(const char *types, int place);
 
-// Equal within the rounding of two ways to compute the same thing (same.h).
+// Equal within the rounding of two ways to compute the same thing (equal_numbers.h).
 bool numbers_same(const Numbers *a, const Numbers *b);
 
 #endif

@@ -45,6 +45,10 @@ void given_sphere(Sphere sphere);
 void expect_number(double yours, double expected, double tolerance);
 void expect_vec3(vec3 yours, vec3 expected, double tolerance);
 void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance);
+// A value without pointers, of any type: whole numbers are equal, and in a world of this size the
+// lengths (types.def) may be off by so many times the tolerance.
+void expect_value(const Type *type, const void *yours, const void *expected, double tolerance,
+                  double size);
 void expect_camera(Camera yours, Camera expected, double tolerance);
 // The same in a world of that size: the lengths are multiplied by it, the directions are not.
 void expect_camera_of_size(Camera yours, Camera expected, double tolerance, double size);

@@ -1,6 +1,7 @@
 // types.c - the parts of a type.
 #include "tests/judge/define_types.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "tests/judge/types.def"
@@ -41,6 +42,29 @@ void type_copy(const Type *type, void *to, const void *from)
     else
         for (const Field *field = type->fields; field < type->fields + type->count; field++)
             type_copy(field->type, (char *)to + field->offset, (const char *)from + field->offset);
+}
+
+static bool number_near(double yours, double expected, double tolerance)
+{
+    return yours == expected || fabs(yours - expected) <= tolerance;
+}
+
+bool type_near(const Type *type, const void *yours, const void *expected, double tolerance,
+               double tolerance_of_lengths)
+{
+    const double *y = yours, *e = expected;
+    if (type->kind == TYPE_OF_WHOLE)
+        return memcmp(yours, expected, type->size) == 0;
+    bool near = true;
+    for (int i = 0; near && type->kind == TYPE_OF_NUMBERS && i < type->count; i++)
+        near = number_near(y[i], e[i], tolerance);
+    for (int i = 0; near && type->kind == TYPE_OF_FIELDS && i < type->count; i++) {
+        const Field *field = &type->fields[i];
+        near = type_near(field->type, (const char *)yours + field->offset,
+                         (const char *)expected + field->offset,
+                         field->is_length ? tolerance_of_lengths : tolerance, tolerance_of_lengths);
+    }
+    return near;
 }
 
 void type_visit(const Type *type, const char *name, void *value, NumberVisitor *visit,

@@ -24,6 +24,7 @@ typedef struct {
     const Type *type;  // of each item
     size_t offset;
     size_t count_at; // of a list: the offset of its int; of pixels: the offset of their Resolution
+    bool is_length;  // in the unit of the world: in a world k times as large it is k times as large
 } Field;
 
 struct Type {
@@ -53,6 +54,11 @@ enum { TYPE_MOST_BYTES = 512 }; // no value is larger
 
 // Copies all parts of the type, and no padding. The type is flat.
 void type_copy(const Type *type, void *to, const void *from);
+
+// Whether two flat values are equal: whole numbers are, lengths are off by at most one of the
+// tolerances, other numbers by at most the other. NaN is near nothing.
+bool type_near(const Type *type, const void *yours, const void *expected, double tolerance,
+               double tolerance_of_lengths);
 
 // A flat value in words: 'origin (0, 0, 0), direction (0, 0, 1)'.
 void type_words(const Type *type, const void *value, int digits, char *words, size_t size);

@@ -13,7 +13,7 @@ typedef struct {
     double offset;
     char kind;
 } Plane;
-STRUCT(Plane, (FIELD(vec3, normal), FIELD(double, offset), FIELD(char, kind)))
+STRUCT(Plane, (FIELD(vec3, normal), LENGTH(double, offset), FIELD(char, kind)))
 
 typedef struct {
     int plane_count;
@@ -167,6 +167,27 @@ START_TEST(a_plane_is_told_in_the_words_of_its_entry)
 }
 END_TEST
 
+START_TEST(planes_are_equal_within_the_tolerances_of_their_fields)
+{
+    const double number = 1e-9, length = 1e-3;
+    Plane plane = secret_plane(1, 'p'), other = plane;
+    memset((char *)&other + sizeof other - 1, 0, 1); // padding is not compared
+    other.normal[3] = 7;
+    other.normal[2] += 0.9e-9;
+    other.offset -= 0.9e-3;
+    expect_int(type_near(&type_Plane, &other, &plane, number, length), 1);
+    expect_value(&type_Plane, &other, &plane, 1e-9, 1e6);
+    expect_int(type_near(&type_Plane, &other, &plane, number, number), 0);
+    Plane turned = plane, kind = plane, none = plane;
+    turned.normal[1] += 1e-8;
+    kind.kind = 'q';
+    none.offset = NAN;
+    expect_int(type_near(&type_Plane, &turned, &plane, number, length), 0);
+    expect_int(type_near(&type_Plane, &kind, &plane, number, length), 0);
+    expect_int(type_near(&type_Plane, &none, &plane, number, length), 0);
+}
+END_TEST
+
 static void list_tests(void)
 {
     tests_of("types");
@@ -176,6 +197,7 @@ static void list_tests(void)
     test(no_type_sends_more_bytes_than_its_numbers_have);
     test(a_plane_is_told_in_the_words_of_its_entry);
     test(numbers_of_a_plane_are_recorded_in_the_order_of_its_fields);
+    test(planes_are_equal_within_the_tolerances_of_their_fields);
 }
 
 OF_STEM(list_tests)
