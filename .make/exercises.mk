@@ -36,8 +36,8 @@ QUICK_FLAGS = $(LANGUAGE) -O0 -ffunction-sections -finstrument-functions $(SANIT
 	-fsanitize=bounds$(if $(IS_CLANG),,-strict) -fsanitize-undefined-trap-on-error
 JUDGES_LAYOUTS := common/figure/plot.gp $(wildcard chapters/*/figures/yours-and-right.gp) $(wildcard tests/judge/layouts/*.gp)
 
-# What a student's answers draw, before a chapter is right and after it (tests/course/pictures/). In
-# the toolkit the reference, under other names, is used for what is not answered; a handout has none.
+# The pictures of a student's answers, before a chapter is right and after it (tests/course/pictures/).
+# In the toolkit the reference, under other names, replaces missing answers; a handout has no reference.
 DRAWING_ANSWERS := $(B)/tests/course/pictures/draw.o
 $(DRAWING_ANSWERS): EXTRA = $(PNG_CFLAGS) -include $(B)/weak.h
 $(DRAWING_ANSWERS): $(B)/weak.h

@@ -1,19 +1,19 @@
 # tests.mk - what the tests and the judges consist of, and tables of what is right. Included by the
 # Makefile.
 
-# What a student reads of what the compiler and the linker say.
+# The messages of the compiler and the linker, as a student reads them.
 EXPLAIN := $(B)/explain
 EXPLAIN_OBJECTS := $(patsubst %.c,$(B)/%.o,$(wildcard tests/course/explain*.c))
 $(EXPLAIN): $(EXPLAIN_OBJECTS)
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
 
-# What every program of tests is made of: its list of tests, and the words for given and expected.
+# The common parts of all test programs: the list of tests, and the words for given and expected.
 TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
 	show random stem types type_words) $(B)/tests/course/page.o
 COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/course/check_*.c \
 	tests/course/explained/*.c))
-# What judges answers (tests/course/course.c), in parts.
+# The parts of the program that judges answers (tests/course/course.c).
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c %/explain_main.c tests/course/check_%, \
 	$(wildcard tests/course/*.c))) $(patsubst %,$(B)/tests/judge/%.o,exercise types)
 $(filter $(B)/tests/course/%,$(COMMON_TESTS)): $(filter-out %/page.o,$(COURSE_PARTS))
@@ -26,13 +26,13 @@ $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/test_main.o $(B)/common.a
 FOR_EACH_CALL := $(patsubst %,$(B)/tests/judge/%.o,types wire numbers message equal_numbers suspects)
 $(filter-out $(FOR_EACH_CALL),$(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*.c tests/[0-9]*/*.c tests/judge/*.c))): OPTIMIZE = -O0
 
-# What runs the tests.
+# The program that runs the tests.
 RUN := $(B)/tests/house/runner/run_tests
 $(RUN): $(RUN).o
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
 
-# What packs a student's answers (make submission).
+# The program that packs a student's answers (make submission).
 PACK := $(B)/tests/course/submission/pack
 $(PACK): $(patsubst %,$(B)/tests/course/submission/%.o,pack stored_zip) $(B)/common.a
 	$(call say,link,$@)
@@ -60,10 +60,10 @@ $(DISPATCHES): $(B)/dispatch/%.o: tests/judge/dispatch.c $(B)/flags.mk $(SETUP_F
 # Which known mistake a wrong answer is.
 DIAGNOSIS := suspects evidence explanation stack_paint equal_numbers
 
-# What the judge says of answers, for a program.
+# The judge's report on answers, for a program.
 REPORTING := $(B)/tests/judge/report.o $(patsubst %,$(B)/tests/course/%.o,entries whole_text)
 
-# What the judge draws of a wrong answer.
+# The judge's figures of a wrong answer.
 DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector camera place section \
 	equation rectangle pictures) $(B)/tests/judge/picture_panels.o
 before = $(if $(filter-out $(2),$(firstword $(1))),$(firstword $(1)) $(call before,$(wordlist 2,99,$(1)),$(2)))
@@ -71,8 +71,8 @@ earlier = $(strip $(call before,$(STEMS),$(1)))
 
 # ---- tests without the tests ------------------------------------------------------------------
 
-# What the tests ask and what is right, as a table that no test and no answer can be read from
-# (tests/handout/replay/): made here from the tests, and all that a handout has to judge by.
+# The questions of the tests and the right results, as a table from which nobody can read a test or an
+# answer (tests/handout/replay/). It is made here from the tests; a handout judges by it alone.
 TABLE := $(if $(wildcard tests/handout/replay/*.table),tests/handout/replay,$(B)/replay)
 $(B)/tests/handout/replay/table.o: EXTRA = '-DTABLES="$(TABLE)"'
 TOLD := $(B)/tests/handout/replay/table.o $(B)/tests/judge/numbers.o $(CALLING)

@@ -29,7 +29,7 @@ const char *answer_that_was_called(int i);
 
 // Names on stderr what was called and is not answered yet. Returns what main returns: 0, or 1 if
 // there was any. With NOT_YET=PICTURE in the environment (make sets it), the picture lacks them:
-// that is said in one line, and the program ends with 0.
+// one line says so, and the program ends with 0.
 int answers_report(void);
 
 #endif

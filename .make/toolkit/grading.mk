@@ -18,7 +18,7 @@ $(KIT_PARTS): $(B)/tests/grade/mark/parts.o
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -static -o $@ $^
 
-# What is said of what does not build. It runs in a sandbox, too.
+# The explainer of compiler messages. It also runs in a sandbox.
 KIT_EXPLAIN := $(KIT)/explain
 $(KIT_EXPLAIN): $(EXPLAIN_OBJECTS)
 	$(call say,link,$@)
@@ -38,7 +38,7 @@ $(KIT_BLANKS): $(KIT)/link/blank-%.o: build/blanks/%.c $(B)/weak.h $(B)/flags.mk
 
 library = $(shell $(CC) -print-file-name=$(1))
 C_LIBRARIES = $(foreach l,libm.a libc.a libgcc.a libgcc_eh.a,$(call library,$(l)))
-# What answers may be expected to call of the C library.
+# The functions of the C library that answers usually call.
 IN_ADVANCE := printf fprintf snprintf puts fputs putchar malloc calloc free qsort memcpy memset \
 	strcmp rand abort __assert_fail sqrt fabs tan floor ceil round fmin fmax
 $(B)/tests/grade/confine/entry.o: EXTRA = -fno-stack-protector

@@ -3,8 +3,8 @@
 
 # ---- the tests, the mistakes and the laws -----------------------------------------------------
 
-# What is known of the stems. A program has that of all stems, and its first argument says which stem it
-# is about (tests/judge/stem.h).
+# The tests, mistakes and laws of the stems. Each program has those of all stems, and its first argument
+# chooses the stem (tests/judge/stem.h).
 parts = $(patsubst %.c,$(B)/%.o,$(wildcard $(1)*.c))
 tests_of = $(call parts,tests/$(1)) $(call parts,tests/$(1)/support)
 known = $(call parts,tests/[0-9]*/$(1))
@@ -30,11 +30,11 @@ REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
 $(REFERENCES): $(B)/tests/reference/%.o: $(B)/solutions/%.o $(B)/reference.names
 	$(Q)mkdir -p $(@D)
 	$(Q)objcopy --redefine-syms=$(B)/reference.names $< $@
-# What the answers do beside the known mistakes.
+# The comparison of answers with the known mistakes.
 HEARING := $(patsubst %,$(B)/tests/judge/%.o,reference/mistake_comparison reference/proxies reference/corners \
 	switchboard $(DIAGNOSIS)) \
 	$(B)/tests/judge/numbers.o $(CALLING) $(call known,laws) $(REFERENCES)
-# What calls an answering process.
+# The code that calls an answering process.
 TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport recorded_calls process crash_reason system_call)
 # With the reference for the chapters before, one mistake costs once; and the judge lends.
 lent = $(B)/tests/judge/reference/lent_answers.o
@@ -80,7 +80,7 @@ $(MATRIX): $(ALL_TESTS) $(foreach kind,mistakes probes variants composed unknown
 		$(TESTING) $(HEARING) $(patsubst %,$(B)/tests/proof/%.o,matrix missing memorised_answers) $(B)/common.a
 	$(link_program)
 
-# What a new chapter lacks before anything of it can be linked.
+# The missing parts of a new chapter, as long as it cannot be linked.
 lacks = $(or $(firstword $(foreach f,solutions/$(1).c tests/$(1).c tests/$(1)/mistakes.c \
 	chapters/$(1)/README.md chapters/$(1)/main.c,$(if $(wildcard $(f)),,$(f)))), \
 	$(if $(shell grep -F '"$(1)"' tests/exercises.def),,an entry in tests/exercises.def))
@@ -135,13 +135,13 @@ $(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
-# What a hostile answer asks for when the reference is lent.
+# Questions that a hostile answer may ask while the reference is lent.
 ODD_QUESTIONS := $(B)/tests/proof/odd_questions
 $(ODD_QUESTIONS): $(ODD_QUESTIONS).o $(CALLING) $(REFERENCES) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 
-# What a type's entry brings.
+# The code that follows from the entry of a type.
 TYPES := $(B)/tests/proof/check_types
 $(TYPES): $(TYPES).o $(B)/tests/judge/test_main.o $(TESTING) $(CALLING) $(patsubst %,$(B)/tests/%.o,judge/numbers judge/equal_numbers) \
 		$(B)/common.a
@@ -162,7 +162,7 @@ $(SAME): $(B)/tests/proof/same_picture.o
 
 # ---- recorded tables ----------------------------------------------------------------------------
 
-# Where the tables come from; and right answers written otherwise, held against them.
+# The program that writes the tables; and other right answers, compared with them.
 TELL := $(B)/replay/tell
 $(TELL): $(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) $(HEARING) $(B)/tests/handout/replay/table.o \
 		$(patsubst %,$(B)/tests/handout/%.o,make_table test_recorder accepted_results direct_transport) $(B)/common.a
@@ -180,7 +180,7 @@ KIT := $(B)/grading
 CAN_GRADE := $(if $(JUDGES_ONLY),,$(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
 	command -v objdump))
 
-# What the shell scripts among the tests are told. Grading has no sanitizers: a sandbox has no room.
+# The variables of the test scripts. Grading has no sanitizers, because a sandbox has no room for them.
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
@@ -191,11 +191,11 @@ FOR_CHECKS := $(DRAW_FIGURES) $(MAKE_PAGE) $(EXPLAIN) $(BLANK_TESTS) $(PROGRAMS)
 check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests (two minutes on two cores)
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh)
 
-# What needs longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
+# The tests that need longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
 FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
 .PHONY: check-all check-long
-check-all: $(RUN) $(CHECKS) $(FOR_LONG) ## those that need longer, too
+check-all: $(RUN) $(CHECKS) $(FOR_LONG) ## all tests, also those that need longer
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh tests/proof/*.sh)
 
 check-long: $(RUN) $(FOR_LONG) ## only those that need longer

@@ -4,9 +4,9 @@
 //   draw_figures --one FOLDER NAME     FOLDER/NAME.svg alone, light
 //
 // FOLDER/NAME.gp becomes FOLDER/NAME[-4x3][-stepN][-dark].FORMAT; what has been drawn from the same
-// script is left alone. In the environment: FORMAT, THEME, SHAPE (lists with commas), STEPS (1: a
-// picture for each step, too). Pictures appear whole or not at all; the same script gives the same
-// bytes. Exit status: 1 if something could not be drawn, 2 wrong usage, 3 no gnuplot.
+// script is left alone. In the environment: FORMAT, THEME, SHAPE (lists with commas), STEPS (1:
+// also a picture for each step). Pictures appear whole or not at all; the same script gives the
+// same bytes. Exit status: 1 if something could not be drawn, 2 wrong usage, 3 no gnuplot.
 #include "chapters/gallery/latex_picture.h"
 
 #include <dirent.h>
@@ -56,7 +56,7 @@ static int drawing_count;
 static Job *jobs;
 static int job_count, job_room;
 static bool something_failed;
-static char *words_said; // what is to be told at the end
+static char *words_said; // messages for the end
 static size_t words_size;
 static FILE *words;
 static volatile sig_atomic_t told_to_end;
@@ -151,13 +151,14 @@ static void remove_work(void)
 // -------------------------------------------------------------------------------
 
 // The words of a variable, which may be these, up to NULL.
-static List wanted(const char *variable, const char *otherwise, const char *const *allowed)
+static List wanted(const char *variable, const char *by_default, const char *const *allowed)
 {
     static char texts[4][200];
     static int used;
     List list = {.count = 0};
     const char *given = getenv(variable);
-    snprintf(texts[used], sizeof *texts, "%s", given != NULL && *given != '\0' ? given : otherwise);
+    snprintf(texts[used], sizeof *texts, "%s",
+             given != NULL && *given != '\0' ? given : by_default);
     char *rest = texts[used++];
     for (char *word; (word = strtok_r(rest, ", ", &rest)) != NULL || list.count == 0;) {
         int i = 0;
@@ -208,7 +209,7 @@ static char *output_of(const char *command, size_t *size)
     return text;
 }
 
-// Without a font cairo leaves out all text, and does not say so: then a letter is no letter.
+// Without a font cairo leaves out all text without a message: then a letter leaves no mark.
 static bool has_font(void)
 {
     static const char *const letters[] = {"W", ""};
@@ -232,8 +233,9 @@ static bool has_font(void)
 // ---- one picture
 // ----------------------------------------------------------------------------------
 
-// What gnuplot said, by the lines of the layout: it counts those of the script. Of a command on
-// several lines it names the last, and points: what stands there is shown.
+// gnuplot's messages, with the lines of the layout: gnuplot counts those of the script. For a
+// command on several lines it names the last line and a place in it: the text of that place is
+// shown.
 static void complain(FILE *out, const char *name, Path said)
 {
     Path script = path_of("%s/%s.gp", folder, name), layout = {""};
@@ -444,7 +446,7 @@ static bool make_latex(Path path, Path in_words, Path graphics)
     return made;
 }
 
-// What gnuplot has drawn in the folder 'in' becomes what is wanted.
+// Makes the wanted files of those that gnuplot has drawn in the folder 'in'.
 static bool finish(const Job *job, Path in)
 {
     Path drawn = path_of("%s/%s.%s", in.s, job->output, job->format);
@@ -462,7 +464,7 @@ static bool finish(const Job *job, Path in)
     if (strcmp(job->format, "svg") == 0)
         return exists(drawn) && make_svg(drawn, in_words);
     if (strcmp(job->format, "tex") == 0) {
-        // What LaTeX draws over is a PDF, which must not have the name of the figure as a PDF.
+        // LaTeX draws its text over a PDF, which needs another name than the figure's own PDF.
         Path graphics = path_of("%s/%s-tex.pdf", in.s, job->output);
         return move(path_of("%s/%s.pdf", in.s, job->output), graphics) && undate(graphics) &&
                make_latex(drawn, in_words, path_of("%s-tex", job->output));
@@ -510,7 +512,7 @@ static bool draw_one(const Job *job, FILE *out)
         NULL};
     bool drawn = run(arguments, in.s, said_there.s) == 0;
     struct stat about;
-    // A word of warning about the data comes with each format; it is said once.
+    // A warning about the data comes with each format; it is printed once.
     if (!drawn || (stat(said.s, &about) == 0 && about.st_size > 0 && !is_same(said, known)))
         complain(out, job->name, said);
     if (!drawn)
@@ -651,7 +653,8 @@ static void prepare(void)
     setenv("SOURCE_DATE_EPOCH", "0", 1);
 }
 
-// First the figures in words, which the others carry. What has no script yet has no picture.
+// First the figures in words, because the others contain these. Without a script there is no
+// picture.
 static void draw_words(char **names)
 {
     for (; *names != NULL && drawing_count < MOST_NAMES; names++) {

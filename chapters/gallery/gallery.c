@@ -2,9 +2,9 @@
 //
 //   gallery BUILT SCENES-FOLDER
 //
-// A page that needs no network and no script. What a picture shows is said in words, too: figures'
-// are BUILT/figures/NAME.txt, those of chapters' pictures chapters/NN-stem/picture.txt; a scene's
-// are its first comment.
+// A page that needs no network and no script. Each picture is also described in words: a figure by
+// BUILT/figures/NAME.txt, a chapter's picture by chapters/NN-stem/picture.txt, and a scene by its
+// first comment.
 #include "common/whole_file.h"
 
 #include <glob.h>
@@ -104,7 +104,7 @@ static bool read_words(Path path, Words *words)
     return true;
 }
 
-// What is behind '# ' in the first line of a file; "" if it does not begin so.
+// The text after '# ' in the first line of a file; "" if the line does not begin with it.
 static void read_heading(Path path, char *heading, size_t size)
 {
     FILE *file = fopen(path.s, "r");
@@ -168,7 +168,7 @@ static void put_picture(FILE *out, const Gallery *gallery, const char *name, con
     fprintf(out, "\"><img src=\"");
     put_href(out, file.s);
     fprintf(out, "\" alt=\"");
-    // What wrong answers draw is something else.
+    // A wrong answer draws another picture.
     if (by_reader) {
         fprintf(out, "Drawn by the answers in ");
         put_escaped(out, gallery->answers);
@@ -179,7 +179,7 @@ static void put_picture(FILE *out, const Gallery *gallery, const char *name, con
     put_size_of_png(out, path_of("%s/gallery/%s.png", gallery->built, name));
     fprintf(out, " loading=\"lazy\"></a>\n<figcaption><h3>");
     put_escaped(out, words->title);
-    // The same words as the picture's own: not twice for who hears them.
+    // The same words as the picture's own: a screen reader must not read them twice.
     fprintf(out, "</h3>\n<p class=\"words\" aria-hidden=\"true\">");
     put_escaped(out, words->words);
     fprintf(out, "</p>\n<dl><dt>cast</dt><dd><ul>");
@@ -190,8 +190,8 @@ static void put_picture(FILE *out, const Gallery *gallery, const char *name, con
 // ---- figures
 // --------------------------------------------------------------------------------------
 
-// A row of links to all formats of one shape, step and theme; nothing if there is none. What was
-// drawn from an older script is not linked.
+// A row of links to all formats of one shape, step and theme; nothing if there is none. Figures
+// of an older script are not linked.
 static void put_row(FILE *out, const Gallery *gallery, const char *name, const char *suffix,
                     const char *variant, const char *title)
 {
@@ -360,7 +360,7 @@ static Words words_of_scene(const Gallery *gallery, const char *name)
     return words;
 }
 
-// What is cast of scenes has their names: first the chapter's own.
+// Pictures of scenes have the names of the scenes: first the chapter's own.
 static void put_scenes(FILE *out, const Gallery *gallery, const char *stem)
 {
     Names names = {0};
@@ -390,7 +390,7 @@ static void put_cards(FILE *out, const Gallery *gallery, const char *stem)
     put_scenes(out, gallery, stem);
 }
 
-// An entry of the table of contents, and a section behind it; neither if there is nothing to show.
+// An entry of the table of contents and its section; neither if there is nothing to show.
 static void put_chapter(FILE *contents, FILE *sections, const Gallery *gallery, const char *stem)
 {
     char *cards = NULL, heading[500];

@@ -238,9 +238,9 @@ static bool put_line(FILE *out, const char *line, const char *graphics)
     const char *strut = put != NULL ? last_of(put, "\\strut{}") : NULL;
     double width, height;
     if (strncmp(line, "% GNUPLOT", strlen("% GNUPLOT")) == 0) {
-        fputs("% Drawn by gnuplot. Needs the packages graphicx and color; where it is not in the "
+        fputs("% Drawn by gnuplot. Needs the packages graphicx and color; if it is not in the "
               "folder of "
-              "the document,\n% \\graphicspath must name its folder, too.\n",
+              "the document,\n% \\graphicspath must also name its folder.\n",
               out);
     } else if (strstr(line, "colorbox{gpBackground}") != NULL &&
                (box = strstr(line, "makebox(")) != NULL &&

@@ -2,8 +2,8 @@
 // shows.
 //
 // The linker has each call of an exercise go to __wrap_NAME, which is here, and calls the answer
-// __real_NAME (-Wl,--wrap=NAME, in the Makefile). Where it is not told so, nothing of this is
-// linked.
+// __real_NAME (-Wl,--wrap=NAME, in the Makefile). Without that option,
+// nothing of this is linked.
 #include "common/answers.h"
 #include "tests/judge/parameters.h"
 

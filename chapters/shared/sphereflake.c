@@ -15,8 +15,8 @@ static vec3 turned(vec3 v, vec3 axis, double angle)
            (1 - cos(angle)) * vec3_dot(axis, v) * axis;
 }
 
-// Where the children of a sphere are whose own parent is below it: three sets of three, one
-// above the equator, two on it.
+// The places of a sphere's children, if its own parent is below it: three sets of three, one above
+// the equator, two on it.
 static void place_children(vec3 child[CHILDREN])
 {
     const double h = sqrt(0.5);

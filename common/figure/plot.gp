@@ -216,7 +216,7 @@ most(a, b) = a > b ? a : b
 
 # A point that is yours is a ring beside the right one's dot: pt mark(who).
 mark(who) = who == 0 ? 7 : 6
-# What yours is, in words, where it is wrong: your("place_text"); else nothing.
+# Your result in words, if it is wrong: your("place_text"); else nothing.
 your(name) = exists("your_".name) ? value("your_".name) : ""
 
 # ---- labels: on the canvas, whatever the numbers ----------------------------------------------------
@@ -259,7 +259,7 @@ beside = 'set label 90 "right:" at beside_x, height - 36 left tc rgb blue front;
     set label 93 yours_text at beside_x + 64, height - 62 left noenhanced tc rgb orange front; \
     set label 94 off_text at beside_x, height - 88 left noenhanced font small_font tc rgb ink front; \
     set label 95 wrap(why, beside_room) at beside_x, height - (off_text eq "" ? 88 : 112) left noenhanced font small_font tc rgb grey front'
-# The same for who does not see it.
+# The same for readers who do not see it.
 beside_words(_) = sprintf("Right is %s; yours, drawn dashed, is %s%s.", answer_text, yours_text, \
     off_text eq "" ? "" : ", ".off_text).(why eq "" ? "" : " ".why)
 

@@ -2,25 +2,25 @@
 //
 // A record is the file STEM.record, lines of KEY tab VALUE (entries.h), in this order:
 //
-//     record      1, the number of this format
-//     stem        01-corners
-//     answer      the file that was judged: the student's, or the blank
-//     hash        of that file's bytes, and of all that judged it: a record whose hash is another
-//                 is about another answer
-//     state       judged; or compiler, linker, stopped: there is no verdict, and words say why
-//     words       what the compiler or the linker said, explained; what the judge said when it
-//     stopped warnings    what the compiler said of an answer that compiles, explained stands STEM
-//     NAME...: answers of an earlier chapter that this one calls, and that are not
-//                 right; a line for each such chapter
-//     function    what the judge reports of each exercise (tests/judge/report.h), and
-//     waits           NAME...: it passes if the reference answers these in its place
-//     unsure          NAME...: it calls these, which are not right; more is not known
-//     help            a line of help on what its text explains and its values do not
-//     comma           yes: it has a decimal comma, so that no other mistake is named
-//     end         the hash of all lines above
+// - record: 1, the number of this format
+// - stem: 01-corners
+// - answer: the judged file, the student's or the blank
+// - hash: of the bytes of that file and of everything that judged it; a record with another hash is
+//   about another answer
+// - state: judged, or compiler, linker, stopped if there is no verdict, and words say why
+// - words: the message of the compiler or the linker, explained, or of the judge when it stopped
+// - warnings: the compiler's warnings about an answer that compiles, explained
+// - stands: STEM NAME..., answers of an earlier chapter that this one calls and that are not right;
+//   a line for each such chapter
+// - function: the judge's report on each exercise (tests/judge/report.h), and after each
+//   - waits: NAME..., the function passes if the reference answers these in its place
+//   - unsure: NAME..., the function calls these, which are not right; more is not known
+//   - help: a line of help that its text explains and its values do not
+//   - comma: yes, it has a decimal comma, so that no other mistake is named
+// - end: the hash of all lines above
 //
-// It is written under another name and renamed, so that whoever reads sees the old record or the
-// new one. One that is cut short, or changed by hand, is no record.
+// It is written under another name and renamed, so that every reader sees the old record or the new
+// one. A record that is cut short, or changed by hand, is invalid.
 #ifndef TESTS_COURSE_CHAPTER_RECORD_H
 #define TESTS_COURSE_CHAPTER_RECORD_H
 

@@ -1,4 +1,4 @@
-// answers.c - tests of common/answers.c: what a blank returns, and what is said of it.
+// answers.c - tests of common/answers.c: the return value of a blank, and the message about it.
 // Expected: the contract in its header. A blank fails the test that calls one, so what concerns
 // blanks runs in a child, whose exit status says which of its lines was not true.
 #include "common/answers.h"

@@ -93,7 +93,7 @@ START_TEST(lines_are_whole_wherever_the_pieces_of_a_file_meet)
 }
 END_TEST
 
-// ---- files that are no scenes ---------------------------------------------------------------
+// ---- files that are not scenes --------------------------------------------------------------
 
 START_TEST(empty_files_are_refused)
 {
@@ -121,7 +121,7 @@ START_TEST(every_byte_is_read_or_refused)
         Scene scene;
         bool good = read_bytes(text, sizeof text - 1, &scene);
         bool fits = c != 0 && strchr(" \t\r\n\f\v#.0123456789", c) != NULL;
-        given("behind the radius", "byte %d", c);
+        given("after the radius", "byte %d", c);
         expect_law(good == fits, fits ? "read" : "refused", "%s", good ? "read" : message.text);
         scene_free(&scene);
     }

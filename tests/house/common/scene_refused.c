@@ -38,7 +38,7 @@ START_TEST(polygons_and_cones_that_lack_lines_are_refused)
     expect_refused(VIEW "c\n0 0 0 1\n", 8, "2 lines of numbers after line 7");
     expect_refused(VIEW "c", 7, "end of the file");
     expect_refused(VIEW "pp 2000000000\n0 0 0 0 0 1\n", 8, "2000000000");
-    // What follows is not swallowed in their place.
+    // The next lines are not skipped in their place.
     expect_refused(VIEW "p 4\n0 0 0\n1 0 0\n1 1 0\n" SPHERE, 11, "'s'");
     expect_refused(VIEW "c\n0 0 0 1\nf 1 1 1 1 0 0 0 1\n" SPHERE, 9, "'f'");
 }

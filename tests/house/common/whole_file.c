@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 
 // A device to write to. Root gets a copy of it in the folder: should the code ever rename over
-// devices again, the machine's own would be gone. An empty path, said aloud, where there is none.
+// devices again, the machine's own would be gone. If there is none: an empty path, and a message.
 static Path device(const char *name)
 {
     Path path;

@@ -8,7 +8,7 @@
 
 #include "chapters/08-fast/engines/engine.h"
 
-// What all comparisons of this program came to.
+// The results of all comparisons of this program.
 extern int passed, failed;
 
 // Says why, as one that failed.
@@ -23,8 +23,8 @@ typedef enum { EACH, IN_TURNS, BEST_SET } How;
 void against_all(const char *name, const Engine *first, const Work *right, const int *threads,
                  How how);
 
-// Rows of a picture against chapter 06's loop, scattered: at most so many rows, and no more ray and
-// sphere tests. Only spheres that the plane of a row's rays comes near are asked.
+// Rows of a picture against chapter 06's loop, scattered: at most this number of rows, and of ray
+// and sphere tests. Only spheres that the plane of a row's rays comes near are asked.
 void against_rows(const char *name, const Work *right, int rows, double tests);
 
 // The last line; what main returns.

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-// Spheres in a heap, so many of their radii away, which fills the screen; the eye is anywhere.
+// Spheres in a heap, that many of their radii away, which fills the screen; the eye is anywhere.
 void made_far(Made *made, unsigned number, double radii, double radius)
 {
     made_begin(made, number * 104729ULL + 1);

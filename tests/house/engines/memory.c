@@ -1,7 +1,7 @@
 // memory.c - what memory bins take beyond the scene and the image.
 //
 // Usage: memory SPHERES THREADS LARGER: as many random spheres as are asked for, as random_nff.c
-// writes them but for their radii, which are so many times as large, at 1920 x 1080. The peak of
+// writes them but for their radii, which are LARGER times as large, at 1920 x 1080. The peak of
 // the whole process (getrusage) is taken before casting and after; it only rises. Rows of the
 // picture are chapter 06's. The last line counts.
 #include "tests/house/engines/compare_engines.h"

@@ -2,9 +2,9 @@
 //
 // Usage: files WIDTHxHEIGHT MOST-TESTS SCENE.nff...
 //
-// Against plain, chapter 06's loop, where that takes at most so many tests of a ray and a sphere (a
-// number like 1e10). Beyond it against bvh, and rows of that, scattered over the picture, against
-// chapter 06. The last line counts.
+// Against plain, chapter 06's loop, if that takes at most the given number of tests of a ray and a
+// sphere (a number like 1e10). Beyond it against bvh, and rows of that, scattered over the picture,
+// against chapter 06. The last line counts.
 #include "chapters/shared/scene_camera.h"
 #include "tests/house/engines/compare_engines.h"
 

@@ -6,14 +6,14 @@
 
 enum { MOST = 12000 }; // spheres
 
-// What is being made.
+// The scene that is being made.
 extern Made *now;
 extern Frame frame_now;
 
 // An empty one, and where its random numbers begin.
 void made_begin(Made *made, unsigned long long seed);
 
-// What random numbers are made of; the same again gives the same numbers.
+// The state of the random numbers; the same state gives the same numbers.
 extern unsigned long long state;
 double uniform(double low, double high);
 double power_of_ten(double low, double high);
@@ -21,7 +21,7 @@ bool once_in(double times);
 vec3 within(double most);
 vec3 direction(void);
 
-// Where the eye is when nothing else is said, at what it looks, and roughly up.
+// The default eye, the point that it looks at, and roughly up.
 extern const vec3 front, middle, above;
 
 // Nothing but a camera; the angle is in degrees, across the width.
@@ -33,7 +33,7 @@ void add(vec3 center, double radius);
 // One that the ray of a random pixel touches, so far away.
 void add_tangent(double radius, double away);
 
-// Two that the ray of a random pixel meets in the same place; the second is so many times larger.
+// Two that the ray of a random pixel meets in the same place; the second is that many times larger.
 void add_meeting(double radius, double times, double away);
 
 // The colour of number i, and all of them.

@@ -126,7 +126,7 @@ static void light_in_a_sphere(void)
     heap(middle, 2, 30, 0.6);
 }
 
-// Where the ray of a pixel leaves the surface again; not a number where it meets nothing.
+// The ray that leaves the surface seen by a pixel; NaN if the pixel's ray meets nothing.
 static Ray leaves_at(Pixel pixel)
 {
     Camera camera;

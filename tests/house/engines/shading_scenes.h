@@ -4,7 +4,7 @@
 
 #include "common/scene.h"
 
-// Where they are made, and how many mirrors are to be followed.
+// The scene that the functions below make, and the number of mirrors to follow.
 extern Scene lit_scene;
 extern int lit_depth;
 

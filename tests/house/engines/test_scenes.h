@@ -15,7 +15,7 @@ typedef struct {
 } Made;
 
 // How a camera differs from that of an NFF viewpoint: not at all; its right is on the other side;
-// its pixels are no squares and its plane is near; its axes are off by as much as is allowed.
+// its pixels are not square and its plane is near; its axes are off by as much as is allowed.
 typedef enum { FRAME_USUAL, FRAME_MIRRORED, FRAME_STRETCHED, FRAME_LEANING, FRAMES } Frame;
 
 // Number 0, 1, ... of the difficult ones; false where there is no more.
@@ -24,8 +24,8 @@ bool made_difficult(Made *made, int number, Frame frame);
 // The same few spheres on a screen of any size.
 void made_sized(Made *made, Resolution size);
 
-// So many spheres that threads share them; spheres that cover so many tiles that bins are filled
-// for some of these at a time.
+// Enough spheres for threads to share; spheres that cover enough tiles that bins are filled for
+// some of the spheres at a time.
 void made_many(Made *made);
 void made_wide(Made *made);
 
@@ -33,11 +33,11 @@ void made_wide(Made *made);
 // in which order it takes the numbers of one call is its own affair.
 void made_at_random(Made *made, unsigned number);
 
-// Spheres that are about so many of their radii away from the eye.
+// Spheres that are about that many of their radii away from the eye.
 void made_far(Made *made, unsigned number, double radii, double radius);
 
-// So many small ones in a cube, as random_nff.c writes them but so many times larger, in memory of
-// their own. False where there is none.
+// count small ones in a cube, as random_nff.c writes them but larger by that factor, in memory of
+// their own. False if there is no memory.
 bool made_uniform(Made *made, int count, double larger);
 void made_uniform_free(Made *made);
 

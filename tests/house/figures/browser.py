@@ -24,7 +24,7 @@ def high(fd):
 
 
 class Browser:
-    """One page. What it said on the console, and what it asked for, is kept."""
+    """One page. Its console messages and its requests are kept."""
 
     def __init__(self):
         self.home = tempfile.mkdtemp()
@@ -81,7 +81,7 @@ class Browser:
         self.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
 
     def value(self, script):
-        """What a script comes to; it may wait for something."""
+        """The value of a script, which may wait for something."""
         done = self.ask("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
         if "exceptionDetails" in done:
             raise AssertionError(f"{script}: {done['exceptionDetails']}")

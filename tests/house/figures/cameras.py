@@ -31,7 +31,7 @@ def options_of(c):
 
 
 def legs(c, across, upward):
-    """Ahead, aside by so many halves of the width, up by so many of the height."""
+    """Ahead, aside by that number of halves of the width, up by that number of halves of the height."""
     return plus(plus(times(c["d"], c["f"]), c["r"], across * c["w"] / 2), c["u"], upward * c["h"] / 2)
 
 

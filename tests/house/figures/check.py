@@ -77,11 +77,11 @@ def is_a_scale(texts):
 
 
 def told_in_words(checks, name, figure):
-    """Who does not see the figure is told the numbers that it shows."""
+    """The words of the figure name the numbers that it shows."""
     title, description = figure.in_words()
     checks.that(f"{name}: it has a title", title != "")
-    checks.that(f"{name}: it is told in words", len(description) > len(title), description)
-    checks.that(f"{name}: no number that is none is told",
+    checks.that(f"{name}: it has words", len(description) > len(title), description)
+    checks.that(f"{name}: its words have no NaN and no infinity",
                 not re.search(r"\bnan\b|\binf|not answered", title + description, re.I), description)
     told = set(re.findall(NUMBER, description))
     plots = {}
@@ -91,12 +91,12 @@ def told_in_words(checks, name, figure):
                     not re.search(r"(?<!\w)-\s?\d", text.words))
     for texts in plots.values():
         for text in [] if is_a_scale(texts) else texts:
-            checks.that(f"{name}: {text.words!r} is told in words, too", told.issuperset(text.numbers()),
-                        f"its numbers are {text.numbers()}, those told {sorted(told)}")
+            checks.that(f"{name}: {text.words!r} is also in its words", told.issuperset(text.numbers()),
+                        f"its numbers are {text.numbers()}, those in words {sorted(told)}")
 
 
 def holds_for_every(checks, program, name, *options):
-    """What no figure does without; text on the canvas, in both shapes; the same in words."""
+    """Everything that each figure needs; text on the canvas, in both shapes; the same in words."""
     for shape in ("16:9", "4:3"):
         figure = Figure(program, name, *options, settings=f"shape='{shape}'")
         checks.that(f"{name}, {shape}: there is text", len(figure.labels()) > 0)

@@ -1,7 +1,7 @@
 """figure.py - one figure as a test sees it: its script's data, and the marks in its SVG.
 
 Marks are found by the title of the plot that drew them (title "eye" in the layout), on the canvas:
-960 by 540 units, x to the right, y up. Where they belong is computed here once more, from the
+960 by 540 units, x to the right, y up. Their right places are computed here again, from the
 numbers of the test, by its own formulas.
 """
 import math

@@ -5,7 +5,7 @@ import tempfile
 
 
 class Panel:
-    """What lies between low and high, each x and y, as large as a room of the canvas allows."""
+    """The part between low and high, each x and y, as large as a room of the canvas allows."""
 
     def __init__(self, figure, room, low, high):
         left, right, bottom, top = room

@@ -10,7 +10,7 @@ checks = Checks("the page")
 page = os.path.abspath(sys.argv[1])
 figures = int(sys.argv[2])  # how many it has to show
 
-# Every piece of text that is seen, and its contrast on what is behind it.
+# Every visible piece of text, and its contrast with its background.
 CONTRAST = """
 (() => {
     const parts = text => text.match(/[\\d.]+/g).map(Number);
@@ -106,10 +106,10 @@ def keyboard(browser, scheme):
 
 
 def structure(browser):
-    """What a screen reader goes by."""
+    """The structure that a screen reader uses."""
     browser.screen(900)
     browser.open("file://" + page)
-    checks.that("the language is said", browser.value("document.documentElement.lang") == "en")
+    checks.that("the language is given", browser.value("document.documentElement.lang") == "en")
     checks.that("there is a title", browser.value("document.title.length") > 10)
     for landmark in ("main", "header", "nav[aria-label]", "h1"):
         checks.that(f"there is one {landmark}", browser.value(f"document.querySelectorAll('{landmark}').length") == 1)
@@ -117,7 +117,7 @@ def structure(browser):
     checks.that("no level of headings is left out",
                 levels[0] == 1 and all(b - a <= 1 for a, b in zip(levels, levels[1:])), str(levels))
     silent = browser.value("[...document.images].filter(i => i.alt.length < 20).map(i => i.src)")
-    checks.that("every picture is said in words", silent == [], str(silent))
+    checks.that("every picture is described in words", silent == [], str(silent))
     jumps = browser.value("[...document.images].filter(i => !i.getAttribute('width') || !i.getAttribute('height')).map(i => i.src)")
     checks.that("and has a size before it is there", jumps == [], str(jumps))
     links = browser.value("[...document.links].map(a => [a.getAttribute('href'), a.textContent.trim() || a.querySelector('img').alt])")

@@ -80,7 +80,7 @@ static void write_text(const char *path, const char *text)
     printf("wrote %s\n", path);
 }
 
-// What is right becomes what is committed, or the difference is told.
+// Writes the right file in the place of the committed one, or reports the difference.
 static void same(const char *path, const char *right, const char *remedy)
 {
     char *text = text_of(path);

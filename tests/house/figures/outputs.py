@@ -111,7 +111,7 @@ for name in names:
     with open(os.path.join(folder, name + ".txt"), encoding="utf-8") as file:
         first, _, rest = file.read().partition("\n")
     words = [first, " ".join(rest.split("\n")).strip()]
-    checks.that(f"{name}: is said in words", len(first) > 10 and len(words[1]) > 40, str(words))
+    checks.that(f"{name}: is described in words", len(first) > 10 and len(words[1]) > 40, str(words))
     checks.that(f"{name}: with minus signs", not re.search(r"(?<![\w-])-\d", words[1]), words[1])
     with open(os.path.join(folder, ".drawn", name + ".steps"), encoding="utf-8") as file:
         steps = int(file.read())

@@ -15,14 +15,14 @@ def chunks(data):
 
 
 def predicted(kind, left, above, corner):
-    """What a filter of PNG expects of a byte."""
+    """The byte that a filter of PNG predicts."""
     if kind < 4:
         return (0, left, above, (left + above) // 2)[kind]
     return min((left, above, corner), key=lambda x: abs(left + above - corner - x))
 
 
 def rows(raw, height, line, step):
-    """The bytes of each row; step bytes to the left stands what a filter compares with."""
+    """The bytes of each row; a filter compares each with the byte that is step bytes to the left."""
     before = bytes(line)
     for row in range(height):
         kind, *rest = raw[row * (line + 1):(row + 1) * (line + 1)]

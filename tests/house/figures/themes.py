@@ -9,7 +9,7 @@ TEXT = ("ink", "grey", "blue", "orange", "green", "pink")
 
 
 def colors_of(theme):
-    """What common/figure/plot.gp calls its colours, by gnuplot itself."""
+    """The names of the colours in common/figure/plot.gp, read by gnuplot itself."""
     names = (*TEXT, "background", "surface", "faint")
     words = "; ".join(f'print "{name} ".{name}' for name in names)
     done = subprocess.run(["gnuplot", "-e", f"name='none'; format='txt'; theme='{theme}'; load 'common/figure/plot.gp'; {words}"],

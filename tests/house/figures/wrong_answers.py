@@ -1,7 +1,7 @@
 """wrong_answers.py - a wrong answer beside the right one: each mark is where it belongs.
 
-Every case is a mistake that is put into a solution. What is right and what the mistake makes of the
-deck's numbers is worked out here once more, by hand.
+Every case is a mistake that is put into a solution. The right result and the result of the mistake for
+the deck's numbers are worked out here again, by hand.
 """
 import math
 import os
@@ -28,7 +28,7 @@ def place(s, t, c=DECK):
 
 
 def judge(stem, *changes, environment=None):
-    """Puts the changes into a solution; what is said, and the folder of figures."""
+    """Puts the changes into a solution. Returns the verdict and the folder of figures."""
     shutil.rmtree(answers, ignore_errors=True)
     os.makedirs(answers)
     with open(f"solutions/{stem}.c", encoding="utf-8") as file:
@@ -150,7 +150,7 @@ if figure is not None:
 
 
 def flat(room, low, high, width=960, height=540):
-    """Where a place goes: low to high in the room, in the middle, as large as it can be."""
+    """The place on the canvas: low to high in the room, in the middle, as large as it can be."""
     span = (width * (room[1] - room[0]), height * (room[3] - room[2]))
     size = min(span[i] / (high[i] - low[i]) for i in (0, 1))
     middle = (width * (room[0] + room[1]) / 2, height * (room[2] + room[3]) / 2)
@@ -291,7 +291,7 @@ def pixels_of_png(path):
 said, folder = judge("06-ray-casting", ("if (t < depth[i])", "if (t < NO_HIT)"))
 path = f"{folder}/cast_object_order.png"
 checks.that("a wrong picture: its path is in the verdict", f"  see        {path}\n" in said, said)
-# Green behind red: 5 x 3 pixels, each 57 wide; yours has green in the middle as well.
+# Green under red: 5 x 3 pixels, each 57 wide; yours has green in the middle as well.
 GREY, RED, GREEN = (89, 115, 140), (217, 38, 1), (51, 191, 115)
 ALIKE, DIFFER = (31, 36, 43), (255, 209, 89)
 rows = pixels_of_png(path)
@@ -320,7 +320,7 @@ said, folder = judge("02-cameras", ("    return give(found, camera);\n    // END
                                    "    return CAMERA_OFF_AXIS;\n    // END SOLUTION\n}\n\nCameraFault camera_from_points"))
 checks.that("what was refused is not drawn", "camera_from_vectors.svg" not in said, said)
 
-# Wrong only for cameras that are random: these are not to be told where there is a SEED.
+# Wrong only for random cameras, which must not be shown if there is a SEED.
 only_random = ("c.distance * c.forward - c.width / 2",
                "(c.distance == 4 || c.distance == 6 ? 1 : 2) * c.distance * c.forward - c.width / 2")
 said, folder = judge("01-corners", only_random)
@@ -330,7 +330,7 @@ checks.that("hidden inputs are not drawn", "not shown" in said and "  see " not 
 checks.that("nor written, nor left of an older answer", not os.path.exists(f"{folder}/upper_left.gp") and
             not os.path.exists(f"{folder}/upper_left.svg"))
 
-# What the answer prints is in no script.
+# The output of the answer is not in any script.
 said, folder = judge("01-corners", ('#include "common/answers.h"', '#include "common/answers.h"\n#include <stdio.h>'),
                      ("return c.distance * c.forward - c.width / 2",
                       'puts("\\"; system(\\"touch hacked\\") `touch hacked`"); return c.distance * c.forward - c.width'))

@@ -11,7 +11,7 @@
 LC_ALL=C
 export LC_ALL
 umask 022
-# Seconds of work for each program, where the shell can: an endless loop is no endless test.
+# Seconds of work for each program, if the shell can set a limit: an endless loop must end.
 # shellcheck disable=SC3045
 ulimit -t 20 2> /dev/null
 
@@ -87,7 +87,7 @@ expect_says() {
     expect "$sentence" "$said" ends "$wanted" "$pattern"
 }
 
-# Wrong usage, of which this is said; and where help is.
+# Wrong usage: the message has these words, and names --help.
 expect_usage() {
     expect_says 2 "$@"
     expect "$2, and --help is named" "$said" clean_error "--help"

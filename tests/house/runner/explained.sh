@@ -50,7 +50,7 @@ alone() {
     [ "$(grep -cE "^$answer:[0-9:]+ (fatal )?(error|warning):" "$scratch/said")" -eq 1 ] &&
         grep -qE "^$answer:[0-9:]+ error:" "$scratch/said" && only_their_own
 }
-# Broken like this, that is the help, and nothing else is said.
+# Broken like this, the message has this help and no other.
 explains() {
     sentence=$1
     broken "$2" "$3"

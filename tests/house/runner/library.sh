@@ -7,7 +7,7 @@ passed=0
 failed=0
 here=$(pwd)
 export PYTHONDONTWRITEBYTECODE=1 # nothing new in the tree
-unset SEED # the public inputs, unless a test says otherwise
+unset SEED # the public inputs, unless a test sets another SEED
 scratch=$(mktemp -d) || exit 1
 started=""
 trap 'end_started; rm -rf "$scratch"' EXIT
@@ -49,7 +49,7 @@ check() {
     fi
 }
 
-# What a command said is kept in $scratch/said by the tests that ask whether words are in it.
+# $scratch/said has the output of a command, for the tests that look for words in it.
 says() {
     tail -n 20 "$scratch/said"
     grep -qF -- "$1" "$scratch/said"
@@ -78,12 +78,12 @@ finish() {
     [ "$failed" -eq 0 ]
 }
 
-# A test that marks a class: needs_grading NAME 'what is not tested otherwise'
+# A test that marks a class: needs_grading NAME 'what is not tested without it'
 needs_grading() {
     [ -n "${KIT:-}" ] ||
         skip "$1" "$2: it needs Python, objdump and libseccomp, and no sanitizers ('make setup' installs them)"
 }
-# One that needs the programs named: needs NAME 'what is not tested otherwise' PROGRAM...
+# One that needs the programs named: needs NAME 'what is not tested without them' PROGRAM...
 needs() {
     needing=$1
     untested=$2

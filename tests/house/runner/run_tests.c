@@ -8,7 +8,7 @@
 // The last line of a test is 'NAME: N passed, N failed'. A test that ends without it, or exits
 // non-zero though nothing failed, counts as one failure, and all that it printed is shown. Of a
 // test that passes some lines are shown: '+ words'; '+ N things' as a sum over all tests, at the
-// end; and 'skipped: what, and why', at the end, too. LOG-FOLDER keeps everything.
+// end; and 'skipped: what, and why', also at the end. LOG-FOLDER keeps everything.
 //
 // Scripts (.sh) may build in the tree, so they take turns; programs, and scripts that say in a line
 // of their own '# Only reads the tree.', run beside them.
@@ -36,7 +36,7 @@ typedef struct {
     int seconds;
 } Test;
 
-// What is added up over all tests: a number for each wording.
+// The sums over all tests: a number for each wording.
 typedef struct {
     char words[200];
     long number;
@@ -64,7 +64,7 @@ static bool takes_turns(const char *program)
     return !only_reads;
 }
 
-// What it says goes into a file without a name: nothing in the tree changes while tests run.
+// Its output goes into a file without a name: nothing in the tree changes while tests run.
 static void set_test(Test *test, const char *program)
 {
     *test = (Test){.program = program, .takes_turns = takes_turns(program), .log = tmpfile()};
@@ -82,7 +82,7 @@ static void set_test(Test *test, const char *program)
 // ---- running
 // --------------------------------------------------------------------------------------
 
-// Each test is a process group, which ends as a whole where this program is told to end.
+// Each test is a process group, which ends as a whole if this program gets a signal to end.
 static void stop(int signal_number)
 {
     for (int i = 0; i < count; i++)
