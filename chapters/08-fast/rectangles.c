@@ -66,9 +66,12 @@ int rectangles_tell(const char *program, const Command *command)
 int rectangles_command(int argc, char **argv)
 {
     Command command = {0};
-    const Option options[] = {{"size", 's', "WIDTHxHEIGHT", option_size, &command.size,
-                               "of the screen (as in the scene)"},
-                              {0}};
+    bool rectangles; // without the engines, there is nothing else to print
+    const Option options[] = {
+        {"size", 's', "WIDTHxHEIGHT", option_size, &command.size,
+         "of the screen (as in the scene)"},
+        {"rectangles", 0, NULL, option_flag, &rectangles, "the same: this is all that is here"},
+        {0}};
     Usage usage = {
         "[OPTION]... [SCENE.nff]",
         "Prints the rectangle of each sphere on the screen. Without a scene: the deck's\n"
