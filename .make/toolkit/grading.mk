@@ -5,7 +5,7 @@
 # tenth of the time then); and the commands that use them.
 CONFINE := $(KIT)/confine
 SECCOMP_LIBS = $(if $(CAN_GRADE),$(shell pkg-config --libs libseccomp),$(error grading needs python3, \
-	objdump and libseccomp: 'make setup' installs them))
+	ld and libseccomp: 'make setup' installs them))
 $(CONFINE): $(patsubst %,$(B)/tests/grade/confine/%.o,confine landlock system_calls tool watch)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)

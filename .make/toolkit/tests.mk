@@ -178,7 +178,7 @@ $(TABLE_VARIANTS): $(filter-out $(HEARING),$(REPLAY)) $(call known,variants) \
 
 KIT := $(B)/grading
 CAN_GRADE := $(if $(JUDGES_ONLY),,$(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
-	command -v objdump))
+	command -v ld))
 
 # The variables of the test scripts. Grading has no sanitizers, because a sandbox has no room for them.
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))

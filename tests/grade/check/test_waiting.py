@@ -1,50 +1,30 @@
-"""test_waiting.py - who calls whom by the object file's relocations, and who then has marks though it fails."""
+"""test_waiting.py - who calls whom by the judge's report, and who then has marks though it fails."""
 import unittest
 
-from grade.mark.waiting import calls_among, may_wait, read_relocations, waiting
-
-# As objdump -r prints it, of code compiled with -ffunction-sections.
-OBJDUMP = """
-01-corners.o:     file format elf64-x86-64
-
-RELOCATION RECORDS FOR [.text.upper_right]:
-OFFSET           TYPE              VALUE
-0000000000000012 R_X86_64_PLT32    upper_left-0x0000000000000004
-0000000000000020 R_X86_64_PLT32    .text.helper+0x0000000000000010
-
-
-RELOCATION RECORDS FOR [.text.helper]:
-OFFSET           TYPE              VALUE
-0000000000000012 R_X86_64_32S      table
-
-
-RELOCATION RECORDS FOR [.data]:
-OFFSET           TYPE              VALUE
-0000000000000000 R_X86_64_64       image_plane_vector
-"""
-
+from grade.mark.waiting import calls_among, may_wait, waiting
 
 def judged(**states):
     return {name: {"state": state} for name, state in states.items()}
 
 
-class Relocations(unittest.TestCase):
-    def test_what_a_function_refers_to_is_read(self):
-        refers = read_relocations(OBJDUMP)
-        self.assertEqual(refers["upper_right"], {"VALUE", "upper_left", "helper"})
-        self.assertEqual(refers["helper"], {"VALUE", "table"})
+def calling(**calls):
+    return {name: {"state": "wrong", "calls": others} for name, others in calls.items()}
 
-    def test_what_is_no_list_says_nothing(self):
-        for text in ("", "\n\n", "RELOCATION RECORDS FOR", "a b", "\x00 \ufffd \u2028"):
-            self.assertEqual(calls_among(read_relocations(text), ["a", "b"]), {"a": [], "b": []})
 
-    def test_a_call_through_a_helper_is_a_call(self):
-        refers = {"a": {"helper"}, "helper": {"b", "helper"}, "b": set()}
-        self.assertEqual(calls_among(refers, ["a", "b", "c"]), {"a": ["b"], "b": [], "c": []})
+class Calls(unittest.TestCase):
+    def test_what_a_function_entered_it_calls(self):
+        self.assertEqual(calls_among(calling(a="b of_an_earlier_chapter", b="", c="a b"), ["a", "b", "c"]),
+                         {"a": ["b"], "b": [], "c": ["a", "b"]})
+
+    def test_only_those_that_are_asked_for(self):
+        self.assertEqual(calls_among(calling(a="b c", b="", c=""), ["a", "c"]), {"a": ["c"], "c": []})
+
+    def test_a_report_without_calls_says_nothing(self):
+        self.assertEqual(calls_among(judged(a="crashed", b="right"), ["a", "b"]), {"a": [], "b": []})
 
     def test_two_that_call_each_other_do_not_excuse_each_other(self):
-        refers = {"a": {"b"}, "b": {"c"}, "c": {"a", "d"}}
-        self.assertEqual(calls_among(refers, ["a", "b", "c", "d"]), {"a": ["d"], "b": ["d"], "c": ["d"], "d": []})
+        functions = calling(a="b c d", b="a c d", c="a b d", d="")
+        self.assertEqual(calls_among(functions, ["a", "b", "c", "d"]), {"a": ["d"], "b": ["d"], "c": ["d"], "d": []})
 
 
 class Marks(unittest.TestCase):

@@ -101,9 +101,6 @@ class Kit:
         words = [*self.linker, "-o", "all.exe", self.of_link("all.o"), *objects, *blanks, *self.libraries]
         return Command("all", words, BUILT, complaints="/dev/null")
 
-    def relocations(self, stem: str) -> Command:
-        return Command(stem, ["objdump", "-r", f"{stem}.o"], BUILT, writes=f"{stem}.relocations")
-
     def judge(self, stem: str) -> Command:
         return Command(stem, [self.judge_program, stem, f"{stem}.exe", f"{stem}.d"], JUDGED)
 

@@ -2,7 +2,7 @@
 
 Four steps: compile; link with the answering process; judge; and if a failed function calls an earlier
 failed one, judge it again with the reference lent for that other one. The student's code is compiled
-and run; the grader reads only the compiler's words and the names in the object file. A step that
+and run; the grader reads only the compiler's words and the judge's report. A step that
 cannot finish raises GraderFailed (confine/machine.py).
 """
 from __future__ import annotations
@@ -12,7 +12,6 @@ import shutil
 from grade.policy import rounded
 
 from .building import build
-from .judge_report import read_report
 from .waiting import lend, may_wait, waiting
 from .workbench import Workbench
 
@@ -56,7 +55,7 @@ def stem_parts(bench: Workbench, answers: dict, exercises: list, called: dict) -
         bench.judge([bench.kit.judge(stem) for stem in linked])
     reports, waits = {}, {}
     for stem in linked:
-        found = read_report(bench.folder / f"{stem}.d" / "report", names[stem])
+        found = bench.report(stem, names[stem])
         reports[stem] = {name: found[name] for name in names[stem]}
         (bench.folder / f"{stem}.exe").unlink()
     for stem in linked:

@@ -5,8 +5,6 @@ other one.
 """
 from __future__ import annotations
 
-import re
-
 from grade.exercises import stems as chapters
 
 from .commands import REFUSED
@@ -18,56 +16,21 @@ def is_attempt(found: dict[str, str]) -> bool:
     return found["state"] == "wrong" and "mistake" in found and found.get("partly") != "yes"
 
 
-def read_relocations(text: str) -> dict[str, set[str]]:
-    """FUNCTION -> what its code refers to, as objdump -r prints it: a call, direct or not, is a relocation. The
-    names are the student's, so they prove nothing: they only say what is worth a try."""
-    found: dict[str, set[str]] = {}
-    section: set[str] = set()
-    for line in text.split("\n"):
-        if line.startswith("RELOCATION RECORDS FOR"):
-            name = line.rpartition("[")[2].partition("]")[0]
-            section = found.setdefault(name.removeprefix(".text."), set())
-        elif len(cells := line.split()) > 2:
-            section.add(re.sub(r"[-+]0x.*", "", cells[2]).removeprefix(".text."))
-    return found
-
-
-def reached(refers: dict[str, set[str]], name: str) -> set[str]:
-    """All that it calls, and what those call."""
-    found: set[str] = set()
-    todo = [name]
-    while todo:
-        more = refers.get(todo.pop(), set()) - found
-        found |= more
-        todo += more
-    return found
-
-
-def calls_among(refers: dict[str, set[str]], names: list[str]) -> dict[str, list[str]]:
-    """Which of these call which others. Two that call each other do not excuse each other."""
-    reach = {name: reached(refers, name) for name in names}
-    return {name: [other for other in names if other != name and other in reach[name] and name not in reach[other]]
+def calls_among(functions: dict[str, dict], names: list[str]) -> dict[str, list[str]]:
+    """Which of these call which others, as the answering process noted when it was asked (tests/judge/calls_traced.h).
+    The process is the student's, so this proves nothing: it only says what is worth a try. Two that call each other
+    do not excuse each other."""
+    calls = {name: set(functions[name].get("calls", "").split()) for name in names}
+    return {name: [other for other in names if other != name and other in calls[name] and name not in calls[other]]
             for name in names}
-
-
-def refers_to(bench: Workbench, stems: list[str]) -> dict[str, dict[str, set[str]]]:
-    commands = [bench.kit.relocations(stem) for stem in stems]
-    if any(status in REFUSED for status in bench.link(commands).values()):
-        bench.link(commands)
-        bench.check_room()
-    found = {}
-    for stem in stems:
-        path = bench.folder / f"{stem}.relocations"
-        found[stem] = read_relocations(path.read_text(encoding="utf-8", errors="replace"))
-        path.unlink()
-    return found
 
 
 def calls_of(bench: Workbench, exercises: list) -> dict[str, set[str]]:
     """FUNCTION -> those of its chapter that it calls. Of the answers that were marked last: the reference's."""
     found: dict[str, set[str]] = {}
-    for stem, refers in refers_to(bench, chapters(exercises)).items():
-        calls = calls_among(refers, [exercise.name for exercise in exercises if exercise.stem == stem])
+    for stem in chapters(exercises):
+        names = [exercise.name for exercise in exercises if exercise.stem == stem]
+        calls = calls_among(bench.report(stem, names), names)
         found.update((name, set(others)) for name, others in calls.items())
     return found
 
@@ -87,7 +50,7 @@ def lend(bench: Workbench, stem: str, functions: dict[str, dict], may: dict[str,
     """FUNCTION -> those that it asked for, of the functions that pass if those that it may wait for are lent."""
     if not any(may.values()):
         return {}
-    calls = calls_among(refers_to(bench, [stem])[stem], not_right(functions))
+    calls = calls_among(functions, not_right(functions))
     called = {name: others for name in may if (others := [other for other in calls[name] if other in may[name]])}
     if not called:
         return {}

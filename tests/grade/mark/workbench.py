@@ -9,6 +9,7 @@ from grade.confine.machine import GraderFailed, check_room
 from grade.confine.sandbox import Sandbox, complaint
 
 from .commands import HEADERS, LINKED, Command, Kit
+from .judge_report import read_report
 
 STEP_SECONDS = 900     # a step of a submission; each of its parts has its own limit, which is far lower
 STEPS = {"compile": "compiling", "link": "linking", "judge": "judging"}
@@ -38,6 +39,10 @@ class Workbench:
             environment["CONFINE"] = self.sandbox.confine
         readable = [self.kit.parts, self.kit.judge_program, str(self.kit.picture)]
         return self._run("judge", commands, lambda words: self.sandbox.judge(self.folder, readable, words), environment)
+
+    def report(self, stem: str, names: list[str]) -> dict[str, dict[str, str]]:
+        """What the judge found of these functions: FUNCTION -> KEY -> value."""
+        return read_report(self.folder / f"{stem}.d" / "report", names)
 
     def check_room(self) -> None:
         check_room(self.folder, self.sandbox.confine)

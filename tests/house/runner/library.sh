@@ -81,7 +81,7 @@ finish() {
 # A test that marks a class: needs_grading NAME 'what is not tested without it'
 needs_grading() {
     [ -n "${KIT:-}" ] ||
-        skip "$1" "$2: it needs Python, objdump and libseccomp, and no sanitizers ('make setup' installs them)"
+        skip "$1" "$2: it needs Python, ld and libseccomp, and no sanitizers ('make setup' installs them)"
 }
 # One that needs the programs named: needs NAME 'what is not tested without them' PROGRAM...
 needs() {
