@@ -208,7 +208,9 @@ static int hint(const Course *course)
     judging_record(&course->judging, course->last, &record);
     const FunctionRecord *function = function_for_hint(&record);
     int status = 0;
-    if (function == NULL)
+    if (function == NULL && record.function_count == 0)
+        printf("%s has no verdict yet, so there is no hint: make exercises EX=%.2s\n", stem, stem);
+    else if (function == NULL)
         printf("%s needs no hint: make exercises EX=%.2s\n", stem, stem);
     else
         status = hint_next(&page, stem, path_of("exercises", stem, ".hints").s, function->name,

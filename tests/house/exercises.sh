@@ -118,6 +118,10 @@ answer 02-cameras 's|return camera_from_vectors(eye, vectors, camera);|camera_fr
 judge EX=02
 check 'a forgotten return does not pass' says 'does not compile'
 fresh
+answer 01-corners 's|return c.distance|return return c.distance|'
+hint
+check 'what does not compile gets no hint, and the reason' says '01-corners has no verdict yet, so there is no hint'
+fresh
 answer 05-quadratic 's|i < roots.count|i <= roots.count|'
 judge EX=05
 check 'an index beyond the end does not pass' says 'went beyond the end of an array'
