@@ -14,7 +14,7 @@ is_right() {
 answers=$scratch/answers
 mkdir -p "$answers/optional" && cp solutions/*.c "$answers"
 is_missing() {
-    ! optional ANSWERS="$answers" TASK="$1" && says "$1: needs "
+    ! optional ANSWERS="$answers" TASK="$1" && says "$1: needs " && says "exercises/optional/$1.c"
 }
 blank_is_committed() {
     cmp "build/blanks/optional/$1.c" "exercises/optional/$1.c"
@@ -44,7 +44,8 @@ says_how_wrong() {
 check 'a wrong picture is counted, and shown beside the expected one' says_how_wrong
 is_listed() {
     optional ANSWERS="$answers" && says 'pixels differ' && says 'not begun' &&
-        [ "$(grep -c '^  [0-9]' "$scratch/said")" -eq "$(echo "$tasks" | wc -l)" ]
+        [ "$(grep -c '^  [0-9]' "$scratch/said")" -eq "$(echo "$tasks" | wc -l)" ] &&
+        ! grep '.\{81\}' "$scratch/said"
 }
 check 'the list has all tasks with their state' is_listed
 printf 'this is not C\n' >"$answers/optional/01-fisheye.c"

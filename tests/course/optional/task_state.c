@@ -88,7 +88,10 @@ static int no_picture(const char *name, const char *folder)
         first_line(path, line);
         snprintf(state, sizeof state, "no picture%s%.300s", line[0] != '\0' ? ": " : "", line);
     }
-    return set_state(name, folder, state, "");
+    char details[LINE];
+    snprintf(details, sizeof details,
+             "  the task: exercises/optional/%s.c\n  hints: exercises/optional/README.md\n", name);
+    return set_state(name, folder, state, details);
 }
 
 static int compare(const char *name, const char *folder, const Image *yours, const Image *expected)
@@ -170,8 +173,9 @@ static int list(const char *folder, char **sources)
         const char *what = strstr(line, " - ");
         snprintf(path, sizeof path, "%s/%.*s.state", folder, length, name);
         first_line(path, state);
-        printf("  %-18.*s %s\n", length, name, what != NULL ? what + 3 : "");
-        printf("  %-18s   %s\n", "", state[0] != '\0' ? state : "not begun");
+        state[strcspn(state, ";")] = '\0'; // a line has at most 80 columns
+        printf("  %-18.*s %s\n", length, name, state[0] != '\0' ? state : "not begun");
+        printf("    %s\n", what != NULL ? what + 3 : "");
     }
     return 0;
 }
