@@ -174,6 +174,12 @@ is_whole() {
 }
 check 'nothing that it needs is missing' is_whole
 
+# make has a rule for each of its files: nothing is built, so that takes seconds.
+has_rules() {
+    (cd "$scratch/tree/ray-casting" && unset ANSWERS BUILD KIT PROGRAMS CC COMPILER && make -n all check exercises >/dev/null)
+}
+check 'make has a rule for each file that it needs' has_rules
+
 # Of what is not there, a page says nothing: no paragraph, no row.
 leaves_out() {
     printf '%s\n' 'a [x](here)' 'b' '' 'c' '[y](gone)' '' 'd' '' '| e |' '| [z](gone) |' '| [f](here) |' '' '- [g](gone)' '- h' '' 'i' >"$scratch/page"
