@@ -68,14 +68,15 @@ PLAN := $(VERDICT)/plan
 QUICK = $(QUICK_LINKER) $(if $(SANITIZE),,-Wl$(comma)-S)
 QUICK_PROGRAM = $(shell command -v $(if $(QUICK_LINKER),$(patsubst -fuse-ld=%,ld.%,$(QUICK_LINKER)),ld))
 ANY_OBJECT := $(B)/tests/course/page.o
-as_linker = sed -n '/^ .* -o NAME /{ s/"//g; s/ -plugin [^ ]*//; s/ -plugin-opt=[^ ]*//g; s/ -fuse-ld=[^ ]*//; \
+as_linker = sed -n 's/"//g; /^ .* -o NAME /{ s/ -plugin [^ ]*//; s/ -plugin-opt=[^ ]*//g; s/ -fuse-ld=[^ ]*//; \
 	s/ --build-id / /; s|^ [^ ]*/collect2|$(QUICK_PROGRAM)|; s| $(ANY_OBJECT) | OBJECTS |; s/^ */directly	/p; }'
 plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'objects	$(call answering,$(s))' \
 	$(if $(value stands_on),'stands on	$(call stands_on,$(s))') $(if $(HAS_REFERENCE),'right	$(call right_of,$(s))') \
 	'program	$(B)/tests/judge/calls_traced.o $(call drawing_of,$(s))')
 $(PLAN): $(ANY_OBJECT) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags.mk
 	@mkdir -p $(@D)
-	@printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
+	@directly=$$($(LINK) $(QUICK) -### -o NAME $(ANY_OBJECT) -lm 2>&1 | $(as_linker)); \
+	printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
 		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'draw	$(DRAW_FIGURES) --one' 'blanks	build/blanks' \
 		'compile	$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c' \
 		'link	$(LINK)' 'quick	$(QUICK)' \
@@ -83,7 +84,7 @@ $(PLAN): $(ANY_OBJECT) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/f
 		'drawing	$(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(B)/common.a' \
 		'spheres	$(SPHERES) $(RECORDED)' 'libraries	$(PNG_LIBS) -lm -lpthread' \
 		$(if $(HAS_REFERENCE),'reference	-Wl$(comma)--defsym=NAME=answer_NAME') \
-		"$$($(LINK) $(QUICK) -### -o NAME $(ANY_OBJECT) -lm 2>&1 | $(as_linker))" \
+		$${directly:+"$$directly"} \
 		'judge	$(JUDGE)' 'used	$(B)/weak.h $(COURSE) $(JUDGES_LAYOUTS)' $(plan_lines) > $@.new
 	@mv $@.new $@
 # All that course uses.
