@@ -18,7 +18,7 @@ static const struct {
 } rewards[] = {
     {"01-corners", "Your vectors reach all of the image plane.", "01-corners", "--picture NAME",
      "upper_left upper_right across_30_up_10 image_plane_vector"},
-    {"02-cameras", "Your cameras now stand in either world.", "02-cameras", "--picture NAME",
+    {"02-cameras", "Your cameras now work in either world.", "02-cameras", "--picture NAME",
      "image_plane_vector camera_from_look_at"},
     {"03-screen", "Your pixels now know where they are.", "03-screen", "--picture NAME",
      "pixel_center screen_to_normalized"},
