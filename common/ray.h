@@ -12,7 +12,7 @@ typedef struct {
     vec3 direction; // of any length but 0: never assume 1
 } Ray;
 
-// The t of a ray that meets nothing: farther than every hit, so that comparing just works.
+// The t of a ray that meets nothing. It is larger than every hit, so you can compare it with them.
 #define NO_HIT INFINITY
 
 // The ray of a pixel may have a direction of any length. This is the same half line, with t = 1 on
@@ -29,8 +29,8 @@ static inline Ray ray_to_plane(Ray ray, Camera camera)
 
 // The nearest of many spheres.
 typedef struct {
-    double t;   // where along the ray, > 0; NO_HIT where there is none
-    int sphere; // its index; -1 where there is none
+    double t;   // where along the ray, > 0; NO_HIT if nothing is hit
+    int sphere; // its index; -1 if nothing is hit
 } Hit;
 
 #endif

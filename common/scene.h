@@ -1,10 +1,10 @@
 // scene.h - scenes, read from NFF, Eric Haines' Neutral File Format.
 //
-//   b R G B                       background colour, black until told
+//   b R G B                       background colour; black if there is no such line
 //   v                             viewpoint, then on lines of their own: from X Y Z, at X Y Z,
 //                                 up X Y Z, angle A, hither H, resolution W H
-//   l X Y Z [R G B]               light; without a colour white, 1 / sqrt(lights)
-//   f R G B Kd Ks Shine T IoR     fill of the spheres that follow, white until told
+//   l X Y Z [R G B]               light; without a colour: white times 1 / sqrt(lights)
+//   f R G B Kd Ks Shine T IoR     fill of the spheres that follow; white before the first
 //   s X Y Z R                     sphere
 //   #                             comment, to the end of the line
 //
@@ -39,7 +39,7 @@ typedef struct {
     LightKind kind;
 } Light;
 
-// A fill: the colour and what chapter 07 makes of it.
+// A fill: the colour, and the numbers that chapter 07 uses with it.
 typedef struct {
     Color color;
     double diffuse, specular, shine;  // Kd, Ks, Shine
@@ -52,18 +52,19 @@ typedef struct {
     Color ambient; // light that is everywhere; NFF has none: SCENE_AMBIENT of white
     Sphere *spheres;
     int sphere_count;
-    Surface *surfaces; // at least one, white, for what comes before the first f
+    Surface *surfaces; // at least one: white, for spheres before the first f
     int surface_count;
     Light *lights;
     int light_count;
 } Scene;
 
-// The surface of sphere number i. If i is not a sphere's number, as -1, the program stops with a
-// message.
+// The surface of sphere i, from 0. If there is no such sphere, for example if i is -1, the program
+// ends with a message.
 const Surface *scene_surface(const Scene *scene, int i);
 
-// Reads a scene. On failure false, message says FILE:LINE: what is wrong, what was expected, and
-// the scene is empty. warning is empty, or one line about what the toolkit has no use for.
+// Reads a scene. If it fails, it returns false, message is FILE:LINE: the mistake and what was
+// expected, and the scene is empty. warning is empty, or one line about the parts that the toolkit
+// does not use.
 bool scene_read(FILE *file, const char *name, Scene *scene, Message *message, Message *warning);
 
 // The same from a file's path; the warning goes to stderr.

@@ -1,6 +1,6 @@
 // screen.h - the places on a screen: pixel, point, normalized coordinates.
 //
-// Three ways to say where, each its own type, so that none is taken for another. Mapping
+// Each has its own type, so that the compiler does not let you use one for another. Mapping
 // between them is exercise 03.
 #ifndef COMMON_SCREEN_H
 #define COMMON_SCREEN_H
@@ -10,8 +10,8 @@ typedef struct {
     int width, height;
 } Resolution;
 
-// A pixel: column from the left, row from the top, both from 0. It is a square with an area;
-// what stands for it, its sample, is its centre.
+// A pixel: column from the left, row from the top, both from 0. It is a square; its
+// centre represents it.
 typedef struct {
     int column, row;
 } Pixel;
