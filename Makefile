@@ -230,9 +230,11 @@ $(BUILT)/made: $(PROGRAMS) $(PICTURES) $(PAGE) $(B)/compile_commands.json $$(FOR
 	@$(eval DONE := yes)
 
 all: $(BUILT)/made ## build, cast the pictures and draw the figures (ANSWERS=folder: by those)
-	@if [ -s $(DRAWN) ]; then figures="no figures, for gnuplot is missing ('make setup' installs it)"; \
+	@if [ -s $(DRAWN) ]; then figures="no figures: 'make setup' installs gnuplot"; \
 		else figures='figures: $(FIGURES)/'; fi; \
-	echo "$(if $(DONE),Done,Nothing to do: all is up to date). Programs: $(BUILT)/NN-stem. Pictures: $(GALLERY)/, $$figures; all on a page: $(PAGE)"
+	echo "$(if $(DONE),Done,Nothing to do: all is up to date). Programs: $(BUILT)/NN-stem"; \
+	echo "Pictures: $(GALLERY)/, $$figures"; \
+	echo "All on one page: $(PAGE)"
 
 setup: ## install what is missing (FOR=lecturer, instructor, contributor)
 	@.make/setup $(FOR)
