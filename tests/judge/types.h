@@ -45,7 +45,7 @@ struct Type {
 #undef STRUCT
 extern const Type type_void;
 
-// NULL if there is no type of this name.
+// NULL if no type has this name.
 const Type *type_named(const char *name);
 
 // Whether a value contains all of its data: no pointer.
