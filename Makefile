@@ -230,11 +230,10 @@ $(BUILT)/made: $(PROGRAMS) $(PICTURES) $(PAGE) $(B)/compile_commands.json $$(FOR
 	@$(eval DONE := yes)
 
 all: $(BUILT)/made ## build, cast the pictures and draw the figures (ANSWERS=folder: by those)
-	@if [ -s $(DRAWN) ]; then figures="no figures: 'make setup' installs gnuplot"; \
-		else figures='figures: $(FIGURES)/'; fi; \
-	echo "$(if $(DONE),Done,Nothing to do: all is up to date). Programs: $(BUILT)/NN-stem"; \
-	echo "Pictures: $(GALLERY)/, $$figures"; \
-	echo "All on one page: $(PAGE)"
+	@if [ -s $(DRAWN) ]; then figures="No figures: 'make setup' installs gnuplot"; \
+		else figures='Figures: $(FIGURES)/'; fi; \
+	$(if $(DONE),printf '%s\n' 'Done. Programs: $(BUILT)/NN-stem' 'Pictures: $(GALLERY)/' "$$figures" \
+		'All on one page: $(PAGE)',echo 'Nothing to do: all is up to date. The page: $(PAGE)')
 
 setup: ## install what is missing (FOR=lecturer, instructor, contributor)
 	@.make/setup $(FOR)

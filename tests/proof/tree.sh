@@ -34,7 +34,7 @@ if command -v gnuplot >/dev/null; then
     rm -r build/solutions/figures build/solutions/drawn
 fi
 check 'without gnuplot make goes on' without gnuplot make_quietly
-check 'and says what to install' grep -qF "no figures: 'make setup' installs gnuplot" "$scratch/log"
+check 'and says what to install' grep -qF "No figures: 'make setup' installs gnuplot" "$scratch/log"
 check 'the scripts are written' test -s build/solutions/figures/corner-vectors.gp
 check 'make figures fails then' refused without gnuplot make figures
 check 'and says what to install' grep -qF "gnuplot is missing, so no figure is drawn: 'make setup' installs it." "$scratch/log"
