@@ -1,4 +1,5 @@
-// chapter_record.c - the verdict on one chapter: written once, read by whoever shows or uses it.
+// chapter_record.c - the verdict on one chapter: written once, read by every program that shows or
+// uses it.
 #include "tests/course/chapter_record.h"
 
 #include "tests/course/whole_text.h"

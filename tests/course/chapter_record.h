@@ -1,4 +1,5 @@
-// chapter_record.h - the verdict on one chapter: written once, read by whoever shows or uses it.
+// chapter_record.h - the verdict on one chapter: written once, read by every program that shows or
+// uses it.
 //
 // A record is the file STEM.record, lines of KEY tab VALUE (entries.h), in this order:
 //
@@ -13,9 +14,9 @@
 // - stands: STEM NAME..., answers of an earlier chapter that this one calls and that are not right;
 //   a line for each such chapter
 // - function: the judge's report on each exercise (tests/judge/report.h), and after each
-//   - waits: NAME..., the function passes if the reference answers these in its place
+//   - waits: NAME..., the function passes if the reference answers these instead
 //   - unsure: NAME..., the function calls these, which are not right; more is not known
-//   - help: a line of help that its text explains and its values do not
+//   - help: a line of help about a cause that only the code shows
 //   - comma: yes, it has a decimal comma, so that no other mistake is named
 // - end: the hash of all lines above
 //
@@ -43,7 +44,7 @@ typedef struct {
 
 // False if there is no such record, or it is damaged. Free it in either case.
 bool record_read(const char *path, ChapterRecord *record);
-// The same lines without what is before the functions and after them: the judge's report.
+// Only the lines of the functions: the judge's report.
 bool report_read(const char *path, ChapterRecord *report);
 void chapter_record_free(ChapterRecord *record);
 
@@ -60,8 +61,8 @@ const char *function_because(const FunctionRecord *function);
 // The chapter: right, wrong, begun (some are right, none wrong), blank; compiler, linker, stopped.
 const char *record_state(const ChapterRecord *record);
 
-// Ends the lines that were written to file, which is FOLDER/STEM.record.new, and puts them in the
-// place of FOLDER/STEM.record. False, and errno, if that fails; then the older one is as it was.
+// Ends the lines that were written to file, which is FOLDER/STEM.record.new, and renames it to
+// FOLDER/STEM.record. False, and errno, if that fails; the old record is then unchanged.
 bool record_finish(FILE *file, const char *folder, const char *stem);
 FILE *record_begin(const char *folder, const char *stem);
 

@@ -1,4 +1,4 @@
-// check_page.c - tests of tests/course/page.c: wrapping, colours, what a program printed.
+// check_page.c - tests of tests/course/page.c: wrapping, colours, a program's output.
 // Expected: written down by hand, line by line.
 #include "tests/course/page.h"
 
@@ -99,7 +99,7 @@ START_TEST(what_was_printed_is_harmless_and_short)
 }
 END_TEST
 
-// Where it is written to, is no terminal.
+// The output is not a terminal.
 START_TEST(the_environment_says_how_wide)
 {
     FILE *file = tmpfile();

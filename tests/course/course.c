@@ -1,21 +1,21 @@
 // course.c - what 'make exercises', watch, hint, debug and reset do: judges answers and says so.
 //
 //   course judge PLAN STEM...      judges what has changed since it was judged last
-//   course show PLAN STEM...       says what is right, wrong, not yet; draws, rewards
+//   course show PLAN STEM...       shows the verdicts; draws pictures
 //   course exercises PLAN STEM...  both. Exit status 1 if something is wrong; with QUIET_MAKE in
 //   the
-//                                  environment, make gets it without a line of its own
+//                                  environment, make stops without an error message of its own
 //   course watch PLAN STEM...      both, again whenever an answer is saved
 //   course hint PLAN STEM          one hint more
 //   course debug PLAN STEM PROGRAM gdb at the call that failed
-//   course reset PLAN STEM         the blank in the place of the answer, which is kept
-//   course note PLAN NAME...       what is below a figure that calls these answers, if one is wrong
+//   course reset PLAN STEM         replaces the answer by the blank; keeps a copy
+//   course note PLAN NAME...       the note below a figure if one of these answers is wrong
 //   course status PLAN STEM...     a line for each function: STEM NAME STATE, with a tab between
 //                                  them; then how many of all chapters are right
 //
 // PLAN: how answers are judged, as make has written it down (judging_plan.h). It starts compilers,
-// judges, and what draws; it never loads an answer. In the environment: ALL=1 shows all that needs
-// work; NO_COLOR, TERM, COLUMNS (page.h); POLL (watch.h); GDB_FLAGS.
+// judges and drawing programs; it never loads an answer. In the environment: ALL=1 shows all that
+// needs work; NO_COLOR, TERM, COLUMNS (page.h); POLL (watch.h); GDB_FLAGS.
 #include "tests/course/answer_pictures.h"
 #include "tests/course/figure_note.h"
 #include "tests/course/hints.h"
@@ -106,8 +106,8 @@ static int show_chosen(const Course *course)
     return show(course, course->chosen, course->count, course->last) == SOMETHING_WRONG ? 1 : 0;
 }
 
-// Whether a signal is in one of a process's sets, as far as that can be known: ShdPnd, what has not
-// reached it yet; SigCgt, what it has a handler for.
+// Whether a signal is in one of a process's sets, if that can be known: ShdPnd has the pending
+// signals; SigCgt those with a handler.
 static bool is_in(pid_t process, const char *set, int number)
 {
     char path[60], line[200], format[20];
@@ -123,9 +123,9 @@ static bool is_in(pid_t process, const char *set, int number)
     return (signals >> (number - 1) & 1) != 0;
 }
 
-// A status that is not 0 makes make print an error of its own. At SIGQUIT it waits for what it has
-// started, and exits with 1 and without a word; if the signal has come before the end of that.
-// Where make does not take the signal (started in the background by a script, it ignores it), the
+// A status that is not 0 makes make print an error of its own. After SIGQUIT it waits for the
+// programs it started and exits with 1 and without a message, if the signal came before they ended.
+// If make does not take the signal (started in the background by a script, it ignores it), the
 // error is better than a status that says all is well.
 static int fail_quietly(int status)
 {
@@ -141,16 +141,16 @@ static int fail_quietly(int status)
     return 0;
 }
 
-// What stands on an answer that was saved may have another verdict now. Blanks have not.
-static bool judge_what_stands_on(const Course *course, int saved)
+// Chapters that call an answer that was saved may have another verdict now. Blanks keep theirs.
+static bool judge_dependents(const Course *course, int saved)
 {
     bool wanted[MOST_CHAPTERS] = {false};
     for (int i = saved + 1; i < course->plan.count; i++) {
         ChapterRecord record;
-        wanted[i] = course->chosen[i] && plan_stands_on(&course->plan, i, saved) &&
+        wanted[i] = course->chosen[i] && plan_depends_on(&course->plan, i, saved) &&
                     record_read(plan_beside(&course->plan, i, ".record").s, &record) &&
                     strcmp(record_state(&record), "blank") != 0;
-        if (course->chosen[i] && plan_stands_on(&course->plan, i, saved))
+        if (course->chosen[i] && plan_depends_on(&course->plan, i, saved))
             chapter_record_free(&record);
     }
     return judging_judge(&course->judging, wanted);
@@ -186,7 +186,7 @@ static int watch(const Course *course)
         printf("\nWatching %s/: save a file and it is judged; Ctrl-C ends.\n", plan->answers);
         fflush(stdout);
         if (saved >= 0)
-            judge_what_stands_on(course, saved);
+            judge_dependents(course, saved);
         int file = watch_next(watched);
         if (file < 0)
             break;

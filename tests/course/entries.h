@@ -21,11 +21,11 @@ typedef struct {
 // Writes a line, unless the value is NULL or empty.
 void entry_put(FILE *out, const char *key, const char *value);
 
-// Reads a file's lines. False if it cannot be read or a line is no entry. Free them in either case.
+// Reads a file's lines. False if it cannot be read or a line is invalid. Free them in either case.
 bool entries_read(const char *path, Entries *entries);
 void entries_free(Entries *entries);
 
-// The value of the first entry of this key among so many entries; "" if there is none.
+// The value of the first of count entries that has this key; "" if there is none.
 const char *entry_value(const Entry *entries, int count, const char *key);
 
 #endif

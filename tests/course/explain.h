@@ -1,4 +1,4 @@
-// explain.h - what a student should read of what a compiler or a linker said about their answer.
+// explain.h - the parts of a compiler's or linker's output that help a student.
 //
 // All of them read the answer from the path that the compiler was given, and the headers in
 // exercises/ and common/ of the current folder. Nothing else is read, and what they read may be
@@ -18,7 +18,7 @@ void explain(FILE *out, const char *source, const char *diagnostics);
 // Sorted, a line each, with two blanks in front. If it says none of that, its own words.
 void explain_linker(FILE *out, const char *source, const char *words);
 
-// What the code of a wrong function explains and its values do not.
+// Causes of a wrong value that only the code shows.
 typedef struct {
     char *help; // about divisions of whole numbers that leave a remainder, a line each; to free; or
                 // NULL

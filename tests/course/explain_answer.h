@@ -10,14 +10,14 @@ typedef struct {
     size_t line;
 } OwnFunction;
 
-// What is longer was written by a program, to keep this one busy: the rest is not looked at.
+// A longer answer was written by a program, to keep this one busy: the rest is ignored.
 enum {
     LONGEST_CODE = 4000,
     LONGEST_STATEMENT = 100,
     LONGEST_FUNCTION = 2000
 }; // lines, but the first
 
-// Lines count from 1. What a line number is good for, any number is: compilers believe #line.
+// Lines count from 1. A line number can be any number, because compilers believe #line.
 typedef struct {
     const char *source; // its path, as the compiler was given it
     size_t count;       // of the lines
@@ -42,7 +42,7 @@ const OwnFunction *answer_function_named(const Answer *answer, const char *name)
 size_t answer_beginning(const Answer *answer, size_t line);
 // Its name, or "".
 const char *answer_function_around(const Answer *answer, size_t line);
-// Where the function begins that lacks a }; 0 if none does.
+// The line where a function without its closing } begins; 0 if there is none.
 size_t answer_unclosed(const Answer *answer);
 
 // The line in which the statement begins to which this line belongs; and that statement in one

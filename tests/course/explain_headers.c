@@ -1,7 +1,7 @@
 // explain_headers.c - see explain_headers.h.
 //
 // The headers are ours, and laid out by clang-format: a declaration begins in the first column,
-// what is in braces does not.
+// lines inside braces do not.
 #include "tests/course/explain_headers.h"
 
 #include <ctype.h>

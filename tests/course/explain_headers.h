@@ -17,7 +17,7 @@ typedef struct {
     const char *name, *header;
     Field *fields; // of a struct
     size_t field_count;
-    const char *parts;  // "x, y"; "" of what is no struct
+    const char *parts;  // "x, y"; "" if it is not a struct
     const char *values; // of an enum: the first three
 } DeclaredType;
 
@@ -54,7 +54,7 @@ const DeclaredFunction *header_function(const Headers *headers, const char *name
 
 // Whether it names a type: a struct, an enum, a vector, or a number.
 bool header_type(const Headers *headers, const char *name);
-// A struct's parts, "" of what is none; its field, or NULL; an enum's values, or "".
+// A struct's parts, "" if it is not a struct; its field, or NULL; an enum's values, or "".
 const char *header_parts(const Headers *headers, const char *type);
 const Field *header_field(const Headers *headers, const char *type, const char *field);
 const char *header_values(const Headers *headers, const char *type);

@@ -1,5 +1,5 @@
-// explain_help.c - a line of help for each of the common mistakes. What is false is not said: each
-// line asks for the compiler's words and, if that is not enough, for what is in the code.
+// explain_help.c - a line of help for each of the common mistakes. Nothing false is printed: each
+// line depends on the compiler's words and, if that is not enough, on the code.
 #include "tests/course/explain_mistakes.h"
 
 #include <ctype.h>
@@ -184,8 +184,8 @@ static const char *help_operands(const Explanation *all, const Mistake *mistake)
     return found;
 }
 
-// The type whose name is in brackets before other brackets, if that is how students make one; or
-// "".
+// The type whose name is in parentheses before another pair, if students write a value of the type
+// in that way; or "".
 static const char *cast_to(const Explanation *all, const char *code)
 {
     Match match;
@@ -317,7 +317,7 @@ static const char *help_parts_and_powers(const Explanation *all, const Mistake *
     return NULL;
 }
 
-// Loops, declarations, and what is given back.
+// Loops, declarations, and return values.
 static const char *help_declaration(const Explanation *all, const Mistake *mistake)
 {
     const char *text = mistake->text;

@@ -6,7 +6,7 @@
 
 // ---- names that are known elsewhere -------------------------------------------------------------
 
-// What students call a function elsewhere, and what it is here.
+// Names that students know from other languages, and the function here.
 static const struct {
     const char *names, *here;
 } known[] = {
@@ -27,7 +27,7 @@ static const struct {
     {"False FALSE", "false"},
 };
 
-// Not every compiler says in which header of the C library something is.
+// Not every compiler names the header of the C library that declares a function.
 static const struct {
     const char *header, *names;
 } library[] = {
@@ -95,7 +95,7 @@ static const char *help_known(const Headers *headers, const char *name)
 
 // ---- names that are nearly right ----------------------------------------------------------------
 
-// camera.width, of which the camera has another name here.
+// camera.width, if the camera has another name here.
 static const char *help_whole(const Explanation *all, const Mistake *mistake)
 {
     const char *behind = mistake->message->behind, *name = mistake->name, *owner;
@@ -114,7 +114,7 @@ static const char *help_whole(const Explanation *all, const Mistake *mistake)
                        owner[0] == '\0' ? "It" : text_format("The %s", owner), whole);
 }
 
-// width, of which camera.width is meant.
+// width, if camera.width is meant.
 static const char *help_part(const Explanation *all, const Mistake *mistake)
 {
     const char *owner, *whole = whole_of(&all->code, mistake->name, mistake->line, &owner);
@@ -126,7 +126,7 @@ static const char *help_part(const Explanation *all, const Mistake *mistake)
                        header_of(&all->code.headers, owner), whole);
 }
 
-// What the compiler thinks of, if it is in a header.
+// The name that the compiler suggests, if a header declares it.
 static const char *help_thought_of(const Explanation *all, const Mistake *mistake)
 {
     const Message *message = mistake->message;
@@ -253,8 +253,8 @@ static const char *help_spelling(const Explanation *all, const Mistake *mistake,
     return "";
 }
 
-// Declared here, as far as it can be seen, and not by a loop that is over: the compiler has lost it
-// by another mistake.
+// Declared here, as far as the text shows, and not by a loop that has ended: the compiler lost it
+// because of another mistake.
 static bool is_lost(const Code *code, const char *name, size_t line)
 {
     Scope scope = scope_of(code, line);

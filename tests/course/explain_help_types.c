@@ -110,7 +110,7 @@ static size_t how_many(const Lines *types, const char *type)
     return count;
 }
 
-// Two of them where the other is wanted, or all of the types that are wanted, in another order.
+// Two arguments that have each other's types, or all types that are wanted in another order.
 static bool is_other_order(const Lines *given, const Lines *wanted)
 {
     bool same_types = true, same_order = true;
@@ -171,7 +171,7 @@ static const char *listed_types(const char *arguments)
     return list;
 }
 
-// Functions of this chapter and of those before it, but this one, that make one type of another.
+// Functions of this chapter and of earlier ones, except this one, that convert one type to another.
 static const char *makers(const Code *code, const char *wanted, const char *given, const char *but)
 {
     const char *found = "";
@@ -205,7 +205,7 @@ static const char *called_at(const Mistake *mistake)
                                                                : "";
 }
 
-// What begins at the caret, as far as it is a name with its parts.
+// The name with its parts that begins at the caret.
 static const char *expression_here(const Mistake *mistake)
 {
     const Message *message = mistake->message;
@@ -237,7 +237,8 @@ static bool declares_with_value(const char *code, const char *type)
     return blanks > 0 && name > 0 && code[text_span(code, " ")] == '=';
 }
 
-// Who wants what: "hit_sphere gives back a double (exercises/05-quadratic.h), and this is a Roots."
+// Who wants which type: "hit_sphere gives back a double (exercises/05-quadratic.h), and this is a
+// Roots."
 static const char *what_is_wanted(const Explanation *all, const Mistake *mistake, const char *here,
                                   const char *called)
 {

@@ -1,4 +1,4 @@
-// explain_linker.c - what a student should read of what the linker said.
+// explain_linker.c - the parts of the linker's output that help a student.
 #include "tests/course/explain.h"
 
 #include "tests/course/explain_answer.h"

@@ -1,6 +1,6 @@
 // explain_main.c - the explainer as a program, for scripts and for the grader's sandbox.
 //
-//   explain SOURCE < compiler-output                   what a student should read of it
+//   explain SOURCE < compiler-output                   the parts that help a student
 //   explain --linker SOURCE < linker-output            the same for the linker
 //
 // From the top of the tree: it looks into the headers in exercises/ and common/.
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// What is longer only repeats itself.
+// Longer output only repeats itself.
 enum { LONGEST = 1 << 20 };
 
 static const char *all_of(FILE *file)

@@ -39,7 +39,7 @@ static char plain_character(const char *at, size_t *length)
     return '?';
 }
 
-// What gcc and clang add to say what a vec3 is made of helps nobody.
+// The note of gcc and clang on the type behind vec3 does not help a student.
 static const char *without_vector(const char *line)
 {
     line = text_replaced(line, " \\{aka [^}]*\\}", "");
@@ -98,7 +98,7 @@ typedef struct {
     bool inside_note;     // or to its note
     bool pointed;         // the caret has come
     const char *before;   // the line before this one; "" at the beginning
-    const char *in_macro; // what is wrong in a macro, which may have been used in the answer; or ""
+    const char *in_macro; // an error in a macro that the answer may use; or ""
 } Reader;
 
 // "FILE:LINE:COLUMN: error: WORDS" about the answer.
@@ -162,7 +162,7 @@ static void read_note(Reader *reader, const char *line, const char *head, const 
     }
 }
 
-// Where the quote and the caret below it divide.
+// Divides the quoted line at the caret below it.
 static void find_place(Message *message, const char *text_line, const char *caret_line)
 {
     size_t at = strcspn(caret_line, "^");
@@ -188,8 +188,8 @@ static void read_below(Reader *reader, const char *line)
             reader->pointed = is_caret_line(line);
         reader->before = line;
     } else if (line[0] != '\0' && !text_matches(line, "^ *([0-9]+|\\+\\+\\+) \\|"))
-        // After the caret come the repair and the labels; what gcc quotes of the lines that follow,
-        // not.
+        // The repair and the labels after the caret are kept; the following lines that gcc quotes
+        // are not.
         lines_add(&message->body, line);
     else
         reader->inside = false;
@@ -213,7 +213,7 @@ static void read_first_line(Reader *reader, const char *line, size_t head, bool 
     }
 }
 
-// What compilers say about themselves, or before a message: In function 'f':
+// Lines of a compiler about itself, or before a message: In function 'f':
 static bool is_about_nothing(const char *line, bool own, size_t name)
 {
     return (own && line[name + 1] == ' ') ||
@@ -244,7 +244,7 @@ static void read_line(Reader *reader, const char *line)
         read_below(reader, line);
 }
 
-// gcc does not quote again what it quoted for the message before; which may be left out.
+// gcc does not quote a line again that it quoted for the message before, which may be left out.
 static void quote_again(const Answer *answer, Message *message)
 {
     const char *text = answer_text(answer, message->line_number);

@@ -1,4 +1,4 @@
-// explain_messages.h - what the compiler said: messages about the answer, and what follows them.
+// explain_messages.h - the compiler's output: messages about the answer, and the lines after each.
 //
 // Read from the text that gcc and clang write for people, not from JSON or SARIF: the head of a
 // message, FILE:LINE:COLUMN: error: WORDS, and the quote below it have been the same in all
@@ -16,8 +16,8 @@ typedef struct {
     size_t line_number, column;
     Lines body;              // the quote, what is below it, and the notes
     const char *quoted_line; // "" if there is none
-    const char *ahead;       // of the quoted line, what is before the caret, without the margin
-    const char *behind;      // and what is from there on
+    const char *ahead;       // the quoted line before the caret, without the margin
+    const char *behind;      // and from the caret on
 
     // Of notes about other files.
     const char *library;  // <math.h>
@@ -27,7 +27,7 @@ typedef struct {
 
 enum {
     MOST_SHOWN = 3,
-    MOST_READ = 60, // of the rest, how many there are
+    MOST_READ = 60, // the other messages are only counted
     LONGEST_LINE = 4000
 };
 
@@ -43,9 +43,9 @@ typedef struct {
 
 Diagnostics *diagnostics_read(const Answer *answer, const char *words);
 
-// Plain ASCII without colours, typographic quotes, or what a vec3 is made of.
+// Plain ASCII without colours, typographic quotes, or the type behind vec3.
 const char *plain(const char *line);
-// What is in single quotes: the first, or the second; "" if there is none.
+// The text in single quotes: the first, or the second; "" if there is none.
 const char *quoted(const char *text);
 const char *quoted_second(const char *text);
 

@@ -12,7 +12,7 @@ static bool is_syntax(const char *text)
         text, "^expected |^unexpected type name|^extraneous|^invalid suffix |^invalid digit ");
 }
 
-// A semicolon among what was expected, not in what came instead.
+// A semicolon among the expected tokens, not among those that were found.
 bool is_semicolon(const Mistake *mistake)
 {
     const char *text = mistake->text;
@@ -201,7 +201,7 @@ static void find_types(const Explanation *all, Mistake *mistake)
         mistake->given = text_format("%s *", text_part(mistake->given, 0, match.at));
 }
 
-// What a misspelled type was to declare.
+// The name that a line with a misspelled type declares.
 static const char *declared_by(const Mistake *mistake)
 {
     Match match;
@@ -263,7 +263,7 @@ static void find_letters(Explanation *all, Mistake *mistake)
     mistake->is_letter = is_letter || mistake->translation[0] != '\0';
 }
 
-// ---- what only follows --------------------------------------------------------------------------
+// ---- consequences ----------------------------------------------------------------------------
 
 static bool is_about_argument(const char *text)
 {
@@ -345,7 +345,7 @@ static bool follows(const Explanation *all, const Mistake *j, const Mistake *i)
         return true;
     if (i->is_signature && later && text_has_word(j->text, i->name))
         return true;
-    // What nobody declared is taken for a function that returns an int; gcc says so only once.
+    // An undeclared name is treated as a function that returns an int; gcc says so only once.
     if (i->is_unknown && (i->statement == j->statement || text_has_word(j->code, i->name)) &&
         text_says(j->text, "'int'|invalid initializer|subscripted value|incompatible implicit|"
                            "type mismatch in conditional"))
@@ -385,7 +385,7 @@ static void understand(Explanation *all, Mistake *mistake)
                               !answer_includes(&code->answer, code->contract) &&
                               header_of(&code->headers, name) != NULL;
     mistake->is_pasted = is_pasted(all, mistake);
-    // gcc says only once that there is no function fro.
+    // gcc reports only once that the function fro does not exist.
     mistake->slip = name;
     if (text_begins(text, "expected expression before '") &&
         text_find(mistake->message->ahead, "[a-z]+ *\\($", &match))

@@ -1,5 +1,4 @@
-// explain_mistakes.h - the messages as the mistakes that they are: which one, and which are left
-// out.
+// explain_mistakes.h - which mistake each message is about, and which messages are left out.
 #ifndef TESTS_COURSE_EXPLAIN_MISTAKES_H
 #define TESTS_COURSE_EXPLAIN_MISTAKES_H
 
@@ -21,7 +20,7 @@ typedef struct {
     const char *translation; // of that letter, or ""
     bool lacks_contract;     // the #include of the chapter is missing
     bool is_pasted;          // a character that is not C
-    const char *slip;        // what may be a keyword that is misspelled,
+    const char *slip;        // perhaps a misspelled keyword,
     const char *keyword;     // and that keyword, or ""
     bool is_syntax;
     bool is_count; // of arguments
@@ -31,11 +30,11 @@ typedef struct {
     bool is_unused_value;
     bool is_comma;              // the operator
     const char *decimal;        // 0,5 or ""
-    const char *declares;       // what a misspelled type was to declare, or ""
+    const char *declares;       // the name after a misspelled type, or ""
     const char *wanted, *given; // types, or ""
 } Mistake;
 
-// What is known of a function, by the line in which it begins: 0 for what is outside of all.
+// Facts about a function, by the line in which it begins: 0 for code outside of all functions.
 typedef struct {
     const char *letters;         // that mean something: "d is c.distance, f is c.forward"
     const char *strange_letters; // and that do not: "a, b"
@@ -51,10 +50,10 @@ typedef struct {
     AboutFunction *about;
 } Explanation;
 
-// Reads all, and drops what only follows.
+// Reads all messages, and drops those that only follow from another.
 Explanation explanation_of(const char *source, const char *words);
 
-// Questions that the help asks, too.
+// The help also calls these.
 bool is_semicolon(const Mistake *mistake);
 bool is_vector_for_number(const Mistake *mistake);
 bool has_comma_in_statement(const Explanation *all, const Mistake *mistake);

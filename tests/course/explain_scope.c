@@ -113,7 +113,7 @@ const char *written(const Code *code, const char *type)
                             : text_replaced(text_format("(%s){%s}", type, parts), " ", UNBROKEN);
 }
 
-// Without what is in brackets, innermost first.
+// Without everything in brackets, innermost first.
 static const char *without_brackets(const char *line)
 {
     while (text_matches(line, "\\([^()]*\\)"))
@@ -142,7 +142,7 @@ static bool declares_among_others(const Code *code, const char *line, const char
     return false;
 }
 
-// A struct's field with its type, or a variable where it is declared.
+// A struct's field with its type, or the declaration of a variable.
 static const char *type_of_name(const Code *code, const char *name, size_t line)
 {
     const Answer *answer = &code->answer;

@@ -1,4 +1,5 @@
-// explain_scope.h - what a line of the answer knows: names, types, and the deck's letters.
+// explain_scope.h - the names, types and letters of the deck that are known in a line of the
+// answer.
 #ifndef TESTS_COURSE_EXPLAIN_SCOPE_H
 #define TESTS_COURSE_EXPLAIN_SCOPE_H
 
@@ -17,7 +18,7 @@ typedef struct {
     bool is_pointer;
 } Variable;
 
-// The parameters of the function of a line, and what it declares down to there.
+// The parameters of the function of a line, and the variables that it declares down to there.
 typedef struct {
     Variable *variables;
     size_t count;
@@ -30,8 +31,8 @@ bool is_number(const char *type);
 bool is_vector_type(const char *type);
 const char *with_article(const char *type); // a Camera, an int
 
-// What an expression with names, dots and brackets, or any other that can be read without a
-// compiler, is in this line; "" if that cannot be seen.
+// The type of an expression in this line, if it has only names, dots and brackets or can be read
+// without a compiler; if not, "".
 const char *type_of(const Code *code, const char *expression, size_t line);
 const char *type_of_argument(const Code *code, const char *expression, size_t line);
 const char *function_type(const Code *code, const char *function);

@@ -47,8 +47,8 @@ static bool is_caret_line(const char *line)
     return line[text_span(line, " |~")] == '^';
 }
 
-// A quote: the text, the caret below it, and what the compiler would put there. If the caret is far
-// out, all lines lose the same columns after the margin.
+// A quote: the text, the caret below it, and the compiler's suggestion. If the caret is far out,
+// all lines lose the same columns after the margin.
 static void show_quote(FILE *out, const char *const *quote, size_t count)
 {
     size_t caret = 0;
@@ -98,7 +98,7 @@ static void show_message(FILE *out, const Explanation *all, const Mistake *mista
     free(memory);
 }
 
-// What is before an #include can spoil the header.
+// Code before an #include can cause an error in the header.
 static void show_elsewhere(FILE *out, const Diagnostics *diagnostics)
 {
     show_wrapped(out, diagnostics->elsewhere, "  ");

@@ -1,4 +1,4 @@
-// explain_slips.c - what the text of a wrong answer explains and its values do not: 1/2, and 0,5.
+// explain_slips.c - causes that only the text of a wrong answer shows: 1/2, and 0,5.
 #include "tests/course/explain.h"
 
 #include "tests/course/explain_answer.h"
@@ -24,7 +24,7 @@ static bool is_in(const char *name, const char *const *list, size_t count)
     return false;
 }
 
-// x * 1/2, (double)1/2 and 1/2.0 are no such divisions.
+// x * 1/2, (double)1/2 and 1/2.0 do not divide whole numbers.
 static void find_divisions(Slips *slips, size_t line)
 {
     const char *code = answer_code(slips->answer, line);

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-// Memory that is cleared; grown keeps what was there.
+// Memory that is cleared; grown keeps the old contents.
 void *text_memory(size_t size);
 void texts_free(void);
 
@@ -35,7 +35,7 @@ bool text_is(const char *text, const char *other);
 bool text_is_one_of(const char *text, const char *names); // separated by blanks
 bool text_begins(const char *text, const char *beginning);
 bool text_has(const char *text, const char *part);
-// The name as a word of its own. What is no name is in no line.
+// The name as a word of its own. False if it is not a name.
 bool text_has_word(const char *text, const char *name);
 // Whether it has one of these phrases, separated by '|'; with '^' in front, at its beginning.
 bool text_says(const char *text, const char *phrases);
@@ -55,9 +55,9 @@ bool text_find(const char *text, const char *pattern, Match *match);
 const char *text_without(const char *text, const char *pattern);                  // the first match
 const char *text_replaced(const char *text, const char *pattern, const char *by); // all of them
 
-// "b.c" of "a + b.c": what is at the end as something that has a value; "" if there is none.
+// "b.c" of "a + b.c": the expression at the end; "" if there is none.
 const char *text_expression_at_end(const char *text);
-// What is before the first of this sign, without blanks at its end; "" without the sign.
+// The text before the first of this sign, without blanks at its end; "" if the sign is missing.
 const char *text_before(const char *text, const char *sign);
 // A type without const, struct, static, inline, extern, and blanks around it.
 const char *bare_type(const char *type);

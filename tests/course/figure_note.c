@@ -23,7 +23,7 @@ static void reach_each(Verdicts *verdicts, const char *names)
     }
 }
 
-// What a wrong answer calls is not to blame; what one waits for is.
+// An answer that a wrong one calls is not to blame; an answer that one waits for is.
 static void reach(Verdicts *verdicts, const char *name, size_t length)
 {
     for (int i = 0; i < verdicts->count; i++)

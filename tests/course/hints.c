@@ -23,8 +23,8 @@ static const char *section_name(char *line)
     return line;
 }
 
-// Prints hint NUMBER of a function, as it is wrapped in the file; how many there are. NULL as the
-// function: names all functions, instead.
+// Prints hint NUMBER of a function, as it is wrapped in the file; how many there are. If function
+// is NULL, prints the names of all functions instead.
 static int go_through(const Page *page, const char *hints, const char *function, int number)
 {
     size_t size;
@@ -79,7 +79,7 @@ int hint_next(const Page *page, const char *stem, const char *hints, const char 
         go_through(&(Page){stderr, page->columns, false}, hints, NULL, 0);
         return 1;
     }
-    // By its text, not its date: saving it again unchanged is no new attempt.
+    // By its text, not its date: saving it again unchanged is not a new attempt.
     char hash[HASH_WORD];
     hash_word(hash, hash_file(HASH_BEGIN, answer));
     int shown = shown_so_far(state, function, hash), number = shown < total ? shown + 1 : total;

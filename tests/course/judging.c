@@ -1,7 +1,8 @@
 // judging.c - judges the chapters whose record is about another answer than the one that is there.
 //
-// An answer is compiled, linked with what answers a judge's calls, and asked by the judge of its
-// chapter. All of that is done by other programs: nothing of an answer is ever loaded here.
+// An answer is compiled, linked with the code that answers the judge's calls, and asked by the
+// judge of its chapter. All of that is done by other programs: nothing of an answer is ever loaded
+// here.
 #include "tests/course/judging.h"
 
 #include "tests/course/call_graph.h"
@@ -18,7 +19,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// What a piece of work came to.
+// The result of a piece of work.
 enum { DONE, NO_VERDICT, SAVED_MEANWHILE, TROUBLE };
 
 static uint64_t hash_of_files(uint64_t hash, const char *names)
@@ -41,7 +42,7 @@ Judging judging_begin(const JudgingPlan *plan)
     for (int i = 0; i < plan->count; i++) {
         const PlannedChapter *chapter = &plan->chapters[i];
         judging.tools[i] = common;
-        // What is made for another chapter is of that one's text, which is looked at below.
+        // Objects of other chapters are made from those chapters' texts, which are hashed below.
         Command objects = {.count = 0};
         command_words(&objects, chapter->objects);
         for (int k = 0; k < objects.count; k++)
@@ -52,12 +53,12 @@ Judging judging_begin(const JudgingPlan *plan)
     return judging;
 }
 
-// Of the answer, of those that it stands on, and of what judges it.
+// The hash of the answer, of the answers that it calls, and of everything that judges it.
 static void hash_now(const Judging *judging, int chapter, char word[HASH_WORD])
 {
     uint64_t hash = judging->tools[chapter];
     for (int i = 0; i <= chapter; i++)
-        if (i == chapter || plan_stands_on(judging->plan, chapter, i))
+        if (i == chapter || plan_depends_on(judging->plan, chapter, i))
             hash = hash_file(hash, plan_answer(judging->plan, i).s);
     hash_word(word, hash);
 }
@@ -70,8 +71,7 @@ bool judging_record(const Judging *judging, int chapter, ChapterRecord *record)
            strcmp(record_value(record, "hash"), word) == 0;
 }
 
-// Later chapters are linked with the object of this one, if they stand on it: it must be of the
-// text.
+// Later chapters that call this one are linked with its object, which must be up to date.
 static bool needs_judging(const Judging *judging, int chapter)
 {
     ChapterRecord record;
@@ -94,8 +94,8 @@ static char *text_of(const JudgingPlan *plan, int chapter, const char *name)
     return text != NULL ? text : strdup("");
 }
 
-// What one of the explainers writes about a file of words, as a string to free; NULL if that is
-// empty.
+// The text that an explainer prints about a compiler's or linker's output, as a string to free;
+// NULL if it prints nothing.
 typedef void Explainer(FILE *out, const char *source, const char *words);
 static char *explained(const JudgingPlan *plan, int chapter, Explainer *explainer, const char *said)
 {
@@ -135,7 +135,8 @@ static FILE *begin_record(const Judging *judging, int chapter, const char *hash,
     return out;
 }
 
-// A text that was saved while it was judged is judged again: whose verdict this is nobody knows.
+// A text that was saved while it was judged is judged again, because nobody knows which text this
+// verdict is about.
 static int end_record(const Judging *judging, int chapter, const char *hash, FILE *out)
 {
     const char *stem = judging->plan->chapters[chapter].stem;
@@ -192,7 +193,7 @@ static int compile_answer(const Judging *judging, int chapter, const char *hash)
     unlink(plan_file(plan, chapter, "answer.o").s);
     if (compile_file(plan, chapter, answer.s, said.s) == 0)
         return DONE;
-    // For the later chapters, which stand on this one, the blank is used.
+    // The later chapters, which call this one, use its blank.
     if (plan->lend[0] == '\0') {
         PlanPath blank = path_of(plan->blanks, plan->chapters[chapter].stem, ".c");
         compile_file(plan, chapter, blank.s, "/dev/null");
@@ -224,7 +225,7 @@ static int link_answering(const JudgingPlan *plan, int chapter, const char *prog
 
 // ---- who waits --------------------------------------------------------------------------------
 
-// Whether it is right if the reference answers those in its place.
+// Whether it is right if the reference answers those instead.
 static bool passes_with_lent(const JudgingPlan *plan, int chapter, const char *function,
                              const char *lent)
 {
@@ -264,11 +265,10 @@ static void wait_for(const JudgingPlan *plan, int chapter, const ChapterRecord *
     command_free(&each);
 }
 
-// ---- what it is unsure because of
-// -----------------------------------------------------------------
+// ---- unsure ------------------------------------------------------------------------------------
 
-// Without a reference: what it calls that is not right, of its chapter and of earlier ones. Adds to
-// stands, by chapter, those of earlier ones.
+// Without a reference: the answers that it calls and that are not right, in its chapter and in
+// earlier ones. Adds those of earlier ones to stands, by chapter.
 static void be_unsure(const Judging *judging, int chapter, const ChapterRecord *report,
                       const FunctionRecord *function, char names[MOST_NAMES],
                       char stands[][MOST_NAMES])
@@ -284,7 +284,7 @@ static void be_unsure(const Judging *judging, int chapter, const ChapterRecord *
                 of_stem[count++] = exercises[k].name;
         ChapterRecord earlier;
         char others[MOST_NAMES];
-        if (!plan_stands_on(plan, chapter, i))
+        if (!plan_depends_on(plan, chapter, i))
             continue;
         record_read(plan_beside(plan, i, ".record").s, &earlier);
         names_not_right(&earlier, calls, of_stem, others);
@@ -366,7 +366,7 @@ static int write_record(const Judging *judging, int chapter, const char *hash)
     return end_record(judging, chapter, hash, out);
 }
 
-// Links and asks. DONE also if there is no verdict: that is said in the record.
+// Links and asks. DONE also if there is no verdict: the record tells why.
 static int ask(const Judging *judging, int chapter, const char *hash)
 {
     const JudgingPlan *plan = judging->plan;
@@ -417,7 +417,7 @@ static int judge_one(int number, void *given)
     const Work *work = given;
     int chapter = work->chapters[number];
     int status = ask(work->judging, chapter, work->hashes[number]);
-    // What others of this run are needed for is written when all of them have been asked.
+    // A record that needs other chapters of this run is written after all of them have been asked.
     if (status == DONE && work->judging->plan->lend[0] != '\0')
         status = write_record(work->judging, chapter, work->hashes[number]);
     return status;
@@ -461,7 +461,7 @@ static void collect(Work *work, const bool wanted[MOST_CHAPTERS])
     for (int i = 0; i < plan->count; i++) {
         bool needed = wanted[i];
         for (int k = i + 1; k < plan->count; k++)
-            needed = needed || (wanted[k] && plan_stands_on(plan, k, i));
+            needed = needed || (wanted[k] && plan_depends_on(plan, k, i));
         if (!needed || !needs_judging(work->judging, i))
             continue;
         hash_now(work->judging, i, work->hashes[work->count]);

@@ -7,7 +7,8 @@
 
 #include <stdint.h>
 
-// What judges each chapter, as a number; what does not change while a program runs is read once.
+// A hash of everything that judges each chapter; files that do not change while a program runs are
+// read once.
 typedef struct {
     const JudgingPlan *plan;
     uint64_t tools[MOST_CHAPTERS];
@@ -17,9 +18,9 @@ Judging judging_begin(const JudgingPlan *plan);
 // The record of a chapter. False if there is none, or it is about another text.
 bool judging_record(const Judging *judging, int chapter, ChapterRecord *record);
 
-// Judges those of the wanted chapters, and of those that they stand on, whose record is not about
-// what is there now; side by side, if there are processors. Another run in the same folder is
-// waited for. False, and a message on stderr, if a record cannot be written.
+// Judges those of the wanted chapters, and of those that they call, whose record is out of date; in
+// parallel, if there are processors. Waits for another run in the same folder. False, and a message
+// on stderr, if a record cannot be written.
 bool judging_judge(const Judging *judging, const bool wanted[MOST_CHAPTERS]);
 
 #endif

@@ -77,7 +77,7 @@ int plan_chapter(const JudgingPlan *plan, const char *stem)
     return -1;
 }
 
-bool plan_stands_on(const JudgingPlan *plan, int chapter, int other)
+bool plan_depends_on(const JudgingPlan *plan, int chapter, int other)
 {
     const char *stem = plan->chapters[other].stem;
     size_t length = strlen(stem);

@@ -1,14 +1,14 @@
 // judging_plan.h - how answers are judged: the commands and files, as make wrote them down.
 //
 // A file of lines KEY tab VALUE (entries.h), so that a watch can judge again without make, and so
-// that whoever else builds an answering process does it with the same commands. Words are separated
-// by blanks. First of all chapters:
+// that everyone else who builds an answering process uses the same commands. Words are separated by
+// blanks. First of all chapters:
 //
 //     answers     the folder of answers
-//     built       the folder of what is built of them
-//     verdict     the folder of the records (chapter_record.h), and of what is made for them:
+//     built       the folder of everything built from them
+//     verdict     the folder of the records (chapter_record.h) and of intermediate files:
 //                 STEM/answer.o, STEM/answering, and so on
-//     figures     the folder of what the judge draws
+//     figures     the folder of the figures that the judge draws
 //     draw        the command that draws one: DRAW FIGURES NAME
 //     blanks      the folder of the blanks, for answers that are not there
 //     compile     the command that compiles an answer: COMPILE -o STEM/answer.o ANSWER
@@ -16,26 +16,26 @@
 //     link        the command that links an answering process:
 //                 LINK [QUICK] -o STEM/answering STEM/answer.o OBJECTS -lm
 //     quick       the options by which a quicker linker is chosen; or none
-//     directly    the same link without cc, NAME for the program and OBJECTS for the objects: what
-//                 cc says that it would start; or none
-//     lend        what the linker is told for each exercise that the reference answers in the place
-//                 of the answer, NAME for its name: -Wl,--defsym=NAME=lent_NAME; none if nothing is
-//                 lent
+//     directly    the same link without cc, NAME for the program and OBJECTS for the objects: the
+//                 command that cc would start; or none
+//     lend        the linker's option for each exercise that the reference answers instead of the
+//                 answer, NAME for its name: -Wl,--defsym=NAME=lent_NAME; none if the reference
+//                 answers none
 //     judge       the program that judges: JUDGE STEM STEM/answering FOLDER FIGURES
 //     used        files that the commands use, besides
-//     reference   what the linker is told for each exercise that the reference answers in a
-//                 picture, NAME for its name; none if there is no reference
-//     drawing     what a picture of answers is drawn by, besides the answers (pictures/draw.c)
-//     spheres     the scene that these pictures show, and what is recorded of it
+//     reference   the linker's option for each exercise that the reference answers in a picture,
+//                 NAME for its name; none without a reference
+//     drawing     the objects that draw a picture of answers, besides these (pictures/draw.c)
+//     spheres     the scene that these pictures show, and its recorded colours
 //     libraries   the libraries that pictures are linked with
 //
 // Then each chapter:
 //
 //     chapter     01-corners
-//     objects     what the answering process holds besides the answer
+//     objects     the objects of the answering process besides the answer
 //     stands on   the chapters whose answers are among the objects; none if the reference's are
-//     right       the reference, as the linker is told to use it; none if there is none
-//     program     what the chapter's program consists of, besides the answers
+//     right       the reference, as an option of the linker; none without a reference
+//     program     the files of the chapter's program besides the answers
 #ifndef TESTS_COURSE_JUDGING_PLAN_H
 #define TESTS_COURSE_JUDGING_PLAN_H
 
@@ -62,8 +62,8 @@ void plan_free(JudgingPlan *plan);
 
 // The chapter's number, or -1.
 int plan_chapter(const JudgingPlan *plan, const char *stem);
-// Whether a chapter stands on the answers of another.
-bool plan_stands_on(const JudgingPlan *plan, int chapter, int other);
+// Whether a chapter calls the answers of another.
+bool plan_depends_on(const JudgingPlan *plan, int chapter, int other);
 
 // The file that answers a chapter: the student's, or the blank. Also files in the verdict's folder.
 enum { MOST_PLAN_PATH = 4096 };

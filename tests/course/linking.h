@@ -20,7 +20,7 @@ Linking linking_begin(const JudgingPlan *plan, LinkedBy by, const char *program)
 // Objects and libraries, with a blank between them; must stay there.
 void linking_add(Linking *linking, const char *objects);
 
-// What the plan says that the linker is told of an exercise, NAME for its name.
+// Adds an option of the plan for one exercise: each NAME in it is replaced by the name.
 void linking_tell(Linking *linking, const char *option, const char *name);
 
 // Links, and frees. The linker's exit status; what it says goes into a file.

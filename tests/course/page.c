@@ -1,4 +1,4 @@
-// page.c - text for a reader: as wide as the terminal, and in colour where that can be shown.
+// page.c - text for a reader: as wide as the terminal, and in colour if the terminal has colours.
 #include "tests/course/page.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// page.h - text for a reader: as wide as the terminal, and in colour where that can be shown.
+// page.h - text for a reader: as wide as the terminal, and in colour if the terminal has colours.
 #ifndef TESTS_COURSE_PAGE_H
 #define TESTS_COURSE_PAGE_H
 
@@ -28,7 +28,7 @@ void page_field(const Page *page, PageColor color, const char *label, const char
 // Words that wrap: the first line begins in one column, the others in another.
 void page_words(const Page *page, PageColor color, int first, int others, const char *words);
 
-// What a program printed: at most so many lines under a label, and nothing that a terminal obeys.
+// A program's output: a limited number of lines under a label, without control characters.
 void page_printed(const Page *page, const char *label, const char *text);
 
 #endif

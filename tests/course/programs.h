@@ -26,10 +26,10 @@ void programs_end_with_us(void);
 // Whether there is a program of this name in PATH.
 bool program_is_there(const char *name);
 
-// Runs it, its input from /dev/null, and all that it says into a file (NULL: where ours goes). Its
-// exit status; 128 and more after a signal; 127 if it cannot be started.
+// Runs it, its input from /dev/null, and its output into a file (NULL: to our own output). Its exit
+// status; 128 and more after a signal; 127 if it cannot be started.
 int program_run(const Command *command, const char *output);
-// The same; after so many seconds of processor time the system ends it.
+// The same; the system ends it after this many seconds of processor time.
 int program_run_for(const Command *command, const char *output, int seconds);
 
 // Does a piece of work for each number from 0 to count - 1, each in a process of its own, as many

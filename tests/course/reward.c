@@ -1,4 +1,4 @@
-// reward.c - what a chapter that is right makes possible.
+// reward.c - the picture that is drawn after a chapter is right.
 #include "tests/course/reward.h"
 
 #include "tests/course/answer_pictures.h"
@@ -91,7 +91,8 @@ static void show_chapter_picture(const Page *page, const Judging *judging, int c
 }
 
 // The picture of README.md, by the programs that make builds of these answers. It takes a while, so
-// make and the program show how far they are; where nobody would see that, its command is said.
+// make and the program show how far they are; if nobody would see that, only the command is
+// printed.
 static void reward_with_finale(const Page *page, const JudgingPlan *plan)
 {
     PlanPath finale = path_of(plan->built, "finale", ".png");

@@ -1,4 +1,4 @@
-// reward.h - what a chapter that is right makes possible.
+// reward.h - the picture that is drawn after a chapter is right.
 #ifndef TESTS_COURSE_REWARD_H
 #define TESTS_COURSE_REWARD_H
 

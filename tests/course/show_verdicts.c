@@ -75,7 +75,7 @@ static void show_header(const Page *page, const Exercise *exercise, const char *
     page_line(page, BOLD, line);
 }
 
-// After the colon a sentence goes on: no capital, but for a letter that is a name.
+// A sentence goes on after the colon: no capital, except for a letter that is a name.
 static void show_mistake(const Page *page, const char *label, const char *formula, const char *why,
                          const char *besides)
 {
@@ -245,8 +245,9 @@ static void show_those(const Page *page, const Chapter *chapter, const char *lab
     show_names(page, label, list);
 }
 
-// Which answers of earlier chapters these stand on that are not right. The first of those chapters.
-static void show_stands(const Page *page, const Chapter *chapter, char first[64])
+// The answers of earlier chapters that these call and that are not right. Stores the first of those
+// chapters.
+static void show_dependencies(const Page *page, const Chapter *chapter, char first[64])
 {
     first[0] = '\0';
     for (int i = 0; i < chapter->record.head; i++) {
@@ -285,7 +286,7 @@ static void show_progress(const Page *page, const Chapter *chapter, bool is_next
         show_those(page, chapter, "wrong", "wrong");
         show_those(page, chapter, "waiting", "waiting");
         show_those(page, chapter, "cannot be judged yet", "unsure");
-        show_stands(page, chapter, stands_on);
+        show_dependencies(page, chapter, stands_on);
         show_those(page, chapter, "not answered yet", "unanswered");
     }
     char extra[2000] = "", all[2400];

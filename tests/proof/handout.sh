@@ -104,7 +104,7 @@ EOF
 }
 
 # While chapter 03 is saved wrong: the verdict on chapter 04, which depends on it.
-watches_what_stands_on() {
+watches_dependents() {
     start env -u MAKEFLAGS CC="$compiler" make -C "$tree" watch >"$scratch/watched" 2>&1
     wait_until grep -q Watching "$scratch/watched" || return 1
     spoil 03-screen 's|1 - point.y|point.y|'
@@ -193,7 +193,7 @@ for compiler in gcc clang; do
     check "$compiler: but keeps not all digits" grep -q '^extra	wrong' \
         "$tree/build/exercises/verdict/05-quadratic.record"
     answers
-    check "$compiler: watch also judges the chapters that depend on the saved answer" watches_what_stands_on
+    check "$compiler: watch also judges the chapters that depend on the saved answer" watches_dependents
     answers
 
     inside make hint EX=02

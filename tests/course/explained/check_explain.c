@@ -51,8 +51,7 @@ static void write_answer(const char *name, const char *text)
     ck_assert_int_eq(fclose(file), 0);
 }
 
-// ---- what is said
-// ---------------------------------------------------------------------------------
+// ---- the output ---------------------------------------------------------------------------------
 
 typedef void Explainer(FILE *out, const char *source, const char *words);
 

@@ -1,9 +1,9 @@
 // draw.c - draws the pictures of pictures.def by the answers that are linked with it.
 //
-// It is linked with a student's answers and, for what is not answered, with the reference, if this
-// tree has one (tests/course/answer_pictures.c). No answer is written here a second time. What a
-// picture of the first chapters needs of later ones is recorded: which colour is seen in which
-// direction, by the reference, as a picture. An answer cannot be read from that.
+// It is linked with a student's answers and, for missing answers, with the reference, if this tree
+// has it (tests/course/answer_pictures.c). No answer is written here a second time. The pictures of
+// the first chapters need later ones: the colour that the reference sees in each direction is
+// recorded, as a picture. It does not reveal an answer.
 //
 // Usage: draw SPHERES.nff RECORDED.png NAME PICTURE.png
 #include "common/options.h"
@@ -33,9 +33,9 @@ typedef struct {
     unsigned char *recorded;
 } View;
 
-// ---- what is recorded -------------------------------------------------------------------------
+// ---- recorded colours -------------------------------------------------------------------------
 
-// As wide as the camera's image plane, so many times; its middle is the same.
+// The width of the recorded picture, in widths of the camera's image plane; its middle is the same.
 static const double recorded_width = 2;
 
 static bool read_recorded(const char *path, View *view)
@@ -110,7 +110,7 @@ static Color by_rays(Pixel pixel, void *given)
 
 // ---- chapter 07 -------------------------------------------------------------------------------
 
-// What a pixel sees of the scene. False: nothing.
+// The hit that a pixel sees. False if there is none.
 typedef struct {
     Ray ray;
     Hit hit;

@@ -136,7 +136,7 @@ static bool write_archive(FILE *file, const void *given, const char *path, Messa
     return true;
 }
 
-// The status, after what was written is said.
+// Writes the archive, and prints its name and how many chapters are not finished. The exit status.
 static int hand_over(const char *archive, const Packed *packed)
 {
     Message message;

@@ -32,7 +32,7 @@ static void put(FILE *file, uint32_t number, int bytes)
         putc((int)(number >> 8 * i & 0xff), file);
 }
 
-// What a header and an entry of the table have in common.
+// The fields that a header and an entry of the table share.
 static void put_description(FILE *file, const ZipMember *member)
 {
     put(file, VERSION, 2);
