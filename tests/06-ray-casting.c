@@ -449,7 +449,7 @@ END_TEST
 
 // ---- worlds of any size ------------------------------------------------------------------------
 
-// No sphere is too near, too far, too close to another, or one too many.
+// No sphere is too near, too far or too close to another, and no number of spheres is too large.
 
 // The world multiplied by one factor, the image plane's distance and width by another: t counts in
 // lengths of the vector to the plane, so it grows with the first and shrinks with the second.

@@ -1,4 +1,4 @@
-// accepted_results.c - what else a test takes for right, found out by asking it.
+// accepted_results.c - the results besides the reference's that a test accepts, found by asking it.
 #include "tests/handout/accepted_results.h"
 
 #include "tests/handout/test_recorder.h"
@@ -19,9 +19,9 @@ static bool accepts_off_by(const ToldTest *test, int call, double off)
     return accepted;
 }
 
-// From 1e-5 of the largest number down by halves. Never less than what two ways to compute the same
-// thing may differ by: what a test holds against this very answer (its own ray, say) is held
-// against the reference's by the table.
+// From 1e-5 of the largest number down by halves. Never less than the difference between two ways
+// to compute the same thing: a test may compare with this very answer (its own ray, for example),
+// but the table compares with the reference's.
 static double tolerance_of(const ToldTest *test, int call)
 {
     enum { HALVES = 23 };
@@ -79,7 +79,7 @@ static bool accepts_step(const ToldTest *test, int call, double times)
     return accepted;
 }
 
-// By powers of 2, as the contract has it.
+// By powers of 2, as in the contract.
 static void steps_of(const ToldTest *test, int call, double *least, double *most)
 {
     const double end = 256;

@@ -1,4 +1,4 @@
-// accepted_results.h - what else a test takes for right, besides the reference's answer.
+// accepted_results.h - the results besides the reference's that a test accepts.
 #ifndef TESTS_HANDOUT_ACCEPTED_RESULTS_H
 #define TESTS_HANDOUT_ACCEPTED_RESULTS_H
 
@@ -7,7 +7,8 @@
 // Asks it again and again with one result changed a little: tolerance, reasons, free length.
 void takes_for_right(ToldTest *test);
 
-// Where one test of a function wants the very direction, the others may not say otherwise.
+// If one test of a function requires the exact length of a direction, the others must require it as
+// well.
 void agree_on_lengths(Told *told);
 
 #endif

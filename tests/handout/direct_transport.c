@@ -38,5 +38,5 @@ void answer_here(int exercise, AnyFunction *answer, Wire *in, Wire *out)
     in->read = 0;
     wire_clear(out);
     if (!apply(exercise, answer, in, out))
-        fprintf(stderr, "%s: its arguments are no message\n", exercises[exercise].name);
+        fprintf(stderr, "%s: its arguments are not a valid message\n", exercises[exercise].name);
 }

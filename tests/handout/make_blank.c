@@ -1,8 +1,8 @@
 // make_blank.c - makes the blank of an exercise from its solution: make_blank SOLUTION.c >BLANK.c
 //
 // Between BEGIN SOLUTION and END SOLUTION only the stub lines stay, without their mark '//~'. A
-// part that has no stub lines (helpers of the solution) goes, with its markers and the empty line
-// behind it.
+// part that has no stub lines (helpers of the solution) is removed, with its markers and the empty
+// line after it.
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,7 +27,7 @@ static bool is_marker(char *line, const char *marker)
     return strcmp(without_indent(line), marker) == 0;
 }
 
-// The line without its mark and the blank behind that; one that is empty then has no indent left.
+// The line without its mark and the blank after it; if nothing else is left, without its indent.
 static void put_stub(char *line)
 {
     char *mark = without_indent(line), *rest = mark + 3;

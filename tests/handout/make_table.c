@@ -1,11 +1,12 @@
 // make_table.c - makes the table of a stem from its tests, the reference and the mistakes.
 //
-//   tell STEM FILE
-//   tell STEM --formulas    says what the mistakes compute, a line each: what no handout may hold
+//   make_table STEM FILE
+//   make_table STEM --formulas    prints the formulas of the mistakes, a line each: a handout must
+//                                 not contain them
 //
 // First each test runs as it is, and its calls are written down. Then it runs again and again with
-// one result changed a little, to find out what else it takes for right: the table is as strict
-// as the test, and no tolerance is said twice.
+// one result changed a little, to find out which other results it accepts: the table is as strict
+// as the test, and each tolerance is written in one place.
 #include "tests/handout/accepted_results.h"
 #include "tests/handout/test_recorder.h"
 

@@ -1,4 +1,5 @@
-// test_recorder.c - what a test asks, from the other end of the pipe, where the reference answers.
+// test_recorder.c - records the calls of a test at the other end of the pipe, where the reference
+// answers.
 #include "tests/handout/test_recorder.h"
 
 #include "tests/handout/direct_transport.h"
@@ -25,7 +26,7 @@ static void fail(const char *why)
     exit(1);
 }
 
-// To the last bit: who tells mistakes apart looks closer at some results than at others.
+// To the last bit, because some results distinguish mistakes by small differences.
 static bool are_equal(const Numbers *a, const Numbers *b)
 {
     return a->count == b->count &&
@@ -53,7 +54,8 @@ static int result_of(ToldCall *call, int exercise, AnyFunction *function)
     return which_result(call, &result);
 }
 
-// What a student needs to know of what goes in. What the test looks at is not what the table does.
+// The arguments that a student needs to know. Lines about the results that the test looks at are
+// left out, because the table may look at others.
 static char *given_lines(void)
 {
     static const char *const looks[] = {"looking at\t", "seen\t", "seen along\t", "compared\t",

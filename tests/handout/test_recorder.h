@@ -1,18 +1,17 @@
-// test_recorder.h - what a test asks of the function that it is about, and what it says to other
-// answers.
+// test_recorder.h - the calls that a test makes of its function, and its verdict on other results.
 #ifndef TESTS_HANDOUT_TEST_RECORDER_H
 #define TESTS_HANDOUT_TEST_RECORDER_H
 
 #include "tests/handout/replay/table.h"
 
-// From now on the reference answers, and is listened to.
+// From now on the reference answers, and its calls are recorded.
 void asked_begin(void);
 
-// Runs the test, and writes its calls down: what goes in, what the reference and each mistake make
-// of it. False where the reference does not pass.
+// Runs the test, and records its calls: the arguments, and the results of the reference and of each
+// mistake. False if the reference does not pass.
 bool asked_of(ToldTest *test);
 
-// Runs it again with another result of one of its calls. Whether it passes.
+// Runs it again with another result of one of its calls. True if it passes.
 bool asked_again(const ToldTest *test, int call, const Numbers *result);
 
 #endif

@@ -1,4 +1,4 @@
-// variants.c - no right answer, however it is written, is failed or accused by the table.
+// variants.c - the table fails no right answer and names no mistake in one, however it is written.
 //
 //   variants STEM
 #include "tests/handout/direct_transport.h"

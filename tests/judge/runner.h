@@ -22,8 +22,8 @@ typedef struct {
     Outcome tests[MOST_TESTS];
 } Outcomes;
 
-// Where the answers run: called directly, they may crash and hang, so each test is a fork; called
-// in another process, they cannot, and tests run here.
+// Tests of answers that are called directly may crash and hang, so each runs in a fork. Answers in
+// another process cannot stop the judge, so their tests run in this process.
 typedef enum { ANSWERS_HERE, ANSWERS_APART } WhereAnswersAre;
 
 // Runs the tests of the stem that was chosen (stem.h): those of one function, or those of one name,

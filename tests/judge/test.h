@@ -46,7 +46,7 @@ void expect_number(double yours, double expected, double tolerance);
 void expect_vec3(vec3 yours, vec3 expected, double tolerance);
 void expect_pair(double yours_x, double yours_y, double x, double y, double tolerance);
 // A value without pointers, of any type: whole numbers are equal, and in a world of this size the
-// lengths (types.def) may be off by so many times the tolerance.
+// lengths (types.def) may differ by tolerance times size.
 void expect_value(const Type *type, const void *yours, const void *expected, double tolerance,
                   double size);
 void expect_camera(Camera yours, Camera expected, double tolerance);

@@ -17,7 +17,7 @@ typedef struct {
     uint8_t *bytes;  // from malloc
     size_t size;     // how many were put
     size_t room;     // how many there is room for
-    size_t read;     // how many were got
+    size_t read;     // bytes read so far
     bool bad;        // too short, too long, or invalid
     bool is_hostile; // a question of a student's process: the conditions of the reference are
                      // checked

@@ -1,11 +1,10 @@
 #!/bin/sh
-# generated.sh - thousands of wrong answers that nobody has thought of: do they fail, and is the verdict
-# on them true?
+# generated.sh - thousands of wrong answers that nobody wrote by hand: do they fail, and is the verdict on them true?
 #
-# tests/proof/generated/ makes them of all answers that are known, with a seed, tries them, and judges the
-# judge. A wrong one that passes, a right one that fails and a false name fail, unless somebody looked
-# at it and tests/proof/generated/reviewed says why; and so does a chapter of which less than 90% is said.
-# Only reads the tree.
+# tests/proof/generated/ makes them from all known answers, with a seed, runs the tests on them, and checks the
+# verdicts. This test fails if a wrong answer passes, a right one fails or a mistake is named falsely, unless
+# tests/proof/generated/reviewed explains the case; and if less than 90% of a chapter's wrong answers are named or
+# described. Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 once generated "wrong answers that nobody has thought of"

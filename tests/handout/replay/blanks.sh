@@ -1,5 +1,5 @@
 #!/bin/sh
-# blanks.sh - in a handout: blanks pass nothing, and what does not compile stops nothing else.
+# blanks.sh - in a handout: blanks pass no test, and an answer that does not compile does not stop the others.
 set -u
 . tests/house/runner/library.sh
 

@@ -1,8 +1,8 @@
-// check.c - is a table strict, and does its judge know what it sees?
+// check.c - is a table strict, and does its judge recognise mistakes?
 //
 //   check STEM
 //
-// The right values must pass, and nobody be accused; the values of each known mistake must fail,
+// The right values must pass without naming a mistake; the values of each known mistake must fail,
 // and name it. The other end of the pipe gives what the table has.
 #include "tests/handout/replay/replay.h"
 
@@ -96,7 +96,7 @@ int main(int argc, char **argv)
                "what is right is accused:", told->mistakes[i].function, told->mistakes[i].why);
     const char *function = "";
     for (int i = 0; i < told->mistake_count; i++) {
-        // Mistakes of a function are counted in the order of the list, wherever they stand.
+        // Mistakes of a function are counted in the order of the list, wherever they are in it.
         gives = 0;
         function = told->mistakes[i].function;
         for (int k = 0; k < i; k++)

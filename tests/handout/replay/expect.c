@@ -1,4 +1,4 @@
-// expect.c - what came must be what the table says: in the words of the tests (test.h).
+// expect.c - a result must agree with the table; the words are those of the tests (test.h).
 #include "tests/handout/replay/replay.h"
 
 #include "tests/judge/expect_roots.h"
@@ -17,7 +17,7 @@ static Ray ray_of(const Numbers *numbers)
     return (Ray){vec3_at(numbers, 0), vec3_at(numbers, 3)};
 }
 
-// A value of this type, whose numbers begin there.
+// A value of this type, whose numbers begin here.
 static void get_value(const Type *type, const Numbers *numbers, int from, void *value)
 {
     static Wire wire;
@@ -41,7 +41,7 @@ static Roots roots_of(const Numbers *numbers)
     return (Roots){(int)numbers->at[0], {numbers->at[1], numbers->at[2]}};
 }
 
-// As long as nothing has been expected of this case, more can be said of it.
+// Adds to the description of the case, which the first expectation has closed.
 static void looking_at(const char *what)
 {
     record_now()->closed = false;
@@ -69,7 +69,7 @@ static void expect_ray(Ray yours, Ray expected, const ToldCall *call)
     expect_vec3(yours.direction, expected.direction, tolerance);
 }
 
-// As far as the right step, or some times as far.
+// The right step, or a multiple of it within the accepted limits.
 static void expect_step(vec3 yours, vec3 expected, const ToldCall *call)
 {
     double tolerance = call->tolerance;
@@ -84,8 +84,7 @@ static void expect_step(vec3 yours, vec3 expected, const ToldCall *call)
     expect_vec3(yours, expected, tolerance);
 }
 
-// Any reason that the test takes for right; and then the camera, which stays as it was where it is
-// refused.
+// Any reason that the test accepts; then the camera, which must be unchanged if it is refused.
 static void expect_fault_and_camera(const Numbers *yours, const ToldCall *call)
 {
     const Numbers *expected = &call->results[0];
@@ -108,7 +107,7 @@ static Image image_of(const Numbers *numbers, Resolution size)
     return image;
 }
 
-// The picture; then, where there is one, its depth.
+// The picture; then its depth, if it has one.
 static void expect_picture(const Numbers *yours, const ToldCall *call, Resolution size)
 {
     static Image theirs, right; // freed by the next: a test that fails leaves by a jump

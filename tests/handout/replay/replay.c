@@ -1,7 +1,7 @@
-// replay.c - the tests of a table: the same list and the same calls as of the tests it was made
-// from.
+// replay.c - the tests of a table: the same list and the same calls as in the tests from which it
+// was made.
 //
-// Known mistakes are told apart by the values that the table has of them, not by running them.
+// Known mistakes are recognised by their values in the table, not by running them.
 #include "tests/handout/replay/replay.h"
 
 #include "tests/judge/record.h"

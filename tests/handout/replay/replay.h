@@ -1,4 +1,4 @@
-// replay.h - the tests of a table, asked again of whoever answers.
+// replay.h - the tests of a table, run again with any answer.
 #ifndef TESTS_TOLD_REPLAY_H
 #define TESTS_TOLD_REPLAY_H
 
@@ -10,8 +10,8 @@ const Told *told_table(void);
 // The call that is being made.
 const ToldCall *told_now(void);
 
-// What came must be what the table says, as near as its test asks: otherwise both sides are kept,
-// in words, and the test ends. results: the types of it; size: of the call's image.
+// A result must agree with the table, within the tolerance of its test. If it does not, both values
+// are kept as text and the test ends. results: the types of the result; size: of the call's image.
 void told_expect(const char *results, const ToldCall *call, const Numbers *yours, Resolution size);
 
 #endif

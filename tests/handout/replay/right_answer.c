@@ -1,4 +1,4 @@
-// right_answer.c - what is right for a call that was kept, by the table.
+// right_answer.c - the right result of a recorded call, from the table.
 #include "tests/judge/right_answer.h"
 
 #include "tests/handout/replay/replay.h"

@@ -1,7 +1,7 @@
-// table.c - a stem's table as a file. The same on every machine, whatever its order of bytes.
+// table.c - a stem's table as a file. The same on every machine, whatever its byte order.
 //
-// Reading and writing are one walk, so that they cannot differ. Whole numbers are short; of a wrong
-// result only what differs from the right one is kept.
+// Reading and writing are one walk, so that they cannot differ. Whole numbers are short; only the
+// differences between a wrong result and the right one are kept.
 #include "tests/handout/replay/table.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@ typedef struct {
     uint8_t mask; // on each byte
 } Stream;
 
-// What is said of a mistake is for who makes it: not for reading the file.
+// The sentences about mistakes are for students who make them, so they cannot be read in the file.
 enum { UNREAD = 0xd5 };
 
 static const char magic[] = "ray casting, told: 4";
@@ -112,7 +112,7 @@ static void carry_numbers(Stream *stream, Numbers *numbers)
         carry_number(stream, &numbers->at[i]);
 }
 
-// What differs: how far behind the last difference, and the number.
+// The differences: the distance from the previous one, and the number.
 static void carry_differences(Stream *stream, Numbers *numbers, const Numbers *from)
 {
     int count = 0, last = 0;

@@ -1,7 +1,8 @@
-// table.h - the table of a stem: what its tests ask, what is right, and what known mistakes answer.
+// table.h - the table of a stem: the calls of its tests, the right results, and those of known
+// mistakes.
 //
 // It is made by tests/handout/make_table.c from the tests, the reference and the mistakes, none of
-// which it holds: only public inputs, values, and the sentences that a student is told.
+// which it holds: only public inputs, values, and the sentences that a student may read.
 #ifndef TESTS_HANDOUT_REPLAY_TABLE_H
 #define TESTS_HANDOUT_REPLAY_TABLE_H
 
@@ -18,11 +19,11 @@ typedef struct {
     Numbers *results;
     int mistake_count;
     int *of_mistake;    // which of them each known mistake of the function gives
-    double tolerance;   // within which the test takes a number for right; absolute
-    int reasons;        // which CameraFaults it takes for right, a bit each
-    int length_is_free; // whether it takes the direction of a ray for right in any length
-    double least, most; // of a step from a point: how many times as far is right, too; else 0
-    Numbers corners;    // of the image plane, from the eye, where a vector to it is asked for
+    double tolerance;   // of the test for numbers; absolute
+    int reasons;        // the CameraFaults that it accepts, a bit each
+    int length_is_free; // whether it accepts the direction of a ray in any length
+    double least, most; // the accepted lengths of a step, relative to the right one; or 0
+    Numbers corners;    // of the image plane, from the eye, if a vector to it is asked for
 } ToldCall;
 
 typedef struct {

@@ -1,9 +1,9 @@
-// explain.c - a libFuzzer target: any answer and any words of a compiler or a linker are explained.
+// explain.c - a libFuzzer target: any answer and any output of a compiler or a linker are
+// explained.
 //
 // tests/proof/fuzz.sh builds and runs it, from the top of the tree, whose headers are read. An
-// input is like the cases in tests/course/explained: an answer after '-- ', the words after the
-// next '--
-// '.
+// input is like the cases in tests/course/explained: an answer after '-- ', the
+// compiler's words after the next line of that kind.
 #include "tests/course/explain.h"
 
 #include <stdint.h>
@@ -46,7 +46,7 @@ static void write_answer(const char *text)
     MUST(file != NULL && fputs(text, file) >= 0 && fclose(file) == 0);
 }
 
-// The words with the source's path. To free.
+// The output with the source's path. To free.
 static char *words_about_source(const char *words)
 {
     char *text = NULL;

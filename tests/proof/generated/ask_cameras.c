@@ -1,7 +1,7 @@
-// ask_cameras.c - questions of exercise 02: which descriptions are cameras, and which are none.
+// ask_cameras.c - questions of exercise 02: which descriptions are valid cameras.
 #include "tests/proof/generated/question.h"
 
-// What *camera holds before.
+// The contents of *camera before the call.
 static const Camera before = {.origin = {1, 2, 3},
                               .right = {4, 5, 6},
                               .up = {7, 8, 9},
@@ -16,9 +16,9 @@ static void spoil(vec3 *v)
     (*v)[draw_below(3)] = values[draw_below(3)];
 }
 
-// One thing wrong, and nothing else: straight ahead, but sheared, leaning or with one corner
-// astray; or a rectangle that is only aside, only too high, or only turned. By any amount, either
-// way.
+// One thing wrong, and nothing else: straight ahead, but sheared, leaning or with one corner moved;
+// or a rectangle that is only moved sideways, only moved up, or only turned. By any amount, in
+// either direction.
 static void spoil_alone(Question *q, const Camera *c)
 {
     Corners *v = &q->corners;
@@ -184,8 +184,8 @@ static int reason(bool holds, CameraFault fault)
     return holds ? 1 << fault : 0;
 }
 
-// By how the corners lie, in lengths of their own. Only of what was refused. A line is no
-// rectangle, either, and an eye in the plane is not behind its middle.
+// By the places of the corners, relative to their distances. Only if the camera was refused. A line
+// is not a rectangle either, and an eye in the plane is not straight behind its middle.
 static int reasons_of(vec3 upper_left, vec3 upper_right, vec3 lower_left, vec3 lower_right)
 {
     vec3 middle = (upper_left + upper_right + lower_left + lower_right) / 4;
@@ -230,7 +230,7 @@ static bool is_right_of_vectors(const Question *q, const Answer *yours, const An
                   is_finite(c->lower_left) && is_finite(c->lower_right);
     int reasons =
         finite ? reasons_of(c->upper_left, c->upper_right, c->lower_left, c->lower_right) : 0;
-    // What is infinite, or no number, ends in no rectangle, either; and other edges may be none.
+    // Infinite corners or NaN do not make a rectangle either; and other edges may have no length.
     if (!finite)
         reasons = reason(true, CAMERA_NOT_FINITE) | reason(true, CAMERA_NO_RECTANGLE) |
                   reason(true, CAMERA_OFF_AXIS) |

@@ -26,7 +26,7 @@ static void draw_surface(Question *q)
     q->shine = draw_one_in(6) ? 1 + draw_below(10) : draw_one_in(12) ? 0 : draw_scale(0.3, 200);
 }
 
-// Half-way there is something wherever the eye is.
+// The halfway vector exists wherever the eye is.
 static void draw_halfway(Question *q)
 {
     draw_surface(q);
@@ -94,8 +94,8 @@ static void ask_highlight(AnyFunction *answer, Question *q, Answer *said)
     say_vec3(said, color, 3e-9);
 }
 
-// Of light along the surface rounding decides on which side it comes. With a shine of 0 the power
-// of a cosine that is negative, and so taken for 0, is 1.
+// Rounding decides on which side light along the surface arrives. If shine is 0, the power of a
+// negative cosine, which counts as 0, is 1.
 static bool is_right_of_highlight(const Question *q, const Answer *yours, const Answer *right)
 {
     bool grazes = fabs(vec3_dot(q->normal, q->to_light)) <= 1e-9 * vec3_length(q->to_light);

@@ -1,12 +1,12 @@
-// ask_scenes.c - questions of exercise 06, and of 07 where a whole scene goes in.
+// ask_scenes.c - questions of exercise 06, and of 07 if a whole scene is an argument.
 #include "tests/proof/generated/question.h"
 
 #include "tests/judge/wire.h"
 
 #include <stdlib.h>
 
-// Before the first sphere and after the last there is another, as in the answering process: whoever
-// counts too far finds it.
+// There is another sphere before the first and after the last, as in the answering process: an
+// answer that counts too far finds it.
 static void draw_scene(Question *q, vec3 near)
 {
     double size = q->size;
@@ -32,7 +32,7 @@ static void draw_scene(Question *q, vec3 near)
     point_into(q);
 }
 
-// Twins at the same place, now and then: of equals the first.
+// Sometimes two spheres at the same place: the first one counts.
 static void draw_twins(Question *q)
 {
     int surface = q->spheres[2].surface;
@@ -90,7 +90,8 @@ static void draw_picture(Question *q)
         q->screen = (Resolution){1 + draw_below(11), 1};
 }
 
-// A frame round the image, and round the depths: who writes beside it is seen, and does no harm.
+// A frame around the image and the depths: it detects an answer that writes outside of them, which
+// then does no harm.
 static void ask_picture(AnyFunction *answer, Question *q, Answer *said, bool with_depth)
 {
     enum { FRAME = 16 };
@@ -179,7 +180,7 @@ static void draw_depth(Question *q)
     q->depth = draw_one_in(3) ? 0 : draw_below(4);
 }
 
-// What curved mirrors show depends a little on where their rays start.
+// The picture in curved mirrors depends a little on where their rays start.
 static void ask_trace(AnyFunction *answer, Question *q, Answer *said)
 {
     Color color = ((Color(*)(const Scene *, Ray, int))answer)(&q->scene, q->ray, q->depth);

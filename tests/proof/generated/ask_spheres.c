@@ -22,7 +22,7 @@ static void draw_meeting(Question *q)
     q->radius = r;
 }
 
-// Where all numbers are whole, and products and roots exact: a line that touches.
+// A line that touches the sphere: all numbers are whole, and products and roots exact.
 static void draw_touching(Question *q)
 {
     int axis = draw_below(3), other = (axis + 1 + draw_below(2)) % 3;
@@ -56,7 +56,7 @@ static void draw_object_ray(Question *q)
     q->ray.origin -= q->sphere.center;
 }
 
-// From roots, so that both signs, zeros and lines come often.
+// Made from roots, so that both signs, zeros and lines are frequent.
 static void draw_quadratic(Question *q)
 {
     double size = draw_any_size(), t = size * draw(-5, 5), u = size * draw(-5, 5);

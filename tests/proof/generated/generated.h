@@ -1,5 +1,4 @@
-// generated.h - wrong answers that nobody has thought of, as tests/proof/generated/mutate.c made
-// them.
+// generated.h - wrong answers, as tests/proof/generated/mutate.c makes them.
 #ifndef TESTS_GENERATED_GENERATED_H
 #define TESTS_GENERATED_GENERATED_H
 
@@ -9,7 +8,7 @@
 typedef struct Generated {
     const char *exercise;
     const char *from;   // the answer that was changed
-    const char *change; // FUNCTION:LINE: the statement, [[what stood there => what stands there]]
+    const char *change; // FUNCTION:LINE: the statement, [[old text => new text]]
     AnyFunction *answer;
 } Generated;
 

@@ -1,7 +1,7 @@
 // guard.c - calls an answer that may crash or never come to an end.
 //
-// In the judge the answer is another process; here it is a function of this one, so that thousands
-// can be tried: what would end that process ends the call, and the test hears the same words.
+// In the judge the answer is another process. Here it is a function of this one, so that thousands
+// can be tried: a crash or a timeout ends only the call, and the test gets the same message.
 #include "tests/proof/generated/guard.h"
 
 #include "tests/handout/direct_transport.h"
@@ -30,7 +30,7 @@ static void leave(int signal)
 
 void guard_begin(void)
 {
-    static char stack[1 << 16]; // the usual one may be what has overflowed
+    static char stack[1 << 16]; // the usual stack may have overflowed
     sigaltstack(&(stack_t){.ss_sp = stack, .ss_size = sizeof stack}, NULL);
     struct sigaction action = {.sa_handler = leave, .sa_flags = SA_ONSTACK | SA_NODEFER};
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++)

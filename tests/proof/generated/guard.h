@@ -7,10 +7,10 @@
 // Once, before the first call.
 void guard_begin(void);
 
-// Who answers the tests from now on.
+// From now on this function answers the tests.
 void guard_answer_by(AnyFunction *answer);
 
-// Asks. Where nothing came back, said->count is 0.
+// Asks. If the answer did not return, said->count is 0.
 void guarded_ask(const Subject *subject, AnyFunction *answer, Question *question, Answer *said);
 
 #endif

@@ -1,17 +1,17 @@
-// judge_mutants.c - what the tests make of wrong answers that nobody has thought of.
+// judge_mutants.c - the tests' verdicts on generated wrong answers.
 //
 //   generated STEM SEED [REVIEWED | -v]
 //
-// Each generated answer (mutate.c) takes the tests of its exercise and is diagnosed as a student's
-// would be. Then another judge, with questions of its own (truth.h), decides whether it is wrong at
-// all, and whether the name that was given to it is true. A name is true where the mistake explains
-// 19 of 20 questions that are answered wrongly, and answers no more than one in 20 of all
-// otherwise; a name with a hedge, where it explains at least a third of what is wrong, or of the
-// numbers in a picture, or of what is wrong by more than digits. Of a known mistake that no
-// question sees, the tests know more than that judge: what was made of it, or is called so, may be
-// failed. REVIEWED is a file of what was looked at, a line each: EXERCISE | WHAT | PART OF THE
-// CHANGE | WHY. Anything else that is amiss fails, and so does a stem of which less than 90% is
-// said. -v lists what was said nothing of.
+// Each generated answer (mutate.c) is tested and diagnosed like a student's. Then another judge,
+// with its own questions (truth.h), decides whether it is wrong at all, and whether the name of its
+// mistake is true. A name is true if the mistake explains 19 of 20 questions that are answered
+// wrongly, and answers at most one in 20 of all questions differently. A hedged name is true if it
+// explains at least a third of the wrong answers, or of the wrong numbers in a picture, or of the
+// answers that are wrong by more than digits. If no question shows a known mistake, the tests know
+// more than that judge: an answer that was made from this mistake, or has its name, may fail.
+// REVIEWED is a file of reviewed cases, a line each: EXERCISE | WHAT | PART OF THE CHANGE | WHY.
+// Any other false verdict is a failure, and so is a stem of which less than 90% is named or
+// described. -v lists the answers without a name or description.
 #include "tests/proof/generated/generated.h"
 #include "tests/proof/generated/guard.h"
 #include "tests/proof/generated/truth.h"
@@ -31,11 +31,11 @@
 
 enum { MOST_SECONDS = 5 };
 
-// What became of one, told by the process that tried it.
+// The result of one, from the process that tried it.
 typedef struct {
-    bool done, passed, broke; // broke: it crashed, or came to no end
+    bool done, passed, broke; // broke: it crashed or timed out
     Truth truth;
-    int question; // of which it was wrong
+    int question; // that it answered wrongly
     bool named, in_part, described, picture, unseen;
     Likeness likeness;
     char test[120], id[100], law[300], words[400];
@@ -46,7 +46,7 @@ typedef struct {
     int survived, reviewed;
 } Count;
 
-static Trial *trial; // shared with who tries
+static Trial *trial; // shared with the process that tries
 static Count total;
 
 static const Outcome *first_failed(const Outcomes *outcomes)
@@ -92,7 +92,7 @@ static void judge(const Generated *it)
         truth_words(trial->words, sizeof trial->words, it->answer, trial->likeness.question_apart);
 }
 
-// Whether it was made of a known mistake that is right wherever a question goes.
+// Whether it was made from a known mistake that answers all questions right.
 static bool is_of_unseen(const Generated *it)
 {
     const Mistake *const *mistakes = chosen_mistakes();
@@ -161,7 +161,7 @@ static void show(const char *what, const Generated *it)
     printf("%s%s\n", trial->words[0] != '\0' ? "; " : "", trial->words);
 }
 
-// ---- what was looked at -------------------------------------------------------------------------
+// ---- reviewed cases --------------------------------------------------------------------------
 
 enum { MOST_REVIEWS = 100 };
 
@@ -231,7 +231,7 @@ static void count_one(Count *count, const Generated *it, bool verbose)
     count->named += wrong && trial->named;
     count->described += wrong && !trial->named && (trial->described || trial->broke);
     if (verbose && wrong && !trial->named && !trial->described && !trial->broke)
-        show("  nothing said", it);
+        show("  not described", it);
 }
 
 static void print_count(const char *what, const Count *c)
@@ -258,7 +258,7 @@ static void add(const Count *c)
     total.reviewed += c->reviewed;
 }
 
-// False where something is amiss that nobody has reviewed.
+// False if a verdict is false and nobody has reviewed it.
 static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose)
 {
     Count count = {0};

@@ -1,10 +1,10 @@
-// mutate.c - writes wrong answers that nobody has thought of: C, a line each.
+// mutate.c - writes wrong answers in C, a line each.
 //
 //   PROGRAM SEED MOST ERRORS PREPROCESSED...
 //
-// From each answer of the sources (a solution, a mistake, a right answer written otherwise) one
-// slip of the pen, or two. Of each exercise MOST are taken at random, the solution's own slips
-// first. ERRORS is what the compiler said of an earlier output: lines that it names are left out.
+// From each answer of the sources (a solution, a mistake, a variant of the right answer) with one
+// or two slips. At most MOST of each exercise, chosen at random, the solution's own slips first.
+// ERRORS is the compiler's output about an earlier result: lines that it names are left out.
 #include "tests/proof/generated/write_mutants.h"
 
 #include <stdint.h>
@@ -31,7 +31,7 @@ static uint64_t random_below(uint64_t limit)
 
 // ---- choosing -----------------------------------------------------------------------------------
 
-// Of the answer and its helpers; another exercise that it calls has tests of its own.
+// Slips in the answer and its helpers; another exercise that it calls has tests of its own.
 static Slips *slips_of_entry(int number, const Entry *entry)
 {
     static Slips slips;
@@ -59,8 +59,8 @@ static bool overlap(const Slip *one, const Slip *two)
     return one->item == two->item && one->from < two->to && two->from < one->to;
 }
 
-// Of the solution all single slips, as far as there is room, and a third as many pairs; of each
-// other answer its share.
+// All single slips of the solution, as far as there is room, and a third as many pairs; a share for
+// each other answer.
 static void choose_from(int number, int entry, int wanted)
 {
     Slips *slips = slips_of_entry(number, &sources[number]->entries[entry]);
@@ -138,7 +138,7 @@ static void read_errors(const char *path)
     fclose(file);
 }
 
-// Half of the room of an exercise is the solution's, the rest is shared by the other answers.
+// The solution gets half of the room of an exercise; the other answers share the rest.
 static void choose_all(int most)
 {
     for (int s = 0; s < source_count; s++)

@@ -119,7 +119,7 @@ void point_into(Question *q)
     q->scene.lights = q->lights + 1;
 }
 
-// Of twins both.
+// Both of two equal spheres.
 static void nudge_scene(Question *q)
 {
     bool twins = q->spheres[1].radius == q->spheres[2].radius;

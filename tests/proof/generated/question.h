@@ -1,8 +1,8 @@
 // question.h - an exercise asked with random arguments, and its answer as plain numbers.
 //
-// A judge beside the tests: its own random numbers, its own way to tell whether two answers are the
-// same. What is asked is what the contracts allow, and a little of all that is special: inside,
-// behind, just touching, portrait, one pixel wide, saturated, any size of the world.
+// A judge besides the tests: its own random numbers, its own way to compare two answers. The
+// questions are those that the contracts allow, with a few of each special case: inside, behind,
+// just touching, portrait, one pixel wide, saturated, any size of the world.
 #ifndef TESTS_GENERATED_QUESTION_H
 #define TESTS_GENERATED_QUESTION_H
 
@@ -20,9 +20,9 @@ enum { MOST_NUMBERS = 640, MOST_SPHERES = 8, MOST_LIGHTS = 5, MOST_PIXELS = 140 
 
 // The arguments of any exercise; each takes its own.
 typedef struct {
-    double size; // of the world: what lengths are measured by
-    bool edge;   // a knife edge, where the last digit decides
-    bool exact;  // what is special in it is meant: the last digits are not to be touched
+    double size; // of the world: the unit of lengths
+    bool edge;   // the last digit decides
+    bool exact;  // a special case: its last digits must not be changed
     Camera camera;
     Corners corners;
     vec3 eye, lower_left, across, up;
@@ -51,7 +51,7 @@ typedef struct {
 } Question;
 
 typedef struct {
-    int count; // 0: it crashed, or did not come to an end
+    int count; // 0: it crashed or timed out
     double number[MOST_NUMBERS];
     double tolerance[MOST_NUMBERS];
 } Answer;
@@ -62,7 +62,7 @@ typedef struct {
     int questions; // how many are enough
     void (*draw)(Question *question);
     void (*ask)(AnyFunction *answer, Question *question, Answer *said);
-    // Where the contract leaves a choice: whether yours is right, too. NULL: no choice.
+    // If the contract leaves a choice: whether yours is also right. NULL: no choice.
     bool (*is_right)(const Question *question, const Answer *yours, const Answer *right);
 } Subject;
 
@@ -82,8 +82,8 @@ vec3 draw_color(void); // now and then black, white, one colour only
 Camera draw_camera(double size);
 Sphere draw_sphere(double size, vec3 near);
 
-// What the scene points to lies in the question itself, wherever that is; behind the first, so
-// that who counts from one too few finds something, too.
+// Sets the scene's pointers to the arrays in the question itself, after their first element, so
+// that an answer that starts one too early also finds something.
 void point_into(Question *question);
 
 // The same question, but for the last digits of its numbers.

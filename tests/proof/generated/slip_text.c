@@ -16,7 +16,7 @@ void pen_begin(const Source *of, int function, Slips *into)
     slips = into;
 }
 
-// Beyond the function everything has ended.
+// After the end of the function, everything has ended.
 static bool is_inside(int i)
 {
     return i >= source->items[item].from && i < source->items[item].to;
@@ -121,9 +121,9 @@ int end_of_condition(int i, int way)
     return i;
 }
 
-// ---- what becomes of it -------------------------------------------------------------------------
+// ---- writing slips ---------------------------------------------------------------------------
 
-// Tokens from..to, parted by blanks.
+// Tokens from..to, separated by blanks.
 const char *words_of(int from, int to)
 {
     static char ring[4][SLIP_TEXT];

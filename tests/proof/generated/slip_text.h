@@ -22,10 +22,10 @@ int start_of_term(int end);
 // One side of && or ||, or one argument; way is 1 or -1.
 int end_of_condition(int i, int way);
 
-// Tokens from..to, parted by blanks; good until a few calls later.
+// Tokens from..to, separated by blanks; valid until a few calls later.
 const char *words_of(int from, int to);
 
-// These tokens become that.
+// These tokens are replaced by that text.
 void slip(int from, int to, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 // Whether the function has a variable of this name and this type; after find_variables.

@@ -1,8 +1,8 @@
-// slips.c - every slip of the pen in a function.
+// slips.c - every possible slip in a function.
 //
-// Operators, signs, constants, fields, names and arguments are taken for others, terms and
-// statements left out, operands swapped. Tokens are all that is looked at: what is no C in the end
-// is for the compiler to find.
+// Operators, signs, constants, fields, names and arguments are replaced by others, terms and
+// statements left out, operands swapped. Only tokens are looked at: the compiler finds the results
+// that are not C.
 #include "tests/proof/generated/slip_text.h"
 
 #include <stdio.h>
@@ -132,7 +132,7 @@ static bool is_real(int from, int to)
            (is_one_of(to - 1, " width height ") && !is_one_of(to - 3, " screen size "));
 }
 
-// Where a value begins: another sign, another precision, another length.
+// At the beginning of a value: another sign, another precision, another length.
 static void value(int i)
 {
     bool begins = !ends_value(i - 1) && !is(i - 1, ".") && !is(i - 1, "->") && !is(i - 1, "-");

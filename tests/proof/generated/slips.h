@@ -1,4 +1,4 @@
-// slips.h - every slip of the pen in a function: tokens from..to become another text.
+// slips.h - every possible slip in a function: tokens from..to become another text.
 #ifndef TESTS_GENERATED_SLIPS_H
 #define TESTS_GENERATED_SLIPS_H
 

@@ -1,4 +1,4 @@
-// source.c - preprocessed C as tokens, and what stands at its top level.
+// source.c - preprocessed C as tokens, and the items at its top level.
 #include "tests/proof/generated/source.h"
 
 #include <ctype.h>
@@ -8,13 +8,13 @@
 
 #define REFERENCE "reference_"
 
-// What the preprocessor leaves of the place: # LINE "FILE" ...
+// The preprocessor's line markers: # LINE "FILE" ...
 typedef struct {
     int line;
     bool wanted;
 } Place;
 
-// The solutions, and of a stem the known mistakes and the right answers written otherwise.
+// The solutions, and a stem's known mistakes and variants of the right answer.
 static bool is_answer(const char *path)
 {
     const char *name = strrchr(path, '/');
@@ -116,7 +116,7 @@ int item_named(const Source *source, const char *name)
     return -1;
 }
 
-// Of a function what stands before its (, of a table or a type the last name before [, = or ;.
+// The name before the ( of a function; the last name before [, = or ; of a table or a type.
 static const char *name_of(const Source *source, int from, int to)
 {
     const char *name = "";

@@ -1,4 +1,4 @@
-// source.h - preprocessed C as tokens, and what stands at its top level.
+// source.h - preprocessed C as tokens, and the items at its top level.
 #ifndef TESTS_GENERATED_SOURCE_H
 #define TESTS_GENERATED_SOURCE_H
 
@@ -10,18 +10,18 @@ typedef struct {
     char *text;
     Kind kind;
     int line;
-    int item; // what it names at the top level of its source; -1 where nothing
+    int item; // the item at the top level of its source that it names; or -1
 } Token;
 
 // A function, a declaration or a table: its tokens, and its name.
 typedef struct {
     const char *name;
-    int from, body, to; // body: its {, or 0 where it is no function
+    int from, body, to; // body: its {, or 0 if it is not a function
 } Item;
 
 enum { MOST_TOKENS = 40000, MOST_ITEMS = 800, MOST_ENTRIES = 200 };
 
-// An answer that the source has: a solution, a mistake or a right answer written otherwise.
+// An answer of the source: a solution, a mistake or a variant of the right answer.
 typedef struct {
     char exercise[64], label[100];
     int item;
@@ -38,15 +38,15 @@ typedef struct {
     bool reaches[MOST_ITEMS][MOST_ITEMS]; // calls, or is, directly or through others
 } Source;
 
-// Reads what the preprocessor made. What does not stand in the folders of answers is left out.
+// Reads the preprocessor's output. Code from outside the folders of answers is left out.
 void source_read(Source *source, const char *preprocessed);
 
 bool token_is(const Source *source, int i, const char *text);
 
-// Of an opening bracket the closing one, or the other way round.
+// The closing bracket of an opening one, or the other way round.
 int matching(const Source *source, int i);
 
-// What has this name at the top level; -1 where nothing.
+// The item of this name at the top level; or -1.
 int item_named(const Source *source, const char *name);
 
 #endif

@@ -1,4 +1,4 @@
-// truth.c - what is true of an answer, whatever the tests say.
+// truth.c - whether an answer is right, independent of the tests.
 #include "tests/proof/generated/truth.h"
 
 #include "tests/proof/generated/guard.h"
@@ -11,7 +11,7 @@ enum { MOST_QUESTIONS = 4000, DIGITS = 100000 };
 
 static const Subject *subject;
 static AnyFunction *reference;
-static Question *questions; // with what they hold of scenes
+static Question *questions; // with the arrays of their scenes
 static Answer *right;
 
 static const Subject *subject_of(const char *exercise)
@@ -25,7 +25,7 @@ static const Subject *subject_of(const char *exercise)
     return NULL;
 }
 
-// What a scene points to lies in its question, wherever that is now.
+// The pointers of a scene lead into its question, wherever that is now.
 static void ask(AnyFunction *answer, const Question *question, Answer *said)
 {
     static Question asked;
@@ -55,7 +55,7 @@ bool truth_begin(const char *exercise, AnyFunction *answer, uint64_t seed)
     return true;
 }
 
-// To so many times the tolerance.
+// Within a multiple of the tolerance.
 static bool agree_to(double times, const Answer *a, const Answer *b)
 {
     if (a->count != b->count)
@@ -75,7 +75,7 @@ static bool agree(const Answer *a, const Answer *b)
     return agree_to(1, a, b);
 }
 
-// Whether what this function says changes where only the last digits of the question do.
+// Whether the result of this function changes if only the last digits of the question change.
 static bool is_shaky(AnyFunction *answer, const Question *question, const Answer *said)
 {
     static Answer other;
@@ -138,7 +138,7 @@ static bool is_camera_form(void)
     return strncmp(subject->exercise, "camera_from_", 12) == 0;
 }
 
-// Of pictures the pixels are counted.
+// The pixels of pictures are counted.
 static void count_numbers(Likeness *it, const Answer *yours, const Answer *theirs, const Answer *so)
 {
     for (int i = 0; i < yours->count && yours->count == theirs->count && yours->count == so->count;
@@ -150,14 +150,15 @@ static void count_numbers(Likeness *it, const Answer *yours, const Answer *their
     }
 }
 
-// Of several reasons any may be looked for first.
+// If there are several reasons, any of them may be checked first.
 static bool both_refuse(const Answer *yours, const Answer *theirs)
 {
     return is_camera_form() && yours->number[0] != CAMERA_OK && theirs->number[0] != CAMERA_OK;
 }
 
-// What changes with the last digits of the question, as what was never set does, speaks neither
-// for a mistake nor against it; nor does what the contract leaves free.
+// A result that changes with the last digits of the question, for example a variable that was never
+// set, is evidence neither for a mistake nor against it; nor is a result that the contract leaves
+// free.
 Likeness likeness(AnyFunction *answer, AnyFunction *mistake)
 {
     static Answer yours, theirs;
@@ -181,7 +182,7 @@ Likeness likeness(AnyFunction *answer, AnyFunction *mistake)
     return it;
 }
 
-// For one reason here and for another there: who forgets both refuses for neither.
+// The two mistakes refuse for different reasons: an answer with both of them refuses for neither.
 static bool one_refuses_for_the_other(const Answer *one, const Answer *two)
 {
     return is_camera_form() && one->number[0] != two->number[0] && one->number[0] != CAMERA_OK &&

@@ -7,8 +7,8 @@
 Source *sources[MOST_SOURCES];
 int line = 1;
 
-// What stands at the top level of a source gets names of its own: _ and the source's number, or
-// where it is on the way to a slip _m and the mutant's.
+// Items at the top level of a source get names of their own: _ and the source's number, or _m and
+// the mutant's number if they are on the way to a slip.
 static void put_word(int number, const char *word, int item, const bool *copied, int mutant)
 {
     if (item >= 0 && copied != NULL && copied[item])
@@ -107,7 +107,7 @@ static bool is_of_a_table(const Source *source, const Item *item)
     return table;
 }
 
-// Everything of a source but its answers' tables: what its functions are, then the functions.
+// Everything of a source except its answers' tables: the declarations, then the functions.
 void put_source(int number)
 {
     const Source *source = sources[number];
@@ -131,7 +131,7 @@ static void put_quoted(const char *text)
         printf(strchr("\"\\", *text) != NULL ? "\\%c" : "%c", *text);
 }
 
-// The statement as it was, and what became of it.
+// The old statement, and the new one.
 static void put_slip(const Source *source, const Slip *slip)
 {
     printf("%s:%d: ", source->items[slip->item].name, source->tokens[slip->from].line);

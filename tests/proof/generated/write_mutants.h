@@ -9,14 +9,14 @@ enum { MOST_SOURCES = 60 };
 typedef struct {
     int source, entry;
     Slip one, two; // two.to is 0 where there is one
-    bool bad;      // it is no C
+    bool bad;      // it is not C
 } Mutant;
 
 extern Source *sources[MOST_SOURCES];
 extern int line; // that is written next
 
 void end_line(void);
-// Everything of a source but its answers' tables.
+// Everything of a source except its answers' tables.
 void put_source(int number);
 // The functions on the way from the answer to what was changed, in a line.
 void put_mutant(const Mutant *it, int mutant);
