@@ -2,9 +2,8 @@
 //
 //   course judge PLAN STEM...      judges what has changed since it was judged last
 //   course show PLAN STEM...       shows the verdicts; draws pictures
-//   course exercises PLAN STEM...  both. Exit status 1 if something is wrong; with QUIET_MAKE in
-//   the
-//                                  environment, make stops without an error message of its own
+//   course exercises PLAN STEM...  both. Exit status 1 if something is wrong; if QUIET_MAKE is
+//                                  set, make stops without an error message of its own
 //   course watch PLAN STEM...      both, again whenever an answer is saved
 //   course hint PLAN STEM          one hint more
 //   course debug PLAN STEM PROGRAM gdb at the call that failed
