@@ -120,7 +120,8 @@ START_TEST(a_sphere_behind_the_eye_has_no_rectangle)
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
         Resolution screen = random_screen(2, 900);
-        double radius = random_number(0.2, 3), behind = radius * random_number(1.1, 5);
+        double radius = random_number(0.2, 3),
+               behind = radius * random_number(1.001, i % 2 == 0 ? 1.2 : 5);
         double aside = random_number(-2, 2), up = random_number(-2, 2);
         expect_rectangle(c, screen, sphere_at(c, aside, up, -behind, radius),
                          (ScreenRectangle){0, 0, 0, 0});
@@ -236,6 +237,26 @@ START_TEST(the_edges_are_where_the_angles_of_the_tangents_say)
 }
 END_TEST
 
+// Its edge is up to three pixels inside the screen, or up to one outside: on each of the four
+// sides.
+START_TEST(a_sphere_whose_edge_is_within_a_pixel_or_two_of_the_screens)
+{
+    for (int i = 0; i < 40; i++) {
+        Camera c = camera_of_45_degrees();
+        Resolution screen = random_screen(100, 900);
+        int across = i % 4 < 2 ? screen.width : screen.height;
+        double edge = 2 * random_number(i < 20 ? -0.95 : 0.05, i < 20 ? 0.95 : 3) / across - 1;
+        double around = random_number(0.05, 0.4), away = random_number(2, 9);
+        double middle = atan(edge) - around, side = i % 2 == 0 ? 1 : -1;
+        double aside = side * away * sin(middle), ahead = away * cos(middle);
+        Sphere sphere =
+            sphere_at(c, i % 4 < 2 ? aside : 0, i % 4 < 2 ? 0 : aside, ahead, away * sin(around));
+        if (ahead > 1.05 * sphere.radius)
+            expect_rectangle(c, screen, sphere, rectangle_by_angles(c, screen, sphere));
+    }
+}
+END_TEST
+
 START_TEST(worlds_of_any_size_have_the_same_rectangles)
 {
     enum { COUNT = 26 };
@@ -335,6 +356,7 @@ static void list_tests(void)
     test(a_sphere_larger_than_the_screen_covers_it);
     test(a_sphere_beside_the_screen_has_no_rectangle);
     test(the_edges_are_where_the_angles_of_the_tangents_say);
+    test(a_sphere_whose_edge_is_within_a_pixel_or_two_of_the_screens);
     test(worlds_of_any_size_have_the_same_rectangles);
     test(every_point_of_the_outline_is_in_the_rectangle_and_the_outermost_are_on_its_edges);
     test(no_pixel_outside_of_the_rectangle_shows_the_sphere);

@@ -27,26 +27,61 @@ static bool in_order(const char *low, double from, const char *high, double to, 
     return false;
 }
 
+// One edge: m is aside for each 1 ahead there, and inside is 1 if the sphere is on the side of
+// larger m, or else -1. Its plane through the eye has to touch the sphere; at the edge of the
+// screen it may cut it.
+static bool touches(const char *edge, double m, double inside, bool cut_off, double aside,
+                    double ahead, double r, double pixel)
+{
+    double slant = sqrt(1 + m * m), distance = inside * (aside - m * ahead) / slant;
+    double tolerance = 1e-7 * r + noise * pixel * ahead;
+    if (distance <= r + tolerance && (cut_off || distance >= r - tolerance))
+        return true;
+    law_broken(
+        "the plane through the eye and your %s edge passes %s from the centre of the sphere; "
+        "its radius is %s",
+        edge, number_text(distance).s, number_text(r).s);
+    return false;
+}
+
+// Beside the screen: on the outer side of the plane through one of its edges.
+static bool is_beside(double m, double aside, double ahead, double r)
+{
+    return (fabs(aside) - m * ahead) / sqrt(1 + m * m) >= 0.999999 * r;
+}
+
 void law_sphere_rectangle(ScreenRectangle yours, Camera camera, Resolution screen, Sphere sphere)
 {
+    double w = screen.width, h = screen.height, r = sphere.radius;
     if (!in_order("left", yours.left, "right", yours.right, "width", screen.width) ||
         !in_order("top", yours.top, "bottom", yours.bottom, "height", screen.height))
         return;
     vec3 c = sphere.center - camera.origin;
-    double ahead = vec3_dot(c, camera.forward);
-    if (ahead < 1.01 * sphere.radius)
+    double ahead = vec3_dot(c, camera.forward), x = vec3_dot(c, camera.right);
+    double y = vec3_dot(c, camera.up);
+    bool empty = yours.right <= noise && yours.bottom <= noise;
+    bool all = yours.left <= noise && yours.right >= w - noise && yours.top <= noise &&
+               yours.bottom >= h - noise;
+    if (ahead < -1.000001 * r && !empty)
+        law_broken("all of the sphere is behind the eye, and your rectangle is not empty");
+    if (fabs(ahead) < 0.999999 * r && !all)
+        law_broken("the eye is inside the sphere or beside it, and your rectangle is not the whole "
+                   "screen");
+    if (ahead < 1.01 * r)
         return;
-    double x = 0.5 + vec3_dot(c, camera.right) / ahead * camera.distance / camera.width;
-    double y = 0.5 - vec3_dot(c, camera.up) / ahead * camera.distance / camera.height;
-    x *= screen.width;
-    y *= screen.height;
-    if (x < 0 || x > screen.width || y < 0 || y > screen.height)
+    double half_x = camera.width / 2 / camera.distance,
+           half_y = camera.height / 2 / camera.distance;
+    if (empty) {
+        if (!is_beside(half_x, x, ahead, r) && !is_beside(half_y, y, ahead, r))
+            law_broken("your rectangle is empty, and the sphere reaches into the screen");
         return;
-    if (x < yours.left - noise || x > yours.right + noise || y < yours.top - noise ||
-        y > yours.bottom + noise)
-        law_broken(
-            "the centre of the sphere is seen at %s, and your rectangle (x %s to %s, y %s to "
-            "%s) does not contain it",
-            pair_text(x, y).s, number_text(yours.left).s, number_text(yours.right).s,
-            number_text(yours.top).s, number_text(yours.bottom).s);
+    }
+    double across = 2 * half_x / w, up = 2 * half_y / h; // of one pixel
+    (void)(touches("left", (yours.left - w / 2) * across, 1, yours.left <= noise, x, ahead, r,
+                   across) &&
+           touches("right", (yours.right - w / 2) * across, -1, yours.right >= w - noise, x, ahead,
+                   r, across) &&
+           touches("top", (h / 2 - yours.top) * up, -1, yours.top <= noise, y, ahead, r, up) &&
+           touches("bottom", (h / 2 - yours.bottom) * up, 1, yours.bottom >= h - noise, y, ahead, r,
+                   up));
 }

@@ -30,11 +30,31 @@ START_TEST(spheres_near_the_middle)
 }
 END_TEST
 
+// Within three pixels of the left, the right, the upper or the lower edge of the screen.
+START_TEST(spheres_that_only_just_reach_the_screen)
+{
+    for (int i = 0; i < 80; i++) {
+        Camera camera = random_camera();
+        Resolution screen = random_screen(20, 900);
+        bool across = i % 4 < 2;
+        double half = (across ? camera.width : camera.height) / 2 / camera.distance;
+        double pixels = across ? screen.width : screen.height;
+        double around = random_number(0.05, 0.2), away = random_number(2, 9);
+        double middle = atan(half * (random_number(0, 3) / pixels - 1)) - around;
+        double aside = (i % 2 == 0 ? 1 : -1) * away * sin(middle), ahead = away * cos(middle);
+        vec3 to = ahead * camera.forward + aside * (across ? camera.right : camera.up);
+        if (ahead > 0.3 * away)
+            sphere_rectangle(camera, screen, (Sphere){camera.origin + to, away * sin(around), 0});
+    }
+}
+END_TEST
+
 static void list_probes(void)
 {
     tests_of("sphere_rectangle");
     test(any_sphere_anywhere);
     test(spheres_near_the_middle);
+    test(spheres_that_only_just_reach_the_screen);
 }
 
 OF_STEM(list_probes)

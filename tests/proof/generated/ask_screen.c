@@ -116,6 +116,21 @@ static void ask_ray(AnyFunction *answer, Question *q, Answer *said)
 
 // ---- 08-fast ------------------------------------------------------------------------------------
 
+// Its rectangle ends within a pixel or two of an edge of the screen, inside or outside.
+static void draw_at_edge(Question *q, double r)
+{
+    Camera c = q->camera;
+    bool across = draw_one_in(2);
+    double half = (across ? c.width : c.height) / 2 / c.distance;
+    double pixels = across ? q->screen.width : q->screen.height, around = draw(0.05, 0.4);
+    double middle = atan(half * (draw(-3, 3) / pixels - 1)) - around, away = r / sin(around);
+    if (cos(middle) < 1.05 * sin(around))
+        return;
+    double aside = away * sin(middle) * (draw_one_in(2) ? 1 : -1);
+    q->sphere.center =
+        c.origin + away * cos(middle) * c.forward + aside * (across ? c.right : c.up);
+}
+
 // In front of the camera, most of them on the screen; around the eye, beside it and behind it.
 static void draw_rectangle(Question *q)
 {
@@ -129,6 +144,8 @@ static void draw_rectangle(Question *q)
     vec3 aside = reach * draw(-1, 1) * q->camera.width * q->camera.right +
                  reach * draw(-1, 1) * q->camera.height * q->camera.up;
     q->sphere = (Sphere){q->camera.origin + ahead * q->camera.forward + aside, r, 0};
+    if (draw_one_in(4))
+        draw_at_edge(q, r);
 }
 
 static void ask_rectangle(AnyFunction *answer, Question *q, Answer *said)
