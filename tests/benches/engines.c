@@ -99,8 +99,9 @@ static int different(const Work *mine, const Image *expected, bool peer)
 
 // ---- one engine, one number of threads -------------------------------------------------------
 
-// By trying small pictures: the largest that takes not too long, where all take a fixed time and
-// each ray as much. What is fixed shows in the second only, which may take as long as all rounds.
+// Tries small pictures to find the largest that does not take too long, assuming one fixed time for
+// all pictures and one time for each ray. Only the second picture shows the fixed time, so it may
+// take as long as all rounds.
 static Resolution size_for(const Engine *engine, const Scene *scene, const Plan *plan, int threads)
 {
     Resolution size = plan->size, smaller;

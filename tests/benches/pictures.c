@@ -1,8 +1,8 @@
 // pictures.c - how long writing a PNG takes, and how large it is, by libpng's settings.
 //
 // Usage: pictures FILE.png...: each is written again, in memory, with each setting; milliseconds of
-// the processor's time, the median of 5, and bytes. As red, green and blue, and, where it has few
-// colours, by palette. The settings of common/image_png.c were chosen by these numbers.
+// the processor's time, the median of 5, and bytes. As red, green and blue, and with a palette if
+// it has few colours. The settings of common/image_png.c were chosen by these numbers.
 #include <png.h>
 #include <stdint.h>
 #include <stdio.h>

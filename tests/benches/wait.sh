@@ -4,7 +4,7 @@
 # Chapter 08's program; with PEERS=1 also POV-Ray, Tachyon and an Embree program. They take turns;
 # the pictures are compared first. The scene is given to POV-Ray and to Tachyon in their own
 # languages. Usage: wait.sh SCENE.nff; in the environment PROGRAMS and BUILD from the Makefile,
-# ROUNDS (7), THREADS ('1 2'), ENGINE (auto, where it is there).
+# ROUNDS (7), THREADS ('1 2'), ENGINE (auto, if it exists).
 set -u
 scene=$1
 width=1920

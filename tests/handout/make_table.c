@@ -1,8 +1,8 @@
 // make_table.c - makes the table of a stem from its tests, the reference and the mistakes.
 //
-//   make_table STEM FILE
-//   make_table STEM --formulas    prints the formulas of the mistakes, a line each: a handout must
-//                                 not contain them
+//   tell STEM FILE
+//   tell STEM --formulas    prints the formulas of the mistakes, a line each: a handout must not
+//                           contain them
 //
 // First each test runs as it is, and its calls are written down. Then it runs again and again with
 // one result changed a little, to find out which other results it accepts: the table is as strict

@@ -2,9 +2,9 @@
 //
 // The same size and the same decoded 8-bit RGB, however each was encoded. Exit status 0 if they
 // are the same, 1 with the first difference if not, 2 if one cannot be read. ONE.png OTHER.png
-// PIXELS: so many may differ; with MEAN, by more than 1, and all by at most so much on average.
-// --blocks MOST: the means of each 8 x 8 pixels differ by at most so much, as for a picture that
-// was given a palette.
+// PIXELS: the number of pixels that may differ; with MEAN, by more than 1, and all by at most so
+// much on average. --blocks MOST: the means of each 8 x 8 pixels differ by at most so much, as for
+// a picture that was given a palette.
 #include <math.h>
 #include <png.h>
 #include <stdbool.h>

@@ -3,7 +3,7 @@
 #
 # For each suite of Debian: a bare system (debootstrap --variant=minbase) with git, make, gcc and libc6-dev,
 # a clone of the last commit in it, 'make setup all', 'make check'. Needs root, debootstrap and the network,
-# 2 GB of disk and half an hour for each; for that reason no other test runs it. What was said is kept in
+# 2 GB of disk and half an hour for each; for that reason no other test runs it. The output is kept in
 # build/fresh/SUITE.log. MIRROR: where the packages are from; CACHE: a folder that keeps them for the next time.
 # shellcheck disable=SC2317 # the functions are called by step
 # Usage: tests/proof/by_hand/fresh.sh [bookworm trixie ...]

@@ -185,7 +185,7 @@ static int reason(bool holds, CameraFault fault)
 }
 
 // By the places of the corners, relative to their distances. Only if the camera was refused. A line
-// is not a rectangle either, and an eye in the plane is not straight behind its middle.
+// is not a rectangle either, and an eye in the plane is not opposite its middle.
 static int reasons_of(vec3 upper_left, vec3 upper_right, vec3 lower_left, vec3 lower_right)
 {
     vec3 middle = (upper_left + upper_right + lower_left + lower_right) / 4;
