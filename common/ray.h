@@ -30,7 +30,7 @@ static inline Ray ray_to_plane(Ray ray, Camera camera)
 // The nearest of many spheres.
 typedef struct {
     double t;   // where along the ray, > 0; NO_HIT if nothing is hit
-    int sphere; // its index; -1 if nothing is hit
+    int sphere; // its index, or -1 for none
 } Hit;
 
 #endif

@@ -12,7 +12,8 @@
 #define PI 3.14159265358979323846 // C11 has no M_PI
 
 // Traps:
-// - a fourth double fills the 32 bytes. It is nobody's: never compare, hash or print it;
+// - a fourth double fills the 32 bytes, and is not part of the vector: never compare, hash or
+//   print it;
 // - v * w is the product component by component (good for colours); for v . w write vec3_dot;
 // - v + 1 compiles, and adds 1 to every component; it is hardly ever what you mean;
 // - v[0] has no address: write  v[0] = x,  never  &v[0].

@@ -99,7 +99,8 @@ static bool is_settled(CameraFault yours, int sure, int may, Contract contract)
                    "each of the reasons of this contract? They are %s",
                    contract.reasons);
     else if (yours != CAMERA_OK && may == 0)
-        law_broken("you refused it ('%s'), but %s%s", camera_fault_text(yours), contract.what_it_is,
+        law_broken("you refused it ('%s'), although %s%s", camera_fault_text(yours),
+                   contract.what_it_is,
                    yours <= CAMERA_NOT_PERPENDICULAR ? ": your frame is wrong" : "");
     else if ((yours == CAMERA_NOT_UNIT || yours == CAMERA_NOT_PERPENDICULAR) &&
              (may >> yours & 1) == 0)
