@@ -47,7 +47,7 @@ static void at_right_angles(const char *names, vec3 v, vec3 w)
                    number_text(vec3_dot(v, w)).s);
 }
 
-// What holds for every camera, and where this one must be.
+// The laws of every camera, and the place of this one.
 static void frame_from(vec3 eye, Camera c)
 {
     if (camera_check(c) == CAMERA_NOT_FINITE)
@@ -81,7 +81,7 @@ static const Contract of_look_at = {
     "the view has a direction, an up, a width and an aspect",
     "CAMERA_NO_DIRECTION, _UP_ALONG_VIEW, _NO_WIDTH, _NO_HEIGHT, _NOT_FINITE"};
 
-// Whether the camera must be refused; if so, nothing else is said. Sure are the reasons that hold
+// Whether the camera must be refused; if so, no other law is named. Sure are the reasons that hold
 // without a doubt; those that may be given are more. All reasons of the contract are listed
 // together, so that nobody learns of them one at a time.
 static bool is_settled(CameraFault yours, int sure, int may, Contract contract)

@@ -1,11 +1,11 @@
 #!/bin/sh
-# answer_pictures.sh - the pictures that a student's answers draw before all is right, what is said of
+# answer_pictures.sh - the pictures that a student's answers draw before all is right, the words about
 # them, and how far all chapters are.
 set -u
 . tests/house/runner/library.sh
 
 answers=$scratch/answers
-export NO_COLOR=1 COLUMNS=400 # what is said of a picture is a line
+export NO_COLOR=1 COLUMNS=400 # the words about a picture are one line
 so_far=build$answers/so-far
 judge() {
     make --no-print-directory exercises ANSWERS="$answers" "$@" >"$scratch/said" 2>&1
@@ -45,7 +45,7 @@ check 'and none of all functions is right' says 'all chapters     0 of '
 answered 01-corners
 judge EX=01
 check 'after 01 there are spheres' test -s "$so_far/01-spheres.png"
-check 'where is said' says "picture    $so_far/01-spheres.png"
+check 'its place is printed' says "picture    $so_far/01-spheres.png"
 check 'and what is theirs' says 'Yours: image_plane_vector. Given, from the reference: the colour seen in each direction.'
 check 'and the chapter has its own picture' says "drawn by your own code: build$answers/gallery/01-corners.png"
 check 'those that are right are counted' says 'all chapters     5 of '
@@ -71,12 +71,12 @@ answered
 sed 's/(s - 0.5)/(0.5 - s)/' solutions/01-corners.c >"$answers/01-corners.c"
 judge EX=01
 check 'a wrong answer draws its picture' differ 01-spheres "$scratch/right.png"
-check 'and it is said that it is wrong' says 'Yours, not right yet: image_plane_vector.'
+check 'and the words say that it is wrong' says 'Yours, not right yet: image_plane_vector.'
 check 'once' [ "$(grep -c so-far "$scratch/said")" -eq 1 ]
 
 answered 02-cameras
 judge EX=02
-check 'without 01 the reference takes its place, and that is said' says 'Yours: camera_from_look_at. By the reference: image_plane_vector.'
+check 'without 01 the reference takes its place, and the words say so' says 'Yours: camera_from_look_at. By the reference: image_plane_vector.'
 check 'and the spheres are there' same 02-spheres "$scratch/right.png"
 
 answered
@@ -106,7 +106,7 @@ judge EX=08
 check 'wrong rectangles are drawn' differ 08-rectangles "$scratch/rectangles.png"
 
 # All is right: the deck's last slide now, and the picture of README.md by a command, because it takes
-# longer and this is no terminal.
+# longer and this is not a terminal.
 answered
 cp solutions/*.c "$answers"
 judge
@@ -118,7 +118,7 @@ finale_is_made() {
 }
 check 'which make knows' finale_is_made
 
-# What make starts between a saved right answer and its verdict with its pictures.
+# The programs that make starts between a saved right answer and its verdict with its pictures.
 starts_at_most() {
     answered 01-corners
     judge EX=01

@@ -138,7 +138,7 @@ decimal_comma 'in a struct' 03-screen 's|pixel.column + 0.5|pixel.column + 0,5|'
 decimal_comma 'in a declaration' 02-cameras 's|double distance = vec3_length(ahead)|double distance = 0,5|'
 decimal_comma 'given to pow' 07-shading 's|pow(color.0., 1 / gamma)|pow(color[0], 0,5 / gamma)|'
 broken 05-quadratic 's|vec3_dot(p, p) - radius|vec3_dot(p, p, vec3_of(0,5,1)) - radius|'
-check 'three arguments without blanks are no decimal comma' says_not 'two numbers'
+check 'three arguments without spaces are not a decimal comma' says_not 'two numbers'
 
 # ---- semicolons and braces that say something else ----------------------------------------------
 

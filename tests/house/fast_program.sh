@@ -47,7 +47,7 @@ says_who_casts() {
     "$programs/08-fast" --engine bins -o "$scratch/fast.png" "$scratch/extreme.nff" 2>"$scratch/said" &&
         says 'bins: the scene has extreme numbers (see --help), so plain casts it'
 }
-check 'and it is said who casts it' says_who_casts
+check 'and the engine is named' says_who_casts
 
 # The lesson's commands draw their pictures, in another folder. make is left out: it would build in this
 # tree, with the user's answers; tests/proof/finale.sh tests that picture.

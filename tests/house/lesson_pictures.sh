@@ -3,7 +3,7 @@
 set -u
 . tests/house/runner/library.sh
 
-# Another machine's pow may round light otherwise.
+# The pow of another machine may round light differently.
 allowed_in() {
     case $1 in 0?-spheres.png | 07-*.png | still-something-missing.png) echo 100 ;; *) echo 0 ;; esac
 }

@@ -90,7 +90,7 @@ check 'nor another renderer' refuses 'export' 2 --export blender -o x "$three"
 check 'an export wants a file' refuses '-o FILE' 2 --export pov "$three"
 check 'nor is less than no light' refuses 'ambient' 2 --ambient -3 "$three"
 check 'nor a sun without a direction' refuses 'sun' 2 --sun 0,0,0 "$three"
-check 'the terms that there are are said' refuses 'ambient, diffuse' 2 --term glossy "$three"
+check 'the existing terms are listed' refuses 'ambient, diffuse' 2 --term glossy "$three"
 check 'two scenes are one too many' refuses '2 scenes' 2 "$three" "$three"
 check 'a missing scene is reported' refuses 'cannot be read' 1 -o "$scratch/x.png" none.nff
 check 'a full disk is reported, and nothing is left' refuses 'written' 1 --export pov -o /dev/full "$three"

@@ -223,7 +223,7 @@ static void check_by_heart(const char *function, const char *seed)
         table_recite(garbage == 0 ? 0x00 : 0xff);
         settle(run(function, &some, false) > 0, "a table of the public inputs is enough for",
                function, seed);
-        settle(!told, "hidden inputs may be told:", function, seed);
+        settle(!told, "hidden inputs may be shown:", function, seed);
     }
 }
 

@@ -29,7 +29,7 @@ SECTION = "// ---- "
 
 @dataclass
 class Expected:
-    """What must come of one submission. Functions have names that no two chapters share."""
+    """The required result of one submission. Functions have names that no two chapters share."""
     statuses: set
     earns: set = field(default_factory=set)
     perhaps: set = field(default_factory=set)
@@ -52,7 +52,7 @@ def by_stem(exercises: list[Exercise]) -> dict[str, dict[str, str]]:
 
 
 def head_of(text: str, where: str) -> dict[str, str]:
-    """KEY -> words. What is not understood is a mistake in the file."""
+    """KEY -> words. An unknown line is a mistake in the file."""
     head: dict = {}
     for line in text.splitlines()[1:]:
         match = re.match(r"// (\w+): (.+)", line)

@@ -1,5 +1,5 @@
-"""odd_files.py - the hostile submissions that are no single file of text: links, pipes, folders, and
-bytes that are no text.
+"""odd_files.py - the hostile submissions that are not a single text file: links, pipes, folders, and
+bytes that are not text.
 
 Each function makes one below the class's folder, from the honest answers (stem -> text), and returns
 what must come of it. The sentence above its body says what it tries.
@@ -158,7 +158,7 @@ def bombs_everywhere(room, honest, prototypes, places):
     return Expected({"does not compile", "timed out"})
 
 
-# ---- bytes that are no text ------------------------------------------------------------------------
+# ---- bytes that are not text -----------------------------------------------------------------------
 
 def raw(room, name: str, content: bytes) -> None:
     (folder(room, name) / CORNERS).write_bytes(content)
@@ -177,7 +177,7 @@ def empty_folder(room, honest, prototypes, places):
 
 
 def zero_bytes(room, honest, prototypes, places):
-    """NUL bytes in an answer, behind which readers of strings see nothing."""
+    """NUL bytes in an answer, after which readers of strings see nothing."""
     raw(room, "zero-bytes", honest["01-corners"].replace("\n\n", "\n// \0 \0\n\n").encode())
     return Expected({"graded", "does not compile"}, perhaps=set(prototypes["01-corners"]))
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from .cases import STATUSES, Expected
 
 PAID = {"right", "waiting"}
-# What a submission returns when it could do what it must not be able to.
+# A submission returns this if it could do something forbidden.
 TELL = re.compile(r"\(7777, [^)]*\)")
 ACTS = re.compile(rb"[\x00-\x08\x0b-\x0c\x0e-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xaa-\xae]")
 TIMES = {"seconds", "execution_time", "steps"}

@@ -38,7 +38,7 @@ def enter() -> bool:
 
 
 def adopt_orphans() -> None:
-    """What outlives its parent becomes a child of this process, where it is seen."""
+    """A process that outlives its parent becomes a child of this one, which sees it."""
     ctypes.CDLL(None, use_errno=True).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
 
 
@@ -100,7 +100,7 @@ def end_all() -> None:
 
 
 def run(command: list, folder: Path, environment: dict, seconds: float, log: Path) -> dict:
-    """What came of a command: its status (None: it took too long), words, and what it left running."""
+    """The result of a command: its status (None: it took too long), words, and the processes that it left."""
     began = time.monotonic()
     with open(log, "wb") as file:
         process = subprocess.Popen(command, cwd=folder, env=environment, stdin=subprocess.DEVNULL, stdout=file,

@@ -108,7 +108,7 @@ def only(parts: list, submissions: Path, wanted: dict, keep: set) -> dict:
 
 
 def left_behind(scratch: Path) -> list:
-    """What the attacks write where it should not be able to goes by one name."""
+    """The attacks use one name for every file that they should not be able to write."""
     return [path for place in ("/tmp", "/var/tmp", "/dev/shm", scratch)
             for path in sorted(Path(place).glob("hostile-was-here*"))]
 

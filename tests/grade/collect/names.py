@@ -51,7 +51,7 @@ def wishes(raw: bytes, suffix: int) -> list:
 
 def folders(entries: list) -> list:
     """A folder name for each entry (its bytes, the length of its archive suffix): its own name
-    without the suffix, and something longer only where that is taken or not allowed."""
+    without the suffix, and something longer only if that is taken or not allowed."""
     left = [wishes(raw, suffix) for raw, suffix in entries]
     while True:
         groups = defaultdict(list)

@@ -6,7 +6,7 @@
 int landlock_version(void);
 
 // A set of rules that allows nothing yet (a descriptor); what is allowed is added; then it holds
-// for this process and all that it starts, for good. What is not to be had on this system is left
+// for this process and all that it starts, for good. Rules that this system lacks are left
 // out.
 int landlock_begin(void);
 void landlock_allow_read(int rules, const char *path); // and to execute

@@ -41,7 +41,7 @@ class Workbench:
         return self._run("judge", commands, lambda words: self.sandbox.judge(self.folder, readable, words), environment)
 
     def report(self, stem: str, names: list[str]) -> dict[str, dict[str, str]]:
-        """What the judge found of these functions: FUNCTION -> KEY -> value."""
+        """The judge's findings on these functions: FUNCTION -> KEY -> value."""
         return read_report(self.folder / f"{stem}.d" / "report", names)
 
     def check_room(self) -> None:
