@@ -137,7 +137,7 @@ for compiler in gcc clang; do
     check "$compiler: since there is none" sh -c "! grep -E '^(reference|right)' '$tree/build/exercises/verdict/plan'"
     answers
     check "$compiler: the answers are packed" inside make submission
-    check "$compiler: and the place is printed" says 'Hand in this file: build/submission.zip (7 files)'
+    check "$compiler: and the place is printed" says 'Hand in this file: build/submission.zip (8 files)'
     check "$compiler: right answers are right, every chapter" inside make exercises
     check "$compiler: and said to be" says 'All right, every chapter.'
     check "$compiler: their pictures are drawn" inside make
