@@ -60,6 +60,9 @@ $(TESTS): $(DIRECT) $(STEMS:%=$(BUILT)/direct/%.o) $(B)/common.a
 	$(link_program)
 # For a debugger an answer keeps its names: the tests of its stem, and nobody in between.
 for_debug = $(call tests_of,$(1)) $(TESTING) $(B)/tests/judge/test_main.o $(call earlier_answers,$(1)) $(B)/common.a
+# tests/proof/mutants.sh links these with each of its answers.
+$(STEMS:%=objects-of-%): objects-of-%: $$(call for_debug,$$*)
+	@echo $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 
 # Blanks are made afresh, whatever is in exercises/, and must pass nothing.
 BLANK_TESTS := $(B)/tests/blanks

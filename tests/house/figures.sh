@@ -6,6 +6,7 @@
 # Only reads the tree.
 set -u
 . tests/house/runner/library.sh
+once figures "the figures of each chapter"
 
 needs figures 'figures' gnuplot python3
 CAMERAS=${CAMERAS:-5}

@@ -3,6 +3,7 @@
 # The SVGs of gnuplot 5.4 and 6.0 are the same bytes.
 set -u
 . tests/house/runner/library.sh
+once 'figures in the lessons' "the figures in the lessons"
 . tests/house/figures/scripts.sh
 
 needs 'figures in the lessons' "that the lessons' figures are those of the code" gnuplot

@@ -2,6 +2,7 @@
 # lesson_pictures.sh - the pictures in the lessons are pixel for pixel those that the programs draw.
 set -u
 . tests/house/runner/library.sh
+once 'pictures in the lessons' "the pictures in the lessons"
 
 # The pow of another machine may round light differently.
 allowed_in() {

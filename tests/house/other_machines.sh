@@ -3,6 +3,7 @@
 # Only reads the tree.
 set -u
 . tests/house/runner/library.sh
+once other_machines "other machines"
 
 # ---- locales ------------------------------------------------------------------------------------
 

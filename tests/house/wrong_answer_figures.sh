@@ -5,6 +5,7 @@
 # shellcheck disable=SC2016 # single quotes are meant literally
 set -u
 . tests/house/runner/library.sh
+once wrong_answer_figures "the figures of wrong answers"
 
 needs wrong_answer_figures 'yours beside right' gnuplot python3
 export NO_COLOR=1

@@ -158,35 +158,29 @@ mutants_of() {
 
 # ---- everything that is not the mutant, once ----------------------------------------------------
 
-# The Makefile's link command for the tests of a stem, with @ for the folder of the mutant.
+# The command that links the tests of a stem, with @ for the folder of the mutant; then the reference
+# takes the mutant's place.
 prepare() {
-    cp "solutions/$1.c" "$scratch/reference"
-    make --no-print-directory V=1 ANSWERS="$scratch/reference" \
-        "build$scratch/reference/tests/$1" >"$scratch/made" 2>&1 || {
+    make --no-print-directory "objects-of-$1" >"$scratch/made" 2>&1 || {
         cat "$scratch/made"
         return 1
     }
-    tail -n 1 "$scratch/made" | awk -v scratch="$scratch" -v stem="$1" '
-        { for (i = 1; i <= NF; i++) {
-              if ($(i - 1) == "-o" && i > 1) { $i = "@/tests"; tests++ }
-              if (index($i, scratch) && $i ~ "/" stem "\\.o$") { $i = "@/answer.o"; answer++ }
-          }
-          print }
-        END { exit !(tests == 1 && answer == 1) }' >"$scratch/link-$1" || {
-        echo "no line that links the tests of $1:"
-        tail -n 1 "$scratch/made"
-        return 1
-    }
-    "build$scratch/reference/tests/$1"
+    mkdir "$scratch/reference"
+    echo "${CC:-cc} -o @/tests @/answer.o $(tail -n 1 "$scratch/made")" >"$scratch/link-$1"
+    # shellcheck disable=SC2086 # the compiler's flags are words
+    $COMPILER -c -o "$scratch/reference/answer.o" "solutions/$1.c" &&
+        sed "s|@|$scratch/reference|g" "$scratch/link-$1" | sh && "$scratch/reference/tests"
+    prepared=$?
+    rm -r "$scratch/reference"
+    return $prepared
 }
 
-mkdir "$scratch/reference" "$scratch/results"
+mkdir "$scratch/results"
 for solution in solutions/*.c; do
     stem=$(basename "$solution" .c)
     check "the solution of $stem passes its own tests" prepare "$stem"
     mutants_of "$stem" >>"$scratch/mutants"
 done
-rm -rf "${scratch:?}/reference" "build${scratch:?}"
 if [ "$failed" -ne 0 ]; then
     finish mutants
     exit 1

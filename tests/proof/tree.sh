@@ -44,10 +44,12 @@ if command -v gnuplot >/dev/null; then
     check 'and draws' test -s build/solutions/figures/corner-vectors-dark.svg
 fi
 
-for file in exercises/*.c; do
-    printf 'this is no C at all {{{\n' >"$file"
-done
-check 'make check passes with any contents of exercises/' make_quietly check
+if [ -z "${CI:-}" ]; then # .ci/run does that itself
+    for file in exercises/*.c; do
+        printf 'this is not C {{{\n' >"$file"
+    done
+    check 'make check passes with any contents of exercises/' make_quietly check
+fi
 for file in exercises/*.c; do
     cp "solutions/$(basename "$file")" "$file"
 done

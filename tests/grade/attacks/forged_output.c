@@ -5,7 +5,7 @@
 // stem: 01-corners
 // expect: timed out | crashed
 // earns: upper_right
-// says: still running | no answer | never comes
+// says: still running | invalid answer | never comes
 #include "exercises/01-corners.h"
 #include <unistd.h>
 
@@ -79,7 +79,7 @@ vec3 upper_left(Camera c)
 // stem: 01-corners
 // expect: crashed
 // earns: upper_right
-// says: no answer | was killed | by itself
+// says: invalid answer | no answer | was killed | by itself
 #include "exercises/01-corners.h"
 #include <stdint.h>
 #include <unistd.h>
@@ -291,7 +291,7 @@ vec3 upper_left(Camera c)
 // stem: 01-corners
 // expect: crashed
 // earns: upper_right
-// says: no answer | was killed | by itself
+// says: invalid answer | no answer | was killed | by itself
 #include "exercises/01-corners.h"
 #include <string.h>
 #include <unistd.h>
