@@ -5,10 +5,10 @@
 // Scale: if the world is k times as large, t is k times as large. If the direction is k times as
 // long, t is 1/k times as large. Tests use worlds from 1e-9 to 1e9 and directions of any length, so
 // do not compare with a fixed small number.
-// Tolerance: 1e-9, relative to the numbers that go in for a, b, c, and to the larger root for a
-// quadratic. For the roots and hits of a sphere it is 1e-6 of the radius along the ray, if the eye
-// is at most 1000 radii away: the slide's formula is good enough. No test depends on the rounding
-// of an exact tangent.
+// Tolerance: 1e-9. For a, b, c it is relative to the numbers that go in. For the roots of a
+// quadratic, to the larger root. For roots and hits of a sphere: 1e-6 radii along the ray, if the
+// eye is at most 1000 radii away: the slide's formula is good enough. No test depends on the
+// rounding of an exact tangent.
 #ifndef EXERCISES_05_QUADRATIC_H
 #define EXERCISES_05_QUADRATIC_H
 

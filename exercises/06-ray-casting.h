@@ -31,7 +31,7 @@ Hit nearest_hit(Ray ray, const Scene *scene);
 // background.
 void cast_image_order(const Scene *scene, Camera camera, Image *image);
 
-// Object order: for each object, find the pixels that it colours. The two loops are exchanged.
+// Object order: for each object, find the pixels that it colours. The two loops are swapped.
 // depth has room for one t per pixel, row by row from the top. Before the call it may contain
 // anything; after the call it contains the t of the nearest hit, or NO_HIT.
 void cast_object_order(const Scene *scene, Camera camera, Image *image, double *depth);

@@ -40,7 +40,7 @@ vec3 mirror_direction(vec3 direction, vec3 normal);
 // Phong's highlight, in the colour of the light: ks times the light, times the cosine of the angle
 // between the mirrored light and the direction to the eye, to the power of shine. Black if that
 // cosine is negative, or if the light is behind the surface. You may assume that the eye is in
-// front of the surface, and that shine is not 0 if the cosine is negative (pow(0, 0) is 1).
+// front of the surface. The case of shine 0 and a negative cosine is not tested (pow(0, 0) is 1).
 Color phong_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
 // Blinn's variant: the cosine is that of the angle between the normal and the vector half-way
@@ -54,8 +54,8 @@ Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_li
 vec3 off_surface(Sphere sphere, vec3 point, vec3 normal);
 
 // How much of a light arrives at a place: 1, or 0 if any sphere is in between. A sphere beyond a
-// point light is not in between. If a surface touches the light, to a millionth of its radius, both
-// are right.
+// point light is not in between. If a light touches a surface (to 1e-6 of its radius), 0 and 1
+// are both right.
 double visibility(const Scene *scene, vec3 from, Light light);
 
 // The light that a surface sends back along the ray that hit it: the ambient term, and for each
