@@ -231,7 +231,7 @@ $(BUILT)/made: $(PROGRAMS) $(PICTURES) $(PAGE) $(B)/compile_commands.json $$(FOR
 
 all: $(BUILT)/made ## build, cast the pictures and draw the figures (ANSWERS=folder: by those)
 	@if [ -s $(DRAWN) ]; then figures="No figures: 'make setup' installs gnuplot"; \
-		else figures='Figures: $(FIGURES)/'; fi; \
+		else figures='Figures: $(DRAWN_FIGURES)/'; fi; \
 	$(if $(DONE),printf '%s\n' 'Done. Programs: $(BUILT)/NN-stem' 'Pictures: $(GALLERY)/' "$$figures" \
 		'All on one page: $(PAGE)',echo 'Nothing to do: all is up to date. The page: $(PAGE)')
 

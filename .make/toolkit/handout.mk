@@ -7,7 +7,7 @@ $(TRIM_PAGE): $(TRIM_PAGE).o
 
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
 build/handout.tar.gz: $(TABLES) $(RECORDED) $(BLANKS) $(OPTIONAL_BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) $(TRIM_PAGE) FORCE
-	@tests/handout/pack $(@D) $(TABLE) build/blanks $(or $(RIGHT),$(FIGURES)) $(TRIM_PAGE)
+	@tests/handout/pack $(@D) $(TABLE) build/blanks $(or $(RIGHT),$(DRAWN_FIGURES)) $(TRIM_PAGE)
 .PHONY: handout FORCE
 
 skeletons: $(BLANKS) $(OPTIONAL_BLANKS) ## write the blanks that solutions/ make; never over changes

@@ -25,9 +25,9 @@ $(SO_FAR:%=$(B)/so-far/%): $(B)/so-far/%.png: $(DRAW_SO_FAR) $(SPHERES) $(RECORD
 check check-all check-long: $(LESSON_FIGURES) $(DRAWN_PICTURES)
 check-all check-long: $(B)/scenes/finale.nff
 lesson-figures: $(DRAWN) $(LESSON_FIGURES) $(DRAWN_PICTURES) $(SAME) ## write the figures and pictures that the lessons show, and the figures' words
-	@export FORMAT=svg THEME= SHAPE=16:9,4:3; STEPS= $(DRAW_FIGURES) $(FIGURES) $(FIGURE_NAMES) && \
-		STEPS=1 $(DRAW_FIGURES) $(FIGURES) $$($(LESSON_FIGURES) --in-steps $(CHAPTERS:%=chapters/%))
-	@$(LESSON_FIGURES) --write $(FIGURES) $(CHAPTERS:%=chapters/%)
+	@export FORMAT=svg THEME= SHAPE=16:9,4:3; STEPS= $(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURE_NAMES) && \
+		STEPS=1 $(DRAW_FIGURES) $(DRAWN_FIGURES) $$($(LESSON_FIGURES) --in-steps $(CHAPTERS:%=chapters/%))
+	@$(LESSON_FIGURES) --write $(DRAWN_FIGURES) $(CHAPTERS:%=chapters/%)
 	@for picture in $(LESSON_PICTURES); do \
 		drawn=$(B)/so-far/$${picture##*/}; [ -e $$drawn ] || drawn=$(GALLERY)/$${picture##*/}; \
 		$(SAME) $$drawn $$picture >/dev/null || { cp $$drawn $$picture && echo "wrote $$picture"; }; done

@@ -1,12 +1,13 @@
 // draw_figures.c - has gnuplot draw scripts of figures: every format, theme, shape and step wanted.
 //
 //   draw_figures FOLDER NAME...
-//   draw_figures --one FOLDER NAME     FOLDER/NAME.svg alone, light
+//   draw_figures --one FOLDER NAME     FOLDER/NAME.gp as FOLDER/NAME.svg alone, light
 //
-// FOLDER/NAME.gp becomes FOLDER/NAME[-4x3][-stepN][-dark].FORMAT; what has been drawn from the same
-// script is left alone. In the environment: FORMAT, THEME, SHAPE (lists with commas), STEPS (1:
-// also a picture for each step). Pictures appear whole or not at all; the same script gives the
-// same bytes. Exit status: 1 if something could not be drawn, 2 wrong usage, 3 no gnuplot.
+// Each figure has a folder: FOLDER/NAME/NAME.gp becomes
+// FOLDER/NAME/NAME[-4x3][-stepN][-dark].FORMAT. What has been drawn from the same script is left
+// alone. In the environment: FORMAT, THEME, SHAPE (lists with commas), STEPS (1: also a picture for
+// each step). Pictures appear whole or not at all; the same script gives the same bytes. Exit
+// status: 1 if something could not be drawn, 2 wrong usage, 3 no gnuplot.
 #include "chapters/gallery/latex_picture.h"
 
 #include <dirent.h>
@@ -50,7 +51,8 @@ typedef struct {
 } Drawing;
 
 static const char *folder;
-static Path work; // a folder for what is not whole yet
+static bool only_one; // --one: no folder for each figure
+static Path work;     // a folder for what is not whole yet
 static Drawing drawings[MOST_NAMES];
 static int drawing_count;
 static Job *jobs;
@@ -75,6 +77,18 @@ static void could_not(const char *what)
 {
     perror(what);
     exit(1);
+}
+
+// NAME/, or nothing if there is no folder for each figure.
+static Path home_of(const char *name)
+{
+    return path_of("%s%s", only_one ? "" : name, only_one ? "" : "/");
+}
+
+// FOLDER/NAME/, with its slash.
+static Path folder_of(const char *name)
+{
+    return path_of("%s/%s", folder, home_of(name).s);
 }
 
 // ---- files
@@ -238,7 +252,7 @@ static bool has_font(void)
 // shown.
 static void complain(FILE *out, const char *name, Path said)
 {
-    Path script = path_of("%s/%s.gp", folder, name), layout = {""};
+    Path script = path_of("%s%s.gp", folder_of(name).s, name), layout = {""};
     char line[4000], before[4000] = "", near[100] = "";
     int number = 0, first = 0, last = 0;
     bool found = false;
@@ -450,7 +464,7 @@ static bool make_latex(Path path, Path in_words, Path graphics)
 static bool finish(const Job *job, Path in)
 {
     Path drawn = path_of("%s/%s.%s", in.s, job->output, job->format);
-    Path in_words = path_of("%s/%s.txt", folder, job->name);
+    Path in_words = path_of("%s%s.txt", folder_of(job->name).s, job->name);
     if (strcmp(job->format, "txt") == 0) {
         size_t size;
         char *text = text_of(drawn, &size);
@@ -474,7 +488,7 @@ static bool finish(const Job *job, Path in)
     return exists(drawn);
 }
 
-static bool move_all(Path in)
+static bool move_all(Path in, const char *name)
 {
     static const char *const ours[] = {".", "..", "words", "steps"};
     DIR *open = opendir(in.s);
@@ -485,7 +499,7 @@ static bool move_all(Path in)
             skip = skip || strcmp(entry->d_name, ours[i]) == 0;
         if (!skip)
             moved = move(path_of("%s/%s", in.s, entry->d_name),
-                         path_of("%s/%s", folder, entry->d_name)) &&
+                         path_of("%s%s", folder_of(name).s, entry->d_name)) &&
                     moved;
     }
     if (open != NULL)
@@ -499,7 +513,7 @@ static bool draw_one(const Job *job, FILE *out)
     Path said = path_of("%s/words", in.s), known = path_of("%s/.drawn/%s.words", folder, job->name);
     Path settings = path_of("format='%s'; theme='%s'; shape='%s'; step=%d; output='%s'",
                             job->format, job->theme, job->shape, job->step, job->output);
-    Path script = path_of("../../../%s.gp", job->name);
+    Path script = path_of("../../../%s%s.gp", home_of(job->name).s, job->name);
     if (mkdir(in.s, 0777) != 0) {
         fprintf(out, "%s: %s\n", in.s, strerror(errno));
         return false;
@@ -517,10 +531,10 @@ static bool draw_one(const Job *job, FILE *out)
         complain(out, job->name, said);
     if (!drawn)
         return false;
-    if (finish(job, in) && move_all(in))
+    if (finish(job, in) && move_all(in, job->name))
         return true;
-    fprintf(out, "%s/%s.%s could not be made of what gnuplot drew\n", folder, job->output,
-            job->format);
+    fprintf(out, "%s%s.%s could not be made of what gnuplot drew\n", folder_of(job->name).s,
+            job->output, job->format);
     return false;
 }
 
@@ -531,7 +545,7 @@ static bool draw_one(const Job *job, FILE *out)
 static void add_job(const char *name, const char *output, const char *format, const char *theme,
                     const char *shape, int step)
 {
-    Path picture = path_of("%s/%s.%s", folder, output, format);
+    Path picture = path_of("%s%s.%s", folder_of(name).s, output, format);
     if (is_newer(picture, path_of("%s/.drawn/%s.gp", folder, name)) &&
         is_newer(picture, path_of("chapters/gallery/draw_figures.c")) &&
         is_newer(picture, path_of("chapters/gallery/latex_picture.c")))
@@ -582,7 +596,7 @@ static void hear(Job *job, int status)
         if (drawings[i].name == job->name)
             drawings[i].failed = true;
     if (!spoke)
-        fprintf(words, "%s/%s.%s was not drawn\n", folder, job->output, job->format);
+        fprintf(words, "%s%s.%s was not drawn\n", folder_of(job->name).s, job->output, job->format);
 }
 
 static void show_progress(int done)
@@ -658,7 +672,7 @@ static void prepare(void)
 static void draw_words(char **names)
 {
     for (; *names != NULL && drawing_count < MOST_NAMES; names++) {
-        Path script = path_of("%s/%s.gp", folder, *names);
+        Path script = path_of("%s%s.gp", folder_of(*names).s, *names);
         Path copy = path_of("%s/.drawn/%s.gp", folder, *names), new = path_of("%s/new", work.s);
         if (!exists(script))
             continue;
@@ -734,12 +748,12 @@ int main(int argc, char **argv)
     static const char *const all_themes[] = {"light", "dark", NULL};
     static const char *const all_shapes[] = {"16:9", "4:3", NULL};
     static const char *const yes_or_no[] = {"0", "1", NULL};
-    bool one = argc == 4 && strcmp(argv[1], "--one") == 0;
+    only_one = argc == 4 && strcmp(argv[1], "--one") == 0;
     if (argc < 3) {
         fprintf(stderr, "Usage: %s [--one] FOLDER NAME...\n", argv[0]);
         return 2;
     }
-    if (one) {
+    if (only_one) {
         setenv("FORMAT", "svg", 1);
         setenv("THEME", "light", 1);
         setenv("SHAPE", "16:9", 1);
@@ -749,23 +763,23 @@ int main(int argc, char **argv)
     List themes = wanted("THEME", "light,dark", all_themes);
     List shapes = wanted("SHAPE", "16:9", all_shapes);
     List steps = wanted("STEPS", "0", yes_or_no);
-    folder = argv[one ? 2 : 1];
+    folder = argv[only_one ? 2 : 1];
     if (!has_program("gnuplot")) {
         fprintf(stderr,
                 "gnuplot is missing, so no figure is drawn: 'make setup' installs it.\n"
-                "The scripts are written: %s/*.gp\n",
-                folder);
+                "The scripts are written: %s/%s*.gp\n",
+                folder, only_one ? "" : "*/");
         return 3;
     }
     prepare();
-    draw_words(argv + (one ? 3 : 2));
+    draw_words(argv + (only_one ? 3 : 2));
     leave_out_what_needs_fonts(&formats);
     int drawn = draw_pictures(&formats, &themes, &shapes, strcmp(steps.words[0], "1") == 0);
     fclose(words);
     fputs(words_said, stderr);
     if (something_failed)
         return 1;
-    if (one)
+    if (only_one)
         return 0;
     printf("Figures: %d as", drawing_count);
     for (int i = 0; i < formats.count; i++)

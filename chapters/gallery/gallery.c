@@ -3,8 +3,8 @@
 //   gallery BUILT SCENES-FOLDER
 //
 // A page that needs no network and no script. Each picture is also described in words: a figure by
-// BUILT/figures/NAME.txt, a chapter's picture by chapters/NN-stem/picture.txt, and a scene by its
-// first comment.
+// BUILT/figures/NAME/NAME.txt, a chapter's picture by chapters/NN-stem/picture.txt, and a scene by
+// its first comment.
 #include "common/whole_file.h"
 
 #include <glob.h>
@@ -200,17 +200,18 @@ static void put_row(FILE *out, const Gallery *gallery, const char *name, const c
     Path script = path_of("%s/figures/.drawn/%s.gp", gallery->built, name);
     bool begun = false;
     for (int i = 0; i < 4; i++) {
-        if (!is_newer(path_of("%s/figures/%s%s.%s", gallery->built, name, suffix, endings[i]),
-                      script))
+        if (!is_newer(
+                path_of("%s/figures/%s/%s%s.%s", gallery->built, name, name, suffix, endings[i]),
+                script))
             continue;
         if (!begun)
             fprintf(out, "<dt>%s</dt><dd><ul>", variant);
         begun = true;
-        put_link(out, path_of("../figures/%s%s.%s", name, suffix, endings[i]).s, labels[i], title,
-                 variant);
+        put_link(out, path_of("../figures/%s/%s%s.%s", name, name, suffix, endings[i]).s, labels[i],
+                 title, variant);
         if (strcmp(endings[i], "tex") == 0)
-            put_link(out, path_of("../figures/%s%s-tex.pdf", name, suffix).s, "its PDF", title,
-                     path_of("%s, TeX", variant).s);
+            put_link(out, path_of("../figures/%s/%s%s-tex.pdf", name, name, suffix).s, "its PDF",
+                     title, path_of("%s, TeX", variant).s);
     }
     if (begun)
         fprintf(out, "</ul></dd>");
@@ -258,16 +259,17 @@ static void put_more(FILE *out, const Gallery *gallery, const char *name, const 
 static void put_figure(FILE *out, const Gallery *gallery, const char *name)
 {
     Words words;
-    Path svg = path_of("%s/figures/%s.svg", gallery->built, name);
-    if (!exists(svg) || !read_words(path_of("%s/figures/%s.txt", gallery->built, name), &words))
+    Path svg = path_of("%s/figures/%s/%s.svg", gallery->built, name, name);
+    if (!exists(svg) ||
+        !read_words(path_of("%s/figures/%s/%s.txt", gallery->built, name, name), &words))
         return;
-    fprintf(out, "<figure>\n<a href=\"../figures/%s.svg\"><picture>\n", name);
-    if (exists(path_of("%s/figures/%s-dark.svg", gallery->built, name)))
+    fprintf(out, "<figure>\n<a href=\"../figures/%s/%s.svg\"><picture>\n", name, name);
+    if (exists(path_of("%s/figures/%s/%s-dark.svg", gallery->built, name, name)))
         fprintf(out,
                 "<source media=\"(prefers-color-scheme: dark)\" "
-                "srcset=\"../figures/%s-dark.svg\">\n",
-                name);
-    fprintf(out, "<img src=\"../figures/%s.svg\" alt=\"", name);
+                "srcset=\"../figures/%s/%s-dark.svg\">\n",
+                name, name);
+    fprintf(out, "<img src=\"../figures/%s/%s.svg\" alt=\"", name, name);
     put_escaped(out, words.words);
     fprintf(out, "\" ");
     put_size_of_svg(out, svg);
@@ -277,9 +279,9 @@ static void put_figure(FILE *out, const Gallery *gallery, const char *name)
     put_row(out, gallery, name, "", "light", words.title);
     put_row(out, gallery, name, "-dark", "dark", words.title);
     fprintf(out, "\n<dt>also</dt><dd><ul>");
-    put_link(out, path_of("../figures/%s.txt", name).s, "in words", words.title, "words");
+    put_link(out, path_of("../figures/%s/%s.txt", name, name).s, "in words", words.title, "words");
     fprintf(out, "\n");
-    put_link(out, path_of("../figures/%s.gp", name).s, "script", words.title, "gnuplot");
+    put_link(out, path_of("../figures/%s/%s.gp", name, name).s, "script", words.title, "gnuplot");
     fprintf(out, "</ul></dd></dl>\n");
     put_more(out, gallery, name, words.title);
     fprintf(out, "</figcaption></figure>\n");
@@ -429,7 +431,7 @@ static bool put_file(FILE *out, const char *path)
 static bool has_figures(const Gallery *gallery)
 {
     glob_t found;
-    bool any = glob(path_of("%s/figures/*.svg", gallery->built).s, 0, NULL, &found) == 0;
+    bool any = glob(path_of("%s/figures/*/*.svg", gallery->built).s, 0, NULL, &found) == 0;
     if (any)
         globfree(&found);
     return any;

@@ -70,10 +70,10 @@ chmod -R u+w "$tree"
 
 # If gnuplot draws nothing and prints nothing, make does not claim a figure.
 draws_nothing() {
-    mkdir -p "$scratch/bin" "$scratch/figures"
+    mkdir -p "$scratch/bin" "$scratch/figures/figure"
     printf '#!/bin/sh\nexit 0\n' >"$scratch/bin/gnuplot"
     chmod +x "$scratch/bin/gnuplot"
-    cp "$script" "$scratch/figures"
+    cp "$script" "$scratch/figures/figure/figure.gp"
     PATH=$scratch/bin:$PATH FORMAT=svg "$BUILD/chapters/gallery/draw_figures" "$scratch/figures" figure >"$scratch/said" 2>&1
     [ $? -eq 1 ] && says 'could not be made of what gnuplot drew' && says_not 'Figures: 1'
 }

@@ -70,9 +70,9 @@ is_not_there() {
     [ ! -e "$1" ]
 }
 check 'figures by wrong answers are drawn' draws
-check 'what is wrong is dashed' holds 'stroke-dasharray' "$figures/corner-vectors.svg"
-check 'the mistake is named below it' holds 'upper_left looks like d f − w r + h/2 u: the whole width.' "$figures/corner-vectors.txt"
-check 'and in its alternative text' holds 'the whole width.' "$figures/corner-vectors.svg"
+check 'what is wrong is dashed' holds 'stroke-dasharray' "$figures/corner-vectors/corner-vectors.svg"
+check 'the mistake is named below it' holds 'upper_left looks like d f − w r + h/2 u: the whole width.' "$figures/corner-vectors/corner-vectors.txt"
+check 'and in its alternative text' holds 'the whole width.' "$figures/corner-vectors/corner-vectors.svg"
 calls() {
     program=build$answers/$1
     figure=$2
@@ -82,19 +82,19 @@ calls() {
 check 'a program knows which answers a figure calls' calls 01-corners point-30-10 image_plane_vector across_30_up_10
 check 'and those that its answers call in other chapters' calls 04-pixel-ray pixel-to-ray \
     pixel_center screen_to_normalized pixel_ray image_plane_vector
-check 'a figure that is right says nothing of it' holds 'wrong = 0' "$figures/yours-and-right.gp"
-check 'nor of the mistake' holds_not 'whole width' "$figures/yours-and-right.svg"
+check 'a figure that is right says nothing of it' holds 'wrong = 0' "$figures/yours-and-right/yours-and-right.gp"
+check 'nor of the mistake' holds_not 'whole width' "$figures/yours-and-right/yours-and-right.svg"
 
 spoil 01-corners 's|c.distance \* c.forward - c.width / 2|0.0 / 0 * c.forward - c.width / 2|'
 check 'what is not a number stops no figure' draws
-check 'it is not drawn' is_there "$figures/corner-vectors.svg"
-check 'but known to be wrong' holds 'wrong = 1' "$figures/corner-vectors.gp"
+check 'it is not drawn' is_there "$figures/corner-vectors/corner-vectors.svg"
+check 'but known to be wrong' holds 'wrong = 1' "$figures/corner-vectors/corner-vectors.gp"
 
 spoil 01-corners 's|return image_plane_vector(c, 0.3, 0.1)|return *(vec3 *)16|'
 check 'a crash stops no other figure' draws
 check 'it is reported in one line' says "not yet   $figures/yours-and-right: "
-check 'and nothing older is left of it' is_not_there "$figures/yours-and-right.svg"
-check 'the others are drawn' is_there "$figures/corner-vectors.svg"
+check 'and nothing older is left of it' is_not_there "$figures/yours-and-right/yours-and-right.svg"
+check 'the others are drawn' is_there "$figures/corner-vectors/corner-vectors.svg"
 
 cp build/blanks/01-corners.c "$answers"
 check 'a blank stops no other figure' draws
@@ -104,7 +104,7 @@ check 'the missing answer is reported in one line' says "not yet   $figures/corn
 fresh
 spoil 01-corners 's|c.height / 2 \* c.up;|0.5 * (c.height + 1e-13) * c.up + vec3_of(1e-17, 0, 1e-16);|'
 check 'figures by right answers are drawn' draws
-check 'a rounding error is not a difference' holds 'wrong = 0' "$figures/corner-vectors.gp"
+check 'a rounding error is not a difference' holds 'wrong = 0' "$figures/corner-vectors/corner-vectors.gp"
 
 # The same figure with more rows, with fewer and with none.
 other_rows() {

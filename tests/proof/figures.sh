@@ -36,12 +36,9 @@ check 'an existing figure is not drawn again' without_a_word "$drawn" FORMAT=svg
 check 'and that is reported' says '(0 drawn now)'
 
 cp -r "$drawn" "$scratch/again"
-find "$scratch/again" -maxdepth 1 -type f ! -name '*.gp' -exec rm '{}' +
+find "$scratch/again" -mindepth 2 -maxdepth 2 -type f ! -path '*/.drawn/*' ! -name '*.gp' -exec rm '{}' +
 same_bytes() {
-    for file in "$scratch/again"/*; do
-        cmp "$file" "$drawn/${file##*/}" || return 1
-    done
-    [ "$(find "$drawn" -type f | wc -l)" -eq "$(find "$scratch/again" -type f | wc -l)" ]
+    diff -r "$scratch/again" "$drawn"
 }
 # In another time zone, and a second later at least.
 check 'drawn once more' without_a_word "$scratch/again" FORMAT=svg,pdf,png,tex TZ=Asia/Tokyo
@@ -59,8 +56,8 @@ check 'no file of the work is left' nothing_is_left
 # A mistake is reported, and no older figure is lost.
 first=$(echo "$names" | cut -d' ' -f2)
 one=$scratch/one
-mkdir "$one"
-cp "$drawn/$first.gp" "$one/"
+mkdir -p "$one/$first"
+cp "$drawn/$first/$first.gp" "$one/$first/"
 all=$names
 names=$first
 check 'a format that there is none of is refused' fails draws "$one" FORMAT=svg,jpg
@@ -69,38 +66,38 @@ check 'so is a theme' fails draws "$one" THEME=grey
 check 'and a shape' fails draws "$one" SHAPE=1:1
 check 'and no list at all' fails draws "$one" FORMAT=,
 check 'one picture alone can be drawn' without_a_word "$one" FORMAT=png THEME=dark SHAPE=4:3
-check 'and no other' test "$(echo "$one"/*.png)" = "$one/$first-4x3-dark.png"
+check 'and no other' test "$(echo "$one"/*/*.png)" = "$one/$first/$first-4x3-dark.png"
 check 'a picture of a script' without_a_word "$one" FORMAT=svg
-cp "$one/$first.svg" "$scratch/before.svg"
+cp "$one/$first/$first.svg" "$scratch/before.svg"
 sed '/^# ---- the layout$/{n
 a\
 print no_such_number
-}' "$drawn/$first.gp" >"$one/$first.gp"
+}' "$drawn/$first/$first.gp" >"$one/$first/$first.gp"
 check 'a mistake in a layout is a failure' fails draws "$one" FORMAT=svg
 check 'the message names the line of the layout' says "$(echo chapters/*/figures/"$first.gp"):1: gnuplot: undefined variable: no_such_number"
 check 'once' test "$(wc -l <"$scratch/said")" -eq 1
-check 'the older picture is left as it was' cmp "$one/$first.svg" "$scratch/before.svg"
+check 'the older picture is left as it was' cmp "$one/$first/$first.svg" "$scratch/before.svg"
 sed '$a\
-number = 1 +' "$drawn/$first.gp" >"$one/$first.gp"
+number = 1 +' "$drawn/$first/$first.gp" >"$one/$first/$first.gp"
 check 'so is a syntax error' fails draws "$one" FORMAT=svg
 check 'with the text of that place' says 'near: number = 1 +'
-cp "$drawn/$first.gp" "$one/"
-echo 'set print "-"; print "a word of warning"' >>"$one/$first.gp"
+cp "$drawn/$first/$first.gp" "$one/$first/"
+echo 'set print "-"; print "a word of warning"' >>"$one/$first/$first.gp"
 check 'what gnuplot says besides is passed on' draws "$one" FORMAT=svg
 check 'with the picture' says 'a word of warning'
 
 # Without gnuplot; without a font.
-cp "$drawn/$first.gp" "$one/"
+cp "$drawn/$first/$first.gp" "$one/$first/"
 check 'without gnuplot it fails' fails without gnuplot draws "$one" FORMAT=svg
 check 'and says what to install' says "gnuplot is missing, so no figure is drawn: 'make setup' installs it."
 printf '<?xml version="1.0"?>\n<fontconfig><cachedir>%s</cachedir></fontconfig>\n' "$scratch/cache" >"$scratch/fonts.conf"
-rm -f "$one/$first."[sp]*
+rm -f "$one/$first/$first."[sp]*
 export FONTCONFIG_FILE="$scratch/fonts.conf"
 check 'without a font, PNGs and PDFs are not drawn' fails draws "$one" FORMAT=svg,png,pdf THEME=light
 check 'and that is reported' says 'There is no font'
 check 'nor if fonts cannot be listed' fails without fc-list draws "$one" FORMAT=png
-check 'no PNG without text is left' test ! -e "$one/$first.png"
-check 'what needs no font is drawn' cmp "$one/$first.svg" "$drawn/$first.svg"
+check 'no PNG without text is left' test ! -e "$one/$first/$first.png"
+check 'what needs no font is drawn' cmp "$one/$first/$first.svg" "$drawn/$first/$first.svg"
 unset FONTCONFIG_FILE
 check 'with fonts that cannot be listed, all is drawn' without fc-list draws "$one" FORMAT=png
 names=$all

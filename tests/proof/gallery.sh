@@ -37,18 +37,18 @@ check 'and says so' says 'No figure is drawn yet'
 first=$(echo "$names" | cut -d' ' -f2)
 check 'figures are drawn' draw FORMAT=svg,png SHAPE=16:9,4:3 STEPS=1
 check 'the page is made' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
-check 'it links what is there' says "../figures/$first-dark.png"
-check 'each step' says "../figures/$first-4x3-step1-dark.svg"
-check 'and not what is not' says_not "../figures/$first.pdf"
+check 'it links what is there' says "../figures/$first/$first-dark.png"
+check 'each step' says "../figures/$first/$first-4x3-step1-dark.svg"
+check 'and not what is not' says_not "../figures/$first/$first.pdf"
 cp "$page" "$scratch/before.html"
 check 'the page has the same bytes' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
 check 'every time' cmp "$page" "$scratch/before.html"
 # The figure of an older script is not linked.
-echo '# another' >>"$built/figures/$first.gp"
+echo '# another' >>"$built/figures/$first/$first.gp"
 check 'with another script' draw FORMAT=svg THEME=light,dark
 check 'the page is made once more' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
-check 'and does not link what was drawn before' says_not "../figures/$first.png"
-check 'but what is drawn now' says "../figures/$first-dark.svg"
+check 'and does not link what was drawn before' says_not "../figures/$first/$first.png"
+check 'but what is drawn now' says "../figures/$first/$first-dark.svg"
 check 'all again' draw FORMAT=svg,png,pdf,tex
 check 'and for details' draw FORMAT=svg SHAPE=16:9,4:3 STEPS=1
 check 'for the browser' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"

@@ -176,7 +176,7 @@ for compiler in gcc clang; do
     if command -v gnuplot >/dev/null; then
         check "$compiler: figures are drawn" inside make figures FORMAT=svg
         check "$compiler: what is wrong is named in them" grep -q 'upper_left: the whole width' \
-            "$tree/build/exercises/figures/corner-vectors.svg"
+            "$tree/build/exercises/figures/corner-vectors/corner-vectors.svg"
         blank 01-corners
         check "$compiler: a figure that lacks an answer stops no other" inside make figures FORMAT=svg
         check "$compiler: and is reported" says 'not yet   build/exercises/figures/corner-vectors: needs'

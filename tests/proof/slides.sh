@@ -52,11 +52,11 @@ check 'and have the same bytes' cmp "$drawn/slides.pdf" "$scratch/first.pdf"
 # A folder of its own, with all that 'make figures FORMAT=tex' made: every file on a page.
 talk=$scratch/talk
 mkdir "$talk"
-cp "$drawn"/*.tex "$drawn"/*-tex.pdf "$talk"
+cp "$drawn"/*/*.tex "$drawn"/*/*-tex.pdf "$talk"
 sed '/^\\begin{document}/,$d' chapters/slides.tex >"$talk/talk.tex"
 {
     printf '%s\n' '\begin{document}'
-    for file in "$drawn"/*.tex; do
+    for file in "$drawn"/*/*.tex; do
         printf '\\begin{frame}[plain]\\centering\\resizebox{!}{\\textheight}{\\input{%s}}\\end{frame}\n' "${file##*/}"
     done
     printf '%s\n' '\end{document}'

@@ -30,18 +30,18 @@ check 'every picture is there' test -s build/solutions/gallery/three-spheres.png
 
 check 'and a page of all' test -s build/solutions/gallery/index.html
 if command -v gnuplot >/dev/null; then
-    check 'with every figure, light and dark' test -s build/solutions/figures/corner-vectors-dark.svg
+    check 'with every figure, light and dark' test -s build/solutions/figures/corner-vectors/corner-vectors-dark.svg
     rm -r build/solutions/figures build/solutions/drawn
 fi
 check 'without gnuplot make goes on' without gnuplot make_quietly
 check 'and says what to install' grep -qF "No figures: 'make setup' installs gnuplot" "$scratch/log"
-check 'the scripts are written' test -s build/solutions/figures/corner-vectors.gp
+check 'the scripts are written' test -s build/solutions/figures/corner-vectors/corner-vectors.gp
 check 'make figures fails then' refused without gnuplot make figures
 check 'and says what to install' grep -qF "gnuplot is missing, so no figure is drawn: 'make setup' installs it." "$scratch/log"
 check 'without gnuplot a second make does nothing' without gnuplot only_rebuilds_nothing
 if command -v gnuplot >/dev/null; then
     check 'once it is there, make goes on' make_quietly
-    check 'and draws' test -s build/solutions/figures/corner-vectors-dark.svg
+    check 'and draws' test -s build/solutions/figures/corner-vectors/corner-vectors-dark.svg
 fi
 
 if [ -z "${CI:-}" ]; then # .ci/run does that itself

@@ -4,7 +4,7 @@
 //   lesson_figures --write FOLDER CHAPTER...   writes it afresh
 //   lesson_figures --in-steps CHAPTER...       names the figures of which lessons show a step
 //
-// FOLDER has what draw_figures made: NAME[-4x3][-dark].svg, NAME.txt. Each layout
+// FOLDER/NAME/ has what draw_figures made: NAME[-4x3][-dark].svg, NAME.txt. Each layout
 // CHAPTER/figures/NAME.gp has these pictures beside it, and CHAPTER/README.md shows them on a line
 // of its own, light and dark, wide and narrow, with the words of NAME.txt for readers who do not
 // see them.
@@ -177,11 +177,14 @@ static char *shown(const char *chapter, char *lesson, const char *name, const ch
 static char *check_figure(const char *drawn, const char *chapter, char *lesson, const char *name,
                           const char *in_words)
 {
+    const char *step = strstr(name, "-step");
+    Path folder =
+        path_of("%s/%.*s", drawn, (int)(step == NULL ? strlen(name) : (size_t)(step - name)), name);
     for (size_t v = 0; v < VARIANTS; v++) {
         Path file = variant(name, v);
-        char *svg = text_of(path_of("%s/%s.svg", drawn, file.s).s);
+        char *svg = text_of(path_of("%s/%s.svg", folder.s, file.s).s);
         if (svg == NULL || in_words == NULL) {
-            fprintf(stderr, "%s/%s.svg: not drawn\n", drawn, file.s);
+            fprintf(stderr, "%s/%s.svg: not drawn\n", folder.s, file.s);
             exit(2);
         }
         stands_alone(file.s, svg);
@@ -247,7 +250,7 @@ static char *go_through(const char *drawn, const char *chapter, char *lesson, bo
         Path layout = path_of("%s", layouts.gl_pathv[k]);
         *strrchr(layout.s, '.') = '\0';
         const char *name = strrchr(layout.s, '/') + 1;
-        char *in_words = only_names ? NULL : text_of(path_of("%s/%s.txt", drawn, name).s);
+        char *in_words = only_names ? NULL : text_of(path_of("%s/%s/%s.txt", drawn, name, name).s);
         if (!only_names)
             lesson = check_figure(drawn, chapter, lesson, name, in_words);
         bool named = false;

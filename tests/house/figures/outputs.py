@@ -1,4 +1,4 @@
-"""outputs.py - files of figures are what they should be: outputs.py FOLDER NAME..."""
+"""outputs.py - files of figures are what they should be: outputs.py FOLDER NAME..., in FOLDER/NAME/"""
 import os
 import re
 import shutil
@@ -35,7 +35,7 @@ def color(text):
 
 def extra(name):
     """The strip below a figure in which something is wrong; else nothing."""
-    return float(ElementTree.parse(os.path.join(folder, name + ".svg")).getroot().get("height")) - HEIGHT
+    return float(ElementTree.parse(os.path.join(folder, name, name + ".svg")).getroot().get("height")) - HEIGHT
 
 
 def svg(path, width, dark, words):
@@ -101,14 +101,14 @@ def tex(path):
         lines = [line for line in file if not line.startswith("%")]
     graphics = re.search(r"\\includegraphics\[[^]]*\]\{([^}]*)\}", "".join(lines))[1]
     checks.that(f"{path}: its graphics are beside it", "/" not in graphics
-                and os.path.exists(os.path.join(folder, graphics + ".pdf")), graphics)
+                and os.path.exists(os.path.join(os.path.dirname(path), graphics + ".pdf")), graphics)
     checks.that(f"{path}: needs no letters that LaTeX lacks", "".join(lines).isascii())
     labels = re.findall(r"\\strut\{\}(.*?)\}\}%", "".join(lines))
     checks.that(f"{path}: has labels", len(labels) > 0)
 
 
 for name in names:
-    with open(os.path.join(folder, name + ".txt"), encoding="utf-8") as file:
+    with open(os.path.join(folder, name, name + ".txt"), encoding="utf-8") as file:
         first, _, rest = file.read().partition("\n")
     words = [first, " ".join(rest.split("\n")).strip()]
     checks.that(f"{name}: is described in words", len(first) > 10 and len(words[1]) > 40, str(words))
@@ -119,7 +119,7 @@ for name in names:
     for shape, width in WIDTHS.items():
         for step in ["", *(f"-step{n}" for n in range(1, steps + 1))]:
             for theme in ("", "-dark"):
-                path = os.path.join(folder, name + shape + step + theme)
+                path = os.path.join(folder, name, name + shape + step + theme)
                 svg(path + ".svg", width, theme == "-dark", words)
                 png(path + ".png", 2 * width, 2 * (HEIGHT + below))
                 pdf(path + ".pdf", width, HEIGHT + below)

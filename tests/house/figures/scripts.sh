@@ -1,14 +1,15 @@
 # scripts.sh - for the tests of figures: their scripts, and commands that are not there.
 # shellcheck shell=sh disable=SC2154 # scratch is the library's
 
-# Has the programs print the script of every figure into a folder; their names are in 'names'.
+# Has the programs print the script of every figure into a folder, FOLDER/NAME/NAME.gp; their names are in
+# 'names'.
 scripts_into() {
-    mkdir -p "$1"
     names=""
     for layout in chapters/*/figures/*.gp; do
         name=$(basename "$layout" .gp)
         names="$names $name"
-        "$PROGRAMS/$(basename "${layout%/figures/*}")" --figure "$name" >"$1/$name.gp" || return 1
+        mkdir -p "$1/$name"
+        "$PROGRAMS/$(basename "${layout%/figures/*}")" --figure "$name" >"$1/$name/$name.gp" || return 1
     done
 }
 

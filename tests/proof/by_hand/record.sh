@@ -10,7 +10,7 @@ mkdir -p "$folder/mistakes" "$folder/figures" "$folder/pictures"
 for contract in exercises/*.h; do
     build/judge "$(basename "$contract" .h)" --mistakes "$folder/mistakes"
 done
-cp build/solutions/figures/*.svg "$folder/figures"
+cp build/solutions/figures/*/*.svg "$folder/figures"
 cp build/solutions/gallery/*.png "$folder/pictures"
 make -s --no-print-directory handout
 tar tzf build/handout.tar.gz | sed 's,^[^/]*/,,' | sort >"$folder/handout"
