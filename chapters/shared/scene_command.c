@@ -5,6 +5,7 @@
 #include "chapters/shared/scene_camera.h"
 #include "common/options.h"
 #include "common/picture.h"
+#include "common/toolkit_file.h"
 #include "common/whole_file.h"
 
 #include <errno.h>
@@ -13,20 +14,6 @@
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
-
-// The path of the chapter's own scene: upwards from the program's folder, for any working
-// directory.
-static bool find_own_scene(char *path, size_t size, const char *program, const char *own_scene)
-{
-    char up[64] = "";
-    for (int i = 0; i < 16; i++, strcat(up, "/.."))
-        if (snprintf(path, size, "%s%s/%s", picture_program_folder(program), up, own_scene) <
-                (int)size &&
-            access(path, R_OK) == 0)
-            return true;
-    fprintf(stderr, "%s: %s not found above the program's folder\n", program, own_scene);
-    return false;
-}
 
 // gallery/SCENE.png beside the program. Makes the folder if it does not exist.
 static bool gallery_path(char *path, size_t size, const char *program, const char *scene_path)
@@ -73,8 +60,8 @@ static bool report(const char *text)
 static bool find_scene(Drawing *drawing, const Command *command, const char *own_scene)
 {
     if (command->scene_path == NULL)
-        return find_own_scene(drawing->scene_path, sizeof drawing->scene_path, drawing->program,
-                              own_scene);
+        return toolkit_file(drawing->scene_path, sizeof drawing->scene_path, drawing->program,
+                            own_scene);
     if (strlen(command->scene_path) >= sizeof drawing->scene_path)
         return report("the path of the scene is too long");
     strcpy(drawing->scene_path, command->scene_path);

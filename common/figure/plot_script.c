@@ -4,6 +4,7 @@
 #include "common/figure/gnuplot.h"
 #include "common/figure/plot_internal.h"
 #include "common/text.h"
+#include "common/toolkit_file.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +13,9 @@
 #define DATA_BEGIN "\n# ---- the data\n"
 #define DATA_END "\n# ---- the layout\n"
 
+// The program that prints a figure; NULL: another one, in its own tree.
+static const char *printing;
+
 // All of a file, for freeing; NULL and a message where it cannot be read.
 static char *text_of_file(const char *path)
 {
@@ -19,7 +23,7 @@ static char *text_of_file(const char *path)
     size_t size;
     FILE *file = fopen(path, "r"), *copy = open_memstream(&text, &size);
     if (file == NULL || copy == NULL) {
-        fprintf(stderr, "cannot read %s: figures are drawn from the top of the project\n", path);
+        fprintf(stderr, "cannot read %s\n", path);
         if (copy != NULL)
             fclose(copy);
         free(text);
@@ -33,9 +37,16 @@ static char *text_of_file(const char *path)
     return text;
 }
 
+// The same of a file of the toolkit, whatever the current folder is.
+static char *text_of_toolkit_file(const char *name)
+{
+    char path[4096];
+    return toolkit_file(path, sizeof path, printing, name) ? text_of_file(path) : NULL;
+}
+
 void plot_include(Plot *plot, const char *path)
 {
-    char *text = text_of_file(path);
+    char *text = text_of_toolkit_file(path);
     if (text == NULL)
         plot->failed = true;
     else
@@ -83,8 +94,8 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
 bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
                  const char *note, void *given)
 {
-    char *head_text = text_of_file(HEAD);
-    char *layout_text = head_text != NULL ? text_of_file(layout) : NULL;
+    char *head_text = text_of_toolkit_file(HEAD);
+    char *layout_text = head_text != NULL ? text_of_toolkit_file(layout) : NULL;
     Plot plot = {.right = right != NULL && layout_text != NULL ? text_of_file(right) : NULL};
     bool read = layout_text != NULL && (right == NULL || plot.right != NULL);
     if (plot.right != NULL)
@@ -121,6 +132,7 @@ int plot_figure(const char *program, const char *chapter, const Figure *figures,
     const Figure *figure = figure_named(program, figures, command.name);
     char path[300], *script = NULL;
     size_t size;
+    printing = program;
     snprintf(path, sizeof path, "%s/figures/%s.gp", chapter, figure->name);
     FILE *out = open_memstream(&script, &size);
     bool written = plot_script(out, path, figure, command.right, command.note, given);

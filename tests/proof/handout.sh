@@ -175,6 +175,11 @@ for compiler in gcc clang; do
     spoil 01-corners 's|c.distance \* c.forward - c.width / 2|c.distance * c.forward - c.width|'
     if command -v gnuplot >/dev/null; then
         check "$compiler: figures are drawn" inside make figures FORMAT=svg
+        in_any_folder() {
+            (cd / && "$tree/build/exercises/03-screen" --figure pixel-grid) >"$scratch/pixel-grid.gp" &&
+                inside build/exercises/03-screen --figure pixel-grid && cmp "$scratch/pixel-grid.gp" "$scratch/said"
+        }
+        check "$compiler: a program prints them in any folder" in_any_folder
         check "$compiler: what is wrong is named in them" grep -q 'upper_left: the whole width' \
             "$tree/build/exercises/figures/corner-vectors/corner-vectors.svg"
         blank 01-corners
