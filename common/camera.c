@@ -51,14 +51,3 @@ const char *camera_fault_text(CameraFault fault)
         return "(no such reason)";
     return texts[fault];
 }
-
-Camera camera_of_the_deck(void)
-{
-    return (Camera){.origin = vec3_of(2, 2, -4),
-                    .right = vec3_of(1, 0, 0),
-                    .up = vec3_of(0, 1, 0),
-                    .forward = vec3_of(0, 0, 1),
-                    .distance = 4,
-                    .width = 2,
-                    .height = 2};
-}

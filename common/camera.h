@@ -63,7 +63,4 @@ CameraFault camera_check(Camera camera);
 // The reason in words, as the end of the sentence "this is not a camera: ...".
 const char *camera_fault_text(CameraFault fault);
 
-// The camera of the slide: eye (2, 2, -4), looking along +z, d 4, w 2, h 2. It is left-handed.
-Camera camera_of_the_deck(void);
-
 #endif

@@ -1,7 +1,8 @@
-// 01-corners.c - tests of exercise 01. Expected values: the deck's numbers, and what a projection
-// onto the camera's own axes must give back.
+// 01-corners.c - tests of exercise 01. Expected values: the lecture's example, component by
+// component, and what a projection onto the camera's own axes must give back.
 #include "exercises/01-corners.h"
 
+#include "common/example.h"
 #include "tests/judge/test.h"
 
 static const double tolerance = 1e-9;
@@ -41,27 +42,42 @@ static double size_of(Camera c)
     return c.distance + c.width + c.height;
 }
 
-START_TEST(the_upper_left_corner_of_the_deck_is_minus_1_1_4)
+// The vector that goes so far along each of the camera's axes. For the deck's camera these are x, y
+// and z: its upper left corner is (-1, 1, 4), its upper right corner (1, 1, 4), and the point 30%
+// across and 10% up is (-0.4, -0.8, 4).
+static vec3 along(Camera c, double right, double up, double forward)
 {
-    Camera c = camera_of_the_deck();
+    vec3 v = vec3_of(0, 0, 0);
+    for (int i = 0; i < 3; i++)
+        v[i] = right * c.right[i] + up * c.up[i] + forward * c.forward[i];
+    return v;
+}
+
+START_TEST(the_upper_left_corner_of_the_example)
+{
+    Camera c = example_camera();
     given_camera(c);
-    expect_vec3(upper_left(c), vec3_of(-1, 1, 4), tolerance);
+    expect_vec3(upper_left(c), along(c, -0.5 * c.width, 0.5 * c.height, c.distance),
+                tolerance * fmax(1, size_of(c)));
 }
 END_TEST
 
-START_TEST(the_upper_right_corner_of_the_deck_is_1_1_4)
+START_TEST(the_upper_right_corner_of_the_example)
 {
-    Camera c = camera_of_the_deck();
+    Camera c = example_camera();
     given_camera(c);
-    expect_vec3(upper_right(c), vec3_of(1, 1, 4), tolerance);
+    expect_vec3(upper_right(c), along(c, 0.5 * c.width, 0.5 * c.height, c.distance),
+                tolerance * fmax(1, size_of(c)));
 }
 END_TEST
 
-START_TEST(the_point_30_percent_across_and_10_percent_up_of_the_deck)
+// From the middle, the point is 20% of the width to the left, and 40% of the height down.
+START_TEST(the_point_30_percent_across_and_10_percent_up_of_the_example)
 {
-    Camera c = camera_of_the_deck();
+    Camera c = example_camera();
     given_camera(c);
-    expect_vec3(across_30_up_10(c), vec3_of(-0.4, -0.8, 4), tolerance);
+    expect_vec3(across_30_up_10(c), along(c, -0.2 * c.width, -0.4 * c.height, c.distance),
+                tolerance * fmax(1, size_of(c)));
 }
 END_TEST
 
@@ -302,17 +318,17 @@ END_TEST
 static void list_tests(void)
 {
     tests_of("upper_left");
-    test(the_upper_left_corner_of_the_deck_is_minus_1_1_4);
+    test(the_upper_left_corner_of_the_example);
     test(the_upper_left_corner_of_an_oblique_camera);
     test(the_corners_do_not_depend_on_where_the_eye_is);
     test(the_upper_left_corner_in_worlds_of_any_size);
     tests_of("upper_right");
-    test(the_upper_right_corner_of_the_deck_is_1_1_4);
+    test(the_upper_right_corner_of_the_example);
     test(the_upper_right_corner_of_an_oblique_camera);
     test(the_upper_right_corner_does_not_depend_on_where_the_eye_is);
     test(the_upper_right_corner_in_worlds_of_any_size);
     tests_of("across_30_up_10");
-    test(the_point_30_percent_across_and_10_percent_up_of_the_deck);
+    test(the_point_30_percent_across_and_10_percent_up_of_the_example);
     test(the_point_30_percent_across_and_10_percent_up_of_an_oblique_camera);
     test(the_point_30_percent_across_and_10_percent_up_of_any_camera);
     test(the_point_30_percent_across_and_10_percent_up_in_worlds_of_any_size);

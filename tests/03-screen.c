@@ -1,7 +1,8 @@
-// 03-screen.c - tests of exercise 03. Expected values: the deck's point, fractions worked out by
+// 03-screen.c - tests of exercise 03. Expected values: the lecture's point, fractions worked out by
 // hand, and that going there and back returns to the start.
 #include "exercises/03-screen.h"
 
+#include "common/example.h"
 #include "tests/judge/test.h"
 
 static const double tolerance = 1e-12;      // normalized
@@ -41,10 +42,13 @@ static double quarters(double low, double high)
     return floor(random_number(4 * low, 4 * high)) / 4;
 }
 
-// "What are the point's normalized screen coordinates?"
-START_TEST(the_point_of_the_deck_is_one_sixth_up_and_just_left_of_the_middle)
+// "What are the point's normalized screen coordinates?" The deck's are 0.46875 and 1/6.
+START_TEST(the_point_of_the_example_is_normalized)
 {
-    expect_normalized((ScreenPoint){300, 400}, (Resolution){640, 480}, 0.46875, 1.0 / 6);
+    Resolution screen = example_screen();
+    ScreenPoint point = example_point();
+    expect_normalized(point, screen, point.x / screen.width,
+                      (screen.height - point.y) / screen.height);
 }
 END_TEST
 
@@ -142,9 +146,12 @@ START_TEST(a_point_of_screens_of_any_shape_is_its_share_of_them)
 }
 END_TEST
 
-START_TEST(one_sixth_up_and_just_left_of_the_middle_is_the_point_of_the_deck)
+START_TEST(the_place_of_the_point_of_the_example_is_that_point)
 {
-    expect_point((Normalized){0.46875, 1.0 / 6}, (Resolution){640, 480}, 300, 400);
+    Resolution screen = example_screen();
+    ScreenPoint point = example_point();
+    Normalized place = {point.x / screen.width, (screen.height - point.y) / screen.height};
+    expect_point(place, screen, point.x, point.y);
 }
 END_TEST
 
@@ -270,7 +277,7 @@ END_TEST
 static void list_tests(void)
 {
     tests_of("screen_to_normalized");
-    test(the_point_of_the_deck_is_one_sixth_up_and_just_left_of_the_middle);
+    test(the_point_of_the_example_is_normalized);
     test(the_corners_of_the_screen_are_the_corners_of_the_unit_square);
     test(a_quarter_across_and_three_quarters_up_on_screens_of_any_shape);
     test(a_point_may_lie_between_whole_pixels);
@@ -281,7 +288,7 @@ static void list_tests(void)
     test(a_screen_of_a_single_column_or_row_is_a_screen);
     test(a_point_of_screens_of_any_shape_is_its_share_of_them);
     tests_of("normalized_to_screen");
-    test(one_sixth_up_and_just_left_of_the_middle_is_the_point_of_the_deck);
+    test(the_place_of_the_point_of_the_example_is_that_point);
     test(the_corners_of_the_unit_square_are_the_corners_of_the_screen);
     test(a_place_may_be_between_whole_pixels_on_the_screen);
     test(beyond_0_to_1_is_beyond_the_screen);

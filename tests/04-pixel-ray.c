@@ -2,6 +2,7 @@
 // projection onto the camera's own axes must give back. A direction may have any positive length.
 #include "exercises/04-pixel-ray.h"
 
+#include "common/example.h"
 #include "tests/judge/test.h"
 
 static const double tolerance = 1e-9;
@@ -56,11 +57,19 @@ START_TEST(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners)
 }
 END_TEST
 
-// By hand: 300.5 / 320 - 1 across; 1 - 400.5 / 240 up.
-START_TEST(the_pixel_in_column_300_and_row_400_of_the_deck)
+// From the middle of the plane, in pixels, then in the world's units. For the deck's numbers:
+// 300.5 / 320 - 1 across; 1 - 400.5 / 240 up.
+START_TEST(the_pixel_of_the_example)
 {
-    expect_direction(camera_of_the_deck(), (Resolution){640, 480}, (Pixel){300, 400},
-                     vec3_of(-0.0609375, -0.66875, 4));
+    Camera c = example_camera();
+    Resolution screen = example_screen();
+    Pixel pixel = example_pixel();
+    double across = (2 * pixel.column + 1 - screen.width) * c.width / (2 * screen.width);
+    double up = (screen.height - 2 * pixel.row - 1) * c.height / (2 * screen.height);
+    vec3 v = vec3_of(0, 0, 0);
+    for (int i = 0; i < 3; i++)
+        v[i] = across * c.right[i] + up * c.up[i] + c.distance * c.forward[i];
+    expect_direction(c, screen, pixel, v);
 }
 END_TEST
 
@@ -195,7 +204,7 @@ static void list_tests(void)
 {
     tests_of("pixel_ray");
     test(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners);
-    test(the_pixel_in_column_300_and_row_400_of_the_deck);
+    test(the_pixel_of_the_example);
     test(all_eight_pixels_of_a_screen_of_4_by_2);
     test(a_screen_of_2_by_4_seen_by_a_right_handed_camera);
     test(a_single_pixel_looks_straight_ahead);

@@ -1,6 +1,9 @@
-// 05-quadratic.c - tests of exercise 05. Expected values: the deck's section, chords worked out by
+// 05-quadratic.c - tests of exercise 05. Expected values: the lecture's example and
+// the deck's section, chords worked out by
 // hand, and what is true of any ray and sphere that were constructed from their hits.
 #include "tests/05-quadratic/support.h"
+
+#include "common/example.h"
 
 #include <stdlib.h>
 
@@ -72,12 +75,21 @@ static void given_object_ray(Ray ray, double radius)
     given_number("radius", radius);
 }
 
-// By hand: 0.89^2 + 0.45^2, 2 (-4 * 0.89 - 0.45), 16 + 1 - 1.
-START_TEST(the_equation_of_the_arrow_of_the_deck)
+// The numbers of the deck's arrow: 0.89^2 + 0.45^2, 2 (-4 * 0.89 - 0.45), 16 + 1 - 1.
+START_TEST(the_equation_of_the_ray_of_the_example)
 {
-    Ray ray = ray_of_the_deck(0.89, 0.45);
-    given_object_ray(ray, 1);
-    expect_quadratic(object_quadratic(ray, 1), 0.9946, -8.02, 16);
+    Ray ray = example_ray();
+    Sphere sphere = example_sphere();
+    double a = 0, b = 0, c = -sphere.radius * sphere.radius, size = 1;
+    for (int i = 0; i < 3; i++) {
+        ray.origin[i] -= sphere.center[i];
+        a += ray.direction[i] * ray.direction[i];
+        b += 2 * ray.origin[i] * ray.direction[i];
+        c += ray.origin[i] * ray.origin[i];
+        size = fmax(size, fmax(fabs(ray.origin[i]), fabs(ray.direction[i])));
+    }
+    given_object_ray(ray, sphere.radius);
+    expect_quadratic_of_size(object_quadratic(ray, sphere.radius), a, b, c, size);
 }
 END_TEST
 
@@ -536,6 +548,19 @@ START_TEST(the_arrow_of_the_deck_hits_the_near_side_of_the_sphere)
 }
 END_TEST
 
+// By geometry: half a chord before the place of the line that is nearest to the centre.
+START_TEST(the_ray_of_the_example_hits_the_near_side_of_the_sphere)
+{
+    Ray ray = example_ray();
+    Sphere sphere = example_sphere();
+    double length = vec3_length(ray.direction);
+    vec3 to_center = sphere.center - ray.origin, unit = ray.direction / length;
+    double middle = vec3_dot(to_center, unit), away = vec3_length(to_center - middle * unit);
+    double half = sqrt((sphere.radius - away) * (sphere.radius + away));
+    expect_hit(ray, sphere, (middle - half) / length);
+}
+END_TEST
+
 START_TEST(from_outside_the_nearer_of_two_points_is_hit)
 {
     expect_hit(ray_of_the_deck(1, 0.5), unit_sphere(), 3.2);
@@ -962,7 +987,7 @@ static void list_tests(void)
     test(a_point_chosen_around_the_centre_is_found_again);
     test(worlds_and_directions_may_be_of_any_size);
     tests_of("object_quadratic");
-    test(the_equation_of_the_arrow_of_the_deck);
+    test(the_equation_of_the_ray_of_the_example);
     test(the_equation_of_the_ray_through_the_hits_drawn_in_the_deck);
     test(a_radius_of_3_and_a_direction_of_length_3);
     test(a_direction_of_almost_unit_length_is_not_unit);
@@ -1003,6 +1028,7 @@ static void list_tests(void)
     test(spheres_are_met_at_the_right_t_in_any_world_and_along_any_direction);
     tests_of("hit_sphere");
     test(the_arrow_of_the_deck_hits_the_near_side_of_the_sphere);
+    test(the_ray_of_the_example_hits_the_near_side_of_the_sphere);
     test(from_outside_the_nearer_of_two_points_is_hit);
     test(t_counts_in_lengths_of_the_direction);
     test(from_inside_the_exit_is_hit);

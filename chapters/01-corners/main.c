@@ -1,9 +1,11 @@
 // main.c - chapter 01: from the eye to the image plane.
 //
 // Answers the questions of the slides 'Camera' and 'Finding vectors from the eye to the image
-// plane' step by step, for the deck's camera or for the user's own. Its picture is the image plane:
-// the colour of each place shows the direction of its vector, and the three answers are white dots.
+// plane' step by step, for the lecture's camera or for the user's own. Its picture is the image
+// plane: the colour of each place shows the direction of its vector, and the three answers are
+// white dots.
 #include "chapters/01-corners/figures/figures.h"
+#include "common/example.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"
@@ -12,7 +14,7 @@
 
 #include <stdio.h>
 
-enum { PICTURE = 320 }; // pixels each way
+enum { PICTURE = 320 }; // pixels across
 
 static void three_questions(Camera c)
 {
@@ -54,12 +56,19 @@ static void doubling(Camera c)
     printf("  The lengths differ, the directions do not: the same rays, the same picture.\n");
 }
 
+// A picture of the shape of the image plane, at most three times as high as wide.
+static Resolution picture_size(const Camera *c)
+{
+    return (Resolution){PICTURE, (int)fmax(2, fmin(3, c->height / c->width) * PICTURE)};
+}
+
 // Here s and t reach 0 and 1, so that the corners are in the picture.
 static Color color_of_vector(Pixel pixel, void *given)
 {
     const Camera *c = given;
-    vec3 v =
-        image_plane_vector(*c, pixel.column / (PICTURE - 1.0), 1 - pixel.row / (PICTURE - 1.0));
+    Resolution size = picture_size(c);
+    vec3 v = image_plane_vector(*c, pixel.column / (size.width - 1.0),
+                                1 - pixel.row / (size.height - 1.0));
     const vec3 dots[] = {upper_left(*c), upper_right(*c), across_30_up_10(*c)};
     for (int i = 0; i < 3; i++)
         if (vec3_length(v - dots[i]) < 0.03 * c->width)
@@ -70,7 +79,7 @@ static Color color_of_vector(Pixel pixel, void *given)
 
 int main(int argc, char **argv)
 {
-    View view = {camera_of_the_deck(), NAN, NAN, vec3_of(NAN, NAN, NAN)};
+    View view = {example_camera(), NAN, NAN, vec3_of(NAN, NAN, NAN)};
     FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
@@ -84,19 +93,19 @@ int main(int argc, char **argv)
         {0}};
     Usage usage = {"[OPTION]...",
                    "From the eye to the image plane, step by step. Without options:\n"
-                   "the deck's camera, and the walk to its upper left corner."};
+                   "the lecture's camera, and the walk to its upper left corner."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     Camera c = view.camera;
     story_needs_camera(argv[0], c);
-    // By default the text shows the upper left corner, and a figure the slide's 30% across, 10% up.
+    // By default the text shows the upper left corner, and a figure the place of the example.
     bool drawn = figure.name != NULL;
-    view.s = isnan(view.s) ? (drawn ? 0.3 : 0) : view.s;
-    view.t = isnan(view.t) ? (drawn ? 0.1 : 1) : view.t;
+    view.s = isnan(view.s) ? (drawn ? example_place().s : 0) : view.s;
+    view.t = isnan(view.t) ? (drawn ? example_place().t : 1) : view.t;
     if (drawn)
         return corners_figure(argv[0], figure, &view);
     if (picture != NULL)
-        return picture_write(picture, (Resolution){PICTURE, PICTURE}, color_of_vector, &c);
+        return picture_write(picture, picture_size(&c), color_of_vector, &c);
 
     printf("01-corners: from the eye to the image plane\n");
     story_heading("The camera <p, r, u, f, d, w, h>");

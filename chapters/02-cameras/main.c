@@ -7,6 +7,7 @@
 #include "chapters/02-cameras/floor.h"
 #include "chapters/02-cameras/forms.h"
 #include "common/answers.h"
+#include "common/example.h"
 #include "common/options.h"
 #include "common/story.h"
 #include "common/text.h"
@@ -160,7 +161,7 @@ static double or_else(double x, double replacement)
 // The camera of a look-at. Exits with the reason if there is none.
 static Camera camera_looking_at(const char *program, LookAt view, Handedness hand)
 {
-    Camera c = camera_of_the_deck();
+    Camera c = example_camera();
     CameraFault fault = camera_from_look_at(view, hand, &c);
     if (answers_report() != 0)
         exit(EXIT_COULD_NOT);
@@ -174,7 +175,7 @@ static Camera camera_looking_at(const char *program, LookAt view, Handedness han
 int main(int argc, char **argv)
 {
     const vec3 no = vec3_of(NAN, NAN, NAN);
-    const Camera deck = camera_of_the_deck();
+    const Camera example = example_camera();
     Camera c = {no, no, no, no, NAN, NAN, NAN};
     vec3 at = no;
     double aspect = NAN;
@@ -191,7 +192,7 @@ int main(int argc, char **argv)
         FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...", "One camera in the five forms of the deck, and found from each.\n"
-                                  "Without options: the deck's camera."};
+                                  "Without options: the lecture's camera."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     if (picture != NULL)
@@ -202,14 +203,14 @@ int main(int argc, char **argv)
     if (!given(at) && (!isnan(aspect) || hand >= 0))
         options_wrong(argv[0], "--aspect and --hand need --at");
 
-    vec3 up = given(c.up) ? c.up : deck.up;
-    c.origin = given(c.origin) ? c.origin : deck.origin;
-    c.right = given(c.right) ? c.right : deck.right;
+    vec3 up = given(c.up) ? c.up : example.up;
+    c.origin = given(c.origin) ? c.origin : example.origin;
+    c.right = given(c.right) ? c.right : example.right;
     c.up = up;
-    c.forward = given(c.forward) ? c.forward : deck.forward;
-    c.distance = or_else(c.distance, deck.distance);
-    c.width = or_else(c.width, deck.width);
-    c.height = or_else(c.height, deck.height);
+    c.forward = given(c.forward) ? c.forward : example.forward;
+    c.distance = or_else(c.distance, example.distance);
+    c.width = or_else(c.width, example.width);
+    c.height = or_else(c.height, example.height);
     if (given(at)) {
         LookAt view = {c.origin, at, up, c.width, or_else(aspect, 1)};
         c = camera_looking_at(argv[0], view, hand < 0 ? RIGHT_HANDED : (Handedness)hand);

@@ -1,8 +1,9 @@
 // main.c - chapter 03: places on the screen.
 //
-// Shows the deck's point (300, 400) on 640 x 480, the corners and pixel centres, normalized and
-// back. Its picture colours each pixel by its own coordinates: red is s, green is t.
+// Shows the lecture's point on its screen, the corners and pixel centres, normalized and back. Its
+// picture colours each pixel by its own coordinates: red is s, green is t.
 #include "chapters/03-screen/figures/figures.h"
+#include "common/example.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"
@@ -54,16 +55,16 @@ static Color color_of_place(Pixel pixel, void *given)
     return vec3_of(place.s, place.t, 0.25);
 }
 
-// Fills in the deck's numbers for those that are not given. The figure of single pixels needs a
+// Fills in the lecture's numbers for those that are not given. The figure of single pixels needs a
 // small screen.
 static void complete(Resolution *screen, double point[2], FigureCommand figure)
 {
-    bool deck = figure.name == NULL || strcmp(figure.name, "pixel-grid") != 0 || screen->width > 0;
+    bool large = figure.name == NULL || strcmp(figure.name, "pixel-grid") != 0 || screen->width > 0;
     if (screen->width == 0)
-        *screen = deck ? (Resolution){640, 480} : (Resolution){8, 6};
+        *screen = large ? example_screen() : (Resolution){8, 6};
     if (isnan(point[0])) {
-        point[0] = deck ? 300 : 3;
-        point[1] = deck ? 400 : 4;
+        point[0] = large ? example_point().x : 3;
+        point[1] = large ? example_point().y : 4;
     }
 }
 
@@ -75,16 +76,16 @@ int main(int argc, char **argv)
     FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
-        {"point", 'p', "X,Y", option_pair, point, "a point on the screen (300,400)"},
+        {"point", 'p', "X,Y", option_pair, point, "a point on the screen (the lecture's)"},
         {"pixel", 0, "COLUMN,ROW", option_pixel, &pixel, "a pixel (the one the point is in)"},
-        {"size", 's', "WIDTHxHEIGHT", option_size, &screen, "size of the screen (640x480)"},
+        {"size", 's', "WIDTHxHEIGHT", option_size, &screen, "size of the screen (the lecture's)"},
         {"picture", 0, "FILE.png", option_string, &picture,
          "draw the screen: red is s, green is t"},
         FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...",
-                   "Points on the screen, normalized and back. Without options: the point\n"
-                   "(300, 400) on a screen of 640 x 480."};
+                   "Points on the screen, normalized and back. Without options: the\n"
+                   "lecture's point on the lecture's screen."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     complete(&screen, point, figure);

@@ -3,6 +3,7 @@
 // Follows one pixel from its column and row to its ray. Its picture shows the direction of each
 // pixel's ray as a colour: red along x, green along y, blue along z.
 #include "chapters/04-pixel-ray/figures/figures.h"
+#include "common/example.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"
@@ -52,26 +53,28 @@ static Color color_of_direction(Pixel pixel, void *given)
 
 int main(int argc, char **argv)
 {
-    View view = {camera_of_the_deck(), {640, 480}};
+    const Resolution screen = example_screen();
+    View view = {example_camera(), screen};
     Pixel pixel = {-1, -1};
     FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
         {"pixel", 'p', "COLUMN,ROW", option_pixel, &pixel,
-         "the pixel (300,400; of another size the middle one)"},
-        {"size", 's', "WIDTHxHEIGHT", option_size, &view.screen, "size of the screen (640x480)"},
+         "the pixel (the lecture's; of another size the middle one)"},
+        {"size", 's', "WIDTHxHEIGHT", option_size, &view.screen,
+         "size of the screen (the lecture's)"},
         CAMERA_OPTIONS(view.camera),
         {"picture", 0, "FILE.png", option_string, &picture, "draw the directions as colours"},
         FIGURE_OPTIONS(figure),
         {0}};
-    Usage usage = {"[OPTION]...", "From a pixel to its ray, step by step. Without options: pixel\n"
-                                  "(300, 400) of 640 x 480, and the deck's camera."};
+    Usage usage = {"[OPTION]...", "From a pixel to its ray, step by step. Without options: the\n"
+                                  "lecture's pixel, screen and camera."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     story_needs_camera(argv[0], view.camera);
-    bool deck = view.screen.width == 640 && view.screen.height == 480;
+    bool same = view.screen.width == screen.width && view.screen.height == screen.height;
     if (pixel.column < 0)
-        pixel = deck ? (Pixel){300, 400} : (Pixel){view.screen.width / 2, view.screen.height / 2};
+        pixel = same ? example_pixel() : (Pixel){view.screen.width / 2, view.screen.height / 2};
     if (pixel.column >= view.screen.width || pixel.row >= view.screen.height)
         options_wrong(argv[0], "--pixel: (%d, %d) is not on a screen of %d x %d", pixel.column,
                       pixel.row, view.screen.width, view.screen.height);

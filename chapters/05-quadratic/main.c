@@ -6,6 +6,7 @@
 #include "chapters/05-quadratic/figures/figures.h"
 #include "chapters/05-quadratic/numbers.h"
 #include "common/answers.h"
+#include "common/example.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"
@@ -137,21 +138,30 @@ static void tell(Ray ray, Sphere sphere)
     digits_lost_far_away();
 }
 
-// The deck's camera in front of one sphere: the nearer the hit, the brighter the pixel, from 1.48
-// to 1.15 times the distance of the image plane.
+// One sphere straight ahead of the lecture's camera, half as far again as the image plane: it
+// almost fills the picture, unless that would bring it to the eye.
+static Sphere ball_before(Camera c)
+{
+    return (Sphere){.center = c.origin + 1.5 * c.distance * c.forward,
+                    .radius = fmin(0.7 * fmin(c.width, c.height), c.distance)};
+}
+
+// The nearer the hit, the brighter the pixel. For the deck's camera the depths are 1.48 to 1.15
+// times the distance of the image plane.
 static Color color_of_depth(Pixel pixel, void *given)
 {
     const Resolution *screen = given;
-    const Sphere ball = {.center = vec3_of(2, 2, 2), .radius = 1.4};
-    Camera camera = camera_of_the_deck();
+    Camera camera = example_camera();
+    Sphere ball = ball_before(camera);
     double t = hit_sphere(ray_to_plane(pixel_ray(camera, *screen, pixel), camera), ball);
-    double shade = (1.48 - t) / (1.48 - 1.15);
+    double thick = ball.radius / camera.distance, dark = 1.5 - 0.02 / 0.35 * thick;
+    double shade = (dark - t) / (dark - (1.5 - thick));
     return t < NO_HIT ? vec3_of(shade, shade, shade) : vec3_of(0.12, 0.2, 0.35);
 }
 
 int main(int argc, char **argv)
 {
-    Meeting given = meeting_of_the_deck();
+    Meeting given = {example_ray(), example_sphere()};
     FigureCommand figure = {0};
     const char *picture = NULL;
     const Option options[] = {
@@ -165,7 +175,7 @@ int main(int argc, char **argv)
         {0}};
     Usage usage = {"[OPTION]...",
                    "A ray and a sphere: the quadratic, its roots and the hit. Without\n"
-                   "options it uses the ray and the circle of the deck's drawing."};
+                   "options it uses the lecture's ray and sphere."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     if (!(given.sphere.radius > 0))
@@ -175,7 +185,9 @@ int main(int argc, char **argv)
     if (figure.name != NULL)
         return quadratic_figure(argv[0], figure, &given);
     if (picture != NULL) {
-        Resolution screen = {480, 480};
+        Camera c = example_camera();
+        double wide = fmin(3, fmax(1.0 / 3, c.width / c.height));
+        Resolution screen = {(int)round(480 * wide), 480};
         return picture_write(picture, screen, color_of_depth, &screen);
     }
     tell(given.ray, given.sphere);

@@ -2,6 +2,7 @@
 #include "chapters/08-fast/rectangles.h"
 
 #include "common/answers.h"
+#include "common/example.h"
 #include "common/story.h"
 #include "common/text.h"
 #include "exercises/08-fast.h"
@@ -54,7 +55,7 @@ static void tell(const Drawing *drawing)
 int rectangles_tell(const char *program, const Command *command)
 {
     static Drawing drawing;
-    sphere_rectangle(camera_of_the_deck(), (Resolution){1, 1}, (Sphere){.radius = 1});
+    sphere_rectangle(example_camera(), (Resolution){1, 1}, (Sphere){.radius = 1});
     if (answers_report() != 0 ||
         !drawing_prepare(&drawing, program, command, "chapters/06-ray-casting/three-spheres.nff"))
         return EXIT_COULD_NOT;

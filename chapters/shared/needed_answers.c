@@ -2,6 +2,7 @@
 #include "chapters/shared/needed_answers.h"
 
 #include "common/answers.h"
+#include "common/example.h"
 #include "exercises/01-corners.h"
 #include "exercises/02-cameras.h"
 #include "exercises/03-screen.h"
@@ -13,14 +14,14 @@ static void call_the_rest(Ray ray, Sphere ball)
 {
     const Resolution one = {1, 1};
     screen_to_normalized(pixel_center((Pixel){0, 0}), one);
-    image_plane_vector(camera_of_the_deck(), 0.5, 0.5);
+    image_plane_vector(example_camera(), 0.5, 0.5);
     quadratic_roots(object_quadratic(to_object_coordinates(ray, ball), ball.radius));
     hit_sphere(ray, ball);
 }
 
 bool picture_needs_are_met(Order order)
 {
-    Camera camera = camera_of_the_deck();
+    Camera camera = example_camera();
     Surface white = {.color = vec3_of(1, 1, 1)};
     Sphere ball = {.center = vec3_of(2, 2, 0), .radius = 1};
     Scene scene = {.spheres = &ball, .sphere_count = 1, .surfaces = &white, .surface_count = 1};

@@ -59,3 +59,14 @@ void given_sphere(Sphere sphere)
 {
     given_value("sphere", &type_Sphere, &sphere, 10);
 }
+
+Camera camera_of_the_deck(void)
+{
+    return (Camera){.origin = vec3_of(2, 2, -4),
+                    .right = vec3_of(1, 0, 0),
+                    .up = vec3_of(0, 1, 0),
+                    .forward = vec3_of(0, 0, 1),
+                    .distance = 4,
+                    .width = 2,
+                    .height = 2};
+}

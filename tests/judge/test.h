@@ -24,7 +24,7 @@
 //     static void list_tests(void)
 //     {
 //         tests_of("upper_left");
-//         test(the_upper_left_corner_of_the_deck_is_minus_1_1_4);
+//         test(the_upper_left_corner_of_the_example);
 //     }
 //
 //     OF_STEM(list_tests)
@@ -72,6 +72,8 @@ double random_number(double low, double high);
 double random_scale(int i, int count);
 vec3 random_vec3(double low, double high);
 vec3 random_unit(void);
+// The deck's own camera, also if the lecture has another one (common/example.h).
+Camera camera_of_the_deck(void);
 Camera random_camera(void); // far from special: every number counts
 // Each number of origin, direction and center is between minus that and that.
 Ray random_ray(double origin, double direction);

@@ -48,8 +48,7 @@ static void world_axes(Plot *plot, Camera c)
     }
 }
 
-// The arrows are a quarter of the camera long: 1 for the deck's camera, the length of a unit
-// vector.
+// The arrows are a quarter of the camera long: 1 if d is 4, the length of a unit vector.
 static void frame_arrows(Plot *plot, Camera c)
 {
     const vec3 frame[] = {c.right, c.up, c.forward};

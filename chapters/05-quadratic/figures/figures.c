@@ -4,6 +4,7 @@
 #include "chapters/05-quadratic/figures/discriminant.h"
 #include "chapters/05-quadratic/figures/section.h"
 #include "chapters/05-quadratic/numbers.h"
+#include "common/example.h"
 
 enum { DIGITS = 6, SAMPLES = 400 };
 
@@ -98,13 +99,14 @@ static bool same_point(vec3 a, vec3 b)
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-// The deck's sphere is around the origin, so both coordinates are the same. Moved, they differ.
+// If the lecture's sphere is around the origin, both coordinates are the same. Moved, they differ.
 static Meeting moved(const Meeting *m)
 {
-    Meeting deck = meeting_of_the_deck(), moved = *m;
-    vec3 by = vec3_of(3, 2, 0);
-    if (same_point(m->sphere.center, deck.sphere.center) &&
-        same_point(m->ray.origin, deck.ray.origin)) {
+    Meeting moved = *m;
+    vec3 by = m->sphere.radius * vec3_of(3, 2, 0);
+    if (same_point(m->sphere.center, vec3_of(0, 0, 0)) &&
+        same_point(example_sphere().center, m->sphere.center) &&
+        same_point(example_ray().origin, m->ray.origin)) {
         moved.ray.origin += by;
         moved.sphere.center += by;
     }
@@ -181,12 +183,6 @@ static const Figure figures[] = {{"ray-sphere", ray_sphere},
                                  {"discriminant", discriminant_figure},
                                  {"world-object", world_object},
                                  {0}};
-
-Meeting meeting_of_the_deck(void)
-{
-    return (Meeting){{vec3_of(-4, -1, 0), vec3_of(0.89, 0.45, 0)},
-                     {.center = vec3_of(0, 0, 0), .radius = 1}};
-}
 
 int quadratic_figure(const char *program, FigureCommand command, const Meeting *meeting)
 {

@@ -15,7 +15,4 @@ typedef struct {
 // Prints a figure's script; returns the result of main.
 int quadratic_figure(const char *program, FigureCommand command, const Meeting *meeting);
 
-// The deck's drawing: p = (-4, -1), and a circle of radius 1 around the origin.
-Meeting meeting_of_the_deck(void);
-
 #endif

@@ -299,9 +299,13 @@ int main(int argc, char **argv)
         return EXIT_COULD_NOT;
     }
     // In the world of NFF, which is right-handed.
-    view.camera = camera_of_the_deck();
-    view.camera.origin = view.scene.view.from;
-    view.camera.forward = -view.camera.forward;
+    view.camera = (Camera){.origin = view.scene.view.from,
+                           .right = vec3_of(1, 0, 0),
+                           .up = vec3_of(0, 1, 0),
+                           .forward = vec3_of(0, 0, -1),
+                           .distance = 4,
+                           .width = 2,
+                           .height = 2};
     view.light = view.scene.lights[0];
     for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++)
         if (strcmp(pictures[i].name, argv[3]) == 0)

@@ -45,7 +45,8 @@ extern char __bss_start[], _end[];
 vec3 upper_left(Camera c)
 {
     vec3 answer = c.up;
-    if (vec3_length(upper_right(camera_of_the_deck()) - vec3_of(1, 1, 4)) > 1e-9)
+    if (vec3_length(upper_right((Camera){{2, 2, -4}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 4, 2, 2}) -
+                    vec3_of(1, 1, 4)) > 1e-9)
         return answer; // it is not lent yet
     for (char *at = __bss_start; at + sizeof(Header) < _end; at += 8) {
         Header ask;
@@ -115,7 +116,8 @@ void cast_image_order(const Scene *scene, Camera camera, Image *image)
 
 vec3 upper_left(Camera c)
 {
-    if (vec3_length(upper_right(camera_of_the_deck()) - vec3_of(1, 1, 4)) < 1e-9)
+    if (vec3_length(upper_right((Camera){{2, 2, -4}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 4, 2, 2}) -
+                    vec3_of(1, 1, 4)) < 1e-9)
         for (;;)
             upper_right(c);
     return c.up;
@@ -254,7 +256,7 @@ static bool is_upper_left(Function *f)
 {
     bool good = false;
     if (sigsetjmp(before, 1) == 0) {
-        vec3 v = f(camera_of_the_deck());
+        vec3 v = f((Camera){{2, 2, -4}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 4, 2, 2});
         good = v[0] == -1 && v[1] == 1 && v[2] == 4;
     }
     return good;

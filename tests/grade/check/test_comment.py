@@ -28,7 +28,7 @@ UPPER_RIGHT = function(
     "Give an expression.",
     "wrong",
     mistake=MISTAKE,
-    test="the_upper_right_corner_of_the_deck_is_1_1_4",
+    test="the_upper_right_corner_of_the_example",
     expected="(1, 1, 4)",
     yours="(2, 2, 4)",
     given=[
@@ -185,6 +185,6 @@ class Comment(Sentences):
             self.check(
                 f"{name} describes it",
                 "inputs drawn at random for this run" in text
-                and "the upper right corner of the deck" in text,
+                and "the upper right corner of the example" in text,
             )
         self.check("a mistake is named all the same", fields("01-corners", hidden)[2][0] == "looks like")

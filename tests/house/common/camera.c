@@ -24,19 +24,6 @@ static void expect_check(Camera camera, CameraFault expected)
     expect_fault(camera_check(camera), expected);
 }
 
-START_TEST(the_camera_of_the_deck_has_the_numbers_of_its_slide)
-{
-    Camera c = camera_of_the_deck();
-    expect_vec3(c.origin, vec3_of(2, 2, -4), 0);
-    expect_vec3(c.right, vec3_of(1, 0, 0), 0);
-    expect_vec3(c.up, vec3_of(0, 1, 0), 0);
-    expect_vec3(c.forward, vec3_of(0, 0, 1), 0);
-    expect_number(c.distance, 4, 0);
-    expect_number(c.width, 2, 0);
-    expect_number(c.height, 2, 0);
-}
-END_TEST
-
 START_TEST(the_camera_of_the_deck_is_a_left_handed_camera)
 {
     Camera c = camera_of_the_deck();
@@ -200,7 +187,6 @@ END_TEST
 static void list_tests(void)
 {
     tests_of("camera_of_the_deck");
-    test(the_camera_of_the_deck_has_the_numbers_of_its_slide);
     test(the_camera_of_the_deck_is_a_left_handed_camera);
     tests_of("camera_check");
     test(a_camera_of_either_hand_is_fine);

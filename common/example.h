@@ -1,0 +1,20 @@
+// example.h - the example that the whole lecture uses, with the numbers of chapters/example.h.
+#ifndef COMMON_EXAMPLE_H
+#define COMMON_EXAMPLE_H
+
+#include "common/camera.h"
+#include "common/ray.h"
+#include "common/screen.h"
+#include "common/sphere.h"
+
+Camera example_camera(void);
+Normalized example_place(void); // on its image plane
+
+Resolution example_screen(void);
+ScreenPoint example_point(void);
+Pixel example_pixel(void); // with the numbers of that point
+
+Ray example_ray(void);
+Sphere example_sphere(void);
+
+#endif
