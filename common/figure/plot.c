@@ -17,6 +17,7 @@ static void define_both(Plot *plot, const char *name, const char *value, bool is
     if (size == 0 || is_wrong)
         fprintf(plot->script, "%s%s = %s\n", size > 0 ? "your_" : "", name, value);
     plot->wrong = plot->wrong || (size > 0 && is_wrong);
+    plot_view_words(plot, name, size > 0 ? right : value, size > 0 ? size : strlen(value));
 }
 
 // Whether it differs from what is right.

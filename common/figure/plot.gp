@@ -13,6 +13,9 @@ if (!exists("step")) step = 1000
 if (!exists("output")) output = name
 if (!exists("wrong")) wrong = 0
 if (!exists("note")) note = ""
+# In units of the canvas. A figure that says 24 has its labels placed by C (common/figure/plot_view.c).
+placed = exists("text_size")
+if (!placed) text_size = 17
 # In another locale (C, say) gnuplot warns that it has no degree sign, which no figure needs. Version 6 can
 # be asked not to; before it, the warning is harmless, and LC_ALL=C.UTF-8 avoids it.
 if (GPVAL_VERSION >= 6) eval "unset warnings"
@@ -51,16 +54,16 @@ tex = format eq "tex"
 # Text, lines and points come out at other sizes in each terminal: these make them one.
 cairo = format eq "png" || format eq "pdf" || tex
 if (format eq "svg") {
-    set terminal svg size width,(height + strip) font "DejaVu Sans,17" enhanced background rgb background
+    set terminal svg size width,(height + strip) font sprintf("DejaVu Sans,%d", text_size) enhanced background rgb background
     set output output.".svg"
 }
 if (format eq "pdf") {
-    set terminal pdfcairo size (width / 60.0) cm,tall_cm cm font "DejaVu Sans,6.02" fontscale 1 \
+    set terminal pdfcairo size (width / 60.0) cm,tall_cm cm font sprintf("DejaVu Sans,%.2f", 0.3541 * text_size) fontscale 1 \
         enhanced linewidth 0.945 background rgb background
     set output output.".pdf"
 }
 if (format eq "png") {
-    set terminal pngcairo size 2 * width,2 * (height + strip) font "DejaVu Sans,25.5" enhanced linewidth 2 \
+    set terminal pngcairo size 2 * width,2 * (height + strip) font sprintf("DejaVu Sans,%.1f", 1.5 * text_size) enhanced linewidth 2 \
         pointscale 4 dashlength 0.5 \
         background rgb background
     set output output.".png"
@@ -68,8 +71,10 @@ if (format eq "png") {
 if (tex) {
     # The slides' own font, as large as the others' looks; \small and \large beside it. Labels are made fit
     # for LaTeX by chapters/gallery/latex_picture.c.
-    set terminal cairolatex pdf input colortext header '\def\small{\fontsize{7.5}{9}\selectfont}\
-\def\large{\fontsize{11}{13}\selectfont}\fontsize{9}{11}\selectfont' size (width / 60.0) cm,tall_cm cm \
+    points = text_size == 17 ? 9 : text_size / 2.0
+    set terminal cairolatex pdf input colortext header sprintf('\def\small{\fontsize{%g}{%g}\selectfont}\
+\def\large{\fontsize{%g}{%g}\selectfont}\fontsize{%g}{%g}\selectfont', points / 1.2, points, points * 1.22, \
+        points * 1.44, points, points * 1.22) size (width / 60.0) cm,tall_cm cm \
         linewidth 1.89 background rgb background
     set output output.".tex"
 }
@@ -152,8 +157,10 @@ along_forward(x, y, z) = forward_x * x + forward_y * y + forward_z * z
 seen_x(x, y, z) = across(along_right(x, y, z), along_forward(x, y, z))
 seen_y(x, y, z) = above(along_right(x, y, z), along_up(x, y, z), along_forward(x, y, z))
 seen_near(x, y, z) = near(along_right(x, y, z), along_up(x, y, z), along_forward(x, y, z))
-X(x, y, z) = shift_x[panel] + middle_x + scale * (seen_x(x, y, z) - center_x)
-Y(x, y, z) = shift_y[panel] + middle_y + scale * (seen_y(x, y, z) - center_y)
+X(x, y, z) = placed ? zero_x[panel] + size[panel] * seen_x(x, y, z) : \
+    shift_x[panel] + middle_x + scale * (seen_x(x, y, z) - center_x)
+Y(x, y, z) = placed ? zero_y[panel] + size[panel] * seen_y(x, y, z) : \
+    shift_y[panel] + middle_y + scale * (seen_y(x, y, z) - center_y)
 # Several pictures side by side: panel 2 is panel 1 moved by shift_x[2] to the right and
 # shift_y[2] up; '@panel2 $DATA using @point ...' draws in it.
 panel = 1
@@ -224,7 +231,6 @@ your(name) = exists("your_".name) ? value("your_".name) : ""
 # How long a text is at most, in units of the canvas; and where to anchor it, at x, or as near to x as
 # the canvas allows: its left end, its middle, its right end.
 # (percent is for labels of plots, where gnuplot reads a backslash twice.)
-text_size = 17
 small_size = 14
 long(text, size) = 0.6 * size * strlen(text)
 between(low, x, high) = x < low ? low : x > high ? high : x
@@ -243,6 +249,14 @@ half_x = "X($1+$4/2,$2+$5/2,$3+$6/2)"
 half_y = "Y($1+$4/2,$2+$5/2,$3+$6/2)"
 moved = "(scale*seen_x($4,$5,$6)):(scale*seen_y($4,$5,$6))"
 beyond = "(X($1+1.2*$4,$2+1.2*$5,$3+1.2*$6)):(Y($1+1.2*$4,$2+1.2*$5,$3+1.2*$6))"
+
+# '@labels', last in a plot: those that C has placed, with their leaders.
+labels = 'for [i=1:label_count] $once using (leader_u[i]):(step < label_step[i] ? 1e9 : leader_v[i]):(leader_du[i]):(leader_dv[i]) \
+    with vectors nohead lw 0.8 lc rgb label_color[i] title "leader", \
+    for [i=1:label_count] $once using (label_u[i]):(label_v[i]):(label_is_left[i] || step < label_step[i] ? "" : label_text[i]) \
+    with labels tc rgb label_color[i] title label_title[i], \
+    for [i=1:label_count] $once using (label_u[i]):(label_v[i]):(label_is_left[i] && step >= label_step[i] ? label_text[i] : "") \
+    with labels left tc rgb label_color[i] title label_title[i]'
 
 # ---- yours beside the right one --------------------------------------------------------------------
 

@@ -62,6 +62,61 @@ void plot_fit(Plot *plot, vec3 center, double radius);
 // Puts a file of gnuplot's words before the data: what some layouts have in common, common/NAME.gp.
 void plot_include(Plot *plot, const char *path);
 
+// ---- from where it is seen, and its labels (plot_view.c) ----------------------------------------
+
+enum { TEXT_SIZE = 24 }; // in units of the canvas, which is 540 tall
+
+// A figure that says from where it is seen leaves it to C to place its labels
+// (common/figure/labels.h): the picture is as large as its labels allow, and they meet neither each
+// other nor anything that is drawn. For this, the tables with columns "x y z" are lines and points,
+// and those with a vector are arrows. The layout then draws '@labels' last, and its text is
+// TEXT_SIZE units tall.
+
+// In space, along these directions of the world (unit vectors, at right angles), from their right
+// side, turned by azimuth and raised by elevation, in degrees.
+void plot_look(Plot *plot, vec3 right, vec3 up, vec3 forward, double azimuth, double elevation);
+
+// Flat: x to the right, y up (z is not used).
+void plot_look_flat(Plot *plot);
+
+// The part of the canvas that the picture may fill, as parts of its width and height; else nearly
+// all that a slide's title leaves. Of the 16:9 canvas, and of the 4:3 one.
+typedef struct {
+    double left, right, bottom, top;
+} Room;
+void plot_room(Plot *plot, Room wide, Room narrow);
+
+// What follows, up to the next call, is in another panel, 1 to 8, each with a room and a scale of
+// its own. Layouts: '@panel2 ...'; at first, it is panel 1.
+void plot_panel(Plot *plot, int panel);
+
+// The next block is not drawn as it is, so labels may cover it.
+void plot_undrawn(Plot *plot);
+
+// The layout draws this, besides the blocks: a ball, a line. Moved: by so many units of the canvas.
+void plot_ball(Plot *plot, vec3 center, double radius);
+void plot_line(Plot *plot, vec3 from, vec3 to, double moved_u, double moved_v);
+
+// A label, and what it names: a row of a block, or where 'block' is NULL a place of its own.
+// text: $...$ is mathematics, {NAME} is the words of NAME (plot_number, plot_vector, ...).
+// A label may have several lines.
+typedef struct {
+    const char *text;
+    const char *color; // of common/figure/plot.gp: "blue"
+    int step;          // from this step on
+    const char *block;
+    int row;     // 0, 1, ... of the block
+    double part; // of a vector, 0 to 1: a place on it; ANYWHERE along it
+    vec3 place;  // where block is NULL
+} Label;
+#define ANYWHERE (-1)
+void plot_name(Plot *plot, Label label);
+void plot_names(Plot *plot, const Label *labels, size_t count);
+
+// Lines of text that name no place, together in a block: near a corner of the canvas, where there
+// is room. 0, 1 is the upper left.
+void plot_say(Plot *plot, double across, double up, const Label *lines, int count);
+
 // ---- a chapter's figures (plot_script.c) ------------------------------------------------------
 
 // A figure's name, and what writes its data.

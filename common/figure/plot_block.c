@@ -10,6 +10,7 @@ void plot_block(Plot *plot, const char *name, const char *columns)
     plot->block = name;
     plot->columns = columns;
     plot->rows = open_memstream(&plot->rows_text, &plot->rows_size);
+    plot_view_block(plot, name, columns);
 }
 
 void plot_row(Plot *plot, int count, const double *numbers)
@@ -21,17 +22,20 @@ void plot_row(Plot *plot, int count, const double *numbers)
 
 void plot_row_point(Plot *plot, vec3 point)
 {
+    plot_view_row(plot, point, vec3_of(0, 0, 0));
     plot_row(plot, 3, (const double[]){point[0], point[1], point[2]});
 }
 
 void plot_row_vector(Plot *plot, vec3 from, vec3 vector)
 {
+    plot_view_row(plot, from, vector);
     plot_row(plot, 6, (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2]});
 }
 
 void plot_gap(Plot *plot)
 {
     putc('\n', plot->rows);
+    plot_view_gap(plot);
 }
 
 static bool has_rows(const char *rows)
@@ -73,6 +77,7 @@ bool plot_block_end(Plot *plot)
     const char *right;
     size_t size = plot_right_rows(plot, plot->block, &right);
     bool is_wrong = size > 0 && !plot_is_right(right, size, yours);
+    plot_view_block_end(plot, right, size);
     if (size > 0) // two empty lines: what follows is the next index
         fprintf(plot->script, "%.*s\n\n", (int)size, right);
     fprintf(plot->script, "%sEOD\n", yours);

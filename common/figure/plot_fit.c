@@ -11,6 +11,7 @@ void plot_fit(Plot *plot, vec3 center, double radius)
     const double numbers[] = {center[0], center[1], center[2], radius};
     for (int i = 0; i < 4; i++)
         fprintf(plot->fit, "%s%c", gnuplot_number(numbers[i]).s, i < 3 ? ' ' : '\n');
+    plot_view_fit(plot, center, radius);
 }
 
 void plot_fit_wrong(Plot *plot, vec3 place)

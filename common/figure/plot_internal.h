@@ -5,6 +5,8 @@
 
 #include "common/figure/plot.h"
 
+typedef struct PlotView PlotView;
+
 struct Plot {
     FILE *script;
     FILE *included; // the text before the data
@@ -16,9 +18,10 @@ struct Plot {
     size_t rows_size;
     const char *block;
     const char *columns;
-    char *right; // the data by right answers; NULL if there are none
-    bool wrong;  // something differs from them
-    bool failed; // a file could not be read, and a message said so
+    char *right;    // the data by right answers; NULL if there are none
+    bool wrong;     // something differs from them
+    PlotView *view; // from where it is seen, and its labels
+    bool failed;    // a file could not be read, and a message said so
 };
 
 // ---- what is right (plot_right.c) -------------------------------------------------------------
@@ -39,5 +42,26 @@ void plot_fit_wrong(Plot *plot, vec3 place);
 
 // Writes $fit, when all else is written.
 void plot_fit_end(Plot *plot);
+
+// ---- from where it is seen (plot_view.c)
+// ---------------------------------------------------------
+
+PlotView *plot_view_new(void);
+void plot_view_free(PlotView *view);
+
+// A block begins; a row of it is a place, and what is drawn from there (0: nothing); it ends, and
+// these are its right rows, if there are any.
+void plot_view_block(Plot *plot, const char *name, const char *columns);
+void plot_view_row(Plot *plot, vec3 from, vec3 vector);
+void plot_view_gap(Plot *plot);
+void plot_view_block_end(Plot *plot, const char *right, size_t size);
+
+// What has to be seen, and what the words of a name are.
+void plot_view_fit(Plot *plot, vec3 center, double radius);
+void plot_view_words(Plot *plot, const char *name, const char *value, size_t size);
+
+// Places the labels, and writes the places, when all else is written. Returns whether the figure
+// says from where it is seen.
+bool plot_view_end(Plot *plot);
 
 #endif

@@ -77,9 +77,12 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     plot->fit = open_memstream(&plot->fit_text, &plot->fit_size);
     figure->data(plot, given);
     plot_fit_end(plot);
+    bool placed = plot_view_end(plot);
     fclose(plot->included);
     fclose(plot->script);
     fprintf(out, "name = \"%s\"\nwrong = %d\n", figure->name, plot->wrong);
+    if (placed)
+        fprintf(out, "text_size = %d\n", TEXT_SIZE);
     if (note != NULL && plot->wrong) {
         char *said = gnuplot_string(note, false);
         fprintf(out, "note = %s\n", said);
@@ -96,13 +99,15 @@ bool plot_script(FILE *out, const char *layout, const Figure *figure, const char
 {
     char *head_text = text_of_toolkit_file(HEAD);
     char *layout_text = head_text != NULL ? text_of_toolkit_file(layout) : NULL;
-    Plot plot = {.right = right != NULL && layout_text != NULL ? text_of_file(right) : NULL};
+    Plot plot = {.view = plot_view_new(),
+                 .right = right != NULL && layout_text != NULL ? text_of_file(right) : NULL};
     bool read = layout_text != NULL && (right == NULL || plot.right != NULL);
     if (plot.right != NULL)
         keep_data(plot.right);
     if (read)
         write_script(&plot, out, figure, head_text, layout_text, note, given);
     read = read && !plot.failed;
+    plot_view_free(plot.view);
     free(plot.right);
     free(layout_text);
     free(head_text);

@@ -94,6 +94,20 @@ static void corner_vectors(Plot *plot, void *given)
     plot_edge(plot, "up_right", c, right, image_plane_vector(c, 1, 1));
     plot_vector(plot, "upper_left", c.origin, upper_left(c));
     plot_vector(plot, "upper_right", c.origin, upper_right(c));
+    plot_look(plot, c.right, c.up, c.forward, 34, 16);
+    static const Label labels[] = {
+        {"$p$", "blue", .block = "eye"},
+        {"$d f$", "pink", .block = "ahead", .part = ANYWHERE},
+        {"$−(w/2) r$", "orange", .step = 2, .block = "aside_left", .part = ANYWHERE},
+        {"$+(h/2) u$", "green", .step = 2, .block = "up_left", .part = ANYWHERE},
+        {"$d f − (w/2) r + (h/2) u$\n= {upper_left}", "blue", .step = 3, .block = "upper_left",
+         .part = 1},
+        {"$+(w/2) r$", "orange", .step = 4, .block = "aside_right", .part = ANYWHERE},
+        {"$+(h/2) u$", "green", .step = 4, .block = "up_right", .part = ANYWHERE},
+        {"$d f + (w/2) r + (h/2) u$\n= {upper_right}", "blue", .step = 5, .block = "upper_right",
+         .part = 1},
+    };
+    plot_names(plot, labels, sizeof labels / sizeof *labels);
 }
 
 // The point s across and t up: its parts of the edges, and the legs of the walk to it. The slide's

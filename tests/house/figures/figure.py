@@ -8,6 +8,7 @@ import math
 import os
 import re
 import shlex
+import struct
 import subprocess
 import tempfile
 import xml.etree.ElementTree as ElementTree
@@ -37,10 +38,37 @@ def times(factor, a):
     return tuple(factor * x for x in a)
 
 
-class Text:
-    """One line of text on the canvas, and the box that it takes there: at most so wide."""
+def widths_of_letters(path):
+    """How wide each character is, in its size: read from the font itself (cmap of format 12, hmtx)."""
+    with open(path, "rb") as file:
+        font = file.read()
+    tables = {}
+    for i in range(struct.unpack_from(">H", font, 4)[0]):
+        tag, _, offset, _ = struct.unpack_from(">4sLLL", font, 12 + 16 * i)
+        tables[tag.decode()] = offset
+    em = struct.unpack_from(">H", font, tables["head"] + 18)[0]
+    glyphs = struct.unpack_from(">H", font, tables["hhea"] + 34)[0]
+    widths = {}
+    for i in range(struct.unpack_from(">H", font, tables["cmap"] + 2)[0]):
+        map_at = tables["cmap"] + struct.unpack_from(">L", font, tables["cmap"] + 8 + 8 * i)[0]
+        if struct.unpack_from(">H", font, map_at)[0] != 12:
+            continue
+        for k in range(struct.unpack_from(">L", font, map_at + 12)[0]):
+            first, last, glyph = struct.unpack_from(">LLL", font, map_at + 16 + 12 * k)
+            for code in range(first, last + 1):
+                at = min(glyph + code - first, glyphs - 1)
+                widths[chr(code)] = struct.unpack_from(">H", font, tables["hmtx"] + 4 * at)[0] / em
+    return widths
 
-    EM = 0.6  # a character's mean width, in its size
+
+FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+WIDTHS = widths_of_letters(FONT) if os.path.exists(FONT) else {}
+
+
+class Text:
+    """One line of text on the canvas, and the box that it takes there."""
+
+    EM = 0.6  # a character's mean width, in its size, where the font is not there
 
     def __init__(self, figure, group, text, title):
         self.title = title  # of the plot that drew it; None where none did
@@ -54,7 +82,7 @@ class Text:
         for span in text.iter():
             raised += float((span.get("dy") or "0").replace("px", ""))
             self.plain += (span.text or "") if abs(raised) < 0.01 else " "
-            long += self.EM * float(span.get("font-size") or size) * len(span.text or "")
+            long += float(span.get("font-size") or size) * sum(WIDTHS.get(c, self.EM) for c in span.text or "")
         left = {"start": 0, "middle": -long / 2, "end": -long}[group.get("text-anchor") or "start"]
         flat = (left, -0.25 * size, left + long, 0.8 * size)
         if "rotate" in group.get("transform"):
@@ -106,6 +134,11 @@ class Figure:
 
     def number(self, name):
         return float(self.variables[name])
+
+    def chosen(self, name):
+        """A number that is another one on the narrow canvas."""
+        narrow, wide = re.search(re.escape(name) + r' = shape eq "4:3" \? (.*) : (.*)', self.script).groups()
+        return float(narrow if self.width == 720 else wide)
 
     def text(self, name):
         return self.variables[name].strip('"')
@@ -202,6 +235,10 @@ class Figure:
         self.axes = (plus(times(math.cos(a), forward), right, math.sin(a)),
                      plus(times(math.cos(e), up), side, -math.sin(e)),
                      plus(times(math.sin(e), up), side, math.cos(e)))
+        if "text_size" in self.variables:  # the labels say how large it is (common/figure/plot_view.c)
+            self.scale, self.center = self.chosen("size[1]"), (0, 0)
+            self.middle = (self.chosen("zero_x[1]"), self.chosen("zero_y[1]"))
+            return
         low, high = [math.inf] * 2, [-math.inf] * 2
         for *place, radius in self.block("fit"):
             for i in range(2):

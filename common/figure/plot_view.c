@@ -1,0 +1,645 @@
+// plot_view.c - figures: from where they are seen, how large, and where their labels stand.
+//
+// What is drawn is known from the blocks (plot_block.c). Here it is projected onto both canvases,
+// 16:9 and 4:3, as large as the labels around it allow (labels.h), and the script is told: scale,
+// place, labels.
+#include "common/figure/gnuplot.h"
+#include "common/figure/labels.h"
+#include "common/figure/plot_internal.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { PANELS = 9, SHAPES = 2, NAME_SIZE = 40 };
+enum { HEIGHT = 540, EDGE = 10, TITLE = 76 }; // of the canvas; and the room of a slide's title
+
+static const int canvas_width[SHAPES] = {960, 720};
+
+// What is drawn from one place to another of the world (or at one), in a panel, and moved on the
+// canvas.
+typedef struct {
+    char block[NAME_SIZE]; // "" for what is in none
+    int row, panel;
+    bool yours; // beside what is right
+    vec3 from, to;
+    double radius; // of a ball
+    double moved_u, moved_v;
+} Mark;
+
+typedef struct {
+    char name[NAME_SIZE];
+    char value[200]; // as gnuplot reads it
+} Words;
+
+typedef struct {
+    Label label;
+    char *text;
+    char block[NAME_SIZE];
+    int panel;
+    int lines;          // 0: it names a place; else it begins a block of so many lines of text
+    double across, up;  // where that stands
+    int number[SHAPES]; // of the label that was placed
+} Wanted;
+
+typedef struct {
+    vec3 center;
+    double radius;
+    int panel;
+} Fit;
+
+// A growing list of anything.
+typedef struct {
+    void *items;
+    int count, room;
+} List;
+
+struct PlotView {
+    bool looks, flat;
+    vec3 u, v,
+        near; // directions of the world: to the right on the canvas, up, towards whoever looks
+    Room room[PANELS][SHAPES];
+    int panel;
+    List marks, words, wanted, fits;
+    // The block that is being written.
+    const char *block;
+    bool is_drawn, joins;
+    vec3 last;
+    int row;
+    // What was found, for each shape.
+    double size[SHAPES][PANELS], zero_u[SHAPES][PANELS], zero_v[SHAPES][PANELS];
+    Area seen[SHAPES][PANELS]; // what has to be seen
+    Area over[SHAPES][PANELS]; // by how much labels are outside of it
+    Labels *labels[SHAPES];
+};
+
+// Room for one more, at the end of the list.
+static void *add(List *list, size_t size)
+{
+    if (list->count == list->room) {
+        list->room = 2 * list->room + 16;
+        list->items = realloc(list->items, (size_t)list->room * size);
+        if (list->items == NULL)
+            abort();
+    }
+    char *item = (char *)list->items + (size_t)list->count++ * size;
+    memset(item, 0, size);
+    return item;
+}
+
+PlotView *plot_view_new(void)
+{
+    PlotView *view = calloc(1, sizeof *view);
+    if (view == NULL)
+        abort();
+    view->panel = 1;
+    for (int i = 0; i < PANELS; i++)
+        for (int shape = 0; shape < SHAPES; shape++)
+            view->room[i][shape] = (Room){0.03, 0.97, 0.04, 1 - (double)TITLE / HEIGHT};
+    return view;
+}
+
+void plot_view_free(PlotView *view)
+{
+    Wanted *wanted = view->wanted.items;
+    for (int i = 0; i < view->wanted.count; i++)
+        free(wanted[i].text);
+    free(view->marks.items);
+    free(view->words.items);
+    free(view->wanted.items);
+    free(view->fits.items);
+    for (int shape = 0; shape < SHAPES; shape++)
+        if (view->labels[shape] != NULL)
+            labels_free(view->labels[shape]);
+    free(view);
+}
+
+// ---- what the figure says
+// -------------------------------------------------------------------------
+
+void plot_look(Plot *plot, vec3 right, vec3 up, vec3 forward, double azimuth, double elevation)
+{
+    double a = azimuth * PI / 180, e = elevation * PI / 180;
+    vec3 aside = cos(a) * right - sin(a) * forward;
+    PlotView *view = plot->view;
+    view->looks = true;
+    view->u = cos(a) * forward + sin(a) * right;
+    view->v = cos(e) * up - sin(e) * aside;
+    view->near = sin(e) * up + cos(e) * aside;
+    plot_number(plot, "azimuth", azimuth);
+    plot_number(plot, "elevation", elevation);
+}
+
+void plot_look_flat(Plot *plot)
+{
+    plot->view->looks = true;
+    plot->view->flat = true;
+    plot->view->u = vec3_of(1, 0, 0);
+    plot->view->v = vec3_of(0, 1, 0);
+}
+
+void plot_room(Plot *plot, Room wide, Room narrow)
+{
+    plot->view->room[plot->view->panel][0] = wide;
+    plot->view->room[plot->view->panel][1] = narrow;
+}
+
+void plot_panel(Plot *plot, int panel)
+{
+    plot->view->panel = panel;
+}
+
+void plot_view_fit(Plot *plot, vec3 center, double radius)
+{
+    Fit *fit = add(&plot->view->fits, sizeof(Fit));
+    *fit = (Fit){center, radius, plot->view->panel};
+}
+
+void plot_view_words(Plot *plot, const char *name, const char *value, size_t size)
+{
+    Words *words = add(&plot->view->words, sizeof(Words));
+    snprintf(words->name, sizeof words->name, "%s", name);
+    snprintf(words->value, sizeof words->value, "%.*s", (int)size, value);
+}
+
+void plot_name(Plot *plot, Label label)
+{
+    Wanted *wanted = add(&plot->view->wanted, sizeof(Wanted));
+    wanted->label = label;
+    wanted->text = strdup(label.text);
+    wanted->panel = plot->view->panel;
+    snprintf(wanted->block, sizeof wanted->block, "%s", label.block != NULL ? label.block : "");
+}
+
+void plot_names(Plot *plot, const Label *labels, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        plot_name(plot, labels[i]);
+}
+
+void plot_say(Plot *plot, double across, double up, const Label *lines, int count)
+{
+    for (int i = 0; i < count; i++) {
+        plot_name(plot, lines[i]);
+        Wanted *wanted = (Wanted *)plot->view->wanted.items + plot->view->wanted.count - 1;
+        wanted->lines = i == 0 ? count : -1; // -1: in the block of one before it
+        wanted->across = across;
+        wanted->up = up;
+    }
+}
+
+// ---- what is drawn
+// ----------------------------------------------------------------------------------
+
+static Mark *mark(Plot *plot, vec3 from, vec3 to)
+{
+    Mark *mark = add(&plot->view->marks, sizeof(Mark));
+    mark->panel = plot->view->panel;
+    mark->from = from;
+    mark->to = to;
+    return mark;
+}
+
+void plot_ball(Plot *plot, vec3 center, double radius)
+{
+    mark(plot, center, center)->radius = radius;
+}
+
+void plot_line(Plot *plot, vec3 from, vec3 to, double moved_u, double moved_v)
+{
+    Mark *line = mark(plot, from, to);
+    line->moved_u = moved_u;
+    line->moved_v = moved_v;
+}
+
+void plot_undrawn(Plot *plot)
+{
+    plot->view->block = "";
+}
+
+static void mark_row(Plot *plot, vec3 from, vec3 vector, bool yours)
+{
+    PlotView *view = plot->view;
+    bool is_arrow = vec3_length(vector) > 0;
+    Mark *row = mark(plot, view->joins && !is_arrow ? view->last : from, from + vector);
+    snprintf(row->block, sizeof row->block, "%s", view->block);
+    row->row = view->row++;
+    row->yours = yours;
+    view->joins = !is_arrow;
+    view->last = from;
+}
+
+void plot_view_block(Plot *plot, const char *name, const char *columns)
+{
+    PlotView *view = plot->view;
+    bool undrawn = view->block != NULL && *view->block == '\0';
+    view->is_drawn = !undrawn && strncmp(columns, "x y z", 5) == 0;
+    view->block = name;
+    view->row = 0;
+    view->joins = false;
+}
+
+void plot_view_row(Plot *plot, vec3 from, vec3 vector)
+{
+    if (plot->view->is_drawn)
+        mark_row(plot, from, vector, false);
+}
+
+void plot_view_gap(Plot *plot)
+{
+    plot->view->joins = false;
+}
+
+// Where there are right rows, those that were written are yours.
+void plot_view_block_end(Plot *plot, const char *right, size_t size)
+{
+    PlotView *view = plot->view;
+    Mark *marks = view->marks.items;
+    for (int i = 0; size > 0 && view->is_drawn && i < view->marks.count; i++)
+        marks[i].yours = marks[i].yours || strcmp(marks[i].block, view->block) == 0;
+    view->row = 0;
+    view->joins = false;
+    for (const char *end = right + size; size > 0 && view->is_drawn && right < end;) {
+        double n[6] = {0};
+        int count =
+            sscanf(right, "%lf %lf %lf %lf %lf %lf", &n[0], &n[1], &n[2], &n[3], &n[4], &n[5]);
+        size_t length = strcspn(right, "\n");
+        if (length == 0)
+            view->joins = false;
+        else if (count == 3 || count == 6)
+            mark_row(plot, vec3_of(n[0], n[1], n[2]), vec3_of(n[3], n[4], n[5]), false);
+        right += length + 1;
+    }
+    view->block = NULL;
+    view->is_drawn = false;
+}
+
+// ---- onto the canvas
+// --------------------------------------------------------------------------------
+
+static Spot spot_of(const PlotView *view, int shape, int panel, vec3 place)
+{
+    double size = view->size[shape][panel];
+    return (Spot){view->zero_u[shape][panel] + size * vec3_dot(view->u, place),
+                  view->zero_v[shape][panel] + size * vec3_dot(view->v, place)};
+}
+
+static double *side_of(Area *area, int i)
+{
+    return (double *[]){&area->left, &area->right, &area->bottom, &area->top}[i];
+}
+
+// Chooses how large a panel is: so that all that has to be seen, and the labels around it, fill
+// 'part' of its room. (In space, all panels show the same.)
+static void see(PlotView *view, int shape, int panel, double part)
+{
+    const Fit *fits = view->fits.items;
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    for (int i = 0; i < view->fits.count; i++) {
+        if (fits[i].panel != panel && view->flat)
+            continue;
+        double at[2] = {vec3_dot(view->u, fits[i].center), vec3_dot(view->v, fits[i].center)};
+        for (int k = 0; k < 2; k++) {
+            low[k] = fmin(low[k], at[k] - fits[i].radius);
+            high[k] = fmax(high[k], at[k] + fits[i].radius);
+        }
+    }
+    Room room = view->room[panel][shape];
+    Area over = view->over[shape][panel];
+    double left = canvas_width[shape] * room.left + over.left,
+           right = canvas_width[shape] * room.right - over.right;
+    double bottom = HEIGHT * room.bottom + over.bottom, top = HEIGHT * room.top - over.top;
+    double size =
+        part * fmin((right - left) / (high[0] - low[0]), (top - bottom) / (high[1] - low[1]));
+    size = isfinite(size) && size > 0 ? size : 1;
+    view->size[shape][panel] = size;
+    view->zero_u[shape][panel] = (left + right) / 2 - size * (low[0] + high[0]) / 2;
+    view->zero_v[shape][panel] = (bottom + top) / 2 - size * (low[1] + high[1]) / 2;
+    view->seen[shape][panel] = (Area){
+        view->zero_u[shape][panel] + size * low[0], view->zero_u[shape][panel] + size * high[0],
+        view->zero_v[shape][panel] + size * low[1], view->zero_v[shape][panel] + size * high[1]};
+}
+
+// The words of a name, without gnuplot's quotes; the last ones that were said.
+static const char *words_of(const PlotView *view, const char *name, size_t length)
+{
+    const Words *words = view->words.items;
+    for (int i = view->words.count - 1; i >= 0; i--)
+        if (strncmp(words[i].name, name, length) == 0 &&
+            strcmp(words[i].name + length, "_text") == 0)
+            return words[i].value;
+    fprintf(stderr, "a label's {%.*s}: no number or vector of this figure has that name\n",
+            (int)length, name);
+    abort();
+}
+
+// One line of a label as it is read: without $, and with words for names.
+static void plain_line(const PlotView *view, const char *line, size_t length, FILE *out)
+{
+    for (const char *c = line; c < line + length; c++) {
+        if (*c == '{') {
+            size_t size = strcspn(c + 1, "}");
+            for (const char *word = words_of(view, c + 1, size); *word != '\0'; word++)
+                if (*word != '"' && *word != '\\')
+                    putc(*word, out);
+            c += size + 1;
+        } else if (*c != '$') {
+            putc(*c, out);
+        }
+    }
+}
+
+static double line_width(const PlotView *view, const char *line, size_t length)
+{
+    char *plain;
+    size_t size;
+    FILE *out = open_memstream(&plain, &size);
+    plain_line(view, line, length, out);
+    fclose(out);
+    double width = labels_text_width(plain, TEXT_SIZE);
+    free(plain);
+    return width;
+}
+
+#define LINE_HEIGHT (1.35 * TEXT_SIZE)
+
+static void measure(const PlotView *view, const char *text, double *width, double *height)
+{
+    *height = 1.1 * TEXT_SIZE - LINE_HEIGHT;
+    *width = 0;
+    for (const char *line = text;; line++) {
+        size_t length = strcspn(line, "\n");
+        *width = fmax(*width, line_width(view, line, length));
+        *height += LINE_HEIGHT;
+        line += length;
+        if (*line == '\0')
+            return;
+    }
+}
+
+static const Mark *mark_of(const PlotView *view, const Wanted *wanted)
+{
+    const Mark *marks = view->marks.items;
+    for (int i = 0; i < view->marks.count; i++)
+        if (!marks[i].yours && marks[i].row == wanted->label.row &&
+            strcmp(marks[i].block, wanted->block) == 0)
+            return &marks[i];
+    for (int i = 0; i < view->marks.count; i++)
+        if (marks[i].row == wanted->label.row && strcmp(marks[i].block, wanted->block) == 0)
+            return &marks[i];
+    fprintf(stderr, "the label %s: block %s of this figure has no row %d\n", wanted->text,
+            wanted->block, wanted->label.row);
+    abort();
+}
+
+static Spot moved(Spot spot, const Mark *mark)
+{
+    return (Spot){spot.u + mark->moved_u, spot.v + mark->moved_v};
+}
+
+// Draws, as far as labels care.
+static void draw(const PlotView *view, int shape, Labels *labels)
+{
+    enum { LINE = 3, DOT = 6, STEPS = 1 };
+    const Mark *marks = view->marks.items;
+    for (int i = 0; i < view->marks.count; i++) {
+        const Mark *mark = &marks[i];
+        Spot from = moved(spot_of(view, shape, mark->panel, mark->from), mark);
+        Spot to = moved(spot_of(view, shape, mark->panel, mark->to), mark);
+        if (mark->radius > 0)
+            labels_disc(labels, from, mark->radius * view->size[shape][mark->panel]);
+        else if (from.u == to.u && from.v == to.v)
+            labels_disc(labels, from, DOT);
+        else
+            labels_line(labels, from, to, LINE);
+    }
+}
+
+static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted)
+{
+    PlacedLabel label = {.free = wanted->lines > 0};
+    if (wanted->lines > 0) {
+        for (int i = 0; i < wanted->lines; i++)
+            label.width =
+                fmax(label.width, line_width(view, wanted[i].text, strlen(wanted[i].text)));
+        label.height = LINE_HEIGHT * wanted->lines;
+        label.from = (Spot){wanted->across * canvas_width[shape], wanted->up * (HEIGHT - TITLE)};
+    } else if (wanted->block[0] == '\0') {
+        label.from = label.to = spot_of(view, shape, wanted->panel, wanted->label.place);
+        measure(view, wanted->text, &label.width, &label.height);
+    } else {
+        const Mark *mark = mark_of(view, wanted);
+        double part = wanted->label.part;
+        vec3 all = mark->to - mark->from;
+        // Near its ends, other arrows may begin.
+        double first = part < 0 ? 0.15 : part, last = part < 0 ? 0.85 : part;
+        label.from = moved(spot_of(view, shape, wanted->panel, mark->from + first * all), mark);
+        label.to = moved(spot_of(view, shape, wanted->panel, mark->from + last * all), mark);
+        measure(view, wanted->text, &label.width, &label.height);
+    }
+    wanted->number[shape] = labels_add(labels, label);
+}
+
+// Places labels in the area, those of blocks of text or not. Returns what it costs.
+static double place_in(PlotView *view, int shape, double part, Area area, bool blocks)
+{
+    for (int panel = 1; panel < PANELS; panel++)
+        see(view, shape, panel, part);
+    if (view->labels[shape] != NULL)
+        labels_free(view->labels[shape]);
+    Labels *labels = view->labels[shape] = labels_new(area);
+    draw(view, shape, labels);
+    Wanted *wanted = view->wanted.items;
+    for (int i = 0; i < view->wanted.count; i++)
+        if (wanted[i].lines == 0 || (blocks && wanted[i].lines > 0))
+            want(view, shape, labels, &wanted[i]);
+    labels_place(labels);
+    return labels_cost(labels);
+}
+
+// How far labels go beyond what has to be seen, if the canvas had no end.
+static void measure_over(PlotView *view, int shape)
+{
+    enum { FAR = 100000 };
+    place_in(view, shape, 1, (Area){-FAR, FAR, -FAR, FAR}, false);
+    const Wanted *wanted = view->wanted.items;
+    memset(view->over[shape], 0, sizeof view->over[shape]);
+    for (int i = 0; i < view->wanted.count; i++) {
+        if (wanted[i].lines != 0)
+            continue;
+        PlacedLabel label = labels_get(view->labels[shape], wanted[i].number[shape]);
+        Area seen = view->seen[shape][wanted[i].panel], *over = &view->over[shape][wanted[i].panel];
+        over->left = fmax(over->left, seen.left - (label.middle.u - label.width / 2));
+        over->right = fmax(over->right, label.middle.u + label.width / 2 - seen.right);
+        over->bottom = fmax(over->bottom, seen.bottom - (label.middle.v - label.height / 2));
+        over->top = fmax(over->top, label.middle.v + label.height / 2 - seen.top);
+    }
+    for (int panel = 0; panel < PANELS; panel++)
+        for (int i = 0; i < 4; i++) {
+            double *side = side_of(&view->over[shape][panel], i);
+            *side = fmin(*side, 0.3 * (i < 2 ? canvas_width[shape] : HEIGHT));
+        }
+}
+
+// The best picture: a large one, whose labels meet nothing and are near. Half the size costs as
+// much as a distance of 350.
+static void place(PlotView *view, int shape)
+{
+    static const double parts[] = {1, 0.88, 0.76, 0.64, 0.52};
+    enum { SMALLER = 700, MEASURES = 2, TRIES = sizeof parts / sizeof *parts };
+    const Area area = {EDGE, canvas_width[shape] - EDGE, EDGE, HEIGHT - TITLE};
+    see(view, shape, 1, 1);
+    double full = view->size[shape][1], least = INFINITY, best = 1;
+    Area over[PANELS];
+    for (int measure = 0; measure < MEASURES; measure++) {
+        if (measure > 0)
+            measure_over(view, shape);
+        for (int i = 0; i < TRIES; i++) {
+            see(view, shape, 1, parts[i]);
+            double cost = SMALLER * (1 - view->size[shape][1] / full);
+            if (cost >= least)
+                break;
+            cost += place_in(view, shape, parts[i], area, true);
+            if (cost >= least)
+                continue;
+            least = cost;
+            best = parts[i];
+            memcpy(over, view->over[shape], sizeof over);
+        }
+    }
+    memcpy(view->over[shape], over, sizeof over);
+    place_in(view, shape, best, area, true);
+}
+
+// ---- what the script is told
+// -------------------------------------------------------------------------
+
+static void write_both(FILE *out, const char *name, int number, double wide, double narrow)
+{
+    fprintf(out, "%s", name);
+    if (number > 0)
+        fprintf(out, "[%d]", number);
+    fprintf(out, " = shape eq \"4:3\" ? %.6f : %.6f\n", narrow, wide);
+}
+
+// A line's text as an expression of gnuplot: "".math("d")." = ".d_text
+static void write_text(FILE *out, const char *text, size_t length)
+{
+    const char *end = text + length;
+    fputs("\"\"", out);
+    while (text < end) {
+        size_t size = strcspn(text, "${\n");
+        if (size > 0)
+            fprintf(out, ".\"%.*s\"", (int)size, text);
+        text += size;
+        if (text >= end)
+            break;
+        size = strcspn(text + 1, *text == '$' ? "$" : "}");
+        fprintf(out, *text == '$' ? ".math(\"%.*s\")" : ".%.*s_text", (int)size, text + 1);
+        text += size + 2;
+    }
+    putc('\n', out);
+}
+
+// One line of text, at this height above the middle of its label.
+typedef struct {
+    const PlacedLabel *placed; // on each canvas
+    const Label *label;
+    const char *text, *names;
+    size_t length;
+    double above;
+    bool is_left, is_first;
+} Line;
+
+static void write_line(FILE *out, int number, Line line)
+{
+    double u[SHAPES], v[SHAPES], from[SHAPES][2], to[SHAPES][2];
+    for (int shape = 0; shape < SHAPES; shape++) {
+        const double out_of_sight = 1e9;
+        PlacedLabel label = line.placed[shape];
+        bool leads = label.leads && line.is_first;
+        u[shape] = label.middle.u - (line.is_left ? label.width / 2 : 0);
+        v[shape] = label.middle.v + line.above;
+        from[shape][0] = leads ? label.start.u : out_of_sight;
+        from[shape][1] = leads ? label.start.v : out_of_sight;
+        to[shape][0] = leads ? label.end.u - label.start.u : 1;
+        to[shape][1] = leads ? label.end.v - label.start.v : 1;
+    }
+    fprintf(out, "label_text[%d] = ", number);
+    write_text(out, line.text, line.length);
+    fprintf(out, "label_color[%d] = %s\nlabel_step[%d] = %d\nlabel_is_left[%d] = %d\n", number,
+            line.label->color, number, line.label->step, number, line.is_left);
+    fprintf(out, "label_title[%d] = \"label of ", number);
+    for (const char *c = line.names; *c != '\0'; c++)
+        putc(*c == '_' ? ' ' : *c, out);
+    fputs("\"\n", out);
+    write_both(out, "label_u", number, u[0], u[1]);
+    write_both(out, "label_v", number, v[0], v[1]);
+    write_both(out, "leader_u", number, from[0][0], from[1][0]);
+    write_both(out, "leader_v", number, from[0][1], from[1][1]);
+    write_both(out, "leader_du", number, to[0][0], to[1][0]);
+    write_both(out, "leader_dv", number, to[0][1], to[1][1]);
+}
+
+static int lines_of(const Wanted *wanted)
+{
+    int lines = 1;
+    for (const char *c = wanted->text; *c != '\0'; c++)
+        lines += *c == '\n';
+    return lines;
+}
+
+// Lines of labels: those of one label, or of a block of text.
+static int write_wanted(const PlotView *view, FILE *out, int number, const Wanted *first)
+{
+    PlacedLabel placed[SHAPES];
+    for (int shape = 0; shape < SHAPES; shape++)
+        placed[shape] = labels_get(view->labels[shape], first->number[shape]);
+    bool is_block = first->lines > 0;
+    int lines = is_block ? first->lines : lines_of(first);
+    const char *text = first->text;
+    for (int i = 0; i < lines; i++) {
+        const Wanted *wanted = is_block ? first + i : first;
+        text = is_block ? wanted->text : text;
+        size_t length = strcspn(text, "\n");
+        double above = LINE_HEIGHT * ((lines - 1) / 2.0 - i);
+        write_line(out, number++,
+                   (Line){placed, &wanted->label, text, is_block ? "words" : first->block, length,
+                          above, is_block, i == 0});
+        text += length + 1;
+    }
+    return number;
+}
+
+static void write_labels(const PlotView *view, FILE *out)
+{
+    static const char *const arrays[] = {
+        "label_text", "label_color", "label_step", "label_is_left", "label_title", "label_u",
+        "label_v",    "leader_u",    "leader_v",   "leader_du",     "leader_dv"};
+    const Wanted *wanted = view->wanted.items;
+    int count = 0, number = 1;
+    for (int i = 0; i < view->wanted.count; i++)
+        count += wanted[i].lines == 0 ? lines_of(&wanted[i]) : 1;
+    fprintf(out, "label_count = %d\n", count);
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+        fprintf(out, "array %s[%d]\n", arrays[i], count > 0 ? count : 1);
+    for (int i = 0; i < view->wanted.count; i++)
+        if (wanted[i].lines >= 0)
+            number = write_wanted(view, out, number, &wanted[i]);
+}
+
+bool plot_view_end(Plot *plot)
+{
+    PlotView *view = plot->view;
+    if (!view->looks)
+        return false;
+    for (int shape = 0; shape < SHAPES; shape++)
+        place(view, shape);
+    for (int panel = 1; panel < PANELS; panel++) {
+        write_both(plot->script, "size", panel, view->size[0][panel], view->size[1][panel]);
+        write_both(plot->script, "zero_x", panel, view->zero_u[0][panel], view->zero_u[1][panel]);
+        write_both(plot->script, "zero_y", panel, view->zero_v[0][panel], view->zero_v[1][panel]);
+    }
+    fputs("scale = size[1]\n", plot->script);
+    write_labels(view, plot->script);
+    return true;
+}
