@@ -7,9 +7,10 @@
 DRAWN_FIGURES := $(BUILT)/figures
 LAYOUTS := $(wildcard chapters/*/figures/*.gp)
 FIGURE_NAMES := $(sort $(notdir $(basename $(LAYOUTS))))
-FIGURES_WANTED := $(or $(subst $(comma), ,$(FIGURE)),$(FIGURE_NAMES))
-ifneq ($(filter-out $(FIGURE_NAMES),$(FIGURES_WANTED)),)
-$(error FIGURE=$(FIGURE): no such figure, expected one of $(FIGURE_NAMES))
+include .make/own_figures.mk
+FIGURES_WANTED := $(or $(subst $(comma), ,$(FIGURE)),$(OWN_FIGURES),$(FIGURE_NAMES))
+ifneq ($(filter-out $(FIGURE_NAMES) $(OWN_FIGURES),$(FIGURES_WANTED)),)
+$(error FIGURE=$(FIGURE): no such figure, expected one of $(OWN_FIGURES) $(FIGURE_NAMES))
 endif
 script_of = $(foreach name,$(2),$(1)/$(name)/$(name).gp)
 SCRIPTS := $(call script_of,$(DRAWN_FIGURES),$(FIGURE_NAMES))
@@ -49,7 +50,7 @@ endef
 
 DRAW_FIGURES := $(B)/chapters/gallery/draw_figures
 MAKE_PAGE := $(B)/chapters/gallery/gallery
-figures: $(call script_of,$(DRAWN_FIGURES),$(FIGURES_WANTED)) $(DRAW_FIGURES) $(MAKE_PAGE) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name)
+figures: $(call script_of,$(DRAWN_FIGURES),$(FIGURES_WANTED)) $(DRAW_FIGURES) $(MAKE_PAGE) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name; FIGURES=folder: your own)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
 		$(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURES_WANTED)
 	@$(MAKE_PAGE) $(BUILT) $(B)/scenes

@@ -13,7 +13,6 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <glob.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -260,17 +259,14 @@ static void complain(FILE *out, const char *name, Path said)
     for (number = 1; file != NULL && fgets(line, sizeof line, file) != NULL; number++)
         if (strcmp(line, "# ---- the layout\n") == 0)
             first = number;
+        else if (number < 4)
+            sscanf(line, "layout_file = \"%1100[^\"]", layout.s);
     if (file != NULL)
         fclose(file);
-    glob_t layouts;
-    if (glob(path_of("chapters/*/figures/%s.gp", name).s, 0, NULL, &layouts) == 0) {
-        layout = path_of("%s", layouts.gl_pathv[0]);
-        globfree(&layouts);
-        file = fopen(layout.s, "r");
-        while (file != NULL && fgets(line, sizeof line, file) != NULL)
+    if (layout.s[0] != '\0' && (file = fopen(layout.s, "r")) != NULL) {
+        while (fgets(line, sizeof line, file) != NULL)
             last++;
-        if (file != NULL)
-            fclose(file);
+        fclose(file);
     }
     size_t size;
     char *all = text_of(said, &size), *rest = all;

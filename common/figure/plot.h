@@ -3,6 +3,7 @@
 // A figure is a layout, chapters/NN-stem/figures/NAME.gp, and the data that the chapter's program
 // computes for it: numbers, points, vectors, tables. The script holds both, after
 // common/figure/plot.gp (formats, themes, projection), so that 'gnuplot NAME.gp' draws it anywhere.
+// Another layout of the same data, by anybody, is given with --layout.
 //
 // All data are the world's: the script projects them. If the data of right answers are also
 // given (--beside), those are index 0 of each block, and yours, drawn dashed beside them, are
@@ -127,14 +128,16 @@ typedef struct {
 
 // The command line's options for figures.
 typedef struct {
-    const char *name;  // which; "list": their names; NULL for a story or a picture
-    const char *right; // the script of the same figure by right answers; NULL: there is none
-    const char *note;  // a note if something differs; NULL: none
-    bool answers;      // instead of the script, the names of the answers that its data call
+    const char *name;   // which; "list": their names; NULL for a story or a picture
+    const char *layout; // a layout of somebody's own; NULL: the chapter's
+    const char *right;  // the script of the same figure by right answers; NULL: there is none
+    const char *note;   // a note if something differs; NULL: none
+    bool answers;       // instead of the script, the names of the answers that its data call
 } FigureCommand;
 
 #define FIGURE_OPTIONS(command)                                                                    \
     {"figure", 0, "NAME", option_string, &(command).name, "print a figure's gnuplot script"},      \
+        {"layout", 0, "FILE.gp", option_string, &(command).layout, "its data, laid out by you"},   \
         {"beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both shown"},  \
         {"answers", 0, NULL, option_flag, &(command).answers, "the answers that figure calls"},    \
     {                                                                                              \

@@ -6,6 +6,7 @@
 #include "common/text.h"
 #include "common/toolkit_file.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,7 +24,7 @@ static char *text_of_file(const char *path)
     size_t size;
     FILE *file = fopen(path, "r"), *copy = open_memstream(&text, &size);
     if (file == NULL || copy == NULL) {
-        fprintf(stderr, "cannot read %s\n", path);
+        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
         if (copy != NULL)
             fclose(copy);
         free(text);
@@ -68,7 +69,7 @@ static void keep_data(char *script)
 
 // The top of the script must say whether something is wrong, but that is known only after the data.
 static void write_script(Plot *plot, FILE *out, const Figure *figure, const char *head,
-                         const char *layout, const char *note, void *given)
+                         const char *file, const char *layout, const char *note, void *given)
 {
     char *data, *included;
     size_t size, included_size;
@@ -80,7 +81,10 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     bool placed = plot_view_end(plot);
     fclose(plot->included);
     fclose(plot->script);
-    fprintf(out, "name = \"%s\"\nwrong = %d\n", figure->name, plot->wrong);
+    char *name = gnuplot_string(figure->name, false), *from = gnuplot_string(file, false);
+    fprintf(out, "name = %s\nlayout_file = %s\nwrong = %d\n", name, from, plot->wrong);
+    free(name);
+    free(from);
     if (placed)
         fprintf(out, "text_size = %d\n", TEXT_SIZE);
     if (note != NULL && plot->wrong) {
@@ -94,24 +98,33 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     free(data);
 }
 
-bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
-                 const char *note, void *given)
+// The layout is a file of the toolkit, or somebody's own.
+static bool write_figure(FILE *out, const char *layout, bool own, const Figure *figure,
+                         const char *right, const char *note, void *given)
 {
     char *head_text = text_of_toolkit_file(HEAD);
-    char *layout_text = head_text != NULL ? text_of_toolkit_file(layout) : NULL;
+    char *layout_text = head_text == NULL ? NULL
+                        : own             ? text_of_file(layout)
+                                          : text_of_toolkit_file(layout);
     Plot plot = {.view = plot_view_new(),
                  .right = right != NULL && layout_text != NULL ? text_of_file(right) : NULL};
     bool read = layout_text != NULL && (right == NULL || plot.right != NULL);
     if (plot.right != NULL)
         keep_data(plot.right);
     if (read)
-        write_script(&plot, out, figure, head_text, layout_text, note, given);
+        write_script(&plot, out, figure, head_text, layout, layout_text, note, given);
     read = read && !plot.failed;
     plot_view_free(plot.view);
     free(plot.right);
     free(layout_text);
     free(head_text);
     return read;
+}
+
+bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
+                 const char *note, void *given)
+{
+    return write_figure(out, layout, false, figure, right, note, given);
 }
 
 static const Figure *figure_named(const char *program, const Figure *figures, const char *name)
@@ -126,6 +139,16 @@ static const Figure *figure_named(const char *program, const Figure *figures, co
     exit(EXIT_WRONG_USAGE);
 }
 
+// A layout's name: its file's, without folder and ending.
+static void name_of_layout(char *name, size_t size, const char *layout)
+{
+    const char *slash = strrchr(layout, '/');
+    snprintf(name, size, "%s", slash != NULL ? slash + 1 : layout);
+    char *dot = strrchr(name, '.');
+    if (dot != NULL && dot > name)
+        *dot = '\0';
+}
+
 int plot_figure(const char *program, const char *chapter, const Figure *figures,
                 FigureCommand command, void *given)
 {
@@ -134,13 +157,19 @@ int plot_figure(const char *program, const char *chapter, const Figure *figures,
             puts(figures->name);
         return EXIT_DONE;
     }
-    const Figure *figure = figure_named(program, figures, command.name);
-    char path[300], *script = NULL;
+    Figure figure = *figure_named(program, figures, command.name);
+    const char *own = command.layout;
+    char path[300], own_name[300], *script = NULL;
     size_t size;
     printing = program;
-    snprintf(path, sizeof path, "%s/figures/%s.gp", chapter, figure->name);
+    snprintf(path, sizeof path, "%s/figures/%s.gp", chapter, figure.name);
+    if (own != NULL) {
+        name_of_layout(own_name, sizeof own_name, own);
+        figure.name = own_name;
+    }
     FILE *out = open_memstream(&script, &size);
-    bool written = plot_script(out, path, figure, command.right, command.note, given);
+    bool written = write_figure(out, own != NULL ? own : path, own != NULL, &figure, command.right,
+                                command.note, given);
     fclose(out);
     for (int i = 0; command.answers && i < answers_called(); i++)
         puts(answer_that_was_called(i));
