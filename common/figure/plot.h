@@ -52,6 +52,7 @@ void plot_block(Plot *plot, const char *name, const char *columns);
 void plot_row(Plot *plot, int count, const double *numbers);
 void plot_row_point(Plot *plot, vec3 point);              // x y z
 void plot_row_vector(Plot *plot, vec3 from, vec3 vector); // x y z of its start, x y z of the vector
+void plot_row_dot(Plot *plot, int count, const double *numbers); // x y z first: the place of a dot
 void plot_gap(Plot *plot);       // an empty line: what follows is not joined with what went before
 bool plot_block_end(Plot *plot); // whether it differs from what is right
 
@@ -86,6 +87,9 @@ typedef struct {
     double left, right, bottom, top;
 } Room;
 void plot_room(Plot *plot, Room wide, Room narrow);
+
+// The picture fills its room, whatever room its labels need: for figures that must look alike.
+void plot_fill_room(Plot *plot);
 
 // What follows, up to the next call, is in another panel, 1 to 8, each with a room and a scale of
 // its own. Layouts: '@panel2 ...'; at first, it is panel 1.

@@ -32,6 +32,13 @@ void plot_row_vector(Plot *plot, vec3 from, vec3 vector)
     plot_row(plot, 6, (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2]});
 }
 
+void plot_row_dot(Plot *plot, int count, const double *numbers)
+{
+    plot_view_gap(plot);
+    plot_view_row(plot, vec3_of(numbers[0], numbers[1], numbers[2]), vec3_of(0, 0, 0));
+    plot_row(plot, count, numbers);
+}
+
 void plot_gap(Plot *plot)
 {
     putc('\n', plot->rows);

@@ -54,7 +54,7 @@ typedef struct {
 } List;
 
 struct PlotView {
-    bool looks, flat;
+    bool looks, flat, fills;
     vec3 u, v,
         near; // directions of the world: to the right on the canvas, up, towards whoever looks
     Room room[PANELS][SHAPES];
@@ -141,6 +141,11 @@ void plot_room(Plot *plot, Room wide, Room narrow)
 {
     plot->view->room[plot->view->panel][0] = wide;
     plot->view->room[plot->view->panel][1] = narrow;
+}
+
+void plot_fill_room(Plot *plot)
+{
+    plot->view->fills = true;
 }
 
 void plot_panel(Plot *plot, int panel)
@@ -490,10 +495,10 @@ static void place(PlotView *view, int shape)
     see(view, shape, 1, 1);
     double full = view->size[shape][1], least = INFINITY, best = 1;
     Area over[PANELS];
-    for (int measure = 0; measure < MEASURES; measure++) {
+    for (int measure = 0; measure < (view->fills ? 1 : MEASURES); measure++) {
         if (measure > 0)
             measure_over(view, shape);
-        for (int i = 0; i < TRIES; i++) {
+        for (int i = 0; i < (view->fills ? 1 : TRIES); i++) {
             see(view, shape, 1, parts[i]);
             double cost = SMALLER * (1 - view->size[shape][1] / full);
             if (cost >= least)

@@ -15,8 +15,9 @@
 // ---- image order, and the whole of ray casting ------------------------------------------------
 
 // The drawn pixels in the colours of the spheres that they show in a scene. Its sphere 0 is sphere
-// 'first' of the whole scene. A pixel that shows no sphere keeps the background.
-static void cells_data(Plot *plot, const Shown *shown, const Scene *scene, int first)
+// 'first' of the whole scene. A pixel that shows no sphere keeps the background. Returns how many
+// show one.
+static int cells_data(Plot *plot, const Shown *shown, const Scene *scene, int first)
 {
     int spheres[MOST_CELLS * MOST_CELLS], cells = 0, count = shown->grid.width * shown->grid.height;
     if (!cast_spheres(scene, shown->shot.camera, shown->grid, spheres))
@@ -29,25 +30,53 @@ static void cells_data(Plot *plot, const Shown *shown, const Scene *scene, int f
             cells++;
         }
     shown_cells_end(plot, shown, cells);
+    return cells;
 }
 
-static void cast_cells(Plot *plot, const Shown *shown)
+static int cast_cells(Plot *plot, const Shown *shown)
 {
     shown_cells_begin(plot, "pixels");
-    cells_data(plot, shown, shown->shot.scene, 0);
+    return cells_data(plot, shown, shown->shot.scene, 0);
+}
+
+static int ray_casting_data(Plot *plot, const Shown *shown)
+{
+    shown_data(plot, shown);
+    shown_patches(plot, shown);
+    plot_include(plot, "common/figure/spheres.gp");
+    shown_look(plot, shown);
+    return cast_cells(plot, shown);
+}
+
+static void counted(Plot *plot, int step, int cells, const char *what)
+{
+    char text[200];
+    snprintf(text, sizeof text, "%d pixel centre%s%s", cells, cells == 1 ? "" : "s", what);
+    plot_say(plot, 0.5, 0, &(Label){text, "ink", .step = step}, 1);
+}
+
+// What the ray meets, at the places where it does.
+static void hit_names(Plot *plot, const Shown *shown)
+{
+    if (shown->hit_count == 0)
+        plot_say(plot, 0.5, 0, &(Label){"the ray meets nothing", "ink", .step = 3}, 1);
+    for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++) {
+        char text[400];
+        snprintf(text, sizeof text, "$t$ = %s, sphere %s%s", number_text_to(shown->hits[i].t, 4).s,
+                 sphere_name(shown->hits[i].sphere).s, i == 0 ? ": closest" : "");
+        plot_name(plot, (Label){text, "ink", .step = 3, .block = "hits", .row = i});
+    }
 }
 
 static void ray_casting(Plot *plot, void *given)
 {
-    const Shown *shown = given;
-    shown_data(plot, shown);
-    shown_patches(plot, shown);
-    plot_include(plot, "common/figure/spheres.gp");
-    cast_cells(plot, shown);
+    ray_casting_data(plot, given);
+    hit_names(plot, given);
 }
 
-// The ray of a pixel that hits nothing; of several, the one nearest to a place up and to the left.
-static void missing_ray(Plot *plot, const Shown *shown)
+// The ray of a pixel that hits nothing; of several, the one nearest to a place up and to the left. Without
+// one, a ray of no length.
+static Ray missing_ray(const Shown *shown)
 {
     double best = INFINITY;
     Ray ray = {shown->ray.origin, vec3_of(0, 0, 0)};
@@ -61,15 +90,28 @@ static void missing_ray(Plot *plot, const Shown *shown)
             ray = r;
         }
     }
-    plot_number(plot, "misses", best < INFINITY);
-    shown_ray(plot, "miss", ray, shown_end(shown), shown_end(shown));
+    return ray;
+}
+
+// Object order and image order show the same: one after the other on a slide, nothing jumps.
+static void same_view(Plot *plot, const Shown *shown, Ray miss)
+{
+    const Room room = {0.04, 0.96, 0.14, 0.84};
+    plot_fit(plot, shown->ray.origin + shown_end(shown) * shown->ray.direction, 0);
+    plot_fit(plot, shown->ray.origin + shown_end(shown) * miss.direction, 0);
+    plot_room(plot, room, room);
+    plot_fill_room(plot);
 }
 
 static void image_order(Plot *plot, void *given)
 {
     const Shown *shown = given;
-    ray_casting(plot, given);
-    missing_ray(plot, shown);
+    int cells = ray_casting_data(plot, shown);
+    Ray miss = missing_ray(shown);
+    plot_number(plot, "misses", vec3_length(miss.direction) > 0);
+    shown_ray(plot, "miss", miss, shown_end(shown), shown_end(shown));
+    counted(plot, 5, cells, " hit");
+    same_view(plot, shown, miss);
 }
 
 // ---- object order -----------------------------------------------------------------------------
@@ -145,6 +187,7 @@ static void lines_to_eye(Plot *plot, Camera c, Sphere sphere, bool drawn)
             plot_row(plot, 5, (const double[]){p[0], p[1], p[2], part[i] * k / LINE_PLACES, 1});
         }
         plot_gap(plot);
+        plot_line(plot, c.origin, c.origin + v[i], 0, 0);
     }
     plot_block_end(plot);
     plot_block(plot, "heads", "x y z of the start, x y z of the vector");
@@ -163,13 +206,13 @@ static int the_object(const Shown *shown)
 }
 
 // The pixels that one sphere would colour if it were alone.
-static void cells_of(Plot *plot, const Shown *shown, int object)
+static int cells_of(Plot *plot, const Shown *shown, int object)
 {
     Scene alone = *shown->shot.scene;
     alone.spheres += object < 0 ? 0 : object;
     alone.sphere_count = object < 0 ? 0 : 1;
     shown_cells_begin(plot, "pixels");
-    cells_data(plot, shown, &alone, object < 0 ? 0 : object);
+    return cells_data(plot, shown, &alone, object < 0 ? 0 : object);
 }
 
 static void object_order(Plot *plot, void *given)
@@ -180,16 +223,22 @@ static void object_order(Plot *plot, void *given)
         shown_only(shown, object);
     shown_data(plot, shown);
     plot_include(plot, "common/figure/spheres.gp");
-    cells_of(plot, shown, object);
-    plot_text(plot, "object_name", object < 0 ? "" : sphere_name(object).s);
+    int cells = cells_of(plot, shown, object);
+    Text name = object < 0 ? (Text){""} : sphere_name(object);
+    plot_text(plot, "object_name", name.s);
     // Without a sphere there is no outline: a point takes its place.
     Sphere sphere = {.center = shown->shot.camera.origin + shown->shot.camera.forward};
     if (object >= 0)
         sphere = shown->shot.scene->spheres[object];
-    plot_number(plot, "eye_inside",
-                vec3_length(sphere.center - shown->camera.origin) < sphere.radius);
+    bool inside = vec3_length(sphere.center - shown->camera.origin) < sphere.radius;
+    plot_number(plot, "eye_inside", inside);
     outline_on_plane(plot, shown->camera, sphere);
     lines_to_eye(plot, shown->camera, sphere, shown->sphere_count > 0);
+    shown_look(plot, shown);
+    char where[200];
+    snprintf(where, sizeof where, inside ? ", because the eye is in %s" : " inside the outline of %s", name.s);
+    counted(plot, 4, cells, where);
+    same_view(plot, shown, missing_ray(shown));
 }
 
 // ---- all --------------------------------------------------------------------------------------

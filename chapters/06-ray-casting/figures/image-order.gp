@@ -1,13 +1,10 @@
 # image-order.gp - for each pixel its ray, and the sphere that it hits (slide 'Image order').
-note = drawn(0)
 title = "Image order: for each pixel, find the object that colours it"
 description = sprintf("A ray goes from the eye through the centre of pixel %s of %s and %s. ", pixel_text, size_text, \
     all_hits == 0 ? "meets no sphere" : sprintf("meets sphere %s at t = %s", nearest_name, nearest_text)). \
     (misses ? "The ray of another pixel meets nothing. " : "").sprintf("The rays through the centres of %d of the \
-%s pixels that are drawn hit a sphere. %s", cells, grid_text, in_part(0).note)
+%s pixels that are drawn hit a sphere. %s", cells, grid_text, in_part(0).drawn_text)
 steps = 5
-room = "0.04 0.96 0.16 0.93"
-@see
 @spheres
 
 plot @patches @behind \
@@ -21,13 +18,10 @@ plot @patches @behind \
     $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
     @before \
     @step2 $pixel using @point with @thick lc rgb ink title "outline of the pixel", \
-    @step2 $ray index 0 using @point with lines lw 1.2 dt 3 lc rgb blue title "ray, all of it", \
+    @step2 $ray index 0 using @point with lines lw 2.2 dt 3 lc rgb blue title "ray, all of it", \
     @step2 @who $ray index who using @bold with lines lw 2.2 dt dash(who) lc rgb blue title "ray", \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     @step4 for [who=0:wrong] $miss index who using @bold with lines lw 1.2 dt dash(who) lc rgb grey title "ray that misses", \
     @names \
-    @step5 $eye using (width / 2):(44):(sprintf("%d pixel centre%s hit", cells, cells == 1 ? "" : "s")) \
-        with labels tc rgb ink title "count", \
     $eye using @point with @dot lc rgb blue title "eye", \
-    $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
-    $eye using (16):(height - 20):(small(note)) with labels left tc rgb grey title "note"
+    @labels

@@ -1,13 +1,10 @@
 # object-order.gp - for one object, the pixels that it colours (slide 'Object order').
-note = drawn(0)
 title = "Object order: for each object, find the pixels that it colours"
 description = (!eye_inside ? sprintf("Lines go from the outline of sphere %s to the eye. The places where they cross the image plane \
 are its outline in the picture. Of the pixels that are drawn, the sphere colours those with centres inside: %d of %s. ", \
     object_name, cells, grid_text) : sprintf("Sphere %s has no outline here, because the eye is in it. It colours %d of the \
-%s pixels that are drawn. ", object_name, cells, grid_text)).note
+%s pixels that are drawn. ", object_name, cells, grid_text)).drawn_text
 steps = 4
-room = "0.04 0.96 0.16 0.93"
-@see
 @spheres
 
 plot @behind \
@@ -19,14 +16,10 @@ plot @behind \
     $plane using @point with @lines lc rgb ink title "plane", \
     @step4 $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
     @before \
-    @step2 $lines using @point with lines lw 1.2 dt 3 lc rgb blue title "lines to the eye, all of them", \
+    @step2 $lines using @point with lines lw 2.2 dt 3 lc rgb blue title "lines to the eye, all of them", \
     @step2 $lines using @bold with lines lw 1.6 lc rgb blue title "lines to the eye", \
     @step2 $heads using @vector with vectors head filled size 12,18,90 lw 1.6 lc rgb blue title "towards the eye", \
     @step3 $outline using @point with @thick lc rgb ink title "outline on the plane", \
     @names \
-    @step4 $eye using (width / 2):(44):(sprintf(!eye_inside ? "%d pixel centre%s inside the outline of %s" : \
-        "%d pixel centre%s, because the eye is in %s", cells, cells == 1 ? "" : "s", object_name)) \
-        with labels tc rgb ink title "count", \
     $eye using @point with @dot lc rgb blue title "eye", \
-    $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
-    $eye using (16):(height - 20):(small(note)) with labels left tc rgb grey title "note"
+    @labels

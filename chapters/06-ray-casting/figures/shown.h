@@ -57,6 +57,9 @@ void shown_cells_begin(Plot *plot, const char *name);
 void shown_cell(Plot *plot, const Shown *shown, Pixel cell, Color color);
 void shown_cells_end(Plot *plot, const Shown *shown, int cells);
 
+// From where the figure is seen, the eye's name, and a note at its edge on what is not drawn.
+void shown_look(Plot *plot, const Shown *shown);
+
 // $NAME: the places of a ray from the eye up to t = end; bold up to t = solid.
 void shown_ray(Plot *plot, const char *name, Ray ray, double end, double solid);
 

@@ -27,6 +27,7 @@ static void spheres(Plot *plot, const Shown *shown)
                  (const double[]){number, s->center[0], s->center[1], s->center[2], s->radius,
                                   rgb_number(scene_surface(scene, number)->color)});
         plot_fit(plot, s->center, s->radius);
+        plot_ball(plot, s->center, s->radius);
     }
     if (shown->sphere_count == 0) // gnuplot complains about an empty block
         plot_row(plot, 6, (const double[]){0, 0, 0, 0, 0, 0});
@@ -78,6 +79,7 @@ void shown_ray(Plot *plot, const char *name, Ray ray, double end, double solid)
         }
     }
     plot_block_end(plot);
+    plot_line(plot, ray.origin, ray.origin + end * ray.direction, 0, 0);
     plot_fit(plot, ray.origin + end * ray.direction, 0);
 }
 
@@ -114,7 +116,7 @@ static void hits(Plot *plot, const Shown *shown)
     for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++) {
         Hit hit = shown->hits[i];
         vec3 p = shown->ray.origin + hit.t * shown->ray.direction;
-        plot_row(plot, 5, (const double[]){p[0], p[1], p[2], hit.t, hit.sphere});
+        plot_row_dot(plot, 5, (const double[]){p[0], p[1], p[2], hit.t, hit.sphere});
     }
     // The first hit and the others are drawn separately, and gnuplot complains about an empty
     // block.
@@ -201,6 +203,7 @@ static void the_pixel(Plot *plot, const Shown *shown)
 static void centers(Plot *plot, const Shown *shown)
 {
     Resolution grid = shown->grid;
+    plot_undrawn(plot); // the lines around the pixels are
     plot_block(plot, "centers", "x y z of the pixels' centres");
     for (int i = 0; i < grid.width * grid.height; i++) {
         Pixel cell = {i % grid.width, i / grid.width};
@@ -208,6 +211,35 @@ static void centers(Plot *plot, const Shown *shown)
         plot_row_point(plot, ray.origin + ray.direction);
     }
     plot_block_end(plot);
+}
+
+// What the picture leaves out, or draws elsewhere.
+static void note(Plot *plot, const Shown *shown, double plane_at)
+{
+    Resolution grid = shown->grid, size = shown->shot.size;
+    int all = shown->shot.scene->sphere_count;
+    char pixels[80] = "", spheres[80] = "", plane[200] = "", text[400];
+    if (grid.width != size.width || grid.height != size.height)
+        snprintf(pixels, sizeof pixels, ", %d × %d of %d × %d pixels", grid.width, grid.height, size.width, size.height);
+    if (shown->sphere_count < all)
+        snprintf(spheres, sizeof spheres, ", %d of %d spheres", shown->sphere_count, all);
+    if (plane_at != 1)
+        snprintf(plane, sizeof plane, ", the image plane at t = %s", number_text_to(plane_at, 4).s);
+    snprintf(text, sizeof text, "%s%s%s", pixels, spheres, plane);
+    char words[420] = "";
+    if (text[0] != '\0')
+        snprintf(words, sizeof words, "Drawn: %s", text + 2);
+    plot_text(plot, "drawn_text", words);
+    if (words[0] != '\0')
+        plot_say(plot, 0, 1, &(Label){.text = "{drawn}", .color = "grey"}, 1);
+}
+
+void shown_look(Plot *plot, const Shown *shown)
+{
+    Camera c = shown->camera;
+    plot_look(plot, c.right, c.up, c.forward, 28, 16);
+    plot_name(plot, (Label){"eye", "blue", .block = "eye"});
+    note(plot, shown, c.distance / shown->shot.camera.distance);
 }
 
 void shown_data(Plot *plot, const Shown *shown)
