@@ -98,8 +98,13 @@ void plot_panel(Plot *plot, int panel);
 // The next block is not drawn as it is, so labels may cover it.
 void plot_undrawn(Plot *plot);
 
-// The layout draws this, besides the blocks: a ball, a line. Moved: by so many units of the canvas.
+// A part of the canvas in which the layout writes by itself: labels keep out of it.
+void plot_keep_clear(Plot *plot, Room part);
+
+// The layout draws this, besides the blocks: a ball, a circle (flat), a line. Moved: by so many
+// units of the canvas.
 void plot_ball(Plot *plot, vec3 center, double radius);
+void plot_circle(Plot *plot, vec3 center, double radius);
 void plot_line(Plot *plot, vec3 from, vec3 to, double moved_u, double moved_v);
 
 // A label, and what it names: a row of a block, or where 'block' is NULL a place of its own.

@@ -58,6 +58,7 @@ struct PlotView {
     vec3 u, v,
         near; // directions of the world: to the right on the canvas, up, towards whoever looks
     Room room[PANELS][SHAPES];
+    Room clear; // where no label may be
     int panel;
     List marks, words, wanted, fits;
     // The block that is being written.
@@ -221,6 +222,21 @@ void plot_undrawn(Plot *plot)
     plot->view->block = "";
 }
 
+void plot_circle(Plot *plot, vec3 center, double radius)
+{
+    enum { SIDES = 36 };
+    for (int i = 0; i < SIDES; i++) {
+        double a = 2 * PI * i / SIDES, b = 2 * PI * (i + 1) / SIDES;
+        plot_line(plot, center + radius * vec3_of(cos(a), sin(a), 0),
+                  center + radius * vec3_of(cos(b), sin(b), 0), 0, 0);
+    }
+}
+
+void plot_keep_clear(Plot *plot, Room part)
+{
+    plot->view->clear = part;
+}
+
 static void mark_row(Plot *plot, vec3 from, vec3 vector, bool yours)
 {
     PlotView *view = plot->view;
@@ -315,7 +331,10 @@ static void see(PlotView *view, int shape, int panel, double part)
     double bottom = HEIGHT * room.bottom + over.bottom, top = HEIGHT * room.top - over.top;
     double size =
         part * fmin((right - left) / (high[0] - low[0]), (top - bottom) / (high[1] - low[1]));
-    size = isfinite(size) && size > 0 ? size : 1;
+    if (!isfinite(size) || size <= 0) // nothing, or a point
+        size = 1;
+    for (int k = 0; k < 2; k++)
+        low[k] = isfinite(low[k]) ? low[k] : 0, high[k] = isfinite(high[k]) ? high[k] : 0;
     view->size[shape][panel] = size;
     view->zero_u[shape][panel] = (left + right) / 2 - size * (low[0] + high[0]) / 2;
     view->zero_v[shape][panel] = (bottom + top) / 2 - size * (low[1] + high[1]) / 2;
@@ -406,6 +425,12 @@ static void draw(const PlotView *view, int shape, Labels *labels)
 {
     enum { LINE = 3, DOT = 6, STEPS = 1 };
     const Mark *marks = view->marks.items;
+    if (view->clear.top > view->clear.bottom) {
+        double v = HEIGHT * (view->clear.bottom + view->clear.top) / 2, width = canvas_width[shape];
+        labels_line(labels, (Spot){width * view->clear.left, v},
+                    (Spot){width * view->clear.right, v},
+                    HEIGHT * (view->clear.top - view->clear.bottom));
+    }
     for (int i = 0; i < view->marks.count; i++) {
         const Mark *mark = &marks[i];
         Spot from = moved(spot_of(view, shape, mark->panel, mark->from), mark);

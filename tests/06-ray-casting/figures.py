@@ -340,13 +340,6 @@ def object_order(scene, pixel, options=None):
                                                       dot(v, plus(tuple(row[:3]), center, -1))], [radius, 0])
 
 
-def flat_place(figure, room, low_x, high_x, low_y, high_y):
-    wide, tall = figure.width * (room[1] - room[0]), figure.height * (room[3] - room[2])
-    size = min(wide / (high_x - low_x), tall / (high_y - low_y))
-    return size, lambda x, y: (figure.width * (room[0] + room[1]) / 2 + size * (x - (low_x + high_x) / 2),
-                               figure.height * (room[2] + room[3]) / 2 + size * (y - (low_y + high_y) / 2))
-
-
 def parts_of_circles(figure, place, circles, window):
     """Of each circle that is too large, only the visible part is filled, and its arc drawn."""
     low_x, high_x, low_y, high_y = window
@@ -399,7 +392,10 @@ def nearest_hit(scene, pixel, options=None):
     high_x = max([1.2] + [t + r for t, _, r in whole] + [t + 0.25 * max(1, t) for t in parts.values()])
     low_y = min([-room] + [y - r for _, y, r in whole])
     high_y = max([room] + [y + r for _, y, r in whole])
-    size, place = flat_place(figure, (0.05, 0.95, 0.38, 0.94), low_x, high_x, low_y, high_y)
+    place = figure.see_flat()
+    (left, bottom), (right, top) = place(low_x, low_y), place(high_x, high_y)
+    checks.that("all of it is on the canvas, below a title", 0 < left and right < figure.width and
+                150 < bottom and top < 464 + NEAR, str((left, bottom, right, top)))
     rows = figure.block("circles")
     shown = sorted(int(row[0]) for row in rows)
     checks.that("these spheres are drawn", shown == sorted(circles), f"{shown}, expected {sorted(circles)}")
@@ -416,8 +412,7 @@ def nearest_hit(scene, pixel, options=None):
     checks.near("the rings where the ray meets them", sorted(figure.dots("roots")), wanted)
     checks.near("the closest", figure.dots("closest"), [place(t, 0) for t, _ in hits[:1]])
     checks.near("the closest on the axis", figure.dots("closest on the axis"),
-                [(place(t, 0)[0], 112) for t, _ in hits[:1]])
-    checks.near("the arrow to it", figure.tips("this one") if hits else [], [(place(t, 0)[0], 86) for t, _ in hits[:1]])
+                [(place(t, 0)[0], 96) for t, _ in hits[:1]])
     checks.near("the eye", figure.dots("eye"), place(0, 0))
     drawn = figure.lines("intervals") if any(world.roots(v, i) for i in circles) else []
     spans = sorted((min(x for x, _ in line), max(x for x, _ in line)) for line in drawn)

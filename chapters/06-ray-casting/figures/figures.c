@@ -74,8 +74,8 @@ static void ray_casting(Plot *plot, void *given)
     hit_names(plot, given);
 }
 
-// The ray of a pixel that hits nothing; of several, the one nearest to a place up and to the left. Without
-// one, a ray of no length.
+// The ray of a pixel that hits nothing; of several, the one nearest to a place up and to the left.
+// Without one, a ray of no length.
 static Ray missing_ray(const Shown *shown)
 {
     double best = INFINITY;
@@ -236,7 +236,8 @@ static void object_order(Plot *plot, void *given)
     lines_to_eye(plot, shown->camera, sphere, shown->sphere_count > 0);
     shown_look(plot, shown);
     char where[200];
-    snprintf(where, sizeof where, inside ? ", because the eye is in %s" : " inside the outline of %s", name.s);
+    snprintf(where, sizeof where,
+             inside ? ", because the eye is in %s" : " inside the outline of %s", name.s);
     counted(plot, 4, cells, where);
     same_view(plot, shown, missing_ray(shown));
 }

@@ -12,28 +12,22 @@ description = sprintf("One ray and %d spheres. ", balls).(behind_names eq "" ? "
     sprintf("Hit: %s. The smallest t > 0 is %s, on sphere %s. ", hit_names, nearest_text, nearest_name)). \
     left_out
 steps = 4
-room = "0.05 0.95 0.38 0.94"
-@flat
-axis = 112
-above_axis(lane) = axis + 12 + 15 * lane
+axis = 96
+above_axis(lane) = axis + 14 + 24 * lane
 x(t) = U(1, t)
 on_ray = V(1, 0)
 # Numbers on the axis: 1, 2 or 5 times a power of ten.
-rough = (high_x - low_x) / 9
+rough = (high_x - low_x) / 7
 power = 10 ** floor(log10(rough))
 tick = rough > 5 * power ? 10 * power : rough > 2 * power ? 5 * power : rough > power ? 2 * power : power
 first = tick * ceil(low_x / tick)
 ticks = floor((high_x - first) / tick)
 tick_at(k) = first + tick * k
-inside_text(number, fate, r) = r < 10 ? "" : ball_name(number).(fate > 1 || r < 44 ? "" : \
-    fate == 0 ? "\n".small("missed") : "\n".small("behind"))
-# Within the window; the name of a part is half way from the hit to the place nearest to the middle.
+# Within the window.
 shown_t(t) = most(low_x, least(high_x, t))
-shown_side(side) = most(low_y, least(high_y, side))
-name_side(side, r) = side + (side < 0 ? -0.5 : 0.5) * r
 # Outlines are ellipses: gnuplot 5.4 draws an empty circle's outline twice, which closes the gaps of a dashed one.
 diameter = "(2*size[1]*$4):(2*size[1]*$4)"
-words_x = all_hits ? most(width * 0.24, least(width * 0.76, x(nearest))) : width / 2
+words_x = all_hits ? most(width * 0.28, least(width * 0.72, x(nearest))) : width / 2
 
 plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed \
         fc rgb variable fs solid noborder title "parts", \
@@ -50,22 +44,18 @@ plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed 
     $along using (x(0)):(on_ray):(x(high_x) - x(0)):(0) with vectors nohead lw 1.6 lc rgb blue title "ray", \
     $along using (x(0)):(on_ray):(x(1) - x(0)):(0) with @arrow lc rgb blue title "v", \
     $along using (x(0)):(on_ray) with @dot lc rgb blue title "eye", \
-    $along using (x(0)):(on_ray):("eye") with labels right tc rgb blue offset -0.8,-0.9 title "eye, label", \
-    $along using (x(0.5)):(on_ray):(math("v")) with labels tc rgb blue offset 0,0.8 title "v, label", \
-    $circles index 0 using (x($11 == 1 ? (shown_t($2) + $9) / 2 : $2)):(V(1,$11 == 1 ? shown_side($3) / 2 : name_side($3,$4))):(inside_text($1,$6,size[1]*$4)) \
-        with labels tc rgb ink title "names", \
     @step2 $along using (x(low_x)):(axis):(x(high_x) - x(low_x) + 14):(0) \
         with vectors head filled size 10,16,90 lw 1 lc rgb grey title "axis", \
-    @step2 $along using (x(high_x) + 24):(axis):(math("t")) with labels tc rgb grey title "t", \
+    @step2 $along using (x(high_x) + 20):(axis - 22):(math("t")) with labels tc rgb grey title "t", \
     @step2 for [k=0:ticks] $along using (x(tick_at(k))):(axis - 3):(0):(6) with vectors nohead lw 1 lc rgb grey \
         title "ticks", \
-    @step2 for [k=0:ticks] $along using (x(tick_at(k))):(axis - 16):(small(gprintf("%g", tick_at(k)))) \
+    @step2 for [k=0:ticks] $along using (x(tick_at(k))):(axis - 22):(x(tick_at(k)) > x(high_x) - 16 ? "" : gprintf("%g", tick_at(k))) \
         with labels tc rgb grey title "numbers", \
-    @step2 $circles index 0 using (x(shown_t($7)) - 1):(above_axis($10)):(x(shown_t($8)) - x(shown_t($7)) + 2):(0) with vectors nohead lw 7 \
+    @step2 $circles index 0 using (x(shown_t($7)) - 1):(above_axis($10)):(x(shown_t($8)) - x(shown_t($7)) + 2):(0) with vectors nohead lw 9 \
         lc rgb grey title "intervals, outline", \
-    @step2 $circles index 0 using (x(shown_t($7))):(above_axis($10)):(x(shown_t($8)) - x(shown_t($7))):(0):5 with vectors nohead lw 5 \
+    @step2 $circles index 0 using (x(shown_t($7))):(above_axis($10)):(x(shown_t($8)) - x(shown_t($7))):(0):5 with vectors nohead lw 7 \
         lc rgb variable title "intervals", \
-    @step2 $circles index 0 using ($6 > 0 ? x(shown_t($8)) + 4 : width / 2):(above_axis($10)):($6 > 0 ? small(ball_name($1)) : "") \
+    @step2 $circles index 0 using ($6 > 0 ? x(shown_t($8)) + 4 : width / 2):(above_axis($10)):($6 > 0 ? ball_name($1) : "") \
         with labels left tc rgb ink title "intervals, names", \
     @step2 @who $roots index who using ($1 == shown_t($1) ? x($1) : NaN):(on_ray) with @ring lc rgb ink title "roots", \
     @step3 $circles index 0 using ($6 == 1 ? x($7) - 5 : NaN):(above_axis($10)):($6 == 1 ? x($8) - x($7) + 10 : NaN):(0) \
@@ -75,8 +65,6 @@ plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed 
         lc rgb orange title "closest, down", \
     @step4 @who $closest index who using (x($1)):(on_ray) with points pt (who ? 8 : 7) ps 0.6 lc rgb orange title "closest", \
     @step4 $closest index 0 using (x($1)):(axis) with @dot lc rgb orange title "closest on the axis", \
-    @step4 $closest index 0 using (x($1)):(62):(0):(24) with @arrow lc rgb orange title "this one", \
-    @step4 $along using (words_x):(44):(all_hits ? "smallest ".math("t")." > 0:  ".math("t")." = ".nearest_text. \
+    @step4 $along using (words_x):(30):(all_hits ? "smallest ".math("t")." > 0:  ".math("t")." = ".nearest_text. \
         ", sphere ".nearest_name : "no ".math("t")." > 0: nothing is hit") with labels tc rgb orange title "words", \
-    $along using (16):(height - 20):(small(left_out eq "" ? " " : left_out)) \
-        with labels left tc rgb grey title "note"
+    @labels

@@ -14,7 +14,8 @@ enum { MOST_CIRCLES = 8, MOST_MISSED = 2, IN_PART = 4 };
 typedef struct {
     int sphere;
     double t, aside, radius; // aside: from the ray to the centre
-    bool part;               // only its part in the window is drawn
+    double hit;
+    bool part; // only its part in the window is drawn
 } Circle;
 
 static Circle circle_of(const Shown *shown, int sphere)
@@ -25,7 +26,9 @@ static Circle circle_of(const Shown *shown, int sphere)
     double t = vec3_dot(p, v) / vec3_dot(v, v);
     vec3 off = p - t * v;
     double side = vec3_dot(off, shown->shot.camera.up) < 0 ? -1 : 1;
-    return (Circle){sphere, t, side * vec3_length(off) / length, s.radius / length, false};
+    return (Circle){
+        sphere, t, side * vec3_length(off) / length, s.radius / length, hit_sphere(shown->ray, s),
+        false};
 }
 
 #define PASSED 1e9 // more than any t
@@ -92,23 +95,26 @@ static int fate(const Shown *shown, Circle circle, Roots roots)
     return hit_sphere(shown->ray, shown->shot.scene->spheres[circle.sphere]) < NO_HIT ? 2 : 1;
 }
 
-// The lowest lane beside the axis in which an interval meets no other.
-static int lane_of(const Roots *intervals, const int *lanes, int count, Roots roots)
+// The lowest lane beside the axis in which an interval meets no other, with room for the names at
+// their ends.
+static int lane_of(const Roots *intervals, const int *lanes, int count, Roots roots, double name)
 {
     int lane = 0;
     for (int i = 0; i < count; i++)
-        if (lanes[i] == lane && intervals[i].count > 0 && intervals[i].t[0] <= roots.t[1] &&
-            roots.t[0] <= intervals[i].t[1]) {
+        if (lanes[i] == lane && intervals[i].count > 0 && intervals[i].t[0] <= roots.t[1] + name &&
+            roots.t[0] <= intervals[i].t[1] + name) {
             lane++;
             i = -1;
         }
     return lane;
 }
 
-static void circle_data(Plot *plot, const Shown *shown, const Circle *circles, int count)
+// Returns how many lanes there are.
+static int circle_data(Plot *plot, const Shown *shown, const Circle *circles, int count, Window w)
 {
+    double name = 0.06 * (w.high[0] - w.low[0]);
     Roots intervals[MOST_CIRCLES];
-    int lanes[MOST_CIRCLES];
+    int lanes[MOST_CIRCLES], most = 0;
     plot_block(plot, "circles", "number t aside radius rgb fate root root hit lane part");
     for (int i = 0; i < count; i++) {
         Circle c = circles[i];
@@ -116,7 +122,8 @@ static void circle_data(Plot *plot, const Shown *shown, const Circle *circles, i
         double hit = hit_sphere(shown->ray, scene->spheres[c.sphere]);
         intervals[i] = sphere_roots(shown->ray, scene->spheres[c.sphere]);
         bool met = intervals[i].count > 0;
-        lanes[i] = met ? lane_of(intervals, lanes, i, intervals[i]) : 0;
+        lanes[i] = met ? lane_of(intervals, lanes, i, intervals[i], name) : 0;
+        most = lanes[i] > most ? lanes[i] : most;
         plot_row(plot, 11,
                  (const double[]){c.sphere, c.t, c.aside, c.radius,
                                   rgb_number(scene_surface(scene, c.sphere)->color),
@@ -136,6 +143,7 @@ static void circle_data(Plot *plot, const Shown *shown, const Circle *circles, i
             plot_row(plot, 1, &intervals[i].t[k]);
     plot_row(plot, 1, (const double[]){NAN});
     plot_block_end(plot);
+    return most + 1;
 }
 
 // The names of the spheres with some fate, or of those drawn in part, as "A, C".
@@ -207,6 +215,48 @@ static int larger_first(const void *a, const void *b)
     return (first < second) - (first > second);
 }
 
+// Below the picture is the axis, with a lane for each interval above it (nearest-hit.gp).
+static void look(Plot *plot, const Shown *shown, const Circle *circles, int count, Window w,
+                 int lanes)
+{
+    enum { FEW = 5 };
+    double below = (110 + 24.0 * lanes) / 540;
+    plot_look_flat(plot);
+    plot_room(plot, (Room){0.05, 0.93, below + 0.05, 0.85}, (Room){0.06, 0.92, below + 0.05, 0.85});
+    plot_fill_room(plot);
+    plot_keep_clear(plot, (Room){0, 1, 0, below});
+    plot_fit(plot, vec3_of(w.low[0], w.low[1], 0), 0);
+    plot_fit(plot, vec3_of(w.high[0], w.high[1], 0), 0);
+    plot_line(plot, vec3_of(w.low[0], 0, 0), vec3_of(w.high[0], 0, 0), 0, 0);
+    // From the eye and from the closest hit, lines go down to the axis.
+    double down = w.low[1] - 2 * (w.high[0] - w.low[0]);
+    plot_line(plot, vec3_of(0, 0, 0), vec3_of(0, down, 0), 0, 0);
+    if (shown->hit_count > 0)
+        plot_line(plot, vec3_of(shown->hits[0].t, 0, 0), vec3_of(shown->hits[0].t, down, 0), 0, 0);
+    plot_name(plot, (Label){.text = "eye", .color = "blue"});
+    plot_name(plot, (Label){.text = "$v$", .color = "blue", .place = vec3_of(0.5, 0, 0)});
+    for (int i = 0; i < count; i++) {
+        Circle c = circles[i];
+        vec3 center = vec3_of(c.t, c.aside, 0);
+        plot_circle(plot, center, c.radius);
+        if (c.part)
+            center = vec3_of((fmax(w.low[0], fmin(w.high[0], c.t)) + c.hit) / 2,
+                             fmax(w.low[1], fmin(w.high[1], c.aside)) / 2, 0);
+        static const char *const what[] = {" missed", " behind", "", ""};
+        int its = fate(shown, c, sphere_roots(shown->ray, shown->shot.scene->spheres[c.sphere]));
+        char text[200];
+        snprintf(text, sizeof text, "%s%s", sphere_name(c.sphere).s, count <= FEW ? what[its] : "");
+        plot_name(plot, (Label){.text = text, .color = "ink", .place = center});
+    }
+}
+
+static void left_out(Plot *plot, int count, int all)
+{
+    char text[100];
+    snprintf(text, sizeof text, "Drawn: %d of %d spheres", count, all);
+    plot_say(plot, 0, 1, &(Label){.text = text, .color = "grey"}, 1);
+}
+
 void nearest_figure_data(Plot *plot, void *given)
 {
     const Shown *shown = given;
@@ -222,7 +272,7 @@ void nearest_figure_data(Plot *plot, void *given)
     // Large circles are drawn first, below small ones.
     qsort(circles, (size_t)count, sizeof *circles, larger_first);
     Window window = window_of(shown, circles, count);
-    circle_data(plot, shown, circles, count);
+    int lanes = circle_data(plot, shown, circles, count, window);
     part_data(plot, shown, circles, count, window);
     window_data(plot, window);
     plot_number(plot, "all_hits", shown->hit_count);
@@ -235,4 +285,7 @@ void nearest_figure_data(Plot *plot, void *given)
     plot_row(plot, 1, (const double[]){0});
     plot_block_end(plot);
     plot_include(plot, "common/figure/spheres.gp");
+    look(plot, shown, circles, count, window, lanes);
+    if (count < shown->shot.scene->sphere_count)
+        left_out(plot, count, shown->shot.scene->sphere_count);
 }

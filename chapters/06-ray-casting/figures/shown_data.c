@@ -220,7 +220,8 @@ static void note(Plot *plot, const Shown *shown, double plane_at)
     int all = shown->shot.scene->sphere_count;
     char pixels[80] = "", spheres[80] = "", plane[200] = "", text[400];
     if (grid.width != size.width || grid.height != size.height)
-        snprintf(pixels, sizeof pixels, ", %d × %d of %d × %d pixels", grid.width, grid.height, size.width, size.height);
+        snprintf(pixels, sizeof pixels, ", %d × %d of %d × %d pixels", grid.width, grid.height,
+                 size.width, size.height);
     if (shown->sphere_count < all)
         snprintf(spheres, sizeof spheres, ", %d of %d spheres", shown->sphere_count, all);
     if (plane_at != 1)

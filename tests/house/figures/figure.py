@@ -249,6 +249,11 @@ class Figure:
         self.center = [(low[i] + high[i]) / 2 for i in range(2)]
         self.middle = (self.width * (room[0] + room[1]) / 2, self.height * (room[2] + room[3]) / 2)
 
+    def see_flat(self, panel=1):
+        """Where x, y of a flat figure belong."""
+        size, x0, y0 = (self.chosen(f"{name}[{panel}]") for name in ("size", "zero_x", "zero_y"))
+        return lambda x, y: (x0 + size * x, y0 + size * y)
+
     def place(self, point):
         return tuple(self.middle[i] + self.scale * (dot(point, self.axes[i]) - self.center[i])
                      for i in range(2))
