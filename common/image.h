@@ -12,6 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 // Red, green, blue, each from 0 to 1.
 typedef vec3 Color;
@@ -55,5 +56,8 @@ void image_set(Image *image, Pixel pixel, Color color);
 // Writes a PNG, whole or not at all (whole_file.h); one of at most 256 colours as a palette and
 // indices, which decode to the same. False, and a message, where it could not.
 bool image_write_png(const Image *image, const char *path, Message *message);
+
+// The same into an open file; messages name the path.
+bool image_print_png(FILE *file, const Image *image, const char *path, Message *message);
 
 #endif

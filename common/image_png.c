@@ -122,9 +122,8 @@ static bool try_to_encode(png_structp png, png_infop info, const Image *image, P
     return true;
 }
 
-static bool write_png(FILE *file, const void *given, const char *path, Message *message)
+bool image_print_png(FILE *file, const Image *image, const char *path, Message *message)
 {
-    const Image *image = given;
     Message words = {"out of memory"};
     errno = 0;
     png_structp png =
@@ -139,6 +138,11 @@ static bool write_png(FILE *file, const void *given, const char *path, Message *
         return true;
     return message_set(message, "%s: cannot write the picture: %s", path,
                        errno != 0 ? strerror(errno) : words.text);
+}
+
+static bool write_png(FILE *file, const void *given, const char *path, Message *message)
+{
+    return image_print_png(file, given, path, message);
 }
 
 bool image_write_png(const Image *image, const char *path, Message *message)

@@ -16,8 +16,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+// An option that was not given: the closing slide has another style than other pictures.
+enum { UNTOLD = -1 };
+
+static void set_untold(Style *told, Style style)
+{
+    if (told->samples == UNTOLD)
+        told->samples = style.samples;
+    if (told->depth == UNTOLD)
+        told->depth = style.depth;
+}
+
 // The pixel that is explained by default: near the highlight of the red sphere.
-static const Pixel in_the_light = {430, 130};
+static const Pixel in_the_light = {370, 110};
 
 static const struct {
     const char *word;
@@ -86,6 +97,7 @@ int main(int argc, char **argv)
 {
     Command command = {0};
     Lighting lighting = lighting_untold;
+    lighting.style.samples = lighting.style.depth = UNTOLD;
     Term term = TERM_ALL;
     ExportFormat format = EXPORT_NONE;
     bool flat = false;
@@ -108,13 +120,16 @@ int main(int argc, char **argv)
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);
-    lighting_check(&lighting, argv[0]);
     if (format != EXPORT_NONE && command.output == NULL)
         options_wrong(argv[0], "--export: expected -o FILE as well");
     command.scene_path = argv[first];
     bool closing = argv[first] == NULL && !flat && term == TERM_ALL && format == EXPORT_NONE;
     if (closing)
         command.picture_name = "still-something-missing";
+    Style closing_told = lighting.style; // the numbers of a pixel are with mirrors
+    set_untold(&closing_told, closing_style);
+    set_untold(&lighting.style, lighting_untold.style);
+    lighting_check(&lighting, argv[0]);
 
     static Drawing drawing;
     // Another renderer shades an exported scene.
@@ -142,7 +157,7 @@ int main(int argc, char **argv)
     keep_term(scene, flat ? TERM_FLAT : term);
     if (!closing)
         render(scene, drawing.camera, lighting.style, &drawing.image);
-    else if (!draw_both(&drawing, lighting.style))
+    else if (!draw_both(&drawing, closing_told))
         return EXIT_COULD_NOT;
     int status = drawing_end(&drawing);
     if (status == EXIT_DONE && command.output == NULL)

@@ -11,6 +11,7 @@
 #ifndef COMMON_FIGURE_PLOT_H
 #define COMMON_FIGURE_PLOT_H
 
+#include "common/image.h"
 #include "common/options.h"
 #include "common/vec3.h"
 
@@ -55,6 +56,12 @@ void plot_row_vector(Plot *plot, vec3 from, vec3 vector); // x y z of its start,
 void plot_row_dot(Plot *plot, int count, const double *numbers); // x y z first: the place of a dot
 void plot_gap(Plot *plot);       // an empty line: what follows is not joined with what went before
 bool plot_block_end(Plot *plot); // whether it differs from what is right
+
+// ---- pictures (plot_picture.c) ----------------------------------------------------------------
+
+// $NAME: a picture, as a PNG in base64, which the layout decodes into a file for gnuplot. If right
+// answers make another picture, $NAME is that one, and $your_NAME yours.
+void plot_picture(Plot *plot, const char *name, const Image *image);
 
 // ---- what the layout starts from (plot_fit.c, plot_script.c) ----------------------------------
 

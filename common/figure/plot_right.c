@@ -27,10 +27,11 @@ size_t plot_right_rows(const Plot *plot, const char *block, const char **begin)
 {
     char key[120];
     snprintf(key, sizeof key, "\n$%s << EOD\n", block);
-    size_t size = between(plot, key, "EOD\n", begin);
+    size_t size = between(plot, key, "\nEOD\n", begin);
     const char *line = size > 0 ? strchr(*begin, '\n') : NULL;
     if (line == NULL)
         return 0;
+    size++; // the last row's end
     size -= (size_t)(line + 1 - *begin);
     *begin = line + 1;
     return size;

@@ -1,17 +1,23 @@
 """figures.py - the figures of chapter 07 are right."""
+import base64
 import math
+import os
+import random
+import re
+import struct
 import tempfile
 
+import png
 from check import Checks, holds_for_every, on_the_canvas, told_in_words
-from figure import Figure, dot, plus, times
+from figure import SVG, XLINK, Figure, dot, plus, times
 
 checks = Checks("figures of 07-shading")
 
 # The deck's spheres (deck units negated in z, as NFF has it), the scene's light, Phong's model.
 SPHERES = [((2, 2, 1), (1, 0, 0)), ((2, -2, 0), (0, 1, 0)), ((-2, 0, -1), (0, 0, 1))]
-RADIUS, EYE, ANGLE, LIGHT = 3, (0, 0, 20), 42, (10, 10, 20)
-KD, KS, SHINE, AMBIENT, GREY = 0.8, 0.2, 20, 0.1, 127
-COLUMNS, ROWS = 112, 84
+RADIUS, EYE, ANGLE, LIGHT = 3, (0, 0, 20), 42, (-8, 14, 16)
+KD, KS, SHINE, AMBIENT, GREY = 0.9, 0.5, 40, 0.1, 127
+COLUMNS, ROWS, SAMPLES = 920, 690, 3
 
 
 def unit(v):
@@ -26,15 +32,13 @@ def meets(origin, direction, center):
     return ahead - math.sqrt(square) if square >= 0 and ahead > 0 else math.inf
 
 
-def light_of(column, row):
-    """(flat, shaded) bytes of a pixel, and how near it is to an edge, where rounding decides."""
+def seen_at(x, y):
+    """(flat, shaded, which sphere, whether in a shadow) at a place of the picture, in pixels from its upper left."""
     half = math.tan(math.radians(ANGLE / 2))
-    x = (2 * (column + 0.5) / COLUMNS - 1) * half
-    y = (1 - 2 * (row + 0.5) / ROWS) * half * ROWS / COLUMNS
-    way = unit((x, y, -1))
+    way = unit(((2 * x / COLUMNS - 1) * half, (1 - 2 * y / ROWS) * half * ROWS / COLUMNS, -1))
     t, i = min((meets(EYE, way, center), i) for i, (center, _) in enumerate(SPHERES))
     if t == math.inf:
-        return (GREY,) * 3, (GREY,) * 3
+        return (GREY / 255,) * 3, (GREY / 255,) * 3, None, False
     center, color = SPHERES[i]
     point = plus(EYE, way, t)
     normal = unit(plus(point, center, -1))
@@ -44,33 +48,68 @@ def light_of(column, row):
     cosine = 0 if dark else max(0, dot(normal, to_light))
     mirrored = plus(times(2 * dot(normal, to_light), normal), to_light, -1)
     shine = KS * max(0, -dot(mirrored, way)) ** SHINE if cosine > 0 else 0
-    shaded = [KD * c * (AMBIENT + cosine) + shine for c in color]
-    return tuple(255 * c for c in color), tuple(math.floor(255 * min(1, c) + 0.5) for c in shaded)
+    return color, [min(1, KD * c * (AMBIENT + cosine) + shine) for c in color], i, dark and dot(normal, to_light) > 0
 
 
-def bytes_of(number):
-    return int(number) >> 16, int(number) >> 8 & 255, int(number) & 255
+def mean_at(column, row):
+    """(flat, shaded) bytes of a pixel, the mean of its samples; and what its samples see."""
+    seen = [seen_at(column + (i + 0.5) / SAMPLES, row + (j + 0.5) / SAMPLES) for i in range(SAMPLES) for j in range(SAMPLES)]
+    means = [[255 * sum(sample[which][k] for sample in seen) / len(seen) for k in range(3)] for which in (0, 1)]
+    return (*means, {(sample[2:]) for sample in seen})
+
+
+def picture(figure, name):
+    """A picture of the script: its width, its height, and its bytes."""
+    text = re.search(r"^\$" + name + r" << EOD\n#[^\n]*\n(.*?)\nEOD$", figure.script, re.M | re.S)[1]
+    data = base64.b64decode(text)
+    return (*struct.unpack(">II", data[16:24]), png.decoded(data))
+
+
+def drawn_pictures(figure):
+    """The pictures of the drawn figure, from the left: where each is on the canvas, and its PNG."""
+    found = []
+    for image in figure.svg.iter(SVG + "image"):
+        x, y, wide, tall = (float(image.get(key)) for key in ("x", "y", "width", "height"))
+        found.append(((x, figure.height - y - tall, wide, tall), base64.b64decode(image.get(XLINK + "href").split(",")[1])))
+    return sorted(found)
 
 
 figure = Figure("07-shading", "flat-and-shaded")
-flat, shaded = figure.block("flat"), figure.block("shaded")
-wrong, far = 0, 0
-for row in range(ROWS):
-    for column in range(COLUMNS):
-        wanted = light_of(column, row)
-        wrong += bytes_of(flat[ROWS - 1 - row][column]) != wanted[0]
-        got = bytes_of(shaded[ROWS - 1 - row][column])
-        far += max(abs(a - b) for a, b in zip(got, wanted[1])) > 1
-checks.that("every pixel of the flat picture agrees with the light model", wrong == 0, f"{wrong} are not")
-checks.that("and of the shaded one, except at edges of shadows", far <= 12, f"{far} are not")
+pictures = {name: picture(figure, name) for name in ("flat", "shaded")}
+for name, (wide, tall, _) in pictures.items():
+    checks.that(f"the {name} picture has two pixels for a unit of the canvas", (wide, tall) == (COLUMNS, ROWS), f"{wide}, {tall}")
+dice = random.Random(7)
+places = [(dice.randrange(COLUMNS), dice.randrange(ROWS)) for _ in range(int(os.environ.get("PIXELS", "600")))]
+wrong = {"flat": 0, "shaded": 0}
+for column, row in places:
+    *wanted, seen = mean_at(column, row)
+    for name, goal in zip(("flat", "shaded"), wanted):
+        got = pictures[name][2][3 * (row * COLUMNS + column):][:3]
+        wrong[name] += max(abs(a - b) for a, b in zip(got, goal)) > (1 if len(seen) == 1 else 30)
+checks.that("every pixel of the flat picture agrees with the light model", wrong["flat"] == 0, f"{wrong['flat']} do not")
+checks.that("and of the shaded one", wrong["shaded"] == 0, f"{wrong['shaded']} do not")
 (x, y), = figure.block("highlight")
-lit = light_of(int(x), int(ROWS - y))[1]
-brightest = max(light_of(c, r)[1][1] for r in range(ROWS) for c in range(COLUMNS)
-                if light_of(c, r)[0] == (255, 0, 0))
-checks.that("the highlight is where the red sphere is whitest", lit[1] == brightest, f"{lit}, {brightest}")
+reds = [(mean_at(c, r)[1][1], c, r) for c in range(8, COLUMNS, 16) for r in range(8, ROWS, 16)
+        if mean_at(c, r)[2] == {(0, False)}]
+_, c, r = max(reds)
+checks.that("the highlight is where the red sphere is whitest", math.hypot(x - c, ROWS - y - r) <= 20, f"{x}, {y}, not {c}, {r}")
 (x, y), = figure.block("shadow")
-checks.that("the shadow is where there is only ambient light",
-            max(light_of(int(x), int(ROWS - y))[1]) == round(255 * KD * AMBIENT))
+checks.that("the shadow is in the shadow of a sphere", all(
+    seen_at(x + dx, ROWS - y + dy)[3] for dx in (-9, 0, 9) for dy in (-9, 0, 9)))
+
+# What is drawn: the two pictures, whole, side by side, one a step.
+(left, flat), (right, shaded) = drawn_pictures(figure)
+checks.that("the drawn pictures are those of the script, to the last byte",
+            [png.decoded(flat, "flat"), png.decoded(shaded, "shaded")] == [pictures[name][2] for name in ("flat", "shaded")])
+checks.that("they are side by side, and as large as each other",
+            left[0] + left[2] < right[0] and max(abs(a - b) for a, b in zip(left[1:], right[1:])) < 0.1, f"{left}, {right}")
+checks.that("with square pixels", abs(left[2] / left[3] - COLUMNS / ROWS) < 1e-3, f"{left}")
+checks.that("the first step has the flat one alone", len(drawn_pictures(Figure(
+    "07-shading", "flat-and-shaded", settings="step=1"))) == 1)
+for shape in ("16:9", "4:3"):
+    canvas = Figure("07-shading", "flat-and-shaded", settings=f"shape='{shape}'")
+    tops = [text.box[3] for text in canvas.texts()] + [box[1] + box[3] for box, _ in drawn_pictures(canvas)]
+    checks.that(f"{shape}: there is room for a slide's title", max(tops) <= 0.87 * canvas.height, str(max(tops)))
 holds_for_every(checks, "07-shading", "flat-and-shaded")
 
 
@@ -93,7 +132,8 @@ own, words = pointed_at("a ground", VIEW + "f 0.5 0.5 0.5 1 0 1 0 1\ns 0 -1000 0
                         "f 0.8 0.2 0.2 0.7 0.3 20 0 1\ns -1.2 1 0 1\n")
 checks.that("on a ground: both", len(words) == 2, str(words))
 (x, y), = own.block("highlight")
-red, green, _ = bytes_of(own.block("flat")[int(y)][int(x)])
+wide, tall, rgb = picture(own, "flat")
+red, green, _ = rgb[3 * (int(tall - y) * wide + int(x)):][:3]
 checks.that("the highlight is on the shiny sphere, not on the ground", red > 2 * green, f"{red}, {green}")
 own, words = pointed_at("alone and dull", VIEW + "f 0.5 0.5 0.5 1 0 1 0 1\ns 0 1 0 1\n")
 checks.that("alone and dull: neither", not words, str(words))

@@ -109,13 +109,14 @@ right_data_are_numbers() {
         data=$scratch/tree/ray-casting/tests/handout/replay/figures/${layout##*/}
         [ -s "$data" ] || { echo "$data"; status=1; }
         awk '/^\$[a-z_0-9]+ << EOD$/ { inside = 1; next } /^EOD$/ { inside = 0; next }
-            inside ? !/^(#|$)/ && /[^-0-9.e Na]/ : NF && !/^(#|[a-zA-Z_0-9]+ = ("[^"]*"|[-0-9.eNa]+)$)/ {
+            inside && /^# a PNG in base64$/ { inside = 2 }
+            inside == 2 ? !/^(#.*|[A-Za-z0-9+\/]+=*)$/ : inside ? !/^(#|$)/ && /[^-0-9.e Na]/ : NF && !/^(#|[a-zA-Z_0-9]+ = ("[^"]*"|[-0-9.eNa]+)$)/ {
                 print FILENAME ": " $0; bad = 1 }
             END { exit bad }' "$data" || status=1
     done
     return $status
 }
-check 'what is right of each figure is in it, as numbers' right_data_are_numbers
+check 'what is right of each figure is in it, as numbers and pictures' right_data_are_numbers
 names_no_solutions() {
     ! grep -rI 'solutions/' "$scratch/tree" --include='*.md'
 }

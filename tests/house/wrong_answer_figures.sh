@@ -106,6 +106,18 @@ spoil 01-corners 's|c.height / 2 \* c.up;|0.5 * (c.height + 1e-13) * c.up + vec3
 check 'figures by right answers are drawn' draws
 check 'a rounding error is not a difference' holds 'wrong = 0' "$figures/corner-vectors/corner-vectors.gp"
 
+# A picture is shown beside the right one, and rounding is not a difference here either.
+spoil 07-shading 's|ks \* pow(cosine, shine)|ks * exp(shine * log(cosine))|'
+check 'a picture by right answers is drawn' draws FIGURE=flat-and-shaded
+check 'other digits of its light are not a difference' holds 'wrong = 0' "$figures/flat-and-shaded/flat-and-shaded.gp"
+check 'it is flat and shaded' holds 'Left, flat' "$figures/flat-and-shaded/flat-and-shaded.txt"
+spoil 07-shading 's|pow(cosine, shine)|pow(cosine, 0.9 * shine)|'
+check 'a picture by wrong answers is drawn' draws FIGURE=flat-and-shaded
+check 'larger highlights are a difference' holds 'wrong = 1' "$figures/flat-and-shaded/flat-and-shaded.gp"
+check 'both pictures are there' holds '$your_shaded << EOD' "$figures/flat-and-shaded/flat-and-shaded.gp"
+check 'and are named' holds 'shaded: left with right answers, right with yours.' "$figures/flat-and-shaded/flat-and-shaded.txt"
+check 'nothing is said to be dashed' holds_not 'dashed' "$figures/flat-and-shaded/flat-and-shaded.txt"
+
 # The same figure with more rows, with fewer and with none.
 other_rows() {
     cp "$PROGRAMS/01-corners" "$scratch/program" && "$scratch/program" --figure corner-vectors >"$scratch/right.gp" &&

@@ -7,86 +7,149 @@
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
 
-#include <stdio.h>
-#include <string.h>
+#include <stdlib.h>
 
 // ---- flat and shaded --------------------------------------------------------------------------
 
-enum { COLUMNS = 112, ROWS = 84 };
+const Style closing_style = {.samples = 3, .depth = 0, .gamma = 1};
 
-// A picture as numbers, 65536 red + 256 green + blue, row by row from the bottom.
-static void picture_data(Plot *plot, const char *name, const Image *image)
+// Twice the units of the canvas that a picture takes: as fine as the figure's PNG.
+enum { MOST_COLUMNS = 920, MOST_ROWS = 690 };
+
+// The words point at pixels of a coarser picture: what they name is larger than that.
+enum { COARSE = 6 };
+
+// As large as there is room, with the proportions of the drawing.
+static Resolution picture_size(Resolution size)
 {
-    plot_block(plot, name, "65536 red + 256 green + blue, in rows from the lowest");
-    for (int row = image->size.height - 1; row >= 0; row--) {
-        double numbers[COLUMNS];
-        for (int column = 0; column < image->size.width; column++) {
-            const uint8_t *rgb = image_bytes(image, (Pixel){column, row});
-            numbers[column] = 65536.0 * rgb[0] + 256.0 * rgb[1] + rgb[2];
-        }
-        plot_row(plot, image->size.width, numbers);
-    }
-    plot_block_end(plot);
+    double scale = fmin((double)MOST_COLUMNS / size.width, (double)MOST_ROWS / size.height);
+    return (Resolution){(int)fmax(1, scale * size.width), (int)fmax(1, scale * size.height)};
 }
 
-// A place on the picture, in pixels from the lower left; and whether there is one.
-static void spot_data(Plot *plot, const char *name, const char *has, Pixel pixel)
-{
-    plot_block(plot, name, "x y on the picture");
-    plot_row(plot, 2, (const double[]){pixel.column + 0.5, ROWS - pixel.row - 0.5});
-    plot_block_end(plot);
-    plot_number(plot, has, pixel.column >= 0);
-}
+typedef struct {
+    const Drawing *drawing;
+    Resolution screen; // coarse
+    vec3 *points;      // that its pixels see
+    Hit *hits;
+} View;
 
-#define NO_PIXEL ((Pixel){-1, -1})
-
-// Of the pixels that see a sphere, the one with the largest value greater than 0.
-static Pixel most(const Drawing *drawing, double (*value)(const Drawing *, Ray, Hit))
+static bool view_create(View *view, const Drawing *drawing, Resolution size)
 {
-    const Resolution screen = {COLUMNS, ROWS};
-    Pixel best = NO_PIXEL;
-    double largest = 0;
-    for (int i = 0; i < COLUMNS * ROWS; i++) {
-        Pixel pixel = {i % COLUMNS, i / COLUMNS};
+    Resolution screen = {size.width / COARSE + 1, size.height / COARSE + 1};
+    size_t count = (size_t)screen.width * (size_t)screen.height;
+    *view = (View){drawing, screen, malloc(count * sizeof *view->points),
+                   malloc(count * sizeof *view->hits)};
+    if (view->points == NULL || view->hits == NULL)
+        return false;
+    for (int i = 0; i < (int)count; i++) {
+        Pixel pixel = {i % screen.width, i / screen.width};
         Ray ray = pixel_ray(drawing->camera, screen, pixel);
-        Hit hit = nearest_hit(ray, &drawing->scene);
-        double here = hit.sphere < 0 ? 0 : value(drawing, ray, hit);
+        view->hits[i] = nearest_hit(ray, &drawing->scene);
+        if (view->hits[i].sphere >= drawing->scene.sphere_count)
+            view->hits[i].sphere = -1;
+        view->points[i] = ray.origin + view->hits[i].t * ray.direction;
+    }
+    return true;
+}
+
+static void view_free(View *view)
+{
+    free(view->points);
+    free(view->hits);
+}
+
+// How much of the first light arrives at a point of a surface, 0 or 1, whichever side it falls on.
+static double light_here(const View *view, int i, vec3 normal)
+{
+    const Scene *scene = &view->drawing->scene;
+    vec3 start = off_surface(scene->spheres[view->hits[i].sphere], view->points[i], normal);
+    return visibility(scene, start, scene->lights[0]);
+}
+
+// How exactly the first light is mirrored into the eye; the first shiny sphere has priority.
+static double highlight_here(const View *view, int i)
+{
+    const Scene *scene = &view->drawing->scene;
+    Hit hit = view->hits[i];
+    vec3 point = view->points[i];
+    vec3 normal = surface_normal(scene->spheres[hit.sphere], point);
+    vec3 to_light = ray_to_light(point, scene->lights[0]).direction;
+    vec3 to_eye = view->drawing->camera.origin - point;
+    double cosine = phong_term(1, 1, vec3_of(1, 1, 1), normal, to_light, to_eye)[0];
+    bool seen = scene_surface(scene, hit.sphere)->specular > 0 && cosine > 0.95 &&
+                light_here(view, i, normal) > 0;
+    return seen ? cosine + scene->sphere_count - hit.sphere : 0;
+}
+
+// The cosine between the normal and the first light if the surface faces it, but is dark; else 0.
+static double darkened(const View *view, int i)
+{
+    const Scene *scene = &view->drawing->scene;
+    vec3 point = view->points[i];
+    if (view->hits[i].sphere < 0)
+        return 0;
+    vec3 normal = surface_normal(scene->spheres[view->hits[i].sphere], point);
+    vec3 to_light = vec3_unit(ray_to_light(point, scene->lights[0]).direction);
+    return light_here(view, i, normal) > 0 ? 0 : fmax(0, vec3_dot(normal, to_light));
+}
+
+// How deep inside a shadow a pixel is, in pixels to the nearest edge, times the cosine: where a
+// surface is nearly edge-on to the light, it would be dark anyway.
+static double shadow_here(const View *view, int i)
+{
+    double cosine = darkened(view, i);
+    int x = i % view->screen.width, y = i / view->screen.width;
+    for (int away = 1; cosine > 0; away++)
+        for (int k = 0; k < 9; k++) {
+            int column = x + (k % 3 - 1) * away, row = y + (k / 3 - 1) * away;
+            if (column < 0 || row < 0 || column >= view->screen.width ||
+                row >= view->screen.height ||
+                !(darkened(view, row * view->screen.width + column) > 0))
+                return away * away * cosine;
+        }
+    return 0;
+}
+
+// Of the pixels that see a sphere, the one with the largest value greater than 0; else -1.
+static int most(const View *view, double (*value)(const View *, int))
+{
+    int best = -1;
+    double largest = 0;
+    for (int i = 0; i < view->screen.width * view->screen.height; i++) {
+        double here = view->hits[i].sphere < 0 ? 0 : value(view, i);
         if (here > largest) {
             largest = here;
-            best = pixel;
+            best = i;
         }
     }
     return best;
 }
 
-// How much of the first light arrives at a point of a surface, 0 or 1, whichever side it falls on.
-static double light_here(const Drawing *drawing, vec3 point, Hit hit, vec3 normal)
+// A place on the picture, in its pixels, from the lower left; and whether there is one.
+static void spot_data(Plot *plot, const char *name, const char *has, const View *view, int i,
+                      Resolution size)
 {
-    vec3 start = off_surface(drawing->scene.spheres[hit.sphere], point, normal);
-    return visibility(&drawing->scene, start, drawing->scene.lights[0]);
+    double x = (i % view->screen.width + 0.5) / view->screen.width;
+    double y = 1 - (i / view->screen.width + 0.5) / view->screen.height;
+    plot_block(plot, name, "x y on the picture, in pixels from the lower left");
+    plot_row(plot, 2, (const double[]){x * size.width, y * size.height});
+    plot_block_end(plot);
+    plot_number(plot, has, i >= 0);
 }
 
-// How exactly the first light is mirrored into the eye; the first shiny sphere has priority.
-static double highlight_here(const Drawing *drawing, Ray ray, Hit hit)
+static void spots_data(Plot *plot, const Drawing *drawing, Resolution size)
 {
-    const Scene *scene = &drawing->scene;
-    vec3 point = ray.origin + hit.t * ray.direction;
-    vec3 normal = surface_normal(scene->spheres[hit.sphere], point);
-    vec3 to_light = ray_to_light(point, scene->lights[0]).direction;
-    double cosine = phong_term(1, 1, vec3_of(1, 1, 1), normal, to_light, -ray.direction)[0];
-    bool seen = scene_surface(scene, hit.sphere)->specular > 0 && cosine > 0.95 &&
-                light_here(drawing, point, hit, normal) > 0;
-    return seen ? cosine + scene->sphere_count - hit.sphere : 0;
-}
-
-// The surface faces the light, but is dark.
-static double shadow_here(const Drawing *drawing, Ray ray, Hit hit)
-{
-    const Scene *scene = &drawing->scene;
-    vec3 point = ray.origin + hit.t * ray.direction;
-    vec3 normal = surface_normal(scene->spheres[hit.sphere], point);
-    vec3 to_light = vec3_unit(ray_to_light(point, scene->lights[0]).direction);
-    return vec3_dot(normal, to_light) - 2 * light_here(drawing, point, hit, normal);
+    View view;
+    bool lit = drawing->scene.light_count > 0;
+    if (view_create(&view, drawing, size)) {
+        int highlight = lit ? most(&view, highlight_here) : -1;
+        int shadow = lit ? most(&view, shadow_here) : -1;
+        spot_data(plot, "highlight", "has_highlight", &view, highlight, size);
+        spot_data(plot, "shadow", "has_shadow", &view, shadow, size);
+        plot_number(plot, "shadow_first",
+                    shadow % view.screen.width <= highlight % view.screen.width);
+    }
+    view_free(&view);
 }
 
 static void flat_and_shaded(Plot *plot, void *given)
@@ -94,22 +157,19 @@ static void flat_and_shaded(Plot *plot, void *given)
     Drawing drawing = *(const Drawing *)given;
     Image image;
     Message message;
-    Style style = {.samples = 1, .depth = 0, .gamma = 1};
-    if (!image_create(&image, (Resolution){COLUMNS, ROWS}, &message))
+    Resolution size = picture_size(drawing.size);
+    if (!image_create(&image, size, &message))
         return;
-    Pixel highlight = most(&drawing, highlight_here), shadow = most(&drawing, shadow_here);
-    spot_data(plot, "highlight", "has_highlight", highlight);
-    spot_data(plot, "shadow", "has_shadow", shadow);
-    plot_number(plot, "shadow_first", shadow.column <= highlight.column);
-    plot_number(plot, "columns", COLUMNS);
-    plot_number(plot, "rows", ROWS);
+    plot_number(plot, "columns", size.width);
+    plot_number(plot, "rows", size.height);
     plot_number(plot, "ambient", drawing.scene.ambient[0]);
     plot_number(plot, "spheres", drawing.scene.sphere_count);
-    render(&drawing.scene, drawing.camera, style, &image);
-    picture_data(plot, "shaded", &image);
+    spots_data(plot, &drawing, size);
+    render(&drawing.scene, drawing.camera, closing_style, &image);
+    plot_picture(plot, "shaded", &image);
     keep_term(&drawing.scene, TERM_FLAT);
-    render(&drawing.scene, drawing.camera, style, &image);
-    picture_data(plot, "flat", &image);
+    render(&drawing.scene, drawing.camera, closing_style, &image);
+    plot_picture(plot, "flat", &image);
     image_free(&image);
 }
 

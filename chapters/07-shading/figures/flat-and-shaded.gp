@@ -1,44 +1,75 @@
 # flat-and-shaded.gp - the closing slide: the same spheres, flat and shaded ('Still something missing').
+#
+# If something is wrong, the two pictures are the right one, shaded, and yours.
 title = "Flat, and shaded"
 description = sprintf("The same %s spheres twice. Left, flat: each has one colour. Right, shaded: bright where the \
 surface faces the light.", spheres_text).(has_highlight ? " A highlight is where the surface mirrors the light into the eye." : ""). \
     (has_shadow ? sprintf(" In the shadow of a sphere there is only ambient light, %s of white.", ambient_text) : "")
+if (wrong) {
+    description = sprintf("The same %s spheres twice, shaded: left with right answers, right with yours.", spheres_text)
+    differs = ""
+    unset label 99
+}
 steps = 4
+# Below the room of a slide's title: a line of words, the picture, two lines of words.
 low_x = 0; high_x = columns; low_y = 0; high_y = rows
-panel = 1; room = "0.02 0.49 0.14 0.94"
+panel = 1; room = "0.012 0.494 0.155 0.795"
 @flat
-panel = 2; room = "0.51 0.98 0.14 0.94"
+panel = 2; room = "0.506 0.988 0.155 0.795"
 @flat
 
-# The bytes of a pixel: red, green, blue.
-byte(rgb, n) = n == 1 ? int(rgb) / 65536 : n == 2 ? int(rgb) / 256 % 256 : int(rgb) % 256
-pixels(panel) = sprintf("(U(%d,$1+0.5)):(V(%d,$2+0.5)):(byte($3,1)):(byte($3,2)):(byte($3,3))", panel, panel)
-left_pixels = pixels(1)
-right_pixels = pixels(2)
-# Words above the picture, and lines to the places that they name: white in black, visible on any colour.
-shadow_at = shadow_first ? 0.2 : 0.84
-highlight_at = shadow_first ? 0.84 : 0.2
-from_word(at) = sprintf("(U(2,%g*columns)):(V(2,rows)+8):(U(2,$1)-U(2,%g*columns)):(V(2,$2)-V(2,rows)-8)", at, at)
-word_at(at) = sprintf("(U(2,%g*columns)):(V(2,rows)+22)", at)
-to_highlight = from_word(highlight_at)
-to_shadow = from_word(shadow_at)
-at_highlight = word_at(highlight_at)
-at_shadow = word_at(shadow_at)
-shining = sprintf("for [_=3:%d:1000]", has_highlight * step)
-shadowed = sprintf("for [_=4:%d:1000]", has_shadow * step)
-black_line = "vectors nohead lw 3.4 lc rgb 'black'"
-white_line = "vectors nohead lw 1.4 lc rgb 'white'"
-below(panel) = sprintf("(U(%d,columns/2)):(V(%d,0)-26)", panel, panel)
-below_left = below(1)
-below_right = below(2)
+# gnuplot reads a picture from a file, which is there only while it draws.
+decode = 'set print "| base64 -d > \"".output.".cast".panel."\""; do for [line=2:|@picture|] { print @picture[line] }; set print'
+picture = wrong ? "$shaded" : "$flat"
+panel = 1
+@decode
+picture = wrong && exists("$your_shaded") ? "$your_shaded" : "$shaded"
+panel = 2
+@decode
+cast = 'output.".cast".panel binary filetype=png origin=(U(panel,0.5),V(panel,0.5)) dx=size[panel] dy=size[panel] with rgbimage'
 
-plot $flat matrix using @left_pixels with rgbimage title "flat", \
-    $highlight using @below_left:("flat: one colour each") with labels tc rgb ink title "flat, label", \
-    @step2 $shaded matrix using @right_pixels with rgbimage title "shaded", \
-    @step2 $highlight using @below_right:("shaded: what the light makes of it") with labels tc rgb ink title "shaded, label", \
+# Words above the picture, and lines to what they name: white in black, visible on any colour. The one
+# to the highlight ends a little before it.
+above = 21
+at_x(left) = left ? 0.24 : 0.875
+from_x(left) = middle_at(U(2, at_x(left) * columns), long(left == shadow_first ? "shadow" : "highlight", small_size))
+from_y = V(2, rows) + above - 15
+short(x, y, left) = left == shadow_first ? 1 : 1 - 9 / sqrt((U(2, x) - from_x(left))**2 + (V(2, y) - from_y)**2)
+line_to(left) = sprintf("(from_x(%d)):(from_y):(short($1,$2,%d)*(U(2,$1)-from_x(%d))):(short($1,$2,%d)*(V(2,$2)-from_y))", \
+    left, left, left, left)
+word_at(left) = sprintf("(from_x(%d)):(V(2,rows)+above)", left)
+to_shadow = line_to(int(shadow_first))
+to_highlight = line_to(1 - int(shadow_first))
+at_shadow = word_at(int(shadow_first))
+at_highlight = word_at(1 - int(shadow_first))
+shining = sprintf("for [_=3:%d:1000]", has_highlight && !wrong ? step : 0)
+shadowed = sprintf("for [_=4:%d:1000]", has_shadow && !wrong ? step : 0)
+black_line = "vectors nohead lw 4 lc rgb 'black'"
+white_line = "vectors nohead lw 1.8 lc rgb 'white'"
+# Below the picture, two lines of words or three.
+below(panel, line) = sprintf("(U(%d,columns/2.0)):(V(%d,0)-24-31*%d)", panel, panel, line)
+name_1 = below(1, 0)
+name_2 = below(2, 0)
+more_1 = below(1, 1)
+more_2 = below(2, 1)
+rest_2 = below(2, 2)
+in_two = shape eq "4:3" && !wrong
+
+plot for [panel=1:1] @cast title "flat", \
+    $once using @name_1:(wrong ? "right" : "flat") with labels tc rgb ink title "flat, label", \
+    $once using @more_1:(small(wrong ? "" : "one colour each")) with labels tc rgb grey title "flat, in words", \
+    for [_=2:step:1000] for [panel=2:2] @cast title "shaded", \
+    @step2 $once using @name_2:(wrong ? "yours" : "shaded") with labels tc rgb ink title "shaded, label", \
+    @step2 $once using @more_2:(small(wrong || in_two ? "" : "what the light makes of it")) with labels tc rgb grey \
+        title "shaded, in words", \
+    @step2 $once using @more_2:(small(in_two ? "what the light" : "")) with labels tc rgb grey title "shaded, in words", \
+    @step2 $once using @rest_2:(small(in_two ? "makes of it" : "")) with labels tc rgb grey title "shaded, in words", \
     @shining $highlight using @to_highlight with @black_line title "to the highlight", \
     @shining $highlight using @to_highlight with @white_line title "to the highlight, inside", \
     @shining $highlight using @at_highlight:(small("highlight")) with labels tc rgb ink title "highlight", \
     @shadowed $shadow using @to_shadow with @black_line title "to the shadow", \
     @shadowed $shadow using @to_shadow with @white_line title "to the shadow, inside", \
+    @shadowed $shadow using (U(2,$1)):(V(2,$2)) with points pt 7 ps 0.55 lc rgb "black" title "in the shadow", \
+    @shadowed $shadow using (U(2,$1)):(V(2,$2)) with points pt 7 ps 0.35 lc rgb "white" title "in the shadow, inside", \
     @shadowed $shadow using @at_shadow:(small("shadow")) with labels tc rgb ink title "shadow"
+system(sprintf("rm -f \"%s.cast1\" \"%s.cast2\"", output, output))

@@ -4,6 +4,7 @@ Marks are found by the title of the plot that drew them (title "eye" in the layo
 960 by 540 units, x to the right, y up. Their right places are computed here again, from the
 numbers of the test, by its own formulas.
 """
+import functools
 import math
 import os
 import re
@@ -97,17 +98,21 @@ class Text:
         return re.findall(NUMBER, data)
 
 
+@functools.lru_cache(maxsize=4)
+def script_of(_, program, name, *options):
+    """A figure's script, for one drawing after another of the same files."""
+    command = [os.path.join(PROGRAMS, program), "--figure", name, *options]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    if done.returncode != 0:
+        raise AssertionError(f"{shlex.join(command)}: {done.stderr.strip()}")
+    return done.stdout
+
+
 class Figure:
     """A figure by a chapter's program, or by a script that is there, drawn by gnuplot as SVG."""
 
     def __init__(self, program, name, *options, settings="", script=None):
-        if script is None:
-            command = [os.path.join(PROGRAMS, program), "--figure", name, *map(str, options)]
-            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
-            if done.returncode != 0:
-                raise AssertionError(f"{shlex.join(command)}: {done.stderr.strip()}")
-            script = done.stdout
-        self.script = script
+        self.script = script if script is not None else self.made(program, name, *map(str, options))
         self.variables = dict(re.findall(r"^(\w+) = (.*)$", self.script, re.M))
         with tempfile.TemporaryDirectory() as folder:
             self.draw(folder, settings)
@@ -120,6 +125,11 @@ class Figure:
             title = group.find(SVG + "title")
             if title is not None:
                 self.plots.setdefault(title.text, []).append(group)
+
+    @staticmethod
+    def made(program, name, *options):
+        files = [os.path.join(PROGRAMS, program), *(option for option in options if os.path.exists(option))]
+        return script_of(tuple(os.stat(file).st_mtime_ns for file in files), program, name, *options)
 
     def draw(self, folder, settings):
         path = os.path.join(folder, "figure.gp")
