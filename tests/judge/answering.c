@@ -35,6 +35,13 @@ static bool write_all(const void *bytes, size_t size)
     return true;
 }
 
+static bool send(const WireHeader *header, Wire *message)
+{
+    size_t size;
+    const void *block = wire_block(message, header, &size);
+    return block != NULL && write_all(block, size);
+}
+
 static bool read_all(void *bytes, size_t size)
 {
     char *into = bytes;
@@ -134,7 +141,7 @@ static Wire *begin_asking(int exercise)
 static void ask_judge(int exercise)
 {
     WireHeader ask = {WIRE_MAGIC, exercise, current.nonce, lent.size, WIRE_ASK, 0, 0, ""};
-    if (!write_all(&ask, sizeof ask) || !write_all(lent.bytes, lent.size))
+    if (!send(&ask, &lent))
         _exit(2);
 }
 
@@ -190,7 +197,7 @@ int main(void)
         if (answers_missing() > 0)
             snprintf(header.missing, sizeof header.missing, "%s", answer_missing(0));
         answers_forget();
-        if (!write_all(&header, sizeof header) || !write_all(out.bytes, out.size))
+        if (!send(&header, &out))
             return 2;
     }
     return 0;

@@ -29,7 +29,9 @@ enum {
 
 static const char *program;
 static int printed_file = -1;
-static pid_t pid; // 0: none is running
+static pid_t pid;            // 0: none is running
+static clockid_t work_clock; // of its work
+static bool has_clock;
 static int calls_out = -1, answers_in = -1;
 static int start_errors = -1; // a pipe that is closed when the program has been started
 
@@ -151,6 +153,7 @@ bool process_start(void)
     fcntl(answers_in, F_SETFL, O_NONBLOCK);
     if (pid < 0)
         pid = 0;
+    has_clock = pid > 0 && clock_getcpuclockid(pid, &work_clock) == 0;
     return pid > 0;
 }
 
@@ -182,9 +185,8 @@ int process_stop(bool wait_for_it)
 
 double process_work(void)
 {
-    clockid_t clock;
     struct timespec time;
-    if (clock_getcpuclockid(pid, &clock) != 0 || clock_gettime(clock, &time) != 0)
+    if (!has_clock || clock_gettime(work_clock, &time) != 0)
         return 0;
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
@@ -231,23 +233,22 @@ bool patience_is_over(Patience *patience)
 static int move(bool out, void *bytes, size_t size, Patience *left)
 {
     char *place = bytes;
-    while (size > 0) {
-        struct pollfd end = {out ? calls_out : answers_in, out ? POLLOUT : POLLIN, 0};
-        bool ready = poll(&end, 1, LOOK) > 0;
-        // Bytes that arrive one by one are not an answer either. Once there are some, it may sleep.
-        if ((!ready || place != bytes) && look(left, ready))
-            return 0;
-        if (!ready)
-            continue;
+    for (;;) {
         ssize_t n = out ? write(calls_out, place, size) : read(answers_in, place, size);
+        if (n == (ssize_t)size)
+            return 1;
         if (n == 0 || (n < 0 && errno != EAGAIN && errno != EINTR))
             return -1;
+        struct pollfd end = {out ? calls_out : answers_in, out ? POLLOUT : POLLIN, 0};
+        bool ready = poll(&end, 1, LOOK) > 0;
         if (n > 0) {
             place += n;
             size -= (size_t)n;
         }
+        // Bytes that arrive one by one are not an answer either. Once there are some, it may sleep.
+        if ((!ready || place != bytes) && look(left, ready))
+            return 0;
     }
-    return 1;
 }
 
 int process_send(const void *bytes, size_t size, Patience *patience)

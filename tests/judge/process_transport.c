@@ -24,7 +24,7 @@ enum {
 };
 
 static Wire wire;
-static uint64_t nonce;
+static uint64_t nonce; // of the call, so that an answer cannot be sent before it
 static struct {
     How how;
     char why[120]; // an exercise is not called any more
@@ -163,8 +163,9 @@ static bool is_crash(const WireHeader *answer)
 static int send(int kind, int exercise, Wire *message, Patience *left)
 {
     WireHeader header = {WIRE_MAGIC, exercise, nonce, message->size, kind, paint_of_calls(), 0, ""};
-    int moved = process_send(&header, sizeof header, left);
-    return moved == 1 ? process_send(message->bytes, message->size, left) : moved;
+    size_t size;
+    const void *block = wire_block(message, &header, &size);
+    return block != NULL ? process_send(block, size, left) : -1;
 }
 
 // 2 if it arrived and is valid
@@ -236,13 +237,21 @@ static struct {
     int moved; // while sending: the result of process_send
 } sent;
 
+static uint64_t next_nonce(void)
+{
+    static uint64_t fresh[32]; // the system is not asked for each call
+    static size_t left;
+    if (left == 0 && getrandom(fresh, sizeof fresh, 0) == sizeof fresh)
+        left = sizeof fresh / sizeof fresh[0];
+    return left > 0 ? fresh[--left] : nonce + 1;
+}
+
 static void send_call(int exercise)
 {
     keep_question(exercise, &wire);
     if (!process_start())
         give_up_on_machine("an answering process cannot be started", errno);
-    if (getrandom(&nonce, sizeof nonce, 0) != sizeof nonce)
-        nonce++;
+    nonce = next_nonce();
     sent.left = patience_begin();
     size_of_call = wire.size;
     pass_on_call(&wire);

@@ -10,19 +10,38 @@ void wire_clear(Wire *wire)
     wire->overran = false;
 }
 
+static uint8_t *block_of(const Wire *wire)
+{
+    return wire->bytes != NULL ? wire->bytes - sizeof(WireHeader) : NULL;
+}
+
 bool wire_make_room(Wire *wire, uint64_t size)
 {
     if (size > WIRE_MOST_BYTES)
         return false;
-    if (size <= wire->room)
+    if (size <= wire->room && wire->bytes != NULL)
         return true;
     size_t room = 2 * (size_t)size + 256;
-    uint8_t *bytes = realloc(wire->bytes, room);
-    if (bytes == NULL)
+    uint8_t *block = realloc(block_of(wire), sizeof(WireHeader) + room);
+    if (block == NULL)
         return false;
-    wire->bytes = bytes;
+    wire->bytes = block + sizeof(WireHeader);
     wire->room = room;
     return true;
+}
+
+void wire_free(Wire *wire)
+{
+    free(block_of(wire));
+    *wire = (Wire){.bytes = NULL};
+}
+
+const void *wire_block(Wire *wire, const WireHeader *header, size_t *size)
+{
+    if (!wire_make_room(wire, wire->size))
+        return NULL;
+    *size = sizeof *header + wire->size;
+    return memcpy(block_of(wire), header, sizeof *header);
 }
 
 void wire_put(Wire *wire, const void *value, size_t size)

@@ -14,7 +14,7 @@
 enum { WIRE_MOST_BYTES = 64 << 20 };
 
 typedef struct {
-    uint8_t *bytes;  // from malloc
+    uint8_t *bytes;  // after room for a header, from malloc
     size_t size;     // how many were put
     size_t room;     // how many there is room for
     size_t read;     // bytes read so far
@@ -53,10 +53,14 @@ typedef struct {
 } WireCrash;
 
 void wire_clear(Wire *wire);
+void wire_free(Wire *wire);
 bool wire_make_room(Wire *wire, uint64_t size); // for a message of this many bytes
 void wire_put(Wire *wire, const void *value, size_t size);
 void wire_get(Wire *wire, void *value, size_t size);
 bool wire_is_read(const Wire *wire); // to its end, and nothing was invalid
+// The header and the message behind it, as one block of bytes: written at once, it wakes the other
+// end once. NULL if there is no memory.
+const void *wire_block(Wire *wire, const WireHeader *header, size_t *size);
 
 // Whether the reference can be called with these; all of them if the question is not hostile.
 enum { WIRE_MOST_DEPTH = 100 };

@@ -54,7 +54,7 @@ START_TEST(the_padding_of_a_plane_crosses_as_zeros)
         given("byte", "%zu of a Plane", at);
         expect_int(wire.bytes[at], is_value ? ((unsigned char *)&plane)[at] : 0);
     }
-    free(wire.bytes);
+    wire_free(&wire);
 }
 END_TEST
 
@@ -70,7 +70,7 @@ START_TEST(what_is_received_has_no_padding_of_the_other_side)
     expect_number(got.offset, 4, 0);
     expect_int(got.kind, 'p');
     expect_int(((unsigned char *)&got)[sizeof got - 1], 0);
-    free(wire.bytes);
+    wire_free(&wire);
 }
 END_TEST
 
@@ -88,7 +88,7 @@ START_TEST(a_list_of_planes_comes_back_and_has_no_secrets)
     expect_vec3(got.planes[1].normal, vec3_of(5, 2, 3), 0);
     expect_int(got.planes[1].kind, 'b');
     wire_free_value(&type_Planes, &got);
-    free(wire.bytes);
+    wire_free(&wire);
 }
 END_TEST
 
@@ -125,7 +125,7 @@ START_TEST(no_type_sends_more_bytes_than_its_numbers_have)
             set += wire.bytes[at] != 0;
         given("type", "%s", types[i]->name);
         expect_int(set, (long)expected);
-        free(wire.bytes);
+        wire_free(&wire);
         seen++;
     }
     expect_int(seen > 20, 1);

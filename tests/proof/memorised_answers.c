@@ -30,8 +30,8 @@ void table_learn(void)
     while (lines != NULL) {
         Line *line = lines;
         lines = line->next;
-        free(line->question.bytes);
-        free(line->answer.bytes);
+        wire_free(&line->question);
+        wire_free(&line->answer);
         free(line);
     }
     learning = true;
@@ -87,7 +87,7 @@ static void look_up_or_learn(int exercise)
         memset(answer.bytes, garbage, answer.size);
     wire_clear(&wire);
     wire_put(&wire, answer.bytes, answer.size);
-    free(answer.bytes);
+    wire_free(&answer);
 }
 
 static Wire *receive(int exercise)

@@ -179,8 +179,8 @@ int main(void)
         }
         answered += answers > 0;
     }
-    free(question.bytes);
-    free(answer.bytes);
+    wire_free(&question);
+    wire_free(&answer);
     printf("odd questions: asked %d\n", asked);
     printf("odd questions: %d passed, %d failed\n", answered, failed);
     return failed == 0 ? 0 : 1;
