@@ -64,12 +64,15 @@ $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o $(
 	$(Q)$(LINK) -o $@ $^ -lm
 PLAN := $(VERDICT)/plan
 # cc says (-###) which linker it would start, and how; course starts that one itself. Nothing is needed
-# for optimising at link time, nor a build id.
+# for optimising at link time, nor a build id. The libraries are named by their files: to find them, the
+# linker would list folders of thousands of files. The assembler works while the compiler does (-pipe).
 QUICK = $(QUICK_LINKER) $(if $(SANITIZE),,-Wl$(comma)-S)
 QUICK_PROGRAM = $(shell command -v $(if $(QUICK_LINKER),$(patsubst -fuse-ld=%,ld.%,$(QUICK_LINKER)),ld))
+library_file = $(firstword $(filter /%,$(foreach ending,so.1 so a,$(shell $(CC) -print-file-name=lib$(1).$(ending)))) -l$(1))
 ANY_OBJECT := $(B)/tests/course/page.o
 as_linker = sed -n 's/"//g; /^ .* -o NAME /{ s/ -plugin [^ ]*//; s/ -plugin-opt=[^ ]*//g; s/ -fuse-ld=[^ ]*//; \
-	s/ --build-id / /; s|^ [^ ]*/collect2|$(QUICK_PROGRAM)|; s| $(ANY_OBJECT) | OBJECTS |; s/^ */directly	/p; }'
+	s/ --build-id / /; $(foreach l,m c gcc gcc_s,s| -l$(l) | $(call library_file,$(l)) |g; s| -l$(l) | $(call library_file,$(l)) |g;) \
+	$(if $(SANITIZE),,s/ -L[^ ]*//g;) s|^ [^ ]*/collect2|$(QUICK_PROGRAM)|; s| $(ANY_OBJECT) | OBJECTS |; s/^ */directly	/p; }'
 plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'objects	$(call answering,$(s))' \
 	$(if $(value stands_on),'stands on	$(call stands_on,$(s))') $(if $(HAS_REFERENCE),'right	$(call right_of,$(s))') \
 	'program	$(B)/tests/judge/calls_traced.o $(call drawing_of,$(s))')
@@ -78,11 +81,11 @@ $(PLAN): $(ANY_OBJECT) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/f
 	@directly=$$($(LINK) $(QUICK) -### -o NAME $(ANY_OBJECT) -lm 2>&1 | $(as_linker)); \
 	printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
 		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'draw	$(DRAW_FIGURES) --one' 'blanks	build/blanks' \
-		'compile	$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c' \
+		'compile	$(CC) -pipe $(QUICK_FLAGS) -include $(B)/weak.h -c' \
 		'link	$(LINK)' 'quick	$(QUICK)' \
 		$(if $(value stands_on),'hide	$(HIDE_HELPERS)','lend	-Wl$(comma)--defsym=NAME=lent_NAME') \
 		'drawing	$(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(B)/common.a' \
-		'spheres	$(SPHERES) $(RECORDED)' 'libraries	$(PNG_LIBS) -lm -lpthread' \
+		'spheres	$(SPHERES) $(RECORDED)' 'libraries	$(foreach word,$(PNG_LIBS) -lpthread,$(if $(filter -l%,$(word)),$(call library_file,$(word:-l%=%)),$(word)))' \
 		$(if $(HAS_REFERENCE),'reference	-Wl$(comma)--defsym=NAME=answer_NAME') \
 		$${directly:+"$$directly"} \
 		'judge	$(JUDGE)' 'used	$(B)/weak.h $(COURSE) $(JUDGES_LAYOUTS)' $(plan_lines) > $@.new

@@ -89,13 +89,16 @@ bool link_with_answers(const Judging *judging, int chapter, const char *objects,
 {
     const JudgingPlan *plan = judging->plan;
     *answerers = (Answerers){.yours = ""};
-    Linking linking = linking_begin(plan, LINK_DIRECTLY, program);
+    Linking linking = linking_begin(plan, program);
     for (int i = chapter; i >= 0; i--)
         choose_answers(judging, i, needs, &linking, answerers);
+    if (answerers->missing[0] != '\0') {
+        linking_free(&linking);
+        return false;
+    }
     linking_add(&linking, objects);
     linking_add(&linking, plan->libraries);
-    int status = linking_end(&linking, "/dev/null");
-    return status == 0 && answerers->missing[0] == '\0';
+    return linking_end(&linking, "/dev/null") == 0;
 }
 
 // ---- the pictures so far ----------------------------------------------------------------------

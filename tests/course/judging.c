@@ -206,12 +206,12 @@ static int compile_answer(const Judging *judging, int chapter, const char *hash)
 }
 
 // lent: exercises that the reference answers.
-static int link_answering(const JudgingPlan *plan, int chapter, const char *program, LinkedBy by,
+static int link_answering(const JudgingPlan *plan, int chapter, const char *program,
                           const char *lent, const char *said)
 {
     PlanPath output = plan_file(plan, chapter, program),
              object = plan_file(plan, chapter, "answer.o");
-    Linking linking = linking_begin(plan, by, output.s);
+    Linking linking = linking_begin(plan, output.s);
     Command names = {.count = 0};
     command_words(&names, lent);
     for (int i = 0; i < names.count; i++)
@@ -219,7 +219,6 @@ static int link_answering(const JudgingPlan *plan, int chapter, const char *prog
     command_free(&names);
     linking_add(&linking, object.s);
     linking_add(&linking, plan->chapters[chapter].objects);
-    linking_add(&linking, "-lm");
     return linking_end(&linking, said);
 }
 
@@ -230,7 +229,7 @@ static bool passes_with_lent(const JudgingPlan *plan, int chapter, const char *f
                              const char *lent)
 {
     PlanPath program = plan_file(plan, chapter, "alone");
-    if (link_answering(plan, chapter, "alone", LINK_DIRECTLY, lent, "/dev/null") != 0)
+    if (link_answering(plan, chapter, "alone", lent, "/dev/null") != 0)
         return false;
     Command command = {.count = 0};
     command_add(&command, plan->judge);
@@ -374,10 +373,7 @@ static int ask(const Judging *judging, int chapter, const char *hash)
              folder = plan_beside(plan, chapter, "");
     PlanPath linker = plan_file(plan, chapter, "linker"), said = plan_file(plan, chapter, "said");
     unlink(plan_file(plan, chapter, "report").s);
-    int linked = link_answering(plan, chapter, "answering", LINK_DIRECTLY, "", linker.s);
-    // The quick linker may be gone, and the ordinary one's words are known.
-    if (linked != 0)
-        linked = link_answering(plan, chapter, "answering", LINK_PLAINLY, "", linker.s);
+    int linked = link_answering(plan, chapter, "answering", "", linker.s);
     hide_helpers(plan, chapter);
     if (linked != 0) {
         char *words = explained(plan, chapter, explain_linker, "linker");

@@ -4,48 +4,70 @@
 #include <stdlib.h>
 #include <string.h>
 
-Linking linking_begin(const JudgingPlan *plan, LinkedBy by, const char *program)
+Linking linking_begin(const JudgingPlan *plan, const char *program)
 {
-    Linking linking = {.by = plan->directly[0] != '\0' || by != LINK_DIRECTLY ? by : LINK_QUICKLY};
-    if (linking.by == LINK_DIRECTLY) {
-        char *words = strdup(plan->directly);
-        char *objects = words != NULL ? strstr(words, " OBJECTS") : NULL;
-        if (objects == NULL)
-            abort();
-        linking.rest = strdup(objects + strlen(" OBJECTS"));
-        *objects = '\0';
-        command_words_for(&linking.command, words, program);
-        free(words);
-        return linking;
-    }
-    command_words(&linking.command, plan->link);
-    if (linking.by == LINK_QUICKLY)
-        command_words(&linking.command, plan->quick);
-    command_add(&linking.command, "-o");
-    command_add(&linking.command, program);
-    return linking;
+    return (Linking){.plan = plan, .program = program};
 }
 
 void linking_add(Linking *linking, const char *objects)
 {
-    command_words(&linking->command, objects);
+    command_words(&linking->words, objects);
 }
 
 void linking_tell(Linking *linking, const char *option, const char *name)
 {
+    command_words_for(&linking->words, option, name);
+}
+
+static int link_by_cc(const Linking *linking, const char *quick, const char *said)
+{
+    Command command = {.count = 0};
+    command_words(&command, linking->plan->link);
+    command_words(&command, quick);
+    command_add(&command, "-o");
+    command_add(&command, linking->program);
+    for (int i = 0; i < linking->words.count; i++)
+        command_add(&command, linking->words.words[i]);
+    command_add(&command, "-lm");
+    int status = program_run(&command, said);
+    command_free(&command);
+    return status;
+}
+
+// The plan's words, with the objects in the place of OBJECTS.
+static int link_directly(const Linking *linking, const char *said)
+{
     static const char through_cc[] = "-Wl,";
-    bool through = strncmp(option, through_cc, strlen(through_cc)) == 0;
-    if (linking->by == LINK_DIRECTLY && through)
-        option += strlen(through_cc);
-    command_words_for(&linking->command, option, name);
+    Command planned = {.count = 0}, command = {.count = 0};
+    command_words_for(&planned, linking->plan->directly, linking->program);
+    for (int i = 0; i < planned.count; i++) {
+        bool is_place = strcmp(planned.words[i], "OBJECTS") == 0;
+        if (!is_place)
+            command_add(&command, planned.words[i]);
+        for (int k = 0; is_place && k < linking->words.count; k++) {
+            const char *word = linking->words.words[k];
+            bool through = strncmp(word, through_cc, strlen(through_cc)) == 0;
+            command_add(&command, through ? word + strlen(through_cc) : word);
+        }
+    }
+    int status = program_run(&command, said);
+    command_free(&command);
+    command_free(&planned);
+    return status;
 }
 
 int linking_end(Linking *linking, const char *said)
 {
-    if (linking->rest != NULL)
-        command_words(&linking->command, linking->rest);
-    int status = program_run(&linking->command, said);
-    command_free(&linking->command);
-    free(linking->rest);
+    bool direct = linking->plan->directly[0] != '\0';
+    int status =
+        direct ? link_directly(linking, said) : link_by_cc(linking, linking->plan->quick, said);
+    if (status != 0)
+        status = link_by_cc(linking, "", said);
+    linking_free(linking);
     return status;
+}
+
+void linking_free(Linking *linking)
+{
+    command_free(&linking->words);
 }
