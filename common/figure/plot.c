@@ -18,6 +18,11 @@ static void define_both(Plot *plot, const char *name, const char *value, bool is
         fprintf(plot->script, "%s%s = %s\n", size > 0 ? "your_" : "", name, value);
     plot->wrong = plot->wrong || (size > 0 && is_wrong);
     plot_view_words(plot, name, size > 0 ? right : value, size > 0 ? size : strlen(value));
+    if (size > 0 && is_wrong) {
+        char yours[100];
+        snprintf(yours, sizeof yours, "your_%s", name);
+        plot_view_words(plot, yours, value, strlen(value));
+    }
 }
 
 // Whether it differs from what is right.

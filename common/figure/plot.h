@@ -25,6 +25,9 @@ typedef struct Plot Plot;
 void plot_number(Plot *plot, const char *name, double x);
 void plot_number_to(Plot *plot, const char *name, double x, int digits);
 
+// That number as the figure shows it: the right one, if it is known.
+double plot_shown(const Plot *plot, const char *name);
+
 // NAME = "text"; backslashes, quotes and the like are taken care of. UTF-8.
 void plot_text(Plot *plot, const char *name, const char *text);
 
@@ -53,6 +56,7 @@ void plot_block(Plot *plot, const char *name, const char *columns);
 void plot_row(Plot *plot, int count, const double *numbers);
 void plot_row_point(Plot *plot, vec3 point);              // x y z
 void plot_row_vector(Plot *plot, vec3 from, vec3 vector); // x y z of its start, x y z of the vector
+void plot_row_vector_with(Plot *plot, vec3 from, vec3 vector, double number); // and one more number
 void plot_row_dot(Plot *plot, int count, const double *numbers); // x y z first: the place of a dot
 void plot_gap(Plot *plot);       // an empty line: what follows is not joined with what went before
 bool plot_block_end(Plot *plot); // whether it differs from what is right
@@ -98,6 +102,9 @@ void plot_room(Plot *plot, Room wide, Room narrow);
 // The picture fills its room, whatever room its labels need: for figures that must look alike.
 void plot_fill_room(Plot *plot);
 
+// In space, the panels show different things (plot_fit), all in one size.
+void plot_apart(Plot *plot);
+
 // What follows, up to the next call, is in another panel, 1 to 8, each with a room and a scale of
 // its own. Layouts: '@panel2 ...'; at first, it is panel 1.
 void plot_panel(Plot *plot, int panel);
@@ -115,8 +122,9 @@ void plot_circle(Plot *plot, vec3 center, double radius);
 void plot_line(Plot *plot, vec3 from, vec3 to, double moved_u, double moved_v);
 
 // A label, and what it names: a row of a block, or where 'block' is NULL a place of its own.
-// text: $...$ is mathematics, {NAME} is the words of NAME (plot_number, plot_vector, ...).
-// A label may have several lines.
+// text: $...$ is mathematics, {NAME} is the words of NAME (plot_number, plot_vector, ...), and
+// {NAME!} is the same, and yours if it differs. A label may have several lines. Of a row that is
+// not there or not finite, there is no label.
 typedef struct {
     const char *text;
     const char *color; // of common/figure/plot.gp: "blue"

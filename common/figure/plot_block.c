@@ -39,6 +39,13 @@ void plot_row_dot(Plot *plot, int count, const double *numbers)
     plot_row(plot, count, numbers);
 }
 
+void plot_row_vector_with(Plot *plot, vec3 from, vec3 vector, double number)
+{
+    plot_view_row(plot, from, vector);
+    plot_row(plot, 7,
+             (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2], number});
+}
+
 void plot_gap(Plot *plot)
 {
     putc('\n', plot->rows);

@@ -20,7 +20,8 @@ static const int canvas_width[SHAPES] = {960, 720};
 typedef struct {
     char block[NAME_SIZE]; // "" for what is in none
     int row, panel;
-    bool yours; // beside what is right
+    bool yours;    // beside what is right
+    bool is_arrow; // else a point, to, with a line from the one before it
     vec3 from, to;
     double radius; // of a ball
     double moved_u, moved_v;
@@ -54,7 +55,7 @@ typedef struct {
 } List;
 
 struct PlotView {
-    bool looks, flat, fills;
+    bool looks, flat, apart, fills;
     vec3 u, v,
         near; // directions of the world: to the right on the canvas, up, towards whoever looks
     Room room[PANELS][SHAPES];
@@ -130,6 +131,11 @@ void plot_look(Plot *plot, vec3 right, vec3 up, vec3 forward, double azimuth, do
     plot_number(plot, "elevation", elevation);
 }
 
+void plot_apart(Plot *plot)
+{
+    plot->view->apart = true;
+}
+
 void plot_look_flat(Plot *plot)
 {
     plot->view->looks = true;
@@ -165,6 +171,15 @@ void plot_view_words(Plot *plot, const char *name, const char *value, size_t siz
     Words *words = add(&plot->view->words, sizeof(Words));
     snprintf(words->name, sizeof words->name, "%s", name);
     snprintf(words->value, sizeof words->value, "%.*s", (int)size, value);
+}
+
+double plot_shown(const Plot *plot, const char *name)
+{
+    const Words *words = plot->view->words.items;
+    for (int i = plot->view->words.count - 1; i >= 0; i--)
+        if (strcmp(words[i].name, name) == 0)
+            return strtod(words[i].value, NULL);
+    return NAN;
 }
 
 void plot_name(Plot *plot, Label label)
@@ -244,6 +259,7 @@ static void mark_row(Plot *plot, vec3 from, vec3 vector, bool yours)
     Mark *row = mark(plot, view->joins && !is_arrow ? view->last : from, from + vector);
     snprintf(row->block, sizeof row->block, "%s", view->block);
     row->row = view->row++;
+    row->is_arrow = is_arrow;
     row->yours = yours;
     view->joins = !is_arrow;
     view->last = from;
@@ -309,62 +325,117 @@ static double *side_of(Area *area, int i)
     return (double *[]){&area->left, &area->right, &area->bottom, &area->top}[i];
 }
 
-// Chooses how large a panel is: so that all that has to be seen, and the labels around it, fill
-// 'part' of its room. (In space, all panels show the same.)
-static void see(PlotView *view, int shape, int panel, double part)
+// What has to be seen in a panel. (In space, all panels show the same, unless they are apart.)
+static Area to_be_seen(const PlotView *view, int panel)
 {
     const Fit *fits = view->fits.items;
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    Area all = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (int i = 0; i < view->fits.count; i++) {
-        if (fits[i].panel != panel && view->flat)
+        if (fits[i].panel != panel && (view->flat || view->apart))
             continue;
-        double at[2] = {vec3_dot(view->u, fits[i].center), vec3_dot(view->v, fits[i].center)};
-        for (int k = 0; k < 2; k++) {
-            low[k] = fmin(low[k], at[k] - fits[i].radius);
-            high[k] = fmax(high[k], at[k] + fits[i].radius);
-        }
+        double u = vec3_dot(view->u, fits[i].center), v = vec3_dot(view->v, fits[i].center);
+        all.left = fmin(all.left, u - fits[i].radius);
+        all.right = fmax(all.right, u + fits[i].radius);
+        all.bottom = fmin(all.bottom, v - fits[i].radius);
+        all.top = fmax(all.top, v + fits[i].radius);
     }
-    Room room = view->room[panel][shape];
-    Area over = view->over[shape][panel];
-    double left = canvas_width[shape] * room.left + over.left,
-           right = canvas_width[shape] * room.right - over.right;
-    double bottom = HEIGHT * room.bottom + over.bottom, top = HEIGHT * room.top - over.top;
-    double size =
-        part * fmin((right - left) / (high[0] - low[0]), (top - bottom) / (high[1] - low[1]));
-    if (!isfinite(size) || size <= 0) // nothing, or a point
-        size = 1;
-    for (int k = 0; k < 2; k++)
-        low[k] = isfinite(low[k]) ? low[k] : 0, high[k] = isfinite(high[k]) ? high[k] : 0;
-    view->size[shape][panel] = size;
-    view->zero_u[shape][panel] = (left + right) / 2 - size * (low[0] + high[0]) / 2;
-    view->zero_v[shape][panel] = (bottom + top) / 2 - size * (low[1] + high[1]) / 2;
-    view->seen[shape][panel] = (Area){
-        view->zero_u[shape][panel] + size * low[0], view->zero_u[shape][panel] + size * high[0],
-        view->zero_v[shape][panel] + size * low[1], view->zero_v[shape][panel] + size * high[1]};
+    return all.left <= all.right ? all : (Area){0};
 }
 
-// The words of a name, without gnuplot's quotes; the last ones that were said.
-static const char *words_of(const PlotView *view, const char *name, size_t length)
+// The part of the canvas for it, without the labels around it.
+static Area room_of(const PlotView *view, int shape, int panel)
 {
+    Room room = view->room[panel][shape];
+    Area over = view->over[shape][panel];
+    double width = canvas_width[shape];
+    return (Area){width * room.left + over.left, width * room.right - over.right,
+                  HEIGHT * room.bottom + over.bottom, HEIGHT * room.top - over.top};
+}
+
+// How large a panel can be; infinite if nothing has to be seen in it.
+static double size_of(const PlotView *view, int shape, int panel)
+{
+    Area seen = to_be_seen(view, panel), room = room_of(view, shape, panel);
+    double size = fmin((room.right - room.left) / (seen.right - seen.left),
+                       (room.top - room.bottom) / (seen.top - seen.bottom));
+    return size > 0 ? size : INFINITY;
+}
+
+// Chooses how large the panels are: so that all that has to be seen, and the labels around it, fill
+// 'part' of their rooms.
+static void see(PlotView *view, int shape, double part)
+{
+    double least = INFINITY;
+    for (int panel = 1; panel < PANELS; panel++)
+        least = fmin(least, size_of(view, shape, panel));
+    for (int panel = 1; panel < PANELS; panel++) {
+        double size = part * (view->apart ? least : size_of(view, shape, panel));
+        size = isfinite(size) ? size : 1;
+        Area seen = to_be_seen(view, panel), room = room_of(view, shape, panel);
+        double u = (room.left + room.right) / 2 - size * (seen.left + seen.right) / 2;
+        double v = (room.bottom + room.top) / 2 - size * (seen.bottom + seen.top) / 2;
+        view->size[shape][panel] = size;
+        view->zero_u[shape][panel] = u;
+        view->zero_v[shape][panel] = v;
+        view->seen[shape][panel] = (Area){u + size * seen.left, u + size * seen.right,
+                                          v + size * seen.bottom, v + size * seen.top};
+    }
+}
+
+// The words of BEFORE and a name, without gnuplot's quotes, as they were said last; NULL if they were
+// not.
+static const char *words_said(const PlotView *view, const char *before, const char *name,
+                              size_t length)
+{
+    char key[NAME_SIZE];
+    snprintf(key, sizeof key, "%s%.*s_text", before, (int)length, name);
     const Words *words = view->words.items;
     for (int i = view->words.count - 1; i >= 0; i--)
-        if (strncmp(words[i].name, name, length) == 0 &&
-            strcmp(words[i].name + length, "_text") == 0)
+        if (strcmp(words[i].name, key) == 0)
             return words[i].value;
+    return NULL;
+}
+
+static const char *words_of(const PlotView *view, const char *name, size_t length)
+{
+    const char *words = words_said(view, "", name, length);
+    if (words != NULL)
+        return words;
     fprintf(stderr, "a label's {%.*s}: no number or vector of this figure has that name\n",
             (int)length, name);
     abort();
 }
+
+static void plain_words(const char *words, FILE *out)
+{
+    for (; *words != '\0'; words++)
+        if (*words != '"' && *words != '\\')
+            putc(*words, out);
+}
+
+// {NAME!}: yours is beside the right words, if it differs.
+static bool says_yours(const PlotView *view, const char *name, size_t *size)
+{
+    if (*size == 0 || name[*size - 1] != '!')
+        return false;
+    --*size;
+    return words_said(view, "your_", name, *size) != NULL;
+}
+
+#define YOURS ", yours "
 
 // One line of a label as it is read: without $, and with words for names.
 static void plain_line(const PlotView *view, const char *line, size_t length, FILE *out)
 {
     for (const char *c = line; c < line + length; c++) {
         if (*c == '{') {
-            size_t size = strcspn(c + 1, "}");
-            for (const char *word = words_of(view, c + 1, size); *word != '\0'; word++)
-                if (*word != '"' && *word != '\\')
-                    putc(*word, out);
+            size_t size = strcspn(c + 1, "}"), name = size;
+            bool beside = says_yours(view, c + 1, &name);
+            plain_words(words_of(view, c + 1, name), out);
+            if (beside) {
+                fputs(YOURS, out);
+                plain_words(words_said(view, "your_", c + 1, name), out);
+            }
             c += size + 1;
         } else if (*c != '$') {
             putc(*c, out);
@@ -400,6 +471,7 @@ static void measure(const PlotView *view, const char *text, double *width, doubl
     }
 }
 
+// NULL: there is no such row.
 static const Mark *mark_of(const PlotView *view, const Wanted *wanted)
 {
     const Mark *marks = view->marks.items;
@@ -410,9 +482,7 @@ static const Mark *mark_of(const PlotView *view, const Wanted *wanted)
     for (int i = 0; i < view->marks.count; i++)
         if (marks[i].row == wanted->label.row && strcmp(marks[i].block, wanted->block) == 0)
             return &marks[i];
-    fprintf(stderr, "the label %s: block %s of this figure has no row %d\n", wanted->text,
-            wanted->block, wanted->label.row);
-    abort();
+    return NULL;
 }
 
 static Spot moved(Spot spot, const Mark *mark)
@@ -444,6 +514,15 @@ static void draw(const PlotView *view, int shape, Labels *labels)
     }
 }
 
+// The number of a label that names what is not there.
+enum { NOWHERE = -1 };
+
+static bool is_somewhere(Spot spot)
+{
+    const double far = 1e7; // plot_block.c draws there what is not to be seen
+    return fabs(spot.u) < far && fabs(spot.v) < far;
+}
+
 static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted)
 {
     PlacedLabel label = {.free = wanted->lines > 0};
@@ -458,22 +537,28 @@ static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted
         measure(view, wanted->text, &label.width, &label.height);
     } else {
         const Mark *mark = mark_of(view, wanted);
+        if (mark == NULL) {
+            wanted->number[shape] = NOWHERE;
+            return;
+        }
         double part = wanted->label.part;
         vec3 all = mark->to - mark->from;
         // Near its ends, other arrows may begin.
-        double first = part < 0 ? 0.15 : part, last = part < 0 ? 0.85 : part;
+        bool is_point = part == 0 && !mark->is_arrow;
+        double first = is_point ? 1 : part < 0 ? 0.15 : part;
+        double last = is_point ? 1 : part < 0 ? 0.85 : part;
         label.from = moved(spot_of(view, shape, wanted->panel, mark->from + first * all), mark);
         label.to = moved(spot_of(view, shape, wanted->panel, mark->from + last * all), mark);
         measure(view, wanted->text, &label.width, &label.height);
     }
-    wanted->number[shape] = labels_add(labels, label);
+    wanted->number[shape] =
+        is_somewhere(label.from) && is_somewhere(label.to) ? labels_add(labels, label) : NOWHERE;
 }
 
 // Places labels in the area, those of blocks of text or not. Returns what it costs.
 static double place_in(PlotView *view, int shape, double part, Area area, bool blocks)
 {
-    for (int panel = 1; panel < PANELS; panel++)
-        see(view, shape, panel, part);
+    see(view, shape, part);
     if (view->labels[shape] != NULL)
         labels_free(view->labels[shape]);
     Labels *labels = view->labels[shape] = labels_new(area);
@@ -494,7 +579,7 @@ static void measure_over(PlotView *view, int shape)
     const Wanted *wanted = view->wanted.items;
     memset(view->over[shape], 0, sizeof view->over[shape]);
     for (int i = 0; i < view->wanted.count; i++) {
-        if (wanted[i].lines != 0)
+        if (wanted[i].lines != 0 || wanted[i].number[shape] == NOWHERE)
             continue;
         PlacedLabel label = labels_get(view->labels[shape], wanted[i].number[shape]);
         Area seen = view->seen[shape][wanted[i].panel], *over = &view->over[shape][wanted[i].panel];
@@ -517,14 +602,14 @@ static void place(PlotView *view, int shape)
     static const double parts[] = {1, 0.88, 0.76, 0.64, 0.52};
     enum { SMALLER = 700, MEASURES = 2, TRIES = sizeof parts / sizeof *parts };
     const Area area = {EDGE, canvas_width[shape] - EDGE, EDGE, HEIGHT - TITLE};
-    see(view, shape, 1, 1);
+    see(view, shape, 1);
     double full = view->size[shape][1], least = INFINITY, best = 1;
     Area over[PANELS];
     for (int measure = 0; measure < (view->fills ? 1 : MEASURES); measure++) {
         if (measure > 0)
             measure_over(view, shape);
         for (int i = 0; i < (view->fills ? 1 : TRIES); i++) {
-            see(view, shape, 1, parts[i]);
+            see(view, shape, parts[i]);
             double cost = SMALLER * (1 - view->size[shape][1] / full);
             if (cost >= least)
                 break;
@@ -552,7 +637,7 @@ static void write_both(FILE *out, const char *name, int number, double wide, dou
 }
 
 // A line's text as an expression of gnuplot: "".math("d")." = ".d_text
-static void write_text(FILE *out, const char *text, size_t length)
+static void write_text(const PlotView *view, FILE *out, const char *text, size_t length)
 {
     const char *end = text + length;
     fputs("\"\"", out);
@@ -564,7 +649,11 @@ static void write_text(FILE *out, const char *text, size_t length)
         if (text >= end)
             break;
         size = strcspn(text + 1, *text == '$' ? "$" : "}");
-        fprintf(out, *text == '$' ? ".math(\"%.*s\")" : ".%.*s_text", (int)size, text + 1);
+        size_t name = size;
+        bool beside = *text == '{' && says_yours(view, text + 1, &name);
+        fprintf(out, *text == '$' ? ".math(\"%.*s\")" : ".%.*s_text", (int)name, text + 1);
+        if (beside)
+            fprintf(out, ".\"" YOURS "\".your_%.*s_text", (int)name, text + 1);
         text += size + 2;
     }
     putc('\n', out);
@@ -580,7 +669,7 @@ typedef struct {
     bool is_left, is_first;
 } Line;
 
-static void write_line(FILE *out, int number, Line line)
+static void write_line(const PlotView *view, FILE *out, int number, Line line)
 {
     double u[SHAPES], v[SHAPES], from[SHAPES][2], to[SHAPES][2];
     for (int shape = 0; shape < SHAPES; shape++) {
@@ -595,7 +684,7 @@ static void write_line(FILE *out, int number, Line line)
         to[shape][1] = leads ? label.end.v - label.start.v : 1;
     }
     fprintf(out, "label_text[%d] = ", number);
-    write_text(out, line.text, line.length);
+    write_text(view, out, line.text, line.length);
     fprintf(out, "label_color[%d] = %s\nlabel_step[%d] = %d\nlabel_is_left[%d] = %d\n", number,
             line.label->color, number, line.label->step, number, line.is_left);
     fprintf(out, "label_title[%d] = \"label of ", number);
@@ -632,12 +721,17 @@ static int write_wanted(const PlotView *view, FILE *out, int number, const Wante
         text = is_block ? wanted->text : text;
         size_t length = strcspn(text, "\n");
         double above = LINE_HEIGHT * ((lines - 1) / 2.0 - i);
-        write_line(out, number++,
+        write_line(view, out, number++,
                    (Line){placed, &wanted->label, text, is_block ? "words" : first->block, length,
                           above, is_block, i == 0});
         text += length + 1;
     }
     return number;
+}
+
+static bool is_placed(const Wanted *wanted)
+{
+    return wanted->number[0] != NOWHERE;
 }
 
 static void write_labels(const PlotView *view, FILE *out)
@@ -648,12 +742,12 @@ static void write_labels(const PlotView *view, FILE *out)
     const Wanted *wanted = view->wanted.items;
     int count = 0, number = 1;
     for (int i = 0; i < view->wanted.count; i++)
-        count += wanted[i].lines == 0 ? lines_of(&wanted[i]) : 1;
+        count += wanted[i].lines != 0 ? 1 : is_placed(&wanted[i]) ? lines_of(&wanted[i]) : 0;
     fprintf(out, "label_count = %d\n", count);
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         fprintf(out, "array %s[%d]\n", arrays[i], count > 0 ? count : 1);
     for (int i = 0; i < view->wanted.count; i++)
-        if (wanted[i].lines >= 0)
+        if (wanted[i].lines >= 0 && is_placed(&wanted[i]))
             number = write_wanted(view, out, number, &wanted[i]);
 }
 
