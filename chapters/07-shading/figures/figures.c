@@ -152,6 +152,20 @@ static void spots_data(Plot *plot, const Drawing *drawing, Resolution size)
     view_free(&view);
 }
 
+// Two panels, from which the layout leaves room for a line of words above, and three below.
+static void side_by_side(Plot *plot, Resolution size)
+{
+    static const Room rooms[] = {{0.012, 0.494, 0.155, 0.795}, {0.506, 0.988, 0.155, 0.795}};
+    plot_look_flat(plot);
+    plot_fill_room(plot);
+    for (int i = 0; i < 2; i++) {
+        plot_panel(plot, i + 1);
+        plot_room(plot, rooms[i], rooms[i]);
+        plot_fit(plot, vec3_of(0, 0, 0), 0);
+        plot_fit(plot, vec3_of(size.width, size.height, 0), 0);
+    }
+}
+
 static void flat_and_shaded(Plot *plot, void *given)
 {
     Drawing drawing = *(const Drawing *)given;
@@ -160,6 +174,7 @@ static void flat_and_shaded(Plot *plot, void *given)
     Resolution size = picture_size(drawing.size);
     if (!image_create(&image, size, &message))
         return;
+    side_by_side(plot, size);
     plot_number(plot, "columns", size.width);
     plot_number(plot, "rows", size.height);
     plot_number(plot, "ambient", drawing.scene.ambient[0]);

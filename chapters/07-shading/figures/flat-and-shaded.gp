@@ -11,12 +11,6 @@ if (wrong) {
     unset label 99
 }
 steps = 4
-# Below the room of a slide's title: a line of words, the picture, two lines of words.
-low_x = 0; high_x = columns; low_y = 0; high_y = rows
-panel = 1; room = "0.012 0.494 0.155 0.795"
-@flat
-panel = 2; room = "0.506 0.988 0.155 0.795"
-@flat
 
 # gnuplot reads a picture from a file, which is there only while it draws.
 decode = 'set print "| base64 -d > \"".output.".cast".panel."\""; do for [line=2:|@picture|] { print @picture[line] }; set print'
@@ -32,7 +26,7 @@ cast = 'output.".cast".panel binary filetype=png origin=(U(panel,0.5),V(panel,0.
 # to the highlight ends a little before it.
 above = 21
 at_x(left) = left ? 0.24 : 0.875
-from_x(left) = middle_at(U(2, at_x(left) * columns), long(left == shadow_first ? "shadow" : "highlight", small_size))
+from_x(left) = middle_at(U(2, at_x(left) * columns), long(left == shadow_first ? "shadow" : "highlight", text_size))
 from_y = V(2, rows) + above - 15
 short(x, y, left) = left == shadow_first ? 1 : 1 - 9 / sqrt((U(2, x) - from_x(left))**2 + (V(2, y) - from_y)**2)
 line_to(left) = sprintf("(from_x(%d)):(from_y):(short($1,$2,%d)*(U(2,$1)-from_x(%d))):(short($1,$2,%d)*(V(2,$2)-from_y))", \
@@ -57,19 +51,19 @@ in_two = shape eq "4:3" && !wrong
 
 plot for [panel=1:1] @cast title "flat", \
     $once using @name_1:(wrong ? "right" : "flat") with labels tc rgb ink title "flat, label", \
-    $once using @more_1:(small(wrong ? "" : "one colour each")) with labels tc rgb grey title "flat, in words", \
+    $once using @more_1:(wrong ? "" : "one colour each") with labels tc rgb grey title "flat, in words", \
     for [_=2:step:1000] for [panel=2:2] @cast title "shaded", \
     @step2 $once using @name_2:(wrong ? "yours" : "shaded") with labels tc rgb ink title "shaded, label", \
-    @step2 $once using @more_2:(small(wrong || in_two ? "" : "what the light makes of it")) with labels tc rgb grey \
+    @step2 $once using @more_2:(wrong || in_two ? "" : "what the light makes of it") with labels tc rgb grey \
         title "shaded, in words", \
-    @step2 $once using @more_2:(small(in_two ? "what the light" : "")) with labels tc rgb grey title "shaded, in words", \
-    @step2 $once using @rest_2:(small(in_two ? "makes of it" : "")) with labels tc rgb grey title "shaded, in words", \
+    @step2 $once using @more_2:(in_two ? "what the light" : "") with labels tc rgb grey title "shaded, in words", \
+    @step2 $once using @rest_2:(in_two ? "makes of it" : "") with labels tc rgb grey title "shaded, in words", \
     @shining $highlight using @to_highlight with @black_line title "to the highlight", \
     @shining $highlight using @to_highlight with @white_line title "to the highlight, inside", \
-    @shining $highlight using @at_highlight:(small("highlight")) with labels tc rgb ink title "highlight", \
+    @shining $highlight using @at_highlight:("highlight") with labels tc rgb ink title "highlight", \
     @shadowed $shadow using @to_shadow with @black_line title "to the shadow", \
     @shadowed $shadow using @to_shadow with @white_line title "to the shadow, inside", \
     @shadowed $shadow using (U(2,$1)):(V(2,$2)) with points pt 7 ps 0.55 lc rgb "black" title "in the shadow", \
     @shadowed $shadow using (U(2,$1)):(V(2,$2)) with points pt 7 ps 0.35 lc rgb "white" title "in the shadow, inside", \
-    @shadowed $shadow using @at_shadow:(small("shadow")) with labels tc rgb ink title "shadow"
+    @shadowed $shadow using @at_shadow:("shadow") with labels tc rgb ink title "shadow"
 system(sprintf("rm -f \"%s.cast1\" \"%s.cast2\"", output, output))
