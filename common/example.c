@@ -32,6 +32,14 @@ Resolution example_screen(void)
     return (Resolution){screen[0], screen[1]};
 }
 
+Resolution example_small_screen(void)
+{
+    int coarser = 1;
+    while (screen[0] / coarser > 640 || screen[1] / coarser > 480)
+        coarser++;
+    return (Resolution){screen[0] / coarser, screen[1] / coarser};
+}
+
 ScreenPoint example_point(void)
 {
     return (ScreenPoint){point[0], point[1]};

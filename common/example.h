@@ -11,6 +11,8 @@ Camera example_camera(void);
 Normalized example_place(void); // on its image plane
 
 Resolution example_screen(void);
+// That screen, or a coarser one of its shape, with at most 640 x 480 pixels: for pictures.
+Resolution example_small_screen(void);
 ScreenPoint example_point(void);
 Pixel example_pixel(void); // with the numbers of that point
 

@@ -5,8 +5,16 @@
 #include "common/options.h"
 #include "common/whole_file.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+Resolution picture_shaped(double width, double height, int side)
+{
+    double longer = fmax(width, height);
+    return (Resolution){(int)fmax(2, round(side * (width / longer))),
+                        (int)fmax(2, round(side * (height / longer)))};
+}
 
 int picture_save(const Image *image, const char *path)
 {

@@ -9,6 +9,10 @@
 int picture_write(const char *path, Resolution size, Color (*color)(Pixel pixel, void *given),
                   void *given);
 
+// The size of a picture with the aspect ratio of an image plane: its longer side has this many
+// pixels.
+Resolution picture_shaped(double width, double height, int side);
+
 // Writes an image unless a blank was called; the same return.
 int picture_save(const Image *image, const char *path);
 

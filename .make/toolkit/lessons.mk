@@ -1,5 +1,40 @@
-# lessons.mk - make lesson-figures: the figures that are committed, for readers who build nothing. Included
-# by the Makefile.
+# lessons.mk - make lessons, and lesson-figures: the lessons, with their numbers, figures and pictures, as they
+# are committed for readers who build nothing. Included by the Makefile.
+
+# Lessons with numbers of the example (chapters/example.h) are made from chapters/lessons/NN-stem.md; the program
+# of NN-stem.c fills in its numbers and the output of the chapter's program (chapters/lessons/fill.h).
+LESSONS := $(patsubst chapters/lessons/%.md,%,$(wildcard chapters/lessons/*.md))
+FILL_LESSON := $(LESSONS:%=$(B)/chapters/lessons/%)
+parts_of = $(filter-out %/main.o,$(call chapter_objects,$(1)))
+$(FILL_LESSON): %: %.o $(B)/chapters/lessons/fill.o $$(call parts_of,$$(@F)) \
+		$(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
+FILLED := $(LESSONS:%=$(B)/lessons/%.md)
+$(FILLED): $(B)/lessons/%.md: chapters/lessons/%.md $(B)/chapters/lessons/% $(B)/solutions/% chapters/%/README.md
+	$(Q)mkdir -p $(@D)
+	$(Q)$(B)/solutions/$* > $(@:.md=.txt)
+	$(Q)$(B)/chapters/lessons/$* $< $(@:.md=.txt) chapters/$*/README.md > $@
+
+# If the example has other numbers, the lessons change, and with them their figures and pictures. So 'make' writes
+# them as well; but it does not write over a lesson that was changed by hand instead of its source. Lessons that
+# are as they should be keep their dates.
+LESSONS_MADE := $(B)/lessons/made
+$(LESSONS_MADE): $(FILLED) | $(DRAWN) $(PICTURES) $$(FOR_EXERCISES)
+	@written=; kept=; for stem in $(LESSONS); do \
+		lesson=chapters/$$stem/README.md; source=chapters/lessons/$$stem.md; \
+		if cmp -s $(B)/lessons/$$stem.md $$lesson; then :; \
+		elif [ -z '$(filter lessons,$(MAKECMDGOALS))' ] && [ $$lesson -nt $$source ] && [ $$lesson -nt chapters/example.h ]; then \
+			kept=yes; echo "$$lesson differs from what $$source makes: 'make lessons' writes it again"; \
+		else written=yes; cp $(B)/lessons/$$stem.md $$lesson && echo "wrote $$lesson"; fi; done; \
+	[ -z "$$written" ] || MAKEFLAGS= $(MAKE) --no-print-directory $(MAKEOVERRIDES) lesson-figures || exit; \
+	[ -n "$$kept" ] || touch $@
+ifeq ($(A),solutions)
+$(BUILT)/made $(PAGE): $(LESSONS_MADE)
+endif
+lessons: $(LESSONS_MADE) ## write the numbers of chapters/example.h into the lessons ('make' does it as well)
+.PHONY: lessons
+
 LESSON_FIGURES := $(B)/tests/house/figures/lesson_figures
 $(LESSON_FIGURES): $(LESSON_FIGURES).o
 	$(call say,link,$@)
@@ -22,7 +57,7 @@ $(SO_FAR:%=$(B)/so-far/%): $(B)/so-far/%.png: $(DRAW_SO_FAR) $(SPHERES) $(RECORD
 	$(Q)$(DRAW_SO_FAR) $(SPHERES) $(RECORDED) $* $@
 
 # The tests of all these need what is compared, and what compares it.
-check check-all check-long: $(LESSON_FIGURES) $(DRAWN_PICTURES)
+check check-all check-long: $(FILLED) $(LESSON_FIGURES) $(DRAWN_PICTURES)
 check-all check-long: $(B)/scenes/finale.nff
 lesson-figures: $(DRAWN) $(LESSON_FIGURES) $(DRAWN_PICTURES) $(SAME) ## write the figures and pictures that the lessons show, and the figures' words
 	@export FORMAT=svg THEME= SHAPE=16:9,4:3; STEPS= $(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURE_NAMES) && \

@@ -14,7 +14,7 @@
 
 #include <stdio.h>
 
-enum { PICTURE = 320 }; // pixels across
+enum { PICTURE = 320 }; // pixels of the longer side
 
 static void three_questions(Camera c)
 {
@@ -56,17 +56,11 @@ static void doubling(Camera c)
     printf("  The lengths differ, the directions do not: the same rays, the same picture.\n");
 }
 
-// A picture of the shape of the image plane, at most three times as high as wide.
-static Resolution picture_size(const Camera *c)
-{
-    return (Resolution){PICTURE, (int)fmax(2, fmin(3, c->height / c->width) * PICTURE)};
-}
-
 // Here s and t reach 0 and 1, so that the corners are in the picture.
 static Color color_of_vector(Pixel pixel, void *given)
 {
     const Camera *c = given;
-    Resolution size = picture_size(c);
+    Resolution size = picture_shaped(c->width, c->height, PICTURE);
     vec3 v = image_plane_vector(*c, pixel.column / (size.width - 1.0),
                                 1 - pixel.row / (size.height - 1.0));
     const vec3 dots[] = {upper_left(*c), upper_right(*c), across_30_up_10(*c)};
@@ -105,7 +99,8 @@ int main(int argc, char **argv)
     if (drawn)
         return corners_figure(argv[0], figure, &view);
     if (picture != NULL)
-        return picture_write(picture, picture_size(&c), color_of_vector, &c);
+        return picture_write(picture, picture_shaped(c.width, c.height, PICTURE), color_of_vector,
+                             &c);
 
     printf("01-corners: from the eye to the image plane\n");
     story_heading("The camera <p, r, u, f, d, w, h>");

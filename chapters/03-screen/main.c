@@ -88,6 +88,8 @@ int main(int argc, char **argv)
                    "lecture's point on the lecture's screen."};
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
+    if (picture != NULL && screen.width == 0)
+        screen = example_small_screen();
     complete(&screen, point, figure);
     if (pixel.column < 0) // floor; a point on the far edge belongs to the last pixel
         pixel = (Pixel){(int)fmax(0, fmin(floor(point[0]), screen.width - 1)),

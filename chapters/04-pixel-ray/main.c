@@ -53,8 +53,7 @@ static Color color_of_direction(Pixel pixel, void *given)
 
 int main(int argc, char **argv)
 {
-    const Resolution screen = example_screen();
-    View view = {example_camera(), screen};
+    View view = {example_camera(), {0, 0}};
     Pixel pixel = {-1, -1};
     FigureCommand figure = {0};
     const char *picture = NULL;
@@ -72,6 +71,9 @@ int main(int argc, char **argv)
     if (options_read(argc, argv, options, usage) != argc)
         options_wrong(argv[0], "expected options only");
     story_needs_camera(argv[0], view.camera);
+    const Resolution screen = example_screen();
+    if (view.screen.width == 0)
+        view.screen = picture == NULL ? screen : example_small_screen();
     bool same = view.screen.width == screen.width && view.screen.height == screen.height;
     if (pixel.column < 0)
         pixel = same ? example_pixel() : (Pixel){view.screen.width / 2, view.screen.height / 2};

@@ -185,9 +185,7 @@ int main(int argc, char **argv)
     if (figure.name != NULL)
         return quadratic_figure(argv[0], figure, &given);
     if (picture != NULL) {
-        Camera c = example_camera();
-        double wide = fmin(3, fmax(1.0 / 3, c.width / c.height));
-        Resolution screen = {(int)round(480 * wide), 480};
+        Resolution screen = picture_shaped(example_camera().width, example_camera().height, 480);
         return picture_write(picture, screen, color_of_depth, &screen);
     }
     tell(given.ray, given.sphere);

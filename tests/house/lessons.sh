@@ -33,6 +33,11 @@ for lesson in chapters/*/README.md; do
     check "the program of $stem has help and knows its options" tells_its_story "$stem"
     check "the links of $lesson lead somewhere" links_lead_somewhere "$lesson"
 done
+for source in chapters/lessons/*.md; do
+    stem=$(basename "$source" .md)
+    check "the lesson of $stem is what 'make lessons' writes" \
+        diff "$BUILD/lessons/$stem.md" "chapters/$stem/README.md"
+done
 for page in README.md chapters/README.md exercises/README.md .github/CONTRIBUTING.md; do
     check "the links of $page lead somewhere" links_lead_somewhere "$page"
 done
@@ -94,18 +99,24 @@ prints() {
     "$PROGRAMS/$program" "$@" >"$scratch/printed" && cat "$scratch/printed"
     grep -qF -- "$wanted" "$scratch/printed"
 }
+deck='--eye 2,2,-4 --right 1,0,0 --up 0,1,0 --forward 0,0,1 --distance 4 --width 2 --height 2'
 wanted='upper left                  (-1, 1, 4)'
-check 'chapter 01 prints the upper left corner' prints 01-corners
+# shellcheck disable=SC2086 # options are words
+check 'chapter 01 prints the upper left corner' prints 01-corners $deck
 wanted='30% across, 10% up          (-0.4, -0.8, 4)'
-check 'chapter 01 prints the point 30% across, 10% up' prints 01-corners
+# shellcheck disable=SC2086
+check 'chapter 01 prints the point 30% across, 10% up' prints 01-corners $deck
 wanted='(0.46875, 0.166667)'
-check 'chapter 03 prints (300, 400) normalized' prints 03-screen
+check 'chapter 03 prints (300, 400) normalized' prints 03-screen --size 640x480 --point 300,400
 wanted='upper left                  (-2, 1, 4)'
-check 'chapter 01 takes the numbers of its reader' prints 01-corners --width 4
+# shellcheck disable=SC2086
+check 'chapter 01 takes the numbers of its reader' prints 01-corners $deck --width 4
 wanted='right-handed                right (-1, 0, 0)'
-check 'chapter 02 shows what the wrong hand does' prints 02-cameras
+# shellcheck disable=SC2086
+check 'chapter 02 shows what the wrong hand does' prints 02-cameras $deck
 wanted='3.62151'
-check "chapter 05 prints the hit of the deck's arrow" prints 05-quadratic
+check "chapter 05 prints the hit of the deck's arrow" \
+    prints 05-quadratic -o -4,-1,0 -d 0.89,0.45,0 -c 0,0,0 -r 1
 
 # Invalid cameras and impossible numbers are refused.
 exits_with() {

@@ -1,0 +1,46 @@
+// 02-cameras.c - the numbers of lesson 02.
+#include "chapters/02-cameras/forms.h"
+#include "chapters/lessons/fill.h"
+#include "common/example.h"
+#include "common/story.h"
+#include "common/text.h"
+
+static const char *const hands[] = {[RIGHT_HANDED] = "right-handed", [LEFT_HANDED] = "left-handed"};
+
+static void fill_hand(Camera c)
+{
+    Handedness hand = hand_of(c);
+    fill_vector("right_x_up", vec3_cross(c.right, c.up));
+    fill_text("same_as", "%s", hand == LEFT_HANDED ? "f" : "-f");
+    fill_text("hand", "%s", hands[hand]);
+    fill_text("other_hand", "%s", hands[hand == LEFT_HANDED ? RIGHT_HANDED : LEFT_HANDED]);
+    fill_vector("minus_right", -c.right);
+}
+
+int main(int argc, char **argv)
+{
+    Camera c = example_camera();
+    story_needs_camera(argv[0], c);
+    Forms forms = forms_of(c);
+    fill_camera(c);
+    fill_hand(c);
+    fill_vector("at", forms.look_at.at);
+    fill_number("aspect", forms.look_at.aspect);
+    fill_vector("point_upper_left", forms.points.upper_left);
+    fill_vector("point_upper_right", forms.points.upper_right);
+    fill_vector("point_lower_left", forms.points.lower_left);
+    fill_vector("point_lower_right", forms.points.lower_right);
+    fill_vector("across", forms.across);
+    fill_vector("upward", forms.upward);
+    fill_vector("upper_left", forms.vectors.upper_left);
+    fill_vector("upper_right", forms.vectors.upper_right);
+    fill_vector("lower_left", forms.vectors.lower_left);
+    fill_vector("lower_right", forms.vectors.lower_right);
+    fill_vector("mean", forms.look_at.at - c.origin);
+    fill_text("degrees", "%.2f", 2 * atan(c.width / 2 / c.distance) * 180 / PI);
+    fill_option("eye_option", forms.look_at.eye);
+    fill_option("at_option", forms.look_at.at);
+    fill_text("aspect_option", c.width == c.height ? "" : " --aspect %s",
+              number_text(forms.look_at.aspect).s);
+    return fill_lesson(argc, argv);
+}

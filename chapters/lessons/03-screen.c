@@ -1,0 +1,41 @@
+// 03-screen.c - the numbers of lesson 03.
+#include "exercises/03-screen.h"
+#include "chapters/lessons/fill.h"
+#include "common/example.h"
+#include "common/text.h"
+
+#include <math.h>
+
+// The shape of a screen on which the example's camera shows a ball as a ball.
+static void fill_shape(Camera c)
+{
+    double ratio = c.width / c.height;
+    if (fabs(ratio - 1) < 1e-9)
+        fill_text("needed_screen", "a square screen");
+    else
+        fill_text("needed_screen", "a screen whose width is %s times its height",
+                  number_text_to(ratio, 4).s);
+}
+
+int main(int argc, char **argv)
+{
+    Resolution screen = example_screen();
+    ScreenPoint point = example_point(), center = pixel_center(example_pixel());
+    Normalized place = screen_to_normalized(point, screen);
+    Normalized center_place = screen_to_normalized(center, screen);
+    fill_number("W", screen.width);
+    fill_number("H", screen.height);
+    fill_number("almost_W", screen.width - 0.3);
+    fill_number("x", point.x);
+    fill_number("y", point.y);
+    fill_number("next_x", point.x + 1);
+    fill_number("next_y", point.y + 1);
+    fill_result("is_s", place.s, TEXT_DIGITS);
+    fill_result("is_t", place.t, TEXT_DIGITS);
+    fill_text("center", "%s", pair_text(center.x, center.y).s);
+    fill_text("center_place", "%s", pair_text(center_place.s, center_place.t).s);
+    fill_number("w", example_camera().width);
+    fill_number("h", example_camera().height);
+    fill_shape(example_camera());
+    return fill_lesson(argc, argv);
+}

@@ -1,0 +1,47 @@
+// 04-pixel-ray.c - the numbers of lesson 04.
+#include "exercises/04-pixel-ray.h"
+#include "chapters/lessons/fill.h"
+#include "common/example.h"
+#include "common/story.h"
+#include "common/text.h"
+#include "exercises/01-corners.h"
+#include "exercises/03-screen.h"
+
+#include <math.h>
+
+enum { DIGITS = 9 };
+
+static void fill_chain(Camera c, Resolution screen, Pixel pixel)
+{
+    ScreenPoint center = pixel_center(pixel);
+    Normalized place = screen_to_normalized(center, screen);
+    Ray ray = ray_to_plane(pixel_ray(c, screen, pixel), c);
+    fill_number("W", screen.width);
+    fill_number("H", screen.height);
+    fill_number("column", pixel.column);
+    fill_number("row", pixel.row);
+    fill_number("center_x", center.x);
+    fill_number("center_y", center.y);
+    fill_result("is_s", place.s, DIGITS);
+    fill_result("is_t", place.t, DIGITS);
+    fill_term("sideways", place.s - 0.5, DIGITS);
+    fill_term("upward", place.t - 0.5, DIGITS);
+    fill_text("v", "%s", vec3_text_to(ray.direction, DIGITS).s);
+    fill_text("on_plane", "%s", vec3_text_to(ray.origin + ray.direction, DIGITS).s);
+}
+
+int main(int argc, char **argv)
+{
+    Camera c = example_camera();
+    story_needs_camera(argv[0], c);
+    vec3 corner = image_plane_vector(c, 0, 1);
+    fill_camera(c);
+    fill_chain(c, example_screen(), example_pixel());
+    fill_text("other_eye", "%s", vec3_length(c.origin) > 0 ? "0,0,0" : "2,2,-4");
+    fill_number("twice_d", 2 * c.distance);
+    fill_vector("corner", corner);
+    fill_number("corner_squared", vec3_dot(corner, corner));
+    fill_number_to("corner_length", vec3_length(corner), 4);
+    fill_number_to("twice_corner", 2 * vec3_length(corner), 4);
+    return fill_lesson(argc, argv);
+}

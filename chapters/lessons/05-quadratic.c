@@ -1,0 +1,64 @@
+// 05-quadratic.c - the numbers of lesson 05.
+#include "exercises/05-quadratic.h"
+#include "chapters/lessons/fill.h"
+#include "common/example.h"
+#include "common/text.h"
+
+#include <math.h>
+#include <stdio.h>
+
+// The result if a is taken for 1, as if every direction had length 1.
+static void fill_mistake(Ray ray, Sphere sphere, Quadratic q)
+{
+    double a = q.a;
+    q.a = 1;
+    Roots roots = quadratic_roots(q);
+    if (fabs(a - 1) < 1e-6)
+        fill_text("with_1", "Here that makes no difference, so test with another ray.");
+    else if (roots.count == 0)
+        fill_text("with_1", "If you use 1 instead of %s, $D$ is %s, and the ray seems to miss.",
+                  number_text(a).s, number_text_to(q.b * q.b - 4 * q.c, 3).s);
+    else {
+        double t = roots.t[0];
+        double away = vec3_length(ray.origin + t * ray.direction - sphere.center);
+        fill_text("with_1",
+                  "If you use 1 instead of %s, you get\n$t = %s$. That point is %s from the "
+                  "centre: %s the sphere.",
+                  number_text(a).s, number_text_to(t, 4).s, number_text_to(away, 3).s,
+                  away < sphere.radius ? "inside" : "outside");
+    }
+}
+
+static void fill_ray(Ray ray, Sphere sphere)
+{
+    fill_vector("p", ray.origin);
+    fill_vector("v", ray.direction);
+    fill_vector("center", sphere.center);
+    fill_number("r", sphere.radius);
+    fill_number("length", vec3_length(ray.direction));
+}
+
+int main(int argc, char **argv)
+{
+    Ray ray = example_ray();
+    Sphere sphere = example_sphere();
+    Quadratic q = object_quadratic(to_object_coordinates(ray, sphere), sphere.radius);
+    Roots roots = quadratic_roots(q);
+    if (roots.count != 2 || roots.t[0] <= 0) {
+        fprintf(stderr, "chapters/example.h: the ray must meet the sphere twice, in front of p\n");
+        return 1;
+    }
+    fill_ray(ray, sphere);
+    fill_number("a", q.a);
+    fill_number("b", q.b);
+    fill_number("c", q.c);
+    fill_number_to("D", q.b * q.b - 4 * q.a * q.c, 6);
+    fill_number("t0", roots.t[0]);
+    fill_number("t1", roots.t[1]);
+    fill_number("before", floor(roots.t[0]));
+    fill_number("beyond", ceil(roots.t[1]));
+    fill_mistake(ray, sphere, q);
+    fill_number("d", example_camera().distance);
+    fill_number("tenth_d", 0.1 * example_camera().distance);
+    return fill_lesson(argc, argv);
+}

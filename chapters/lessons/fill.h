@@ -1,0 +1,34 @@
+// fill.h - a lesson is its source with the numbers of the example filled in.
+//
+// The source, chapters/lessons/NN-stem.md, has in double brackets
+//   [[name]]              a number or a text that NN-stem.c gives by that name
+//   [[output HEADING]]    on a line of its own: what the chapter's program prints below the heading
+//                         that begins so, heading included
+//   [[figure NAME]]       on a line of its own: the line that shows a figure, as the lesson has it
+//                         now; make lesson-figures writes it
+// All other text is the lesson's.
+#ifndef CHAPTERS_LESSONS_FILL_H
+#define CHAPTERS_LESSONS_FILL_H
+
+#include "common/camera.h"
+#include "common/vec3.h"
+
+// Give a name its text.
+void fill_text(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void fill_number(const char *name, double x);
+void fill_number_to(const char *name, double x, int digits);
+void fill_vector(const char *name, vec3 v);
+// As a term of a sum: + 0.3 or - 0.2.
+void fill_term(const char *name, double x, int digits);
+// = 0.46875, or about 0.166667 if digits are lost; in LaTeX.
+void fill_result(const char *name, double x, int digits);
+// As an option's argument: 2,2,-4
+void fill_option(const char *name, vec3 v);
+// d, w, h, eye, right, up and forward of a camera.
+void fill_camera(Camera camera);
+
+// Prints the lesson: argv is SOURCE, the program's OUTPUT, and the LESSON as it is. Returns the
+// result of main.
+int fill_lesson(int argc, char **argv);
+
+#endif
