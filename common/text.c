@@ -51,6 +51,27 @@ Text pair_text(double x, double y)
     return text;
 }
 
+Text duration_text(double seconds)
+{
+    enum { DIGITS = 3, MINUTE = 60, HOUR = 3600 };
+    Text text;
+    // What would be rounded up to the next unit has that one.
+    if (!(fabs(seconds) >= 0.9995)) {
+        snprintf(text.s, sizeof text.s, "%.40s ms", number_text_to(1e3 * seconds, DIGITS).s);
+    } else if (!(seconds >= 59.95 && seconds < 1e12)) {
+        snprintf(text.s, sizeof text.s, "%.40s s", number_text_to(seconds, DIGITS).s);
+    } else {
+        bool hours = seconds >= HOUR - 0.5;
+        long small = hours ? MINUTE : 1, large = hours ? HOUR : MINUTE;
+        long count = lround(seconds / (double)small) * small;
+        int used = snprintf(text.s, sizeof text.s, "%ld %s", count / large, hours ? "h" : "min");
+        if (count % large > 0)
+            snprintf(text.s + used, sizeof text.s - (size_t)used, " %ld %s", count % large / small,
+                     hours ? "min" : "s");
+    }
+    return text;
+}
+
 Text word_text(const char *word)
 {
     enum { LONGEST = 40 };

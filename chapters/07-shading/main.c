@@ -62,6 +62,7 @@ static bool draw_both(Drawing *drawing, Style style)
         image_free(&right);
         return false;
     }
+    right.progress = left.progress;
     render(&drawing->scene, drawing->camera, style, &right);
     keep_term(&drawing->scene, TERM_FLAT);
     render(&drawing->scene, drawing->camera, style, &left);

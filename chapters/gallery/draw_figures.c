@@ -9,6 +9,7 @@
 // each step). Pictures appear whole or not at all; the same script gives the same bytes. Exit
 // status: 1 if something could not be drawn, 2 wrong usage, 3 no gnuplot.
 #include "chapters/gallery/latex_picture.h"
+#include "common/progress.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -595,12 +596,6 @@ static void hear(Job *job, int status)
         fprintf(words, "%s%s.%s was not drawn\n", folder_of(job->name).s, job->output, job->format);
 }
 
-static void show_progress(int done)
-{
-    if (isatty(STDERR_FILENO))
-        fprintf(stderr, done < job_count ? "\r  figures   %d of %d" : "\r\033[K", done, job_count);
-}
-
 static void end_all(void)
 {
     for (int i = 0; i < job_count; i++)
@@ -616,8 +611,8 @@ static void draw(void)
 {
     long at_a_time = sysconf(_SC_NPROCESSORS_ONLN);
     int begun = 0, done = 0;
+    Progress progress = progress_begin("figures", job_count, true);
     while (done < job_count) {
-        show_progress(done);
         for (; begun < job_count && begun - done < (at_a_time > 0 ? at_a_time : 2); begun++)
             begin(&jobs[begun]);
         int status;
@@ -627,11 +622,10 @@ static void draw(void)
         for (int i = 0; i < begun && process > 0; i++)
             if (jobs[i].process == process) {
                 hear(&jobs[i], status);
-                done++;
+                progress_show(&progress, ++done);
             }
     }
-    if (job_count > 0)
-        show_progress(done);
+    progress_end(&progress);
 }
 
 static void note_end(int signal_number)

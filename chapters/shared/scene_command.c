@@ -5,6 +5,7 @@
 #include "chapters/shared/scene_camera.h"
 #include "common/options.h"
 #include "common/picture.h"
+#include "common/progress.h"
 #include "common/toolkit_file.h"
 #include "common/whole_file.h"
 
@@ -12,7 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 // gallery/SCENE.png beside the program. Makes the folder if it does not exist.
@@ -31,23 +31,17 @@ static bool gallery_path(char *path, size_t size, const char *program, const cha
                     name) < (int)size;
 }
 
-// Shows progress on a terminal, after the first second. The loops are the student's own, so only
-// the number of pixels that were set is known.
+static Progress progress;
+
+// The loops are the student's own, so only the number of pixels that were set is known.
 static void show_progress(const Image *image)
 {
-    static time_t began, last;
-    time_t now = time(NULL);
-    if (began == 0)
-        began = last = now;
-    if (now == last)
-        return;
-    last = now;
-    long pixels = (long)image->size.width * image->size.height;
-    if (image->set_count <= pixels)
-        fprintf(stderr, "\r  %3ld %% after %ld s ", 100 * image->set_count / pixels,
-                (long)(now - began));
-    else
-        fprintf(stderr, "\r  %ld pixels set after %ld s ", image->set_count, (long)(now - began));
+    static long last;
+    // The first pixels of this picture: a program may draw several.
+    if (last == 0 || image->set_count < last)
+        progress = progress_begin("pixels", (long)image->size.width * image->size.height, false);
+    last = image->set_count;
+    progress_show(&progress, last);
 }
 
 static bool report(const char *text)
@@ -130,10 +124,14 @@ bool drawing_begin(Drawing *drawing, const char *program, const Command *command
     return true;
 }
 
+void drawing_is_done(void)
+{
+    progress_end(&progress);
+}
+
 int drawing_end(Drawing *drawing)
 {
-    if (drawing->image.progress != NULL)
-        fprintf(stderr, "\r%40s\r", "");
+    drawing_is_done();
     int status = picture_save(&drawing->image, drawing->output);
     image_free(&drawing->image);
     scene_free(&drawing->scene);

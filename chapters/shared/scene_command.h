@@ -45,6 +45,9 @@ bool drawing_begin(Drawing *drawing, const char *program, const Command *command
 bool drawing_prepare(Drawing *drawing, const char *program, const Command *command,
                      const char *own_scene);
 
+// Every pixel is set: no progress is shown any more.
+void drawing_is_done(void);
+
 // Writes the picture; returns the result of main.
 int drawing_end(Drawing *drawing);
 

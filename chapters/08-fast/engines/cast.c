@@ -45,9 +45,9 @@ static void list_engines(void)
 static void say_what_it_took(const char *name, const Drawing *drawing, bool shaded, double seconds)
 {
     Resolution size = drawing->image.size;
-    fprintf(stderr, "%s: %d x %d %s among %d spheres in %s ms", name, size.width, size.height,
+    fprintf(stderr, "%s: %d x %d %s among %d spheres in %s", name, size.width, size.height,
             shaded ? "pixels, shaded," : "rays", drawing->scene.sphere_count,
-            number_text_to(1e3 * seconds, 3).s);
+            duration_text(seconds).s);
     if (shaded)
         fprintf(stderr, "\n");
     else
@@ -118,9 +118,9 @@ int cast_command(int argc, char **argv)
         return EXIT_COULD_NOT;
     }
     double took = clock_seconds() - built;
+    drawing_is_done();
     if (built > began)
-        fprintf(stderr, "%s: built in %s ms\n", engine->name,
-                number_text_to(1e3 * (built - began), 3).s);
+        fprintf(stderr, "%s: built in %s\n", engine->name, duration_text(built - began).s);
     say_what_it_took(engine->name, &drawing, shaded, took);
     int status = drawing_end(&drawing);
     if (status == EXIT_DONE && command.output == NULL)

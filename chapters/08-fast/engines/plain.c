@@ -9,11 +9,13 @@
 #include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
 
+#include <pthread.h>
 #include <stdlib.h>
 
 typedef struct {
     const Work *work;
     const Paint *paints;
+    pthread_mutex_t *together; // for the count of pixels
 } Plain;
 
 static void cast_row(void *given, int row)
@@ -27,12 +29,18 @@ static void cast_row(void *given, int row)
         paint_pixel(work->image, image_index(work->image, pixel), work->scene, plain->paints,
                     hit.sphere);
     }
+    pthread_mutex_lock(plain->together);
+    work->image->set_count += screen.width;
+    if (work->image->progress != NULL)
+        work->image->progress(work->image);
+    pthread_mutex_unlock(plain->together);
 }
 
 bool cast_plain(const Work *work, Message *message)
 {
     Paint *paints = paints_of(work->scene);
-    Plain plain = {work, paints};
+    pthread_mutex_t together = PTHREAD_MUTEX_INITIALIZER;
+    Plain plain = {work, paints, &together};
     if (paints == NULL)
         return message_set(message, "no memory for %d colours", work->scene->surface_count);
     in_parallel(work->threads, work->image->size.height, cast_row, &plain);

@@ -175,6 +175,55 @@ START_TEST(a_message_that_is_too_long_is_cut)
 }
 END_TEST
 
+static void expect_duration(double seconds, const char *expected)
+{
+    given("seconds", "%.17g", seconds);
+    expect_text(duration_text(seconds).s, expected);
+}
+
+START_TEST(short_times_have_three_digits)
+{
+    expect_duration(0, "0 ms");
+    expect_duration(0.0000123, "0.0123 ms");
+    expect_duration(0.00234, "2.34 ms");
+    expect_duration(0.999, "999 ms");
+    expect_duration(1.5, "1.5 s");
+    expect_duration(37.24, "37.2 s");
+    expect_duration(59.9, "59.9 s");
+}
+END_TEST
+
+START_TEST(long_times_are_in_minutes_and_hours)
+{
+    expect_duration(219, "3 min 39 s");
+    expect_duration(218.6, "3 min 39 s");
+    expect_duration(120, "2 min");
+    expect_duration(3600, "1 h");
+    expect_duration(7500, "2 h 5 min");
+    expect_duration(360000, "100 h");
+}
+END_TEST
+
+START_TEST(no_time_has_sixty_of_a_unit)
+{
+    expect_duration(0.9996, "1 s");
+    expect_duration(59.96, "1 min");
+    expect_duration(119.6, "2 min");
+    expect_duration(3599.4, "59 min 59 s");
+    expect_duration(3599.6, "1 h");
+    expect_duration(7199, "2 h");
+}
+END_TEST
+
+START_TEST(what_is_no_time_is_no_crash)
+{
+    expect_duration(NAN, "nan ms");
+    expect_duration(INFINITY, "inf s");
+    expect_duration(-2, "-2 s");
+    expect_duration(1e15, "1e+15 s");
+}
+END_TEST
+
 static void list_tests(void)
 {
     tests_of("read_number");
@@ -189,6 +238,11 @@ static void list_tests(void)
     test(what_is_not_finite_is_shown_alike_everywhere);
     test(vectors_and_pairs_stand_in_parentheses);
     test(the_longest_vector_fits);
+    tests_of("duration_text");
+    test(short_times_have_three_digits);
+    test(long_times_are_in_minutes_and_hours);
+    test(no_time_has_sixty_of_a_unit);
+    test(what_is_no_time_is_no_crash);
     tests_of("word_text");
     test(plain_words_stay_as_they_are);
     test(control_characters_of_a_word_are_harmless);
