@@ -1,25 +1,41 @@
-// discriminant.c - five rays and a sphere: the discriminant and the signs of the roots.
+// discriminant.c - five rays and a sphere: the discriminant and the signs of the roots. Also as one
+// ray that moves from each of the five places to the next.
 #include "chapters/05-quadratic/figures/discriminant.h"
 
 #include "chapters/05-quadratic/numbers.h"
 
 #include <stdio.h>
 
-enum { SAMPLES = 400, SITUATIONS = 5 };
+enum {
+    SITUATIONS = 5,
+    STAY = 12,
+    MOVE = 20,
+    MOMENTS = SITUATIONS * STAY + (SITUATIONS - 1) * MOVE
+};
 
-static const double half_panel = 1.75; // in radii, as in the layout
+typedef struct {
+    double x, y;   // of p, in radii
+    double middle; // of the panel
+} Situation;
+
+// What a figure shows: a panel for each situation.
+typedef struct {
+    const Situation *situations;
+    int count;
+    double radius;
+    double half;  // of a panel's width, in radii, as in the layout
+    double above; // how much of f, in squares of the radius
+    int samples;  // of f
+} Panels;
 
 // Five rays along x against the same sphere, in object coordinates. The coordinates of their
 // origins are short in binary, and so is the distance of the tangent's origin from the centre,
 // 17/8. So every usual formula finds exactly a tangent.
-static const struct {
-    double x, y;   // of p, in radii
-    double middle; // of the panel
-} situations[SITUATIONS] = {{-1.875, 1.5, -0.6},
-                            {-1.875, 1, -0.6},
-                            {-1.875, 0.5, -0.6},
-                            {-0.5, 0.5, 0.2},
-                            {1.25, 0.5, 0.5}};
+static const Situation five[SITUATIONS] = {{-1.875, 1.5, -0.6},
+                                           {-1.875, 1, -0.6},
+                                           {-1.875, 0.5, -0.6},
+                                           {-0.5, 0.5, 0.2},
+                                           {1.25, 0.5, 0.5}};
 
 // The radius, rounded to 22 binary digits, so that its square times small numbers is exact.
 static double rounded(double radius)
@@ -37,22 +53,24 @@ static double speed_for(double radius)
     return ldexp(1, exponent - 1);
 }
 
-static Meeting situation(int i, double radius)
+static Meeting situation(const Panels *panels, int i)
 {
-    return (Meeting){{vec3_of(situations[i].x * radius, situations[i].y * radius, 0),
-                      vec3_of(speed_for(radius), 0, 0)},
+    double radius = panels->radius;
+    const Situation *s = &panels->situations[i];
+    return (Meeting){{vec3_of(s->x * radius, s->y * radius, 0), vec3_of(speed_for(radius), 0, 0)},
                      {.center = vec3_of(0, 0, 0), .radius = radius}};
 }
 
 typedef enum { USED, LATER, BEHIND } Kind;
 
 // The roots of one kind, as places of their panels.
-static void roots_of_kind(Plot *plot, const char *name, double radius, Kind kind)
+static void roots_of_kind(Plot *plot, const char *name, const Panels *panels, Kind kind)
 {
+    double radius = panels->radius;
     bool any = false;
     plot_block(plot, name, "panel x y t");
-    for (int i = 0; i < SITUATIONS; i++) {
-        Meeting m = situation(i, radius);
+    for (int i = 0; i < panels->count; i++) {
+        Meeting m = situation(panels, i);
         Roots roots = quadratic_roots(quadratic_of(&m));
         double hit = hit_sphere(m.ray, m.sphere);
         for (int k = 0; k < (kind == USED ? 1 : roots_shown(roots)); k++) {
@@ -61,7 +79,7 @@ static void roots_of_kind(Plot *plot, const char *name, double radius, Kind kind
                 (kind == BEHIND && t > 0))
                 continue;
             vec3 point = m.ray.origin + t * m.ray.direction;
-            if (fabs(point[0] - situations[i].middle * radius) > half_panel * radius)
+            if (fabs(point[0] - panels->situations[i].middle * radius) > panels->half * radius)
                 continue;
             plot_row(plot, 4, (const double[]){i + 1, point[0], point[1], t});
             any = true;
@@ -72,16 +90,18 @@ static void roots_of_kind(Plot *plot, const char *name, double radius, Kind kind
     plot_block_end(plot);
 }
 
-static void curve(Plot *plot, const char *name, double radius, bool ahead)
+static void curve(Plot *plot, const char *name, const Panels *panels, bool ahead)
 {
+    double radius = panels->radius;
     plot_block(plot, name, "panel x f");
-    for (int i = 0; i < SITUATIONS; i++) {
-        Meeting m = situation(i, radius);
+    for (int i = 0; i < panels->count; i++) {
+        Meeting m = situation(panels, i);
         Quadratic q = quadratic_of(&m);
-        for (int k = 0; k <= SAMPLES; k++) {
-            double x = (situations[i].middle + half_panel * (2.0 * k / SAMPLES - 1)) * radius;
+        for (int k = 0; k <= panels->samples; k++) {
+            double across = panels->half * (2.0 * k / panels->samples - 1);
+            double x = (panels->situations[i].middle + across) * radius;
             double t = (x - m.ray.origin[0]) / m.ray.direction[0], f = quadratic_value(q, t);
-            bool shown = f <= 2.4 * radius * radius && f >= -1.2 * radius * radius;
+            bool shown = f <= panels->above * radius * radius && f >= -1.2 * radius * radius;
             // Both curves contain the place next to t = 0, so that there is no gap.
             if (shown && (ahead ? t >= 0 : t < 0.02))
                 plot_row(plot, 3, (const double[]){i + 1, x, f});
@@ -93,19 +113,18 @@ static void curve(Plot *plot, const char *name, double radius, bool ahead)
     plot_block_end(plot);
 }
 
-void discriminant_figure(Plot *plot, void *given)
+static void data(Plot *plot, const Panels *panels)
 {
+    double radius = panels->radius;
     plot_include(plot, "common/figure/section.gp");
-    const Meeting *m = given;
-    double radius = rounded(m->sphere.radius);
     plot_number(plot, "r", radius);
     plot_number(plot, "v", speed_for(radius));
     plot_block(plot, "rays", "panel x y of p, x y of v, middle of the panel");
-    for (int i = 0; i < SITUATIONS; i++) {
-        Ray ray = situation(i, radius).ray;
+    for (int i = 0; i < panels->count; i++) {
+        Ray ray = situation(panels, i).ray;
         plot_row(plot, 6,
                  (const double[]){i + 1, ray.origin[0], ray.origin[1], ray.direction[0],
-                                  ray.direction[1], situations[i].middle * radius});
+                                  ray.direction[1], panels->situations[i].middle * radius});
     }
     plot_block_end(plot);
     plot_block(plot, "circle", "x y");
@@ -113,13 +132,13 @@ void discriminant_figure(Plot *plot, void *given)
         plot_row(plot, 2,
                  (const double[]){radius * cos(2 * PI * i / 120), radius * sin(2 * PI * i / 120)});
     plot_block_end(plot);
-    curve(plot, "ahead", radius, true);
-    curve(plot, "behind", radius, false);
-    roots_of_kind(plot, "used", radius, USED);
-    roots_of_kind(plot, "later", radius, LATER);
-    roots_of_kind(plot, "back", radius, BEHIND);
-    for (int i = 0; i < SITUATIONS; i++) {
-        Meeting one = situation(i, radius);
+    curve(plot, "ahead", panels, true);
+    curve(plot, "behind", panels, false);
+    roots_of_kind(plot, "used", panels, USED);
+    roots_of_kind(plot, "later", panels, LATER);
+    roots_of_kind(plot, "back", panels, BEHIND);
+    for (int i = 0; i < panels->count; i++) {
+        Meeting one = situation(panels, i);
         char prefix[20];
         snprintf(prefix, sizeof prefix, "panel%d_", i + 1);
         coefficient_numbers(plot, prefix, quadratic_of(&one), 4);
@@ -127,6 +146,41 @@ void discriminant_figure(Plot *plot, void *given)
         plot_number(plot, joined(prefix, "hit"), hit_sphere(one.ray, one.sphere));
         plot_number(plot, joined(prefix, "x"), one.ray.origin[0]);
         plot_number(plot, joined(prefix, "y"), one.ray.origin[1]);
-        plot_number(plot, joined(prefix, "middle"), situations[i].middle * radius);
+        plot_number(plot, joined(prefix, "middle"), panels->situations[i].middle * radius);
     }
+}
+
+void discriminant_figure(Plot *plot, void *given)
+{
+    const Meeting *m = given;
+    data(plot, &(Panels){five, SITUATIONS, rounded(m->sphere.radius), 1.75, 2.4, 400});
+}
+
+// ---- as one ray that moves --------------------------------------------------------------------
+
+// From 0 to 1, slowly at both ends.
+static double eased(double part)
+{
+    return part * part * (3 - 2 * part);
+}
+
+void discriminant_moments(Plot *plot, void *given)
+{
+    const Meeting *m = given;
+    Situation moments[MOMENTS];
+    int count = 0;
+    plot_block(plot, "stays", "the first and the last step of each of the five");
+    for (int i = 0; i < SITUATIONS; i++) {
+        plot_row(plot, 2, (const double[]){count + 1, count + STAY});
+        for (int k = 0; k < STAY; k++)
+            moments[count++] = (Situation){five[i].x, five[i].y, 0};
+        for (int k = 1; i + 1 < SITUATIONS && k <= MOVE; k++) {
+            double part = eased(k / (MOVE + 1.0));
+            moments[count++] = (Situation){five[i].x + part * (five[i + 1].x - five[i].x),
+                                           five[i].y + part * (five[i + 1].y - five[i].y), 0};
+        }
+    }
+    plot_block_end(plot);
+    plot_number(plot, "moments", MOMENTS);
+    data(plot, &(Panels){moments, MOMENTS, rounded(m->sphere.radius), 2.4, 2.1, 160});
 }
