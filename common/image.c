@@ -31,6 +31,15 @@ uint8_t byte_from_color(double c)
     return c >= 1 ? 255 : (uint8_t)lround(255 * c);
 }
 
+static ImageWatch *image_watched;
+static void *image_watcher;
+
+void image_watch(ImageWatch *watch, void *watcher)
+{
+    image_watched = watch;
+    image_watcher = watcher;
+}
+
 void image_set(Image *image, Pixel pixel, Color color)
 {
     if (pixel.column < 0 || pixel.column >= image->size.width || pixel.row < 0 ||
@@ -44,4 +53,6 @@ void image_set(Image *image, Pixel pixel, Color color)
         rgb[i] = byte_from_color(color[i]);
     if (++image->set_count % IMAGE_PROGRESS_STEP == 0 && image->progress != NULL)
         image->progress(image);
+    if (image_watched != NULL)
+        image_watched(image, pixel, image_watcher);
 }

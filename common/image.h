@@ -53,6 +53,11 @@ uint8_t byte_from_color(double c);
 // Colours one pixel. It must lie in the image: where it does not, the program ends, and says so.
 void image_set(Image *image, Pixel pixel, Color color);
 
+// From now on, calls a function after each image_set, with the pixel and what the watcher keeps.
+// NULL: none. It is no part of an Image, because students read what an Image consists of.
+typedef void ImageWatch(const Image *image, Pixel pixel, void *watcher);
+void image_watch(ImageWatch *watch, void *watcher);
+
 // Writes a PNG, whole or not at all (whole_file.h); one of at most 256 colours as a palette and
 // indices, which decode to the same. False, and a message, where it could not.
 bool image_write_png(const Image *image, const char *path, Message *message);

@@ -1,4 +1,4 @@
-// cast_spheres.c - a picture whose colours are the numbers of spheres.
+// cast_spheres.c - a picture whose colours are the numbers of spheres, also while it is cast.
 #include "chapters/06-ray-casting/cast_spheres.h"
 
 #include "exercises/06-ray-casting.h"
@@ -51,4 +51,43 @@ bool cast_spheres(const Scene *scene, Camera camera, Resolution size, int *spher
     free(numbered.spheres);
     free(numbered.surfaces);
     return cast;
+}
+
+typedef struct {
+    PixelSet *sets;
+    int room, count;
+} Recorder;
+
+static void record_set(const Image *image, Pixel pixel, void *watcher)
+{
+    Recorder *recorder = watcher;
+    if (recorder->count < recorder->room)
+        recorder->sets[recorder->count] =
+            (PixelSet){pixel, number_of_color(image_bytes(image, pixel)) - 1};
+    recorder->count++;
+}
+
+int cast_pixel_sets(const Scene *scene, Camera camera, Resolution size, Order order, PixelSet *sets,
+                    int room)
+{
+    Scene numbered;
+    Image image = {0};
+    Message message;
+    Recorder recorder = {sets, room, 0};
+    double *depth = malloc(sizeof *depth * (size_t)size.width * (size_t)size.height);
+    bool cast =
+        number_spheres(scene, &numbered) && depth != NULL && image_create(&image, size, &message);
+    if (cast) {
+        image_watch(record_set, &recorder);
+        if (order == IMAGE_ORDER)
+            cast_image_order(&numbered, camera, &image);
+        else
+            cast_object_order(&numbered, camera, &image, depth);
+        image_watch(NULL, NULL);
+        image_free(&image);
+    }
+    free(depth);
+    free(numbered.spheres);
+    free(numbered.surfaces);
+    return cast ? recorder.count : -1;
 }
