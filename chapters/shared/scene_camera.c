@@ -14,3 +14,12 @@ CameraFault scene_camera(const Viewpoint *view, Resolution screen, Camera *camer
         look_at.width = 1; // of no camera at all; exercise 02 says why
     return camera_from_look_at(look_at, RIGHT_HANDED, camera);
 }
+
+Viewpoint view_turned(Viewpoint view, double degrees)
+{
+    double angle = degrees * PI / 180;
+    vec3 axis = vec3_unit(view.up), arm = view.from - view.at;
+    vec3 along = vec3_dot(arm, axis) * axis, out = arm - along;
+    view.from = view.at + along + cos(angle) * out + sin(angle) * vec3_cross(axis, out);
+    return view;
+}

@@ -9,4 +9,8 @@
 // aspect ratio). CAMERA_OK, or the reason why there is no camera.
 CameraFault scene_camera(const Viewpoint *view, Resolution screen, Camera *camera);
 
+// The same viewpoint with its eye moved on a circle around the line through 'at' along 'up', by
+// degrees: anticlockwise, if 'up' points to whoever looks.
+Viewpoint view_turned(Viewpoint view, double degrees);
+
 #endif

@@ -87,6 +87,8 @@ static bool load(Drawing *drawing, const Command *command)
     if (drawing->scene.sphere_count == 0)
         fprintf(stderr, "%s: warning: the scene has no spheres\n", drawing->scene_path);
     drawing->size = command->size.width > 0 ? command->size : drawing->scene.view.resolution;
+    if (command->turn != 0)
+        drawing->scene.view = view_turned(drawing->scene.view, command->turn);
     CameraFault fault = scene_camera(&drawing->scene.view, drawing->size, &drawing->camera);
     if (fault == CAMERA_OK)
         return true;

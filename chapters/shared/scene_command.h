@@ -14,6 +14,7 @@ typedef struct {
     Resolution size;          // -s; width 0: the scene's
     const char *scene_path;   // NULL: the chapter's own
     const char *picture_name; // without -o, in the gallery; NULL: the scene's
+    double turn;              // degrees, by which the eye is moved around the scene
 } Command;
 
 #define COMMAND_OPTIONS(command)                                                                   \

@@ -69,6 +69,8 @@ int cast_command(int argc, char **argv)
         {"threads", 't', "N", option_threads, &threads, "number of threads, 1 to 256 (1)"},
         {"shaded", 0, NULL, option_flag, &shaded, "with shadows and mirrors: plain, bvh (auto)"},
         LIGHTING_OPTIONS(lighting),
+        {"turn", 0, "DEGREES", option_number, &command.turn,
+         "go around the scene before looking at it (0)"},
         {"rectangles", 0, NULL, option_flag, &rectangles,
          "only print the rectangle of each sphere"},
         {0}};
