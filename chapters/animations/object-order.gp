@@ -1,0 +1,62 @@
+# object-order.gp - the picture, sphere by sphere: its lines to the eye, its outline, its pixels (slide 'Object order').
+steps = |$moments| - 1
+rate = 8
+title = "Object order, sphere by sphere"
+description = sprintf("For each of %d spheres, lines go from its outline to the eye. The places where they cross the image plane \
+are its outline in the picture. Of the pixels inside, it colours those that show no nearer sphere.", all_balls)
+# A lecturer stops where a sphere has its outline, and where it has its pixels.
+stops = ""
+do for [k=2:steps] {
+    a = $moments[k]
+    b = $moments[k + 1]
+    if (word(a, 1) ne word(b, 1) || (word(a, 3) eq "0" && word(b, 3) eq "1")) { stops = stops." ".(k - 1) }
+}
+stops = stops." ".steps
+now = int(most(1, least(step, steps)))
+at = $moments[now + 1]
+ball_now = whole(at, 1)
+part = cell(at, 2)
+outlined = whole(at, 3)
+done = whole(at, 4)
+share = ball_now < 0 ? "" : $shares[ball_now + 2]
+set_by = done == 0 || ball_now < 0 ? 0 : (sum [k=1:done] (word($pixel_sets[k + 1], 3) eq sprintf("%d", ball_now)))
+said = ball_now < 0 ? (done ? "all pixels get the colour of the background" : "for each sphere: which pixels does it colour?") : \
+    !outlined ? sprintf("sphere %s: lines to the eye", ball_name(ball_now)) : \
+    set_by == 0 && whole(share, 2) > 0 ? sprintf("sphere %s: its outline on the image plane", ball_name(ball_now)) : \
+    set_by < whole(share, 2) ? sprintf("sphere %s: %d pixel%s", ball_name(ball_now), set_by, set_by == 1 ? "" : "s") : \
+    whole(share, 3) > set_by ? sprintf("sphere %s: %d of %d pixels; the others show a nearer sphere", ball_name(ball_now), set_by, whole(share, 3)) : \
+    sprintf("sphere %s: %d pixel%s", ball_name(ball_now), set_by, set_by == 1 ? "" : "s")
+room = scene_room
+@see
+@spheres
+
+side = picture_size / most(columns, rows)
+left = picture_x - side * columns / 2
+upper = picture_y + side * rows / 2
+in_picture = "(left+side*($5+0.5)):(upper-side*($6+0.5)):(left+side*$5):(left+side*($5+1)):(upper-side*($6+1)):(upper-side*$6)"
+so_far = "every 1:1:0:0:0:(done-1)"
+lines_now = sprintf("$lines%d", most(0, ball_now))
+outline_now = sprintf("$outline%d", most(0, ball_now))
+longest = 160 # places of a line, from the eye to the sphere
+shown = "every ::(int(longest*(1-part)))"
+
+plot @behind \
+    $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
+    for [k=0:done-1] $sets every :::k::k using @point:4 with filledcurves closed fc rgb variable fs solid noborder \
+        title "pixels", \
+    $grid using @point with @hair lc rgb faint title "grid", \
+    $plane using @point with @lines lc rgb ink title "plane", \
+    @before \
+    for [_=0:ball_now] @lines_now @shown using @point with lines lw 1.2 dt 3 lc rgb blue title "lines to the eye, all of them", \
+    for [_=0:ball_now] @lines_now @shown using @bold with lines lw 1.6 lc rgb blue title "lines to the eye", \
+    for [_=1:ball_now>=0&&outlined] @outline_now using @point with @halo title "outline, halo", \
+    for [_=1:ball_now>=0&&outlined] @outline_now using @point with @thick lc rgb ink title "outline on the plane", \
+    @names \
+    $eye using @point with @dot lc rgb blue title "eye", \
+    $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \
+    $square using (left+side*columns*$1):(upper-side*rows*$2) with filledcurves closed fc rgb surface fs solid noborder \
+        title "picture", \
+    for [_=1:done>0] $sets @so_far using @in_picture:4 with boxxyerror fc rgb variable fs solid noborder title "picture, pixels", \
+    $square using (left+side*columns*$1):(upper-side*rows*$2) with @lines lc rgb ink title "picture, outline", \
+    $once using (picture_x):(upper + 26):("the picture") with labels tc rgb ink title "picture, name", \
+    $once using (width / 2):(44):(said) with labels tc rgb ink title "words"
