@@ -23,7 +23,16 @@ enum { FINE = LABEL_FINE, LEADER = 50, LEADER_CROSSES = 15 };
 typedef struct {
     Spot from, to;
     double radius; // half its width; of a disc, from and to are its middle
+    int first_row;
 } Drawn;
+
+// The canvas in rows, so that only what is near has to be looked at.
+enum { ROWS = 20, ROW_HEIGHT = 28 };
+
+typedef struct {
+    int *drawn;
+    int count, room;
+} Row;
 
 // Where a label may stand, and what that costs, whatever the other labels do.
 typedef struct {
@@ -42,6 +51,7 @@ struct Labels {
     Area area;
     Drawn *drawn;
     int drawn_count, drawn_room;
+    Row rows[ROWS];
     PlacedLabel *labels;
     int count, room;
     Places *places; // of each label
@@ -61,6 +71,8 @@ void labels_free(Labels *labels)
     for (int i = 0; labels->places != NULL && i < labels->count; i++)
         free(labels->places[i].list);
     free(labels->places);
+    for (int i = 0; i < ROWS; i++)
+        free(labels->rows[i].drawn);
     free(labels->drawn);
     free(labels->labels);
     free(labels);
@@ -77,13 +89,26 @@ static void *one_more(void *items, int count, int *room, size_t size)
     return items;
 }
 
+// What is above or below the canvas is in the last row on that side.
+static int row_of(double v)
+{
+    return (int)fmin(ROWS - 1, fmax(0, floor(v / ROW_HEIGHT)));
+}
+
 void labels_line(Labels *labels, Spot from, Spot to, double width)
 {
     if (!isfinite(from.u) || !isfinite(from.v) || !isfinite(to.u) || !isfinite(to.v))
         return;
     labels->drawn =
         one_more(labels->drawn, labels->drawn_count, &labels->drawn_room, sizeof(Drawn));
-    labels->drawn[labels->drawn_count++] = (Drawn){from, to, width / 2};
+    double reach = width / 2 + CLEAR;
+    int first = row_of(fmin(from.v, to.v) - reach), last = row_of(fmax(from.v, to.v) + reach);
+    for (int i = first; i <= last; i++) {
+        Row *row = &labels->rows[i];
+        row->drawn = one_more(row->drawn, row->count, &row->room, sizeof *row->drawn);
+        row->drawn[row->count++] = labels->drawn_count;
+    }
+    labels->drawn[labels->drawn_count++] = (Drawn){from, to, width / 2, first};
 }
 
 void labels_disc(Labels *labels, Spot middle, double radius)
@@ -225,12 +250,15 @@ static double fines_of_labels(const Labels *labels, const PlacedLabel *label, in
 
 static double fines_of_drawn(const Labels *labels, Area box)
 {
-    double cost = 0;
-    for (int i = 0; i < labels->drawn_count; i++) {
-        const Drawn *drawn = &labels->drawn[i];
-        cost += crosses(grown(box, CLEAR + drawn->radius), drawn->from, drawn->to) ? FINE : 0;
-    }
-    return cost;
+    int first = row_of(box.bottom), last = row_of(box.top), meets = 0;
+    for (int i = first; i <= last; i++)
+        for (int k = 0; k < labels->rows[i].count; k++) {
+            const Drawn *drawn = &labels->drawn[labels->rows[i].drawn[k]];
+            bool is_counted = drawn->first_row < i && first < i; // in the row below
+            meets +=
+                !is_counted && crosses(grown(box, CLEAR + drawn->radius), drawn->from, drawn->to);
+        }
+    return meets * FINE;
 }
 
 static bool touch(const PlacedLabel *label, const PlacedLabel *other)

@@ -28,6 +28,9 @@ void plot_number_to(Plot *plot, const char *name, double x, int digits);
 // That number as the figure shows it: the right one, if it is known.
 double plot_shown(const Plot *plot, const char *name);
 
+// Do the words of NAME differ from those that are right? Then labels can say {your_NAME}.
+bool plot_says_yours(const Plot *plot, const char *name);
+
 // NAME = "text"; backslashes, quotes and the like are taken care of. UTF-8.
 void plot_text(Plot *plot, const char *name, const char *text);
 
@@ -115,8 +118,8 @@ void plot_undrawn(Plot *plot);
 // A part of the canvas in which the layout writes by itself: labels keep out of it.
 void plot_keep_clear(Plot *plot, Room part);
 
-// The layout draws this, besides the blocks: a ball, a circle (flat), a line. Moved: by so many
-// units of the canvas.
+// The layout draws this, besides the blocks: a ball, a circle as it is seen, a line. Moved: by so
+// many units of the canvas.
 void plot_ball(Plot *plot, vec3 center, double radius);
 void plot_circle(Plot *plot, vec3 center, double radius);
 void plot_line(Plot *plot, vec3 from, vec3 to, double moved_u, double moved_v);

@@ -240,10 +240,10 @@ void plot_undrawn(Plot *plot)
 void plot_circle(Plot *plot, vec3 center, double radius)
 {
     enum { SIDES = 36 };
+    const vec3 u = radius * plot->view->u, v = radius * plot->view->v;
     for (int i = 0; i < SIDES; i++) {
         double a = 2 * PI * i / SIDES, b = 2 * PI * (i + 1) / SIDES;
-        plot_line(plot, center + radius * vec3_of(cos(a), sin(a), 0),
-                  center + radius * vec3_of(cos(b), sin(b), 0), 0, 0);
+        plot_line(plot, center + cos(a) * u + sin(a) * v, center + cos(b) * u + sin(b) * v, 0, 0);
     }
 }
 
@@ -382,8 +382,8 @@ static void see(PlotView *view, int shape, double part)
     }
 }
 
-// The words of BEFORE and a name, without gnuplot's quotes, as they were said last; NULL if they were
-// not.
+// The words of BEFORE and a name, without gnuplot's quotes, as they were said last; NULL if they
+// were not.
 static const char *words_said(const PlotView *view, const char *before, const char *name,
                               size_t length)
 {
@@ -404,6 +404,11 @@ static const char *words_of(const PlotView *view, const char *name, size_t lengt
     fprintf(stderr, "a label's {%.*s}: no number or vector of this figure has that name\n",
             (int)length, name);
     abort();
+}
+
+bool plot_says_yours(const Plot *plot, const char *name)
+{
+    return words_said(plot->view, "your_", name, strlen(name)) != NULL;
 }
 
 static void plain_words(const char *words, FILE *out)
