@@ -358,13 +358,12 @@ static void try_around(Labels *labels, int number, Spot spot, double wish)
     }
 }
 
-static void try_everywhere(Labels *labels, int number)
+static void try_everywhere(Labels *labels, int number, double step)
 {
-    enum { STEP = 10 };
     const PlacedLabel *label = &labels->labels[number];
     Area area = labels->area;
-    for (double v = area.top - label->height / 2; v >= area.bottom + label->height / 2; v -= STEP)
-        for (double u = area.left + label->width / 2; u <= area.right - label->width / 2; u += STEP)
+    for (double v = area.top - label->height / 2; v >= area.bottom + label->height / 2; v -= step)
+        for (double u = area.left + label->width / 2; u <= area.right - label->width / 2; u += step)
             try_place(labels, number, (Spot){u, v}, 0);
 }
 
@@ -381,7 +380,7 @@ static void find_places(Labels *labels, int number)
     const PlacedLabel *label = &labels->labels[number];
     labels->places[number].count = 0;
     if (label->free) {
-        try_everywhere(labels, number);
+        try_everywhere(labels, number, 10);
     } else {
         bool is_stretch = label->from.u != label->to.u || label->from.v != label->to.v;
         for (int i = 0; i < (is_stretch ? 7 : 1); i++)
@@ -421,7 +420,8 @@ static const Place *cheapest(const Labels *labels, int number)
     return best;
 }
 
-// Each in turn takes its best place, until none moves.
+// Each in turn takes its best place, until none moves: in so many rounds at most.
+enum { ROUNDS = 6 };
 static void settle(Labels *labels, int rounds)
 {
     for (int round = 0, moved = 1; moved && round < rounds; round++) {
@@ -477,9 +477,29 @@ static void insist(Labels *labels, int number)
     free(before);
 }
 
+// A label that meets something may go anywhere, with a leader.
+static void scatter(Labels *labels)
+{
+    bool any = false;
+    for (int i = 0; i < labels->count && isfinite(labels->area.right); i++) {
+        Places *places = &labels->places[i];
+        if (labels->labels[i].free || cost_of(labels, i) < FINE)
+            continue;
+        int taken = places->taken->number;
+        try_everywhere(labels, i, 12);
+        qsort(places->list, (size_t)places->count, sizeof(Place), by_cost);
+        places->taken = places->list;
+        while (places->taken->number != taken)
+            places->taken++;
+        any = true;
+    }
+    if (any)
+        settle(labels, ROUNDS);
+}
+
 void labels_place(Labels *labels)
 {
-    enum { ROUNDS = 6, NEAR = 2 * LEADER_FROM };
+    enum { NEAR = 2 * LEADER_FROM };
     labels->places = calloc((size_t)labels->count + 1, sizeof *labels->places);
     if (labels->places == NULL)
         abort();
@@ -490,6 +510,7 @@ void labels_place(Labels *labels)
     for (int i = 0; i < labels->count; i++)
         if (cost_of(labels, i) > NEAR)
             insist(labels, i);
+    scatter(labels);
 }
 
 // ---- how wide a text is

@@ -14,7 +14,7 @@ typedef struct {
     double u, v;
 } Spot;
 
-// The part of the canvas in which labels may stand.
+// The part of the canvas in which labels may stand; it may be infinite.
 typedef struct {
     double left, right, bottom, top;
 } Area;

@@ -579,8 +579,7 @@ static double place_in(PlotView *view, int shape, double part, Area area, bool b
 // How far labels go beyond what has to be seen, if the canvas had no end.
 static void measure_over(PlotView *view, int shape)
 {
-    enum { FAR = 100000 };
-    place_in(view, shape, 1, (Area){-FAR, FAR, -FAR, FAR}, false);
+    place_in(view, shape, 1, (Area){-INFINITY, INFINITY, -INFINITY, INFINITY}, false);
     const Wanted *wanted = view->wanted.items;
     memset(view->over[shape], 0, sizeof view->over[shape]);
     for (int i = 0; i < view->wanted.count; i++) {
@@ -674,6 +673,15 @@ typedef struct {
     bool is_left, is_first;
 } Line;
 
+// What it names: nothing draws that, but who reads the script can tell (tests/house/figures).
+static void write_anchor(FILE *out, int number, const PlacedLabel *placed)
+{
+    write_both(out, "anchor_u", number, placed[0].from.u, placed[1].from.u);
+    write_both(out, "anchor_v", number, placed[0].from.v, placed[1].from.v);
+    write_both(out, "anchor_to_u", number, placed[0].to.u, placed[1].to.u);
+    write_both(out, "anchor_to_v", number, placed[0].to.v, placed[1].to.v);
+}
+
 static void write_line(const PlotView *view, FILE *out, int number, Line line)
 {
     double u[SHAPES], v[SHAPES], from[SHAPES][2], to[SHAPES][2];
@@ -702,6 +710,8 @@ static void write_line(const PlotView *view, FILE *out, int number, Line line)
     write_both(out, "leader_v", number, from[0][1], from[1][1]);
     write_both(out, "leader_du", number, to[0][0], to[1][0]);
     write_both(out, "leader_dv", number, to[0][1], to[1][1]);
+    if (!line.placed[0].free)
+        write_anchor(out, number, line.placed);
 }
 
 static int lines_of(const Wanted *wanted)
@@ -742,8 +752,9 @@ static bool is_placed(const Wanted *wanted)
 static void write_labels(const PlotView *view, FILE *out)
 {
     static const char *const arrays[] = {
-        "label_text", "label_color", "label_step", "label_is_left", "label_title", "label_u",
-        "label_v",    "leader_u",    "leader_v",   "leader_du",     "leader_dv"};
+        "label_text", "label_color", "label_step", "label_is_left", "label_title",
+        "label_u",    "label_v",     "leader_u",   "leader_v",      "leader_du",
+        "leader_dv",  "anchor_u",    "anchor_v",   "anchor_to_u",   "anchor_to_v"};
     const Wanted *wanted = view->wanted.items;
     int count = 0, number = 1;
     for (int i = 0; i < view->wanted.count; i++)

@@ -5,6 +5,7 @@ import tempfile
 
 from cameras import DECK, corners, label, label_of, legs, options_of, some_camera
 from check import Checks, holds_for_every, on_the_canvas, told_in_words
+from collisions import nothing_collides
 from figure import Figure, plus, times
 
 checks = Checks("figures of 01-corners")
@@ -17,6 +18,7 @@ def drawn(name, options, shape):
     named = f"{name} {' '.join(map(str, options))}"
     on_the_canvas(checks, named, figure)
     told_in_words(checks, named, figure)
+    nothing_collides(checks, named, figure)
     return figure
 
 

@@ -71,8 +71,8 @@ class Text:
 
     EM = 0.6  # a character's mean width, in its size, where the font is not there
 
-    def __init__(self, figure, group, text, title):
-        self.title = title  # of the plot that drew it; None where none did
+    def __init__(self, figure, group, text, title, plot):
+        self.title, self.plot = title, plot  # of the plot that drew it; None where none did
         self.words = "".join(text.itertext()).strip()
         move = re.match(r"translate\(([^,]*),([^)]*)\)", group.get("transform"))
         self.x, self.y = figure.up(float(move[1]), float(move[2]))
@@ -218,9 +218,9 @@ class Figure:
 
     def texts(self):
         """All text, with what is needed to say how much of the canvas it takes."""
-        drawn_by = {text: title for title, groups in self.plots.items() for group in groups
-                    for text in group.iter(SVG + "text")}
-        return [Text(self, group, text, drawn_by.get(text)) for group in self.svg.iter(SVG + "g")
+        drawn_by = {text: (title, plot) for title, plots in self.plots.items() for plot in plots
+                    for text in plot.iter(SVG + "text")}
+        return [Text(self, group, text, *drawn_by.get(text, (None, None))) for group in self.svg.iter(SVG + "g")
                 for text in group.findall(SVG + "text")
                 if (group.get("transform") or "").startswith("translate")]
 

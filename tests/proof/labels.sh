@@ -1,0 +1,16 @@
+#!/bin/sh
+# labels.sh - labels of figures never collide: 1000 random ordinary cameras, rays or scenes of each figure
+# (fewer with LABELS), in both shapes, read from the SVG.
+# Only reads the tree.
+set -u
+. tests/house/runner/library.sh
+
+once labels "labels of hundreds of figures"
+needs 'labels' 'labels of figures' gnuplot python3
+
+export PROGRAMS PYTHONPATH=tests/house/figures
+# Figures whose labels are placed by the rule, and all marks are known to it.
+figures='corner-vectors'
+# shellcheck disable=SC2086 # names are words
+counted python3 tests/house/figures/ordinary.py "${LABELS:-1000}" $figures
+finish 'labels'
