@@ -64,9 +64,10 @@ $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o $(
 	$(Q)$(LINK) -o $@ $^ -lm
 PLAN := $(VERDICT)/plan
 # cc says (-###) which linker it would start, and how; course starts that one itself. Nothing is needed
-# for optimising at link time, nor a build id. The libraries are named by their files: to find them, the
-# linker would list folders of thousands of files. The assembler works while the compiler does (-pipe).
-QUICK = $(QUICK_LINKER) $(if $(SANITIZE),,-Wl$(comma)-S)
+# for optimising at link time, nor a build id. The libraries are named by their files, because to find them the
+# linker would list folders of thousands of files; and gold reads only the parts of them that it needs. The
+# assembler works while the compiler does (-pipe).
+QUICK = $(QUICK_LINKER) $(if $(filter %=gold,$(QUICK_LINKER)),-Wl$(comma)--no-map-whole-files) $(if $(SANITIZE),,-Wl$(comma)-S)
 QUICK_PROGRAM = $(shell command -v $(if $(QUICK_LINKER),$(patsubst -fuse-ld=%,ld.%,$(QUICK_LINKER)),ld))
 library_file = $(firstword $(filter /%,$(foreach ending,so.1 so a,$(shell $(CC) -print-file-name=lib$(1).$(ending)))) -l$(1))
 ANY_OBJECT := $(B)/tests/course/page.o
