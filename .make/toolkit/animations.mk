@@ -32,9 +32,9 @@ $(MOVING_SCRIPTS): $(PRINT_ANIMATION) FORCE
 	@$(if $(filter solutions,$(ANSWERS)),,NOT_YET=$(@D)) $< $(basename $(@F)) $(SCENE) > $@.new
 	@if [ -s $@.new ]; then mv $@.new $@; else rm -rf $(@D); fi
 DRAW_ANIMATIONS := $(B)/chapters/animations/draw_animations
-$(DRAW_ANIMATIONS): %: %.o
+$(DRAW_ANIMATIONS): $(patsubst %,$(B)/chapters/animations/%.o,draw_animations videos processes) $(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^
+	$(Q)$(LINK) -o $@ $^ -lm
 
 # The last picture, cast from FRAMES sides by chapter 08, with SAMPLES x SAMPLES rays a pixel.
 SAMPLES ?= 1
