@@ -202,6 +202,12 @@ static double distance(Area box, Spot from, Spot to)
     return least;
 }
 
+// From the box to what a label names.
+static double from_named(Area box, const PlacedLabel *label)
+{
+    return fmax(0, distance(box, label->from, label->to) - label->radius);
+}
+
 static bool overlap(Area a, Area b)
 {
     return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
@@ -220,6 +226,9 @@ static void lead(PlacedLabel *label, Spot middle)
 {
     Area box = grown(box_of(label, middle), LEADER_GAP);
     label->end = nearest_on(label->from, label->to, middle);
+    double far = hypot(middle.u - label->end.u, middle.v - label->end.v);
+    if (far > label->radius) // the edge of the disc
+        label->end = between(label->end, middle, label->radius / far);
     label->start = (Spot){fmin(box.right, fmax(box.left, label->end.u)),
                           fmin(box.top, fmax(box.bottom, label->end.v))};
     label->leads = !label->free && hypot(label->end.u - label->start.u,
@@ -273,11 +282,11 @@ static double fines_of_others(const Labels *labels, const PlacedLabel *label, in
 {
     if (label->free || label->leads)
         return 0;
-    double own = distance(box, label->from, label->to), cost = 0;
+    double own = from_named(box, label), cost = 0;
     bool is_spot = label->from.u == label->to.u && label->from.v == label->to.v;
     for (int i = 0; i < labels->count; i++) {
         const PlacedLabel *other = &labels->labels[i];
-        if (i != number && !other->free && distance(box, other->from, other->to) <= own &&
+        if (i != number && !other->free && from_named(box, other) <= own &&
             !(is_spot && touch(label, other)))
             cost += FINE;
     }
@@ -349,10 +358,11 @@ static void try_around(Labels *labels, int number, Spot spot, double wish)
     for (size_t g = 0; g < sizeof gaps / sizeof *gaps; g++) {
         for (int i = 0; i < DIRECTIONS; i++) {
             double angle = 2 * PI * i / DIRECTIONS, u = cos(angle), v = sin(angle);
+            double gap = label->radius + gaps[g];
             // The box just touches the circle of this radius around the spot.
             double du = label->width / 2, dv = label->height / 2;
-            double stretch = fmin(fabs(u) > 1e-9 ? (du + fabs(u) * gaps[g]) / fabs(u) : DBL_MAX,
-                                  fabs(v) > 1e-9 ? (dv + fabs(v) * gaps[g]) / fabs(v) : DBL_MAX);
+            double stretch = fmin(fabs(u) > 1e-9 ? (du + fabs(u) * gap) / fabs(u) : DBL_MAX,
+                                  fabs(v) > 1e-9 ? (dv + fabs(v) * gap) / fabs(v) : DBL_MAX);
             try_place(labels, number, (Spot){spot.u + stretch * u, spot.v + stretch * v}, wish);
         }
     }

@@ -21,6 +21,7 @@ typedef struct {
 
 typedef struct {
     Spot from, to; // what it names: two equal spots, or a stretch, anywhere along it
+    double radius; // or a disc around a spot
     bool free;     // it names no place: it stands where there is room, as near to from as possible
     double width, height; // of its text
     Spot middle;          // where it stands (labels_place)

@@ -136,6 +136,7 @@ typedef struct {
     int row;     // 0, 1, ... of the block
     double part; // of a vector, 0 to 1: a place on it; ANYWHERE along it
     vec3 place;  // where block is NULL
+    double ball; // or the ball of this radius there; without a label where it is tiny
 } Label;
 #define ANYWHERE (-1)
 void plot_name(Plot *plot, Label label);

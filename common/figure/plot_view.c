@@ -538,7 +538,13 @@ static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted
         label.height = LINE_HEIGHT * wanted->lines;
         label.from = (Spot){wanted->across * canvas_width[shape], wanted->up * (HEIGHT - TITLE)};
     } else if (wanted->block[0] == '\0') {
+        enum { TINY = 8 };
         label.from = label.to = spot_of(view, shape, wanted->panel, wanted->label.place);
+        label.radius = wanted->label.ball * view->size[shape][wanted->panel];
+        if (label.radius > 0 && label.radius < TINY) {
+            wanted->number[shape] = NOWHERE;
+            return;
+        }
         measure(view, wanted->text, &label.width, &label.height);
     } else {
         const Mark *mark = mark_of(view, wanted);
@@ -680,6 +686,7 @@ static void write_anchor(FILE *out, int number, const PlacedLabel *placed)
     write_both(out, "anchor_v", number, placed[0].from.v, placed[1].from.v);
     write_both(out, "anchor_to_u", number, placed[0].to.u, placed[1].to.u);
     write_both(out, "anchor_to_v", number, placed[0].to.v, placed[1].to.v);
+    write_both(out, "anchor_r", number, placed[0].radius, placed[1].radius);
 }
 
 static void write_line(const PlotView *view, FILE *out, int number, Line line)
@@ -752,9 +759,9 @@ static bool is_placed(const Wanted *wanted)
 static void write_labels(const PlotView *view, FILE *out)
 {
     static const char *const arrays[] = {
-        "label_text", "label_color", "label_step", "label_is_left", "label_title",
-        "label_u",    "label_v",     "leader_u",   "leader_v",      "leader_du",
-        "leader_dv",  "anchor_u",    "anchor_v",   "anchor_to_u",   "anchor_to_v"};
+        "label_text", "label_color", "label_step",  "label_is_left", "label_title", "label_u",
+        "label_v",    "leader_u",    "leader_v",    "leader_du",     "leader_dv",   "anchor_u",
+        "anchor_v",   "anchor_to_u", "anchor_to_v", "anchor_r"};
     const Wanted *wanted = view->wanted.items;
     int count = 0, number = 1;
     for (int i = 0; i < view->wanted.count; i++)

@@ -22,6 +22,5 @@ plot @patches @behind \
     @step2 @who $ray index who using @bold with lines lw 2.2 dt dash(who) lc rgb blue title "ray", \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     @step4 for [who=0:wrong] $miss index who using @bold with lines lw 1.2 dt dash(who) lc rgb grey title "ray that misses", \
-    @names \
     $eye using @point with @dot lc rgb blue title "eye", \
     @labels

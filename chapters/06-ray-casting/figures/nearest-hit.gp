@@ -13,7 +13,7 @@ description = sprintf("One ray and %d spheres. ", balls).(behind_names eq "" ? "
     left_out
 steps = 4
 axis = 96
-above_axis(lane) = axis + 14 + 24 * lane
+above_axis(lane) = axis + 19 + 24 * lane
 x(t) = U(1, t)
 on_ray = V(1, 0)
 # Numbers on the axis: 1, 2 or 5 times a power of ten.

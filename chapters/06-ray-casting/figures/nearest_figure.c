@@ -220,7 +220,7 @@ static void look(Plot *plot, const Shown *shown, const Circle *circles, int coun
                  int lanes)
 {
     enum { FEW = 5 };
-    double below = (110 + 24.0 * lanes) / 540;
+    double below = (116 + 24.0 * lanes) / 540;
     plot_look_flat(plot);
     plot_room(plot, (Room){0.05, 0.93, below + 0.05, 0.85}, (Room){0.06, 0.92, below + 0.05, 0.85});
     plot_fill_room(plot);

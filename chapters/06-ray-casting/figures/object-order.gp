@@ -20,6 +20,5 @@ plot @behind \
     @step2 $lines using @bold with lines lw 1.6 lc rgb blue title "lines to the eye", \
     @step2 $heads using @vector with vectors head filled size 12,18,90 lw 1.6 lc rgb blue title "towards the eye", \
     @step3 $outline using @point with @thick lc rgb ink title "outline on the plane", \
-    @names \
     $eye using @point with @dot lc rgb blue title "eye", \
     @labels

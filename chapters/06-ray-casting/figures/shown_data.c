@@ -6,7 +6,7 @@
 #include "exercises/03-screen.h"
 #include "exercises/04-pixel-ray.h"
 
-enum { RAY_PLACES = 240, PATCH_PLACES = 72 };
+enum { MOST_NAMES = 12, RAY_PLACES = 240, PATCH_PLACES = 72 };
 
 double rgb_number(Color color)
 {
@@ -240,6 +240,12 @@ void shown_look(Plot *plot, const Shown *shown)
     Camera c = shown->camera;
     plot_look(plot, c.right, c.up, c.forward, 28, 16);
     plot_name(plot, (Label){"eye", "blue", .block = "eye"});
+    // First those that the ray meets (shown_choose).
+    for (int i = 0; i < shown->sphere_count && i < MOST_NAMES; i++) {
+        Sphere s = shown->shot.scene->spheres[shown->spheres[i]];
+        Text name = sphere_name(shown->spheres[i]);
+        plot_name(plot, (Label){name.s, "ink", .place = s.center, .ball = s.radius});
+    }
     note(plot, shown, c.distance / shown->shot.camera.distance);
 }
 

@@ -125,20 +125,20 @@ class Label:
         return min(left), min(low), max(right), max(high)
 
     def to(self, anchor):
-        return between(self.box(), anchor)
+        return max(0, between(self.box(), anchor[:2]) - anchor[2])
 
     def touches(self, anchor):
         """It names a single place, which is on what another label names."""
-        return self.anchor[0] == self.anchor[1] and to_line(self.anchor[0], anchor) < ON
+        return self.anchor[0] == self.anchor[1] and to_line(self.anchor[0], anchor[:2]) < ON + anchor[2]
 
 
 def anchors_of(figure):
-    """Number of a label's line: the stretch that it names."""
+    """Number of a label's line: the stretch that it names, and the radius of the disc around it."""
     found = {}
     for name, number, narrow, wide in re.findall(
             r'^(anchor_\w+)\[(\d+)\] = shape eq "4:3" \? (\S+) : (\S+)$', figure.script, re.M):
         found.setdefault(int(number), {})[name] = float(narrow if figure.width == 720 else wide)
-    return {number: ((a["anchor_u"], a["anchor_v"]), (a["anchor_to_u"], a["anchor_to_v"]))
+    return {number: ((a["anchor_u"], a["anchor_v"]), (a["anchor_to_u"], a["anchor_to_v"]), a["anchor_r"])
             for number, a in found.items()}
 
 
@@ -196,11 +196,11 @@ def misplaced(labels, marks):
     for label in labels:
         if label.anchor is None:
             continue
-        if not any(marks.has(end) for end in label.anchor) and label.name:
+        if not any(marks.has(end) for end in label.anchor[:2]) and label.name:
             yield f"nothing is drawn where {label.words()!r} points"
         if label.leader:
             (start, end), = label.leader
-            if to_line(end, label.anchor) > ON or to_box(start, label.box()) > LEADER_GAP:
+            if to_line(end, label.anchor[:2]) > ON + label.anchor[2] or to_box(start, label.box()) > LEADER_GAP:
                 yield f"the leader of {label.words()!r} does not lead to what it names"
             continue
         own = label.to(label.anchor)
