@@ -1,15 +1,11 @@
 // plot_picture.c - figures: pictures, which are in the script as PNGs in base64.
-//
-// Right answers may round in different ways, so their pictures differ in a few pixels. Therefore
-// pictures are compared by the mean colours of their parts.
 #include "common/figure/gnuplot.h"
 #include "common/figure/plot_internal.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { PARTS = 20 };             // in each direction
-static const double allowed = 1; // between mean colours, of 255
+enum { PARTS = 20 }; // in each direction
 
 // ---- base64 -----------------------------------------------------------------------------------
 
@@ -76,8 +72,8 @@ static void find_means(const Image *image, MeanColors *means)
             means->rgb[part][i] /= (double)counts[part];
 }
 
-// Whether rows of numbers, as below, are these, but for rounding.
-static bool are_near(const MeanColors *means, const char *rows)
+// Whether rows of numbers, as below, differ by no more than allowed.
+static bool are_near(const MeanColors *means, const char *rows, double allowed)
 {
     for (int part = 0; part < PARTS * PARTS; part++)
         for (int i = 0; i < 3; i++) {
@@ -92,7 +88,7 @@ static bool are_near(const MeanColors *means, const char *rows)
 
 // ---- all of it --------------------------------------------------------------------------------
 
-void plot_picture(Plot *plot, const char *name, const Image *image)
+void plot_picture(Plot *plot, const char *name, const Image *image, double allowed)
 {
     char parts[100];
     const char *right_means, *right_picture;
@@ -102,7 +98,7 @@ void plot_picture(Plot *plot, const char *name, const Image *image)
     size_t means_size = plot_right_rows(plot, parts, &right_means);
     size_t picture_size = plot_right_rows(plot, name, &right_picture);
     bool has_right = means_size > 0 && picture_size > 0;
-    bool is_wrong = has_right && !are_near(&means, right_means);
+    bool is_wrong = has_right && !are_near(&means, right_means, allowed);
     if (has_right)
         fprintf(plot->script, "$%s << EOD\n# a PNG in base64\n%.*sEOD\n", name, (int)picture_size,
                 right_picture);

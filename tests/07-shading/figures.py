@@ -138,32 +138,71 @@ checks.that("the highlight is on the shiny sphere, not on the ground", red > 2 *
 own, words = pointed_at("alone and dull", VIEW + "f 0.5 0.5 0.5 1 0 1 0 1\ns 0 1 0 1\n")
 checks.that("alone and dull: neither", not words, str(words))
 
+# ---- a surface that hits itself ---------------------------------------------------------------------
+
 figure = Figure("07-shading", "self-hit")
-(px, py, pz, vx, vy, vz), = figure.block("seen")
+(px, py, pz, vx, vy, vz), = figure.block("seen_1")
 v = unit((vx, vy, vz))
 b = dot((px, py, pz), v)
 hit = plus((px, py, pz), v, -b - math.sqrt(b * b - dot((px, py, pz), (px, py, pz)) + 1))
 checks.same("the ray ends on the sphere", [px + vx, py + vy, pz + vz], list(hit))
 (*at, nx, ny, nz), = figure.block("normal")
-checks.same("the normal is the point itself, of a unit sphere around the origin", [nx, ny, nz], list(hit))
+checks.same("the normal is along the point itself, of a unit sphere around the origin",
+            list(unit((nx, ny, nz))), list(hit))
 (*_, ox, oy, oz), = figure.block("offset")
 size = math.sqrt(ox * ox + oy * oy + oz * oz)
-checks.that("the start is off by 2^-32 to 2^-28 of the radius", 2 ** -32 <= size <= 2 ** -28, str(size))
+checks.that("the real start is off by 2^-32 to 2^-28 of the radius", 2 ** -32 <= size <= 2 ** -28, str(size))
 checks.that("outward", abs(dot((ox, oy, oz), hit) / size - 1) < 1e-6)
-light = figure.block("light")[0]
-angle = math.degrees(math.acos(dot(unit(plus(light, hit, -1)), hit)))
-checks.same("the angle to the light", [figure.number("light_angle")], [angle])
-checks.that("the point is a rounding inside", 0 < figure.number("inside_by") < 1e-15)
+light = figure.block("light_1")[0]
+checks.that("the real point is a rounding inside", 0 < figure.number("inside_by") < 1e-15)
 checks.that("its ray to the light hits the sphere at once", 0 < figure.number("self_t") < 1e-14)
-checks.that("not so from the start", figure.number("largest_from_start") < 0)
-one = figure.dots("light")[0][0] - figure.dots("centre")[0][0]
-scale = one / light[0]
-center = figure.dots("centre")[0]
-checks.near("the light is at its place", figure.dots("light"),
-            (center[0] + scale * light[0], center[1] + scale * light[1]))
-checks.near("the point is on the circle", figure.dots("point"),
-            (center[0] + scale * hit[0], center[1] + scale * hit[1]))
-checks.near("the tip of the normal", figure.tips("normal"),
-            (center[0] + 2 * scale * hit[0], center[1] + 2 * scale * hit[1]))
+checks.that("not so from the real start", figure.number("largest_from_start") < 0)
+
+# What is drawn, far too large: the point inside, the start outside, both in the direction of the normal.
+(ix, iy, iz), = figure.block("inside")
+(sx, sy, sz), = figure.block("outside")
+deep = 1 - math.sqrt(ix * ix + iy * iy)
+checks.that("it is drawn large enough to be seen", 0.1 < deep < 0.4, str(deep))
+checks.same("the point is inside, below the hit", [ix, iy, iz], list(times(1 - deep, hit)))
+checks.same("the start is as far outside", [sx, sy, sz], list(times(1 + deep, hit)))
+way = unit(plus(light, (ix, iy, iz), -1))
+ahead = -dot((ix, iy, iz), way) + math.sqrt(dot((ix, iy, iz), way) ** 2 - (1 - deep) ** 2 + 1)
+(hx, hy, hz), = figure.block("own_hit")
+checks.same("its ray to the light meets the sphere from inside", [hx, hy, hz], list(plus((ix, iy, iz), way, ahead)))
+(*start, tx, ty, tz), = figure.block("to_light")
+checks.same("the other one goes towards the light", list(unit((tx, ty, tz))), list(unit(plus(light, (sx, sy, sz), -1))))
+middle = figure.dots("point")[0]
+scale = (figure.dots("light")[0][0] - middle[0]) / light[0]
+for title, place in (("light", light), ("rounded", (ix, iy)), ("self hit", (hx, hy)), ("point", hit)):
+    checks.near(f"{title}: drawn at its place", figure.dots(title),
+                (middle[0] + scale * place[0], middle[1] + scale * (place[1] - 1)))
+for left, right in (("light", "light, right"), ("point", "start")):
+    offset = 0 if left == "light" else scale * deep
+    (x, y), (x2, y2) = figure.dots(left)[0], figure.dots(right)[0]
+    checks.that(f"{right}: as far up at the right", abs(y + offset - y2) < 0.1 and x2 - x > figure.width / 3, f"{x}, {y}; {x2}, {y2}")
+
+
+def dark_and_lit(name):
+    """Of the pixels that face the light by far, how many show only ambient light."""
+    wide, tall, rgb = picture(figure, name)
+    found = []
+    for row in range(tall):
+        for column in range(wide):
+            x, y = 2.25 * ((column + 0.5) / wide - 0.5), 2.25 * (0.5 - (row + 0.5) / tall)
+            if x * x + y * y < 0.8 and dot((x, y, math.sqrt(1 - x * x - y * y)), unit((3, 5, 6))) > 0.4:
+                found.append(rgb[3 * (row * wide + column)])
+    return sum(byte < 40 for byte in found), len(found)
+
+
+dark, lit = dark_and_lit("specks")
+checks.that("without the remedy the picture has specks", 0.1 * lit < dark < 0.9 * lit, f"{dark} of {lit}")
+dark, lit = dark_and_lit("smooth")
+checks.that("with it there are none", dark == 0 and lit > 5000, f"{dark} of {lit}")
+checks.that("both are drawn, at the same height", len({round(box[1], 1) for box, _ in drawn_pictures(figure)}) == 1
+            and len(drawn_pictures(figure)) == 2)
+for shape in ("16:9", "4:3"):
+    canvas = Figure("07-shading", "self-hit", settings=f"shape='{shape}'")
+    tops = [text.box[3] for text in canvas.texts()] + [y for _, y in canvas.dots("light")]
+    checks.that(f"self-hit, {shape}: there is room for a slide's title", max(tops) <= 0.87 * canvas.height, str(max(tops)))
 holds_for_every(checks, "07-shading", "self-hit")
 checks.end()

@@ -1,9 +1,9 @@
 // figures.c - the data of the figures of chapter 07.
 #include "chapters/07-shading/figures/figures.h"
 
+#include "chapters/07-shading/figures/self_hit.h"
 #include "chapters/shared/render.h"
 #include "exercises/04-pixel-ray.h"
-#include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
 
@@ -181,61 +181,16 @@ static void flat_and_shaded(Plot *plot, void *given)
     plot_number(plot, "spheres", drawing.scene.sphere_count);
     spots_data(plot, &drawing, size);
     render(&drawing.scene, drawing.camera, closing_style, &image);
-    plot_picture(plot, "shaded", &image);
+    plot_include(plot, "common/figure/pictures.gp");
+    plot_picture(plot, "shaded", &image, ROUNDING);
     keep_term(&drawing.scene, TERM_FLAT);
     render(&drawing.scene, drawing.camera, closing_style, &image);
-    plot_picture(plot, "flat", &image);
+    plot_picture(plot, "flat", &image, ROUNDING);
     image_free(&image);
 }
 
-// ---- a surface that hits itself ---------------------------------------------------------------
-
-// The first of the rays for which a second ray, from the hit point to the light, immediately meets
-// the sphere again, because rounding put the point inside. Each formula rounds in its own way and
-// finds its own ray. They differ by so little that the figure is the same.
-static Ray unlucky_ray(Sphere sphere, Light light)
-{
-    Ray ray = {vec3_of(-4, 3, 0), vec3_of(1, 0, 0)};
-    for (int i = 0; i < 10000; i++) {
-        ray.direction = vec3_of(1, -0.62 - 1e-14 * i, 0);
-        double t = hit_sphere(ray, sphere);
-        vec3 point = ray.origin + t * ray.direction;
-        if (t < NO_HIT && hit_sphere(ray_to_light(point, light), sphere) < 1)
-            return ray;
-    }
-    return ray;
-}
-
-static void self_hit(Plot *plot, void *given)
-{
-    (void)given;
-    const Sphere sphere = {.center = vec3_of(0, 0, 0), .radius = 1};
-    const Light light = {vec3_of(-1, 4, 0), vec3_of(1, 1, 1), LIGHT_POINT};
-    Ray ray = unlucky_ray(sphere, light);
-    vec3 point = ray.origin + hit_sphere(ray, sphere) * ray.direction;
-    vec3 normal = surface_normal(sphere, point);
-    vec3 start = off_surface(sphere, point, normal);
-    vec3 offset = start - point;
-
-    plot_number(plot, "radius", sphere.radius);
-    plot_point(plot, "center", sphere.center);
-    plot_point(plot, "light", light.position);
-    plot_vector(plot, "seen", ray.origin, point - ray.origin);
-    plot_vector(plot, "normal", point, normal);
-    plot_vector(plot, "offset", point, offset);
-    plot_number(plot, "offset_size", vec3_length(offset));
-    plot_vector(plot, "to_light", point, ray_to_light(point, light).direction);
-    plot_vector(plot, "from_start", start, ray_to_light(start, light).direction);
-    vec3 to_light = vec3_unit(ray_to_light(point, light).direction);
-    plot_number(plot, "light_angle", acos(vec3_dot(normal, to_light)) * 180 / PI);
-    plot_number(plot, "self_t", hit_sphere(ray_to_light(point, light), sphere));
-    plot_number(plot, "inside_by", sphere.radius - vec3_length(point - sphere.center));
-    Roots roots = sphere_roots(ray_to_light(start, light), sphere);
-    plot_number(plot, "roots_from_start", roots.count);
-    plot_number(plot, "largest_from_start", roots.count > 0 ? roots.t[roots.count - 1] : NAN);
-}
-
-static const Figure figures[] = {{"flat-and-shaded", flat_and_shaded}, {"self-hit", self_hit}, {0}};
+static const Figure figures[] = {
+    {"flat-and-shaded", flat_and_shaded}, {"self-hit", self_hit_data}, {0}};
 
 int shading_figure(FigureCommand command, const Drawing *drawing)
 {

@@ -12,15 +12,13 @@ if (wrong) {
 }
 steps = 4
 
-# gnuplot reads a picture from a file, which is there only while it draws.
-decode = 'set print "| base64 -d > \"".output.".cast".panel."\""; do for [line=2:|@picture|] { print @picture[line] }; set print'
 picture = wrong ? "$shaded" : "$flat"
-panel = 1
+cast = 1
 @decode
 picture = wrong && exists("$your_shaded") ? "$your_shaded" : "$shaded"
-panel = 2
+cast = 2
 @decode
-cast = 'output.".cast".panel binary filetype=png origin=(U(panel,0.5),V(panel,0.5)) dx=size[panel] dy=size[panel] with rgbimage'
+in_panel = 'cast_file(panel) binary filetype=png origin=(U(panel,0.5),V(panel,0.5)) dx=size[panel] dy=size[panel] with rgbimage'
 
 # Words above the picture, and lines to what they name: white in black, visible on any colour. The one
 # to the highlight ends a little before it.
@@ -49,10 +47,10 @@ more_2 = below(2, 1)
 rest_2 = below(2, 2)
 in_two = shape eq "4:3" && !wrong
 
-plot for [panel=1:1] @cast title "flat", \
+plot for [panel=1:1] @in_panel title "flat", \
     $once using @name_1:(wrong ? "right" : "flat") with labels tc rgb ink title "flat, label", \
     $once using @more_1:(wrong ? "" : "one colour each") with labels tc rgb grey title "flat, in words", \
-    for [_=2:step:1000] for [panel=2:2] @cast title "shaded", \
+    for [_=2:step:1000] for [panel=2:2] @in_panel title "shaded", \
     @step2 $once using @name_2:(wrong ? "yours" : "shaded") with labels tc rgb ink title "shaded, label", \
     @step2 $once using @more_2:(wrong || in_two ? "" : "what the light makes of it") with labels tc rgb grey \
         title "shaded, in words", \
@@ -66,4 +64,4 @@ plot for [panel=1:1] @cast title "flat", \
     @shadowed $shadow using (U(2,$1)):(V(2,$2)) with points pt 7 ps 0.55 lc rgb "black" title "in the shadow", \
     @shadowed $shadow using (U(2,$1)):(V(2,$2)) with points pt 7 ps 0.35 lc rgb "white" title "in the shadow, inside", \
     @shadowed $shadow using @at_shadow:("shadow") with labels tc rgb ink title "shadow"
-system(sprintf("rm -f \"%s.cast1\" \"%s.cast2\"", output, output))
+@forget

@@ -1,53 +1,60 @@
 # self-hit.gp - why a ray must not start on the surface that it leaves, and the remedy.
 title = "A surface that hits itself"
-description = sprintf("A ray hits a sphere. Because of rounding, the point is %s inside. A ray from there to the light \
-immediately meets the sphere, at t = %s: the surface casts a shadow on itself. A ray that starts %s outside, along the \
-normal, meets nothing before the light.", inside_by_text, self_t_text, offset_size_text)
+description = "A ray from the eye hits a sphere. Left: because of rounding, the computed point is a little inside the \
+sphere; here that is drawn far too large. From there, the ray to the light hits the sphere itself from inside, so the point \
+is in its own shadow. A picture made so has dark specks. Right: the ray starts a little outside, along the normal n, and \
+reaches the light. The same picture has no specks.".(exists("$your_smooth") ? " Yours is shown in its place." : "")
 steps = 4
-low_x = -3.4; high_x = 1.1; low_y = -1.1; high_y = 4.2
-panel = 1; room = "0.03 0.50 0.10 0.92"
-@flat
-# The magnifying glass: the surface is a line, the normal is up, and distances are not to scale.
-low_x = -3; high_x = 3; low_y = -3; high_y = 3
-panel = 2; room = "0.52 0.97 0.08 0.92"
-@flat
+panel = 1
+# The pictures are below the drawings, at the edges of the canvas, with words beside them.
+cast = 1
+picture = "$specks"
+@decode
+cast = 2
+picture = exists("$your_smooth") ? "$your_smooth" : "$smooth"
+@decode
+wide = shape eq "4:3" ? 132 : 150
+pixel = 1.0 * wide / side
+left(number) = number == 1 ? 14 : width - 14 - wide
+at_the_edge = 'cast_file(number) binary filetype=png origin=(left(number)+pixel/2,14+pixel/2) dx=pixel dy=pixel with rgbimage'
+line_left(k) = sprintf("(%g):(%g)", 14 + wide + 16, 14 + wide / 2.0 + 32 * k)
+line_right(k) = sprintf("(%g):(%g)", width - 14 - wide - 16, 14 + wide / 2.0 + 32 * k)
+upper_left = line_left(1)
+middle_left = line_left(0)
+lower_left = line_left(-1)
+upper_right = line_right(1)
+middle_right = line_right(0)
+lower_right = line_right(-1)
+place = "(U(panel,$1)):(V(panel,$2))"
+way = "(U(panel,$1)):(V(panel,$2)):(size[panel]*$4):(size[panel]*$5)"
+right = "for [_=4:step:1000] for [panel=2:2]"
+spot = "points pt 3 ps 1.2 lw 2.4"
+missed = "points pt 2 ps 1.1 lw 3.4"
 
-place = "(U(1,$1)):(V(1,$2))"
-way = "(U(1,$1)):(V(1,$2)):(size[1]*$4):(size[1]*$5)"
-tip = "(U(1,$1+$4)):(V(1,$2+$5))"
-in_loupe(x, y) = sprintf("(U(2,%g)):(V(2,%g))", x, y)
-middle = in_loupe(0, 0)
-inside = in_loupe(0, -1.2)
-outside = in_loupe(0, 1)
-inside_label = in_loupe(0.2, -1.6)
-outside_label = in_loupe(0.2, 0.65)
-meets = in_loupe(1.2 * tan(light_angle), 0)
-meets_label = in_loupe(1.2 * tan(light_angle) + 0.25, -0.35)
-surface_label = in_loupe(-2.7, 0.25)
-note_label = in_loupe(0, -2.55)
-light_way(y, length) = in_loupe(0, y).sprintf(":(size[2]*%g):(size[2]*%g)", length * sin(light_angle), length * cos(light_angle))
-from_inside = light_way(-1.2, 1.2 / cos(light_angle))
-from_outside = light_way(1, 1.9)
-
-plot $center using (U(1,$1)):(V(1,$2)):(size[1]*radius) with circles fc rgb surface fs solid border lc rgb ink lw 1.4 title "sphere", \
-    $center using @place with @dot lc rgb ink title "centre", \
-    $center using @place:(math("c")) with labels offset 1.2,-0.4 tc rgb ink title "c", \
-    $seen using @way with @arrow lc rgb grey title "seen", \
-    $light using @place with points pt 3 ps 1.1 lw 2 lc rgb orange title "light", \
-    $light using @place:("light") with labels left offset 1.2,0 tc rgb orange title "light, label", \
-    $to_light using @way with vectors nohead lw 1.4 dt 3 lc rgb blue title "to the light", \
-    $normal using @way with @arrow lc rgb green title "normal", \
-    $normal using @tip:(math("n")) with labels right offset -0.8,0.5 tc rgb green title "n", \
-    $seen using @tip with @ring lc rgb ink title "point", \
-    @step2 $center using @middle:(size[2]*6):(size[2]*6) with ellipses units xx fs empty border lc rgb grey lw 1 title "loupe", \
-    @step2 $center using (U(2,-3)):(V(2,0)):(size[2]*6):(0) with vectors nohead lw 1.8 lc rgb ink title "surface", \
-    @step2 $center using @surface_label:("surface") with labels left tc rgb ink title "surface, label", \
-    @step2 $center using @note_label:("not to scale") with labels tc rgb grey title "note", \
-    @step3 $center using @from_inside with vectors nohead lw 1.6 dt 2 lc rgb pink title "from the point", \
-    @step3 $center using @meets with points pt 2 ps 1 lw 2.4 lc rgb pink title "self hit", \
-    @step3 $center using @meets_label:(small(math("t = ").self_t_text)) with labels left tc rgb pink title "self hit, label", \
-    @step3 $center using @inside with @ring lc rgb ink title "rounded", \
-    @step3 $center using @inside_label:(small(inside_by_text." inside")) with labels left tc rgb pink title "rounded, label", \
-    @step4 $center using @from_outside with @arrow lc rgb blue title "from the start", \
-    @step4 $center using @outside with @dot lc rgb blue title "start", \
-    @step4 $center using @outside_label:(small(offset_size_text." outside")) with labels left tc rgb blue title "start, label"
+plot $cap_1 using @place with filledcurves closed fc rgb surface fs solid noborder title "sphere", \
+    $cap_1 using @place with @thick lc rgb ink title "surface", \
+    $seen_1 using @way with @arrow lc rgb grey title "seen", \
+    $wanted using @way with vectors nohead lw 1.6 dt 3 lc rgb grey title "to the light, wanted", \
+    $light_1 using @place with @spot lc rgb ink title "light", \
+    $point using @place with @dot lc rgb grey title "point", \
+    @step3 $to_itself using @way with vectors nohead lw 3 lc rgb blue title "from the point", \
+    @step2 $inside using @place with points pt 7 ps 0.7 lc rgb ink title "rounded", \
+    @step3 $own_hit using @place with @missed lc rgb orange title "self hit", \
+    for [_=3:step:1000] for [number=1:1] @at_the_edge title "specks", \
+    @step3 $once using @upper_left:("starts inside,") with labels left tc rgb ink title "words 1", \
+    @step3 $once using @middle_left:("hits itself:") with labels left tc rgb ink title "words 2", \
+    @step3 $once using @lower_left:("dark specks") with labels left tc rgb ink title "words 3", \
+    @right $cap_2 using @place with filledcurves closed fc rgb surface fs solid noborder \
+        title "sphere, right", \
+    @right $cap_2 using @place with @thick lc rgb ink title "surface, right", \
+    @right $seen_2 using @way with @arrow lc rgb grey title "seen, right", \
+    @right $light_2 using @place with @spot lc rgb ink title "light, right", \
+    @right $normal using @way with @arrow lc rgb green title "normal", \
+    @right $to_light using @way with @arrow lc rgb blue title "from the start", \
+    @right $outside using @place with points pt 7 ps 0.7 lc rgb blue title "start", \
+    for [_=4:step:1000] for [number=2:2] @at_the_edge title "smooth", \
+    @step4 $once using @upper_right:("starts outside,") with labels right tc rgb ink title "words 4", \
+    @step4 $once using @middle_right:("reaches the light:") with labels right tc rgb ink title "words 5", \
+    @step4 $once using @lower_right:(exists("$your_smooth") ? "yours" : "no specks") with labels right tc rgb ink title "words 6", \
+    @labels
+@forget
