@@ -27,7 +27,7 @@ tick_at(k) = first + tick * k
 shown_t(t) = most(low_x, least(high_x, t))
 # Outlines are ellipses: gnuplot 5.4 draws an empty circle's outline twice, which closes the gaps of a dashed one.
 diameter = "(2*size[1]*$4):(2*size[1]*$4)"
-words_x = all_hits ? most(width * 0.28, least(width * 0.72, x(nearest))) : width / 2
+words_x = all_hits ? most(width * 0.32, least(width * 0.68, x(nearest))) : width / 2
 
 plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed \
         fc rgb variable fs solid noborder title "parts", \
