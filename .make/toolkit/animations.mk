@@ -40,13 +40,14 @@ $(DRAW_ANIMATIONS): $(patsubst %,$(B)/chapters/animations/%.o,draw_animations vi
 SAMPLES ?= 1
 TURNED := $(or $(SCENE),$(B)/scenes/finale.nff)
 TURNING := $(filter turntable,$(ANIMATIONS_WANTED))
-animations: $(MOVING_SCRIPTS) $(DRAW_ANIMATIONS) $(if $(TURNING),$(TURNED) $(BUILT)/$(ENGINE_CHAPTER)) ## videos, and numbered pictures (FORMAT=mp4,webm,gif,apng,png THEME=light,dark ANIMATION=name)
+animations: $(MOVING_SCRIPTS) $(DRAW_ANIMATIONS) $(if $(TURNING),$(TURNED) $(BUILT)/$(ENGINE_CHAPTER)) $(MAKE_PAGE) ## videos, and numbered pictures (FORMAT=mp4,webm,gif,apng,png THEME=light,dark ANIMATION=name)
 	@export FORMAT='$(FORMAT)' THEME='$(THEME)' FRAMES='$(FRAMES)'; \
 		there=$$(for name in $(STORIES); do [ ! -s $(ANIMATIONS)/$$name/$$name.gp ] || echo $$name; done); \
 		[ -z "$$there" ] || $(DRAW_ANIMATIONS) $(ANIMATIONS) $$there $(if $(TURNING),&& \
-		echo '  turntable: the first time takes some minutes' && \
+		mkdir -p $(ANIMATIONS)/turntable && cp chapters/animations/turntable.txt $(ANIMATIONS)/turntable && \
 		$(DRAW_ANIMATIONS) $(ANIMATIONS) --turn turntable $(TURNED) \
 			$(BUILT)/$(ENGINE_CHAPTER) --shaded --samples $(SAMPLES) -s 1280x720 --threads 1)
-	@echo 'Animations: $(ANIMATIONS)/'
+	@$(MAKE_PAGE) $(BUILT) $(B)/scenes
+	@echo 'Animations: $(ANIMATIONS)/, and on the page: $(PAGE)'
 .PHONY: animations
 check check-all check-long: $(PRINT_ANIMATION) $(DRAW_ANIMATIONS)

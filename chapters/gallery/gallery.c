@@ -287,6 +287,82 @@ static void put_figure(FILE *out, const Gallery *gallery, const char *name)
     fprintf(out, "</figcaption></figure>\n");
 }
 
+// ---- animations
+// -------------------------------------------------------------------------------------
+
+// A row of links to the videos of one theme; nothing if there is none.
+static void put_videos(FILE *out, const Gallery *gallery, const char *name, const char *suffix,
+                       const char *variant, const char *title)
+{
+    static const char *const endings[] = {"mp4", "webm", "gif", "apng"};
+    static const char *const labels[] = {"MP4", "WebM", "GIF", "APNG"};
+    bool begun = false;
+    for (int i = 0; i < 4; i++) {
+        Path file = path_of("animations/%s/%s%s.%s", name, name, suffix, endings[i]);
+        if (!exists(path_of("%s/%s", gallery->built, file.s)))
+            continue;
+        fprintf(out, begun ? "" : "<dt>%s</dt><dd><ul>", variant);
+        begun = true;
+        put_link(out, path_of("../%s", file.s).s, labels[i], title, variant);
+    }
+    if (begun)
+        fprintf(out, "</ul></dd>");
+}
+
+// Nothing moves before the reader wants it: until then the last frame is shown.
+static void put_animation(FILE *out, const Gallery *gallery, const char *name)
+{
+    Words words;
+    glob_t frames;
+    if (!read_words(path_of("%s/animations/%s/%s.txt", gallery->built, name, name), &words) ||
+        glob(path_of("%s/animations/%s/frames/*.png", gallery->built, name).s, 0, NULL, &frames) !=
+            0)
+        return;
+    const char *last = strrchr(frames.gl_pathv[frames.gl_pathc - 1], '/') + 1;
+    fprintf(out,
+            "<figure>\n<video controls loop muted playsinline preload=\"none\" width=\"1280\" "
+            "height=\"720\" poster=\"../animations/%s/frames/%s\" aria-label=\"",
+            name, last);
+    put_escaped(out, words.words);
+    fprintf(out, "\">\n");
+    if (exists(path_of("%s/animations/%s/%s.webm", gallery->built, name, name)))
+        fprintf(out, "<source src=\"../animations/%s/%s.webm\" type=\"video/webm\">\n", name, name);
+    if (exists(path_of("%s/animations/%s/%s.mp4", gallery->built, name, name)))
+        fprintf(out, "<source src=\"../animations/%s/%s.mp4\" type=\"video/mp4\">\n", name, name);
+    fprintf(out, "</video>\n<figcaption><h3>");
+    put_escaped(out, words.title);
+    fprintf(out, "</h3>\n<p class=\"words\" aria-hidden=\"true\">");
+    put_escaped(out, words.words);
+    fprintf(out, "</p>\n<dl>");
+    put_videos(out, gallery, name, "", "light", words.title);
+    put_videos(out, gallery, name, "-dark", "dark", words.title);
+    fprintf(out, "</dl>\n</figcaption></figure>\n");
+    globfree(&frames);
+}
+
+// A section of its own, if make animations has made any.
+static void put_animations(FILE *contents, FILE *sections, const Gallery *gallery)
+{
+    static const char *const names[] = {"object-order", "image-order", "closest-hit",
+                                        "discriminant", "turntable"};
+    char *cards = NULL;
+    size_t size;
+    FILE *text = open_memstream(&cards, &size);
+    if (text == NULL)
+        return;
+    for (int i = 0; i < 5; i++)
+        put_animation(text, gallery, names[i]);
+    fclose(text);
+    if (size > 0) {
+        fprintf(contents, "<li><a href=\"#animations\">Moving pictures</a></li>\n");
+        fprintf(sections,
+                "<section aria-labelledby=\"animations\">\n<h2 id=\"animations\">Moving "
+                "pictures</h2>\n<div class=\"cards\">\n%s</div></section>\n",
+                cards);
+    }
+    free(cards);
+}
+
 // ---- chapters
 // -------------------------------------------------------------------------------------
 
@@ -492,6 +568,7 @@ static bool put_page(FILE *out, const void *given, const char *path, Message *me
             put_chapter(out, sections, gallery, strchr(chapters.gl_pathv[i], '/') + 1);
         globfree(&chapters);
     }
+    put_animations(out, sections, gallery);
     fclose(sections);
     fprintf(out, "</ul></nav>\n<main id=\"pictures\">\n%s</main>\n</body>\n</html>\n", text);
     free(text);

@@ -43,6 +43,17 @@ check 'and not what is not' says_not "../figures/$first/$first.pdf"
 cp "$page" "$scratch/before.html"
 check 'the page has the same bytes' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
 check 'every time' cmp "$page" "$scratch/before.html"
+# Animations are on the page if they are there.
+check 'without animations there are no videos' says_not '<video'
+mkdir -p "$built/animations/image-order/frames"
+cp "$built/gallery/01-corners.png" "$built/animations/image-order/frames/0001.png"
+printf 'A title & more\nIts words.\n' >"$built/animations/image-order/image-order.txt"
+touch "$built/animations/image-order/image-order.mp4"
+check 'a page is made beside an animation' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'the page shows its video' says '<source src="../animations/image-order/image-order.mp4" type="video/mp4">'
+check 'with its last frame before it moves' says 'poster="../animations/image-order/frames/0001.png" aria-label="Its words."'
+check 'and its title' says '<h3>A title &amp; more</h3>'
+check 'and not what is not there' says_not 'image-order.webm'
 # The figure of an older script is not linked.
 echo '# another' >>"$built/figures/$first/$first.gp"
 check 'with another script' draw FORMAT=svg THEME=light,dark

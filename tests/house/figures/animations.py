@@ -199,6 +199,9 @@ def discriminant():
         checks.same(f"discriminant: frame {i + 1}", [got], [wanted], 1e-9)
         checks.that(f"discriminant: its sign in frame {i + 1}", (got > 0) - (got < 0) == (y < r) - (y > r))
         checks.that(f"discriminant: its roots in frame {i + 1}", figure.number(f"panel{i + 1}_roots") == (0 if y > r else 2))
+    moves = [(b[1] - a[1], a[2] - b[2]) for a, b in zip(rays, rays[1:])]
+    checks.that("discriminant: the ray only moves down and ahead, and never jumps",
+                all(0 <= x <= 0.15 * r and 0 <= y <= 0.15 * r for x, y in moves), str(max(moves)))
     stays = figure.block("stays")
     names = ["miss", "tangent", "two hits", "inside", "behind"]
     for name, (first, last) in zip(names, stays):
