@@ -157,6 +157,12 @@ $(NUMBERS): $(NUMBERS).o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 
+# Examples with other numbers.
+RANDOM_EXAMPLE := $(B)/tests/proof/random_example
+$(RANDOM_EXAMPLE): $(RANDOM_EXAMPLE).o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+
 SAME := $(B)/tests/same_picture
 $(B)/tests/proof/same_picture.o: EXTRA = $(PNG_CFLAGS)
 $(SAME): $(B)/tests/proof/same_picture.o
@@ -196,7 +202,7 @@ check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests (two minutes on two cores)
 
 # The tests that need longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
-FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
+FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES) $(RANDOM_EXAMPLE))
 .PHONY: check-all check-long
 check-all: $(RUN) $(CHECKS) $(FOR_LONG) ## all tests, also those that need longer
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh tests/proof/*.sh)

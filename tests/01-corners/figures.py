@@ -155,9 +155,9 @@ def yours_beside_right():
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "right.gp")
         with open(path, "w", encoding="utf-8") as file:
-            file.write(Figure("01-corners", "corner-vectors").script)
-        figure = Figure("01-corners", "corner-vectors", "--width", wrong["w"], "--beside", path)
-        same = Figure("01-corners", "corner-vectors", "--beside", path)
+            file.write(Figure("01-corners", "corner-vectors", *options_of(DECK)).script)
+        figure = Figure("01-corners", "corner-vectors", *options_of(wrong), "--beside", path)
+        same = Figure("01-corners", "corner-vectors", *options_of(DECK), "--beside", path)
     words = len("d f + (w/2) r + (h/2) u")
     figure.see(DECK["r"], DECK["u"], DECK["f"], room=(0.08, 1 - (LETTER * words + 20) / 960, 0.06, 0.86), azimuth=34)
     ends = [plus(c["p"], legs(c, 1, 1)) for c in (DECK, wrong)]
@@ -187,11 +187,12 @@ def is_said(figure, off):
     checks.that("yours and right: the difference", figure.text("off_text") == off, figure.text("off_text"))
 
 
+OPTIONS = [*options_of(DECK), "-s", 0.3, "-t", 0.1]  # the lecture may have another example
 FIGURES = {"camera-frame": camera_frame, "corner-vectors": corner_vectors,
            "point-30-10": point_30_10, "double-dwh": double_dwh}
 for name, test in FIGURES.items():
     for canvas in SHAPES:
-        test(DECK, [], canvas)
+        test(DECK, OPTIONS, canvas)
     holds_for_every(checks, "01-corners", name)
 yours_beside_right()
 dice = random.Random(1)
@@ -201,8 +202,8 @@ for i in range(int(os.environ.get("CAMERAS", "5"))):
         more = [] if test in (camera_frame, corner_vectors) else [across, up]
         test(camera, options_of(camera) + (["-s", across, "-t", up] if more else []), list(SHAPES)[i % 2], *more)
     yours_and_right(camera, options_of(camera))
-is_said(yours_and_right(DECK, []), "off by (1, 1, 0) = ½ w r + ½ h u")
-is_said(yours_and_right(DECK, ["--yours", "-0.4,0.8,4"], (-0.4, 0.8, 4)), "off by (0, 1.6, 0) = 4/5 h u")
-is_said(yours_and_right(DECK, ["--yours", "0.123,0.4567,4"], (0.123, 0.4567, 4)), "off by (0.523, 1.257, 0)")
+is_said(yours_and_right(DECK, OPTIONS), "off by (1, 1, 0) = ½ w r + ½ h u")
+is_said(yours_and_right(DECK, [*OPTIONS, "--yours", "-0.4,0.8,4"], (-0.4, 0.8, 4)), "off by (0, 1.6, 0) = 4/5 h u")
+is_said(yours_and_right(DECK, [*OPTIONS, "--yours", "0.123,0.4567,4"], (0.123, 0.4567, 4)), "off by (0.523, 1.257, 0)")
 holds_for_every(checks, "01-corners", "yours-and-right")
 checks.end()

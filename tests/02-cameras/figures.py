@@ -99,7 +99,7 @@ def looking(dice):
 
 
 for canvas in SHAPES:
-    camera_forms(DECK, [], canvas)
+    camera_forms(DECK, options_of(DECK), canvas)
 holds_for_every(checks, "02-cameras", "camera-forms")
 dice = random.Random(2)
 for i in range(int(os.environ.get("CAMERAS", "5"))):

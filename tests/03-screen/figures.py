@@ -99,10 +99,11 @@ def pixel_grid(size, pixel, options):
                 checks.that(f"the edge {text} at {at}", label_at(figure, text, **at))
 
 
-screen_to_unit((640, 480), (300, 400), [])
-checks.that("the deck's answer", "(0.46875, 0.166667)" in in_words(Figure("03-screen", "screen-to-unit")))
+DECK = ["--size", "640x480", "--point", "300,400"]  # the lecture may have another example
+screen_to_unit((640, 480), (300, 400), DECK)
+checks.that("the deck's answer", "(0.46875, 0.166667)" in in_words(Figure("03-screen", "screen-to-unit", *DECK)))
 pixel_grid((8, 6), (3, 4), [])
-pixel_grid((640, 480), (300, 400), ["--size", "640x480"])
+pixel_grid((640, 480), (300, 400), DECK)
 pixel_grid((1, 1), (0, 0), ["--size", "1x1"])
 for figure_name in ("screen-to-unit", "pixel-grid"):
     holds_for_every(checks, "03-screen", figure_name)

@@ -92,8 +92,8 @@ def pixel_to_ray(c, size, pixel, options):
             checks.that(f"the words have {text}", text in words, words)
 
 
-pixel_to_ray(DECK, (640, 480), (300, 400), [])
-pixel_to_ray(DECK, (4, 3), (3, 0), ["--size", "4x3", "--pixel", "3,0"])
+pixel_to_ray(DECK, (640, 480), (300, 400), ["--size", "640x480", "--pixel", "300,400", *options_of(DECK)])
+pixel_to_ray(DECK, (4, 3), (3, 0), ["--size", "4x3", "--pixel", "3,0", *options_of(DECK)])
 holds_for_every(checks, "04-pixel-ray", "pixel-to-ray")
 dice = random.Random(4)
 for i in range(int(os.environ.get("CAMERAS", "5"))):
