@@ -429,7 +429,7 @@ def nearest_hit(scene, pixel, options=None):
 def explain_figure(scene, pixel, options=None):
     world = World(scene)
     figure = Figure(PROGRAM, "explain", *(scene_options(scene, pixel) if options is None else options))
-    nearer = see(figure, world, (0.04, 0.56, 0.14, 0.90))
+    nearer = see(figure, world, ROOM)
     v = world.pixel(*pixel)
     hits = world.hits(v)
     checks.same("s and t", [figure.number("s"), figure.number("t")],
@@ -452,7 +452,18 @@ def explain_figure(scene, pixel, options=None):
         checks.that("the number of roots", figure.number(f"roots_{k}") == (2 if ends else 0))
         if ends:
             checks.same("the roots", [figure.number(f"root_0_{k}"), figure.number(f"root_1_{k}")], ends)
+    lines = [text for text, _, _ in figure.labels()]
+    explained = [i for i in range(len(world.spheres)) if any(figure.text(f"name_{k}") == chr(ord("A") + i)
+                                                             for k in range(1, int(figure.number("told")) + 1))]
+    for i in explained:
+        ends = world.roots(v, i)
+        fate = "missed" if ends is None else "behind the eye" if ends[1] <= 0 else f"t = {ends[0]:.4g}, {ends[1]:.4g}"
+        line = f"{chr(ord('A') + i)}: {fate}".replace("-", "−")
+        checks.that("what becomes of each sphere is in the words", line in lines, f"{line!r}, not in {lines}")
+    nearest = f"smallest t: {hits[0][0]:.4g}, {chr(ord('A') + hits[0][1])}" if hits else "no hit: background"
+    checks.that("and which hit is the closest", nearest in lines, f"{nearest!r}, not in {lines}")
     bytes_text = ", ".join(str(math.floor(255 * x + 0.5)) for x in world.color(v))
+    checks.that("the colour is in the words", f"colour {bytes_text}" in lines, str(lines))
     checks.that("the colour", figure.text("bytes_text") == bytes_text, figure.text("bytes_text"))
 
 

@@ -44,6 +44,41 @@ static void the_color(Plot *plot, const Shown *shown)
     plot_direction(plot, "color", color);
 }
 
+// What becomes of one of the spheres.
+static void say_sphere(const Shown *shown, int k, int sphere, char *text, size_t size)
+{
+    Sphere s = shown->shot.scene->spheres[sphere];
+    Text name = sphere_name(sphere);
+    if (hit_sphere(shown->ray, s) < NO_HIT)
+        snprintf(text, size, "%s: $t$ = {root_0_%d}, {root_1_%d}", name.s, k, k);
+    else
+        snprintf(text, size, "%s: %s", name.s,
+                 sphere_roots(shown->ray, s).count > 0 ? "behind the eye" : "missed");
+}
+
+// The story in three blocks of words below the picture: the ray, its hits, the colour.
+static void say(Plot *plot, const Shown *shown, const Outcome *outcome)
+{
+    const Label ray[] = {{"pixel {pixel} of {size}", "ink", .step = 1},
+                         {"$s$ = {s}, $t$ = {t}", "ink", .step = 1},
+                         {"$v$ = {vector_v}", "blue", .step = 2}};
+    Label hits[MOST_DRAWN];
+    char texts[MOST_DRAWN][200];
+    for (int i = 0; i < outcome->told_count; i++) {
+        say_sphere(shown, i + 1, outcome->told[i], texts[i], sizeof texts[i]);
+        hits[i] = (Label){texts[i], "ink", .step = 4};
+    }
+    char nearest[200] = "no hit: background";
+    if (shown->hit_count > 0)
+        snprintf(nearest, sizeof nearest, "smallest $t$: {nearest}, %s",
+                 sphere_name(shown->hits[0].sphere).s);
+    const Label color[] = {{nearest, "orange", .step = 5}, {"colour {bytes}", "ink", .step = 6}};
+    plot_say(plot, 0, 0, ray, 3);
+    plot_say(plot, 1, 0, color, 2);
+    if (outcome->told_count > 0)
+        plot_say(plot, 0.52, 0, hits, outcome->told_count);
+}
+
 void explain_figure_data(Plot *plot, void *given)
 {
     const Shown *shown = given;
@@ -70,4 +105,7 @@ void explain_figure_data(Plot *plot, void *given)
     for (int i = 0; i < outcome.told_count; i++)
         one_sphere(plot, shown, i + 1, outcome.told[i]);
     the_color(plot, shown);
+    shown_look(plot, shown);
+    plot_room(plot, (Room){0.03, 0.97, 0.27, 0.86}, (Room){0.03, 0.97, 0.45, 0.86});
+    say(plot, shown, &outcome);
 }

@@ -179,6 +179,7 @@ static const struct {
     {"image-order", FOLDER "/figures/one-sphere.nff", {5, 2}},
     {"ray-casting", FOLDER "/figures/four-spheres.nff", {4, 4}},
     {"nearest-hit", FOLDER "/figures/along-a-ray.nff", {0, 0}},
+    {"explain", FOLDER "/figures/four-spheres.nff", {4, 4}},
     {NULL, FOLDER "/three-spheres.nff", {300, 200}},
 };
 
