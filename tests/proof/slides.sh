@@ -1,5 +1,5 @@
 #!/bin/sh
-# slides.sh - the Beamer slides, and every figure and step as LaTeX takes it in.
+# slides.sh - the lecture, beside the deck that it follows; and every figure and step as LaTeX takes it in.
 set -u
 . tests/house/runner/library.sh
 . tests/house/figures/scripts.sh
@@ -22,6 +22,7 @@ check 'and says what to install' says "LaTeX lacks pdflatex: 'make setup FOR=lec
 if ! chapters/make_slides --ready >/dev/null 2>&1; then
     skip slides "slides, which need LaTeX with Beamer (make setup FOR=lecturer)"
 fi
+needs slides "the pages of slides" pdftohtml pdfinfo pdftoppm
 
 drawn=$scratch/figures
 check 'every figure has a script' scripts_into "$drawn"
@@ -30,37 +31,157 @@ draw() {
     env "$@" "$BUILD/chapters/gallery/draw_figures" "$drawn" $names
 }
 check 'every figure is drawn for LaTeX' draw FORMAT=tex SHAPE=16:9,4:3 STEPS=1
-steps=$(cat "$drawn/.drawn/corner-vectors.steps")
-check 'the slides are made' chapters/make_slides "$drawn" chapters/slides.tex
-pages() {
-    pdfinfo "$1" | sed -n 's/^Pages: *//p'
-}
-if command -v pdfinfo >/dev/null; then
-    check 'with a page for each step, and one for the whole' test "$(pages "$drawn/slides.pdf")" -eq $((steps + 1))
-    check 'also with dark pages' test "$(pages "$drawn/slides-dark.pdf")" -eq $((steps + 1))
-    has_text() {
-        pdftotext "$drawn/slides.pdf" - | grep -q '(−1, 1, 4)\|(-1, 1, 4)'
-    }
-    check 'with the labels as text' has_text
-else
-    echo "skipped: the pages of slides, which need poppler-utils ('make setup' installs it)"
-fi
-cp "$drawn/slides.pdf" "$scratch/first.pdf"
-check 'slides are made once more' chapters/make_slides "$drawn" chapters/slides.tex
-check 'and have the same bytes' cmp "$drawn/slides.pdf" "$scratch/first.pdf"
 
+# ---- the lecture -------------------------------------------------------------------------------
+lecture=$scratch/lecture
+mkdir "$lecture"
+cp "$PROGRAMS/slides/numbers.tex" "$lecture"
+# lecture_as NAME SHAPE THEME VERSION: $lecture/NAME.pdf, and its text in NAME.xml.
+lecture_as() {
+    chapters/make_slides chapters/slides.tex "$lecture/$1.pdf" "$drawn" "$2" "$3" "$4" &&
+        text_of "$1"
+}
+text_of() {
+    pdftohtml -xml -i -zoom 10 -stdout "$lecture/$1.pdf" >"$lecture/$1.xml"
+}
+# tells QUESTION NAME FILE: the answer (tests/proof/slides/pages.c) is this file's.
+tells() {
+    "$BUILD/tests/proof/slides/pages" "$1" <"$lecture/$2.xml" | diff - "$3"
+}
+: >"$scratch/nothing"
+# Title for title, the deck.
+cat >"$scratch/deck" <<'DECK'
+Ray Tracing, Part I
+Readings
+Ray Traced Images Achieve Maximal Realism
+Two ways of rendering a picture: object order
+Two ways of rendering a picture: image order
+Ray casting, a simplified ray tracing
+Camera
+Finding vectors from the eye to the image plane
+Other camera representations
+Normalized screen coordinates
+Mapping from Pixel to Camera Ray
+Ray casting process
+Intersecting a ray and a sphere
+Solving quadratic
+Intersecting a ray and a sphere
+Still something missing . . .
+DECK
+no_complaints() {
+    ! grep -E 'Overfull|Missing character|LaTeX Warning: (Unused|File)|undefined' "$lecture/.work/$1/$1.log"
+}
+# Each step of each figure of the lecture is on a page.
+shows_all_steps() {
+    status=0
+    for name in $names; do
+        grep -q "/$name-step1\.tex" "$lecture/.work/$1/$1.log" || continue
+        for step in "$drawn/$name/$name"-step[0-9].tex; do
+            grep -qF "/${step##*/}" "$lecture/.work/$1/$1.log" || { echo "$step"; status=1; }
+        done
+    done
+    return $status
+}
+# Each name is a function of the chapter whose number is before it.
+are_exercises() {
+    "$BUILD/tests/proof/slides/pages" exercises <"$lecture/$1.xml" >"$scratch/exercises"
+    ! grep 'none' "$scratch/exercises" || return 1
+    status=0
+    while IFS=' ,:' read -r word chapter functions; do
+        [ "$word" = Exercise ] || continue
+        for name in $(echo "$functions" | tr -d ','); do
+            grep -q "EXERCISE(\"$chapter-[^\"]*\",[^,]*, $name," tests/exercises.def || { echo "$chapter $name"; status=1; }
+        done
+    done <"$scratch/exercises"
+    return $status
+}
+is_of_size() {
+    pdfinfo "$lecture/$1.pdf" | grep -F "$2"
+}
+# The colour of the last pixel of a page that has only words, in bytes. (The very edge of the paper may be lighter.)
+has_ground() {
+    pdftoppm -r 10 -x 2 -y 2 -W 10 -H 3 -f 2 -l 2 "$lecture/$1.pdf" | tail -c 3 | od -An -tu1 | grep -qx " *$2 *$3 *$4"
+}
+for shape in 16:9 4:3; do
+    case $shape in
+    16:9) at=wide paper='453.543 x 255.118 pts' ;;
+    *) at=narrow paper='340.157 x 255.118 pts' ;;
+    esac
+    check "the slides are made, $shape" lecture_as $at $shape light slides
+    check "their titles are the deck's, in its order, $shape" tells titles $at "$scratch/deck"
+    check "each page names an exercise that exists, $shape" are_exercises $at
+    check "nothing is too wide, too high or missing, $shape" no_complaints $at
+    check "the paper has that shape, $shape" is_of_size $at "$paper"
+done
+check 'each figure grows, step by step' shows_all_steps wide
+check 'they are light' has_ground wide 255 255 255
+check 'dark slides are made' lecture_as dark 16:9 dark slides
+check 'and are dark' has_ground dark 22 25 29
+check 'also with all steps' shows_all_steps wide
+
+contains() {
+    pdftotext "$lecture/$1.pdf" - | tr '\n' ' ' | grep -qF -- "$2"
+}
+lacks() {
+    ! contains "$@"
+}
+check 'a handout with answers is made' lecture_as handout 16:9 light handout
+check 'and one of questions alone' lecture_as questions 16:9 light questions
+check 'on sheets of A4' is_of_size questions A4
+for answer in 'a depth buffer' 'its direction stays' '30% across, 10% up =' 'It has no distance' 'not sizes but places' \
+    'Solve for' 'Much simpler in object coordinates' 'which way the surface faces'; do
+    check "the handout has the answer: $answer" contains handout "$answer"
+    check "the questions have not: $answer" lacks questions "$answer"
+done
+for question in 'were all doubled?' 'upper left corner.' 'normalized screen coordinates?' 'Equation to solve?'; do
+    check "both have the question: $question" contains questions "$question"
+    check "both have it: $question" contains handout "$question"
+done
+
+check 'the notes are made' lecture_as notes 16:9 light notes
+check 'beside the slides' is_of_size notes '907.087 x 255.118 pts'
+check 'there are notes on every page' tells notes notes "$scratch/nothing"
+check 'nothing is too high for the notes' no_complaints notes
+check 'they say what the deck leaves out' contains notes 'The deck leaves out:'
+check 'and what we correct' contains notes 'Our correction: the red vector that the deck draws ends at'
+check 'nobody else sees them' lacks wide 'Our correction:'
+
+# Text is 24 of 540 units high or larger. The labels of some figures are smaller still, so they are left out.
+small=$scratch/small
+cp -r "$drawn" "$small"
+for name in $names; do
+    grep -q '^text_size = 24' "$drawn/$name/$name.gp" && continue
+    for picture in "$small/$name/"*.tex; do
+        echo '\leavevmode' >"$picture"
+    done
+done
+drawn_before=$drawn
+drawn=$small
+for shape in 16:9 4:3; do
+    check "slides and notes for the last row are made, $shape" lecture_as last $shape light notes
+    check "no text is too small, $shape" tells small last "$scratch/nothing"
+done
+drawn=$drawn_before
+
+again=$scratch/again
+mkdir "$again"
+cp "$lecture/numbers.tex" "$again"
+cp -r "$drawn" "$scratch/figures-again"
+check 'slides are made once more, elsewhere' chapters/make_slides chapters/slides.tex "$again/wide.pdf" "$scratch/figures-again" 16:9 light slides
+check 'and have the same bytes' cmp "$lecture/wide.pdf" "$again/wide.pdf"
+
+# ---- slides of one's own -------------------------------------------------------------------------
 # A folder of its own, with all that 'make figures FORMAT=tex' made: every file on a page.
 talk=$scratch/talk
 mkdir "$talk"
-cp "$drawn"/*/*.tex "$drawn"/*/*-tex.pdf "$talk"
-sed '/^\\begin{document}/,$d' chapters/slides.tex >"$talk/talk.tex"
+cp "$drawn"/*/*.tex "$drawn"/*/*-tex.pdf chapters/slides/lecture.sty "$talk"
 {
-    printf '%s\n' '\begin{document}'
+    printf '%s\n' '\documentclass[t]{beamer}' '\usepackage{lecture}' '\begin{document}'
     for file in "$drawn"/*/*.tex; do
         printf '\\begin{frame}[plain]\\centering\\resizebox{!}{\\textheight}{\\input{%s}}\\end{frame}\n' "${file##*/}"
     done
     printf '%s\n' '\end{document}'
-} >>"$talk/talk.tex"
+} >"$talk/talk.tex"
 compiles() {
     (cd "$talk" && pdflatex -interaction=nonstopmode -halt-on-error "$1") >"$scratch/log" 2>&1
     status=$?
@@ -72,13 +193,26 @@ complains_not() {
     ! grep -E 'Missing character|LaTeX Warning: (Unused|File)|undefined' "$talk/talk.log"
 }
 check 'no letter is missing' complains_not
-cp chapters/slides.tex "$talk/"
-check 'the slides are made there by LaTeX alone' compiles slides
-check 'and in the dark' compiles '\def\theme{dark}\input{slides}'
+
+printf '%s\n' '\documentclass{beamer}' '\usepackage{lecture}' '\begin{document}' \
+    '\topic{Mine}{\exercise{05}{hit\_sphere}}' '\figureframe{parabola}{1}{A note.}' '\end{document}' >"$talk/mine.tex"
+check "slides of one's own are made" chapters/make_slides "$talk/mine.tex" "$lecture/mine.pdf" "$drawn" 16:9 light slides
+pages() {
+    pdfinfo "$lecture/$1.pdf" | sed -n 's/^Pages: *//p'
+}
+steps=$(find "$drawn/parabola" -name 'parabola-step[0-9].tex' | wc -l)
+check 'with a page for each step' test "$(pages mine)" -eq "$steps"
+check 'LaTeX alone makes them, where the figures are beside them' compiles mine
+check 'also in the dark' compiles '\def\theme{dark}\input{mine}'
 
 printf '\\documentclass{beamer}\n\\begin{document}\n\\nosuchcommand\n\\end{document}\n' >"$scratch/wrong.tex"
-check 'a LaTeX error is a failure' fails chapters/make_slides "$drawn" "$scratch/wrong.tex"
+check 'a LaTeX error is a failure' fails chapters/make_slides "$scratch/wrong.tex" "$lecture/wrong.pdf" "$drawn" 16:9 light slides
 check 'and is shown' says 'nosuchcommand'
-check 'by no picture that is left' test ! -e "$drawn/wrong.pdf"
+check 'by no picture that is left' test ! -e "$lecture/wrong.pdf"
+without_slides() {
+    make --no-print-directory slides SLIDES=none.tex
+}
+check 'SLIDES that is not there is an error' fails without_slides
+check 'and is named' says 'SLIDES=none.tex: no such file'
 
 finish slides
