@@ -16,6 +16,17 @@ $(FILLED): $(B)/lessons/%.md: chapters/lessons/%.md $(B)/chapters/lessons/% $(B)
 	$(Q)$(B)/solutions/$* > $(@:.md=.txt)
 	$(Q)$(B)/chapters/lessons/$* $< $(@:.md=.txt) chapters/$*/README.md > $@
 
+# Numbers that are not an example are named before anything is made of them.
+CHECK_EXAMPLE := $(B)/chapters/lessons/check_example
+$(CHECK_EXAMPLE): %: %.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+EXAMPLE_CHECKED := $(B)/lessons/example
+$(EXAMPLE_CHECKED): $(CHECK_EXAMPLE)
+	@mkdir -p $(@D)
+	@$< && touch $@
+$(FILLED) $(if $(filter solutions,$(A)),$(SCRIPTS) $(PICTURES)): | $(EXAMPLE_CHECKED)
+
 # If the example has other numbers, the lessons change, and with them their figures and pictures. So 'make' writes
 # them as well; but it does not write over a lesson that was changed by hand instead of its source. Lessons that
 # are as they should be keep their dates.

@@ -1,8 +1,8 @@
 // 01-corners.c - the numbers of lesson 01.
 #include "exercises/01-corners.h"
+
 #include "chapters/lessons/fill.h"
 #include "common/example.h"
-#include "common/story.h"
 #include "common/text.h"
 
 #include <math.h>
@@ -44,7 +44,6 @@ static void fill_ball(Camera c)
 int main(int argc, char **argv)
 {
     Camera c = example_camera();
-    story_needs_camera(argv[0], c);
     Camera unit = with_unit_distance(c);
     fill_camera(c);
     fill_corners(c);

@@ -2,7 +2,6 @@
 #include "chapters/02-cameras/forms.h"
 #include "chapters/lessons/fill.h"
 #include "common/example.h"
-#include "common/story.h"
 #include "common/text.h"
 
 static const char *const hands[] = {[RIGHT_HANDED] = "right-handed", [LEFT_HANDED] = "left-handed"};
@@ -20,7 +19,6 @@ static void fill_hand(Camera c)
 int main(int argc, char **argv)
 {
     Camera c = example_camera();
-    story_needs_camera(argv[0], c);
     Forms forms = forms_of(c);
     fill_camera(c);
     fill_hand(c);

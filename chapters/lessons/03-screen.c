@@ -1,5 +1,6 @@
 // 03-screen.c - the numbers of lesson 03.
 #include "exercises/03-screen.h"
+
 #include "chapters/lessons/fill.h"
 #include "common/example.h"
 #include "common/text.h"

@@ -1,8 +1,8 @@
 // 04-pixel-ray.c - the numbers of lesson 04.
 #include "exercises/04-pixel-ray.h"
+
 #include "chapters/lessons/fill.h"
 #include "common/example.h"
-#include "common/story.h"
 #include "common/text.h"
 #include "exercises/01-corners.h"
 #include "exercises/03-screen.h"
@@ -33,7 +33,6 @@ static void fill_chain(Camera c, Resolution screen, Pixel pixel)
 int main(int argc, char **argv)
 {
     Camera c = example_camera();
-    story_needs_camera(argv[0], c);
     vec3 corner = image_plane_vector(c, 0, 1);
     fill_camera(c);
     fill_chain(c, example_screen(), example_pixel());

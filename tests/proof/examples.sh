@@ -67,8 +67,17 @@ while [ "$number" -lt $((first + examples)) ]; do
     number=$((number + 1))
 done
 
-# Back to the numbers of the tree: everything is again as it was.
+# Numbers that are not an example are refused, and no lesson changes. Then back to the numbers of the tree:
+# everything is again as it was.
+refuses() {
+    cp -r chapters "$scratch/kept" && echo "$1" >>chapters/example.h
+    make CC="$CC" lessons >"$scratch/said" 2>&1 && return 1
+    diff -r -x example.h "$scratch/kept" chapters && rm -r "$scratch/kept" &&
+        says "chapters/example.h: $2"
+}
 if [ "$examples" -gt 2 ]; then
+    check 'no camera is refused' refuses '#undef EXAMPLE_UP
+#define EXAMPLE_UP 0, 0, 0' 'this is not a camera: right, up and forward must each have length 1'
     cp "$scratch/chapters/example.h" chapters/
     check 'with the old numbers, make writes' make CC="$CC"
     # Pictures are the same pixels; libpng packs them in its own way.
