@@ -213,6 +213,11 @@ static bool overlap(Area a, Area b)
     return a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
 }
 
+static bool names_nothing(const PlacedLabel *label)
+{
+    return label->free || label->pinned;
+}
+
 static Area grown(Area box, double by)
 {
     return (Area){box.left - by, box.right + by, box.bottom - by, box.top + by};
@@ -231,8 +236,8 @@ static void lead(PlacedLabel *label, Spot middle)
         label->end = between(label->end, middle, label->radius / far);
     label->start = (Spot){fmin(box.right, fmax(box.left, label->end.u)),
                           fmin(box.top, fmax(box.bottom, label->end.v))};
-    label->leads = !label->free && hypot(label->end.u - label->start.u,
-                                         label->end.v - label->start.v) > LEADER_FROM;
+    label->leads = !names_nothing(label) && hypot(label->end.u - label->start.u,
+                                                  label->end.v - label->start.v) > LEADER_FROM;
 }
 
 static double outside(Area box, Area area)
@@ -280,13 +285,13 @@ static bool touch(const PlacedLabel *label, const PlacedLabel *other)
 // another label names is never nearer than the line.)
 static double fines_of_others(const Labels *labels, const PlacedLabel *label, int number, Area box)
 {
-    if (label->free || label->leads)
+    if (names_nothing(label) || label->leads)
         return 0;
     double own = from_named(box, label), cost = 0;
     bool is_spot = label->from.u == label->to.u && label->from.v == label->to.v;
     for (int i = 0; i < labels->count; i++) {
         const PlacedLabel *other = &labels->labels[i];
-        if (i != number && !other->free && from_named(box, other) <= own &&
+        if (i != number && !names_nothing(other) && from_named(box, other) <= own &&
             !(is_spot && touch(label, other)))
             cost += FINE;
     }
@@ -325,8 +330,9 @@ static double cost_alone(const Labels *labels, const PlacedLabel *label, Spot mi
     PlacedLabel there = *label;
     Area box = box_of(label, middle);
     lead(&there, middle);
-    double far = label->free ? 0.1 * hypot(middle.u - label->from.u, middle.v - label->from.v)
-                             : away(box, there.end);
+    double far = names_nothing(label)
+                     ? 0.1 * hypot(middle.u - label->from.u, middle.v - label->from.v)
+                     : away(box, there.end);
     return wish + far + (there.leads ? LEADER + crossings(labels, &there) : 0) +
            outside(box, labels->area) + fines_of_drawn(labels, box);
 }
@@ -383,6 +389,14 @@ static int by_cost(const void *a, const void *b)
     return x->cost < y->cost ? -1 : x->cost > y->cost ? 1 : x->number - y->number;
 }
 
+// The place that a label names, or so near to it that the label is in the area.
+static Spot within(Area area, const PlacedLabel *label)
+{
+    double u = label->width / 2, v = label->height / 2;
+    return (Spot){fmax(area.left + u, fmin(area.right - u, label->from.u)),
+                  fmax(area.bottom + v, fmin(area.top - v, label->from.v))};
+}
+
 // All places of a label, cheap ones first.
 static void find_places(Labels *labels, int number)
 {
@@ -391,15 +405,15 @@ static void find_places(Labels *labels, int number)
     labels->places[number].count = 0;
     if (label->free) {
         try_everywhere(labels, number, 10);
-    } else {
+    } else if (!label->pinned) {
         bool is_stretch = label->from.u != label->to.u || label->from.v != label->to.v;
         for (int i = 0; i < (is_stretch ? 7 : 1); i++)
             try_around(labels, number, between(label->from, label->to, parts[i]),
                        4 * fabs(parts[i] - 0.5));
     }
     Places *places = &labels->places[number];
-    if (places->count == 0) // a block of text larger than the canvas
-        try_place(labels, number, label->from, 0);
+    if (places->count == 0) // pinned, or a block of text larger than the canvas
+        try_place(labels, number, within(labels->area, label), 0);
     qsort(places->list, (size_t)places->count, sizeof(Place), by_cost);
 }
 
@@ -493,7 +507,7 @@ static void scatter(Labels *labels)
     bool any = false;
     for (int i = 0; i < labels->count && isfinite(labels->area.right); i++) {
         Places *places = &labels->places[i];
-        if (labels->labels[i].free || cost_of(labels, i) < FINE)
+        if (names_nothing(&labels->labels[i]) || cost_of(labels, i) < FINE)
             continue;
         int taken = places->taken->number;
         try_everywhere(labels, i, 12);

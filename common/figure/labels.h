@@ -23,6 +23,7 @@ typedef struct {
     Spot from, to; // what it names: two equal spots, or a stretch, anywhere along it
     double radius; // or a disc around a spot
     bool free;     // it names no place: it stands where there is room, as near to from as possible
+    bool pinned;   // it names no place: it stands at from, and the others keep out of its way
     double width, height; // of its text
     Spot middle;          // where it stands (labels_place)
     bool leads;           // with a leader, from start to end

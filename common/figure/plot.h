@@ -149,6 +149,9 @@ void plot_names(Plot *plot, const Label *labels, size_t count);
 // is room. 0, 1 is the upper left.
 void plot_say(Plot *plot, double across, double up, const Label *lines, int count);
 
+// The same, with its middle exactly there.
+void plot_pin(Plot *plot, double across, double up, const Label *lines, int count);
+
 // ---- a chapter's figures (plot_script.c) ------------------------------------------------------
 
 // A figure's name, and what writes its data.

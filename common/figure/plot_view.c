@@ -39,6 +39,7 @@ typedef struct {
     int panel;
     int lines;          // 0: it names a place; else it begins a block of so many lines of text
     double across, up;  // where that stands
+    bool pinned;        // exactly there
     int number[SHAPES]; // of the label that was placed
 } Wanted;
 
@@ -205,7 +206,15 @@ void plot_say(Plot *plot, double across, double up, const Label *lines, int coun
         wanted->lines = i == 0 ? count : -1; // -1: in the block of one before it
         wanted->across = across;
         wanted->up = up;
+        wanted->pinned = false;
     }
+}
+
+void plot_pin(Plot *plot, double across, double up, const Label *lines, int count)
+{
+    int first = plot->view->wanted.count;
+    plot_say(plot, across, up, lines, count);
+    ((Wanted *)plot->view->wanted.items + first)->pinned = true;
 }
 
 // ---- what is drawn
@@ -429,7 +438,7 @@ static bool says_yours(const PlotView *view, const char *name, size_t *size)
 
 #define YOURS ", yours "
 
-// One line of a label as it is read: without $, and with words for names.
+// One line of a label as it is read: without $ and the marks of indices, and with words for names.
 static void plain_line(const PlotView *view, const char *line, size_t length, FILE *out)
 {
     for (const char *c = line; c < line + length; c++) {
@@ -442,7 +451,7 @@ static void plain_line(const PlotView *view, const char *line, size_t length, FI
                 plain_words(words_said(view, "your_", c + 1, name), out);
             }
             c += size + 1;
-        } else if (*c != '$') {
+        } else if (strchr("$_^", *c) == NULL) {
             putc(*c, out);
         }
     }
@@ -530,7 +539,7 @@ static bool is_somewhere(Spot spot)
 
 static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted)
 {
-    PlacedLabel label = {.free = wanted->lines > 0};
+    PlacedLabel label = {.free = wanted->lines > 0 && !wanted->pinned, .pinned = wanted->pinned};
     if (wanted->lines > 0) {
         for (int i = 0; i < wanted->lines; i++)
             label.width =
@@ -605,34 +614,70 @@ static void measure_over(PlotView *view, int shape)
         }
 }
 
-// The best picture: a large one, whose labels meet nothing and are near. Half the size costs as
-// much as a distance of 350.
-static void place(PlotView *view, int shape)
+// Leaves room for the largest block of text, on this side of the picture: 0 left, 1 right, 2
+// bottom, 3 top. False if there is no such block.
+static bool leave_room(PlotView *view, int shape, int side)
+{
+    const Wanted *wanted = view->wanted.items;
+    double width = 0, height = 0;
+    for (int i = 0; i < view->wanted.count; i++) {
+        if (wanted[i].lines <= 0 || wanted[i].pinned)
+            continue;
+        PlacedLabel label = labels_get(view->labels[shape], wanted[i].number[shape]);
+        width = fmax(width, label.width);
+        height = fmax(height, label.height);
+    }
+    *side_of(&view->over[shape][1], side) += side < 2 ? width : height;
+    return width > 0;
+}
+
+typedef struct {
+    double cost, part; // of its room
+    Area over[PANELS];
+} Choice;
+
+// A smaller picture, if it is a better one: half the size costs as much as a distance of 350.
+static void choose(PlotView *view, int shape, double full, Choice *best)
 {
     static const double parts[] = {1, 0.88, 0.76, 0.64, 0.52};
-    enum { SMALLER = 700, MEASURES = 2, TRIES = sizeof parts / sizeof *parts };
+    enum { SMALLER = 700, TRIES = sizeof parts / sizeof *parts };
+    const Area area = {EDGE, canvas_width[shape] - EDGE, EDGE, HEIGHT - TITLE};
+    for (int i = 0; i < (view->fills ? 1 : TRIES); i++) {
+        see(view, shape, parts[i]);
+        double cost = SMALLER * (1 - view->size[shape][1] / full);
+        if (cost >= best->cost)
+            return;
+        cost += place_in(view, shape, parts[i], area, true);
+        if (cost >= best->cost)
+            continue;
+        best->cost = cost;
+        best->part = parts[i];
+        memcpy(best->over, view->over[shape], sizeof best->over);
+    }
+}
+
+// The best picture: a large one, whose labels meet nothing and are near.
+static void place(PlotView *view, int shape)
+{
+    enum { SIDES = 4 };
     const Area area = {EDGE, canvas_width[shape] - EDGE, EDGE, HEIGHT - TITLE};
     see(view, shape, 1);
-    double full = view->size[shape][1], least = INFINITY, best = 1;
-    Area over[PANELS];
-    for (int measure = 0; measure < (view->fills ? 1 : MEASURES); measure++) {
-        if (measure > 0)
-            measure_over(view, shape);
-        for (int i = 0; i < (view->fills ? 1 : TRIES); i++) {
-            see(view, shape, parts[i]);
-            double cost = SMALLER * (1 - view->size[shape][1] / full);
-            if (cost >= least)
-                break;
-            cost += place_in(view, shape, parts[i], area, true);
-            if (cost >= least)
-                continue;
-            least = cost;
-            best = parts[i];
-            memcpy(over, view->over[shape], sizeof over);
+    double full = view->size[shape][1];
+    Choice best = {.cost = INFINITY, .part = 1};
+    choose(view, shape, full, &best);
+    if (!view->fills) {
+        Area over[PANELS];
+        measure_over(view, shape);
+        memcpy(over, view->over[shape], sizeof over);
+        choose(view, shape, full, &best);
+        for (int side = 0; side < SIDES && best.cost >= LABEL_FINE; side++) {
+            memcpy(view->over[shape], over, sizeof over);
+            if (leave_room(view, shape, side))
+                choose(view, shape, full, &best);
         }
     }
-    memcpy(view->over[shape], over, sizeof over);
-    place_in(view, shape, best, area, true);
+    memcpy(view->over[shape], best.over, sizeof best.over);
+    place_in(view, shape, best.part, area, true);
 }
 
 // ---- what the script is told
@@ -717,7 +762,7 @@ static void write_line(const PlotView *view, FILE *out, int number, Line line)
     write_both(out, "leader_v", number, from[0][1], from[1][1]);
     write_both(out, "leader_du", number, to[0][0], to[1][0]);
     write_both(out, "leader_dv", number, to[0][1], to[1][1]);
-    if (!line.placed[0].free)
+    if (!line.placed[0].free && !line.placed[0].pinned)
         write_anchor(out, number, line.placed);
 }
 

@@ -165,7 +165,7 @@ def ray_sphere(m, settings=""):
     middles = [((x + u) / 2, (y + v) / 2) for line in lines for (x, y), (u, v) in zip(line[::2], line[1::2])]
     checks.near("the marks of t", middles, [panel.place(m.at(row[3])) for row in ticks])
     a, b, c, _ = m.coefficients()
-    for what, x in (("a = v·v", a), ("b = 2 p·v", b), ("c = p·p − r2", c)):
+    for what, x in (("a = v·v", a), ("b = 2 p·v", b), ("c = p·p − r²", c)):
         has_label(figure, "the corner", f"{what} = {minus(f'{round(x, 9) + 0.0:.6g}')}")
 
 
@@ -299,7 +299,7 @@ for title in ("ray-sphere", "parabola", "discriminant", "world-object"):
 
 # Miss, tangent, inside, behind, through the centre, far away: each with its words.
 CASES = [
-    (((-4, 2, 0), (1, 0, 0), (0, 0, 0), 1), "no root: c is 2 away", "no root"),
+    (((-4, 2, 0), (1, 0, 0), (0, 0, 0), 1), "no root: C is 2 away", "no root"),
     (((-4, -1, 0), (1, 0, 0), (0, 0, 0), 1), "t0 = t1 = 4", "t0 = t1 = 4"),
     (((0.2, 0, 0), (1, 0.5, 0), (0, 0, 0), 1), "is the hit", "t1 = "),
     (((-4, -1, 0), (-1, -0.5, 0), (0, 0, 0), 1), "no root > 0", "t0 = −4"),

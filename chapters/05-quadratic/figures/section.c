@@ -1,10 +1,14 @@
 // section.c - the plane through a ray and the centre of a sphere, as a figure shows it.
 #include "chapters/05-quadratic/figures/section.h"
 
+#include "common/text.h"
+
+#include <stdio.h>
+
 enum {
     CIRCLE = 180, // corners: within 0.0002 of the radius
-    TICKS = 16,   // on the line, at most
-    FAR_TICKS = 6
+    TICKS = 8,    // on the line, at most
+    FAR_TICKS = 4
 };
 
 // The largest distance of p, in sizes, at which it is still shown: across the paper, and up.
@@ -105,6 +109,7 @@ void section_end(Section *s)
     if (s->near) // the tip of v must also be visible
         s->high = fmax(s->high, 1.1 * s->stride);
     s->first = s->near ? 0 : s->t > 0 ? s->low : s->high - s->stride;
+    s->small_ball = s->sphere.radius < 0.05 * (s->high - s->low) * vec3_length(s->ray.direction);
 }
 
 vec3 section_point(const Section *section, double t)
@@ -116,6 +121,7 @@ vec3 section_point(const Section *section, double t)
 
 static void circle(Plot *plot, const Section *s)
 {
+    plot_undrawn(plot); // for labels, a circle of fewer corners does
     plot_block(plot, "circle", "x y z, round the sphere in the plane of the ray and the centre");
     for (int i = 0; i <= CIRCLE; i++) {
         double angle = 2 * PI * i / CIRCLE;
@@ -123,6 +129,7 @@ static void circle(Plot *plot, const Section *s)
                                  s->sphere.radius * (cos(angle) * s->right + sin(angle) * s->up));
     }
     plot_block_end(plot);
+    plot_circle(plot, s->sphere.center, s->sphere.radius);
 }
 
 static void stretch(Plot *plot, const Section *s, const char *name, double from, double to)
@@ -133,32 +140,47 @@ static void stretch(Plot *plot, const Section *s, const char *name, double from,
     plot_block_end(plot);
 }
 
+// The marks of t are multiples of the stride: so many, and each of them.
+static double first_tick(const Section *s)
+{
+    return ceil((s->low - 0.002 * (s->high - s->low)) / s->stride);
+}
+
+static int ticks_shown(const Section *s)
+{
+    double last = (s->high - 0.02 * (s->high - s->low)) / s->stride;
+    return (int)fmin(TICKS + 1, floor(last - first_tick(s)) + 1);
+}
+
+static double tick(const Section *s, int i)
+{
+    return (first_tick(s) + i) * s->stride;
+}
+
+static void one_tick(Plot *plot, const Section *s, double t)
+{
+    vec3 p = section_point(s, t) + s->axis;
+    plot_row_dot(plot, 4, (const double[]){p[0], p[1], p[2], t});
+}
+
 static void ticks(Plot *plot, const Section *s)
 {
-    double step = s->stride;
     plot_block(plot, "ticks", "x y z t");
-    double margin = 0.02 * (s->high - s->low);
-    double from = ceil((s->low - margin / 10) / step);
-    for (int i = 0; i <= TICKS && (from + i) * step <= s->high - margin; i++) {
-        double t = (from + i) * step;
-        vec3 p = section_point(s, t);
-        plot_row(plot, 4, (const double[]){p[0], p[1], p[2], t});
-    }
+    for (int i = 0; i < ticks_shown(s); i++)
+        one_tick(plot, s, tick(s, i));
     // So far away that neighbouring whole numbers are the same double: the block must not be empty.
-    if (!(from * step <= s->high - margin))
-        plot_row(plot, 4, (const double[]){s->nearest[0], s->nearest[1], s->nearest[2], s->t});
+    if (ticks_shown(s) <= 0)
+        one_tick(plot, s, s->t);
     plot_block_end(plot);
 }
 
 static void see(Plot *plot, const Section *s)
 {
+    plot_look(plot, s->right, s->up, vec3_cross(s->right, s->up), 90, 0);
     plot_direction(plot, "right", s->right);
     plot_direction(plot, "up", s->up);
     plot_direction(plot, "forward", vec3_cross(s->right, s->up));
-    plot_direction(plot, "line", s->line);
     plot_direction(plot, "off", s->off);
-    plot_direction(plot, "ball", s->sphere.center);
-    plot_number(plot, "speed", vec3_length(s->ray.direction));
     plot_fit(plot, s->sphere.center, s->sphere.radius);
     plot_fit(plot, section_point(s, s->low), 0);
     plot_fit(plot, section_point(s, s->high), 0);
@@ -171,20 +193,63 @@ void section_data(Plot *plot, const Section *s)
     plot_number(plot, "near_p", s->near);
     plot_direction(plot, "velocity", s->ray.direction);
     plot_number(plot, "stride", s->stride);
-    plot_number(plot, "v_first", s->first);
     plot_number(plot, "t_nearest", s->t);
     plot_number(plot, "away", s->away);
     plot_point(plot, "center", s->sphere.center);
     circle(plot, s);
+    plot_number(plot, "small_ball", s->small_ball);
+    if (s->small_ball)
+        plot_undrawn(plot);
     plot_vector(plot, "radius", s->sphere.center, s->sphere.radius * (s->line - s->off) / sqrt(2));
     double begin = s->near ? 0 : s->t > 0 ? s->low : s->high;
     plot_point(plot, "origin", s->ray.origin);
     plot_point(plot, "p", section_point(s, begin));
     plot_vector(plot, "v", section_point(s, s->first), s->stride * s->ray.direction);
     stretch(plot, s, "ahead", fmin(fmax(s->low, 0), s->high), s->high);
+    stretch(plot, s, "tail", s->low + 0.78 * (s->high - s->low), s->high); // the place of its name
     stretch(plot, s, "behind", s->low, fmax(fmin(s->high, 0), s->low));
-    plot_point(plot, "end", section_point(s, s->high));
-    ticks(plot, s);
+    plot_undrawn(plot); // if there are roots
     plot_point(plot, "nearest", s->nearest);
+    plot_undrawn(plot);
     plot_vector(plot, "apart", s->sphere.center, s->nearest - s->sphere.center);
+}
+
+// ---- what it is called -------------------------------------------------------------------------
+
+void section_names(Plot *plot, const Section *s, int sphere_step)
+{
+    bool ends = s->near || s->t > 0; // does the line go on beyond the right edge?
+    const Label labels[] = {
+        {s->near ? "$p$" : "to $p$", "blue", .block = "p"},
+        {s->stride == 1 ? "$v$" : "{stride} $v$", "blue", .block = "v", .part = ANYWHERE},
+        {"$C$", "ink", .step = sphere_step, .block = "center"},
+        {s->small_ball ? "$r$ = {r}" : "$r$", "ink", .step = sphere_step,
+         .block = s->small_ball ? "center" : "radius", .part = s->small_ball ? 0 : ANYWHERE},
+        {"$p + t v$", "blue", .block = "tail", .row = 1, .part = ANYWHERE},
+    };
+    plot_names(plot, labels, sizeof labels / sizeof *labels - !ends);
+}
+
+// With minus signs for hyphens.
+static Text tick_text(double t)
+{
+    Text number = number_text_to(t, 10), text;
+    size_t size = 0;
+    for (const char *c = number.s; *c != '\0'; c++)
+        size +=
+            (size_t)snprintf(text.s + size, sizeof text.s - size, *c == '-' ? "\u2212" : "%c", *c);
+    return text;
+}
+
+void section_marks(Plot *plot, const Section *s, int step, int count, const double *taken)
+{
+    ticks(plot, s);
+    for (int i = 0; i < ticks_shown(s); i++) {
+        bool is_clear = true;
+        for (int k = 0; k < count; k++)
+            is_clear = is_clear && !(fabs(tick(s, i) - taken[k]) < 0.2 * s->stride);
+        if (is_clear)
+            plot_name(plot, (Label){tick(s, i) == 0 ? "$t$ = 0" : tick_text(tick(s, i)).s, "grey",
+                                    .step = step, .block = "ticks", .row = i});
+    }
 }

@@ -26,6 +26,8 @@ typedef struct {
     bool near;        // is p shown, or is it too far away?
     double stride;    // from mark to mark: 1, unless that is too small or too large
     double first;     // the t at which the arrow of v starts: at p, if p is shown
+    vec3 axis;        // from the line to the axis of t: 0, unless a figure has one of its own
+    bool small_ball;  // is the sphere too small for an arrow in it?
 } Section;
 
 // The world's up is up on the paper, as far as possible, seen from the side of positive z.
@@ -43,9 +45,16 @@ vec3 section_point(const Section *section, double t);
 // Chooses the marks, after everything that must be visible is included.
 void section_end(Section *section);
 
-// Writes the directions of the paper, and $center, $circle, $radius, $p (if p is too far away, the
-// end of the line towards it), $v, $ahead and $behind (of p), $ticks, $nearest, $apart (from the
+// Says from where the section is seen, and writes $center, $circle, $radius, $p (if p is too far
+// away, the end of the line towards it), $v, $ahead and $behind (of p), $nearest, $apart (from the
 // centre to $nearest).
 void section_data(Plot *plot, const Section *section);
+
+// The names of p, v, the line and the sphere: those of the sphere from a step on.
+void section_names(Plot *plot, const Section *section, int sphere_step);
+
+// Writes $ticks, the marks of t, and their numbers from a step on, except those that are too near
+// to one of these.
+void section_marks(Plot *plot, const Section *section, int step, int count, const double *taken);
 
 #endif

@@ -11,7 +11,7 @@ from figure import SVG, numbers
 
 SHRUNK = 1.0  # a label may be touched by this much
 ON = 1.5  # so near to a mark, a place is on it
-LEADER_GAP = 6  # so near to its label, a leader begins
+LEADER_GAP = 8  # so near to its label, a leader begins
 EDGE = 0.5  # so near to the canvas' edge, gnuplot has cut a line off
 
 
