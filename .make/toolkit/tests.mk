@@ -126,6 +126,12 @@ $(TRIALS): $(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) $
 		ask_spheres ask_scenes ask_lights) $(B)/tests/handout/direct_transport.o $(B)/common.a
 	$(link_program)
 
+# Slips of the pen in the solutions (tests/proof/mutants.sh).
+SOLUTION_MUTANTS := $(B)/tests/proof/mutants/mutants
+$(SOLUTION_MUTANTS): $(patsubst %,$(B)/tests/proof/mutants/%.o,mutants line_slips mutant_sum)
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^
+
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
 # it takes; and shadows and mirrors against chapter 07.
 SAME_ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_pictures_of_files memory)
@@ -202,7 +208,7 @@ check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests (two minutes on two cores)
 
 # The tests that need longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
-FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES) $(RANDOM_EXAMPLE))
+FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(SOLUTION_MUTANTS) $(BENCH_SCENES) $(RANDOM_EXAMPLE))
 .PHONY: check-all check-long
 check-all: $(RUN) $(CHECKS) $(FOR_LONG) ## all tests, also those that need longer
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh tests/proof/*.sh)
