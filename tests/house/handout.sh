@@ -165,7 +165,7 @@ is_whole() {
     status=0
     for name in $(
         find "$scratch/tree" -name '*.[ch]' -exec sed -n 's/^#include "\(.*\)".*/\1/p' {} + | sort -u
-        grep -rhoE '\.make/[a-z]+(\.(awk|mk))?' "$scratch/tree/ray-casting/.make" \
+        grep -rhoE '\.make/[a-z_]+(\.(awk|mk))?' "$scratch/tree/ray-casting/.make" \
             "$scratch/tree/ray-casting/Makefile" | grep -v 'make/toolkit' | sort -u
     ); do
         [ -e "$scratch/tree/ray-casting/$name" ] || grep -rqF "__has_include(\"$name\")" "$scratch/tree/ray-casting/chapters" ||
