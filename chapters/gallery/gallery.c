@@ -301,7 +301,8 @@ static void put_videos(FILE *out, const Gallery *gallery, const char *name, cons
         Path file = path_of("animations/%s/%s%s.%s", name, name, suffix, endings[i]);
         if (!exists(path_of("%s/%s", gallery->built, file.s)))
             continue;
-        fprintf(out, begun ? "" : "<dt>%s</dt><dd><ul>", variant);
+        if (!begun)
+            fprintf(out, "<dt>%s</dt><dd><ul>", variant);
         begun = true;
         put_link(out, path_of("../%s", file.s).s, labels[i], title, variant);
     }
