@@ -30,7 +30,10 @@ draw() {
     # shellcheck disable=SC2086 # names are words
     env "$@" "$BUILD/chapters/gallery/draw_figures" "$drawn" $names
 }
-check 'every figure is drawn for LaTeX' draw FORMAT=tex SHAPE=16:9,4:3 STEPS=1
+# In CI light slides of 16:9 and the questions must do.
+shapes='16:9 4:3'
+[ -z "${CI:-}" ] || shapes=16:9
+check 'every figure is drawn for LaTeX' draw FORMAT=tex "SHAPE=$(echo "$shapes" | tr ' ' ,)" STEPS=1 "THEME=${CI:+light}"
 
 # ---- the lecture -------------------------------------------------------------------------------
 lecture=$scratch/lecture
@@ -102,12 +105,12 @@ is_of_size() {
 has_ground() {
     pdftoppm -r 10 -x 2 -y 2 -W 10 -H 3 -f 2 -l 2 "$lecture/$1.pdf" | tail -c 3 | od -An -tu1 | grep -qx " *$2 *$3 *$4"
 }
-for shape in 16:9 4:3; do
+for shape in $shapes; do
     case $shape in
     16:9) at=wide paper='453.543 x 255.118 pts' ;;
     *) at=narrow paper='340.157 x 255.118 pts' ;;
     esac
-    check "the slides are made, $shape" lecture_as $at $shape light slides
+    check "the slides are made, $shape" lecture_as $at "$shape" light slides
     check "their titles are the deck's, in its order, $shape" tells titles $at "$scratch/deck"
     check "each page names an exercise that exists, $shape" are_exercises $at
     check "nothing is too wide, too high or missing, $shape" no_complaints $at
@@ -115,28 +118,46 @@ for shape in 16:9 4:3; do
 done
 check 'each figure grows, step by step' shows_all_steps wide
 check 'they are light' has_ground wide 255 255 255
-check 'dark slides are made' lecture_as dark 16:9 dark slides
-check 'and are dark' has_ground dark 22 25 29
-check 'also with all steps' shows_all_steps wide
-
 contains() {
     pdftotext "$lecture/$1.pdf" - | tr '\n' ' ' | grep -qF -- "$2"
 }
 lacks() {
     ! contains "$@"
 }
-check 'a handout with answers is made' lecture_as handout 16:9 light handout
-check 'and one of questions alone' lecture_as questions 16:9 light questions
+check 'a handout of questions alone is made' lecture_as questions 16:9 light questions
 check 'on sheets of A4' is_of_size questions A4
-for answer in 'a depth buffer' 'its direction stays' '30% across, 10% up =' 'It has no distance' 'not sizes but places' \
-    'Solve for' 'Much simpler in object coordinates' 'which way the surface faces'; do
-    check "the handout has the answer: $answer" contains handout "$answer"
-    check "the questions have not: $answer" lacks questions "$answer"
-done
-for question in 'were all doubled?' 'upper left corner.' 'normalized screen coordinates?' 'Equation to solve?'; do
-    check "both have the question: $question" contains questions "$question"
-    check "both have it: $question" contains handout "$question"
-done
+answers='a depth buffer
+its direction stays
+30% across, 10% up =
+It has no distance
+not sizes but places
+Solve for
+Much simpler in object coordinates
+which way the surface faces'
+questions='were all doubled?
+upper left corner.
+normalized screen coordinates?
+Equation to solve?'
+# each CONTAINS-OR-LACKS NAME LINES
+each() {
+    echo "$3" >"$scratch/lines"
+    while IFS= read -r line; do
+        "$1" "$2" "$line" || { echo "$line"; return 1; }
+    done <"$scratch/lines"
+}
+check 'it has the questions' each contains questions "$questions"
+check 'and no answer' each lacks questions "$answers"
+if [ -n "${CI:-}" ]; then
+    echo "skipped: dark slides, the handout with answers, notes, 4:3 and slides of one's own (CI)"
+    finish slides
+    exit
+fi
+check 'a handout with answers is made' lecture_as handout 16:9 light handout
+check 'it has the questions' each contains handout "$questions"
+check 'and the answers' each contains handout "$answers"
+check 'dark slides are made' lecture_as dark 16:9 dark slides
+check 'and are dark' has_ground dark 22 25 29
+check 'also with all steps' shows_all_steps wide
 
 check 'the notes are made' lecture_as notes 16:9 light notes
 check 'beside the slides' is_of_size notes '907.087 x 255.118 pts'
@@ -152,7 +173,7 @@ cp -r "$drawn" "$small"
 for name in $names; do
     grep -q '^text_size = 24' "$drawn/$name/$name.gp" && continue
     for picture in "$small/$name/"*.tex; do
-        echo '\leavevmode' >"$picture"
+        printf '%s\n' '\rule{1cm}{1cm}' >"$picture"
     done
 done
 drawn_before=$drawn
