@@ -57,14 +57,14 @@ figures: $(call script_of,$(DRAWN_FIGURES),$(FIGURES_WANTED)) $(DRAW_FIGURES) $(
 	@echo "All on a page: $(PAGE)"
 .PHONY: figures
 
-# 'make' draws them for the web. If gnuplot was missing and is there now, they are drawn again. A figure
+# 'make' draws them for the web: also 4:3, for phones. If gnuplot was missing and is there now, they are drawn again. A figure
 # that wrong answers make impossible is reported, and stops nothing else.
 DRAWN := $(BUILT)/drawn
 ifeq ($(if $(JUDGES_ONLY),,$(shell cat $(DRAWN) 2>/dev/null)),without gnuplot)
 $(shell command -v gnuplot >/dev/null && rm -f $(DRAWN))
 endif
 $(DRAWN): $(SCRIPTS) $(DRAW_FIGURES) chapters/gallery/draw_figures.c chapters/gallery/latex_picture.c
-	@FORMAT=svg THEME= SHAPE= STEPS= $(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURE_NAMES); status=$$?; \
+	@FORMAT=svg THEME= SHAPE=16:9,4:3 STEPS= $(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURE_NAMES); status=$$?; \
 		case $$status in 0) : > $@ ;; 3) echo 'without gnuplot' > $@ ;; \
 			*) $(if $(filter solutions,$(A)),exit $$status,: > $@) ;; esac
 
@@ -74,8 +74,13 @@ $(DRAW_FIGURES) $(MAKE_PAGE): %: %.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 PAGE := $(GALLERY)/index.html
-$(PAGE): $(PICTURES) $(DRAWN) $(MAKE_PAGE) chapters/gallery/gallery.css $(wildcard $(GALLERY)/*.png) \
+$(PAGE): $(PICTURES) $(DRAWN) $(MAKE_PAGE) chapters/gallery/gallery.css chapters/gallery/contents.txt $(wildcard $(GALLERY)/*.png $(BUILT)/animations/*/*.*) \
 		$(wildcard chapters/*/README.md chapters/*/picture.txt)
 	@$(MAKE_PAGE) $(BUILT) $(B)/scenes
+
+# For the test of that page.
+list-pictures:
+	@echo $(sort $(notdir $(basename $(PICTURES))))
+.PHONY: list-pictures
 
 include $(wildcard .make/toolkit/slides.mk)

@@ -1,10 +1,12 @@
-// gallery.c - makes BUILT/gallery/index.html: every picture and figure that is there, by chapter.
+// gallery.c - makes BUILT/gallery/index.html: every picture, figure and animation that is there.
 //
 //   gallery BUILT SCENES-FOLDER
 //
-// A page that needs no network and no script. Each picture is also described in words: a figure by
-// BUILT/figures/NAME/NAME.txt, a chapter's picture by chapters/NN-stem/picture.txt, and a scene by
-// its first comment.
+// A page that needs no network and no script, in the order of the lecture:
+// chapters/gallery/contents.txt. What is there and not in that list comes after it. Each picture is
+// also described in words: a figure by BUILT/figures/NAME/NAME.txt, an animation by
+// BUILT/animations/NAME/NAME.txt, a picture in the list or by chapters/NN-stem/picture.txt, and the
+// picture of another scene by the scene's first comment.
 #include "common/whole_file.h"
 
 #include <glob.h>
@@ -14,8 +16,29 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#define CONTENTS "chapters/gallery/contents.txt"
+
+enum { MOST_SECTIONS = 60 };
+
+// What is on the page already: "figure NAME", "picture NAME".
+typedef struct {
+    int count;
+    char names[1000][120];
+} Names;
+
+// The cards of one section, in HTML.
+typedef struct {
+    char heading[500];
+    FILE *out;
+    char *cards;
+    size_t size;
+} Section;
+
 typedef struct {
     const char *built, *scenes, *answers; // answers: the folder's name
+    Names shown;
+    Section sections[MOST_SECTIONS];
+    int section_count;
 } Gallery;
 
 typedef struct {
@@ -45,6 +68,48 @@ static bool is_newer(Path path, Path other)
         return false;
     return a.st_mtim.tv_sec != b.st_mtim.tv_sec ? a.st_mtim.tv_sec > b.st_mtim.tv_sec
                                                 : a.st_mtim.tv_nsec > b.st_mtim.tv_nsec;
+}
+
+// ---- names
+// -----------------------------------------------------------------------------------------
+
+static bool has_name(const Names *names, const char *name)
+{
+    for (int i = 0; i < names->count; i++)
+        if (strcmp(names->names[i], name) == 0)
+            return true;
+    return false;
+}
+
+static void add_name(Names *names, const char *name)
+{
+    if (!has_name(names, name) && names->count < (int)(sizeof names->names / sizeof *names->names))
+        snprintf(names->names[names->count++], sizeof *names->names, "%.119s", name);
+}
+
+// The names of files, without folder and ending, in the order of the alphabet.
+static void add_files(Names *names, Path pattern)
+{
+    glob_t found;
+    if (glob(pattern.s, 0, NULL, &found) != 0)
+        return;
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        char *name = strrchr(found.gl_pathv[i], '/') + 1, *dot = strrchr(name, '.');
+        if (dot != NULL)
+            *dot = '\0';
+        add_name(names, name);
+    }
+    globfree(&found);
+}
+
+// Whether it is not on the page yet; from now on it is.
+static bool show_once(Gallery *gallery, const char *kind, const char *name)
+{
+    Path what = path_of("%s %s", kind, name);
+    if (has_name(&gallery->shown, what.s))
+        return false;
+    add_name(&gallery->shown, what.s);
+    return true;
 }
 
 // ---- text
@@ -159,14 +224,18 @@ static void put_link(FILE *out, const char *href, const char *label, const char 
     fprintf(out, ", %s, </span>%s</a></li>", variant, label);
 }
 
-static void put_picture(FILE *out, const Gallery *gallery, const char *name, const Words *words)
+// A picture by its file's path from the page. A chart has text, which a narrow screen must not
+// shrink.
+static void put_picture(FILE *out, const Gallery *gallery, const char *file, bool is_copy,
+                        const Words *words)
 {
-    bool by_reader = strcmp(gallery->answers, "solutions") != 0;
-    Path file = path_of("%s.png", name);
-    fprintf(out, "<figure>\n<a href=\"");
-    put_href(out, file.s);
+    bool by_reader = !is_copy && strcmp(gallery->answers, "solutions") != 0;
+    bool chart = strstr(file, ".svg") != NULL;
+    Path path = path_of("%s/gallery/%s", gallery->built, file);
+    fprintf(out, "<figure%s>\n<a href=\"", chart ? " class=\"chart\"" : "");
+    put_href(out, file);
     fprintf(out, "\"><img src=\"");
-    put_href(out, file.s);
+    put_href(out, file);
     fprintf(out, "\" alt=\"");
     // A wrong answer draws another picture.
     if (by_reader) {
@@ -176,14 +245,17 @@ static void put_picture(FILE *out, const Gallery *gallery, const char *name, con
     }
     put_escaped(out, words->words);
     fprintf(out, "\" ");
-    put_size_of_png(out, path_of("%s/gallery/%s.png", gallery->built, name));
+    if (chart)
+        put_size_of_svg(out, path);
+    else
+        put_size_of_png(out, path);
     fprintf(out, " loading=\"lazy\"></a>\n<figcaption><h3>");
     put_escaped(out, words->title);
     // The same words as the picture's own: a screen reader must not read them twice.
     fprintf(out, "</h3>\n<p class=\"words\" aria-hidden=\"true\">");
     put_escaped(out, words->words);
-    fprintf(out, "</p>\n<dl><dt>cast</dt><dd><ul>");
-    put_link(out, file.s, "PNG", words->title, "cast");
+    fprintf(out, "</p>\n<dl><dt>%s</dt><dd><ul>", chart ? "measured" : "cast");
+    put_link(out, file, chart ? "SVG" : "PNG", words->title, chart ? "measured" : "cast");
     fprintf(out, "</ul></dd></dl>\n</figcaption></figure>\n");
 }
 
@@ -256,6 +328,22 @@ static void put_more(FILE *out, const Gallery *gallery, const char *name, const 
     free(more);
 }
 
+#define NARROW "(max-width: 600px)"
+#define DARK "(prefers-color-scheme: dark)"
+
+// On a narrow screen the text of the shape 4:3 is a third larger.
+static void put_source(FILE *out, const Gallery *gallery, const char *name, const char *variant,
+                       const char *media)
+{
+    Path file = path_of("%s/figures/%s/%s%s.svg", gallery->built, name, name, variant);
+    if (!exists(file))
+        return;
+    fprintf(out, "<source media=\"%s\" srcset=\"../figures/%s/%s%s.svg\" ", media, name, name,
+            variant);
+    put_size_of_svg(out, file);
+    fprintf(out, ">\n");
+}
+
 static void put_figure(FILE *out, const Gallery *gallery, const char *name)
 {
     Words words;
@@ -264,11 +352,9 @@ static void put_figure(FILE *out, const Gallery *gallery, const char *name)
         !read_words(path_of("%s/figures/%s/%s.txt", gallery->built, name, name), &words))
         return;
     fprintf(out, "<figure>\n<a href=\"../figures/%s/%s.svg\"><picture>\n", name, name);
-    if (exists(path_of("%s/figures/%s/%s-dark.svg", gallery->built, name, name)))
-        fprintf(out,
-                "<source media=\"(prefers-color-scheme: dark)\" "
-                "srcset=\"../figures/%s/%s-dark.svg\">\n",
-                name, name);
+    put_source(out, gallery, name, "-4x3-dark", NARROW " and " DARK);
+    put_source(out, gallery, name, "-4x3", NARROW);
+    put_source(out, gallery, name, "-dark", DARK);
     fprintf(out, "<img src=\"../figures/%s/%s.svg\" alt=\"", name, name);
     put_escaped(out, words.words);
     fprintf(out, "\" ");
@@ -310,27 +396,43 @@ static void put_videos(FILE *out, const Gallery *gallery, const char *name, cons
         fprintf(out, "</ul></dd>");
 }
 
-// Nothing moves before the reader wants it: until then the last frame is shown.
+// A video in one theme; nothing if there is none. Nothing moves before the reader wants it: until
+// then the last frame is shown.
+static void put_video(FILE *out, const Gallery *gallery, const char *name, const char *suffix,
+                      const char *class, const Words *words)
+{
+    static const char *const endings[] = {"webm", "mp4"};
+    glob_t frames;
+    if (glob(path_of("%s/animations/%s/frames%s/*.png", gallery->built, name, suffix).s, 0, NULL,
+             &frames) != 0)
+        return;
+    fprintf(out,
+            "<video%s controls loop muted playsinline preload=\"none\" width=\"1280\" "
+            "height=\"720\" poster=\"../animations/%s/frames%s/%s\" aria-label=\"",
+            class, name, suffix, strrchr(frames.gl_pathv[frames.gl_pathc - 1], '/') + 1);
+    globfree(&frames);
+    put_escaped(out, words->words);
+    fprintf(out, "\">\n");
+    for (int i = 0; i < 2; i++) {
+        Path file = path_of("animations/%s/%s%s.%s", name, name, suffix, endings[i]);
+        if (exists(path_of("%s/%s", gallery->built, file.s)))
+            fprintf(out, "<source src=\"../%s\" type=\"video/%s\">\n", file.s, endings[i]);
+    }
+    fprintf(out, "</video>\n");
+}
+
 static void put_animation(FILE *out, const Gallery *gallery, const char *name)
 {
     Words words;
-    glob_t frames;
-    if (!read_words(path_of("%s/animations/%s/%s.txt", gallery->built, name, name), &words) ||
-        glob(path_of("%s/animations/%s/frames/*.png", gallery->built, name).s, 0, NULL, &frames) !=
-            0)
+    Path folder = path_of("%s/animations/%s", gallery->built, name);
+    bool light = exists(path_of("%s/frames", folder.s));
+    bool dark = exists(path_of("%s/frames-dark", folder.s));
+    if ((!light && !dark) || !read_words(path_of("%s/%s.txt", folder.s, name), &words))
         return;
-    const char *last = strrchr(frames.gl_pathv[frames.gl_pathc - 1], '/') + 1;
-    fprintf(out,
-            "<figure>\n<video controls loop muted playsinline preload=\"none\" width=\"1280\" "
-            "height=\"720\" poster=\"../animations/%s/frames/%s\" aria-label=\"",
-            name, last);
-    put_escaped(out, words.words);
-    fprintf(out, "\">\n");
-    if (exists(path_of("%s/animations/%s/%s.webm", gallery->built, name, name)))
-        fprintf(out, "<source src=\"../animations/%s/%s.webm\" type=\"video/webm\">\n", name, name);
-    if (exists(path_of("%s/animations/%s/%s.mp4", gallery->built, name, name)))
-        fprintf(out, "<source src=\"../animations/%s/%s.mp4\" type=\"video/mp4\">\n", name, name);
-    fprintf(out, "</video>\n<figcaption><h3>");
+    fprintf(out, "<figure>\n");
+    put_video(out, gallery, name, "", dark ? " class=\"in-light\"" : "", &words);
+    put_video(out, gallery, name, "-dark", light ? " class=\"in-dark\"" : "", &words);
+    fprintf(out, "<figcaption><h3>");
     put_escaped(out, words.title);
     fprintf(out, "</h3>\n<p class=\"words\" aria-hidden=\"true\">");
     put_escaped(out, words.words);
@@ -338,87 +440,26 @@ static void put_animation(FILE *out, const Gallery *gallery, const char *name)
     put_videos(out, gallery, name, "", "light", words.title);
     put_videos(out, gallery, name, "-dark", "dark", words.title);
     fprintf(out, "</dl>\n</figcaption></figure>\n");
-    globfree(&frames);
 }
 
-// A section of its own, if make animations has made any.
-static void put_animations(FILE *contents, FILE *sections, const Gallery *gallery)
+// ---- the list
+// --------------------------------------------------------------------------------------------
+
+// The section of that heading, which is new, or the last one if there are too many.
+static Section *begin_section(Gallery *gallery, const char *heading)
 {
-    static const char *const names[] = {"object-order", "image-order", "closest-hit",
-                                        "discriminant", "turntable"};
-    char *cards = NULL;
-    size_t size;
-    FILE *text = open_memstream(&cards, &size);
-    if (text == NULL)
-        return;
-    for (int i = 0; i < 5; i++)
-        put_animation(text, gallery, names[i]);
-    fclose(text);
-    if (size > 0) {
-        fprintf(contents, "<li><a href=\"#animations\">Moving pictures</a></li>\n");
-        fprintf(sections,
-                "<section aria-labelledby=\"animations\">\n<h2 id=\"animations\">Moving "
-                "pictures</h2>\n<div class=\"cards\">\n%s</div></section>\n",
-                cards);
+    if (gallery->section_count < MOST_SECTIONS) {
+        Section *section = &gallery->sections[gallery->section_count];
+        *section = (Section){.out = NULL};
+        section->out = open_memstream(&section->cards, &section->size);
+        if (section->out == NULL) {
+            perror("memory");
+            exit(1);
+        }
+        snprintf(section->heading, sizeof section->heading, "%s", heading);
+        gallery->section_count++;
     }
-    free(cards);
-}
-
-// ---- chapters
-// -------------------------------------------------------------------------------------
-
-typedef struct {
-    int count;
-    char names[200][100];
-} Names;
-
-static bool has_name(const Names *names, const char *name)
-{
-    for (int i = 0; i < names->count; i++)
-        if (strcmp(names->names[i], name) == 0)
-            return true;
-    return false;
-}
-
-static void add_name(Names *names, const char *name)
-{
-    if (!has_name(names, name) && names->count < (int)(sizeof names->names / sizeof *names->names))
-        snprintf(names->names[names->count++], sizeof *names->names, "%s", name);
-}
-
-// The names of files, without folder and ending, in the order of the alphabet.
-static void add_files(Names *names, Path pattern)
-{
-    glob_t found;
-    if (glob(pattern.s, 0, NULL, &found) != 0)
-        return;
-    for (size_t i = 0; i < found.gl_pathc; i++) {
-        char *name = strrchr(found.gl_pathv[i], '/') + 1, *dot = strrchr(name, '.');
-        if (dot != NULL)
-            *dot = '\0';
-        add_name(names, name);
-    }
-    globfree(&found);
-}
-
-// In the order in which the chapter's program lists them; without a program, as they come.
-static Names figures_of(const Gallery *gallery, const char *stem)
-{
-    Names layouts = {0}, names = {0};
-    add_files(&layouts, path_of("chapters/%s/figures/*.gp", stem));
-    Path program = path_of("%s/%s", gallery->built, stem);
-    char name[100];
-    FILE *list = layouts.count > 0 && exists(program)
-                     ? popen(path_of("'%s' --figure list 2>/dev/null", program.s).s, "r")
-                     : NULL;
-    while (list != NULL && fscanf(list, "%99s", name) == 1)
-        if (has_name(&layouts, name))
-            add_name(&names, name);
-    if (list != NULL)
-        pclose(list);
-    for (int i = 0; i < layouts.count; i++)
-        add_name(&names, layouts.names[i]);
-    return names;
+    return &gallery->sections[gallery->section_count - 1];
 }
 
 // A scene's own words, from its first comment.
@@ -435,60 +476,165 @@ static Words words_of_scene(const Gallery *gallery, const char *name)
     if (words.words[0] == '\0')
         read_heading(path_of("%s/%s.nff", gallery->scenes, name), words.words, sizeof words.words);
     if (words.words[0] == '\0')
-        snprintf(words.words, sizeof words.words, "A picture of the scene %s.", name);
+        snprintf(words.words, sizeof words.words, "The picture %s.png, drawn from a scene.", name);
     return words;
 }
 
-// Pictures of scenes have the names of the scenes: first the chapter's own.
-static void put_scenes(FILE *out, const Gallery *gallery, const char *stem)
+// A picture of the gallery by its name; words: those of the list, if it has any.
+static void show_picture(Gallery *gallery, FILE *out, const char *name, const Words *words)
 {
-    Names names = {0};
-    add_files(&names, path_of("chapters/%s/*.nff", stem));
-    if (names.count == 0)
+    if (!show_once(gallery, "picture", name) ||
+        !exists(path_of("%s/gallery/%s.png", gallery->built, name)))
         return;
-    add_files(&names, path_of("%s/gallery/*.png", gallery->built));
-    for (int i = 0; i < names.count; i++) {
-        const char *name = names.names[i];
-        if (!exists(path_of("%s/gallery/%s.png", gallery->built, name)) ||
-            exists(path_of("chapters/%s", name)))
+    Words own;
+    if (words == NULL || words->title[0] == '\0') {
+        if (!read_words(path_of("chapters/%s/picture.txt", name), &own))
+            own = words_of_scene(gallery, name);
+        words = &own;
+    }
+    put_picture(out, gallery, path_of("%s.png", name).s, false, words);
+}
+
+static bool copy_file(FILE *file, const void *given, const char *path, Message *message)
+{
+    FILE *from = fopen(given, "rb");
+    if (from == NULL)
+        return message_set(message, "%s: %s cannot be read", path, (const char *)given);
+    for (int c; (c = getc(from)) != EOF;)
+        putc(c, file);
+    fclose(from);
+    return true;
+}
+
+// A file of the tree, which the page must have beside it.
+static void show_copy(Gallery *gallery, FILE *out, const char *path, const Words *words)
+{
+    const char *slash = strrchr(path, '/');
+    Path file = path_of("copies/%s", slash != NULL ? slash + 1 : path);
+    Path copy = path_of("%s/gallery/%s", gallery->built, file.s);
+    Message message;
+    mkdir(path_of("%s/gallery/copies", gallery->built).s, 0777);
+    if (!exists(path_of("%s", path)))
+        return;
+    if (!exists(copy) || is_newer(path_of("%s", path), copy))
+        if (!file_write_whole(copy.s, copy_file, path, &message)) {
+            fprintf(stderr, "%s\n", message.text);
+            return;
+        }
+    put_picture(out, gallery, file.s, true, words);
+}
+
+static void show_figure(Gallery *gallery, FILE *out, const char *name)
+{
+    if (show_once(gallery, "figure", name))
+        put_figure(out, gallery, name);
+}
+
+static void show_animation(Gallery *gallery, FILE *out, const char *name)
+{
+    if (show_once(gallery, "animation", name))
+        put_animation(out, gallery, name);
+}
+
+// An entry of the list: "figure NAME", "animation NAME", "picture NAME" or "copy FILE".
+static void show_entry(Gallery *gallery, const Words *entry, const Words *words)
+{
+    if (gallery->section_count == 0)
+        return;
+    FILE *out = gallery->sections[gallery->section_count - 1].out;
+    const char *name = entry->words;
+    if (strcmp(entry->title, "figure") == 0)
+        show_figure(gallery, out, name);
+    if (strcmp(entry->title, "animation") == 0)
+        show_animation(gallery, out, name);
+    if (strcmp(entry->title, "picture") == 0)
+        show_picture(gallery, out, name, words);
+    if (strcmp(entry->title, "copy") == 0)
+        show_copy(gallery, out, name, words);
+}
+
+// Adds an indented line: the first one is the title.
+static void add_words(Words *words, const char *line)
+{
+    size_t used = strlen(words->words);
+    if (words->title[0] == '\0')
+        snprintf(words->title, sizeof words->title, "%s", line);
+    else
+        snprintf(words->words + used, sizeof words->words - used, "%s%s", used > 0 ? " " : "",
+                 line);
+}
+
+// An entry's indented lines follow it, so it is shown when they have ended.
+static bool show_list(Gallery *gallery, const char *path)
+{
+    FILE *file = fopen(path, "r");
+    char line[1000];
+    Words entry = {"", ""}, words = {"", ""};
+    while (file != NULL && fgets(line, sizeof line, file) != NULL) {
+        line[strcspn(line, "\n")] = '\0';
+        const char *text = line + strspn(line, " ");
+        if (text > line) {
+            add_words(&words, text);
             continue;
-        Words words = words_of_scene(gallery, name);
-        put_picture(out, gallery, name, &words);
+        }
+        show_entry(gallery, &entry, &words);
+        size_t first = strcspn(line, " ");
+        entry = words = (Words){"", ""};
+        snprintf(entry.title, sizeof entry.title, "%.*s", (int)first, line);
+        snprintf(entry.words, sizeof entry.words, "%s", line + first + strspn(line + first, " "));
+        if (strcmp(entry.title, "section") == 0)
+            begin_section(gallery, entry.words);
     }
+    show_entry(gallery, &entry, &words);
+    if (file != NULL)
+        fclose(file);
+    return file != NULL;
 }
 
-static void put_cards(FILE *out, const Gallery *gallery, const char *stem)
+// ---- what the list does not have
+// ----------------------------------------------------------------------------
+
+// The picture and the figures of a chapter.
+static void show_chapter(Gallery *gallery, const char *stem)
 {
-    Words words;
-    if (exists(path_of("%s/gallery/%s.png", gallery->built, stem)) &&
-        read_words(path_of("chapters/%s/picture.txt", stem), &words))
-        put_picture(out, gallery, stem, &words);
-    Names figures = figures_of(gallery, stem);
-    for (int i = 0; i < figures.count; i++)
-        put_figure(out, gallery, figures.names[i]);
-    put_scenes(out, gallery, stem);
+    char heading[500];
+    Names layouts = {0};
+    read_heading(path_of("chapters/%s/README.md", stem), heading, sizeof heading);
+    FILE *out = begin_section(gallery, heading)->out;
+    if (exists(path_of("chapters/%s/picture.txt", stem)))
+        show_picture(gallery, out, stem, NULL);
+    add_files(&layouts, path_of("chapters/%s/figures/*.gp", stem));
+    for (int i = 0; i < layouts.count; i++)
+        show_figure(gallery, out, layouts.names[i]);
 }
 
-// An entry of the table of contents and its section; neither if there is nothing to show.
-static void put_chapter(FILE *contents, FILE *sections, const Gallery *gallery, const char *stem)
+static void show_all(Gallery *gallery, const char *heading, const char *files,
+                     void (*show)(Gallery *gallery, FILE *out, const char *name))
 {
-    char *cards = NULL, heading[500];
-    size_t size;
-    FILE *text = open_memstream(&cards, &size);
-    if (text == NULL)
-        return;
-    put_cards(text, gallery, stem);
-    fclose(text);
-    if (size > 0) {
-        read_heading(path_of("chapters/%s/README.md", stem), heading, sizeof heading);
-        fprintf(contents, "<li><a href=\"#%s\">", stem);
-        put_escaped(contents, heading);
-        fprintf(contents, "</a></li>\n");
-        fprintf(sections, "<section aria-labelledby=\"%s\">\n<h2 id=\"%s\">", stem, stem);
-        put_escaped(sections, heading);
-        fprintf(sections, "</h2>\n<div class=\"cards\">\n%s</div></section>\n", cards);
+    static Names names;
+    names.count = 0;
+    add_files(&names, path_of("%s/%s", gallery->built, files));
+    FILE *out = begin_section(gallery, heading)->out;
+    for (int i = 0; i < names.count; i++)
+        show(gallery, out, names.names[i]);
+}
+
+static void show_scene(Gallery *gallery, FILE *out, const char *name)
+{
+    show_picture(gallery, out, name, NULL);
+}
+
+static void show_rest(Gallery *gallery)
+{
+    glob_t chapters;
+    if (glob("chapters/[0-9]*", GLOB_ONLYDIR, NULL, &chapters) == 0) {
+        for (size_t i = 0; i < chapters.gl_pathc; i++)
+            show_chapter(gallery, strchr(chapters.gl_pathv[i], '/') + 1);
+        globfree(&chapters);
     }
-    free(cards);
+    show_all(gallery, "Your own figures", "figures/*/*.txt", show_figure);
+    show_all(gallery, "More animations", "animations/*/*.txt", show_animation);
+    show_all(gallery, "More pictures", "gallery/*.png", show_scene);
 }
 
 // ---- the page
@@ -541,38 +687,40 @@ static bool put_head(FILE *out, const Gallery *gallery)
         put_escaped(out, gallery->answers);
         putc('/', out);
     }
-    fputs(". Figures come light and dark; <code>make figures</code> draws them in\n"
-          "more formats, <code>STEPS=1</code> in steps for slides, <code>SHAPE=4:3</code> in "
-          "another shape.</p>\n",
+    fputs(", in the order of the lecture. Figures come light and dark; <code>make\nfigures</code> "
+          "draws them in more formats, <code>STEPS=1</code> in steps for slides,\n"
+          "<code>SHAPE=4:3</code> in another shape.",
           out);
+    if (exists(path_of(".make/toolkit/animations.mk"))) // not in a handout
+        fputs(" <code>make animations</code> adds videos.", out);
+    fputs("</p>\n", out);
     fprintf(out, "%s\n", has_figures(gallery) ? "" : "<p>No figure is drawn yet.</p>");
-    fputs("</header>\n<nav aria-label=\"Chapters\"><ul>\n", out);
+    fputs("</header>\n<nav aria-label=\"The lecture\"><ul>\n", out);
     return read;
 }
 
+// Sections without a card are left out.
 static bool put_page(FILE *out, const void *given, const char *path, Message *message)
 {
     const Gallery *gallery = given;
-    char *text = NULL;
-    size_t size;
-    glob_t chapters;
-    FILE *sections = open_memstream(&text, &size);
-    if (sections == NULL || !put_head(out, gallery)) {
-        message_set(message, "%s: chapters/gallery/gallery.css cannot be read", path);
-        if (sections != NULL)
-            fclose(sections);
-        free(text);
-        return false;
-    }
-    if (glob("chapters/[0-9]*", GLOB_ONLYDIR, NULL, &chapters) == 0) {
-        for (size_t i = 0; i < chapters.gl_pathc; i++)
-            put_chapter(out, sections, gallery, strchr(chapters.gl_pathv[i], '/') + 1);
-        globfree(&chapters);
-    }
-    put_animations(out, sections, gallery);
-    fclose(sections);
-    fprintf(out, "</ul></nav>\n<main id=\"pictures\">\n%s</main>\n</body>\n</html>\n", text);
-    free(text);
+    if (!put_head(out, gallery))
+        return message_set(message, "%s: chapters/gallery/gallery.css cannot be read", path);
+    for (int i = 0; i < gallery->section_count; i++)
+        if (gallery->sections[i].size > 0) {
+            fprintf(out, "<li><a href=\"#section-%d\">", i + 1);
+            put_escaped(out, gallery->sections[i].heading);
+            fprintf(out, "</a></li>\n");
+        }
+    fprintf(out, "</ul></nav>\n<main id=\"pictures\">\n");
+    for (int i = 0; i < gallery->section_count; i++)
+        if (gallery->sections[i].size > 0) {
+            fprintf(out, "<section aria-labelledby=\"section-%d\">\n<h2 id=\"section-%d\">", i + 1,
+                    i + 1);
+            put_escaped(out, gallery->sections[i].heading);
+            fprintf(out, "</h2>\n<div class=\"cards\">\n%s</div></section>\n",
+                    gallery->sections[i].cards);
+        }
+    fprintf(out, "</main>\n</body>\n</html>\n");
     return true;
 }
 
@@ -583,9 +731,19 @@ int main(int argc, char **argv)
         return 2;
     }
     const char *slash = strrchr(argv[1], '/');
-    Gallery gallery = {argv[1], argv[2], slash != NULL ? slash + 1 : argv[1]};
+    static Gallery gallery;
+    gallery.built = argv[1];
+    gallery.scenes = argv[2];
+    gallery.answers = slash != NULL ? slash + 1 : argv[1];
     Message message;
     mkdir(path_of("%s/gallery", gallery.built).s, 0777);
+    if (!show_list(&gallery, CONTENTS)) {
+        perror(CONTENTS);
+        return 1;
+    }
+    show_rest(&gallery);
+    for (int i = 0; i < gallery.section_count; i++)
+        fclose(gallery.sections[i].out);
     if (!file_write_whole(path_of("%s/gallery/index.html", gallery.built).s, put_page, &gallery,
                           &message)) {
         fprintf(stderr, "%s\n", message.text);

@@ -60,6 +60,8 @@ check 'with another script' draw FORMAT=svg THEME=light,dark
 check 'the page is made once more' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
 check 'and does not link what was drawn before' says_not "../figures/$first/$first.png"
 check 'but what is drawn now' says "../figures/$first/$first-dark.svg"
+# On a narrow screen a figure has its narrow shape.
+check 'both shapes are drawn' draw FORMAT=svg SHAPE=16:9,4:3
 check 'all again' draw FORMAT=svg,png,pdf,tex
 check 'and for details' draw FORMAT=svg SHAPE=16:9,4:3 STEPS=1
 check 'for the browser' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"

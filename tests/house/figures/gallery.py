@@ -50,9 +50,9 @@ REACHED = """
     const e = document.activeElement;
     if (!e || e === document.body) return null;
     const style = getComputedStyle(e), box = e.getBoundingClientRect();
-    const all = [...document.querySelectorAll('a[href], summary')].filter(e => e.getClientRects().length);
+    const all = [...document.querySelectorAll('a[href], summary, video')].filter(e => e.getClientRects().length);
     return {
-        place: all.indexOf(e), of: all.length, words: e.textContent.trim().slice(0, 40) || e.href,
+        place: all.indexOf(e), of: all.length, words: e.textContent.trim().slice(0, 40) || e.ariaLabel || e.href || '',
         outlined: style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2,
         shown: box.width > 0 && box.bottom > 0 && box.top < innerHeight && box.right > 0 && box.left < innerWidth,
     };
@@ -74,11 +74,13 @@ def holds(browser, width, scheme):
         text = browser.value(CONTRAST)
         checks.that(f"{where}: there is text", len(text) > 20)
         checks.that(f"{where}: all text has a contrast of 4.5", min(text)[0] >= 4.5, str(sorted(text)[:3]))
-    wanted = "-dark.svg" if scheme == "dark" else ".svg"
-    shown = browser.value("[...document.images].map(i => i.currentSrc).filter(s => s.endsWith('.svg'))")
+    wanted = ("-4x3" if width <= 600 else "") + ("-dark.svg" if scheme == "dark" else ".svg")
+    shown = browser.value("[...document.images].map(i => i.currentSrc).filter(s => s.includes('/figures/'))")
     checks.that(f"{where}: every figure is there", len(shown) == figures, str(shown))
-    checks.that(f"{where}: in its theme", all(s.endswith(wanted) and s.endswith("-dark.svg") == (scheme == "dark")
-                                             for s in shown), str(shown))
+    checks.that(f"{where}: in its theme and shape",
+                all(s.endswith("/" + s.split("/")[-2] + wanted) for s in shown), str(shown))
+    small = browser.value("[...document.images].filter(i => i.width < 0.9 * Math.min(innerWidth, 500)).map(i => i.src)")
+    checks.that(f"{where}: no picture is small", small == [], str(small))
     asked = [e["params"]["request"]["url"] for e in browser.events if e.get("method") == "Network.requestWillBeSent"]
     checks.that(f"{where}: nothing comes from a network", all(a.startswith(("file:", "data:")) for a in asked), str(asked))
     said = [e["params"] for e in browser.events
@@ -91,10 +93,13 @@ def keyboard(browser, scheme):
     browser.screen(900, scheme=scheme)
     browser.open("file://" + page)
     browser.value("document.querySelectorAll('details').forEach(d => d.open = true)")
-    places, count = [], None
+    places, count, presses = [], None, 0
     while count is None or len(places) <= count:
         browser.press("Tab", 9)
+        presses += 1
         reached = browser.value(REACHED)
+        if reached is not None and places and reached["place"] == places[-1] and presses < 5000:
+            continue  # inside a video, on one of its controls
         if reached is None or reached["place"] in places:
             break
         count = reached["of"]
