@@ -12,9 +12,10 @@
 
 #define PI 3.14159265358979323846
 
-// In units of the canvas: between a label and what is drawn, and between two labels; how far from
-// what it names a label may be without a leader; and between a leader and its text.
-enum { CLEAR = 4, APART = 9, LEADER_FROM = 26, LEADER_GAP = 3 };
+// In units of the canvas: between a label and what is drawn, and between two labels; by how much it
+// is nearer to what it names than to what another one names; how far from
+// what it names a label may be without a leader, how short one may be, and between it and its text.
+enum { CLEAR = 4, APART = 9, CLEARLY = 3, LEADER_FROM = 26, LEADER_LEAST = 8, LEADER_GAP = 3 };
 
 // What meeting something costs, in units of the canvas, as distances cost. A leader costs
 // something, and more where it crosses lines.
@@ -36,7 +37,7 @@ typedef struct {
 
 // Where a label may stand, and what that costs, whatever the other labels do.
 typedef struct {
-    Spot middle;
+    PlacedLabel label;
     double cost;
     int number;
 } Place;
@@ -226,18 +227,61 @@ static Area grown(Area box, double by)
 // ---- what a place costs
 // ---------------------------------------------------------------------------
 
-// The leader of a label that stands there: from its box to the nearest spot of what it names.
-static void lead(PlacedLabel *label, Spot middle)
+static bool touch(const PlacedLabel *label, const PlacedLabel *other)
 {
-    Area box = grown(box_of(label, middle), LEADER_GAP);
-    label->end = nearest_on(label->from, label->to, middle);
-    double far = hypot(middle.u - label->end.u, middle.v - label->end.v);
-    if (far > label->radius) // the edge of the disc
-        label->end = between(label->end, middle, label->radius / far);
-    label->start = (Spot){fmin(box.right, fmax(box.left, label->end.u)),
-                          fmin(box.top, fmax(box.bottom, label->end.v))};
-    label->leads = !names_nothing(label) && hypot(label->end.u - label->start.u,
-                                                  label->end.v - label->start.v) > LEADER_FROM;
+    Spot on = nearest_on(other->from, other->to, label->from);
+    return hypot(on.u - label->from.u, on.v - label->from.v) < 1;
+}
+
+// At least so far is a box from what a label names: quickly computed.
+static double at_least_from(Area box, const PlacedLabel *label)
+{
+    double u = fmax(box.left - fmax(label->from.u, label->to.u),
+                    fmin(label->from.u, label->to.u) - box.right);
+    double v = fmax(box.bottom - fmax(label->from.v, label->to.v),
+                    fmin(label->from.v, label->to.v) - box.top);
+    return fmax(u, v) - label->radius;
+}
+
+// Is it nearer to what another label names than to what it names itself? (A spot on a line that
+// another label names is never nearer than the line.)
+static bool is_ambiguous(const Labels *labels, int number, Area box)
+{
+    const PlacedLabel *label = &labels->labels[number];
+    double own = from_named(box, label) + CLEARLY;
+    bool is_spot = label->from.u == label->to.u && label->from.v == label->to.v;
+    for (int i = 0; i < labels->count && !names_nothing(label); i++) {
+        const PlacedLabel *other = &labels->labels[i];
+        if (i != number && !names_nothing(other) && at_least_from(box, other) <= own &&
+            from_named(box, other) <= own && !(is_spot && touch(label, other)))
+            return true;
+    }
+    return false;
+}
+
+static double leader_length(const PlacedLabel *label)
+{
+    return hypot(label->end.u - label->start.u, label->end.v - label->start.v);
+}
+
+// The label as it stands there: with a leader from its box to the nearest spot of what it names, if
+// that is far, or if something else is nearer.
+static PlacedLabel standing(const Labels *labels, int number, Spot middle)
+{
+    PlacedLabel label = labels->labels[number];
+    Area box = grown(box_of(&label, middle), LEADER_GAP);
+    label.middle = middle;
+    label.end = nearest_on(label.from, label.to, middle);
+    double from_middle = hypot(middle.u - label.end.u, middle.v - label.end.v);
+    if (from_middle > label.radius) // the edge of the disc
+        label.end = between(label.end, middle, label.radius / from_middle);
+    label.start = (Spot){fmin(box.right, fmax(box.left, label.end.u)),
+                         fmin(box.top, fmax(box.bottom, label.end.v))};
+    double far = leader_length(&label);
+    label.leads = !names_nothing(&label) &&
+                  (far > LEADER_FROM ||
+                   (far > LEADER_LEAST && is_ambiguous(labels, number, box_of(&label, middle))));
+    return label;
 }
 
 static double outside(Area box, Area area)
@@ -247,8 +291,10 @@ static double outside(Area box, Area area)
     return over > 0 ? FINE + over : 0;
 }
 
-static double fines_of_labels(const Labels *labels, const PlacedLabel *label, int number, Area box)
+// What the other labels cost it, as they stand.
+static double fines_of_labels(const Labels *labels, int number, const PlacedLabel *label)
 {
+    Area box = box_of(label, label->middle);
     double cost = 0;
     for (int i = 0; i < labels->count; i++) {
         const PlacedLabel *other = &labels->labels[i];
@@ -273,29 +319,6 @@ static double fines_of_drawn(const Labels *labels, Area box)
                 !is_counted && crosses(grown(box, CLEAR + drawn->radius), drawn->from, drawn->to);
         }
     return meets * FINE;
-}
-
-static bool touch(const PlacedLabel *label, const PlacedLabel *other)
-{
-    Spot on = nearest_on(other->from, other->to, label->from);
-    return hypot(on.u - label->from.u, on.v - label->from.v) < 1;
-}
-
-// A label must be nearer to what it names than to what another one names. (A spot on a line that
-// another label names is never nearer than the line.)
-static double fines_of_others(const Labels *labels, const PlacedLabel *label, int number, Area box)
-{
-    if (names_nothing(label) || label->leads)
-        return 0;
-    double own = from_named(box, label), cost = 0;
-    bool is_spot = label->from.u == label->to.u && label->from.v == label->to.v;
-    for (int i = 0; i < labels->count; i++) {
-        const PlacedLabel *other = &labels->labels[i];
-        if (i != number && !names_nothing(other) && from_named(box, other) <= own &&
-            !(is_spot && touch(label, other)))
-            cost += FINE;
-    }
-    return cost;
 }
 
 // Two segments: do they cross?
@@ -325,33 +348,25 @@ static double crossings(const Labels *labels, const PlacedLabel *label)
 // --------------------------------------------------------------------------------
 
 // What a place costs, whatever the other labels do.
-static double cost_alone(const Labels *labels, const PlacedLabel *label, Spot middle, double wish)
+static double cost_alone(const Labels *labels, const PlacedLabel *label, int number, double wish)
 {
-    PlacedLabel there = *label;
-    Area box = box_of(label, middle);
-    lead(&there, middle);
+    Area box = box_of(label, label->middle);
     double far = names_nothing(label)
-                     ? 0.1 * hypot(middle.u - label->from.u, middle.v - label->from.v)
-                     : away(box, there.end);
-    return wish + far + (there.leads ? LEADER + crossings(labels, &there) : 0) +
-           outside(box, labels->area) + fines_of_drawn(labels, box);
-}
-
-static double cost_beside_others(const Labels *labels, int number, Spot middle)
-{
-    PlacedLabel label = labels->labels[number];
-    Area box = box_of(&label, middle);
-    lead(&label, middle);
-    return fines_of_labels(labels, &label, number, box) +
-           fines_of_others(labels, &label, number, box);
+                     ? 0.1 * hypot(label->middle.u - label->from.u, label->middle.v - label->from.v)
+                     : away(box, label->end);
+    double leader = label->leads ? LEADER + crossings(labels, label) : 0;
+    bool is_unclear = leader_length(label) <= LEADER_LEAST && is_ambiguous(labels, number, box);
+    return wish + far + leader + (is_unclear ? FINE : 0) + outside(box, labels->area) +
+           fines_of_drawn(labels, box);
 }
 
 static void try_place(Labels *labels, int number, Spot middle, double wish)
 {
     Places *places = &labels->places[number];
     places->list = one_more(places->list, places->count, &places->room, sizeof(Place));
-    places->list[places->count] =
-        (Place){middle, cost_alone(labels, &labels->labels[number], middle, wish), places->count};
+    PlacedLabel label = standing(labels, number, middle);
+    double cost = cost_alone(labels, &label, number, wish);
+    places->list[places->count] = (Place){label, cost, places->count};
     places->count++;
 }
 
@@ -422,8 +437,7 @@ static void find_places(Labels *labels, int number)
 
 static void stand(Labels *labels, int number, const Place *place)
 {
-    labels->labels[number].middle = place->middle;
-    lead(&labels->labels[number], place->middle);
+    labels->labels[number] = place->label;
     labels->places[number].taken = place;
 }
 
@@ -435,7 +449,7 @@ static const Place *cheapest(const Labels *labels, int number)
     double least = DBL_MAX;
     for (const Place *place = places->list;
          place < places->list + places->count && place->cost < least; place++) {
-        double cost = place->cost + cost_beside_others(labels, number, place->middle);
+        double cost = place->cost + fines_of_labels(labels, number, &place->label);
         if (cost < least) {
             least = cost;
             best = place;
@@ -461,7 +475,7 @@ static void settle(Labels *labels, int rounds)
 static double cost_of(const Labels *labels, int number)
 {
     const Place *place = labels->places[number].taken;
-    return place->cost + cost_beside_others(labels, number, place->middle);
+    return place->cost + fines_of_labels(labels, number, &place->label);
 }
 
 double labels_cost(const Labels *labels)

@@ -118,6 +118,9 @@ void plot_panel(Plot *plot, int panel);
 // The next block is not drawn as it is, so labels may cover it.
 void plot_undrawn(Plot *plot);
 
+// The layout draws the next block moved by so many units of the canvas: a dimension beside its edge.
+void plot_moved(Plot *plot, double u, double v);
+
 // A part of the canvas in which the layout writes by itself: labels keep out of it.
 void plot_keep_clear(Plot *plot, Room part);
 

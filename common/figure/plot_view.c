@@ -66,6 +66,7 @@ struct PlotView {
     // The block that is being written.
     const char *block;
     bool is_drawn, joins;
+    double moved_u, moved_v;
     vec3 last;
     int row;
     // What was found, for each shape.
@@ -246,6 +247,12 @@ void plot_undrawn(Plot *plot)
     plot->view->block = "";
 }
 
+void plot_moved(Plot *plot, double u, double v)
+{
+    plot->view->moved_u = u;
+    plot->view->moved_v = v;
+}
+
 void plot_circle(Plot *plot, vec3 center, double radius)
 {
     enum { SIDES = 36 };
@@ -270,6 +277,8 @@ static void mark_row(Plot *plot, vec3 from, vec3 vector, bool yours)
     row->row = view->row++;
     row->is_arrow = is_arrow;
     row->yours = yours;
+    row->moved_u = view->moved_u;
+    row->moved_v = view->moved_v;
     view->joins = !is_arrow;
     view->last = from;
 }
@@ -317,6 +326,7 @@ void plot_view_block_end(Plot *plot, const char *right, size_t size)
     }
     view->block = NULL;
     view->is_drawn = false;
+    view->moved_u = view->moved_v = 0;
 }
 
 // ---- onto the canvas
@@ -697,12 +707,17 @@ static void write_text(const PlotView *view, FILE *out, const char *text, size_t
     const char *end = text + length;
     fputs("\"\"", out);
     while (text < end) {
-        size_t size = strcspn(text, "${\n");
+        size_t size = strcspn(text, "${%\n");
         if (size > 0)
             fprintf(out, ".\"%.*s\"", (int)size, text);
         text += size;
         if (text >= end)
             break;
+        if (*text == '%') { // it begins a comment in LaTeX
+            fputs(".percent", out);
+            text++;
+            continue;
+        }
         size = strcspn(text + 1, *text == '$' ? "$" : "}");
         size_t name = size;
         bool beside = *text == '{' && says_yours(view, text + 1, &name);

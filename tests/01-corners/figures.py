@@ -56,8 +56,8 @@ def camera_frame(c, options, shape):
     eye(figure, c)
     outline(figure, "plane", c)
     long = max(c["d"], c["w"], c["h"]) / 4
-    for name in "ruf":
-        checks.near(f"the arrow {name}", figure.tips(name), figure.place(plus(c["p"], c[name], long)))
+    for name, title in zip("ruf", ("right arrow", "up arrow", "forward arrow")):
+        checks.near(f"the arrow {name}", figure.tips(title), figure.place(plus(c["p"], c[name], long)))
     middle = place_of(c, 0.5, 0.5)
     checks.near("the middle", figure.dots("middle"), figure.place(middle))
     arrow(figure, "ahead", c["p"], middle)
@@ -68,8 +68,8 @@ def camera_frame(c, options, shape):
         checks.near("a line of the grid", stroke, [figure.place(place_of(c, *end)) for end in ends])
     checks.that("all lines are there", [len(figure.strokes(t)) for t in ("to the corners", "grid")] == [4, 14])
     upper_left, upper_right, lower_right, _ = corners(c)
-    arrow(figure, "w", upper_left, upper_right, (0, 14))
-    arrow(figure, "h", lower_right, upper_right, (14, 0))
+    arrow(figure, "upper edge", upper_left, upper_right, (0, 14))
+    arrow(figure, "right edge", lower_right, upper_right, (14, 0))
     shows(figure, *(f"{name} = {label(c[name])}" for name in "dwh"), *"pruf", *"xyz")
     axes(figure, c, middle)
 
@@ -122,11 +122,11 @@ def point_30_10(c, options, shape, s=0.3, t=0.1):
     arrow(figure, "aside", place_of(c, 0.5, 0.5), place_of(c, s, 0.5))
     arrow(figure, "up or down", place_of(c, s, 0.5), point)
     arrow(figure, "across", place_of(c, 0, 0), place_of(c, s, 0), (0, -14))
-    arrow(figure, "up", place_of(c, 1, 0), place_of(c, 1, t), (14, 0))
+    arrow(figure, "upward", place_of(c, 1, 0), place_of(c, 1, t), (14, 0))
     arrow(figure, "column", place_of(c, s, 0), point)
     arrow(figure, "row", place_of(c, 1, t), point)
-    shows(figure, f"{label(100 * s)} %", f"{label(100 * t)} %", f"s = {label(s)},   t = {label(t)}",
-          f"d f + (s − ½) w r + (t − ½) h u  = {label_of(vector)}")
+    shows(figure, f"{label(100 * s)} %", f"{label(100 * t)} %", f"s = {label(s)}", f"t = {label(t)}",
+          "d f + (s − ½) w r + (t − ½) h u", f"= {label_of(vector)}")
 
 
 def double_dwh(c, options, shape, s=0.3, t=0.1):
@@ -144,9 +144,19 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
     checks.near("the rays", [stroke[-1] for stroke in figure.strokes("rays")], [figure.place(p) for p in ends])
     checks.near("the ray", figure.tips("one ray"),
                 figure.place(plus(c["p"], legs(c, 2 * s - 1, 2 * t - 1), far)))
-    shows(figure, ",   ".join(f"{n} = {label(c[n])}" for n in "dwh"),
-          ",   ".join(f"2 {n} = {label(2 * c[n])}" for n in "dwh"),
-          ",   ".join(f"{n}/d = {label(c[n] / c['d'])}" for n in "dwh"))
+    shows(figure, *(f"{n} = {label(c[n])}" for n in "dwh"), *(f"2 {n} = {label(2 * c[n])}" for n in "dwh"),
+          *(f"{n}/d = {label(c[n] / c['d'])}" for n in "dwh"))
+    for title, factor in (("plane", 1), ("twice plane", 2), ("unit plane", 1 / c["d"])):
+        upper_left, upper_right, lower_right, _ = (
+            plus(c["p"], plus(p, c["p"], -1), factor) for p in corners(c))
+        arrow(figure, f"{title} w", upper_left, upper_right, (0, 14))
+        arrow(figure, f"{title} h", lower_right, upper_right, (14, 0))
+        # Its distance is drawn below all planes, as long as it is, along f.
+        start, end = [plus(p, figure.place(c["p"]), -1) for p in figure.tips(f"{title} d")][::-1]
+        ahead = plus(figure.place(plus(c["p"], c["f"], factor * c["d"])), figure.place(c["p"]), -1)
+        checks.near(f"the dimension {title} d", [plus(end, start, -1)], [ahead])
+        checks.that(f"it is below: {title} d", start[1] < figure.place(lower_right)[1] - figure.place(c["p"])[1]
+                    and abs(start[0]) < 0.1)
 
 
 def yours_beside_right():

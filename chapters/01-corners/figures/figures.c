@@ -12,6 +12,11 @@ static double largest(Camera c)
 
 // ---- the camera -------------------------------------------------------------------------------
 
+// Dimensions are beside their edges, in units of the canvas: above, or to the right.
+enum { GAP = 14 };
+
+#define COUNT(items) (sizeof(items) / sizeof *(items))
+
 // An arrow from one place on the plane to another.
 static void plot_edge(Plot *plot, const char *name, Camera c, vec3 from, vec3 to)
 {
@@ -56,7 +61,7 @@ static void frame_arrows(Plot *plot, Camera c)
     for (int i = 0; i < 3; i++) {
         vec3 arrow = largest(c) / 4 * frame[i];
         plot_vector(plot, names[i], c.origin, arrow);
-        plot_fit(plot, c.origin + 1.2 * arrow, 0); // the place of its name
+        plot_fit(plot, c.origin + arrow, 0);
     }
 }
 
@@ -69,12 +74,28 @@ static void camera_frame(Plot *plot, void *given)
     world_axes(plot, c);
     frame_arrows(plot, c);
     plot_vector(plot, "ahead", c.origin, image_plane_vector(c, 0.5, 0.5));
+    plot_moved(plot, 0, GAP);
     plot_edge(plot, "upper_edge", c, image_plane_vector(c, 0, 1), image_plane_vector(c, 1, 1));
+    plot_moved(plot, GAP, 0);
     plot_edge(plot, "right_edge", c, lower_right, image_plane_vector(c, 1, 1));
     plot_block(plot, "to_corners", "x y z of the eye, x y z of the vector to a corner");
     for (int i = 0; i < 4; i++)
         plot_row_vector(plot, c.origin, corners[i]);
     plot_block_end(plot);
+    plot_look(plot, c.right, c.up, c.forward, 32, 16);
+    static const Label labels[] = {
+        {"$p$", "blue", .block = "eye"},
+        {"$r$", "orange", .block = "right_arrow", .part = 1},
+        {"$u$", "green", .block = "up_arrow", .part = 1},
+        {"$f$", "pink", .block = "forward_arrow", .part = ANYWHERE},
+        {"$d$ = {d}", "pink", .step = 2, .block = "ahead", .part = 0.7},
+        {"$w$ = {w}", "orange", .step = 2, .block = "upper_edge", .part = ANYWHERE},
+        {"$h$ = {h}", "green", .step = 2, .block = "right_edge", .part = ANYWHERE},
+        {"$x$", "grey", .block = "x_axis", .part = 1},
+        {"$y$", "grey", .block = "y_axis", .part = 1},
+        {"$z$", "grey", .block = "z_axis", .part = 1},
+    };
+    plot_names(plot, labels, COUNT(labels));
 }
 
 // ---- vectors to the plane ---------------------------------------------------------------------
@@ -107,7 +128,7 @@ static void corner_vectors(Plot *plot, void *given)
         {"$d f + (w/2) r + (h/2) u$\n= {upper_right}", "blue", .step = 5, .block = "upper_right",
          .part = 1},
     };
-    plot_names(plot, labels, sizeof labels / sizeof *labels);
+    plot_names(plot, labels, COUNT(labels));
 }
 
 // The point s across and t up: its parts of the edges, and the legs of the walk to it. The slide's
@@ -125,7 +146,9 @@ static void point_30_10(Plot *plot, void *given)
     plot_number(plot, "t", t);
     plot_number(plot, "percent_across", 100 * s);
     plot_number(plot, "percent_up", 100 * t);
+    plot_moved(plot, 0, -GAP);
     plot_edge(plot, "across", c, image_plane_vector(c, 0, 0), image_plane_vector(c, s, 0));
+    plot_moved(plot, GAP, 0);
     plot_edge(plot, "upward", c, image_plane_vector(c, 1, 0), image_plane_vector(c, 1, t));
     plot_edge(plot, "column", c, image_plane_vector(c, s, 0), image_plane_vector(c, s, t));
     plot_edge(plot, "row", c, image_plane_vector(c, 1, t), image_plane_vector(c, s, t));
@@ -134,12 +157,85 @@ static void point_30_10(Plot *plot, void *given)
     plot_edge(plot, "up_or_down", c, aside, image_plane_vector(c, s, t));
     plot_vector(plot, "vector", c.origin, v);
     plot_fit(plot, c.origin + v, 0);
+    plot_look(plot, c.right, c.up, c.forward, 42, 16);
+    static const Label labels[] = {
+        {"$p$", "blue", .block = "eye"},
+        {"{percent_across} %", "orange", .block = "across", .part = ANYWHERE},
+        {"{percent_up} %", "green", .block = "upward", .part = ANYWHERE},
+        {"$d f$", "pink", .step = 2, .block = "ahead", .part = ANYWHERE},
+        {"$(s − ½) w r$", "orange", .step = 2, .block = "aside", .part = ANYWHERE},
+        {"$(t − ½) h u$", "green", .step = 2, .block = "up_or_down", .part = ANYWHERE},
+        {"$d f + (s − ½) w r + (t − ½) h u$\n= {vector}", "blue", .step = 3, .block = "vector",
+         .part = 1},
+    };
+    static const Label place[] = {{"$s$ = {s}", "orange", .step = 1},
+                                  {"$t$ = {t}", "green", .step = 1}};
+    plot_names(plot, labels, COUNT(labels));
+    plot_say(plot, 0, 1, place, COUNT(place));
 }
 
 // ---- doubling ---------------------------------------------------------------------------------
 
-// One camera three times: as it is, doubled, and with distance 1. Rays go through the corners and
-// through the place s across, t up; they end a little beyond the farthest plane.
+// One camera three times: as it is, doubled, and with distance 1.
+static const char *const planes[] = {"plane", "twice_plane", "unit_plane"};
+enum { PLANES = 3 };
+
+// The three dimensions of a camera: w above its plane, h beside it, and d below all planes, each at
+// a level of its own, between thin lines down from the eye and from the plane's lower edge.
+static void dimensions(Plot *plot, Camera c, const char *which, vec3 down)
+{
+    static const struct {
+        const char *name;
+        double from_s, from_t, to_s, to_t, moved_u, moved_v;
+    } edges[] = {{"w", 0, 1, 1, 1, 0, GAP}, {"h", 1, 0, 1, 1, GAP, 0}};
+    char name[40];
+    for (size_t i = 0; i < COUNT(edges); i++) {
+        snprintf(name, sizeof name, "%s_%s", which, edges[i].name);
+        plot_moved(plot, edges[i].moved_u, edges[i].moved_v);
+        plot_edge(plot, name, c, image_plane_vector(c, edges[i].from_s, edges[i].from_t),
+                  image_plane_vector(c, edges[i].to_s, edges[i].to_t));
+    }
+    snprintf(name, sizeof name, "%s_d", which);
+    vec3 below = image_plane_vector(c, 0.5, 0), end = c.origin + down + c.distance * c.forward;
+    plot_vector(plot, name, c.origin + down, c.distance * c.forward);
+    plot_fit(plot, c.origin + down, 0);
+    plot_fit(plot, end, 0);
+    snprintf(name, sizeof name, "%s_down", which);
+    plot_block(plot, name, "x y z of a place, x y z of the way down to a dimension");
+    plot_row_vector(plot, c.origin, down);
+    plot_row_vector(plot, c.origin + below, end - c.origin - below);
+    plot_block_end(plot);
+}
+
+static void name_dimensions(Plot *plot, const char *which, int step, const char *const *names)
+{
+    static const struct {
+        const char *block, *color;
+    } looks[] = {{"d", "pink"}, {"w", "orange"}, {"h", "green"}};
+    for (size_t i = 0; i < COUNT(looks); i++) {
+        char text[40], block[40];
+        snprintf(text, sizeof text, "$%s$ = {%s}", names[2 * i], names[2 * i + 1]);
+        snprintf(block, sizeof block, "%s_%s", which, looks[i].block);
+        plot_name(plot,
+                  (Label){text, looks[i].color, .step = step, .block = block, .part = ANYWHERE});
+    }
+}
+
+// Rays go through the corners and through the place s across, t up; they end a little beyond the
+// farthest plane.
+static void common_rays(Plot *plot, const View *view, double farthest)
+{
+    Camera c = view->camera;
+    const double places[][2] = {{0, 1}, {1, 1}, {0, 0}, {1, 0}, {view->s, view->t}};
+    plot_block(plot, "rays", "x y z of the eye, x y z along a ray");
+    for (size_t i = 0; i < COUNT(places); i++) {
+        vec3 v = 1.15 * farthest * image_plane_vector(c, places[i][0], places[i][1]);
+        plot_row_vector(plot, c.origin, v);
+        plot_fit(plot, c.origin + v, 0);
+    }
+    plot_block_end(plot);
+}
+
 static void double_dwh(Plot *plot, void *given)
 {
     const View *view = given;
@@ -147,6 +243,7 @@ static void double_dwh(Plot *plot, void *given)
     twice.distance *= 2;
     twice.width *= 2;
     twice.height *= 2;
+    const Camera cameras[PLANES] = {c, twice, unit};
     plane_data(plot, c, 1, 1);
     plane_outline(plot, "twice_plane", twice);
     plane_outline(plot, "unit_plane", unit);
@@ -158,20 +255,28 @@ static void double_dwh(Plot *plot, void *given)
     plot_number(plot, "unit_d", unit.distance);
     plot_number(plot, "unit_w", unit.width);
     plot_number(plot, "unit_h", unit.height);
-    double farthest = 1.15 * fmax(2, 1 / c.distance);
-    const double places[][2] = {{0, 1}, {1, 1}, {0, 0}, {1, 0}, {view->s, view->t}};
-    plot_block(plot, "rays", "x y z of the eye, x y z along a ray");
-    for (int i = 0; i < 5; i++) {
-        vec3 v = farthest * image_plane_vector(c, places[i][0], places[i][1]);
-        plot_row_vector(plot, c.origin, v);
-        plot_fit(plot, c.origin + v, 0);
-    }
-    plot_block_end(plot);
-    const Camera cameras[] = {c, twice, unit};
+    double farthest = fmax(2, 1 / c.distance);
+    common_rays(plot, view, farthest);
     plot_block(plot, "same_place", "x y z of the points where the last ray meets each plane");
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < PLANES; i++)
         plot_row_point(plot, cameras[i].origin + image_plane_vector(cameras[i], view->s, view->t));
     plot_block_end(plot);
+    // The longest dimension is the lowest.
+    double level = 0.08 * farthest * largest(c), lowest = 0.575 * farthest * c.height;
+    for (int i = 0; i < PLANES; i++) {
+        int longer = 0;
+        for (int k = 0; k < PLANES; k++)
+            longer += cameras[k].distance < cameras[i].distance ||
+                      (cameras[k].distance == cameras[i].distance && k < i);
+        dimensions(plot, cameras[i], planes[i], -(lowest + (longer + 0.4) * level) * c.up);
+    }
+    plot_look(plot, c.right, c.up, c.forward, 32, 16);
+    plot_name(plot, (Label){"$p$", "blue", .block = "eye"});
+    name_dimensions(plot, planes[0], 1, (const char *[]){"d", "d", "w", "w", "h", "h"});
+    name_dimensions(plot, planes[1], 2,
+                    (const char *[]){"2 d", "twice_d", "2 w", "twice_w", "2 h", "twice_h"});
+    name_dimensions(plot, planes[2], 3,
+                    (const char *[]){"d/d", "unit_d", "w/d", "unit_w", "h/d", "unit_h"});
 }
 
 // ---- yours and right --------------------------------------------------------------------------

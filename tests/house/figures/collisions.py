@@ -11,6 +11,7 @@ from figure import SVG, numbers
 
 SHRUNK = 1.0  # a label may be touched by this much
 ON = 1.5  # so near to a mark, a place is on it
+HEAD = 9  # so near to one, it is on a mark that is all arrowhead
 LEADER_GAP = 8  # so near to its label, a leader begins
 EDGE = 0.5  # so near to the canvas' edge, gnuplot has cut a line off
 
@@ -106,7 +107,7 @@ class Marks:
             self.lines += [(pair, title) for pair in zip(places, places[1:])]
 
     def has(self, place):
-        return any(to_line(place, line) <= ON for line, _ in self.lines) or \
+        return any(to_line(place, line) <= HEAD for line, _ in self.lines) or \
             any(math.dist(place, dot) <= max(radius, ON) for dot, radius, _ in self.dots)
 
 
