@@ -4,7 +4,7 @@ import random
 
 from check import Checks, holds_for_every
 from figure import Figure
-from flat import Panel, in_words, line, number, pair, stroke
+from flat import PlacedPanel, in_words, line, number, pair, stroke
 
 checks = Checks("figures of 03-screen")
 DOT = 0.05  # canvas units
@@ -22,7 +22,7 @@ def shows(figure, *wanted):
 
 def label_at(figure, text, x=None, y=None):
     """Is the label somewhere in line with a place?"""
-    return any(found == text and (x is None or abs(x - at_x) < 0.1) and (y is None or abs(y - at_y) < 6)
+    return any(found == text and (x is None or abs(x - at_x) < 0.1) and (y is None or abs(y - at_y) < 10)
                for found, at_x, at_y in figure.labels())
 
 
@@ -30,8 +30,10 @@ def screen_to_unit(size, at, options):
     figure = Figure("03-screen", "screen-to-unit", *options)
     (across, down), (x, y) = size, at
     s, t = x / across, (down - y) / down
-    screen = Panel(figure, (0.115, 0.47, 0.27, 0.84), (min(0, x), -max(down, y)), (max(across, x), -min(0, y)))
-    square = Panel(figure, (0.70, 0.97, 0.27, 0.84), (min(0, s), min(0, t)), (max(1, s), max(1, t)))
+    screen, square = PlacedPanel(figure, 1), PlacedPanel(figure, 2)
+    for panel, corners in ((screen, ((0, 0), (across, -down), (x, -y))), (square, ((0, 0), (1, 1), (s, t)))):
+        for left, low in (panel.place(*corner) for corner in corners):
+            checks.that("all of it is on the canvas", 0 < left < 960 and 0 < low < 464, f"{left}, {low}")
     checks.same("the point's data", figure.block("point"), [[x, y]])
     checks.same("the place's data", figure.block("place"), [[s, t]])
     checks.near("the screen", line(figure, "screen"),
@@ -49,8 +51,9 @@ def screen_to_unit(size, at, options):
                                ("from the top", square, (s, 1), (s, t))):
         stroke(checks, figure, title, panel.place(*a), panel.place(*b))
     y_text = f"({number(y)})" if y < 0 else number(y)
-    shows(figure, pair(x, y), number(across), number(down), f"s = x/{number(across)}", f"t = 1 − y/{number(down)}",
-          f"( {number(x)}/{number(across)} , 1 − {y_text}/{number(down)} ) = {pair(s, t)}")
+    shows(figure, pair(x, y), number(x), number(y), number(across), number(down), f"s = x/{number(across)}",
+          f"t = 1 − y/{number(down)}", f"s = {number(x)}/{number(across)} = {number(s)}",
+          f"t = 1 − {y_text}/{number(down)} = {number(t)}")
     words = in_words(figure)
     for text in (f"{number(across)} by {number(down)} pixels", pair(x, y), pair(s, t)):
         checks.that(f"the words have {text}", text in words, words)
@@ -72,7 +75,9 @@ def pixel_grid(size, pixel, options):
                     high == (numbers[-1] + 1 + 0.4 * (numbers[-1] + 1 < count)), f"{low} to {high}")
     low = (figure.number("begin_x"), -figure.number("end_y"))
     high = (figure.number("end_x"), -figure.number("begin_y"))
-    panel = Panel(figure, (0.09, 0.60, 0.20, 0.86), low, high)
+    panel = PlacedPanel(figure)
+    for left, height in (panel.place(*low), panel.place(*high)):
+        checks.that("the part is on the canvas", 0 < left < 960 and 0 < height < 464, f"{left}, {height}")
     x, y, s, t = column + 0.5, row + 0.5, (2 * column + 1) / (2 * across), (2 * down - 2 * row - 1) / (2 * down)
     checks.same("the centre's data", figure.block("center"), [[x, y]])
     checks.same("the place's data", figure.block("place"), [[s, t]])
@@ -95,7 +100,7 @@ def pixel_grid(size, pixel, options):
         right, top = panel.place(across, 0)
         for text, far_off, at in (("0", s * across, {"x": left}), ("1", (1 - s) * across, {"x": right}),
                                   ("0", t * down, {"y": bottom}), ("1", (1 - t) * down, {"y": top})):
-            if far_off * panel.unit > 50:
+            if far_off * panel.unit > 70:
                 checks.that(f"the edge {text} at {at}", label_at(figure, text, **at))
 
 

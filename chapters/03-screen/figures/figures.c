@@ -5,9 +5,70 @@
 
 #include "exercises/03-screen.h"
 
+#include <stdio.h>
+
 static void screen_data(Plot *plot, Resolution screen)
 {
     plot_pair(plot, "screen", "W", screen.width, "H", screen.height);
+}
+
+// A panel: a rectangle from 0, 0 to a corner, its two axes beside it, and a point of it with the
+// strokes that lead there. Axes and strokes are a little outside of the rectangle.
+typedef struct {
+    const char *outline, *origin, *first, *second; // names of blocks
+    double x, y;                                   // the corner
+    double at_x, at_y, from_y;                     // the point, and where its second stroke begins
+    bool is_below;                                 // the first axis is below, else above
+} PointPanel;
+
+static vec3 flat(double x, double y)
+{
+    return vec3_of(x, y, 0);
+}
+
+static void axis(Plot *plot, const char *name, vec3 from, vec3 to)
+{
+    char block[40];
+    snprintf(block, sizeof block, "%s_axis", name);
+    plot_vector(plot, block, from, to - from);
+    plot_fit(plot, from, 0);
+    plot_fit(plot, to, 0);
+}
+
+static void point_panel(Plot *plot, PointPanel p)
+{
+    double aside = 0.07 * fmax(fabs(p.x), fabs(p.y));
+    double left = fmin(0, p.at_x) - aside, low = fmin(fmin(0, p.y), p.at_y);
+    double level = p.is_below ? low - aside : fmax(0, p.at_y) + aside;
+    const vec3 corners[] = {flat(0, 0), flat(p.x, 0), flat(p.x, p.y), flat(0, p.y), flat(0, 0)};
+    plot_block(plot, p.outline, "x y z of the corners");
+    for (int i = 0; i < 5; i++)
+        plot_row_point(plot, corners[i]);
+    plot_block_end(plot);
+    plot_point(plot, p.origin, flat(0, 0));
+    axis(plot, p.first, flat(0, level), flat(p.x, level));
+    axis(plot, p.second, flat(left, 0), flat(left, p.y));
+    plot_fit(plot, flat(p.at_x, p.at_y), 0);
+    plot_vector(plot, p.first, flat(0, p.at_y), flat(p.at_x, 0));
+    plot_vector(plot, p.second, flat(p.at_x, p.from_y), flat(0, p.at_y - p.from_y));
+    plot_line(plot, flat(p.at_x, p.at_y), flat(p.at_x, p.at_y), 0, 0);
+}
+
+static void screen_to_unit_words(Plot *plot)
+{
+    const Label mapping[] = {{"$s = x/${screen_W}", "orange", .step = 3},
+                             {"$t = 1 − y/${screen_H}", "green", .step = 3}};
+    plot_pin(plot, 0.535, 0.57, &mapping[0], 1);
+    plot_pin(plot, 0.535, 0.43, &mapping[1], 1);
+    const char *from_top = plot_shown(plot, "point_y") < 0 ? "1 − ({point_y})/{screen_H}"
+                                                           : "1 − {point_y}/{screen_H}";
+    char second[100];
+    snprintf(second, sizeof second, "$t =$ %s = {place_t}", from_top);
+    const Label words[] = {{"$s =$ {point_x}/{screen_W} = {place_s}", "orange", .step = 5},
+                           {second, "green", .step = 5},
+                           {"yours: {your_place}", "ink", .step = 5}};
+    plot_pin(plot, 0.5, plot_says_yours(plot, "place") ? 0.14 : 0.1, words,
+             plot_says_yours(plot, "place") ? 3 : 2);
 }
 
 static void screen_to_unit(Plot *plot, void *given)
@@ -17,6 +78,37 @@ static void screen_to_unit(Plot *plot, void *given)
     screen_data(plot, spot->screen);
     plot_pair(plot, "point", "x", spot->point.x, "y", spot->point.y);
     plot_pair(plot, "place", "s", place.s, "t", place.t);
+    plot_look_flat(plot);
+    plot_room(plot, (Room){0.03, 0.41, 0.24, 0.84}, (Room){0.02, 0.40, 0.24, 0.84});
+    point_panel(plot, (PointPanel){"screen", "screen_origin", "x", "y", spot->screen.width,
+                                   -spot->screen.height, spot->point.x, -spot->point.y, 0, false});
+    const Label first[] = {
+        {"origin", "ink", .block = "screen_origin"},
+        {"$x$", "orange", .block = "x_axis", .part = ANYWHERE},
+        {"{screen_W}", "orange", .block = "x_axis", .part = 1},
+        {"$y$", "green", .block = "y_axis", .part = ANYWHERE},
+        {"{screen_H}", "green", .block = "y_axis", .part = 1},
+        {"{point}", "blue", .place = flat(spot->point.x, -spot->point.y)},
+        {"{point_x}", "orange", .block = "x", .part = ANYWHERE},
+        {"{point_y}", "green", .block = "y", .part = ANYWHERE},
+    };
+    plot_names(plot, first, sizeof first / sizeof *first);
+    plot_panel(plot, 2);
+    plot_room(plot, (Room){0.66, 0.98, 0.24, 0.84}, (Room){0.69, 0.98, 0.24, 0.84});
+    double s = plot_shown(plot, "place_s"), t = plot_shown(plot, "place_t");
+    point_panel(plot, (PointPanel){"square", "square_origin", "s", "t", 1, 1, s, t, 0, true});
+    plot_vector(plot, "from_top", flat(s, 1), flat(0, t - 1));
+    const Label second[] = {
+        {"origin", "ink", .step = 2, .block = "square_origin"},
+        {"$s$", "orange", .step = 2, .block = "s_axis", .part = ANYWHERE},
+        {"1", "orange", .step = 2, .block = "s_axis", .part = 1},
+        {"$t$", "green", .step = 2, .block = "t_axis", .part = ANYWHERE},
+        {"1", "green", .step = 2, .block = "t_axis", .part = 1},
+        {"$(s, t)$", "blue", .step = 4, .place = flat(s, t)},
+    };
+    plot_names(plot, second, sizeof second / sizeof *second);
+    plot_panel(plot, 1);
+    screen_to_unit_words(plot);
 }
 
 // ---- pixel-grid ---------------------------------------------------------------------------------
@@ -97,6 +189,11 @@ static void pixel_grid(Plot *plot, void *given)
     ScreenPoint center = pixel_center(pixel);
     Normalized place = screen_to_normalized(center, screen);
 
+    plot_look_flat(plot);
+    plot_fill_room(plot);
+    plot_room(plot, (Room){0.075, 0.505, 0.16, 0.73}, (Room){0.09, 0.85, 0.42, 0.73});
+    plot_fit(plot, flat(begin_of(columns), -begin_of(rows)), 0);
+    plot_fit(plot, flat(end_of(columns), -end_of(rows)), 0);
     screen_data(plot, screen);
     plot_pair(plot, "pixel", "column", pixel.column, "row", pixel.row);
     plot_pair(plot, "center", "x", center.x, "y", center.y);

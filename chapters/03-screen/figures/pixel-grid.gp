@@ -12,55 +12,55 @@ steps = 5
 
 # y is down. The axes of s and t are the lower and the right edge, 0 to 1 along the whole screen.
 narrow = shape eq "4:3"
-room = narrow ? "0.11 0.88 0.37 0.87" : "0.09 0.60 0.20 0.86"
-low_x = begin_x; high_x = end_x; low_y = -end_y; high_y = -begin_y
-@flat
 left = U(1, begin_x); right_edge = U(1, end_x); top = V(1, -begin_y); bottom = V(1, -end_y)
 AT(s) = U(1, s * screen_W)
 UP(t) = V(1, (t - 1) * screen_H)
 axis_gap = 12
 short(x) = x < 0.001 ? sprintf("%.5f", x) : sprintf("%.4g", x)
-# If there is no room for the number of each column, every second one is numbered.
-dense = 11 * strlen(screen_W_text) + 4 > size[1]
-number(column) = dense && int(abs(column - pixel_column)) % 2 ? "" : sprintf("%d", column)
+# If there is no room for the number of each column, only every second or fifth one is numbered, and
+# always the pixel's.
+every(long) = long < size[1] ? 1 : long < 2 * size[1] ? 2 : 5
+numbers(number, own, long) = int(abs(number - own)) % every(long) ? "" : sprintf("%d", number)
+column_number(column) = numbers(column, pixel_column, 16 * strlen(screen_W_text) + 8)
+row_number(row) = numbers(row, pixel_row, 28)
 corners = "(U(1,$1+pixel_column)):(V(1,$2-pixel_row-1))"
 
 # The text is on the right; in the narrow shape, it is below, in two columns.
-words_x(column) = narrow ? (0.11 + 0.42 * column) * width : 0.71 * width
-words_y(row, row_below) = narrow ? 124 - 26 * row_below : 440 - 26 * row
+words_x(column) = narrow ? (0.03 + 0.5 * column) * width : 0.645 * width
+words_y(row, row_below) = narrow ? 118 - 34 * row_below : 420 - 36 * row
 set label 1 sprintf("%s%s × %s pixels", whole ? "" : "part of ", screen_W_text, screen_H_text) \
     at words_x(0),words_y(0, 0) tc rgb grey
-if (step >= 2) { set label 2 "pixel ".pixel_text at words_x(0),words_y(2, 1) tc rgb orange }
-if (step >= 3) { set label 3 "centre ".center_text at words_x(0),words_y(3, 2) tc rgb ink }
+if (step >= 2) { set label 2 "pixel ".pixel_text at words_x(0),words_y(2, 1) tc rgb blue }
+if (step >= 3) { set label 3 "centre ".center_text at words_x(0),words_y(3, 2) tc rgb blue }
 if (step >= 4) {
-    set label 4 math("s")." = ".s_is at words_x(1),words_y(5, 0) tc rgb blue
-    set label 5 "= ".place_s_text at words_x(1)+18,words_y(6, 1) tc rgb blue
+    set label 4 math("s")." = ".s_is at words_x(1),words_y(5, 0) tc rgb orange
+    set label 5 "= ".place_s_text at words_x(1)+20,words_y(6, 1) tc rgb orange
 }
 if (step >= 5) {
     set label 6 math("t")." = ".t_is at words_x(1),words_y(8, 2) tc rgb green
-    set label 7 "= ".place_t_text at words_x(1)+18,words_y(9, 3) tc rgb green
+    set label 7 "= ".place_t_text at words_x(1)+20,words_y(9, 3) tc rgb green
 }
 your_center = your("center_text") eq "" ? "" : sprintf("centre %s, ", your("center_text"))
-if (wrong) { set label 8 "yours: ".your_center.math("(s, t)")." = ".your("place_text") at 0.05*width,16 tc rgb orange }
+if (wrong) { set label 8 "yours: ".(narrow ? "" : your_center.math("(s, t)")." = ").your("place_text") at (narrow ? words_x(0) : 40),16 tc rgb ink }
 
 plot $square using (left+$1*(right_edge-left)):(bottom+$2*(top-bottom)) with filledcurves closed fc rgb surface fs solid noborder title "surface", \
-    @step2 $square using @corners with filledcurves closed fc rgb orange fs transparent solid 0.35 noborder title "pixel", \
+    @step2 $square using @corners with filledcurves closed fc rgb blue fs transparent solid 0.35 noborder title "pixel", \
     $grid using (U(1,$1)):(V(1,-$2)) with @hair lc rgb faint title "grid", \
     $edges using (U(1,$1)):(V(1,-$2)) with @lines lc rgb ink title "edges", \
-    $columns using (U(1,$1+0.5)):(top+14):(number($1)) with labels tc rgb ink title "columns", \
-    $once using ((left+right_edge)/2):(top+38):("column") with labels tc rgb grey title "column", \
-    $rows using (left-10):(V(1,-$1-0.5)):(sprintf("%d",$1)) with labels right tc rgb ink title "rows", \
-    $once using (left-10):(top+14):("row") with labels right tc rgb grey title "row", \
-    @step2 $square using @corners with @thick lc rgb orange title "pixel, outline", \
+    $columns using (U(1,$1+0.5)):(top+18):(column_number($1)) with labels tc rgb ink title "columns", \
+    $once using ((left+right_edge)/2):(top+48):("column") with labels tc rgb grey title "column", \
+    $rows using (left-10):(V(1,-$1-0.5)):(row_number($1)) with labels right tc rgb ink title "rows", \
+    $once using (left-10):(top+18):("row") with labels right tc rgb grey title "row", \
+    @step2 $square using @corners with @thick lc rgb blue title "pixel, outline", \
     @step3 $centers index 0 using (U(1,$1)):(V(1,-$2)) with points pt 7 ps 0.2 lc rgb grey title "centers", \
-    @step3 @who $sample index who using (U(1,$1)):(V(1,-$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb ink title "center", \
-    @step4 $once using (left):(bottom-axis_gap):(right_edge-left):(0) with @axis lc rgb grey title "s axis", \
-    @step4 $once using (right_edge+14):(bottom-axis_gap):(math("s")) with labels tc rgb ink title "s", \
-    @step4 @who $sample index who using (U(1,$1)):(V(1,-$2)):(AT($3)-U(1,$1)):(bottom-axis_gap-V(1,-$2)) with @stroke lc rgb blue dt dash(who) title "to s", \
-    @step4 $sample index 0 using (AT($3)):(bottom-30):(short($3)) with labels tc rgb blue title "s of the center", \
-    @step4 for [end=0:2*whole-1] $once using (AT(end)):(bottom-30):(abs(end-place_s)*size[1]*screen_W<48?"":sprintf("%d",end)) with labels tc rgb ink title "s of the edge", \
-    @step5 $once using (right_edge+axis_gap):(bottom):(0):(top-bottom) with @axis lc rgb grey title "t axis", \
-    @step5 $once using (right_edge+axis_gap):(top+14):(math("t")) with labels tc rgb ink title "t", \
+    @step3 @who $sample index who using (U(1,$1)):(V(1,-$2)) with points pt mark(who) ps 0.55 lw 1+who lc rgb blue title "center", \
+    @step4 $once using (left):(bottom-axis_gap):(right_edge-left):(0) with @axis lc rgb orange title "s axis", \
+    @step4 $once using (most(right_edge+26,AT(place_s)+66)):(bottom-34):(math("s")) with labels tc rgb orange title "s", \
+    @step4 @who $sample index who using (U(1,$1)):(V(1,-$2)):(AT($3)-U(1,$1)):(bottom-axis_gap-V(1,-$2)) with @stroke lc rgb orange dt dash(who) title "to s", \
+    @step4 $sample index 0 using (AT($3)):(bottom-34):(short($3)) with labels tc rgb orange title "s of the center", \
+    @step4 for [end=0:2*whole-1] $once using (AT(end)):(bottom-34):(abs(end-place_s)*size[1]*screen_W<70?"":sprintf("%d",end)) with labels tc rgb orange title "s of the edge", \
+    @step5 $once using (right_edge+axis_gap):(bottom):(0):(top-bottom) with @axis lc rgb green title "t axis", \
+    @step5 $once using (right_edge+axis_gap):(top+20):(math("t")) with labels tc rgb green title "t", \
     @step5 @who $sample index who using (U(1,$1)):(V(1,-$2)):(right_edge+axis_gap-U(1,$1)):(UP($4)-V(1,-$2)) with @stroke lc rgb green dt dash(who) title "to t", \
     @step5 $sample index 0 using (right_edge+22):(UP($4)):(short($4)) with labels left tc rgb green title "t of the center", \
-    @step5 for [end=0:2*whole-1] $once using (right_edge+22):(UP(end)):(abs(end-place_t)*size[1]*screen_H<20?"":sprintf("%d",end)) with labels left tc rgb ink title "t of the edge"
+    @step5 for [end=0:2*whole-1] $once using (right_edge+22):(UP(end)):(abs(end-place_t)*size[1]*screen_H<28?"":sprintf("%d",end)) with labels left tc rgb green title "t of the edge"

@@ -67,7 +67,7 @@ def on_the_canvas(checks, name, figure):
                     f" of {figure.width:.0f} by {figure.height:.0f}")
 
 
-AXES = ("t", "label of ticks", "numbers")  # titles of the plots that write numbers along one
+AXES = ("t", "label of ticks", "columns", "rows", "numbers")  # titles of the plots that write numbers along one
 
 
 def is_a_scale(texts):

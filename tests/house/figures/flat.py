@@ -18,6 +18,17 @@ class Panel:
         return tuple(self.middle[i] + self.unit * (at - self.center[i]) for i, at in enumerate((x, y)))
 
 
+class PlacedPanel:
+    """A panel whose labels say how large it is and where (common/figure/plot_view.c)."""
+
+    def __init__(self, figure, number=1):
+        self.unit = figure.chosen(f"size[{number}]")
+        self.zero = figure.chosen(f"zero_x[{number}]"), figure.chosen(f"zero_y[{number}]")
+
+    def place(self, x, y):
+        return tuple(zero + self.unit * at for zero, at in zip(self.zero, (x, y)))
+
+
 def line(figure, title):
     """The places on the first line of a title; none where a wrong answer left nothing to draw."""
     found = figure.lines(title)
