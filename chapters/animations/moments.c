@@ -18,7 +18,8 @@ enum {
     GROWING = 8, // moments in which the lines of a sphere grow
     OUTLINED = 6,
     TESTING = 14, // moments in which the ray looks for its hit with one sphere
-    TESTED = 8
+    TESTED = 8,
+    MOST_ASKED = 8 // spheres, also those that are missed
 };
 
 // ---- pixels in the order in which they are set ------------------------------------------------
@@ -187,6 +188,9 @@ void closest_hit_moments(Plot *plot, void *given)
     for (int i = 0; i < shown->shot.scene->sphere_count; i++) {
         double t = hit_sphere(shown->ray, shown->shot.scene->spheres[i]);
         double end = t < NO_HIT ? t : shown_end(shown);
+        // Among many spheres, those that the ray misses are not worth a moment.
+        if (!(t < NO_HIT) && shown->shot.scene->sphere_count > MOST_ASKED)
+            continue;
         so_far.sphere_count = i;
         Hit before = nearest_hit(shown->ray, &so_far);
         so_far.sphere_count = i + 1;

@@ -54,6 +54,7 @@ check 'the page shows its video' says '<source src="../animations/image-order/im
 check 'with its last frame before it moves' says 'poster="../animations/image-order/frames/0001.png" aria-label="Its words."'
 check 'and its title' says '<h3>A title &amp; more</h3>'
 check 'and not what is not there' says_not 'image-order.webm'
+rm -r "$built/animations"
 # The figure of an older script is not linked.
 echo '# another' >>"$built/figures/$first/$first.gp"
 check 'with another script' draw FORMAT=svg THEME=light,dark
