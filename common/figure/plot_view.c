@@ -313,7 +313,7 @@ void plot_view_block_end(Plot *plot, const char *right, size_t size)
         marks[i].yours = marks[i].yours || strcmp(marks[i].block, view->block) == 0;
     view->row = 0;
     view->joins = false;
-    for (const char *end = right + size; size > 0 && view->is_drawn && right < end;) {
+    for (const char *end = size > 0 ? right + size : NULL; view->is_drawn && right < end;) {
         double n[6] = {0};
         int count =
             sscanf(right, "%lf %lf %lf %lf %lf %lf", &n[0], &n[1], &n[2], &n[3], &n[4], &n[5]);
