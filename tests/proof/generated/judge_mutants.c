@@ -1,6 +1,6 @@
 // judge_mutants.c - the tests' verdicts on generated wrong answers.
 //
-//   generated STEM SEED [REVIEWED | -v]
+//   try_generated SEED REVIEWED|-v STEM...
 //
 // Each generated answer (mutate.c) is tested and diagnosed like a student's. Then another judge,
 // with its own questions (truth.h), decides whether it is wrong at all, and whether the name of its
@@ -47,7 +47,13 @@ typedef struct {
 } Count;
 
 static Trial *trial; // shared with the process that tries
-static Count total;
+
+// Shared with the process of each stem.
+typedef struct {
+    Count of_all;
+    int passed, failed;
+} Sum;
+static Sum *sum;
 
 static const Outcome *first_failed(const Outcomes *outcomes)
 {
@@ -243,23 +249,23 @@ static void print_count(const char *what, const Count *c)
            c->failed > 0 ? 100.0 * (c->named + c->described) / c->failed : 100, c->reviewed);
 }
 
-static void add(const Count *c)
+static void add(Count *total, const Count *c)
 {
-    total.tried += c->tried;
-    total.right += c->right;
-    total.edge += c->edge;
-    total.right_failed += c->right_failed;
-    total.wrong += c->wrong;
-    total.failed += c->failed;
-    total.named += c->named;
-    total.false_names += c->false_names;
-    total.described += c->described;
-    total.survived += c->survived;
-    total.reviewed += c->reviewed;
+    total->tried += c->tried;
+    total->right += c->right;
+    total->edge += c->edge;
+    total->right_failed += c->right_failed;
+    total->wrong += c->wrong;
+    total->failed += c->failed;
+    total->named += c->named;
+    total->false_names += c->false_names;
+    total->described += c->described;
+    total->survived += c->survived;
+    total->reviewed += c->reviewed;
 }
 
 // False if a verdict is false and nobody has reviewed it.
-static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose)
+static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose, Count *total)
 {
     Count count = {0};
     if (!truth_begin(exercise->name, exercise->reference, seed)) {
@@ -274,7 +280,7 @@ static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose)
         count_one(&count, &generated[i], verbose);
     }
     print_count(exercise->name, &count);
-    add(&count);
+    add(total, &count);
     bool good =
         count.tried > 0 && count.right_failed == 0 && count.false_names == 0 && count.survived == 0;
     if (!good)
@@ -283,30 +289,62 @@ static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose)
     return good;
 }
 
-int main(int argc, char **argv)
+static void try_stem(const char *stem, uint64_t seed, bool verbose)
 {
-    const char *stem = argc > 1 ? argv[1] : NULL;
-    uint64_t seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 2015;
-    bool verbose = argc > 3 && strcmp(argv[3], "-v") == 0;
+    Count total = {0};
     const char *only = getenv("ONLY");
     choose_stem(stem);
-    if (argc > 3 && !verbose)
-        read_reviews(argv[3]);
-    int passed = 0, failed = 0;
-    trial = mmap(NULL, sizeof *trial, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-    if (trial == MAP_FAILED)
-        abort();
     guard_begin();
     switch_to_process(stem);
     for (int e = 0; exercises[e].name != NULL; e++)
         if (strcmp(exercises[e].stem, stem) == 0 &&
             (only == NULL || strcmp(only, exercises[e].name) == 0))
-            *(try_exercise(&exercises[e], seed, verbose) ? &passed : &failed) += 1;
+            *(try_exercise(&exercises[e], seed, verbose, &total) ? &sum->passed : &sum->failed) +=
+                1;
     print_count(stem, &total);
+    add(&sum->of_all, &total);
     if (10 * (total.named + total.described) < 9 * total.failed) {
         printf("not ok: %s: fewer than 90%% are named or described\n", stem);
-        failed++;
+        sum->failed++;
     }
-    printf("generated of %s: %d passed, %d failed\n", stem, passed, failed);
-    return failed == 0 ? 0 : 1;
+}
+
+static void *shared(size_t size)
+{
+    void *memory = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED)
+        abort();
+    return memory;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 4) {
+        fprintf(stderr, "Usage: %s SEED REVIEWED|-v STEM...\n", argv[0]);
+        return 2;
+    }
+    uint64_t seed = strtoull(argv[1], NULL, 10);
+    bool verbose = strcmp(argv[2], "-v") == 0;
+    if (!verbose)
+        read_reviews(argv[2]);
+    trial = shared(sizeof *trial);
+    sum = shared(sizeof *sum);
+    for (int i = 3; i < argc; i++) {
+        fflush(NULL);
+        pid_t pid = fork();
+        if (pid == 0) {
+            try_stem(argv[i], seed, verbose);
+            exit(0);
+        }
+        int status = 1;
+        if (pid < 0 || waitpid(pid, &status, 0) != pid || status != 0) {
+            printf("not ok: %s: its trials did not end\n", argv[i]);
+            sum->failed++;
+        }
+    }
+    char what[40];
+    snprintf(what, sizeof what, "+ seed %llu", (unsigned long long)seed);
+    print_count(what, &sum->of_all);
+    printf("generated: %d passed, %d failed\n", sum->passed, sum->failed);
+    return sum->failed == 0 ? 0 : 1;
 }
