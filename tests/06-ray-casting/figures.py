@@ -143,8 +143,30 @@ def telling_pixel(world, dice):
 def see(figure, world, room):
     figure.see(world.r, world.u, world.f, room=room)
     nearer = figure.number("plane_t")
-    checks.that("the image plane is in its place, or nearer", 0 < nearer <= 1)
+    ahead = [gap for gap in (dot(plus(tuple(row[1:4]), world.eye, -1), world.f) - row[4]
+                             for row in figure.block("spheres")[:int(figure.number("balls"))]) if gap > 0]
+    checks.that("the image plane is before the spheres", nearer > 0 and
+                (not ahead or nearer * world.d <= min(ahead) + 1e-6 * world.d), f"t = {nearer}, spheres from {ahead}")
     return nearer
+
+
+def plane_where_it_is_seen():
+    """However far the point is that the eye looks at, and however wide the angle."""
+    far = {"from": (0, 0, 0), "at": (0, 0, -1), "up": (0, 1, 0), "angle": 40, "size": (8, 8), "background": (0, 0, 0),
+           "spheres": [((30, -20, -400), 60, (0.8, 0.3, 0.2))]}
+    for name in ("object-order", "image-order", "ray-casting", "explain"):
+        one, other = (Figure(PROGRAM, name, *scene_options({**far, "at": at}, (4, 4)))
+                      for at in ((0, 0, -1), (0, 0, -9000)))
+        checks.near(f"{name}: a direction has no length", other.lines("plane")[0], one.lines("plane")[0])
+        across = [x for x, _ in one.lines("plane")[0]]
+        checks.that(f"{name}: the plane can be seen", max(across) - min(across) > 40, str(across))
+        wide = {**far, "at": (0, 0, -10), "angle": 170, "spheres": [((16, -14, -20), 14, (0.8, 0.3, 0.2))]}
+        figure, world = Figure(PROGRAM, name, *scene_options(wide, (4, 4))), World(wide)
+        see(figure, world, ROOM)
+        checks.that(f"{name}: so can a sphere, at a wide angle", figure.scale * 14 > 40, str(figure.scale))
+        middle = figure.place((16, -14, -20))
+        for x, y in [] if name == "object-order" else figure.dots("closest hit"):
+            checks.that(f"{name}: with the hit on it", math.hypot(x - middle[0], y - middle[1]) <= figure.scale * 14 + NEAR)
 
 
 def shown_spheres(figure, world, expected):
@@ -526,6 +548,7 @@ BELOW = {**GROUND, "from": (0, -0.5, 6)}
 nearest_hit(BELOW, (5, 4))
 words = Figure(PROGRAM, "object-order", *scene_options({**BELOW, "spheres": BELOW["spheres"][:1]}, (5, 4))).in_words()[1]
 checks.that("seen from inside, a sphere has no outline", "Sphere A has no outline here, because the eye is in it." in words, words)
+plane_where_it_is_seen()
 explain_figure(FOUR, (4, 4))
 explain_figure(ALONG, (0, 0))
 story(FOUR, (4, 4))

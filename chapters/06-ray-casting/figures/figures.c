@@ -94,12 +94,19 @@ static Ray missing_ray(const Shown *shown)
     return ray;
 }
 
+// How far to draw that ray: as far as the pixel's, but not far away at the edge of a wide angle.
+static double missing_end(const Shown *shown, Ray miss)
+{
+    double longer = vec3_length(miss.direction) / (2 * vec3_length(shown->ray.direction));
+    return shown_end(shown) / fmax(1, longer);
+}
+
 // Object order and image order show the same: one after the other on a slide, nothing jumps.
 static void same_view(Plot *plot, const Shown *shown, Ray miss)
 {
     const Room room = {0.04, 0.96, 0.14, 0.84};
     plot_fit(plot, shown->ray.origin + shown_end(shown) * shown->ray.direction, 0);
-    plot_fit(plot, shown->ray.origin + shown_end(shown) * miss.direction, 0);
+    plot_fit(plot, shown->ray.origin + missing_end(shown, miss) * miss.direction, 0);
     plot_room(plot, room, room);
     plot_fill_room(plot);
 }
@@ -110,7 +117,7 @@ static void image_order(Plot *plot, void *given)
     int cells = ray_casting_data(plot, shown);
     Ray miss = missing_ray(shown);
     plot_number(plot, "misses", vec3_length(miss.direction) > 0);
-    shown_ray(plot, "miss", miss, shown_end(shown), shown_end(shown));
+    shown_ray(plot, "miss", miss, missing_end(shown, miss), missing_end(shown, miss));
     counted(plot, 5, cells, " hit");
     same_view(plot, shown, miss);
 }

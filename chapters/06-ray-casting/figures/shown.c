@@ -107,21 +107,25 @@ static void show_sphere(Shown *shown, int sphere)
     shown->spheres[shown->sphere_count++] = sphere;
 }
 
-// The image plane of a scene is among its spheres, and would hide half of them. Nearer to the eye,
-// and smaller by the same factor, it makes the same rays (chapter 01).
+// A scene may have its image plane among its spheres, where it would hide half of them, or so near
+// to the eye, for what it shows, that nobody sees it; and with a wide angle it is larger than all
+// else. Nearer to the eye, or farther, and smaller or larger by the same factor, it makes the same
+// rays (chapter 01).
 static Camera with_plane_before_spheres(const Shown *shown)
 {
     Camera c = shown->shot.camera;
-    double room = INFINITY;
+    double room = INFINITY; // before the first sphere
     for (int i = 0; i < shown->sphere_count; i++) {
         Sphere s = shown->shot.scene->spheres[shown->spheres[i]];
         double ahead = vec3_dot(s.center - c.origin, c.forward) - s.radius;
         if (ahead > 0 && ahead < room)
             room = ahead;
     }
-    if (!(room < c.distance))
+    double diagonal = hypot(c.width, c.height) / c.distance;
+    bool fits = c.distance <= room && c.distance >= room / 8 && c.distance * diagonal <= 3 * room;
+    if (!isfinite(room) || fits)
         return c;
-    double factor = fmax(0.6 * room / c.distance, 0.2);
+    double factor = fmin(0.6 * room, room / diagonal) / c.distance;
     c.distance *= factor;
     c.width *= factor;
     c.height *= factor;
