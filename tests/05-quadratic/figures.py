@@ -243,9 +243,9 @@ def discriminant(r):
     for i in range(5):
         panel = Panel(Meeting((0, 0, 0), (1, 0, 0), (0, 0, 0), r), figure.lines("circle")[i], (1, 0, 0), (0, 1, 0))
         drawn = [(((u - panel.middle[0]) / panel.radius)**2 + SITUATIONS[i][1]**2 - 1, v - axes[i])
-                 for u, v in shape if i * 192 < u < (i + 1) * 192]
+                 for u, v in shape if 120 + i * 168 < u < 120 + (i + 1) * 168]
         checks.that(f"panel {i + 1}: its parabola", len(drawn) > 20 and
-                    all(abs(v - 0.11 * 540 * f) < 0.3 for f, v in drawn))
+                    all(abs(v - 45 * f) < 0.3 for f, v in drawn))
 
 
 def world_object(m, by=(0, 0, 0)):

@@ -150,10 +150,29 @@ static void data(Plot *plot, const Panels *panels)
     }
 }
 
+// Five columns, to the right of the names of their rows.
+static void columns(Plot *plot, const Panels *panels)
+{
+    const double bottom = 0.2, top = 0.44, margin = 0.01;
+    plot_look_flat(plot);
+    plot_fill_room(plot);
+    for (int i = 0; i < panels->count; i++) {
+        const double wide = 0.125 + 0.175 * i, narrow = 0.15 + 0.17 * i;
+        const double middle = panels->situations[i].middle;
+        plot_panel(plot, i + 1);
+        plot_room(plot, (Room){wide + margin, wide + 0.175 - margin, bottom, top},
+                  (Room){narrow + margin, narrow + 0.17 - margin, bottom, top});
+        plot_fit(plot, panels->radius * vec3_of(middle - panels->half, -1.1, 0), 0);
+        plot_fit(plot, panels->radius * vec3_of(middle + panels->half, 1.6, 0), 0);
+    }
+}
+
 void discriminant_figure(Plot *plot, void *given)
 {
     const Meeting *m = given;
-    data(plot, &(Panels){five, SITUATIONS, rounded(m->sphere.radius), 1.75, 2.4, 400});
+    Panels panels = {five, SITUATIONS, rounded(m->sphere.radius), 1.75, 2.4, 400};
+    columns(plot, &panels);
+    data(plot, &panels);
 }
 
 // ---- as one ray that moves --------------------------------------------------------------------
