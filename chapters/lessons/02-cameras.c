@@ -38,7 +38,8 @@ int main(int argc, char **argv)
     fill_text("degrees", "%.2f", 2 * atan(c.width / 2 / c.distance) * 180 / PI);
     fill_option("eye_option", forms.look_at.eye);
     fill_option("at_option", forms.look_at.at);
-    fill_text("aspect_option", c.width == c.height ? "" : " --aspect %s",
-              number_text(forms.look_at.aspect).s);
+    bool square = c.width == c.height;
+    fill_text("aspect_option", "%s%s", square ? "" : " --aspect ",
+              square ? "" : number_text(forms.look_at.aspect).s);
     return fill_lesson(argc, argv);
 }
