@@ -183,7 +183,7 @@ for left, right in (("light", "light, right"), ("point", "start")):
 
 
 def dark_and_lit(name):
-    """Of the pixels that face the light by far, how many show only ambient light."""
+    """Of the pixels that face the light by far, how many are dark."""
     wide, tall, rgb = picture(figure, name)
     found = []
     for row in range(tall):
@@ -191,7 +191,7 @@ def dark_and_lit(name):
             x, y = 2.25 * ((column + 0.5) / wide - 0.5), 2.25 * (0.5 - (row + 0.5) / tall)
             if x * x + y * y < 0.8 and dot((x, y, math.sqrt(1 - x * x - y * y)), unit((3, 5, 6))) > 0.4:
                 found.append(rgb[3 * (row * wide + column)])
-    return sum(byte < 40 for byte in found), len(found)
+    return sum(byte < 60 for byte in found), len(found)
 
 
 dark, lit = dark_and_lit("specks")

@@ -122,21 +122,19 @@ static vec3 at_the_point(Sphere sphere, vec3 point, vec3 normal)
     return point;
 }
 
-// A sphere by ambient and diffuse light, with rays to the light that start as told.
-static Color lit(const Scene *scene, Ray ray, Starter *start)
+// Brighter the more the surface faces the eye, so that it looks round; and dark where a ray to the
+// light that starts as told does not arrive.
+static Color light_and_dark(const Scene *scene, Ray ray, Starter *start)
 {
     Hit hit = nearest_hit(ray, scene);
     if (hit.sphere != 0)
         return scene->background;
     vec3 point = ray.origin + hit.t * ray.direction;
     vec3 normal = surface_normal(scene->spheres[0], point);
-    Light light = scene->lights[0];
-    const Surface *surface = scene_surface(scene, 0);
-    Color color = ambient_term(surface->color, surface->diffuse, scene->ambient);
-    if (visibility(scene, start(scene->spheres[0], point, normal), light) > 0)
-        color += diffuse_term(surface->color, surface->diffuse, light.color, normal,
-                              ray_to_light(point, light).direction);
-    return color;
+    double facing = fabs(vec3_dot(normal, vec3_unit(ray.direction)));
+    vec3 from = start(scene->spheres[0], point, normal);
+    double left = visibility(scene, from, scene->lights[0]) > 0 ? 1 : 0.2;
+    return left * facing * scene_surface(scene, 0)->color;
 }
 
 // With samples x samples rays a pixel.
@@ -146,7 +144,7 @@ static void picture_data(Plot *plot, const char *name, Starter *start, int sampl
     // Neither at the origin nor exactly before the eye, where rounding makes symmetrical patterns.
     const vec3 place = vec3_of(2, 2, 1);
     Sphere sphere = {.center = place, .radius = 1};
-    Surface surface = {.color = vec3_of(1, 1, 1), .diffuse = 0.9};
+    Surface surface = {.color = vec3_of(1, 1, 1)};
     Light light = {place + vec3_of(3, 5, 6), vec3_of(1, 1, 1), LIGHT_POINT};
     const double grey = 127 / 255.0;
     Scene scene = {.spheres = &sphere,
@@ -155,7 +153,6 @@ static void picture_data(Plot *plot, const char *name, Starter *start, int sampl
                    .surface_count = 1,
                    .lights = &light,
                    .light_count = 1,
-                   .ambient = vec3_of(0.1, 0.1, 0.1),
                    .background = vec3_of(grey, grey, grey)};
     Camera camera = {.origin = place + vec3_of(0.011, 0.007, 6),
                      .right = vec3_of(1, 0, 0),
@@ -173,7 +170,7 @@ static void picture_data(Plot *plot, const char *name, Starter *start, int sampl
         Color sum = vec3_of(0, 0, 0);
         for (int k = 0; k < samples * samples; k++) {
             Pixel sample = {i % SIDE * samples + k % samples, i / SIDE * samples + k / samples};
-            sum += lit(&scene, pixel_ray(camera, fine, sample), start);
+            sum += light_and_dark(&scene, pixel_ray(camera, fine, sample), start);
         }
         image_set(&image, (Pixel){i % SIDE, i / SIDE}, sum / (samples * samples));
     }
