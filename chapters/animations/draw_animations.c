@@ -18,7 +18,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { TURNS = 90, TURN_RATE = 15 };
+enum { TURNS = 90, TURN_SECONDS = 6 };
 
 Path home_of(const Animation *a)
 {
@@ -237,7 +237,7 @@ int main(int argc, char **argv)
                         .source = path_of("%s", argv[4]),
                         .cast = argv + 5,
                         .frames = turns(),
-                        .rate = TURN_RATE};
+                        .rate = turns() < TURN_SECONDS ? 1 : turns() / TURN_SECONDS};
         make_animation(&a, &wanted);
         return 0;
     }

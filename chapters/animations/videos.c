@@ -27,6 +27,7 @@ typedef struct {
     const char *name, *encoder;
     const char *filter, *turning_filter; // of a story, and of a turntable
     char *settings[MOST_WORDS];
+    char *turning[8]; // settings that a turntable has beside these: 6 s in less than 3 MB
 } Format;
 
 static const Format formats[] = {
@@ -34,16 +35,28 @@ static const Format formats[] = {
      "libx264",
      "tpad=stop_mode=clone:stop_duration=2," VIDEO,
      VIDEO,
-     {"-preset", "slow", "-crf", "24", "-g", "60", "-movflags", "+faststart", HDTV}},
+     {"-preset", "slow", "-crf", "24", "-g", "60", "-movflags", "+faststart", HDTV},
+     {"-maxrate", "3400k", "-bufsize", "3400k"}},
     {"webm",
      "libvpx-vp9",
      "tpad=stop_mode=clone:stop_duration=2," VIDEO,
      VIDEO,
-     {"-crf", "36", "-b:v", "0", "-deadline", "good", "-cpu-used", "3", "-g", "60", HDTV}},
-    {"gif", "gif", IN_COLORS, SMALLER IN_COLORS, {"-loop", "0", "-final_delay", "200"}},
-    {"apng", "apng", IN_COLORS, SMALLER IN_COLORS, {"-plays", "0", "-final_delay", "2"}},
-    {"png", NULL, NULL, NULL, {NULL}},
-    {NULL, NULL, NULL, NULL, {NULL}}};
+     {"-crf", "36", "-b:v", "0", "-deadline", "good", "-cpu-used", "3", "-g", "60", HDTV},
+     {"-b:v", "3200k"}},
+    {"gif",
+     "gif",
+     IN_COLORS,
+     SMALLER IN_COLORS,
+     {"-loop", "0", "-final_delay", "200"},
+     {"-final_delay", "-1"}},
+    {"apng",
+     "apng",
+     IN_COLORS,
+     SMALLER IN_COLORS,
+     {"-plays", "0", "-final_delay", "2"},
+     {"-final_delay", "0.2"}},
+    {"png", NULL, NULL, NULL, {NULL}, {NULL}},
+    {NULL, NULL, NULL, NULL, {NULL}, {NULL}}};
 
 static const Format *format_named(const char *name)
 {
@@ -88,6 +101,8 @@ static void begin_video(int place, const Animation *a, const Format *format, Pat
         count++;
     for (int i = 0; format->settings[i] != NULL; i++)
         arguments[count++] = format->settings[i];
+    for (int i = 0; a->cast != NULL && format->turning[i] != NULL; i++)
+        arguments[count++] = format->turning[i];
     arguments[count++] = "-f";
     arguments[count++] = (char *)format->name;
     arguments[count++] = new.s;
