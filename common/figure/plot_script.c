@@ -33,9 +33,15 @@ static char *text_of_file(const char *path)
     char part[4096];
     for (size_t n; (n = fread(part, 1, sizeof part, file)) > 0;)
         fwrite(part, 1, n, copy);
+    bool read = !ferror(file); // a folder, for example
+    if (!read)
+        fprintf(stderr, "%s: cannot be read: %s\n", path, strerror(errno));
     fclose(file);
     fclose(copy);
-    return text;
+    if (read)
+        return text;
+    free(text);
+    return NULL;
 }
 
 // The same of a file of the toolkit, whatever the current folder is.

@@ -58,4 +58,12 @@ refused() {
 check 'and fails outside any tree' refused
 check 'with the name of the missing file, and where it was looked for' says \
     'alone: common/figure/plot.gp is neither above this program nor above the current folder'
+
+# A layout that cannot be read is named, and nothing is printed.
+lays_out() {
+    ! "$PROGRAMS/05-quadratic" --figure parabola --layout "$1" >"$scratch/parabola.gp" 2>"$scratch/said" &&
+        [ ! -s "$scratch/parabola.gp" ] && says "$2"
+}
+check 'a layout that does not exist is refused' lays_out "$scratch/none.gp" "$scratch/none.gp: cannot be read: No such file"
+check 'so is a folder' lays_out "$scratch" "$scratch: cannot be read: Is a directory"
 finish any_folder
