@@ -118,7 +118,8 @@ void plot_panel(Plot *plot, int panel);
 // The next block is not drawn as it is, so labels may cover it.
 void plot_undrawn(Plot *plot);
 
-// The layout draws the next block moved by so many units of the canvas: a dimension beside its edge.
+// The layout draws the next block moved by so many units of the canvas: a dimension beside its
+// edge.
 void plot_moved(Plot *plot, double u, double v);
 
 // A part of the canvas in which the layout writes by itself: labels keep out of it.
@@ -147,6 +148,9 @@ typedef struct {
 #define ANYWHERE (-1)
 void plot_name(Plot *plot, Label label);
 void plot_names(Plot *plot, const Label *labels, size_t count);
+
+// How wide the text of one line is, in units of the canvas.
+double plot_width(const Plot *plot, const char *text);
 
 // Lines of text that name no place, together in a block: near a corner of the canvas, where there
 // is room. 0, 1 is the upper left.

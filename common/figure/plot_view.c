@@ -479,6 +479,11 @@ static double line_width(const PlotView *view, const char *line, size_t length)
     return width;
 }
 
+double plot_width(const Plot *plot, const char *text)
+{
+    return line_width(plot->view, text, strlen(text));
+}
+
 #define LINE_HEIGHT (1.35 * TEXT_SIZE)
 
 static void measure(const PlotView *view, const char *text, double *width, double *height)

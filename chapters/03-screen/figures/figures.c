@@ -60,8 +60,8 @@ static void screen_to_unit_words(Plot *plot)
                              {"$t = 1 − y/${screen_H}", "green", .step = 3}};
     plot_pin(plot, 0.535, 0.57, &mapping[0], 1);
     plot_pin(plot, 0.535, 0.43, &mapping[1], 1);
-    const char *from_top = plot_shown(plot, "point_y") < 0 ? "1 − ({point_y})/{screen_H}"
-                                                           : "1 − {point_y}/{screen_H}";
+    const char *from_top =
+        plot_shown(plot, "point_y") < 0 ? "1 − ({point_y})/{screen_H}" : "1 − {point_y}/{screen_H}";
     char second[100];
     snprintf(second, sizeof second, "$t =$ %s = {place_t}", from_top);
     const Label words[] = {{"$s =$ {point_x}/{screen_W} = {place_s}", "orange", .step = 5},

@@ -295,7 +295,7 @@ static void world_panel(Plot *plot, const Section *s)
     bool near = away <= 8 * s->size;
     plot_number(plot, "near_origin", near);
     vec3 shown = near ? c : 3 * s->size / away * c;
-    double length = near ? fmax(0.5 * away, 1.4 * s->size) : 0;
+    double length = near ? fmax(0.5 * away, 1.4 * s->size) : NAN;
     axes(plot, "world_axes", s, near ? -0.5 * s->size : NAN, length, 1);
     plot_vector(plot, "c", c - shown, shown);
     plot_fit(plot, c - shown, 0);
@@ -352,12 +352,44 @@ static bool agree(const Plot *plot, const char *name)
     return strcmp(number_text(world).s, number_text(object).s) == 0;
 }
 
-static Text coefficients_said(const Plot *plot, const char *where, const char *at)
+// Lines of text below both panels.
+enum { LINES = 16 };
+
+typedef struct {
+    Text lines[LINES];
+    int steps[LINES], count;
+} Lines;
+
+static void say(Lines *lines, int step, Text line)
 {
-    (void)plot;
-    Text line;
-    snprintf(line.s, sizeof line.s, "%s: $a$ = {%sa}, $b$ = {%sb}, $c$ = {%sc}", where, at, at, at);
-    return line;
+    if (lines->count == LINES)
+        return;
+    lines->steps[lines->count] = step;
+    lines->lines[lines->count++] = line;
+}
+
+// In one line if there is room for it, on the narrow canvas also.
+static void say_both(Plot *plot, Lines *lines, int step, const char *first, const char *second)
+{
+    enum { ROOM = 680 };
+    Text one, two;
+    snprintf(one.s, sizeof one.s, "%s, %s", first, second);
+    if (plot_width(plot, one.s) <= ROOM) {
+        say(lines, step, one);
+        return;
+    }
+    snprintf(one.s, sizeof one.s, "%s", first);
+    snprintf(two.s, sizeof two.s, "%s", second);
+    say(lines, step, one);
+    say(lines, step, two);
+}
+
+static void say_coefficients(Plot *plot, Lines *lines, const char *where, const char *at)
+{
+    char first[80], second[40];
+    snprintf(first, sizeof first, "%s: $a$ = {%sa}, $b$ = {%sb}", where, at, at);
+    snprintf(second, sizeof second, "$c$ = {%sc}", at);
+    say_both(plot, lines, 3, first, second);
 }
 
 static Text roots_said(const Plot *plot, const char *where, const char *at)
@@ -373,60 +405,54 @@ static Text roots_said(const Plot *plot, const char *where, const char *at)
     return line;
 }
 
-// Your numbers that are wrong.
-static Text yours_said(const Plot *plot, const char *where, const char *at)
+// Your numbers that are wrong, as many in a line as have room.
+static void say_yours(const Plot *plot, Lines *lines, const char *where, const char *at)
 {
-    static const char *const names[] = {"a", "b", "c", "t0", "t1"};
+    enum { NAMES = 5, ROOM = 680 };
+    static const char *const names[NAMES] = {"a", "b", "c", "t0", "t1"};
     Text line = {""};
-    size_t size = 0;
-    for (int i = 0; i < 5; i++)
-        if (plot_says_yours(plot, joined(at, names[i])))
-            size += (size_t)snprintf(line.s + size, sizeof line.s - size, "%s%s %s = {your_%s%s}",
-                                     size > 0 ? "," : "yours, ", size > 0 ? "" : where, names[i],
-                                     at, names[i]);
-    return line;
-}
-
-// Below both panels. Returns the number of lines.
-static int common_words(Plot *plot)
-{
-    Text lines[6] = {{""}};
-    int count = 0;
-    bool same = agree(plot, "a") && agree(plot, "b") && agree(plot, "c");
-    if (!same)
-        lines[count++] = coefficients_said(plot, "world", "world_");
-    lines[count++] = coefficients_said(plot, same ? "both" : "object", "object_");
-    int coefficients = count;
-    same = agree(plot, "roots") && agree(plot, "t0") && agree(plot, "t1");
-    if (!same)
-        lines[count++] = roots_said(plot, "world", "world_");
-    lines[count++] = roots_said(plot, same ? "both" : "object", "object_");
-    for (int i = 0; i < 2; i++) {
-        lines[count] =
-            i == 0 ? yours_said(plot, "world", "world_") : yours_said(plot, "object", "object_");
-        count += lines[count].s[0] != '\0';
+    for (int i = 0; i < NAMES; i++) {
+        if (!plot_says_yours(plot, joined(at, names[i])))
+            continue;
+        Text one, longer;
+        snprintf(one.s, sizeof one.s, "%s = {your_%s%s}", names[i], at, names[i]);
+        snprintf(longer.s, sizeof longer.s, "%.100s, %.50s", line.s, one.s);
+        if (line.s[0] != '\0' && plot_width(plot, longer.s) <= ROOM) {
+            line = longer;
+            continue;
+        }
+        if (line.s[0] != '\0')
+            say(lines, 4, line);
+        snprintf(line.s, sizeof line.s, "yours, %s: %.50s", where, one.s);
     }
-    Label words[6];
-    for (int i = 0; i < count; i++)
-        words[i] = (Label){lines[i].s, "ink", .step = i < coefficients ? 3 : 4};
-    plot_pin(plot, 0.5, 0.03 + 0.035 * count, words, count);
-    return count;
+    if (line.s[0] != '\0')
+        say(lines, 4, line);
 }
 
 static void world_object_words(Plot *plot)
 {
-    const Label world[] = {{"$|(p + t v) − C|² = r²$", "ink", .step = 3},
-                           {"$p$ = {origin}", "ink", .step = 3},
-                           {"$C$ = {center}", "ink", .step = 3}};
-    const Label object[] = {{"$|p + t v|² = r²$", "ink", .step = 3},
-                            {"with $p − C$ for $p$:", "ink", .step = 3},
-                            {"{object_p!}", "ink", .step = 3}};
-    const Label names[] = {{"world", "ink", .step = 1}, {"object", "ink", .step = 2}};
-    int lines = common_words(plot);
-    double up = 0.04 + 0.07 * lines + 0.12, bottom = 0.05 + 0.062 * (lines + 3);
+    static const char *const names[] = {"world", "object"}, *const at[] = {"world_", "object_"};
+    Lines lines = {.count = 0};
+    say_both(plot, &lines, 3, "$p$ = {origin}", "$C$ = {center}");
+    say(&lines, 3, (Text){"$p − C$ = {object_p!}"});
+    bool same = agree(plot, "a") && agree(plot, "b") && agree(plot, "c");
+    for (int i = same; i < 2; i++)
+        say_coefficients(plot, &lines, same ? "both" : names[i], at[i]);
+    same = agree(plot, "roots") && agree(plot, "t0") && agree(plot, "t1");
+    for (int i = same; i < 2; i++)
+        say(&lines, 4, roots_said(plot, same ? "both" : names[i], at[i]));
+    for (int i = 0; i < 2; i++)
+        say_yours(plot, &lines, names[i], at[i]);
+
+    Label words[LINES];
+    for (int i = 0; i < lines.count; i++)
+        words[i] = (Label){lines.lines[i].s, "ink", .step = lines.steps[i]};
+    plot_pin(plot, 0.5, 0.03 + 0.035 * lines.count, words, lines.count);
+    const Label headings[] = {{"world: $|(p + t v) − C|² = r²$", "ink", .step = 1},
+                              {"object: $|p + t v|² = r²$", "ink", .step = 2}};
+    double bottom = 0.04 + 0.061 * lines.count;
     for (int i = 0; i < 2; i++) {
-        plot_pin(plot, 0.25 + 0.5 * i, 0.95, &names[i], 1);
-        plot_pin(plot, 0.25 + 0.5 * i, up, i == 0 ? world : object, 3);
+        plot_pin(plot, 0.26 + 0.5 * i, 0.95, &headings[i], 1);
         Room room = {i == 0 ? 0.02 : 0.52, i == 0 ? 0.48 : 0.98, bottom, 0.79};
         plot_panel(plot, i + 1);
         plot_room(plot, room, room);
