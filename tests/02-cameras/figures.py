@@ -4,11 +4,12 @@ import random
 
 from cameras import DECK, corners, label, label_of, options_of, some_camera
 from check import Checks, holds_for_every, on_the_canvas, told_in_words
+from collisions import nothing_collides
 from figure import Figure, dot, plus, times
 
 checks = Checks("figures of 02-cameras")
 SHAPES = {"16:9": 960, "4:3": 720}
-FORMS = {"look-at": (0, 0), "points": (1, 0), "corner": (0, 1), "vectors": (1, 1)}  # column, row
+FORMS = ("look-at", "points", "corner", "vectors")  # panels 1 to 4
 
 
 def unit(v):
@@ -36,12 +37,14 @@ def camera_forms(c, options, shape, up=None):
     named = f"camera-forms {' '.join(map(str, options))}"
     on_the_canvas(checks, named, figure)
     told_in_words(checks, named, figure)
-    wide = SHAPES[shape]
-    figure.see(c["r"], c["u"], c["f"], room=(0.04, 0.5 - 96 / wide, 0.62, 0.87), azimuth=34)
+    nothing_collides(checks, named, figure)
+    figure.see(c["r"], c["u"], c["f"], azimuth=34)
 
     def place(form, point):
-        column, row = FORMS[form]
-        return plus(figure.place(point), (column * wide / 2, -row * 270))
+        """All panels have one size, each a middle of its own."""
+        panel = FORMS.index(form) + 1
+        zero = (figure.chosen(f"zero_x[{panel}]"), figure.chosen(f"zero_y[{panel}]"))
+        return tuple(zero[i] + figure.scale * dot(point, figure.axes[i]) for i in range(2))
 
     upper_left, upper_right, lower_right, lower_left = points = corners(c)
     middle = plus(c["p"], c["f"], c["d"])
@@ -68,9 +71,10 @@ def camera_forms(c, options, shape, up=None):
     checks.near("the width", ends_of(figure, "w"),
                 [plus(place("look-at", p), (0, 12)) for p in (upper_left, upper_right)])
 
-    found = f"d = {label(c['d'])}, w = {label(c['w'])}, h = {label(c['h'])}"
     labels = [words for words, _, _ in figure.labels()]
-    checks.that("each form's result is in the words", labels.count(found) == 4, f"not 4 times {found!r} in {labels}")
+    found = f"d = {label(c['d'])}, w = {label(c['w'])}, h = {label(c['h'])}"
+    checks.that("the common result is shown", f"each gives {found}" in labels, f"{found!r} is not in {labels}")
+    checks.that("each form's result is in the words", figure.in_words()[1].count(found) == 4, found)
     for text in (f"w = {label(c['w'])}", f"w/h = {label(c['w'] / c['h'])}"):
         checks.that(f"a label says {text!r}", text in labels, str(labels))
     _, words = figure.in_words()

@@ -8,6 +8,7 @@
 #include "exercises/02-cameras.h"
 
 #include <stdio.h>
+#include <string.h>
 
 typedef struct {
     Camera camera;
@@ -26,7 +27,7 @@ static Found found_from(const char *form, CameraFault fault, Camera camera, vec3
     return (Found){form, fault, fault == CAMERA_OK ? camera : (Camera){.origin = eye}};
 }
 
-// FORM_found: its d, w and h.
+// FORM_found_text: its d, w and h.
 static void plot_words(Plot *plot, Found found)
 {
     char name[60];
@@ -38,38 +39,80 @@ static void plot_words(Plot *plot, Found found)
     else
         snprintf(words.s, sizeof words.s, "no camera");
     snprintf(name, sizeof name, "%s_found", found.form);
-    plot_text(plot, name, words.s);
+    plot_label(plot, name, words.s);
 }
 
-// $planes and $frames of all cameras that were found, with an empty line between two cameras.
-static void plot_found(Plot *plot, const Found *found, int count)
+// The plane of a camera that was found, and its frame at the middle of it, in a form's panel:
+// $found1, $frame1.
+static void plot_found(Plot *plot, Found found, int form)
 {
-    for (int i = 0; i < count; i++)
-        plot_words(plot, found[i]);
-    plot_block(plot, "planes", "x y z of the corners, starting at the upper left");
-    for (int i = 0; i < count; i++) {
-        if (i > 0)
-            plot_gap(plot);
-        plane_rows(plot, found[i].camera);
-    }
-    plot_block_end(plot);
-    plot_block(plot, "frames",
-               "x y z of the plane's middle, x y z of an arrow: right, up, forward");
-    for (int i = 0; i < count; i++) {
-        Camera c = found[i].camera;
-        vec3 middle = c.origin + image_plane_vector(c, 0.5, 0.5);
-        double length = fmax(c.distance, fmax(c.width, c.height)) / 5;
-        if (i > 0)
-            plot_gap(plot);
-        plot_row_vector(plot, middle, length * c.right);
-        plot_row_vector(plot, middle, length * c.up);
-        plot_row_vector(plot, middle, length * c.forward);
-    }
+    char name[20];
+    Camera c = found.camera;
+    vec3 middle = c.origin + image_plane_vector(c, 0.5, 0.5);
+    double length = fmax(c.distance, fmax(c.width, c.height)) / 5;
+    plot_words(plot, found);
+    snprintf(name, sizeof name, "found%d", form + 1);
+    plane_outline(plot, name, c);
+    snprintf(name, sizeof name, "frame%d", form + 1);
+    plot_block(plot, name, "x y z of the plane's middle, x y z of an arrow: right, up, forward");
+    plot_row_vector(plot, middle, length * c.right);
+    plot_row_vector(plot, middle, length * c.up);
+    plot_row_vector(plot, middle, length * c.forward);
     plot_block_end(plot);
 }
 
-// The given numbers, form by form.
-static void plot_forms(Plot *plot, vec3 eye, Forms forms)
+// The letters of the frame, where there is room for them; in the other panels, colours say which.
+static void name_frame(Plot *plot)
+{
+    static const Label letters[] = {
+        {"$r$", "orange", .step = 5, .block = "frame1", .part = 1},
+        {"$u$", "green", .step = 5, .block = "frame1", .row = 1, .part = 1},
+        {"$f$", "pink", .step = 5, .block = "frame1", .row = 2, .part = 1}};
+    plot_names(plot, letters, sizeof letters / sizeof *letters);
+}
+
+// What each panel has: the eye, and a part of the canvas of its own, under its title.
+static void begin_panel(Plot *plot, Given given, int form, const char *title)
+{
+    double left = form % 2 == 0 ? 0.03 : 0.53, bottom = form < 2 ? 0.49 : 0.10;
+    Room room = {left, left + 0.44, bottom, bottom + 0.29};
+    Camera c = given.camera;
+    char block[20];
+    plot_panel(plot, form + 1);
+    plot_room(plot, room, room);
+    snprintf(block, sizeof block, "eye%d", form + 1);
+    plot_point(plot, block, c.origin);
+    plot_fit(plot, c.origin, 0);
+    int step = form + 1;
+    plot_name(plot, (Label){"eye", "blue", .step = step, .block = block});
+    double across = form % 2 == 0 ? 0.25 : 0.75, up = form < 2 ? 0.5 : 0;
+    const Label words = {title, "ink", .step = step};
+    plot_pin(plot, across, up + 0.46, &words, 1);
+}
+
+// All forms give one camera. If your answers give another one, each of those has its line.
+static void plot_results(Plot *plot, const Found *found, int count)
+{
+    static const char *const titles[] = {"look-at", "points", "corner", "vectors"};
+    char text[5][60];
+    Label lines[5] = {{"each gives {look_at_found}", "grey", .step = 5}};
+    int used = 1;
+    for (int i = 0; i < count; i++) {
+        char name[40];
+        snprintf(name, sizeof name, "%s_found", found[i].form);
+        if (!plot_says_yours(plot, name))
+            continue;
+        snprintf(text[used], sizeof text[used], "yours, %s: {your_%s}", titles[i], name);
+        lines[used] = (Label){text[used], "grey", .step = 5};
+        used++;
+    }
+    if (used == 1)
+        plot_pin(plot, 0.5, 0.03, lines, 1);
+    else
+        plot_say(plot, 0, 0, lines, used);
+}
+
+static void look_at_panel(Plot *plot, Forms forms)
 {
     LookAt view = forms.look_at;
     vec3 up = vec3_length(view.at - view.eye) / 4 * vec3_unit(view.up);
@@ -78,21 +121,52 @@ static void plot_forms(Plot *plot, vec3 eye, Forms forms)
     plot_number(plot, "aspect", view.aspect);
     plot_vector(plot, "view", view.eye, view.at - view.eye);
     plot_vector(plot, "up_arrow", view.eye, up);
-    plot_fit(plot, view.eye + 1.2 * up, 0);
-
-    plot_block(plot, "vectors", "x y z of the eye, x y z to a corner: upper left, right; lower");
-    plot_row_vector(plot, eye, forms.vectors.upper_left);
-    plot_row_vector(plot, eye, forms.vectors.upper_right);
-    plot_row_vector(plot, eye, forms.vectors.lower_left);
-    plot_row_vector(plot, eye, forms.vectors.lower_right);
-    plot_block_end(plot);
-    plot_point(plot, "upper_left", forms.points.upper_left);
-    plot_point(plot, "upper_right", forms.points.upper_right);
-    plot_point(plot, "lower_left", forms.points.lower_left);
-    plot_point(plot, "lower_right", forms.points.lower_right);
-    plot_vector(plot, "across", forms.points.lower_left, forms.across);
+    plot_fit(plot, view.eye + up, 0);
+    plot_moved(plot, 0, 12);
     plot_vector(plot, "upper_edge", forms.points.upper_left, forms.across);
+    static const Label labels[] = {
+        {"at", "pink", .step = 1, .block = "at"},
+        {"up", "green", .step = 1, .block = "up_arrow", .part = 1},
+        {"$w$ = {w}\n$w/h$ = {aspect}", "orange", .step = 1, .block = "upper_edge",
+         .part = ANYWHERE},
+    };
+    plot_names(plot, labels, sizeof labels / sizeof *labels);
+}
+
+static const char *const corner_names[] = {"upper left", "upper right", "lower left",
+                                           "lower right"};
+
+// Four vectors from the eye, or the four points.
+static void corners_panel(Plot *plot, const char *block, const vec3 corners[4], vec3 eye, int step)
+{
+    bool are_points = step == 2;
+    plot_block(plot, block,
+               are_points ? "x y z of a corner: upper left, right; lower"
+                          : "x y z of the eye, x y z to a corner: upper left, right; "
+                            "lower");
+    for (int i = 0; i < 4; i++) {
+        if (are_points)
+            plot_row_dot(plot, 3, (const double[]){corners[i][0], corners[i][1], corners[i][2]});
+        else
+            plot_row_vector(plot, eye, corners[i]);
+    }
+    plot_block_end(plot);
+    for (int i = 0; i < 4; i++)
+        plot_name(plot, (Label){corner_names[i], are_points ? "ink" : "blue", .step = step,
+                                .block = block, .row = i, .part = 1});
+}
+
+static void corner_panel(Plot *plot, Forms forms)
+{
+    plot_point(plot, "lower_left", forms.points.lower_left);
+    plot_vector(plot, "across", forms.points.lower_left, forms.across);
     plot_vector(plot, "upward", forms.points.lower_left, forms.upward);
+    static const Label labels[] = {
+        {"lower left", "ink", .step = 3, .block = "lower_left"},
+        {"across", "orange", .step = 3, .block = "across", .part = ANYWHERE},
+        {"upward", "green", .step = 3, .block = "upward", .part = ANYWHERE},
+    };
+    plot_names(plot, labels, sizeof labels / sizeof *labels);
 }
 
 // Each form, and the camera that exercise 02 finds from it.
@@ -103,20 +177,39 @@ static void camera_forms(Plot *plot, void *given)
     vec3 eye = c.origin;
     Forms forms = forms_of(c);
     forms.look_at.up = g->up;
-    plane_data(plot, c, 1, 1);
-    plot_forms(plot, eye, forms);
+    const Corners p = forms.points, v = forms.vectors;
+    const vec3 points[] = {p.upper_left, p.upper_right, p.lower_left, p.lower_right};
+    const vec3 vectors_to[] = {v.upper_left, v.upper_right, v.lower_left, v.lower_right};
 
-    Camera at = {0}, points = {0}, corner = {0}, vectors = {0};
+    Camera at = {0}, from_four = {0}, corner = {0}, vectors = {0};
     CameraFault from_at = camera_from_look_at(forms.look_at, hand_of(c), &at);
-    CameraFault from_points = camera_from_points(eye, forms.points, &points);
+    CameraFault from_points = camera_from_points(eye, p, &from_four);
     CameraFault from_corner =
-        camera_from_corner(eye, forms.points.lower_left, forms.across, forms.upward, &corner);
-    CameraFault from_vectors = camera_from_vectors(eye, forms.vectors, &vectors);
-    const Found found[] = {found_from("look_at", from_at, at, eye),
-                           found_from("points", from_points, points, eye),
-                           found_from("corner", from_corner, corner, eye),
-                           found_from("vectors", from_vectors, vectors, eye)};
-    plot_found(plot, found, 4);
+        camera_from_corner(eye, p.lower_left, forms.across, forms.upward, &corner);
+    CameraFault from_vectors = camera_from_vectors(eye, v, &vectors);
+
+    Found found[4];
+    plot_apart(plot);
+    begin_panel(plot, *g, 0, "look-at");
+    plane_data(plot, c, 1, 1);
+    look_at_panel(plot, forms);
+    found[0] = found_from("look_at", from_at, at, eye);
+    plot_found(plot, found[0], 0);
+    name_frame(plot);
+    begin_panel(plot, *g, 1, "eye and four points");
+    corners_panel(plot, "points", points, eye, 2);
+    found[1] = found_from("points", from_points, from_four, eye);
+    plot_found(plot, found[1], 1);
+    begin_panel(plot, *g, 2, "corner and two vectors");
+    corner_panel(plot, forms);
+    found[2] = found_from("corner", from_corner, corner, eye);
+    plot_found(plot, found[2], 2);
+    begin_panel(plot, *g, 3, "eye and four vectors");
+    corners_panel(plot, "vectors", vectors_to, eye, 4);
+    found[3] = found_from("vectors", from_vectors, vectors, eye);
+    plot_found(plot, found[3], 3);
+    plot_results(plot, found, 4);
+    plot_look(plot, c.right, c.up, c.forward, 34, 16);
 }
 
 static const Figure figures[] = {{"camera-forms", camera_forms}, {0}};
