@@ -90,26 +90,21 @@ static void begin_panel(Plot *plot, Given given, int form, const char *title)
     plot_pin(plot, across, up + 0.46, &words, 1);
 }
 
-// All forms give one camera. If your answers give another one, each of those has its line.
+// All forms give one camera. If your answers give another one, the first of those is below it.
 static void plot_results(Plot *plot, const Found *found, int count)
 {
     static const char *const titles[] = {"look-at", "points", "corner", "vectors"};
-    char text[5][60];
-    Label lines[5] = {{"each gives {look_at_found}", "grey", .step = 5}};
+    char name[40], text[80];
+    Label lines[2] = {{"each gives {look_at_found}", "grey", .step = 5}};
     int used = 1;
-    for (int i = 0; i < count; i++) {
-        char name[40];
+    for (int i = 0; i < count && used == 1; i++) {
         snprintf(name, sizeof name, "%s_found", found[i].form);
-        if (!plot_says_yours(plot, name))
-            continue;
-        snprintf(text[used], sizeof text[used], "yours, %s: {your_%s}", titles[i], name);
-        lines[used] = (Label){text[used], "grey", .step = 5};
-        used++;
+        if (plot_says_yours(plot, name)) {
+            snprintf(text, sizeof text, "yours, %s: {your_%s}", titles[i], name);
+            lines[used++] = (Label){text, "grey", .step = 5};
+        }
     }
-    if (used == 1)
-        plot_pin(plot, 0.5, 0.03, lines, 1);
-    else
-        plot_say(plot, 0, 0, lines, used);
+    plot_pin(plot, 0.5, 0.035 * used, lines, used);
 }
 
 static void look_at_panel(Plot *plot, Forms forms)
