@@ -314,10 +314,12 @@ void plot_view_block_end(Plot *plot, const char *right, size_t size)
     view->row = 0;
     view->joins = false;
     for (const char *end = size > 0 ? right + size : NULL; view->is_drawn && right < end;) {
+        char row[400]; // alone: sscanf would go on in the next one
+        size_t length = strcspn(right, "\n");
+        snprintf(row, sizeof row, "%.*s", (int)length, right);
         double n[6] = {0};
         int count =
-            sscanf(right, "%lf %lf %lf %lf %lf %lf", &n[0], &n[1], &n[2], &n[3], &n[4], &n[5]);
-        size_t length = strcspn(right, "\n");
+            sscanf(row, "%lf %lf %lf %lf %lf %lf", &n[0], &n[1], &n[2], &n[3], &n[4], &n[5]);
         if (length == 0)
             view->joins = false;
         else if (count == 3 || count == 6)

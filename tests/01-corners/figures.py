@@ -178,6 +178,7 @@ def yours_beside_right():
     checks.that("the words name the dashed one", "dashed: yours" in " ".join(w for w, _, _ in figure.labels()))
     checks.that("a right answer is drawn alone", len(same.tips("upper right")) == 1)
     on_the_canvas(checks, "yours beside right", figure)
+    nothing_collides(checks, "yours beside right", figure)
 
 
 def yours_and_right(c, options, yours=None):

@@ -1,6 +1,7 @@
 """figures.py - the figure of chapter 02 is right: four forms, and one camera from each."""
 import os
 import random
+import tempfile
 
 from cameras import DECK, corners, label, label_of, options_of, some_camera
 from check import Checks, holds_for_every, on_the_canvas, told_in_words
