@@ -10,7 +10,8 @@ needs 'labels' 'labels of figures' gnuplot python3
 
 export PROGRAMS PYTHONPATH=tests/house/figures
 # Figures whose labels are placed by the rule, and all marks are known to it.
-figures='camera-frame corner-vectors point-30-10 double-dwh camera-forms'
+figures='camera-frame corner-vectors point-30-10 double-dwh camera-forms object-order image-order ray-casting
+    nearest-hit explain ray-sphere parabola discriminant world-object screen-to-unit pixel-grid'
 # shellcheck disable=SC2086 # names are words
 counted python3 tests/house/figures/ordinary.py "${LABELS:-1000}" $figures
 finish 'labels'
