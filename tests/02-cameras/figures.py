@@ -103,8 +103,21 @@ def looking(dice):
     return camera, options + ["--width", width, "--aspect", aspect, "--hand", hand], up
 
 
+def yours_beside_right():
+    """Another camera instead of a wrong answer: labels name the places of the right one."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "right.gp")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(Figure("02-cameras", "camera-forms", *options_of(DECK)).script)
+        figure = Figure("02-cameras", "camera-forms", *options_of(dict(DECK, w=3)), "--beside", path)
+    nothing_collides(checks, "yours beside right", figure)
+    labels = [words for words, _, _ in figure.labels()]
+    checks.that("yours is below the right one", "yours, look-at: d = 4, w = 3, h = 2" in labels, str(labels))
+
+
 for canvas in SHAPES:
     camera_forms(DECK, options_of(DECK), canvas)
+yours_beside_right()
 holds_for_every(checks, "02-cameras", "camera-forms")
 dice = random.Random(2)
 for i in range(int(os.environ.get("CAMERAS", "5"))):
