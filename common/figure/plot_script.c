@@ -12,7 +12,8 @@
 
 #define HEAD "common/figure/plot.gp"
 #define DATA_BEGIN "\n# ---- the data\n"
-#define DATA_END "\n# ---- the layout\n"
+#define DATA_END "\n# ---- the view\n"
+#define LAYOUT "\n# ---- the layout\n"
 
 // The program that prints a figure; NULL: another one, in its own tree.
 static const char *printing;
@@ -84,6 +85,7 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     plot->fit = open_memstream(&plot->fit_text, &plot->fit_size);
     figure->data(plot, given);
     plot_fit_end(plot);
+    fputs(DATA_END "\n", plot->script);
     bool placed = plot_view_end(plot);
     fclose(plot->included);
     fclose(plot->script);
@@ -98,7 +100,7 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
         fprintf(out, "note = %s\n", said);
         free(said);
     }
-    fprintf(out, "%s\n%s" DATA_BEGIN "\n%s" DATA_END "\n@legend\n%s\n@finish\n", head, included,
+    fprintf(out, "%s\n%s" DATA_BEGIN "\n%s" LAYOUT "\n@legend\n%s\n@finish\n", head, included,
             data, layout);
     free(included);
     free(data);
