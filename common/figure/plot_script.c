@@ -100,8 +100,8 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
         fprintf(out, "note = %s\n", said);
         free(said);
     }
-    fprintf(out, "%s\n%s" DATA_BEGIN "\n%s" LAYOUT "\n@legend\n%s\n@finish\n", head, included,
-            data, layout);
+    fprintf(out, "%s\n%s" DATA_BEGIN "\n%s" LAYOUT "\n@legend\n%s\n@finish\n", head, included, data,
+            layout);
     free(included);
     free(data);
 }
