@@ -85,7 +85,7 @@ static int answer(const char *program, Command command, Question question)
                       figure ? "--figure" : "--explain");
     if (!picture_needs_are_met(IMAGE_ORDER) ||
         !drawing_prepare(&drawing, program, &command,
-                         figure_scene(figure ? question.figure.name : "explain")))
+                         figure_scene(figure ? question.figure.name : "")))
         return EXIT_COULD_NOT;
     Resolution size = drawing.size;
     if (figure && pixel.column < 0 && command.scene_path == NULL && command.size.width == 0)

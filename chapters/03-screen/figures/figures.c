@@ -80,7 +80,7 @@ static void screen_to_unit(Plot *plot, void *given)
     plot_pair(plot, "place", "s", place.s, "t", place.t);
     plot_look_flat(plot);
     plot_room(plot, (Room){0.03, 0.41, 0.24, 0.84}, (Room){0.02, 0.40, 0.24, 0.84});
-    point_panel(plot, (PointPanel){"screen", "screen_origin", "x", "y", spot->screen.width,
+    point_panel(plot, (PointPanel){"screen_outline", "screen_origin", "x", "y", spot->screen.width,
                                    -spot->screen.height, spot->point.x, -spot->point.y, 0, false});
     const Label first[] = {
         {"origin", "ink", .block = "screen_origin"},

@@ -15,8 +15,8 @@ on2 = "(U(2,$1)):(V(2,$2))"
 along1 = on1.":(size[1]*$4):(size[1]*$5)"
 along2 = on2.":(size[2]*$4):(size[2]*$5)"
 
-plot $screen using @on1 with filledcurves closed fc rgb surface fs solid noborder title "screen, surface", \
-    $screen using @on1 with @lines lc rgb ink title "screen", \
+plot $screen_outline using @on1 with filledcurves closed fc rgb surface fs solid noborder title "screen, surface", \
+    $screen_outline using @on1 with @lines lc rgb ink title "screen", \
     $x_axis using @along1 with @axis lc rgb orange title "x axis", \
     $y_axis using @along1 with @axis lc rgb green title "y axis", \
     $screen_origin using @on1 with points pt 5 ps 0.5 lc rgb ink title "origin of the screen", \

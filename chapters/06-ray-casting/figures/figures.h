@@ -4,7 +4,8 @@
 
 #include "chapters/06-ray-casting/figures/shown.h"
 
-// The scene that a figure shows by default, as a path from the top of the project.
+// The scene that a figure shows by default, as a path from the top of the project; for "", the
+// chapter's own.
 const char *figure_scene(const char *name);
 
 // The pixel of that scene; column -1 means any pixel.
