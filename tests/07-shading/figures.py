@@ -17,7 +17,7 @@ checks = Checks("figures of 07-shading")
 SPHERES = [((2, 2, 1), (1, 0, 0)), ((2, -2, 0), (0, 1, 0)), ((-2, 0, -1), (0, 0, 1))]
 RADIUS, EYE, ANGLE, LIGHT = 3, (0, 0, 20), 42, (-8, 14, 16)
 KD, KS, SHINE, AMBIENT, GREY = 0.9, 0.5, 40, 0.1, 127
-COLUMNS, ROWS, SAMPLES = 920, 690, 3
+COLUMNS, ROWS, SAMPLES = 920, 690, 2
 
 
 def unit(v):
