@@ -9,7 +9,7 @@ set -u
 once figures "the figures of each chapter"
 
 needs figures 'figures' gnuplot python3
-CAMERAS=${CAMERAS:-5}
+CAMERAS=${CAMERAS:-3}
 export PROGRAMS CAMERAS SCENES="${SCENES:-$CAMERAS}"
 export PYTHONPATH=tests/house/figures
 tests='tests/house/figures/themes.py '$(echo tests/[0-9]*/figures.py)

@@ -180,7 +180,8 @@ static void flat_and_shaded(Plot *plot, void *given)
     plot_number(plot, "ambient", drawing.scene.ambient[0]);
     plot_number(plot, "spheres", drawing.scene.sphere_count);
     spots_data(plot, &drawing, size);
-    // Two pixels wide for a unit of the canvas, so 16 rays for each: as smooth as the chapter's picture.
+    // Two pixels wide for a unit of the canvas, so 16 rays for each: as smooth as the chapter's
+    // picture.
     Style style = closing_style;
     style.samples = 2;
     render(&drawing.scene, drawing.camera, style, &image);
