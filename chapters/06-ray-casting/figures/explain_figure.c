@@ -63,7 +63,7 @@ static void say(Plot *plot, const Shown *shown, const Outcome *outcome)
                          {"$s$ = {s}, $t$ = {t}", "ink", .step = 1},
                          {"$v$ = {vector_v}", "blue", .step = 2}};
     Label hits[MOST_DRAWN];
-    char texts[MOST_DRAWN][200];
+    char texts[MOST_DRAWN][240];
     for (int i = 0; i < outcome->told_count; i++) {
         say_sphere(shown, i + 1, outcome->told[i], texts[i], sizeof texts[i]);
         hits[i] = (Label){texts[i], "ink", .step = 4};
