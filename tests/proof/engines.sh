@@ -1,6 +1,7 @@
 #!/bin/sh
 # engines.sh - chapter 08's engines on all scenes there are, on a thousand random ones, in as much
-# memory as they may take, and on processors that have less.
+# memory as they may take, and on processors that have less. ENGINE_SCENES and ENGINE_SIZE (1920x1080) in the
+# environment make it fewer and smaller.
 # Only reads the tree.
 set -u
 . tests/house/runner/library.sh
@@ -17,11 +18,11 @@ cd "$here" || exit 1
 # Against chapter 06's loop; of what takes it more than 1e10 tests of a ray and a sphere, against the
 # hierarchy, and rows of that against chapter 06's.
 if [ -z "${BRIEF:-}" ]; then
-    counted "$same" 1000 101
+    counted "$same" "${ENGINE_SCENES:-1000}" 101
     # shellcheck disable=SC2046 # names are words
-    counted "$files" 1920x1080 1e10 $(echo chapters/06-ray-casting/*.nff chapters/*/figures/*.nff) \
+    counted "$files" "${ENGINE_SIZE:-1920x1080}" 1e10 $(echo chapters/06-ray-casting/*.nff chapters/*/figures/*.nff) \
         "$scenes"/*.nff
-    counted "$files" 4096x4096 1e10 "$three" "$scenes/sphereflake-91.nff"
+    [ -n "${ENGINE_SIZE:-}" ] || counted "$files" 4096x4096 1e10 "$three" "$scenes/sphereflake-91.nff"
 else
     echo "skipped: engines on the largest scenes, which are tested once (BRIEF)"
     counted "$same" 100 101
