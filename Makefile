@@ -241,7 +241,7 @@ setup: ## install what is missing (FOR=lecturer, instructor, contributor)
 include .make/tests.mk
 include .make/exercises.mk
 include .make/optional.mk
-include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit/animations.mk .make/toolkit/handout.mk .make/toolkit/lessons.mk)
+include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit/animations.mk .make/toolkit/handout.mk .make/toolkit/lessons.mk .make/toolkit/book.mk)
 include .make/house.mk
 
 .PHONY: all setup check exercises watch hint debug reset
