@@ -41,4 +41,6 @@ $(BOOK_PROGRAMS): $(BOOK)/programs/%.wasm: $$(call wasm_program,$$*) $(call wasm
 book-programs: $(BOOK_PROGRAMS)
 .PHONY: book-programs
 
+include .make/toolkit/book_page.mk
+
 -include $(shell find $(WASM) -name '*.d' 2>/dev/null)

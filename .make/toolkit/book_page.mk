@@ -1,0 +1,43 @@
+# book_page.mk - the pages of make book: lessons, exercises, figures, and the JavaScript that they load. Included by
+# book.mk.
+#
+# Packages of npm are fetched while the site is built, into build/npm; a page itself fetches nothing from elsewhere.
+BOOK_SOURCES := chapters/book
+NPM := build/npm
+BOOK_PACKAGES := $(NPM)/node_modules/.package-lock.json
+$(BOOK_PACKAGES): $(BOOK_SOURCES)/package.json $(BOOK_SOURCES)/package-lock.json
+	@command -v npm >/dev/null || { echo "make book needs node and npm: 'make setup FOR=book' installs them" >&2; exit 1; }
+	$(call say,fetch,packages of npm for the page)
+	$(Q)mkdir -p $(NPM) && cp $^ $(NPM)/
+	$(Q)cd $(NPM) && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error >npm.log || { cat npm.log >&2; exit 1; }
+	@ln -sfn ../../$(NPM)/node_modules $(BOOK_SOURCES)/node_modules
+	@touch $@
+
+# HAND_IN=address: where a class hands in; the start page links to it.
+HAND_IN ?=
+BOOK_STAMP := build/book-pages
+BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapters/[0-9]*/figures/*.svg exercises/*.[ch] exercises/*.hints \
+	exercises/optional/README.md exercises/optional/pictures/*.png common/*.h tests/handout/replay/blanks/*.c)
+BOOK_SCRIPTS := $(wildcard $(BOOK_SOURCES)/*.js $(BOOK_SOURCES)/*/*.js $(BOOK_SOURCES)/*/*.mjs $(BOOK_SOURCES)/page/*)
+$(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LIST) .make/toolkit/book_page.mk
+	$(call say,pages,$(BOOK))
+	$(Q)mkdir -p $(BOOK)
+	$(Q)$(LIST) > build/book-exercises.txt
+	$(Q)node $(BOOK_SOURCES)/site/make_pages.mjs . $(BOOK) build/book-exercises.txt '$(HAND_IN)'
+	@touch $@
+
+# The list of files for the service worker is of all that is there, so it comes last.
+$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS)
+	$(Q)node $(BOOK_SOURCES)/site/bundle.mjs $(BOOK)
+
+book: $(BOOK)/service_worker.js ## the course as a site: build/book, for any static host (HAND_IN=address)
+	@echo "The course is in $(BOOK): copy it to any static host."
+.PHONY: book
+
+# In Chromium and in Firefox; BROWSERS=chromium: only that one.
+BROWSERS ?= chromium firefox
+check-book: book ## tests of the course in a page, with real browsers
+	@for test in $(wildcard tests/proof/book/*.test.mjs); do node $$test || exit 1; done
+	@for browser in $(BROWSERS); do for test in $(wildcard tests/proof/book/browser/*.mjs); do \
+		BROWSER=$$browser node $$test $(BOOK) || exit 1; done; done
+.PHONY: check-book

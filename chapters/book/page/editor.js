@@ -1,0 +1,76 @@
+// editor.js - the editor of an answer: CodeMirror with C, saved on each change, errors marked at their lines.
+import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { bracketMatching, indentOnInput, indentUnit, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
+import { c } from "@codemirror/legacy-modes/mode/clike";
+import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { Annotation, EditorState } from "@codemirror/state";
+import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
+import { classHighlighter } from "@lezer/highlight";
+
+const byProgram = Annotation.define();
+
+/**
+ * @param {object} of
+ * @param {HTMLElement} of.place
+ * @param {URL} of.styles the editor's style sheet
+ * @param {string} of.label read aloud
+ * @param {string} of.text
+ * @param {(text: string) => void} of.onChange the student changed the text
+ * @param {() => void} of.onJudge Ctrl-Enter or Cmd-Enter
+ */
+export function openEditor({ place, styles, label, text, onChange, onJudge }) {
+    // In a shadow root CodeMirror's styles are constructed style sheets, which the site's policy allows.
+    const shadow = place.attachShadow({ mode: "open", delegatesFocus: true });
+    const link = Object.assign(document.createElement("link"), { rel: "stylesheet", href: styles.href });
+    const parent = Object.assign(document.createElement("div"), { className: "place" });
+    shadow.append(link, parent);
+    const judge = { run: () => { onJudge(); return true; }, preventDefault: true };
+    const view = new EditorView({
+        parent,
+        root: shadow,
+        state: EditorState.create({
+            doc: text,
+            extensions: [
+                lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(), history(), drawSelection(), indentOnInput(), bracketMatching(),
+                lintGutter(), StreamLanguage.define(c), syntaxHighlighting(classHighlighter), indentUnit.of("    "), EditorState.tabSize.of(4),
+                keymap.of([{ key: "Mod-Enter", ...judge }, { key: "Ctrl-Enter", ...judge }, ...defaultKeymap, ...historyKeymap, ...lintKeymap, indentWithTab]),
+                EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", autocorrect: "off", autocapitalize: "off" }),
+                EditorView.updateListener.of((update) => {
+                    if (update.docChanged && !update.transactions.some((each) => each.annotation(byProgram)))
+                        onChange(update.state.doc.toString());
+                }),
+            ],
+        }),
+    });
+    return {
+        text: () => view.state.doc.toString(),
+        /** Another text, which Ctrl-Z takes back. The place of the cursor stays where it can. */
+        replace(other) {
+            const now = view.state.doc.toString();
+            let start = 0, end = 0;
+            const least = Math.min(now.length, other.length);
+            while (start < least && now[start] === other[start])
+                start++;
+            while (end < least - start && now[now.length - 1 - end] === other[other.length - 1 - end])
+                end++;
+            view.dispatch({ changes: { from: start, to: now.length - end, insert: other.slice(start, other.length - end) }, annotations: byProgram.of(true) });
+        },
+        /** @param {{line: number, column: number, severity: "error" | "warning", message: string}[]} marks lines count from 1 */
+        mark(marks) {
+            const { doc } = view.state;
+            view.dispatch(setDiagnostics(view.state, marks.filter(({ line }) => line >= 1 && line <= doc.lines).map(({ line, column, severity, message }) => {
+                const { from, to, text: words } = doc.line(line);
+                const start = Math.min(from + Math.max(column - 1, 0), to);
+                const word = /^\w+/.exec(words.slice(start - from))?.[0].length ?? 1;
+                return { from: start, to: Math.min(start + word, to), severity, message };
+            })));
+        },
+        /** @param {number} line */
+        goTo(line) {
+            const { from } = view.state.doc.line(Math.min(Math.max(line, 1), view.state.doc.lines));
+            view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: "center" }) });
+            view.focus();
+        },
+        focus: () => view.focus(),
+    };
+}

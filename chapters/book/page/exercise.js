@@ -1,0 +1,215 @@
+// exercise.js - the exercise of a chapter: the editor, and everything around it. The work is done in a Worker
+// (worker.js), so the page always answers.
+import { nameOfText } from "./answers.js";
+import { openEditor } from "./editor.js";
+import { Helper, Stopped } from "./helper.js";
+
+const PAUSE = 600;    // milliseconds without a key, after which an answer is judged
+const PROGRESS = 400; // milliseconds, after which work shows how far it is
+const $ = (id) => document.getElementById(id);
+const isMac = /Mac|iPhone|iPad/.test(navigator.userAgentData?.platform ?? navigator.platform);
+
+/** What the compiler says about a line of the answer. */
+function marksOf(messages, stem) {
+    const marks = [];
+    for (const [, line, column, severity, message] of messages.matchAll(new RegExp(`^exercises/${stem}\\.c:(\\d+):(\\d+): (?:fatal )?(error|warning): (.*)$`, "gm")))
+        marks.push({ line: Number(line), column: Number(column), severity, message });
+    return marks;
+}
+
+export async function setUpExercise({ stem, site, course, answers, themeNow, showTrouble, onVerdict }) {
+    const blank = await (await fetch(new URL(`exercises/${stem}.c`, site))).text();
+    const helper = new Helper(() => new Worker(new URL("worker.js", site), { type: "module" }));
+    const say = (words) => { $("state").textContent = words; };
+    $("judge-keys").textContent = isMac ? "⌘ ⏎" : "Ctrl Enter";
+
+    // ---- saving ----------------------------------------------------------------------------------
+
+    let timer;
+    const editor = openEditor({
+        place: $("editor"), styles: new URL("editor.css", site), text: answers.text(stem) ?? blank,
+        label: `Your answer, ${stem}.c. Escape and then Tab leaves the editor.`,
+        onJudge: () => judge(),
+        onChange(text) {
+            if (answers.text(stem) === null)
+                navigator.storage?.persist?.().catch(() => {}); // asks the browser not to throw answers away
+            say(answers.save(stem, text) ? "Saved." : "Not saved.");
+            showUndo();
+            $("verdict").classList.toggle("old", text !== judged);
+            clearTimeout(timer);
+            timer = setTimeout(() => judge(), PAUSE);
+        },
+    });
+    const showUndo = () => { $("undo-reset").hidden = !(editor.text() === blank && answers.versions(stem).length > 0); };
+    showUndo();
+    if (answers.text(stem) !== null)
+        say("Your saved answer.");
+
+    $("reset").addEventListener("click", () => {
+        answers.keepVersion(stem, "before a reset");
+        editor.replace(blank);
+        answers.save(stem, blank);
+        say("The exercise is as at the beginning. Your answer is kept: you can undo this.");
+        showUndo();
+        judge();
+    });
+    $("undo-reset").addEventListener("click", () => {
+        const version = answers.takeVersion(stem);
+        if (version === null)
+            return;
+        editor.replace(version.text);
+        answers.save(stem, version.text);
+        say("Your answer is back.");
+        showUndo();
+        judge();
+        editor.focus();
+    });
+    // The same chapter in another tab: both show the same text.
+    addEventListener("storage", (event) => {
+        if (answers.changeIn(event, [stem])?.what !== "answer" || event.newValue === null || event.newValue === editor.text())
+            return;
+        editor.replace(event.newValue);
+        $("verdict").classList.add("old");
+        say("Changed in another tab.");
+        showUndo();
+    });
+
+    // ---- files -----------------------------------------------------------------------------------
+
+    const tabs = [$("tab-answer"), $("tab-contract")];
+    function choose(chosen) {
+        for (const tab of tabs) {
+            tab.setAttribute("aria-selected", String(tab === chosen));
+            tab.tabIndex = tab === chosen ? 0 : -1;
+            $(tab.getAttribute("aria-controls")).hidden = tab !== chosen;
+        }
+    }
+    tabs.forEach((tab, at) => {
+        tab.addEventListener("click", () => choose(tab));
+        tab.addEventListener("keydown", ({ key }) => {
+            if (key === "ArrowRight" || key === "ArrowLeft") {
+                choose(tabs[1 - at]);
+                tabs[1 - at].focus();
+            }
+        });
+    });
+
+    // ---- judging ---------------------------------------------------------------------------------
+
+    let judged = null, running = false, again = false;
+
+    function showProgress({ words, done, all }) {
+        $("progress-words").textContent = all > 0 ? `${words}, ${(done / 1e6).toFixed(1)} of ${(all / 1e6).toFixed(1)} MB` : words;
+        if (all > 0)
+            $("bar").value = done / all;
+        else
+            $("bar").removeAttribute("value");
+    }
+
+    /** The texts of all chapters: the program of a chapter calls the answers of earlier ones. */
+    const sources = () => Object.fromEntries(course.stems.map((each) => [each, each === stem ? editor.text() : answers.text(each)]).filter(([, text]) => text !== null));
+
+    function drawPictures(verdict) {
+        const place = $("verdict-pictures");
+        for (const old of place.querySelectorAll("img"))
+            URL.revokeObjectURL(old.src);
+        place.replaceChildren(...verdict.pictures.map(({ bytes, type, words, caption }) => {
+            const figure = document.createElement("figure"), img = document.createElement("img");
+            img.src = URL.createObjectURL(new Blob([bytes], { type }));
+            img.alt = words;
+            figure.append(img);
+            if (caption)
+                figure.append(Object.assign(document.createElement("figcaption"), { textContent: caption }));
+            return figure;
+        }));
+    }
+
+    function show(verdict, text) {
+        judged = text;
+        const pre = document.createElement("pre");
+        pre.textContent = verdict.text;
+        pre.dataset.result = verdict.done ? "right" : "wrong";
+        if ($("verdict").textContent !== verdict.text || $("verdict").firstElementChild?.localName !== "pre")
+            $("verdict").replaceChildren(pre);
+        else
+            $("verdict").firstElementChild.dataset.result = pre.dataset.result;
+        $("verdict").classList.toggle("old", editor.text() !== judged);
+        document.querySelector(".exercise").classList.add("judged");
+        editor.mark(verdict.marks ?? marksOf(verdict.messages ?? "", stem));
+        drawPictures(verdict);
+        answers.saveVerdict(stem, { of: nameOfText(text), right: verdict.right, total: verdict.total, done: verdict.done });
+        onVerdict();
+    }
+
+    async function judge() {
+        clearTimeout(timer);
+        if (running) {
+            again = true;
+            return;
+        }
+        running = true;
+        const text = editor.text(), start = performance.now();
+        // What was not changed is not saved; what is judged is.
+        if (answers.text(stem) === null)
+            answers.save(stem, text);
+        const late = setTimeout(() => { $("progress").hidden = false; }, PROGRESS);
+        showProgress({ words: "Judging", done: 0, all: 0 });
+        try {
+            showTrouble("");
+            const question = { do: "judge", stem, sources: sources(), theme: themeNow() };
+            const verdict = await helper.ask(question, showProgress).catch((reason) => {
+                if (reason instanceof Stopped)
+                    return helper.ask(question, showProgress); // once more, in a new worker
+                throw reason;
+            });
+            show(verdict, text);
+            say(`Saved and judged, ${Math.round(performance.now() - start)} ms.`);
+        } catch (reason) {
+            showTrouble(reason instanceof Stopped
+                ? `The judge was started again, because ${reason.message}. Your answer is saved. Press Judge to try again.`
+                : `This could not be judged: ${reason.message}. Your answer is saved. Press Judge to try again.`);
+        }
+        clearTimeout(late);
+        $("progress").hidden = true;
+        running = false;
+        if (again) {
+            again = false;
+            if (editor.text() !== judged)
+                judge();
+        }
+    }
+
+    $("judge").addEventListener("click", () => judge());
+    addEventListener("keydown", (event) => {
+        if (event.key === "Enter" && (event.ctrlKey || event.metaKey) && !event.defaultPrevented) {
+            event.preventDefault();
+            judge();
+        }
+    });
+
+    // ---- hints -----------------------------------------------------------------------------------
+
+    $("hint").addEventListener("click", async () => {
+        try {
+            showTrouble("");
+            const { text, state } = await helper.ask({ do: "hint", stem, sources: sources(), state: answers.note(stem, "hint") ?? "" }, showProgress);
+            answers.saveNote(stem, "hint", state);
+            const pre = Object.assign(document.createElement("pre"), { textContent: text });
+            $("hints").append(pre);
+            pre.scrollIntoView({ block: "nearest" });
+        } catch (reason) {
+            showTrouble(`There is no hint now: ${reason.message}.`);
+        }
+    });
+
+    // ---- the way between lesson and exercise on a phone ------------------------------------------
+
+    const toExercise = document.querySelector(".to-exercise");
+    new IntersectionObserver(([entry]) => toExercise.classList.toggle("there", entry.isIntersecting)).observe($("exercise"));
+
+    // ---- the judge is made ready while the student reads -----------------------------------------
+
+    if (!navigator.connection?.saveData)
+        setTimeout(() => helper.ask({ do: "prepare", stem }).then(() => { if (answers.text(stem) !== null && judged === null) judge(); }, () => {}), 300);
+    return { helper, judge };
+}

@@ -1,0 +1,154 @@
+// page.js - what every page of the site does: theme, progress over the chapters, figures on the full screen; and what
+// each kind of page needs besides that.
+import { openAnswers, writableStorage } from "./answers.js";
+
+const root = document.documentElement;
+const { up = "", kind, stem } = root.dataset;
+const $ = (id) => document.getElementById(id);
+
+export function showTrouble(words) {
+    const place = $("trouble");
+    if (place) {
+        place.textContent = words;
+        place.hidden = words === "";
+    }
+}
+
+const site = new URL(up || ".", location.href);
+const answers = openAnswers({ storage: writableStorage(), folder: site.pathname, onTrouble: showTrouble });
+
+// ---- theme --------------------------------------------------------------------------------------
+
+const dark = matchMedia("(prefers-color-scheme: dark)");
+export const themeNow = () => root.dataset.theme ?? (dark.matches ? "dark" : "light");
+
+/** Pictures follow the system's theme by themselves; a theme that was chosen here, by other media. */
+function themePictures() {
+    for (const source of document.querySelectorAll("picture source")) {
+        source.dataset.media ??= source.media;
+        const isDark = source.dataset.media.includes("dark");
+        const rest = source.dataset.media.replace(/(and )?\(prefers-color-scheme: dark\)/, "").trim();
+        if (root.dataset.theme === undefined)
+            source.media = source.dataset.media;
+        else if (isDark)
+            source.media = root.dataset.theme === "dark" ? rest || "all" : "not all";
+    }
+}
+
+function setUpTheme() {
+    const button = $("theme");
+    const label = () => { button.textContent = themeNow() === "dark" ? "Light" : "Dark"; button.title = `Use the ${button.textContent.toLowerCase()} theme`; };
+    button.hidden = false;
+    button.addEventListener("click", () => {
+        const other = themeNow() === "dark" ? "light" : "dark";
+        if (other === (dark.matches ? "dark" : "light"))
+            delete root.dataset.theme;
+        else
+            root.dataset.theme = other;
+        try {
+            if (root.dataset.theme)
+                localStorage.setItem("ray-casting theme", other);
+            else
+                localStorage.removeItem("ray-casting theme");
+        } catch {
+            // The choice lasts as long as the page.
+        }
+        changed();
+    });
+    const changed = () => { label(); themePictures(); document.dispatchEvent(new CustomEvent("theme", { detail: themeNow() })); };
+    dark.addEventListener("change", changed);
+    changed();
+}
+
+// ---- progress -----------------------------------------------------------------------------------
+
+function showProgress(course) {
+    let right = 0, total = 0, next = null;
+    for (const each of course.stems) {
+        const verdict = answers.verdict(each), of = course.functions[each]?.length ?? 0;
+        right += verdict?.right ?? 0;
+        total += of;
+        if (!verdict?.done)
+            next ??= each;
+        const link = document.querySelector(`.top nav a[data-stem="${each}"]`);
+        link?.querySelector(".mark")?.remove();
+        link?.querySelector(".mark-words")?.remove();
+        if (verdict?.right > 0)
+            link?.insertAdjacentHTML("beforeend", `<span class="mark" aria-hidden="true">${verdict.done ? "✓" : "·"}</span>` +
+                `<span class="aloud mark-words">, ${verdict.done ? "done" : `${verdict.right} of ${of} functions are right`}</span>`);
+        const place = document.querySelector(`.cards li[data-stem="${each}"] .done`);
+        if (place) {
+            place.textContent = verdict?.done ? "✓ done" : verdict?.right > 0 ? `${verdict.right} of ${of} right`
+                : answers.text(each) !== null ? `begun, ${of} function${of === 1 ? "" : "s"}` : `${of} function${of === 1 ? "" : "s"}`;
+            place.classList.toggle("right", Boolean(verdict?.done));
+        }
+    }
+    if (kind === "start") {
+        $("so-far").textContent = right > 0 ? `${right} of ${total} functions are right.` : "";
+        const begun = course.stems.some((each) => answers.text(each) !== null);
+        if (next && begun) {
+            $("begin").href = `${next}.html`;
+            $("begin").textContent = `Continue with chapter ${next.slice(0, 2)}`;
+        } else if (!next) {
+            $("begin").textContent = "All chapters are done";
+        }
+    }
+}
+
+// ---- the start page -----------------------------------------------------------------------------
+
+async function setUpStart(course) {
+    const { download, answersIn } = await import("./hand_in.js");
+    const say = (words) => { $("state").textContent = words; };
+    $("download").addEventListener("click", () => {
+        showTrouble("");
+        try {
+            const count = download(course.stems, answers);
+            say(count === 0 ? "There is no answer yet. Begin with a chapter." : `submission.zip has ${count} answer${count === 1 ? "" : "s"}.`);
+        } catch (reason) {
+            showTrouble(reason.message);
+        }
+    });
+    $("upload").addEventListener("change", async (event) => {
+        showTrouble("");
+        try {
+            const found = await answersIn(event.target.files, course.stems);
+            if (found.size === 0)
+                throw new Error(`there is no answer in it. Expected a zip archive with ${course.stems[0]}.c and so on, or such files`);
+            for (const [each, text] of found) {
+                answers.keepVersion(each, "before an upload");
+                answers.save(each, text);
+            }
+            say(`Loaded ${[...found.keys()].map((each) => each.slice(0, 2)).sort().join(", ")}. Open a chapter to see its verdict.`);
+            showProgress(course);
+        } catch (reason) {
+            showTrouble(`The upload was not read: ${reason.message}. Nothing has changed.`);
+        }
+        event.target.value = "";
+    });
+}
+
+// ---- start --------------------------------------------------------------------------------------
+
+setUpTheme();
+const course = await (await fetch(new URL("course.json", site))).json();
+showProgress(course);
+addEventListener("storage", (event) => {
+    if (answers.changeIn(event, course.stems))
+        showProgress(course);
+});
+// A page that comes back from the browser's memory shows what happened since.
+addEventListener("pageshow", (event) => { if (event.persisted) showProgress(course); });
+
+if (kind === "start")
+    await setUpStart(course);
+if (document.querySelector(".figure")) {
+    const { setUpFigures } = await import("./figures.js");
+    setUpFigures({ site, themeNow });
+}
+if (kind === "chapter") {
+    const { setUpExercise } = await import("./exercise.js");
+    await setUpExercise({ stem, site, course, answers, themeNow, showTrouble, onVerdict: () => showProgress(course) });
+}
+if ("serviceWorker" in navigator && location.protocol !== "file:")
+    import("./offline.js").then(({ keepForOffline }) => keepForOffline(site));

@@ -1,0 +1,26 @@
+// bundle.mjs - bundles the page's modules, and writes the service worker with the list of all files of the site. Runs
+// when the site is built, last.
+//
+// Usage: node bundle.mjs SITE
+import { createHash } from "node:crypto";
+import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { join, relative } from "node:path";
+import { build } from "esbuild";
+
+const [site] = process.argv.slice(2);
+const here = import.meta.dirname;
+for (const name of readdirSync(site).filter((each) => /^part-.*\.js$/.test(each)))
+    rmSync(join(site, name));
+await build({
+    entryPoints: { page: join(here, "../page/page.js"), worker: join(here, "../worker.js") },
+    outdir: site, bundle: true, minify: true, splitting: true, format: "esm", target: "es2022", chunkNames: "part-[hash]", legalComments: "none", logLevel: "warning",
+});
+
+/** Files that a page loads; the largest last. */
+const files = readdirSync(site, { recursive: true, withFileTypes: true }).filter((each) => each.isFile()).map((each) => relative(site, join(each.parentPath, each.name)))
+    .filter((name) => name !== "service_worker.js").sort();
+const sizes = Object.fromEntries(files.map((name) => [name, statSync(join(site, name)).size]));
+const names = Object.fromEntries(files.map((name) => [name, createHash("sha256").update(readFileSync(join(site, name))).digest("hex").slice(0, 16)]));
+const order = [...files].sort((a, b) => sizes[a] - sizes[b] || (a < b ? -1 : 1));
+const worker = readFileSync(join(here, "../page/service_worker.js"), "utf8");
+writeFileSync(join(site, "service_worker.js"), `const FILES = ${JSON.stringify(names)}, ORDER = ${JSON.stringify(order)};\n${worker}`);

@@ -1,0 +1,164 @@
+// lesson.mjs - a lesson in markdown as HTML: mathematics typeset, code coloured, links led to the pages of the site,
+// and each figure ready to become live. Runs when the site is built.
+import { existsSync, readFileSync, statSync } from "node:fs";
+import { dirname, join, normalize } from "node:path";
+import markdownIt from "markdown-it";
+import katex from "katex";
+import { colouredC } from "./coloured_c.mjs";
+
+export const escape = (text) =>
+    text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
+
+const typeset = (tex, displayMode) => katex.renderToString(tex, { displayMode, throwOnError: true, strict: "error" });
+
+/** `$...$` as GitHub reads it: no space inside the dollars, no digit after them. */
+function inlineMathematics(markdown) {
+    markdown.inline.ruler.before("escape", "mathematics", (state, silent) => {
+        const found = /^\$(?!\s)((?:\\.|[^$\\\n]|\n(?!\n))+?)(?<!\s)\$(?!\d)/.exec(state.src.slice(state.pos));
+        if (!found)
+            return false;
+        if (!silent)
+            state.push("mathematics", "", 0).content = found[1];
+        state.pos += found[0].length;
+        return true;
+    });
+    markdown.renderer.rules.mathematics = (tokens, at) => typeset(tokens[at].content, false);
+}
+
+const slug = (text) => text.toLowerCase().replace(/<[^>]*>/g, "").replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "");
+
+/** Headings that a link can lead to. */
+function headings(markdown) {
+    markdown.core.ruler.push("heading-ids", (state) => {
+        state.tokens.forEach((token, at) => {
+            if (token.type === "heading_open")
+                token.attrSet("id", slug(state.tokens[at + 1].content));
+        });
+    });
+}
+
+/** A command is for the toolkit in a terminal. The page says so, and names its own way to a verdict. */
+function terminal(commands) {
+    const judges = /^make exercises EX=\d\d\s*$/.test(commands);
+    return `<div class="terminal"><p>${judges ? 'Here: <a href="#exercise">the editor</a>, and <kbd>Ctrl</kbd> <kbd>Enter</kbd>. '
+        : ""}In a terminal:</p><pre tabindex="0"><code>${escape(commands)}</code></pre></div>\n`;
+}
+
+function fences(markdown) {
+    markdown.renderer.rules.fence = (tokens, at) => {
+        const { content, info } = tokens[at];
+        const language = info.trim();
+        if (language === "math")
+            return `<div class="mathematics" tabindex="0">${typeset(content, true)}</div>\n`;
+        if (language === "sh")
+            return terminal(content);
+        return `<pre tabindex="0"><code>${language === "c" ? colouredC(content) : escape(content)}</code></pre>\n`;
+    };
+}
+
+/** Width and height of a PNG, from its first chunk. */
+function sizeOfPng(file) {
+    const bytes = readFileSync(file);
+    return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
+}
+
+const attribute = (tag, name) => new RegExp(`\\b${name}="([^"]*)"`).exec(tag)?.[1];
+
+/** The parts of a figure's file name: NAME-4x3-step2-dark.svg. */
+const figureName = (src) => /([^/]+?)(-4x3)?(?:-step(\d+))?(-dark)?\.svg$/.exec(src);
+
+/**
+ * A static figure that the page can replace by the live one: the picture, its words, and room for a button.
+ * `src` is the path in the site of its light, wide SVG.
+ */
+export function figure({ stem, picture, src, words, first }) {
+    const [, name, , step] = figureName(src);
+    return `<figure class="figure" data-stem="${stem}" data-figure="${name}"${step ? ` data-step="${step}"` : ""}>
+<div class="drawing">${picture.replace(/<img /, `<img width="960" height="540" ${first ? 'fetchpriority="high"' : 'loading="lazy"'} decoding="async" `)}</div>
+<figcaption><details><summary>In words</summary><p>${words}</p></details></figcaption>
+</figure>`;
+}
+
+/** The four files of a figure as one picture: wide and narrow, light and dark. */
+export function pictureOf(base, step, words) {
+    const file = (shape, theme) => `${base}${shape}${step ? `-step${step}` : ""}${theme}.svg`;
+    return `<picture><source media="(max-width: 600px) and (prefers-color-scheme: dark)" srcset="${file("-4x3", "-dark")}">` +
+        `<source media="(max-width: 600px)" srcset="${file("-4x3", "")}">` +
+        `<source media="(prefers-color-scheme: dark)" srcset="${file("", "-dark")}">` +
+        `<img alt="${words}" src="${file("", "")}"></picture>`;
+}
+
+/**
+ * A markdown file as HTML.
+ * @param {object} of
+ * @param {string} of.root the folder of the toolkit
+ * @param {string} of.path the file, in that folder
+ * @param {(path: string) => string | null} of.pageOf the page of the site for a file of the toolkit; null if there is none
+ * @param {Set<string>} of.used gets the path of each picture that the page needs
+ * @param {string} of.up from the page to the top of the site: "" or "../"
+ */
+export function lessonHtml({ root, path, pageOf, used, up = "" }) {
+    const source = readFileSync(join(root, path), "utf8");
+    const stem = /^chapters\/([^/]+)\//.exec(path)?.[1] ?? "";
+    const resolve = (link) => normalize(join(dirname(path), link));
+    const use = (link) => {
+        const file = resolve(link);
+        if (!existsSync(join(root, file)))
+            throw new Error(`${path}: there is no ${file}`);
+        used.add(file);
+        return up + file;
+    };
+
+    const markdown = markdownIt({ html: true, typographer: false }).use(inlineMathematics).use(headings).use(fences);
+    const plainLink = (tokens, at, options, env, self) => self.renderToken(tokens, at, options);
+    markdown.renderer.rules.link_open = (tokens, at, ...rest) => {
+        const link = tokens[at].attrGet("href");
+        if (/^[a-z]+:/.test(link)) {
+            tokens[at].attrSet("rel", "noopener");
+            return plainLink(tokens, at, ...rest);
+        }
+        const [file, place = ""] = link.split("#");
+        const page = file === "" ? "" : pageOf(resolve(file));
+        if (page === null) {
+            tokens[tokens.findIndex((token, after) => after > at && token.type === "link_close")].hidden = true;
+            tokens[at].hidden = true;
+            return "";
+        }
+        tokens[at].attrSet("href", (page && up + page) + (place && `#${place}`));
+        return plainLink(tokens, at, ...rest);
+    };
+    markdown.renderer.rules.link_close = (tokens, at) => (tokens[at].hidden ? "" : "</a>");
+
+    let first = true;
+    const lazily = () => {
+        const attributes = first ? "" : ' loading="lazy"';
+        first = false;
+        return attributes;
+    };
+    markdown.renderer.rules.image = (tokens, at) => {
+        const src = use(tokens[at].attrGet("src"));
+        const words = escape(tokens[at].content);
+        const file = join(root, resolve(tokens[at].attrGet("src")));
+        const size = src.endsWith(".png") ? sizeOfPng(file) : { width: 960, height: 540 };
+        return `<img class="${src.endsWith(".svg") ? "chart" : "picture"}" alt="${words}" src="${src}" width="${size.width}" height="${size.height}"${lazily()}>`;
+    };
+
+    const html = markdown.render(source)
+        .replace(/<p>(<picture>.*?<\/picture>)<\/p>/gs, (_, picture) => {
+            const img = /<img[^>]*>/.exec(picture)[0];
+            for (const [, link] of picture.matchAll(/(?:src|srcset)="([^"]*)"/g))
+                use(link);
+            const relinked = picture.replace(/(src|srcset)="([^"]*)"/g, (__, name, link) => `${name}="${use(link)}"`);
+            const made = figure({ stem, picture: relinked, src: use(attribute(img, "src")), words: attribute(img, "alt"), first });
+            first = false;
+            return made;
+        })
+        .replace(/<table>/g, '<div class="table" tabindex="0"><table>').replace(/<\/table>/g, "</table></div>")
+        .replace(/<thead>\s*<tr>\s*(<th>\s*<\/th>\s*)+<\/tr>\s*<\/thead>/g, "")
+        .replace(/<p>((?:<img class="picture"[^>]*>\s*)+)<\/p>/g, '<p class="pictures">$1</p>');
+    return { html, title: /^# (.*)$/m.exec(source)?.[1] ?? path, time: /^\| time \| (.*) \|$/m.exec(source)?.[1] ?? "",
+        gives: /^\| gives \| (.*) \|$/m.exec(source)?.[1] ?? "", stem };
+}
+
+/** The page needs the size of a file for its progress. */
+export const sizeOf = (file) => statSync(file).size;

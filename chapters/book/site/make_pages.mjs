@@ -1,0 +1,263 @@
+// make_pages.mjs - writes the pages of the site: start, chapters, figures, contracts. Runs when the site is built.
+//
+// Usage: node make_pages.mjs ROOT SITE EXERCISES.txt [HAND-IN-ADDRESS]
+// ROOT is the folder of the toolkit (or of a handout), EXERCISES.txt is what list_exercises prints.
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { colouredC } from "./coloured_c.mjs";
+import { escape, figure, lessonHtml, pictureOf } from "./lesson.mjs";
+
+const [root, site, exercisesFile, handIn = ""] = process.argv.slice(2);
+const used = new Set();
+const packageFolder = (name) => dirname(createRequire(import.meta.url).resolve(`${name}/package.json`));
+
+// ---- what there is ------------------------------------------------------------------------------
+
+const stems = readdirSync(join(root, "exercises")).filter((name) => /^\d\d-.*\.c$/.test(name)).sort().map((name) => name.slice(0, -2));
+const functions = {};
+for (const line of readFileSync(exercisesFile, "utf8").split("\n").filter(Boolean)) {
+    const [stem, name] = line.split("\t");
+    (functions[stem] ??= []).push(name);
+}
+
+const listings = new Set();
+/** Which page of the site shows a file of the toolkit. */
+function pageOf(path) {
+    const stem = /^chapters\/([^/]+)\/README\.md$/.exec(path)?.[1];
+    if (stem && stems.includes(stem))
+        return `${stem}.html`;
+    if (path === "README.md")
+        return "index.html";
+    if (path === "exercises/optional/README.md")
+        return "optional.html";
+    if (/\.(png|svg)$/.test(path)) {
+        used.add(path);
+        return path;
+    }
+    if (/^(exercises|common)\/[^/]+\.h$/.test(path) && existsSync(join(root, path))) {
+        listings.add(path);
+        return `listings/${path}.html`;
+    }
+    return null;
+}
+
+// ---- the frame of every page --------------------------------------------------------------------
+
+// Nothing from anywhere else, and no script but the site's own. gnuplot's SVGs and KaTeX's formulas have style
+// attributes; style elements are not allowed.
+const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; style-src-attr 'unsafe-inline'; " +
+    "img-src 'self' data: blob:; font-src 'self'; connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'";
+
+const lessons = Object.fromEntries(stems.map((stem) => [stem, lessonHtml({ root, path: `chapters/${stem}/README.md`, pageOf, used })]));
+const shortTitle = (stem) => lessons[stem].title.replace(/^\d\d /, "");
+
+function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
+    const chapters = stems.map((other) => `<li><a href="${up}${other}.html" data-stem="${other}"${other === stem ? ' aria-current="page"' : ""} ` +
+        `title="${escape(shortTitle(other))}"><span class="number">${other.slice(0, 2)}</span><span class="aloud"> ${escape(shortTitle(other))}</span></a></li>`).join("");
+    return `<!DOCTYPE html>
+<html lang="en" data-up="${up}" data-kind="${kind}"${stem && ` data-stem="${stem}"`}>
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="${POLICY}">
+<meta name="color-scheme" content="light dark">
+<title>${escape(title)}</title>
+<link rel="icon" href="${up}icon.svg" type="image/svg+xml">
+<link rel="stylesheet" href="${up}style.css">
+${mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : ""}<script src="${up}theme.js"></script>
+<script type="module" src="${up}page.js"></script>
+</head>
+<body>
+<a class="skip" href="#main">To the text</a>${kind === "chapter" ? '\n<a class="skip" href="#exercise">To the exercise</a>' : ""}
+<header class="top">
+<a class="home" href="${up}index.html"${kind === "start" ? ' aria-current="page"' : ""}>Ray casting<span>, step by step</span></a>
+<nav aria-label="Chapters"><ol>${chapters}</ol></nav>
+<div class="tools"><a href="${up}figures.html"${kind === "figures" ? ' aria-current="page"' : ""}>Figures</a><button type="button" id="theme" hidden>Theme</button></div>
+</header>
+${main}
+<noscript><p class="note">This page needs JavaScript for the exercises. The lessons can be read without it.</p></noscript>
+</body>
+</html>
+`;
+}
+
+function write(name, text) {
+    const file = join(site, name);
+    mkdirSync(dirname(file), { recursive: true });
+    writeFileSync(file, text);
+}
+
+// ---- a chapter ----------------------------------------------------------------------------------
+
+function exercise(stem) {
+    return `<section class="exercise" id="exercise" aria-labelledby="exercise-title" tabindex="-1">
+<div class="exercise-head">
+<h2 id="exercise-title">Exercise ${stem.slice(0, 2)}</h2>
+<div class="files" role="tablist" aria-label="Files of the exercise">
+<button type="button" role="tab" id="tab-answer" aria-controls="panel-answer" aria-selected="true">${stem}.c</button>
+<button type="button" role="tab" id="tab-contract" aria-controls="panel-contract" aria-selected="false" tabindex="-1">${stem}.h</button>
+</div>
+</div>
+<div class="panel" role="tabpanel" id="panel-answer" aria-labelledby="tab-answer"><div id="editor"></div></div>
+<div class="panel" role="tabpanel" id="panel-contract" aria-labelledby="tab-contract" hidden><pre tabindex="0"><code>${
+    colouredC(readFileSync(join(root, `exercises/${stem}.h`), "utf8"))}</code></pre></div>
+<div class="actions">
+<button type="button" class="main" id="judge">Judge <kbd id="judge-keys">Ctrl Enter</kbd></button>
+<button type="button" id="hint">Hint</button>
+<button type="button" id="reset">Reset</button>
+<button type="button" id="undo-reset" hidden>Undo the reset</button>
+<p class="state" id="state" role="status"></p>
+</div>
+<p class="keys">Tab indents. To leave the editor by keyboard, press <kbd>Esc</kbd>, then <kbd>Tab</kbd>.</p>
+<div class="progress" id="progress" hidden><label for="bar" id="progress-words"></label><progress id="bar" max="1"></progress></div>
+<p class="note" id="trouble" role="alert" hidden></p>
+<section class="verdict" aria-labelledby="verdict-title">
+<h3 id="verdict-title">Verdict</h3>
+<div id="verdict" aria-live="polite" aria-atomic="true"><p>Nothing is judged yet. Press <q>Judge</q>, or stop typing for a moment.</p></div>
+<div id="verdict-pictures"></div>
+<div id="hints" aria-live="polite"></div>
+</section>
+</section>`;
+}
+
+for (const stem of stems) {
+    const lesson = lessons[stem];
+    write(`${stem}.html`, frame({ title: `${lesson.title} · Ray casting`, kind: "chapter", stem, mathematics: lesson.html.includes('class="katex'),
+        main: `<main class="chapter" id="main">
+<article class="lesson" aria-label="Lesson">
+${lesson.html}
+</article>
+${exercise(stem)}
+</main>
+<a class="to-exercise" href="#exercise">To the exercise</a>` }));
+    const blank = existsSync(join(root, `tests/handout/replay/blanks/${stem}.c`)) ? `tests/handout/replay/blanks/${stem}.c` : `exercises/${stem}.c`;
+    mkdirSync(join(site, "exercises"), { recursive: true });
+    copyFileSync(join(root, blank), join(site, `exercises/${stem}.c`));
+    copyFileSync(join(root, `exercises/${stem}.hints`), join(site, `exercises/${stem}.hints`));
+}
+write("course.json", JSON.stringify({ stems, functions, handIn }));
+
+// ---- the start page -----------------------------------------------------------------------------
+
+const inline = (text) => text.replace(/`([^`]*)`/g, "<code>$1</code>");
+const finale = "chapters/07-shading/finale.png";
+used.add(finale);
+const cards = stems.map((stem) => `<li data-stem="${stem}"><a href="${stem}.html"><span class="number">${stem.slice(0, 2)}</span>
+<span class="title">${escape(shortTitle(stem))}</span></a>
+<p>You write ${inline(escape(lessons[stem].gives))}.</p>
+<p class="meta"><span class="time">${escape(lessons[stem].time.split(";")[0])}</span><span class="done" data-of="${functions[stem]?.length ?? 0}">${functions[stem]?.length ?? 0} function${functions[stem]?.length === 1 ? "" : "s"}</span></p></li>`).join("\n");
+write("index.html", frame({ title: "Ray casting, step by step", kind: "start", main: `<main class="start" id="main">
+<div class="hero">
+<img src="${finale}" alt="A sphereflake of mirrors among marbles, cast by the code of this course" width="1280" height="720" fetchpriority="high">
+<div class="lead">
+<h1>Ray casting, step by step</h1>
+<p>Answer the questions of a lecture, in C, one function at a time. Each chapter is a short lesson with figures that you can move, and an
+exercise. The judge says whether your function is right. If it is wrong, the judge says how, and often why. At the end, your own functions draw this picture.</p>
+<p>Everything runs in this page: the compiler, the judge and your code. There is nothing to install, and nothing is sent anywhere.</p>
+<p><a class="begin" id="begin" href="${stems[0]}.html">Begin with chapter 01</a></p>
+</div>
+</div>
+<section aria-labelledby="chapters">
+<h2 id="chapters">The chapters</h2>
+<p id="so-far" role="status"></p>
+<ol class="cards">
+${cards}
+</ol>
+</section>
+<section class="yours" aria-labelledby="yours">
+<h2 id="yours">Your answers</h2>
+<p>Your answers are saved in this browser, on this machine, and nowhere else. To hand them in, or to go on with another browser, download them as one archive.</p>
+<div class="actions">
+<button type="button" class="main" id="download">Download all answers</button>
+<label class="button" for="upload">Upload answers<input type="file" id="upload" accept=".zip,.c" multiple></label>
+${handIn ? `<a class="button" href="${escape(handIn)}" rel="noopener">Hand in</a>` : ""}
+<p class="state" id="state" role="status"></p>
+</div>
+<p class="note" id="trouble" role="alert" hidden></p>
+<p>The archive is <code>submission.zip</code>, the same that <code>make submission</code> makes in the toolkit.${handIn ? "" : " Hand it in the way that your instructor says."}
+The verdicts here are for you: marks come from your instructor, who judges the archive again.</p>
+</section>
+<section aria-labelledby="keys">
+<h2 id="keys">Keys</h2>
+<dl class="keys-table">
+<div><dt><kbd>Ctrl</kbd> <kbd>Enter</kbd>, on a Mac <kbd>⌘</kbd> <kbd>Enter</kbd></dt><dd>judges your answer; a pause in typing does as well</dd></div>
+<div><dt><kbd>Esc</kbd>, then <kbd>Tab</kbd></dt><dd>leaves the editor</dd></div>
+<div><dt><kbd>←</kbd> <kbd>→</kbd></dt><dd>in a figure that fills the screen: one step back or forward</dd></div>
+<div><dt><kbd>Esc</kbd></dt><dd>back from a figure that fills the screen</dd></div>
+</dl>
+</section>
+<footer><p>The questions, and the order of the steps, are from the lecture deck <cite>Ray Tracing, Part I</cite> by Geoffrey Matthews, Department of Computer
+Science, Western Washington University, Fall 2015. The sphereflake is from Eric Haines' Standard Procedural Databases.</p></footer>
+</main>` }));
+
+// ---- all figures, for a lecturer ----------------------------------------------------------------
+
+const figures = stems.flatMap((stem) => {
+    const folder = join(root, "chapters", stem, "figures");
+    const files = existsSync(folder) ? readdirSync(folder) : [];
+    return files.filter((file) => files.includes(file.replace(/\.svg$/, "-dark.svg")) && !/-4x3|-step\d|-dark/.test(file)).map((file) => {
+        const name = file.replace(/\.svg$/, "");
+        const svg = readFileSync(join(folder, file), "utf8");
+        for (const other of files.filter((each) => each === file || each.startsWith(`${name}-`)).filter((each) => each.endsWith(".svg")))
+            if (new RegExp(`^${name}(-4x3)?(-step\\d+)?(-dark)?\\.svg$`).test(other))
+                used.add(`chapters/${stem}/figures/${other}`);
+        return { stem, name, title: /<title[^>]*>(.*?)<\/title>/s.exec(svg)?.[1] ?? name, words: (/<desc[^>]*>(.*?)<\/desc>/s.exec(svg)?.[1] ?? "").replace(/"/g, "&quot;") };
+    });
+});
+write("figures.html", frame({ title: "Figures · Ray casting", kind: "figures", main: `<main class="figures" id="main">
+<h1>Figures</h1>
+<p>These are all figures of the course, in the order of the lecture, for the projector. <q>Full screen</q> shows one alone: the arrow keys go through its steps, then to the next
+figure. <kbd>Esc</kbd> comes back.</p>
+${stems.map((stem) => [stem, figures.filter((each) => each.stem === stem)]).filter(([, of]) => of.length > 0).map(([stem, of]) => `<section aria-labelledby="of-${stem}">
+<h2 id="of-${stem}"><a href="${stem}.html">${escape(lessons[stem].title)}</a></h2>
+<div class="grid">
+${of.map(({ name, title, words }) => `<section aria-label="${title}"><h3>${title}</h3>
+${figure({ stem, picture: pictureOf(`chapters/${stem}/figures/${name}`, 0, words), src: `chapters/${stem}/figures/${name}.svg`, words, first: false })}</section>`).join("\n")}
+</div>
+</section>`).join("\n")}
+</main>` }));
+
+// ---- the optional tasks, and the files that lessons link to -------------------------------------
+
+if (existsSync(join(root, "exercises/optional/README.md"))) {
+    const optional = lessonHtml({ root, path: "exercises/optional/README.md", pageOf, used });
+    write("optional.html", frame({ title: `${optional.title} · Ray casting`, kind: "text", mathematics: optional.html.includes('class="katex'),
+        main: `<main class="text" id="main"><p class="note">These tasks need the toolkit and a terminal. The page has no judge for them.</p>\n<article class="lesson">${optional.html}</article></main>` }));
+}
+for (const stem of stems)
+    pageOf(`exercises/${stem}.h`);
+// A listing links to the headers that it includes.
+for (const path of listings) {
+    const code = colouredC(readFileSync(join(root, path), "utf8")).replace(/(#include[^"\n]*)&quot;|"((?:common|exercises)\/[^"<]+\.h)"/g, (whole, _, header) => {
+        const page = header && pageOf(header);
+        return page ? `"<a href="../../${page}">${header}</a>"` : whole;
+    });
+    write(`listings/${path}.html`, frame({ title: `${path} · Ray casting`, kind: "listing", up: "../../",
+        main: `<main class="listing" id="main"><h1><code>${escape(path)}</code></h1><pre tabindex="0"><code>${code}</code></pre></main>` }));
+}
+
+// ---- pictures, fonts, styles --------------------------------------------------------------------
+
+for (const path of used) {
+    mkdirSync(dirname(join(site, path)), { recursive: true });
+    copyFileSync(join(root, path), join(site, path));
+}
+const katex = packageFolder("katex");
+// Every browser of today reads woff2, so the other formats are left out; so are fonts that no formula uses.
+const allHtml = Object.values(lessons).map((lesson) => lesson.html).join("");
+const needed = (css) => css.replace(/,url\([^)]*\.(woff|ttf)\) format\("[a-z]+"\)/g, "")
+    .replace(/@font-face\{[^}]*font-family:"?KaTeX_(AMS|Caligraphic|Fraktur|SansSerif|Script|Typewriter)"?[^}]*\}/g, "")
+    .replace(/font-display:block/g, "font-display:swap");
+const css = needed(readFileSync(join(katex, "dist/katex.min.css"), "utf8"));
+write("mathematics.css", css);
+mkdirSync(join(site, "fonts"), { recursive: true });
+for (const [, font] of css.matchAll(/url\(fonts\/([^)]*\.woff2)\)/g))
+    copyFileSync(join(katex, "dist/fonts", font), join(site, "fonts", font));
+if (!allHtml.includes('class="katex'))
+    throw new Error("no lesson has a formula: is the mathematics still typeset?");
+const serif = packageFolder("@fontsource/source-serif-4");
+for (const kind of ["400-normal", "400-italic", "600-normal"])
+    copyFileSync(join(serif, `files/source-serif-4-latin-${kind}.woff2`), join(site, "fonts", `source-serif-${kind}.woff2`));
+for (const name of ["style.css", "editor.css", "theme.js", "icon.svg"])
+    copyFileSync(join(import.meta.dirname, "../page", name), join(site, name));
