@@ -34,7 +34,7 @@ export function openEditor({ place, styles, label, text, onChange, onJudge }) {
                 lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(), history(), drawSelection(), indentOnInput(), bracketMatching(),
                 lintGutter(), StreamLanguage.define(c), syntaxHighlighting(classHighlighter), indentUnit.of("    "), EditorState.tabSize.of(4),
                 keymap.of([{ key: "Mod-Enter", ...judge }, { key: "Ctrl-Enter", ...judge }, ...defaultKeymap, ...historyKeymap, ...lintKeymap, indentWithTab]),
-                EditorView.contentAttributes.of({ "aria-label": label, spellcheck: "false", autocorrect: "off", autocapitalize: "off" }),
+                EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0", spellcheck: "false", autocorrect: "off", autocapitalize: "off" }),
                 EditorView.updateListener.of((update) => {
                     if (update.docChanged && !update.transactions.some((each) => each.annotation(byProgram)))
                         onChange(update.state.doc.toString());

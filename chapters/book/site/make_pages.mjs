@@ -196,7 +196,7 @@ Science, Western Washington University, Fall 2015. The sphereflake is from Eric 
 const figures = stems.flatMap((stem) => {
     const folder = join(root, "chapters", stem, "figures");
     const files = existsSync(folder) ? readdirSync(folder) : [];
-    return files.filter((file) => files.includes(file.replace(/\.svg$/, "-dark.svg")) && !/-4x3|-step\d|-dark/.test(file)).map((file) => {
+    return files.filter((file) => file.endsWith(".svg") && files.includes(file.replace(/\.svg$/, "-dark.svg")) && !/-4x3|-step\d|-dark/.test(file)).map((file) => {
         const name = file.replace(/\.svg$/, "");
         const svg = readFileSync(join(folder, file), "utf8");
         for (const other of files.filter((each) => each === file || each.startsWith(`${name}-`)).filter((each) => each.endsWith(".svg")))

@@ -1,30 +1,33 @@
-// site.mjs - for tests in a browser: the site on a port of its own, and a browser that refuses any other origin.
+// site.mjs - for tests in a browser: the site on a port of its own, a browser, and what both must never do.
 //
-// BROWSER=firefox takes Firefox, else it is Chromium. Each test ends the browser and the server that it started.
-import { createReadStream, existsSync, statSync } from "node:fs";
+// BROWSER=firefox takes Firefox, otherwise it is Chromium. Each test ends the browser and the server that it started.
+import { createReadStream, existsSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
+import { createRequire } from "node:module";
 import { extname, join, normalize } from "node:path";
 import { gzipSync } from "node:zlib";
-import { readFileSync } from "node:fs";
-import puppeteer from "puppeteer-core";
+
+const require = createRequire(new URL("../../../chapters/book/package.json", import.meta.url));
+const puppeteer = require("puppeteer-core");
+const axeSource = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 
 const TYPES = { ".html": "text/html; charset=utf-8", ".css": "text/css", ".js": "text/javascript", ".json": "application/json", ".svg": "image/svg+xml",
     ".png": "image/png", ".woff2": "font/woff2", ".wasm": "application/wasm" };
 
-/** The folder as a static host serves it. `answered` counts the bytes that were sent. */
-export async function serve(folder, { compress = false } = {}) {
-    const sent = { bytes: 0, requests: 0 };
+/** The folder as a static host serves it, in a folder of the host. */
+export async function serve(folder, { compress = false, at = "/course/" } = {}) {
+    const sent = { bytes: 0, requests: [] };
     const server = createServer((request, response) => {
-        const path = normalize(decodeURIComponent(new URL(request.url, "http://x").pathname)).replace(/\/$/, "/index.html");
-        const file = join(folder, path);
-        sent.requests += 1;
-        if (!existsSync(file) || !statSync(file).isFile()) {
+        const path = decodeURIComponent(new URL(request.url, "http://x").pathname);
+        const file = join(folder, normalize(path.slice(at.length - 1)).replace(/\/$/, "/index.html"));
+        sent.requests.push(path);
+        if (!path.startsWith(at) || !existsSync(file) || !statSync(file).isFile()) {
             response.writeHead(404).end();
             return;
         }
         const headers = { "content-type": TYPES[extname(file)] ?? "application/octet-stream", "cache-control": "no-cache" };
         if (compress && /\.(html|css|js|json|svg|wasm)$/.test(file)) {
-            const body = gzipSync(readFileSync(file), { level: 6 });
+            const body = gzipSync(readFileSync(file));
             sent.bytes += body.length;
             response.writeHead(200, { ...headers, "content-encoding": "gzip", "content-length": body.length }).end(body);
             return;
@@ -36,14 +39,70 @@ export async function serve(folder, { compress = false } = {}) {
     });
     await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
     const stop = () => new Promise((resolve) => { server.closeAllConnections(); server.close(resolve); });
-    return { address: `http://127.0.0.1:${server.address().port}/`, sent, stop };
+    return { address: `http://127.0.0.1:${server.address().port}${at}`, sent, stop };
 }
 
 export const browserName = process.env.BROWSER === "firefox" ? "firefox" : "chromium";
 
-export function launch() {
+export function launch(options = {}) {
     return browserName === "firefox"
-        ? puppeteer.launch({ browser: "firefox", executablePath: process.env.FIREFOX ?? "/usr/bin/firefox-esr", headless: true, protocolTimeout: 240_000 })
+        ? puppeteer.launch({ browser: "firefox", executablePath: process.env.FIREFOX ?? "/usr/bin/firefox-esr", headless: true, protocolTimeout: 240_000, ...options })
         : puppeteer.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", headless: true, protocolTimeout: 240_000,
-            args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"] });
+            args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"], ...options });
+}
+
+/** A tab that notes what a page must not do: errors, messages of the policy, requests to another origin. */
+export async function openTab(browser, site, { width = 1280, height = 800 } = {}) {
+    const tab = await browser.newPage();
+    tab.faults = [];
+    tab.on("pageerror", (error) => tab.faults.push(`error: ${error.message}`));
+    tab.on("console", (message) => { if (message.type() === "error") tab.faults.push(`console: ${message.text()}`); });
+    tab.on("request", (request) => {
+        if (!request.url().startsWith(new URL(site).origin) && !/^(data|blob|about):/.test(request.url()))
+            tab.faults.push(`another origin: ${request.url()}`);
+    });
+    await tab.setViewport({ width, height });
+    return tab;
+}
+
+/** What axe-core finds that is serious or critical, as one line each. It tries a style element, which is not the page's fault. */
+export async function seriousFindings(tab) {
+    const { faults } = tab;
+    tab.faults = [];
+    await tab.evaluate(axeSource);
+    const found = await tab.evaluate(async () => {
+        const { violations } = await globalThis.axe.run(document, { resultTypes: ["violations"] });
+        return violations.filter(({ impact }) => impact === "serious" || impact === "critical")
+            .map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.slice(0, 3).map(({ target }) => target.join(" ")).join(", ")}`);
+    });
+    tab.faults = faults;
+    return found;
+}
+
+/** The text of the editor, and typing over it. */
+export const editorText = (tab) => tab.$eval("#editor", (place) =>
+    [...place.shadowRoot.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));
+
+export async function waitFor(what, seconds, probe) {
+    const end = Date.now() + seconds * 1000;
+    for (;;) {
+        const value = await probe();
+        if (value)
+            return value;
+        if (Date.now() > end)
+            throw new Error(`after ${seconds} s: not ${what}`);
+        await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+}
+
+/** Types a new last line. */
+export async function typeAtEnd(tab, text) {
+    await tab.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus());
+    await tab.keyboard.down("Control");
+    await tab.keyboard.press("End");
+    await tab.keyboard.up("Control");
+    if (text !== "\t")
+        await tab.keyboard.press("Enter");
+    for (const letter of text)
+        await tab.keyboard.press(letter === "\t" ? "Tab" : letter);
 }

@@ -1,0 +1,137 @@
+// answers.mjs - a student's answer in a real browser: typed, saved, reset and back, in two tabs, without storage, downloaded
+// and uploaded again.
+//
+// Usage: BROWSER=chromium|firefox node answers.mjs SITE
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { readZip } from "../../../../chapters/book/page/zip.js";
+import { browserName, editorText, launch, openTab, serve, typeAtEnd, waitFor } from "../site.mjs";
+
+const [folder] = process.argv.slice(2);
+const scratch = mkdtempSync(join(tmpdir(), "book-"));
+const host = await serve(folder), browser = await launch();
+const open = async (name) => {
+    const tab = await openTab(browser, host.address);
+    await tab.goto(host.address + name, { waitUntil: "load" });
+    if (name !== "index.html")
+        await waitFor("an editor", 20, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+    return tab;
+};
+const click = (tab, selector) => tab.$eval(selector, (each) => each.click());
+const textOf = (tab, selector) => tab.$eval(selector, (each) => each.textContent);
+let passed = 0;
+const test = async (name, body) => {
+    try {
+        await body();
+        passed++;
+    } catch (error) {
+        error.message = `${name}: ${error.message}`;
+        throw error;
+    }
+};
+
+try {
+    const tab = await open("03-screen.html");
+    const blank = await editorText(tab);
+    await test("the blank is there, and what is typed is saved at once", async () => {
+        assert.match(blank, /NOT_ANSWERED/);
+        await typeAtEnd(tab, "// mine");
+        await tab.reload({ waitUntil: "load" });
+        await waitFor("the saved text", 20, async () => (await editorText(tab).catch(() => "")).includes("// mine"));
+    });
+    await test("Tab indents; Escape and then Tab leaves the editor", async () => {
+        await typeAtEnd(tab, "\t");
+        assert.match(await editorText(tab), /^ {4}\/\/ mine$/m);
+        await tab.keyboard.press("Escape");
+        await tab.keyboard.press("Tab");
+        assert.notEqual(await tab.evaluate(() => document.activeElement.id), "editor");
+    });
+    await test("a reset can be undone", async () => {
+        const mine = await editorText(tab);
+        await click(tab, "#reset");
+        assert.equal(await editorText(tab), blank);
+        await tab.reload({ waitUntil: "load" });
+        await waitFor("a way back", 20, () => tab.$eval("#undo-reset", (each) => !each.hidden));
+        await click(tab, "#undo-reset");
+        assert.equal(await editorText(tab), mine);
+    });
+    await test("two tabs show the same text", async () => {
+        const other = await open("03-screen.html");
+        await typeAtEnd(other, "// from the other tab");
+        await waitFor("the text of the other tab", 10, async () => (await editorText(tab)).includes("// from the other tab"));
+        await other.close();
+    });
+    await test("the contract is one key away", async () => {
+        await tab.focus("#tab-answer");
+        await tab.keyboard.press("ArrowRight");
+        assert.equal(await tab.$eval("#panel-contract", (each) => each.hidden), false);
+        assert.match(await textOf(tab, "#panel-contract"), /03-screen.h/);
+        await tab.keyboard.press("ArrowLeft");
+    });
+    const mine = await tab.evaluate(() => Object.entries(localStorage).find(([name]) => name.endsWith("03-screen answer"))[1]);
+    await tab.close();
+
+    const start = await open("index.html");
+    await test("the start page says what is begun", async () => {
+        await waitFor("'begun'", 10, async () => /begun|right/.test(await textOf(start, '.cards li[data-stem="03-screen"] .done')));
+        assert.match(await textOf(start, "#begin"), /^Continue with chapter/);
+    });
+    let zip;
+    await test("the archive has the answer as it is", async () => {
+        // The file that the page would save, read where the page makes it.
+        await start.evaluate(() => {
+            const make = URL.createObjectURL;
+            URL.createObjectURL = (blob) => { globalThis.saved = blob.arrayBuffer().then((all) => [...new Uint8Array(all)]); return make.call(URL, blob); };
+        });
+        await click(start, "#download");
+        zip = Uint8Array.from(await start.evaluate(() => globalThis.saved));
+        const files = await readZip(zip);
+        assert.deepEqual(files.map(({ name }) => name), ["03-screen.c"]);
+        assert.equal(new TextDecoder().decode(files[0].bytes), mine);
+    });
+    await test("another browser goes on from the archive", async () => {
+        writeFileSync(join(scratch, "submission.zip"), zip);
+        await start.evaluate(() => localStorage.clear());
+        await start.reload({ waitUntil: "load" });
+        await waitFor("the page", 10, () => start.$eval("#theme", (each) => !each.hidden));
+        const input = await start.$("#upload");
+        await input.uploadFile(join(scratch, "submission.zip"));
+        await waitFor("'Loaded 03'", 10, async () => /Loaded 03/.test(await textOf(start, "#state")));
+        assert.ok(await start.evaluate((text) => Object.values(localStorage).includes(text), mine));
+    });
+    await test("what is no archive changes nothing, and the page says so", async () => {
+        writeFileSync(join(scratch, "photo.zip"), "not an archive at all, but long enough");
+        await (await start.$("#upload")).uploadFile(join(scratch, "photo.zip"));
+        await waitFor("the words", 10, async () => /not a zip archive.*Nothing has changed/.test(await textOf(start, "#trouble")));
+    });
+    await start.close();
+
+    await test("a browser that keeps nothing says so, and the page works", async () => {
+        const poor = await openTab(browser, host.address);
+        await poor.evaluateOnNewDocument(() => { Storage.prototype.setItem = () => { throw new DOMException("no", "SecurityError"); }; });
+        await poor.goto(`${host.address}04-pixel-ray.html`, { waitUntil: "load" });
+        await waitFor("an editor", 20, () => poor.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+        await typeAtEnd(poor, "// lost soon");
+        await waitFor("the warning", 5, async () => /does not save your answers/.test(await textOf(poor, "#trouble")));
+        await poor.close();
+    });
+    await test("a figure fills the screen, the arrows go on, Escape comes back", async () => {
+        const figures = await openTab(browser, host.address);
+        await figures.goto(`${host.address}figures.html`, { waitUntil: "load" });
+        await waitFor("a button", 10, () => figures.$("figcaption button"));
+        await click(figures, "figcaption button");
+        const status = () => textOf(figures, "dialog.full [role=status]");
+        const first = await waitFor("a figure", 20, status);
+        await waitFor("another step or figure", 20, async () => { await figures.keyboard.press("ArrowRight"); return await status() !== first; });
+        await figures.keyboard.press("Escape");
+        await waitFor("the page again", 5, () => figures.$eval("dialog.full", (each) => !each.open));
+        await figures.close();
+    });
+    console.log(`answers (${browserName}): ${passed} passed`);
+} finally {
+    await browser.close();
+    await host.stop();
+    rmSync(scratch, { recursive: true, force: true });
+}
