@@ -118,6 +118,11 @@ for shape in $shapes; do
     check "the paper has that shape, $shape" is_of_size $at "$paper"
 done
 check 'each figure grows, step by step' shows_all_steps wide ''
+comes_before() {
+    pdftotext "$lecture/wide.pdf" - | grep -oF -e "$1" -e "$2" >"$scratch/order"
+    [ "$(head -n 1 "$scratch/order")" = "$1" ] && grep -qxF -- "$2" "$scratch/order"
+}
+check "the sphere's figure shows its hits after the question" comes_before 'Equation to solve?' 'is the hit'
 check 'they are light' has_ground wide 255 255 255
 contains() {
     pdftotext "$lecture/$1.pdf" - | tr '\n' ' ' | grep -qF -- "$2"
@@ -134,6 +139,8 @@ It has no distance
 not sizes but places
 Solve for
 Much simpler in object coordinates
+world:
+is the hit
 which way the surface faces'
 questions='were all doubled?
 upper left corner.
@@ -148,6 +155,13 @@ each() {
 }
 check 'it has the questions' each contains questions "$questions"
 check 'and no answer' each lacks questions "$answers"
+frames_of() {
+    grep inserttotalframenumber "$lecture/.work/$1/$1.nav"
+}
+are_as_many() {
+    frames_of wide && [ "$(frames_of questions)" = "$(frames_of wide)" ]
+}
+check 'its slides have the numbers of the projected ones' are_as_many
 if [ -n "${CI:-}" ]; then
     echo "skipped: dark slides, the handout with answers, notes, 4:3 and slides of one's own (CI)"
     finish slides
