@@ -10,9 +10,9 @@ static const struct {
     const char *letter, *mathematics;
 } letters[] = {
     {"−", "-"},
-    {"½", "\\frac12"},
-    {"¼", "\\frac14"},
-    {"⅓", "\\frac13"},
+    {"½", "1/2"},
+    {"¼", "1/4"},
+    {"⅓", "1/3"},
     {"·", "\\cdot{}"},
     {"×", "\\times{}"},
     {"±", "\\pm{}"},
