@@ -2,15 +2,25 @@
 # fresh.sh - the README's two commands on machines on which nothing has been installed.
 #
 # For each suite of Debian: a bare system (debootstrap --variant=minbase) with git, make, gcc and libc6-dev,
-# a clone of the last commit in it, 'make setup all', 'make check'. Needs root, debootstrap and the network,
-# 2 GB of disk and half an hour for each; for that reason no other test runs it. The output is kept in
-# build/fresh/SUITE.log. MIRROR: where the packages are from; CACHE: a folder that keeps them for the next time.
+# a clone of the last commit in it, 'make setup all', 'make check'. FOR=lecturer: the commands of the
+# lecturer's page instead, 'make setup FOR=lecturer', 'make slides', 'make animations'. Needs root,
+# debootstrap and the network, 2 GB of disk and half an hour for each; for that reason no other test runs it.
+# The output is kept in build/fresh/SUITE.log. MIRROR: where the packages are from; CACHE: a folder that keeps
+# them for the next time.
 # shellcheck disable=SC2317 # the functions are called by step
 # Usage: tests/proof/by_hand/fresh.sh [bookworm trixie ...]
 set -u
 tree=$(cd "$(dirname "$0")/../../.." && pwd)
 [ $# -gt 0 ] || set -- bookworm trixie
 MIRROR=${MIRROR:-http://deb.debian.org/debian}
+case ${FOR:-} in
+'') goals='setup all,check' ;;
+lecturer) goals='setup FOR=lecturer,slides,animations' ;;
+*)
+    echo "FOR=$FOR: expected lecturer, or nothing" >&2
+    exit 2
+    ;;
+esac
 
 if [ "$(id -u)" -ne 0 ]; then
     echo "skipped: fresh machines, which only root can make"
@@ -91,13 +101,19 @@ try() {
     step 'a bare system' system || { echo "$suite: debootstrap failed"; return 1; } >>"$work/verdicts"
     network
     step 'a clone' clone || { echo "$suite: no clone"; return 1; } >>"$work/verdicts"
-    step 'make setup all' inside "$root" make -C /root/tree setup all ||
-        { echo "$suite: 'make setup all' failed after $took s"; return 1; } >>"$work/verdicts"
-    words="'make setup all' $took s"
-    step 'make check' inside "$root" make -C /root/tree --no-print-directory check
-    status=$?
-    echo "$suite: $words, 'make check' $took s: $(grep -E '^[0-9]+ passed, [0-9]+ failed$' "$log" | tail -n 1)" \
-        >>"$work/verdicts"
+    words=""
+    status=0
+    while [ $status -eq 0 ] && read -r goal; do
+        # shellcheck disable=SC2086 # words, on purpose
+        step "make $goal" inside "$root" make -C /root/tree --no-print-directory $goal
+        status=$?
+        [ $status -eq 0 ] && verdict="$took s" || verdict="failed after $took s"
+        words="$words${words:+, }'make $goal' $verdict"
+    done <<EOF
+$(echo "$goals" | tr , '\n')
+EOF
+    counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed$' "$log" | tail -n 1)
+    echo "$suite: $words${counts:+: $counts}" >>"$work/verdicts"
     left=$(git -C "$root/root/tree" -c safe.directory='*' status --porcelain)
     if [ -n "$left" ]; then
         printf '    the tests left files in the tree:\n%s\n' "$left" >>"$work/verdicts"
