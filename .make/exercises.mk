@@ -57,6 +57,29 @@ drawing_of = $(if $(wildcard chapters/$(1)/*_lanes.c chapters/$(1)/*/*_lanes.c),
 FOR_PICTURES = $(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(RECORDED) $(B)/common.a \
 	$(foreach s,$(STEMS),$(call right_of,$(s))) $(foreach s,$(1),$(call drawing_of,$(s)))
 
+# The answering processes without an answer, which load it as they start (tests/course/shared_answer.h), and
+# the names that they, their libraries and the linker define. They have all of common/ that needs no library.
+SHARED := $(if $(SANITIZE),,$(wildcard /proc/self/exe))
+LOADING := $(STEMS:%=$(B)/answering/%)
+ANY_ANSWER := $(B)/answering/any/answer.so
+LENT_SHARED := $(patsubst %.o,%.pic.o,$(lent))
+$(ANY_ANSWER): $(B)/exercises.names
+	$(Q)mkdir -p $(@D)
+	$(Q)sed 's/.*/void &(void); void &(void) {}/' $< | $(CC) -shared -fPIC -Wl,-soname,answer.so -o $@ -x c -
+without_answers = $(filter %.o,$(filter-out $(VERDICT)/%,$(call answering,$(1))))
+$(LOADING): $(B)/answering/%: $$(call without_answers,$$*) \
+		$(filter-out %/image_png.o %/picture.o,$(patsubst %.c,$(B)/%.o,$(wildcard common/*.c))) $(ANY_ANSWER)
+	$(call say,link,$@)
+	$(Q)$(LINK) -rdynamic -Wl,-S -Wl,-rpath,'$$ORIGIN' -o $@ $^ -Wl,--no-as-needed -lm
+$(LOADING:%=%.names): %.names: %
+	$(Q){ echo _GLOBAL_OFFSET_TABLE_; nm -gP --defined-only $<; for library in libc libm; do \
+		nm -DgP --defined-only "$$($(CC) -print-file-name=$$library.so.6)" 2>/dev/null; done; } | sed 's/[@ ].*//' > $@
+$(B)/%.pic.o: %.c $(B)/flags.mk
+	$(call say,compile,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(COMPILE) -fPIC -o $@ $<
+FOR_SHARED = $(if $(SHARED),$(patsubst %,$(B)/answering/%.names,$(1)) $(LENT_SHARED))
+
 # The program that judges answers and prints verdicts (tests/course/course.c), and its plan.
 COURSE := $(B)/course
 $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o $(B)/common.a
@@ -82,18 +105,20 @@ $(PLAN): $(ANY_OBJECT) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/f
 	@directly=$$($(LINK) $(QUICK) -### -o NAME $(ANY_OBJECT) -lm 2>&1 | $(as_linker)); \
 	printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
 		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'draw	$(DRAW_FIGURES) --one' 'blanks	build/blanks' \
-		'compile	$(CC) -pipe $(QUICK_FLAGS) -include $(B)/weak.h -c' \
+		'compile	$(CC) -pipe $(QUICK_FLAGS) $(if $(SHARED),-fPIC) -include $(B)/weak.h -c' \
 		'link	$(LINK)' 'quick	$(QUICK)' \
 		$(if $(value stands_on),'hide	$(HIDE_HELPERS)','lend	-Wl$(comma)--defsym=NAME=lent_NAME') \
 		'drawing	$(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(B)/common.a' \
 		'spheres	$(SPHERES) $(RECORDED)' 'libraries	$(foreach word,$(PNG_LIBS) -lpthread,$(if $(filter -l%,$(word)),$(call library_file,$(word:-l%=%)),$(word)))' \
 		$(if $(HAS_REFERENCE),'reference	-Wl$(comma)--defsym=NAME=answer_NAME') \
 		$${directly:+"$$directly"} \
+		$(if $(SHARED),'shared	$(shell command -v ld) -shared -z now -z text -S --hash-style=gnu -soname answer.so -o' \
+			'loading	$(B)/answering' $(if $(LENT_SHARED),'lend shared	--defsym=NAME=lent_NAME' 'lent	$(LENT_SHARED)')) \
 		'judge	$(JUDGE)' 'used	$(B)/weak.h $(COURSE) $(JUDGES_LAYOUTS)' $(plan_lines) > $@.new
 	@mv $@.new $@
 # All that course uses.
 FOR_JUDGING = $(COURSE) $(PLAN) $(DRAW_FIGURES) $(B)/weak.h $(B)/exercises.names $(BLANKS) $(JUDGES_LAYOUTS) \
-	$(FOR_PICTURES) $(JUDGE) $(foreach s,$(1),$(filter-out $(VERDICT)/%,$(call answering,$(s))))
+	$(FOR_PICTURES) $(JUDGE) $(FOR_SHARED) $(foreach s,$(1),$(filter-out $(VERDICT)/%,$(call answering,$(s))))
 USED_WITH = $(if $(value stands_on),$(STEMS),$(1))
 # 'make all' already builds everything that the first verdict needs, so nobody waits for it.
 FOR_EXERCISES = $(call FOR_JUDGING,$(STEMS))

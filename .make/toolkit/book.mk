@@ -43,4 +43,5 @@ book-programs: $(BOOK_PROGRAMS)
 
 include .make/toolkit/book_page.mk
 
--include $(shell find $(WASM) -name '*.d' 2>/dev/null)
+# The rules of the other programs do not need these.
+-include $(if $(JUDGES_ONLY),,$(shell find $(WASM) -name '*.d' 2>/dev/null))

@@ -10,6 +10,7 @@
 #include "tests/course/folder_lock.h"
 #include "tests/course/linking.h"
 #include "tests/course/programs.h"
+#include "tests/course/shared_answer.h"
 #include "tests/course/whole_text.h"
 #include "tests/judge/exercise.h"
 
@@ -211,6 +212,8 @@ static int link_answering(const JudgingPlan *plan, int chapter, const char *prog
 {
     PlanPath output = plan_file(plan, chapter, program),
              object = plan_file(plan, chapter, "answer.o");
+    if (shared_answer_link(plan, chapter, output.s, lent))
+        return 0;
     Linking linking = linking_begin(plan, output.s);
     Command names = {.count = 0};
     command_words(&names, lent);

@@ -41,6 +41,10 @@ bool plan_read(const char *path, JudgingPlan *plan)
         {"reference", &plan->reference, false},
         {"libraries", &plan->libraries, false},
         {"directly", &plan->directly, false},
+        {"shared", &plan->shared, false},
+        {"loading", &plan->loading, false},
+        {"lend shared", &plan->lend_shared, false},
+        {"lent", &plan->lent, false},
     };
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         *keys[i].value = entry_value(entries, head, keys[i].key);

@@ -21,6 +21,10 @@
 //     lend        the linker's option for each exercise that the reference answers instead of the
 //                 answer, NAME for its name: -Wl,--defsym=NAME=lent_NAME; none if the reference
 //                 answers none
+//     shared      the command that links STEM/answer.so: SHARED STEM/answer.so OBJECTS; or none
+//     loading     the folder of the answering processes that load it, and of their names
+//     lend shared the same option as lend, for that command
+//     lent        the object that it then needs, besides
 //     judge       the program that judges: JUDGE STEM STEM/answering FOLDER FIGURES
 //     used        files that the commands use, besides
 //     reference   the linker's option for each exercise that the reference answers in a picture,
@@ -52,6 +56,7 @@ typedef struct {
     const char *answers, *built, *verdict, *figures, *draw, *blanks;
     const char *compile, *hide, *link, *quick, *lend, *judge, *used;
     const char *reference, *drawing, *spheres, *libraries, *directly;
+    const char *shared, *loading, *lend_shared, *lent;
     int count;
     PlannedChapter chapters[MOST_CHAPTERS];
 } JudgingPlan;
