@@ -20,7 +20,7 @@ $(info Building the judge, once; that takes a moment ...)
 endif
 endif
 # The parts of the answering process besides the answer.
-ANSWERING := $(patsubst %,$(B)/tests/judge/%.o,answering calls_traced) $(CALLING)
+ANSWERING := $(patsubst %,$(B)/tests/judge/%.o,answering answer_calls calls_traced) $(CALLING)
 answering = $(ANSWERING) $(B)/dispatch/$(1).o \
 	$(lent) $(earlier_answers) $(B)/common.a
 # The tests judge. A handout has none, and judges by recorded tables.

@@ -3,14 +3,16 @@
 #
 # Debian's clang compiles the same sources as for the terminal. A file that cannot be compiled there (libpng,
 # signals, processes) has one of the same name in chapters/book/instead/.
-WASM_CC := clang --target=wasm32-wasi
+WASM_CC := clang --target=wasm32-wasi -mmutable-globals
 WASM := build/wasm
 BOOK := build/book
 INSTEAD := chapters/book/instead
 WASM_EMULATED := signal mman process-clocks getpid
-WASM_LANGUAGE := -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -I. -O2 -ffunction-sections -fdata-sections \
-	$(foreach e,SIGNAL MMAN PROCESS_CLOCKS GETPID,-D_WASI_EMULATED_$(e))
-WASM_COMPILE = $(WASM_CC) $(WASM_LANGUAGE) $(STRICT) $(WERROR) $(WASM_EXTRA) -MMD -MP -c
+WASM_LANGUAGE := -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -I. -isystem $(INSTEAD)/include \
+	-include $(INSTEAD)/include/no_processes.h \
+	-ffunction-sections -fdata-sections $(foreach e,SIGNAL MMAN PROCESS_CLOCKS GETPID,-D_WASI_EMULATED_$(e))
+WASM_OPTIMIZE = -O2
+WASM_COMPILE = $(WASM_CC) $(WASM_LANGUAGE) $(WASM_OPTIMIZE) $(STRICT) $(WERROR) $(WASM_EXTRA) -MMD -MP -c
 # The stack grows down to address 0, so that a program whose stack overflows is stopped.
 WASM_LINK = $(WASM_CC) -Wl,--gc-sections -Wl,--strip-debug -Wl,--stack-first -Wl,-z,stack-size=1048576
 WASM_LIBS := $(WASM_EMULATED:%=-lwasi-emulated-%) -lm
@@ -38,8 +40,72 @@ $(BOOK_PROGRAMS): $(BOOK)/programs/%.wasm: $$(call wasm_program,$$*) $(call wasm
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_LINK) -Wl,--strip-all -o $@ $^ $(WASM_LIBS)
 
+# ---- verdicts ----------------------------------------------------------------------------------
+
+wasm_of = $(call wasm_objects,$(patsubst $(B)/%.o,%.c,$(1)))
+define wasm_link
+	$(call say,wasm,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_LINK) -Wl,--strip-all -Wl,--export=__stack_pointer -o $@ $(filter %.o %.a,$^) $(WASM_LIBS)
+endef
+
+# The judge: what is known about the exercises is called once in a call, so it is small rather than quick.
+WASM_REFERENCES := $(STEMS:%=$(WASM)/tests/reference/%.o)
+$(WASM_REFERENCES): $(WASM)/tests/reference/%.o: solutions/%.c $(B)/reference.h
+	$(call say,wasm,$< for the judge)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_COMPILE) -include $(B)/reference.h -o $@ $<
+$(call wasm_of,$(BESIDE_REFERENCE)): WASM_EXTRA = -include $(B)/reference.h
+$(call wasm_of,$(BESIDE_REFERENCE)): $(B)/reference.h
+$(call wasm_of,$(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(call known,laws)): WASM_OPTIMIZE = -Oz
+WASM_HEARING := $(call wasm_of,$(filter-out $(REFERENCES),$(HEARING))) $(WASM_REFERENCES)
+BOOK_JUDGE := $(BOOK)/programs/judge.wasm
+$(BOOK_JUDGE): $(call wasm_of,$(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) $(TO_PROCESS) \
+		$(DRAWING) $(REPORTING) $(patsubst %,$(B)/tests/judge/%.o,judge reference/right_answer)) $(WASM_HEARING) \
+		$(patsubst %,$(WASM)/$(INSTEAD)/%.o,check no_processes) $(WASM)/common.a
+	$(wasm_link)
+
+# The program that makes a verdict of what the judge has found.
+BOOK_COURSE := $(BOOK)/programs/course.wasm
+$(BOOK_COURSE): $(call wasm_of,$(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o) \
+		$(WASM)/$(INSTEAD)/no_processes.o $(WASM)/common.a
+	$(wasm_link)
+
+# What an answer is linked with: one object for each chapter, and common.a.
+ANSWERING_LINKS := $(STEMS:%=$(BOOK)/link/%.o)
+WASM_WRAPS := $(STEMS:%=$(WASM)/wraps/%.o)
+WASM_DISPATCHES := $(STEMS:%=$(WASM)/dispatch/%.o)
+define wasm_for_chapter
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_COMPILE) -DANSWERED=$(call answered,$(*F)) -o $@ $<
+endef
+$(WASM_WRAPS): $(WASM)/wraps/%.o: $(INSTEAD)/calls_traced.c .make/toolkit/book.mk
+	$(wasm_for_chapter)
+$(WASM_DISPATCHES): $(WASM)/dispatch/%.o: tests/judge/dispatch.c .make/toolkit/book.mk
+	$(wasm_for_chapter)
+$(ANSWERING_LINKS): $(BOOK)/link/%.o: $(WASM)/wraps/%.o $(WASM)/dispatch/%.o $(call wasm_of,$(CALLING) $(lent)) \
+		$(patsubst %,$(WASM)/%.o,$(INSTEAD)/answering $(INSTEAD)/steps tests/judge/answer_calls) \
+		$$(addsuffix .o,$$(addprefix $(WASM)/solutions/,$$(call earlier,$$*)))
+	$(call say,wasm,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)wasm-ld -r -o $@ $^
+# The names that an answer's link wraps (calls_traced.c), for each chapter.
+$(STEMS:%=$(WASM)/names/%): $(WASM)/names/%: $(B)/answer_names/%
+	$(Q)mkdir -p $(@D)
+	$(Q)sed 's/ .*//' $< > $@
+
+# How course judges in a page: its commands are the page's (judge.js), its paths those of the terminal.
+BOOK_PLAN := $(BOOK)/tree/plan
+$(BOOK_PLAN): .make/toolkit/book.mk
+	$(Q)mkdir -p $(@D)
+	$(Q)printf '%s\n' 'answers	exercises' 'built	build/exercises' 'verdict	build/exercises/verdict' \
+		'figures	build/exercises/figures' 'draw	draw --one' 'blanks	build/blanks' 'compile	compile' 'link	link' \
+		'lend	--lend=NAME' 'drawing	drawing.o' 'spheres	spheres.nff spheres.png' 'judge	judge' \
+		$(foreach s,$(BOOK_STEMS),'chapter	$(s)' 'objects	$(s).o' 'program	$(s)-program.o') > $@
+
 book-programs: $(BOOK_PROGRAMS)
-.PHONY: book-programs
+book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(STEMS:%=$(WASM)/names/%) $(BOOK_PLAN)
+.PHONY: book-programs book-judge
 
 include .make/toolkit/book_page.mk
 

@@ -4,23 +4,17 @@
 // crashes, it says how before it ends; whatever else happens, the judge sees for itself.
 #define _GNU_SOURCE
 #include "tests/judge/answering.h"
-#include "common/answers.h"
-#include "tests/judge/calls_traced.h"
-#include "tests/judge/dispatch.h"
-#include "tests/judge/message.h"
-#include "tests/judge/transport.h"
+
+#include "tests/judge/answer_calls.h"
 
 #include <errno.h>
 #include <signal.h>
-#include <stdio.h>
-#include <string.h>
+#include <stdint.h>
 #include <sys/syscall.h>
 #include <ucontext.h>
 #include <unistd.h>
 
-static WireHeader current; // the call that is being answered
-
-static bool write_all(const void *bytes, size_t size)
+bool answer_write(const void *bytes, size_t size)
 {
     const char *from = bytes;
     while (size > 0) {
@@ -35,14 +29,7 @@ static bool write_all(const void *bytes, size_t size)
     return true;
 }
 
-static bool send(const WireHeader *header, Wire *message)
-{
-    size_t size;
-    const void *block = wire_block(message, header, &size);
-    return block != NULL && write_all(block, size);
-}
-
-static bool read_all(void *bytes, size_t size)
+bool answer_read(void *bytes, size_t size)
 {
     char *into = bytes;
     while (size > 0) {
@@ -97,11 +84,7 @@ static void say_crash(int number, siginfo_t *info, void *context)
         if (is_abort(info->si_syscall, context))
             crash.signal = SIGABRT;
     }
-    WireHeader header = current;
-    header.kind = WIRE_CRASH;
-    header.size = sizeof crash;
-    write_all(&header, sizeof header);
-    write_all(&crash, sizeof crash);
+    answer_crashed(&crash);
     _exit(1);
 }
 
@@ -116,91 +99,20 @@ static void catch_crashes(void)
         sigaction(crashes[i], &action, NULL);
 }
 
-// Reads a message into the wire. False if there is none.
-static bool receive(WireHeader *header, Wire *wire)
+_Noreturn void answer_end(void)
 {
-    wire_clear(wire);
-    if (!read_all(header, sizeof *header) || header->magic != WIRE_MAGIC ||
-        !wire_make_room(wire, header->size))
-        return false;
-    wire->size = (size_t)header->size;
-    return read_all(wire->bytes, wire->size);
-}
-
-// If an exercise of this chapter is lent, its calls come here (lent_answers.c) and the judge
-// answers them: this process never holds the reference of the chapter that is judged.
-static Wire lent;
-
-static Wire *begin_asking(int exercise)
-{
-    (void)exercise;
-    wire_clear(&lent);
-    return &lent;
-}
-
-static void ask_judge(int exercise)
-{
-    WireHeader ask = {WIRE_MAGIC, exercise, current.nonce, lent.size, WIRE_ASK, 0, 0, ""};
-    if (!send(&ask, &lent))
-        _exit(2);
-}
-
-static Wire *receive_lent(int exercise)
-{
-    WireHeader answer;
-    (void)exercise;
-    if (!receive(&answer, &lent) || answer.kind != WIRE_LENT)
-        _exit(2);
-    return &lent;
-}
-
-static void say_entered(int exercise)
-{
-    WireHeader header = {WIRE_MAGIC, exercise, current.nonce, 0, WIRE_ENTERED, 0, 0, ""};
-    if (!write_all(&header, sizeof header))
-        _exit(2);
-}
-
-// A result that the answer does not set keeps these bytes (stack_paint.h).
-static __attribute__((noinline)) void paint_stack(void)
-{
-    enum { ROOM = 1 << 13 };
-    char room[ROOM];
-    if (current.paint == 0)
-        return;
-    memset(room, current.paint, sizeof room);
-    __asm__ volatile("" : : "r"(room) : "memory"); // or nobody would need to fill it
+    _exit(2);
 }
 
 int main(void)
 {
-    static Wire in, out;
-    static const Transport judge = {begin_asking, ask_judge, receive_lent, NULL};
-    transport_use(&judge);
-    setvbuf(stdout, NULL, _IONBF, 0); // so that the text printed before a crash is not lost
-    before_call = paint_stack;
+    answer_begin();
 #ifdef __SANITIZE_ADDRESS__ // which explains crashes better than we do
     (void)catch_crashes;
 #else
     catch_crashes();
 #endif
-    while (receive(&current, &in)) {
-        wire_clear(&out);
-        errno = 0;
-        trace_calls_of(current.exercise, say_entered);
-        if (!dispatch(current.exercise, &in, &out))
-            return 2;
-        trace_end();
-        fflush(NULL); // the printed text is there before the answer
-        WireHeader header = current;
-        header.kind = WIRE_ANSWER;
-        header.size = out.size;
-        header.overran = out.overran;
-        if (answers_missing() > 0)
-            snprintf(header.missing, sizeof header.missing, "%s", answer_missing(0));
-        answers_forget();
-        if (!send(&header, &out))
-            return 2;
-    }
+    while (answer_call())
+        continue;
     return 0;
 }

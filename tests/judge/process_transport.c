@@ -30,6 +30,7 @@ static struct {
     char why[120]; // an exercise is not called any more
 } broken[EXERCISE_COUNT];
 static double work_of[EXERCISE_COUNT]; // seconds, so far
+static int called;                     // the exercise that is being answered
 static size_t size_of_call;
 static bool is_lent[EXERCISE_COUNT], was_lent[EXERCISE_COUNT];
 static bool has_entered[EXERCISE_COUNT][EXERCISE_COUNT];
@@ -210,6 +211,16 @@ static bool is_entered(int exercise, const WireHeader *header)
     return true;
 }
 
+bool call_serve(void)
+{
+    WireHeader asked = {0};
+    Patience left = patience_begin();
+    int moved = receive(&asked, &wire, &left);
+    while (moved == 2 && is_entered(called, &asked))
+        moved = receive(&asked, &wire, &left);
+    return moved == 2 && asked.kind == WIRE_ASK && lend(asked.exercise, &wire);
+}
+
 // After a call without an answer: nothing that holds for answers can be checked.
 static _Noreturn void give_up_on_machine(const char *what, int error)
 {
@@ -249,6 +260,7 @@ static uint64_t next_nonce(void)
 static void send_call(int exercise)
 {
     keep_question(exercise, &wire);
+    called = exercise;
     if (!process_start())
         give_up_on_machine("an answering process cannot be started", errno);
     nonce = next_nonce();

@@ -23,6 +23,10 @@ bool call_only_passes_on(void);
 // Whether the answer to a call of an exercise has entered another one of the answers.
 bool call_has_entered(int exercise, int other);
 
+// An answer that runs in the place of our waiting (chapters/book/instead/process.c) asks for a lent
+// exercise: answers it. False if it gets no answer.
+bool call_serve(void);
+
 // Ends the answering process.
 void call_stop(void);
 

@@ -1,0 +1,93 @@
+// calls_traced.c - which exercises an answer enters, and which of them are lent.
+//
+// Stands in for tests/judge/calls_traced.c. The linker puts __wrap_NAME in the place of all calls
+// of an exercise, in the student's file too (--wrap=NAME): there the call is reported, and goes to
+// the answer, or to the judge if the exercise is lent. So nothing is linked again to lend it.
+// ANSWERED: the chapter.
+#include "tests/judge/calls_traced.h"
+
+#include "tests/judge/exercise.h"
+#include "tests/judge/parameters.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_known[EXERCISE_COUNT];
+static int called = -1;
+static void (*say)(int other);
+
+void trace_calls_of(int exercise, void (*entered)(int other))
+{
+    if (exercise != called)
+        memset(is_known, 0, sizeof is_known);
+    called = exercise;
+    say = entered;
+}
+
+void trace_end(void)
+{
+    say = NULL;
+}
+
+static void enter(int exercise)
+{
+    if (say == NULL || is_known[exercise] || exercise == called)
+        return;
+    is_known[exercise] = true;
+    say(exercise);
+}
+
+// The environment names those that are lent.
+static bool is_lent(int exercise)
+{
+    static bool lent[EXERCISE_COUNT], is_read;
+    const char *names = getenv("LENT");
+    for (; !is_read && names != NULL && *names != '\0'; names += strspn(names, " ")) {
+        char name[64];
+        int length = (int)strcspn(names, " ");
+        snprintf(name, sizeof name, "%.*s", length, names);
+        if (exercise_number(name) >= 0)
+            lent[exercise_number(name)] = true;
+        names += length;
+    }
+    is_read = true;
+    return lent[exercise];
+}
+
+#include "tests/exercises.def" // the contracts
+
+// A handout lends nothing, and has no lent_NAME.
+#define WRAP_VALUE(result, name, parameters)                                                       \
+    result lent_##name(DECLARED(parameters)) __attribute__((weak));                                \
+    result __real_##name(DECLARED(parameters));                                                    \
+    result __wrap_##name(DECLARED(parameters));                                                    \
+    result __wrap_##name(DECLARED(parameters))                                                     \
+    {                                                                                              \
+        enter(NUMBER_##name);                                                                      \
+        return is_lent(NUMBER_##name) ? lent_##name(NAMES(parameters))                             \
+                                      : __real_##name(NAMES(parameters));                          \
+    }
+#define WRAP_VOID(result, name, parameters)                                                        \
+    result lent_##name(DECLARED(parameters)) __attribute__((weak));                                \
+    result __real_##name(DECLARED(parameters));                                                    \
+    result __wrap_##name(DECLARED(parameters));                                                    \
+    result __wrap_##name(DECLARED(parameters))                                                     \
+    {                                                                                              \
+        enter(NUMBER_##name);                                                                      \
+        if (is_lent(NUMBER_##name))                                                                \
+            lent_##name(NAMES(parameters));                                                        \
+        else                                                                                       \
+            __real_##name(NAMES(parameters));                                                      \
+    }
+#define NAMES(parameters) EACH(BY_PASSING, COMMA, NAME, parameters)
+#define NAME_VALUE(i, type, name) name
+#define NAME_CONST_POINTER(i, type, name) name
+#define NAME_POINTER(i, type, name) name
+#define NAME_IMAGE(i, type, name) name
+#define NAME_PIXELS(i, type, name) name
+
+#define CHAPTER(number) (ANSWERED == 0 || ANSWERED == number)
+#define EXERCISE(stem, result, name, parameters, ...)                                              \
+    IF_VOID(result, WRAP_VOID, WRAP_VALUE)(result, name, parameters)
+#include "tests/exercises.def"

@@ -1,0 +1,24 @@
+// answer_calls.h - answers the judge's calls, however its messages arrive.
+//
+// Also in a page, where the answer is in a WebAssembly instance (chapters/book/).
+#ifndef TESTS_JUDGE_ANSWER_CALLS_H
+#define TESTS_JUDGE_ANSWER_CALLS_H
+
+#include "tests/judge/wire.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// The program round it moves the bytes: all of them, or false.
+bool answer_read(void *bytes, size_t size);
+bool answer_write(const void *bytes, size_t size);
+// Ends the program: the judge cannot be understood, or is gone.
+_Noreturn void answer_end(void);
+
+void answer_begin(void);
+// Waits for a call and answers it. False if there is none, or it is not one of this chapter.
+bool answer_call(void);
+// Reports that the call that is being answered has crashed.
+void answer_crashed(const WireCrash *crash);
+
+#endif
