@@ -20,7 +20,6 @@ void keep_term(Scene *scene, Term term)
     }
 }
 
-// A sample is a pixel of a finer screen.
 Color render_pixel(const Rendering *rendering, void *world, Pixel pixel)
 {
     Style style = rendering->style;
@@ -30,14 +29,15 @@ Color render_pixel(const Rendering *rendering, void *world, Pixel pixel)
     for (int i = 0; i < n * n; i++) {
         Pixel sample = {pixel.column * n + i % n, pixel.row * n + i / n};
         Ray ray = pixel_ray(rendering->camera, fine, sample);
-        sum += clamp_color(rendering->trace(world, ray, style.depth));
+        sum += clamp_color(rendering->trace(world, sample, ray, style.depth));
     }
     Color mean = sum / (n * n);
     return style.gamma == 1 ? mean : gamma_encode(mean, style.gamma);
 }
 
-Color trace_scene(void *world, Ray ray, int depth)
+Color trace_scene(void *world, Pixel sample, Ray ray, int depth)
 {
+    (void)sample;
     return trace_ray(world, ray, depth);
 }
 

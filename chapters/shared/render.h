@@ -22,8 +22,9 @@ typedef enum { TERM_ALL, TERM_AMBIENT, TERM_DIFFUSE, TERM_SPECULAR, TERM_FLAT } 
 // Removes all terms except one from a scene. Flat: surfaces shine by themselves, in their colour.
 void keep_term(Scene *scene, Term term);
 
-// The colour that a ray sees in a world, computed by trace_ray or in another way.
-typedef Color Tracer(void *world, Ray ray, int depth);
+// The colour that the ray of a sample sees in a world, computed by trace_ray or in another way. A
+// sample is a pixel of a finer screen.
+typedef Color Tracer(void *world, Pixel sample, Ray ray, int depth);
 
 // The rays of a picture.
 typedef struct {

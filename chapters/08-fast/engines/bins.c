@@ -123,16 +123,16 @@ static bool cast_rows(Casting *casting, int count)
     return fits;
 }
 
-bool cast_bins(const Work *work, Message *message)
+// Casts a picture, or finds the spheres that its pixels see. False if there is not enough memory,
+// or if the scene is extreme.
+static bool cast(const Work *work, int *seen, bool *extreme)
 {
-    if (extreme_camera(work->camera))
-        return cast_plain(work, message);
     Resolution screen = work->image->size;
     int count = work->scene->sphere_count, parts = (count + PLACES - 1) / PLACES, visible = -1;
     const size_t size = ((size_t)count + 1) * sizeof(Place);
     Place *places = large_memory(size), *sorted = large_memory(size);
     Paint *paints = paints_of(work->scene);
-    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], sorted, paints},
+    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], sorted, paints, seen},
                        .eye = eye_of(work),
                        .places = places,
                        .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,
@@ -145,11 +145,25 @@ bool cast_bins(const Work *work, Message *message)
                                       work->threads);
     }
     free(places);
-    bool done =
-        casting.extreme ? cast_plain(work, message) : visible >= 0 && cast_rows(&casting, visible);
-    if (!done && !casting.extreme)
-        message_set(message, "no memory for the bins of %d spheres", count);
+    *extreme = casting.extreme;
+    bool done = visible >= 0 && cast_rows(&casting, visible);
     free(sorted);
     free(paints);
     return done;
+}
+
+bool cast_bins(const Work *work, Message *message)
+{
+    bool extreme = extreme_camera(work->camera);
+    if (!extreme && cast(work, NULL, &extreme))
+        return true;
+    if (extreme)
+        return cast_plain(work, message);
+    return message_set(message, "no memory for the bins of %d spheres", work->scene->sphere_count);
+}
+
+bool bins_spheres(const Work *work, int *spheres)
+{
+    bool extreme = extreme_camera(work->camera) || work->scene->sphere_count >= UNSURE - 1;
+    return !extreme && cast(work, spheres, &extreme);
 }

@@ -44,8 +44,11 @@ static Ray ray_of(const Here *here, int column, int row)
     return pixel_ray(work->camera, work->image->size, pixel);
 }
 
+// Or what stands for it, if spheres are wanted instead of colours.
 static int color_of(const Tiling *tiling, int sphere)
 {
+    if (tiling->seen != NULL)
+        return sphere + 1;
     const Scene *scene = tiling->work->scene;
     int surface = sphere < 0 ? scene->surface_count : scene->spheres[sphere].surface;
     const uint8_t *rgb = tiling->paints[surface].rgb;
@@ -220,6 +223,29 @@ static double nearest_to(double x, int first, int count)
     return fmin(fmax(x, first), first + count) - x;
 }
 
+// The bytes that will be written are fetched into the cache meanwhile.
+static void fetch_bytes(const Here *here)
+{
+    Image *image = here->tiling->work->image;
+    for (int row = 0; row < here->rows; row++) {
+        const uint8_t *rgb =
+            image_bytes(image, (Pixel){here->corner.column, here->corner.row + row});
+        __builtin_prefetch(rgb, 1);
+        __builtin_prefetch(rgb + 3 * here->columns - 1, 1);
+    }
+}
+
+static void give_spheres(const Here *here)
+{
+    const Image *image = here->tiling->work->image;
+    for (int row = 0; row < here->rows; row++) {
+        Pixel first = {here->corner.column, here->corner.row + row};
+        int *seen = here->tiling->seen + image_index(image, first);
+        for (int column = 0; column < here->columns; column++)
+            seen[column] = here->pixels.color[row * TILE_WIDTH + column] - 1;
+    }
+}
+
 void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
 {
     Image *image = tiling->work->image;
@@ -239,14 +265,13 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
     here.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
     here.slack = 0;
     here.waiting = 0;
-    uint8_t *rgb = image_bytes(image, corner);
-    size_t apart = 3 * (size_t)width;
-    // The bytes that will be written are fetched into the cache meanwhile.
-    for (int row = 0; row < here.rows; row++) {
-        __builtin_prefetch(rgb + (size_t)row * apart, 1);
-        __builtin_prefetch(rgb + (size_t)row * apart + 3 * here.columns - 1, 1);
-    }
+    if (tiling->seen == NULL)
+        fetch_bytes(&here);
     tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
     decide_unsure(&here, bin, ask_all(&here, bin, count));
-    tiling->lanes->paint(&here.pixels, here.columns, here.rows, rgb, apart);
+    if (tiling->seen == NULL)
+        tiling->lanes->paint(&here.pixels, here.columns, here.rows, image_bytes(image, corner),
+                             3 * (size_t)width);
+    else
+        give_spheres(&here);
 }

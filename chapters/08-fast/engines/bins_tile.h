@@ -12,9 +12,10 @@ typedef struct {
     const BinsLanes *lanes;
     const Place *places; // near ones first
     const Paint *paints;
+    int *seen; // if not NULL: gets the sphere that each pixel sees, and the image gets nothing
 } Tiling;
 
-// Colours the tile with this upper left pixel. bin has the places of its count spheres, near ones
+// Casts the tile with this upper left pixel. bin has the places of its count spheres, near ones
 // first.
 void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count);
 

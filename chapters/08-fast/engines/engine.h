@@ -53,5 +53,8 @@ bool cast_packet(const Work *work, Message *message);
 bool cast_tiles(const Work *work, Message *message);
 // 6. Object order with bins: every tile asks the spheres in it, near ones first.
 bool cast_bins(const Work *work, Message *message);
+// The sphere that each pixel sees, row by row, -1 for none; of the image only the size matters.
+// False if there is not enough memory, or if the scene is extreme (number_limits.h).
+bool bins_spheres(const Work *work, int *spheres);
 
 #endif

@@ -1,173 +1,384 @@
 // hierarchy.c - builds a bounding volume hierarchy: chooses where to split, and splits.
+//
+// The choice needs no exact numbers: it is made in floats, four at a time (x, y, z and the radius).
+// The boxes of the nodes are made afterwards, from the bottom up, in double. The first splits make
+// enough parts for all threads. Each part is then built by one thread.
 #include "chapters/08-fast/engines/hierarchy.h"
 
 #include "chapters/08-fast/engines/large_memory.h"
+#include "chapters/08-fast/engines/parallel.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
-// BINS: the number of slices along an axis. LEAF: more spheres than these are split even if that
-// costs more. Deeper than DEEP they are simply halved, so that no node is deeper than
-// HIERARCHY_DEEPEST.
-enum { BINS = 16, LEAF = 4, DEEP = 64 };
+// BINS: the number of slices along an axis; FEW_BINS are enough for SMALL nodes. LEAF: more spheres
+// than these are split even if that costs more. Deeper than DEEP they are simply halved, so that
+// no node is deeper than HIERARCHY_DEEPEST. PARTS: at least so many for each thread.
+enum { BINS = 16, FEW_BINS = 8, SMALL = 32, LEAF = 4, DEEP = 64, PARTS = 16, SMALLEST_PART = 1024 };
 
-typedef struct {
-    Hierarchy *hierarchy;
-    const Sphere *spheres;
-} Builder;
+typedef float Four __attribute__((vector_size(16)));
+typedef int FourInts __attribute__((vector_size(16)));
 
-static const Box nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-
-// Not fmin and fmax: their rules for NaN cost a function call.
-static inline double smaller(double a, double b)
+static inline Four lower(Four a, Four b)
 {
-    return a < b ? a : b;
-}
-
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
-static Box around_both(Box a, Box b)
-{
-    for (int i = 0; i < 3; i++) {
-        a.low[i] = smaller(a.low[i], b.low[i]);
-        a.high[i] = larger(a.high[i], b.high[i]);
-    }
+    for (int i = 0; i < 4; i++)
+        a[i] = a[i] < b[i] ? a[i] : b[i];
     return a;
 }
 
-static Box around_sphere(Sphere sphere)
+static inline Four higher(Four a, Four b)
 {
-    Box box;
-    for (int i = 0; i < 3; i++) {
-        double more = 1e-6 * sphere.radius + 1e-12 * fabs(sphere.center[i]);
-        box.low[i] = sphere.center[i] - sphere.radius - more;
-        box.high[i] = sphere.center[i] + sphere.radius + more;
-    }
-    return box;
+    for (int i = 0; i < 4; i++)
+        a[i] = a[i] > b[i] ? a[i] : b[i];
+    return a;
 }
+
+typedef struct {
+    Four low, high;
+} Bounds;
+
+static const Bounds nothing = {{INFINITY, INFINITY, INFINITY, INFINITY},
+                               {-INFINITY, -INFINITY, -INFINITY, -INFINITY}};
+
+static inline void include(Bounds *bounds, Four low, Four high)
+{
+    bounds->low = lower(bounds->low, low);
+    bounds->high = higher(bounds->high, high);
+}
+
+static inline float surface(const Bounds *bounds)
+{
+    Four size = bounds->high - bounds->low;
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+}
+
+// Spheres that a thread builds a part of the hierarchy from.
+typedef struct {
+    int first, count, depth;
+    Bounds centers;
+    Node *nodes; // room for 2 count - 1
+    int node_count;
+} Part;
+
+// A node above the parts, or a part.
+typedef struct {
+    int first, count, axis;
+    int part; // its number; -1: a node
+} Above;
+
+typedef struct {
+    const Scene *scene;
+    int *order;
+    Four *items; // centre and radius of each, in this order, as parts of the scene's size
+    Node *nodes; // room for the nodes of all parts
+    Part *parts;
+    Above *above; // each before those below it
+    int part_count, above_count;
+    int largest_part; // spheres
+} Builder;
 
 // ---- where to split ---------------------------------------------------------------------------
 
 typedef struct {
-    int axis;
-    double low, scale; // bin = (center - low) * scale
-    int bin;           // the first bin of the second child
-    double cost;       // spheres times surface, both children
+    Four low, scale; // bin = (centre - low) * scale
+    int axis, bin;   // the first bin of the second child
+    float cost;      // spheres times surface, both children
 } Split;
 
-static int bin_of(Split split, Sphere sphere)
+static inline FourInts bins_of(const Split *split, Four item)
 {
-    int bin = (int)((sphere.center[split.axis] - split.low) * split.scale);
-    return bin < BINS ? bin : BINS - 1;
+    return __builtin_convertvector((item - split->low) * split->scale, FourInts);
 }
 
-// The cheapest split along an axis; its cost is infinite if all centres are in one place.
-static Split best_split_along(const Builder *builder, int axis, int first, int count)
+// The cheapest split along the axis number axis, of the bins of this axis.
+static void best_along(Split *split, int axis, const Bounds *boxes, const int *counts, int bins)
 {
-    const int *order = builder->hierarchy->order + first;
-    double low = INFINITY, high = -INFINITY;
-    for (int i = 0; i < count; i++) {
-        low = smaller(low, builder->spheres[order[i]].center[axis]);
-        high = larger(high, builder->spheres[order[i]].center[axis]);
-    }
-    Split split = {axis, low, BINS / (high - low), 0, INFINITY};
-    if (!(high > low) || !isfinite(split.scale))
-        return split;
-
-    Box boxes[BINS];
-    int counts[BINS] = {0};
-    for (int i = 0; i < BINS; i++)
-        boxes[i] = nothing;
-    for (int i = 0; i < count; i++) {
-        Sphere sphere = builder->spheres[order[i]];
-        int bin = bin_of(split, sphere);
-        boxes[bin] = around_both(boxes[bin], around_sphere(sphere));
-        counts[bin]++;
-    }
-    // From the right: the cost of the second child. Then from the left: the cost of both together.
-    double right[BINS];
-    Box box = nothing;
-    for (int i = BINS - 1, n = 0; i > 0; i--) {
-        box = around_both(box, boxes[i]);
-        n += counts[i];
-        right[i] = n * box_surface(&box);
+    // From the right: the cost of the second child. Then from the left: both together.
+    float right[BINS];
+    Bounds box = nothing;
+    int from_right = 0, from_left = 0;
+    for (int i = bins - 1; i > 0; i--) {
+        include(&box, boxes[i].low, boxes[i].high);
+        from_right += counts[i];
+        right[i] = from_right > 0 ? (float)from_right * surface(&box) : 0;
     }
     box = nothing;
-    for (int i = 1, n = 0; i < BINS; i++) {
-        box = around_both(box, boxes[i - 1]);
-        n += counts[i - 1];
-        double cost = n * box_surface(&box) + right[i];
-        if (n > 0 && n < count && cost < split.cost) {
-            split.cost = cost;
-            split.bin = i;
+    for (int i = 1; i < bins; i++) {
+        include(&box, boxes[i - 1].low, boxes[i - 1].high);
+        from_left += counts[i - 1];
+        float cost = (float)from_left * surface(&box) + right[i];
+        if (from_left > 0 && right[i] > 0 && cost < split->cost) {
+            split->cost = cost;
+            split->axis = axis;
+            split->bin = i;
         }
     }
+}
+
+// Its cost is infinite if all centres are in one place.
+static Split best_split(const Four *items, int count, Bounds centers)
+{
+    int bins = count < SMALL ? FEW_BINS : BINS;
+    Four size = centers.high - centers.low;
+    Split split = {.low = centers.low, .cost = INFINITY};
+    // A little less, so that the largest centre is in the last bin.
+    for (int axis = 0; axis < 3; axis++)
+        split.scale[axis] = size[axis] > 1e-30F ? 0.999999F * (float)bins / size[axis] : 0;
+
+    Bounds boxes[3][BINS];
+    int counts[3][BINS] = {0};
+    for (int axis = 0; axis < 3; axis++)
+        for (int i = 0; i < bins; i++)
+            boxes[axis][i] = nothing;
+    for (int i = 0; i < count; i++) {
+        Four item = items[i], radius = (Four){0} + item[3];
+        Four low = item - radius, high = item + radius;
+        FourInts bin = bins_of(&split, item);
+        for (int axis = 0; axis < 3; axis++) {
+            include(&boxes[axis][bin[axis]], low, high);
+            counts[axis][bin[axis]]++;
+        }
+    }
+    for (int axis = 0; axis < 3; axis++)
+        if (split.scale[axis] > 0)
+            best_along(&split, axis, boxes[axis], counts[axis], bins);
     return split;
 }
 
 // ---- splitting --------------------------------------------------------------------------------
 
-// Moves the spheres before the split to the front; returns their number.
-static int partition(const Builder *builder, Split split, int first, int count)
+// Moves the spheres before the split to the front; returns their number. centers: of both children.
+static int partition(Four *items, int *order, int count, const Split *split, Bounds centers[2])
 {
-    int *order = builder->hierarchy->order;
-    int front = first, back = first + count - 1;
+    int front = 0, back = count - 1;
+    centers[0] = centers[1] = nothing;
     while (front <= back) {
-        if (bin_of(split, builder->spheres[order[front]]) < split.bin) {
+        Four item = items[front];
+        if (bins_of(split, item)[split->axis] < split->bin) {
+            include(&centers[0], item, item);
             front++;
         } else {
-            int other = order[back];
-            order[back--] = order[front];
-            order[front] = other;
+            include(&centers[1], item, item);
+            int index = order[front];
+            items[front] = items[back];
+            order[front] = order[back];
+            items[back] = item;
+            order[back--] = index;
         }
     }
-    return front - first;
+    return front;
 }
 
-static void build(const Builder *builder, int first, int count, int depth)
+static int halve(const Four *items, int count, Bounds centers[2])
 {
-    Hierarchy *hierarchy = builder->hierarchy;
-    Node *node = &hierarchy->nodes[hierarchy->node_count++];
-    *node = (Node){.box = nothing, .first = first, .count = count};
-    for (int i = first; i < first + count; i++)
-        node->box = around_both(node->box, around_sphere(builder->spheres[hierarchy->order[i]]));
-    if (count <= 1)
-        return;
-    Split split = {.cost = INFINITY};
-    for (int axis = 0; axis < 3; axis++) {
-        Split other = best_split_along(builder, axis, first, count);
-        if (other.cost < split.cost)
-            split = other;
-    }
-    // A step down costs about as much as one sphere.
-    bool worth = split.cost + box_surface(&node->box) < count * box_surface(&node->box);
-    if (count <= LEAF && !worth)
-        return;
-    int half =
-        isfinite(split.cost) && depth < DEEP ? partition(builder, split, first, count) : count / 2;
-    node->axis = split.axis;
-    build(builder, first, half, depth + 1);
-    node->other = hierarchy->node_count;
-    build(builder, first + half, count - half, depth + 1);
+    int half = count / 2;
+    centers[0] = centers[1] = nothing;
+    for (int i = 0; i < count; i++)
+        include(&centers[i >= half], items[i], items[i]);
+    return half;
 }
 
-bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene)
+// Splits spheres in two; returns the number of the first ones, 0 if they should stay together.
+static int split_in_two(const Builder *builder, const Part *part, Bounds centers[2], int *axis)
+{
+    Four *items = builder->items + part->first;
+    *axis = 0;
+    if (part->count <= LEAF)
+        return 0;
+    Split split = best_split(items, part->count, part->centers);
+    if (!(split.cost < INFINITY) || part->depth >= DEEP)
+        return halve(items, part->count, centers);
+    *axis = split.axis;
+    return partition(items, builder->order + part->first, part->count, &split, centers);
+}
+
+static Box around(const Builder *builder, int first, int count)
+{
+    Box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (int i = first; i < first + count; i++) {
+        Sphere sphere = builder->scene->spheres[builder->order[i]];
+        for (int axis = 0; axis < 3; axis++) {
+            double c = sphere.center[axis], r = sphere.radius;
+            double more = r + 1e-6 * r + 1e-12 * fabs(c);
+            box.low[axis] = c - more < box.low[axis] ? c - more : box.low[axis];
+            box.high[axis] = c + more > box.high[axis] ? c + more : box.high[axis];
+        }
+    }
+    return box;
+}
+
+static Box around_both(const Box *a, const Box *b)
+{
+    Box box = *a;
+    for (int i = 0; i < 3; i++) {
+        box.low[i] = b->low[i] < box.low[i] ? b->low[i] : box.low[i];
+        box.high[i] = b->high[i] > box.high[i] ? b->high[i] : box.high[i];
+    }
+    return box;
+}
+
+// Builds a part, or what is below one of its nodes.
+static void build(const Builder *builder, Part *part)
+{
+    Node *node = &part->nodes[part->node_count++];
+    *node = (Node){.first = part->first, .count = part->count};
+    Bounds centers[2];
+    int half = split_in_two(builder, part, centers, &node->axis);
+    if (half == 0) {
+        node->box = around(builder, part->first, part->count);
+        return;
+    }
+    Part below = *part;
+    below.depth++;
+    below.count = half;
+    below.centers = centers[0];
+    build(builder, &below);
+    node->other = below.node_count;
+    below.first += half;
+    below.count = part->count - half;
+    below.centers = centers[1];
+    build(builder, &below);
+    part->node_count = below.node_count;
+    node->box = around_both(&node[1].box, &part->nodes[node->other].box);
+}
+
+static void build_part(void *given, int number)
+{
+    Builder *builder = given;
+    build(builder, &builder->parts[number]);
+}
+
+// ---- the parts, and the nodes above them ------------------------------------------------------
+
+// Splits until the parts are small enough. Nodes above them: the first child is the next one.
+static void divide(Builder *builder, Part part)
+{
+    Above *above = &builder->above[builder->above_count++];
+    *above = (Above){.first = part.first, .count = part.count, .part = -1};
+    Bounds centers[2];
+    int half = 0;
+    if (part.count > builder->largest_part && part.depth < DEEP)
+        half = split_in_two(builder, &part, centers, &above->axis);
+    if (half == 0) {
+        above->part = builder->part_count;
+        part.nodes = builder->nodes + 2 * (size_t)part.first;
+        builder->parts[builder->part_count++] = part;
+        return;
+    }
+    Part below = part;
+    below.depth++;
+    below.count = half;
+    below.centers = centers[0];
+    divide(builder, below);
+    below.first += half;
+    below.count = part.count - half;
+    below.centers = centers[1];
+    divide(builder, below);
+}
+
+// Puts the next of these nodes and all that is below it into the hierarchy.
+static void join(const Builder *builder, int *next, Hierarchy *hierarchy)
+{
+    const Above *above = &builder->above[(*next)++];
+    int number = hierarchy->node_count;
+    Node *node = &hierarchy->nodes[number];
+    if (above->part >= 0) {
+        const Part *part = &builder->parts[above->part];
+        memcpy(node, part->nodes, (size_t)part->node_count * sizeof *node);
+        for (int i = 0; i < part->node_count; i++)
+            if (node[i].other != 0)
+                node[i].other += number;
+        hierarchy->node_count += part->node_count;
+        return;
+    }
+    hierarchy->node_count++;
+    join(builder, next, hierarchy);
+    int other = hierarchy->node_count;
+    join(builder, next, hierarchy);
+    *node = (Node){.box = around_both(&node[1].box, &hierarchy->nodes[other].box),
+                   .first = above->first,
+                   .count = above->count,
+                   .other = other,
+                   .axis = above->axis};
+}
+
+// ---- the whole --------------------------------------------------------------------------------
+
+static double extent(const Scene *scene, double low[3])
+{
+    double size = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        double high = -INFINITY;
+        low[axis] = INFINITY;
+        for (int i = 0; i < scene->sphere_count; i++) {
+            double c = scene->spheres[i].center[axis];
+            low[axis] = c < low[axis] ? c : low[axis];
+            high = c > high ? c : high;
+        }
+        size = high - low[axis] > size ? high - low[axis] : size;
+    }
+    return size;
+}
+
+// All spheres as one part.
+static Part all_items(Builder *builder)
+{
+    const Scene *scene = builder->scene;
+    Part all = {.count = scene->sphere_count, .centers = nothing};
+    double low[3], size = extent(scene, low), scale = size > 0 ? 1 / size : 1;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        const Sphere *sphere = &scene->spheres[i];
+        Four item;
+        for (int axis = 0; axis < 3; axis++)
+            item[axis] = (float)((sphere->center[axis] - low[axis]) * scale);
+        // Squares of what is larger would not be floats.
+        double radius = sphere->radius * scale;
+        item[3] = (float)(radius < 1e15 ? radius : 1e15);
+        builder->items[i] = item;
+        builder->order[i] = i;
+        include(&all.centers, item, item);
+    }
+    return all;
+}
+
+static bool build_all(Builder *builder, Hierarchy *hierarchy, int threads)
+{
+    divide(builder, all_items(builder));
+    in_parallel(threads, builder->part_count, build_part, builder);
+    int nodes = builder->above_count, next = 0;
+    for (int i = 0; i < builder->part_count; i++)
+        nodes += builder->parts[i].node_count;
+    hierarchy->nodes = large_memory((size_t)nodes * sizeof(Node));
+    if (hierarchy->nodes != NULL)
+        join(builder, &next, hierarchy);
+    return hierarchy->nodes != NULL;
+}
+
+bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int threads)
 {
     size_t count = (size_t)scene->sphere_count;
-    *hierarchy = (Hierarchy){.nodes = large_memory((2 * count + 1) * sizeof(Node)),
-                             .order = large_memory((count + 1) * sizeof(int))};
-    if (hierarchy->nodes == NULL || hierarchy->order == NULL) {
+    int share = scene->sphere_count / (PARTS * threads) + 1;
+    Builder builder = {.scene = scene,
+                       .largest_part = share > SMALLEST_PART ? share : SMALLEST_PART};
+    // On each level few nodes are larger than that.
+    size_t most = (DEEP + 1) * (count / (size_t)builder.largest_part + 1) + 1;
+    builder.order = large_memory((count + 1) * sizeof *builder.order);
+    builder.items = large_memory((count + 1) * sizeof *builder.items);
+    builder.nodes = malloc((2 * count + 1) * sizeof *builder.nodes);
+    builder.parts = malloc(most * sizeof *builder.parts);
+    builder.above = malloc(2 * most * sizeof *builder.above);
+    *hierarchy = (Hierarchy){.order = builder.order};
+    bool built = builder.order != NULL && builder.items != NULL && builder.nodes != NULL &&
+                 builder.parts != NULL && builder.above != NULL &&
+                 build_all(&builder, hierarchy, threads);
+    free(builder.items);
+    free(builder.nodes);
+    free(builder.parts);
+    free(builder.above);
+    if (!built)
         hierarchy_free(hierarchy);
-        return false;
-    }
-    for (int i = 0; i < scene->sphere_count; i++)
-        hierarchy->order[i] = i;
-    Builder builder = {hierarchy, scene->spheres};
-    build(&builder, 0, scene->sphere_count, 0);
-    return true;
+    return built;
 }
 
 void hierarchy_free(Hierarchy *hierarchy)

@@ -44,7 +44,7 @@ enum { HIERARCHY_DEEPEST = 128 };
 
 // False if there is not enough memory. Boxes are a little larger than their spheres, so that they
 // contain every hit, in spite of rounding.
-bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene);
+bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int threads);
 void hierarchy_free(Hierarchy *hierarchy);
 
 #endif

@@ -13,6 +13,7 @@ enum { FEW = 4 };
 
 typedef struct {
     const Node *from;
+    double scale;
     WideNode *to;
     int count, room;
 } Widening;
@@ -43,13 +44,13 @@ static int open_boxes(const Node *from, int node, int *below)
     return count;
 }
 
-static void set_box(WideNode *wide, int i, const Node *node)
+static void set_box(WideNode *wide, int i, const Node *node, double scale)
 {
     for (int axis = 0; axis < 3; axis++) {
         double low = node->box.low[axis] - wide->corner[axis];
         double high = node->box.high[axis] - wide->corner[axis];
-        wide->middle[axis][i] = (float)((low + high) / 2);
-        wide->half[axis][i] = (float)((high - low) / 2);
+        wide->middle[axis][i] = (float)((low + high) / 2 * scale);
+        wide->half[axis][i] = (float)((high - low) / 2 * scale);
     }
     wide->first[i] = node->first;
     wide->count[i] = (uint8_t)(is_leaf(node) ? node->count : 0);
@@ -81,10 +82,10 @@ static int widen(Widening *widening, int node)
     for (int axis = 0; axis < 3; axis++) {
         double low = from[node].box.low[axis], high = from[node].box.high[axis];
         wide.corner[axis] = low;
-        wide.size = fmaxf(wide.size, (float)(high - low));
+        wide.size = fmaxf(wide.size, (float)((high - low) * widening->scale));
     }
     for (int i = 0; i < wide.boxes; i++) {
-        set_box(&wide, i, &from[below[i]]);
+        set_box(&wide, i, &from[below[i]], widening->scale);
         if (is_leaf(&from[below[i]]))
             continue;
         wide.first[i] = widen(widening, below[i]);
@@ -95,9 +96,9 @@ static int widen(Widening *widening, int node)
     return number;
 }
 
-WideNode *wide_build(const Hierarchy *hierarchy)
+WideNode *wide_build(const Hierarchy *hierarchy, double scale)
 {
-    Widening widening = {.from = hierarchy->nodes};
+    Widening widening = {.from = hierarchy->nodes, .scale = scale};
     if (widen(&widening, 0) >= 0)
         return widening.to;
     free(widening.to);

@@ -22,7 +22,8 @@ typedef struct {
     int boxes;  // number of boxes, at most 16
 } WideNode;
 
-// NULL if there is not enough memory. The root is the first node. Free it with free.
-WideNode *wide_build(const Hierarchy *hierarchy);
+// NULL if there is not enough memory. The root is the first node. Free it with free. The floats are
+// lengths times the scale, so that they are in the range of floats; the corners are not scaled.
+WideNode *wide_build(const Hierarchy *hierarchy, double scale);
 
 #endif

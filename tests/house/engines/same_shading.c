@@ -5,7 +5,7 @@
 // every pixel's ray sees is compared to the last digit; and a picture of few samples, with one
 // thread and with three, to the byte. The last line counts.
 #include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/engines/path_spheres.h"
+#include "chapters/08-fast/engines/light_paths.h"
 #include "chapters/shared/scene_camera.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/07-shading.h"
@@ -30,20 +30,28 @@ static void verdict(const char *name, const char *what, int different, int of)
 static void compare_rays(const char *name, Camera camera)
 {
     Resolution screen = lit_scene.view.resolution;
-    Hierarchy hierarchy;
-    Few few;
-    if (!hierarchy_build(&hierarchy, &lit_scene) ||
-        !few_begin(&few, &hierarchy, &lit_scene, lit_depth))
+    LightWorld world;
+    if (!light_world_build(&world, &lit_scene, 1))
         exit(1);
-    int different = 0, count = screen.width * screen.height;
-    for (int i = 0; i < count; i++) {
-        Ray ray = pixel_ray(camera, screen, (Pixel){i % screen.width, i / screen.width});
-        Color all = trace_ray(&lit_scene, ray, lit_depth), by_few = trace_few(&few, ray, lit_depth);
-        different += memcmp(&all, &by_few, 3 * sizeof(double)) != 0;
+    lanes_at_most = LANES_AVX512;
+    for (LanesKind best = lanes_best(), kind = LANES_BASELINE; kind <= best; kind++) {
+        lanes_at_most = kind;
+        LightPaths paths;
+        if (!light_paths_begin(&paths, &world, NULL, 0))
+            exit(1);
+        int different = 0, count = screen.width * screen.height;
+        for (int i = 0; i < count; i++) {
+            Ray ray = pixel_ray(camera, screen, (Pixel){i % screen.width, i / screen.width});
+            Color all = trace_ray(&lit_scene, ray, lit_depth);
+            Color by_path = path_color(&paths, ray, lit_depth);
+            different += memcmp(&all, &by_path, 3 * sizeof(double)) != 0;
+        }
+        char what[40];
+        snprintf(what, sizeof what, "rays, %s", lanes_names[kind]);
+        verdict(name, what, different, count);
+        light_paths_end(&paths);
     }
-    verdict(name, "rays", different, count);
-    few_end(&few);
-    hierarchy_free(&hierarchy);
+    light_world_free(&world);
 }
 
 static void compare_pictures(const char *name, Camera camera, Style style)
