@@ -25,6 +25,17 @@ $(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o \
 		$(B)/tests/benches/by_sscanf.o $(ENGINE_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
+RAY_BENCH := $(if $(PEERS),$(B)/tests/benches/peers/any_rays)
+$(B)/tests/benches/peers/any_rays: %: %.o $(ENGINE_OBJECTS) $(B)/chapters/shared.a $(ANSWER_OBJECTS) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
+ifneq ($(PEERS),)
+bench-rays: $(RAY_BENCH) $(BENCH_SCENES) ## rays from anywhere, and building, beside Embree (PEERS=1)
+	@$(RAY_BENCH) $(BENCH_SCENES)
+else
+bench-rays:
+	@echo 'bench-rays compares with Embree: make bench-rays PEERS=1'
+endif
 bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: also others)
 	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
 bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: also others)
@@ -46,4 +57,4 @@ bench: $(JUDGE) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minu
 	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-reading bench-wait bench-shading
 	@tests/benches/latency.sh
 	@$(if $(GRADABLE),KIT=$(KIT) tests/benches/grade.sh,echo 'grading is not measured: make setup FOR=instructor')
-.PHONY: bench bench-engines bench-wait bench-reading bench-shading bench-pictures
+.PHONY: bench bench-rays bench-engines bench-wait bench-reading bench-shading bench-pictures
