@@ -63,13 +63,14 @@ DRAWN := $(BUILT)/drawn
 ifeq ($(if $(JUDGES_ONLY),,$(shell cat $(DRAWN) 2>/dev/null)),without gnuplot)
 $(shell command -v gnuplot >/dev/null && rm -f $(DRAWN))
 endif
-$(DRAWN): $(SCRIPTS) $(DRAW_FIGURES) chapters/gallery/draw_figures.c chapters/gallery/latex_picture.c
+$(DRAWN): $(SCRIPTS) $(DRAW_FIGURES) chapters/gallery/draw_figures.c chapters/gallery/latex_picture.c \
+		chapters/gallery/svg_picture.c
 	@FORMAT=svg THEME= SHAPE=16:9,4:3 STEPS= $(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURE_NAMES); status=$$?; \
 		case $$status in 0) : > $@ ;; 3) echo 'without gnuplot' > $@ ;; \
 			*) $(if $(filter solutions,$(A)),exit $$status,: > $@) ;; esac
 
 # All of it on a page.
-$(DRAW_FIGURES): $(B)/chapters/gallery/latex_picture.o
+$(DRAW_FIGURES): $(B)/chapters/gallery/latex_picture.o $(B)/chapters/gallery/svg_picture.o
 $(DRAW_FIGURES) $(MAKE_PAGE): %: %.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm

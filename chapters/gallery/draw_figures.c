@@ -9,6 +9,7 @@
 // each step). Pictures appear whole or not at all; the same script gives the same bytes. Exit
 // status: 1 if something could not be drawn, 2 wrong usage, 3 no gnuplot.
 #include "chapters/gallery/latex_picture.h"
+#include "chapters/gallery/svg_picture.h"
 #include "common/progress.h"
 
 #include <dirent.h>
@@ -320,99 +321,15 @@ static int run(char *const *arguments, const char *in_folder, const char *said)
     return status;
 }
 
-// Spaces that stand for nothing go: what a sentence is left out of has one too many.
-static void tidy_words(char *text)
-{
-    char *to = text;
-    for (const char *from = text; *from != '\0'; from++) {
-        if (*from == ' ' && to > text && to[-1] == ' ')
-            continue;
-        if (*from == '\n' && to > text && to[-1] == ' ')
-            to--;
-        *to++ = *from;
-    }
-    *to = '\0';
-}
-
-static void put_escaped(FILE *out, const char *text)
-{
-    for (; *text != '\0'; text++)
-        if (*text == '&' || *text == '<' || *text == '>')
-            fputs(*text == '&' ? "&amp;" : *text == '<' ? "&lt;" : "&gt;", out);
-        else
-            putc(*text, out);
-}
-
-static void put_replaced(FILE *out, const char *line, const char *what, const char *by)
-{
-    for (const char *at; (at = strstr(line, what)) != NULL; line = at + strlen(what))
-        fprintf(out, "%.*s%s", (int)(at - line), line, by);
-    fputs(line, out);
-}
-
-// Fonts get a family to fall back on.
-static void put_svg_line(FILE *out, const char *line)
-{
-    char *text = NULL;
-    size_t size;
-    FILE *sans = open_memstream(&text, &size);
-    if (sans == NULL)
-        could_not("memory");
-    put_replaced(sans, line, "font-family=\"DejaVu Sans\"",
-                 "font-family=\"DejaVu Sans, Verdana, sans-serif\"");
-    fclose(sans);
-    put_replaced(out, text, "font-family=\"DejaVu Serif\"",
-                 "font-family=\"DejaVu Serif, Georgia, serif\"");
-    free(text);
-    putc('\n', out);
-}
-
-// Makes gnuplot's SVG one that can be read aloud, and that shows the same everywhere.
-static void put_svg(FILE *out, char *svg, const char *title, const char *description)
-{
-    bool titled = false, described = false;
-    for (char *line; (line = strsep(&svg, "\n")) != NULL && !(svg == NULL && *line == '\0');) {
-        const char *point = strstr(line, "id="), *width = strstr(line, "stroke-width=");
-        if (strncmp(line, "<svg", 4) == 0) {
-            fprintf(out, "<svg role=\"img\" aria-labelledby=\"title description\" "
-                         "xml:space=\"preserve\"");
-            put_svg_line(out, line + 4);
-        } else if (!titled && strstr(line, "<title>") != NULL) {
-            titled = true;
-            fprintf(out, "<title id=\"title\">");
-            put_escaped(out, title);
-            fprintf(out, "</title>\n");
-        } else if (!described && strstr(line, "<desc>") != NULL) {
-            described = true;
-            fprintf(out, "<desc id=\"description\">");
-            put_escaped(out, description);
-            fprintf(out, "</desc>\n");
-        } else if (point != NULL && strncmp(point + 4, "gpPt", 4) == 0 && width != NULL) {
-            // Rings and crosses are hairlines in the SVG of gnuplot 5.4, whatever their width.
-            const char *number = width + strlen("stroke-width='");
-            fprintf(out, "%.*sstroke-width='0.6", (int)(width - line), line);
-            put_svg_line(out, number + strspn(number, "0123456789."));
-        } else {
-            put_svg_line(out, line);
-        }
-    }
-}
-
 static bool make_svg(Path path, Path in_words)
 {
     size_t size, new_size, words_length;
     char *svg = text_of(path, &size), *text = text_of(in_words, &words_length), *new = NULL;
-    char *description = text + strcspn(text, "\n");
-    if (*description != '\0')
-        *description++ = '\0';
-    description += strspn(description, "\n");
-    for (char *c = description; *c != '\0'; c++)
-        if (*c == '\n')
-            *c = c[1] == '\0' ? '\0' : ' ';
+    const char *description = split_words(text);
     FILE *out = open_memstream(&new, &new_size);
     if (out == NULL)
         could_not("memory");
-    put_svg(out, svg, text, description);
+    write_svg_picture(out, svg, text, description, NULL);
     fclose(out);
     bool made = write_text(path, new, new_size);
     free(svg);
@@ -545,7 +462,8 @@ static void add_job(const char *name, const char *output, const char *format, co
     Path picture = path_of("%s%s.%s", folder_of(name).s, output, format);
     if (is_newer(picture, path_of("%s/.drawn/%s.gp", folder, name)) &&
         is_newer(picture, path_of("chapters/gallery/draw_figures.c")) &&
-        is_newer(picture, path_of("chapters/gallery/latex_picture.c")))
+        is_newer(picture, path_of("chapters/gallery/latex_picture.c")) &&
+        is_newer(picture, path_of("chapters/gallery/svg_picture.c")))
         return;
     if (job_count == job_room) {
         job_room = 2 * job_room + 100;

@@ -281,9 +281,8 @@ beside_words(_) = sprintf("Right is %s; yours, drawn dashed, is %s%s.", answer_t
 
 # A layout says title and description before it plots; a figure in words is just these.
 differs = " Some of it differs from what is right: that is drawn dashed, beside what is right."
-finish = 'unset output; \
-    if (format eq "txt") { set print output.".txt"; print title; print ""; \
-        print description.(wrong ? differs : "").(wrong && note ne "" ? " ".note : ""); unset print }'
+say = 'print title; print ""; print description.(wrong ? differs : "").(wrong && note ne "" ? " ".note : "")'
+finish = 'unset output; if (format eq "txt") { set print output.".txt"; @say; unset print }'
 
 # If something is wrong, words about the dashed lines, and the reason.
 legend = 'if (wrong) { \

@@ -19,6 +19,7 @@ picture = wrong && exists("$your_shaded") ? "$your_shaded" : "$shaded"
 cast = 2
 @decode
 in_panel = 'cast_file(panel) binary filetype=png origin=(U(panel,0.5),V(panel,0.5)) dx=size[panel] dy=size[panel] with rgbimage'
+if (framed) in_panel = '$square using (U(panel,columns*$1)):(V(panel,rows*$2)) with lines lc rgb ink'
 
 # Words above the picture, and lines to what they name: white in black, visible on any colour. The one
 # to the highlight ends a little before it.
@@ -47,10 +48,10 @@ more_2 = below(2, 1)
 rest_2 = below(2, 2)
 in_two = shape eq "4:3" && !wrong
 
-plot for [panel=1:1] @in_panel title "flat", \
+plot for [panel=1:1] @in_panel title cast_title(1, "flat"), \
     $once using @name_1:(wrong ? "right" : "flat") with labels tc rgb ink title "flat, label", \
     $once using @more_1:(wrong ? "" : "one colour each") with labels tc rgb grey title "flat, in words", \
-    for [_=2:step:1000] for [panel=2:2] @in_panel title "shaded", \
+    for [_=2:step:1000] for [panel=2:2] @in_panel title cast_title(2, "shaded"), \
     @step2 $once using @name_2:(wrong ? "yours" : "shaded") with labels tc rgb ink title "shaded, label", \
     @step2 $once using @more_2:(wrong || in_two ? "" : "what the light makes of it") with labels tc rgb grey \
         title "shaded, in words", \

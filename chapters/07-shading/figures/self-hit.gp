@@ -17,6 +17,7 @@ wide = shape eq "4:3" ? 132 : 150
 pixel = 1.0 * wide / side
 left(number) = number == 1 ? 14 : width - 14 - wide
 at_the_edge = 'cast_file(number) binary filetype=png origin=(left(number)+pixel/2,14+pixel/2) dx=pixel dy=pixel with rgbimage'
+if (framed) at_the_edge = '$square using (left(number)+wide*$1):(14+wide*$2) with lines lc rgb ink'
 line_left(k) = sprintf("(%g):(%g)", 14 + wide + 16, 14 + wide / 2.0 + 32 * k)
 line_right(k) = sprintf("(%g):(%g)", width - 14 - wide - 16, 14 + wide / 2.0 + 32 * k)
 upper_left = line_left(1)
@@ -40,7 +41,7 @@ plot $cap_1 using @place with filledcurves closed fc rgb surface fs solid nobord
     @step3 $to_itself using @way with vectors nohead lw 3 lc rgb blue title "from the point", \
     @step2 $inside using @place with points pt 7 ps 0.7 lc rgb ink title "rounded", \
     @step3 $own_hit using @place with @missed lc rgb orange title "self hit", \
-    for [_=3:step:1000] for [number=1:1] @at_the_edge title "specks", \
+    for [_=3:step:1000] for [number=1:1] @at_the_edge title cast_title(1, "specks"), \
     @step3 $once using @upper_left:("starts inside,") with labels left tc rgb ink title "words 1", \
     @step3 $once using @middle_left:("hits itself:") with labels left tc rgb ink title "words 2", \
     @step3 $once using @lower_left:("dark specks") with labels left tc rgb ink title "words 3", \
@@ -52,7 +53,7 @@ plot $cap_1 using @place with filledcurves closed fc rgb surface fs solid nobord
     @right $normal using @way with @arrow lc rgb green title "normal", \
     @right $to_light using @way with @arrow lc rgb blue title "from the start", \
     @right $outside using @place with points pt 7 ps 0.7 lc rgb blue title "start", \
-    for [_=4:step:1000] for [number=2:2] @at_the_edge title "smooth", \
+    for [_=4:step:1000] for [number=2:2] @at_the_edge title cast_title(2, "smooth"), \
     @step4 $once using @upper_right:("starts outside,") with labels right tc rgb ink title "words 4", \
     @step4 $once using @middle_right:("reaches the light:") with labels right tc rgb ink title "words 5", \
     @step4 $once using @lower_right:(exists("$your_smooth") ? "yours" : "no specks") with labels right tc rgb ink title "words 6", \
