@@ -55,3 +55,31 @@ void plane_data(Plot *plot, Camera camera, int columns, int rows)
     plane_outline(plot, "plane", camera);
     pixels(plot, camera, columns, rows);
 }
+
+void camera_handles(Plot *plot, Camera c)
+{
+    enum { LONGEST = 1000 };
+    const double least = 0.01;
+    plot_handle(plot, (Handle){.words = "the eye",
+                               .place = c.origin,
+                               .option = {"eye"},
+                               .count = 3,
+                               .value = c.origin,
+                               .along = {c.forward, c.up}});
+    plot_handle(plot, (Handle){.words = "the corner of the image plane: its width and height",
+                               .place = c.origin + image_plane_vector(c, 1, 1),
+                               .option = {"width", "height"},
+                               .count = 2,
+                               .value = vec3_of(c.width, c.height, 0),
+                               .along = {c.right / 2, c.up / 2},
+                               .least = {least, least},
+                               .most = {LONGEST, LONGEST}});
+    plot_handle(plot, (Handle){.words = "the middle of the image plane: its distance",
+                               .place = c.origin + image_plane_vector(c, 0.5, 0.5),
+                               .option = {"distance"},
+                               .count = 1,
+                               .value = vec3_of(c.distance, 0, 0),
+                               .along = {c.forward},
+                               .least = {least},
+                               .most = {LONGEST}});
+}

@@ -15,4 +15,8 @@ void plane_outline(Plot *plot, const char *name, Camera camera);
 // The same as rows of a block that has begun.
 void plane_rows(Plot *plot, Camera camera);
 
+// Handles for the options of a camera (CAMERA_OPTIONS): the eye, and the image plane by its upper
+// right corner and by its middle.
+void camera_handles(Plot *plot, Camera camera);
+
 #endif

@@ -73,6 +73,9 @@ bool plot_block_end(Plot *plot); // whether it differs from what is right
 void plot_picture(Plot *plot, const char *name, const Image *image, double allowed);
 #define ROUNDING 1.0
 
+// Is the figure dragged just now, so that a coarser picture will do?
+bool plot_is_dragged(const Plot *plot);
+
 // ---- what the layout starts from (plot_fit.c, plot_script.c) ----------------------------------
 
 // A thing that the picture must show: a point, or a sphere of a radius.
@@ -159,6 +162,27 @@ void plot_say(Plot *plot, double across, double up, const Label *lines, int coun
 // The same, with its middle exactly there.
 void plot_pin(Plot *plot, double across, double up, const Label *lines, int count);
 
+// ---- what can be dragged (plot_handle.c) --------------------------------------------------------
+
+// A handle: a place that a page lets its reader drag, and the options of the chapter's program that
+// move it there. It belongs to the panel that is chosen.
+typedef struct {
+    const char *words;     // what it is: "the eye"
+    vec3 place;            // of the world
+    const char *option[2]; // the second NULL: one option has it all, "A,B" or "X,Y,Z"
+    int count;             // how many numbers: 1 or 2; 3: a point or vector
+    vec3 value;            // the numbers now
+    vec3 along[2]; // how far the place goes, for each unit of a number; of a point or vector, in
+                   // which two directions it can be dragged
+    vec3 way[2];   // of a point or vector, if its handle goes elsewhere than it does
+    double least[2], most[2]; // of the numbers; both 0: any
+    bool whole;               // whole numbers only
+} Handle;
+void plot_handle(Plot *plot, Handle handle);
+
+// A number that cannot be dragged, but typed: how its option has it now.
+void plot_typed(Plot *plot, const char *words, const char *option, const char *value);
+
 // ---- a chapter's figures (plot_script.c) ------------------------------------------------------
 
 // A figure's name, and what writes its data.
@@ -174,6 +198,11 @@ typedef struct {
     const char *right;  // the script of the same figure by right answers; NULL: there is none
     const char *note;   // a note if something differs; NULL: none
     bool answers;       // instead of the script, the names of the answers that its data call
+    // For a page:
+    const char *live;  // a folder for what it needs besides the script; NULL: no page
+    const char *shape; // the script is for this shape alone; NULL: for both
+    const char *held;  // the view of a script before (plot_view.c), which is kept; NULL: a new view
+    const char *drag;  // instead of the script, the options of a handle that is put there
 } FigureCommand;
 
 #define FIGURE_OPTIONS(command)                                                                    \
@@ -181,6 +210,10 @@ typedef struct {
         {"layout", 0, "FILE.gp", option_string, &(command).layout, "its data, laid out by you"},   \
         {"beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both shown"},  \
         {"answers", 0, NULL, option_flag, &(command).answers, "the answers that figure calls"},    \
+        {"live", 0, "FOLDER", option_string, &(command).live, "for a page: what can be dragged"},  \
+        {"shape", 0, "16:9|4:3", option_string, &(command).shape, "for a page: its shape alone"},  \
+        {"held", 0, "VIEW", option_string, &(command).held, "for a page: the view is kept"},       \
+        {"drag", 0, "HANDLE,U,V", option_string, &(command).drag, "for a page: the new options"},  \
     {                                                                                              \
         "note", 0, "WORDS", option_string, &(command).note, "what to say where they differ"        \
     }

@@ -6,6 +6,7 @@
 #include "common/figure/plot.h"
 
 typedef struct PlotView PlotView;
+typedef struct PlotHandles PlotHandles;
 
 struct Plot {
     FILE *script;
@@ -21,6 +22,9 @@ struct Plot {
     char *right;    // the data by right answers; NULL if there are none
     bool wrong;     // something differs from them
     PlotView *view; // from where it is seen, and its labels
+    PlotHandles *handles;
+    bool is_live;
+    FILE *pictures; // where pictures go; NULL: into the script
     bool failed;    // a file could not be read, and a message said so
 };
 
@@ -63,5 +67,32 @@ void plot_view_words(Plot *plot, const char *name, const char *value, size_t siz
 // Places the labels, and writes the places, when all else is written. Returns whether the figure
 // says from where it is seen.
 bool plot_view_end(Plot *plot);
+
+// Only this shape is placed: 0 is 16:9, 1 is 4:3.
+void plot_view_only(Plot *plot, int shape);
+
+// The view as text, and the same again: scale and place of each panel, so that nothing moves while
+// a handle is dragged. False if that is no view.
+bool plot_view_hold(Plot *plot, const char *text);
+void plot_view_print(const Plot *plot, FILE *out);
+bool plot_view_is_held(const Plot *plot);
+
+// The panel that is chosen; a place of the world on the canvas; how a way goes there. False if the
+// figure does not say from where it is seen.
+int plot_view_panel(const Plot *plot);
+bool plot_view_spot(const Plot *plot, int panel, vec3 place, double uv[2]);
+void plot_view_way(const Plot *plot, int panel, vec3 way, double uv[2]);
+
+// ---- what can be dragged (plot_handle.c) --------------------------------------------------------
+
+PlotHandles *plot_handles_new(void);
+void plot_handles_free(PlotHandles *handles);
+
+// As JSON: the handles and where they are, the numbers to be typed, the view.
+void plot_handles_print(const Plot *plot, FILE *out);
+
+// As JSON: the options that put a handle there, "HANDLE,U,V". False, and a message on stderr, if
+// there is no such handle.
+bool plot_handles_drag(const Plot *plot, const char *drag, FILE *out);
 
 #endif

@@ -88,6 +88,17 @@ static bool are_near(const MeanColors *means, const char *rows, double allowed)
 
 // ---- all of it --------------------------------------------------------------------------------
 
+// Where the picture goes. In a page that is beside the script, because gnuplot draws only a frame
+// (common/figure/pictures.gp): the script has its name.
+static FILE *picture_begin(const Plot *plot, const char *yours, const char *name)
+{
+    FILE *out = plot->pictures != NULL ? plot->pictures : plot->script;
+    if (out != plot->script)
+        fprintf(plot->script, "$%s%s << EOD\n# beside the script\nEOD\n", yours, name);
+    fprintf(out, "$%s%s << EOD\n# a PNG in base64\n", yours, name);
+    return out;
+}
+
 void plot_picture(Plot *plot, const char *name, const Image *image, double allowed)
 {
     char parts[100];
@@ -100,12 +111,11 @@ void plot_picture(Plot *plot, const char *name, const Image *image, double allow
     bool has_right = means_size > 0 && picture_size > 0;
     bool is_wrong = has_right && !are_near(&means, right_means, allowed);
     if (has_right)
-        fprintf(plot->script, "$%s << EOD\n# a PNG in base64\n%.*sEOD\n", name, (int)picture_size,
-                right_picture);
+        fprintf(picture_begin(plot, "", name), "%.*sEOD\n", (int)picture_size, right_picture);
     if (!has_right || is_wrong) {
-        fprintf(plot->script, "$%s%s << EOD\n# a PNG in base64\n", has_right ? "your_" : "", name);
-        plot->failed = !print_picture(plot->script, name, image) || plot->failed;
-        fprintf(plot->script, "EOD\n");
+        FILE *out = picture_begin(plot, has_right ? "your_" : "", name);
+        plot->failed = !print_picture(out, name, image) || plot->failed;
+        fprintf(out, "EOD\n");
     }
     fprintf(plot->script, "$%s << EOD\n# the mean red, green, blue of %d x %d parts\n", parts,
             PARTS, PARTS);

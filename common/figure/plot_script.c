@@ -106,23 +106,93 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     free(data);
 }
 
-// The layout is a file of the toolkit, or somebody's own.
-static bool write_figure(FILE *out, const char *layout, bool own, const Figure *figure,
-                         const char *right, const char *note, void *given)
+// What a script is made of.
+typedef struct {
+    const char *layout;
+    bool own; // the layout is somebody's own, else a file of the toolkit
+    const Figure *figure;
+    FigureCommand command;
+    void *given;
+} Making;
+
+// A file in the folder of a page; NULL, and a message on stderr, if it cannot be written.
+static FILE *live_file(const char *folder, const char *name)
 {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "w");
+    if (file == NULL)
+        fprintf(stderr, "%s: cannot be written: %s\n", path, strerror(errno));
+    return file;
+}
+
+// What the command says for a page. False, and a message on stderr, if it is wrong.
+static bool prepare_page(Plot *plot, const FigureCommand *command)
+{
+    bool narrow = command->shape != NULL && strcmp(command->shape, "4:3") == 0;
+    if (command->shape != NULL && !narrow && strcmp(command->shape, "16:9") != 0) {
+        fprintf(stderr, "--shape %s: expected 16:9 or 4:3\n", word_text(command->shape).s);
+        return false;
+    }
+    if (command->shape != NULL)
+        plot_view_only(plot, narrow);
+    if (command->held != NULL && !plot_view_hold(plot, command->held)) {
+        fprintf(stderr, "--held %s: expected the view of a figure\n", word_text(command->held).s);
+        return false;
+    }
+    plot->is_live = command->live != NULL || command->drag != NULL;
+    if (command->live != NULL) {
+        plot->pictures = live_file(command->live, "pictures");
+        return plot->pictures != NULL && fputs("\n", plot->pictures) != EOF;
+    }
+    return true;
+}
+
+static bool finish_page(Plot *plot, FILE *out, const FigureCommand *command)
+{
+    bool done = true;
+    if (command->drag != NULL)
+        done = plot_handles_drag(plot, command->drag, out);
+    if (command->live != NULL) {
+        FILE *file = live_file(command->live, "handles.json");
+        if (file != NULL)
+            plot_handles_print(plot, file);
+        done = file != NULL && fclose(file) == 0 && done;
+    }
+    if (plot->pictures != NULL)
+        done = fclose(plot->pictures) == 0 && done;
+    return done;
+}
+
+static bool write_figure(FILE *out, const Making *making)
+{
+    const FigureCommand *command = &making->command;
+    const char *right = command->right;
     char *head_text = text_of_toolkit_file(HEAD);
     char *layout_text = head_text == NULL ? NULL
-                        : own             ? text_of_file(layout)
-                                          : text_of_toolkit_file(layout);
+                        : making->own     ? text_of_file(making->layout)
+                                          : text_of_toolkit_file(making->layout);
     Plot plot = {.view = plot_view_new(),
+                 .handles = plot_handles_new(),
                  .right = right != NULL && layout_text != NULL ? text_of_file(right) : NULL};
-    bool read = layout_text != NULL && (right == NULL || plot.right != NULL);
+    bool read = layout_text != NULL && (right == NULL || plot.right != NULL) &&
+                prepare_page(&plot, command);
     if (plot.right != NULL)
         keep_data(plot.right);
-    if (read)
-        write_script(&plot, out, figure, head_text, layout, layout_text, note, given);
+    char *unused = NULL;
+    size_t unused_size;
+    FILE *script = command->drag != NULL ? open_memstream(&unused, &unused_size) : out;
+    if (read) {
+        write_script(&plot, script, making->figure, head_text, making->layout, layout_text,
+                     command->note, making->given);
+        read = finish_page(&plot, out, command);
+    }
+    if (script != out)
+        fclose(script);
+    free(unused);
     read = read && !plot.failed;
     plot_view_free(plot.view);
+    plot_handles_free(plot.handles);
     free(plot.right);
     free(layout_text);
     free(head_text);
@@ -132,7 +202,8 @@ static bool write_figure(FILE *out, const char *layout, bool own, const Figure *
 bool plot_script(FILE *out, const char *layout, const Figure *figure, const char *right,
                  const char *note, void *given)
 {
-    return write_figure(out, layout, false, figure, right, note, given);
+    FigureCommand command = {.right = right, .note = note};
+    return write_figure(out, &(Making){layout, false, figure, command, given});
 }
 
 static const Figure *figure_named(const char *program, const Figure *figures, const char *name)
@@ -176,8 +247,8 @@ int plot_figure(const char *program, const char *chapter, const Figure *figures,
         figure.name = own_name;
     }
     FILE *out = open_memstream(&script, &size);
-    bool written = write_figure(out, own != NULL ? own : path, own != NULL, &figure, command.right,
-                                command.note, given);
+    bool written = write_figure(
+        out, &(Making){own != NULL ? own : path, own != NULL, &figure, command, given});
     fclose(out);
     for (int i = 0; command.answers && i < answers_called(); i++)
         puts(answer_that_was_called(i));

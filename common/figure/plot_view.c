@@ -56,7 +56,8 @@ typedef struct {
 } List;
 
 struct PlotView {
-    bool looks, flat, apart, fills;
+    bool looks, flat, apart, fills, is_held;
+    int only; // the shape that is placed; SHAPES: all of them
     vec3 u, v,
         near; // directions of the world: to the right on the canvas, up, towards whoever looks
     Room room[PANELS][SHAPES];
@@ -96,6 +97,7 @@ PlotView *plot_view_new(void)
     if (view == NULL)
         abort();
     view->panel = 1;
+    view->only = SHAPES;
     for (int i = 0; i < PANELS; i++)
         for (int shape = 0; shape < SHAPES; shape++)
             view->room[i][shape] = (Room){0.03, 0.97, 0.04, 1 - (double)TITLE / HEIGHT};
@@ -383,9 +385,11 @@ static double size_of(const PlotView *view, int shape, int panel)
 }
 
 // Chooses how large the panels are: so that all that has to be seen, and the labels around it, fill
-// 'part' of their rooms.
+// 'part' of their rooms. A view that is held stays.
 static void see(PlotView *view, int shape, double part)
 {
+    if (view->is_held)
+        return;
     double least = INFINITY;
     for (int panel = 1; panel < PANELS; panel++)
         least = fmin(least, size_of(view, shape, panel));
@@ -678,6 +682,10 @@ static void place(PlotView *view, int shape)
 {
     enum { SIDES = 4 };
     const Area area = {EDGE, canvas_width[shape] - EDGE, EDGE, HEIGHT - TITLE};
+    if (view->is_held) {
+        place_in(view, shape, 1, area, true);
+        return;
+    }
     see(view, shape, 1);
     double full = view->size[shape][1];
     Choice best = {.cost = INFINITY, .part = 1};
@@ -800,8 +808,10 @@ static int lines_of(const Wanted *wanted)
 static int write_wanted(const PlotView *view, FILE *out, int number, const Wanted *first)
 {
     PlacedLabel placed[SHAPES];
-    for (int shape = 0; shape < SHAPES; shape++)
-        placed[shape] = labels_get(view->labels[shape], first->number[shape]);
+    for (int i = 0; i < SHAPES; i++) {
+        int shape = view->only < SHAPES ? view->only : i;
+        placed[i] = labels_get(view->labels[shape], first->number[shape]);
+    }
     bool is_block = first->lines > 0;
     int lines = is_block ? first->lines : lines_of(first);
     const char *text = first->text;
@@ -818,9 +828,9 @@ static int write_wanted(const PlotView *view, FILE *out, int number, const Wante
     return number;
 }
 
-static bool is_placed(const Wanted *wanted)
+static bool is_placed(const PlotView *view, const Wanted *wanted)
 {
-    return wanted->number[0] != NOWHERE;
+    return wanted->number[view->only < SHAPES ? view->only : 0] != NOWHERE;
 }
 
 static void write_labels(const PlotView *view, FILE *out)
@@ -832,12 +842,12 @@ static void write_labels(const PlotView *view, FILE *out)
     const Wanted *wanted = view->wanted.items;
     int count = 0, number = 1;
     for (int i = 0; i < view->wanted.count; i++)
-        count += wanted[i].lines != 0 ? 1 : is_placed(&wanted[i]) ? lines_of(&wanted[i]) : 0;
+        count += wanted[i].lines != 0 ? 1 : is_placed(view, &wanted[i]) ? lines_of(&wanted[i]) : 0;
     fprintf(out, "label_count = %d\n", count);
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         fprintf(out, "array %s[%d]\n", arrays[i], count > 0 ? count : 1);
     for (int i = 0; i < view->wanted.count; i++)
-        if (wanted[i].lines >= 0 && is_placed(&wanted[i]))
+        if (wanted[i].lines >= 0 && is_placed(view, &wanted[i]))
             number = write_wanted(view, out, number, &wanted[i]);
 }
 
@@ -847,7 +857,8 @@ bool plot_view_end(Plot *plot)
     if (!view->looks)
         return false;
     for (int shape = 0; shape < SHAPES; shape++)
-        place(view, shape);
+        if (view->only == SHAPES || view->only == shape)
+            place(view, shape);
     for (int panel = 1; panel < PANELS; panel++) {
         write_both(plot->script, "size", panel, view->size[0][panel], view->size[1][panel]);
         write_both(plot->script, "zero_x", panel, view->zero_u[0][panel], view->zero_u[1][panel]);
@@ -856,4 +867,67 @@ bool plot_view_end(Plot *plot)
     fputs("scale = size[1]\n", plot->script);
     write_labels(view, plot->script);
     return true;
+}
+
+// ---- a view that is kept, and places in it (plot_handle.c)
+// --------------------------------------------------------------------------------
+
+void plot_view_only(Plot *plot, int shape)
+{
+    plot->view->only = shape;
+}
+
+static int shape_of(const PlotView *view)
+{
+    return view->only < SHAPES ? view->only : 0;
+}
+
+bool plot_view_hold(Plot *plot, const char *text)
+{
+    PlotView *view = plot->view;
+    int shape = shape_of(view);
+    for (int panel = 1; panel < PANELS; panel++) {
+        int used = 0;
+        if (sscanf(text, "%lf,%lf,%lf;%n", &view->size[shape][panel], &view->zero_u[shape][panel],
+                   &view->zero_v[shape][panel], &used) != 3 ||
+            used == 0 || !(view->size[shape][panel] > 0))
+            return false;
+        text += used;
+    }
+    view->is_held = true;
+    return *text == '\0';
+}
+
+void plot_view_print(const Plot *plot, FILE *out)
+{
+    const PlotView *view = plot->view;
+    int shape = shape_of(view);
+    for (int panel = 1; view->looks && panel < PANELS; panel++)
+        fprintf(out, "%.9g,%.9g,%.9g;", view->size[shape][panel], view->zero_u[shape][panel],
+                view->zero_v[shape][panel]);
+}
+
+bool plot_view_is_held(const Plot *plot)
+{
+    return plot->view->is_held;
+}
+
+int plot_view_panel(const Plot *plot)
+{
+    return plot->view->panel;
+}
+
+bool plot_view_spot(const Plot *plot, int panel, vec3 place, double uv[2])
+{
+    Spot spot = spot_of(plot->view, shape_of(plot->view), panel, place);
+    uv[0] = spot.u;
+    uv[1] = spot.v;
+    return plot->view->looks && is_somewhere(spot);
+}
+
+void plot_view_way(const Plot *plot, int panel, vec3 way, double uv[2])
+{
+    double size = plot->view->size[shape_of(plot->view)][panel];
+    uv[0] = size * vec3_dot(plot->view->u, way);
+    uv[1] = size * vec3_dot(plot->view->v, way);
 }

@@ -96,6 +96,22 @@ static void camera_frame(Plot *plot, void *given)
         {"$z$", "grey", .block = "z_axis", .part = 1},
     };
     plot_names(plot, labels, COUNT(labels));
+    camera_handles(plot, c);
+}
+
+// The place s across and t up.
+static void place_handle(Plot *plot, const View *view)
+{
+    Camera c = view->camera;
+    vec3 corner = image_plane_vector(c, 0, 0);
+    plot_handle(plot, (Handle){.words = "the place on the image plane: s and t",
+                               .place = c.origin + image_plane_vector(c, view->s, view->t),
+                               .option = {"s", "t"},
+                               .count = 2,
+                               .value = vec3_of(view->s, view->t, 0),
+                               .along = {image_plane_vector(c, 1, 0) - corner,
+                                         image_plane_vector(c, 0, 1) - corner},
+                               .most = {1, 1}});
 }
 
 // ---- vectors to the plane ---------------------------------------------------------------------
@@ -129,6 +145,7 @@ static void corner_vectors(Plot *plot, void *given)
          .part = 1},
     };
     plot_names(plot, labels, COUNT(labels));
+    camera_handles(plot, c);
 }
 
 // The point s across and t up: its parts of the edges, and the legs of the walk to it. The slide's
@@ -172,6 +189,8 @@ static void point_30_10(Plot *plot, void *given)
                                   {"$t$ = {t}", "green", .step = 1}};
     plot_names(plot, labels, COUNT(labels));
     plot_say(plot, 0, 1, place, COUNT(place));
+    place_handle(plot, view);
+    camera_handles(plot, c);
 }
 
 // ---- doubling ---------------------------------------------------------------------------------
@@ -277,6 +296,8 @@ static void double_dwh(Plot *plot, void *given)
                     (const char *[]){"2 d", "twice_d", "2 w", "twice_w", "2 h", "twice_h"});
     name_dimensions(plot, planes[2], 3,
                     (const char *[]){"d/d", "unit_d", "w/d", "unit_w", "h/d", "unit_h"});
+    place_handle(plot, view);
+    camera_handles(plot, c);
 }
 
 // ---- yours and right --------------------------------------------------------------------------

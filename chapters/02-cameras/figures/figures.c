@@ -191,6 +191,7 @@ static void camera_forms(Plot *plot, void *given)
     found[0] = found_from("look_at", from_at, at, eye);
     plot_found(plot, found[0], 0);
     name_frame(plot);
+    camera_handles(plot, c);
     begin_panel(plot, *g, 1, "eye and four points");
     corners_panel(plot, "points", points, eye, 2);
     found[1] = found_from("points", from_points, from_four, eye);

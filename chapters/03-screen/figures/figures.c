@@ -93,6 +93,13 @@ static void screen_to_unit(Plot *plot, void *given)
         {"{point_y}", "green", .block = "y", .part = ANYWHERE},
     };
     plot_names(plot, first, sizeof first / sizeof *first);
+    plot_handle(plot, (Handle){.words = "the point on the screen",
+                               .place = flat(spot->point.x, -spot->point.y),
+                               .option = {"point"},
+                               .count = 2,
+                               .value = flat(spot->point.x, spot->point.y),
+                               .along = {flat(1, 0), flat(0, -1)},
+                               .most = {spot->screen.width, spot->screen.height}});
     plot_panel(plot, 2);
     plot_room(plot, (Room){0.66, 0.98, 0.24, 0.84}, (Room){0.69, 0.98, 0.24, 0.84});
     double s = plot_shown(plot, "place_s"), t = plot_shown(plot, "place_t");
@@ -213,6 +220,14 @@ static void pixel_grid(Plot *plot, void *given)
     counted(plot, "columns", columns);
     counted(plot, "rows", rows);
     centers(plot, columns, rows);
+    plot_handle(plot, (Handle){.words = "the pixel",
+                               .place = flat(center.x, -center.y),
+                               .option = {"pixel"},
+                               .count = 2,
+                               .value = flat(pixel.column, pixel.row),
+                               .along = {flat(1, 0), flat(0, -1)},
+                               .most = {screen.width - 1, screen.height - 1},
+                               .whole = true});
 }
 
 static const Figure figures[] = {

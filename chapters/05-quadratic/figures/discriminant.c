@@ -3,6 +3,7 @@
 #include "chapters/05-quadratic/figures/discriminant.h"
 
 #include "chapters/05-quadratic/numbers.h"
+#include "common/text.h"
 
 #include <stdio.h>
 
@@ -173,6 +174,7 @@ void discriminant_figure(Plot *plot, void *given)
     Panels panels = {five, SITUATIONS, rounded(m->sphere.radius), 1.75, 2.4, 400};
     columns(plot, &panels);
     data(plot, &panels);
+    plot_typed(plot, "r, the radius of the sphere", "radius", number_text(m->sphere.radius).s);
 }
 
 // ---- as one ray that moves --------------------------------------------------------------------

@@ -91,6 +91,7 @@ static void ray_sphere(Plot *plot, void *given)
     root_mark(plot, "used", m->ray, hit);
     verdict(plot, roots, hit, section.away);
     ray_sphere_labels(plot, &section);
+    section_handles(plot, &section, false);
 }
 
 // ---- parabola ----------------------------------------------------------------------------------
@@ -244,6 +245,7 @@ static void parabola_data(Plot *plot, void *given)
     parabola(plot, &graph, q);
     drawn_above(plot, &graph);
     parabola_labels(plot, &graph);
+    section_handles(plot, &section, true);
 }
 
 // ---- world-object ------------------------------------------------------------------------------
@@ -486,6 +488,7 @@ static void world_object(Plot *plot, void *given)
     plot_number(plot, "t1", root_shown(object_roots, 1));
     plot_direction(plot, "moved", m.sphere.center);
     world_panel(plot, &section);
+    section_handles(plot, &section, false);
     plot_panel(plot, 2);
     root_mark(plot, "object_hit0", object_ray, root_shown(object_roots, 0));
     root_mark(plot, "object_hit1", object_ray, root_shown(object_roots, 1));

@@ -57,4 +57,8 @@ void section_names(Plot *plot, const Section *section, int sphere_step);
 // to one of these.
 void section_marks(Plot *plot, const Section *section, int step, int count, const double *taken);
 
+// Handles: p, v, the centre and the radius. turns: the figure turns with the ray, so p can only be
+// dragged along it.
+void section_handles(Plot *plot, const Section *section, bool turns);
+
 #endif

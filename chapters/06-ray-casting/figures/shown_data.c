@@ -249,6 +249,24 @@ void shown_look(Plot *plot, const Shown *shown)
     note(plot, shown, c.distance / shown->shot.camera.distance);
 }
 
+static void pixel_handle(Plot *plot, const Shown *shown)
+{
+    Camera c = shown->camera;
+    Resolution size = shown->shot.size;
+    Pixel pixel = shown->shot.pixel;
+    vec3 corner = image_plane_vector(c, 0, 1);
+    Normalized place = screen_to_normalized(pixel_center(pixel), size);
+    plot_handle(plot, (Handle){.words = "the pixel",
+                               .place = c.origin + image_plane_vector(c, place.s, place.t),
+                               .option = {"pixel"},
+                               .count = 2,
+                               .value = vec3_of(pixel.column, pixel.row, 0),
+                               .along = {(image_plane_vector(c, 1, 1) - corner) / size.width,
+                                         (image_plane_vector(c, 0, 0) - corner) / size.height},
+                               .most = {size.width - 1, size.height - 1},
+                               .whole = true});
+}
+
 void shown_data(Plot *plot, const Shown *shown)
 {
     Shot shot = shown->shot;
@@ -261,4 +279,5 @@ void shown_data(Plot *plot, const Shown *shown)
     shown_ray(plot, "ray", shown->ray, shown_end(shown),
               shown->hit_count > 0 ? shown->hits[0].t : shown_end(shown));
     hits(plot, shown);
+    pixel_handle(plot, shown);
 }

@@ -19,10 +19,10 @@ enum { MOST_COLUMNS = 920, MOST_ROWS = 690 };
 // The words point at pixels of a coarser picture: what they name is larger than that.
 enum { COARSE = 6 };
 
-// As large as there is room, with the proportions of the drawing.
-static Resolution picture_size(Resolution size)
+// As large as there is room, with the proportions of the drawing; in parts of that.
+static Resolution picture_size(Resolution size, double parts)
 {
-    double scale = fmin((double)MOST_COLUMNS / size.width, (double)MOST_ROWS / size.height);
+    double scale = fmin(MOST_COLUMNS / parts / size.width, MOST_ROWS / parts / size.height);
     return (Resolution){(int)fmax(1, scale * size.width), (int)fmax(1, scale * size.height)};
 }
 
@@ -166,12 +166,34 @@ static void side_by_side(Plot *plot, Resolution size)
     }
 }
 
+// The light can be dragged over the shaded picture: to the side that it comes from. A light of the
+// scene becomes a distant one.
+static void light_handles(Plot *plot, const Drawing *drawing, Resolution size)
+{
+    const Scene *scene = &drawing->scene;
+    plot_typed(plot, "ambient light", "ambient", number_text(scene->ambient[0]).s);
+    if (scene->light_count == 0)
+        return;
+    vec3 sun = scene->lights[0].position, right = drawing->camera.right, up = drawing->camera.up;
+    double reach = 0.45 * fmin(size.width, size.height) / vec3_length(sun);
+    plot_panel(plot, 2);
+    plot_handle(plot, (Handle){.words = "the light",
+                               .place = vec3_of(size.width / 2.0 + reach * vec3_dot(sun, right),
+                                                size.height / 2.0 + reach * vec3_dot(sun, up), 0),
+                               .option = {"sun"},
+                               .count = 3,
+                               .value = sun,
+                               .along = {right, up},
+                               .way = {vec3_of(reach, 0, 0), vec3_of(0, reach, 0)}});
+}
+
 static void flat_and_shaded(Plot *plot, void *given)
 {
     Drawing drawing = *(const Drawing *)given;
     Image image;
     Message message;
-    Resolution size = picture_size(drawing.size);
+    bool dragged = plot_is_dragged(plot);
+    Resolution size = picture_size(drawing.size, dragged ? 8 : 1);
     if (!image_create(&image, size, &message))
         return;
     side_by_side(plot, size);
@@ -180,10 +202,11 @@ static void flat_and_shaded(Plot *plot, void *given)
     plot_number(plot, "ambient", drawing.scene.ambient[0]);
     plot_number(plot, "spheres", drawing.scene.sphere_count);
     spots_data(plot, &drawing, size);
+    light_handles(plot, &drawing, size);
     // Two pixels wide for a unit of the canvas, so 16 rays for each: as smooth as the chapter's
     // picture.
     Style style = closing_style;
-    style.samples = 2;
+    style.samples = dragged ? 1 : 2;
     render(&drawing.scene, drawing.camera, style, &image);
     plot_include(plot, "common/figure/pictures.gp");
     plot_picture(plot, "shaded", &image, ROUNDING);

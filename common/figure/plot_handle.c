@@ -1,0 +1,221 @@
+// plot_handle.c - figures in a page: what can be dragged, where it is, and which options a drag
+// gives.
+//
+// A handle's place on the canvas follows from the world by the figure's view (plot_view.c). A drag
+// goes the other way: from the canvas to the numbers that move the handle, to as many digits as the
+// canvas shows.
+#include "common/figure/plot_internal.h"
+#include "common/text.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_HANDLES = 12, NUMBERS = 3, POINT = 3, FEW = 4 };
+
+typedef struct {
+    Handle handle;
+    int panel;
+} Placed;
+
+typedef struct {
+    char *words, *option, *value;
+} Typed;
+
+struct PlotHandles {
+    Placed handles[MOST_HANDLES];
+    Typed typed[MOST_HANDLES];
+    int count, typed_count;
+};
+
+PlotHandles *plot_handles_new(void)
+{
+    PlotHandles *handles = calloc(1, sizeof *handles);
+    if (handles == NULL)
+        abort();
+    return handles;
+}
+
+static char *copy_of(const char *text)
+{
+    char *copy = text != NULL ? strdup(text) : NULL;
+    if (text != NULL && copy == NULL)
+        abort();
+    return copy;
+}
+
+void plot_handles_free(PlotHandles *handles)
+{
+    for (int i = 0; i < handles->typed_count; i++) {
+        free(handles->typed[i].words);
+        free(handles->typed[i].option);
+        free(handles->typed[i].value);
+    }
+    free(handles);
+}
+
+void plot_handle(Plot *plot, Handle handle)
+{
+    PlotHandles *handles = plot->handles;
+    if (handles->count < MOST_HANDLES)
+        handles->handles[handles->count++] = (Placed){handle, plot_view_panel(plot)};
+}
+
+void plot_typed(Plot *plot, const char *words, const char *option, const char *value)
+{
+    PlotHandles *handles = plot->handles;
+    if (handles->typed_count < MOST_HANDLES)
+        handles->typed[handles->typed_count++] =
+            (Typed){copy_of(words), copy_of(option), copy_of(value)};
+}
+
+bool plot_is_dragged(const Plot *plot)
+{
+    return plot->is_live && plot_view_is_held(plot);
+}
+
+// ---- as JSON ------------------------------------------------------------------------------------
+
+static void print_string(FILE *out, const char *text)
+{
+    putc('"', out);
+    for (; *text != '\0'; text++)
+        fprintf(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    putc('"', out);
+}
+
+static int numbers_of(const Handle *handle)
+{
+    return handle->count < NUMBERS ? handle->count : NUMBERS;
+}
+
+// {"origin": "-2,0.5,0"}, or two options with a number each.
+static void print_options(FILE *out, const Handle *handle, vec3 value)
+{
+    enum { DIGITS = 12 };
+    bool two = handle->option[1] != NULL;
+    for (int i = 0; i < numbers_of(handle); i++) {
+        const char *before = i == 0 ? "{" : two ? "\", " : ",";
+        fputs(before, out);
+        if (i == 0 || two)
+            fprintf(out, "\"%s\": \"", handle->option[i]);
+        fputs(number_text_to(value[i], DIGITS).s, out);
+    }
+    fputs("\"}", out);
+}
+
+static void print_handle(const Plot *plot, const Placed *placed, FILE *out)
+{
+    double uv[2];
+    fputs("{\"words\": ", out);
+    print_string(out, placed->handle.words);
+    if (plot_view_spot(plot, placed->panel, placed->handle.place, uv))
+        fprintf(out, ", \"u\": %.2f, \"v\": %.2f", uv[0], uv[1]);
+    fputs(", \"options\": ", out);
+    print_options(out, &placed->handle, placed->handle.value);
+    putc('}', out);
+}
+
+void plot_handles_print(const Plot *plot, FILE *out)
+{
+    const PlotHandles *handles = plot->handles;
+    fputs("{\"handles\": [", out);
+    for (int i = 0; i < handles->count; i++) {
+        fputs(i > 0 ? ",\n" : "\n", out);
+        print_handle(plot, &handles->handles[i], out);
+    }
+    fputs("],\n\"typed\": [", out);
+    for (int i = 0; i < handles->typed_count; i++) {
+        fputs(i > 0 ? ",\n{\"words\": " : "\n{\"words\": ", out);
+        print_string(out, handles->typed[i].words);
+        fputs(", \"options\": {", out);
+        print_string(out, handles->typed[i].option);
+        fputs(": ", out);
+        print_string(out, handles->typed[i].value);
+        fputs("}}", out);
+    }
+    fputs("],\n\"view\": \"", out);
+    plot_view_print(plot, out);
+    fputs("\"}\n", out);
+}
+
+// ---- a drag -------------------------------------------------------------------------------------
+
+// The largest power of ten that moves a handle by at most a few units of the canvas.
+static double step_of(const Handle *handle, double units)
+{
+    return handle->whole ? 1 : pow(10, floor(log10((double)FEW / units)));
+}
+
+static double rounded(double x, double step)
+{
+    return step >= 1 ? step * round(x / step) : round(x * round(1 / step)) / round(1 / step);
+}
+
+static double limited(const Handle *handle, int i, double x)
+{
+    bool any = handle->count == POINT || (handle->least[i] == 0 && handle->most[i] == 0);
+    return any ? x : fmax(handle->least[i], fmin(handle->most[i], x));
+}
+
+// How far to go in both directions so that the handle moves by this much on the canvas. Where they
+// are seen as one direction, only the longer one is used.
+static void solve(const double a[2], const double b[2], const double by[2], double go[2])
+{
+    double aa = a[0] * a[0] + a[1] * a[1], bb = b[0] * b[0] + b[1] * b[1];
+    double area = a[0] * b[1] - a[1] * b[0];
+    go[0] = go[1] = 0;
+    if (fabs(area) > 0.05 * sqrt(aa * bb) && area != 0) {
+        go[0] = (by[0] * b[1] - by[1] * b[0]) / area;
+        go[1] = (a[0] * by[1] - a[1] * by[0]) / area;
+    } else if (aa >= bb && aa > 0) {
+        go[0] = (by[0] * a[0] + by[1] * a[1]) / aa;
+    } else if (bb > 0) {
+        go[1] = (by[0] * b[0] + by[1] * b[1]) / bb;
+    }
+}
+
+static vec3 dragged_to(const Plot *plot, const Placed *placed, double u, double v)
+{
+    const Handle *handle = &placed->handle;
+    double at[2], along[2][2], go[2];
+    vec3 value = handle->value;
+    if (!plot_view_spot(plot, placed->panel, handle->place, at))
+        return value;
+    for (int i = 0; i < 2; i++) {
+        bool elsewhere = vec3_length(handle->way[0]) > 0;
+        plot_view_way(plot, placed->panel, elsewhere ? handle->way[i] : handle->along[i], along[i]);
+    }
+    solve(along[0], along[1], (const double[]){u - at[0], v - at[1]}, go);
+    if (handle->count == POINT)
+        value += go[0] * handle->along[0] + go[1] * handle->along[1];
+    for (int i = 0; i < numbers_of(handle); i++) {
+        bool moves = handle->count < POINT ||
+                     fabs(go[0] * handle->along[0][i]) + fabs(go[1] * handle->along[1][i]) > 0;
+        if (handle->count < POINT)
+            value[i] += go[i];
+        int way = handle->count == POINT && fabs(handle->along[1][i]) > fabs(handle->along[0][i]);
+        way = handle->count < POINT ? i : way;
+        double units = hypot(along[way][0], along[way][1]);
+        if (moves && units > 0)
+            value[i] = limited(handle, i, rounded(value[i], step_of(handle, units)));
+    }
+    return value;
+}
+
+bool plot_handles_drag(const Plot *plot, const char *drag, FILE *out)
+{
+    int number, used = 0;
+    double u, v;
+    if (sscanf(drag, "%d,%lf,%lf%n", &number, &u, &v, &used) != 3 || drag[used] != '\0' ||
+        number < 0 || number >= plot->handles->count) {
+        fprintf(stderr,
+                "--drag %s: expected HANDLE,U,V: a handle's number, below %d, and a place\n",
+                word_text(drag).s, plot->handles->count);
+        return false;
+    }
+    const Placed *placed = &plot->handles->handles[number];
+    print_options(out, &placed->handle, dragged_to(plot, placed, u, v));
+    putc('\n', out);
+    return true;
+}
