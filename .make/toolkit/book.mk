@@ -108,6 +108,7 @@ book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(S
 .PHONY: book-programs book-judge
 
 include .make/toolkit/book_page.mk
+include .make/toolkit/book_figures.mk
 
 # The rules of the other programs do not need these.
 -include $(if $(JUDGES_ONLY),,$(shell find $(WASM) -name '*.d' 2>/dev/null))

@@ -1,0 +1,24 @@
+# book_figures.mk - what the live figures of make book need, besides the chapters' programs. Included by book.mk.
+
+# The end of a figure that gnuplot has drawn.
+FINISH_FIGURE := $(BOOK)/programs/finish_figure.wasm
+$(FINISH_FIGURE): $(call wasm_objects,chapters/book/finish_figure.c chapters/gallery/svg_picture.c)
+	$(call say,wasm,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_LINK) -Wl,--strip-all -o $@ $^ $(WASM_LIBS)
+
+# gnuplot, and the layouts and scenes that the programs read. Compressed here, because not every host does it.
+BOOK_GNUPLOT := $(BOOK)/figures/gnuplot.wasm.gz
+$(BOOK_GNUPLOT): $(BOOK_PACKAGES)
+	$(Q)mkdir -p $(@D)
+	$(Q)gzip -9nc $(NPM)/node_modules/gnuplot-wasm/src/gnuplot.wasm > $@
+BOOK_LAYOUTS := $(BOOK)/figures/files.json
+$(BOOK_LAYOUTS): $(wildcard common/figure/*.gp chapters/[0-9]*/*.nff chapters/[0-9]*/figures/*.gp \
+		chapters/[0-9]*/figures/*.nff) $(BOOK_SOURCES)/site/pack_texts.mjs
+	$(Q)mkdir -p $(@D)
+	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs,$^) > $@
+
+BOOK_FIGURES := $(FINISH_FIGURE) $(BOOK_GNUPLOT) $(BOOK_LAYOUTS)
+book-figures: $(BOOK_FIGURES) $(BOOK_PROGRAMS)
+.PHONY: book-figures
+$(BOOK)/service_worker.js: $(BOOK_FIGURES)

@@ -1,0 +1,70 @@
+// figure.js - draws a figure in a page, as 'make figures' does: the chapter's program writes the script, gnuplot
+// draws it, and chapters/gallery/svg_picture.c makes of that the figure that is shown.
+//
+// Nothing is computed here: the program says what is drawn, what can be dragged and where it is on the canvas
+// (common/figure/handles.c), and which options a drag gives.
+import {loadGnuplot} from './gnuplot.js';
+import {run} from './wasi.js';
+
+/** The canvas: what its height is in its units, and its width by shape (common/figure/plot.gp). */
+export const CANVAS = {height: 540, width: {'16:9': 960, '4:3': 720}};
+
+/**
+ * @typedef {{name: string, words: string, u: number, v: number, options: Object<string, string>}} Handle
+ *   a thing to drag: its place on the canvas, from the lower left; the values of the options that move it
+ * @typedef {{program: WebAssembly.Module, stem: string, name: string, options?: Object<string, string>,
+ *   arguments?: string[], theme?: string, shape?: string, step?: number, held?: string}} Wanted
+ *   held: the view of a drawing, which is kept while a handle of it is dragged
+ * @typedef {{svg: string, title: string, words: string, steps: number, handles: Handle[], view: string}} Drawn
+ */
+
+export class FigureError extends Error {}
+
+const text = new TextDecoder();
+const as_text = bytes => bytes === undefined ? '' : text.decode(bytes);
+
+/**
+ * @param {{gnuplot: WebAssembly.Module, finish: WebAssembly.Module, files: Object<string, string|Uint8Array>}} given
+ *   files: the toolkit's files that programs read, by their path from the top: layouts, scenes
+ */
+export async function loadFigures({gnuplot: module, finish, files}) {
+  const gnuplot = await loadGnuplot(module);
+
+  /** What a program's figure says: on stdout, and in files. */
+  function ask(wanted, more) {
+    const {program, stem, name, options = {}} = wanted;
+    const args = [stem, ...Object.entries(options).map(([key, value]) => `--${key}=${value}`), '--figure', name,
+      '--shape', wanted.shape ?? '16:9', ...(wanted.held ? ['--held', wanted.held] : []), ...more, ...(wanted.arguments ?? [])];
+    const result = run(program, {args, files});
+    if (result.status !== 0) throw new FigureError(result.stderr.trim() || result.trap);
+    return result;
+  }
+
+  return {
+    /** @param {Wanted} wanted @returns {Drawn} */
+    draw(wanted) {
+      const {theme = 'light', shape = '16:9', step = 1000, name} = wanted;
+      const told = ask(wanted, ['--live', '.']);
+      const script = told.stdout, settings = `format='svg'; theme='${theme}'; shape='${shape}'; step=${step}; output='figure'; framed=1`;
+      const end = "set print 'words'; @say; set print 'steps'; print steps; unset print";
+      const drawn = gnuplot.run(['-d', '-e', settings, 'script.gp', '-e', end], {'script.gp': script},
+        ['figure.svg', 'words', 'steps']);
+      if (drawn.status !== 0 || drawn.files['figure.svg'] === undefined) throw new FigureError(`gnuplot: ${drawn.said}`);
+      const figure = run(finish, {args: ['finish_figure', 'figure.svg', 'words', 'pictures'],
+        files: {'figure.svg': drawn.files['figure.svg'], words: drawn.files.words, pictures: told.files.get('pictures') ?? ''}});
+      if (figure.status !== 0) throw new FigureError(figure.stderr || figure.trap);
+      const [title, , words] = drawn.files.words.split('\n');
+      const live = JSON.parse(as_text(told.files.get('handles.json')) || '{"handles": []}');
+      return {svg: figure.stdout, title, words, steps: Number(drawn.files.steps), ...live, name};
+    },
+
+    /**
+     * The options that put a handle there, or as near as they may.
+     * @param {Wanted} wanted with the view that the handle was drawn in
+     * @returns {Object<string, string>}
+     */
+    drag(wanted, handle, u, v) {
+      return JSON.parse(ask(wanted, ['--drag', `${handle},${u},${v}`]).stdout);
+    },
+  };
+}
