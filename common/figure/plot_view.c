@@ -40,6 +40,7 @@ typedef struct {
     int lines;          // 0: it names a place; else it begins a block of so many lines of text
     double across, up;  // where that stands
     bool pinned;        // exactly there
+    double wide, high;  // its text, once it was measured; for a block of them, of that
     int number[SHAPES]; // of the label that was placed
 } Wanted;
 
@@ -75,7 +76,16 @@ struct PlotView {
     Area seen[SHAPES][PANELS]; // what has to be seen
     Area over[SHAPES][PANELS]; // by how much labels are outside of it
     Labels *labels[SHAPES];
+    List tries[SHAPES];
 };
+
+// What was tried: panels as large as this, and where; and how the labels were placed around them.
+typedef struct {
+    bool blocks;
+    double size[PANELS], zero_u[PANELS], zero_v[PANELS];
+    Labels *labels;
+    double cost;
+} Try;
 
 // Room for one more, at the end of the list.
 static void *add(List *list, size_t size)
@@ -113,9 +123,12 @@ void plot_view_free(PlotView *view)
     free(view->words.items);
     free(view->wanted.items);
     free(view->fits.items);
-    for (int shape = 0; shape < SHAPES; shape++)
-        if (view->labels[shape] != NULL)
-            labels_free(view->labels[shape]);
+    for (int shape = 0; shape < SHAPES; shape++) {
+        Try *tries = view->tries[shape].items;
+        for (int i = 0; i < view->tries[shape].count; i++)
+            labels_free(tries[i].labels);
+        free(tries);
+    }
     free(view);
 }
 
@@ -558,14 +571,22 @@ static bool is_somewhere(Spot spot)
     return fabs(spot.u) < far && fabs(spot.v) < far;
 }
 
+// Its text does not change while places for it are tried.
+static void measure_once(const PlotView *view, Wanted *wanted)
+{
+    if (wanted->high > 0)
+        return;
+    for (int i = 0; i < wanted->lines; i++)
+        wanted->wide = fmax(wanted->wide, line_width(view, wanted[i].text, strlen(wanted[i].text)));
+    wanted->high = LINE_HEIGHT * wanted->lines;
+    if (wanted->lines == 0)
+        measure(view, wanted->text, &wanted->wide, &wanted->high);
+}
+
 static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted)
 {
     PlacedLabel label = {.free = wanted->lines > 0 && !wanted->pinned, .pinned = wanted->pinned};
     if (wanted->lines > 0) {
-        for (int i = 0; i < wanted->lines; i++)
-            label.width =
-                fmax(label.width, line_width(view, wanted[i].text, strlen(wanted[i].text)));
-        label.height = LINE_HEIGHT * wanted->lines;
         label.from = (Spot){wanted->across * canvas_width[shape], wanted->up * (HEIGHT - TITLE)};
     } else if (wanted->block[0] == '\0') {
         enum { TINY = 8 };
@@ -575,7 +596,6 @@ static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted
             wanted->number[shape] = NOWHERE;
             return;
         }
-        measure(view, wanted->text, &label.width, &label.height);
     } else {
         const Mark *mark = mark_of(view, wanted);
         if (mark == NULL) {
@@ -590,32 +610,57 @@ static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted
         double last = is_point ? 1 : part < 0 ? 0.85 : part;
         label.from = moved(spot_of(view, shape, wanted->panel, mark->from + first * all), mark);
         label.to = moved(spot_of(view, shape, wanted->panel, mark->from + last * all), mark);
-        measure(view, wanted->text, &label.width, &label.height);
     }
+    measure_once(view, wanted);
+    label.width = wanted->wide;
+    label.height = wanted->high;
     wanted->number[shape] =
         is_somewhere(label.from) && is_somewhere(label.to) ? labels_add(labels, label) : NOWHERE;
 }
 
-// Places labels in the area, those of blocks of text or not. Returns what it costs.
-static double place_in(PlotView *view, int shape, double part, Area area, bool blocks)
+static bool is_same_try(const PlotView *view, int shape, bool blocks, const Try *tried)
 {
+    size_t size = sizeof tried->size;
+    return tried->blocks == blocks && memcmp(tried->size, view->size[shape], size) == 0 &&
+           memcmp(tried->zero_u, view->zero_u[shape], size) == 0 &&
+           memcmp(tried->zero_v, view->zero_v[shape], size) == 0;
+}
+
+// Places labels: on the canvas, with the blocks of text; or without them, and as if the canvas had
+// no end. Returns what it costs.
+static double place_in(PlotView *view, int shape, double part, bool blocks)
+{
+    const double endless = INFINITY;
+    const Area canvas = {EDGE, canvas_width[shape] - EDGE, EDGE, HEIGHT - TITLE};
+    const Area area = blocks ? canvas : (Area){-endless, endless, -endless, endless};
     see(view, shape, part);
-    if (view->labels[shape] != NULL)
-        labels_free(view->labels[shape]);
-    Labels *labels = view->labels[shape] = labels_new(area);
-    draw(view, shape, labels);
+    Labels *labels = labels_new(area);
     Wanted *wanted = view->wanted.items;
     for (int i = 0; i < view->wanted.count; i++)
         if (wanted[i].lines == 0 || (blocks && wanted[i].lines > 0))
             want(view, shape, labels, &wanted[i]);
+    Try *tries = view->tries[shape].items;
+    for (int i = 0; i < view->tries[shape].count; i++)
+        if (is_same_try(view, shape, blocks, &tries[i])) {
+            labels_free(labels);
+            view->labels[shape] = tries[i].labels;
+            return tries[i].cost;
+        }
+    draw(view, shape, labels);
     labels_place(labels);
-    return labels_cost(labels);
+    Try *tried = add(&view->tries[shape], sizeof(Try));
+    *tried = (Try){.blocks = blocks, .labels = labels, .cost = labels_cost(labels)};
+    memcpy(tried->size, view->size[shape], sizeof tried->size);
+    memcpy(tried->zero_u, view->zero_u[shape], sizeof tried->zero_u);
+    memcpy(tried->zero_v, view->zero_v[shape], sizeof tried->zero_v);
+    view->labels[shape] = labels;
+    return tried->cost;
 }
 
 // How far labels go beyond what has to be seen, if the canvas had no end.
 static void measure_over(PlotView *view, int shape)
 {
-    place_in(view, shape, 1, (Area){-INFINITY, INFINITY, -INFINITY, INFINITY}, false);
+    place_in(view, shape, 1, false);
     const Wanted *wanted = view->wanted.items;
     memset(view->over[shape], 0, sizeof view->over[shape]);
     for (int i = 0; i < view->wanted.count; i++) {
@@ -662,13 +707,12 @@ static void choose(PlotView *view, int shape, double full, Choice *best)
 {
     static const double parts[] = {1, 0.88, 0.76, 0.64, 0.52};
     enum { SMALLER = 700, TRIES = sizeof parts / sizeof *parts };
-    const Area area = {EDGE, canvas_width[shape] - EDGE, EDGE, HEIGHT - TITLE};
     for (int i = 0; i < (view->fills ? 1 : TRIES); i++) {
         see(view, shape, parts[i]);
         double cost = SMALLER * (1 - view->size[shape][1] / full);
         if (cost >= best->cost)
             return;
-        cost += place_in(view, shape, parts[i], area, true);
+        cost += place_in(view, shape, parts[i], true);
         if (cost >= best->cost)
             continue;
         best->cost = cost;
@@ -681,9 +725,8 @@ static void choose(PlotView *view, int shape, double full, Choice *best)
 static void place(PlotView *view, int shape)
 {
     enum { SIDES = 4 };
-    const Area area = {EDGE, canvas_width[shape] - EDGE, EDGE, HEIGHT - TITLE};
     if (view->is_held) {
-        place_in(view, shape, 1, area, true);
+        place_in(view, shape, 1, true);
         return;
     }
     see(view, shape, 1);
@@ -702,7 +745,7 @@ static void place(PlotView *view, int shape)
         }
     }
     memcpy(view->over[shape], best.over, sizeof best.over);
-    place_in(view, shape, best.part, area, true);
+    place_in(view, shape, best.part, true);
 }
 
 // ---- what the script is told

@@ -3,6 +3,7 @@
 // Expected: properties, of random drawings. Whether a line meets a box is found here by walking
 // along it in short steps; widths of characters are those in the font's own table (hmtx).
 #include "common/figure/labels.h"
+#include "common/figure/label_places.h"
 
 #include "tests/judge/test.h"
 
@@ -283,6 +284,81 @@ START_TEST(each_label_is_nearest_to_what_it_names)
 }
 END_TEST
 
+// A place gets its cost only when places of that cost are asked for: none may come too late.
+START_TEST(places_come_by_their_costs_and_none_is_left_out)
+{
+    enum { AROUND_A_SPOT = 160, ALONG_A_LINE = 7 * AROUND_A_SPOT };
+    for (int k = 0; k < DRAWINGS; k++) {
+        Drawing drawing = some_drawing();
+        Labels *labels = labels_for(&drawing, 0);
+        for (int i = 0; i < LABELS; i++) {
+            int count = 0, least = i % 2 == 0 ? AROUND_A_SPOT : ALONG_A_LINE;
+            double before = 0;
+            const Place *place;
+            given("drawing and label", "%d, %d", k, i);
+            while ((place = place_below(labels, i, count, INFINITY)) != NULL) {
+                expect_law(place->cost >= before, "as much as the place before, or more",
+                           "a cheaper place comes later");
+                before = place->cost;
+                count++;
+            }
+            expect_law(count >= least, "all places", "some are left out");
+        }
+        labels_free(labels);
+    }
+}
+END_TEST
+
+static double gap_to_leader(Area box, PlacedLabel label)
+{
+    return label.leads ? gap_to_line(box, label.start, label.end) : INFINITY;
+}
+
+// Does another label keep this one from that place? It may be nearer than the least that is
+// allowed.
+static bool is_kept_away(const Labels *labels, int number, int count, Area box)
+{
+    enum { ABOUT = 12 };
+    for (int i = 0; i < count; i++) {
+        PlacedLabel other = labels_get(labels, i);
+        Area there = box_of(other);
+        bool near = box.left - there.right < ABOUT && there.left - box.right < ABOUT &&
+                    box.bottom - there.top < ABOUT && there.bottom - box.top < ABOUT;
+        if (i != number && (near || gap_to_leader(box, other) < ABOUT))
+            return true;
+    }
+    return false;
+}
+
+// A place may become free when another label moves on.
+START_TEST(a_cheaper_place_is_taken_if_no_other_label_is_there)
+{
+    enum { MANY = 24, MOST_LATE = 10 };
+    int late = 0;
+    for (int k = 0; k < DRAWINGS; k++) {
+        Labels *labels = labels_new(canvas);
+        for (int i = 0; i < MANY; i++) {
+            Spot spot = {random_number(300, 660), random_number(140, 340)};
+            labels_add(labels, some_label(spot, spot));
+        }
+        labels_place(labels);
+        for (int i = 0; i < MANY; i++) {
+            PlacedLabel label = labels_get(labels, i);
+            const Place *place;
+            for (int rank = 0; (place = place_below(labels, i, rank, INFINITY)) != NULL; rank++) {
+                PlacedLabel there = label;
+                there.middle = place->middle;
+                if (place->middle.u == label.middle.u && place->middle.v == label.middle.v)
+                    break;
+                late += !place->leads && !is_kept_away(labels, i, MANY, box_of(there));
+            }
+        }
+        labels_free(labels);
+    }
+    expect_law(late <= MOST_LATE, "hardly any place", "many places");
+}
+END_TEST
+
 START_TEST(words_that_name_no_place_are_where_there_is_room)
 {
     Drawing drawing = some_drawing();
@@ -348,6 +424,8 @@ static void list_tests(void)
     test(the_order_of_what_is_drawn_does_not_matter);
     test(the_same_drawing_has_the_same_labels);
     test(each_label_is_nearest_to_what_it_names);
+    test(places_come_by_their_costs_and_none_is_left_out);
+    test(a_cheaper_place_is_taken_if_no_other_label_is_there);
     test(words_that_name_no_place_are_where_there_is_room);
     test(nothing_to_place_and_what_is_not_finite_are_harmless);
     tests_of("labels_text_width");
