@@ -26,8 +26,14 @@ $(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LIST) .make/tool
 	$(Q)node $(BOOK_SOURCES)/site/make_pages.mjs . $(BOOK) build/book-exercises.txt '$(HAND_IN)'
 	@touch $@
 
+# What course and judge read: headers for what the compiler says, hints, blanks, layouts.
+BOOK_JUDGED := $(BOOK)/tree/files.json
+$(BOOK_JUDGED): $(wildcard common/*.h exercises/*.h exercises/*.hints common/figure/*.gp tests/judge/layouts/*.gp \
+		chapters/[0-9]*/figures/yours-and-right.gp) $(BLANKS) $(BOOK_PLAN) $(BOOK_SOURCES)/site/pack_texts.mjs
+	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs $(BOOK_PLAN),$^) plan=$(BOOK_PLAN) > $@
+
 # The list of files for the service worker is of all that is there, so it comes last.
-$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS)
+$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_JUDGE) $(BOOK_COURSE) $(BOOK_JUDGED)
 	$(Q)node $(BOOK_SOURCES)/site/bundle.mjs $(BOOK)
 
 book: $(BOOK)/service_worker.js ## the course as a site: build/book, for any static host (HAND_IN=address)

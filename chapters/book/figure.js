@@ -40,22 +40,28 @@ export async function loadFigures({gnuplot: module, finish, files}) {
     return result;
   }
 
+  /** A figure's script, drawn; pictures: the file of that name which its program wrote. */
+  function drawScript(script, {theme = 'light', shape = '16:9', step = 1000} = {}, pictures = '') {
+    const settings = `format='svg'; theme='${theme}'; shape='${shape}'; step=${step}; output='figure'; framed=1`;
+    const end = "set print 'words'; @say; set print 'steps'; print steps; unset print";
+    const drawn = gnuplot.run(['-d', '-e', settings, 'script.gp', '-e', end], {'script.gp': script},
+      ['figure.svg', 'words', 'steps']);
+    if (drawn.status !== 0 || drawn.files['figure.svg'] === undefined) throw new FigureError(`gnuplot: ${drawn.said}`);
+    const figure = run(finish, {args: ['finish_figure', 'figure.svg', 'words', 'pictures'],
+      files: {'figure.svg': drawn.files['figure.svg'], words: drawn.files.words, pictures}});
+    if (figure.status !== 0) throw new FigureError(figure.stderr || figure.trap);
+    const [title, , words] = drawn.files.words.split('\n');
+    return {svg: figure.stdout, title, words, steps: Number(drawn.files.steps)};
+  }
+
   return {
+    drawScript,
+
     /** @param {Wanted} wanted @returns {Drawn} */
     draw(wanted) {
-      const {theme = 'light', shape = '16:9', step = 1000, name} = wanted;
       const told = ask(wanted, ['--live', '.']);
-      const script = told.stdout, settings = `format='svg'; theme='${theme}'; shape='${shape}'; step=${step}; output='figure'; framed=1`;
-      const end = "set print 'words'; @say; set print 'steps'; print steps; unset print";
-      const drawn = gnuplot.run(['-d', '-e', settings, 'script.gp', '-e', end], {'script.gp': script},
-        ['figure.svg', 'words', 'steps']);
-      if (drawn.status !== 0 || drawn.files['figure.svg'] === undefined) throw new FigureError(`gnuplot: ${drawn.said}`);
-      const figure = run(finish, {args: ['finish_figure', 'figure.svg', 'words', 'pictures'],
-        files: {'figure.svg': drawn.files['figure.svg'], words: drawn.files.words, pictures: told.files.get('pictures') ?? ''}});
-      if (figure.status !== 0) throw new FigureError(figure.stderr || figure.trap);
-      const [title, , words] = drawn.files.words.split('\n');
       const live = JSON.parse(as_text(told.files.get('handles.json')) || '{"handles": []}');
-      return {svg: figure.stdout, title, words, steps: Number(drawn.files.steps), ...live, name};
+      return {...drawScript(told.stdout, wanted, told.files.get('pictures') ?? ''), ...live, name: wanted.name};
     },
 
     /**

@@ -106,6 +106,17 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
             $("bar").removeAttribute("value");
     }
 
+    /** How many letters a line of the verdict can have: the verdict is laid out for that, as for a terminal. */
+    function columns() {
+        const pre = document.createElement("pre"), letters = Object.assign(document.createElement("span"), { className: "measure", textContent: "0".repeat(100) });
+        pre.append(letters);
+        $("verdict").append(pre);
+        const { paddingLeft, paddingRight } = getComputedStyle(pre);
+        const room = pre.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight), letter = letters.getBoundingClientRect().width / 100;
+        pre.remove();
+        return Math.max(40, Math.min(80, Math.floor(room / letter)));
+    }
+
     /** The texts of all chapters: the program of a chapter calls the answers of earlier ones. */
     const sources = () => Object.fromEntries(course.stems.map((each) => [each, each === stem ? editor.text() : answers.text(each)]).filter(([, text]) => text !== null));
 
@@ -156,7 +167,7 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
         showProgress({ words: "Judging", done: 0, all: 0 });
         try {
             showTrouble("");
-            const question = { do: "judge", stem, sources: sources(), theme: themeNow() };
+            const question = { do: "judge", stem, sources: sources(), theme: themeNow(), columns: columns() };
             const verdict = await helper.ask(question, showProgress).catch((reason) => {
                 if (reason instanceof Stopped)
                     return helper.ask(question, showProgress); // once more, in a new worker

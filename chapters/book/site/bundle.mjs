@@ -14,6 +14,7 @@ for (const name of readdirSync(site).filter((each) => /^part-.*\.js$/.test(each)
 await build({
     entryPoints: { page: join(here, "../page/page.js"), worker: join(here, "../worker.js") },
     outdir: site, bundle: true, minify: true, splitting: true, format: "esm", target: "es2022", chunkNames: "part-[hash]", legalComments: "none", logLevel: "warning",
+    external: ["module", "fs", "path", "url"], // gnuplot's module asks for them in node, not in a page
 });
 
 /** Files that a page loads; the largest last. */
