@@ -109,6 +109,7 @@ book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(S
 
 include .make/toolkit/book_page.mk
 include .make/toolkit/book_figures.mk
+include .make/toolkit/book_compiler.mk
 
 # The rules of the other programs do not need these.
 -include $(if $(JUDGES_ONLY),,$(shell find $(WASM) -name '*.d' 2>/dev/null))

@@ -1,0 +1,165 @@
+// compiler.js - the C compiler of the page: clang and its linker, as WebAssembly.
+//
+// A text becomes a module in two runs of one program: 'clang -cc1' makes an object of it, 'wasm-ld' links that
+// object with the code that answers the judge's calls. The flags and everything that is linked are in the
+// pack, which make writes (compiler/write_pack.js).
+//
+// The compiler is cut down for size (compiler/cut.js). A run that enters a function which was cut away
+// traps; then the whole compiler is fetched, and that run is made again with it.
+import xz from 'xz-decompress';
+import {Files, Exit, trapOf, wasi} from './wasi.js';
+
+const SMALL = 'compiler/small.wasm.xz', WHOLE = 'compiler/whole.wasm.xz', PACK = 'compiler/pack.xz';
+
+/**
+ * A program that is started many times in one instance: each run begins with the memory that the program's
+ * constructors left, because making a fresh instance and running them takes as long as compiling an answer.
+ */
+export class Program {
+  constructor(module) { this.module = module; }
+
+  /** A fresh instance, and the memory that its constructors leave. */
+  begin() {
+    const calls = {};
+    for (const {module, name} of WebAssembly.Module.imports(this.module))
+      calls[name] = (...given) => this.calls[name](...given);
+    const {exports} = this.instance = new WebAssembly.Instance(this.module, {wasi_snapshot_preview1: calls});
+    this.stack = exports.stack.value;
+    // What _start does before it asks for its arguments is done first; the constructors need it.
+    const system = wasi({});
+    system.begin(this.instance);
+    const before = new Error('asked for the arguments');
+    this.calls = {...system.calls, args_sizes_get() { throw before; }};
+    try { exports._start(); } catch (error) { if (error !== before) throw error; }
+    exports.stack.value = this.stack;
+    this.calls = system.calls;
+    exports.constructors();
+    exports.stack.value = this.stack;
+    const memory = new Uint8Array(exports.memory.buffer);
+    let end = memory.length;
+    while (memory[end - 1] === 0) end--;
+    this.size = memory.length;
+    this.saved = memory.slice(this.stack, end); // the stack is below: it is left empty
+  }
+
+  /** As run in wasi.js. */
+  run({args, files}) {
+    if (!this.instance || this.instance.exports.memory.buffer.byteLength !== this.size) this.begin();
+    const {exports} = this.instance, memory = new Uint8Array(exports.memory.buffer);
+    memory.fill(0, 0, this.stack).set(this.saved, this.stack);
+    memory.fill(0, this.stack + this.saved.length);
+    exports.stack.value = this.stack;
+    const system = wasi({args, files}), result = {files};
+    system.begin(this.instance);
+    this.calls = system.calls;
+    try {
+      exports._start();
+      result.status = 0;
+    } catch (error) {
+      if (error instanceof Exit) result.status = error.status;
+      else result.trap = trapOf(error);
+    }
+    const text = stream => new TextDecoder().decode(stream.contents());
+    return {...result, stdout: text(system.stdout), stderr: text(system.stderr)};
+  }
+}
+
+/**
+ * The files of a pack: the length of a JSON text, that text {path: size}, and the files' bytes.
+ * @param {Uint8Array} bytes
+ * @returns {Map<string, Uint8Array>}
+ */
+export function unpack(bytes) {
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true), files = new Map();
+  let at = 4 + length;
+  for (const [path, size] of Object.entries(JSON.parse(new TextDecoder().decode(bytes.subarray(4, at))))) {
+    files.set(path, bytes.subarray(at, at + size));
+    at += size;
+  }
+  return files;
+}
+
+/**
+ * @param {{fetchBytes: (name: string) => Promise<Response|Uint8Array>, progress?: (done: number, all: number) => void}} given
+ *        fetchBytes: a file of the site; progress: compressed bytes, of the sizes that the pack's neighbours state
+ * @returns {Promise<Compiler>} ready for the first answer
+ */
+export async function load({fetchBytes, progress = () => {}}) {
+  const sizes = await new Response(body(await fetchBytes('compiler/sizes.json'))).json();
+  const all = sizes[SMALL] + sizes[PACK];
+  let done = 0;
+  const count = size => progress(done += size, all);
+  const opened = async (name, counted = () => {}) => {
+    const counting = new TransformStream({
+      transform(part, to) { counted(part.length); to.enqueue(part); },
+    });
+    return new xz.XzReadableStream(body(await fetchBytes(name)).pipeThrough(counting));
+  };
+  const compiled = async (name, counted) => WebAssembly.compileStreaming(
+    new Response(await opened(name, counted), {headers: {'content-type': 'application/wasm'}}));
+  // One after the other: the decoder has one state.
+  const pack = unpack(new Uint8Array(await new Response(await opened(PACK, count)).arrayBuffer()));
+  const small = new Program(await compiled(SMALL, count));
+  const compiler = new Compiler(pack, small, async () => new Program(await compiled(WHOLE)));
+  return compiler;
+}
+
+const body = answer => answer instanceof Response ? answer.body : new Response(answer).body;
+
+export class Compiler {
+  /** How often an answer needed the whole compiler, and how long the parts of the last compilation took. */
+  fallbacks = 0;
+  times = {};
+
+  constructor(pack, small, loadWhole) {
+    this.pack = pack;
+    this.small = small;
+    this.loadWhole = loadWhole;
+    this.flags = JSON.parse(new TextDecoder().decode(pack.get('flags.json')));
+  }
+
+  /** The run of the small compiler, or of the whole one if that traps. */
+  async run(args, files) {
+    const again = new Map(files), result = this.small.run({args, files: new Files(files)});
+    if (result.trap === undefined) return result;
+    this.fallbacks++;
+    this.whole ??= this.loadWhole();
+    return (await this.whole).run({args, files: new Files(again)});
+  }
+
+  /**
+   * Compiles and links an answer.
+   * @param {{stem: string, files: Object<string, string>}} given files: at least exercises/STEM.c
+   * @returns {Promise<{module: WebAssembly.Module|null, object?: Uint8Array, status: number, stage: 'compile'|'link',
+   *          messages: string}>} messages: what the compiler said, or the linker if that failed
+   */
+  async compile({stem, files}) {
+    const source = `exercises/${stem}.c`;
+    const start = performance.now();
+    const compiled = await this.run(['llvm', 'clang', '-cc1', ...this.flags.compile, '-main-file-name', `${stem}.c`,
+      '-o', 'answer.o', '-x', 'c', source], new Map([...this.pack, ...Object.entries(files)]));
+    this.times = {compile: performance.now() - start};
+    if (compiled.status !== 0)
+      return {module: null, ...failed(compiled, 'compile')};
+    const object = compiled.files.get('answer.o'), linked = await this.link(stem, object);
+    this.times.link = performance.now() - start - this.times.compile;
+    return linked.module ? {...linked, object, stage: 'compile', messages: compiled.stderr} : {...linked, object};
+  }
+
+  /**
+   * Links an object with what answers the judge's calls. Calls of an exercise, in the answer too, go through
+   * chapters/book/instead/calls_traced.c.
+   * @returns as compile
+   */
+  async link(stem, object) {
+    const names = new TextDecoder().decode(this.pack.get(`names/${stem}`)).split(/\s+/).filter(name => name !== '');
+    const words = this.flags.link.flatMap(word =>
+      word === 'WRAPS' ? names.map(name => `--wrap=${name}`) : [word.replace('STEM', stem)]);
+    const linked = await this.run(['llvm', 'wasm-ld', ...words], new Map([...this.pack, ['answer.o', object]]));
+    if (linked.status !== 0) return {module: null, ...failed(linked, 'link')};
+    return {module: await WebAssembly.compile(linked.files.get('answer.wasm')), status: 0, stage: 'link', messages: linked.stderr};
+  }
+}
+
+/** Messages are those of a run that ended, else how the compiler itself ended. */
+const failed = ({status = 1, stderr, trap}, stage) => ({status, stage, messages: trap ? `${stderr}the compiler ended: ${trap}\n` : stderr});

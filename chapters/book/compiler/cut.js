@@ -1,0 +1,160 @@
+// cut.js - makes a small compiler of a whole one.
+//
+// Most of clang is never entered while a file of these exercises is compiled. Here each function that is
+// not on a list becomes one that traps at once; all else stays as it is, so a cut compiler either does
+// what the whole one does, or traps, and then the whole one is asked (compiler.js).
+//
+// It also opens the door for compiler.js to keep the memory that the program's constructors leave, because
+// they take as long as compiling a small file: _start no longer calls them, and they are exported. The heap
+// begins with enough memory for an answer and its link, so that a run seldom needs more.
+
+const MEMORY = 5, EXPORTS = 7, CODE = 10;
+const PAGE = 1 << 16, MORE_PAGES = 240;
+const FUNCTION = 0, GLOBAL = 3;
+const CALL = 0x10, NOP = 0x01, BR_IF = 0x0d;
+const TRAP = [3, 0, 0x00, 0x0b]; // its size, no locals, unreachable, end
+
+/** The numbers of a module, one after another (LEB128). */
+class Reader {
+  constructor(bytes, at = 0) { this.bytes = bytes; this.at = at; }
+  number() {
+    let value = 0;
+    for (let unit = 1; ; unit *= 128) {
+      const byte = this.bytes[this.at++];
+      value += (byte & 127) * unit;
+      if (byte < 128) return value;
+    }
+  }
+}
+
+function number(value) {
+  const bytes = [];
+  for (; value > 127; value = Math.floor(value / 128)) bytes.push(value % 128 + 128);
+  return [...bytes, value];
+}
+
+function sections(bytes) {
+  const found = [];
+  for (const reader = new Reader(bytes, 8); reader.at < bytes.length;) {
+    const id = reader.bytes[reader.at++], size = reader.number();
+    found.push({id, from: reader.at, to: reader.at + size});
+    reader.at += size;
+  }
+  return found;
+}
+
+/** i32.const of an address: the linker writes it in five bytes. */
+function constant(address) {
+  const bytes = [0x41];
+  for (let i = 0; i < 4; i++) bytes.push(address >>> 7 * i & 127 | 128);
+  return [...bytes, address >>> 28];
+}
+
+function indexOf(bytes, wanted, from = 0) {
+  for (let at = bytes.indexOf(wanted[0], from); at >= 0; at = bytes.indexOf(wanted[0], at + 1))
+    if (wanted.every((byte, i) => bytes[at + i] === byte)) return at;
+  return -1;
+}
+
+const joined = parts => {
+  const bytes = new Uint8Array(parts.reduce((size, part) => size + part.length, 0));
+  let at = 0;
+  for (const part of parts) { bytes.set(part, at); at += part.length; }
+  return bytes;
+};
+
+const expected = (found, what) => {
+  if (!found) throw new Error(`the compiler is another than the one that is cut here: no ${what}`);
+  return found;
+};
+
+/**
+ * _start without the calls of the constructors, and without its question whether it has run before.
+ * @param {Uint8Array} body
+ * @param {number} argsSizes the number of the import args_sizes_get, which comes right after them
+ */
+function startAgain(body, argsSizes) {
+  const changed = body.slice();
+  let reader, at = 0, constructors = -1;
+  // i32.const 0, i32.load 2 flag, br_if 0
+  for (at = 0; at < 64; at++)
+    if (body[at] === 0x41 && body[at + 1] === 0 && body[at + 2] === 0x28 && body[at + 3] === 2) {
+      reader = new Reader(body, at + 4);
+      reader.number();
+      if (body[reader.at] === BR_IF) break;
+    }
+  expected(at < 64, 'question in _start whether it has run before');
+  changed.fill(NOP, at, reader.at + 2);
+  for (at = 64; at < body.length; at++) {
+    if (body[at] !== CALL || body[at + 5] > 127) continue;
+    reader = new Reader(body, at + 1);
+    const called = reader.number(), next = reader.at;
+    const follows = [...body.subarray(next, next + 20)].join();
+    if (follows.startsWith([0x20, 0, 0x41, 8, 0x6a, 0x20, 0, 0x41, 12, 0x6a, CALL, 128 + argsSizes].join())) {
+      changed.fill(NOP, at, next);
+      constructors = called;
+      break;
+    }
+  }
+  expected(constructors >= 0, 'call of the constructors before that of args_sizes_get');
+  return {body: changed, constructors};
+}
+
+/**
+ * @param {Uint8Array} bytes the whole compiler
+ * @param {(index: number) => boolean} isKept whether the function of that number, without the imported ones, stays
+ * @returns {Uint8Array}
+ */
+export function cut(bytes, isKept) {
+  const module = new WebAssembly.Module(bytes);
+  const imported = WebAssembly.Module.imports(module).filter(({kind}) => kind === 'function').map(({name}) => name);
+  const all = sections(bytes);
+  const exported = expected(all.find(({id}) => id === EXPORTS), 'exports');
+  let reader = new Reader(bytes, exported.from), start = -1;
+  for (let left = reader.number(); left > 0; left--) {
+    const length = reader.number(), name = new TextDecoder().decode(bytes.subarray(reader.at, reader.at + length));
+    reader.at += length;
+    const kind = bytes[reader.at++], index = reader.number();
+    if (kind === FUNCTION && name === '_start') start = index - imported.length;
+  }
+  // The memory at the start, and the constant from which malloc knows its end.
+  const memory = expected(all.find(({id}) => id === MEMORY), 'memory');
+  reader = new Reader(bytes, memory.from + 1);
+  const hasMost = bytes[reader.at++], pages = reader.number();
+  const larger = [1, hasMost, ...number(pages + MORE_PAGES), ...bytes.subarray(reader.at, memory.to)];
+  const end = constant(pages * PAGE), newEnd = constant((pages + MORE_PAGES) * PAGE);
+  let ends = 0;
+  const code = expected(all.find(({id}) => id === CODE), 'code');
+  reader = new Reader(bytes, code.from);
+  const count = reader.number(), bodies = [number(count)];
+  let constructors;
+  for (let i = 0; i < count; i++) {
+    const from = reader.at, size = reader.number(), body = reader.at;
+    reader.at += size;
+    if (i === start) {
+      const changed = startAgain(bytes.subarray(body, reader.at), imported.indexOf('args_sizes_get'));
+      constructors = changed.constructors;
+      bodies.push(number(changed.body.length), changed.body);
+    } else if (!isKept(i)) {
+      bodies.push(TRAP);
+    } else {
+      const kept = bytes.subarray(from, reader.at).slice();
+      let at = indexOf(kept, end);
+      if (at >= 0) ends++;
+      for (; at >= 0; at = indexOf(kept, end, at)) kept.set(newEnd, at);
+      bodies.push(kept);
+    }
+  }
+  expected(constructors !== undefined, '_start');
+  expected(ends === 1, 'one function that knows the end of the memory');
+  const words = name => [name.length, ...new TextEncoder().encode(name)];
+  const doors = [[...words('constructors'), FUNCTION, ...number(constructors)], [...words('stack'), GLOBAL, 0]].flat();
+  reader = new Reader(bytes, exported.from);
+  const exports = joined([number(reader.number() + 2), bytes.subarray(reader.at, exported.to), doors]);
+  const parts = [bytes.subarray(0, 8)];
+  for (const {id, from, to} of all) {
+    const contents = id === EXPORTS ? exports : id === MEMORY ? larger : id === CODE ? joined(bodies) : bytes.subarray(from, to);
+    parts.push([id], number(contents.length), contents);
+  }
+  return joined(parts);
+}

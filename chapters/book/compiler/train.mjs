@@ -1,0 +1,89 @@
+// train.mjs - which of the compiler's functions are entered when answers are compiled.
+//
+// It compiles and links C files as the page does, and each of them again with random slips, as a student makes
+// them, in a compiler whose functions note that they are entered (wasm-split --instrument). The functions that
+// were ever entered are written to kept.txt. Usage, in chapters/book (make book-train does all of it):
+//   node compiler/train.mjs INSTRUMENTED WHOLE PACK SLIPS FILE.c ... > compiler/kept.txt
+import {createHash} from 'node:crypto';
+import {readFileSync} from 'node:fs';
+import {Program, unpack} from '../compiler.js';
+import {Files} from '../wasi.js';
+import {keptText} from './kept.js';
+
+const [instrumented, whole, packed, slips, ...sources] = process.argv.slice(2);
+const pack = unpack(new Uint8Array(readFileSync(packed)));
+const flags = JSON.parse(new TextDecoder().decode(pack.get('flags.json')));
+
+/** Adds up what its instances have noted. */
+class NotingProgram extends Program {
+  entered = [];
+  begin() {
+    if (this.instance) this.note();
+    super.begin();
+  }
+  note() { // the profile: 8 bytes, then for each function when it was first entered, or 0
+    const {exports} = this.instance, pages = 16, at = exports.memory.grow(pages) << 16;
+    const size = exports.__write_profile(at, pages << 16);
+    new Uint32Array(exports.memory.buffer, at + 8, (size - 8) / 4).forEach((when, i) => { this.entered[i] |= when; });
+  }
+}
+const program = new NotingProgram(new WebAssembly.Module(readFileSync(instrumented)));
+
+let state = 2015;
+const random = most => {
+  state = Math.imul(state, 1664525) + 1013904223 >>> 0;
+  return Math.floor(state / 2 ** 32 * most);
+};
+
+const tokens = text => text.match(/\/\/[^\n]*|\/\*[^]*?\*\/|"(?:\\.|[^"\\\n])*"|[A-Za-z_]\w*|[\d.]+\w*|[-+*/%<>=!&|^]+|\s+|[^]/g);
+const others = ['int', 'double', ';', '(', ')', '{', '}', ',', '=', '==', '*', '&', '.', '->', 'vec3', 'x', 'i', '0', '1.5',
+  'return', 'if', 'else', 'for', 'while', 'sqrt', 'static', 'const', 'struct', '"text"', '!', '-', '+', '/', '%', '<', '&&', '[', ']',
+  'NULL', 'void', 'float', 'char', "'c'", '?', ':', 'sizeof', 'break', 'switch', 'case', 'printf', 'unsigned', '++', '+=', '#', '\\', '@'];
+
+/** A text with a slip of the pen. */
+function slipped(text) {
+  const all = tokens(text), count = 1 + (random(4) === 0);
+  for (let i = 0; i < count; i++) {
+    let at = random(all.length);
+    for (let tries = 0; tries < 20 && /^(\s|\/[/*])/.test(all[at]); tries++) at = random(all.length);
+    const token = all[at], other = random(all.length);
+    const how = random(8);
+    if (how <= 1) all[at] = '';
+    else if (how === 2) all[at] = token + token;
+    else if (how === 3) [all[at], all[other]] = [all[other], token];
+    else if (how === 4) all[at] = others[random(others.length)];
+    else if (how === 5) all[at] = `${others[random(others.length)]} ${token}`;
+    else if (how === 6) all[at] = token.slice(0, random(token.length)) + token.slice(1 + random(token.length));
+    else if (/^\w{2}/.test(token)) all[at] = random(2) ? token.toUpperCase() : `${token[1]}${token[0]}${token.slice(2)}`;
+    else all[at] = all[other];
+  }
+  return all.join('');
+}
+
+function compile(name, text) {
+  const files = new Files(pack);
+  files.put(name, text);
+  const compiled = program.run({args: ['llvm', 'clang', '-cc1', ...flags.compile, '-main-file-name', name.replace(/.*\//, ''),
+    '-o', 'answer.o', '-x', 'c', name], files});
+  if (compiled.status !== 0) return;
+  const linked = new Files(pack);
+  linked.put('answer.o', compiled.files.get('answer.o'));
+  const words = flags.link.filter(word => !/WRAPS|STEM|common|^--entry|^_init/.test(word));
+  for (const more of [['--no-entry'], ['--no-entry', '--allow-undefined', '--export-dynamic', '--wrap=discriminant']])
+    program.run({args: ['llvm', 'wasm-ld', ...words, ...more], files: linked});
+}
+
+const texts = sources.map(file => [file.replace(/^(\.\.\/)+/, ''), readFileSync(file, 'utf8')]);
+for (const [i, [name, text]] of texts.entries()) {
+  process.stderr.write(`\r${i + 1} of ${texts.length} files`);
+  compile(name, text);
+}
+for (let i = 0; i < Number(slips); i++) {
+  if (i % 20 === 0) process.stderr.write(`\r${i} of ${slips} slips   `);
+  const [name, text] = texts[i % texts.length];
+  compile(name, slipped(text));
+}
+process.stderr.write('\n');
+
+program.note();
+process.stdout.write(keptText(createHash('sha256').update(readFileSync(whole)).digest('hex'), program.entered));
