@@ -24,14 +24,14 @@ $(WASM_COMPILER)/include/stddef.h: $(BOOK_PACKAGES)
 		$(foreach name,__std* __float* float iso646 limits stdalign stdarg stdatomic stdbool std[cdin]* tgmath inttypes,'include/$(name).h')
 WASM_LIBC = $(eval WASM_LIBC := $$(shell $(WASM_CC) -print-file-name=libc.a))$(WASM_LIBC)
 WASM_LIBRARIES := libc.a libm.a crt1-command.o crt1-reactor.o $(WASM_EMULATED:%=libwasi-emulated-%.a)
-PACKED = common/=common exercises/=exercises include/=$(subst /lib/,/include/,$(dir $(WASM_LIBC))) \
+PACKED = weak.h=$(B)/weak.h common/=common exercises/=exercises include/=$(subst /lib/,/include/,$(dir $(WASM_LIBC))) \
 	clang/include/=$(WASM_COMPILER)/include \
 	$(foreach name,$(WASM_LIBRARIES),lib/$(name)=$(dir $(WASM_LIBC))$(name)) \
 	lib/builtins.a=$(shell $(WASM_CC) -print-libgcc-file-name) \
 	$(foreach o,$(ANSWERING_LINKS),link/$(notdir $(o))=$(o) names/$(basename $(notdir $(o)))=$(WASM)/names/$(basename $(notdir $(o)))) \
 	$(if $(ANSWERING_LINKS),lib/common.a=$(WASM)/common.a)
 $(WASM_COMPILER)/pack: $(COMPILER)/flags.json $(COMPILER)/write_pack.js $(WASM_COMPILER)/include/stddef.h \
-		$(wildcard common/*.h exercises/*.h) $(ANSWERING_LINKS) $(if $(ANSWERING_LINKS),$(STEMS:%=$(WASM)/names/%) $(WASM)/common.a)
+		$(B)/weak.h $(wildcard common/*.h exercises/*.h) $(ANSWERING_LINKS) $(if $(ANSWERING_LINKS),$(STEMS:%=$(WASM)/names/%) $(WASM)/common.a)
 	$(call say,pack,headers and libraries)
 	$(Q)node $(COMPILER)/write_pack.js $@ $< $(PACKED)
 

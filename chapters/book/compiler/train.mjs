@@ -6,13 +6,11 @@
 //   node compiler/train.mjs INSTRUMENTED WHOLE PACK SLIPS FILE.c ... > compiler/kept.txt
 import {createHash} from 'node:crypto';
 import {readFileSync} from 'node:fs';
-import {Program, unpack} from '../compiler.js';
-import {Files} from '../wasi.js';
+import {Compiler, Program, unpack} from '../compiler.js';
 import {keptText} from './kept.js';
 
 const [instrumented, whole, packed, slips, ...sources] = process.argv.slice(2);
 const pack = unpack(new Uint8Array(readFileSync(packed)));
-const flags = JSON.parse(new TextDecoder().decode(pack.get('flags.json')));
 
 /** Adds up what its instances have noted. */
 class NotingProgram extends Program {
@@ -28,6 +26,7 @@ class NotingProgram extends Program {
   }
 }
 const program = new NotingProgram(new WebAssembly.Module(readFileSync(instrumented)));
+const compiler = new Compiler(pack, program);
 
 let state = 2015;
 const random = most => {
@@ -60,28 +59,21 @@ function slipped(text) {
   return all.join('');
 }
 
-function compile(name, text) {
-  const files = new Files(pack);
-  files.put(name, text);
-  const compiled = program.run({args: ['llvm', 'clang', '-cc1', ...flags.compile, '-main-file-name', name.replace(/.*\//, ''),
-    '-o', 'answer.o', '-x', 'c', name], files});
-  if (compiled.status !== 0) return;
-  const linked = new Files(pack);
-  linked.put('answer.o', compiled.files.get('answer.o'));
-  const words = flags.link.filter(word => !/WRAPS|STEM|common|^--entry|^_init/.test(word));
-  for (const more of [['--no-entry'], ['--no-entry', '--allow-undefined', '--export-dynamic', '--wrap=discriminant']])
-    program.run({args: ['llvm', 'wasm-ld', ...words, ...more], files: linked});
+/** As the page does it; a text that is no answer of a chapter is compiled as one, which the linker then says. */
+async function compile(name, text) {
+  const stem = name.match(/0[1-7]-[a-z-]+/)?.[0] ?? '05-quadratic';
+  await compiler.compile({stem, files: {[`exercises/${stem}.c`]: text}});
 }
 
 const texts = sources.map(file => [file.replace(/^(\.\.\/)+/, ''), readFileSync(file, 'utf8')]);
 for (const [i, [name, text]] of texts.entries()) {
   process.stderr.write(`\r${i + 1} of ${texts.length} files`);
-  compile(name, text);
+  await compile(name, text);
 }
 for (let i = 0; i < Number(slips); i++) {
   if (i % 20 === 0) process.stderr.write(`\r${i} of ${slips} slips   `);
   const [name, text] = texts[i % texts.length];
-  compile(name, slipped(text));
+  await compile(name, slipped(text));
 }
 process.stderr.write('\n');
 
