@@ -5,10 +5,11 @@
 import { createHash } from "node:crypto";
 import { readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { join, relative } from "node:path";
+import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const [site] = process.argv.slice(2);
-const here = import.meta.dirname;
+const here = fileURLToPath(new URL(".", import.meta.url)); // node 18 has no import.meta.dirname
 for (const name of readdirSync(site).filter((each) => /^part-.*\.js$/.test(each)))
     rmSync(join(site, name));
 await build({

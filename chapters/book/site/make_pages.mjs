@@ -260,4 +260,4 @@ const serif = packageFolder("@fontsource/source-serif-4");
 for (const kind of ["400-normal", "400-italic", "600-normal"])
     copyFileSync(join(serif, `files/source-serif-4-latin-${kind}.woff2`), join(site, "fonts", `source-serif-${kind}.woff2`));
 for (const name of ["style.css", "editor.css", "theme.js", "icon.svg"])
-    copyFileSync(join(import.meta.dirname, "../page", name), join(site, name));
+    copyFileSync(new URL(`../page/${name}`, import.meta.url), join(site, name));
