@@ -57,7 +57,7 @@ export class Program {
       result.status = 0;
     } catch (error) {
       if (error instanceof Exit) result.status = error.status;
-      else result.trap = trapOf(error);
+      else Object.assign(result, {trap: trapOf(error), error});
     }
     const text = stream => new TextDecoder().decode(stream.contents());
     return {...result, stdout: text(system.stdout), stderr: text(system.stderr)};

@@ -3,7 +3,8 @@
 #
 # For each suite of Debian: a bare system (debootstrap --variant=minbase) with git, make, gcc and libc6-dev,
 # a clone of the last commit in it, 'make setup all', 'make check'. FOR=lecturer: the commands of the
-# lecturer's page instead, 'make setup FOR=lecturer', 'make slides', 'make animations'. Needs root,
+# lecturer's page instead, 'make setup FOR=lecturer', 'make slides', 'make animations'; FOR=book: 'make setup FOR=book',
+# 'make book'. Needs root,
 # debootstrap and the network, 2 GB of disk and half an hour for each; for that reason no other test runs it.
 # The output is kept in build/fresh/SUITE.log. MIRROR: where the packages are from; CACHE: a folder that keeps
 # them for the next time.
@@ -16,8 +17,9 @@ MIRROR=${MIRROR:-http://deb.debian.org/debian}
 case ${FOR:-} in
 '') goals='setup all,check' ;;
 lecturer) goals='setup FOR=lecturer,slides,animations' ;;
+book) goals='setup FOR=book,book' ;;
 *)
-    echo "FOR=$FOR: expected lecturer, or nothing" >&2
+    echo "FOR=$FOR: expected lecturer, book, or nothing" >&2
     exit 2
     ;;
 esac
