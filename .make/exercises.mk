@@ -80,6 +80,15 @@ $(B)/%.pic.o: %.c $(B)/flags.mk
 	$(Q)$(COMPILE) -fPIC -o $@ $<
 FOR_SHARED = $(if $(SHARED),$(patsubst %,$(B)/answering/%.names,$(1)) $(LENT_SHARED))
 
+# Half of the time to compile a short answer is spent reading <math.h>, which most contracts include: gcc finds
+# those precompiled, ahead of -I. (the answers' names are made weak there, because nothing may come before).
+PRECOMPILED := $(if $(IS_CLANG),,$(STEMS:%=$(B)/precompiled/exercises/%.h))
+$(PRECOMPILED): $(B)/precompiled/%: % $(wildcard common/*.h) $(B)/weak.h $(B)/flags.mk
+	$(Q)mkdir -p $(@D) && rm -f $@.gch
+	$(Q)printf '%s\n' '#include "$(B)/weak.h"' '#include_next "$<"' > $@
+	$(Q)if [ "$$($(CC) $(LANGUAGE) -E $< | wc -c)" -gt 20000 ]; then $(COMPILE_QUICKLY) -x c-header -o $@.gch $@ 2>/dev/null || true; fi
+COMPILE_QUICKLY = $(CC) -pipe $(QUICK_FLAGS) $(if $(SHARED),-fPIC)
+
 # The program that judges answers and prints verdicts (tests/course/course.c), and its plan.
 COURSE := $(B)/course
 $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o $(B)/common.a
@@ -105,7 +114,8 @@ $(PLAN): $(ANY_OBJECT) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/f
 	@directly=$$($(LINK) $(QUICK) -### -o NAME $(ANY_OBJECT) -lm 2>&1 | $(as_linker)); \
 	printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
 		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'draw	$(DRAW_FIGURES) --one' 'blanks	build/blanks' \
-		'compile	$(CC) -pipe $(QUICK_FLAGS) $(if $(SHARED),-fPIC) -include $(B)/weak.h -c' \
+		'compile	$(COMPILE_QUICKLY) -include $(B)/weak.h -c' \
+		$(if $(PRECOMPILED),'compile early	$(subst -I.,-I$(B)/precompiled -I.,$(COMPILE_QUICKLY)) -c') \
 		'link	$(LINK)' 'quick	$(QUICK)' \
 		$(if $(value stands_on),'hide	$(HIDE_HELPERS)','lend	-Wl$(comma)--defsym=NAME=lent_NAME') \
 		'drawing	$(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(B)/common.a' \
@@ -118,7 +128,7 @@ $(PLAN): $(ANY_OBJECT) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/f
 	@mv $@.new $@
 # All that course uses.
 FOR_JUDGING = $(COURSE) $(PLAN) $(DRAW_FIGURES) $(B)/weak.h $(B)/exercises.names $(BLANKS) $(JUDGES_LAYOUTS) \
-	$(FOR_PICTURES) $(JUDGE) $(FOR_SHARED) $(foreach s,$(1),$(filter-out $(VERDICT)/%,$(call answering,$(s))))
+	$(FOR_PICTURES) $(JUDGE) $(FOR_SHARED) $(filter $(1:%=$(B)/precompiled/exercises/%.h),$(PRECOMPILED)) $(foreach s,$(1),$(filter-out $(VERDICT)/%,$(call answering,$(s))))
 USED_WITH = $(if $(value stands_on),$(STEMS),$(1))
 # 'make all' already builds everything that the first verdict needs, so nobody waits for it.
 FOR_EXERCISES = $(call FOR_JUDGING,$(STEMS))

@@ -160,17 +160,34 @@ static int give_up(const Judging *judging, int chapter, const char *hash, const 
     return end_record(judging, chapter, hash, out);
 }
 
-static int compile_file(const JudgingPlan *plan, int chapter, const char *source, const char *said)
+static int compile_by(const char *compiler, const char *object, const char *source,
+                      const char *said)
 {
-    PlanPath object = plan_file(plan, chapter, "answer.o");
     Command command = {.count = 0};
-    command_words(&command, plan->compile);
+    command_words(&command, compiler);
     command_add(&command, "-o");
-    command_add(&command, object.s);
+    command_add(&command, object);
     command_add(&command, source);
     int status = program_run(&command, said);
     command_free(&command);
     return status;
+}
+
+// The words of the compiler differ if its precompiled contracts are named; then, and if it fails,
+// it starts again without them.
+static int compile_file(const JudgingPlan *plan, int chapter, const char *source, const char *said)
+{
+    PlanPath object = plan_file(plan, chapter, "answer.o");
+    size_t size;
+    if (plan->compile_early[0] != '\0' &&
+        compile_by(plan->compile_early, object.s, source, said) == 0) {
+        char *words = whole_text(said, &size);
+        bool is_named = words == NULL || strstr(words, "precompiled/") != NULL;
+        free(words);
+        if (!is_named)
+            return 0;
+    }
+    return compile_by(plan->compile, object.s, source, said);
 }
 
 // Helpers of two chapters may have one name.

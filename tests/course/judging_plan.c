@@ -31,6 +31,7 @@ bool plan_read(const char *path, JudgingPlan *plan)
         {"blanks", &plan->blanks, true},
         {"compile", &plan->compile, true},
         {"link", &plan->link, true},
+        {"compile early", &plan->compile_early, false},
         {"hide", &plan->hide, false},
         {"quick", &plan->quick, false},
         {"lend", &plan->lend, false},

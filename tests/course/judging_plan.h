@@ -12,6 +12,8 @@
 //     draw        the command that draws one: DRAW FIGURES NAME
 //     blanks      the folder of the blanks, for answers that are not there
 //     compile     the command that compiles an answer: COMPILE -o STEM/answer.o ANSWER
+//     compile early
+//                 the same with precompiled contracts, from a folder 'precompiled'; or none
 //     hide        a command that hides all but the exercises: HIDE STEM/answer.o; or none
 //     link        the command that links an answering process:
 //                 LINK [QUICK] -o STEM/answering STEM/answer.o OBJECTS -lm
@@ -56,7 +58,7 @@ typedef struct {
     const char *answers, *built, *verdict, *figures, *draw, *blanks;
     const char *compile, *hide, *link, *quick, *lend, *judge, *used;
     const char *reference, *drawing, *spheres, *libraries, *directly;
-    const char *shared, *loading, *lend_shared, *lent;
+    const char *compile_early, *shared, *loading, *lend_shared, *lent;
     int count;
     PlannedChapter chapters[MOST_CHAPTERS];
 } JudgingPlan;

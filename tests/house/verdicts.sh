@@ -147,6 +147,22 @@ lists_commands() {
 if command -v gdb >/dev/null; then
     check 'debug lists the commands of gdb' lists_commands
 fi
+# What makes a verdict come sooner is not seen in it. Answers are linked as shared objects, unless the linker
+# would say something; and the compiler's words name the contract, not the precompiled one.
+fresh
+course exercises EX=01
+if [ -e "build/answering/01-corners" ]; then
+    check 'an ordinary answer is a shared object' test -e "build$answers/verdict/01-corners/answer.so"
+fi
+echo 'int main(void) { return 0; }' >>"$answers/01-corners.c"
+course exercises EX=01
+check 'a second main is the linker'\''s matter' says 'main'
+check 'and not right' says_not '01-corners is right'
+fresh
+sed -i.bak 's/^vec3 upper_left(Camera c)/vec3 upper_left(Camera c, int d)/' "$answers/01-corners.c"
+course exercises EX=01
+check 'the contract is named' says 'exercises/01-corners.h'
+check 'not the precompiled one' says_not 'precompiled'
 # From the saved answer to its verdict; the time for its picture comes afterwards.
 starts_few_programs() {
     fresh
