@@ -94,19 +94,55 @@ $(STEMS:%=$(WASM)/names/%): $(WASM)/names/%: $(B)/answer_names/%
 	$(Q)mkdir -p $(@D)
 	$(Q)sed 's/ .*//' $< > $@
 
+# What the pictures of an answer are linked with, an object each: what draws them, the chapters' programs, the
+# reference as answer_NAME, and for each exercise one that puts this in the place of NAME.
+PICTURE_LINKS := $(BOOK)/link/drawing.o $(BOOK_STEMS:%=$(BOOK)/link/%-program.o) $(BOOK_STEMS:%=$(BOOK)/link/%-right.o)
+WASM_DRAW := $(WASM)/tests/course/pictures/draw.o
+$(WASM_DRAW): WASM_EXTRA = -include $(B)/weak.h
+$(WASM_DRAW): $(B)/weak.h
+$(BOOK)/link/drawing.o: $(WASM_DRAW) $(WASM)/$(INSTEAD)/steps.o
+$(BOOK_STEMS:%=$(BOOK)/link/%-program.o): $(BOOK)/link/%-program.o: $$(call wasm_program,$$*) $(WASM)/$(INSTEAD)/steps.o
+$(BOOK)/link/drawing.o $(BOOK_STEMS:%=$(BOOK)/link/%-program.o):
+	$(call say,wasm,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)wasm-ld -r -o $@ $^
+$(BOOK_STEMS:%=$(WASM)/right/%.h): $(WASM)/right/%.h: tests/judge/reference/rename.def tests/exercises.def
+	$(Q)mkdir -p $(@D)
+	$(Q)$(call renamed,$(call answered,$*),answer_) > $@
+$(BOOK_STEMS:%=$(BOOK)/link/%-right.o): $(BOOK)/link/%-right.o: solutions/%.c $(WASM)/right/%.h
+	$(call say,wasm,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_COMPILE) -MF $(WASM)/right/$*.d -include $(WASM)/right/$*.h -o $@ $<
+REFERENCE_LINKS := $(BOOK)/link/reference
+$(REFERENCE_LINKS)/made: $(INSTEAD)/reference_instead.c tests/exercises.def $(foreach s,$(BOOK_STEMS),$(WASM)/names/$(s))
+	$(call say,wasm,$(@D))
+	$(Q)mkdir -p $(@D)
+	$(Q)for name in $$(cat $(filter $(WASM)/names/%,$^)); do \
+		$(WASM_CC) $(WASM_LANGUAGE) -DWANTED_$$name='~, ~' -Os -c -o $(@D)/$$name.o $< || exit 1; done
+	$(Q)touch $@
+# The colours that the pictures of the first chapters are given: a picture that page programs can read.
+BOOK_SPHERES := $(BOOK)/link/spheres.png
+$(BOOK_SPHERES): $(SPHERES) $(BOOK)/programs/07-shading.wasm chapters/book/run_program.mjs
+	$(call say,record,$@)
+	$(Q)node chapters/book/run_program.mjs $(BOOK)/programs/07-shading.wasm -o $@ $<
+
 # How course judges in a page: its commands are the page's (judge.js), its paths those of the terminal.
 BOOK_PLAN := $(BOOK)/tree/plan
 $(BOOK_PLAN): .make/toolkit/book.mk
 	$(Q)mkdir -p $(@D)
 	$(Q)printf '%s\n' 'answers	exercises' 'built	build/exercises' 'verdict	build/exercises/verdict' \
 		'figures	build/exercises/figures' 'draw	draw --one' 'blanks	build/blanks' 'compile	compile' 'link	link' \
-		'lend	--lend=NAME' 'drawing	drawing.o' 'spheres	spheres.nff spheres.png' 'judge	judge' \
-		$(foreach s,$(BOOK_STEMS),'chapter	$(s)' 'objects	$(s).o' 'program	$(s)-program.o') > $@
+		'lend	--lend=NAME' 'drawing	link/drawing.o' 'spheres	$(SPHERES) link/spheres.png' 'judge	judge' \
+		'reference	link/reference/NAME.o' 'libraries	link/common.a' \
+		$(foreach s,$(STEMS),'chapter	$(s)' 'objects	link/$(s).o' $(if $(filter $(s),$(BOOK_STEMS)),'right	link/$(s)-right.o' \
+			'program	link/$(s)-program.o link/shared.a')) > $@
 
 book-programs: $(BOOK_PROGRAMS)
-book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(STEMS:%=$(WASM)/names/%) $(BOOK_PLAN)
+book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(STEMS:%=$(WASM)/names/%) $(BOOK_PLAN) \
+	$(PICTURE_LINKS) $(REFERENCE_LINKS)/made $(BOOK_SPHERES) $(WASM)/shared.a
 .PHONY: book-programs book-judge
 
+include .make/toolkit/book_verdicts.mk
 include .make/toolkit/book_page.mk
 include .make/toolkit/book_figures.mk
 include .make/toolkit/book_compiler.mk

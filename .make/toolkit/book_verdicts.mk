@@ -1,0 +1,35 @@
+# book_verdicts.mk - the same verdicts in the page as in the terminal: a test over all known answers. Included by
+# book.mk.
+#
+# What a known answer is linked with, in the terminal (KNOWN) and for the page (WASM_KNOWN), an object a chapter
+# (tests/proof/book/known_answers.h).
+KNOWN := $(B)/known
+WASM_KNOWN := $(WASM)/known
+KNOWN_PARTS := $(patsubst %,$(B)/tests/%.o,proof/book/known_answers judge/stem)
+known_tables = $(foreach kind,mistakes variants unknown support laws,$(call parts,tests/$(1)/$(kind))) $(B)/tests/$(1).o
+by_number = -DANSWERED=$(call answered,$(1)) '-DSOLUTION="solutions/$(1).c"' -include $(B)/weak.h
+KNOWN_TWO := tests/proof/book/answer_by_number.c tests/proof/book/reference_answers.c
+$(BOOK_STEMS:%=$(KNOWN)/%.o): $(KNOWN)/%.o: $(KNOWN_TWO) $(B)/weak.h $(KNOWN_PARTS) $(REFERENCES) \
+		$$(call parts,tests/$$*/mistakes) $$(call parts,tests/$$*/variants) $$(call parts,tests/$$*/unknown)
+	$(call say,compile,known answers of $*)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(CC) $(LANGUAGE) -O0 -w -finstrument-functions $(call by_number,$*) -c -o $(@D)/$*-number.o $(word 1,$^)
+	$(Q)$(CC) $(LANGUAGE) -O0 -w $(call by_number,$*) -c -o $(@D)/$*-reference.o $(word 2,$^)
+	$(Q)ld -r -o $@ $(@D)/$*-number.o $(@D)/$*-reference.o $(filter-out $(B)/weak.h,$(wordlist 3,999,$^))
+$(BOOK_STEMS:%=$(WASM_KNOWN)/%.o): $(WASM_KNOWN)/%.o: $(KNOWN_TWO) $(B)/weak.h $(call wasm_of,$(KNOWN_PARTS)) $(WASM_REFERENCES) \
+		$$(call wasm_of,$$(call parts,tests/$$*/mistakes) $$(call parts,tests/$$*/variants) $$(call parts,tests/$$*/unknown))
+	$(call say,wasm,known answers of $*)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_CC) $(WASM_LANGUAGE) -O0 -w $(call by_number,$*) -c -o $(@D)/$*-number.o $(word 1,$^)
+	$(Q)$(WASM_CC) $(WASM_LANGUAGE) -O0 -w $(call by_number,$*) -c -o $(@D)/$*-reference.o $(word 2,$^)
+	$(Q)wasm-ld -r -o $@ $(@D)/$*-number.o $(@D)/$*-reference.o $(filter-out $(B)/weak.h,$(wordlist 3,999,$^))
+LIST_KNOWN := $(B)/tests/proof/book/list_known
+$(LIST_KNOWN): $(LIST_KNOWN).o $(KNOWN_PARTS) $(foreach kind,mistakes variants unknown,$(call known,$(kind))) $(REFERENCES) \
+		$(patsubst %,$(B)/tests/judge/%.o,exercise types) $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+
+check-book-verdicts: book-judge book-programs $(LIST_KNOWN) $(BOOK_STEMS:%=$(KNOWN)/%.o) $(BOOK_STEMS:%=$(WASM_KNOWN)/%.o) \
+		$(call FOR_JUDGING,$(STEMS)) ## the page's verdicts against the terminal's (COUNT=... of them, SEED=...)
+	@COUNT='$(COUNT)' CC='$(CC)' node tests/proof/book/verdicts.mjs '$(B)' '$(WASM)' '$(BOOK)' $(if $(EX),$(CHOSEN),$(BOOK_STEMS))
+.PHONY: check-book-verdicts
