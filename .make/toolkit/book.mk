@@ -72,7 +72,7 @@ $(BOOK_COURSE): $(call wasm_of,$(B)/tests/course/course.o $(COURSE_PARTS) $(B)/t
 	$(wasm_link)
 
 # What an answer is linked with: one object for each chapter, and common.a.
-ANSWERING_LINKS := $(STEMS:%=$(BOOK)/link/%.o)
+ANSWERING_LINKS := $(STEMS:%=$(WASM)/link/%.o)
 WASM_WRAPS := $(STEMS:%=$(WASM)/wraps/%.o)
 WASM_DISPATCHES := $(STEMS:%=$(WASM)/dispatch/%.o)
 define wasm_for_chapter
@@ -83,7 +83,7 @@ $(WASM_WRAPS): $(WASM)/wraps/%.o: $(INSTEAD)/calls_traced.c .make/toolkit/book.m
 	$(wasm_for_chapter)
 $(WASM_DISPATCHES): $(WASM)/dispatch/%.o: tests/judge/dispatch.c .make/toolkit/book.mk
 	$(wasm_for_chapter)
-$(ANSWERING_LINKS): $(BOOK)/link/%.o: $(WASM)/wraps/%.o $(WASM)/dispatch/%.o $(call wasm_of,$(CALLING) $(lent)) \
+$(ANSWERING_LINKS): $(WASM)/link/%.o: $(WASM)/wraps/%.o $(WASM)/dispatch/%.o $(call wasm_of,$(CALLING) $(lent)) \
 		$(patsubst %,$(WASM)/%.o,$(INSTEAD)/answering $(INSTEAD)/steps tests/judge/answer_calls) \
 		$$(addsuffix .o,$$(addprefix $(WASM)/solutions/,$$(call earlier,$$*)))
 	$(call say,wasm,$@)
@@ -96,24 +96,24 @@ $(STEMS:%=$(WASM)/names/%): $(WASM)/names/%: $(B)/answer_names/%
 
 # What the pictures of an answer are linked with, an object each: what draws them, the chapters' programs, the
 # reference as answer_NAME, and for each exercise one that puts this in the place of NAME.
-PICTURE_LINKS := $(BOOK)/link/drawing.o $(BOOK_STEMS:%=$(BOOK)/link/%-program.o) $(BOOK_STEMS:%=$(BOOK)/link/%-right.o)
+PICTURE_LINKS := $(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o) $(BOOK_STEMS:%=$(WASM)/link/%-right.o)
 WASM_DRAW := $(WASM)/tests/course/pictures/draw.o
 $(WASM_DRAW): WASM_EXTRA = -include $(B)/weak.h
 $(WASM_DRAW): $(B)/weak.h
-$(BOOK)/link/drawing.o: $(WASM_DRAW) $(WASM)/$(INSTEAD)/steps.o
-$(BOOK_STEMS:%=$(BOOK)/link/%-program.o): $(BOOK)/link/%-program.o: $$(call wasm_program,$$*) $(WASM)/$(INSTEAD)/steps.o
-$(BOOK)/link/drawing.o $(BOOK_STEMS:%=$(BOOK)/link/%-program.o):
+$(WASM)/link/drawing.o: $(WASM_DRAW) $(WASM)/$(INSTEAD)/steps.o
+$(BOOK_STEMS:%=$(WASM)/link/%-program.o): $(WASM)/link/%-program.o: $$(call wasm_program,$$*) $(WASM)/$(INSTEAD)/steps.o
+$(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o):
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)wasm-ld -r -o $@ $^
 $(BOOK_STEMS:%=$(WASM)/right/%.h): $(WASM)/right/%.h: tests/judge/reference/rename.def tests/exercises.def
 	$(Q)mkdir -p $(@D)
 	$(Q)$(call renamed,$(call answered,$*),answer_) > $@
-$(BOOK_STEMS:%=$(BOOK)/link/%-right.o): $(BOOK)/link/%-right.o: solutions/%.c $(WASM)/right/%.h
+$(BOOK_STEMS:%=$(WASM)/link/%-right.o): $(WASM)/link/%-right.o: solutions/%.c $(WASM)/right/%.h
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -MF $(WASM)/right/$*.d -include $(WASM)/right/$*.h -o $@ $<
-REFERENCE_LINKS := $(BOOK)/link/reference
+REFERENCE_LINKS := $(WASM)/link/reference
 $(REFERENCE_LINKS)/made: $(INSTEAD)/reference_instead.c tests/exercises.def $(foreach s,$(BOOK_STEMS),$(WASM)/names/$(s))
 	$(call say,wasm,$(@D))
 	$(Q)mkdir -p $(@D)
@@ -121,10 +121,19 @@ $(REFERENCE_LINKS)/made: $(INSTEAD)/reference_instead.c tests/exercises.def $(fo
 		$(WASM_CC) $(WASM_LANGUAGE) -DWANTED_$$name='~, ~' -Os -c -o $(@D)/$$name.o $< || exit 1; done
 	$(Q)touch $@
 # The colours that the pictures of the first chapters are given: a picture that page programs can read.
-BOOK_SPHERES := $(BOOK)/link/spheres.png
+BOOK_SPHERES := $(WASM)/link/spheres.png
 $(BOOK_SPHERES): $(SPHERES) $(BOOK)/programs/07-shading.wasm chapters/book/run_program.mjs
 	$(call say,record,$@)
 	$(Q)node chapters/book/run_program.mjs $(BOOK)/programs/07-shading.wasm -o $@ $<
+
+# All of that in one file, which is fetched when the first picture is drawn. Paths as in the plan.
+BOOK_PICTURES := $(BOOK)/pictures.pack.gz
+$(BOOK_PICTURES): $(PICTURE_LINKS) $(REFERENCE_LINKS)/made $(BOOK_SPHERES) $(WASM)/shared.a $(SPHERES) $(wildcard chapters/[0-9]*/*.nff)
+	$(call say,pack,$@)
+	$(Q)node chapters/book/compiler/write_pack.js $(WASM)/pictures.pack chapters/book/compiler/flags.json \
+		$$(for f in $(REFERENCE_LINKS)/*.o; do echo link/reference/$${f##*/}=$$f; done) $(foreach f,$(PICTURE_LINKS) $(BOOK_SPHERES) $(WASM)/shared.a,link/$(notdir $(f))=$(f)) \
+		$(foreach f,$(filter %.nff,$^),$(f)=$(f))
+	$(Q)gzip -9nc $(WASM)/pictures.pack > $@
 
 # How course judges in a page: its commands are the page's (judge.js), its paths those of the terminal.
 BOOK_PLAN := $(BOOK)/tree/plan
@@ -139,7 +148,7 @@ $(BOOK_PLAN): .make/toolkit/book.mk
 
 book-programs: $(BOOK_PROGRAMS)
 book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(STEMS:%=$(WASM)/names/%) $(BOOK_PLAN) \
-	$(PICTURE_LINKS) $(REFERENCE_LINKS)/made $(BOOK_SPHERES) $(WASM)/shared.a
+	$(BOOK_PICTURES)
 .PHONY: book-programs book-judge
 
 include .make/toolkit/book_verdicts.mk

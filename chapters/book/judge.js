@@ -13,6 +13,10 @@ const TRAPS = {steps: STEPS, unreachable: 3, divide: 4, stack: 5, memory: 6, oth
 
 class PrintedTooMuch extends Error {}
 const LEFT = Symbol('a test was left');
+/** A picture waits for a link, which may take a while. */
+class NeedsLink extends Error {
+  constructor(words) { super('a link'); this.words = words; }
+}
 
 /** Bytes on their way from one instance to the other. */
 class Pipe {
@@ -134,6 +138,7 @@ function runJudge(module, words, files, answerOf) {
 export function createJudge({modules, files: given, compile, link}) {
   const files = new Files(given);
   const made = new Map(); // what link has made: {module, lent}
+  const links = new Map(); // of pictures, by the words of their commands
   let compiled = {}; // by stem, if the answers were compiled before
 
   const option = (words, name) => words[words.indexOf(name) + 1];
@@ -159,7 +164,8 @@ export function createJudge({modules, files: given, compile, link}) {
         made.set(output, {module: known.module, lent});
         return {status: 0, said: ''};
       }
-      const linked = link ? link(words.filter(w => !w.startsWith('--lend=')), files) : {status: 127, said: 'no linker\n'};
+      const linked = isAnswer || link ? link(words.filter(w => !w.startsWith('--lend=')), files) : links.get(words.join(' '));
+      if (!linked) throw new NeedsLink(words);
       if (linked.module) made.set(output, {module: linked.module, lent});
       return linked;
     },
@@ -191,15 +197,21 @@ export function createJudge({modules, files: given, compile, link}) {
       program_exists: name => Number(string(name) === 'gnuplot'),
     }});
     system.begin(instance);
-    let status = 0;
+    let status = 0, needs;
+    const marks = new Set(marksNow());
     try {
       instance.exports._start();
     } catch (error) {
-      if (!(error instanceof Exit)) throw error;
-      status = error.status;
+      if (error instanceof NeedsLink) {
+        needs = error.words;
+        for (const mark of marksNow()) marks.has(mark) || files.remove(mark); // it will be shown again
+      } else if (error instanceof Exit) status = error.status;
+      else throw error;
     }
-    return {status, text: text.decode(system.stdout.contents()), errors: text.decode(system.stderr.contents())};
+    return {status, needs, text: text.decode(system.stdout.contents()), errors: text.decode(system.stderr.contents())};
   }
+  // Of pictures that were shown, and of rewards.
+  const marksNow = () => [...files.files.keys()].filter(path => /\.(drawn|rewarded)$/.test(path));
   function take({sources = {}, compiled: before = {}}) {
     for (const [stem, source] of Object.entries(sources)) files.put(`exercises/${stem}.c`, source);
     compiled = before;
@@ -213,7 +225,7 @@ export function createJudge({modules, files: given, compile, link}) {
      *          columns?: number, color?: boolean}} given  compiled: of each stem, what compiler.js returned
      * @returns {{text: string, status: number, record: string, figures: Object<string, string>,
      *            pictures: Object<string, Uint8Array>}}
-     *          figures: scripts, by function; pictures: PNG files
+     *          figures: scripts, by function; pictures: PNG files; needs: there is more to draw (draw)
      */
     judge({stem, columns, ...given}) {
       take(given);
@@ -222,6 +234,18 @@ export function createJudge({modules, files: given, compile, link}) {
       return {...shown, record: files.text(`${folder}verdict/${stem}.record`) ?? '',
         figures: Object.fromEntries(Object.entries(made_in(`${folder}figures/`, '.gp')).map(([k, v]) => [k, text.decode(v)])),
         pictures: {...made_in(`${folder}figures/`, '.png'), ...made_in(`${folder}so-far/`, '.png'), ...made_in(`${folder}gallery/`, '.png')}};
+    },
+    /**
+     * The same with the pictures that the answer draws: if judge() returned 'needs', they wait for links.
+     * @param {(words: string[], files: Files) => Promise<{status: number, module?: WebAssembly.Module}>} linkPicture
+     */
+    async draw(given, linkPicture) {
+      links.clear();
+      for (;;) {
+        const shown = this.judge(given);
+        if (!shown.needs) return shown;
+        links.set(shown.needs.join(' '), await linkPicture(shown.needs, files));
+      }
     },
     /** One hint more, as 'make hint'; a line for each function, as 'make status'; the blank again. */
     hint(stem, given = {}) { take(given); return course('hint', [stem]); },

@@ -58,7 +58,7 @@ function inTerminal(stem) {
 
 const load = name => new WebAssembly.Module(readFileSync(`${book}/programs/${name}.wasm`));
 const modules = {course: load('course'), judge: load('judge')};
-const tree = new Map([['plan', readFileSync(`${book}/tree/plan`)], ['link/spheres.png', readFileSync(`${book}/link/spheres.png`)]]);
+const tree = new Map([['plan', readFileSync(`${book}/tree/plan`)], ['link/spheres.png', readFileSync(`${wasm}/link/spheres.png`)]]);
 for (const path of execFileSync('git', ['ls-files', 'common', 'exercises', 'chapters', 'tests/judge/layouts', 'tests/course/pictures'], {encoding: 'utf8'}).split('\n'))
   if (/\.(gp|nff|h|hints)$/.test(path)) tree.set(path, readFileSync(path));
 for (const name of readdirSync('build/blanks')) tree.set(`build/blanks/${name}`, readFileSync(`build/blanks/${name}`));
@@ -79,7 +79,7 @@ const archives = {'link/common.a': `${wasm}/common.a`, 'link/shared.a': `${wasm}
 function link(words, files) {
   const output = words[words.indexOf('-o') + 1], stem = /([0-9]+-[a-z-]+)\//.exec(output)[1], isAnswer = /\/(answering|alone)$/.test(output);
   const objects = words.filter(word => /\.[oa]$/.test(word)).map(word => {
-    if (!files.get(word)) return archives[word] ?? join(book, word);
+    if (!files.get(word)) return archives[word] ?? join(wasm, word);
     const at = join(scratch, word.replaceAll('/', '-'));
     writeFileSync(at, files.get(word));
     return at;
