@@ -15,11 +15,13 @@ enum { MOST_BYTES = 3000000 };
 // does not.
 #define VIDEO                                                                                      \
     "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p"
-// 128 colours, of which flat drawings need few. A turntable has no two equal pixels, so it is
-// smaller and slower.
-#define IN_COLORS                                                                                  \
-    "split[a][b];[a]palettegen=max_colors=128[p];[b][p]paletteuse=dither=none:diff_mode=rectangle"
-#define SMALLER "fps=5,scale=480:-1:flags=lanczos,"
+// 128 colours, of which flat drawings need few. A turntable has no two equal pixels, so it has
+// fewer pictures, smoothed a little, in so few colours that it has less than 3 MB. Its frames may
+// be PNGs of two kinds, with and without a palette, so all become RGB.
+#define IN_COLORS(most)                                                                            \
+    "split[a][b];[a]palettegen=max_colors=" most                                                   \
+    "[p];[b][p]paletteuse=dither=none:diff_mode=rectangle"
+#define SMALLER "scale,format=rgb24,fps=3,median=radius=1,"
 #define HDTV "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"
 
 // A format, the encoder of ffmpeg that it takes, and how it is asked.
@@ -45,16 +47,16 @@ static const Format formats[] = {
      {"-b:v", "3200k"}},
     {"gif",
      "gif",
-     IN_COLORS,
-     SMALLER IN_COLORS,
+     IN_COLORS("128"),
+     SMALLER IN_COLORS("28"),
      {"-loop", "0", "-final_delay", "200"},
      {"-final_delay", "-1"}},
     {"apng",
      "apng",
-     IN_COLORS,
-     SMALLER IN_COLORS,
+     IN_COLORS("128"),
+     SMALLER IN_COLORS("64"),
      {"-plays", "0", "-final_delay", "2"},
-     {"-final_delay", "0.2"}},
+     {"-final_delay", "1/3"}},
     {"png", NULL, NULL, NULL, {NULL}, {NULL}},
     {NULL, NULL, NULL, NULL, {NULL}, {NULL}}};
 
@@ -79,6 +81,8 @@ static void begin_video(int place, const Animation *a, const Format *format, Pat
                                        "-v",
                                        "error",
                                        "-y",
+                                       "-reinit_filter",
+                                       "0",
                                        "-framerate",
                                        rate.s,
                                        "-i",
@@ -115,7 +119,7 @@ static bool is_made(const Animation *a, Path video)
     for (int frame = 1; frame <= a->frames; frame++)
         if (!is_newer(video, frame_path(a, frame)))
             return false;
-    return is_newer(video, path_of("chapters/animations/draw_animations.c"));
+    return is_newer(video, path_of("chapters/animations/videos.c"));
 }
 
 static Path new_video(const Animation *a, const Format *format)

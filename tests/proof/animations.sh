@@ -110,6 +110,16 @@ check 'in another folder also' draw_in "$scratch/two" FORMAT=mp4,webm,gif,apng T
 asked() {
     ffprobe -v error -count_packets -select_streams v:0 -show_entries "$2" -of csv=p=0 "$1"
 }
+# All the way round in 6 s, so every fifth of 90 frames, as large as they are.
+turn_in_few_pictures() {
+    env FORMAT=gif,apng FRAMES=90 "$BUILD/chapters/animations/draw_animations" "$scratch/one" --turn around \
+        chapters/06-ray-casting/three-spheres.nff "$PROGRAMS/08-fast" --shaded -s 256x144
+}
+check 'a turntable in few pictures is made' turn_in_few_pictures
+for format in gif apng; do
+    check "a turntable's $format is as large as its frames, and every fifth of them" \
+        test "$(asked "$scratch/one/around/around.$format" stream=width,height,nb_read_packets)" = 256,144,18
+done
 for name in $names; do
     last=$(find "$scratch/one/$name/frames" -name '????.png' | wc -l)
     for format in mp4 webm gif apng; do
