@@ -16,7 +16,7 @@ $(error SHAPE=$(SHAPE): expected 16:9, 4:3 or both)
 endif
 SLIDE_PARTS := $(foreach part,$(shell sed -n 's/^[^%]*\\input{\([^}]*\)}.*/\1/p' $(SLIDES)), \
 	$(firstword $(wildcard $(dir $(SLIDES))$(part).tex chapters/slides/$(part).tex)))
-ON_SLIDES := $(filter $(FIGURE_NAMES),$(shell grep -ho '^[^%]*{[a-z0-9-]*}' $(SLIDES) $(SLIDE_PARTS) | tr '{}' '\n\n' | sort -u))
+ON_SLIDES := $(filter $(FIGURE_NAMES) $(OWN_FIGURES),$(shell grep -ho '^[^%]*{[a-z0-9-]*}' $(SLIDES) $(SLIDE_PARTS) | tr '{}' '\n\n' | sort -u))
 endif
 
 # The numbers, by the answers.

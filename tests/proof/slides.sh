@@ -241,6 +241,25 @@ check 'with a page for each step' test "$(pages mine)" -eq "$steps"
 check 'LaTeX alone makes them, where the figures are beside them' compiles mine
 check 'also in the dark' compiles '\def\theme{dark}\input{mine}'
 
+# A figure of one's own, on slides of one's own. Its answers and its output are in a place of their own.
+mkdir "$scratch/my-figures" "$scratch/answers"
+cp solutions/*.c "$scratch/answers"
+{
+    echo '# data: parabola --origin -4,0.5,0 --direction 1,0,0'
+    cat chapters/05-quadratic/figures/parabola.gp
+} >"$scratch/my-figures/half-way-up.gp"
+sed 's/parabola/half-way-up/' "$talk/mine.tex" >"$scratch/own.tex"
+with_own_figures() {
+    (unset MAKEFLAGS; make --no-print-directory slides "SLIDES=$scratch/own.tex" "FIGURES=$scratch/my-figures" "ANSWERS=$scratch/answers")
+}
+check "a folder of one's own figures is used" with_own_figures
+shows_own_figure() {
+    pdfinfo "build$scratch/answers/slides/own.pdf" | grep -qx "Pages: *$steps" &&
+        pdftotext "build$scratch/answers/slides/own.pdf" - | grep -F '15.25'
+}
+check 'with all its steps and its numbers' shows_own_figure
+rm -rf "build$scratch"
+
 printf '\\documentclass{beamer}\n\\begin{document}\n\\nosuchcommand\n\\end{document}\n' >"$scratch/wrong.tex"
 check 'a LaTeX error is a failure' fails chapters/make_slides "$scratch/wrong.tex" "$lecture/wrong.pdf" "$drawn" 16:9 light slides
 check 'and is shown' says 'nosuchcommand'
