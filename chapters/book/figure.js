@@ -11,11 +11,14 @@ export const CANVAS = {height: 540, width: {'16:9': 960, '4:3': 720}};
 
 /**
  * @typedef {{name: string, words: string, u: number, v: number, options: Object<string, string>}} Handle
- *   a thing to drag: its place on the canvas, from the lower left; the values of the options that move it
+ *   a thing to drag: its place on the canvas, from the lower left, if it is there; the values of the options that
+ *   move it
  * @typedef {{program: WebAssembly.Module, stem: string, name: string, options?: Object<string, string>,
  *   arguments?: string[], theme?: string, shape?: string, step?: number, held?: string}} Wanted
  *   held: the view of a drawing, which is kept while a handle of it is dragged
- * @typedef {{svg: string, title: string, words: string, steps: number, handles: Handle[], view: string}} Drawn
+ * @typedef {{svg: string, title: string, words: string, steps: number, handles: Handle[],
+ *   typed: {words: string, options: Object<string, string>}[], view: string}} Drawn
+ *   typed: numbers that cannot be dragged
  */
 
 export class FigureError extends Error {}
@@ -71,6 +74,31 @@ export async function loadFigures({gnuplot: module, finish, files}) {
      */
     drag(wanted, handle, u, v) {
       return JSON.parse(ask(wanted, ['--drag', `${handle},${u},${v}`]).stdout);
+    },
+
+    /**
+     * The figure after a handle is put somewhere else, and its options.
+     * @param {Wanted & {put?: {handle: number, u: number, v: number} | {handle: number, by: object}}} wanted
+     *        put: by a drag, to a place; or by a key (nudge)
+     * @returns {Drawn & {options: Object<string, string>}}
+     */
+    drawMoved({put, ...wanted}) {
+      const moved = !put ? {} : put.by ? this.nudge(wanted, put.handle, put.by) : this.drag(wanted, put.handle, put.u, put.v);
+      const options = {...wanted.options, ...moved};
+      return {...this.draw({...wanted, options}), options};
+    },
+
+    /**
+     * The options after a key: the handle moves by this much, or as much farther as it must to move at all.
+     * @param {Wanted} wanted
+     * @param {{u: number, v: number, du: number, dv: number}} by from its place, and how far on the canvas
+     */
+    nudge(wanted, handle, {u, v, du, dv}) {
+      let options = this.drag(wanted, handle, u, v);
+      const before = JSON.stringify(options);
+      for (let times = 1; times < 64 && JSON.stringify(options) === before; times *= 2)
+        options = this.drag(wanted, handle, u + times * du, v + times * dv);
+      return options;
     },
   };
 }

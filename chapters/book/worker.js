@@ -98,10 +98,7 @@ const answers = {
         return { text: text || errors, state: judge.files.text(path) ?? "" };
     },
     async figure({ stem, name, ...wanted }) {
-        return (await figures()).draw({ program: await program(stem), stem, name, ...wanted });
-    },
-    async drag({ stem, name, handle, u, v, ...wanted }) {
-        return { options: (await figures()).drag({ program: await program(stem), stem, name, ...wanted }, handle, u, v) };
+        return (await figures()).drawMoved({ program: await program(stem), stem, name, ...wanted });
     },
 };
 

@@ -1,5 +1,6 @@
 // figures.js - the figures of a page: a button that lets one fill the screen, where the arrow keys go through its steps
 // and on to the next figure; and the live figure in the place of each static one.
+import { liveFigure } from "../live_figure.js";
 import { Helper } from "./helper.js";
 
 /** The static files of a figure: the wide SVG of a theme. Not each step has one. */
@@ -15,6 +16,12 @@ export function setUpFigures({ site, themeNow }) {
         button.addEventListener("click", () => view.open(figure, button));
         figure.querySelector("figcaption").append(button);
     }
+    // A figure becomes live when it is nearly in sight, and after the page is there.
+    const seen = new IntersectionObserver((entries) => entries.filter((each) => each.isIntersecting).forEach(({ target }) => {
+        seen.unobserve(target);
+        liveFigure(target, { ask: (what) => helper.ask(what), themeNow });
+    }), { rootMargin: "300px" });
+    figures.forEach((figure) => seen.observe(figure));
     return helper;
 }
 

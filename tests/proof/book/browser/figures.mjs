@@ -1,0 +1,137 @@
+// figures.mjs - live figures in a real browser: each is drawn, a handle is dragged by mouse, finger and key, a number is
+// typed, and what then is shown is what the same options give in the terminal.
+//
+// Usage: BROWSER=chromium|firefox node figures.mjs SITE [FOLDER-FOR-SCREENSHOTS]
+import assert from "node:assert/strict";
+import { readdirSync } from "node:fs";
+import { join } from "node:path";
+import { browserName, launch, openTab, seriousFindings, serve, waitFor } from "../site.mjs";
+
+const [folder, shots] = process.argv.slice(2);
+const host = await serve(folder), browser = await launch();
+const SECONDS = 60;
+
+const place = (name) => `.figure[data-figure="${name}"]`;
+const isLive = (tab, name) => waitFor(`${name} live`, SECONDS, () => tab.evaluate((at) => Boolean(document.querySelector(at)?.querySelector(".drawing > div")
+    ?.shadowRoot?.querySelector("svg")), place(name)));
+
+/** What a live figure shows: its numbers, by option, and its words. */
+const state = (tab, name) => tab.evaluate((at) => {
+    const root = document.querySelector(at).querySelector(".drawing > div").shadowRoot;
+    return { numbers: Object.fromEntries([...root.querySelectorAll("input")].map((each) => [each.name, each.value])), step: root.querySelector(".step").textContent,
+        title: root.querySelector("svg title").textContent, words: root.querySelector("svg desc").textContent, wrong: root.querySelector(".wrong").textContent,
+        handles: [...root.querySelectorAll(".handle:not([hidden])")].map((each) => {
+            const box = each.getBoundingClientRect();
+            return { label: each.getAttribute("aria-label"), x: box.x + box.width / 2, y: box.y + box.height / 2 };
+        }) };
+}, place(name));
+
+async function open(page, name, size) {
+    const tab = await openTab(browser, host.address, size);
+    await tab.goto(`${host.address}${page}.html`, { waitUntil: "load" });
+    await tab.$eval(place(name), (figure) => figure.scrollIntoView({ block: "center", behavior: "instant" }));
+    await isLive(tab, name);
+    return tab;
+}
+
+/** Waits until the figure shows other numbers, and nothing is being drawn. */
+const changed = (tab, name, before) => waitFor(`${name} changed`, SECONDS, async () => {
+    if (await tab.$eval(`${place(name)} .drawing`, (each) => each.getAttribute("aria-busy") !== "false"))
+        return false;
+    const now = await state(tab, name);
+    return JSON.stringify(now.numbers) !== JSON.stringify(before.numbers) && now;
+});
+
+async function drag(tab, { x, y }, dx, dy) {
+    await tab.mouse.move(x, y);
+    await tab.mouse.down();
+    for (let i = 1; i <= 8; i++)
+        await tab.mouse.move(x + (dx * i) / 8, y + (dy * i) / 8);
+    await tab.mouse.up();
+}
+
+async function touch(tab, { x, y }, dx, dy) {
+    const finger = await tab.touchscreen.touchStart(x, y);
+    for (let i = 1; i <= 4; i++)
+        await finger.move(x + (dx * i) / 4, y + (dy * i) / 4);
+    await finger.end();
+}
+
+const numbers = (text) => text.split(",").map(Number);
+
+try {
+    // All figures of the course become live, without a fault.
+    const stems = readdirSync("chapters").filter((each) => /^0[1-7]-/.test(each)), all = await openTab(browser, host.address);
+    let count = 0;
+    for (const stem of stems) {
+        await all.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
+        await all.evaluate(() => document.querySelectorAll(".lesson details").forEach((each) => { each.open = true; }));
+        for (const name of new Set(await all.$$eval(".figure", (figures) => figures.map((each) => each.dataset.figure)))) {
+            await all.$eval(place(name), (figure) => figure.scrollIntoView({ block: "center", behavior: "instant" }));
+            await isLive(all, name);
+            const now = await state(all, name);
+            assert.ok(now.title.length > 5 && now.words.length > 20, `${name} has words`);
+            if (shots)
+                await (await all.$(place(name))).screenshot({ path: join(shots, `live-${name}-${browserName}.png`) });
+            count++;
+        }
+        assert.deepEqual(await seriousFindings(all), [], `${stem} with live figures`);
+    }
+    assert.deepEqual(all.faults, []);
+    await all.close();
+
+    // By mouse: the centre of the sphere follows the pointer, to the right and up; then it is put back.
+    const tab = await open("05-quadratic", "ray-sphere"), first = await state(tab, "ray-sphere");
+    assert.deepEqual(first.numbers, { origin: "-4,-1,0", direction: "0.89,0.45,0", center: "0,0,0", radius: "1" });
+    const centre = first.handles.find(({ label }) => label.startsWith("C,"));
+    await drag(tab, centre, 30, -20);
+    const moved = await changed(tab, "ray-sphere", first), [x, y, z] = numbers(moved.numbers.center);
+    assert.ok(x > 0 && y > 0 && z === 0 && Math.abs(x / y - 1.5) < 0.1, `the centre is at ${moved.numbers.center}`);
+    assert.notEqual(moved.words, first.words);
+
+    // By key: the radius grows and shrinks. By number: a wrong one is explained, a right one drawn.
+    const focus = (name, number) => tab.evaluate((at, i) => document.querySelector(at).querySelector(".drawing > div").shadowRoot.querySelectorAll(".handle")[i].focus(),
+        place(name), number);
+    await focus("ray-sphere", 3);
+    await tab.keyboard.press("ArrowRight");
+    const grown = await changed(tab, "ray-sphere", moved);
+    assert.ok(Number(grown.numbers.radius) > 1, `the radius is ${grown.numbers.radius}`);
+    const type = async (name, option, value) => {
+        await tab.evaluate((at, which) => {
+            const input = document.querySelector(at).querySelector(".drawing > div").shadowRoot.querySelector(`input[name=${which}]`);
+            input.focus();
+            input.select();
+        }, place(name), option);
+        await tab.keyboard.type(value);
+        await tab.keyboard.press("Enter");
+    };
+    await type("ray-sphere", "radius", "-1");
+    const wrong = await waitFor("a message", SECONDS, async () => (await state(tab, "ray-sphere")).wrong);
+    assert.match(wrong, /--radius: expected a number greater than 0/);
+    await type("ray-sphere", "radius", "0.25");
+    await waitFor("the typed radius", SECONDS, async () => { const now = await state(tab, "ray-sphere"); return now.numbers.radius === "0.25" && now.wrong === ""; });
+
+    // Steps, and back to the lecture's numbers.
+    const press = (name, what) => tab.evaluate((at, which) => document.querySelector(at).querySelector(".drawing > div").shadowRoot.querySelector(which).click(), place(name), what);
+    const step = (await state(tab, "ray-sphere")).step;
+    await press("ray-sphere", ".back");
+    await waitFor("a step back", SECONDS, async () => (await state(tab, "ray-sphere")).step !== step);
+    await press("ray-sphere", ".reset");
+    await waitFor("the first numbers", SECONDS, async () => JSON.stringify((await state(tab, "ray-sphere")).numbers) === JSON.stringify(first.numbers));
+    assert.deepEqual(tab.faults, []);
+    await tab.close();
+
+    // By finger, on a telephone: a pixel. (WebDriver BiDi has no touch yet in this Firefox.)
+    if (browserName === "chromium") {
+        const phone = await open("06-ray-casting", "ray-casting", { width: 390, height: 844 }), before = await state(phone, "ray-casting");
+        await touch(phone, before.handles[0], 0, 12);
+        const after = await changed(phone, "ray-casting", before);
+        assert.ok(numbers(after.numbers.pixel)[1] > numbers(before.numbers.pixel)[1], `the pixel is ${after.numbers.pixel}`);
+        assert.deepEqual(phone.faults, []);
+        await phone.close();
+    }
+    console.log(`figures (${browserName}): ${count} live, by mouse, key, number${browserName === "chromium" ? " and finger" : ""}`);
+} finally {
+    await browser.close();
+    await host.stop();
+}
