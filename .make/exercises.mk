@@ -87,6 +87,7 @@ $(PRECOMPILED): $(B)/precompiled/%: % $(wildcard common/*.h) $(B)/weak.h $(B)/fl
 	$(Q)mkdir -p $(@D) && rm -f $@.gch
 	$(Q)printf '%s\n' '#include "$(B)/weak.h"' '#include_next "$<"' > $@
 	$(Q)if [ "$$($(CC) $(LANGUAGE) -E $< | wc -c)" -gt 20000 ]; then $(COMPILE_QUICKLY) -x c-header -o $@.gch $@ 2>/dev/null || true; fi
+COMPILE_EARLY = $(subst -I.,-I$(B)/precompiled -I.,$(COMPILE_QUICKLY)) -c
 COMPILE_QUICKLY = $(CC) -pipe $(QUICK_FLAGS) $(if $(SHARED),-fPIC)
 
 # The program that judges answers and prints verdicts (tests/course/course.c), and its plan.
@@ -106,16 +107,20 @@ ANY_OBJECT := $(B)/tests/course/page.o
 as_linker = sed -n 's/"//g; /^ .* -o NAME /{ s/ -plugin [^ ]*//; s/ -plugin-opt=[^ ]*//g; s/ -fuse-ld=[^ ]*//; \
 	s/ --build-id / /; $(foreach l,m c gcc gcc_s,s| -l$(l) | $(call library_file,$(l)) |g; s| -l$(l) | $(call library_file,$(l)) |g;) \
 	$(if $(SANITIZE),,s/ -L[^ ]*//g;) s|^ [^ ]*/collect2|$(QUICK_PROGRAM)|; s| $(ANY_OBJECT) | OBJECTS |; s/^ */directly	/p; }'
+# cc also says which compiler and assembler it would start, in two lines.
+ANY_SOURCE := tests/course/page.c
+as_compiler = sed -n 's/"//g; /^ .*cc1 .* -o - |$$/{ N; s| $(ANY_SOURCE) | SOURCE |; s/ |\n */ | /; s/^ *//; /SOURCE.* -o OBJECT$$/p; }'
 plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'objects	$(call answering,$(s))' \
 	$(if $(value stands_on),'stands on	$(call stands_on,$(s))') $(if $(HAS_REFERENCE),'right	$(call right_of,$(s))') \
 	'program	$(B)/tests/judge/calls_traced.o $(call drawing_of,$(s))')
 $(PLAN): $(ANY_OBJECT) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) $(B)/flags.mk
 	@mkdir -p $(@D)
-	@directly=$$($(LINK) $(QUICK) -### -o NAME $(ANY_OBJECT) -lm 2>&1 | $(as_linker)); \
+	@early=$$($(COMPILE_EARLY) -### -o OBJECT $(ANY_SOURCE) 2>&1 | $(as_compiler)); \
+	directly=$$($(LINK) $(QUICK) -### -o NAME $(ANY_OBJECT) -lm 2>&1 | $(as_linker)); \
 	printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' 'verdict	$(@D)' \
 		'figures	$(B)/$(EXERCISES:/%=%)/figures' 'draw	$(DRAW_FIGURES) --one' 'blanks	build/blanks' \
 		'compile	$(COMPILE_QUICKLY) -include $(B)/weak.h -c' \
-		$(if $(PRECOMPILED),'compile early	$(subst -I.,-I$(B)/precompiled -I.,$(COMPILE_QUICKLY)) -c') \
+		$(if $(PRECOMPILED),"compile early	$${early:-$(COMPILE_EARLY) -o OBJECT SOURCE}") \
 		'link	$(LINK)' 'quick	$(QUICK)' \
 		$(if $(value stands_on),'hide	$(HIDE_HELPERS)','lend	-Wl$(comma)--defsym=NAME=lent_NAME') \
 		'drawing	$(DRAWING_ANSWERS) $(B)/tests/judge/calls_traced.o $(B)/common.a' \

@@ -6,6 +6,7 @@
 #include "tests/course/judging.h"
 
 #include "tests/course/call_graph.h"
+#include "tests/course/compiling.h"
 #include "tests/course/explain.h"
 #include "tests/course/folder_lock.h"
 #include "tests/course/linking.h"
@@ -160,36 +161,6 @@ static int give_up(const Judging *judging, int chapter, const char *hash, const 
     return end_record(judging, chapter, hash, out);
 }
 
-static int compile_by(const char *compiler, const char *object, const char *source,
-                      const char *said)
-{
-    Command command = {.count = 0};
-    command_words(&command, compiler);
-    command_add(&command, "-o");
-    command_add(&command, object);
-    command_add(&command, source);
-    int status = program_run(&command, said);
-    command_free(&command);
-    return status;
-}
-
-// The words of the compiler differ if its precompiled contracts are named; then, and if it fails,
-// it starts again without them.
-static int compile_file(const JudgingPlan *plan, int chapter, const char *source, const char *said)
-{
-    PlanPath object = plan_file(plan, chapter, "answer.o");
-    size_t size;
-    if (plan->compile_early[0] != '\0' &&
-        compile_by(plan->compile_early, object.s, source, said) == 0) {
-        char *words = whole_text(said, &size);
-        bool is_named = words == NULL || strstr(words, "precompiled/") != NULL;
-        free(words);
-        if (!is_named)
-            return 0;
-    }
-    return compile_by(plan->compile, object.s, source, said);
-}
-
 // Helpers of two chapters may have one name.
 static void hide_helpers(const JudgingPlan *plan, int chapter)
 {
@@ -209,12 +180,12 @@ static int compile_answer(const Judging *judging, int chapter, const char *hash)
     PlanPath answer = plan_answer(plan, chapter), said = plan_file(plan, chapter, "compiler");
     mkdir(plan_beside(plan, chapter, "").s, 0777);
     unlink(plan_file(plan, chapter, "answer.o").s);
-    if (compile_file(plan, chapter, answer.s, said.s) == 0)
+    if (compile_object(plan, chapter, answer.s, said.s) == 0)
         return DONE;
     // The later chapters, which call this one, use its blank.
     if (plan->lend[0] == '\0') {
         PlanPath blank = path_of(plan->blanks, plan->chapters[chapter].stem, ".c");
-        compile_file(plan, chapter, blank.s, "/dev/null");
+        compile_object(plan, chapter, blank.s, "/dev/null");
         hide_helpers(plan, chapter);
     }
     char *words = explained(plan, chapter, explain, "compiler");

@@ -13,7 +13,8 @@
 //     blanks      the folder of the blanks, for answers that are not there
 //     compile     the command that compiles an answer: COMPILE -o STEM/answer.o ANSWER
 //     compile early
-//                 the same with precompiled contracts, from a folder 'precompiled'; or none
+//                 the same with precompiled contracts, from a folder 'precompiled', OBJECT and
+//                 SOURCE for the names, and a '|' if two programs are started; or none
 //     hide        a command that hides all but the exercises: HIDE STEM/answer.o; or none
 //     link        the command that links an answering process:
 //                 LINK [QUICK] -o STEM/answering STEM/answer.o OBJECTS -lm

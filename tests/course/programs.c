@@ -73,6 +73,30 @@ int program_run(const Command *command, const char *output)
     return program_run_for(command, output, 0);
 }
 
+// In the child: reads from one descriptor, writes to another and reports to a third; -1: as before.
+static _Noreturn void become(const Command *command, int in, int out, int errors)
+{
+    if (in >= 0 && dup2(in, STDIN_FILENO) >= 0 && (out < 0 || dup2(out, STDOUT_FILENO) >= 0) &&
+        (errors < 0 || dup2(errors, STDERR_FILENO) >= 0))
+        execvp(command->words[0], (char *const *)command->words);
+    fprintf(stderr, "%s: %s\n", command->words[0], strerror(errno));
+    _exit(127);
+}
+
+static int open_output(const char *path)
+{
+    return open(path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+}
+
+static int end_of(pid_t pid, int place)
+{
+    int status = 127 << 8;
+    while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR)
+        continue;
+    started[place] = 0;
+    return status_of(status);
+}
+
 int program_run_for(const Command *command, const char *output, int seconds)
 {
     pid_t pid = start(0);
@@ -80,20 +104,35 @@ int program_run_for(const Command *command, const char *output, int seconds)
         const struct rlimit limit = {(rlim_t)seconds, (rlim_t)seconds};
         if (seconds > 0)
             setrlimit(RLIMIT_CPU, &limit);
-        int in = open("/dev/null", O_RDONLY);
-        int out = output != NULL ? open(output, O_WRONLY | O_CREAT | O_TRUNC, 0666) : -1;
-        if (in >= 0 && dup2(in, STDIN_FILENO) >= 0 &&
-            (output == NULL ||
-             (out >= 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(out, STDERR_FILENO) >= 0)))
-            execvp(command->words[0], (char *const *)command->words);
-        fprintf(stderr, "%s: %s\n", command->words[0], strerror(errno));
-        _exit(127);
+        int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
+        int out = output != NULL ? open_output(output) : -1;
+        if (output != NULL && out < 0)
+            in = -1;
+        become(command, in, out, out);
     }
-    int status = 127 << 8;
-    while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR)
-        continue;
-    started[0] = 0;
-    return status_of(status);
+    return end_of(pid, 0);
+}
+
+int program_run_piped(const Command *first, const Command *second, const char *output)
+{
+    int halves[2], said = open_output(output);
+    if (said < 0 || pipe(halves) != 0) {
+        close(said);
+        return 127;
+    }
+    fcntl(halves[0], F_SETFD, FD_CLOEXEC);
+    fcntl(halves[1], F_SETFD, FD_CLOEXEC);
+    pid_t writer = start(0);
+    if (writer == 0)
+        become(first, open("/dev/null", O_RDONLY | O_CLOEXEC), halves[1], said);
+    pid_t reader = start(1);
+    if (reader == 0)
+        become(second, halves[0], said, said);
+    close(halves[0]);
+    close(halves[1]);
+    close(said);
+    int of_first = end_of(writer, 0), of_second = end_of(reader, 1);
+    return of_first != 0 ? of_first : of_second;
 }
 
 // Waits for one of them, whichever ends first.

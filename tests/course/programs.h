@@ -32,6 +32,10 @@ int program_run(const Command *command, const char *output);
 // The same; the system ends it after this many seconds of processor time.
 int program_run_for(const Command *command, const char *output, int seconds);
 
+// Runs two programs side by side, the second of which reads what the first one writes; what they
+// say goes into the file. The exit status of the first that failed.
+int program_run_piped(const Command *first, const Command *second, const char *output);
+
 // Does a piece of work for each number from 0 to count - 1, each in a process of its own, as many
 // at a time as there are processors; its status is what the work returns, or -1.
 void work_side_by_side(int count, int (*work)(int number, void *given), void *given, int *statuses);

@@ -1,0 +1,14 @@
+// compiling.h - one compile of an answer, by the commands of the plan.
+//
+// The quickest command comes first: precompiled contracts, and cc1 and as started without cc. If it
+// fails, or if its words would name the precompiled contracts, the ordinary one compiles again.
+#ifndef TESTS_COURSE_COMPILING_H
+#define TESTS_COURSE_COMPILING_H
+
+#include "tests/course/judging_plan.h"
+
+// Compiles a source into the chapter's answer.o. The compiler's exit status; what it says goes into
+// a file.
+int compile_object(const JudgingPlan *plan, int chapter, const char *source, const char *said);
+
+#endif
