@@ -1,7 +1,7 @@
 // site.mjs - for tests in a browser: the site on a port of its own, a browser, and what both must never do.
 //
 // BROWSER=firefox takes Firefox, otherwise it is Chromium. Each test ends the browser and the server that it started.
-import { createReadStream, existsSync, readFileSync, statSync } from "node:fs";
+import { existsSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, normalize } from "node:path";
@@ -14,13 +14,28 @@ const axeSource = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const TYPES = { ".html": "text/html; charset=utf-8", ".css": "text/css", ".js": "text/javascript", ".json": "application/json", ".svg": "image/svg+xml",
     ".png": "image/png", ".woff2": "font/woff2", ".wasm": "application/wasm" };
 
-/** The folder as a static host serves it, in a folder of the host. */
-export async function serve(folder, { compress = false, at = "/course/" } = {}) {
-    const sent = { bytes: 0, requests: [] };
+/** The folder as a static host serves it, in a folder of the host. rate: bits per second, of all connections together. */
+export async function serve(folder, { compress = false, at = "/course/", rate = Infinity } = {}) {
+    const sent = { bytes: 0, requests: [], log: [] }; // log: when, and how many
+    let free = 0, isOff = false;
+    async function send(response, body) {
+        for (let from = 0, size = rate < Infinity ? 1 << 13 : body.length; from < body.length && !response.destroyed; from += size) {
+            const part = body.subarray(from, from + size), now = performance.now();
+            free = Math.max(free, now) + part.length * 8000 / rate;
+            if (free > now)
+                await new Promise((resolve) => setTimeout(resolve, free - now));
+            response.write(part);
+            sent.bytes += part.length;
+            sent.log.push([Date.now(), part.length]);
+        }
+        response.end();
+    }
     const server = createServer((request, response) => {
         const path = decodeURIComponent(new URL(request.url, "http://x").pathname);
         const file = join(folder, normalize(path.slice(at.length - 1)).replace(/\/$/, "/index.html"));
         sent.requests.push(path);
+        if (isOff)
+            return request.socket.destroy();
         if (!path.startsWith(at) || !existsSync(file) || !statSync(file).isFile()) {
             response.writeHead(404).end();
             return;
@@ -28,18 +43,16 @@ export async function serve(folder, { compress = false, at = "/course/" } = {}) 
         const headers = { "content-type": TYPES[extname(file)] ?? "application/octet-stream", "cache-control": "no-cache" };
         if (compress && /\.(html|css|js|json|svg|wasm)$/.test(file)) {
             const body = gzipSync(readFileSync(file));
-            sent.bytes += body.length;
-            response.writeHead(200, { ...headers, "content-encoding": "gzip", "content-length": body.length }).end(body);
-            return;
+            response.writeHead(200, { ...headers, "content-encoding": "gzip", "content-length": body.length });
+            return send(response, body);
         }
-        const { size } = statSync(file);
-        sent.bytes += size;
-        response.writeHead(200, { ...headers, "content-length": size });
-        createReadStream(file).pipe(response);
+        const body = readFileSync(file);
+        response.writeHead(200, { ...headers, "content-length": body.length });
+        return send(response, body);
     });
     await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
     const stop = () => new Promise((resolve) => { server.closeAllConnections(); server.close(resolve); });
-    return { address: `http://127.0.0.1:${server.address().port}${at}`, sent, stop };
+    return { address: `http://127.0.0.1:${server.address().port}${at}`, sent, stop, stopSending() { isOff = true; } };
 }
 
 export const browserName = process.env.BROWSER === "firefox" ? "firefox" : "chromium";

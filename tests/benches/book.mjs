@@ -1,0 +1,103 @@
+// book.mjs - the course in a page, measured in a real browser: how soon it shows something, how soon there is a verdict,
+// what it takes.
+//
+// The host sends at a given rate, over all connections together, as a network does; a browser's own throttling leaves out
+// what a Worker fetches. Usage: BROWSER=chromium|firefox node tests/benches/book.mjs [SITE [MBIT [VERDICTS]]]
+import { readFileSync, readdirSync } from "node:fs";
+import { browserName, editorText, launch, openTab, serve, waitFor } from "../proof/book/site.mjs";
+
+const [folder = "build/book", mbit = 10, verdicts = 20] = process.argv.slice(2);
+const stem = "05-quadratic", right = readFileSync(`solutions/${stem}.c`, "utf8");
+const wrong = right.replace("- 4 *", "- 3 *"), slip = right.replace(/;(?=\n\})/, "");
+const show = (what, value, budget = "") => console.log(`${what.padEnd(44)} ${value.padStart(18)}   ${budget}`.trimEnd());
+const seconds = (milliseconds) => `${(milliseconds / 1000).toFixed(2)} s`;
+const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
+const median = (values) => values.toSorted?.((a, b) => a - b)[values.length >> 1] ?? [...values].sort((a, b) => a - b)[values.length >> 1];
+
+/** The largest resident size of the browser's processes that hold a page, in bytes. */
+function memoryOf(browser) {
+    const parents = new Map(), commands = new Map();
+    for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name)))
+        try {
+            parents.set(pid, /^PPid:\s*(\d+)/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]);
+            commands.set(pid, readFileSync(`/proc/${pid}/cmdline`, "utf8"));
+        } catch { /* it has ended */ }
+    const isOurs = (pid) => pid === String(browser.process().pid) || (parents.has(pid) && isOurs(parents.get(pid)));
+    const sizes = [...parents.keys()].filter((pid) => isOurs(pid) && /type=renderer|contentproc/.test(commands.get(pid))).map((pid) => {
+        try {
+            return 1024 * Number(/^VmRSS:\s*(\d+)/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]);
+        } catch {
+            return 0;
+        }
+    });
+    return Math.max(...sizes);
+}
+
+const host = await serve(folder, { compress: true, rate: mbit * 1e6 }), browser = await launch();
+/** The bytes that were sent until a moment of the page, a Date. */
+const sentUntil = (moment) => host.sent.log.reduce((sum, [when, bytes]) => when <= moment ? sum + bytes : sum, 0);
+const verdictIsThere = (tab) => tab.$eval("#verdict", (each) => Boolean(each.querySelector("pre[data-result]")) && !each.classList.contains("old"));
+try {
+    const tab = await openTab(browser, host.address);
+    const begin = Date.now();
+    await tab.goto(`${host.address}${stem}.html`, { waitUntil: "domcontentloaded" });
+    const started = await tab.evaluate(() => performance.timeOrigin);
+    const paint = await waitFor("a paint", 20, () => tab.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime));
+    show(`first paint, ${mbit} Mbit/s`, seconds(paint), "at most 0.5 s");
+    show("  sent until then", megabytes(sentUntil(started + paint)), "at most 0.1 MB");
+    // Judged as soon as that can be asked for, with the figures not yet there.
+    await waitFor("an editor", 60, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+    await tab.$eval("#judge", (each) => each.click());
+    const figure = waitFor("a live figure", 120, () => tab.$("figure.live")).then(() => Date.now(), () => NaN);
+    await waitFor("a verdict", 180, () => verdictIsThere(tab));
+    const first = Date.now();
+    show("first live figure", seconds(await figure - begin), "at most 2 s");
+    show("  sent until then", megabytes(sentUntil(await figure)), "at most 1 MB");
+    show("first verdict", seconds(first - begin), "at most 8 s");
+    show("  sent until then", megabytes(sentUntil(first)), "at most 8 MB");
+
+    await waitFor("everything kept", 300, () => tab.evaluate(async () => Boolean((await navigator.serviceWorker?.getRegistration())?.active)));
+    host.stopSending();
+    const before = host.sent.bytes, again = Date.now();
+    await tab.reload({ waitUntil: "load" });
+    await waitFor("an editor", 60, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+    await tab.$eval("#judge", (each) => each.click());
+    await waitFor("a verdict without a network", 120, () => verdictIsThere(tab));
+    show("first verdict of a later visit, no network", seconds(Date.now() - again));
+    show("  sent", megabytes(host.sent.bytes - before), "0");
+
+    /** From a key to the verdict, in the page's own clock. */
+    const type = (text) => tab.evaluate(async (text) => {
+        const place = document.querySelector("#editor"), content = place.shadowRoot.querySelector(".cm-content");
+        content.focus();
+        const press = (key) => content.dispatchEvent(new KeyboardEvent("keydown", { key, code: key === "a" ? "KeyA" : key,
+            keyCode: key === "a" ? 65 : 13, ctrlKey: true, bubbles: true, composed: true, cancelable: true }));
+        press("a");
+        const data = new DataTransfer();
+        data.setData("text/plain", text);
+        content.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+        const start = performance.now();
+        press("Enter");
+        while (document.querySelector("#verdict").classList.contains("old") || !document.querySelector("#progress").hidden)
+            await new Promise((resolve) => setTimeout(resolve, 2));
+        return performance.now() - start;
+    }, text);
+    for (const text of [right, wrong, slip, right, wrong, slip])
+        await type(text);
+    const times = { verdict: [], slip: [] };
+    for (let i = 0; i < verdicts; i++) {
+        times.verdict.push(await type(`${i % 2 ? right : wrong}// ${i}\n`));
+        times.slip.push(await type(`${slip}// ${i}\n`));
+    }
+    if (!(await editorText(tab)).includes(`// ${verdicts - 1}`))
+        throw new Error("the editor has another text than was typed");
+    show("from a key to the verdict, median", `${median(times.verdict).toFixed(0)} ms`, "at most 250 ms");
+    show("  a missing semicolon", `${median(times.slip).toFixed(0)} ms`, "at most 150 ms");
+    show("memory of the tab", megabytes(memoryOf(browser)), "at most 400 MB");
+    for (const fault of tab.faults)
+        show("fault", fault);
+    console.log(`${browserName}, ${verdicts} verdicts of each kind`);
+} finally {
+    await browser.close();
+    await host.stop();
+}
