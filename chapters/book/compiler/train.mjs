@@ -8,6 +8,7 @@ import {createHash} from 'node:crypto';
 import {readFileSync} from 'node:fs';
 import {Compiler, Program, unpack} from '../compiler.js';
 import {keptText} from './kept.js';
+import {slips as slipsOf} from './slips.js';
 
 const [instrumented, whole, packed, slips, ...sources] = process.argv.slice(2);
 const pack = unpack(new Uint8Array(readFileSync(packed)));
@@ -26,38 +27,7 @@ class NotingProgram extends Program {
   }
 }
 const program = new NotingProgram(new WebAssembly.Module(readFileSync(instrumented)));
-const compiler = new Compiler(pack, program);
-
-let state = 2015;
-const random = most => {
-  state = Math.imul(state, 1664525) + 1013904223 >>> 0;
-  return Math.floor(state / 2 ** 32 * most);
-};
-
-const tokens = text => text.match(/\/\/[^\n]*|\/\*[^]*?\*\/|"(?:\\.|[^"\\\n])*"|[A-Za-z_]\w*|[\d.]+\w*|[-+*/%<>=!&|^]+|\s+|[^]/g);
-const others = ['int', 'double', ';', '(', ')', '{', '}', ',', '=', '==', '*', '&', '.', '->', 'vec3', 'x', 'i', '0', '1.5',
-  'return', 'if', 'else', 'for', 'while', 'sqrt', 'static', 'const', 'struct', '"text"', '!', '-', '+', '/', '%', '<', '&&', '[', ']',
-  'NULL', 'void', 'float', 'char', "'c'", '?', ':', 'sizeof', 'break', 'switch', 'case', 'printf', 'unsigned', '++', '+=', '#', '\\', '@'];
-
-/** A text with a slip of the pen. */
-function slipped(text) {
-  const all = tokens(text), count = 1 + (random(4) === 0);
-  for (let i = 0; i < count; i++) {
-    let at = random(all.length);
-    for (let tries = 0; tries < 20 && /^(\s|\/[/*])/.test(all[at]); tries++) at = random(all.length);
-    const token = all[at], other = random(all.length);
-    const how = random(8);
-    if (how <= 1) all[at] = '';
-    else if (how === 2) all[at] = token + token;
-    else if (how === 3) [all[at], all[other]] = [all[other], token];
-    else if (how === 4) all[at] = others[random(others.length)];
-    else if (how === 5) all[at] = `${others[random(others.length)]} ${token}`;
-    else if (how === 6) all[at] = token.slice(0, random(token.length)) + token.slice(1 + random(token.length));
-    else if (/^\w{2}/.test(token)) all[at] = random(2) ? token.toUpperCase() : `${token[1]}${token[0]}${token.slice(2)}`;
-    else all[at] = all[other];
-  }
-  return all.join('');
-}
+const compiler = new Compiler(pack, program), slipped = slipsOf(2015);
 
 /** As the page does it; a text that is no answer of a chapter is compiled as one, which the linker then says. */
 async function compile(name, text) {
