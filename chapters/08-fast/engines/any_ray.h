@@ -40,8 +40,7 @@ typedef void NearestOf(const RayWorld *world, const Line *line, Candidates *cand
 extern NearestOf nearest_of_baseline, nearest_of_avx2, nearest_of_avx512;
 
 // A sphere that the ray certainly hits at a distance less than reach: true, and it is the only
-// candidate. If no sphere is certain: false, and those that the ray may hit before reach. The
-// candidates that are given are asked first: good guesses end the search at once.
+// candidate. If no sphere is certain: false, and those that the ray may hit before reach.
 typedef bool AnyBefore(const RayWorld *world, const Line *line, double reach,
                        Candidates *candidates);
 extern AnyBefore any_before_baseline, any_before_avx2, any_before_avx512;

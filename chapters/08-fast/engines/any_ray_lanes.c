@@ -219,13 +219,6 @@ bool LANES(any_before)(const RayWorld *world, const Line *line, double reach,
     float near[LANES], farthest = (float)(reach * world->scale) * (1 + 0x1p-20F);
     int count = 0;
     Slopes slopes = slopes_of(world, line);
-    const Candidates guesses = *candidates;
-    for (int i = 0; i < guesses.count; i++) {
-        if (meet(world, guesses.places[i], line).end < reach * (1 - MARGIN)) {
-            *candidates = (Candidates){1, {guesses.places[i]}};
-            return true;
-        }
-    }
     candidates->count = 0;
     if (world->nodes != NULL)
         waiting[count++] = (Waiting){0};

@@ -9,15 +9,19 @@
 
 #include <stdlib.h>
 
+// Rays go nearly the same way if the cosine of their angle is at least NEARLY. Along a list of rays
+// the surface that they leave changes at most FEW_CHANGES times. (Measured: with no such limits,
+// the walk of 16 rays takes 2.7 times as long as 16 walks among 100,000 random spheres.)
+#define NEARLY 0.9
+enum { FEW_CHANGES = 4 };
+
 // ---- the world --------------------------------------------------------------------------------
 
 bool light_world_build(LightWorld *world, const Scene *scene, int threads)
 {
     size_t count = (size_t)scene->sphere_count, room = count + ASKED;
     *world = (LightWorld){.scene = scene, .numbers = large_memory(4 * room * sizeof(double))};
-    world->places = large_memory((count + 1) * sizeof *world->places);
-    if (world->numbers == NULL || world->places == NULL ||
-        !hierarchy_build(&world->hierarchy, scene, threads)) {
+    if (world->numbers == NULL || !hierarchy_build(&world->hierarchy, scene, threads)) {
         light_world_free(world);
         return false;
     }
@@ -29,8 +33,6 @@ bool light_world_build(LightWorld *world, const Scene *scene, int threads)
         y[i] = sphere->center[1];
         z[i] = sphere->center[2];
         r[i] = sphere->radius;
-        if (i < count)
-            world->places[world->hierarchy.order[i]] = (int)i;
     }
     world->rays = (RayWorld){.x = x, .y = y, .z = z, .r = r};
     if (count == 0)
@@ -51,30 +53,34 @@ void light_world_free(LightWorld *world)
 {
     hierarchy_free(&world->hierarchy);
     free(world->wide);
-    free(world->places);
     free(world->numbers);
     *world = (LightWorld){0};
 }
 
 // ---- one thread's paths -----------------------------------------------------------------------
 
-bool light_paths_begin(LightPaths *paths, const LightWorld *world, const int *seen, int columns)
+bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
 {
-    static NearestOf *const nearest_of[LANES_KINDS] = LANES_TABLE(nearest_of);
-    static AnyBefore *const any_before[LANES_KINDS] = LANES_TABLE(any_before);
-    size_t lights = (size_t)world->scene->light_count;
+    static NearestOf *const nearest[LANES_KINDS] = LANES_TABLE(nearest_of);
+    static AnyBefore *const before[LANES_KINDS] = LANES_TABLE(any_before);
+    static NearestOfLines *const nearest_of_lines[LANES_KINDS] = LANES_TABLE(nearest_of_lines);
+    static AnyOfLines *const any_of_lines[LANES_KINDS] = LANES_TABLE(any_of_lines);
+    size_t lights = (size_t)world->scene->light_count, levels = (size_t)depth + 1;
     *paths = (LightPaths){.world = world,
-                          .seen = seen,
-                          .columns = columns,
+                          .depth = depth,
                           .alone = *world->scene,
-                          .hiding = malloc((lights + 1) * sizeof *paths->hiding),
-                          .nearest = nearest_of[lanes_best()],
-                          .before = any_before[lanes_best()]};
+                          .paths = malloc(PATHS * sizeof *paths->paths),
+                          .lit = malloc((lights + 1) * PATHS * sizeof *paths->lit),
+                          .colors = malloc(levels * PATHS * sizeof *paths->colors),
+                          .parts = malloc(levels * PATHS * sizeof *paths->parts),
+                          .nearest = nearest[lanes_best()],
+                          .before = before[lanes_best()],
+                          .nearest_of_lines = nearest_of_lines[lanes_best()],
+                          .any_of_lines = any_of_lines[lanes_best()]};
     paths->alone.sphere_count = 1;
     paths->alone.lights = malloc((lights + 1) * sizeof *paths->alone.lights);
-    for (size_t i = 0; i < lights && paths->hiding != NULL; i++)
-        paths->hiding[i] = -1;
-    if (paths->hiding != NULL && paths->alone.lights != NULL)
+    if (paths->paths != NULL && paths->lit != NULL && paths->colors != NULL &&
+        paths->parts != NULL && paths->alone.lights != NULL)
         return true;
     light_paths_end(paths);
     return false;
@@ -82,7 +88,10 @@ bool light_paths_begin(LightPaths *paths, const LightWorld *world, const int *se
 
 void light_paths_end(LightPaths *paths)
 {
-    free(paths->hiding);
+    free(paths->paths);
+    free(paths->lit);
+    free(paths->colors);
+    free(paths->parts);
     free(paths->alone.lights);
 }
 
@@ -93,8 +102,44 @@ static Line line_of(Ray ray, double *length)
     return (Line){{o[0], o[1], o[2]}, {v[0], v[1], v[2]}};
 }
 
-// The same hit as chapter 06's nearest_hit, to the bit.
-static Hit nearest(const LightPaths *paths, Ray ray)
+static void set_line(Lines *lines, int i, Ray ray, bool has_end)
+{
+    double length;
+    Line line = line_of(ray, &length);
+    lines->x[i] = line.origin[0];
+    lines->y[i] = line.origin[1];
+    lines->z[i] = line.origin[2];
+    lines->dx[i] = line.direction[0];
+    lines->dy[i] = line.direction[1];
+    lines->dz[i] = line.direction[2];
+    lines->reach[i] = has_end ? length : INFINITY;
+}
+
+// Whether rays are likely to ask the same boxes: they go nearly the same way, and the surfaces that
+// they leave are few.
+static bool belong_together(const LightPaths *paths, const int *numbers, const Lines *lines)
+{
+    int changes = 0;
+    for (int i = 1; i < lines->count; i++) {
+        double along =
+            lines->dx[i] * lines->dx[0] + lines->dy[i] * lines->dy[0] + lines->dz[i] * lines->dz[0];
+        changes += paths->paths[numbers[i]].hit.sphere != paths->paths[numbers[i - 1]].hit.sphere;
+        if (along < NEARLY || changes > FEW_CHANGES)
+            return false;
+    }
+    return lines->count >= LANES / 2;
+}
+
+// ---- what a ray hits --------------------------------------------------------------------------
+
+static Hit hit_at(const LightWorld *world, Ray ray, int place)
+{
+    int sphere = world->hierarchy.order[place];
+    return (Hit){hit_sphere(ray, world->scene->spheres[sphere]), sphere};
+}
+
+// The same hit as chapter 06's nearest_hit, to the bit: one ray, alone.
+static Hit nearest_alone(const LightPaths *paths, Ray ray)
 {
     const LightWorld *world = paths->world;
     double length;
@@ -104,12 +149,37 @@ static Hit nearest(const LightPaths *paths, Ray ray)
     if (candidates.count > MOST_CANDIDATES)
         return hierarchy_nearest(&world->hierarchy, world->scene, ray);
     Hit nearest = {NO_HIT, -1};
-    for (int i = 0; i < candidates.count; i++) {
-        int sphere = world->hierarchy.order[candidates.places[i]];
-        nearest = nearer(nearest, (Hit){hit_sphere(ray, world->scene->spheres[sphere]), sphere});
-    }
+    for (int i = 0; i < candidates.count; i++)
+        nearest = nearer(nearest, hit_at(world, ray, candidates.places[i]));
     return nearest;
 }
+
+// The same for the paths numbered in 'going'.
+static void find_hits(LightPaths *paths, const int *going, int count)
+{
+    const LightWorld *world = paths->world;
+    for (int first = 0; first < count; first += LANES) {
+        Lines lines = {.count = count - first < LANES ? count - first : LANES};
+        Answers answers;
+        for (int i = 0; i < lines.count; i++)
+            set_line(&lines, i, paths->paths[going[first + i]].ray, false);
+        if (belong_together(paths, going + first, &lines))
+            paths->nearest_of_lines(&world->rays, world->hierarchy.nodes, &lines, &answers);
+        else
+            answers.doubt = ~0U;
+        for (int i = 0; i < lines.count; i++) {
+            Path *path = &paths->paths[going[first + i]];
+            if (answers.doubt >> i & 1)
+                path->hit = nearest_alone(paths, path->ray);
+            else if (answers.hit >> i & 1)
+                path->hit = hit_at(world, path->ray, answers.places[i]);
+            else
+                path->hit = (Hit){NO_HIT, -1};
+        }
+    }
+}
+
+// ---- which lights arrive ----------------------------------------------------------------------
 
 // Whether a sphere hides a light, by chapter 07's function, in a world with only this sphere.
 static bool hides(const Sphere *sphere, vec3 from, Light light)
@@ -119,23 +189,16 @@ static bool hides(const Sphere *sphere, vec3 from, Light light)
     return !(visibility(&world, from, light) > 0);
 }
 
-// Whether a light arrives at a place just off a sphere.
-static bool arrives(const LightPaths *paths, vec3 from, int sphere, int number)
+// Whether a light arrives at a place: one ray, alone.
+static bool arrives_alone(const LightPaths *paths, vec3 from, Light light)
 {
     const LightWorld *world = paths->world;
-    Light light = world->scene->lights[number];
-    int own = world->places[sphere];
-    Candidates candidates = {1, {own}};
-    if (paths->hiding[number] >= 0)
-        candidates.places[candidates.count++] = paths->hiding[number];
+    Candidates candidates = {0};
     double length;
     Line line = line_of(ray_to_light(from, light), &length);
     double reach = light.kind == LIGHT_DISTANT ? INFINITY : length;
-    if (paths->before(&world->rays, &line, reach, &candidates)) {
-        if (candidates.places[0] != own)
-            paths->hiding[number] = candidates.places[0];
+    if (paths->before(&world->rays, &line, reach, &candidates))
         return false;
-    }
     if (candidates.count > MOST_CANDIDATES)
         return visibility(world->scene, from, light) > 0;
     for (int i = 0; i < candidates.count; i++)
@@ -145,46 +208,130 @@ static bool arrives(const LightPaths *paths, vec3 from, int sphere, int number)
     return true;
 }
 
-static Color color_of(LightPaths *paths, Ray ray, Hit hit, int depth)
+// Whether a surface certainly hides a light from itself, because the light is behind it.
+static bool is_behind(const Path *path, const Sphere *sphere, Ray to_light, bool has_end)
 {
-    const Scene *scene = paths->world->scene;
-    if (hit.sphere < 0)
-        return scene->background;
-    Sphere sphere = scene->spheres[hit.sphere];
-    vec3 point = ray.origin + hit.t * ray.direction;
-    vec3 normal = surface_normal(sphere, point);
-    if (vec3_dot(normal, ray.direction) > 0)
-        normal = -normal;
-    vec3 start = off_surface(sphere, point, normal);
+    double along = vec3_dot(path->normal, to_light.direction);
+    double squared = vec3_dot(to_light.direction, to_light.direction);
+    vec3 c = sphere->center;
+    double size = sphere->radius + fmax(fabs(c[0]), fmax(fabs(c[1]), fabs(c[2])));
+    return along < 0 && along * along > 1e-4 * squared &&
+           (!has_end || squared > 1e-6 * size * size);
+}
 
-    Scene *alone = &paths->alone;
-    alone->spheres = &sphere;
-    alone->light_count = 0;
-    for (int i = 0; i < scene->light_count; i++)
-        if (arrives(paths, start, hit.sphere, i))
-            alone->lights[alone->light_count++] = scene->lights[i];
-    Color color = shade(alone, ray, (Hit){hit.t, 0});
-    double ks = scene_surface(scene, hit.sphere)->specular;
-    if (depth > 0 && ks > 0) {
-        Ray mirrored = {start, mirror_direction(ray.direction, normal)};
-        color += ks * path_color(paths, mirrored, depth - 1);
+static void find_light(LightPaths *paths, const int *going, int count, int number)
+{
+    const LightWorld *world = paths->world;
+    const Scene *scene = world->scene;
+    Light light = scene->lights[number];
+    bool has_end = light.kind != LIGHT_DISTANT;
+    Lines lines = {0};
+    int asking[LANES];
+    for (int k = 0; k < count; k++) {
+        Path *path = &paths->paths[going[k]];
+        Ray ray = ray_to_light(path->start, light);
+        bool *lit = &paths->lit[going[k] * scene->light_count + number];
+        *lit = false;
+        if (!is_behind(path, &scene->spheres[path->hit.sphere], ray, has_end)) {
+            asking[lines.count] = going[k];
+            set_line(&lines, lines.count++, ray, has_end);
+        }
+        if (lines.count < LANES && (k < count - 1 || lines.count == 0))
+            continue;
+        Answers answers;
+        if (belong_together(paths, asking, &lines))
+            paths->any_of_lines(&world->rays, world->hierarchy.nodes, &lines, &answers);
+        else
+            answers.doubt = ~0U;
+        for (int i = 0; i < lines.count; i++)
+            paths->lit[asking[i] * scene->light_count + number] =
+                (answers.doubt >> i & 1) != 0
+                    ? arrives_alone(paths, paths->paths[asking[i]].start, light)
+                    : (answers.hit >> i & 1) == 0;
+        lines.count = 0;
     }
-    return color;
 }
 
-Color path_color(LightPaths *paths, Ray ray, int depth)
-{
-    return color_of(paths, ray, nearest(paths, ray), depth);
-}
+// ---- colours ----------------------------------------------------------------------------------
 
-Color trace_path(void *given, Pixel sample, Ray ray, int depth)
+// The colour of a path's surface, by chapter 07's function.
+static Color lit_surface(LightPaths *paths, int number)
 {
-    LightPaths *paths = given;
-    if (paths->seen == NULL)
-        return path_color(paths, ray, depth);
     const Scene *scene = paths->world->scene;
-    int sphere = paths->seen[(size_t)sample.row * (size_t)paths->columns + (size_t)sample.column];
-    if (sphere < 0)
-        return scene->background;
-    return color_of(paths, ray, (Hit){hit_sphere(ray, scene->spheres[sphere]), sphere}, depth);
+    const Path *path = &paths->paths[number];
+    Sphere sphere = scene->spheres[path->hit.sphere];
+    paths->alone.spheres = &sphere;
+    paths->alone.light_count = 0;
+    for (int i = 0; i < scene->light_count; i++)
+        if (paths->lit[number * scene->light_count + i])
+            paths->alone.lights[paths->alone.light_count++] = scene->lights[i];
+    return shade(&paths->alone, path->ray, (Hit){path->hit.t, 0});
+}
+
+static void leave_surface(Path *path, const Sphere *sphere)
+{
+    vec3 point = path->ray.origin + path->hit.t * path->ray.direction;
+    vec3 normal = surface_normal(*sphere, point);
+    path->normal = vec3_dot(normal, path->ray.direction) > 0 ? -normal : normal;
+    path->start = off_surface(*sphere, point, path->normal);
+}
+
+// One step of all paths that go on: from what their rays hit to the rays that continue from
+// mirrors. Returns the number of those.
+static int step(LightPaths *paths, int *going, int count, int level)
+{
+    const Scene *scene = paths->world->scene;
+    Color *colors = paths->colors + (size_t)level * PATHS;
+    double *parts = paths->parts + (size_t)level * PATHS;
+    int on_surface = 0;
+    for (int k = 0; k < count; k++) {
+        Path *path = &paths->paths[going[k]];
+        path->last = level;
+        colors[going[k]] = scene->background;
+        if (path->hit.sphere < 0)
+            continue;
+        leave_surface(path, &scene->spheres[path->hit.sphere]);
+        going[on_surface++] = going[k];
+    }
+    for (int i = 0; i < scene->light_count; i++)
+        find_light(paths, going, on_surface, i);
+    int mirrored = 0;
+    for (int k = 0; k < on_surface; k++) {
+        Path *path = &paths->paths[going[k]];
+        colors[going[k]] = lit_surface(paths, going[k]);
+        parts[going[k]] = scene_surface(scene, path->hit.sphere)->specular;
+        if (level == paths->depth || !(parts[going[k]] > 0))
+            continue;
+        path->ray = (Ray){path->start, mirror_direction(path->ray.direction, path->normal)};
+        going[mirrored++] = going[k];
+    }
+    return mirrored;
+}
+
+void path_colors(LightPaths *paths, const Ray *rays, const int *spheres, int count, Color *colors)
+{
+    int going[PATHS];
+    for (int i = 0; i < count; i++) {
+        Path *path = &paths->paths[i];
+        path->ray = rays[i];
+        going[i] = i;
+        if (spheres != NULL && spheres[i] < 0)
+            path->hit = (Hit){NO_HIT, -1};
+        else if (spheres != NULL)
+            path->hit =
+                (Hit){hit_sphere(rays[i], paths->world->scene->spheres[spheres[i]]), spheres[i]};
+    }
+    for (int level = 0, left = count; left > 0; level++) {
+        if (level > 0 || spheres == NULL)
+            find_hits(paths, going, left);
+        left = step(paths, going, left, level);
+    }
+    // trace_ray adds from the last mirror to the first.
+    for (int i = 0; i < count; i++) {
+        int level = paths->paths[i].last;
+        Color color = paths->colors[level * PATHS + i];
+        while (level-- > 0)
+            color = paths->colors[level * PATHS + i] + paths->parts[level * PATHS + i] * color;
+        colors[i] = color;
+    }
 }

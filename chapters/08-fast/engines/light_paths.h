@@ -8,13 +8,14 @@
 
 #include "chapters/08-fast/engines/any_ray.h"
 #include "chapters/08-fast/engines/hierarchy.h"
-#include "chapters/shared/render.h"
+#include "chapters/08-fast/engines/together.h"
+#include "common/ray.h"
+#include "common/scene.h"
 
 // A scene that rays from anywhere can ask.
 typedef struct {
     const Scene *scene;
     Hierarchy hierarchy;
-    int *places; // of the spheres, in the order of the hierarchy
     WideNode *wide;
     double *numbers; // of the spheres, for rays
     RayWorld rays;
@@ -24,24 +25,39 @@ typedef struct {
 bool light_world_build(LightWorld *world, const Scene *scene, int threads);
 void light_world_free(LightWorld *world);
 
+// Rays that are traced together.
+enum { PATHS = 256 };
+
+// Where a path is: its ray, what that hits, and where the next rays start.
+typedef struct {
+    Ray ray;
+    Hit hit;
+    vec3 normal, start;
+    int last; // the mirrors it followed
+} Path;
+
 // The paths of one thread.
 typedef struct {
     const LightWorld *world;
-    const int *seen; // the sphere that each sample sees, row by row, -1 for none; NULL: not known
-    int columns;     // of samples
-    Scene alone;     // the scene, with one sphere and the lights that arrive
-    Sphere sphere;
-    int *hiding; // for each light, the place of the last sphere that hid it: a good guess; or -1
+    int depth;
+    Scene alone; // the scene, with one sphere and the lights that arrive
+    Path *paths; // PATHS
+    bool *lit;   // for each path, the lights that arrive
+    // For each mirror and path: the colour there, and the part of it that the next one adds.
+    Color *colors;
+    double *parts;
     NearestOf *nearest;
     AnyBefore *before;
+    NearestOfLines *nearest_of_lines;
+    AnyOfLines *any_of_lines;
 } LightPaths;
 
-// False if there is not enough memory. seen may be NULL.
-bool light_paths_begin(LightPaths *paths, const LightWorld *world, const int *seen, int columns);
+// False if there is not enough memory.
+bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth);
 void light_paths_end(LightPaths *paths);
 
-// The colour that trace_ray finds in the scene; the world is a LightPaths.
-Tracer trace_path;
-Color path_color(LightPaths *paths, Ray ray, int depth);
+// The colours that trace_ray finds in the scene for count rays, at most PATHS. spheres: the sphere
+// that each ray hits, -1 for none; if NULL, it is searched.
+void path_colors(LightPaths *paths, const Ray *rays, const int *spheres, int count, Color *colors);
 
 #endif

@@ -1,5 +1,5 @@
-// sample.c - C as students write it, to train the cut compiler (train.mjs): every statement and operator, most of the
-// library, and the warnings of -Wall -Wextra. It is compiled, never run.
+// sample.c - C as students write it, to train the cut compiler (train.mjs): every statement and
+// operator, most of the library, and the warnings of -Wall -Wextra. It is compiled, never run.
 #include "common/ray.h"
 #include "common/scene.h"
 #include "common/sphere.h"
@@ -34,10 +34,24 @@
 
 enum color { RED, GREEN = 5, BLUE };
 typedef enum { NOTHING, ONE_HIT, TWO_HITS } Count;
-struct point { double x, y; };
-typedef struct { struct point at; float weight; unsigned flags : 3, more : 5; char name[16]; } Thing;
-union number { int i; float f; unsigned char bytes[4]; };
-struct list { struct list *next; int value; };
+struct point {
+    double x, y;
+};
+typedef struct {
+    struct point at;
+    float weight;
+    unsigned flags : 3, more : 5;
+    char name[16];
+} Thing;
+union number {
+    int i;
+    float f;
+    unsigned char bytes[4];
+};
+struct list {
+    struct list *next;
+    int value;
+};
 typedef int (*Comparison)(const void *, const void *);
 typedef double Matrix[3][3];
 static const double epsilon = 1e-9;
@@ -50,7 +64,10 @@ static atomic_int shared_count;
 extern int elsewhere;
 _Static_assert(sizeof(int) == 4, "int has four bytes");
 
-static inline double square(double x) { return x * x; }
+static inline double square(double x)
+{
+    return x * x;
+}
 static int helper(int a, int b);
 noreturn static void give_up(const char *format, ...);
 
@@ -94,7 +111,8 @@ static long long factorial(int n)
     return n <= 1 ? 1 : n * factorial(n - 1);
 }
 
-static int operators(int a, int b, unsigned u, long l, unsigned long long ull, float f, double d, _Bool t, char c, short s)
+static int operators(int a, int b, unsigned u, long l, unsigned long long ull, float f, double d,
+                     _Bool t, char c, short s)
 {
     int r = a + b - a * b / (b ? b : 1) % 7;
     r += a & b | a ^ ~b;
@@ -104,10 +122,13 @@ static int operators(int a, int b, unsigned u, long l, unsigned long long ull, f
     r += a++ + ++b - a-- - --b;
     r += (a < b) + (a <= b) + (a > b) + (a >= b) + (a == b) + (a != b);
     r += (f < d) + (f <= d) + (f > d) + (f >= d) + (f == (float)d) + (d != 0);
-    r += (u < 5u) + (u <= 5u) + (u > 5u) + (u >= 5u) + (int)(u / 3 + u % 3) + (int)(u << 3 | u >> 2);
+    r +=
+        (u < 5u) + (u <= 5u) + (u > 5u) + (u >= 5u) + (int)(u / 3 + u % 3) + (int)(u << 3 | u >> 2);
     r += (int)(l * 2 / 3 % 5) + (int)(ull * 2 / 3 % 5 << 2 >> 1) + (l < 3) + (ull > 7);
-    r += (int)f + (int)d + (int)(unsigned)f + (int)(long)d + (int)(unsigned long)d + (short)d + (char)f + (bool)d;
-    r += (int)((float)a + (float)u + (float)l + (float)ull) + (int)((double)a + (double)u + (double)l + (double)ull);
+    r += (int)f + (int)d + (int)(unsigned)f + (int)(long)d + (int)(unsigned long)d + (short)d +
+         (char)f + (bool)d;
+    r += (int)((float)a + (float)u + (float)l + (float)ull) +
+         (int)((double)a + (double)u + (double)l + (double)ull);
     r += t && c || s, r += t ? c : s;
     r += c + s, c += 1, s++, c--, s /= 2, t = !t, t |= 1;
     r += (int)sizeof(Thing) + (int)sizeof r + (int)offsetof(Thing, name) + (int)alignof(double);
@@ -142,7 +163,8 @@ static int statements(int n, const char *text)
         total = 0;
         break;
     case 1:
-    case 2: total++; // falls through
+    case 2:
+        total++; // falls through
     case 3: {
         int inside = total;
         total += inside;
@@ -153,9 +175,12 @@ static int statements(int n, const char *text)
         total--;
     }
     switch ((enum color)n) {
-    case RED: return 1;
-    case GREEN: total = 5;
-    case BLUE: break;
+    case RED:
+        return 1;
+    case GREEN:
+        total = 5;
+    case BLUE:
+        break;
     }
     if (n > 100)
         goto end;
@@ -181,15 +206,16 @@ static int arrays(int n, double values[], const int many[static 3], double (*row
         for (int j = 0; j < 3; j++)
             copies[i][j] = identity[j][i] * values[i] + rows[i][j];
     qsort(values, (size_t)n, sizeof *values, compare);
-    snprintf(buffer, sizeof buffer, "%s %d %5.2f %g %c %p %zu %ld %u %x", word, sum_of, local[1], copies[1][1], word[0],
-             (void *)p, strlen(word), (long)n, (unsigned)n, 255u);
+    snprintf(buffer, sizeof buffer, "%s %d %5.2f %g %c %p %zu %ld %u %x", word, sum_of, local[1],
+             copies[1][1], word[0], (void *)p, strlen(word), (long)n, (unsigned)n, 255u);
     swap(&local[0], &local[1]);
-    return sum_of + (int)sized[0] + buffer[0] + (int)*(local + 2) + 2[numbers];
+    return sum_of + (int)sized[0] + buffer[0] + (int)*(local + 2) + 2 [numbers];
 }
 
 static Thing structures(Thing given, Thing *pointer, const struct point points[], int count)
 {
-    Thing made = {.at = {1, 2}, .weight = 3.5f, .flags = 2, .name = "thing"}, copy = made, *also = &copy;
+    Thing made = {.at = {1, 2}, .weight = 3.5f, .flags = 2, .name = "thing"}, copy = made,
+          *also = &copy;
     union number n = {.f = 1.5f};
     struct point middle = {0}, *at = &made.at;
     for (int i = 0; i < count; i++) {
@@ -228,15 +254,23 @@ static struct list *lists(int count)
 
 static double numbers(double x, double y, float f, long double wide)
 {
-    double r = sqrt(x) + pow(x, 2) + fabs(y) + sin(x) + cos(x) + tan(x) + asin(x) + acos(x) + atan(x) + atan2(y, x);
-    r += floor(x) + ceil(x) + round(x) + trunc(x) + fmod(x, y) + exp(x) + log(x) + log10(x) + log2(x) + cbrt(x) + hypot(x, y);
-    r += fmin(x, y) + fmax(x, y) + copysign(x, y) + ldexp(x, 2) + nextafter(x, y) + fma(x, y, x) + (double)lround(x);
+    double r = sqrt(x) + pow(x, 2) + fabs(y) + sin(x) + cos(x) + tan(x) + asin(x) + acos(x) +
+               atan(x) + atan2(y, x);
+    r += floor(x) + ceil(x) + round(x) + trunc(x) + fmod(x, y) + exp(x) + log(x) + log10(x) +
+         log2(x) + cbrt(x) + hypot(x, y);
+    r += fmin(x, y) + fmax(x, y) + copysign(x, y) + ldexp(x, 2) + nextafter(x, y) + fma(x, y, x) +
+         (double)lround(x);
     r += sqrtf(f) + powf(f, 2) + fabsf(f) + sinf(f) + floorf(f) + f * 2.0f - 1.f;
-    r += isnan(x) || isinf(y) || !isfinite(x) || signbit(y) || x == INFINITY || isless(x, y) ? NAN : DBL_EPSILON;
-    r += (double)(wide * 2.0L) + (double)sqrtl(wide) + M_PI + HUGE_VAL + DBL_MAX + 0x1p-3 + 1e10 + .5 + 5. + 0x7f + 017 + 100L + 3u;
-    r += abs((int)x) + (double)labs((long)x) + rand() % 10 + (double)(time(NULL) % 2) + atof("1.5") + atoi("3") + strtod("2", NULL);
+    r += isnan(x) || isinf(y) || !isfinite(x) || signbit(y) || x == INFINITY || isless(x, y)
+             ? NAN
+             : DBL_EPSILON;
+    r += (double)(wide * 2.0L) + (double)sqrtl(wide) + M_PI + HUGE_VAL + DBL_MAX + 0x1p-3 + 1e10 +
+         .5 + 5. + 0x7f + 017 + 100L + 3u;
+    r += abs((int)x) + (double)labs((long)x) + rand() % 10 + (double)(time(NULL) % 2) +
+         atof("1.5") + atoi("3") + strtod("2", NULL);
     complex double z = x + y * I;
-    return r + creal(z * z) + cimag(z) + (x > y ? x : y) + MAX(x, y) + SQUARE(x) + JOINED(ep, silon);
+    return r + creal(z * z) + cimag(z) + (x > y ? x : y) + MAX(x, y) + SQUARE(x) +
+           JOINED(ep, silon);
 }
 
 static vec3 vectors(vec3 a, vec3 b, double s, const Sphere *sphere, Ray ray)
@@ -279,10 +313,13 @@ static int helper(int a, int b)
     watched = own++;
     atomic_fetch_add(&shared_count, 1);
     printf("%d %s\n", *p, TEXT(a + b)), puts("x"), putchar('\n'), DEBUG("%d\n", calls);
-    printf("%" PRId64 " %lf %e %i %o %X %-5d|%05d|%+d|%.3s|%*d\n", large, 1.5, 2.5, 1, 8, 255, 1, 2, 3, "abcdef", 4, 5);
-    if (sscanf("1 2", "%d %lf", q, &(double){0}) != 2 || fgets((char[8]){0}, 8, stdin) == NULL || getchar() == EOF)
-        return *q + small + byte + found + _Generic(a, int: 1, double: 2, default: 3);
-    return __builtin_popcount((unsigned)a) + (int)strtol("12", NULL, 10) + tolower('A') + (strchr("abc", 'b') != NULL);
+    printf("%" PRId64 " %lf %e %i %o %X %-5d|%05d|%+d|%.3s|%*d\n", large, 1.5, 2.5, 1, 8, 255, 1, 2,
+           3, "abcdef", 4, 5);
+    if (sscanf("1 2", "%d %lf", q, &(double){0}) != 2 || fgets((char[8]){0}, 8, stdin) == NULL ||
+        getchar() == EOF)
+        return *q + small + byte + found + _Generic(a, int : 1, double : 2, default : 3);
+    return __builtin_popcount((unsigned)a) + (int)strtol("12", NULL, 10) + tolower('A') +
+           (strchr("abc", 'b') != NULL);
 }
 
 // Each of these draws a warning.
@@ -300,8 +337,9 @@ int odd(int a, unsigned b, double d, float f, char *text, Thing thing)
     printf("%d %s\n", d, a);
     values[5] = 1 / 2 * d;
     char c = 300;
-    for (int i = 0; i < 3; i++);
-        a++;
+    for (int i = 0; i < 3; i++)
+        ;
+    a++;
     if (a)
         if (b)
             a = 1;
@@ -309,13 +347,16 @@ int odd(int a, unsigned b, double d, float f, char *text, Thing thing)
             a = 2;
     a = a;
     text == "yes";
-    return big + shifted + zero + c + abs(d) + thing.more + (sizeof(text) / sizeof(text[0])) + (a++ + a++) + set;
+    return big + shifted + zero + c + abs(d) + thing.more + (sizeof(text) / sizeof(text[0])) +
+           (a++ + a++) + set;
 }
 
 int user(Thing *thing, int n)
 {
-    return operators(n, 2, 3, 4, 5, 6, 7, 1, 'c', 9) + statements(n, "a1") + functions(compare, square, NULL) +
-           arrays(n, (double[]){1, 2}, table, (double (*)[4])grid) + structures(*thing, thing, &thing->at, 1).at.x +
-           (lists(n) != NULL) + (int)numbers(n, n, 1, 1) + (int)vectors((vec3){1}, (vec3){2}, 1, NULL, (Ray){0})[0] +
+    return operators(n, 2, 3, 4, 5, 6, 7, 1, 'c', 9) + statements(n, "a1") +
+           functions(compare, square, NULL) +
+           arrays(n, (double[]){1, 2}, table, (double(*)[4])grid) +
+           structures(*thing, thing, &thing->at, 1).at.x + (lists(n) != NULL) +
+           (int)numbers(n, n, 1, 1) + (int)vectors((vec3){1}, (vec3){2}, 1, NULL, (Ray){0})[0] +
            (int)epsilon;
 }

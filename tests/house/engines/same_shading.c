@@ -34,17 +34,27 @@ static void compare_rays(const char *name, Camera camera)
     if (!light_world_build(&world, &lit_scene, 1))
         exit(1);
     lanes_at_most = LANES_AVX512;
+    const int count = screen.width * screen.height;
+    Ray rays[PATHS];
+    Color colors[PATHS];
     for (LanesKind best = lanes_best(), kind = LANES_BASELINE; kind <= best; kind++) {
         lanes_at_most = kind;
         LightPaths paths;
-        if (!light_paths_begin(&paths, &world, NULL, 0))
+        if (!light_paths_begin(&paths, &world, lit_depth))
             exit(1);
-        int different = 0, count = screen.width * screen.height;
-        for (int i = 0; i < count; i++) {
-            Ray ray = pixel_ray(camera, screen, (Pixel){i % screen.width, i / screen.width});
-            Color all = trace_ray(&lit_scene, ray, lit_depth);
-            Color by_path = path_color(&paths, ray, lit_depth);
-            different += memcmp(&all, &by_path, 3 * sizeof(double)) != 0;
+        int different = 0;
+        for (int first = 0; first < count; first += PATHS) {
+            int some = count - first < PATHS ? count - first : PATHS;
+            for (int i = 0; i < some; i++) {
+                int pixel = first + i;
+                rays[i] =
+                    pixel_ray(camera, screen, (Pixel){pixel % screen.width, pixel / screen.width});
+            }
+            path_colors(&paths, rays, NULL, some, colors);
+            for (int i = 0; i < some; i++) {
+                Color all = trace_ray(&lit_scene, rays[i], lit_depth);
+                different += memcmp(&all, &colors[i], 3 * sizeof(double)) != 0;
+            }
         }
         char what[40];
         snprintf(what, sizeof what, "rays, %s", lanes_names[kind]);
