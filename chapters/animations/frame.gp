@@ -9,8 +9,21 @@ if (format eq "png") {
 }
 if (format eq "svg") { set terminal svg size 960,540 font "DejaVu Sans,24" enhanced background rgb background }
 set output format eq "txt" ? "/dev/null" : output.".".format
-small(s) = s
-small_font = ",24"
+# Larger text, mathematics in it or not. (The SVG of gnuplot 5.4 forgets a size after a change of font that has
+# none.)
+slim(s) = strstrt(s, ":Italic ") == 0 ? s : \
+    s[1:strstrt(s, ":Italic ")+6]."*0.99".slim(s[strstrt(s, ":Italic ")+7:*])
+large(s) = s eq "" ? "" : sprintf("{/*1.25 %s}", slim(s))
+# All frames are seen from the same place: '@see' chooses scale and place so that $fit fills the room left, right,
+# bottom, top of the canvas; '@flat', so that low_x .. high_x by low_y .. high_y does.
+see = 'set autoscale; stats $fit using (seen_x($1,$2,$3)-$4):(seen_y($1,$2,$3)-$4) name "low" nooutput; \
+    stats $fit using (seen_x($1,$2,$3)+$4):(seen_y($1,$2,$3)+$4) name "high" nooutput; \
+    low_x = low_min_x; high_x = high_max_x; low_y = low_min_y; high_y = high_max_y; @flat; scale = size[panel]; \
+    set xrange [0:width]; set yrange [-strip:height]'
+flat = 'flat_w = width * (word(room, 2) - word(room, 1)); flat_h = height * (word(room, 4) - word(room, 3)); \
+    size[panel] = least(flat_w / (high_x - low_x), flat_h / (high_y - low_y)); \
+    zero_x[panel] = width * (word(room, 1) + word(room, 2)) / 2 - size[panel] * (low_x + high_x) / 2; \
+    zero_y[panel] = height * (word(room, 3) + word(room, 4)) / 2 - size[panel] * (low_y + high_y) / 2'
 # A number in a text that moves: always two decimals, and a minus sign.
 two(x) = (x < -0.005 ? "−" : "").sprintf("%.2f", abs(x))
 # A number in a row of a block: $name[k + 1] is row k, after the comment in its first line.

@@ -205,12 +205,7 @@ static void put_mathematics(FILE *out, const char *text, size_t size)
 // Text, and mathematics between two $.
 static void put_label(FILE *out, const char *label, size_t size)
 {
-    static const char bar[] = "¦"; // common/figure/plot.gp
     bool is_text = true;
-    if (begins(label, size, bar)) {
-        label += strlen(bar);
-        size -= strlen(bar);
-    }
     for (const char *end = label + size;; is_text = !is_text) {
         const char *dollar = memchr(label, '$', (size_t)(end - label));
         const char *stop = dollar != NULL ? dollar : end;

@@ -21,11 +21,37 @@ void beside_vectors(Plot *plot, vec3 right_from, vec3 right, vec3 yours_from, ve
     vector(plot, "off", right_from + right, yours_from + yours - right_from - right);
 }
 
-void beside_words(Plot *plot, const char *right, const char *yours, const char *off)
+void beside_words(Plot *plot, BesideWords words)
 {
-    plot_label(plot, "answer", right);
-    plot_label(plot, "yours", yours);
-    plot_label(plot, "off", off);
+    plot_label(plot, "answer", words.right);
+    plot_label(plot, "yours", words.yours);
+    plot_label(plot, "off", words.off);
+}
+
+static void paragraph(Plot *plot, const char *color, const char *name, const char *words)
+{
+    char text[400];
+    snprintf(text, sizeof text, "%s%s", name, words);
+    if (words[0] != '\0')
+        plot_below(plot, color, text, true);
+}
+
+void beside_below(Plot *plot, const char *asked, const char *why, BesideWords words)
+{
+    plot_text(plot, "asked", asked);
+    plot_text(plot, "why", why);
+    beside_words(plot, words);
+    paragraph(plot, "blue", "right: ", words.right);
+    paragraph(plot, "ink", "yours, dashed: ", words.yours);
+    paragraph(plot, "ink", "", words.off);
+    if (why[0] != '\0')
+        plot_below(plot, "grey", why, false);
+}
+
+void beside_names(Plot *plot)
+{
+    plot_name(plot, (Label){"right", "blue", .block = "answer", .part = 1});
+    plot_name(plot, (Label){"yours", "ink", .step = 2, .block = "yours", .part = 1});
 }
 
 // So many halves, thirds, ... tenths; false where it is none of these.

@@ -95,7 +95,8 @@ enum { TEXT_SIZE = 24 }; // in units of the canvas, which is 540 tall
 // TEXT_SIZE units tall.
 
 // In space, along these directions of the world (unit vectors, at right angles), from their right
-// side, turned by azimuth and raised by elevation, in degrees.
+// side, turned by azimuth and raised by elevation, in degrees. The first call of this function and
+// the next is for all panels; later ones are for the current panel and those after it.
 void plot_look(Plot *plot, vec3 right, vec3 up, vec3 forward, double azimuth, double elevation);
 
 // Flat: x to the right, y up (z is not used).
@@ -125,8 +126,9 @@ void plot_undrawn(Plot *plot);
 // edge.
 void plot_moved(Plot *plot, double u, double v);
 
-// A part of the canvas in which the layout writes by itself: labels keep out of it.
-void plot_keep_clear(Plot *plot, Room part);
+// A part of each canvas in which the layout draws or writes by itself: labels keep out of it. There
+// may be several.
+void plot_keep_clear(Plot *plot, Room wide, Room narrow);
 
 // The layout draws this, besides the blocks: a ball, a circle as it is seen, a line. Moved: by so
 // many units of the canvas.
@@ -151,6 +153,10 @@ typedef struct {
 #define ANYWHERE (-1)
 void plot_name(Plot *plot, Label label);
 void plot_names(Plot *plot, const Label *labels, size_t count);
+
+// A paragraph below the canvas, in lines as long as the canvas is wide. Where it has numbers, with
+// minus signs for hyphens.
+void plot_below(Plot *plot, const char *color, const char *words, bool has_numbers);
 
 // How wide the text of one line is, in units of the canvas.
 double plot_width(const Plot *plot, const char *text);

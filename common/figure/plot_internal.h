@@ -25,7 +25,9 @@ struct Plot {
     PlotHandles *handles;
     bool is_live;
     FILE *pictures; // where pictures go; NULL: into the script
-    bool failed;    // a file could not be read, and a message said so
+    FILE *strip;    // the paragraphs below the canvas
+    int paragraphs;
+    bool failed; // a file could not be read, and a message said so
 };
 
 // ---- what is right (plot_right.c) -------------------------------------------------------------

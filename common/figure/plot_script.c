@@ -74,12 +74,21 @@ static void keep_data(char *script)
         *end = '\0';
 }
 
+void plot_below(Plot *plot, const char *color, const char *words, bool has_numbers)
+{
+    char *text = gnuplot_string(words, has_numbers);
+    int i = ++plot->paragraphs;
+    fprintf(plot->strip, "strip_text[%d] = %s\nstrip_color[%d] = \"%s\"\n", i, text, i, color);
+    free(text);
+}
+
 // The top of the script must say whether something is wrong, but that is known only after the data.
 static void write_script(Plot *plot, FILE *out, const Figure *figure, const char *head,
                          const char *file, const char *layout, const char *note, void *given)
 {
-    char *data, *included;
-    size_t size, included_size;
+    char *data, *included, *strip;
+    size_t size, included_size, strip_size;
+    plot->strip = open_memstream(&strip, &strip_size);
     plot->script = open_memstream(&data, &size);
     plot->included = open_memstream(&included, &included_size);
     plot->fit = open_memstream(&plot->fit_text, &plot->fit_size);
@@ -87,6 +96,9 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     plot_fit_end(plot);
     fputs(DATA_END "\n", plot->script);
     bool placed = plot_view_end(plot);
+    if (note != NULL && note[0] != '\0' && plot->wrong)
+        plot_below(plot, "ink", note, false);
+    fclose(plot->strip);
     fclose(plot->included);
     fclose(plot->script);
     char *name = gnuplot_string(figure->name, false), *from = gnuplot_string(file, false);
@@ -100,6 +112,9 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
         fprintf(out, "note = %s\n", said);
         free(said);
     }
+    fprintf(out, "strip_count = %d\narray strip_text[%d]\narray strip_color[%d]\n%s",
+            plot->paragraphs, plot->paragraphs + 1, plot->paragraphs + 1, strip);
+    free(strip);
     fprintf(out, "%s\n%s" DATA_BEGIN "\n%s" LAYOUT "\n@legend\n%s\n@finish\n", head, included, data,
             layout);
     free(included);

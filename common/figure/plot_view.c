@@ -12,6 +12,7 @@
 
 enum { PANELS = 9, SHAPES = 2, NAME_SIZE = 40 };
 enum { HEIGHT = 540, EDGE = 10, TITLE = 76 }; // of the canvas; and the room of a slide's title
+enum { LINE = 3, DOT = 6 };                   // how wide a line is drawn, and half a dot
 
 static const int canvas_width[SHAPES] = {960, 720};
 
@@ -56,19 +57,25 @@ typedef struct {
     int count, room;
 } List;
 
+// Directions of the world: to the right on the canvas, and up.
+typedef struct {
+    bool flat;
+    vec3 u, v;
+} Look;
+
 struct PlotView {
-    bool looks, flat, apart, fills, is_held;
+    bool looks, apart, fills, is_held;
     int only; // the shape that is placed; SHAPES: all of them
-    vec3 u, v,
-        near; // directions of the world: to the right on the canvas, up, towards whoever looks
+    Look look[PANELS];
     Room room[PANELS][SHAPES];
-    Room clear; // where no label may be
+    List clear; // where no label may be: Rooms, for one canvas and the other
     int panel;
     List marks, words, wanted, fits;
     // The block that is being written.
     const char *block;
     bool is_drawn, joins;
     double moved_u, moved_v;
+    Area around[PANELS]; // how far what is moved may be outside of what has to be seen
     vec3 last;
     int row;
     // What was found, for each shape.
@@ -110,7 +117,7 @@ PlotView *plot_view_new(void)
     view->only = SHAPES;
     for (int i = 0; i < PANELS; i++)
         for (int shape = 0; shape < SHAPES; shape++)
-            view->room[i][shape] = (Room){0.03, 0.97, 0.04, 1 - (double)TITLE / HEIGHT};
+            view->room[i][shape] = (Room){0.03, 0.97, 0.04, 1 - (double)(TITLE + DOT) / HEIGHT};
     return view;
 }
 
@@ -119,6 +126,7 @@ void plot_view_free(PlotView *view)
     Wanted *wanted = view->wanted.items;
     for (int i = 0; i < view->wanted.count; i++)
         free(wanted[i].text);
+    free(view->clear.items);
     free(view->marks.items);
     free(view->words.items);
     free(view->wanted.items);
@@ -135,15 +143,20 @@ void plot_view_free(PlotView *view)
 // ---- what the figure says
 // -------------------------------------------------------------------------
 
+// At first for all panels, then for this one and those after it.
+static void look(PlotView *view, Look look)
+{
+    for (int i = view->looks ? view->panel : 0; i < PANELS; i++)
+        view->look[i] = look;
+    view->looks = true;
+}
+
 void plot_look(Plot *plot, vec3 right, vec3 up, vec3 forward, double azimuth, double elevation)
 {
     double a = azimuth * PI / 180, e = elevation * PI / 180;
     vec3 aside = cos(a) * right - sin(a) * forward;
-    PlotView *view = plot->view;
-    view->looks = true;
-    view->u = cos(a) * forward + sin(a) * right;
-    view->v = cos(e) * up - sin(e) * aside;
-    view->near = sin(e) * up + cos(e) * aside;
+    look(plot->view,
+         (Look){false, cos(a) * forward + sin(a) * right, cos(e) * up - sin(e) * aside});
     plot_number(plot, "azimuth", azimuth);
     plot_number(plot, "elevation", elevation);
 }
@@ -155,10 +168,7 @@ void plot_apart(Plot *plot)
 
 void plot_look_flat(Plot *plot)
 {
-    plot->view->looks = true;
-    plot->view->flat = true;
-    plot->view->u = vec3_of(1, 0, 0);
-    plot->view->v = vec3_of(0, 1, 0);
+    look(plot->view, (Look){true, vec3_of(1, 0, 0), vec3_of(0, 1, 0)});
 }
 
 void plot_room(Plot *plot, Room wide, Room narrow)
@@ -250,11 +260,21 @@ void plot_ball(Plot *plot, vec3 center, double radius)
     mark(plot, center, center)->radius = radius;
 }
 
+// Room is left for it around the picture.
+static void move(PlotView *view, Mark *mark, double u, double v)
+{
+    Area *around = &view->around[mark->panel];
+    mark->moved_u = u;
+    mark->moved_v = v;
+    around->left = fmax(around->left, -u);
+    around->right = fmax(around->right, u);
+    around->bottom = fmax(around->bottom, -v);
+    around->top = fmax(around->top, v);
+}
+
 void plot_line(Plot *plot, vec3 from, vec3 to, double moved_u, double moved_v)
 {
-    Mark *line = mark(plot, from, to);
-    line->moved_u = moved_u;
-    line->moved_v = moved_v;
+    move(plot->view, mark(plot, from, to), moved_u, moved_v);
 }
 
 void plot_undrawn(Plot *plot)
@@ -271,16 +291,18 @@ void plot_moved(Plot *plot, double u, double v)
 void plot_circle(Plot *plot, vec3 center, double radius)
 {
     enum { SIDES = 36 };
-    const vec3 u = radius * plot->view->u, v = radius * plot->view->v;
+    const Look *look = &plot->view->look[plot->view->panel];
+    const vec3 u = radius * look->u, v = radius * look->v;
     for (int i = 0; i < SIDES; i++) {
         double a = 2 * PI * i / SIDES, b = 2 * PI * (i + 1) / SIDES;
         plot_line(plot, center + cos(a) * u + sin(a) * v, center + cos(b) * u + sin(b) * v, 0, 0);
     }
 }
 
-void plot_keep_clear(Plot *plot, Room part)
+void plot_keep_clear(Plot *plot, Room wide, Room narrow)
 {
-    plot->view->clear = part;
+    *(Room *)add(&plot->view->clear, sizeof(Room)) = wide;
+    *(Room *)add(&plot->view->clear, sizeof(Room)) = narrow;
 }
 
 static void mark_row(Plot *plot, vec3 from, vec3 vector, bool yours)
@@ -292,8 +314,7 @@ static void mark_row(Plot *plot, vec3 from, vec3 vector, bool yours)
     row->row = view->row++;
     row->is_arrow = is_arrow;
     row->yours = yours;
-    row->moved_u = view->moved_u;
-    row->moved_v = view->moved_v;
+    move(view, row, view->moved_u, view->moved_v);
     view->joins = !is_arrow;
     view->last = from;
 }
@@ -352,8 +373,8 @@ void plot_view_block_end(Plot *plot, const char *right, size_t size)
 static Spot spot_of(const PlotView *view, int shape, int panel, vec3 place)
 {
     double size = view->size[shape][panel];
-    return (Spot){view->zero_u[shape][panel] + size * vec3_dot(view->u, place),
-                  view->zero_v[shape][panel] + size * vec3_dot(view->v, place)};
+    return (Spot){view->zero_u[shape][panel] + size * vec3_dot(view->look[panel].u, place),
+                  view->zero_v[shape][panel] + size * vec3_dot(view->look[panel].v, place)};
 }
 
 static double *side_of(Area *area, int i)
@@ -367,9 +388,11 @@ static Area to_be_seen(const PlotView *view, int panel)
     const Fit *fits = view->fits.items;
     Area all = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     for (int i = 0; i < view->fits.count; i++) {
-        if (fits[i].panel != panel && (view->flat || view->apart))
+        int other = fits[i].panel;
+        if (other != panel && (view->look[panel].flat || view->look[other].flat || view->apart))
             continue;
-        double u = vec3_dot(view->u, fits[i].center), v = vec3_dot(view->v, fits[i].center);
+        double u = vec3_dot(view->look[panel].u, fits[i].center);
+        double v = vec3_dot(view->look[panel].v, fits[i].center);
         all.left = fmin(all.left, u - fits[i].radius);
         all.right = fmax(all.right, u + fits[i].radius);
         all.bottom = fmin(all.bottom, v - fits[i].radius);
@@ -382,10 +405,12 @@ static Area to_be_seen(const PlotView *view, int panel)
 static Area room_of(const PlotView *view, int shape, int panel)
 {
     Room room = view->room[panel][shape];
-    Area over = view->over[shape][panel];
+    Area over = view->over[shape][panel], around = view->around[panel];
     double width = canvas_width[shape];
-    return (Area){width * room.left + over.left, width * room.right - over.right,
-                  HEIGHT * room.bottom + over.bottom, HEIGHT * room.top - over.top};
+    return (Area){width * room.left + fmax(over.left, around.left),
+                  width * room.right - fmax(over.right, around.right),
+                  HEIGHT * room.bottom + fmax(over.bottom, around.bottom),
+                  HEIGHT * room.top - fmax(over.top, around.top)};
 }
 
 // How large a panel can be; infinite if nothing has to be seen in it.
@@ -538,17 +563,24 @@ static Spot moved(Spot spot, const Mark *mark)
     return (Spot){spot.u + mark->moved_u, spot.v + mark->moved_v};
 }
 
+// A part of the canvas, as a thick line along its longer side.
+static void draw_room(Room room, double width, Labels *labels)
+{
+    double left = width * room.left, right = width * room.right;
+    double bottom = HEIGHT * room.bottom, top = HEIGHT * room.top;
+    double thick = fmin(right - left, top - bottom), u = (left + right) / 2, v = (bottom + top) / 2;
+    if (right - left > top - bottom)
+        labels_line(labels, (Spot){left, v}, (Spot){right, v}, thick);
+    else
+        labels_line(labels, (Spot){u, bottom}, (Spot){u, top}, thick);
+}
+
 // Draws, as far as labels care.
 static void draw(const PlotView *view, int shape, Labels *labels)
 {
-    enum { LINE = 3, DOT = 6, STEPS = 1 };
     const Mark *marks = view->marks.items;
-    if (view->clear.top > view->clear.bottom) {
-        double v = HEIGHT * (view->clear.bottom + view->clear.top) / 2, width = canvas_width[shape];
-        labels_line(labels, (Spot){width * view->clear.left, v},
-                    (Spot){width * view->clear.right, v},
-                    HEIGHT * (view->clear.top - view->clear.bottom));
-    }
+    for (int i = shape; i < view->clear.count; i += SHAPES)
+        draw_room(((const Room *)view->clear.items)[i], canvas_width[shape], labels);
     for (int i = 0; i < view->marks.count; i++) {
         const Mark *mark = &marks[i];
         Spot from = moved(spot_of(view, shape, mark->panel, mark->from), mark);
@@ -971,6 +1003,6 @@ bool plot_view_spot(const Plot *plot, int panel, vec3 place, double uv[2])
 void plot_view_way(const Plot *plot, int panel, vec3 way, double uv[2])
 {
     double size = plot->view->size[shape_of(plot->view)][panel];
-    uv[0] = size * vec3_dot(plot->view->u, way);
-    uv[1] = size * vec3_dot(plot->view->v, way);
+    uv[0] = size * vec3_dot(plot->view->look[panel].u, way);
+    uv[1] = size * vec3_dot(plot->view->look[panel].v, way);
 }

@@ -18,8 +18,6 @@ array ball_h[100] # from its middle to the image plane, towards whoever looks
 array divided[100] # by which: "2 5"
 array order[100]
 
-# Smaller letters around letters in italics: '@little', because a font inside of a size ends it in SVG.
-little = tex ? "" : "font small_font"
 # Sphere 0 is A, as in the lesson; after Z comes AA.
 letter(i) = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"[i % 26 + 1:i % 26 + 1]
 ball_name(i) = i < 26 ? letter(int(i)) : ball_name(int(i) / 26 - 1).letter(int(i))
@@ -109,7 +107,7 @@ spot_x(i, k) = ball_x[i] + (k == 0 ? 0 : 0.6 * ball_r[i] * cos(45 * k + 22))
 spot_y(i, k) = ball_y[i] + (k == 0 ? 0 : 0.6 * ball_r[i] * sin(45 * k + 22))
 spot_seen(i, k) = !hidden(spot_x(i, k), spot_y(i, k), ball_n[i] + ball_r[i] * (k == 0 ? 1 : 0.8))
 spot(i, k) = k > 8 || spot_seen(i, k) ? k : spot(i, k + 1)
-letters(i, name) = ball_r[i] > 24 ? name : ball_r[i] > 6 + 6 * strlen(name) ? small(name) : ""
+letters(i, name) = ball_r[i] > 6 + 6 * strlen(name) ? name : ""
 name_at(i, k) = k > 8 || letters(i, ball_name(ball_number[i])) eq "" ? "" : sprintf("'+' every ::0::0 \
 using (%g):(%g):(letters(%d,'%s')) with labels tc rgb '%s' title 'name of %s', ", spot_x(i, k), spot_y(i, k), i, \
     ball_name(ball_number[i]), on_ball(ball_rgb[i]), ball_name(ball_number[i]))
@@ -134,7 +132,7 @@ spheres = 'set samples 145; count = 0; behind = ""; before = ""; names = ""; \
 # Around a hit on a sphere that is too large to draw (a ground): '@patches', drawn first.
 patches = '$patches index 0 using @point:(pale($4)) with filledcurves closed fc rgb variable fs solid noborder title "patches", \
     $patches index 0 using @point with @hair lc rgb grey title "patches, outline", \
-    $patch_names index 0 using @point:(small(ball_name($4))) with labels tc rgb ink title "patches, names",'
+    $patch_names index 0 using @point:(ball_name($4)) with labels tc rgb ink title "patches, names",'
 in_part(_) = patched ? "Of a sphere that is not drawn as a whole there is what is round the hit. " : ""
 
 # A ray's bold part, if it is visible.

@@ -52,7 +52,7 @@ def eye(figure, c):
 
 def camera_frame(c, options, shape):
     figure = drawn("camera-frame", options, shape)
-    figure.see(c["r"], c["u"], c["f"], room=(0.06, 0.86, 0.09, 0.94), azimuth=32)
+    figure.see(c["r"], c["u"], c["f"], azimuth=32)
     eye(figure, c)
     outline(figure, "plane", c)
     long = max(c["d"], c["w"], c["h"]) / 4
@@ -91,7 +91,7 @@ def axes(figure, c, middle):
 def corner_vectors(c, options, shape):
     figure = drawn("corner-vectors", options, shape)
     words = len("d f + (w/2) r + (h/2) u")
-    figure.see(c["r"], c["u"], c["f"], room=(0.08, 1 - (LETTER * words + 20) / SHAPES[shape], 0.06, 0.86), azimuth=34)
+    figure.see(c["r"], c["u"], c["f"], azimuth=34)
     left, right = legs(c, -1, 1), legs(c, 1, 1)
     checks.same("the upper left corner's data", figure.block("upper_left")[0], [*c["p"], *left])
     checks.same("the upper right corner's data", figure.block("upper_right")[0], [*c["p"], *right])
@@ -110,7 +110,7 @@ def corner_vectors(c, options, shape):
 
 def point_30_10(c, options, shape, s=0.3, t=0.1):
     figure = drawn("point-30-10", options, shape)
-    figure.see(c["r"], c["u"], c["f"], room=(0.08, 1 - 100 / SHAPES[shape], 0.12, 0.80), azimuth=42)
+    figure.see(c["r"], c["u"], c["f"], azimuth=42)
     vector, point = legs(c, 2 * s - 1, 2 * t - 1), place_of(c, s, t)
     checks.same("the point's data", figure.block("vector")[0], [*c["p"], *vector])
     checks.near("the point", figure.dots("point"), figure.place(point))
@@ -131,7 +131,7 @@ def point_30_10(c, options, shape, s=0.3, t=0.1):
 
 def double_dwh(c, options, shape, s=0.3, t=0.1):
     figure = drawn("double-dwh", options, shape)
-    figure.see(c["r"], c["u"], c["f"], room=(0.06, 0.92, 0.08, 0.94), azimuth=32)
+    figure.see(c["r"], c["u"], c["f"], azimuth=32)
     eye(figure, c)
     # Seen from the eye, everything of another camera is multiplied by one factor.
     larger = {"plane": 1, "twice": 2, "unit": 1 / c["d"]}
@@ -169,7 +169,7 @@ def yours_beside_right():
         figure = Figure("01-corners", "corner-vectors", *options_of(wrong), "--beside", path)
         same = Figure("01-corners", "corner-vectors", *options_of(DECK), "--beside", path)
     words = len("d f + (w/2) r + (h/2) u")
-    figure.see(DECK["r"], DECK["u"], DECK["f"], room=(0.08, 1 - (LETTER * words + 20) / 960, 0.06, 0.86), azimuth=34)
+    figure.see(DECK["r"], DECK["u"], DECK["f"], azimuth=34)
     ends = [plus(c["p"], legs(c, 1, 1)) for c in (DECK, wrong)]
     checks.near("right and yours", figure.tips("upper right"), [figure.place(p) for p in ends])
     dashed = [path.get("stroke-dasharray") for group in figure.groups("upper right")
@@ -184,7 +184,7 @@ def yours_beside_right():
 def yours_and_right(c, options, yours=None):
     """The point 30% across and 10% up; by default, an answer that starts from the middle."""
     figure = Figure("01-corners", "yours-and-right", *options)
-    figure.see(c["r"], c["u"], c["f"], room=(0.10, 0.95, 0.05, 0.90))
+    figure.see(c["r"], c["u"], c["f"])
     right = legs(c, -0.4, -0.8)
     yours = yours or legs(c, 0.6, 0.2)
     checks.same("yours and right: data", [figure.block("answer")[0], figure.block("yours")[0]],

@@ -4,7 +4,7 @@ import random
 
 from check import Checks, holds_for_every
 from figure import Figure
-from flat import PlacedPanel, in_words, line, number, pair, stroke
+from flat import Panel, in_words, line, number, pair, stroke
 
 checks = Checks("figures of 03-screen")
 DOT = 0.05  # canvas units
@@ -30,7 +30,7 @@ def screen_to_unit(size, at, options):
     figure = Figure("03-screen", "screen-to-unit", *options)
     (across, down), (x, y) = size, at
     s, t = x / across, (down - y) / down
-    screen, square = PlacedPanel(figure, 1), PlacedPanel(figure, 2)
+    screen, square = Panel(figure, 1), Panel(figure, 2)
     for panel, corners in ((screen, ((0, 0), (across, -down), (x, -y))), (square, ((0, 0), (1, 1), (s, t)))):
         for left, low in (panel.place(*corner) for corner in corners):
             checks.that("all of it is on the canvas", 0 < left < 960 and 0 < low < 464, f"{left}, {low}")
@@ -75,7 +75,7 @@ def pixel_grid(size, pixel, options):
                     high == (numbers[-1] + 1 + 0.4 * (numbers[-1] + 1 < count)), f"{low} to {high}")
     low = (figure.number("begin_x"), -figure.number("end_y"))
     high = (figure.number("end_x"), -figure.number("begin_y"))
-    panel = PlacedPanel(figure)
+    panel = Panel(figure)
     for left, height in (panel.place(*low), panel.place(*high)):
         checks.that("the part is on the canvas", 0 < left < 960 and 0 < height < 464, f"{left}, {height}")
     x, y, s, t = column + 0.5, row + 0.5, (2 * column + 1) / (2 * across), (2 * down - 2 * row - 1) / (2 * down)

@@ -2,7 +2,7 @@
 import os
 import random
 
-from cameras import DECK, corners, options_of, some_camera
+from cameras import DECK, corners, label_of, options_of, some_camera
 from check import Checks, holds_for_every
 from figure import Figure, plus, times
 from flat import Panel, in_words, line, number, pair, stroke
@@ -25,25 +25,26 @@ def toward(c, s, t):
 
 def lens_and_screen(figure, size, pixel):
     (across, down), (column, row) = size, pixel
-    lens = Panel(figure, (0.05, 0.21, 0.70, 0.91), (column, -row - 1), (column + 1, -row))
-    screen = Panel(figure, (0.28, 0.51, 0.70, 0.91), (0, -down), (across, 0))
+    lens = Panel(figure, 2)
+    screen = Panel(figure, 3)
     checks.near("the pixel under the lens", line(figure, "pixel, outline"),
                 [lens.place(column + i, j - row - 1) for i, j in SQUARE])
     checks.near("the pixel on the screen", figure.polygons("pixel on the screen")[0],
                 [screen.place(column + i, j - row - 1) for i, j in SQUARE])
-    checks.near("the screen", line(figure, "screen"), [screen.place(i * across, -j * down) for i, j in SQUARE])
+    checks.near("the screen", line(figure, "screen"), [screen.place(i * across, (j - 1) * down) for i, j in SQUARE])
     checks.near("its origin is its upper left corner", figure.dots("origin of the screen"), screen.place(0, 0))
     x, y = column + 0.5, row + 0.5
     for title, panel, a in (("half across", lens, (column, -y)), ("half down", lens, (x, -row)),
                             ("x of the center", screen, (0, -y)), ("y of the center", screen, (x, 0))):
         stroke(checks, figure, title, panel.place(*a), panel.place(x, -y))
     checks.same("the centre's data", figure.block("center"), [[x, y]])
+    checks.that("they are side by side", lens.place(column + 1, 0)[0] < screen.place(0, 0)[0])
     checks.near("the centre under the lens", figure.dots("center under the lens"), lens.place(x, -y), DOT)
     checks.near("the centre", figure.dots("center"), screen.place(x, -y), DOT)
 
 
 def unit_square(figure, s, t):
-    square = Panel(figure, (0.72, 0.90, 0.70, 0.91), (0, 0), (1, 1))
+    square = Panel(figure, 4)
     checks.near("the square", line(figure, "square"), [square.place(*corner) for corner in SQUARE])
     checks.near("its origin is its lower left corner", figure.dots("origin of the square"), square.place(0, 0))
     checks.same("the place's data", figure.block("place"), [[s, t]])
@@ -53,7 +54,7 @@ def unit_square(figure, s, t):
 
 
 def world(figure, c, s, t):
-    figure.see(c["r"], c["u"], c["f"], room=(0.08, 0.71, 0.19, 0.64))
+    figure.see(c["r"], c["u"], c["f"])
     vector, eye = toward(c, s, t), c["p"]
 
     def at(s, t, far=1.0):
@@ -80,13 +81,13 @@ def pixel_to_ray(c, size, pixel, options):
     unit_square(figure, s, t)
     world(figure, c, s, t)
     labels = [text for text, _, _ in figure.labels()]
-    for text in (f"pixel {pair(*pixel)}", f"centre {pair(column + 0.5, row + 0.5)}", f"(s, t) = {pair(s, t)}",
-                 f"s = x/{across}", f"t = 1 − y/{down}", "p", "v", "p + t v"):
+    for text in (f"pixel {pair(*pixel)}", f"centre {pair(column + 0.5, row + 0.5)}", f"s = x/{across} = {number(s)}",
+                 f"t = 1 − y/{down} = {number(t)}", "pixel", "screen", "(s, t)", "p", "v", "p + t v"):
         checks.that(f"the label {text!r}", text in labels, str(labels))
     if c is DECK:  # a number that is 0 except for rounding has other digits on other machines
-        vector = "(" + ", ".join(number(x) for x in toward(c, s, t)) + ")"
-        checks.that("the vector's label", f"v = d f + (s − ½) w r + (t − ½) h u = {vector}" in labels, str(labels))
-        checks.that("the ray's label", "ray: p + t v from p = (2, 2, −4)" in labels, str(labels))
+        vector = label_of(toward(c, s, t))
+        for text in ("v = d f + (s − ½) w r", "+ (t − ½) h u", f"= {vector}", "ray p + t v from (2, 2, −4)"):
+            checks.that(f"the vector's and the ray's label {text!r}", text in labels, str(labels))
         words = in_words(figure)
         for text in (pair(column + 0.5, row + 0.5), pair(s, t), vector):
             checks.that(f"the words have {text}", text in words, words)

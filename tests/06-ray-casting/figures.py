@@ -141,7 +141,7 @@ def telling_pixel(world, dice):
 # ---- shared by the figures in space -----------------------------------------------------------------
 
 def see(figure, world, room):
-    figure.see(world.r, world.u, world.f, room=room)
+    figure.see(world.r, world.u, world.f)
     nearer = figure.number("plane_t")
     ahead = [gap for gap in (dot(plus(tuple(row[1:4]), world.eye, -1), world.f) - row[4]
                              for row in figure.block("spheres")[:int(figure.number("balls"))]) if gap > 0]
@@ -160,6 +160,11 @@ def plane_where_it_is_seen():
         checks.near(f"{name}: a direction has no length", other.lines("plane")[0], one.lines("plane")[0])
         across = [x for x, _ in one.lines("plane")[0]]
         checks.that(f"{name}: the plane can be seen", max(across) - min(across) > 40, str(across))
+        # Between the centres of the pixels: no ray that is drawn meets it.
+        unseen = Figure(PROGRAM, name, *scene_options({**far, "spheres": [((0, 0, -400), 5, (0.8, 0.3, 0.2))]}, (4, 4)))
+        across = [x for x, _ in unseen.lines("plane")[0]]
+        checks.that(f"{name}: the plane is before a sphere that no pixel sees, and so it can be seen",
+                    unseen.number("balls") == 1 and max(across) - min(across) > 40, str(across))
         wide = {**far, "at": (0, 0, -10), "angle": 170, "spheres": [((16, -14, -20), 14, (0.8, 0.3, 0.2))]}
         figure, world = Figure(PROGRAM, name, *scene_options(wide, (4, 4))), World(wide)
         see(figure, world, ROOM)

@@ -45,8 +45,8 @@ check 'numbers in C are drawn' draws ''
 check 'both figures are counted' says "Figures: 2 as svg in $figures/"
 # Height i/10: the hit is at x = -sqrt(1 - y * y).
 hits_are_on_the_circle() {
-    awk '/^\$hits << EOD/ { inside = 1; next } /^EOD/ { inside = 0 }
-        inside && /^[^#]/ { rows++; if ($1 > 0 || ($1 * $1 + $2 * $2 - 1) ^ 2 > 1e-20) bad = 1 }
+    awk '/^\$rays << EOD/ { inside = 1; next } /^EOD/ { inside = 0 }
+        inside && /^[^#]/ { rows++; x = $1 + $4; y = $2 + $5; if (x > 0 || (x * x + y * y - 1) ^ 2 > 1e-20) bad = 1 }
         END { exit bad || rows != 19 }' "$figures/shape/shape.gp"
 }
 check 'they are those of the answers' hits_are_on_the_circle
@@ -58,7 +58,7 @@ check 'it is not drawn again' says "Figures: 1 as svg in $figures/ (0 drawn now)
 # Errors name the file, the line, and what was expected.
 sed -i 's/^plot/plot no_such_number,/' "$own/shape.gp"
 check 'a mistake in a layout is an error' fails
-check 'at its line' says "$own/shape.gp:8: gnuplot: undefined variable: no_such_number"
+check 'at its line' says "$own/shape.gp:6: gnuplot: undefined variable: no_such_number"
 refused() {
     printf '%s\n' "$1" >"$own/shape.gp"
     fails && says "$2"

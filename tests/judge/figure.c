@@ -130,24 +130,73 @@ bool range_try(Range *range, double x)
     return true;
 }
 
-void figure_ticks(Plot *plot, Range range, double unit)
+// Between round numbers of t: at most eight of them.
+static double stride_of(const Axis *axis)
 {
     static const double steps[] = {1, 2, 5};
-    double step = 0, power = pow(10, floor(log10((range.high - range.low) / 10)));
-    for (int i = 0; (range.high - range.low) / (step = power * steps[i % 3]) > 8; i++)
+    double step = 0, wide = axis->high - axis->low, power = pow(10, floor(log10(wide / 10)));
+    for (int i = 0; wide / (step = power * steps[i % 3]) > 8; i++)
         power *= i % 3 == 2 ? 10 : 1;
-    plot_block(plot, "ticks", "t, its place");
-    for (double n = ceil(range.low / step); n * step <= range.high; n++)
-        plot_row(plot, 2, (const double[]){n * step, n * step * unit});
+    return step;
+}
+
+static bool is_taken(const double *t, int count, double tick, double stride)
+{
+    for (int i = 0; i < count; i++)
+        if (fabs(t[i] - tick) < 0.3 * stride)
+            return true;
+    return false;
+}
+
+static void axis_row(Plot *plot, const Axis *axis, double t)
+{
+    plot_row_dot(plot, 4, (const double[]){t * axis->unit, axis->y, 0, t});
+}
+
+static void axis_ticks(Plot *plot, const Axis *axis)
+{
+    double step = stride_of(axis);
+    int row = 0;
+    plot_block(plot, "ticks", "x y z t");
+    for (double n = ceil(axis->low / step); n * step <= axis->high; n++, row++) {
+        axis_row(plot, axis, n * step);
+        if (is_taken(axis->right, axis->right_count, n * step, step) ||
+            is_taken(axis->yours, axis->your_count, n * step, step))
+            continue;
+        char words[200];
+        snprintf(words, sizeof words, "%s", number_text_to(n * step, 10).s);
+        replace_all(words, sizeof words, "-", "\u2212");
+        plot_name(plot, (Label){words, "grey", .block = "ticks", .row = row});
+    }
     plot_block_end(plot);
 }
 
-void figure_marks(Plot *plot, const char *name, const double *t, int count, double unit)
+static void axis_marks(Plot *plot, const Axis *axis, const char *name, const double *t, int count,
+                       Label label)
 {
-    plot_block(plot, name, "t, its place");
-    for (int i = 0; i < count; i++)
-        plot_row(plot, 2, (const double[]){t[i], t[i] * unit});
+    plot_block(plot, name, "x y z t");
+    for (int i = 0; i < count; i++) {
+        axis_row(plot, axis, t[i]);
+        label.block = name;
+        label.row = i;
+        plot_name(plot, label);
+    }
     plot_block_end(plot);
+}
+
+void figure_axis(Plot *plot, const Axis *axis)
+{
+    vec3 begin = vec3_of(axis->low * axis->unit, axis->y, 0);
+    vec3 end = vec3_of((axis->high + 0.04 * (axis->high - axis->low)) * axis->unit, axis->y, 0);
+    plot_vector(plot, "axis", begin, end - begin);
+    plot_fit(plot, begin, 0);
+    plot_fit(plot, end, 0);
+    plot_name(plot, (Label){"$t$", "grey", .block = "axis", .part = 1});
+    axis_marks(plot, axis, "answer", axis->right, axis->right_count,
+               (Label){"right", "blue", .step = 1});
+    axis_marks(plot, axis, "yours", axis->yours, axis->your_count,
+               (Label){"yours", "ink", .step = 2});
+    axis_ticks(plot, axis);
 }
 
 Text figure_off(double right, double yours)

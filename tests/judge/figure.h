@@ -52,11 +52,17 @@ typedef struct {
 void range_add(Range *range, double x);
 bool range_try(Range *range, double x); // false: left out
 
-// $ticks: round numbers of the range, and their places: times unit.
-void figure_ticks(Plot *plot, Range range, double unit);
+// Results on a t axis: a flat figure, in which t = 1 is 'unit' to the right.
+typedef struct {
+    double low, high; // of t
+    double unit, y;
+    const double *right, *yours; // the results
+    int right_count, your_count;
+} Axis;
 
-// A row for each t, and its place.
-void figure_marks(Plot *plot, const char *name, const double *t, int count, double unit);
+// $axis and $ticks, with round numbers, except where the results are; $answer and $yours, x y z t,
+// on the axis.
+void figure_axis(Plot *plot, const Axis *axis);
 
 // Whether it is finite, and no farther from the right one than this multiple of its size.
 enum { FIGURE_FAR = 20 };

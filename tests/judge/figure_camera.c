@@ -86,11 +86,17 @@ void write_camera(Plot *plot, void *given)
     compare_vectors(&right, &yours, "r", a.right, b.right);
     compare_vectors(&right, &yours, "u", a.up, b.up);
     compare_vectors(&right, &yours, "f", a.forward, b.forward);
-    plot_text(plot, "asked", wrong->function);
-    plot_text(plot, "why", wrong->why);
     figure_frame(plot, a.right, a.up, a.forward);
+    plot_look(plot, a.right, a.up, a.forward, 28, 16);
     plot_point(plot, "eye", a.origin);
     write_arms(plot, "answer", a);
     write_arms(plot, "yours", b);
-    beside_words(plot, right.s, yours.s, "");
+    static const Label names[] = {
+        {"$p$", "blue", .block = "eye"},
+        {"$d f$", "pink", .block = "answer", .row = 0, .part = 1},
+        {"$w r$", "orange", .block = "answer", .row = 1, .part = 1},
+        {"$h u$", "green", .block = "answer", .row = 2, .part = 1},
+    };
+    plot_names(plot, names, sizeof names / sizeof *names);
+    beside_below(plot, wrong->function, wrong->why, (BesideWords){right.s, yours.s, ""});
 }

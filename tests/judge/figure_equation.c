@@ -85,22 +85,28 @@ static void add_values(Range *f, Quadratic q, Range t)
         range_add(f, value(q, t.low + (t.high - t.low) * i / SAMPLES));
 }
 
-// The part of a curve that is not far above or below the other.
-static void write_curve(Plot *plot, const char *name, Quadratic q, Range t, Range f)
+// The part of a curve that is not far above or below the other. f is drawn 'scale' times as high.
+// Returns how many rows there are.
+static int write_curve(Plot *plot, const char *name, Quadratic q, Range t, Range f, double scale)
 {
-    double room = 0.3 * (f.high - f.low);
+    double room = 0.1 * (f.high - f.low);
+    int rows = 0;
     bool begun = false;
-    plot_block(plot, name, "t f(t)");
+    plot_block(plot, name, "x y z: t and f(t), scaled");
     for (int i = 0; i <= SAMPLES; i++) {
         double at = t.low + (t.high - t.low) * i / SAMPLES, height = value(q, at);
         bool seen = height >= f.low - room && height <= f.high + room;
-        if (seen)
-            plot_row(plot, 2, (const double[]){at, height});
-        else if (begun) // two empty lines would end the block
+        if (seen) {
+            plot_row_point(plot, vec3_of(at, scale * height, 0));
+            plot_fit(plot, vec3_of(at, scale * height, 0), 0);
+            rows++;
+        } else if (begun) { // two empty lines would end the block
             plot_gap(plot);
+        }
         begun = seen;
     }
     plot_block_end(plot);
+    return rows;
 }
 
 static Text quadratic_words(Quadratic q)
@@ -147,23 +153,30 @@ void write_equation(Plot *plot, void *given)
     }
     if (t.low > 0 && t.low < t.high - t.low)
         t.low = 0;
-    plot_text(plot, "asked", wrong->function);
-    plot_text(plot, "why", wrong->why);
+    double scale = 0.4 * (t.high - t.low) / (f.high - f.low);
+    plot_look_flat(plot);
     plot_number(plot, "are_roots", equation.are_roots);
+    plot_number(plot, "scale_of_f", scale);
     plot_label(plot, "equation", quadratic_words(equation.right).s);
-    write_curve(plot, "curve", equation.right, t, f);
-    write_curve(plot, "your_curve", equation.yours, t, f);
-    figure_marks(plot, "answer", equation.right_roots.t, equation.right_roots.count, 1);
-    figure_marks(plot, "yours", seen.t, seen.count, 1);
-    plot_number(plot, "low", t.low);
-    plot_number(plot, "high", t.high);
-    plot_number(plot, "bottom", f.low);
-    plot_number(plot, "top", f.high);
-    figure_ticks(plot, t, 1);
+    int rows = write_curve(plot, "curve", equation.right, t, f, scale);
+    int your_rows = write_curve(plot, "your_curve", equation.yours, t, f, scale);
+    if (!equation.are_roots) {
+        plot_name(plot,
+                  (Label){"right", "blue", .block = "curve", .row = rows / 6, .part = ANYWHERE});
+        if (your_rows > 6) // else it is too high or too low to be seen
+            plot_name(plot, (Label){"yours", "ink", .step = 2, .block = "your_curve",
+                                    .row = your_rows * 5 / 6, .part = ANYWHERE});
+    }
+    Axis axis = {
+        t.low,     t.high, 1, 0, equation.right_roots.t, seen.t, equation.right_roots.count,
+        seen.count};
+    figure_axis(plot, &axis);
     if (equation.are_roots)
-        beside_words(plot, root_words(equation.right_roots, true).s,
-                     root_words(yours, seen.count == yours.count).s, "");
+        beside_below(plot, wrong->function, wrong->why,
+                     (BesideWords){root_words(equation.right_roots, true).s,
+                                   root_words(yours, seen.count == yours.count).s, ""});
     else
-        beside_words(plot, quadratic_words(equation.right).s, quadratic_words(equation.yours).s,
-                     "");
+        beside_below(plot, wrong->function, wrong->why,
+                     (BesideWords){quadratic_words(equation.right).s,
+                                   quadratic_words(equation.yours).s, ""});
 }

@@ -62,63 +62,67 @@ bool read_place(Wrong *wrong)
     return range_try(&x, places.yours[0]) && range_try(&y, places.yours[1]);
 }
 
-// $NAME_frame: the rectangle; NAME_low_x ... the range that must be visible; NAME_down: whether y
-// points down.
-static void write_panel(Plot *plot, const char *name, Panel panel, double seen[][2], int count)
+// As it is drawn: the screen's y counts down.
+static vec3 drawn(Panel panel, const double place[2])
 {
-    char key[40];
-    Range x = {panel.left, panel.left + panel.width};
-    Range y = {panel.bottom, panel.bottom + panel.height};
-    snprintf(key, sizeof key, "%s_frame", name);
-    plot_block(plot, key, "x y of the corners");
-    static const int corners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
-    for (int i = 0; i < 5; i++)
-        plot_row(plot, 2,
-                 (const double[]){panel.left + corners[i][0] * panel.width,
-                                  panel.bottom + corners[i][1] * panel.height});
-    plot_block_end(plot);
-    for (int i = 0; i < count; i++) {
-        range_add(&x, seen[i][0]);
-        range_add(&y, seen[i][1]);
-    }
-    const double limits[] = {x.low, x.high, panel.is_screen ? -y.high : y.low,
-                             panel.is_screen ? -y.low : y.high};
-    static const char *const names[] = {"low_x", "high_x", "low_y", "high_y"};
-    for (int i = 0; i < 4; i++) {
-        snprintf(key, sizeof key, "%s_%s", name, names[i]);
-        plot_number(plot, key, limits[i]);
-    }
-    snprintf(key, sizeof key, "%s_down", name);
-    plot_number(plot, key, panel.is_screen);
-    snprintf(key, sizeof key, "%s_origin", name);
-    plot_label(plot, key, pair_text(panel.left, panel.bottom).s);
-    snprintf(key, sizeof key, "%s_corner", name);
-    plot_label(plot, key, pair_text(panel.left + panel.width, panel.bottom + panel.height).s);
+    return vec3_of(place[0], panel.is_screen ? -place[1] : place[1], 0);
 }
 
-static void write_dot(Plot *plot, const char *name, const double *place)
+static void write_dot(Plot *plot, const char *name, Panel panel, const double place[2])
 {
-    plot_block(plot, name, "x y");
-    plot_row(plot, 2, place);
+    plot_point(plot, name, drawn(panel, place));
+    plot_label(plot, name, pair_text(place[0], place[1]).s);
+    plot_fit(plot, drawn(panel, place), 0);
+}
+
+// $NAME: the rectangle, and where it begins and ends in words.
+static void write_panel(Plot *plot, const char *name, Panel panel)
+{
+    const double begin[] = {panel.left, panel.bottom};
+    const double end[] = {panel.left + panel.width, panel.bottom + panel.height};
+    const vec3 corners[] = {drawn(panel, begin), drawn(panel, (double[]){end[0], begin[1]}),
+                            drawn(panel, end), drawn(panel, (double[]){begin[0], end[1]}),
+                            drawn(panel, begin)};
+    plot_block(plot, name, "x y z of the corners");
+    for (int i = 0; i < 5; i++) {
+        plot_row_point(plot, corners[i]);
+        plot_fit(plot, corners[i], 0);
+    }
     plot_block_end(plot);
+    plot_name(plot, (Label){pair_text(begin[0], begin[1]).s, "grey", .block = name, .row = 0});
+    plot_name(plot, (Label){pair_text(end[0], end[1]).s, "grey", .block = name, .row = 2});
 }
 
 void write_place(Plot *plot, void *given)
 {
     const Wrong *wrong = given;
-    double answers[2][2] = {{places.right[0], places.right[1]}, {places.yours[0], places.yours[1]}};
+    const Room left = {0.03, 0.44, 0.06, 0.84}, right = {0.56, 0.97, 0.06, 0.84};
     Text off;
-    plot_text(plot, "asked", wrong->function);
-    plot_text(plot, "why", wrong->why);
+    plot_look_flat(plot);
     plot_number(plot, "has_given", places.has_given);
-    write_panel(plot, "from", places.from, &places.given, places.has_given);
-    write_dot(plot, "given", places.given);
-    plot_label(plot, "given", pair_text(places.given[0], places.given[1]).s);
-    write_panel(plot, "into", places.into, answers, 2);
-    write_dot(plot, "answer", places.right);
-    write_dot(plot, "yours", places.yours);
+    if (places.has_given) {
+        plot_room(plot, right, right);
+        const Room arrow = {0.46, 0.54, 0.42, 0.48};
+        plot_keep_clear(plot, arrow, arrow);
+    }
+    write_panel(plot, "into", places.into);
+    write_dot(plot, "right", places.into, places.right);
+    write_dot(plot, "yours", places.into, places.yours);
+    plot_name(plot, (Label){"right", "blue", .block = "right"});
+    plot_name(plot, (Label){"yours", "ink", .step = 2, .block = "yours"});
+    plot_panel(plot, 2);
+    plot_room(plot, left, left);
+    if (places.has_given) {
+        write_panel(plot, "from", places.from);
+        write_dot(plot, "given", places.from, places.given);
+        plot_name(plot, (Label){"{given}", "ink", .block = "given"});
+    } else {
+        plot_point(plot, "from", vec3_of(NAN, NAN, NAN));
+        plot_point(plot, "given", vec3_of(NAN, NAN, NAN));
+    }
     snprintf(off.s, sizeof off.s, "off by %.100s",
              pair_text(places.yours[0] - places.right[0], places.yours[1] - places.right[1]).s);
-    beside_words(plot, pair_text(places.right[0], places.right[1]).s,
-                 pair_text(places.yours[0], places.yours[1]).s, off.s);
+    beside_below(plot, wrong->function, wrong->why,
+                 (BesideWords){pair_text(places.right[0], places.right[1]).s,
+                               pair_text(places.yours[0], places.yours[1]).s, off.s});
 }

@@ -29,14 +29,16 @@ bool read_rectangle(Wrong *wrong)
 
 static void write_rectangle_block(Plot *plot, const char *name, ScreenRectangle box)
 {
-    plot_block(plot, name, "x y of the corners; y counts up from the top, so it is negative");
+    plot_block(plot, name, "x y z of the corners; y counts up from the top, so it is negative");
     const double corners[5][2] = {{box.left, -box.top},
                                   {box.right, -box.top},
                                   {box.right, -box.bottom},
                                   {box.left, -box.bottom},
                                   {box.left, -box.top}};
-    for (int i = 0; i < 5; i++)
-        plot_row(plot, 2, corners[i]);
+    for (int i = 0; i < 5; i++) {
+        plot_row_point(plot, vec3_of(corners[i][0], corners[i][1], 0));
+        plot_fit(plot, vec3_of(corners[i][0], corners[i][1], 0), 0);
+    }
     plot_block_end(plot);
 }
 
@@ -51,7 +53,7 @@ static void write_outline(Plot *plot)
     bool seen = vec3_dot(to, c.forward) > 1.001 * r;
     vec3 other = fabs(vec3_dot(axis, c.up)) < 0.9 ? c.up : c.right;
     vec3 one = vec3_unit(vec3_cross(axis, other)), two = vec3_cross(axis, one);
-    plot_block(plot, "outline", "x y of the sphere's outline");
+    plot_block(plot, "outline", "x y z of the sphere's outline");
     for (int i = 0; i <= POINTS; i++) {
         double angle = 2 * PI * i / POINTS;
         vec3 p = nearer * to + r * sqrt(fmax(nearer, 0)) * (cos(angle) * one + sin(angle) * two);
@@ -62,10 +64,10 @@ static void write_outline(Plot *plot)
         x = fmin(fmax(x, 0), asked.screen.width);
         y = fmin(fmax(y, 0), asked.screen.height);
         if (seen)
-            plot_row(plot, 2, (const double[]){x, -y});
+            plot_row_point(plot, vec3_of(x, -y, 0));
     }
     if (!seen)
-        plot_row(plot, 2, (const double[]){0, 0});
+        plot_row_point(plot, vec3_of(0, 0, 0));
     plot_block_end(plot);
 }
 
@@ -81,22 +83,17 @@ void write_rectangle(Plot *plot, void *given)
 {
     const Wrong *wrong = given;
     ScreenRectangle screen = {0, asked.screen.width, 0, asked.screen.height};
-    Range x = {0, screen.right}, y = {-screen.bottom, 0};
-    range_add(&x, asked.yours.left);
-    range_add(&x, asked.yours.right);
-    range_add(&y, -asked.yours.top);
-    range_add(&y, -asked.yours.bottom);
-    plot_text(plot, "asked", wrong->function);
-    plot_text(plot, "why", wrong->why);
-    plot_number(plot, "low_x", x.low);
-    plot_number(plot, "high_x", x.high);
-    plot_number(plot, "low_y", y.low);
-    plot_number(plot, "high_y", y.high);
+    plot_look_flat(plot);
     write_rectangle_block(plot, "frame", screen);
-    plot_label(plot, "origin", pair_text(0, 0).s);
-    plot_label(plot, "corner", pair_text(screen.right, screen.bottom).s);
     write_outline(plot);
     write_rectangle_block(plot, "answer", asked.right);
     write_rectangle_block(plot, "yours", asked.yours);
-    beside_words(plot, words_of(asked.right).s, words_of(asked.yours).s, "");
+    plot_name(plot, (Label){pair_text(0, 0).s, "grey", .block = "frame", .row = 0});
+    plot_name(plot, (Label){pair_text(screen.right, screen.bottom).s, "grey", .block = "frame",
+                            .row = 2});
+    plot_name(plot, (Label){"right", "blue", .block = "answer", .row = 1, .part = ANYWHERE});
+    plot_name(plot,
+              (Label){"yours", "ink", .step = 2, .block = "yours", .row = 3, .part = ANYWHERE});
+    beside_below(plot, wrong->function, wrong->why,
+                 (BesideWords){words_of(asked.right).s, words_of(asked.yours).s, ""});
 }

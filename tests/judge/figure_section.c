@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_SPHERES = 100 };
+enum { MOST_SPHERES = 100, MOST_NAMES = 12 };
 
 // The places of an answer: at most two; and which sphere, if the exercise asks for it.
 typedef struct {
@@ -95,6 +95,11 @@ static void write_spheres(Plot *plot, Range *x, Range *y)
             below = away;
         double aside = vec3_length(away) * (vec3_dot(away, below) < 0 ? 1 : -1);
         plot_row(plot, 4, (const double[]){ahead, aside, r, i});
+        plot_circle(plot, vec3_of(ahead, aside, 0), r);
+        plot_fit(plot, vec3_of(ahead, aside, 0), r);
+        if (section.has_index && i < MOST_NAMES)
+            plot_name(plot, (Label){number_text(i).s, "grey", .place = vec3_of(ahead, aside, 0),
+                                    .ball = r});
         if (i == 0)
             *x = (Range){ahead - r, ahead + r};
         range_add(x, ahead - r);
@@ -138,27 +143,34 @@ void write_section(Plot *plot, void *given)
     double unit = vec3_length(section.ray.direction);
     Range x = {0, unit}, y = {0, 0};
     Places right = section.right, yours = section.yours;
-    plot_text(plot, "asked", wrong->function);
-    plot_text(plot, "why", wrong->why);
+    plot_look_flat(plot);
     plot_number(plot, "unit", unit);
     write_spheres(plot, &x, &y);
     for (int i = 0; i < right.count; i++)
         range_add(&x, right.t[i] * unit);
     bool has_eye = range_try(&x, 0), has_arrow = has_eye && range_try(&x, unit);
     Places seen = shown(yours, &x, unit);
-    figure_marks(plot, "answer", right.t, right.count, unit);
-    figure_marks(plot, "yours", seen.t, seen.count, unit);
-    plot_number(plot, "has_eye", has_eye);
-    plot_number(plot, "has_arrow", has_arrow);
-    double margin = 0.04 * (x.high - x.low);
-    plot_number(plot, "low", x.low - margin);
-    plot_number(plot, "high", x.high + margin);
-    plot_number(plot, "bottom", y.low);
-    plot_number(plot, "top", y.high);
-    figure_ticks(plot, (Range){x.low / unit, x.high / unit}, unit);
+    double wide = x.high - x.low, low = x.low - 0.04 * wide, high = x.high + 0.04 * wide;
+    vec3 p = vec3_of(has_eye ? 0 : NAN, 0, 0), v = vec3_of(has_arrow ? unit : NAN, 0, 0);
+    plot_vector(plot, "ray", vec3_of(low, 0, 0), vec3_of(high - low, 0, 0));
+    plot_point(plot, "p", p);
+    plot_vector(plot, "v", vec3_of(0, 0, 0), v);
+    plot_name(plot, (Label){"$p$", "blue", .block = "p"});
+    if (unit > 0.06 * wide)
+        plot_name(plot, (Label){"$v$", "blue", .block = "v", .part = ANYWHERE});
+    Axis axis = {low / unit, high / unit, unit,        y.low - 0.09 * wide,
+                 right.t,    seen.t,      right.count, seen.count};
+    figure_axis(plot, &axis);
+    for (int i = 0; i < right.count; i++)
+        plot_line(plot, vec3_of(right.t[i] * unit, axis.y, 0), vec3_of(right.t[i] * unit, 0, 0), 0,
+                  0);
+    for (int i = 0; i < seen.count; i++)
+        plot_line(plot, vec3_of(seen.t[i] * unit, axis.y, 0), vec3_of(seen.t[i] * unit, 0, 0), 0,
+                  0);
     Text off = {""};
     if (right.count == 1 && yours.count == 1)
         off = figure_off(right.t[0], yours.t[0]);
-    beside_words(plot, words_of(right, true).s, words_of(yours, seen.count == yours.count).s,
-                 off.s);
+    beside_below(plot, wrong->function, wrong->why,
+                 (BesideWords){words_of(right, true).s,
+                               words_of(yours, seen.count == yours.count).s, off.s});
 }

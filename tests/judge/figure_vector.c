@@ -110,22 +110,25 @@ void write_vector(Plot *plot, void *given)
     const Wrong *wrong = given;
     Camera c = view.camera;
     Ray right = view.right, yours = view.yours;
-    plot_text(plot, "asked", wrong->function);
-    plot_text(plot, "why", wrong->why);
     figure_frame(plot, c.right, c.up, c.forward);
     plot_point(plot, "eye", c.origin);
     plot_fit(plot, c.origin, 0);
     write_plane(plot);
     if (view.is_ray) {
         bool moved = !figure_same_place(yours.origin, right.origin);
-        beside_words(plot, ray_words(right, moved).s, ray_words(yours, moved).s,
-                     ray_off(right, yours).s);
+        beside_below(plot, wrong->function, wrong->why,
+                     (BesideWords){ray_words(right, moved).s, ray_words(yours, moved).s,
+                                   ray_off(right, yours).s});
         yours = as_long_as(yours, right);
     } else {
-        beside_words(plot, vec3_text(right.direction).s, vec3_text(yours.direction).s,
-                     beside_off(c, yours.direction - right.direction).s);
+        beside_below(plot, wrong->function, wrong->why,
+                     (BesideWords){vec3_text(right.direction).s, vec3_text(yours.direction).s,
+                                   beside_off(c, yours.direction - right.direction).s});
     }
     beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
+    plot_look(plot, c.right, c.up, c.forward, 28, 16);
+    plot_name(plot, (Label){"$p$", "blue", .block = "eye"});
+    beside_names(plot);
 }
 
 // ---- a ray in object coordinates
@@ -158,13 +161,17 @@ void write_ray(Plot *plot, void *given)
     if (vec3_length(up) < 1e-6 * (1 + vec3_length(right.origin)))
         up = vec3_cross(along, fabs(along[0]) < 0.6 ? vec3_of(1, 0, 0) : vec3_of(0, 1, 0));
     up = vec3_unit(up);
-    plot_text(plot, "asked", wrong->function);
-    plot_text(plot, "why", wrong->why);
+    vec3 center = vec3_of(0, 0, 0), aside = vec3_cross(along, up);
     plot_number(plot, "radius", radius);
-    figure_frame(plot, vec3_cross(along, up), up, along);
-    plot_point(plot, "center", vec3_of(0, 0, 0));
-    plot_fit(plot, vec3_of(0, 0, 0), radius);
-    beside_words(plot, ray_words(right, true).s, ray_words(yours, true).s,
-                 moved ? ray_off(right, yours).s : "");
+    figure_frame(plot, aside, up, along);
+    plot_look(plot, aside, up, along, 16, 12);
+    plot_point(plot, "center", center);
+    plot_circle(plot, center, radius);
+    plot_fit(plot, center, radius);
+    plot_name(plot, (Label){"$C$ = (0, 0, 0)", "ink", .block = "center"});
+    beside_names(plot);
+    beside_below(plot, wrong->function, wrong->why,
+                 (BesideWords){ray_words(right, true).s, ray_words(yours, true).s,
+                               moved ? ray_off(right, yours).s : ""});
     beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
 }

@@ -316,7 +316,19 @@ static void yours_and_right(Plot *plot, void *given)
     plot_text(plot, "asked", "across_30_up_10");
     plot_text(plot, "why", example ? "Is (0, 0) the corner or the centre?" : "");
     beside_vectors(plot, c.origin, right, c.origin, yours);
-    beside_words(plot, vec3_text(right).s, vec3_text(yours).s, beside_off(c, yours - right).s);
+    beside_words(plot, (BesideWords){vec3_text(right).s, vec3_text(yours).s,
+                                     beside_off(c, yours - right).s});
+    plot_look(plot, c.right, c.up, c.forward, 28, 16);
+    plot_name(plot, (Label){"$p$", "blue", .block = "eye"});
+    // A wrong answer of the user takes the place of the example.
+    bool is_wrong = plot_says_yours(plot, "answer");
+    const Label words[] = {
+        {"right: {answer}", "blue", .step = 1},
+        {is_wrong ? "yours: {your_answer}" : "yours: {yours}", "ink", .step = 2},
+        {"{off}", "grey", .step = 3},
+        {"Is (0, 0) the corner or the centre?", "grey", .step = 3},
+    };
+    plot_say(plot, 0, 1, words, is_wrong ? 2 : example ? 4 : 3);
 }
 
 static const Figure figures[] = {

@@ -32,8 +32,8 @@ hit_shown(i) = of(i, "hit") > 0 ? of(i, "hit_text") : "none"
 plot for [i=1:4] @one using (left_of(i + 1)):(8):(0):(452) with vectors nohead lw 0.8 lc rgb faint title "between", \
     @one using (10):(418):(math("b²−4ac")) with labels left tc rgb ink title "row of the discriminant", \
     @one using (10):(axis + 50):(math("f (t)")) with labels left tc rgb ink title "row of f", \
-    @one using (10):(80):(math("t_0")) with labels left tc rgb ink title "row of t0", \
-    @one using (10):(50):(math("t_1")) with labels left tc rgb ink title "row of t1", \
+    @one using (10):(84):(math("t_0")) with labels left tc rgb ink title "row of t0", \
+    @one using (10):(54):(math("t_1")) with labels left tc rgb ink title "row of t1", \
     @one using (10):(20):("hit") with labels left tc rgb blue title "row of the hit", \
     for [i=1:last] $circle using (U(i,$1)):(V(i,$2)) with filledcurves closed fc rgb surface fs solid noborder title "disc", \
     for [i=1:last] $circle using (U(i,$1)):(V(i,$2)) with @lines lc rgb ink title "circle", \

@@ -224,7 +224,7 @@ static void look(Plot *plot, const Shown *shown, const Circle *circles, int coun
     plot_look_flat(plot);
     plot_room(plot, (Room){0.05, 0.93, below + 0.05, 0.85}, (Room){0.06, 0.92, below + 0.05, 0.85});
     plot_fill_room(plot);
-    plot_keep_clear(plot, (Room){0, 1, 0, below});
+    plot_keep_clear(plot, (Room){0, 1, 0, below}, (Room){0, 1, 0, below});
     plot_fit(plot, vec3_of(w.low[0], w.low[1], 0), 0);
     plot_fit(plot, vec3_of(w.high[0], w.high[1], 0), 0);
     plot_line(plot, vec3_of(w.low[0], 0, 0), vec3_of(w.high[0], 0, 0), 0, 0);

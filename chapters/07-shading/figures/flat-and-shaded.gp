@@ -25,7 +25,7 @@ if (framed) in_panel = '$square using (U(panel,columns*$1)):(V(panel,rows*$2)) w
 # to the highlight ends a little before it.
 above = 21
 at_x(left) = left ? 0.24 : 0.875
-from_x(left) = middle_at(U(2, at_x(left) * columns), long(left == shadow_first ? "shadow" : "highlight", text_size))
+from_x(left) = most(80, least(width - 80, U(2, at_x(left) * columns)))
 from_y = V(2, rows) + above - 15
 short(x, y, left) = left == shadow_first ? 1 : 1 - 9 / sqrt((U(2, x) - from_x(left))**2 + (V(2, y) - from_y)**2)
 line_to(left) = sprintf("(from_x(%d)):(from_y):(short($1,$2,%d)*(U(2,$1)-from_x(%d))):(short($1,$2,%d)*(V(2,$2)-from_y))", \

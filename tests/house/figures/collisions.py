@@ -13,6 +13,7 @@ SHRUNK = 1.0  # a label may be touched by this much
 ON = 1.5  # so near to a mark, a place is on it
 HEAD = 9  # so near to one, it is on a mark that is all arrowhead
 LEADER_GAP = 8  # so near to its label, a leader begins
+TITLE = 76  # the upper edge of the canvas, for a slide's title
 EDGE = 0.5  # so near to the canvas' edge, gnuplot has cut a line off
 
 
@@ -182,6 +183,17 @@ def crossed(texts, marks):
             yield f"{title!r} crosses {text.words!r}"
 
 
+def in_the_title(figure, texts, marks):
+    """The upper edge of the canvas is free, for a slide's title."""
+    low = figure.height - TITLE
+    for text in texts:
+        if text.box[3] > low + SHRUNK:
+            yield f"{text.words!r} is in the title"
+    for title in sorted({title for line, title in marks.lines for x, y in line if title and
+                         y > low + ON and -EDGE < x < figure.width + EDGE}):
+        yield f"{title!r} is in the title"
+
+
 def off_the_canvas(figure, texts, marks):
     for text in texts:
         left, low, right, high = text.box
@@ -217,7 +229,7 @@ def collisions(figure):
     marks = Marks(figure)
     labels = labels_of(figure, texts, marks)
     return [*overlapping(texts), *crossed(texts, marks), *off_the_canvas(figure, texts, marks),
-            *misplaced(labels, marks)]
+            *in_the_title(figure, texts, marks), *misplaced(labels, marks)]
 
 
 def nothing_collides(checks, name, figure):

@@ -207,6 +207,15 @@ class Figure:
                         found.append([self.up(x, y) for x, y in zip(flat[::2], flat[1::2])])
         return found
 
+    def circles(self, title):
+        """Middle and radius of what is drawn as a circle: an outline of many places."""
+        found = []
+        for line in self.lines(title):
+            left, right = min(x for x, _ in line), max(x for x, _ in line)
+            low, high = min(y for _, y in line), max(y for _, y in line)
+            found.append(((left + right) / 2, (low + high) / 2, (right - left + high - low) / 4))
+        return found
+
     def polygons(self, title):
         """The corners of what is filled."""
         found = []
@@ -238,26 +247,15 @@ class Figure:
 
     # ---- where a place of the world belongs ---------------------------------------------------
 
-    def see(self, right, up, forward, room=(0.10, 0.90, 0.12, 0.82), azimuth=28, elevation=16):
-        """Looks from the right side of a frame, at what $fit says has to be seen."""
+    def see(self, right, up, forward, azimuth=28, elevation=16):
+        """Looks from the right side of a frame; how large, and where, C has chosen (common/figure/plot_view.c)."""
         a, e = math.radians(azimuth), math.radians(elevation)
         side = plus(times(math.cos(a), right), forward, -math.sin(a))
         self.axes = (plus(times(math.cos(a), forward), right, math.sin(a)),
                      plus(times(math.cos(e), up), side, -math.sin(e)),
                      plus(times(math.sin(e), up), side, math.cos(e)))
-        if "text_size" in self.variables:  # the labels say how large it is (common/figure/plot_view.c)
-            self.scale, self.center = self.chosen("size[1]"), (0, 0)
-            self.middle = (self.chosen("zero_x[1]"), self.chosen("zero_y[1]"))
-            return
-        low, high = [math.inf] * 2, [-math.inf] * 2
-        for *place, radius in self.block("fit"):
-            for i in range(2):
-                low[i] = min(low[i], dot(place, self.axes[i]) - radius)
-                high[i] = max(high[i], dot(place, self.axes[i]) + radius)
-        spans = (self.width * (room[1] - room[0]), self.height * (room[3] - room[2]))
-        self.scale = min(spans[i] / (high[i] - low[i]) for i in range(2))
-        self.center = [(low[i] + high[i]) / 2 for i in range(2)]
-        self.middle = (self.width * (room[0] + room[1]) / 2, self.height * (room[2] + room[3]) / 2)
+        self.scale = self.chosen("size[1]")
+        self.zero = (self.chosen("zero_x[1]"), self.chosen("zero_y[1]"))
 
     def see_flat(self, panel=1):
         """Where x, y of a flat figure belong."""
@@ -265,5 +263,4 @@ class Figure:
         return lambda x, y: (x0 + size * x, y0 + size * y)
 
     def place(self, point):
-        return tuple(self.middle[i] + self.scale * (dot(point, self.axes[i]) - self.center[i])
-                     for i in range(2))
+        return tuple(self.zero[i] + self.scale * dot(point, self.axes[i]) for i in range(2))

@@ -5,21 +5,7 @@ import tempfile
 
 
 class Panel:
-    """The part between low and high, each x and y, as large as a room of the canvas allows."""
-
-    def __init__(self, figure, room, low, high):
-        left, right, bottom, top = room
-        self.unit = min(figure.width * (right - left) / (high[0] - low[0]),
-                        figure.height * (top - bottom) / (high[1] - low[1]))
-        self.middle = (figure.width * (left + right) / 2, figure.height * (bottom + top) / 2)
-        self.center = [(a + b) / 2 for a, b in zip(low, high)]
-
-    def place(self, x, y):
-        return tuple(self.middle[i] + self.unit * (at - self.center[i]) for i, at in enumerate((x, y)))
-
-
-class PlacedPanel:
-    """A panel whose labels say how large it is and where (common/figure/plot_view.c)."""
+    """A panel, as large and where C has chosen (common/figure/plot_view.c)."""
 
     def __init__(self, figure, number=1):
         self.unit = figure.chosen(f"size[{number}]")

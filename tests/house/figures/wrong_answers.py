@@ -12,11 +12,11 @@ import sys
 
 import png
 from check import Checks
+from collisions import nothing_collides
 from figure import Figure, dot, plus, times
 
 checks = Checks("yours beside right")
 answers = sys.argv[1]
-ROOM = (0.10, 0.95, 0.05, 0.90)
 DECK = {"p": (2, 2, -4), "r": (1, 0, 0), "u": (0, 1, 0), "f": (0, 0, 1), "d": 4, "w": 2, "h": 2}
 FRAME = (DECK["r"], DECK["u"], DECK["f"])
 
@@ -57,9 +57,7 @@ def figure_of(name, stem, *changes):
         figure = Figure(None, name, script=file.read())
     for shape in ("16:9", "4:3"):
         again = Figure(None, name, script=figure.script, settings=f"shape='{shape}'; theme='dark'")
-        for text, x, y in again.labels():
-            checks.that(f"{name}, {shape}: {text!r} is on the canvas",
-                        0 <= x <= again.width and 0 <= y <= again.height, f"at {x}, {y}")
+        nothing_collides(checks, f"{name}, {shape}", again)
     with open(f"{folder}/{name}.svg", encoding="utf-8") as file:
         svg = file.read()
     for key in ("answer_text", "yours_text"):
@@ -83,7 +81,7 @@ def vector(name, change, right, yours, off, why, camera=DECK):
     if figure is None:
         return
     p = camera["p"]
-    figure.see(*FRAME, room=ROOM)
+    figure.see(*FRAME)
     checks.same(f"{name}: data of the right vector", figure.block("answer")[0], [*p, *right])
     checks.same(f"{name}: data of yours", figure.block("yours")[0], [*p, *yours])
     checks.near(f"{name}: the right arrow", figure.tips("right"), figure.place(plus(p, right)))
@@ -109,7 +107,7 @@ vector("across_30_up_10", ("image_plane_vector(c, 0.3, 0.1)", "image_plane_vecto
 figure = figure_of("pixel_ray", "04-pixel-ray", ("(Ray){camera.origin, ", "(Ray){-camera.origin, 2 * "))
 if figure is not None:
     v = place(0.5 / 640, 1 - 0.5 / 480)
-    figure.see(*FRAME, room=ROOM)
+    figure.see(*FRAME)
     checks.near("pixel_ray: the right arrow", figure.tips("right"), figure.place(plus(DECK["p"], v)))
     checks.near("pixel_ray: yours, as long", figure.tips("yours"), figure.place(plus(v, DECK["p"], -1)))
     start = figure.place(times(-1, DECK["p"]))
@@ -123,7 +121,7 @@ if figure is not None:
     right, yours, v = (-3, 3, 2), (5, 1, 4), (0, 0, -1)
     up = times(1 / math.sqrt(18), (3, -3, 0))
     side = (v[1] * up[2] - v[2] * up[1], v[2] * up[0] - v[0] * up[2], v[0] * up[1] - v[1] * up[0])
-    figure.see(side, up, v, room=(0.08, 0.92, 0.08, 0.70), azimuth=16, elevation=12)
+    figure.see(side, up, v, azimuth=16, elevation=12)
     checks.near("object: the right arrow", figure.tips("right"), figure.place(plus(right, v)))
     checks.near("object: your arrow", figure.tips("yours"), figure.place(plus(yours, v)))
     checks.near("object: the centre", figure.dots("center"), figure.place((0, 0, 0)))
@@ -136,7 +134,7 @@ figure = figure_of("with_unit_distance", "01-corners", ("c.height /= c.distance;
 if figure is not None:
     # d 2, w 6, h 4
     p = DECK["p"]
-    figure.see(*FRAME, room=(0.30, 0.92, 0.08, 0.86))
+    figure.see(*FRAME)
     for i, right, yours in ((0, (0, 0, 1), (0, 0, 1)), (1, (3, 0, 0), (3, 0, 0)), (2, (0, 2, 0), (0, 4, 0))):
         label = ("d f", "w r", "h u")[i]
         checks.near(f"camera: right {label}", figure.tips(f"right {label}"), figure.place(plus(p, right)))
@@ -149,44 +147,37 @@ if figure is not None:
 # ---- places -----------------------------------------------------------------------------------------
 
 
-def flat(room, low, high, width=960, height=540):
-    """The place on the canvas: low to high in the room, in the middle, as large as it can be."""
-    span = (width * (room[1] - room[0]), height * (room[3] - room[2]))
-    size = min(span[i] / (high[i] - low[i]) for i in (0, 1))
-    middle = (width * (room[0] + room[1]) / 2, height * (room[2] + room[3]) / 2)
-    return lambda x, y: tuple(middle[i] + size * ((x, y)[i] - (low[i] + high[i]) / 2) for i in (0, 1))
-
-
-LEFT, RIGHT, MIDDLE = (0.08, 0.42, 0.12, 0.66), (0.58, 0.92, 0.12, 0.66), (0.25, 0.75, 0.12, 0.66)
-
-
 def places(name, change, from_where, given, into, right, yours, words):
     figure = figure_of(name, "03-screen", change)
     if figure is None:
         return
     if given is not None:
-        checks.near(f"{name}: what went in", figure.dots("given"), from_where(*given))
-    checks.near(f"{name}: right", figure.dots("right"), into(*right))
-    checks.near(f"{name}: yours", figure.dots("yours"), into(*yours))
+        checks.near(f"{name}: the argument", figure.dots("given"), figure.see_flat(2)(*given))
+    checks.near(f"{name}: right", figure.dots("right"), figure.see_flat(1)(*right))
+    checks.near(f"{name}: yours", figure.dots("yours"), figure.see_flat(1)(*yours))
+    for title, number, wanted in (("into", 1, into), ("from", 2, from_where)):
+        if wanted is not None:
+            checks.near(f"{name}: the corners of {title}", figure.polygons(title)[0][:4],
+                        [figure.see_flat(number)(*corner) for corner in wanted])
     has_words(figure, *words)
 
 
-screen_left, screen_right = flat(LEFT, (0, -480), (640, 0)), flat(RIGHT, (0, -480), (640, 0))
-square_left, square_right = flat(LEFT, (0, 0), (1, 1)), flat(RIGHT, (0, 0), (1, 1))
-places("screen_to_normalized", ("1 - point.y", "point.y"), screen_left, (300, -400),
-       square_right, (0.46875, 1 / 6), (0.46875, 5 / 6),
+SCREEN = ((0, 0), (640, 0), (640, -480), (0, -480))
+SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))
+places("screen_to_normalized", ("1 - point.y", "point.y"), SCREEN, (300, -400),
+       SQUARE, (0.46875, 1 / 6), (0.46875, 5 / 6),
        ("(0.46875, 0.166667)", "(0.46875, 0.833333)", "off by (0, 0.666667)", "y counts down"))
-places("normalized_to_screen", ("(1 - place.t)", "place.t"), square_left, (0.46875, 1 / 6),
-       screen_right, (300, -400), (300, -80), ("(300, 400)", "(300, 80)", "off by (0, −320)", ""))
+places("normalized_to_screen", ("(1 - place.t)", "place.t"), SQUARE, (0.46875, 1 / 6),
+       SCREEN, (300, -400), (300, -80), ("(300, 400)", "(300, 80)", "off by (0, −320)", ""))
 places("pixel_center", ("pixel.column + 0.5, pixel.row + 0.5", "pixel.column, pixel.row"), None, None,
-       flat(MIDDLE, (0, -1), (1, 0)), (0.5, -0.5), (0, 0), ("(0.5, 0.5)", "(0, 0)", "off by (−0.5, −0.5)", ""))
+       ((0, 0), (1, 0), (1, -1), (0, -1)), (0.5, -0.5), (0, 0), ("(0.5, 0.5)", "(0, 0)", "off by (−0.5, −0.5)", ""))
 
 # ---- rectangles -------------------------------------------------------------------------------------
 
 # Sides 9, 40, 41: the tangents of the right answer are 9/40 aside, and those of this mistake 9 * 41 / 40^2.
 figure = figure_of("sphere_rectangle", "08-fast", ("sqrt(aside * aside + g)", "sqrt(aside * aside + ahead * ahead)"))
 if figure is not None:
-    at = flat((0.2, 0.8, 0.1, 0.68), (0, -480), (640, 0))
+    at = figure.see_flat()
 
     def corners_of(m):
         x, y = 1280 * m, 960 * m
@@ -210,28 +201,23 @@ def section(name, stem, change, p, v, spheres, right, yours, words):
     if figure is None:
         return
     unit = math.sqrt(dot(v, v))
-    low, high, bottom, top = 0, unit, 0, 0
-    for t in (*right, *yours):
-        low, high = min(low, t * unit), max(high, t * unit)
+    at = figure.see_flat()
     circles = []
     for center, radius in spheres:
         away = plus(center, p, -1)
         along = dot(away, v) / unit
-        aside = -math.sqrt(max(0, dot(away, away) - along * along))
-        circles.append((along, aside))
-        low, high = min(low, along - radius), max(high, along + radius)
-        bottom, top = min(bottom, aside - radius), max(top, aside + radius)
-    margin = 0.04 * (high - low)
-    at = flat((0.06, 0.94, 0.30, 0.70), (low - margin, bottom), (high + margin, top))
+        circles.append((along, -math.sqrt(max(0, dot(away, away) - along * along)), radius))
+    axis = figure.strokes("axis")[0][0][1]
+    checks.that(f"{name}: the axis is below", axis < at(0, min(y - r for _, y, r in circles))[1] - 20, str(axis))
     for title, wanted in (("right", right), ("yours", yours)):
         ts = [at(t * unit, 0) for t in wanted]
         if not ts:
             checks.that(f"{name}: nothing is drawn as {title}", title not in figure.plots or not figure.dots(title))
             continue
         checks.near(f"{name}: {title} on the ray", figure.dots(title), ts)
-        checks.near(f"{name}: {title} on the axis", figure.dots(f"{title}, on the axis"), [(x, 96) for x, _ in ts])
-    numbers = [(x, y) for text, x, y in figure.labels() if text.isdigit() and abs(y - 96) > 60]
-    checks.near(f"{name}: the spheres", numbers, [at(*circle) for circle in circles], within=7)
+        checks.near(f"{name}: {title} on the axis", figure.dots(f"{title}, on the axis"), [(x, axis) for x, _ in ts])
+    checks.near(f"{name}: the spheres", figure.circles("spheres"),
+                [(*at(x, y), figure.chosen("size[1]") * r) for x, y, r in circles])
     has_words(figure, *words)
 
 
@@ -256,24 +242,24 @@ figure = figure_of("quadratic_roots", "05-quadratic",
                    ("ascending(ldexp(sum / even.a, k), ldexp(even.c / sum, k))",
                     "ascending(ldexp(sum / even.a, k), ldexp(even.c / sum, k) + 0.4)"))
 if figure is not None:
-    low, high = figure.number("low"), figure.number("high")
-    bottom, top = figure.number("bottom"), figure.number("top")
+    scale, at = figure.number("scale_of_f"), figure.see_flat()
 
     def on_axis(t, f=0.0):
-        return 960 * (0.07 + 0.84 * (t - low) / (high - low)), 540 * (0.14 + 0.5 * (f - bottom) / (top - bottom))
+        return at(t, scale * f)
     yours = sorted((3.2 + 0.4, 4)) if abs(figure.block("yours")[0][0] - 3.6) < 1e-9 else (3.2, 4.4)
     checks.near("quadratic_roots: right", figure.dots("right"), [on_axis(3.2), on_axis(4)])
     checks.near("quadratic_roots: yours", figure.dots("yours"), [on_axis(t) for t in yours])
-    off = [abs(f - (1.25 * t * t - 9 * t + 16)) for t, f in figure.block("curve")]
+    off = [abs(f / scale - (1.25 * t * t - 9 * t + 16)) for t, f, _ in figure.block("curve")]
     checks.that("quadratic_roots: the curve is the quadratic's", max(off) < 1e-6, str(max(off)))
-    # The lowest point of the parabola, f = 16 - 81/5 = -0.2, is on the canvas, and no line goes above 0.66.
+    # The lowest point of the parabola, f = 16 - 81/5 = -0.2.
     ys = [y for line in figure.lines("curve") for _, y in line]
     checks.near("quadratic_roots: its lowest point", [(0, min(ys))], [(0, on_axis(3.6, -0.2)[1])], within=0.6)
 
 figure = figure_of("object_quadratic", "05-quadratic", ("2 * vec3_dot(p, v)", "vec3_dot(p, v)"))
 if figure is not None:
+    scale = figure.number("scale_of_f")
     for name, b in (("curve", -8.02), ("your_curve", -4.01)):
-        off = [abs(f - (0.9946 * t * t + b * t + 16)) for t, f in figure.block(name)]
+        off = [abs(f / scale - (0.9946 * t * t + b * t + 16)) for t, f, _ in figure.block(name)]
         checks.that(f"object_quadratic: {name}", off and max(off) < 1e-5, str(off))
     has_words(figure, "a = 0.9946, b = −8.02, c = 16", "a = 0.9946, b = −4.01, c = 16", "", "")
 
