@@ -52,6 +52,6 @@ plot $circles index 0 using ($11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4):(pal
     $along using (x(0.5)):(on_ray + 22):(math("v")) with labels tc rgb blue title "v, label", \
     $circles index 0 using (x($2)):(place_y($3,$4)):(ball_name($1)) with labels tc rgb ink title "names", \
     for [_=1:asked>=0&&answered&&fate>1] $along using (x(hit_t)):(on_ray) with points pt 6 ps 0.8 lw 2 lc rgb ink title "hit", \
-    for [_=0:best_ball] $along using (x(best)):(on_ray) with points pt 7 ps 0.8 lc rgb orange title "closest so far, hit", \
+    for [_=0:best_ball] $along using (x(best)):(on_ray) with points pt 7 ps 0.8 lc rgb blue title "closest so far, hit", \
     $once using (width / 2):(100):(first_line) with labels tc rgb ink title "words", \
-    $once using (width / 2):(52):(second_line) with labels tc rgb (best_ball < 0 ? grey : orange) title "closest"
+    $once using (width / 2):(52):(second_line) with labels tc rgb (best_ball < 0 ? grey : blue) title "closest"

@@ -25,11 +25,11 @@ plot @patches @behind \
     @before \
     $pixel using @point with @thick lc rgb ink title "outline of the pixel", \
     $crossing using @point with points pt 7 ps 0.3 lc rgb ink title "centre", \
-    @step3 $ray index 0 using @point with lines lw 2.2 dt 3 lc rgb blue title "ray, all of it", \
-    @step5 @who $ray index who using @bold with lines lw 2.2 dt dash(who) lc rgb blue title "ray", \
+    @step3 $ray index 0 using @point with @hidden lc rgb blue title "ray, all of it", \
+    @step5 @who $ray index who using @bold with @ray dt dash(who) lc rgb blue title "ray", \
     @step2 @who $arrow index who using @vector with @arrow lc rgb blue dt dash(who) title "vector from the eye", \
     @step4 $hits index 0 using @point with @rim title "hits, rim", \
     @step4 $hits index 0 using @point with @white title "hits", \
-    @step5 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.7 lc rgb orange title "closest hit", \
+    @step5 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.7 lc rgb blue title "closest hit", \
     $eye using @point with @dot lc rgb blue title "eye", \
     @labels

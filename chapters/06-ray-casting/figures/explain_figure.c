@@ -72,7 +72,7 @@ static void say(Plot *plot, const Shown *shown, const Outcome *outcome)
     if (shown->hit_count > 0)
         snprintf(nearest, sizeof nearest, "smallest $t$: {nearest}, %s",
                  sphere_name(shown->hits[0].sphere).s);
-    const Label color[] = {{nearest, "orange", .step = 5}, {"colour {bytes}", "ink", .step = 6}};
+    const Label color[] = {{nearest, "blue", .step = 5}, {"colour {bytes}", "ink", .step = 6}};
     plot_say(plot, 0, 0, ray, 3);
     plot_say(plot, 1, 0, color, 2);
     if (outcome->told_count > 0)

@@ -18,8 +18,8 @@ plot @patches @behind \
     $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
     @before \
     @step2 $pixel using @point with @thick lc rgb ink title "outline of the pixel", \
-    @step2 $ray index 0 using @point with lines lw 2.2 dt 3 lc rgb blue title "ray, all of it", \
-    @step2 @who $ray index who using @bold with lines lw 2.2 dt dash(who) lc rgb blue title "ray", \
+    @step2 $ray index 0 using @point with @hidden lc rgb blue title "ray, all of it", \
+    @step2 @who $ray index who using @bold with @ray dt dash(who) lc rgb blue title "ray", \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     @step4 for [who=0:wrong] $miss index who using @bold with lines lw 1.2 dt dash(who) lc rgb grey title "ray that misses", \
     $eye using @point with @dot lc rgb blue title "eye", \

@@ -39,7 +39,7 @@ plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed 
         border lc rgb ink title "hit circles", \
     $circles index 0 using ($6 < 2 ? x($2) : NaN):(V(1,$3)):@diameter with ellipses units xx lc rgb grey lw 1 dt 2 fs empty \
         border lc rgb grey title "other circles", \
-    $along using (x(low_x)):(on_ray):(x(high_x) - x(low_x)):(0) with vectors nohead lw 1 dt 3 lc rgb blue \
+    $along using (x(low_x)):(on_ray):(x(high_x) - x(low_x)):(0) with vectors nohead lw 2 dt 3 lc rgb blue \
         title "line of the ray", \
     $along using (x(0)):(on_ray):(x(high_x) - x(0)):(0) with vectors nohead lw 1.6 lc rgb blue title "ray", \
     $along using (x(0)):(on_ray):(x(1) - x(0)):(0) with @arrow lc rgb blue title "v", \
@@ -62,9 +62,9 @@ plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed 
         with vectors nohead lw 1.4 lc rgb ink title "crossed out", \
     @step3 $along using (x(0)):(axis - 3):(0):(on_ray - axis + 3) with vectors nohead lw 1 dt 2 lc rgb blue title "t = 0", \
     @step4 @who $closest index who using (x($1)):(on_ray):(0):(axis - on_ray) with vectors nohead lw 1.4 dt dash(who) \
-        lc rgb orange title "closest, down", \
-    @step4 @who $closest index who using (x($1)):(on_ray) with points pt (who ? 8 : 7) ps 0.6 lc rgb orange title "closest", \
-    @step4 $closest index 0 using (x($1)):(axis) with @dot lc rgb orange title "closest on the axis", \
+        lc rgb blue title "closest, down", \
+    @step4 @who $closest index who using (x($1)):(on_ray) with points pt (who ? 8 : 7) ps 0.6 lc rgb blue title "closest", \
+    @step4 $closest index 0 using (x($1)):(axis) with @dot lc rgb blue title "closest on the axis", \
     @step4 $along using (words_x):(30):(all_hits ? "smallest ".math("t")." > 0:  ".math("t")." = ".nearest_text. \
-        ", sphere ".nearest_name : "no ".math("t")." > 0: nothing is hit") with labels tc rgb orange title "words", \
+        ", sphere ".nearest_name : "no ".math("t")." > 0: nothing is hit") with labels tc rgb blue title "words", \
     @labels

@@ -16,9 +16,9 @@ plot @behind \
     $plane using @point with @lines lc rgb ink title "plane", \
     @step4 $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
     @before \
-    @step2 $lines using @point with lines lw 2.2 dt 3 lc rgb blue title "lines to the eye, all of them", \
-    @step2 $lines using @bold with lines lw 1.6 lc rgb blue title "lines to the eye", \
-    @step2 $heads using @vector with vectors head filled size 12,18,90 lw 1.6 lc rgb blue title "towards the eye", \
+    @step2 $lines using @point with @hidden lc rgb blue title "lines to the eye, all of them", \
+    @step2 $lines using @bold with @ray lc rgb blue title "lines to the eye", \
+    @step2 $heads using @vector with vectors head filled size 16,18,90 lw 1.6 lc rgb blue title "towards the eye", \
     @step3 $outline using @point with @thick lc rgb ink title "outline on the plane", \
     $eye using @point with @dot lc rgb blue title "eye", \
     @labels

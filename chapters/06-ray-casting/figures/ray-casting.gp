@@ -20,8 +20,8 @@ plot @patches @behind \
     $plane using @point with @lines lc rgb ink title "plane", \
     @before \
     @step2 $pixel using @point with @thick lc rgb ink title "outline of the pixel", \
-    @step2 $ray index 0 using @point with lines lw 2.2 dt 3 lc rgb blue title "ray, all of it", \
-    @step2 @who $ray index who using @bold with lines lw 2.2 dt dash(who) lc rgb blue title "ray", \
+    @step2 $ray index 0 using @point with @hidden lc rgb blue title "ray, all of it", \
+    @step2 @who $ray index who using @bold with @ray dt dash(who) lc rgb blue title "ray", \
     @step3 @who $hits index who every ::1 using @point with @ring lc rgb ink title "farther hits", \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \
     $eye using @point with @dot lc rgb blue title "eye", \

@@ -132,6 +132,24 @@ static Camera with_plane_before_spheres(const Shown *shown)
     return c;
 }
 
+// If no drawn pixel sees a sphere, the one nearest to the middle of the picture: so the plane is
+// before it, and the figure shows why.
+static void show_one_at_least(Shown *shown)
+{
+    const Scene *scene = shown->shot.scene;
+    Camera c = shown->shot.camera;
+    double best = 0;
+    int sphere = -1;
+    for (int i = 0; i < scene->sphere_count && shown->sphere_count == 0; i++) {
+        double cosine = vec3_dot(vec3_unit(scene->spheres[i].center - c.origin), c.forward);
+        if (cosine > best && can_be_drawn(shown, &scene->spheres[i])) {
+            best = cosine;
+            sphere = i;
+        }
+    }
+    show_sphere(shown, sphere);
+}
+
 // A step that visits all the cells, each far from the one before. So if there is not room for all
 // spheres, those that are shown come from all over the picture.
 static int stride(int cells)
@@ -165,6 +183,7 @@ void shown_choose(Shown *shown, Shot shot)
         show_sphere(shown,
                     nearest_hit(pixel_ray(shot.camera, shown->grid, cell), shot.scene).sphere);
     }
+    show_one_at_least(shown);
     shown->camera = with_plane_before_spheres(shown);
 }
 

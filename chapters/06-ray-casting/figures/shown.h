@@ -39,7 +39,8 @@ bool is_sphere(const Scene *scene, int sphere);
 int hits_of(Ray ray, const Scene *scene, Hit *hits, int room);
 
 // Chooses. Shown are the spheres that rays of the drawn pixels hit first, and those in hits; not
-// one that the eye is in or at, as it has no outline to draw.
+// one that the eye is in or at, as it has no outline to draw. If there are none of these, one
+// sphere ahead of the eye.
 void shown_choose(Shown *shown, Shot shot);
 
 // Leaves one sphere of those that are shown, or that are not.

@@ -40,7 +40,7 @@ plot $cap_1 using @place with filledcurves closed fc rgb surface fs solid nobord
     $point using @place with @dot lc rgb grey title "point", \
     @step3 $to_itself using @way with vectors nohead lw 3 lc rgb blue title "from the point", \
     @step2 $inside using @place with points pt 7 ps 0.7 lc rgb ink title "rounded", \
-    @step3 $own_hit using @place with @missed lc rgb orange title "self hit", \
+    @step3 $own_hit using @place with @missed lc rgb ink title "self hit", \
     for [_=3:step:1000] for [number=1:1] @at_the_edge title cast_title(1, "specks"), \
     @step3 $once using @upper_left:("starts inside,") with labels left tc rgb ink title "words 1", \
     @step3 $once using @middle_left:("hits itself:") with labels left tc rgb ink title "words 2", \

@@ -99,7 +99,7 @@ static void drawn_rays(Plot *plot, Sphere sphere, Light light, Ray ray, vec3 poi
               (Label){.text = "from the eye", .color = "grey", .block = "seen_1", .part = 0.3});
     plot_name(plot, (Label){.text = "computed hit", .color = "ink", .block = "inside", .step = 2});
     plot_name(plot,
-              (Label){.text = "hits itself", .color = "orange", .block = "own_hit", .step = 3});
+              (Label){.text = "hits itself", .color = "ink", .block = "own_hit", .step = 3});
 
     panel_data(plot, 2, sphere, light, ray, point);
     plot_vector(plot, "normal", point, outside - point);
@@ -190,7 +190,7 @@ void self_hit_data(Plot *plot, void *given)
     vec3 point = ray.origin + hit_sphere(ray, sphere) * ray.direction;
     plot_look_flat(plot);
     plot_fill_room(plot);
-    plot_keep_clear(plot, (Room){0, 1, 0, 0.33});
+    plot_keep_clear(plot, (Room){0, 1, 0, 0.33}, (Room){0, 1, 0, 0.33});
     true_numbers(plot, sphere, light, point);
     drawn_rays(plot, sphere, light, ray, point);
     plot_include(plot, "common/figure/pictures.gp");
