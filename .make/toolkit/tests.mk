@@ -163,6 +163,12 @@ $(NUMBERS): $(NUMBERS).o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 
+# Figures of random wrong answers.
+WRONG_FIGURE := $(B)/tests/proof/wrong_figure
+$(WRONG_FIGURE): $(WRONG_FIGURE).o $(call known,mistakes) $(call known,support) $(TESTING) $(HEARING) $(TO_PROCESS) \
+		$(DRAWING) $(B)/tests/judge/reference/right_answer.o $(B)/common.a
+	$(link_program)
+
 # Examples with other numbers.
 RANDOM_EXAMPLE := $(B)/tests/proof/random_example
 $(RANDOM_EXAMPLE): $(RANDOM_EXAMPLE).o $(B)/common.a
@@ -208,7 +214,7 @@ check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests (two minutes on two cores)
 
 # The tests that need longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
-FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(SOLUTION_MUTANTS) $(BENCH_SCENES) $(RANDOM_EXAMPLE))
+FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(WRONG_FIGURE) $(if $(BRIEF),,$(TRIALS) $(SOLUTION_MUTANTS) $(BENCH_SCENES) $(RANDOM_EXAMPLE))
 .PHONY: check-all check-long
 check-all: $(RUN) $(CHECKS) $(FOR_LONG) ## all tests, also those that need longer
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh tests/proof/*.sh)

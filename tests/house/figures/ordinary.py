@@ -1,7 +1,9 @@
 """ordinary.py - labels of ordinary figures never collide: cameras, rays and scenes drawn at random.
 
 Ordinary: fields of view from 20 to 100 degrees, all aspects, any units, any hand.
-ordinary.py COUNT [NAME...] draws each figure, or those alone, that often, in both shapes.
+ordinary.py COUNT [NAME...] draws each figure, or those alone, that often, in both shapes. The figures of wrong
+answers, which the judge draws, have the names of the functions: wrong:upper_left. WRONG_FIGURE is the program
+that makes their scripts (tests/proof/wrong_figure.c).
 """
 import glob
 import math
@@ -14,8 +16,11 @@ import tempfile
 
 from cameras import options_of, some_camera
 from check import Checks
-from collisions import collisions, is_placed
+from collisions import collisions
 from figure import PROGRAMS, Figure, dot, plus, times
+
+WRONG = "wrong:"
+WRONG_FIGURE = os.environ.get("WRONG_FIGURE", "build/tests/proof/wrong_figure")
 
 
 def words(v):
@@ -144,13 +149,27 @@ def options_for(name, program, dice, folder):
     return make(dice, folder) if make in (scene_options, lit_options) else make(dice)
 
 
+def script_of_wrong_answer(function, number, folder):
+    """None if no known mistake has a figure for this call."""
+    subprocess.run([WRONG_FIGURE, function, str(number), folder], check=True, timeout=60)
+    path = os.path.join(folder, f"{function}.gp")
+    if not os.path.exists(path):
+        return None
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
 def found_in(job):
-    """What collides in one figure, in both shapes; with its command."""
+    """What collides in one figure, in both shapes, with its command; None if there is no figure."""
     program, name, number = job
-    found = []
+    found, script = [], None
     with tempfile.TemporaryDirectory() as folder:
-        options = options_for(name, program, random.Random(f"{name} {number}"), folder)
-        script = None
+        if program == WRONG_FIGURE:
+            options, script = [number], script_of_wrong_answer(name.removeprefix(WRONG), number, folder)
+            if script is None:
+                return name, None
+        else:
+            options = options_for(name, program, random.Random(f"{name} {number}"), folder)
         for shape in ("16:9", "4:3"):
             try:
                 figure = Figure(program, name, *options, settings=f"shape='{shape}'", script=script)
@@ -165,6 +184,10 @@ def found_in(job):
 
 def placed_figures(names):
     """Program and name of each figure whose labels are placed by the rule."""
+    for function in subprocess.run([WRONG_FIGURE, "list"], capture_output=True, text=True, check=True,
+                                   timeout=60).stdout.split():
+        if not names or WRONG + function in names or WRONG + "all" in names:
+            yield WRONG_FIGURE, WRONG + function
     for layout in sorted(glob.glob("chapters/*/figures/*.gp")):
         program, name = layout.split("/")[1], os.path.basename(layout)[:-3]
         if names and name not in names:
@@ -182,6 +205,8 @@ def main():
     jobs = [(program, name, number) for program, name in figures for number in range(count)]
     with multiprocessing.Pool() as pool:
         for name, found in pool.imap_unordered(found_in, jobs, chunksize=4):
+            if found is None:
+                continue
             counts[name][0] += 2
             counts[name][1] += len(found)
             checks.that(f"labels of {name}", not found, "\n    ".join(found))
