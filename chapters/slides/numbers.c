@@ -60,6 +60,8 @@ static void camera(Camera c)
     put_vector("UnitUpperLeft", upper_left(unit));
     put_vector("UpperRight", upper_right(c));
     put_vector("Across", across_30_up_10(c));
+    put_place("Place", example_place());
+    put_vector("PlaceVector", image_plane_vector(c, example_place().s, example_place().t));
 }
 
 static void screen_and_pixel(Camera c, Resolution screen, ScreenPoint point, Pixel pixel)
