@@ -33,7 +33,7 @@ $(BOOK_JUDGED): $(wildcard common/*.h exercises/*.h exercises/*.hints common/fig
 	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs $(BOOK_PLAN),$^) plan=$(BOOK_PLAN) > $@
 
 # The list of files for the service worker is of all that is there, so it comes last.
-$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_JUDGE) $(BOOK_COURSE) $(BOOK_JUDGED) \
+$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_JUDGE) $(BOOK_COURSE) $(BOOK_JUDGED) $(BOOK_PICTURES) \
 		$(BOOK)/compiler/sizes.json
 	$(Q)node $(BOOK_SOURCES)/site/bundle.mjs $(BOOK)
 

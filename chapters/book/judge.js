@@ -138,7 +138,7 @@ function runJudge(module, words, files, answerOf) {
 export function createJudge({modules, files: given, compile, link}) {
   const files = new Files(given);
   const made = new Map(); // what link has made: {module, lent}
-  const links = new Map(); // of pictures, by the words of their commands
+  let links = new Map(); // of pictures, by the words of their commands
   let compiled = {}; // by stem, if the answers were compiled before
 
   const option = (words, name) => words[words.indexOf(name) + 1];
@@ -240,11 +240,13 @@ export function createJudge({modules, files: given, compile, link}) {
      * @param {(words: string[], files: Files) => Promise<{status: number, module?: WebAssembly.Module}>} linkPicture
      */
     async draw(given, linkPicture) {
-      links.clear();
+      const mine = new Map(); // another answer may be judged meanwhile
       for (;;) {
+        links = mine;
         const shown = this.judge(given);
+        links = new Map();
         if (!shown.needs) return shown;
-        links.set(shown.needs.join(' '), await linkPicture(shown.needs, files));
+        mine.set(shown.needs.join(' '), await linkPicture(shown.needs, files));
       }
     },
     /** One hint more, as 'make hint'; a line for each function, as 'make status'; the blank again. */

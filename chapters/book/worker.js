@@ -1,6 +1,6 @@
 // worker.js - what takes time, beside the page: the compiler, the judge, gnuplot. A question is {id, do, ...}; the
 // answer has the same id (page/helper.js). What a question needs is fetched when it is first asked.
-import { load } from "./compiler.js";
+import { linkPicture, load, unpack } from "./compiler.js";
 import { loadFigures } from "./figure.js";
 import { createJudge } from "./judge.js";
 
@@ -43,6 +43,10 @@ const judging = once(async () => {
     const [course, judge, files] = await Promise.all([program("course"), program("judge"), texts("tree/files.json")]);
     return createJudge({ modules: { course, judge }, files: new Map(Object.entries(files)) });
 });
+
+// What the pictures of an answer are linked with.
+const pictureParts = once(async () => unpack(new Uint8Array(await new Response(
+    (await fetched("pictures.pack.gz")).body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer())));
 
 const compiled = new Map(); // stem -> {text, result}
 async function compile(stem, text) {
@@ -87,7 +91,14 @@ const answers = {
         hearProgress("Judging");
         const result = { [stem]: await compile(stem, sources[stem]) };
         const verdict = judge.judge({ stem, sources, compiled: result, columns });
-        return { text: verdict.text || verdict.errors, messages: result[stem].messages, ...countOf(judge.status([stem]).text, stem), pictures: await picturesOf(verdict, theme) };
+        return { text: verdict.text || verdict.errors, messages: result[stem].messages, ...countOf(judge.status([stem]).text, stem), draws: Boolean(verdict.needs), pictures: await picturesOf(verdict, theme) };
+    },
+    /** The same verdict with the pictures that the answer draws, if judge said that it draws some. */
+    async draw({ stem, sources, theme, columns }) {
+        const judge = await judging(), result = { [stem]: await compile(stem, sources[stem]) };
+        const verdict = await judge.draw({ stem, sources, compiled: result, columns },
+            async (words, files) => linkPicture(await compiler(), await pictureParts(), words, files));
+        return { text: verdict.text, pictures: await picturesOf(verdict, theme) };
     },
     async hint({ stem, sources, state }) {
         const judge = await judging();

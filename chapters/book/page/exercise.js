@@ -152,6 +152,15 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
         onVerdict();
     }
 
+    /** What the answer draws comes after its verdict, unless another was judged meanwhile. */
+    async function draw(question, text) {
+        const drawn = await helper.ask({ ...question, do: "draw" }).catch(() => null);
+        if (drawn === null || judged !== text)
+            return;
+        $("verdict").querySelector("pre").textContent = drawn.text;
+        drawPictures(drawn);
+    }
+
     async function judge() {
         clearTimeout(timer);
         if (running) {
@@ -175,6 +184,8 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
             });
             show(verdict, text);
             say(`Saved and judged, ${Math.round(performance.now() - start)} ms.`);
+            if (verdict.draws)
+                draw(question, text);
         } catch (reason) {
             showTrouble(reason instanceof Stopped
                 ? `The judge was started again, because ${reason.message}. Your answer is saved. Press Judge to try again.`

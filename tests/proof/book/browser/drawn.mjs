@@ -1,0 +1,34 @@
+// drawn.mjs - a right answer in a real browser gets its verdict and the picture that it draws.
+//
+// Usage: BROWSER=chromium|firefox node drawn.mjs SITE
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { browserName, launch, openTab, serve, waitFor } from "../site.mjs";
+
+const [folder] = process.argv.slice(2), stem = "05-quadratic";
+const host = await serve(folder), browser = await launch();
+try {
+    const tab = await openTab(browser, host.address);
+    const source = readFileSync(`solutions/${stem}.c`, "utf8");
+    await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
+    await waitFor("an editor", 20, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+    await tab.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus());
+    await tab.keyboard.down("Control");
+    await tab.keyboard.press("a");
+    await tab.keyboard.up("Control");
+    await tab.evaluate((text) => document.execCommand("insertText", false, text), source);
+    await tab.$eval("#judge", (button) => button.click());
+    const text = () => tab.$eval("#verdict", (place) => place.textContent);
+    await waitFor("a verdict", 120, async () => (await text()).includes(`${stem} is right.`));
+    await waitFor("a picture", 60, async () => (await text()).includes(`gallery/${stem}.png`));
+    assert.match(await text(), /Yours: hit_sphere\.\s+By\s+the\s+reference:\s+pixel_ray\./);
+    const size = () => tab.$eval("#verdict-pictures img", (img) => [img.naturalWidth, img.naturalHeight]);
+    await waitFor("its pixels", 20, async () => (await size())[0] > 100);
+    if (process.env.SCREENSHOT)
+        await tab.screenshot({ path: process.env.SCREENSHOT, fullPage: false });
+    assert.deepEqual(tab.faults, []);
+    console.log(`drawn (${browserName}): passed`);
+} finally {
+    await browser.close();
+    await host.stop();
+}
