@@ -1,22 +1,32 @@
 # engines.gp - spheres against rays per second, log-log, of what tests/benches/engines.c measured.
 #
-# gnuplot -e "csv='FILE.csv'; threads=1" engines.gp > FILE.svg
+# gnuplot -e "csv='FILE.csv'; threads=1; theme='dark'" engines.gp > FILE.svg
 # Filled marks and full lines: the three spheres and sphereflakes; hollow and broken: random spheres.
 # Bars: the quartiles. Of Embree's own spheres in packets of 8 and of 16 one is enough: they are alike.
 if (!exists("threads")) threads = 1
-set terminal svg size 960, 560 font "sans,13" background "white"
+if (!exists("theme")) theme = "light"
+# The colours are those of the figures (common/figure/plot.gp), and so is the size of text.
+dark = theme eq "dark"
+ink = dark ? "#e8eaed" : "#1a1c20"
+set terminal svg size 960, 600 font "DejaVu Sans,24" enhanced background dark ? "#16191d" : "#ffffff"
+set border lc rgb ink
+set tics textcolor rgb ink
 set datafile separator ","
 set logscale xy
-set format x "10^{%T}"
-set format y "10^{%T}"
-set xlabel "spheres"
-set ylabel sprintf("rays per second, %d thread%s", threads, threads == 1 ? "" : "s")
+# Exponents are as large as the rest.
+set format x "10^{/*1.25 %T}"
+set format y "10^{/*1.25 %T}"
+set ytics 100
+set xlabel "spheres" tc rgb ink
+set ylabel sprintf("rays per second, %d thread%s", threads, threads == 1 ? "" : "s") tc rgb ink offset -1,0
+set lmargin 9
 set xrange [2:1.5e6]
-set key outside right center Left reverse samplen 3 spacing 1.3
-set grid lc rgb "#dddddd"
+set key outside right center Left reverse samplen 1.5 spacing 1.1 tc rgb ink
+set grid lc rgb dark ? "#3c434b" : "#d0d6dc"
 names  = "bins tiles packet bvh object plain embree-user embree-16 tachyon povray"
 labels = "bins tiles packet bvh object plain 'Embree, callback' 'Embree, spheres' Tachyon POV-Ray"
-colors = "#0072b2 #d55e00 #e69f00 #009e73 #cc79a7 #000000 #555555 #555555 #999999 #999999"
+colors = dark ? "#64b5f0 #f79454 #e0b83c #3ecb9c #e893c6 #e8eaed #c3c8ce #c3c8ce #9aa3ad #9aa3ad" : \
+    "#0069a8 #b84a00 #8a6a00 #00775a #a03a7c #1a1c20 #4a5058 #4a5058 #626a73 #626a73"
 filled(i) = int(word("7 5 9 13 11 15 7 5 9 13", i))
 color(i) = word(colors, i)
 rows(random, i) = sprintf("< awk -F, '($1 ~ /^random/) == %d && $3 == \"%s\" && $4 == %d' '%s' | sort -t, -k2n", random, word(names, i), threads, csv)

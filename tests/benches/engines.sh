@@ -22,6 +22,9 @@ awk -F, -f tests/benches/engines.awk "$folder/engines.csv" >"$folder/engines.md"
 echo "written: $folder/engines.txt, $folder/engines.csv, and as tables $folder/engines.md"
 command -v gnuplot >/dev/null || exit 0
 for n in $threads; do
-    gnuplot -e "csv = '$folder/engines.csv'; threads = $n" tests/benches/engines.gp \
-        >"$folder/engines-$n.svg" && echo "written: $folder/engines-$n.svg"
+    for theme in light dark; do
+        picture=$folder/engines-$n$([ "$theme" = light ] || echo "-$theme").svg
+        gnuplot -e "csv = '$folder/engines.csv'; threads = $n; theme = '$theme'" tests/benches/engines.gp >"$picture" &&
+            echo "written: $picture"
+    done
 done
