@@ -39,6 +39,13 @@ int program_run_for(const Command *command, const char *output, int seconds)
     return status;
 }
 
+// The plan of the page has no assembler, so nobody asks for two at once.
+int program_run_piped(const Command *first, const Command *second, const char *output)
+{
+    int status = program_run(first, output);
+    return status != 0 ? status : program_run(second, output);
+}
+
 void work_side_by_side(int count, int (*work)(int number, void *given), void *given, int *statuses)
 {
     for (int i = 0; i < count; i++)
