@@ -333,9 +333,9 @@ static bool is_kept_away(const Labels *labels, int number, int count, Area box)
 // A place may become free when another label moves on.
 START_TEST(a_cheaper_place_is_taken_if_no_other_label_is_there)
 {
-    enum { MANY = 24, MOST_LATE = 10 };
+    enum { CROWDS = 8, MANY = 24, MOST_LATE = 2 };
     int late = 0;
-    for (int k = 0; k < DRAWINGS; k++) {
+    for (int k = 0; k < CROWDS; k++) {
         Labels *labels = labels_new(canvas);
         for (int i = 0; i < MANY; i++) {
             Spot spot = {random_number(300, 660), random_number(140, 340)};
