@@ -1,8 +1,9 @@
 // worker.js - what takes time, beside the page: the compiler, the judge, gnuplot. A question is {id, do, ...}; the
 // answer has the same id (page/helper.js). What a question needs is fetched when it is first asked.
-import { linkPicture, load, unpack } from "./compiler.js";
+import { load, unpack } from "./compiler.js";
 import { loadFigures } from "./figure.js";
 import { createJudge } from "./judge.js";
+import { toolsOf, WholeCompilerNeeded } from "./tools.js";
 
 const site = new URL(".", self.location.href);
 
@@ -25,13 +26,12 @@ function once(make) {
 
 const program = once(async (name) => WebAssembly.compileStreaming(await fetched(`programs/${name}.wasm`)));
 const texts = once(async (name) => (await fetched(name)).json());
-const unpacked = async (name) => WebAssembly.compileStreaming(new Response(
-    (await fetched(name)).body.pipeThrough(new DecompressionStream("gzip")), { headers: { "content-type": "application/wasm" } }));
+const unzipped = async (name, type) => new Response((await fetched(name)).body.pipeThrough(new DecompressionStream("gzip")), { headers: { "content-type": type } });
 
 // ---- figures ------------------------------------------------------------------------------------
 
 const figures = once(async () => {
-    const [gnuplot, finish, files] = await Promise.all([unpacked("figures/gnuplot.wasm.gz"), program("finish_figure"), texts("figures/files.json")]);
+    const [gnuplot, finish, files] = await Promise.all([unzipped("figures/gnuplot.wasm.gz", "application/wasm").then(WebAssembly.compileStreaming), program("finish_figure"), texts("figures/files.json")]);
     return loadFigures({ gnuplot, finish, files });
 });
 
@@ -40,13 +40,27 @@ const figures = once(async () => {
 let hearProgress = () => {};
 const compiler = once(() => load({ fetchBytes: fetched, progress: (done, all) => hearProgress("Fetching the compiler", done, all) }));
 const judging = once(async () => {
-    const [course, judge, files] = await Promise.all([program("course"), program("judge"), texts("tree/files.json")]);
-    return createJudge({ modules: { course, judge }, files: new Map(Object.entries(files)) });
+    const [course, judge, texts1, texts2, pack, ready] = await Promise.all([program("course"), program("judge"), texts("tree/files.json"), texts("figures/files.json"),
+        unzipped("tree/pictures.pack.gz", "application/octet-stream").then((response) => response.arrayBuffer()), compiler()]);
+    const pictures = unpack(new Uint8Array(pack)), tools = toolsOf(ready, pictures);
+    const files = new Map([...Object.entries(texts1), ...Object.entries(texts2), ...[...pictures].filter(([path]) => /\.(png|nff)$/.test(path))]);
+    return { judge: createJudge({ modules: { course, judge }, files, ...tools }), tools };
 });
 
-// What the pictures of an answer are linked with.
-const pictureParts = once(async () => unpack(new Uint8Array(await new Response(
-    (await fetched("pictures.pack.gz")).body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer())));
+/** What the judge says; once more if it needs the whole compiler for that. */
+async function judged(ask) {
+    const { judge, tools } = await judging();
+    for (;;) {
+        try {
+            return ask(judge);
+        } catch (reason) {
+            if (!(reason instanceof WholeCompilerNeeded))
+                throw reason;
+            hearProgress("Fetching the whole compiler, once");
+            await tools.takeWhole();
+        }
+    }
+}
 
 const compiled = new Map(); // stem -> {text, result}
 async function compile(stem, text) {
@@ -83,30 +97,25 @@ async function picturesOf({ text, figures: scripts, pictures }, theme) {
 
 const answers = {
     async prepare() {
-        await Promise.all([judging(), compiler()]);
+        await judging();
         return {};
     },
     async judge({ stem, sources, theme, columns }) {
-        const [judge] = await Promise.all([judging(), compiler()]);
+        await judging();
         hearProgress("Judging");
         const result = { [stem]: await compile(stem, sources[stem]) };
-        const verdict = judge.judge({ stem, sources, compiled: result, columns });
-        return { text: verdict.text || verdict.errors, messages: result[stem].messages, ...countOf(judge.status([stem]).text, stem), draws: Boolean(verdict.needs), pictures: await picturesOf(verdict, theme) };
-    },
-    /** The same verdict with the pictures that the answer draws, if judge said that it draws some. */
-    async draw({ stem, sources, theme, columns }) {
-        const judge = await judging(), result = { [stem]: await compile(stem, sources[stem]) };
-        const verdict = await judge.draw({ stem, sources, compiled: result, columns },
-            async (words, files) => linkPicture(await compiler(), await pictureParts(), words, files));
-        return { text: verdict.text, pictures: await picturesOf(verdict, theme) };
+        const verdict = await judged((judge) => judge.judge({ stem, sources, compiled: result, columns }));
+        const status = await judged((judge) => judge.status([stem]).text);
+        return { text: verdict.text || verdict.errors, messages: result[stem].messages, ...countOf(status, stem), pictures: await picturesOf(verdict, theme) };
     },
     async hint({ stem, sources, state }) {
-        const judge = await judging();
-        const path = `build/exercises/verdict/${stem}.hint`;
-        if (state)
-            judge.files.put(path, state);
-        const { text, errors } = judge.hint(stem, { sources, compiled: { [stem]: await compile(stem, sources[stem]) } });
-        return { text: text || errors, state: judge.files.text(path) ?? "" };
+        const path = `build/exercises/verdict/${stem}.hint`, result = { [stem]: await compile(stem, sources[stem]) };
+        const { text, errors, kept } = await judged((judge) => {
+            if (state && !judge.files.get(path))
+                judge.files.put(path, state);
+            return { ...judge.hint(stem, { sources, compiled: result }), kept: judge.files.text(path) };
+        });
+        return { text: text || errors, state: kept ?? "" };
     },
     async figure({ stem, name, ...wanted }) {
         return (await figures()).drawMoved({ program: await program(stem), stem, name, ...wanted });

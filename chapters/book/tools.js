@@ -1,0 +1,62 @@
+// tools.js - the commands of the judge's plan that a page runs at once: compiling another chapter's answer, and linking
+// the programs that draw pictures with answers.
+import { Files } from "./wasi.js";
+
+/** The small compiler lacks a function that this run needs. */
+export class WholeCompilerNeeded extends Error {}
+
+const LIBRARIES = ["signal", "mman", "process-clocks", "getpid"].map((name) => `lib/libwasi-emulated-${name}.a`)
+    .concat("lib/libm.a", "lib/libc.a", "lib/builtins.a");
+const FLAGS = ["--gc-sections", "--strip-all", "--no-check-features", "--stack-first", "-z", "stack-size=1048576"];
+
+/**
+ * @param {import("./compiler.js").Compiler} compiler
+ * @param {Map<string, Uint8Array>} objects what is linked besides answers, by the plan's paths
+ */
+export function toolsOf(compiler, objects) {
+    let program = compiler.small;
+    const compiled = new Map(); // source and text -> what compile gave
+    const linked = new Map();   // what was linked before: the same objects make the same program
+
+    function run(args, files) {
+        const result = program.run({ args: ["llvm", ...args], files: new Files(files) });
+        if (result.trap !== undefined && program === compiler.small)
+            throw new WholeCompilerNeeded();
+        return { ...result, said: result.stderr, status: result.trap === undefined ? result.status : 1 };
+    }
+    const option = (words, name) => words[words.indexOf(name) + 1];
+
+    return {
+        async takeWhole() {
+            program = await (compiler.whole ??= compiler.loadWhole());
+        },
+        compile(words, files) {
+            const source = words.at(-1), text = files.text(source), key = `${source}\n${text}`;
+            if (!compiled.has(key)) {
+                const result = run(["clang", "-cc1", ...compiler.flags.compile, "-main-file-name", source.split("/").pop(), "-o", "answer.o", "-x", "c", source],
+                    new Map([...compiler.pack, [source, text]]));
+                compiled.set(key, { status: result.status, said: result.said, object: result.files.get("answer.o") });
+            }
+            const { object, ...result } = compiled.get(key);
+            if (result.status === 0)
+                files.put(option(words, "-o"), object.slice());
+            return result;
+        },
+        link(words, files) {
+            const names = words.filter((word) => /\.[oa]$/.test(word));
+            const given = names.map((name) => [name, files.get(name) ?? objects.get(name)]);
+            const missing = given.find(([, bytes]) => bytes === undefined);
+            if (missing)
+                return { status: 1, said: `${missing[0]}: there is no such object\n` };
+            const before = linked.get(option(words, "-o"));
+            if (before && before.given.length === given.length && before.given.every(([name, bytes], at) => name === given[at][0] && same(bytes, given[at][1])))
+                return before.result;
+            const result = run(["wasm-ld", "-o", "program.wasm", ...FLAGS, "lib/crt1-command.o", ...names, ...LIBRARIES], new Map([...compiler.pack, ...given.map(([name, bytes]) => [name, bytes.slice()])]));
+            const made = { status: result.status, said: result.said, module: result.status === 0 ? new WebAssembly.Module(result.files.get("program.wasm")) : undefined };
+            linked.set(option(words, "-o"), { given: given.map(([name, bytes]) => [name, bytes.slice()]), result: made });
+            return made;
+        },
+    };
+}
+
+const same = (a, b) => a === b || (a.length === b.length && a.every((byte, at) => byte === b[at]));
