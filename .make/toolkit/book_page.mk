@@ -32,18 +32,6 @@ $(BOOK_JUDGED): $(wildcard common/*.h exercises/*.h exercises/*.hints common/fig
 		chapters/[0-9]*/figures/yours-and-right.gp) $(BLANKS) $(BOOK_PLAN) $(BOOK_SOURCES)/site/pack_texts.mjs
 	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs $(BOOK_PLAN),$^) plan=$(BOOK_PLAN) > $@
 
-# What the pictures of an answer are linked with, and what their programs read.
-BOOK_PICTURES := $(BOOK)/tree/pictures.pack.gz
-$(BOOK_PICTURES): $(PICTURE_LINKS) $(REFERENCE_LINKS)/made $(BOOK_SPHERES) $(SPHERES) $(WASM)/shared.a $(WASM)/common.a \
-		$(wildcard chapters/[0-9]*/*.nff) $(BOOK_SOURCES)/compiler/write_pack.js
-	$(call say,pack,objects of pictures)
-	$(Q)mkdir -p $(@D)
-	$(Q)node $(BOOK_SOURCES)/compiler/write_pack.js $(WASM)/pictures.pack $(BOOK_SOURCES)/compiler/flags.json \
-		$(foreach o,$(PICTURE_LINKS) $(BOOK_SPHERES),link/$(notdir $(o))=$(o)) link/shared.a=$(WASM)/shared.a link/common.a=$(WASM)/common.a \
-		$(foreach f,$(SPHERES) $(wildcard chapters/[0-9]*/*.nff),$(f)=$(f)) \
-		$$(for o in $(REFERENCE_LINKS)/*.o; do echo link/reference/$${o##*/}=$$o; done)
-	$(Q)gzip -9nc $(WASM)/pictures.pack > $@
-
 # The list of files for the service worker is of all that is there, so it comes last.
 $(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_JUDGE) $(BOOK_COURSE) $(BOOK_JUDGED) $(BOOK_PICTURES) \
 		$(BOOK)/compiler/sizes.json

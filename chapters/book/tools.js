@@ -5,8 +5,8 @@ import { Files } from "./wasi.js";
 /** The small compiler lacks a function that this run needs. */
 export class WholeCompilerNeeded extends Error {}
 
-const LIBRARIES = ["signal", "mman", "process-clocks", "getpid"].map((name) => `lib/libwasi-emulated-${name}.a`)
-    .concat("lib/libm.a", "lib/libc.a", "lib/builtins.a");
+const LIBRARIES = ["lib/common.a"].concat(["signal", "mman", "process-clocks", "getpid"].map((name) => `lib/libwasi-emulated-${name}.a`),
+    ["lib/libm.a", "lib/libc.a", "lib/builtins.a"]);
 const FLAGS = ["--gc-sections", "--strip-all", "--no-check-features", "--stack-first", "-z", "stack-size=1048576"];
 
 /**
@@ -43,7 +43,7 @@ export function toolsOf(compiler, objects) {
             return result;
         },
         link(words, files) {
-            const names = words.filter((word) => /\.[oa]$/.test(word));
+            const names = words.filter((word) => /\.[oa]$/.test(word) && word !== "link/common.a"); // that is in the pack
             const given = names.map((name) => [name, files.get(name) ?? objects.get(name)]);
             const missing = given.find(([, bytes]) => bytes === undefined);
             if (missing)

@@ -41,10 +41,10 @@ let hearProgress = () => {};
 const compiler = once(() => load({ fetchBytes: fetched, progress: (done, all) => hearProgress("Fetching the compiler", done, all) }));
 const judging = once(async () => {
     const [course, judge, texts1, texts2, pack, ready] = await Promise.all([program("course"), program("judge"), texts("tree/files.json"), texts("figures/files.json"),
-        unzipped("tree/pictures.pack.gz", "application/octet-stream").then((response) => response.arrayBuffer()), compiler()]);
+        unzipped("pictures.pack.gz", "application/octet-stream").then((response) => response.arrayBuffer()), compiler()]);
     const pictures = unpack(new Uint8Array(pack)), tools = toolsOf(ready, pictures);
     const files = new Map([...Object.entries(texts1), ...Object.entries(texts2), ...[...pictures].filter(([path]) => /\.(png|nff)$/.test(path))]);
-    return { judge: createJudge({ modules: { course, judge }, files, ...tools }), tools };
+    return { judge: createJudge({ modules: { course, judge }, files, compile: tools.compile }), tools };
 });
 
 /** What the judge says; once more if it needs the whole compiler for that. */
@@ -52,7 +52,7 @@ async function judged(ask) {
     const { judge, tools } = await judging();
     for (;;) {
         try {
-            return ask(judge);
+            return await ask(judge, tools);
         } catch (reason) {
             if (!(reason instanceof WholeCompilerNeeded))
                 throw reason;
@@ -104,9 +104,15 @@ const answers = {
         await judging();
         hearProgress("Judging");
         const result = { [stem]: await compile(stem, sources[stem]) };
-        const verdict = await judged((judge) => judge.judge({ stem, sources, compiled: result, columns }));
-        const status = await judged((judge) => judge.status([stem]).text);
-        return { text: verdict.text || verdict.errors, messages: result[stem].messages, ...countOf(status, stem), pictures: await picturesOf(verdict, theme) };
+        const given = { stem, sources, compiled: result, columns };
+        const told = async (verdict) => ({ text: verdict.text || verdict.errors, messages: result[stem].messages,
+            ...countOf(await judged((judge) => judge.status([stem]).text), stem), pictures: await picturesOf(verdict, theme) });
+        const verdict = await judged((judge) => judge.judge(given));
+        if (!verdict.needs)
+            return told(verdict);
+        // The verdict at once; the pictures that the answer draws when they are linked.
+        hearProgress("Drawing", 0, 0, await told(verdict));
+        return told(await judged((judge, tools) => judge.draw(given, async (words, files) => tools.link(words, files))));
     },
     async hint({ stem, sources, state }) {
         const path = `build/exercises/verdict/${stem}.hint`, result = { [stem]: await compile(stem, sources[stem]) };
@@ -123,7 +129,7 @@ const answers = {
 };
 
 addEventListener("message", async ({ data: { id, do: what, ...question } }) => {
-    const progress = (words, done = 0, all = 0) => postMessage({ id, kind: "progress", words, done, all });
+    const progress = (words, done = 0, all = 0, first = null) => postMessage({ id, kind: "progress", words, done, all, first });
     hearProgress = progress;
     try {
         postMessage({ id, kind: "answer", ...(await answers[what](question)) });

@@ -152,15 +152,6 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
         onVerdict();
     }
 
-    /** What the answer draws comes after its verdict, unless another was judged meanwhile. */
-    async function draw(question, text) {
-        const drawn = await helper.ask({ ...question, do: "draw" }).catch(() => null);
-        if (drawn === null || judged !== text)
-            return;
-        $("verdict").querySelector("pre").textContent = drawn.text;
-        drawPictures(drawn);
-    }
-
     async function judge() {
         clearTimeout(timer);
         if (running) {
@@ -177,15 +168,21 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
         try {
             showTrouble("");
             const question = { do: "judge", stem, sources: sources(), theme: themeNow(), columns: columns() };
-            const verdict = await helper.ask(question, showProgress).catch((reason) => {
+            let took = 0;
+            const hear = (progress) => {
+                if (progress.first) {
+                    took = performance.now() - start;
+                    show(progress.first, text);
+                }
+                showProgress(progress);
+            };
+            const verdict = await helper.ask(question, hear).catch((reason) => {
                 if (reason instanceof Stopped)
-                    return helper.ask(question, showProgress); // once more, in a new worker
+                    return helper.ask(question, hear); // once more, in a new worker
                 throw reason;
             });
             show(verdict, text);
-            say(`Saved and judged, ${Math.round(performance.now() - start)} ms.`);
-            if (verdict.draws)
-                draw(question, text);
+            say(`Saved and judged, ${Math.round(took || performance.now() - start)} ms.`);
         } catch (reason) {
             showTrouble(reason instanceof Stopped
                 ? `The judge was started again, because ${reason.message}. Your answer is saved. Press Judge to try again.`

@@ -18,9 +18,9 @@ await build({
     external: ["module", "fs", "path", "url"], // gnuplot's module asks for them in node, not in a page
 });
 
-/** Files that a page may load. Objects are in packs; the plan is in one with other texts. */
+/** Files that a page may load. The plan is in one with other texts. */
 const files = readdirSync(site, { recursive: true, withFileTypes: true }).filter((each) => each.isFile()).map((each) => relative(site, join(each.parentPath, each.name)))
-    .filter((name) => name !== "service_worker.js" && !name.startsWith("link/") && name !== "tree/plan").sort();
+    .filter((name) => name !== "service_worker.js" && name !== "tree/plan").sort();
 const sizes = Object.fromEntries(files.map((name) => [name, statSync(join(site, name)).size]));
 const names = Object.fromEntries(files.map((name) => [name, createHash("sha256").update(readFileSync(join(site, name))).digest("hex").slice(0, 16)]));
 // The small ones first. The whole compiler is kept when it is first needed, which is seldom.
