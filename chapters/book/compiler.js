@@ -177,20 +177,5 @@ export class Compiler {
   }
 }
 
-/**
- * What pictures of an answer are linked with: words of the plan's command (judge.js), files of the judge, and
- * the pack of pictures, whose scenes the programs then read.
- */
-export async function linkPicture(compiler, pictures, words, files) {
-  for (const [path, bytes] of pictures) if (!path.endsWith('.o')) files.get(path) ?? files.put(path, bytes);
-  const named = words.filter(word => /\.[oa]$/.test(word)), start = compiler.flags.link.indexOf('lib/common.a');
-  const args = ['llvm', 'wasm-ld', '-o', 'picture.wasm', '--gc-sections', '--strip-all', '--stack-first', '-z', 'stack-size=1048576',
-    'lib/crt1-command.o', ...named.filter(word => word !== 'link/common.a'), ...compiler.flags.link.slice(start)];
-  const linked = await compiler.run(args, new Map([...compiler.pack, ...pictures,
-    ...named.filter(word => files.get(word)).map(word => [word, files.get(word)])]));
-  if (linked.status !== 0) return failed(linked, 'link');
-  return {module: await WebAssembly.compile(linked.files.get('picture.wasm')), status: 0, said: linked.stderr};
-}
-
 /** Messages are those of a run that ended, else how the compiler itself ended. */
 const failed = ({status = 1, stderr, trap}, stage) => ({status, stage, messages: trap ? `${stderr}the compiler ended: ${trap}\n` : stderr});
