@@ -182,22 +182,11 @@ check 'they say what the deck leaves out' contains notes 'The deck leaves out:'
 check 'and what we correct' contains notes 'Our correction: the red vector that the deck draws ends at'
 check 'nobody else sees them' lacks wide 'Our correction:'
 
-# Text is 24 of 540 units high or larger. The labels of some figures are smaller still, so they are left out.
-small=$scratch/small
-cp -r "$drawn" "$small"
-for name in $names; do
-    grep -q '^text_size = 24' "$drawn/$name/$name.gp" && continue
-    for picture in "$small/$name/"*.tex; do
-        printf '%s\n' '\rule{1cm}{1cm}' >"$picture"
-    done
-done
-drawn_before=$drawn
-drawn=$small
+# Text is 24 of 540 units high or larger.
 for shape in 16:9 4:3; do
     check "slides and notes for the last row are made, $shape" lecture_as last $shape light notes
     check "no text is too small, $shape" tells small last "$scratch/nothing"
 done
-drawn=$drawn_before
 
 again=$scratch/again
 mkdir "$again"
