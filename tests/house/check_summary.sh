@@ -32,6 +32,19 @@ check 'what is counted is added up' ends_with 'In all: 43 known mistakes, 4 test
 check 'and other useful lines are shown' says 'seed 7: 12 inputs'
 check 'other lines are not' says_not 'a line'
 
+# The seconds of each test are kept: those of a processor, then those by the clock.
+# shellcheck disable=SC2016 # the test expands it
+printf '#!/bin/sh\ni=0; while [ $i -lt 600000 ]; do i=$((i + 1)); done; echo "busy: 1 passed, 0 failed"\n' >"$scratch/busy"
+printf '#!/bin/sh\nsleep 1; echo "idle: 1 passed, 0 failed"\n' >"$scratch/idle"
+chmod +x "$scratch/busy" "$scratch/idle"
+check 'a busy and an idle test run' ends_with '2 passed, 0 failed' "$scratch/busy" "$scratch/idle"
+took() {
+    cat "$scratch/log/seconds"
+    grep -qE "^$2 [0-9]+ $scratch/$1\$" "$scratch/log/seconds"
+}
+check 'the idle test took hardly any time of a processor' took idle '0\.0[0-9]'
+check 'the busy test took some' took busy '([1-9][0-9]*\.[0-9]+|0\.[1-9][0-9])'
+
 # A test that does not come to its end has failed, whatever it has said.
 ends_by() {
     printf '#!/bin/sh\necho "ends: 5 passed, 0 failed"\n%s\n' "$1" >"$scratch/ends" && chmod +x "$scratch/ends"

@@ -8,7 +8,9 @@
 // The last line of a test is 'NAME: N passed, N failed'. A test that ends without it, or exits
 // non-zero though nothing failed, counts as one failure, and all that it printed is shown. Of a
 // test that passes some lines are shown: '+ words'; '+ N things' as a sum over all tests, at the
-// end; and 'skipped: what, and why', also at the end. LOG-FOLDER keeps everything.
+// end; and 'skipped: what, and why', also at the end. LOG-FOLDER keeps everything, and in 'seconds'
+// the seconds that each test took: of a processor, which is nearly the same on a busy machine, and
+// by the clock.
 //
 // Scripts (.sh) may build in the tree, so they take turns; programs, and scripts that say in a line
 // of their own '# Only reads the tree.', run beside them.
@@ -19,6 +21,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -34,6 +37,7 @@ typedef struct {
     pid_t process; // 0: not begun; -1: ended
     time_t began;
     int seconds;
+    double of_processor;
 } Test;
 
 // The sums over all tests: a number for each wording.
@@ -237,6 +241,11 @@ static void show_progress(int ended)
         fprintf(stderr, "\r\033[K");
 }
 
+static double seconds_of(struct timeval time)
+{
+    return (double)time.tv_sec + (double)time.tv_usec / 1e6;
+}
+
 static void run_all(int at_a_time)
 {
     int running = 0, ended = 0;
@@ -245,7 +254,8 @@ static void run_all(int at_a_time)
             begin(test);
         show_progress(ended);
         int status;
-        pid_t process = waitpid(-1, &status, 0);
+        struct rusage used;
+        pid_t process = wait4(-1, &status, 0, &used);
         Test *test = process < 0 ? NULL : test_of(process);
         if (process < 0 && errno != EINTR)
             break;
@@ -253,6 +263,7 @@ static void run_all(int at_a_time)
             continue;
         test->process = -1;
         test->seconds = (int)(time(NULL) - test->began);
+        test->of_processor = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
         running--;
         ended++;
         if (isatty(STDERR_FILENO))
@@ -277,6 +288,17 @@ static void keep_logs(const char *folder)
         if (kept == NULL || fclose(kept) != 0)
             perror(path);
     }
+}
+
+static void keep_seconds(const char *folder)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/seconds", folder);
+    FILE *kept = fopen(path, "w");
+    for (int i = 0; kept != NULL && i < count; i++)
+        fprintf(kept, "%.2f %d %s\n", tests[i].of_processor, tests[i].seconds, tests[i].program);
+    if (kept == NULL || fclose(kept) != 0)
+        perror(path);
 }
 
 static void report(void)
@@ -321,6 +343,7 @@ int main(int argc, char **argv)
     sigaction(SIGHUP, &action, NULL);
     run_all(processors());
     keep_logs(argv[1]);
+    keep_seconds(argv[1]);
     report();
     return failed > 0 || passed == 0;
 }
