@@ -108,16 +108,31 @@ def script_of(_, program, name, *options):
     return done.stdout
 
 
+@functools.lru_cache(maxsize=8)
+def drawn(script, settings, kind):
+    """The file that gnuplot draws. One test after another looks at the same figure: it is drawn once for them."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "figure.gp")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(script)
+        done = subprocess.run(["gnuplot", "-e", f"output='figure'; {settings}", path], cwd=folder,
+                              capture_output=True, text=True, check=False, timeout=60)
+        if done.returncode != 0 or done.stderr:
+            raise AssertionError(f"gnuplot, {path}: {done.stderr.strip()}")
+        with open(os.path.join(folder, f"figure.{kind}"), "rb") as file:
+            return file.read()
+
+
 class Figure:
     """A figure by a chapter's program, or by a script that is there, drawn by gnuplot as SVG."""
 
     def __init__(self, program, name, *options, settings="", script=None):
         self.script = script if script is not None else self.made(program, name, *map(str, options))
         self.variables = dict(re.findall(r"^(\w+) = (.*)$", self.script, re.M))
-        with tempfile.TemporaryDirectory() as folder:
-            self.draw(folder, settings)
-            self.svg = ElementTree.parse(os.path.join(folder, "figure.svg")).getroot()
+        self.svg = ElementTree.fromstring(drawn(self.script, settings.replace("shape='16:9'", ""), "svg"))
         _, _, self.width, tall = map(float, self.svg.get("viewBox").split())
+        if self.width != (720 if "4:3" in settings else 960):
+            raise AssertionError(f"{name}, {settings}: the canvas is {self.width:.0f} wide")
         self.height = 540.0
         self.strip = tall - self.height  # of words on what is wrong, below the canvas
         self.plots = {}
@@ -130,15 +145,6 @@ class Figure:
     def made(program, name, *options):
         files = [os.path.join(PROGRAMS, program), *(option for option in options if os.path.exists(option))]
         return script_of(tuple(os.stat(file).st_mtime_ns for file in files), program, name, *options)
-
-    def draw(self, folder, settings):
-        path = os.path.join(folder, "figure.gp")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.script)
-        drawn = subprocess.run(["gnuplot", "-e", f"output='figure'; {settings}", path], cwd=folder,
-                               capture_output=True, text=True, check=False, timeout=60)
-        if drawn.returncode != 0 or drawn.stderr:
-            raise AssertionError(f"gnuplot, {path}: {drawn.stderr.strip()}")
 
     # ---- the data -----------------------------------------------------------------------------
 
@@ -239,10 +245,7 @@ class Figure:
 
     def in_words(self):
         """Its title, and itself in words: what the script says where no picture is wanted."""
-        with tempfile.TemporaryDirectory() as folder:
-            self.draw(folder, "format='txt'")
-            with open(os.path.join(folder, "figure.txt"), encoding="utf-8") as file:
-                title, _, description = file.read().partition("\n\n")
+        title, _, description = drawn(self.script, "format='txt'", "txt").decode("utf-8").partition("\n\n")
         return title.strip(), description.strip()
 
     # ---- where a place of the world belongs ---------------------------------------------------
