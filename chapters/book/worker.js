@@ -79,6 +79,7 @@ function countOf(status, stem) {
     return { right, total: states.length, done: states.length > 0 && right === states.length };
 }
 
+const recordOf = (stem) => `build/exercises/verdict/${stem}.record`;
 const isNamedIn = (text, name) => text.includes(`/${name}`);
 
 /** The student's figures and pictures that a verdict names. */
@@ -100,12 +101,16 @@ const answers = {
         await judging();
         return {};
     },
-    async judge({ stem, sources, theme, columns }) {
-        await judging();
+    async judge({ stem, sources, records, theme, columns }) {
+        const { judge: before } = await judging();
+        // What was judged on other pages: the verdict counts the functions of all chapters.
+        for (const [other, record] of Object.entries(records))
+            if (!before.files.get(recordOf(other)))
+                before.files.put(recordOf(other), record);
         hearProgress("Judging");
         const result = { [stem]: await compile(stem, sources[stem]) };
         const given = { stem, sources, compiled: result, columns };
-        const told = async (verdict) => ({ text: verdict.text || verdict.errors, messages: result[stem].messages,
+        const told = async (verdict) => ({ text: verdict.text || verdict.errors, record: verdict.record, messages: result[stem].messages,
             ...countOf(await judged((judge) => judge.status([stem]).text), stem), pictures: await picturesOf(verdict, theme) });
         const verdict = await judged((judge) => judge.judge(given));
         if (!verdict.needs)

@@ -120,6 +120,10 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
     /** The texts of all chapters: the program of a chapter calls the answers of earlier ones. */
     const sources = () => Object.fromEntries(course.stems.map((each) => [each, each === stem ? editor.text() : answers.text(each)]).filter(([, text]) => text !== null));
 
+    /** What the judge found in other chapters, if their text is still the same. */
+    const records = () => Object.fromEntries(course.stems.filter((each) => each !== stem && answers.verdict(each)).map((each) => [each, answers.note(each, "record")])
+        .filter(([, record]) => record));
+
     function drawPictures(verdict) {
         const place = $("verdict-pictures");
         for (const old of place.querySelectorAll("img"))
@@ -148,6 +152,7 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
         document.querySelector(".exercise").classList.add("judged");
         editor.mark(verdict.marks ?? marksOf(verdict.messages ?? "", stem));
         drawPictures(verdict);
+        answers.saveNote(stem, "record", verdict.record);
         answers.saveVerdict(stem, { of: nameOfText(text), right: verdict.right, total: verdict.total, done: verdict.done });
         onVerdict();
     }
@@ -167,7 +172,7 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
         showProgress({ words: "Judging", done: 0, all: 0 });
         try {
             showTrouble("");
-            const question = { do: "judge", stem, sources: sources(), theme: themeNow(), columns: columns() };
+            const question = { do: "judge", stem, sources: sources(), records: records(), theme: themeNow(), columns: columns() };
             let took = 0;
             const hear = (progress) => {
                 if (progress.first) {

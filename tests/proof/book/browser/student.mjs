@@ -1,0 +1,93 @@
+// student.mjs - chapters done in a page as a student does them: a blank, a missing semicolon, a known mistake with its
+// figure, a hint, the right answer with its picture, progress; then the same without a network.
+//
+// Usage: BROWSER=chromium|firefox CHAPTERS=01,05 node student.mjs SITE [FOLDER-FOR-SCREENSHOTS]
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { browserName, launch, openTab, serve, waitFor } from "../site.mjs";
+
+const [folder, shots] = process.argv.slice(2);
+const chapters = (process.env.CHAPTERS ?? "01,05").split(",");
+const stems = readdirSync("solutions").filter((name) => /^\d\d-.*\.c$/.test(name) && chapters.includes(name.slice(0, 2))).map((name) => name.slice(0, -2)).sort();
+const host = await serve(folder), browser = await launch();
+const tab = await openTab(browser, host.address);
+const textOf = (selector) => tab.$eval(selector, (each) => each.textContent);
+
+/** As a student pastes: over all that is there. */
+async function write(text) {
+    await tab.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus());
+    await tab.keyboard.down("Control");
+    await tab.keyboard.press("a");
+    await tab.keyboard.up("Control");
+    await tab.$eval("#editor", (place, pasted) => {
+        const clipboardData = new DataTransfer();
+        clipboardData.setData("text/plain", pasted);
+        place.shadowRoot.querySelector(".cm-content").dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+    }, text);
+}
+const verdict = (what, wanted, seconds = 90) => waitFor(`the verdict: ${what}`, seconds, async () => {
+    const trouble = await textOf("#trouble");
+    assert.equal(trouble, "", what);
+    return wanted.test(await textOf("#verdict")) && await tab.$eval("#progress", (each) => each.hidden);
+});
+const shot = async (name) => { if (shots) await tab.screenshot({ path: join(shots, `student-${browserName}-${name}.png`) }); };
+const open = async (stem) => {
+    await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
+    await waitFor("an editor", 30, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+};
+
+try {
+    for (const stem of stems) {
+        const right = readFileSync(`solutions/${stem}.c`, "utf8");
+        await open(stem);
+        await tab.$eval("#judge", (each) => each.click());
+        await verdict(`${stem} is blank`, /is not answered yet/);
+        await tab.$eval("#hint", (each) => each.click());
+        await waitFor("a hint", 30, async () => (await textOf("#hints")).length > 20);
+        await write(right.replace(/;\n\s*\/\/ END SOLUTION/, "\n    // END SOLUTION"));
+        await verdict(`${stem} lacks a semicolon`, /does not compile/);
+        // Lines that are not in sight are not there.
+        await tab.keyboard.down("Control");
+        await tab.keyboard.press("Home");
+        await tab.keyboard.up("Control");
+        await waitFor("a mark at the line", 10, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot.querySelector(".cm-lint-marker-error"))));
+        await shot(`${stem}-semicolon`);
+        if (stem === "01-corners") {
+            await write(right.replaceAll("c.width / 2 * c.right", "c.width * c.right"));
+            await verdict("the whole width", /the whole width/);
+            await waitFor("its figure", 30, () => tab.$eval("#verdict-pictures", (place) => place.querySelector("img")?.naturalWidth > 0));
+            await shot(`${stem}-mistake`);
+        }
+        await write(right);
+        await verdict(`${stem} is right`, new RegExp(`${stem} +done`));
+        await waitFor("a mark in the list of chapters", 10, async () => (await textOf(`.top nav a[data-stem="${stem}"]`)).includes("done"));
+        if (stem < "08") {
+            await waitFor("the picture", 30, () => tab.$$eval("#verdict-pictures img", (all) => all.some((each) => each.naturalWidth > 0)));
+            await tab.$eval("#verdict-pictures", (each) => each.scrollIntoView());
+        }
+        await shot(`${stem}-right`);
+    }
+    if (stems.length > 1)
+        assert.doesNotMatch(await textOf("#verdict"), /all chapters +(0|1|2|3|4|5|6) of/, "the verdict counts the other chapters");
+    await tab.goto(`${host.address}index.html`, { waitUntil: "load" });
+    await waitFor("progress", 10, async () => /functions are right/.test(await textOf("#so-far")));
+    await shot("start");
+    assert.deepEqual(tab.faults, []);
+
+    // All files are there after a while; then the host may go.
+    await waitFor("all files of the site", 120, () => tab.evaluate(async () => Boolean((await navigator.serviceWorker.getRegistration())?.active && navigator.serviceWorker.controller)));
+    const before = host.sent.requests.length;
+    await open(stems[0]);
+    await tab.$eval("#judge", (each) => each.click());
+    await verdict("again", / +done/);
+    const asked = host.sent.requests.slice(before).filter((path) => !path.endsWith("service_worker.js"));
+    assert.deepEqual(asked, [], "a later visit asks the host for nothing");
+    console.log(`student (${browserName}): ${stems.join(", ")}, and again without a byte from the host`);
+} catch (error) {
+    await shot("failed").catch(() => {});
+    throw error;
+} finally {
+    await browser.close();
+    await host.stop();
+}
