@@ -53,7 +53,7 @@ book-compiler: $(BOOK_COMPILER)/sizes.json
 # The list of what a cut compiler keeps, made again: after another version of @yowasp/clang, or other flags. Takes
 # an hour, and wants binaryen.
 TRAINED := $(wildcard solutions/0[1-7]*.c exercises/0[1-7]*.c solutions/optional/*.c $(COMPILER)/sample.c \
-	tests/0*/mistakes*.c tests/0*/variants*.c tests/0*/unknown.c chapters/0*/*.c chapters/0*/*/*.c common/*.c common/figure/*.c)
+	tests/0*/mistakes*.c tests/0*/variants*.c tests/0*/unknown.c chapters/0*/*.c chapters/0*/*/*.c common/*.c common/figure/*.c tests/judge/*.c tests/course/*.c)
 SLIPS ?= 2000
 book-train: $(WASM_COMPILER)/whole.wasm $(WASM_COMPILER)/pack
 	$(call say,train,clang)
