@@ -37,8 +37,8 @@ $(WASM_COMPILER)/pack: $(COMPILER)/flags.json $(COMPILER)/write_pack.js $(WASM_C
 
 # xz-decompress knows no other check. Few seconds more for the small one save each student 0.1 MB.
 XZ := xz --check=crc32 --threads=1 --stdout
-$(BOOK_COMPILER)/small.wasm.xz: XZ_HOW := --lzma2=preset=8,dict=16MiB
-$(BOOK_COMPILER)/whole.wasm.xz: XZ_HOW := --lzma2=preset=1,dict=16MiB
+$(BOOK_COMPILER)/small.wasm.xz: XZ_HOW := --lzma2=preset=8,dict=8MiB
+$(BOOK_COMPILER)/whole.wasm.xz: XZ_HOW := --lzma2=preset=1,dict=8MiB
 $(BOOK_COMPILER)/pack.xz: XZ_HOW := --lzma2=preset=9e,dict=4MiB
 $(COMPRESSED:%=$(BOOK_COMPILER)/%): $(BOOK_COMPILER)/%.xz: $(WASM_COMPILER)/%
 	$(call say,compress,$@)

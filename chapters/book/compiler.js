@@ -10,6 +10,7 @@ import xz from 'xz-decompress';
 import {Files, Exit, trapOf, wasi} from './wasi.js';
 
 const SMALL = 'compiler/small.wasm.xz', WHOLE = 'compiler/whole.wasm.xz', PACK = 'compiler/pack.xz';
+const PAGE = 1 << 16;
 // An answer that is compiled before there is one.
 const FIRST = '05-quadratic', WARMING = `#include "exercises/${FIRST}.h"
 #include <math.h>
@@ -50,18 +51,24 @@ export class Program {
     exports.constructors();
     exports.stack.value = this.stack;
     const memory = new Uint8Array(exports.memory.buffer);
-    let end = memory.length;
-    while (memory[end - 1] === 0) end--;
     this.size = memory.length;
-    this.saved = memory.slice(this.stack, end); // the stack is below: it is left empty
+    // The stack is below, and the heap is empty but for its last words: neither is kept.
+    const isEmpty = page => new BigUint64Array(memory.buffer, page * PAGE, PAGE / 8).every(word => word === 0n);
+    this.saved = [];
+    for (let page = this.stack / PAGE; page < this.size / PAGE; page++)
+      if (!isEmpty(page)) this.saved.push([page * PAGE, memory.slice(page * PAGE, (page + 1) * PAGE)]);
   }
 
   /** As run in wasi.js. */
   run({args, files}) {
     if (!this.instance || this.instance.exports.memory.buffer.byteLength !== this.size) this.begin();
     const {exports} = this.instance, memory = new Uint8Array(exports.memory.buffer);
-    memory.fill(0, 0, this.stack).set(this.saved, this.stack);
-    memory.fill(0, this.stack + this.saved.length);
+    let end = 0;
+    for (const [at, page] of this.saved) {
+      memory.fill(0, end, at).set(page, at);
+      end = at + PAGE;
+    }
+    memory.fill(0, end);
     exports.stack.value = this.stack;
     const system = wasi({args, files}), result = {files};
     system.begin(this.instance);
@@ -114,6 +121,8 @@ export async function load({fetchBytes, progress = () => {}}) {
   // One after the other: the decoder has one state.
   const pack = unpack(new Uint8Array(await new Response(await opened(PACK, count)).arrayBuffer()));
   const small = new Program(await compiled(SMALL, count));
+  // The decoder's memory is as large as what it looks back on. It is made again for the whole compiler.
+  xz.XzReadableStream._moduleInstance = xz.XzReadableStream._moduleInstancePromise = undefined;
   const compiler = new Compiler(pack, small, async () => new Program(await compiled(WHOLE)));
   // An engine makes code of a function when it is first called: that is not for the student to wait for.
   await compiler.compile({stem: FIRST, files: {[`exercises/${FIRST}.c`]: WARMING}});

@@ -234,6 +234,11 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
     // ---- the judge is made ready while the student reads -----------------------------------------
 
     if (!navigator.connection?.saveData)
-        setTimeout(() => helper.ask({ do: "prepare", stem }).then(() => { if (answers.text(stem) !== null && judged === null) judge(); }, () => {}), 300);
+        setTimeout(() => helper.ask({ do: "prepare", stem }).then(() => {
+            globalThis.judgeIsReady = true;
+            dispatchEvent(new Event("judge-ready")); // offline.js
+            if (answers.text(stem) !== null && judged === null)
+                judge();
+        }, () => {}), 300);
     return { helper, judge };
 }
