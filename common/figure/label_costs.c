@@ -191,6 +191,8 @@ bool find_cost(Labels *labels, int number, Candidate *c, double limit, Place *pl
     double leader = leads ? LEADER + crossings(labels, start, end) : 0;
     double cost = c->wish + far_from_named(label, box, middle, end) + leader +
                   (is_unclear ? FINE : 0) + out + met * FINE;
-    *place = (Place){middle, start, end, cost, c->number, leads};
+    // Of places that cost the same, the first is taken, however a machine rounds.
+    const double parts = 1e7;
+    *place = (Place){middle, start, end, round(cost * parts) / parts, c->number, leads};
     return true;
 }
