@@ -188,7 +188,8 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {} }) {
         label.append(option, input);
         input.addEventListener("change", () => {
             const before = options;
-            options = { ...options, [option]: input.value.replace(/\s/g, "").replaceAll("−", "-") };
+            const shownNow = [...shown.handles, ...shown.typed].map((each) => each.options); // numbers may go together
+            options = { ...options, ...Object.assign({}, ...shownNow), [option]: input.value.replace(/\s/g, "").replaceAll("−", "-") };
             redraw({}, (drawn) => { if (!drawn) options = before; });
         });
         return label;

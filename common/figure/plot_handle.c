@@ -89,19 +89,18 @@ static int numbers_of(const Handle *handle)
     return handle->count < NUMBERS ? handle->count : NUMBERS;
 }
 
-// {"origin": "-2,0.5,0"}, or two options with a number each.
+// "origin": "-2,0.5,0", or two options with a number each.
 static void print_options(FILE *out, const Handle *handle, vec3 value)
 {
     enum { DIGITS = 12 };
     bool two = handle->option[1] != NULL;
     for (int i = 0; i < numbers_of(handle); i++) {
-        const char *before = i == 0 ? "{" : two ? "\", " : ",";
-        fputs(before, out);
+        fputs(i == 0 ? "" : two ? "\", " : ",", out);
         if (i == 0 || two)
             fprintf(out, "\"%s\": \"", handle->option[i]);
         fputs(number_text_to(value[i], DIGITS).s, out);
     }
-    fputs("\"}", out);
+    putc('"', out);
 }
 
 static void print_handle(const Plot *plot, const Placed *placed, FILE *out)
@@ -111,9 +110,9 @@ static void print_handle(const Plot *plot, const Placed *placed, FILE *out)
     print_string(out, placed->handle.words);
     if (plot_view_spot(plot, placed->panel, placed->handle.place, uv))
         fprintf(out, ", \"u\": %.2f, \"v\": %.2f", uv[0], uv[1]);
-    fputs(", \"options\": ", out);
+    fputs(", \"options\": {", out);
     print_options(out, &placed->handle, placed->handle.value);
-    putc('}', out);
+    fputs("}}", out);
 }
 
 void plot_handles_print(const Plot *plot, FILE *out)
@@ -214,8 +213,13 @@ bool plot_handles_drag(const Plot *plot, const char *drag, FILE *out)
                 word_text(drag).s, plot->handles->count);
         return false;
     }
-    const Placed *placed = &plot->handles->handles[number];
-    print_options(out, &placed->handle, dragged_to(plot, placed, u, v));
-    putc('\n', out);
+    // All options, because a figure may choose numbers that go together.
+    for (int i = 0; i < plot->handles->count; i++) {
+        const Placed *placed = &plot->handles->handles[i];
+        fputs(i == 0 ? "{" : ", ", out);
+        print_options(out, &placed->handle,
+                      i == number ? dragged_to(plot, placed, u, v) : placed->handle.value);
+    }
+    fputs("}\n", out);
     return true;
 }

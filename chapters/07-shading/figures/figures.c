@@ -193,8 +193,8 @@ static void flat_and_shaded(Plot *plot, void *given)
     Image image;
     Message message;
     bool dragged = plot_is_dragged(plot);
-    Resolution size = picture_size(drawing.size, dragged ? 8 : 1);
-    if (!image_create(&image, size, &message))
+    Resolution size = picture_size(drawing.size, 1);
+    if (!image_create(&image, dragged ? picture_size(drawing.size, 8) : size, &message))
         return;
     side_by_side(plot, size);
     plot_number(plot, "columns", size.width);

@@ -1,0 +1,110 @@
+// figures.test.mjs - every figure that the lessons show is, drawn by the page's modules, the one that gnuplot draws in a
+// terminal: byte for byte; pictures inside a figure pixel by pixel, because their compression differs. And what a drag
+// gives: the handle is where it was put.
+//
+// Usage: node figures.test.mjs, after make book-figures
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { gunzipSync, inflateSync } from "node:zlib";
+import { loadFigures } from "../../../chapters/book/figure.js";
+
+const moduleOf = (bytes) => new WebAssembly.Module(bytes);
+const figures = await loadFigures({ gnuplot: moduleOf(gunzipSync(readFileSync("build/book/figures/gnuplot.wasm.gz"))),
+    finish: moduleOf(readFileSync("build/book/programs/finish_figure.wasm")), files: JSON.parse(readFileSync("build/book/figures/files.json", "utf8")) });
+const programs = new Map();
+function programOf(stem) {
+    if (!programs.has(stem))
+        programs.set(stem, moduleOf(readFileSync(`build/book/programs/${stem}.wasm`)));
+    return programs.get(stem);
+}
+
+// ---- pictures -----------------------------------------------------------------------------------
+
+/** The pixels of a PNG of 8 bits: RGB, or by a palette. */
+function pixelsOf(png) {
+    const data = [];
+    let header, palette;
+    for (let at = 8; at < png.length; at += 12 + png.readUInt32BE(at)) {
+        const part = png.subarray(at + 8, at + 8 + png.readUInt32BE(at)), kind = png.toString("latin1", at + 4, at + 8);
+        if (kind === "IHDR")
+            header = part;
+        else if (kind === "PLTE")
+            palette = part;
+        else if (kind === "IDAT")
+            data.push(part);
+    }
+    const [width, height] = [header.readUInt32BE(0), header.readUInt32BE(4)], bytes = header[9] === 2 ? 3 : 1;
+    assert.ok(header[8] === 8 && (header[9] === 2 || header[9] === 3), `a PNG of depth ${header[8]}, kind ${header[9]}`);
+    const rows = inflateSync(Buffer.concat(data)), long = width * bytes, out = Buffer.alloc(height * long);
+    for (let y = 0; y < height; y++) {
+        const filter = rows[y * (long + 1)];
+        for (let x = 0; x < long; x++) {
+            const left = x >= bytes ? out[y * long + x - bytes] : 0, up = y > 0 ? out[(y - 1) * long + x] : 0;
+            const corner = x >= bytes && y > 0 ? out[(y - 1) * long + x - bytes] : 0, guess = left + up - corner;
+            const [a, b, c] = [left, up, corner].map((each) => Math.abs(guess - each));
+            const paeth = a <= b && a <= c ? left : b <= c ? up : corner;
+            out[y * long + x] = rows[y * (long + 1) + 1 + x] + [0, left, up, (left + up) >> 1, paeth][filter];
+        }
+    }
+    const rgb = palette ? Buffer.concat([...out].map((i) => palette.subarray(3 * i, 3 * i + 3))) : out;
+    return { width, height, rgb };
+}
+
+const IMAGE = /<image ([^>]*)xlink:href='data:image\/png;base64,([^']*)'\/>(\n<\/g>)?/g;
+
+function compare(drawn, shown, what) {
+    const [mine, theirs] = [drawn, shown].map((svg) => [...svg.matchAll(IMAGE)]);
+    assert.equal(mine.length, theirs.length, `${what}: pictures`);
+    mine.forEach(([, place, base64], i) => {
+        assert.equal(place, theirs[i][1], `${what}: the place of picture ${i + 1}`);
+        const [a, b] = [base64, theirs[i][2]].map((text) => pixelsOf(Buffer.from(text, "base64")));
+        assert.ok(a.width === b.width && a.height === b.height && a.rgb.equals(b.rgb), `${what}: picture ${i + 1}`);
+    });
+    const [a, b] = [drawn, shown].map((svg) => svg.replace(IMAGE, "<image>").split("\n"));
+    const at = a.findIndex((line, i) => line !== b[i]);
+    assert.ok(at < 0 && a.length === b.length, `${what}, line ${at + 1}: ${a[at]}\n  in the lesson: ${b[at]}`);
+}
+
+// ---- all figures --------------------------------------------------------------------------------
+
+let count = 0;
+const names = new Set();
+for (const stem of readdirSync("chapters").filter((each) => /^0[1-7]-/.test(each))) {
+    const folder = `chapters/${stem}/figures`;
+    for (const file of readdirSync(folder).filter((each) => each.endsWith(".svg"))) {
+        const [, name, narrow, step, dark] = /^(.+?)(-4x3)?(?:-step(\d+))?(-dark)?\.svg$/.exec(file);
+        const drawn = figures.draw({ program: programOf(stem), stem, name, theme: dark ? "dark" : "light", shape: narrow ? "4:3" : "16:9", step: Number(step ?? 1000) });
+        compare(drawn.svg, readFileSync(`${folder}/${file}`, "utf8"), `${stem}, ${file}`);
+        names.add(`${stem} ${name}`);
+        count++;
+    }
+}
+
+// ---- drags --------------------------------------------------------------------------------------
+
+let drags = 0;
+for (const each of names) {
+    const [stem, name] = each.split(" "), wanted = { program: programOf(stem), stem, name }, first = figures.draw(wanted);
+    first.handles.forEach((handle, i) => {
+        if (handle.u === undefined)
+            return;
+        // Where it is: nothing changes. A key away: something does, and the view is the same.
+        const same = figures.drawMoved({ ...wanted, held: first.view, put: { handle: i, u: handle.u, v: handle.v } });
+        const now = same.handles[i];
+        assert.ok(Math.hypot(now.u - handle.u, now.v - handle.v) < 5, `${each}: ${handle.words} stays`);
+        const moved = [[6, 0], [-6, 0], [0, 6], [0, -6]].map(([du, dv]) =>
+            figures.drawMoved({ ...wanted, held: first.view, put: { handle: i, by: { u: handle.u, v: handle.v, du, dv } } }));
+        assert.ok(moved.some(({ handles }) => JSON.stringify(handles[i].options) !== JSON.stringify(handle.options)), `${each}: ${handle.words} moves by a key`);
+        assert.ok(moved.every(({ view }) => view === first.view), `${each}: the view is held`);
+        drags++;
+    });
+}
+// In a figure that does not turn, a point follows the pointer.
+const ray = { program: programOf("05-quadratic"), stem: "05-quadratic", name: "ray-sphere" }, before = figures.draw(ray);
+for (const [u, v] of [[120, 100], [300, 400], [700, 250]])
+    for (const i of [0, 2]) {
+        const { handles: { [i]: now } } = figures.drawMoved({ ...ray, held: before.view, put: { handle: i, u, v } });
+        assert.ok(Math.hypot(now.u - u, now.v - v) < 3, `${now.words} was put at ${u}, ${v} and is at ${now.u}, ${now.v}`);
+    }
+assert.throws(() => figures.draw({ ...ray, options: { radius: "-1" } }), /--radius: expected a number greater than 0/);
+console.log(`figures: ${count} as in the lessons; ${drags} handles dragged`);
