@@ -1,6 +1,7 @@
 #!/bin/sh
 # lesson_figures.sh - the figures in the lessons are byte for byte those that the code draws, and their words.
 # The SVGs of gnuplot 5.4 and 6.0 are the same bytes.
+# Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 once 'figures in the lessons' "the figures in the lessons"

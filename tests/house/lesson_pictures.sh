@@ -1,5 +1,6 @@
 #!/bin/sh
 # lesson_pictures.sh - the pictures in the lessons are pixel for pixel those that the programs draw.
+# Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 once 'pictures in the lessons' "the pictures in the lessons"

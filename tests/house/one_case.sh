@@ -1,5 +1,6 @@
 #!/bin/sh
 # one_case.sh - CK_RUN_CASE=FUNCTION runs the tests of one function alone; a verdict is about all of them.
+# Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 
