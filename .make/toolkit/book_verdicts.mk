@@ -31,5 +31,6 @@ $(LIST_KNOWN): $(LIST_KNOWN).o $(KNOWN_PARTS) $(foreach kind,mistakes variants u
 
 check-book-verdicts: book-judge book-programs $(LIST_KNOWN) $(BOOK_STEMS:%=$(KNOWN)/%.o) $(BOOK_STEMS:%=$(WASM_KNOWN)/%.o) \
 		$(call FOR_JUDGING,$(STEMS)) ## the page's verdicts against the terminal's (COUNT=... of them, SEED=...)
-	@COUNT='$(COUNT)' CC='$(CC)' node tests/proof/book/verdicts.mjs '$(B)' '$(WASM)' '$(BOOK)' $(if $(EX),$(CHOSEN),$(BOOK_STEMS))
+	@COUNT='$(or $(COUNT),$(if $(filter check-book-verdicts,$(MAKECMDGOALS)),,2))' CC='$(CC)' node tests/proof/book/verdicts.mjs '$(B)' '$(WASM)' '$(BOOK)' $(if $(EX),$(CHOSEN),$(BOOK_STEMS))
 .PHONY: check-book-verdicts
+check-book: check-book-verdicts

@@ -4,7 +4,8 @@
 //   node verdicts.mjs BUILD WASM BOOK STEM...    COUNT: only so many of each chapter; SEED: which
 //
 // An answer is compiled by the compiler of the terminal, and by clang for the page; then both run
-// tests/course/course.c, one as a process and one as an instance.
+// tests/course/course.c, one as a process and one as an instance. First come answers that crash, hang, print and so
+// on, compiled as a student's are.
 import {execFileSync, spawnSync} from 'node:child_process';
 import {cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -28,9 +29,10 @@ function plant() {
   link(readdirSync(join(top, 'build')), 'build');
   link(readdirSync(join(top, 'exercises')).filter(name => !name.endsWith('.c')), 'exercises');
 }
+const wholePlan = () => readFileSync(`${build}/exercises/verdict/plan`, 'utf8').replace(/^compile early\t.*\n/m, '');
+/** A known answer is two objects: its number, and all answers. */
 function plan(stem) {
-  const lines = readFileSync(`${build}/exercises/verdict/plan`, 'utf8').split('\n')
-    .filter(line => !/^(shared|loading|lend shared|lent|hide)\t/.test(line));
+  const lines = wholePlan().split('\n').filter(line => !/^(shared|loading|lend shared|lent|hide)\t/.test(line));
   const known = join(top, build, 'known', `${stem}.o`);
   const at = lines.indexOf(`chapter\t${stem}`);
   const add = (key, from) => { const i = lines.findIndex((line, i) => i >= from && line.startsWith(key + '\t')); lines[i] = `${key}\t${known} ${lines[i].slice(key.length + 1)}`; };
@@ -40,10 +42,10 @@ function plan(stem) {
   lines[compile] = `compile\t${process.env.CC || 'cc'} -c`;
   return lines.join('\n');
 }
-function inTerminal(stem) {
+function inTerminal(stem, how = plan(stem)) {
   for (const name of ['figures', 'so-far', 'gallery', 'verdict']) rmSync(join(terminal, 'build/exercises', name), {recursive: true, force: true});
   mkdirSync(join(terminal, 'build/exercises/verdict'));
-  writeFileSync(join(terminal, 'build/exercises/verdict/plan'), plan(stem));
+  writeFileSync(join(terminal, 'build/exercises/verdict/plan'), how);
   const ran = spawnSync(join(top, build, 'course'), ['exercises', 'build/exercises/verdict/plan', stem],
     {cwd: terminal, encoding: 'utf8', env: {PATH: process.env.PATH, COLUMNS: ''}});
   const pictures = {};
@@ -68,10 +70,13 @@ function clang(words) {
   const ran = spawnSync('clang', [...target, ...words], {encoding: 'utf8'});
   return {status: ran.status ?? 127, said: ran.stderr};
 }
+let asStudents = false;
+const studentFlags = ['-std=c11', '-D_DEFAULT_SOURCE', '-ffp-contract=off', `-I${top}`, '-O0', '-w', '-include', 'build/weak.h', '-ffunction-sections',
+  '-fsanitize=bounds,null', '-fno-sanitize-recover=null', '-fsanitize-trap=bounds', '-fsanitize-coverage=edge,no-prune,trace-pc'];
 function compile(words, files) {
   const source = words.at(-1), object = join(scratch, 'answer.o');
   writeFileSync(join(scratch, 'answer.c'), files.text(source));
-  const result = clang(['-c', '-o', object, join(scratch, 'answer.c')]);
+  const result = clang([...asStudents ? studentFlags : [], '-c', '-o', object, join(scratch, 'answer.c')]);
   if (result.status === 0) files.put(words[words.indexOf('-o') + 1], readFileSync(object));
   return result;
 }
@@ -87,7 +92,7 @@ function link(words, files) {
   const names = readFileSync(`${wasm}/names/${stem}`, 'utf8').trim().split('\n');
   const result = clang([...isAnswer ? ['-mexec-model=reactor', '-Wl,--export=__stack_pointer', ...names.map(name => `-Wl,--wrap=${name}`)] : [],
     '-Wl,--stack-first', '-Wl,-z,stack-size=1048576', '-Wl,--gc-sections', '-Wl,--strip-all', '-Wl,--no-check-features', '-o', join(scratch, 'linked.wasm'),
-    ...objects, `${wasm}/known/${stem}.o`, `${wasm}/common.a`, ...['signal', 'mman', 'process-clocks', 'getpid'].map(e => `-lwasi-emulated-${e}`), '-lm']);
+    ...objects, ...asStudents ? [] : [`${wasm}/known/${stem}.o`], `${wasm}/common.a`, ...['signal', 'mman', 'process-clocks', 'getpid'].map(e => `-lwasi-emulated-${e}`), '-lm']);
   return result.status === 0 ? {...result, module: new WebAssembly.Module(readFileSync(join(scratch, 'linked.wasm')))} : result;
 }
 function inPage(stem, source) {
@@ -127,7 +132,9 @@ function pixels(png) {
 // ---- all of them -----------------------------------------------------------------------------------
 
 plant();
-let passed = 0, failed = 0, drawn = 0;
+let passed = 0, failed = 0, drawn = 0, moved = 0;
+// Of two places for a label that cost the same, the last digits of the C library's functions choose.
+const withoutPlaces = script => script.replace(/^(label|leader)_(u|v|du|dv|is_left)\[.*$/gm, '');
 function fail(stem, number, what, ours, theirs) {
   failed++;
   console.log(`not ok: ${stem} ${number}: ${what}`);
@@ -135,10 +142,12 @@ function fail(stem, number, what, ours, theirs) {
   for (const [name, text] of [['terminal', ours], ['page', theirs]]) writeFileSync(join(folder, name), text);
   console.log(spawnSync('diff', ['-u', join(folder, 'terminal'), join(folder, 'page')], {encoding: 'utf8'}).stdout);
 }
-function compare(stem, number, what) {
-  const source = `// The known answer '${what.replace('\t', "', ")}.\nconst int known_answer = ${number};\n`;
+function compareKnown(stem, number, what) {
+  compare(stem, number, what, `// The known answer '${what.replace('\t', "', ")}.\nconst int known_answer = ${number};\n`);
+}
+function compare(stem, number, what, source, how) {
   writeFileSync(join(terminal, 'exercises', `${stem}.c`), source);
-  const ours = inTerminal(stem), theirs = inPage(stem, source);
+  const ours = inTerminal(stem, how), theirs = inPage(stem, source);
   if (ours.text !== theirs.text) return fail(stem, number, what, ours.text, theirs.text);
   const drawings = {...theirs.pictures};
   for (const [name, script] of Object.entries(theirs.figures)) drawings[`${name}.gp`] = script;
@@ -146,19 +155,49 @@ function compare(stem, number, what) {
     const theirsHere = drawings[name] ?? drawings[name.replace(/\.png$/, '')];
     drawn++;
     if (theirsHere === undefined) return fail(stem, number, `${what}: the page has no ${name}`);
+    if (name.endsWith('.gp') && theirsHere !== bytes.toString() && withoutPlaces(theirsHere) === withoutPlaces(bytes.toString())) {
+      moved++;
+      continue;
+    }
     const same = name.endsWith('.gp') ? theirsHere === bytes.toString() : pixels(bytes).equals(pixels(Buffer.from(theirsHere)));
-    if (!same) return fail(stem, number, `${what}: ${name} differs`);
+    if (!same) return fail(stem, number, `${what}: ${name} differs`, ...name.endsWith('.gp') ? [bytes, theirsHere] : []);
   }
   passed++;
 }
+
+// An answer to the first exercise of chapter 01 that ends, or does not, in every way.
+const bodies = {
+  'an endless loop': 'for (volatile int i = 0;;) i++;',
+  'no end of calls': 'static int depth; vec3 below = depth++ < 0 ? c.origin : upper_left(c); return below + c.up;',
+  'a read of address 0': 'vec3 *volatile none = 0; return *none;',
+  'a write to address 0': 'vec3 *volatile none = 0; *none = c.origin; return c.origin;',
+  'the end of an array': 'double a[3] = {0}; for (int i = 0; i <= 3; i++) a[i] = i; return vec3_of(a[0], a[1], a[2]);',
+  'a division by zero': 'volatile int none = 0, one = 1; return c.origin * (one / none);',
+  'exit': 'exit(3);',
+  'abort': 'abort();',
+  'an unset result': 'vec3 v; v[0] = 1; return v;',
+  'printed words': 'printf("hello %g\\n", c.width); return c.origin;',
+  'too many printed words': 'for (;;) { printf("hello %g\\n", c.width); }',
+  'another answer that is not answered': 'return image_plane_vector(c, 0, 1);',
+};
+function compareEndings(stem) {
+  const blank = readFileSync(`build/blanks/${stem}.c`, 'utf8');
+  asStudents = true;
+  for (const [what, body] of Object.entries(bodies))
+    compare(stem, 'by hand', what, blank.replace('#include', '#include <stdio.h>\n#include <stdlib.h>\n#include')
+      .replace(/(vec3 upper_left\(Camera c\)\n\{\n)[^}]*/, (_, start) => `${start}    ${body}\n`), wholePlan().replace(/^compile\t\S+/m, '$& -w'));
+  asStudents = false;
+}
+
+if (stems.includes('01-corners')) compareEndings('01-corners');
 for (const stem of stems) {
   const known = execFileSync(`${build}/tests/proof/book/list_known`, [stem], {encoding: 'utf8'}).trim().split('\n');
   const step = Math.max(1, Math.floor(known.length / count)), began = Date.now();
   for (let i = (Number(process.env.SEED) || 0) % step; i < known.length; i += step) {
-    compare(stem, i, known[i]);
+    compareKnown(stem, i, known[i]);
     if (process.stderr.isTTY) process.stderr.write(`\r  ${stem} ${i + 1} of ${known.length} `);
   }
   console.log(`${stem}: ${((Date.now() - began) / 1000).toFixed(0)} s`);
 }
-console.log(`verdicts in the page: ${passed} passed, ${failed} failed, ${drawn} figures and pictures`);
-process.exitCode = failed > 0 ? 1 : 0;
+console.log(`verdicts in the page: ${passed} passed, ${failed} failed, ${drawn} figures and pictures, ${moved} with a label elsewhere`);
+process.exitCode = failed > 0 || moved > 1 + drawn / 50 ? 1 : 0;
