@@ -14,7 +14,7 @@ const seconds = (milliseconds) => `${(milliseconds / 1000).toFixed(2)} s`;
 const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
 const median = (values) => values.toSorted?.((a, b) => a - b)[values.length >> 1] ?? [...values].sort((a, b) => a - b)[values.length >> 1];
 
-/** The largest resident size of the browser's processes that hold a page, in bytes. */
+/** The largest size of the browser's processes that hold a page, in bytes; memory that several share counts in part (PSS). */
 function memoryOf(browser) {
     const parents = new Map(), commands = new Map();
     for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name)))
@@ -25,7 +25,7 @@ function memoryOf(browser) {
     const isOurs = (pid) => pid === String(browser.process().pid) || (parents.has(pid) && isOurs(parents.get(pid)));
     const sizes = [...parents.keys()].filter((pid) => isOurs(pid) && /type=renderer|contentproc/.test(commands.get(pid))).map((pid) => {
         try {
-            return 1024 * Number(/^VmRSS:\s*(\d+)/m.exec(readFileSync(`/proc/${pid}/status`, "utf8"))[1]);
+            return 1024 * Number(/^Pss:\s*(\d+)/m.exec(readFileSync(`/proc/${pid}/smaps_rollup`, "utf8"))[1]);
         } catch {
             return 0;
         }
@@ -45,14 +45,13 @@ try {
     const paint = await waitFor("a paint", 20, () => tab.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime));
     show(`first paint, ${mbit} Mbit/s`, seconds(paint), "at most 0.5 s");
     show("  sent until then", megabytes(sentUntil(started + paint)), "at most 0.1 MB");
-    // Judged as soon as that can be asked for, with the figures not yet there.
-    await waitFor("an editor", 60, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+    await waitFor("a live figure", 120, () => tab.$(".figure.live"));
+    const figure = Date.now();
     await tab.$eval("#judge", (each) => each.click());
-    const figure = waitFor("a live figure", 120, () => tab.$("figure.live")).then(() => Date.now(), () => NaN);
     await waitFor("a verdict", 180, () => verdictIsThere(tab));
     const first = Date.now();
-    show("first live figure", seconds(await figure - begin), "at most 2 s");
-    show("  sent until then", megabytes(sentUntil(await figure)), "at most 1 MB");
+    show("first live figure", seconds(figure - begin), "at most 2 s");
+    show("  sent until then", megabytes(sentUntil(figure)), "at most 1 MB");
     show("first verdict", seconds(first - begin), "at most 8 s");
     show("  sent until then", megabytes(sentUntil(first)), "at most 8 MB");
 

@@ -233,12 +233,17 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
 
     // ---- the judge is made ready while the student reads -----------------------------------------
 
+    /** The compiler is ten times as large as a figure, which is seen first: it waits for that, up to some seconds. */
+    async function prepare() {
+        for (let i = 0; i < 30 && document.querySelector(".figure") && !document.querySelector(".figure.live"); i++)
+            await new Promise((resolve) => setTimeout(resolve, 100));
+        await helper.ask({ do: "prepare", stem });
+        globalThis.judgeIsReady = true;
+        dispatchEvent(new Event("judge-ready")); // offline.js
+        if (answers.text(stem) !== null && judged === null)
+            judge();
+    }
     if (!navigator.connection?.saveData)
-        setTimeout(() => helper.ask({ do: "prepare", stem }).then(() => {
-            globalThis.judgeIsReady = true;
-            dispatchEvent(new Event("judge-ready")); // offline.js
-            if (answers.text(stem) !== null && judged === null)
-                judge();
-        }, () => {}), 300);
+        setTimeout(() => prepare().catch(() => {}), 300);
     return { helper, judge };
 }
