@@ -255,14 +255,15 @@ static void pixel_handle(Plot *plot, const Shown *shown)
     Resolution size = shown->shot.size;
     Pixel pixel = shown->shot.pixel;
     vec3 corner = image_plane_vector(c, 0, 1);
-    Normalized place = screen_to_normalized(pixel_center(pixel), size);
+    vec3 across = (image_plane_vector(c, 1, 1) - corner) / size.width;
+    vec3 down = (image_plane_vector(c, 0, 0) - corner) / size.height;
+    ScreenPoint middle = pixel_center(pixel);
     plot_handle(plot, (Handle){.words = "the pixel",
-                               .place = c.origin + image_plane_vector(c, place.s, place.t),
+                               .place = c.origin + corner + middle.x * across + middle.y * down,
                                .option = {"pixel"},
                                .count = 2,
                                .value = vec3_of(pixel.column, pixel.row, 0),
-                               .along = {(image_plane_vector(c, 1, 1) - corner) / size.width,
-                                         (image_plane_vector(c, 0, 0) - corner) / size.height},
+                               .along = {across, down},
                                .most = {size.width - 1, size.height - 1},
                                .whole = true});
 }
