@@ -12,7 +12,7 @@ const wrong = right.replace("- 4 *", "- 3 *"), slip = right.replace(/;(?=\n\})/,
 const show = (what, value, budget = "") => console.log(`${what.padEnd(44)} ${value.padStart(18)}   ${budget}`.trimEnd());
 const seconds = (milliseconds) => `${(milliseconds / 1000).toFixed(2)} s`;
 const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
-const median = (values) => values.toSorted?.((a, b) => a - b)[values.length >> 1] ?? [...values].sort((a, b) => a - b)[values.length >> 1];
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 
 /** The largest size of the browser's processes that hold a page, in bytes; memory that several share counts in part (PSS). */
 function memoryOf(browser) {
@@ -72,9 +72,10 @@ try {
         const press = (key) => content.dispatchEvent(new KeyboardEvent("keydown", { key, code: key === "a" ? "KeyA" : key,
             keyCode: key === "a" ? 65 : 13, ctrlKey: true, bubbles: true, composed: true, cancelable: true }));
         press("a");
-        const data = new DataTransfer();
-        data.setData("text/plain", text);
-        content.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+        // Firefox gives no clipboard to an event that a script makes.
+        const paste = new Event("paste", { bubbles: true, cancelable: true });
+        paste.clipboardData = { getData: (type) => type === "text/plain" ? text : "", files: [] };
+        content.dispatchEvent(paste);
         const start = performance.now();
         press("Enter");
         while (document.querySelector("#verdict").classList.contains("old") || !document.querySelector("#progress").hidden)
