@@ -140,6 +140,18 @@ static void pixel_to_ray(Plot *plot, void *given)
     plot_say(plot, 0.75, 1, pixel, 4);
     plot_say(plot, 1, 0, sum, 4);
     yours(plot, center, place, vector, ray.origin);
+    vec3 corner = image_plane_vector(c, 0, 1);
+    plot_handle(plot,
+                (Handle){.words = "the pixel",
+                         .place = c.origin + vector,
+                         .option = {"pixel"},
+                         .count = 2,
+                         .value = vec3_of(aim->pixel.column, aim->pixel.row, 0),
+                         .along = {(image_plane_vector(c, 1, 1) - corner) / aim->screen.width,
+                                   (image_plane_vector(c, 0, 0) - corner) / aim->screen.height},
+                         .most = {aim->screen.width - 1, aim->screen.height - 1},
+                         .whole = true});
+    camera_handles(plot, c);
 }
 
 static const Figure figures[] = {{"pixel-to-ray", pixel_to_ray}, {0}};
