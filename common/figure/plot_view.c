@@ -770,7 +770,8 @@ static void place(PlotView *view, int shape)
         measure_over(view, shape);
         memcpy(over, view->over[shape], sizeof over);
         choose(view, shape, full, &best);
-        for (int side = 0; side < SIDES && best.cost >= LABEL_FINE; side++) {
+        bool is_crowded = best.cost >= LABEL_FINE;
+        for (int side = 0; side < SIDES && is_crowded; side++) {
             memcpy(view->over[shape], over, sizeof over);
             if (leave_room(view, shape, side))
                 choose(view, shape, full, &best);

@@ -153,6 +153,8 @@ void write_section(Plot *plot, void *given)
     double wide = x.high - x.low, low = x.low - 0.04 * wide, high = x.high + 0.04 * wide;
     vec3 p = vec3_of(has_eye ? 0 : NAN, 0, 0), v = vec3_of(has_arrow ? unit : NAN, 0, 0);
     plot_vector(plot, "ray", vec3_of(low, 0, 0), vec3_of(high - low, 0, 0));
+    plot_fit(plot, vec3_of(low, 0, 0), 0.015 * wide);
+    plot_fit(plot, vec3_of(high, 0, 0), 0.015 * wide);
     plot_point(plot, "p", p);
     plot_vector(plot, "v", vec3_of(0, 0, 0), v);
     plot_name(plot, (Label){"$p$", "blue", .block = "p"});

@@ -5,6 +5,8 @@
 #include "common/figure/beside.h"
 #include "exercises/01-corners.h"
 
+#include <string.h>
+
 static double largest(Camera c)
 {
     return fmax(c.distance, fmax(c.width, c.height));
@@ -320,15 +322,23 @@ static void yours_and_right(Plot *plot, void *given)
                                      beside_off(c, yours - right).s});
     plot_look(plot, c.right, c.up, c.forward, 28, 16);
     plot_name(plot, (Label){"$p$", "blue", .block = "eye"});
+    // On two lines, if one is too long.
+    Text off = beside_off(c, yours - right);
+    char *steps = plot_width(plot, "{off}") > 640 ? strstr(off.s, "= ") : NULL;
+    plot_label(plot, "off_steps", steps != NULL ? steps : "");
+    if (steps != NULL)
+        steps[-1] = '\0';
+    plot_label(plot, "off_vector", off.s);
     // A wrong answer of the user takes the place of the example.
     bool is_wrong = plot_says_yours(plot, "answer");
     const Label words[] = {
         {"right: {answer}", "blue", .step = 1},
         {is_wrong ? "yours: {your_answer}" : "yours: {yours}", "ink", .step = 2},
-        {"{off}", "grey", .step = 3},
+        {"{off_vector}", "grey", .step = 3},
+        {steps != NULL ? "{off_steps}" : "Is (0, 0) the corner or the centre?", "grey", .step = 3},
         {"Is (0, 0) the corner or the centre?", "grey", .step = 3},
     };
-    plot_say(plot, 0, 1, words, is_wrong ? 2 : example ? 4 : 3);
+    plot_say(plot, 0, 1, words, is_wrong ? 2 : 3 + (steps != NULL) + example);
 }
 
 static const Figure figures[] = {
