@@ -107,6 +107,22 @@ static void yours(Plot *plot, ScreenPoint center, Normalized place, vec3 vector,
         }
 }
 
+static void pixel_handle(Plot *plot, const Aim *aim, vec3 vector)
+{
+    Camera c = aim->camera;
+    vec3 corner = image_plane_vector(c, 0, 1);
+    plot_handle(plot,
+                (Handle){.words = "the pixel",
+                         .place = c.origin + vector,
+                         .option = {"pixel"},
+                         .count = 2,
+                         .value = vec3_of(aim->pixel.column, aim->pixel.row, 0),
+                         .along = {(image_plane_vector(c, 1, 1) - corner) / aim->screen.width,
+                                   (image_plane_vector(c, 0, 0) - corner) / aim->screen.height},
+                         .most = {aim->screen.width - 1, aim->screen.height - 1},
+                         .whole = true});
+}
+
 static void pixel_to_ray(Plot *plot, void *given)
 {
     const Aim *aim = given;
@@ -140,17 +156,7 @@ static void pixel_to_ray(Plot *plot, void *given)
     plot_say(plot, 0.75, 1, pixel, 4);
     plot_say(plot, 1, 0, sum, 4);
     yours(plot, center, place, vector, ray.origin);
-    vec3 corner = image_plane_vector(c, 0, 1);
-    plot_handle(plot,
-                (Handle){.words = "the pixel",
-                         .place = c.origin + vector,
-                         .option = {"pixel"},
-                         .count = 2,
-                         .value = vec3_of(aim->pixel.column, aim->pixel.row, 0),
-                         .along = {(image_plane_vector(c, 1, 1) - corner) / aim->screen.width,
-                                   (image_plane_vector(c, 0, 0) - corner) / aim->screen.height},
-                         .most = {aim->screen.width - 1, aim->screen.height - 1},
-                         .whole = true});
+    pixel_handle(plot, aim, vector);
     camera_handles(plot, c);
 }
 
