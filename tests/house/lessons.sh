@@ -27,7 +27,7 @@ tells_its_story() {
     "$PROGRAMS/$1" --help >/dev/null && ! "$PROGRAMS/$1" --no-such-option 2>/dev/null
 }
 
-for lesson in chapters/*/README.md; do
+for lesson in chapters/[0-9]*/README.md; do
     stem=$(basename "$(dirname "$lesson")")
     check "the lesson of $stem quotes its program" quotes_its_program "$stem"
     check "the program of $stem has help and knows its options" tells_its_story "$stem"
@@ -38,7 +38,7 @@ for source in chapters/lessons/*.md; do
     check "the lesson of $stem is what 'make lessons' writes" \
         diff "$BUILD/lessons/$stem.md" "chapters/$stem/README.md"
 done
-for page in README.md chapters/README.md exercises/README.md .github/CONTRIBUTING.md; do
+for page in README.md chapters/README.md chapters/book/README.md exercises/README.md .github/CONTRIBUTING.md; do
     check "the links of $page lead somewhere" links_lead_somewhere "$page"
 done
 

@@ -98,8 +98,7 @@ static void drawn_rays(Plot *plot, Sphere sphere, Light light, Ray ray, vec3 poi
     plot_name(plot,
               (Label){.text = "from the eye", .color = "grey", .block = "seen_1", .part = 0.3});
     plot_name(plot, (Label){.text = "computed hit", .color = "ink", .block = "inside", .step = 2});
-    plot_name(plot,
-              (Label){.text = "hits itself", .color = "ink", .block = "own_hit", .step = 3});
+    plot_name(plot, (Label){.text = "hits itself", .color = "ink", .block = "own_hit", .step = 3});
 
     panel_data(plot, 2, sphere, light, ray, point);
     plot_vector(plot, "normal", point, outside - point);
