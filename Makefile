@@ -235,7 +235,7 @@ all: $(BUILT)/made ## build, cast the pictures and draw the figures (ANSWERS=fol
 	$(if $(DONE),printf '%s\n' 'Done. Programs: $(BUILT)/NN-stem' 'Pictures: $(GALLERY)/' "$$figures" \
 		'All on one page: $(PAGE)',echo 'Nothing to do: all is up to date. The page: $(PAGE)')
 
-setup: ## install what is missing (FOR=lecturer, instructor, contributor, book)
+setup: ## install what is missing (FOR=lecturer, instructor, contributor, book, bench)
 	@.make/setup $(FOR)
 
 include .make/tests.mk

@@ -1,16 +1,13 @@
 # bench.mk - make bench, and its parts. Included by the Makefile.
 
-# Chapter 08's engines; with PEERS=1 beside Embree, POV-Ray and Tachyon.
+# Chapter 08's engines; with PEERS=1 beside Embree, POV-Ray and Tachyon. The bench says which of them
+# are missing, and goes on.
 PEERS :=
-ifneq ($(PEERS),)
-ifeq ($(shell echo '#include <embree3/rtcore.h>' | $(CC) -E -x c - >/dev/null 2>&1 && echo yes),)
-$(error PEERS=$(PEERS) needs Embree 3: libembree-dev of Debian 12, embree3 elsewhere)
-endif
-endif
+EMBREE := $(if $(PEERS),$(shell echo '\#include <embree3/rtcore.h>' | $(CC) -E -x c - >/dev/null 2>&1 && echo yes))
 ENGINE_BENCH := $(B)/tests/benches/engines$(if $(PEERS),-and-peers)
 ENGINE_OBJECTS := $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) $(B)/chapters/shared.a \
 	$(STEMS:%=$(B)/solutions/%.o)
-PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers embree programs,none)) \
+PEER_OBJECTS := $(patsubst %,$(B)/tests/benches/peers/%.o,$(if $(PEERS),peers $(if $(EMBREE),embree,no_embree) programs,none)) \
 	$(if $(PEERS),$(B)/chapters/$(SHADING_CHAPTER)/export.o)
 $(B)/tests/benches/peers/embree.o: EXTRA = -O3 -march=native -fopenmp-simd -fno-math-errno \
 	-fno-trapping-math -ffp-contract=fast -mprefer-vector-width=512
@@ -18,24 +15,20 @@ $(B)/tests/benches/peers/programs.o: EXTRA = $(PNG_CFLAGS)
 $(ENGINE_BENCH): $(patsubst %,$(B)/tests/benches/%.o,engines report) $(PEER_OBJECTS) \
 		$(ENGINE_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(if $(PEERS),-lembree3) $(PNG_LIBS) -lm -pthread
-WAIT_BENCH := $(if $(PEERS),$(B)/tests/benches/peers/embree_wait)
+	$(Q)$(LINK) -o $@ $^ $(if $(EMBREE),-lembree3) $(PNG_LIBS) -lm -pthread
+WAIT_BENCH := $(if $(EMBREE),$(B)/tests/benches/peers/embree_wait)
 $(B)/tests/benches/peers/embree_wait.o: EXTRA = $(PNG_CFLAGS)
 $(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o \
 		$(B)/tests/benches/by_sscanf.o $(ENGINE_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
-RAY_BENCH := $(if $(PEERS),$(B)/tests/benches/peers/any_rays)
+RAY_BENCH := $(if $(EMBREE),$(B)/tests/benches/peers/any_rays)
 $(B)/tests/benches/peers/any_rays: %: %.o $(ENGINE_OBJECTS) $(B)/chapters/shared.a $(ANSWER_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
-ifneq ($(PEERS),)
-bench-rays: $(RAY_BENCH) $(BENCH_SCENES) ## rays from anywhere, and building, beside Embree (PEERS=1)
-	@$(RAY_BENCH) $(BENCH_SCENES)
-else
-bench-rays:
-	@echo 'bench-rays compares with Embree: make bench-rays PEERS=1'
-endif
+bench-rays: $(RAY_BENCH) $(if $(EMBREE),$(BENCH_SCENES)) ## rays from anywhere, and building, beside Embree (PEERS=1)
+	@$(if $(EMBREE),$(RAY_BENCH) $(BENCH_SCENES),$(if $(PEERS),echo 'Embree 3 is not installed: make setup FOR=bench',echo \
+		'bench-rays compares with Embree: make bench-rays PEERS=1'))
 bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: also others)
 	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
 bench-wait: $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: also others)

@@ -29,6 +29,7 @@ typedef struct {
     int rounds, thread_counts, chosen;
     int threads[MOST_THREADS];
     const char *engines[MOST_CHOSEN]; // none: all
+    bool missing[MOST_CHOSEN];        // of the peers
     Resolution size;
     double longest;
 } Plan;
@@ -182,7 +183,9 @@ static void measure_round(Row *row, const Scene *scene, const Plan *plan)
 
 static int add_rows(Row *rows, int count, const Engine *list, const Scene *scene, const Plan *plan)
 {
-    for (const Engine *engine = list; engine->name != NULL; engine++)
+    for (const Engine *engine = list; engine->name != NULL; engine++) {
+        if (list == peers && plan->missing[engine - peers])
+            continue;
         for (int t = 0; is_chosen(plan, engine->name) && t < plan->thread_counts; t++) {
             Row *row = &rows[count];
             *row = (Row){.engine = engine, .threads = plan->threads[t], .peer = list == peers};
@@ -191,6 +194,7 @@ static int add_rows(Row *rows, int count, const Engine *list, const Scene *scene
             if (count < MOST_ROWS && is_same_picture(engine, scene, row))
                 count++;
         }
+    }
     return count;
 }
 
@@ -211,6 +215,17 @@ static void measure_scene(const char *path, const Plan *plan, Report *report)
             measure_round(&rows[i], &scene, plan);
     report_scene(report, path, scene.sphere_count, rows, count);
     scene_free(&scene);
+}
+
+static void find_peers(Plan *plan)
+{
+    for (const Engine *peer = peers; peer->name != NULL; peer++) {
+        Message message;
+        bool here = !is_chosen(plan, peer->name) || peer_is_here(peer, &message);
+        plan->missing[peer - peers] = !here;
+        if (!here)
+            fprintf(stderr, "%s\n", message.text);
+    }
 }
 
 int main(int argc, char **argv)
@@ -234,6 +249,7 @@ int main(int argc, char **argv)
         plan.threads[plan.thread_counts++] = 1;
     if (plan.rounds < 1 || plan.rounds > MOST_ROUNDS)
         plan.rounds = MOST_ROUNDS;
+    find_peers(&plan);
     report_begin(&report);
     for (int i = optind; i < argc; i++)
         measure_scene(argv[i], &plan, &report);

@@ -16,6 +16,10 @@ extern Measured measured;
 // Other ray casters, with the same interface; none unless PEERS=1. The last one has no name.
 extern const Engine peers[];
 
+// Whether a peer is installed; if not, a message that says what is missing.
+bool peer_is_here(const Engine *peer, Message *message);
+
+bool embree_is_here(void);
 bool cast_embree_8(const Work *work, Message *message);
 bool cast_embree_16(const Work *work, Message *message);
 bool cast_embree_user(const Work *work, Message *message);

@@ -32,7 +32,7 @@ tachyon() {
 programs=ours
 if [ -n "${PEERS:-}" ]; then
     for name in povray tachyon; do
-        command -v $name >/dev/null || continue
+        command -v $name >/dev/null || { echo "$name is not installed: make setup FOR=bench"; continue; }
         # One picture writes the scene in its language, and is compared.
         BENCH_SCRATCH=$scratch "$BUILD/tests/benches/engines-and-peers" -r 1 -l 600 -e $name \
             -s ${width}x$height "$scene" >"$scratch/said" 2>&1
@@ -42,9 +42,12 @@ if [ -n "${PEERS:-}" ]; then
             cat "$scratch/said"
         fi
     done
-    ours 1 2>/dev/null && embree 1 &&
-        "$BUILD/tests/same_picture" "$scratch/ours.png" "$scratch/embree.png" 1000 &&
+    if [ ! -x "$BUILD/tests/benches/peers/embree_wait" ]; then
+        echo 'Embree 3 is not installed: make setup FOR=bench'
+    elif ours 1 2>/dev/null && embree 1 &&
+        "$BUILD/tests/same_picture" "$scratch/ours.png" "$scratch/embree.png" 1000; then
         programs="$programs embree"
+    fi
 fi
 
 round=0

@@ -179,6 +179,11 @@ static bool cast(const Work *work, Message *message, int lanes, bool user)
     return done;
 }
 
+bool embree_is_here(void)
+{
+    return true;
+}
+
 bool cast_embree_8(const Work *work, Message *message)
 {
     return cast(work, message, 8, false);
