@@ -167,6 +167,22 @@ static void add(Candidates *candidates, int place)
     candidates->count++;
 }
 
+// Forgets the candidates that begin beyond the nearest certain hit. A list that is not complete
+// stays so.
+static void forget(Candidates *candidates, double *begins, double nearest)
+{
+    int kept = 0;
+    if (candidates->count > MOST_CANDIDATES)
+        return;
+    for (int i = 0; i < candidates->count; i++) {
+        if (begins[i] <= nearest) {
+            begins[kept] = begins[i];
+            candidates->places[kept++] = candidates->places[i];
+        }
+    }
+    candidates->count = kept;
+}
+
 void LANES(nearest_of)(const RayWorld *world, const Line *line, Candidates *candidates)
 {
     Waiting waiting[MOST_WAITING];
@@ -195,15 +211,7 @@ void LANES(nearest_of)(const RayWorld *world, const Line *line, Candidates *cand
             if (meeting.end < nearest) {
                 nearest = meeting.end;
                 farthest = (float)(nearest * world->scale) * (1 + 0x1p-20F);
-                int kept = 0;
-                for (int i = 0; i < candidates->count && i < MOST_CANDIDATES; i++) {
-                    if (begins[i] <= nearest) {
-                        begins[kept] = begins[i];
-                        candidates->places[kept++] = candidates->places[i];
-                    }
-                }
-                if (candidates->count <= MOST_CANDIDATES)
-                    candidates->count = kept;
+                forget(candidates, begins, nearest);
             }
             if (candidates->count < MOST_CANDIDATES)
                 begins[candidates->count] = meeting.begin;

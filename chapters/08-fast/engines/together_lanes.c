@@ -157,11 +157,20 @@ static void know(Known *known, const Lines *lines)
     }
 }
 
-// The next node; -1 at the end.
+// Nodes still to enter, the next one last.
 typedef struct {
     int waiting[HIERARCHY_DEEPEST + 1], count;
 } Stack;
 
+static void begin(const RayWorld *world, const Lines *lines, Way *way, Known *known, Stack *stack)
+{
+    way_of(way, world, lines);
+    know(known, lines);
+    stack->waiting[0] = 0;
+    stack->count = world->nodes != NULL;
+}
+
+// The next leaf that any ray enters; NULL at the end.
 static inline const Node *next_leaf(const Way *way, const Node *nodes, Stack *stack)
 {
     while (stack->count > 0) {
@@ -183,10 +192,8 @@ void LANES(nearest_of_lines)(const RayWorld *world, const Node *nodes, const Lin
 {
     Way way;
     Known known;
-    Stack stack = {.count = world->nodes != NULL};
-    stack.waiting[0] = 0;
-    way_of(&way, world, lines);
-    know(&known, lines);
+    Stack stack;
+    begin(world, lines, &way, &known, &stack);
     for (const Node *leaf; (leaf = next_leaf(&way, nodes, &stack)) != NULL;) {
         for (int place = leaf->first; place < leaf->first + leaf->count; place++) {
             if (!any_may_meet(lines, &known, world, place))
@@ -211,10 +218,8 @@ void LANES(any_of_lines)(const RayWorld *world, const Node *nodes, const Lines *
 {
     Way way;
     Known known;
-    Stack stack = {.count = world->nodes != NULL};
-    stack.waiting[0] = 0;
-    way_of(&way, world, lines);
-    know(&known, lines);
+    Stack stack;
+    begin(world, lines, &way, &known, &stack);
     unsigned asking = (1U << lines->count) - 1;
     answers->hit = answers->doubt = 0;
     for (const Node *leaf; asking != 0 && (leaf = next_leaf(&way, nodes, &stack)) != NULL;) {
