@@ -25,7 +25,8 @@ $(WASM)/%.o: %.c .make/toolkit/book.mk
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -o $@ $<
 
-$(WASM)/common.a: $(call wasm_objects,$(wildcard common/*.c common/figure/*.c))
+# Linked before the C library, so its tanf is ours.
+$(WASM)/common.a: $(call wasm_objects,$(wildcard common/*.c common/figure/*.c)) $(WASM)/$(INSTEAD)/tanf.o
 $(WASM)/shared.a: $(call wasm_objects,$(wildcard chapters/shared/*.c))
 $(WASM)/common.a $(WASM)/shared.a:
 	$(Q)rm -f $@ && llvm-ar rcsD $@ $^

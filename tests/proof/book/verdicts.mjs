@@ -42,12 +42,13 @@ function plan(stem) {
   lines[compile] = `compile\t${process.env.CC || 'cc'} -c`;
   return lines.join('\n');
 }
+const sameTanf = join(top, build, 'known', 'tanf.so');
 function inTerminal(stem, how = plan(stem)) {
   for (const name of ['figures', 'so-far', 'gallery', 'verdict']) rmSync(join(terminal, 'build/exercises', name), {recursive: true, force: true});
   mkdirSync(join(terminal, 'build/exercises/verdict'));
   writeFileSync(join(terminal, 'build/exercises/verdict/plan'), how);
   const ran = spawnSync(join(top, build, 'course'), ['exercises', 'build/exercises/verdict/plan', stem],
-    {cwd: terminal, encoding: 'utf8', env: {PATH: process.env.PATH, COLUMNS: ''}});
+    {cwd: terminal, encoding: 'utf8', env: {PATH: process.env.PATH, COLUMNS: '', LD_PRELOAD: sameTanf}});
   const pictures = {};
   for (const at of ['figures', 'so-far', 'gallery']) {
     const of = join(terminal, 'build/exercises', at);
