@@ -23,14 +23,19 @@ $(WASM_COMPILER)/include/stddef.h: $(BOOK_PACKAGES)
 	$(Q)tar xf $(CLANG_OF_NPM)/llvm-resources.tar -C $(WASM_COMPILER) --wildcards --no-wildcards-match-slash -m \
 		$(foreach name,__std* __float* float iso646 limits stdalign stdarg stdatomic stdbool std[cdin]* tgmath inttypes,'include/$(name).h')
 WASM_LIBC = $(eval WASM_LIBC := $$(shell $(WASM_CC) -print-file-name=libc.a))$(WASM_LIBC)
-WASM_LIBRARIES := libc.a libm.a crt1-command.o crt1-reactor.o $(WASM_EMULATED:%=libwasi-emulated-%.a)
+WASM_LIBRARIES := libm.a crt1-command.o crt1-reactor.o $(WASM_EMULATED:%=libwasi-emulated-%.a)
+# The two large ones, without what only a debugger reads.
+STRIPPED := $(WASM_COMPILER)/lib/libc.a $(WASM_COMPILER)/lib/builtins.a
+$(STRIPPED): $(COMPILER)/strip_archive.mjs
+	$(call say,strip,$@)
+	$(Q)node $< $(if $(filter %/libc.a,$@),$(WASM_LIBC),$$($(WASM_CC) -print-libgcc-file-name)) $@
 PACKED = weak.h=$(B)/weak.h common/=common exercises/=exercises include/=$(subst /lib/,/include/,$(dir $(WASM_LIBC))) \
 	clang/include/=$(WASM_COMPILER)/include \
 	$(foreach name,$(WASM_LIBRARIES),lib/$(name)=$(dir $(WASM_LIBC))$(name)) \
-	lib/builtins.a=$(shell $(WASM_CC) -print-libgcc-file-name) \
+	$(foreach library,$(STRIPPED),lib/$(notdir $(library))=$(library)) \
 	$(foreach o,$(ANSWERING_LINKS),link/$(notdir $(o))=$(o) names/$(basename $(notdir $(o)))=$(WASM)/names/$(basename $(notdir $(o)))) \
 	$(if $(ANSWERING_LINKS),lib/common.a=$(WASM)/common.a)
-$(WASM_COMPILER)/pack: $(COMPILER)/flags.json $(COMPILER)/write_pack.js $(WASM_COMPILER)/include/stddef.h \
+$(WASM_COMPILER)/pack: $(COMPILER)/flags.json $(COMPILER)/write_pack.js $(WASM_COMPILER)/include/stddef.h $(STRIPPED) \
 		$(B)/weak.h $(wildcard common/*.h exercises/*.h) $(ANSWERING_LINKS) $(if $(ANSWERING_LINKS),$(STEMS:%=$(WASM)/names/%) $(WASM)/common.a)
 	$(call say,pack,headers and libraries)
 	$(Q)node $(COMPILER)/write_pack.js $@ $< $(PACKED)
