@@ -7,11 +7,11 @@ $(FINISH_FIGURE): $(call wasm_objects,chapters/book/finish_figure.c chapters/gal
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_LINK) -Wl,--strip-all -o $@ $^ $(WASM_LIBS)
 
-# gnuplot, and the layouts and scenes that the programs read. Compressed here, because not every host does it.
-BOOK_GNUPLOT := $(BOOK)/figures/gnuplot.wasm.gz
+# gnuplot, and the layouts and scenes that the programs read. Compressed by xz, as the compiler is.
+BOOK_GNUPLOT := $(BOOK)/figures/gnuplot.wasm.xz
 $(BOOK_GNUPLOT): $(BOOK_PACKAGES)
 	$(Q)mkdir -p $(@D)
-	$(Q)gzip -9nc $(NPM)/node_modules/gnuplot-wasm/src/gnuplot.wasm > $@
+	$(Q)$(XZ) --lzma2=preset=9e,dict=2MiB $(NPM)/node_modules/gnuplot-wasm/src/gnuplot.wasm > $@
 BOOK_LAYOUTS := $(BOOK)/figures/files.json
 $(BOOK_LAYOUTS): $(wildcard common/figure/*.gp chapters/[0-9]*/*.nff chapters/[0-9]*/figures/*.gp \
 		chapters/[0-9]*/figures/*.nff) $(BOOK_SOURCES)/site/pack_texts.mjs

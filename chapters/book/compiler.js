@@ -110,20 +110,23 @@ export async function load({fetchBytes, progress = () => {}}) {
   const all = sizes[SMALL] + sizes[PACK];
   let done = 0;
   const count = size => progress(done += size, all);
-  const opened = async (name, counted = () => {}) => {
-    const counting = new TransformStream({
-      transform(part, to) { counted(part.length); to.enqueue(part); },
-    });
-    return new xz.XzReadableStream(body(await fetchBytes(name)).pipeThrough(counting));
-  };
-  const compiled = async (name, counted) => WebAssembly.compileStreaming(
-    new Response(await opened(name, counted), {headers: {'content-type': 'application/wasm'}}));
-  // One after the other: the decoder has one state.
-  const pack = unpack(new Uint8Array(await new Response(await opened(PACK, count)).arrayBuffer()));
-  const small = new Program(await compiled(SMALL, count));
+  const counted = async (name, hear, ended = () => {}) => body(await fetchBytes(name)).pipeThrough(new TransformStream({
+    transform(part, to) { hear(part.length); to.enqueue(part); },
+    flush: ended,
+  }));
+  const compiled = async (bytes) => WebAssembly.compileStreaming(
+    new Response(new xz.XzReadableStream(await bytes), {headers: {'content-type': 'application/wasm'}}));
+  // The compiler first, because there is most to do with it: that is done while the pack comes.
+  let smallIsThere;
+  const compressed = new Promise(resolve => { smallIsThere = resolve; })
+    .then(async () => new Response(await counted(PACK, count)).arrayBuffer());
+  compressed.catch(() => {}); // it is told when the pack is unpacked
+  const small = new Program(await compiled(counted(SMALL, count, smallIsThere)));
+  small.begin();
+  const pack = unpack(new Uint8Array(await new Response(new xz.XzReadableStream(body(await compressed))).arrayBuffer()));
   // The decoder's memory is as large as what it looks back on. It is made again for the whole compiler.
   xz.XzReadableStream._moduleInstance = xz.XzReadableStream._moduleInstancePromise = undefined;
-  const compiler = new Compiler(pack, small, async () => new Program(await compiled(WHOLE)));
+  const compiler = new Compiler(pack, small, async () => new Program(await compiled(counted(WHOLE, () => {}))));
   // An engine makes code of a function when it is first called: that is not for the student to wait for.
   await compiler.compile({stem: FIRST, files: {[`exercises/${FIRST}.c`]: WARMING}});
   return compiler;

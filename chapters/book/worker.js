@@ -4,6 +4,7 @@ import { load, unpack } from "./compiler.js";
 import { loadFigures } from "./figure.js";
 import { createJudge } from "./judge.js";
 import { toolsOf, WholeCompilerNeeded } from "./tools.js";
+import xz from "xz-decompress";
 
 const site = new URL(".", self.location.href);
 
@@ -26,12 +27,16 @@ function once(make) {
 
 const program = once(async (name) => WebAssembly.compileStreaming(await fetched(`programs/${name}.wasm`)));
 const texts = once(async (name) => (await fetched(name)).json());
-const unzipped = async (name, type) => new Response((await fetched(name)).body.pipeThrough(new DecompressionStream("gzip")), { headers: { "content-type": type } });
+const unzipped = async (name) => new Response((await fetched(name)).body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 
 // ---- figures ------------------------------------------------------------------------------------
 
+async function gnuplotModule() {
+    const bytes = new xz.XzReadableStream((await fetched("figures/gnuplot.wasm.xz")).body);
+    return WebAssembly.compileStreaming(new Response(bytes, { headers: { "content-type": "application/wasm" } }));
+}
 const figures = once(async () => {
-    const [gnuplot, finish, files] = await Promise.all([unzipped("figures/gnuplot.wasm.gz", "application/wasm").then(WebAssembly.compileStreaming), program("finish_figure"), texts("figures/files.json")]);
+    const [gnuplot, finish, files] = await Promise.all([gnuplotModule(), program("finish_figure"), texts("figures/files.json")]);
     return loadFigures({ gnuplot, finish, files });
 });
 
@@ -41,7 +46,7 @@ let hearProgress = () => {};
 const compiler = once(() => load({ fetchBytes: fetched, progress: (done, all) => hearProgress("Fetching the compiler", done, all) }));
 const judging = once(async () => {
     const [course, judge, texts1, texts2, pack, ready] = await Promise.all([program("course"), program("judge"), texts("tree/files.json"), texts("figures/files.json"),
-        unzipped("pictures.pack.gz", "application/octet-stream").then((response) => response.arrayBuffer()), compiler()]);
+        unzipped("pictures.pack.gz"), compiler()]);
     const pictures = unpack(new Uint8Array(pack)), tools = toolsOf(ready, pictures);
     const files = new Map([...Object.entries(texts1), ...Object.entries(texts2), ...[...pictures].filter(([path]) => /\.(png|nff)$/.test(path))]);
     return { judge: createJudge({ modules: { course, judge }, files, compile: tools.compile }), tools };
@@ -129,7 +134,9 @@ const answers = {
         return { text: text || errors, state: kept ?? "" };
     },
     async figure({ stem, name, ...wanted }) {
-        return (await figures()).drawMoved({ program: await program(stem), stem, name, ...wanted });
+        const [drawing, chapter] = await Promise.all([figures(), program(stem)]);
+        hearProgress("Drawing"); // all is fetched (page/figures.js)
+        return drawing.drawMoved({ program: chapter, stem, name, ...wanted });
     },
 };
 

@@ -35,7 +35,8 @@ function memoryOf(browser) {
 
 const host = await serve(folder, { compress: true, rate: mbit * 1e6 }), browser = await launch();
 /** The bytes that were sent until a moment of the page, a Date. */
-const sentUntil = (moment) => host.sent.log.reduce((sum, [when, bytes]) => when <= moment ? sum + bytes : sum, 0);
+const sentUntil = (moment, counts = () => true) => host.sent.log.reduce((sum, [when, bytes, path]) => when <= moment && counts(path) ? sum + bytes : sum, 0);
+const isForVerdict = (path) => /\/(compiler|tree)\/|\/programs\/(judge|course)|\/pictures\.pack/.test(path);
 const verdictIsThere = (tab) => tab.$eval("#verdict", (each) => Boolean(each.querySelector("pre[data-result]")) && !each.classList.contains("old"));
 try {
     const tab = await openTab(browser, host.address);
@@ -51,7 +52,8 @@ try {
     await waitFor("a verdict", 180, () => verdictIsThere(tab));
     const first = Date.now();
     show("first live figure", seconds(figure - begin), "at most 2 s");
-    show("  sent until then", megabytes(sentUntil(figure)), "at most 1 MB");
+    show("  sent until then, without the compiler's", megabytes(sentUntil(figure, (path) => !isForVerdict(path))), "at most 1 MB");
+    show("  of the compiler and the judge, already", megabytes(sentUntil(figure, isForVerdict)));
     show("first verdict", seconds(first - begin), "at most 8 s");
     show("  sent until then", megabytes(sentUntil(first)), "at most 8 MB");
 

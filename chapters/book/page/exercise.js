@@ -1,12 +1,13 @@
 // exercise.js - the exercise of a chapter: the editor, and everything around it. The work is done in a Worker
 // (worker.js), so the page always answers.
 import { nameOfText } from "./answers.js";
-import { openEditor } from "./editor.js";
 import { Helper, Stopped } from "./helper.js";
 
 const PAUSE = 600;    // milliseconds without a key, after which an answer is judged
+const FIGURE = 4000; // milliseconds, at most, that the editor and the compiler wait for the first figure
 const PROGRESS = 400; // milliseconds, after which work shows how far it is
 const $ = (id) => document.getElementById(id);
+const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const isMac = /Mac|iPhone|iPad/.test(navigator.userAgentData?.platform ?? navigator.platform);
 
 /** What the compiler says about a line of the answer. */
@@ -17,17 +18,26 @@ function marksOf(messages, stem) {
     return marks;
 }
 
-export async function setUpExercise({ stem, site, course, answers, themeNow, showTrouble, onVerdict }) {
-    const blank = await (await fetch(new URL(`exercises/${stem}.c`, site))).text();
+export async function setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, onVerdict }) {
+    const still = $("editor").querySelector("pre"), blank = still.textContent;
     const helper = new Helper(() => new Worker(new URL("worker.js", site), { type: "module" }));
     const say = (words) => { $("state").textContent = words; };
     $("judge-keys").textContent = isMac ? "⌘ ⏎" : "Ctrl Enter";
 
     // ---- saving ----------------------------------------------------------------------------------
 
-    let timer;
-    const editor = openEditor({
-        place: $("editor"), styles: new URL("editor.css", site), text: answers.text(stem) ?? blank,
+    let timer, marked = [];
+    // Until the editor is there, the page shows the text.
+    let editor = {
+        text: () => still.textContent,
+        replace(text) { still.textContent = text; },
+        mark(marks) { marked = marks; },
+        focus() { still.focus(); },
+    };
+    if (answers.text(stem) !== null)
+        editor.replace(answers.text(stem));
+    const ofEditor = {
+        place: $("editor"), styles: new URL("editor.css", site),
         label: `Your answer, ${stem}.c. Escape and then Tab leaves the editor.`,
         onJudge: () => judge(),
         onChange(text) {
@@ -39,7 +49,18 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
             clearTimeout(timer);
             timer = setTimeout(() => judge(), PAUSE);
         },
-    });
+    };
+    /** The editor is large: it is fetched after the first figure, or at once for a student who wants to type. */
+    async function prepareEditor() {
+        await Promise.race([firstFigure?.shown, pause(FIGURE), ...["focus", "pointerdown"].map((kind) => new Promise((resolve) => still.addEventListener(kind, resolve)))]);
+        const { openEditor } = await import("./editor.js");
+        const wasChosen = document.activeElement === still;
+        editor = openEditor({ ...ofEditor, text: editor.text() });
+        editor.mark(marked);
+        if (wasChosen)
+            editor.focus();
+    }
+    prepareEditor().catch((reason) => showTrouble(`The editor could not be fetched: ${reason.message}. Load the page again.`));
     const showUndo = () => { $("undo-reset").hidden = !(editor.text() === blank && answers.versions(stem).length > 0); };
     showUndo();
     if (answers.text(stem) !== null)
@@ -233,10 +254,9 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
 
     // ---- the judge is made ready while the student reads -----------------------------------------
 
-    /** The compiler is ten times as large as a figure, which is seen first: it waits for that, up to some seconds. */
+    /** The compiler is ten times as large as a figure, which is seen first: it is fetched while that is drawn. */
     async function prepare() {
-        for (let i = 0; i < 30 && document.querySelector(".figure") && !document.querySelector(".figure.live"); i++)
-            await new Promise((resolve) => setTimeout(resolve, 100));
+        await Promise.race([firstFigure?.fetched, pause(FIGURE)]);
         await helper.ask({ do: "prepare", stem });
         globalThis.judgeIsReady = true;
         dispatchEvent(new Event("judge-ready")); // offline.js
@@ -244,6 +264,6 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
             judge();
     }
     if (!navigator.connection?.saveData)
-        setTimeout(() => prepare().catch(() => {}), 300);
+        prepare().catch(() => {});
     return { helper, judge };
 }

@@ -7,6 +7,10 @@ import { Helper } from "./helper.js";
 const fileOf = (site, { stem, name, step }, theme) =>
     new URL(`chapters/${stem}/figures/${name}${step ? `-step${step}` : ""}${theme === "dark" ? "-dark" : ""}.svg`, site);
 
+/**
+ * @returns {{fetched: Promise<void>, shown: Promise<void>}} of the figures that are in sight at first: what they need is
+ *          there; one of them is live. Both end also if there is none, or if it cannot be drawn.
+ */
 export function setUpFigures({ site, themeNow }) {
     const figures = [...document.querySelectorAll(".figure")];
     const helper = new Helper(() => new Worker(new URL("worker.js", site), { type: "module" }));
@@ -16,13 +20,26 @@ export function setUpFigures({ site, themeNow }) {
         button.addEventListener("click", () => view.open(figure, button));
         figure.querySelector("figcaption").append(button);
     }
+    const first = {}, fetched = new Promise((resolve) => { first.fetched = resolve; }), shown = new Promise((resolve) => { first.shown = resolve; });
+    const atFirst = (what) => {
+        const answer = helper.ask(what, first.fetched);
+        answer.catch(() => {}).then(() => { first.fetched(); first.shown(); });
+        return answer;
+    };
     // A figure becomes live when it is nearly in sight, and after the page is there.
-    const seen = new IntersectionObserver((entries) => entries.filter((each) => each.isIntersecting).forEach(({ target }) => {
-        seen.unobserve(target);
-        liveFigure(target, { ask: (what) => helper.ask(what), themeNow });
-    }), { rootMargin: "300px" });
+    const seen = new IntersectionObserver((entries) => {
+        const near = entries.filter((each) => each.isIntersecting);
+        for (const { target } of near) {
+            seen.unobserve(target);
+            liveFigure(target, { ask: atFirst, themeNow });
+        }
+        if (near.length === 0) {
+            first.fetched();
+            first.shown();
+        }
+    }, { rootMargin: "300px" });
     figures.forEach((figure) => seen.observe(figure));
-    return helper;
+    return { fetched, shown };
 }
 
 function fullScreenView({ site, themeNow, figures, helper }) {

@@ -1,6 +1,7 @@
 // page.js - what every page of the site does: theme, progress over the chapters, figures on the full screen; and what
 // each kind of page needs besides that.
 import { openAnswers, writableStorage } from "./answers.js";
+import { setUpFigures } from "./figures.js";
 
 const root = document.documentElement;
 const { up = "", kind, stem } = root.dataset;
@@ -131,6 +132,8 @@ async function setUpStart(course) {
 // ---- start --------------------------------------------------------------------------------------
 
 setUpTheme();
+// The figures need nothing else, and are seen first.
+const firstFigure = document.querySelector(".figure") && setUpFigures({ site, themeNow });
 const course = await (await fetch(new URL("course.json", site))).json();
 showProgress(course);
 addEventListener("storage", (event) => {
@@ -142,13 +145,9 @@ addEventListener("pageshow", (event) => { if (event.persisted) showProgress(cour
 
 if (kind === "start")
     await setUpStart(course);
-if (document.querySelector(".figure")) {
-    const { setUpFigures } = await import("./figures.js");
-    setUpFigures({ site, themeNow });
-}
 if (kind === "chapter") {
     const { setUpExercise } = await import("./exercise.js");
-    await setUpExercise({ stem, site, course, answers, themeNow, showTrouble, onVerdict: () => showProgress(course) });
+    await setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, onVerdict: () => showProgress(course) });
 }
 if ("serviceWorker" in navigator && location.protocol !== "file:")
     import("./offline.js").then(({ keepForOffline }) => keepForOffline(site));

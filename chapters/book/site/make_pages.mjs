@@ -90,6 +90,9 @@ function write(name, text) {
 
 // ---- a chapter ----------------------------------------------------------------------------------
 
+/** The exercise as it is at the beginning: a handout's student has changed the other file. */
+const blankOf = (stem) => [`tests/handout/replay/blanks/${stem}.c`, `exercises/${stem}.c`].find((path) => existsSync(join(root, path)));
+
 function exercise(stem) {
     return `<section class="exercise" id="exercise" aria-labelledby="exercise-title" tabindex="-1">
 <div class="exercise-head">
@@ -99,7 +102,8 @@ function exercise(stem) {
 <button type="button" role="tab" id="tab-contract" aria-controls="panel-contract" aria-selected="false" tabindex="-1">${stem}.h</button>
 </div>
 </div>
-<div class="panel" role="tabpanel" id="panel-answer" aria-labelledby="tab-answer"><div id="editor"></div></div>
+<div class="panel" role="tabpanel" id="panel-answer" aria-labelledby="tab-answer"><div id="editor"><pre tabindex="0"><code>${
+    colouredC(readFileSync(join(root, blankOf(stem)), "utf8"))}</code></pre></div></div>
 <div class="panel" role="tabpanel" id="panel-contract" aria-labelledby="tab-contract" hidden><pre tabindex="0"><code>${
     colouredC(readFileSync(join(root, `exercises/${stem}.h`), "utf8"))}</code></pre></div>
 <div class="actions">
@@ -131,10 +135,6 @@ ${lesson.html}
 ${exercise(stem)}
 </main>
 <a class="to-exercise" href="#exercise">To the exercise</a>` }));
-    const blank = existsSync(join(root, `tests/handout/replay/blanks/${stem}.c`)) ? `tests/handout/replay/blanks/${stem}.c` : `exercises/${stem}.c`;
-    mkdirSync(join(site, "exercises"), { recursive: true });
-    copyFileSync(join(root, blank), join(site, `exercises/${stem}.c`));
-    copyFileSync(join(root, `exercises/${stem}.hints`), join(site, `exercises/${stem}.hints`));
 }
 write("course.json", JSON.stringify({ stems, functions, handIn }));
 

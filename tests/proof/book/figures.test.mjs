@@ -4,12 +4,13 @@
 //
 // Usage: node figures.test.mjs, after make book-figures
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
-import { gunzipSync, inflateSync } from "node:zlib";
+import { inflateSync } from "node:zlib";
 import { loadFigures } from "../../../chapters/book/figure.js";
 
 const moduleOf = (bytes) => new WebAssembly.Module(bytes);
-const figures = await loadFigures({ gnuplot: moduleOf(gunzipSync(readFileSync("build/book/figures/gnuplot.wasm.gz"))),
+const figures = await loadFigures({ gnuplot: moduleOf(execFileSync("xz", ["-dc", "build/book/figures/gnuplot.wasm.xz"], { maxBuffer: 1 << 24 })),
     finish: moduleOf(readFileSync("build/book/programs/finish_figure.wasm")), files: JSON.parse(readFileSync("build/book/figures/files.json", "utf8")) });
 const programs = new Map();
 function programOf(stem) {

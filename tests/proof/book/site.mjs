@@ -16,9 +16,9 @@ const TYPES = { ".html": "text/html; charset=utf-8", ".css": "text/css", ".js": 
 
 /** The folder as a static host serves it, in a folder of the host. rate: bits per second, of all connections together. */
 export async function serve(folder, { compress = false, at = "/course/", rate = Infinity } = {}) {
-    const sent = { bytes: 0, requests: [], log: [] }; // log: when, and how many
+    const sent = { bytes: 0, requests: [], log: [] }; // log: when, how many, and of which path
     let free = 0, isOff = false;
-    async function send(response, body) {
+    async function send(response, body, path) {
         for (let from = 0, size = rate < Infinity ? 1 << 13 : body.length; from < body.length && !response.destroyed; from += size) {
             const part = body.subarray(from, from + size), now = performance.now();
             free = Math.max(free, now) + part.length * 8000 / rate;
@@ -26,7 +26,7 @@ export async function serve(folder, { compress = false, at = "/course/", rate = 
                 await new Promise((resolve) => setTimeout(resolve, free - now));
             response.write(part);
             sent.bytes += part.length;
-            sent.log.push([Date.now(), part.length]);
+            sent.log.push([Date.now(), part.length, path]);
         }
         response.end();
     }
@@ -44,11 +44,11 @@ export async function serve(folder, { compress = false, at = "/course/", rate = 
         if (compress && /\.(html|css|js|json|svg|wasm)$/.test(file)) {
             const body = gzipSync(readFileSync(file));
             response.writeHead(200, { ...headers, "content-encoding": "gzip", "content-length": body.length });
-            return send(response, body);
+            return send(response, body, path);
         }
         const body = readFileSync(file);
         response.writeHead(200, { ...headers, "content-length": body.length });
-        return send(response, body);
+        return send(response, body, path);
     });
     await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
     const stop = () => new Promise((resolve) => { server.closeAllConnections(); server.close(resolve); });
