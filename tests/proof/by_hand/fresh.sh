@@ -54,6 +54,7 @@ inside() {
             mount --rbind /sys sys && mkdir .outside && pivot_root . .outside && cd / &&
             umount -l /.outside && rmdir /.outside || exit 125
         shift
+        [ ! -s /root/authorities.pem ] || set -- NODE_EXTRA_CA_CERTS=/root/authorities.pem "$@"
         exec env -i HOME=/root PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
             http_proxy="${http_proxy:-}" https_proxy="${https_proxy:-}" "$@"' sh "$@"
 }
@@ -83,10 +84,18 @@ system() {
     alone debootstrap --variant=minbase --cache-dir="$(cd "$kept" && pwd)" \
         --include=git,make,gcc,libc6-dev "$suite" "$root" "$MIRROR"
 }
-# The network of this machine, and apt's settings for it.
+# The network of this machine, and the settings of apt and npm for it; the certificates that its owner added.
+AUTHORITIES=/usr/local/share/ca-certificates
 network() {
     cp -L /etc/resolv.conf "$root/etc/resolv.conf"
     apt-config dump 2>/dev/null | grep '^Acquire::' >"$root/etc/apt/apt.conf.d/90as-outside"
+    # npm's way to its registry, without passwords.
+    grep -E '^(registry|proxy|https-proxy|noproxy|maxsockets|fetch-[a-z-]+) *=' "${HOME:-/root}/.npmrc" >"$root/root/.npmrc" 2>/dev/null
+    mkdir -p "$root$AUTHORITIES"
+    [ ! -d $AUTHORITIES ] || cp -RL $AUTHORITIES/. "$root$AUTHORITIES"
+    # node reads them from one file.
+    find $AUTHORITIES -name '*.crt' -exec cat {} + 2>/dev/null |
+        cat - ${NODE_EXTRA_CA_CERTS:+"$NODE_EXTRA_CA_CERTS"} >"$root/root/authorities.pem"
     true
 }
 # The last commit. Git needs permission to read another user's tree.
