@@ -18,7 +18,18 @@ $(BOOK_LAYOUTS): $(wildcard common/figure/*.gp chapters/[0-9]*/*.nff chapters/[0
 	$(Q)mkdir -p $(@D)
 	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs,$^) > $@
 
-BOOK_FIGURES := $(FINISH_FIGURE) $(BOOK_GNUPLOT) $(BOOK_LAYOUTS)
+# The numbers in a lesson, for the example that a figure shows (instead/lesson_example.c).
+LESSON_NUMBERS := $(LESSONS:%=$(BOOK)/programs/%-numbers.wasm)
+wasm_parts = $(filter-out %/main.o,$(call wasm_program,$(1)))
+EXAMPLE_WRAPS := $(foreach of,camera place point pixel ray sphere,-Wl,--wrap=example_$(of))
+$(LESSON_NUMBERS): $(BOOK)/programs/%-numbers.wasm: $(WASM)/chapters/lessons/%.o $(WASM)/chapters/lessons/numbers.o \
+		$(WASM)/$(INSTEAD)/lesson_example.o $$(call wasm_parts,$$*) \
+		$(call wasm_objects,$(BOOK_STEMS:%=solutions/%.c)) $(WASM)/shared.a $(WASM)/common.a
+	$(call say,wasm,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_LINK) -Wl,--strip-all $(EXAMPLE_WRAPS) -o $@ $^ $(WASM_LIBS)
+
+BOOK_FIGURES := $(FINISH_FIGURE) $(BOOK_GNUPLOT) $(BOOK_LAYOUTS) $(LESSON_NUMBERS)
 book-figures: $(BOOK_FIGURES) $(BOOK_PROGRAMS)
 .PHONY: book-figures
 $(BOOK)/service_worker.js: $(BOOK_FIGURES)

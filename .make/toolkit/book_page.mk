@@ -19,11 +19,11 @@ BOOK_STAMP := build/book-pages
 BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapters/[0-9]*/figures/*.svg exercises/*.[ch] exercises/*.hints \
 	exercises/optional/README.md exercises/optional/pictures/*.png common/*.h tests/handout/replay/blanks/*.c)
 BOOK_SCRIPTS := $(wildcard $(BOOK_SOURCES)/*.js $(BOOK_SOURCES)/*/*.js $(BOOK_SOURCES)/*/*.mjs $(BOOK_SOURCES)/page/*)
-$(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LIST) .make/toolkit/book_page.mk
+$(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) $(LIST) .make/toolkit/book_page.mk
 	$(call say,pages,$(BOOK))
 	$(Q)mkdir -p $(BOOK)
 	$(Q)$(LIST) > build/book-exercises.txt
-	$(Q)node $(BOOK_SOURCES)/site/make_pages.mjs . $(BOOK) build/book-exercises.txt '$(HAND_IN)'
+	$(Q)node $(BOOK_SOURCES)/site/make_pages.mjs . $(BOOK) build/book-exercises.txt $(B)/lessons '$(HAND_IN)'
 	@touch $@
 
 # What course and judge read: headers for what the compiler says, hints, blanks, layouts.

@@ -6,7 +6,7 @@
 LESSONS := $(patsubst chapters/lessons/%.md,%,$(wildcard chapters/lessons/*.md))
 FILL_LESSON := $(LESSONS:%=$(B)/chapters/lessons/%)
 parts_of = $(filter-out %/main.o,$(call chapter_objects,$(1)))
-$(FILL_LESSON): %: %.o $(B)/chapters/lessons/fill.o $$(call parts_of,$$(@F)) \
+$(FILL_LESSON): %: %.o $(B)/chapters/lessons/fill.o $(B)/chapters/lessons/numbers.o $$(call parts_of,$$(@F)) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
@@ -15,6 +15,11 @@ $(FILLED): $(B)/lessons/%.md: chapters/lessons/%.md $(B)/chapters/lessons/% $(B)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(B)/solutions/$* > $(@:.md=.txt)
 	$(Q)$(B)/chapters/lessons/$* $< $(@:.md=.txt) chapters/$*/README.md > $@
+
+# The same with each number marked, for a page (chapters/lessons/fill.c).
+LESSONS_MARKED := $(LESSONS:%=$(B)/lessons/%.marked.md)
+$(LESSONS_MARKED): $(B)/lessons/%.marked.md: $(B)/lessons/%.md
+	$(Q)$(B)/chapters/lessons/$* chapters/lessons/$*.md $(@:.marked.md=.txt) chapters/$*/README.md marked > $@
 
 # Numbers that are not an example are named before anything is made of them.
 CHECK_EXAMPLE := $(B)/chapters/lessons/check_example

@@ -3,6 +3,7 @@
 import { load, unpack } from "./compiler.js";
 import { loadFigures } from "./figure.js";
 import { createJudge } from "./judge.js";
+import { lessonNumbers } from "./lesson_numbers.js";
 import { toolsOf, WholeCompilerNeeded } from "./tools.js";
 import xz from "xz-decompress";
 
@@ -132,6 +133,9 @@ const answers = {
             return { ...judge.hint(stem, { sources, compiled: result }), kept: judge.files.text(path) };
         });
         return { text: text || errors, state: kept ?? "" };
+    },
+    async numbers({ stem, name, options }) {
+        return { numbers: lessonNumbers(await program(`${stem}-numbers`), name, options) };
     },
     async figure({ stem, name, ...wanted }) {
         const [drawing, chapter] = await Promise.all([figures(), program(stem)]);

@@ -41,7 +41,7 @@ static void fill_ball(Camera c)
     fill_number("quarter_d", c.distance / 4);
 }
 
-int main(int argc, char **argv)
+void fill_numbers(void)
 {
     Camera c = example_camera();
     Camera unit = with_unit_distance(c);
@@ -52,5 +52,4 @@ int main(int argc, char **argv)
     fill_number("unit_h", unit.height);
     fill_text("degrees", "%.2f", degrees_across(c.width, c.distance));
     fill_text("degrees_zoomed", "%.2f", degrees_across(c.width, 2 * c.distance));
-    return fill_lesson(argc, argv);
 }

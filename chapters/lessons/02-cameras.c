@@ -16,7 +16,7 @@ static void fill_hand(Camera c)
     fill_vector("minus_right", -c.right);
 }
 
-int main(int argc, char **argv)
+void fill_numbers(void)
 {
     Camera c = example_camera();
     Forms forms = forms_of(c);
@@ -41,5 +41,4 @@ int main(int argc, char **argv)
     bool square = c.width == c.height;
     fill_text("aspect_option", "%s%s", square ? "" : " --aspect ",
               square ? "" : number_text(forms.look_at.aspect).s);
-    return fill_lesson(argc, argv);
 }

@@ -18,10 +18,11 @@ static void fill_shape(Camera c)
                   number_text_to(ratio, 4).s);
 }
 
-int main(int argc, char **argv)
+void fill_numbers(void)
 {
     Resolution screen = example_screen();
-    ScreenPoint point = example_point(), center = pixel_center(example_pixel());
+    Pixel pixel = example_pixel();
+    ScreenPoint point = example_point(), center = pixel_center(pixel);
     Normalized place = screen_to_normalized(point, screen);
     Normalized center_place = screen_to_normalized(center, screen);
     fill_number("W", screen.width);
@@ -29,8 +30,10 @@ int main(int argc, char **argv)
     fill_number("almost_W", screen.width - 0.3);
     fill_number("x", point.x);
     fill_number("y", point.y);
-    fill_number("next_x", point.x + 1);
-    fill_number("next_y", point.y + 1);
+    fill_number("column", pixel.column);
+    fill_number("row", pixel.row);
+    fill_number("next_column", pixel.column + 1);
+    fill_number("next_row", pixel.row + 1);
     fill_result("is_s", place.s, TEXT_DIGITS);
     fill_result("is_t", place.t, TEXT_DIGITS);
     fill_text("center", "%s", pair_text(center.x, center.y).s);
@@ -38,5 +41,4 @@ int main(int argc, char **argv)
     fill_number("w", example_camera().width);
     fill_number("h", example_camera().height);
     fill_shape(example_camera());
-    return fill_lesson(argc, argv);
 }

@@ -30,7 +30,7 @@ static void fill_chain(Camera c, Resolution screen, Pixel pixel)
     fill_text("on_plane", "%s", vec3_text_to(ray.origin + ray.direction, DIGITS).s);
 }
 
-int main(int argc, char **argv)
+void fill_numbers(void)
 {
     Camera c = example_camera();
     vec3 corner = image_plane_vector(c, 0, 1);
@@ -42,5 +42,4 @@ int main(int argc, char **argv)
     fill_number("corner_squared", vec3_dot(corner, corner));
     fill_number_to("corner_length", vec3_length(corner), 4);
     fill_number_to("twice_corner", 2 * vec3_length(corner), 4);
-    return fill_lesson(argc, argv);
 }

@@ -29,6 +29,19 @@ static void fill_mistake(Ray ray, Sphere sphere, Quadratic q)
     }
 }
 
+// In the example there are two. In a page, a ray that is dragged may have one, or none.
+static void fill_roots(Roots roots)
+{
+    const char *const names[] = {"t0", "t1", "before", "beyond"};
+    for (int i = 0; i < 4; i++) {
+        double t = roots.t[i % 2 < roots.count ? i % 2 : 0];
+        if (roots.count == 0)
+            fill_text(names[i], "none");
+        else
+            fill_number(names[i], i < 2 ? t : i == 2 ? floor(t) : ceil(t));
+    }
+}
+
 static void fill_ray(Ray ray, Sphere sphere)
 {
     fill_vector("p", ray.origin);
@@ -38,7 +51,7 @@ static void fill_ray(Ray ray, Sphere sphere)
     fill_number("length", vec3_length(ray.direction));
 }
 
-int main(int argc, char **argv)
+void fill_numbers(void)
 {
     Ray ray = example_ray();
     Sphere sphere = example_sphere();
@@ -49,12 +62,8 @@ int main(int argc, char **argv)
     fill_number("b", q.b);
     fill_number("c", q.c);
     fill_number_to("D", q.b * q.b - 4 * q.a * q.c, 6);
-    fill_number("t0", roots.t[0]);
-    fill_number("t1", roots.t[1]);
-    fill_number("before", floor(roots.t[0]));
-    fill_number("beyond", ceil(roots.t[1]));
+    fill_roots(roots);
     fill_mistake(ray, sphere, q);
     fill_number("d", example_camera().distance);
     fill_number("tenth_d", 0.1 * example_camera().distance);
-    return fill_lesson(argc, argv);
 }

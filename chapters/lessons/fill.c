@@ -1,96 +1,30 @@
 // fill.c - fills the numbers of the example into the source of a lesson (fill.h).
+//
+// Usage: NN-stem SOURCE.md OUTPUT.txt README.md [marked]
+// OUTPUT: of the chapter's program. README: the lesson as it is. With 'marked', each number is
+// between private characters, so that a page finds it (chapters/book/site/numbers.mjs):
+// U+E000 NAME U+E001 NUMBER U+E002.
 #include "chapters/lessons/fill.h"
 
-#include "common/text.h"
-
-#include <math.h>
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_NAMES = 100 };
+static bool is_marked;
+static int errors;
 
-typedef struct {
-    const char *name;
-    char text[400];
-    bool used;
-} Value;
-
-static Value values[MOST_NAMES];
-static int value_count, errors;
-
-// ---- the values -------------------------------------------------------------------------------
-
-void fill_text(const char *name, const char *format, ...)
+static const char *value_of(const char *name, size_t length)
 {
-    if (value_count == MOST_NAMES) {
-        fprintf(stderr, "%s: there is room for %d names only\n", name, MOST_NAMES);
-        exit(2);
-    }
-    Value *value = &values[value_count++];
-    value->name = name;
-    va_list list;
-    va_start(list, format);
-    vsnprintf(value->text, sizeof value->text, format, list);
-    va_end(list);
-}
-
-void fill_number(const char *name, double x)
-{
-    fill_text(name, "%s", number_text(x).s);
-}
-
-void fill_number_to(const char *name, double x, int digits)
-{
-    fill_text(name, "%s", number_text_to(x, digits).s);
-}
-
-void fill_vector(const char *name, vec3 v)
-{
-    fill_text(name, "%s", vec3_text(v).s);
-}
-
-void fill_term(const char *name, double x, int digits)
-{
-    fill_text(name, "%c %s", x < 0 ? '-' : '+', number_text_to(fabs(x), digits).s);
-}
-
-void fill_result(const char *name, double x, int digits)
-{
-    Text text = number_text_to(x, digits);
-    bool exact = fabs(strtod(text.s, NULL) - x) <= 1e-14 * fabs(x);
-    fill_text(name, "%s %s", exact ? "=" : "\\approx", text.s);
-}
-
-void fill_option(const char *name, vec3 v)
-{
-    fill_text(name, "%s,%s,%s", number_text(v[0]).s, number_text(v[1]).s, number_text(v[2]).s);
-}
-
-void fill_camera(Camera c)
-{
-    fill_number("d", c.distance);
-    fill_number("w", c.width);
-    fill_number("h", c.height);
-    fill_vector("eye", c.origin);
-    fill_vector("right", c.right);
-    fill_vector("up", c.up);
-    fill_vector("forward", c.forward);
-}
-
-static const Value *value_of(const char *name, size_t length)
-{
-    for (int i = 0; i < value_count; i++)
-        if (strlen(values[i].name) == length && strncmp(values[i].name, name, length) == 0) {
-            values[i].used = true;
-            return &values[i];
+    int count;
+    FilledNumber *numbers = filled_numbers(&count);
+    for (int i = 0; i < count; i++)
+        if (strlen(numbers[i].name) == length && strncmp(numbers[i].name, name, length) == 0) {
+            numbers[i].is_used = true;
+            return numbers[i].text;
         }
     return NULL;
 }
-
-// ---- the lesson -------------------------------------------------------------------------------
 
 static char *text_of(const char *path)
 {
@@ -163,29 +97,52 @@ static const char *rest_of(const char *line, const char *word, char rest[200])
     return rest;
 }
 
+static void print_number(int length, const char *name, const char *text)
+{
+    if (is_marked)
+        printf("\uE000%.*s\uE001%s\uE002", length, name, text);
+    else
+        fputs(text, stdout);
+}
+
 static void print_filled(const char *line, const char *source, int number)
 {
     for (const char *open; (open = strstr(line, "[[")) != NULL;) {
         const char *name = open + 2, *close = strstr(name, "]]");
         size_t length = close == NULL ? strlen(name) : (size_t)(close - name);
-        const Value *value = value_of(name, length);
+        const char *value = value_of(name, length);
         if (value == NULL) {
             fprintf(stderr, "%s:%d: no number has the name '%.*s'\n", source, number, (int)length,
                     name);
             errors++;
         }
-        printf("%.*s%s", (int)(open - line), line, value == NULL ? "" : value->text);
+        printf("%.*s", (int)(open - line), line);
+        if (value != NULL)
+            print_number((int)length, name, value);
         line = close == NULL ? name + length : close + 2;
     }
     printf("%s\n", line);
 }
 
-int fill_lesson(int argc, char **argv)
+static void check_used(const char *source)
 {
-    if (argc != 4) {
-        fprintf(stderr, "Usage: %s SOURCE.md OUTPUT.txt README.md\n", argv[0]);
+    int count;
+    const FilledNumber *numbers = filled_numbers(&count);
+    for (int i = 0; i < count; i++)
+        if (!numbers[i].is_used) {
+            fprintf(stderr, "%s: does not use the number '%s'\n", source, numbers[i].name);
+            errors++;
+        }
+}
+
+int main(int argc, char **argv)
+{
+    is_marked = argc == 5 && strcmp(argv[4], "marked") == 0;
+    if (argc != 4 && !is_marked) {
+        fprintf(stderr, "Usage: %s SOURCE.md OUTPUT.txt README.md [marked]\n", argv[0]);
         return 2;
     }
+    fill_numbers();
     char *source = text_of(argv[1]), *output = text_of(argv[2]), *lesson = text_of(argv[3]);
     char *after = source, rest[200];
     int number = 0;
@@ -201,11 +158,7 @@ int fill_lesson(int argc, char **argv)
             errors++;
         }
     }
-    for (int i = 0; i < value_count; i++)
-        if (!values[i].used) {
-            fprintf(stderr, "%s: does not use the number '%s'\n", argv[1], values[i].name);
-            errors++;
-        }
+    check_used(argv[1]);
     free(source);
     free(output);
     free(lesson);

@@ -13,6 +13,8 @@
 #include "common/camera.h"
 #include "common/vec3.h"
 
+#include <stdbool.h>
+
 // Give a name its text.
 void fill_text(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void fill_number(const char *name, double x);
@@ -27,8 +29,15 @@ void fill_option(const char *name, vec3 v);
 // d, w, h, eye, right, up and forward of a camera.
 void fill_camera(Camera camera);
 
-// Prints the lesson: argv is SOURCE, the program's OUTPUT, and the LESSON as it is. Returns the
-// result of main.
-int fill_lesson(int argc, char **argv);
+// All that were given.
+typedef struct {
+    const char *name;
+    char text[400];
+    bool is_used; // in the lesson
+} FilledNumber;
+FilledNumber *filled_numbers(int *count);
+
+// Gives all numbers of a lesson: NN-stem.c.
+void fill_numbers(void);
 
 #endif

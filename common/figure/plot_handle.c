@@ -4,6 +4,7 @@
 // A handle's place on the canvas follows from the world by the figure's view (plot_view.c). A drag
 // goes the other way: from the canvas to the numbers that move the handle, to as many digits as the
 // canvas shows.
+#include "common/figure/json.h"
 #include "common/figure/plot_internal.h"
 #include "common/text.h"
 
@@ -76,14 +77,6 @@ bool plot_is_dragged(const Plot *plot)
 
 // ---- as JSON ------------------------------------------------------------------------------------
 
-static void print_string(FILE *out, const char *text)
-{
-    putc('"', out);
-    for (; *text != '\0'; text++)
-        fprintf(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
-    putc('"', out);
-}
-
 static int numbers_of(const Handle *handle)
 {
     return handle->count < NUMBERS ? handle->count : NUMBERS;
@@ -107,7 +100,7 @@ static void print_handle(const Plot *plot, const Placed *placed, FILE *out)
 {
     double uv[2];
     fputs("{\"words\": ", out);
-    print_string(out, placed->handle.words);
+    json_print_string(out, placed->handle.words);
     if (plot_view_spot(plot, placed->panel, placed->handle.place, uv))
         fprintf(out, ", \"u\": %.2f, \"v\": %.2f", uv[0], uv[1]);
     fputs(", \"options\": {", out);
@@ -126,11 +119,11 @@ void plot_handles_print(const Plot *plot, FILE *out)
     fputs("],\n\"typed\": [", out);
     for (int i = 0; i < handles->typed_count; i++) {
         fputs(i > 0 ? ",\n{\"words\": " : "\n{\"words\": ", out);
-        print_string(out, handles->typed[i].words);
+        json_print_string(out, handles->typed[i].words);
         fputs(", \"options\": {", out);
-        print_string(out, handles->typed[i].option);
+        json_print_string(out, handles->typed[i].option);
         fputs(": ", out);
-        print_string(out, handles->typed[i].value);
+        json_print_string(out, handles->typed[i].value);
         fputs("}}", out);
     }
     fputs("],\n\"view\": \"", out);

@@ -2,6 +2,7 @@
 // and on to the next figure; and the live figure in the place of each static one.
 import { liveFigure } from "../live_figure.js";
 import { Helper } from "./helper.js";
+import { numbersFollow } from "./numbers.js";
 
 /** The static files of a figure: the wide SVG of a theme. Not each step has one. */
 const fileOf = (site, { stem, name, step }, theme) =>
@@ -26,12 +27,13 @@ export function setUpFigures({ site, themeNow }) {
         answer.catch(() => {}).then(() => { first.fetched(); first.shown(); });
         return answer;
     };
+    const follow = numbersFollow({ stem: document.documentElement.dataset.stem, ask: (what) => helper.ask(what) });
     // A figure becomes live when it is nearly in sight, and after the page is there.
     const seen = new IntersectionObserver((entries) => {
         const near = entries.filter((each) => each.isIntersecting);
         for (const { target } of near) {
             seen.unobserve(target);
-            liveFigure(target, { ask: atFirst, themeNow });
+            liveFigure(target, { ask: atFirst, themeNow, onDrawn: follow(target) });
         }
         if (near.length === 0) {
             first.fetched();

@@ -3,13 +3,11 @@
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { dirname, join, normalize } from "node:path";
 import markdownIt from "markdown-it";
-import katex from "katex";
 import { colouredC } from "./coloured_c.mjs";
+import { toSpans, typeset, withMarks } from "./numbers.mjs";
 
 export const escape = (text) =>
     text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
-
-const typeset = (tex, displayMode) => katex.renderToString(tex, { displayMode, throwOnError: true, strict: "error" });
 
 /** `$...$` as GitHub reads it: no space inside the dollars, no digit after them. */
 function inlineMathematics(markdown) {
@@ -95,9 +93,10 @@ export function pictureOf(base, step, words) {
  * @param {string} of.path the file, in that folder
  * @param {(path: string) => string | null} of.pageOf the page of the site for a file of the toolkit; null if there is none
  * @param {Set<string>} of.used gets the path of each picture that the page needs
+ * @param {string} of.marked the same file with its numbers marked, if there is one (numbers.mjs)
  * @param {string} of.up from the page to the top of the site: "" or "../"
  */
-export function lessonHtml({ root, path, pageOf, used, up = "" }) {
+export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {
     const source = readFileSync(join(root, path), "utf8");
     const stem = /^chapters\/([^/]+)\//.exec(path)?.[1] ?? "";
     const resolve = (link) => normalize(join(dirname(path), link));
@@ -143,7 +142,7 @@ export function lessonHtml({ root, path, pageOf, used, up = "" }) {
         return `<img class="${src.endsWith(".svg") ? "chart" : "picture"}" alt="${words}" src="${src}" width="${size.width}" height="${size.height}"${lazily()}>`;
     };
 
-    const html = markdown.render(source)
+    const html = toSpans(markdown.render(withMarks(source, marked)))
         .replace(/<p>(<picture>.*?<\/picture>)<\/p>/gs, (_, picture) => {
             const img = /<img[^>]*>/.exec(picture)[0];
             for (const [, link] of picture.matchAll(/(?:src|srcset)="([^"]*)"/g))

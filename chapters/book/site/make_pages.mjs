@@ -1,14 +1,15 @@
 // make_pages.mjs - writes the pages of the site: start, chapters, figures, contracts. Runs when the site is built.
 //
-// Usage: node make_pages.mjs ROOT SITE EXERCISES.txt [HAND-IN-ADDRESS]
-// ROOT is the folder of the toolkit (or of a handout), EXERCISES.txt is what list_exercises prints.
+// Usage: node make_pages.mjs ROOT SITE EXERCISES.txt LESSONS [HAND-IN-ADDRESS]
+// ROOT is the folder of the toolkit (or of a handout), EXERCISES.txt is what list_exercises prints,
+// LESSONS the folder with the lessons whose numbers are marked.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { colouredC } from "./coloured_c.mjs";
 import { escape, figure, lessonHtml, pictureOf } from "./lesson.mjs";
 
-const [root, site, exercisesFile, handIn = ""] = process.argv.slice(2);
+const [root, site, exercisesFile, lessonsFolder, handIn = ""] = process.argv.slice(2);
 const used = new Set();
 const packageFolder = (name) => dirname(createRequire(import.meta.url).resolve(`${name}/package.json`));
 
@@ -49,7 +50,7 @@ function pageOf(path) {
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; style-src-attr 'unsafe-inline'; " +
     "img-src 'self' data: blob:; font-src 'self'; connect-src 'self'; worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'";
 
-const lessons = Object.fromEntries(stems.map((stem) => [stem, lessonHtml({ root, path: `chapters/${stem}/README.md`, pageOf, used })]));
+const lessons = Object.fromEntries(stems.map((stem) => [stem, lessonHtml({ root, path: `chapters/${stem}/README.md`, marked: join(lessonsFolder, `${stem}.marked.md`), pageOf, used })]));
 const shortTitle = (stem) => lessons[stem].title.replace(/^\d\d /, "");
 
 function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {

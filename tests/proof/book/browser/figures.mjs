@@ -83,6 +83,9 @@ try {
     // By mouse: the centre of the sphere follows the pointer, to the right and up; then it is put back.
     const tab = await open("05-quadratic", "ray-sphere"), first = await state(tab, "ray-sphere");
     assert.deepEqual(first.numbers, { origin: "-4,-1,0", direction: "0.89,0.45,0", center: "0,0,0", radius: "1" });
+    // The numbers of the example in the text of the lesson.
+    const inText = () => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll(".lesson [data-number]")].map((each) => [each.dataset.number, each.textContent])));
+    const inLecture = await inText();
     const centre = first.handles.find(({ label }) => label.startsWith("C,"));
     await drag(tab, centre, 30, -20);
     const moved = await changed(tab, "ray-sphere", first), [x, y, z] = numbers(moved.numbers.center);
@@ -111,6 +114,15 @@ try {
     await type("ray-sphere", "radius", "0.25");
     await waitFor("the typed radius", SECONDS, async () => { const now = await state(tab, "ray-sphere"); return now.numbers.radius === "0.25" && now.wrong === ""; });
 
+    // The numbers in the lesson are those of the figure: c is p.p - r^2. The small sphere is missed.
+    const follow = (what, wanted) => waitFor(`the numbers in the lesson ${what}`, SECONDS, async () => wanted(await inText()));
+    await type("ray-sphere", "center", "0,0,0");
+    await follow("follow", (its) => its.r === "0.25" && its.center === "(0, 0, 0)" && its.c === "16.9375" && its.t0 === "none");
+    await type("ray-sphere", "origin", "-4,-2,0");
+    await type("ray-sphere", "radius", "1");
+    await follow("follow a typed origin", (its) => its.p === "(-4, -2, 0)" && its.c === "19" && its.b === "−8.92" && Number(its.t0) > 3 && Number(its.t1) > Number(its.t0));
+    assert.deepEqual(await seriousFindings(tab), [], "numbers that follow");
+
     // Steps, and back to the lecture's numbers.
     const press = (name, what) => tab.evaluate((at, which) => document.querySelector(at).querySelector(".drawing > div").shadowRoot.querySelector(which).click(), place(name), what);
     const step = (await state(tab, "ray-sphere")).step;
@@ -118,6 +130,7 @@ try {
     await waitFor("a step back", SECONDS, async () => (await state(tab, "ray-sphere")).step !== step);
     await press("ray-sphere", ".reset");
     await waitFor("the first numbers", SECONDS, async () => JSON.stringify((await state(tab, "ray-sphere")).numbers) === JSON.stringify(first.numbers));
+    await follow("are the lecture's again", (its) => JSON.stringify(its) === JSON.stringify(inLecture));
     assert.deepEqual(tab.faults, []);
     await tab.close();
 
