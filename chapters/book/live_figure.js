@@ -94,6 +94,8 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {} }) {
         let began, asked;
         questions.ask(() => { began = performance.now(); return (asked = wanted(more)); }, (drawn, reason) => {
             if (drawn) {
+                if (asked.options === options) // nothing was typed since
+                    options = drawn.options;
                 show({ ...drawn, shape: asked.shape });
                 onDrawn({ ...drawn, milliseconds: performance.now() - began });
             } else if (root) {
@@ -131,7 +133,6 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {} }) {
         if (!root)
             begin();
         shown = drawn;
-        options = drawn.options;
         steps = drawn.steps;
         step = Math.min(step, steps);
         elements.drawing.innerHTML = drawn.svg;
@@ -189,8 +190,8 @@ export function liveFigure(figure, { ask, themeNow, onDrawn = () => {} }) {
         input.addEventListener("change", () => {
             const before = options;
             const shownNow = [...shown.handles, ...shown.typed].map((each) => each.options); // numbers may go together
-            options = { ...options, ...Object.assign({}, ...shownNow), [option]: input.value.replace(/\s/g, "").replaceAll("−", "-") };
-            redraw({}, (drawn) => { if (!drawn) options = before; });
+            const mine = options = { ...Object.assign({}, ...shownNow), ...options, [option]: input.value.replace(/\s/g, "").replaceAll("−", "-") };
+            redraw({}, (drawn) => { if (!drawn && options === mine) options = before; });
         });
         return label;
     }
