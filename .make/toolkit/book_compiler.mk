@@ -45,7 +45,7 @@ XZ := xz --check=crc32 --threads=1 --stdout
 $(BOOK_COMPILER)/small.wasm.xz: XZ_HOW := --lzma2=preset=8,dict=8MiB
 $(BOOK_COMPILER)/whole.wasm.xz: XZ_HOW := --lzma2=preset=1,dict=8MiB
 $(BOOK_COMPILER)/pack.xz: XZ_HOW := --lzma2=preset=9e,dict=4MiB
-$(COMPRESSED:%=$(BOOK_COMPILER)/%): $(BOOK_COMPILER)/%.xz: $(WASM_COMPILER)/%
+$(COMPRESSED:%=$(BOOK_COMPILER)/%): $(BOOK_COMPILER)/%.xz: $(WASM_COMPILER)/% .make/toolkit/book_compiler.mk
 	$(call say,compress,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(XZ) $(XZ_HOW) $< > $@

@@ -9,7 +9,7 @@ $(FINISH_FIGURE): $(call wasm_objects,chapters/book/finish_figure.c chapters/gal
 
 # gnuplot, and the layouts and scenes that the programs read. Compressed by xz, as the compiler is.
 BOOK_GNUPLOT := $(BOOK)/figures/gnuplot.wasm.xz
-$(BOOK_GNUPLOT): $(BOOK_PACKAGES)
+$(BOOK_GNUPLOT): $(BOOK_PACKAGES) .make/toolkit/book_figures.mk
 	$(Q)mkdir -p $(@D)
 	$(Q)$(XZ) --lzma2=preset=9e,dict=2MiB $(NPM)/node_modules/gnuplot-wasm/src/gnuplot.wasm > $@
 BOOK_LAYOUTS := $(BOOK)/figures/files.json
