@@ -4,8 +4,14 @@
 # Debian's clang compiles the same sources as for the terminal. A file that cannot be compiled there (libpng,
 # signals, processes) has one of the same name in chapters/book/instead/.
 WASM_CC := clang --target=wasm32-wasi -mmutable-globals
-WASM := build/wasm
-BOOK := build/book
+# FROM=handout: for a class whose solutions stay private. The site is made of what make handout packs, and judges by
+# recorded tables; it has its own folders, so nothing of the other site is ever in it.
+FROM ?=
+ifneq ($(filter-out handout,$(FROM)),)
+$(error FROM=$(FROM): the course in a page is made FROM=handout, or without FROM of the whole toolkit)
+endif
+WASM := build/wasm$(FROM:%=-%)
+BOOK := build/book$(FROM:%=-%)
 INSTEAD := chapters/book/instead
 WASM_EMULATED := signal mman process-clocks getpid
 WASM_LANGUAGE := -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -I. -isystem $(INSTEAD)/include \
@@ -33,9 +39,9 @@ $(WASM)/common.a $(WASM)/shared.a:
 
 # The chapters' programs, with the reference's answers: figures and pictures. Chapter 08 is about threads.
 BOOK_STEMS := $(filter-out 08-%,$(STEMS))
-BOOK_PROGRAMS := $(BOOK_STEMS:%=$(BOOK)/programs/%.wasm)
+BOOK_PROGRAMS := $(if $(FROM),,$(BOOK_STEMS:%=$(BOOK)/programs/%.wasm))
 wasm_program = $(call wasm_objects,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c chapters/$(1)/*/*.c)))
-$(BOOK_PROGRAMS): $(BOOK)/programs/%.wasm: $$(call wasm_program,$$*) $(call wasm_objects,$(BOOK_STEMS:%=solutions/%.c)) \
+$(BOOK_STEMS:%=$(BOOK)/programs/%.wasm): $(BOOK)/programs/%.wasm: $$(call wasm_program,$$*) $(call wasm_objects,$(BOOK_STEMS:%=solutions/%.c)) \
 		$(WASM)/shared.a $(WASM)/common.a
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
@@ -61,8 +67,12 @@ $(call wasm_of,$(BESIDE_REFERENCE)): $(B)/reference.h
 $(call wasm_of,$(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(call known,laws)): WASM_OPTIMIZE = -Oz
 WASM_HEARING := $(call wasm_of,$(filter-out $(REFERENCES),$(HEARING))) $(WASM_REFERENCES)
 BOOK_JUDGE := $(BOOK)/programs/judge.wasm
-$(BOOK_JUDGE): $(call wasm_of,$(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) $(TO_PROCESS) \
-		$(DRAWING) $(REPORTING) $(patsubst %,$(B)/tests/judge/%.o,judge reference/right_answer)) $(WASM_HEARING) \
+WASM_BY_REFERENCE = $(call wasm_of,$(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) \
+	$(B)/tests/judge/reference/right_answer.o) $(WASM_HEARING)
+WASM_BY_TABLE = $(call wasm_of,$(REPLAY) $(B)/tests/handout/replay/right_answer.o)
+$(WASM)/tests/handout/replay/table.o: WASM_EXTRA = '-DTABLES="tests/handout/replay"'
+$(BOOK_JUDGE): $(if $(FROM),$(WASM_BY_TABLE),$(WASM_BY_REFERENCE)) \
+		$(call wasm_of,$(TO_PROCESS) $(DRAWING) $(REPORTING) $(B)/tests/judge/judge.o) \
 		$(patsubst %,$(WASM)/$(INSTEAD)/%.o,check no_processes) $(WASM)/common.a
 	$(wasm_link)
 
@@ -72,7 +82,8 @@ $(BOOK_COURSE): $(call wasm_of,$(B)/tests/course/course.o $(COURSE_PARTS) $(B)/t
 		$(WASM)/$(INSTEAD)/no_processes.o $(WASM)/common.a
 	$(wasm_link)
 
-# What an answer is linked with: one object for each chapter, and common.a.
+# What an answer is linked with: one object for each chapter, and common.a. The reference for the chapters before is in
+# it, except FROM=handout: there the student's answers are linked too (tools.js).
 ANSWERING_LINKS := $(STEMS:%=$(WASM)/link/%.o)
 WASM_WRAPS := $(STEMS:%=$(WASM)/wraps/%.o)
 WASM_DISPATCHES := $(STEMS:%=$(WASM)/dispatch/%.o)
@@ -84,9 +95,9 @@ $(WASM_WRAPS): $(WASM)/wraps/%.o: $(INSTEAD)/calls_traced.c .make/toolkit/book.m
 	$(wasm_for_chapter)
 $(WASM_DISPATCHES): $(WASM)/dispatch/%.o: tests/judge/dispatch.c .make/toolkit/book.mk
 	$(wasm_for_chapter)
-$(ANSWERING_LINKS): $(WASM)/link/%.o: $(WASM)/wraps/%.o $(WASM)/dispatch/%.o $(call wasm_of,$(CALLING) $(lent)) \
+$(ANSWERING_LINKS): $(WASM)/link/%.o: $(WASM)/wraps/%.o $(WASM)/dispatch/%.o $(call wasm_of,$(CALLING) $(if $(FROM),,$(lent))) \
 		$(patsubst %,$(WASM)/%.o,$(INSTEAD)/answering $(INSTEAD)/steps tests/judge/answer_calls) \
-		$$(addsuffix .o,$$(addprefix $(WASM)/solutions/,$$(call earlier,$$*)))
+		$$(if $$(FROM),,$$(addsuffix .o,$$(addprefix $(WASM)/solutions/,$$(call earlier,$$*))))
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)wasm-ld -r -o $@ $^
@@ -97,7 +108,7 @@ $(STEMS:%=$(WASM)/names/%): $(WASM)/names/%: $(B)/answer_names/%
 
 # What the pictures of an answer are linked with, an object each: what draws them, the chapters' programs, the
 # reference as answer_NAME, and for each exercise one that puts this in the place of NAME.
-PICTURE_LINKS := $(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o) $(BOOK_STEMS:%=$(WASM)/link/%-right.o)
+PICTURE_LINKS := $(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o) $(if $(FROM),,$(BOOK_STEMS:%=$(WASM)/link/%-right.o))
 WASM_DRAW := $(WASM)/tests/course/pictures/draw.o
 $(WASM_DRAW): WASM_EXTRA = -include $(B)/weak.h
 $(WASM_DRAW): $(B)/weak.h
@@ -122,17 +133,22 @@ $(REFERENCE_LINKS)/made: $(INSTEAD)/reference_instead.c tests/exercises.def $(fo
 		$(WASM_CC) $(WASM_LANGUAGE) -DWANTED_$$name='~, ~' -Os -c -o $(@D)/$$name.o $< || exit 1; done
 	$(Q)touch $@
 # The colours that the pictures of the first chapters are given: a picture that page programs can read.
-BOOK_SPHERES := $(WASM)/link/spheres.png
+BOOK_SPHERES := build/wasm/link/spheres.png
+ifneq ($(FROM),)
+$(BOOK_SPHERES): FORCE
+	@$(MAKE) FROM= $@
+else
 $(BOOK_SPHERES): $(SPHERES) $(BOOK)/programs/07-shading.wasm chapters/book/run_program.mjs
 	$(call say,record,$@)
 	$(Q)node chapters/book/run_program.mjs $(BOOK)/programs/07-shading.wasm -o $@ $<
+endif
 
 # All of that in one file, which is fetched when the first picture is drawn. Paths as in the plan.
 BOOK_PICTURES := $(BOOK)/pictures.pack.gz
-$(BOOK_PICTURES): $(PICTURE_LINKS) $(REFERENCE_LINKS)/made $(BOOK_SPHERES) $(WASM)/shared.a $(SPHERES) $(wildcard chapters/[0-9]*/*.nff)
+$(BOOK_PICTURES): $(PICTURE_LINKS) $(if $(FROM),,$(REFERENCE_LINKS)/made) $(BOOK_SPHERES) $(WASM)/shared.a $(SPHERES) $(wildcard chapters/[0-9]*/*.nff)
 	$(call say,pack,$@)
 	$(Q)node chapters/book/compiler/write_pack.js $(WASM)/pictures.pack chapters/book/compiler/flags.json \
-		$$(for f in $(REFERENCE_LINKS)/*.o; do echo link/reference/$${f##*/}=$$f; done) $(foreach f,$(PICTURE_LINKS) $(BOOK_SPHERES) $(WASM)/shared.a,link/$(notdir $(f))=$(f)) \
+		$(if $(FROM),,$$(for f in $(REFERENCE_LINKS)/*.o; do echo link/reference/$${f##*/}=$$f; done)) $(foreach f,$(PICTURE_LINKS) $(BOOK_SPHERES) $(WASM)/shared.a,link/$(notdir $(f))=$(f)) \
 		$(foreach f,$(filter %.nff,$^),$(f)=$(f))
 	$(Q)gzip -9nc $(WASM)/pictures.pack > $@
 
@@ -142,9 +158,10 @@ $(BOOK_PLAN): .make/toolkit/book.mk
 	$(Q)mkdir -p $(@D)
 	$(Q)printf '%s\n' 'answers	exercises' 'built	build/exercises' 'verdict	build/exercises/verdict' \
 		'figures	build/exercises/figures' 'draw	draw --one' 'blanks	build/blanks' 'compile	compile' 'link	link' \
-		'lend	--lend=NAME' 'drawing	link/drawing.o' 'spheres	$(SPHERES) link/spheres.png' 'judge	judge' \
-		'reference	link/reference/NAME.o' 'libraries	link/common.a' \
-		$(foreach s,$(STEMS),'chapter	$(s)' 'objects	link/$(s).o' $(if $(filter $(s),$(BOOK_STEMS)),'right	link/$(s)-right.o' \
+		$(if $(FROM),'hide	hide','lend	--lend=NAME' 'reference	link/reference/NAME.o') \
+		'drawing	link/drawing.o' 'spheres	$(SPHERES) link/spheres.png' 'judge	judge' 'libraries	link/common.a' \
+		$(foreach s,$(STEMS),'chapter	$(s)' 'objects	link/$(s).o$(if $(FROM),$(foreach e,$(call earlier,$(s)), build/exercises/verdict/$(e)/answer.o))' \
+			$(if $(FROM),'stands on	$(call earlier,$(s))') $(if $(filter $(s),$(BOOK_STEMS)),$(if $(FROM),,'right	link/$(s)-right.o') \
 			'program	link/$(s)-program.o link/shared.a')) > $@
 
 book-programs: $(BOOK_PROGRAMS)

@@ -29,7 +29,7 @@ $(LESSON_NUMBERS): $(BOOK)/programs/%-numbers.wasm: $(WASM)/chapters/lessons/%.o
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_LINK) -Wl,--strip-all $(EXAMPLE_WRAPS) -o $@ $^ $(WASM_LIBS)
 
-BOOK_FIGURES := $(FINISH_FIGURE) $(BOOK_GNUPLOT) $(BOOK_LAYOUTS) $(LESSON_NUMBERS)
+BOOK_FIGURES := $(FINISH_FIGURE) $(BOOK_GNUPLOT) $(BOOK_LAYOUTS) $(if $(FROM),,$(LESSON_NUMBERS))
 book-figures: $(BOOK_FIGURES) $(BOOK_PROGRAMS)
 .PHONY: book-figures
 $(BOOK)/service_worker.js: $(BOOK_FIGURES)

@@ -38,4 +38,4 @@ check-book-verdicts: book-judge book-programs $(LIST_KNOWN) $(SAME_TANF) $(BOOK_
 		$(call FOR_JUDGING,$(STEMS)) ## the page's verdicts against the terminal's (COUNT=... of them, SEED=...)
 	@COUNT='$(or $(COUNT),$(if $(filter check-book-verdicts,$(MAKECMDGOALS)),,2))' CC='$(CC)' node tests/proof/book/verdicts.mjs '$(B)' '$(WASM)' '$(BOOK)' $(if $(EX),$(CHOSEN),$(BOOK_STEMS))
 .PHONY: check-book-verdicts
-check-book: check-book-verdicts
+$(if $(FROM),,check-book: check-book-verdicts)

@@ -174,16 +174,20 @@ export class Compiler {
     return linked.module ? {...linked, object, stage: 'compile', messages: compiled.stderr} : {...linked, object};
   }
 
+  /** The linker's words for a chapter's answer; objects: it, and the answers that it calls. */
+  linkWords(stem, objects = ['answer.o']) {
+    const names = new TextDecoder().decode(this.pack.get(`names/${stem}`)).split(/\s+/).filter(name => name !== '');
+    return this.flags.link.flatMap(word => word === 'WRAPS' ? names.map(name => `--wrap=${name}`)
+      : word === 'answer.o' ? objects : [word.replace('STEM', stem)]);
+  }
+
   /**
    * Links an object with what answers the judge's calls. Calls of an exercise, in the answer too, go through
    * chapters/book/instead/calls_traced.c.
    * @returns as compile
    */
   async link(stem, object) {
-    const names = new TextDecoder().decode(this.pack.get(`names/${stem}`)).split(/\s+/).filter(name => name !== '');
-    const words = this.flags.link.flatMap(word =>
-      word === 'WRAPS' ? names.map(name => `--wrap=${name}`) : [word.replace('STEM', stem)]);
-    const linked = await this.run(['llvm', 'wasm-ld', ...words], new Map([...this.pack, ['answer.o', object]]));
+    const linked = await this.run(['llvm', 'wasm-ld', ...this.linkWords(stem)], new Map([...this.pack, ['answer.o', object]]));
     if (linked.status !== 0) return {module: null, ...failed(linked, 'link')};
     return {module: await WebAssembly.compile(linked.files.get('answer.wasm')), status: 0, stage: 'link', messages: linked.stderr};
   }

@@ -3,6 +3,7 @@
 // It is the same C: tests/course/course.c and tests/judge/judge.c, each a WebAssembly program. This
 // module is what the system is to them: it starts one program for another, and carries the bytes
 // between the judge and the answer, which are two instances. Nothing of a verdict is decided here.
+import {hideHelpers} from './hide_helpers.js';
 import {Exit, Files, OutOfSteps, run, trapOf, wasi} from './wasi.js';
 
 const text = new TextDecoder(), STEPS_PER_SECOND = 30e6;
@@ -133,7 +134,7 @@ function runJudge(module, words, files, answerOf) {
  *          compile?: Tool, link?: Tool}} given
  *        files: those of build/book/tree. compile and link: the commands of its plan; a Tool is given
  *        the words of the command and all files, puts its output there, and returns
- *        {status, said, module?}
+ *        {status, said, module?}; without link, or if it returns nothing, a picture waits for draw()
  */
 export function createJudge({modules, files: given, compile, link}) {
   const files = new Files(given);
@@ -164,10 +165,15 @@ export function createJudge({modules, files: given, compile, link}) {
         made.set(output, {module: known.module, lent});
         return {status: 0, said: ''};
       }
-      const linked = isAnswer || link ? link(words.filter(w => !w.startsWith('--lend=')), files) : links.get(words.join(' '));
+      const linked = link?.(words.filter(w => !w.startsWith('--lend=')), files) ?? links.get(words.join(' '));
       if (!linked) throw new NeedsLink(words);
       if (linked.module) made.set(output, {module: linked.module, lent});
       return linked;
+    },
+    hide(words) { // only in a handout, where answers of earlier chapters are linked
+      const kept = new Set(files.text('build/exercises.names').split('\n'));
+      files.put(words[1], hideHelpers(files.get(words[1]), kept));
+      return {status: 0, said: ''};
     },
     judge: words => runJudge(modules.judge, words, files, path => made.get(path)),
     draw: () => ({status: 0, said: ''}), // the page draws figures by itself

@@ -42,6 +42,15 @@ export function toolsOf(compiler, objects) {
                 files.put(option(words, "-o"), object.slice());
             return result;
         },
+        /** An answer with the answers of earlier chapters, in a handout, which has no reference for those. Nothing for a picture. */
+        linkAnswer(words, files) {
+            const stem = /([^/]+)\/(answering|alone)$/.exec(option(words, "-o"))?.[1];
+            if (stem === undefined)
+                return undefined;
+            const objects = words.filter((word) => word.endsWith("/answer.o"));
+            const result = run(["wasm-ld", ...compiler.linkWords(stem, objects)], new Map([...compiler.pack, ...objects.map((name) => [name, files.get(name)?.slice() ?? new Uint8Array()])]));
+            return { status: result.status, said: result.said, module: result.status === 0 ? new WebAssembly.Module(result.files.get("answer.wasm")) : undefined };
+        },
         link(words, files) {
             const names = words.filter((word) => /\.[oa]$/.test(word) && word !== "link/common.a"); // that is in the pack
             const given = names.map((name) => [name, files.get(name) ?? objects.get(name)]);

@@ -50,8 +50,17 @@ const judging = once(async () => {
         unzipped("pictures.pack.gz"), compiler()]);
     const pictures = unpack(new Uint8Array(pack)), tools = toolsOf(ready, pictures);
     const files = new Map([...Object.entries(texts1), ...Object.entries(texts2), ...[...pictures].filter(([path]) => /\.(png|nff)$/.test(path))]);
-    return { judge: createJudge({ modules: { course, judge }, files, compile: tools.compile }), tools };
+    // A handout has no reference: an answer is linked with the student's answers before it.
+    const isHandout = /^stands on\t/m.test(texts1.plan);
+    return { judge: createJudge({ modules: { course, judge }, files, compile: tools.compile, link: isHandout ? tools.linkAnswer : undefined }), tools, isHandout };
 });
+
+/** A handout judges a chapter, and those before it, by tables. */
+const table = once(async (stem) => new Uint8Array(await (await unzipped(`tables/${stem}.table.gz`, "text/plain")).arrayBuffer()));
+async function fetchTables(judge, stem, sources) {
+    const stems = [...judge.files.text("plan").matchAll(/^chapter\t(.*)$/mg)].map(([, each]) => each);
+    await Promise.all(stems.filter((each) => each <= stem || each in sources).map(async (each) => judge.files.put(`tests/handout/replay/${each}.table`, await table(each))));
+}
 
 /** What the judge says; once more if it needs the whole compiler for that. */
 async function judged(ask) {
@@ -108,15 +117,18 @@ const answers = {
         return {};
     },
     async judge({ stem, sources, records, theme, columns }) {
-        const { judge: before } = await judging();
+        const { judge: before, isHandout } = await judging();
+        if (isHandout)
+            await fetchTables(before, stem, sources);
         // What was judged on other pages: the verdict counts the functions of all chapters.
         for (const [other, record] of Object.entries(records))
             if (!before.files.get(recordOf(other)))
                 before.files.put(recordOf(other), record);
         hearProgress("Judging");
-        const result = { [stem]: await compile(stem, sources[stem]) };
+        const result = isHandout ? {} : { [stem]: await compile(stem, sources[stem]) };
         const given = { stem, sources, compiled: result, columns };
-        const told = async (verdict) => ({ text: verdict.text || verdict.errors, record: verdict.record, messages: result[stem].messages,
+        const said = () => result[stem]?.messages ?? before.files.text(`build/exercises/verdict/${stem}/compiler`) ?? "";
+        const told = async (verdict) => ({ text: verdict.text || verdict.errors, record: verdict.record, messages: said(),
             ...countOf(await judged((judge) => judge.status([stem]).text), stem), pictures: await picturesOf(verdict, theme) });
         const verdict = await judged((judge) => judge.judge(given));
         if (!verdict.needs)
@@ -126,7 +138,10 @@ const answers = {
         return told(await judged((judge, tools) => judge.draw(given, async (words, files) => tools.link(words, files))));
     },
     async hint({ stem, sources, state }) {
-        const path = `build/exercises/verdict/${stem}.hint`, result = { [stem]: await compile(stem, sources[stem]) };
+        const { judge: before, isHandout } = await judging();
+        if (isHandout)
+            await fetchTables(before, stem, sources);
+        const path = `build/exercises/verdict/${stem}.hint`, result = isHandout ? {} : { [stem]: await compile(stem, sources[stem]) };
         const { text, errors, kept } = await judged((judge) => {
             if (state && !judge.files.get(path))
                 judge.files.put(path, state);

@@ -8,6 +8,9 @@ import { numbersFollow } from "./numbers.js";
 const fileOf = (site, { stem, name, step }, theme) =>
     new URL(`chapters/${stem}/figures/${name}${step ? `-step${step}` : ""}${theme === "dark" ? "-dark" : ""}.svg`, site);
 
+/** In the site of a handout, whose programs would hold answers. */
+const areStatic = document.documentElement.dataset.figures === "static";
+
 /**
  * @returns {{fetched: Promise<void>, shown: Promise<void>}} of the figures that are in sight at first: what they need is
  *          there; one of them is live. Both end also if there is none, or if it cannot be drawn.
@@ -21,6 +24,8 @@ export function setUpFigures({ site, themeNow }) {
         button.addEventListener("click", () => view.open(figure, button));
         figure.querySelector("figcaption").append(button);
     }
+    if (areStatic)
+        return { fetched: Promise.resolve(), shown: Promise.resolve() };
     const first = {}, fetched = new Promise((resolve) => { first.fetched = resolve; }), shown = new Promise((resolve) => { first.shown = resolve; });
     const atFirst = (what) => {
         const answer = helper.ask(what, first.fetched);
@@ -61,6 +66,8 @@ function fullScreenView({ site, themeNow, figures, helper }) {
         const words = figures[at].querySelector("img")?.alt ?? "";
         img.alt = words;
         try {
+            if (areStatic)
+                throw new Error("there is no program");
             const drawn = await helper.ask({ do: "figure", stem, name, theme: themeNow(), shape: "16:9", step: step || 1000 });
             if (mine !== shown)
                 return;

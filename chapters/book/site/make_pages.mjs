@@ -10,6 +10,7 @@ import { colouredC } from "./coloured_c.mjs";
 import { escape, figure, lessonHtml, pictureOf } from "./lesson.mjs";
 
 const [root, site, exercisesFile, lessonsFolder, handIn = ""] = process.argv.slice(2);
+const isHandout = !existsSync(join(root, "solutions")); // its figures stay static: their programs hold answers
 const used = new Set();
 const packageFolder = (name) => dirname(createRequire(import.meta.url).resolve(`${name}/package.json`));
 
@@ -57,7 +58,7 @@ function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
     const chapters = stems.map((other) => `<li><a href="${up}${other}.html" data-stem="${other}"${other === stem ? ' aria-current="page"' : ""} ` +
         `title="${escape(shortTitle(other))}"><span class="number">${other.slice(0, 2)}</span><span class="aloud"> ${escape(shortTitle(other))}</span></a></li>`).join("");
     return `<!DOCTYPE html>
-<html lang="en" data-up="${up}" data-kind="${kind}"${stem && ` data-stem="${stem}"`}>
+<html lang="en" data-up="${up}" data-kind="${kind}"${isHandout ? ' data-figures="static"' : ""}${stem && ` data-stem="${stem}"`}>
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
