@@ -238,8 +238,9 @@ static void find_more(Labels *labels, int number, double most)
         }
     }
     places->known = limit;
-    qsort(places->list + places->ordered, (size_t)(places->count - places->ordered), sizeof(Place),
-          by_cost);
+    if (places->count > places->ordered)
+        qsort(places->list + places->ordered, (size_t)(places->count - places->ordered),
+              sizeof(Place), by_cost);
     while (places->ordered < places->count && !(places->list[places->ordered].cost >= limit))
         places->ordered++;
 }

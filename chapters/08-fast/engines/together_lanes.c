@@ -110,7 +110,7 @@ static inline bool any_may_meet(const Lines *lines, const Known *known, const Ra
         double pp = x * x + y * y + z * z, margin = MARGIN * (pp + rr);
         double outside = pp - rr - margin, most = rr - pp + along * along + margin;
         double beyond = along - known->end[i];
-        beyond = (beyond > 0) & (outside > 0) ? beyond : 0;
+        beyond = ((beyond > 0) & (outside > 0)) ? beyond : 0;
         any |= (most >= beyond * beyond) & !((along < 0) & (outside > 0));
     }
     return any != 0;
@@ -137,7 +137,7 @@ static inline void meet(const Lines *lines, Known *known, const RayWorld *world,
         bool misses = (most < 0) | ((out > margin) & (along < 0));
         begin = fabs(out) > margin && begin > 0 ? begin : 0;
         begin = misses ? INFINITY : begin;
-        end = certain & !misses ? end : INFINITY;
+        end = (certain & !misses) ? end : INFINITY;
         bool wins = end < known->end[i];
         double loser = wins ? known->begin[i] : begin;
         known->begin[i] = wins ? begin : known->begin[i];
