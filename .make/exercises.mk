@@ -63,7 +63,7 @@ SHARED := $(if $(SANITIZE),,$(wildcard /proc/self/exe))
 LOADING := $(STEMS:%=$(B)/answering/%)
 ANY_ANSWER := $(B)/answering/any/answer.so
 LENT_SHARED := $(patsubst %.o,%.pic.o,$(lent))
-$(ANY_ANSWER): $(B)/exercises.names
+$(ANY_ANSWER): $(B)/exercises.names $(SETUP_FIRST)
 	$(Q)mkdir -p $(@D)
 	$(Q)sed 's/.*/void &(void); void &(void) {}/' $< | $(CC) -shared -fPIC -Wl,-soname,answer.so -o $@ -x c -
 without_answers = $(filter %.o,$(filter-out $(VERDICT)/%,$(call answering,$(1))))
@@ -74,7 +74,7 @@ $(LOADING): $(B)/answering/%: $$(call without_answers,$$*) \
 $(LOADING:%=%.names): %.names: %
 	$(Q){ echo _GLOBAL_OFFSET_TABLE_; nm -gP --defined-only $<; for library in libc libm; do \
 		nm -DgP --defined-only "$$($(CC) -print-file-name=$$library.so.6)" 2>/dev/null; done; } | sed 's/[@ ].*//' > $@
-$(B)/%.pic.o: %.c $(B)/flags.mk
+$(B)/%.pic.o: %.c $(B)/flags.mk $(SETUP_FIRST)
 	$(call say,compile,$<)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -fPIC -o $@ $<
@@ -83,7 +83,7 @@ FOR_SHARED = $(if $(SHARED),$(patsubst %,$(B)/answering/%.names,$(1)) $(LENT_SHA
 # Half of the time to compile a short answer is spent reading <math.h>, which most contracts include: gcc finds
 # those precompiled, ahead of -I. (the answers' names are made weak there, because nothing may come before).
 PRECOMPILED := $(if $(IS_CLANG),,$(STEMS:%=$(B)/precompiled/exercises/%.h))
-$(PRECOMPILED): $(B)/precompiled/%: % $(wildcard common/*.h) $(B)/weak.h $(B)/flags.mk
+$(PRECOMPILED): $(B)/precompiled/%: % $(wildcard common/*.h) $(B)/weak.h $(B)/flags.mk $(SETUP_FIRST)
 	$(Q)mkdir -p $(@D) && rm -f $@.gch
 	$(Q)printf '%s\n' '#include "$(B)/weak.h"' '#include_next "$<"' > $@
 	$(Q)if [ "$$($(CC) $(LANGUAGE) -E $< | wc -c)" -gt 20000 ]; then $(COMPILE_QUICKLY) -x c-header -o $@.gch $@ 2>/dev/null || true; fi
