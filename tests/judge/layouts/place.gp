@@ -11,7 +11,7 @@ frame = "filledcurves closed fc rgb surface fs solid border lc rgb ink lw 1.2"
 
 plot $into using @into with @frame title "into", \
     $from using @from with @frame title "from", \
-    $once using (width * 0.47):(height * 0.45):(has_given ? width * 0.06 : 1e9):(0) with @arrow lc rgb ink title "becomes", \
+    $once using (width * 0.47):(has_given ? height * 0.45 : 1e9):(width * 0.06):(0) with @arrow lc rgb ink title "becomes", \
     $given using @from with @dot lc rgb ink title "given", \
     $right using @into with @dot lc rgb blue title "right", \
     @step2 $yours using @into with @ring lc rgb ink title "yours", \
