@@ -136,6 +136,9 @@ void plot_ball(Plot *plot, vec3 center, double radius);
 void plot_circle(Plot *plot, vec3 center, double radius);
 void plot_line(Plot *plot, vec3 from, vec3 to, double moved_u, double moved_v);
 
+// The same, from a place in another panel to one in this.
+void plot_line_from(Plot *plot, int panel, vec3 from, vec3 to);
+
 // A label, and what it names: a row of a block, or where 'block' is NULL a place of its own.
 // text: $...$ is mathematics, {NAME} is the words of NAME (plot_number, plot_vector, ...), and
 // {NAME!} is the same, and yours if it differs. A label may have several lines. Of a row that is

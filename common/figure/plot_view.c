@@ -21,8 +21,9 @@ static const int canvas_width[SHAPES] = {960, 720};
 typedef struct {
     char block[NAME_SIZE]; // "" for what is in none
     int row, panel;
-    bool yours;    // beside what is right
-    bool is_arrow; // else a point, to, with a line from the one before it
+    int from_panel; // where it begins: mostly the same
+    bool yours;     // beside what is right
+    bool is_arrow;  // else a point, to, with a line from the one before it
     vec3 from, to;
     double radius; // of a ball
     double moved_u, moved_v;
@@ -140,8 +141,7 @@ void plot_view_free(PlotView *view)
     free(view);
 }
 
-// ---- what the figure says
-// -------------------------------------------------------------------------
+// ---- what the figure says -----------------------------------------------------------------------
 
 // At first for all panels, then for this one and those after it.
 static void look(PlotView *view, Look look)
@@ -243,13 +243,12 @@ void plot_pin(Plot *plot, double across, double up, const Label *lines, int coun
     ((Wanted *)plot->view->wanted.items + first)->pinned = true;
 }
 
-// ---- what is drawn
-// ----------------------------------------------------------------------------------
+// ---- what is drawn ------------------------------------------------------------------------------
 
 static Mark *mark(Plot *plot, vec3 from, vec3 to)
 {
     Mark *mark = add(&plot->view->marks, sizeof(Mark));
-    mark->panel = plot->view->panel;
+    mark->panel = mark->from_panel = plot->view->panel;
     mark->from = from;
     mark->to = to;
     return mark;
@@ -275,6 +274,11 @@ static void move(PlotView *view, Mark *mark, double u, double v)
 void plot_line(Plot *plot, vec3 from, vec3 to, double moved_u, double moved_v)
 {
     move(plot->view, mark(plot, from, to), moved_u, moved_v);
+}
+
+void plot_line_from(Plot *plot, int panel, vec3 from, vec3 to)
+{
+    mark(plot, from, to)->from_panel = panel;
 }
 
 void plot_undrawn(Plot *plot)
@@ -367,8 +371,7 @@ void plot_view_block_end(Plot *plot, const char *right, size_t size)
     view->moved_u = view->moved_v = 0;
 }
 
-// ---- onto the canvas
-// --------------------------------------------------------------------------------
+// ---- onto the canvas ----------------------------------------------------------------------------
 
 static Spot spot_of(const PlotView *view, int shape, int panel, vec3 place)
 {
@@ -413,13 +416,14 @@ static Area room_of(const PlotView *view, int shape, int panel)
                   HEIGHT * room.top - fmax(over.top, around.top)};
 }
 
-// How large a panel can be; infinite if nothing has to be seen in it.
+// How large a panel can be; infinite if nothing has to be seen in it. Where its labels want the
+// whole room, a little is left for it.
 static double size_of(const PlotView *view, int shape, int panel)
 {
+    const double least = 10;
     Area seen = to_be_seen(view, panel), room = room_of(view, shape, panel);
-    double size = fmin((room.right - room.left) / (seen.right - seen.left),
-                       (room.top - room.bottom) / (seen.top - seen.bottom));
-    return size > 0 ? size : INFINITY;
+    return fmin(fmax(room.right - room.left, least) / (seen.right - seen.left),
+                fmax(room.top - room.bottom, least) / (seen.top - seen.bottom));
 }
 
 // Chooses how large the panels are: so that all that has to be seen, and the labels around it, fill
@@ -583,7 +587,7 @@ static void draw(const PlotView *view, int shape, Labels *labels)
         draw_room(((const Room *)view->clear.items)[i], canvas_width[shape], labels);
     for (int i = 0; i < view->marks.count; i++) {
         const Mark *mark = &marks[i];
-        Spot from = moved(spot_of(view, shape, mark->panel, mark->from), mark);
+        Spot from = moved(spot_of(view, shape, mark->from_panel, mark->from), mark);
         Spot to = moved(spot_of(view, shape, mark->panel, mark->to), mark);
         if (mark->radius > 0)
             labels_disc(labels, from, mark->radius * view->size[shape][mark->panel]);
@@ -781,8 +785,7 @@ static void place(PlotView *view, int shape)
     place_in(view, shape, best.part, true);
 }
 
-// ---- what the script is told
-// -------------------------------------------------------------------------
+// ---- what the script is told --------------------------------------------------------------------
 
 static void write_both(FILE *out, const char *name, int number, double wide, double narrow)
 {
@@ -945,8 +948,7 @@ bool plot_view_end(Plot *plot)
     return true;
 }
 
-// ---- a view that is kept, and places in it (plot_handle.c)
-// --------------------------------------------------------------------------------
+// ---- a view that is kept, and places in it (plot_handle.c) --------------------------------------
 
 void plot_view_only(Plot *plot, int shape)
 {

@@ -58,6 +58,8 @@ static void screen_to_unit_words(Plot *plot)
 {
     const Label mapping[] = {{"$s = x/${screen_W}", "orange", .step = 3},
                              {"$t = 1 − y/${screen_H}", "green", .step = 3}};
+    // The arrow between them, which the layout draws.
+    plot_keep_clear(plot, (Room){0.455, 0.615, 0.42, 0.44}, (Room){0.43, 0.64, 0.42, 0.44});
     plot_pin(plot, 0.535, 0.57, &mapping[0], 1);
     plot_pin(plot, 0.535, 0.43, &mapping[1], 1);
     const char *from_top =

@@ -55,14 +55,16 @@ static void chain(Plot *plot, const Aim *aim, ScreenPoint center, Normalized pla
     plot_panel(plot, 3);
     plot_room(plot, (Room){0.22, 0.40, 0.62, 0.845}, (Room){0.29, 0.57, 0.62, 0.845});
     flat_panel(plot, "display", flat(0, -size[1]), size, middle, false);
+    // The rims of the lens.
+    plot_line_from(plot, 2, flat(column + 1, -row), flat(column, -row));
+    plot_line_from(plot, 2, flat(column + 1, -row - 1), flat(column, -row - 1));
     plot_name(plot,
               (Label){"screen", "ink", .step = 1, .block = "display", .row = 3, .part = ANYWHERE});
     plot_panel(plot, 4);
     plot_room(plot, (Room){0.48, 0.61, 0.62, 0.845}, (Room){0.72, 0.95, 0.62, 0.845});
     flat_panel(plot, "unit", flat(0, 0), flat(1, 1), flat(place.s, place.t), true);
     plot_name(plot, (Label){"$(s, t)$", "blue", .step = 3, .block = "unit_point"});
-    // Between them are the rims of the lens, and an arrow.
-    plot_keep_clear(plot, (Room){0.18, 0.22, 0.62, 0.80}, (Room){0.23, 0.29, 0.62, 0.80});
+    // The arrow between them, which the layout draws.
     plot_keep_clear(plot, (Room){0.40, 0.48, 0.66, 0.74}, (Room){0.57, 0.72, 0.66, 0.74});
     plot_panel(plot, 1);
 }
