@@ -92,8 +92,7 @@ static Path folder_of(const char *name)
     return path_of("%s/%s", folder, home_of(name).s);
 }
 
-// ---- files
-// ----------------------------------------------------------------------------------------
+// ---- files --------------------------------------------------------------------------------------
 
 static bool exists(Path path)
 {
@@ -162,8 +161,7 @@ static void remove_work(void)
         remove_folder(work.s);
 }
 
-// ---- what is wanted
-// -------------------------------------------------------------------------------
+// ---- what is wanted -----------------------------------------------------------------------------
 
 // The words of a variable, which may be these, up to NULL.
 static List wanted(const char *variable, const char *by_default, const char *const *allowed)
@@ -245,8 +243,7 @@ static bool has_font(void)
     return differ;
 }
 
-// ---- one picture
-// ----------------------------------------------------------------------------------
+// ---- one picture --------------------------------------------------------------------------------
 
 // gnuplot's messages, with the lines of the layout: gnuplot counts those of the script. For a
 // command on several lines it names the last line and a place in it: the text of that place is
@@ -452,8 +449,7 @@ static bool draw_one(const Job *job, FILE *out)
     return false;
 }
 
-// ---- all pictures
-// ---------------------------------------------------------------------------------
+// ---- all pictures -------------------------------------------------------------------------------
 
 // Adds a picture, unless it is newer than the copy of the script that it was drawn from.
 static void add_job(const char *name, const char *output, const char *format, const char *theme,

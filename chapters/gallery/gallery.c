@@ -70,8 +70,7 @@ static bool is_newer(Path path, Path other)
                                                 : a.st_mtim.tv_nsec > b.st_mtim.tv_nsec;
 }
 
-// ---- names
-// -----------------------------------------------------------------------------------------
+// ---- names --------------------------------------------------------------------------------------
 
 static bool has_name(const Names *names, const char *name)
 {
@@ -112,8 +111,7 @@ static bool show_once(Gallery *gallery, const char *kind, const char *name)
     return true;
 }
 
-// ---- text
-// -----------------------------------------------------------------------------------------
+// ---- text ---------------------------------------------------------------------------------------
 
 static void put_escaped(FILE *out, const char *text)
 {
@@ -182,8 +180,7 @@ static void read_heading(Path path, char *heading, size_t size)
     snprintf(heading, size, "%s", text);
 }
 
-// ---- pictures
-// -------------------------------------------------------------------------------------
+// ---- pictures -----------------------------------------------------------------------------------
 
 // A PNG has its width and height behind 16 bytes, each in four, the largest first.
 static void put_size_of_png(FILE *out, Path path)
@@ -259,8 +256,7 @@ static void put_picture(FILE *out, const Gallery *gallery, const char *file, boo
     fprintf(out, "</ul></dd></dl>\n</figcaption></figure>\n");
 }
 
-// ---- figures
-// --------------------------------------------------------------------------------------
+// ---- figures ------------------------------------------------------------------------------------
 
 // A row of links to all formats of one shape, step and theme; nothing if there is none. Figures
 // of an older script are not linked.
@@ -373,8 +369,7 @@ static void put_figure(FILE *out, const Gallery *gallery, const char *name)
     fprintf(out, "</figcaption></figure>\n");
 }
 
-// ---- animations
-// -------------------------------------------------------------------------------------
+// ---- animations ---------------------------------------------------------------------------------
 
 // A row of links to the videos of one theme; nothing if there is none.
 static void put_videos(FILE *out, const Gallery *gallery, const char *name, const char *suffix,
@@ -442,8 +437,7 @@ static void put_animation(FILE *out, const Gallery *gallery, const char *name)
     fprintf(out, "</dl>\n</figcaption></figure>\n");
 }
 
-// ---- the list
-// --------------------------------------------------------------------------------------------
+// ---- the list -----------------------------------------------------------------------------------
 
 // The section of that heading, which is new, or the last one if there are too many.
 static Section *begin_section(Gallery *gallery, const char *heading)
@@ -591,8 +585,7 @@ static bool show_list(Gallery *gallery, const char *path)
     return file != NULL;
 }
 
-// ---- what the list does not have
-// ----------------------------------------------------------------------------
+// ---- what the list does not have ----------------------------------------------------------------
 
 // The picture and the figures of a chapter.
 static void show_chapter(Gallery *gallery, const char *stem)
@@ -637,8 +630,7 @@ static void show_rest(Gallery *gallery)
     show_all(gallery, "More pictures", "gallery/*.png", show_scene);
 }
 
-// ---- the page
-// -------------------------------------------------------------------------------------
+// ---- the page -----------------------------------------------------------------------------------
 
 static bool put_file(FILE *out, const char *path)
 {

@@ -49,8 +49,7 @@ void plot_fit_wrong(Plot *plot, vec3 place);
 // Writes $fit, when all else is written.
 void plot_fit_end(Plot *plot);
 
-// ---- from where it is seen (plot_view.c)
-// ---------------------------------------------------------
+// ---- from where it is seen (plot_view.c) --------------------------------------------------------
 
 PlotView *plot_view_new(void);
 void plot_view_free(PlotView *view);

@@ -58,8 +58,7 @@ static CameraFault small_edges_refused(vec3 eye, vec3 corner, vec3 across, vec3 
     return small_planes_refused(eye, spanned(corner - eye, across, up), camera);
 }
 
-// ---- one of two sizes
-// -----------------------------------------------------------------------------
+// ---- one of two sizes ---------------------------------------------------------------------------
 
 static CameraFault half_of_the_width(vec3 eye, Corners v, Camera *camera)
 {

@@ -3,8 +3,7 @@
 // one); and those that forget one of three components.
 #include "tests/05-quadratic/mistakes.h"
 
-// ---- quadratic_roots
-// ------------------------------------------------------------------------------
+// ---- quadratic_roots ----------------------------------------------------------------------------
 
 static const double tiny = 1e-6;
 
@@ -38,8 +37,7 @@ static Roots in_float(Quadratic q)
     return d < 0 ? no_roots : in_order((-b - root) / (2 * a), (-b + root) / (2 * a));
 }
 
-// ---- sphere_roots, hit_sphere
-// -----------------------------------------------------------------------
+// ---- sphere_roots, hit_sphere -------------------------------------------------------------------
 
 static Roots nothing_shorter_than_a_millionth(Ray ray, Sphere s)
 {
@@ -85,8 +83,7 @@ static double hit_in_float(Ray ray, Sphere s)
     return NO_HIT;
 }
 
-// ---- a, b, c
-// ----------------------------------------------------------------------------------------
+// ---- a, b, c ------------------------------------------------------------------------------------
 
 static Quadratic equation_in_float(Ray ray, double radius)
 {
@@ -112,8 +109,7 @@ static Quadratic a_at_least_a_millionth(Ray ray, double radius)
     return q;
 }
 
-// ---- two of three components
-// ------------------------------------------------------------------------
+// ---- two of three components --------------------------------------------------------------------
 
 static Ray z_not_moved(Ray ray, Sphere s)
 {

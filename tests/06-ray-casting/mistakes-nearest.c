@@ -4,8 +4,7 @@
 
 #include <float.h>
 
-// ---- one loop, and possible slips in it
-// ----------------------------------------------------------
+// ---- one loop, and possible slips in it ---------------------------------------------------------
 
 static bool more(double t, double best)
 {

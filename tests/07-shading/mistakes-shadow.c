@@ -1,8 +1,7 @@
 // mistakes-shadow.c - wrong answers to visibility: the ray, and which hits count.
 #include "tests/07-shading/mistakes-scene.h"
 
-// ---- one loop, and possible slips in it
-// ----------------------------------------------------------
+// ---- one loop, and possible slips in it ---------------------------------------------------------
 
 static double visible_if(bool visible)
 {

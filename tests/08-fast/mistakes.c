@@ -6,8 +6,7 @@
 
 #include <math.h>
 
-// ---- the right way, with places to go wrong
-// ------------------------------------------------------
+// ---- the right way, with places to go wrong -----------------------------------------------------
 
 // Places on a plane at distance 1: to the right, and up.
 typedef struct {
@@ -85,8 +84,7 @@ static ScreenRectangle with_view(Camera c, Resolution screen, View v)
         return with_outline(c, screen, sphere, outline);                                           \
     }
 
-// ---- the tangents
-// --------------------------------------------------------------------------------
+// ---- the tangents -------------------------------------------------------------------------------
 
 static Outline outline_radius_over_ahead(View v)
 {
@@ -262,8 +260,7 @@ static const Mistake tangent_mistakes[] = {
     {0},
 };
 
-// ---- the camera and the screen
-// -------------------------------------------------------------------
+// ---- the camera and the screen ------------------------------------------------------------------
 
 static ScreenRectangle axes_of_the_world(Camera c, Resolution screen, Sphere sphere)
 {
@@ -456,8 +453,7 @@ static const Mistake screen_mistakes[] = {
     {0},
 };
 
-// ---- the cases
-// -----------------------------------------------------------------------------------
+// ---- the cases ----------------------------------------------------------------------------------
 
 static ScreenRectangle not_cut_off(Camera c, Resolution screen, Sphere sphere)
 {

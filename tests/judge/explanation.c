@@ -218,8 +218,7 @@ static Diagnosis two_at_once(const Evidence *evidence)
     return it;
 }
 
-// ---- wrong answers that no formula explains
-// -------------------------------------------------------
+// ---- wrong answers that no formula explains -----------------------------------------------------
 
 // The positions of the numbers in a result that were never written: the stack's old contents were
 // returned.

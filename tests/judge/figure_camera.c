@@ -8,8 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// ---- a camera: ahead to the plane, its width, its height
-// ----------------------------------------------
+// ---- a camera: ahead to the plane, its width, its height ----------------------------------------
 
 static struct {
     Camera right, yours;

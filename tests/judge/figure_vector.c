@@ -11,8 +11,7 @@
 
 enum { GRID = 8 };
 
-// ---- a vector or a ray from the eye
-// -----------------------------------------------------------------
+// ---- a vector or a ray from the eye -------------------------------------------------------------
 
 static struct {
     Camera camera;
@@ -131,8 +130,7 @@ void write_vector(Plot *plot, void *given)
     beside_names(plot);
 }
 
-// ---- a ray in object coordinates
-// ---------------------------------------------------------------------
+// ---- a ray in object coordinates ----------------------------------------------------------------
 
 static double radius;
 

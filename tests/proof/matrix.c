@@ -213,8 +213,7 @@ static void check_parts(void)
                     check_part(whole, &mistakes[table][i]);
 }
 
-// ---- hard-coded answers
-// --------------------------------------------------------------------------
+// ---- hard-coded answers -------------------------------------------------------------------------
 
 static void check_by_heart(const char *function, const char *seed)
 {

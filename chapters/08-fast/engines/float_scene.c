@@ -82,8 +82,7 @@ void seen_scene_free(SeenScene *scene)
     hierarchy_free(&scene->hierarchy);
 }
 
-// ---- for one camera
-// ----------------------------------------------------------------------------------
+// ---- for one camera -----------------------------------------------------------------------------
 
 static void see_spheres(void *given, int part)
 {

@@ -12,8 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// ---- a folder of its own, in which the headers are
-// -------------------------------------------------
+// ---- a folder of its own, in which the headers are ----------------------------------------------
 
 static char top[4000];
 static char folder[100];
@@ -79,8 +78,7 @@ static void expect_said(Explainer *explainer, const char *answer, const char *wo
     free(said);
 }
 
-// ---- the cases
-// ------------------------------------------------------------------------------------
+// ---- the cases ----------------------------------------------------------------------------------
 
 static char *file_text(const char *path)
 {
@@ -209,8 +207,7 @@ START_TEST(bytes)
 }
 END_TEST
 
-// ---- what is false is not said
-// --------------------------------------------------------------------
+// ---- what is false is not said ------------------------------------------------------------------
 
 #define UPPER_LEFT "#include \"exercises/01-corners.h\"\n\nvec3 upper_left(Camera c)\n"
 
@@ -292,8 +289,7 @@ START_TEST(a_statement_without_end_is_not_read_to_its_end)
 }
 END_TEST
 
-// ---- the linker
-// -----------------------------------------------------------------------------------
+// ---- the linker ---------------------------------------------------------------------------------
 
 START_TEST(a_main_of_ones_own_is_to_be_left_out)
 {
@@ -325,8 +321,7 @@ START_TEST(other_words_of_the_linker_are_quoted)
 }
 END_TEST
 
-// ---- slips
-// ----------------------------------------------------------------------------------------
+// ---- slips --------------------------------------------------------------------------------------
 
 static void expect_slips(const char *answer, const char *words, const char *help, bool is_comma)
 {

@@ -83,8 +83,7 @@ static void set_test(Test *test, const char *program)
             *c = '_';
 }
 
-// ---- running
-// --------------------------------------------------------------------------------------
+// ---- running ------------------------------------------------------------------------------------
 
 // Each test is a process group, which ends as a whole if this program gets a signal to end.
 static void stop(int signal_number)
@@ -135,8 +134,7 @@ static Test *next(void)
     return NULL;
 }
 
-// ---- what they say
-// --------------------------------------------------------------------------------
+// ---- what they say ------------------------------------------------------------------------------
 
 static void add_thing(long number, const char *words)
 {
@@ -273,8 +271,7 @@ static void run_all(int at_a_time)
     show_progress(count);
 }
 
-// ---- the end
-// --------------------------------------------------------------------------------------
+// ---- the end ------------------------------------------------------------------------------------
 
 static void keep_logs(const char *folder)
 {
