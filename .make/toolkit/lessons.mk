@@ -36,6 +36,7 @@ $(FILLED) $(if $(filter solutions,$(A)),$(SCRIPTS) $(PICTURES)): | $(EXAMPLE_CHE
 # them as well; but it does not write over a lesson that was changed by hand instead of its source. Lessons that
 # are as they should be keep their dates.
 LESSONS_MADE := $(B)/lessons/made
+MAKE_AGAIN = $(MAKE)# 'make -n' would run a recipe that has $(MAKE) itself
 $(LESSONS_MADE): $(FILLED) | $(DRAWN) $(PICTURES) $$(FOR_EXERCISES)
 	@written=; kept=; for stem in $(LESSONS); do \
 		lesson=chapters/$$stem/README.md; source=chapters/lessons/$$stem.md; \
@@ -43,7 +44,7 @@ $(LESSONS_MADE): $(FILLED) | $(DRAWN) $(PICTURES) $$(FOR_EXERCISES)
 		elif [ -z '$(filter lessons,$(MAKECMDGOALS))' ] && [ $$lesson -nt $$source ] && [ $$lesson -nt chapters/example.h ]; then \
 			kept=yes; echo "$$lesson differs from what $$source makes: 'make lessons' writes it again"; \
 		else written=yes; cp $(B)/lessons/$$stem.md $$lesson && echo "wrote $$lesson"; fi; done; \
-	[ -z "$$written" ] || MAKEFLAGS= $(MAKE) --no-print-directory $(MAKEOVERRIDES) lesson-figures || exit; \
+	[ -z "$$written" ] || MAKEFLAGS= $(MAKE_AGAIN) --no-print-directory $(MAKEOVERRIDES) lesson-figures || exit; \
 	[ -n "$$kept" ] || touch $@
 ifeq ($(A),solutions)
 $(BUILT)/made $(PAGE): $(LESSONS_MADE)
