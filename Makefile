@@ -101,8 +101,8 @@ endif
 # has just installed.
 look = $(if $(shell pkg-config --exists $(1) 2>/dev/null && echo yes),$(shell \
 	pkg-config $(2) $(1)),$(error $(1) (or pkg-config) is missing: 'make setup' installs it))
-PNG_CFLAGS = $(eval PNG_CFLAGS := $$(call look,libpng,--cflags))$(PNG_CFLAGS)
-PNG_LIBS = $(eval PNG_LIBS := $$(call look,libpng,--libs))$(PNG_LIBS)
+PNG_CFLAGS = $(eval PNG_CFLAGS := $$(call look,libpng zlib,--cflags))$(PNG_CFLAGS)
+PNG_LIBS = $(eval PNG_LIBS := $$(call look,libpng zlib,--libs))$(PNG_LIBS)
 CHECK_CFLAGS = $(eval CHECK_CFLAGS := $$(call look,check,--cflags))$(CHECK_CFLAGS)
 CHECK_LIBS = $(eval CHECK_LIBS := $$(call look,check,--libs))$(CHECK_LIBS)
 

@@ -1,63 +1,179 @@
-// image_png.c - an image as a PNG file, by libpng, whole or not at all.
+// image_png.c - an image as a PNG file, by libpng and zlib, whole or not at all.
+//
+// The rows are encoded in bands, by the threads that a program lends. libpng compresses rows only
+// one after the other, so zlib compresses the bands, and their streams are joined: each ends with a
+// whole byte (Z_SYNC_FLUSH) and needs no bytes of another one, so one after the other they are one
+// stream. libpng writes the parts of the file. Bands do not depend on the number of threads, so the
+// bytes of the file do not either.
 #include "common/image.h"
 
 #include "common/whole_file.h"
+#include "common/workers.h"
 
 #include <errno.h>
 #include <png.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <zlib.h>
+
+enum { BAND_ROWS = 64, BANDS_AT_ONCE = 32, MOST_COLORS = 256, SLOTS = 1024 };
+
+// Different colours, found by open addressing.
+typedef struct {
+    int count;
+    uint32_t keys[MOST_COLORS];
+    uint16_t slots[SLOTS]; // the index of a colour, from 1; 0: free
+} Colors;
+
+typedef struct {
+    const Image *image;
+    int row, rows;
+    bool flat; // at most MOST_COLORS colours
+    Colors colors;
+    uint8_t *indices;                // of the band's pixels, into its colours
+    uint8_t in_palette[MOST_COLORS]; // the palette's index of each of its colours
+    int bits;                        // of an index; 0 if the picture has no palette
+    bool last;
+    uint8_t *stream; // room for zlib's header, the compressed rows, room for their checksum
+    size_t size, row_bytes;
+    uLong check; // Adler-32 of the rows
+} Band;
+
+enum { HEADER = 2, CHECKSUM = 4 };
 
 // ---- flat pictures ----------------------------------------------------------------------------
 
-// The colours of a picture that has few, found by open addressing.
-enum { MOST_COLORS = 256, SLOTS = 1024 };
-typedef struct {
-    int count;
-    png_color colors[MOST_COLORS];
-    int slots[SLOTS]; // where a colour stands, from 1; 0: none
-} Palette;
-
-// The slot of a colour, or the free slot for it. (2654435761: Knuth's, 2^32 over the golden ratio.)
-static int *slot_of(Palette *palette, const uint8_t *rgb)
+static uint32_t key_of(const uint8_t *rgb)
 {
-    uint32_t key = rgb[0] | (uint32_t)rgb[1] << 8 | (uint32_t)rgb[2] << 16;
-    uint32_t i = (key * 2654435761u) >> 22;
-    while (palette->slots[i] != 0 && memcmp(&palette->colors[palette->slots[i] - 1], rgb, 3) != 0)
-        i = (i + 1) % SLOTS;
-    return &palette->slots[i];
+    return rgb[0] | (uint32_t)rgb[1] << 8 | (uint32_t)rgb[2] << 16;
 }
 
-// False where there are too many.
-static bool find_colors(const Image *image, Palette *palette)
+// The index of a colour, which is added if it is new; -1 if there are too many. (2654435761:
+// Knuth's, 2^32 over the golden ratio.)
+static int index_of(Colors *colors, uint32_t key)
 {
-    *palette = (Palette){0};
-    size_t pixels = (size_t)image->size.width * (size_t)image->size.height;
-    for (size_t i = 0; i < pixels; i++) {
-        const uint8_t *rgb = image->rgb + 3 * i;
-        if (i > 0 && memcmp(rgb, rgb - 3, 3) == 0)
-            continue;
-        int *slot = slot_of(palette, rgb);
-        if (*slot != 0)
-            continue;
-        if (palette->count == MOST_COLORS)
-            return false;
-        palette->colors[palette->count] = (png_color){rgb[0], rgb[1], rgb[2]};
-        *slot = ++palette->count;
+    uint32_t i = (key * 2654435761u) >> 22;
+    while (colors->slots[i] != 0 && colors->keys[colors->slots[i] - 1] != key)
+        i = (i + 1) % SLOTS;
+    if (colors->slots[i] == 0) {
+        if (colors->count == MOST_COLORS)
+            return -1;
+        colors->keys[colors->count] = key;
+        colors->slots[i] = (uint16_t)++colors->count;
     }
+    return colors->slots[i] - 1;
+}
+
+static void find_colors(void *given, int i)
+{
+    Band *band = (Band *)given + i;
+    const uint8_t *rgb = image_bytes(band->image, (Pixel){0, band->row});
+    size_t pixels = (size_t)band->rows * (size_t)band->image->size.width;
+    uint32_t last = key_of(rgb);
+    int index = index_of(&band->colors, last);
+    for (size_t k = 0; k < pixels && index >= 0; k++, rgb += 3) {
+        uint32_t key = key_of(rgb);
+        if (key != last)
+            index = index_of(&band->colors, key);
+        last = key;
+        band->indices[k] = (uint8_t)index;
+    }
+    band->flat = index >= 0;
+}
+
+// The colours of all bands, in the order of the pixels. False if there are too many.
+static bool join_colors(Band *bands, int count, Colors *palette)
+{
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < bands[i].colors.count; k++) {
+            int index = bands[i].flat ? index_of(palette, bands[i].colors.keys[k]) : -1;
+            if (index < 0)
+                return false;
+            bands[i].in_palette[k] = (uint8_t)index;
+        }
     return true;
 }
 
-static void write_by_palette(png_structp png, Palette *palette, const Image *image, int row)
+// ---- bands ------------------------------------------------------------------------------------
+
+// The indices of a row of the band, as few bits each as will do.
+static void pack(const Band *band, int row, uint8_t *to)
 {
-    uint8_t indices[IMAGE_MAX_SIDE];
-    int width = image->size.width;
-    const uint8_t *rgb = image_bytes(image, (Pixel){0, row});
-    for (int i = 0; i < width; i++, rgb += 3)
-        indices[i] = i > 0 && memcmp(rgb, rgb - 3, 3) == 0 ? indices[i - 1]
-                                                           : (uint8_t)(*slot_of(palette, rgb) - 1);
-    png_write_row(png, indices);
+    int width = band->image->size.width, in_byte = 8 / band->bits;
+    const uint8_t *indices = band->indices + (size_t)row * (size_t)width;
+    for (int left = 0; left < width; left += in_byte) {
+        unsigned byte = 0;
+        for (int k = left; k < left + in_byte; k++)
+            byte = byte << band->bits | (k < width ? band->in_palette[indices[k]] : 0);
+        *to++ = (uint8_t)byte;
+    }
+}
+
+// The bytes of a row of the band, before they are filtered. packed is where they are put if the
+// image does not have them.
+static const uint8_t *bytes_of(const Band *band, int row, uint8_t *packed)
+{
+    if (band->bits == 0)
+        return image_bytes(band->image, (Pixel){0, band->row + row});
+    pack(band, row, packed);
+    return packed;
+}
+
+// PNG's filter: each byte less the one above it.
+static void filter(const Band *band, uint8_t *packed, uint8_t *to)
+{
+    size_t size = band->row_bytes;
+    uint8_t *spare = packed + size;
+    memset(spare, 0, size);
+    const uint8_t *above = band->row > 0 ? bytes_of(band - 1, BAND_ROWS - 1, spare) : spare;
+    for (int row = 0; row < band->rows; row++) {
+        const uint8_t *bytes = bytes_of(band, row, row % 2 == 0 ? packed : spare);
+        *to++ = PNG_FILTER_VALUE_UP;
+        for (size_t i = 0; i < size; i++)
+            to[i] = (uint8_t)(bytes[i] - above[i]);
+        to += size;
+        above = bytes;
+    }
+}
+
+// A picture of spheres is areas, and rows that are like the row above: the difference from that,
+// and of compression only runs (Z_RLE). That takes about a quarter of the time of libpng's
+// defaults, and a tenth for a flat picture, which is also half as large (tests/benches/pictures.c).
+static bool compress_rows(Band *band, uint8_t *rows, size_t size)
+{
+    z_stream z = {.next_in = rows, .avail_in = (uInt)size};
+    if (deflateInit2(&z, 1, Z_DEFLATED, -MAX_WBITS, 8, Z_RLE) != Z_OK)
+        return false;
+    size_t room = deflateBound(&z, (uLong)size) + 16; // for the end of a band
+    band->stream = malloc(HEADER + room + CHECKSUM);
+    z.next_out = band->stream == NULL ? NULL : band->stream + HEADER;
+    z.avail_out = (uInt)room;
+    bool done =
+        band->stream != NULL &&
+        deflate(&z, band->last ? Z_FINISH : Z_SYNC_FLUSH) == (band->last ? Z_STREAM_END : Z_OK) &&
+        z.avail_in == 0 && z.avail_out > 0;
+    band->size = room - z.avail_out;
+    band->check = adler32(1, rows, (uInt)size);
+    deflateEnd(&z);
+    return done;
+}
+
+// If there is not enough memory, the band has no stream.
+static void encode(void *given, int i)
+{
+    Band *band = (Band *)given + i;
+    size_t size = (size_t)band->rows * (band->row_bytes + 1);
+    uint8_t *packed = malloc(2 * band->row_bytes), *rows = malloc(size);
+    if (packed != NULL && rows != NULL) {
+        filter(band, packed, rows);
+        if (!compress_rows(band, rows, size)) {
+            free(band->stream);
+            band->stream = NULL;
+        }
+    }
+    free(packed);
+    free(rows);
 }
 
 // ---- libpng -----------------------------------------------------------------------------------
@@ -77,63 +193,121 @@ static void ignore_warning(png_structp png, png_const_charp words)
     (void)words;
 }
 
-// A picture of spheres is areas, and rows that are like the row above: the difference from that,
-// and of compression only runs. That takes about a quarter of the time of libpng's defaults, and a
-// tenth for a flat picture, which is also half as large (tests/benches/pictures.c).
-static void set_compression(png_structp png)
+typedef struct {
+    Band *bands;
+    int count;
+    Colors palette; // empty: none
+    FILE *file;
+} Picture;
+
+static void write_header(png_structp png, png_infop info, const Picture *picture)
 {
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
-    png_set_compression_level(png, 1);
-    png_set_compression_strategy(png, 3); // zlib's Z_RLE
-    png_set_compression_buffer_size(png, 1 << 16);
+    Resolution size = picture->bands[0].image->size;
+    int bits = picture->bands[0].bits, count = picture->palette.count;
+    png_color colors[MOST_COLORS];
+    for (int i = 0; i < count; i++) {
+        uint32_t key = picture->palette.keys[i];
+        colors[i] = (png_color){(uint8_t)key, (uint8_t)(key >> 8), (uint8_t)(key >> 16)};
+    }
+    png_init_io(png, picture->file);
+    png_set_IHDR(png, info, (png_uint_32)size.width, (png_uint_32)size.height, bits > 0 ? bits : 8,
+                 bits > 0 ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (bits > 0)
+        png_set_PLTE(png, info, colors, count);
+    png_write_info(png, info);
 }
 
-// A flat picture is written by the numbers of its colours, as few bits each as will do.
-static void encode(png_structp png, png_infop info, const Image *image, Palette *palette,
-                   FILE *file)
+// One part IDAT of the file for each band. Before the first band is zlib's header, after the last
+// one the checksum of all rows.
+static void write_band(png_structp png, Band *band, uLong check)
 {
-    png_init_io(png, file);
-    set_compression(png);
-    int n = palette->count;
-    bool flat = n > 0;
-    int bits = !flat || n > 16 ? 8 : n > 4 ? 4 : n > 2 ? 2 : 1;
-    png_set_IHDR(png, info, (png_uint_32)image->size.width, (png_uint_32)image->size.height, bits,
-                 flat ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    if (flat)
-        png_set_PLTE(png, info, palette->colors, n);
-    png_write_info(png, info);
-    png_set_packing(png);
-    for (int row = 0; row < image->size.height; row++)
-        if (flat)
-            write_by_palette(png, palette, image, row);
-        else
-            png_write_row(png, image_bytes(image, (Pixel){0, row}));
-    png_write_end(png, info);
+    static const uint8_t header[HEADER] = {0x78, 0x01};
+    uint8_t *start = band->stream + HEADER;
+    size_t size = band->size;
+    if (band->row == 0) {
+        start = memcpy(band->stream, header, HEADER);
+        size += HEADER;
+    }
+    if (band->last) {
+        png_save_uint_32(start + size, (png_uint_32)check);
+        size += CHECKSUM;
+    }
+    png_write_chunk(png, (png_const_bytep) "IDAT", start, size);
+    free(band->stream);
+    band->stream = NULL;
+}
+
+static void write_picture(png_structp png, png_infop info, Picture *picture)
+{
+    uLong check = 1;
+    write_header(png, info, picture);
+    for (int first = 0; first < picture->count; first += BANDS_AT_ONCE) {
+        int rest = picture->count - first, count = rest < BANDS_AT_ONCE ? rest : BANDS_AT_ONCE;
+        workers_do(count, encode, picture->bands + first);
+        for (Band *band = picture->bands + first; count > 0; band++, count--) {
+            if (band->stream == NULL)
+                png_error(png, "out of memory");
+            check = adler32_combine(check, band->check,
+                                    (z_off_t)((size_t)band->rows * (band->row_bytes + 1)));
+            write_band(png, band, check);
+        }
+    }
+    png_write_chunk(png, (png_const_bytep) "IEND", NULL, 0);
 }
 
 // longjmp returns to this function, which has no local variable that it could spoil.
-static bool try_to_encode(png_structp png, png_infop info, const Image *image, Palette *palette,
-                          FILE *file)
+static bool try_to_write(png_structp png, png_infop info, Picture *picture)
 {
     if (setjmp(png_jmpbuf(png)) != 0)
         return false;
-    encode(png, info, image, palette, file);
+    write_picture(png, info, picture);
     return true;
+}
+
+// ---- pictures ---------------------------------------------------------------------------------
+
+// Cuts a picture into bands, and finds its palette.
+static void prepare(Picture *picture, const Image *image, uint8_t *indices)
+{
+    size_t width = (size_t)image->size.width;
+    for (int i = 0; i < picture->count; i++) {
+        int row = i * BAND_ROWS, rest = image->size.height - row;
+        picture->bands[i] = (Band){.image = image,
+                                   .row = row,
+                                   .rows = rest < BAND_ROWS ? rest : BAND_ROWS,
+                                   .indices = indices + (size_t)row * width,
+                                   .last = rest <= BAND_ROWS};
+    }
+    workers_do(picture->count, find_colors, picture->bands);
+    bool flat = join_colors(picture->bands, picture->count, &picture->palette);
+    int n = picture->palette.count, bits = !flat ? 0 : n > 16 ? 8 : n > 4 ? 4 : n > 2 ? 2 : 1;
+    for (int i = 0; i < picture->count; i++) {
+        picture->bands[i].bits = bits;
+        picture->bands[i].row_bytes = flat ? (width * (size_t)bits + 7) / 8 : 3 * width;
+    }
 }
 
 bool image_print_png(FILE *file, const Image *image, const char *path, Message *message)
 {
     Message words = {"out of memory"};
     errno = 0;
+    Picture picture = {.count = (image->size.height + BAND_ROWS - 1) / BAND_ROWS, .file = file};
+    picture.bands = calloc((size_t)picture.count, sizeof *picture.bands);
+    uint8_t *indices = malloc((size_t)image->size.width * (size_t)image->size.height);
     png_structp png =
         png_create_write_struct(PNG_LIBPNG_VER_STRING, &words, keep_words, ignore_warning);
     png_infop info = png == NULL ? NULL : png_create_info_struct(png);
-    Palette palette;
-    if (!find_colors(image, &palette))
-        palette.count = 0;
-    bool done = info != NULL && try_to_encode(png, info, image, &palette, file);
+    bool done = false;
+    if (info != NULL && picture.bands != NULL && indices != NULL) {
+        prepare(&picture, image, indices);
+        done = try_to_write(png, info, &picture);
+    }
+    for (int i = 0; picture.bands != NULL && i < picture.count; i++)
+        free(picture.bands[i].stream);
     png_destroy_write_struct(&png, &info);
+    free(picture.bands);
+    free(indices);
     if (done && fflush(file) == 0)
         return true;
     return message_set(message, "%s: cannot write the picture: %s", path,

@@ -1,4 +1,4 @@
-// nff.h - an NFF file becomes a scene: what scene.c, nff_entity.c and nff_view.c share.
+// nff.h - an NFF file becomes a scene: what scene.c and the files nff_*.c share.
 #ifndef COMMON_NFF_H
 #define COMMON_NFF_H
 
@@ -15,6 +15,20 @@ typedef struct {
 
 // Reads all lines of the file. False where one is wrong: nff_wrong has said so.
 bool nff_entities(NffReader *reader);
+
+// ---- spheres and their fills ------------------------------------------------------------------
+
+// Room for more items after count of them, in an array that only grows to powers of two. NULL if
+// there is not enough memory.
+void *nff_room(void *items, int count, int more, size_t size);
+
+// Spheres and fills of these numbers. False if one is out of range.
+bool nff_sphere(const double *numbers, int surface, Sphere *sphere);
+bool nff_fill(const double *numbers, Surface *fill);
+
+// Reads the lines of spheres and fills that come next and are plain: each number after one space,
+// and nothing wrong. The other lines are left to nff_next. False if there is not enough memory.
+bool nff_plain_lines(NffReader *reader);
 
 // ---- the viewpoint ----------------------------------------------------------------------------
 

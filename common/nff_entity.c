@@ -6,14 +6,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Room for one more after count items: the array doubles whenever it is full.
-static void *room_for_one(void *items, int count, size_t size)
+// The room of an array that has this count of items: a power of two.
+static size_t room_of(size_t count)
 {
-    if (count != 0 && (count & (count - 1)) != 0)
-        return items;
-    if (count > INT_MAX / 2)
+    size_t room = count > 0;
+    while (room < count)
+        room *= 2;
+    return room;
+}
+
+void *nff_room(void *items, int count, int more, size_t size)
+{
+    if (more > INT_MAX - count)
         return NULL;
-    return realloc(items, size * (count == 0 ? 1 : 2 * (size_t)count));
+    size_t room = room_of((size_t)count + (size_t)more);
+    return room == room_of((size_t)count) ? items : realloc(items, room * size);
 }
 
 #define APPEND(items, count, item)                                                                 \
@@ -21,7 +28,7 @@ static void *room_for_one(void *items, int count, size_t size)
 
 static bool append(void **items, int *count, const void *item, size_t size, NffLine *line)
 {
-    void *grown = room_for_one(*items, *count, size);
+    void *grown = nff_room(*items, *count, 1, size);
     if (grown == NULL)
         return nff_wrong(line, "no memory for more than %d of these", *count);
     *items = grown;
@@ -32,10 +39,15 @@ static bool append(void **items, int *count, const void *item, size_t size, NffL
 
 // ---- colours and lights -----------------------------------------------------------------------
 
+static bool is_brightness(double x)
+{
+    return x >= 0 && x <= 1;
+}
+
 static bool read_color(NffLine *line, const double *rgb, Color *color)
 {
     for (int i = 0; i < 3; i++)
-        if (rgb[i] < 0 || rgb[i] > 1)
+        if (!is_brightness(rgb[i]))
             return nff_wrong(line, "a colour of %g, expected 0 to 1", rgb[i]);
     *color = vec3_of(rgb[0], rgb[1], rgb[2]);
     return true;
@@ -79,33 +91,42 @@ static void set_brightness(Scene *scene)
 
 // ---- spheres and their fills ------------------------------------------------------------------
 
+bool nff_fill(const double *numbers, Surface *fill)
+{
+    const double *n = numbers;
+    *fill = (Surface){.color = vec3_of(n[0], n[1], n[2]),
+                      .diffuse = n[3],
+                      .specular = n[4],
+                      .shine = n[5],
+                      .transmittance = n[6],
+                      .refraction = n[7]};
+    return is_brightness(n[0]) && is_brightness(n[1]) && is_brightness(n[2]);
+}
+
 static bool read_fill(NffReader *reader)
 {
     double n[8];
     Surface fill;
-    if (!nff_numbers(&reader->line, "f R G B Kd Ks Shine T IoR", 8, 8, n) ||
-        !read_color(&reader->line, n, &fill.color))
-        return false;
-    fill.diffuse = n[3];
-    fill.specular = n[4];
-    fill.shine = n[5];
-    fill.transmittance = n[6];
-    fill.refraction = n[7];
-    return APPEND(reader->scene->surfaces, reader->scene->surface_count, fill);
+    return nff_numbers(&reader->line, "f R G B Kd Ks Shine T IoR", 8, 8, n) &&
+           read_color(&reader->line, n, &fill.color) && nff_fill(n, &fill) &&
+           APPEND(reader->scene->surfaces, reader->scene->surface_count, fill);
 }
 
-static bool add_sphere(NffReader *reader, const double *n)
+bool nff_sphere(const double *numbers, int surface, Sphere *sphere)
 {
-    if (n[3] <= 0)
-        return nff_wrong(&reader->line, "a radius of %g, expected more than 0", n[3]);
-    Sphere sphere = {vec3_of(n[0], n[1], n[2]), n[3], reader->scene->surface_count - 1};
-    return APPEND(reader->scene->spheres, reader->scene->sphere_count, sphere);
+    *sphere = (Sphere){vec3_of(numbers[0], numbers[1], numbers[2]), numbers[3], surface};
+    return sphere->radius > 0;
 }
 
 static bool read_sphere(NffReader *reader)
 {
     double n[4];
-    return nff_numbers(&reader->line, "s X Y Z RADIUS", 4, 4, n) && add_sphere(reader, n);
+    Sphere sphere;
+    if (!nff_numbers(&reader->line, "s X Y Z RADIUS", 4, 4, n))
+        return false;
+    if (!nff_sphere(n, reader->scene->surface_count - 1, &sphere))
+        return nff_wrong(&reader->line, "a radius of %g, expected more than 0", n[3]);
+    return APPEND(reader->scene->spheres, reader->scene->sphere_count, sphere);
 }
 
 // ---- what is left out -------------------------------------------------------------------------
@@ -153,17 +174,13 @@ static bool read_entity(NffReader *reader)
 
 static bool read_entities(NffReader *reader)
 {
-    double n[4];
-    for (;;)
-        if (nff_plain(&reader->line, 's', 4, n)) {
-            if (!add_sphere(reader, n))
-                return false;
-        } else {
-            if (!nff_next(&reader->line))
-                return !reader->line.failed;
-            if (!read_entity(reader))
-                return false;
-        }
+    while (nff_plain_lines(reader)) {
+        if (!nff_next(&reader->line))
+            return !reader->line.failed;
+        if (!read_entity(reader))
+            return false;
+    }
+    return false;
 }
 
 bool nff_entities(NffReader *reader)

@@ -8,12 +8,23 @@
 #include <errno.h>
 #include <limits.h>
 #include <stdarg.h>
+#include <stdlib.h>
 #include <string.h>
 
-void nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message)
+bool nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message)
 {
-    *line = (NffLine){.file = file, .file_name = file_name, .message = message};
+    *line = (NffLine){.file = file, .file_name = file_name, .message = message, .room = 1 << 16};
+    line->held = malloc(line->room + 1);
     line->next = line->end = line->held;
+    if (line->held == NULL)
+        return message_set(message, "%.200s: no memory to read it", file_name);
+    *line->end = '\0';
+    return true;
+}
+
+void nff_end(NffLine *line)
+{
+    free(line->held);
 }
 
 bool nff_wrong(NffLine *line, const char *format, ...)
@@ -36,13 +47,29 @@ static bool hold_more(NffLine *line)
     size_t left = (size_t)(line->end - line->next);
     memmove(line->held, line->next, left);
     errno = 0;
-    size_t more = fread(line->held + left, 1, NFF_HELD - left, line->file);
+    size_t more = fread(line->held + left, 1, line->room - left, line->file);
     if (ferror(line->file) && line->error == 0)
         line->error = errno;
     line->next = line->held;
     line->end = line->held + left + more;
     *line->end = '\0';
     return more > 0;
+}
+
+void nff_hold(NffLine *line, size_t size)
+{
+    if (size > line->room) {
+        size_t next = (size_t)(line->next - line->held), end = (size_t)(line->end - line->held);
+        char *larger = realloc(line->held, size + 1);
+        if (larger == NULL)
+            return;
+        line->held = larger;
+        line->room = size;
+        line->next = larger + next;
+        line->end = larger + end;
+    }
+    if ((size_t)(line->end - line->next) < size)
+        hold_more(line);
 }
 
 // One line without its end, a 0 in the place of that. NULL at the end of the file or on an error.
@@ -113,21 +140,6 @@ bool nff_next(NffLine *line)
         if (text == NULL || !split(line, text))
             return false;
     } while (line->word_count == 0);
-    return true;
-}
-
-bool nff_plain(NffLine *line, char letter, int count, double *numbers)
-{
-    const char *text = line->next;
-    if (*text++ != letter || line->number == INT_MAX)
-        return false;
-    for (int i = 0; i < count; i++)
-        if (*text != ' ' || (text = read_number(text + 1, &numbers[i])) == NULL)
-            return false;
-    if (*text != '\n' || text - line->next > NFF_LONGEST_LINE)
-        return false;
-    line->next += text + 1 - line->next;
-    line->number++;
     return true;
 }
 

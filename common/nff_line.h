@@ -6,9 +6,10 @@
 #include "common/vec3.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 
-enum { NFF_LONGEST_LINE = 1000, NFF_MOST_WORDS = 16, NFF_HELD = 1 << 16 };
+enum { NFF_LONGEST_LINE = 1000, NFF_MOST_WORDS = 16 };
 
 typedef struct {
     FILE *file;
@@ -20,19 +21,20 @@ typedef struct {
     const char *words[NFF_MOST_WORDS]; // of the current line; at least one
     char *next, *end;                  // what is held of the file and not read yet; *end is 0
     int error;                         // errno of a read that failed
-    char held[NFF_HELD + 1];
+    char *held;
+    size_t room; // for so many bytes, and a 0
 } NffLine;
 
-void nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message);
+// False if there is not enough memory. Call nff_end in both cases.
+bool nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message);
+void nff_end(NffLine *line);
+
+// Holds at least this many bytes from next on, unless the file ends or memory is short.
+void nff_hold(NffLine *line, size_t size);
 
 // Goes to the next line that has words, comments left out. False at the end of the file, and
 // where the file cannot be read; then failed is set.
 bool nff_next(NffLine *line);
-
-// Goes to the next line and reads it if it is a plain one: this letter, this count of numbers, each
-// after one space, and the end of the line. Most lines of long scenes are plain, and this is quick.
-// For any other line: false, and nothing has happened; call nff_next to read it.
-bool nff_plain(NffLine *line, char letter, int count, double *numbers);
 
 // Passes over lines of numbers that the toolkit has no use for. False where the file ends before,
 // or something else comes.

@@ -24,13 +24,13 @@ bool scene_read(FILE *file, const char *name, Scene *scene, Message *message, Me
     if (reader == NULL)
         return message_set(message, "%.200s: no memory to read it", name);
     reader->scene = scene;
-    nff_begin(&reader->line, file, name, message);
-
-    bool good = nff_entities(reader) && nff_view_is_complete(reader);
+    bool good = nff_begin(&reader->line, file, name, message) && nff_entities(reader) &&
+                nff_view_is_complete(reader);
     scene->ambient = vec3_of(SCENE_AMBIENT, SCENE_AMBIENT, SCENE_AMBIENT);
     warn_of_left_out(reader, warning);
     if (!good)
         scene_free(scene);
+    nff_end(&reader->line);
     free(reader);
     return good;
 }

@@ -5,11 +5,13 @@
 #include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/number_limits.h"
+#include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/rectangles.h"
 #include "chapters/shared/lighting.h"
 #include "chapters/shared/needed_answers.h"
 #include "chapters/shared/scene_command.h"
 #include "common/text.h"
+#include "common/workers.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -97,6 +99,7 @@ int cast_command(int argc, char **argv)
     if (rectangles)
         return rectangles_tell(argv[0], &command);
 
+    workers_are(in_parallel, threads); // also to read the scene, and to write the picture
     static Drawing drawing;
     if (!(shaded ? shading_needs_are_met(lighting.style) : picture_needs_are_met(IMAGE_ORDER)) ||
         !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))

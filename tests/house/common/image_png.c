@@ -1,6 +1,7 @@
 // image_png.c - tests of common/image_png.c: the picture as a file.
 // Expected: the same picture, read back by libpng itself.
 #include "tests/house/common/image.h"
+#include "tests/house/common/other_order.h"
 
 #include <png.h>
 #include <sys/stat.h>
@@ -66,6 +67,37 @@ START_TEST(of_whatever_number_of_colours_a_picture_is_read_back_as_it_was_writte
             expect_picture(in_folder("a.png").s, &image);
             image_free(&image);
         }
+    folder_end();
+}
+END_TEST
+
+// A high picture is encoded in many bands; here are more than are held in memory together.
+START_TEST(the_bands_of_a_picture_may_be_encoded_in_any_order)
+{
+    static uint8_t bytes[2][100000];
+    const int counts[] = {3, 200, 1000};
+    folder_begin();
+    for (int k = 0; k < 3; k++) {
+        Image image = image_of(7, 3000);
+        for (int i = 0; i < 7 * 3000; i++) {
+            image.rgb[3 * i] = (uint8_t)(i / 50 % counts[k]);
+            image.rgb[3 * i + 1] = (uint8_t)(i / 50 % counts[k] / 256);
+        }
+        size_t sizes[2];
+        for (int order = 0; order < 2; order++) {
+            workers_are(order == 0 ? NULL : last_part_first, 2);
+            most_parts = 0;
+            expect_written(&image, in_folder("a.png").s);
+            expect_picture(in_folder("a.png").s, &image);
+            FILE *file = fopen(in_folder("a.png").s, "rb");
+            sizes[order] = fread(bytes[order], 1, sizeof bytes[order], file);
+            fclose(file);
+        }
+        expect_law(most_parts > 1, "several bands at a time", "%d", most_parts);
+        ck_assert_uint_eq(sizes[0], sizes[1]);
+        ck_assert_mem_eq(bytes[0], bytes[1], sizes[0]);
+        image_free(&image);
+    }
     folder_end();
 }
 END_TEST
@@ -177,6 +209,7 @@ static void list_tests(void)
     tests_of("image_write_png");
     test(a_picture_is_read_back_as_it_was_written);
     test(of_whatever_number_of_colours_a_picture_is_read_back_as_it_was_written);
+    test(the_bands_of_a_picture_may_be_encoded_in_any_order);
     test(the_first_row_of_the_file_is_the_top_one);
     test(the_same_image_gives_the_same_file);
     test(an_older_picture_is_replaced_and_keeps_its_permissions);

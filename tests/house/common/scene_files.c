@@ -1,5 +1,7 @@
-// scene_files.c - tests of common/nff_line.c: how an NFF file may be written, and what is none.
-// Expected: the format as common/scene.h describes it. Each error is checked for its line too.
+// scene_files.c - tests of common/nff_line.c and nff_plain.c: how an NFF file may be written, and
+// what is none. Expected: the format as common/scene.h describes it. Each error is checked for its
+// line too.
+#include "tests/house/common/other_order.h"
 #include "tests/house/common/scene.h"
 
 #include <stdlib.h>
@@ -93,6 +95,46 @@ START_TEST(lines_are_whole_wherever_the_pieces_of_a_file_meet)
 }
 END_TEST
 
+// A long scene is read in parts. Some of its lines are not plain; the last one is wrong.
+START_TEST(the_parts_of_a_file_may_be_read_in_any_order)
+{
+    enum { COUNT = 60000, FILL = 777, ODD = 19999 };
+    size_t room = (size_t)COUNT * 70, used = 0;
+    char *text = malloc(room);
+    ck_assert_ptr_nonnull(text);
+    used += (size_t)sprintf(text, "%s", VIEW);
+    int line = 6;
+    for (int i = 0; i < COUNT; i++) {
+        if (i % FILL == 0)
+            line++, used += (size_t)sprintf(text + used, "f 0 %g 1 0 0 0 0 %d\n", i * 1e-5, i);
+        if (i % ODD == 0)
+            line++, used += (size_t)sprintf(text + used, "# comment\n");
+        line++;
+        used += (size_t)sprintf(text + used, i % ODD == 1 ? "s %d  0 %d 0.5\n" : "s %d 0 %d 0.5\n",
+                                i, -i);
+    }
+    Scene scene;
+    workers_are(last_part_first, 2);
+    most_parts = 0;
+    ck_assert(read_bytes(text, used, &scene));
+    expect_int(scene.sphere_count, COUNT);
+    expect_int(scene.surface_count, (COUNT - 1) / FILL + 2);
+    for (int i = 0; i < COUNT; i++) {
+        Sphere sphere = scene.spheres[i];
+        if (sphere.center[0] != i || sphere.center[2] != -i || sphere.surface != i / FILL + 1 ||
+            scene_surface(&scene, i)->refraction != i - i % FILL)
+            ck_abort_msg("sphere number %d is not as it should be", i);
+    }
+    expect_law(most_parts > 1, "several parts at a time", "%d", most_parts);
+    scene_free(&scene);
+    sprintf(text + used, "s 1 2 3 0\n%s", SPHERE SPHERE);
+    expect_refused(text, line + 1, "radius of 0");
+    sprintf(text + used, "f 1 2 1 0 0 0 0 1\n%s", SPHERE SPHERE);
+    expect_refused(text, line + 1, "colour of 2");
+    free(text);
+}
+END_TEST
+
 // ---- files that are not scenes --------------------------------------------------------------
 
 START_TEST(empty_files_are_refused)
@@ -181,6 +223,7 @@ static void list_tests(void)
     test(a_byte_order_mark_is_no_word);
     test(two_hundred_thousand_spheres_are_read);
     test(lines_are_whole_wherever_the_pieces_of_a_file_meet);
+    test(the_parts_of_a_file_may_be_read_in_any_order);
     tests_of("scene_read files");
     test(empty_files_are_refused);
     test(a_file_with_a_zero_byte_is_no_text);
