@@ -25,5 +25,8 @@ bool cast_embree_16(const Work *work, Message *message);
 bool cast_embree_user(const Work *work, Message *message);
 bool cast_povray(const Work *work, Message *message);
 bool cast_tachyon(const Work *work, Message *message);
+// With shadows and mirrors.
+bool light_embree(const Work *work, Style style, Message *message);
+bool light_povray(const Work *work, Style style, Message *message);
 
 #endif

@@ -1,7 +1,8 @@
 #!/bin/sh
 # wait.sh - what the user waits for: from the scene's file to the picture's, whole processes.
 #
-# Chapter 08's program; with PEERS=1 also POV-Ray, Tachyon and an Embree program. They take turns;
+# Chapter 08's program, and beside it only reading the scene and only writing the picture (alone.c), which
+# is the least there could be; with PEERS=1 also POV-Ray, Tachyon and an Embree program. They take turns;
 # the pictures are compared first. The scene is given to POV-Ray and to Tachyon in their own
 # languages. Usage: wait.sh SCENE.nff; in the environment PROGRAMS and BUILD from the Makefile,
 # ROUNDS (7), THREADS ('1 2'), ENGINE (auto, if it exists).
@@ -17,6 +18,10 @@ engine=${ENGINE:-$("$PROGRAMS/08-fast" --help | grep -q auto && echo auto || ech
 ours() {
     "$PROGRAMS/08-fast" -e "$engine" -t "$1" -s ${width}x$height -o "$scratch/ours.png" "$scene"
 }
+# Prints the microseconds itself.
+alone() {
+    "$BUILD/tests/benches/alone" "$scene" "$scratch/alone.png" $width $height "$1"
+}
 embree() {
     "$BUILD/tests/benches/peers/embree_wait" "$scene" "$scratch/embree.png" $width $height "$1"
 }
@@ -29,7 +34,7 @@ tachyon() {
         -o "$scratch/tachyon.png"
 }
 
-programs=ours
+programs='ours alone'
 if [ -n "${PEERS:-}" ]; then
     for name in povray tachyon; do
         command -v $name >/dev/null || { echo "$name is not installed: make setup FOR=bench"; continue; }
@@ -55,9 +60,14 @@ while [ $round -lt "${ROUNDS:-7}" ]; do
     for threads in ${THREADS:-1 2}; do
         for name in $programs; do
             from=$(date +%s%N)
-            $name "$threads" >/dev/null 2>&1 || echo "$name fails"
+            $name "$threads" >"$scratch/printed" 2>/dev/null || echo "$name fails"
             to=$(date +%s%N)
-            echo "$threads $name $round $(((to - from) / 1000))" >>"$scratch/times"
+            took=$(((to - from) / 1000))
+            if [ "$name" = alone ]; then
+                read -r reading writing <"$scratch/printed"
+                took=$((reading + writing))
+            fi
+            echo "$threads $name $round $took" >>"$scratch/times"
         done
     done
     round=$((round + 1))

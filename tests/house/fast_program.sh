@@ -64,6 +64,8 @@ check "one of them the last picture of chapter 07's lesson" \
 # A number that was measured is typed nowhere.
 quotes_the_bench() {
     awk -F, -f tests/benches/engines.awk chapters/08-fast/figures/rays-per-second.csv >"$scratch/tables" || return 1
+    shaded=chapters/08-fast/figures/shaded-pictures.csv
+    [ ! -e $shaded ] || awk -F, -f tests/benches/shaded.awk $shaded >>"$scratch/tables" || return 1
     [ "$(wc -l <"$scratch/tables")" -gt 15 ] &&
         while IFS= read -r line; do
             grep -qxF -e "$line" chapters/08-fast/README.md || { echo "not there: $line" && return 1; }

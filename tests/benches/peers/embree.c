@@ -2,12 +2,12 @@
 //
 // Built for this machine's instructions (-march=native), as Embree is. It takes only fields of
 // what it is given, never a vec3 by value.
+#include "tests/benches/peers/embree.h"
 #include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/sphere_colors.h"
-#include "tests/benches/measure.h"
 
-#include <embree3/rtcore.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 enum { LANES = 16, TILE = 4 }; // packets of 4 x 4 pixels, or 4 x 2
@@ -15,7 +15,7 @@ enum { LANES = 16, TILE = 4 }; // packets of 4 x 4 pixels, or 4 x 2
 typedef struct {
     const Work *work;
     const Paint *paints;
-    RTCScene scene;
+    EmbreeSpheres spheres;
     int lanes;
     float eye[3], corner[3], right[3], down[3]; // directions: corner + column right + row down
 } Peer;
@@ -55,29 +55,76 @@ static void ask_16(const struct RTCIntersectFunctionNArguments *of)
     }
 }
 
-static bool build(Peer *peer, RTCDevice device, bool user, const float *spheres)
+// The same for rays that only ask whether they hit anything: Embree's sign for that is tfar below
+// 0.
+static void ask_any_16(const struct RTCOccludedFunctionNArguments *of)
 {
-    double began = clock_seconds();
-    unsigned count = (unsigned)peer->work->scene->sphere_count;
-    RTCGeometry geometry =
-        rtcNewGeometry(device, user ? RTC_GEOMETRY_TYPE_USER : RTC_GEOMETRY_TYPE_SPHERE_POINT);
-    peer->scene = rtcNewScene(device);
+    struct RTCRay16 *ray = (struct RTCRay16 *)of->ray;
+    const float *s = (const float *)of->geometryUserPtr + 4 * (size_t)of->primID;
+    float x = s[0], y = s[1], z = s[2], r = s[3];
+    const int *valid = of->valid;
+#pragma omp simd
+    for (int i = 0; i < LANES; i++) {
+        float dx = ray->dir_x[i], dy = ray->dir_y[i], dz = ray->dir_z[i];
+        float fx = x - ray->org_x[i], fy = y - ray->org_y[i], fz = z - ray->org_z[i];
+        float a = 1 / (dx * dx + dy * dy + dz * dz);
+        float middle = (fx * dx + fy * dy + fz * dz) * a;
+        float lx = fx - middle * dx, ly = fy - middle * dy, lz = fz - middle * dz;
+        float D = (r * r - (lx * lx + ly * ly + lz * lz)) * a;
+        float half = __builtin_sqrtf(D > 0 ? D : 0);
+        float t = middle - half > ray->tnear[i] ? middle - half : middle + half;
+        int hit = (valid[i] != 0) & (D >= 0) & (t > ray->tnear[i]) & (t < ray->tfar[i]);
+        ray->tfar[i] = hit ? -INFINITY : ray->tfar[i];
+    }
+}
 
+// With user geometry or Embree's own spheres.
+static bool build(EmbreeSpheres *to, const Scene *scene, int threads, bool user)
+{
+    char config[40];
+    snprintf(config, sizeof config, "threads=%d,set_affinity=0", threads);
+    size_t count = (size_t)scene->sphere_count;
+    *to = (EmbreeSpheres){.device = rtcNewDevice(config),
+                          .spheres = malloc((count + 1) * 4 * sizeof *to->spheres)};
+    if (to->device == NULL || to->spheres == NULL)
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 3; k++)
+            to->spheres[4 * i + (size_t)k] = (float)scene->spheres[i].center[k];
+        to->spheres[4 * i + 3] = (float)scene->spheres[i].radius;
+    }
+    double began = clock_seconds();
+    RTCGeometry geometry =
+        rtcNewGeometry(to->device, user ? RTC_GEOMETRY_TYPE_USER : RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    to->scene = rtcNewScene(to->device);
     if (user) {
-        rtcSetGeometryUserPrimitiveCount(geometry, count);
-        rtcSetGeometryUserData(geometry, (void *)(size_t)spheres);
+        rtcSetGeometryUserPrimitiveCount(geometry, (unsigned)count);
+        rtcSetGeometryUserData(geometry, to->spheres);
         rtcSetGeometryBoundsFunction(geometry, bounds_of, NULL);
         rtcSetGeometryIntersectFunction(geometry, ask_16);
+        rtcSetGeometryOccludedFunction(geometry, ask_any_16);
     } else {
-        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, spheres,
-                                   0, 4 * sizeof(float), count);
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                   to->spheres, 0, 4 * sizeof(float), count);
     }
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(peer->scene, geometry);
+    rtcAttachGeometry(to->scene, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(peer->scene);
+    rtcCommitScene(to->scene);
     measured.build += clock_seconds() - began;
-    return rtcGetDeviceError(device) == RTC_ERROR_NONE;
+    return rtcGetDeviceError(to->device) == RTC_ERROR_NONE;
+}
+
+bool embree_spheres(EmbreeSpheres *spheres, const Scene *scene, int threads)
+{
+    return build(spheres, scene, threads, true);
+}
+
+void embree_free(EmbreeSpheres *spheres)
+{
+    rtcReleaseScene(spheres->scene);
+    rtcReleaseDevice(spheres->device);
+    free(spheres->spheres);
 }
 
 // ---- rays -------------------------------------------------------------------------------------
@@ -131,7 +178,7 @@ static void paint(const Peer *peer, int column, int row, unsigned geometry, unsi
         struct RTCIntersectContext context;                                                        \
         rtcInitIntersectContext(&context);                                                         \
         context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;                                       \
-        rtcIntersect##N(valid, peer->scene, &context, &packet);                                    \
+        rtcIntersect##N(valid, peer->spheres.scene, &context, &packet);                            \
         for (int i = 0; i < N; i++)                                                                \
             if (valid[i] != 0)                                                                     \
                 paint(peer, left + i % TILE, top + i / TILE, packet.hit.geomID[i],                 \
@@ -150,33 +197,18 @@ static void cast_band(void *given, int band)
 
 static bool cast(const Work *work, Message *message, int lanes, bool user)
 {
-    char threads[40];
-    snprintf(threads, sizeof threads, "threads=%d,set_affinity=0", work->threads);
-    RTCDevice device = rtcNewDevice(threads);
-    int count = work->scene->sphere_count;
-    float *spheres = malloc(((size_t)count + 1) * 4 * sizeof *spheres);
     Paint *paints = paints_of(work->scene);
-    if (device == NULL || spheres == NULL || paints == NULL)
-        return message_set(message, "Embree cannot be set up");
-    for (int i = 0; i < count; i++) {
-        for (int k = 0; k < 3; k++)
-            spheres[4 * i + k] = (float)work->scene->spheres[i].center[k];
-        spheres[4 * i + 3] = (float)work->scene->spheres[i].radius;
-    }
     Peer peer = {.work = work, .paints = paints, .lanes = lanes};
-    bool done =
-        build(&peer, device, user, spheres) || message_set(message, "Embree reports an error");
+    if (paints == NULL || !build(&peer.spheres, work->scene, work->threads, user))
+        return message_set(message, "Embree cannot be set up");
     set_rays(&peer);
     double began = clock_seconds();
     int rows = lanes / TILE;
-    if (done)
-        in_parallel(work->threads, (work->image->size.height + rows - 1) / rows, cast_band, &peer);
+    in_parallel(work->threads, (work->image->size.height + rows - 1) / rows, cast_band, &peer);
     measured.cast = clock_seconds() - began;
-    rtcReleaseScene(peer.scene);
-    rtcReleaseDevice(device);
+    embree_free(&peer.spheres);
     free(paints);
-    free(spheres);
-    return done;
+    return true;
 }
 
 bool embree_is_here(void)

@@ -21,3 +21,9 @@ bool cast_embree_user(const Work *work, Message *message)
 {
     return cast_embree_8(work, message);
 }
+
+bool light_embree(const Work *work, Style style, Message *message)
+{
+    (void)style;
+    return cast_embree_8(work, message);
+}

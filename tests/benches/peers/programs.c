@@ -80,27 +80,58 @@ static bool is_new(char *last, size_t size, const Work *work)
     return true;
 }
 
+static bool povray(const Work *work, Export what, char *last, size_t size, Message *message)
+{
+    char path[500], picture[500], command[2000];
+    snprintf(path, sizeof path, "%.400s/peer%s.pov", scratch(), what.flat ? "" : "-shaded");
+    snprintf(picture, sizeof picture, "%.400s/povray.png", scratch());
+    what.format = EXPORT_POV;
+    what.scene = work->scene;
+    what.camera = work->camera;
+    what.name = (Text){"peer"};
+    if (is_new(last, size, work) && !export_scene(&what, path, message))
+        return false;
+    snprintf(command, sizeof command, "povray '+I%s' '+O%s' +W%d +H%d +WT%d -A -D 2>&1", path,
+             picture, what.size.width, what.size.height, work->threads);
+    if (!run(command, "Bounding Time:", "Trace Time:"))
+        return message_set(message, "povray fails, or does not say how long it took");
+    return true;
+}
+
 bool cast_povray(const Work *work, Message *message)
 {
     static char last[4300];
-    char path[500], picture[500], command[2000];
-    Resolution size = work->image->size;
-    snprintf(path, sizeof path, "%.400s/peer.pov", scratch());
+    char picture[500];
     snprintf(picture, sizeof picture, "%.400s/povray.png", scratch());
-    Export what = {.format = EXPORT_POV,
-                   .scene = work->scene,
-                   .camera = work->camera,
-                   .size = size,
-                   .depth = 1,
-                   .flat = true,
-                   .name = {"peer"}};
-    if (is_new(last, sizeof last, work) && !export_scene(&what, path, message))
+    Export what = {.size = work->image->size, .depth = 1, .flat = true};
+    return povray(work, what, last, sizeof last, message) &&
+           read_picture(picture, work->image, 0, 0, message);
+}
+
+// Of more than one sample a pixel it draws a larger picture, and each pixel is the mean of some of
+// that. Its clock does not count the mean.
+bool light_povray(const Work *work, Style style, Message *message)
+{
+    static char last[4300];
+    char picture[500];
+    Image *image = work->image, large;
+    int n = style.samples;
+    snprintf(picture, sizeof picture, "%.400s/povray.png", scratch());
+    Export what = {.size = {n * image->size.width, n * image->size.height}, .depth = style.depth};
+    if (!image_create(&large, what.size, message))
         return false;
-    snprintf(command, sizeof command, "povray '+I%s' '+O%s' +W%d +H%d +WT%d -A -D 2>&1", path,
-             picture, size.width, size.height, work->threads);
-    if (!run(command, "Bounding Time:", "Trace Time:"))
-        return message_set(message, "povray fails, or does not say how long it took");
-    return read_picture(picture, work->image, 0, 0, message);
+    bool done = povray(work, what, last, sizeof last, message);
+    done = done && read_picture(picture, &large, 0, 0, message);
+    for (int row = 0; done && row < image->size.height; row++)
+        for (int column = 0; column < image->size.width; column++)
+            for (int k = 0; k < 3; k++) {
+                int sum = n * n / 2;
+                for (int i = 0; i < n * n; i++)
+                    sum += image_bytes(&large, (Pixel){column * n + i % n, row * n + i / n})[k];
+                image_bytes(image, (Pixel){column, row})[k] = (uint8_t)(sum / (n * n));
+            }
+    image_free(&large);
+    return done;
 }
 
 // Tachyon's rays go through the corners of pixels, not their centres: a picture that is a row and a

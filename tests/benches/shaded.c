@@ -1,0 +1,255 @@
+// shaded.c - shadows and mirrors at full size: chapter 08 beside its peers, in one run.
+//
+// Usage: shaded [-r ROUNDS] [-s WIDTHxHEIGHT] [-t THREADS]... [-n SAMPLES]... [-d DEPTH]
+// [-l SECONDS] [-e RENDERER]... [-c] [-o FILE.csv] SCENE...
+//
+// All renderers of a scene take turns, round after round. The time includes building the hierarchy,
+// and excludes reading the scene and writing the picture. Each ratio is taken in a round, to
+// chapter 08's time in it. Pictures are compared first: peers compute in float, or have formulas of
+// their own, so only the mean difference is limited. Who takes longer than SECONDS (3) takes part
+// in fewer rounds, but in one at least. With -c the time is the processor's, of all threads
+// together: other programs disturb it less. (That is not for POV-Ray, which is another process.)
+#include "chapters/08-fast/engines/clock.h"
+#include "chapters/shared/scene_camera.h"
+#include "tests/benches/measure.h"
+
+#include <getopt.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+// All rounds of one renderer take about as long as this many pictures of SECONDS.
+#define MOST_PICTURES 5
+// Of a byte, in the mean over all pixels.
+#define MOST_DIFFERENT 1.0
+enum { MOST_RENDERERS = 8, MOST_ROUNDS = 99, MOST_COUNTS = 8 };
+
+Measured measured;
+
+typedef struct {
+    const Engine *renderer;
+    int rounds;
+    double seconds[MOST_ROUNDS], spent, different;
+} Row;
+
+// Over all scenes.
+typedef struct {
+    double log_sum, least;
+    int scenes;
+} Sum;
+
+static struct {
+    int rounds, threads[MOST_COUNTS], thread_counts, samples[MOST_COUNTS], sample_counts, depth;
+    Resolution size;
+    double longest;
+    bool processor_time;
+    const char *chosen[MOST_RENDERERS];
+    int chosen_count, renderer_count;
+    const Engine *renderers[MOST_RENDERERS]; // the first one is chapter 08's
+    Sum sums[MOST_RENDERERS][MOST_COUNTS][MOST_COUNTS];
+    FILE *csv;
+} plan = {.rounds = 5, .depth = 3, .size = {1920, 1080}, .longest = 3};
+
+static void stop(const char *what, const char *why)
+{
+    fprintf(stderr, "%s: %s\n", what, why);
+    exit(1);
+}
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return plan.processor_time ? (double)time.tv_sec + 1e-9 * (double)time.tv_nsec
+                               : clock_seconds();
+}
+
+// Seconds; the picture is left in the image.
+static double render_once(const Engine *renderer, const Work *work, Style style)
+{
+    Message message;
+    measured.build = measured.cast = 0;
+    double began = now();
+    if (!renderer->light(work, style, &message))
+        stop(renderer->name, message.text);
+    double took = now() - began;
+    return measured.cast > 0 ? measured.build + measured.cast : took;
+}
+
+static double mean_difference(const Image *one, const Image *other)
+{
+    size_t bytes = 3 * (size_t)one->size.width * (size_t)one->size.height;
+    double sum = 0;
+    for (size_t i = 0; i < bytes; i++)
+        sum += abs(one->rgb[i] - other->rgb[i]);
+    return sum / (double)bytes;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double quantile(const double *values, int count, double share)
+{
+    double sorted[MOST_ROUNDS];
+    memcpy(sorted, values, (size_t)count * sizeof *values);
+    qsort(sorted, (size_t)count, sizeof *sorted, by_value);
+    double at = share * (count - 1);
+    int below = (int)at;
+    return below + 1 < count ? sorted[below] + (at - below) * (sorted[below + 1] - sorted[below])
+                             : sorted[below];
+}
+
+static void report(const Row *row, const Row *ours, const char *scene, int spheres, int samples,
+                   int threads, Sum *sum)
+{
+    double ratios[MOST_ROUNDS];
+    int rounds = row->rounds;
+    for (int i = 0; i < rounds; i++)
+        ratios[i] = row->seconds[i] / ours->seconds[i];
+    double ms = 1e3 * quantile(row->seconds, rounds, 0.5), times = quantile(ratios, rounds, 0.5);
+    double low = quantile(ratios, rounds, 0), high = quantile(ratios, rounds, 1);
+    printf("  %-12s %7d %7d %9.4g   %-6.3g (%.3g to %.3g, %d rounds)", row->renderer->name,
+           samples * samples, threads, ms, times, low, high, rounds);
+    printf(row->different > 0 ? "  bytes differ by %.2g in the mean\n" : "\n", row->different);
+    fflush(stdout);
+    if (plan.csv != NULL)
+        fprintf(plan.csv, "%s,%d,%s,%d,%d,%d,%.5g,%.4g,%.4g,%.4g,%.3g\n", scene, spheres,
+                row->renderer->name, samples * samples, threads, rounds, ms, times, low, high,
+                row->different);
+    sum->log_sum += log(times);
+    sum->least = sum->scenes++ == 0 ? times : fmin(sum->least, times);
+}
+
+static void measure(const Scene *scene, const char *name, int sample_count, int thread_count)
+{
+    static Row rows[MOST_RENDERERS];
+    Style style = {plan.samples[sample_count], plan.depth, 1};
+    int threads = plan.threads[thread_count];
+    Message message;
+    Image right, image;
+    if (!image_create(&right, plan.size, &message) || !image_create(&image, plan.size, &message))
+        stop(name, message.text);
+    Work work = {.scene = scene, .image = &image, .threads = threads};
+    if (scene_camera(&scene->view, plan.size, &work.camera) != CAMERA_OK)
+        stop(name, "no camera");
+    for (int i = 0; i < plan.renderer_count; i++)
+        rows[i] = (Row){.renderer = plan.renderers[i]};
+    for (int round = 0; round < plan.rounds; round++)
+        for (int i = 0; i < plan.renderer_count; i++) {
+            Row *row = &rows[i];
+            if (round > 0 && row->spent > MOST_PICTURES * plan.longest)
+                continue;
+            work.image = i == 0 ? &right : &image;
+            row->seconds[row->rounds] = render_once(row->renderer, &work, style);
+            row->spent += row->seconds[row->rounds++];
+            row->different = i == 0 ? 0 : mean_difference(&right, &image);
+            if (row->different > MOST_DIFFERENT)
+                stop(row->renderer->name, "another picture");
+        }
+    for (int i = 0; i < plan.renderer_count; i++)
+        report(&rows[i], &rows[0], name, scene->sphere_count, style.samples, threads,
+               &plan.sums[i][sample_count][thread_count]);
+    image_free(&right);
+    image_free(&image);
+}
+
+static void measure_scene(const char *path)
+{
+    Scene scene;
+    Message message;
+    char name[100];
+    if (!scene_load(path, &scene, &message))
+        stop(path, message.text);
+    measured.scene_path = path;
+    const char *slash = strrchr(path, '/'), *file = slash != NULL ? slash + 1 : path;
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(file, "."), file);
+    printf("\n%s, %d spheres, %d mirrors deep\n  %-12s %7s %7s %9s   %s\n", name,
+           scene.sphere_count, plan.depth, "renderer", "samples", "threads", "ms",
+           "times chapter 08's time");
+    for (int s = 0; s < plan.sample_counts; s++)
+        for (int t = 0; t < plan.thread_counts; t++)
+            measure(&scene, name, s, t);
+    scene_free(&scene);
+}
+
+static bool is_chosen(const char *name)
+{
+    for (int i = 0; i < plan.chosen_count; i++)
+        if (strcmp(plan.chosen[i], name) == 0)
+            return true;
+    return plan.chosen_count == 0;
+}
+
+static void find_renderers(void)
+{
+    plan.renderers[plan.renderer_count++] = engine_named("bvh");
+    for (const Engine *peer = peers; peer->name != NULL; peer++) {
+        Message message;
+        if (peer->light == NULL || !is_chosen(peer->name))
+            continue;
+        if (peer_is_here(peer, &message))
+            plan.renderers[plan.renderer_count++] = peer;
+        else
+            fprintf(stderr, "%s\n", message.text);
+    }
+}
+
+static void sum_up(void)
+{
+    printf("\nOver all scenes, times chapter 08's time (geometric mean of the medians)\n"
+           "  %-12s %7s %7s %7s %9s %9s\n",
+           "renderer", "samples", "threads", "scenes", "mean", "least");
+    for (int i = 1; i < plan.renderer_count; i++)
+        for (int s = 0; s < plan.sample_counts; s++)
+            for (int t = 0; t < plan.thread_counts; t++) {
+                Sum sum = plan.sums[i][s][t];
+                if (sum.scenes > 0)
+                    printf("  %-12s %7d %7d %7d %9.3g %9.3g\n", plan.renderers[i]->name,
+                           plan.samples[s] * plan.samples[s], plan.threads[t], sum.scenes,
+                           exp(sum.log_sum / sum.scenes), sum.least);
+            }
+}
+
+int main(int argc, char **argv)
+{
+    for (int c; (c = getopt(argc, argv, "r:s:t:n:d:l:e:co:")) != -1;)
+        if (c == 'r')
+            plan.rounds = atoi(optarg);
+        else if (c == 's' && sscanf(optarg, "%dx%d", &plan.size.width, &plan.size.height) == 2)
+            continue;
+        else if (c == 't' && plan.thread_counts < MOST_COUNTS)
+            plan.threads[plan.thread_counts++] = atoi(optarg);
+        else if (c == 'n' && plan.sample_counts < MOST_COUNTS)
+            plan.samples[plan.sample_counts++] = atoi(optarg);
+        else if (c == 'd')
+            plan.depth = atoi(optarg);
+        else if (c == 'l')
+            plan.longest = atof(optarg);
+        else if (c == 'c')
+            plan.processor_time = true;
+        else if (c == 'e' && plan.chosen_count < MOST_RENDERERS)
+            plan.chosen[plan.chosen_count++] = optarg;
+        else if (c != 'o' || (plan.csv = fopen(optarg, "w")) == NULL)
+            return 2;
+    if (plan.thread_counts == 0)
+        plan.threads[plan.thread_counts++] = 1;
+    if (plan.sample_counts == 0)
+        plan.samples[plan.sample_counts++] = 1;
+    if (plan.rounds < 1 || plan.rounds > MOST_ROUNDS)
+        plan.rounds = MOST_ROUNDS;
+    find_renderers();
+    if (plan.csv != NULL)
+        fprintf(plan.csv, "scene,spheres,renderer,samples,threads,rounds,ms,times,least,most,"
+                          "bytes_different\n");
+    for (int i = optind; i < argc; i++)
+        measure_scene(argv[i]);
+    sum_up();
+    if (plan.csv != NULL)
+        fclose(plan.csv);
+    return 0;
+}
