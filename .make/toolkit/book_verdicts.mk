@@ -13,16 +13,23 @@ $(BOOK_STEMS:%=$(KNOWN)/%.o): $(KNOWN)/%.o: $(KNOWN_TWO) $(B)/weak.h $(KNOWN_PAR
 		$$(call parts,tests/$$*/mistakes) $$(call parts,tests/$$*/variants) $$(call parts,tests/$$*/unknown)
 	$(call say,compile,known answers of $*)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(LANGUAGE) -O0 -w -finstrument-functions $(call by_number,$*) -c -o $(@D)/$*-number.o $(word 1,$^)
-	$(Q)$(CC) $(LANGUAGE) -O0 -w $(call by_number,$*) -c -o $(@D)/$*-reference.o $(word 2,$^)
+	$(Q)$(CC) $(LANGUAGE) -O2 -w -finstrument-functions $(call by_number,$*) -c -o $(@D)/$*-number.o $(word 1,$^)
+	$(Q)$(CC) $(LANGUAGE) -O2 -w $(call by_number,$*) -c -o $(@D)/$*-reference.o $(word 2,$^)
 	$(Q)ld -r -o $@ $(@D)/$*-number.o $(@D)/$*-reference.o $(filter-out $(B)/weak.h,$(wordlist 3,999,$^))
 $(BOOK_STEMS:%=$(WASM_KNOWN)/%.o): $(WASM_KNOWN)/%.o: $(KNOWN_TWO) $(B)/weak.h $(call wasm_of,$(KNOWN_PARTS)) $(WASM_REFERENCES) \
 		$$(call wasm_of,$$(call parts,tests/$$*/mistakes) $$(call parts,tests/$$*/variants) $$(call parts,tests/$$*/unknown))
 	$(call say,wasm,known answers of $*)
 	$(Q)mkdir -p $(@D)
-	$(Q)$(WASM_CC) $(WASM_LANGUAGE) -O0 -w $(call by_number,$*) -c -o $(@D)/$*-number.o $(word 1,$^)
-	$(Q)$(WASM_CC) $(WASM_LANGUAGE) -O0 -w $(call by_number,$*) -c -o $(@D)/$*-reference.o $(word 2,$^)
+	$(Q)$(WASM_CC) $(WASM_LANGUAGE) -O2 -w $(call by_number,$*) -c -o $(@D)/$*-number.o $(word 1,$^)
+	$(Q)$(WASM_CC) $(WASM_LANGUAGE) -O2 -w $(call by_number,$*) -c -o $(@D)/$*-reference.o $(word 2,$^)
 	$(Q)wasm-ld -r -o $@ $(@D)/$*-number.o $(@D)/$*-reference.o $(filter-out $(B)/weak.h,$(wordlist 3,999,$^))
+# How an exercise is called by its number: an answer that is judged has that already, a picture has not.
+KNOWN_CALLS := $(patsubst %,$(B)/tests/judge/%.o,exercise types)
+$(KNOWN)/exercise.a: $(KNOWN_CALLS)
+$(WASM_KNOWN)/exercise.a: $(call wasm_of,$(KNOWN_CALLS))
+$(KNOWN)/exercise.a $(WASM_KNOWN)/exercise.a:
+	$(Q)mkdir -p $(@D)
+	$(Q)rm -f $@ && llvm-ar rcsD $@ $^
 # In the terminal the answer and the judge have the page's tanf: those of C libraries differ in the last digit.
 SAME_TANF := $(KNOWN)/tanf.so
 $(SAME_TANF): $(INSTEAD)/tanf.c
@@ -30,11 +37,11 @@ $(SAME_TANF): $(INSTEAD)/tanf.c
 	$(Q)$(CC) $(LANGUAGE) -O2 -shared -fPIC -o $@ $< -lm
 LIST_KNOWN := $(B)/tests/proof/book/list_known
 $(LIST_KNOWN): $(LIST_KNOWN).o $(KNOWN_PARTS) $(foreach kind,mistakes variants unknown,$(call known,$(kind))) $(REFERENCES) \
-		$(patsubst %,$(B)/tests/judge/%.o,exercise types) $(B)/common.a
+		$(KNOWN_CALLS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 
-check-book-verdicts: book-judge book-programs $(LIST_KNOWN) $(SAME_TANF) $(BOOK_STEMS:%=$(KNOWN)/%.o) $(BOOK_STEMS:%=$(WASM_KNOWN)/%.o) \
+check-book-verdicts: book-judge book-programs $(LIST_KNOWN) $(SAME_TANF) $(foreach of,$(KNOWN) $(WASM_KNOWN),$(BOOK_STEMS:%=$(of)/%.o) $(of)/exercise.a) \
 		$(call FOR_JUDGING,$(STEMS)) ## the page's verdicts against the terminal's (COUNT=... of them, SEED=...)
 	@COUNT='$(or $(COUNT),$(if $(filter check-book-verdicts,$(MAKECMDGOALS)),,2))' CC='$(CC)' node tests/proof/book/verdicts.mjs '$(B)' '$(WASM)' '$(BOOK)' $(if $(EX),$(CHOSEN),$(BOOK_STEMS))
 .PHONY: check-book-verdicts

@@ -1,6 +1,9 @@
 // answer_by_number.c - the answers of a chapter (ANSWERED): one of them is the known answer that
 // was chosen, the others are the reference's.
 //
+// Which one is said by a text, "known answer 000012", which is exchanged in the program itself. So one
+// program has them all, and nothing is compiled or linked for the next.
+//
 // All are weak, as a student's are, so that the linker can lend them. In the reference's own code
 // (reference_answers.c) the calls of an exercise come here too.
 #include "tests/proof/book/known_answers.h"
@@ -12,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const int known_answer;
+extern const char known_answer[];
 
 #define CHAPTER(number) (ANSWERED == number)
 #define EXERCISE(stem, result, name, parameters, ...)                                              \
@@ -20,16 +23,25 @@ extern const int known_answer;
     result referred_##name(DECLARED(parameters));
 #include "tests/exercises.def"
 
+static void choose(const char *stem, KnownAnswer *known)
+{
+    int number = -1;
+    if (sscanf(known_answer, "known answer %d", &number) != 1 ||
+        !known_answer_at(stem, number, known)) {
+        fprintf(stderr, "there is no %s\n", known_answer);
+        exit(2);
+    }
+}
+
 static void answer(int exercise, AnyFunction *reference, void *result, void *const *arguments)
 {
     static KnownAnswer known;
-    if (known.exercise == NULL &&
-        !known_answer_at(exercises[exercise].stem, known_answer, &known)) {
-        fprintf(stderr, "there is no known answer %d\n", known_answer);
-        exit(2);
-    }
-    bool is_it = strcmp(exercises[exercise].name, known.exercise) == 0;
-    exercises[exercise].call(is_it ? known.answer : reference, result, arguments);
+    static int chosen = -1; // an exercise
+    if (known.exercise == NULL)
+        choose(exercises[exercise].stem, &known);
+    if (chosen < 0 && strcmp(exercises[exercise].name, known.exercise) == 0)
+        chosen = exercise;
+    exercises[exercise].call(exercise == chosen ? known.answer : reference, result, arguments);
 }
 
 #define ANSWER_VALUE(result, name, parameters)                                                     \

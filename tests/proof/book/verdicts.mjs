@@ -1,23 +1,23 @@
 // verdicts.mjs - the page's verdict on each known answer is the terminal's, word for word, and so are the
 // pictures that it draws, pixel for pixel.
 //
-//   node verdicts.mjs BUILD WASM BOOK STEM...    COUNT: only so many of each chapter; SEED: which
+//   node verdicts.mjs BUILD WASM BOOK STEM...    COUNT: only so many of each chapter; SEED: which; JOBS: processes
 //
 // An answer is compiled by the compiler of the terminal, and by clang for the page; then both run
 // tests/course/course.c, one as a process and one as an instance. First come answers that crash, hang, print and so
-// on, compiled as a student's are.
-import {execFileSync, spawnSync} from 'node:child_process';
-import {cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
-import {tmpdir} from 'node:os';
+// on, compiled as a student's are. The programs of the known answers are linked once: each is a number in them.
+import {execFileSync, fork, spawnSync} from 'node:child_process';
+import {existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
+import {cpus, tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {inflateSync} from 'node:zlib';
 import {createJudge} from '../../../chapters/book/judge.js';
 
 const [build, wasm, book, ...stems] = process.argv.slice(2);
 const count = Number(process.env.COUNT) || Infinity, top = process.cwd();
-const folder = mkdtempSync(join(tmpdir(), 'verdicts-')), terminal = join(folder, 'tree'), scratch = join(folder, 'scratch');
+const folder = mkdtempSync(join(tmpdir(), 'verdicts-')), terminal = join(folder, 'tree'), scratch = join(folder, 'scratch'), kept = join(folder, 'kept');
 process.on('exit', () => rmSync(folder, {recursive: true}));
-mkdirSync(scratch);
+for (const at of [scratch, kept]) mkdirSync(at);
 
 // ---- the terminal: a tree of links, with exercises/ and build/exercises/ of its own ---------------
 
@@ -32,29 +32,38 @@ function plant() {
 const wholePlan = () => readFileSync(`${build}/exercises/verdict/plan`, 'utf8').replace(/^compile early\t.*\n/m, '');
 /** A known answer is two objects: its number, and all answers. */
 function plan(stem) {
-  const lines = wholePlan().split('\n').filter(line => !/^(shared|loading|lend shared|lent|hide)\t/.test(line));
-  const known = join(top, build, 'known', `${stem}.o`);
+  const lines = wholePlan().split('\n').filter(line => !/^(shared|loading|lend shared|lent|hide|quick|directly)\t/.test(line));
+  const object = join(top, build, 'known', `${stem}.o`);
   const at = lines.indexOf(`chapter\t${stem}`);
-  const add = (key, from) => { const i = lines.findIndex((line, i) => i >= from && line.startsWith(key + '\t')); lines[i] = `${key}\t${known} ${lines[i].slice(key.length + 1)}`; };
-  add('objects', at);
-  add('libraries', 0);
+  const libraries = ['known/exercise.a', 'common.a'].map(name => join(top, build, name)).join(' '), add = (key, from, objects) => {
+    const i = lines.findIndex((line, i) => i >= from && line.startsWith(`${key}\t`));
+    lines[i] = `${key}\t${objects} ${lines[i].slice(key.length + 1)}`;
+  };
+  add('objects', at, object);
+  add('libraries', 0, `${object} ${libraries}`); // of pictures
   const compile = lines.findIndex(line => line.startsWith('compile\t'));
-  lines[compile] = `compile\t${process.env.CC || 'cc'} -c`;
-  return lines.join('\n');
+  const cc = process.env.CC || 'cc', once = `sh tests/proof/book/once.sh ${kept}`;
+  lines[compile] = `compile\t${once} ${cc} -c`;
+  return lines.join('\n').replace('\nlink\t', `$&${once} `);
 }
+/** Of pictures that were shown: they are shown again if their function was wrong meanwhile. */
+let marks = [];
 const sameTanf = join(top, build, 'known', 'tanf.so');
-function inTerminal(stem, how = plan(stem)) {
+function inTerminal(stem, how, number) {
   for (const name of ['figures', 'so-far', 'gallery', 'verdict']) rmSync(join(terminal, 'build/exercises', name), {recursive: true, force: true});
   mkdirSync(join(terminal, 'build/exercises/verdict'));
   writeFileSync(join(terminal, 'build/exercises/verdict/plan'), how);
+  for (const mark of marks) writeFileSync(join(terminal, mark), '');
   const ran = spawnSync(join(top, build, 'course'), ['exercises', 'build/exercises/verdict/plan', stem],
-    {cwd: terminal, encoding: 'utf8', env: {PATH: process.env.PATH, COLUMNS: '', LD_PRELOAD: sameTanf}});
+    {cwd: terminal, encoding: 'utf8', env: {PATH: process.env.PATH, COLUMNS: '', LD_PRELOAD: sameTanf, KNOWN_ANSWER: known(number)}});
   const pictures = {};
   for (const at of ['figures', 'so-far', 'gallery']) {
     const of = join(terminal, 'build/exercises', at);
     if (existsSync(of)) for (const name of readdirSync(of)) if (/\.(png|gp)$/.test(name)) pictures[name] = readFileSync(join(of, name));
   }
-  return {text: ran.stdout, errors: ran.stderr, pictures};
+  const verdict = 'build/exercises/verdict/';
+  const marksNow = readdirSync(join(terminal, verdict)).filter(name => name.endsWith('.drawn')).map(name => verdict + name);
+  return {text: ran.stdout, errors: ran.stderr, pictures, marks: marksNow};
 }
 
 // ---- the page ------------------------------------------------------------------------------------
@@ -82,8 +91,19 @@ function compile(words, files) {
   return result;
 }
 const archives = {'link/common.a': `${wasm}/common.a`, 'link/shared.a': `${wasm}/shared.a`};
-function link(words, files) {
+/** A program is linked once for all known answers; which of them it has is a text in it. */
+const known = number => `known answer ${String(number).padStart(6, '0')}`, ANY = known(0);
+const linkedOnce = new Map();
+function numbered(bytes, number) {
+  const copy = Buffer.from(bytes), at = copy.indexOf(ANY);
+  if (at < 0 || copy.indexOf(ANY, at + 1) >= 0) throw new Error('a program has the number of its answer not once');
+  copy.write(known(number), at);
+  return copy;
+}
+function link(words, files, number) {
   const output = words[words.indexOf('-o') + 1], stem = /([0-9]+-[a-z-]+)\//.exec(output)[1], isAnswer = /\/(answering|alone)$/.test(output);
+  const before = linkedOnce.get(words.join(' ')), linked = join(scratch, 'linked.wasm');
+  if (before && !asStudents) return {...before.result, module: new WebAssembly.Module(numbered(before.bytes, number))};
   const objects = words.filter(word => /\.[oa]$/.test(word)).map(word => {
     if (!files.get(word)) return archives[word] ?? join(wasm, word);
     const at = join(scratch, word.replaceAll('/', '-'));
@@ -92,12 +112,16 @@ function link(words, files) {
   });
   const names = readFileSync(`${wasm}/names/${stem}`, 'utf8').trim().split('\n');
   const result = clang([...isAnswer ? ['-mexec-model=reactor', '-Wl,--export=__stack_pointer', ...names.map(name => `-Wl,--wrap=${name}`)] : [],
-    '-Wl,--stack-first', '-Wl,-z,stack-size=1048576', '-Wl,--gc-sections', '-Wl,--strip-all', '-Wl,--no-check-features', '-o', join(scratch, 'linked.wasm'),
-    ...objects, ...asStudents ? [] : [`${wasm}/known/${stem}.o`], `${wasm}/common.a`, ...['signal', 'mman', 'process-clocks', 'getpid'].map(e => `-lwasi-emulated-${e}`), '-lm']);
-  return result.status === 0 ? {...result, module: new WebAssembly.Module(readFileSync(join(scratch, 'linked.wasm')))} : result;
+    '-Wl,--stack-first', '-Wl,-z,stack-size=1048576', '-Wl,--gc-sections', '-Wl,--strip-all', '-Wl,--no-check-features', '-o', linked,
+    ...objects, ...asStudents ? [] : [`${wasm}/known/${stem}.o`, `${wasm}/known/exercise.a`], `${wasm}/common.a`, ...['signal', 'mman', 'process-clocks', 'getpid'].map(e => `-lwasi-emulated-${e}`), '-lm']);
+  if (result.status !== 0) return result;
+  const bytes = readFileSync(linked);
+  if (asStudents) return {...result, module: new WebAssembly.Module(bytes)};
+  linkedOnce.set(words.join(' '), {result, bytes});
+  return {...result, module: new WebAssembly.Module(numbered(bytes, number))};
 }
-function inPage(stem, source) {
-  const judge = createJudge({modules, files: tree, compile, link});
+function inPage(stem, source, number) {
+  const judge = createJudge({modules, files: new Map([...tree, ...marks.map(mark => [mark, ''])]), compile, link: (words, files) => link(words, files, number)});
   return judge.judge({stem, sources: {[stem]: source}});
 }
 
@@ -132,7 +156,6 @@ function pixels(png) {
 
 // ---- all of them -----------------------------------------------------------------------------------
 
-plant();
 let passed = 0, failed = 0, drawn = 0;
 function fail(stem, number, what, ours, theirs) {
   failed++;
@@ -142,11 +165,12 @@ function fail(stem, number, what, ours, theirs) {
   console.log(spawnSync('diff', ['-u', join(folder, 'terminal'), join(folder, 'page')], {encoding: 'utf8'}).stdout);
 }
 function compareKnown(stem, number, what) {
-  compare(stem, number, what, `// The known answer '${what.replace('\t', "', ")}.\nconst int known_answer = ${number};\n`);
+  compare(stem, number, what, `const char known_answer[] = "${ANY}";\n`, plan(stem));
 }
 function compare(stem, number, what, source, how) {
   writeFileSync(join(terminal, 'exercises', `${stem}.c`), source);
-  const ours = inTerminal(stem, how), theirs = inPage(stem, source);
+  const ours = inTerminal(stem, how, number), theirs = inPage(stem, source, number);
+  marks = ours.marks;
   if (ours.text !== theirs.text) return fail(stem, number, what, ours.text, theirs.text);
   const drawings = {...theirs.pictures};
   for (const [name, script] of Object.entries(theirs.figures)) drawings[`${name}.gp`] = script;
@@ -178,21 +202,49 @@ const bodies = {
 function compareEndings(stem) {
   const blank = readFileSync(`build/blanks/${stem}.c`, 'utf8');
   asStudents = true;
+  const how = wholePlan().replace(/^compile\t\S+/m, '$& -w');
   for (const [what, body] of Object.entries(bodies))
     compare(stem, 'by hand', what, blank.replace('#include', '#include <stdio.h>\n#include <stdlib.h>\n#include')
-      .replace(/(vec3 upper_left\(Camera c\)\n\{\n)[^}]*/, (_, start) => `${start}    ${body}\n`), wholePlan().replace(/^compile\t\S+/m, '$& -w'));
+      .replace(/(vec3 upper_left\(Camera c\)\n\{\n)[^}]*/, (_, start) => `${start}    ${body}\n`), how);
   asStudents = false;
 }
 
-if (stems.includes('01-corners')) compareEndings('01-corners');
-for (const stem of stems) {
-  const known = execFileSync(`${build}/tests/proof/book/list_known`, [stem], {encoding: 'utf8'}).trim().split('\n');
-  const step = Math.max(1, Math.floor(known.length / count)), began = Date.now();
-  for (let i = (Number(process.env.SEED) || 0) % step; i < known.length; i += step) {
-    compareKnown(stem, i, known[i]);
-    if (process.stderr.isTTY) process.stderr.write(`\r  ${stem} ${i + 1} of ${known.length} `);
+/** Of all answers, those that this process compares. */
+function compareAll(part, parts) {
+  plant();
+  if (part === 0 && stems.includes('01-corners')) compareEndings('01-corners');
+  for (const stem of stems) {
+    const answers = execFileSync(`${build}/tests/proof/book/list_known`, [stem], {encoding: 'utf8'}).trim().split('\n');
+    const step = Math.max(1, Math.floor(answers.length / count)), began = Date.now();
+    marks = [];
+    for (let i = (Number(process.env.SEED) || 0) % step, k = 0; i < answers.length; i += step, k++) {
+      if (k % parts !== part) continue;
+      compareKnown(stem, i, answers[i]);
+      if (process.stderr.isTTY && part === 0) process.stderr.write(`\r  ${stem} ${i + 1} of ${answers.length} `);
+    }
+    if (part === 0) console.log(`${stem}: ${((Date.now() - began) / 1000).toFixed(0)} s`);
   }
-  console.log(`${stem}: ${((Date.now() - began) / 1000).toFixed(0)} s`);
 }
-console.log(`verdicts in the page: ${passed} passed, ${failed} failed, ${drawn} figures and pictures`);
-process.exitCode = failed > 0 ? 1 : 0;
+function finish() {
+  console.log(`verdicts in the page: ${passed} passed, ${failed} failed, ${drawn} figures and pictures`);
+  process.exitCode = failed > 0 ? 1 : 0;
+}
+const jobs = Number(process.env.JOBS) || cpus().length, part = process.env.PART;
+if (part !== undefined) {
+  compareAll(Number(part), jobs);
+  process.send({passed, failed, drawn});
+} else if (jobs === 1) {
+  compareAll(0, 1);
+  finish();
+} else {
+  let running = jobs;
+  for (let i = 0; i < jobs; i++) {
+    let said;
+    fork(process.argv[1], process.argv.slice(2), {env: {...process.env, PART: i, JOBS: jobs}}).on('message', result => { said = result; }).on('exit', () => {
+      passed += said?.passed ?? 0;
+      failed += said?.failed ?? 1;
+      drawn += said?.drawn ?? 0;
+      if (--running === 0) finish();
+    });
+  }
+}
