@@ -1,8 +1,8 @@
 // answer_by_number.c - the answers of a chapter (ANSWERED): one of them is the known answer that
 // was chosen, the others are the reference's.
 //
-// Which one is said by a text, "known answer 000012", which is exchanged in the program itself. So one
-// program has them all, and nothing is compiled or linked for the next.
+// Which one is said by a text, "known answer 000012", which is exchanged in the program itself. So
+// one program has them all, and nothing is compiled or linked for the next.
 //
 // All are weak, as a student's are, so that the linker can lend them. In the reference's own code
 // (reference_answers.c) the calls of an exercise come here too.
