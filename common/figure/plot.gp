@@ -13,6 +13,8 @@ if (!exists("step")) step = 1000
 if (!exists("output")) output = name
 if (!exists("wrong")) wrong = 0
 if (!exists("note")) note = ""
+# While something is dragged, a figure of many marks has fewer.
+if (!exists("dragged")) dragged = 0
 # In units of the canvas.
 if (!exists("text_size")) text_size = 24
 if (!exists("strip_count")) strip_count = 0

@@ -107,6 +107,8 @@ static void write_script(Plot *plot, FILE *out, const Figure *figure, const char
     free(from);
     if (placed)
         fprintf(out, "text_size = %d\n", TEXT_SIZE);
+    if (plot_is_dragged(plot))
+        fputs("dragged = 1\n", out);
     if (note != NULL && plot->wrong) {
         char *said = gnuplot_string(note, false);
         fprintf(out, "note = %s\n", said);

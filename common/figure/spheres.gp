@@ -58,9 +58,11 @@ lit(r, k, phi) = 0.32 * k * r * cos(phi - 125) + sqrt((r * (1 - 0.66 * k))**2 - 
 rim(i, list, k, phi) = list eq "" ? lit(ball_r[i], k, phi) : \
     most(0, least(lit(ball_r[i], k, phi), upto(i, list, words(list), phi)))
 inner(i, list, phi) = list eq "" ? 0 : from(i, list, words(list), phi)
-# Once round the rim in 145 places; where something divides it, also back along its inner rim.
-turn(list, at) = list eq "" ? 2.5 * at : at <= 72 ? 5 * at : 720 - 5 * at
-way(i, list, k, at) = list eq "" || at <= 72 ? rim(i, list, k, turn(list, at)) : \
+# Once round the rim in so many places; where something divides it, also back along its inner rim.
+places = dragged ? 49 : 145
+once_round(at) = 360.0 / (places - 1) * at
+turn(list, at) = list eq "" ? once_round(at) : at <= places / 2 ? 2 * once_round(at) : 720 - 2 * once_round(at)
+way(i, list, k, at) = list eq "" || at <= places / 2 ? rim(i, list, k, turn(list, at)) : \
     least(inner(i, list, turn(list, at)), rim(i, list, k, turn(list, at)))
 disc_x(i, list, k, at) = ball_x[i] + way(i, list, k, at) * cos(turn(list, at))
 disc_y(i, list, k, at) = ball_y[i] + way(i, list, k, at) * sin(turn(list, at))
@@ -75,15 +77,15 @@ on_arc(i, list, which, phi) = arc_n(which, phi) > 0 && beyond(i, list, words(lis
     ball_r[i] * arc_y(which, phi), ball_r[i] * arc_n(which, phi)) ? ball_y[i] + ball_r[i] * arc_y(which, phi) : NaN
 
 # The commands that draw sphere i: its shades, its outline, its great circles.
-layers = 10
+layers = 10 # fewer of many spheres, and while something is dragged
 disc(i, list, k) = sprintf("'+' using (disc_x(%d,'%s',%g,$0)):(disc_y(%d,'%s',%g,$0)) with filledcurves closed \
 fc rgb '%s' fs solid noborder title '%s %s', ", i, list, k, i, list, k, shade(ball_rgb[i], 0.55 * k - 0.3), \
     k > 0 ? "shade of" : words(list) > 0 && word(list, 1) eq "0" ? "before the plane, sphere" : "sphere", \
     ball_name(ball_number[i]))
 discs(i, list, m) = m < 0 ? "" : discs(i, list, m - 1).disc(i, list, m / (layers + 0.0))
-rims(i, list) = sprintf("'+' using (edge_x(%d,'%s',2.5*$0)):(edge_y(%d,'%s',2.5*$0)) with lines lw 1 \
+rims(i, list) = sprintf("'+' using (edge_x(%d,'%s',once_round($0))):(edge_y(%d,'%s',once_round($0))) with lines lw 1 \
 lc rgb '%s' title 'outline of %s', ", i, list, i, list, outline(ball_rgb[i]), ball_name(ball_number[i]))
-arc(i, list, which) = sprintf("'+' using (ball_x[%d]+ball_r[%d]*arc_x(%d,2.5*$0)):(on_arc(%d,'%s',%d,2.5*$0)) \
+arc(i, list, which) = sprintf("'+' using (ball_x[%d]+ball_r[%d]*arc_x(%d,once_round($0))):(on_arc(%d,'%s',%d,once_round($0))) \
 with lines lw 0.8 lc rgb '%s' title 'great circle of %s', ", i, i, which, i, list, which, \
     shade(ball_rgb[i], bright(ball_rgb[i]) > 0.18 ? -0.4 : 0.4), ball_name(ball_number[i]))
 ball(i, list) = discs(i, list, layers).arc(i, list, 0).arc(i, list, 1).rims(i, list)
@@ -116,12 +118,12 @@ using (%g):(%g):(letters(%d,'%s')) with labels tc rgb '%s' title 'name of %s', "
 meets(i, j) = i != j && ball_n[j] < ball_n[i] && apart(i, j) < ball_r[i] + ball_r[j] && h_of(i, j) > -ball_r[i]
 dividers(i, j) = j == 0 ? "" : dividers(i, j - 1).(meets(i, j) ? sprintf(" %d", j) : "")
 farther(i) = sum [_j=1:balls] (ball_n[_j] < ball_n[i] || (ball_n[_j] == ball_n[i] && _j < i))
-spheres = 'set samples 145; count = 0; behind = ""; before = ""; names = ""; \
+spheres = 'set samples places; count = 0; behind = ""; before = ""; names = ""; \
     stats $spheres index 0 using (count = count + 1, ball_number[count] = $1, ball_x[count] = X($2,$3,$4), \
         ball_y[count] = Y($2,$3,$4), ball_n[count] = N($2,$3,$4), ball_r[count] = scale * $5, ball_rgb[count] = int($6), \
         ball_h[count] = scale * (along_forward(at_x, at_y, at_z) + d - along_forward($2,$3,$4)), 1) nooutput; \
     plane_side = near(0, 0, 1) < 0 ? -1 : 1; plane_x = plane_side * across(0, 1); \
-    plane_y = plane_side * above(0, 0, 1); plane_n = plane_side * near(0, 0, 1); layers = balls > 12 ? 4 : 10; \
+    plane_y = plane_side * above(0, 0, 1); plane_n = plane_side * near(0, 0, 1); layers = balls > 12 || dragged ? 4 : 10; \
     do for [i=1:balls] { order[1 + farther(i)] = i; ball_h[i] = plane_side * ball_h[i]; divided[i] = dividers(i, balls) }; \
     do for [k=1:balls] { i = order[k]; \
         if (ball_h[i] > -ball_r[i]) { behind = behind.ball(i, divided[i]) }; \

@@ -1,7 +1,7 @@
 // outline.c - the outline of a sphere on the image plane, and the lines from it to the eye.
 #include "chapters/06-ray-casting/figures/outline.h"
 
-enum { OUTLINE_PLACES = 72, LINES = 6, LINE_PLACES = 160 };
+enum { OUTLINE_PLACES = 72, LINES = 6, LINE_PLACES = 160, FEW_PLACES = 40 };
 
 // A place of the circle that is the sphere's outline, seen from the eye. There the line of sight
 // touches the sphere, at right angles to its radius.
@@ -64,11 +64,12 @@ void lines_to_eye(Plot *plot, const char *lines_name, const char *heads, Camera 
         v[i] = part[i] * whole;
         lines++;
     }
+    int places = plot_is_dragged(plot) ? FEW_PLACES : LINE_PLACES;
     plot_block(plot, lines_name, "x y z t, 1 where it is drawn bold");
     for (int i = 0; i < lines; i++) {
-        for (int k = 0; k <= LINE_PLACES; k++) {
-            vec3 p = c.origin + (double)k / LINE_PLACES * v[i];
-            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], part[i] * k / LINE_PLACES, 1});
+        for (int k = 0; k <= places; k++) {
+            vec3 p = c.origin + (double)k / places * v[i];
+            plot_row(plot, 5, (const double[]){p[0], p[1], p[2], part[i] * k / places, 1});
         }
         plot_gap(plot);
         plot_line(plot, c.origin, c.origin + v[i], 0, 0);

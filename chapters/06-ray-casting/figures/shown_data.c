@@ -6,7 +6,7 @@
 #include "exercises/03-screen.h"
 #include "exercises/04-pixel-ray.h"
 
-enum { MOST_NAMES = 12, RAY_PLACES = 240, PATCH_PLACES = 72 };
+enum { MOST_NAMES = 12, RAY_PLACES = 240, FEW_PLACES = 60, PATCH_PLACES = 72 };
 
 double rgb_number(Color color)
 {
@@ -68,12 +68,13 @@ void shown_cells_end(Plot *plot, const Shown *shown, int cells)
 
 void shown_ray(Plot *plot, const char *name, Ray ray, double end, double solid)
 {
+    int places = plot_is_dragged(plot) ? FEW_PLACES : RAY_PLACES;
     plot_block(plot, name, "x y z t, 1 where it is drawn bold");
-    for (int i = 0; i <= RAY_PLACES; i++) {
-        double t = end * i / RAY_PLACES;
+    for (int i = 0; i <= places; i++) {
+        double t = end * i / places;
         vec3 p = ray.origin + t * ray.direction;
         plot_row(plot, 5, (const double[]){p[0], p[1], p[2], t, t <= solid});
-        if (t < solid && end * (i + 1) / RAY_PLACES > solid) { // bold exactly up to there
+        if (t < solid && end * (i + 1) / places > solid) { // bold exactly up to there
             p = ray.origin + solid * ray.direction;
             plot_row(plot, 5, (const double[]){p[0], p[1], p[2], solid, 1});
         }
