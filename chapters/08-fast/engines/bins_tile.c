@@ -12,6 +12,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 // Spheres that are prepared together; after that, the farthest pixel is computed again.
 enum { AT_ONCE = 8, UNTIL_NEXT_LOOK = 16 };
@@ -246,6 +247,23 @@ static void give_spheres(const Here *here)
     }
 }
 
+// A tile without spheres.
+static void give_background(const Tiling *tiling, Pixel corner, int columns, int rows)
+{
+    const Image *image = tiling->work->image;
+    const uint8_t *background = tiling->paints[tiling->work->scene->surface_count].rgb;
+    uint8_t row_of_bytes[3 * TILE_WIDTH];
+    for (int i = 0; i < 3 * TILE_WIDTH; i++)
+        row_of_bytes[i] = background[i % 3];
+    for (int row = 0; row < rows; row++) {
+        Pixel first = {corner.column, corner.row + row};
+        if (tiling->seen == NULL)
+            memcpy(image_bytes(image, first), row_of_bytes, 3 * (size_t)columns);
+        else
+            memset(tiling->seen + image_index(image, first), -1, (size_t)columns * sizeof(int));
+    }
+}
+
 void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
 {
     Image *image = tiling->work->image;
@@ -256,6 +274,10 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
     here.corner = corner;
     here.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
     here.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
+    if (count == 0) {
+        give_background(tiling, corner, here.columns, here.rows);
+        return;
+    }
     // The rays end on the plane, because the step from one pixel to the next is the same there.
     here.rays = rays_from(ray_to_plane(pixel_ray(camera, image->size, corner), camera).direction,
                           camera.width / width * camera.right, -camera.height / height * camera.up);
