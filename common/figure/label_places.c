@@ -167,6 +167,8 @@ void find_places_anywhere(Labels *labels, int number, double step)
     Places *places = &labels->places[number];
     Lattice *lattice = &places->lattice;
     double du = label->width / 2, dv = label->height / 2;
+    // Less of a margin, if there is no room for it.
+    du += smaller(label->margin, larger(0, (area.right - area.left) / 2 - du));
     lattice->columns = numbers_from(&lattice->us, area.left + du, area.right - du, step);
     lattice->rows = numbers_from(&lattice->vs, area.top - dv, area.bottom + dv, -step);
     lattice->first_number = places->around.count * GAPS * DIRECTIONS;

@@ -24,6 +24,7 @@ typedef struct {
     double radius; // or a disc around a spot
     bool free;     // it names no place: it stands where there is room, as near to from as possible
     bool pinned;   // it names no place: it stands at from, and the others keep out of its way
+    double margin; // if it is free: at least so far from the left and right of the area
     double width, height; // of its text
     Spot middle;          // where it stands (labels_place)
     bool leads;           // with a leader, from start to end

@@ -12,6 +12,7 @@
 
 enum { PANELS = 9, SHAPES = 2, NAME_SIZE = 40 };
 enum { HEIGHT = 540, EDGE = 10, TITLE = 76 }; // of the canvas; and the room of a slide's title
+enum { MARGIN = 36 };                         // of a slide, left of its text (lecture.sty)
 enum { LINE = 3, DOT = 6 };                   // how wide a line is drawn, and half a dot
 
 static const int canvas_width[SHAPES] = {960, 720};
@@ -624,6 +625,7 @@ static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted
     PlacedLabel label = {.free = wanted->lines > 0 && !wanted->pinned, .pinned = wanted->pinned};
     if (wanted->lines > 0) {
         label.from = (Spot){wanted->across * canvas_width[shape], wanted->up * (HEIGHT - TITLE)};
+        label.margin = MARGIN - EDGE;
     } else if (wanted->block[0] == '\0') {
         enum { TINY = 8 };
         label.from = label.to = spot_of(view, shape, wanted->panel, wanted->label.place);

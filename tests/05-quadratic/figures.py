@@ -145,11 +145,18 @@ def ray_in(figure, panel, m):
             for i, axis in enumerate((panel.right, panel.up)))) < 0.1 * max(1, m.away / m.r), str(place))
 
 
+def from_the_margin(figure, name):
+    """Formulas begin where a slide's text does: 36 units from the left (chapters/slides/lecture.sty)."""
+    left = min(text.box[0] for text in figure.texts() if text.title == "label of words" and text.words)
+    checks.that(f"{name}: formulas begin at the margin of a slide", left > 35.9, f"at {left}")
+
+
 def ray_sphere(m, settings=""):
     figure = Figure(P, "ray-sphere", *m.options(), settings=settings)
     right, up = m.upright()
     panel = Panel(m, figure.lines("circle")[0], right, up)
     checks.near("c", figure.dots("c"), panel.place(m.c))
+    from_the_margin(figure, "ray-sphere")
     has_numbers(figure, "", m)
     ray_in(figure, panel, m)
     meets_in(figure, panel, m, ("t0", "t1"))
@@ -171,6 +178,7 @@ def ray_sphere(m, settings=""):
 
 def parabola(m):
     figure = Figure(P, "parabola", *m.options())
+    from_the_margin(figure, "parabola")
     panel = Panel(m, figure.lines("circle")[0], m.line, m.off)
     has_numbers(figure, "", m)
     ray_in(figure, panel, m)

@@ -150,6 +150,12 @@ def see(figure, world, room):
     return nearer
 
 
+def from_the_eye(figure, title):
+    """How a line goes on the canvas, if the eye is in its lower left corner."""
+    eye = figure.dots("eye")[0]
+    return [(x - eye[0], y - eye[1]) for x, y in figure.lines(title)[0]]
+
+
 def plane_where_it_is_seen():
     """However far the point is that the eye looks at, and however wide the angle."""
     far = {"from": (0, 0, 0), "at": (0, 0, -1), "up": (0, 1, 0), "angle": 40, "size": (8, 8), "background": (0, 0, 0),
@@ -157,7 +163,8 @@ def plane_where_it_is_seen():
     for name in ("object-order", "image-order", "ray-casting", "explain"):
         one, other = (Figure(PROGRAM, name, *scene_options({**far, "at": at}, (4, 4)))
                       for at in ((0, 0, -1), (0, 0, -9000)))
-        checks.near(f"{name}: a direction has no length", other.lines("plane")[0], one.lines("plane")[0])
+        # Seen from the eye: the words of explain are other ones, so the picture may be elsewhere on the canvas.
+        checks.near(f"{name}: a direction has no length", from_the_eye(other, "plane"), from_the_eye(one, "plane"))
         across = [x for x, _ in one.lines("plane")[0]]
         checks.that(f"{name}: the plane can be seen", max(across) - min(across) > 40, str(across))
         # Between the centres of the pixels: no ray that is drawn meets it.
@@ -395,6 +402,18 @@ def parts_of_circles(figure, place, circles, window):
         checks.that("the outline of a part is on its circle", off <= NEAR, str(off))
 
 
+def asks_before_it_answers():
+    """The first step of the example does not say which spheres are hit; the second and third do."""
+    words = [Figure(PROGRAM, "nearest-hit", settings=f"step={step}").labels() for step in (1, 2, 3)]
+    answers = [sorted({"missed", "behind"} & {label[0] for label in labels}) for labels in words]
+    checks.that("no answer, the spheres that are missed, and those behind the eye",
+                answers == [[], ["missed"], ["behind", "missed"]], f"{answers}")
+    first = Figure(PROGRAM, "nearest-hit", settings="step=1")
+    dashed = [title for title in ("missed circles", "circles behind", "hit circles")
+              for group in first.groups(title) for shape in group.iter() if shape.get("stroke-dasharray")]
+    checks.that("and at first all circles look alike", dashed == [], f"dashed: {dashed}")
+
+
 def nearest_hit(scene, pixel, options=None):
     world = World(scene)
     figure = Figure(PROGRAM, "nearest-hit", *(scene_options(scene, pixel) if options is None else options))
@@ -545,6 +564,7 @@ ray_casting(FOUR, (4, 4), [])
 image_order(ONE, (5, 2), [])
 object_order(ONE, (5, 2), [])
 nearest_hit(ALONG, (0, 0), [])
+asks_before_it_answers()
 nearest_hit({**ALONG, "spheres": ALONG["spheres"][1:2]}, (0, 0))  # which is missed
 for spot in ((5, 7), (2, 4), (6, 0)):
     for kind in (ray_casting, image_order, object_order, nearest_hit, explain_figure):

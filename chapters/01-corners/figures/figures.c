@@ -90,7 +90,7 @@ static void camera_frame(Plot *plot, void *given)
         {"$r$", "orange", .block = "right_arrow", .part = 1},
         {"$u$", "green", .block = "up_arrow", .part = 1},
         {"$f$", "pink", .block = "forward_arrow", .part = ANYWHERE},
-        {"$d$ = {d}", "pink", .step = 2, .block = "ahead", .part = 0.7},
+        {"$d$ = {d}", "pink", .step = 2, .block = "ahead", .part = 0.55},
         {"$w$ = {w}", "orange", .step = 2, .block = "upper_edge", .part = ANYWHERE},
         {"$h$ = {h}", "green", .step = 2, .block = "right_edge", .part = ANYWHERE},
         {"$x$", "grey", .block = "x_axis", .part = 1},

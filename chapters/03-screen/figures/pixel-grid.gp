@@ -28,7 +28,7 @@ t_x = most(right_edge + axis_gap, right_edge - size[1] / 2 + 8 * strlen(column_n
 corners = "(U(1,$1+pixel_column)):(V(1,$2-pixel_row-1))"
 
 # The text is on the right; in the narrow shape, it is below, in two columns.
-words_x(column) = narrow ? (0.03 + 0.5 * column) * width : 0.645 * width
+words_x(column) = narrow ? (0.05 + 0.5 * column) * width : 0.645 * width
 words_y(row, row_below) = narrow ? 118 - 34 * row_below : 420 - 36 * row
 set label 1 sprintf("%s%s × %s pixels", whole ? "" : "part of ", screen_W_text, screen_H_text) \
     at words_x(0),words_y(0, 0) tc rgb grey

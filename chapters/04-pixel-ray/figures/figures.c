@@ -155,7 +155,7 @@ static void pixel_to_ray(Plot *plot, void *given)
         {"= {vector}", "blue", .step = 4},
         {"ray $p + t v$ from {origin}", "blue", .step = 5},
     };
-    plot_say(plot, 0.75, 1, pixel, 4);
+    plot_say(plot, 0.82, 1, pixel, 4);
     plot_say(plot, 1, 0, sum, 4);
     yours(plot, center, place, vector, ray.origin);
     pixel_handle(plot, aim, vector);

@@ -158,11 +158,11 @@ static void columns(Plot *plot, const Panels *panels)
     plot_look_flat(plot);
     plot_fill_room(plot);
     for (int i = 0; i < panels->count; i++) {
-        const double wide = 0.125 + 0.175 * i, narrow = 0.15 + 0.17 * i;
+        const double wide = 0.14 + 0.17 * i, narrow = 0.17 + 0.165 * i;
         const double middle = panels->situations[i].middle;
         plot_panel(plot, i + 1);
-        plot_room(plot, (Room){wide + margin, wide + 0.175 - margin, bottom, top},
-                  (Room){narrow + margin, narrow + 0.17 - margin, bottom, top});
+        plot_room(plot, (Room){wide + margin, wide + 0.17 - margin, bottom, top},
+                  (Room){narrow + margin, narrow + 0.165 - margin, bottom, top});
         plot_fit(plot, panels->radius * vec3_of(middle - panels->half, -1.1, 0), 0);
         plot_fit(plot, panels->radius * vec3_of(middle + panels->half, 1.6, 0), 0);
     }

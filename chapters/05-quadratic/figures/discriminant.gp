@@ -11,10 +11,12 @@ description = "Five rays against one sphere, each below its parabola f(t). ".in_
 steps = 5
 if (wrong) { set label 99 "solid: right\ndashed, squares: yours" }
 
-# A table: a column for each ray, with its section, and above it f over the same places.
+# A table: a column for each ray, with its section, and above it f over the same places. Its words begin where a
+# slide's do.
+margin = 36
 narrow = shape eq "4:3"
-column = (narrow ? 0.17 : 0.175) * width
-left_of(i) = (narrow ? 0.15 : 0.125) * width + column * (i - 1)
+column = (narrow ? 0.165 : 0.17) * width
+left_of(i) = (narrow ? 0.17 : 0.14) * width + column * (i - 1)
 middle(i) = left_of(i) + column / 2
 axis = 290
 f_unit = 45
@@ -24,17 +26,17 @@ only(i, panel, x) = panel == i ? x : NaN
 one = "$circle every ::0::0"
 # If there is no room for the number, its sign, which decides.
 sign_of(D) = D < 0 ? "< 0" : D > 0 ? "> 0" : "0"
-D_shown(i) = strlen(of(i, "D_text")) > (narrow ? 7 : 9) ? sign_of(of(i, "D")) : of(i, "D_text")
+D_shown(i) = strlen(of(i, "D_text")) > (narrow ? 6 : 9) ? sign_of(of(i, "D")) : of(i, "D_text")
 root(i, k) = of(i, "roots") == 0 ? (k == 0 ? "no root" : "") : of(i, sprintf("t%d_text", k))
 root_color(i, k) = of(i, "roots") == 0 ? grey : of(i, sprintf("t%d", k)) == of(i, "hit") ? blue : of(i, sprintf("t%d", k)) > 0 ? ink : grey
 hit_shown(i) = of(i, "hit") > 0 ? of(i, "hit_text") : "none"
 
 plot for [i=1:4] @one using (left_of(i + 1)):(8):(0):(452) with vectors nohead lw 0.8 lc rgb faint title "between", \
-    @one using (10):(418):(math("b²−4ac")) with labels left tc rgb ink title "row of the discriminant", \
-    @one using (10):(axis + 50):(math("f (t)")) with labels left tc rgb ink title "row of f", \
-    @one using (10):(84):(math("t_0")) with labels left tc rgb ink title "row of t0", \
-    @one using (10):(54):(math("t_1")) with labels left tc rgb ink title "row of t1", \
-    @one using (10):(20):("hit") with labels left tc rgb blue title "row of the hit", \
+    @one using (margin):(418):(math("b²−4ac")) with labels left tc rgb ink title "row of the discriminant", \
+    @one using (margin):(axis + 50):(math("f (t)")) with labels left tc rgb ink title "row of f", \
+    @one using (margin):(84):(math("t_0")) with labels left tc rgb ink title "row of t0", \
+    @one using (margin):(54):(math("t_1")) with labels left tc rgb ink title "row of t1", \
+    @one using (margin):(20):("hit") with labels left tc rgb blue title "row of the hit", \
     for [i=1:last] $circle using (U(i,$1)):(V(i,$2)) with filledcurves closed fc rgb surface fs solid noborder title "disc", \
     for [i=1:last] $circle using (U(i,$1)):(V(i,$2)) with @lines lc rgb ink title "circle", \
     for [i=1:last] @one using (middle(i)):(448):(names[i]) with labels tc rgb ink title "name", \
@@ -52,7 +54,7 @@ plot for [i=1:4] @one using (left_of(i + 1)):(8):(0):(452) with vectors nohead l
     for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)):(size[1]*$4):(size[1]*$5) with @arrow lc rgb blue title "v", \
     for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)) with @dot lc rgb blue title "p", \
     @one using (U(1, of(1, "x")) - 8):(V(1, of(1, "y")) - 20):(math("p")) with labels tc rgb blue title "p, label", \
-    @one using (U(1, of(1, "x") + 0.5 * v) + 8):(V(1, of(1, "y")) - 20):(math("v")) with labels tc rgb blue title "v, label", \
+    @one using (U(1, of(1, "x") + 0.5 * v) + 4):(V(1, of(1, "y")) - 20):(math("v")) with labels tc rgb blue title "v, label", \
     for [i=1:last] $back index 0 using (only(i,$1,U($1,$2))):(axis) with @cross lc rgb grey title "root behind", \
     for [i=1:last] $back index 0 using (only(i,$1,U($1,$2))):(V($1,$3)) with @cross lc rgb grey title "place behind", \
     for [i=1:last] $later index 0 using (only(i,$1,U($1,$2))):(axis) with @ring lc rgb ink title "later root", \

@@ -2,7 +2,8 @@
 #
 # Each sphere is turned around the ray into the paper, so circles and hits have their true distances.
 # Lengths are measured in the ray's t. If a sphere is too large for the paper (part is 1: a ground), only
-# its part in the window from low_x to high_x and low_y to high_y is drawn.
+# its part in the window from low_x to high_x and low_y to high_y is drawn. At first all spheres look alike: step 2
+# says which of them the line misses, step 3 which are behind the eye.
 left_out = (balls < all_balls ? sprintf("Drawn are %d of %d spheres. ", balls, all_balls) : "").(part_names eq "" ? "" : \
     sprintf("Of %s only a part is drawn.", part_names))
 title = "The nearest hit: the smallest t > 0"
@@ -27,18 +28,21 @@ tick_at(k) = first + tick * k
 shown_t(t) = most(low_x, least(high_x, t))
 # Outlines are ellipses: gnuplot 5.4 draws an empty circle's outline twice, which closes the gaps of a dashed one.
 diameter = "(2*size[1]*$4):(2*size[1]*$4)"
+outline_hit = "lc rgb ink lw 1.4 fs empty border lc rgb ink"
+outline_other = "lc rgb grey lw 1 dt 2 fs empty border lc rgb grey"
+outline_missed = step < 2 ? outline_hit : outline_other
+outline_behind = step < 3 ? outline_hit : outline_other
 words_x = all_hits ? most(width * 0.32, least(width * 0.68, x(nearest))) : width / 2
 
 plot $parts index 0 using (x($1)):(V(1,$2)):(pale($3)) with filledcurves closed \
         fc rgb variable fs solid noborder title "parts", \
     $parts index 0 using (x($1)):($4 == 1 ? V(1,$2) : NaN) with lines lw 1.4 lc rgb ink \
         title "parts, outline", \
-    $circles index 0 using ($11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4):($6 > 0 ? pale($5) : rgb_of(surface)) with circles \
+    $circles index 0 using ($11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4):($6 > 0 || step < 2 ? pale($5) : rgb_of(surface)) with circles \
         fc rgb variable fs solid noborder title "circles", \
-    $circles index 0 using ($6 > 1 && $11 == 0 ? x($2) : NaN):(V(1,$3)):@diameter with ellipses units xx lc rgb ink lw 1.4 fs empty \
-        border lc rgb ink title "hit circles", \
-    $circles index 0 using ($6 < 2 ? x($2) : NaN):(V(1,$3)):@diameter with ellipses units xx lc rgb grey lw 1 dt 2 fs empty \
-        border lc rgb grey title "other circles", \
+    $circles index 0 using ($6 > 1 && $11 == 0 ? x($2) : NaN):(V(1,$3)):@diameter with ellipses units xx @outline_hit title "hit circles", \
+    $circles index 0 using ($6 == 1 ? x($2) : NaN):(V(1,$3)):@diameter with ellipses units xx @outline_behind title "circles behind", \
+    $circles index 0 using ($6 == 0 ? x($2) : NaN):(V(1,$3)):@diameter with ellipses units xx @outline_missed title "missed circles", \
     $along using (x(low_x)):(on_ray):(x(high_x) - x(low_x)):(0) with vectors nohead lw 2 dt 3 lc rgb blue \
         title "line of the ray", \
     $along using (x(0)):(on_ray):(x(high_x) - x(0)):(0) with vectors nohead lw 1.6 lc rgb blue title "ray", \

@@ -233,20 +233,26 @@ static void look(Plot *plot, const Shown *shown, const Circle *circles, int coun
     plot_line(plot, vec3_of(0, 0, 0), vec3_of(0, down, 0), 0, 0);
     if (shown->hit_count > 0)
         plot_line(plot, vec3_of(shown->hits[0].t, 0, 0), vec3_of(shown->hits[0].t, down, 0), 0, 0);
-    plot_name(plot, (Label){.text = "eye", .color = "blue"});
-    plot_name(plot, (Label){.text = "$v$", .color = "blue", .place = vec3_of(0.5, 0, 0)});
+    vec3 middles[MOST_CIRCLES];
     for (int i = 0; i < count; i++) {
         Circle c = circles[i];
-        vec3 center = vec3_of(c.t, c.aside, 0);
-        plot_circle(plot, center, c.radius);
+        middles[i] = vec3_of(c.t, c.aside, 0);
+        plot_circle(plot, middles[i], c.radius);
         if (c.part)
-            center = vec3_of((fmax(w.low[0], fmin(w.high[0], c.t)) + c.hit) / 2,
-                             fmax(w.low[1], fmin(w.high[1], c.aside)) / 2, 0);
-        static const char *const what[] = {" missed", " behind", "", ""};
-        int its = fate(shown, c, sphere_roots(shown->ray, shown->shot.scene->spheres[c.sphere]));
-        char text[200];
-        snprintf(text, sizeof text, "%s%s", sphere_name(c.sphere).s, count <= FEW ? what[its] : "");
-        plot_name(plot, (Label){.text = text, .color = "ink", .place = center});
+            middles[i] = vec3_of((fmax(w.low[0], fmin(w.high[0], c.t)) + c.hit) / 2,
+                                 fmax(w.low[1], fmin(w.high[1], c.aside)) / 2, 0);
+        plot_name(plot,
+                  (Label){.text = sphere_name(c.sphere).s, .color = "ink", .place = middles[i]});
+    }
+    plot_name(plot, (Label){.text = "eye", .color = "blue"});
+    plot_name(plot, (Label){.text = "$v$", .color = "blue", .place = vec3_of(0.5, 0, 0)});
+    // The first step asks which spheres are hit; the next ones answer.
+    for (int i = 0; i < count && count <= FEW; i++) {
+        static const char *const answers[] = {"missed", "behind"};
+        Sphere sphere = shown->shot.scene->spheres[circles[i].sphere];
+        int its = fate(shown, circles[i], sphere_roots(shown->ray, sphere));
+        if (its < 2)
+            plot_name(plot, (Label){answers[its], "grey", .step = 2 + its, .place = middles[i]});
     }
 }
 
