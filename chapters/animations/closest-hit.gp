@@ -43,7 +43,7 @@ plot $circles index 0 using ($11 == 0 ? x($2) : NaN):(V(1,$3)):(size[1]*$4):(pal
         border lc rgb grey title "outlines", \
     $circles index 0 using (is_asked($1) ? x($2) : NaN):(V(1,$3)):@diameter with ellipses units xx lc rgb ink lw 3 fs empty \
         border lc rgb ink title "outline of the one that is asked", \
-    $along using (x(low_x)):(on_ray):(x(high_x) - x(low_x)):(0) with vectors nohead lw 1 dt 3 lc rgb blue \
+    $along using (x(low_x)):(on_ray):(x(high_x) - x(low_x)):(0) with vectors nohead lw 2 dt 3 lc rgb blue \
         title "line of the ray", \
     $along using (x(0)):(on_ray):(x(tip) - x(0)):(0) with vectors nohead lw 3 lc rgb blue title "ray so far", \
     $along using (x(0)):(on_ray):(x(1) - x(0)):(0) with @arrow lc rgb blue title "v", \

@@ -32,8 +32,8 @@ plot @behind \
     @before \
     $sets @this_ray using @point with @halo title "outline of the pixel, halo", \
     $sets @this_ray using @point with @thick lc rgb ink title "outline of the pixel", \
-    $rays @this_ray using @point with lines lw 1.2 dt 3 lc rgb blue title "ray, all of it", \
-    $rays @this_ray using @bold with lines lw 2.2 lc rgb blue title "ray", \
+    $rays @this_ray using @point with @hidden lc rgb blue title "ray, all of it", \
+    $rays @this_ray using @bold with @ray lc rgb blue title "ray", \
     @names \
     $eye using @point with @dot lc rgb blue title "eye", \
     $eye using @point:("eye") with labels tc rgb blue offset 0,-1 title "eye, label", \

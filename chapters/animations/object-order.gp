@@ -47,8 +47,8 @@ plot @behind \
     $grid using @point with @hair lc rgb faint title "grid", \
     $plane using @point with @lines lc rgb ink title "plane", \
     @before \
-    for [_=0:ball_now] @lines_now @shown using @point with lines lw 1.2 dt 3 lc rgb blue title "lines to the eye, all of them", \
-    for [_=0:ball_now] @lines_now @shown using @bold with lines lw 1.6 lc rgb blue title "lines to the eye", \
+    for [_=0:ball_now] @lines_now @shown using @point with @hidden lc rgb blue title "lines to the eye, all of them", \
+    for [_=0:ball_now] @lines_now @shown using @bold with @ray lc rgb blue title "lines to the eye", \
     for [_=1:ball_now>=0&&outlined] @outline_now using @point with @halo title "outline, halo", \
     for [_=1:ball_now>=0&&outlined] @outline_now using @point with @thick lc rgb ink title "outline on the plane", \
     @names \
