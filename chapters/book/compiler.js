@@ -11,7 +11,7 @@ import {Files, Exit, trapOf, wasi} from './wasi.js';
 
 const SMALL = 'compiler/small.wasm.xz', WHOLE = 'compiler/whole.wasm.xz', PACK = 'compiler/pack.xz';
 const PAGE = 1 << 16;
-// An answer that is compiled before there is one.
+// An answer that is compiled while nobody waits.
 const FIRST = '05-quadratic', WARMING = `#include "exercises/${FIRST}.h"
 #include <math.h>
 Roots quadratic_roots(Quadratic q)
@@ -101,35 +101,37 @@ export function unpack(bytes) {
 }
 
 /**
- * @param {{fetchBytes: (name: string) => Promise<Response|Uint8Array>, progress?: (done: number, all: number) => void}} given
- *        fetchBytes: a file of the site; progress: compressed bytes, of the sizes that the pack's neighbours state
+ * @param {{fetchBytes: (name: string) => Promise<Response|Uint8Array>, progress?: (done: number, all: number) => void,
+ *          onFetched?: () => void}} given
+ *        fetchBytes: a file of the site; progress: compressed bytes, of the sizes that the pack's neighbours state;
+ *        onFetched: called when all of them are there
  * @returns {Promise<Compiler>} ready for the first answer
  */
-export async function load({fetchBytes, progress = () => {}}) {
+export async function load({fetchBytes, progress = () => {}, onFetched = () => {}}) {
+  const first = fetchBytes(SMALL);
+  first.catch(() => {}); // a failure is told when it is read
   const sizes = await new Response(body(await fetchBytes('compiler/sizes.json'))).json();
   const all = sizes[SMALL] + sizes[PACK];
-  let done = 0;
-  const count = size => progress(done += size, all);
-  const counted = async (name, hear, ended = () => {}) => body(await fetchBytes(name)).pipeThrough(new TransformStream({
+  let done = 0, startPack;
+  const count = size => {
+    progress(done += size, all);
+    if (done > 0.95 * sizes[SMALL]) startPack();
+  };
+  const counted = async (response, hear) => body(await response).pipeThrough(new TransformStream({
     transform(part, to) { hear(part.length); to.enqueue(part); },
-    flush: ended,
   }));
   const compiled = async (bytes) => WebAssembly.compileStreaming(
     new Response(new xz.XzReadableStream(await bytes), {headers: {'content-type': 'application/wasm'}}));
   // The compiler first, because there is most to do with it: that is done while the pack comes.
-  let smallIsThere;
-  const compressed = new Promise(resolve => { smallIsThere = resolve; })
-    .then(async () => new Response(await counted(PACK, count)).arrayBuffer());
-  compressed.catch(() => {}); // it is told when the pack is unpacked
-  const small = new Program(await compiled(counted(SMALL, count, smallIsThere)));
+  const compressed = new Promise(resolve => { startPack = resolve; })
+    .then(async () => new Response(await counted(fetchBytes(PACK), count)).arrayBuffer());
+  compressed.then(onFetched, () => {}); // a failure is told when the pack is unpacked
+  const small = new Program(await compiled(counted(first, count)));
   small.begin();
   const pack = unpack(new Uint8Array(await new Response(new xz.XzReadableStream(body(await compressed))).arrayBuffer()));
   // The decoder's memory is as large as what it looks back on. It is made again for the whole compiler.
   xz.XzReadableStream._moduleInstance = xz.XzReadableStream._moduleInstancePromise = undefined;
-  const compiler = new Compiler(pack, small, async () => new Program(await compiled(counted(WHOLE, () => {}))));
-  // An engine makes code of a function when it is first called: that is not for the student to wait for.
-  await compiler.compile({stem: FIRST, files: {[`exercises/${FIRST}.c`]: WARMING}});
-  return compiler;
+  return new Compiler(pack, small, async () => new Program(await compiled(counted(fetchBytes(WHOLE), () => {}))));
 }
 
 const body = answer => answer instanceof Response ? answer.body : new Response(answer).body;
@@ -144,6 +146,12 @@ export class Compiler {
     this.small = small;
     this.loadWhole = loadWhole;
     this.flags = JSON.parse(new TextDecoder().decode(pack.get('flags.json')));
+  }
+
+  /** An engine makes code of a function when it is first called: a student should not wait for that. */
+  async warm() {
+    this.warmed ??= this.compile({stem: FIRST, files: {[`exercises/${FIRST}.c`]: WARMING}});
+    await this.warmed;
   }
 
   /** The run of the small compiler, or of the whole one if that traps. */

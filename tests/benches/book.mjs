@@ -4,7 +4,7 @@
 // The host sends at a given rate, over all connections together, as a network does; a browser's own throttling leaves out
 // what a Worker fetches. Usage: BROWSER=chromium|firefox node tests/benches/book.mjs [SITE [MBIT [VERDICTS]]]
 import { readFileSync, readdirSync } from "node:fs";
-import { browserName, editorText, launch, openTab, serve, waitFor } from "../proof/book/site.mjs";
+import { browserName, editorText, launch, openTab, serve, waitFor, waitForEditor } from "../proof/book/site.mjs";
 
 const [folder = "build/book", mbit = 10, verdicts = 20] = process.argv.slice(2);
 const stem = "05-quadratic", right = readFileSync(`solutions/${stem}.c`, "utf8");
@@ -61,7 +61,7 @@ try {
     host.stopSending();
     const before = host.sent.bytes, again = Date.now();
     await tab.reload({ waitUntil: "load" });
-    await waitFor("an editor", 60, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+    await waitForEditor(tab);
     await tab.$eval("#judge", (each) => each.click());
     await waitFor("a verdict without a network", 120, () => verdictIsThere(tab));
     show("first verdict of a later visit, no network", seconds(Date.now() - again));

@@ -1,5 +1,5 @@
 // exercise.js - the exercise of a chapter: the editor, and everything around it. The work is done in a Worker
-// (worker.js), so the page always answers.
+// (judge_worker.js), so the page always answers.
 import { nameOfText } from "./answers.js";
 import { Helper, Stopped } from "./helper.js";
 
@@ -18,9 +18,9 @@ function marksOf(messages, stem) {
     return marks;
 }
 
-export async function setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, onVerdict }) {
+export function setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, drawer, onVerdict }) {
     const still = $("editor").querySelector("pre"), blank = still.textContent;
-    const helper = new Helper(() => new Worker(new URL("worker.js", site), { type: "module" }));
+    const helper = new Helper(() => new Worker(new URL("judge_worker.js", site), { type: "module" }));
     const say = (words) => { $("state").textContent = words; };
     $("judge-keys").textContent = isMac ? "⌘ ⏎" : "Ctrl Enter";
 
@@ -117,7 +117,7 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
 
     // ---- judging ---------------------------------------------------------------------------------
 
-    let judged = null, running = false, again = false;
+    let judged = null, shown = null, running = false, again = false;
 
     function showProgress({ words, done, all }) {
         $("progress-words").textContent = all > 0 ? `${words}, ${(done / 1e6).toFixed(1)} of ${(all / 1e6).toFixed(1)} MB` : words;
@@ -145,11 +145,18 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
     const records = () => Object.fromEntries(course.stems.filter((each) => each !== stem && answers.verdict(each)).map((each) => [each, answers.note(each, "record")])
         .filter(([, record]) => record));
 
-    function drawPictures(verdict) {
-        const place = $("verdict-pictures");
+    /** The figures and pictures of the verdict that is shown. */
+    async function drawPictures() {
+        const verdict = shown, place = $("verdict-pictures");
+        const figures = await Promise.all(verdict.scripts.map(async (script) => {
+            const { svg, words } = await drawer.ask({ do: "script", script, theme: themeNow() });
+            return { bytes: svg, type: "image/svg+xml", words, caption: "Yours is dashed, beside the right one." };
+        }));
+        if (verdict !== shown)
+            return;
         for (const old of place.querySelectorAll("img"))
             URL.revokeObjectURL(old.src);
-        place.replaceChildren(...verdict.pictures.map(({ bytes, type, words, caption }) => {
+        place.replaceChildren(...[...figures, ...verdict.pictures].map(({ bytes, type = "image/png", words, caption }) => {
             const figure = document.createElement("figure"), img = document.createElement("img");
             img.src = URL.createObjectURL(new Blob([bytes], { type }));
             img.alt = words;
@@ -172,7 +179,8 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
         $("verdict").classList.toggle("old", editor.text() !== judged);
         document.querySelector(".exercise").classList.add("judged");
         editor.mark(verdict.marks ?? marksOf(verdict.messages ?? "", stem));
-        drawPictures(verdict);
+        shown = verdict;
+        drawPictures().catch((reason) => showTrouble(`The figure of the verdict could not be drawn: ${reason.message}.`));
         answers.saveNote(stem, "record", verdict.record);
         answers.saveVerdict(stem, { of: nameOfText(text), right: verdict.right, total: verdict.total, done: verdict.done });
         onVerdict();
@@ -193,7 +201,7 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
         showProgress({ words: "Judging", done: 0, all: 0 });
         try {
             showTrouble("");
-            const question = { do: "judge", stem, sources: sources(), records: records(), theme: themeNow(), columns: columns() };
+            const question = { do: "judge", stem, sources: sources(), records: records(), columns: columns() };
             let took = 0;
             const hear = (progress) => {
                 if (progress.first) {
@@ -203,16 +211,18 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
                 showProgress(progress);
             };
             const verdict = await helper.ask(question, hear).catch((reason) => {
-                if (reason instanceof Stopped)
-                    return helper.ask(question, hear); // once more, in a new worker
+                if (reason instanceof Stopped && !reason.isBusy)
+                    return helper.ask(question, hear); // once more, in a new Worker
                 throw reason;
             });
             show(verdict, text);
             say(`Saved and judged, ${Math.round(took || performance.now() - start)} ms.`);
         } catch (reason) {
             showTrouble(reason instanceof Stopped
-                ? `The judge was started again, because ${reason.message}. Your answer is saved. Press Judge to try again.`
+                ? `The judge was ended and starts again, because ${reason.message}. Your answer is saved. Change it, or press Judge to try again.`
                 : `This could not be judged: ${reason.message}. Your answer is saved. Press Judge to try again.`);
+            if (reason instanceof Stopped)
+                getReady().catch(() => {});
         }
         clearTimeout(late);
         $("progress").hidden = true;
@@ -254,16 +264,19 @@ export async function setUpExercise({ stem, site, course, answers, themeNow, sho
 
     // ---- the judge is made ready while the student reads -----------------------------------------
 
+    /** Fetches and starts what a verdict needs. */
+    const getReady = () => helper.ask({ do: "prepare", stem, text: blank });
+
     /** The compiler is ten times as large as a figure, which is seen first: it is fetched while that is drawn. */
-    async function prepare() {
+    async function begin() {
         await Promise.race([firstFigure?.fetched, pause(FIGURE)]);
-        await helper.ask({ do: "prepare", stem });
+        if (answers.text(stem) !== null && judged === null)
+            await judge();
+        await getReady();
         globalThis.judgeIsReady = true;
         dispatchEvent(new Event("judge-ready")); // offline.js
-        if (answers.text(stem) !== null && judged === null)
-            judge();
     }
     if (!navigator.connection?.saveData)
-        prepare().catch(() => {});
-    return { helper, judge };
+        begin().catch(() => {}); // the student is told when an answer is judged
+    document.addEventListener("theme", () => { if (shown) drawPictures().catch(() => {}); });
 }

@@ -1,7 +1,6 @@
 // figures.js - the figures of a page: a button that lets one fill the screen, where the arrow keys go through its steps
 // and on to the next figure; and the live figure in the place of each static one.
 import { liveFigure } from "../live_figure.js";
-import { Helper } from "./helper.js";
 import { numbersFollow } from "./numbers.js";
 
 /** The static files of a figure: the wide SVG of a theme. Not each step has one. */
@@ -12,13 +11,13 @@ const fileOf = (site, { stem, name, step }, theme) =>
 const areStatic = document.documentElement.dataset.figures === "static";
 
 /**
+ * @param {{site: URL, themeNow: () => string, drawer: import("./helper.js").Helper}} given drawer: figure_worker.js
  * @returns {{fetched: Promise<void>, shown: Promise<void>}} of the figures that are in sight at first: what they need is
  *          there; one of them is live. Both end also if there is none, or if it cannot be drawn.
  */
-export function setUpFigures({ site, themeNow }) {
+export function setUpFigures({ site, themeNow, drawer }) {
     const figures = [...document.querySelectorAll(".figure")];
-    const helper = new Helper(() => new Worker(new URL("worker.js", site), { type: "module" }));
-    const view = fullScreenView({ site, themeNow, figures, helper });
+    const view = fullScreenView({ site, themeNow, figures, drawer });
     for (const figure of figures) {
         const button = Object.assign(document.createElement("button"), { type: "button", textContent: "Full screen" });
         button.addEventListener("click", () => view.open(figure, button));
@@ -28,11 +27,11 @@ export function setUpFigures({ site, themeNow }) {
         return { fetched: Promise.resolve(), shown: Promise.resolve() };
     const first = {}, fetched = new Promise((resolve) => { first.fetched = resolve; }), shown = new Promise((resolve) => { first.shown = resolve; });
     const atFirst = (what) => {
-        const answer = helper.ask(what, first.fetched);
+        const answer = drawer.ask(what, first.fetched);
         answer.catch(() => {}).then(() => { first.fetched(); first.shown(); });
         return answer;
     };
-    const follow = numbersFollow({ stem: document.documentElement.dataset.stem, ask: (what) => helper.ask(what) });
+    const follow = numbersFollow({ stem: document.documentElement.dataset.stem, ask: (what) => drawer.ask(what) });
     // A figure becomes live when it is nearly in sight, and after the page is there.
     const seen = new IntersectionObserver((entries) => {
         const near = entries.filter((each) => each.isIntersecting);
@@ -49,7 +48,7 @@ export function setUpFigures({ site, themeNow }) {
     return { fetched, shown };
 }
 
-function fullScreenView({ site, themeNow, figures, helper }) {
+function fullScreenView({ site, themeNow, figures, drawer }) {
     const dialog = document.createElement("dialog");
     dialog.className = "full";
     dialog.setAttribute("aria-label", "Figure on the full screen");
@@ -68,7 +67,7 @@ function fullScreenView({ site, themeNow, figures, helper }) {
         try {
             if (areStatic)
                 throw new Error("there is no program");
-            const drawn = await helper.ask({ do: "figure", stem, name, theme: themeNow(), shape: "16:9", step: step || 1000 });
+            const drawn = await drawer.ask({ do: "figure", stem, name, theme: themeNow(), shape: "16:9", step: step || 1000 });
             if (mine !== shown)
                 return;
             steps = drawn.steps;

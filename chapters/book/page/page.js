@@ -1,8 +1,11 @@
 // page.js - what every page of the site does: theme, progress over the chapters, figures on the full screen; and what
 // each kind of page needs besides that.
 import { openAnswers, writableStorage } from "./answers.js";
+import { setUpExercise } from "./exercise.js";
 import { setUpFigures } from "./figures.js";
+import { Helper } from "./helper.js";
 
+/* global COURSE */
 const root = document.documentElement;
 const { up = "", kind, stem } = root.dataset;
 const $ = (id) => document.getElementById(id);
@@ -132,9 +135,10 @@ async function setUpStart(course) {
 // ---- start --------------------------------------------------------------------------------------
 
 setUpTheme();
-// The figures need nothing else, and are seen first.
-const firstFigure = document.querySelector(".figure") && setUpFigures({ site, themeNow });
-const course = await (await fetch(new URL("course.json", site))).json();
+const drawer = new Helper(() => new Worker(new URL("figure_worker.js", site), { type: "module" }));
+// The figures are seen first.
+const firstFigure = document.querySelector(".figure") && setUpFigures({ site, themeNow, drawer });
+const course = COURSE; // written here when the site is built: site/make_pages.mjs
 showProgress(course);
 addEventListener("storage", (event) => {
     if (answers.changeIn(event, course.stems))
@@ -146,8 +150,8 @@ addEventListener("pageshow", (event) => { if (event.persisted) showProgress(cour
 if (kind === "start")
     await setUpStart(course);
 if (kind === "chapter") {
-    const { setUpExercise } = await import("./exercise.js");
-    await setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, onVerdict: () => showProgress(course) });
+    setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, drawer, onVerdict: () => showProgress(course) });
 }
+globalThis.takeEarlyClicks(); // early.js
 if ("serviceWorker" in navigator && location.protocol !== "file:")
     import("./offline.js").then(({ keepForOffline }) => keepForOffline(site));

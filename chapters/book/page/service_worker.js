@@ -1,27 +1,38 @@
 // service_worker.js - keeps the site for use without a network, and answers later visits without one byte of it.
 //
-// FILES is written when the site is built: the path of each file, and a name of its contents. A file whose contents have
-// changed has another name, so only such files are fetched again.
+// FILES is written when the site is built: the path of each file, and the SHA-256 of its contents. A page and all that it
+// loads are of one version. A new version is kept beside the old one, where files that have not changed are not fetched
+// again. It takes over when a page is opened and no other page of the site is open.
 /* global FILES, ORDER */
 const CACHE = "ray-casting " + new URL(registration.scope).pathname;
 const keyOf = (path) => new URL(`${path}?${FILES[path]}`, registration.scope).href;
 
-async function keep(cache, path) {
-    const key = keyOf(path);
-    if (await cache.match(key))
-        return;
+/** A file of this version; a host may already have another one, or still have one. */
+async function fetchFile(path) {
     const response = await fetch(new URL(path, registration.scope), { cache: "no-cache" });
-    if (response.ok)
-        await cache.put(key, response);
+    if (!response.ok)
+        throw new Error(`${path}: the host says ${response.status}`);
+    const bytes = await response.clone().arrayBuffer();
+    const hash = [...new Uint8Array(await crypto.subtle.digest("SHA-256", bytes))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+    if (hash !== FILES[path])
+        throw new Error(`${path}: the host has another version`);
+    return response;
+}
+
+async function kept(path) {
+    const cache = await caches.open(CACHE), before = await cache.match(keyOf(path));
+    if (before)
+        return before;
+    const response = await fetchFile(path);
+    await cache.put(keyOf(path), response.clone());
+    return response;
 }
 
 addEventListener("install", (event) => {
     event.waitUntil((async () => {
-        const cache = await caches.open(CACHE);
         // One after the other, small ones first: a student who reads should not notice.
         for (const path of ORDER)
-            await keep(cache, path);
-        await skipWaiting();
+            await kept(path);
     })());
 });
 
@@ -31,9 +42,25 @@ addEventListener("activate", (event) => {
         for (const request of await cache.keys())
             if (!wanted.has(request.url))
                 await cache.delete(request);
-        await clients.claim();
     })());
 });
+
+addEventListener("message", ({ data }) => {
+    if (data === "take over")
+        skipWaiting();
+});
+
+// The page is loaded again at once, by the new version. That takes over when nothing is asked of this one.
+const AGAIN = '<!DOCTYPE html><meta http-equiv="refresh" content="0"><title>Ray casting</title>';
+let handedOver = 0;
+async function opened(path) {
+    const { waiting } = registration;
+    if (!waiting || handedOver > 10 || (await clients.matchAll({ type: "window" })).length > 1)
+        return kept(path);
+    handedOver++;
+    waiting.postMessage("take over");
+    return new Response(AGAIN, { headers: { "content-type": "text/html; charset=utf-8", refresh: "0", "cache-control": "no-store" } });
+}
 
 addEventListener("fetch", (event) => {
     const { scope } = registration;
@@ -43,13 +70,7 @@ addEventListener("fetch", (event) => {
     const path = decodeURIComponent(url.href.slice(scope.length).replace(/[?#].*$/, "")).replace(/(^|\/)$/, "$1index.html");
     if (FILES[path] === undefined)
         return;
-    event.respondWith((async () => {
-        const cache = await caches.open(CACHE), kept = await cache.match(keyOf(path));
-        if (kept)
-            return kept;
-        const response = await fetch(event.request);
-        if (response.ok && response.status === 200)
-            await cache.put(keyOf(path), response.clone());
-        return response;
-    })());
+    // Without the file the page tells what is missing. It is told to load the page again if the host has a new version.
+    event.respondWith((event.request.mode === "navigate" ? opened(path) : kept(path)).catch((reason) =>
+        new Response(reason.message, { status: 504, statusText: "not there" })));
 });

@@ -67,7 +67,7 @@ function frame({ title, up = "", kind, stem = "", main, mathematics = false }) {
 <title>${escape(title)}</title>
 <link rel="icon" href="${up}icon.svg" type="image/svg+xml">
 <link rel="stylesheet" href="${up}style.css">
-${mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : ""}<script src="${up}theme.js"></script>
+${mathematics ? `<link rel="stylesheet" href="${up}mathematics.css">\n` : ""}<script src="${up}early.js"></script>
 <script type="module" src="${up}page.js"></script>
 </head>
 <body>
@@ -138,7 +138,7 @@ ${exercise(stem)}
 </main>
 <a class="to-exercise" href="#exercise">To the exercise</a>` }));
 }
-write("course.json", JSON.stringify({ stems, functions, handIn }));
+writeFileSync(`${site}-course.json`, JSON.stringify({ stems, functions }));
 
 // ---- the start page -----------------------------------------------------------------------------
 
@@ -261,5 +261,5 @@ if (!allHtml.includes('class="katex'))
 const serif = packageFolder("@fontsource/source-serif-4");
 for (const kind of ["400-normal", "400-italic", "600-normal"])
     copyFileSync(join(serif, `files/source-serif-4-latin-${kind}.woff2`), join(site, "fonts", `source-serif-${kind}.woff2`));
-for (const name of ["style.css", "editor.css", "theme.js", "icon.svg"])
+for (const name of ["style.css", "editor.css", "early.js", "icon.svg"])
     copyFileSync(new URL(`../page/${name}`, import.meta.url), join(site, name));

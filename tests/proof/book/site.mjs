@@ -92,6 +92,9 @@ export async function seriousFindings(tab) {
     return found;
 }
 
+/** Until then the page shows the text without an editor. */
+export const waitForEditor = (tab) => waitFor("an editor", 60, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+
 /** The text of the editor, and typing over it. */
 export const editorText = (tab) => tab.$eval("#editor", (place) =>
     [...place.shadowRoot.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));

@@ -7,7 +7,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { readZip } from "../../../../chapters/book/page/zip.js";
-import { browserName, editorText, launch, openTab, serve, typeAtEnd, waitFor } from "../site.mjs";
+import { browserName, editorText, launch, openTab, serve, typeAtEnd, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2);
 const scratch = mkdtempSync(join(tmpdir(), "book-"));
@@ -16,7 +16,7 @@ const open = async (name) => {
     const tab = await openTab(browser, host.address);
     await tab.goto(host.address + name, { waitUntil: "load" });
     if (name !== "index.html")
-        await waitFor("an editor", 20, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+        await waitForEditor(tab);
     return tab;
 };
 const click = (tab, selector) => tab.$eval(selector, (each) => each.click());
@@ -53,6 +53,7 @@ try {
         await click(tab, "#reset");
         assert.equal(await editorText(tab), blank);
         await tab.reload({ waitUntil: "load" });
+        await waitForEditor(tab);
         await waitFor("a way back", 20, () => tab.$eval("#undo-reset", (each) => !each.hidden));
         await click(tab, "#undo-reset");
         assert.equal(await editorText(tab), mine);
@@ -112,7 +113,7 @@ try {
         const poor = await openTab(browser, host.address);
         await poor.evaluateOnNewDocument(() => { Storage.prototype.setItem = () => { throw new DOMException("no", "SecurityError"); }; });
         await poor.goto(`${host.address}04-pixel-ray.html`, { waitUntil: "load" });
-        await waitFor("an editor", 20, () => poor.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+        await waitForEditor(poor);
         await typeAtEnd(poor, "// lost soon");
         await waitFor("the warning", 5, async () => /does not save your answers/.test(await textOf(poor, "#trouble")));
         await poor.close();

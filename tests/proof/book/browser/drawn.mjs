@@ -3,7 +3,7 @@
 // Usage: BROWSER=chromium|firefox node drawn.mjs SITE
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { browserName, launch, openTab, serve, waitFor } from "../site.mjs";
+import { browserName, launch, openTab, serve, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2), stem = "05-quadratic";
 const host = await serve(folder), browser = await launch();
@@ -11,7 +11,7 @@ try {
     const tab = await openTab(browser, host.address);
     const source = readFileSync(`solutions/${stem}.c`, "utf8");
     await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
-    await waitFor("an editor", 20, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+    await waitForEditor(tab);
     await tab.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus());
     await tab.keyboard.down("Control");
     await tab.keyboard.press("a");

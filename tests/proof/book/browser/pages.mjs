@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
-import { browserName, launch, openTab, seriousFindings, serve, waitFor } from "../site.mjs";
+import { browserName, launch, openTab, seriousFindings, serve, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder, shots] = process.argv.slice(2);
 const host = await serve(folder), browser = await launch();
@@ -17,7 +17,7 @@ try {
         await tab.goto(host.address + name, { waitUntil: "load" });
         await waitFor("the page's script", 20, () => tab.$eval("#theme", (each) => !each.hidden));
         if (await tab.$("#editor"))
-            await waitFor("an editor", 20, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+            await waitForEditor(tab);
         (await tab.$$eval("a[href]", (all) => all.map((each) => each.href))).forEach((link) => links.add(link));
         for (const [width, theme] of [[1280, "light"], [390, "dark"], [360, "dark"]]) {
             await tab.setViewport({ width, height: 844 });

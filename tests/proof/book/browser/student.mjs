@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
-import { browserName, launch, openTab, serve, waitFor } from "../site.mjs";
+import { browserName, launch, openTab, serve, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder, shots] = process.argv.slice(2);
 const chapters = (process.env.CHAPTERS ?? "01,05").split(",");
@@ -33,7 +33,7 @@ async function write(text) {
     await tab.keyboard.up("Control");
     if (other === null) {
         other = await openTab(browser, host.address);
-        await other.goto(`${host.address}theme.js`);
+        await other.goto(`${host.address}early.js`);
     }
     const stem = new URL(tab.url()).pathname.split("/").pop().replace(".html", "");
     await other.evaluate((name, value) => localStorage.setItem(name, value), `ray-casting /course/ ${stem} answer`, text);
@@ -52,7 +52,7 @@ const verdict = (what, wanted, seconds = 90) => waitFor(`the verdict: ${what}`, 
 const shot = async (name) => { if (shots) await tab.screenshot({ path: join(shots, `student-${browserName}-${name}.png`) }); };
 const open = async (stem) => {
     await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
-    await waitFor("an editor", 30, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+    await waitForEditor(tab);
 };
 
 try {
@@ -91,7 +91,8 @@ try {
     assert.deepEqual(tab.faults, []);
 
     // All files are there after a while; then the host may go.
-    await waitFor("all files of the site", 120, () => tab.evaluate(async () => Boolean((await navigator.serviceWorker.getRegistration())?.active && navigator.serviceWorker.controller)));
+    await waitFor("all files of the site", 120, () => tab.evaluate(async () => Boolean((await navigator.serviceWorker.getRegistration())?.active)));
+    await open(stems[0]);
     const before = host.sent.requests.length;
     await open(stems[0]);
     await tab.$eval("#judge", (each) => each.click());

@@ -1,0 +1,29 @@
+// figure_worker.js - draws figures beside the page: a chapter's program, and gnuplot.
+import { loadFigures } from "./figure.js";
+import { lessonNumbers } from "./lesson_numbers.js";
+import { answerQuestions, fetched, once, program, tellProgress, texts } from "./worker_questions.js";
+import xz from "xz-decompress";
+
+async function gnuplotModule() {
+    const bytes = new xz.XzReadableStream((await fetched("figures/gnuplot.wasm.xz")).body);
+    return WebAssembly.compileStreaming(new Response(bytes, { headers: { "content-type": "application/wasm" } }));
+}
+const figures = once(async () => {
+    const [gnuplot, finish, files] = await Promise.all([gnuplotModule(), program("finish_figure"), texts("figures/files.json")]);
+    return loadFigures({ gnuplot, finish, files });
+});
+
+answerQuestions({
+    async figure({ stem, name, ...wanted }) {
+        const [drawing, chapter] = await Promise.all([figures(), program(stem)]);
+        tellProgress("Drawing"); // all is fetched (page/figures.js)
+        return drawing.drawMoved({ program: chapter, stem, name, ...wanted });
+    },
+    /** A figure of a verdict, whose script the judge has written. */
+    async script({ script, theme }) {
+        return (await figures()).drawScript(script, { theme });
+    },
+    async numbers({ stem, name, options }) {
+        return { numbers: lessonNumbers(await program(`${stem}-numbers`), name, options) };
+    },
+});

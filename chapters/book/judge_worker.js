@@ -1,0 +1,126 @@
+// judge_worker.js - judges answers beside the page: the compiler and the judge. What a question needs is fetched when it
+// is first asked.
+import { load, unpack } from "./compiler.js";
+import { createJudge } from "./judge.js";
+import { toolsOf, WholeCompilerNeeded } from "./tools.js";
+import { answerQuestions, fetched, once, program, tellProgress, texts, unzipped } from "./worker_questions.js";
+
+// The compiler comes first, because there is most to do with it; the judge while the first answer is compiled.
+let compilerIsHere = () => {};
+const afterCompiler = new Promise((resolve) => { compilerIsHere = resolve; });
+const compiler = once(() => load({ fetchBytes: fetched, progress: (done, all) => tellProgress("Fetching the compiler", done, all),
+    onFetched() { tellProgress("Starting the compiler"); compilerIsHere(); } }));
+const parts = once(async () => {
+    await Promise.race([afterCompiler, compiler()]);
+    return Promise.all([program("course"), program("judge"), texts("tree/files.json"), texts("figures/files.json")]);
+});
+// A handout has no reference: an answer is linked with the student's answers before it, by tools.js.
+let isHandout = false; // until the judge's plan is there
+const judging = once(async () => {
+    const [[course, judge, tree, figures], ready] = await Promise.all([parts(), compiler()]);
+    const objects = new Map(), tools = toolsOf(ready, objects);
+    isHandout = /^stands on\t/m.test(tree.plan);
+    return { tools, objects, judge: createJudge({ modules: { course, judge }, files: new Map([...Object.entries(tree), ...Object.entries(figures)]),
+        compile: tools.compile, link: isHandout ? tools.linkAnswer : undefined }) };
+});
+/** What pictures are linked with, and the scenes that they show: after the verdict. */
+const pictures = once(async () => {
+    const { judge, objects } = await judging();
+    for (const [path, bytes] of unpack(new Uint8Array(await unzipped("pictures.pack.gz"))))
+        if (/\.(png|nff)$/.test(path))
+            judge.files.put(path, bytes);
+        else
+            objects.set(path, bytes);
+});
+
+/** A handout judges a chapter, and those before it, by tables. */
+const table = once(async (stem) => new Uint8Array(await unzipped(`tables/${stem}.table.gz`)));
+async function fetchTables(judge, stem, sources) {
+    const stems = [...judge.files.text("plan").matchAll(/^chapter\t(.*)$/mg)].map(([, each]) => each);
+    await Promise.all(stems.filter((each) => each <= stem || each in sources).map(async (each) => judge.files.put(`tests/handout/replay/${each}.table`, await table(each))));
+}
+
+/** What the judge says; once more if it needs the whole compiler for that. */
+async function judged(ask) {
+    const { judge, tools } = await judging();
+    for (;;) {
+        try {
+            return await ask(judge, tools);
+        } catch (reason) {
+            if (!(reason instanceof WholeCompilerNeeded))
+                throw reason;
+            tellProgress("Fetching the whole compiler, once");
+            await tools.takeWhole();
+        }
+    }
+}
+
+const compiled = new Map(); // stem -> {text, result}: the last text
+async function compile(stem, text) {
+    if (isHandout)
+        return null;
+    if (compiled.get(stem)?.text !== text) {
+        const result = compiler().then((ready) => ready.compile({ stem, files: { [`exercises/${stem}.c`]: text } }));
+        compiled.set(stem, { text, result });
+        result.catch(() => compiled.delete(stem));
+    }
+    return compiled.get(stem).result;
+}
+
+/** How many functions are right, from the lines 'stem, name, state' of course status. */
+function countOf(status, stem) {
+    const states = status.split("\n").map((line) => line.split("\t")).filter(([of, name]) => of === stem && name !== "").map(([, , state]) => state);
+    const right = states.filter((state) => state === "right").length;
+    return { right, total: states.length, done: states.length > 0 && right === states.length };
+}
+
+const recordOf = (stem) => `build/exercises/verdict/${stem}.record`;
+const isNamedIn = (text, name) => text.includes(`/${name}`);
+
+/** The figures, as scripts for figure_worker.js, and the pictures that a verdict names. */
+const drawnOf = ({ text, figures, pictures: drawn }) => ({
+    scripts: Object.entries(figures).filter(([name]) => isNamedIn(text, `${name}.svg`)).map(([, script]) => script),
+    pictures: Object.entries(drawn).filter(([name]) => isNamedIn(text, `${name}.png`)).map(([name, bytes]) => ({ bytes, words: `The picture that your code draws: ${name}` })),
+});
+
+answerQuestions({
+    /** All is fetched, and the text is compiled: the first verdict on it does not wait for that. */
+    async prepare({ stem, text }) {
+        await Promise.all([judging(), compile(stem, text)]);
+        return {};
+    },
+    async judge({ stem, sources, records, columns }) {
+        const [{ judge: before }, first] = await Promise.all([judging(), compile(stem, sources[stem])]);
+        if (isHandout)
+            await fetchTables(before, stem, sources);
+        // What was judged on other pages: the verdict counts the functions of all chapters.
+        for (const [other, record] of Object.entries(records))
+            if (!before.files.get(recordOf(other)))
+                before.files.put(recordOf(other), record);
+        tellProgress("Judging");
+        const result = isHandout ? {} : { [stem]: first };
+        const given = { stem, sources, compiled: result, columns };
+        const said = () => result[stem]?.messages ?? before.files.text(`build/exercises/verdict/${stem}/compiler`) ?? "";
+        const told = async (verdict) => ({ text: verdict.text || verdict.errors, record: verdict.record, messages: said(),
+            ...countOf(await judged((judge) => judge.status([stem]).text), stem), ...drawnOf(verdict) });
+        const verdict = await judged((judge) => judge.judge(given));
+        if (!verdict.needs)
+            return told(verdict);
+        // The verdict at once; the pictures that the answer draws when they are linked.
+        tellProgress("Drawing", 0, 0, await told(verdict));
+        await pictures();
+        return told(await judged((judge, tools) => judge.draw(given, async (words, files) => tools.link(words, files))));
+    },
+    async hint({ stem, sources, state }) {
+        const { judge: before } = await judging();
+        if (isHandout)
+            await fetchTables(before, stem, sources);
+        const path = `build/exercises/verdict/${stem}.hint`, result = isHandout ? {} : { [stem]: await compile(stem, sources[stem]) };
+        const { text, errors, kept } = await judged((judge) => {
+            if (state && !judge.files.get(path))
+                judge.files.put(path, state);
+            return { ...judge.hint(stem, { sources, compiled: result }), kept: judge.files.text(path) };
+        });
+        return { text: text || errors, state: kept ?? "" };
+    },
+}, async () => (await compiler()).warm());
