@@ -24,12 +24,15 @@ $(WASM_COMPILER)/include/stddef.h: $(BOOK_PACKAGES)
 		$(foreach name,__std* __float* float iso646 limits stdalign stdarg stdatomic stdbool std[cdin]* tgmath inttypes,'include/$(name).h')
 WASM_LIBC = $(eval WASM_LIBC := $$(shell $(WASM_CC) -print-file-name=libc.a))$(WASM_LIBC)
 WASM_LIBRARIES := libm.a crt1-command.o crt1-reactor.o $(WASM_EMULATED:%=libwasi-emulated-%.a)
-# The two large ones, without what only a debugger reads.
+# The two large ones, without what only a debugger reads; and without the C library's tables of character sets, ciphers and
+# patterns, which would be half of what is fetched of it. Their headers are left out as well, so the compiler says so.
+NOT_PACKED := iconv.o crypt_des.o crypt_blowfish.o crypt_sha512.o crypt_sha256.o crypt_md5.o regcomp.o regexec.o glob.o
 STRIPPED := $(WASM_COMPILER)/lib/libc.a $(WASM_COMPILER)/lib/builtins.a
 $(STRIPPED): $(COMPILER)/strip_archive.mjs
 	$(call say,strip,$@)
-	$(Q)node $< $(if $(filter %/libc.a,$@),$(WASM_LIBC),$$($(WASM_CC) -print-libgcc-file-name)) $@
+	$(Q)node $< $(if $(filter %/libc.a,$@),$(WASM_LIBC),$$($(WASM_CC) -print-libgcc-file-name)) $@ $(NOT_PACKED)
 PACKED = weak.h=$(B)/weak.h common/=common exercises/=exercises include/=$(subst /lib/,/include/,$(dir $(WASM_LIBC))) \
+	$(foreach name,iconv crypt regex glob,-include/$(name).h) \
 	clang/include/=$(WASM_COMPILER)/include \
 	$(foreach name,$(WASM_LIBRARIES),lib/$(name)=$(dir $(WASM_LIBC))$(name)) \
 	$(foreach library,$(STRIPPED),lib/$(notdir $(library))=$(library)) \

@@ -8,7 +8,7 @@ import { browserName, editorText, launch, openTab, serve, waitFor, waitForEditor
 
 const [folder = "build/book", mbit = 10, verdicts = 20] = process.argv.slice(2);
 const stem = "05-quadratic", right = readFileSync(`solutions/${stem}.c`, "utf8");
-const wrong = right.replace("- 4 *", "- 3 *"), slip = right.replace(/;(?=\n\})/, "");
+const wrong = right.replace("= discriminant(even)", "= -discriminant(even)"), slip = right.replace(/;(?=\n\})/, "");
 const show = (what, value, budget = "") => console.log(`${what.padEnd(44)} ${value.padStart(18)}   ${budget}`.trimEnd());
 const seconds = (milliseconds) => `${(milliseconds / 1000).toFixed(2)} s`;
 const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;

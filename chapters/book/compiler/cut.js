@@ -6,10 +6,11 @@
 //
 // It also opens the door for compiler.js to keep the memory that the program's constructors leave, because
 // they take as long as compiling a small file: _start no longer calls them, and they are exported. The heap
-// begins with enough memory for an answer and its link, so that a run seldom needs more.
+// begins with enough memory for an answer and its link, so that a run seldom needs more. It ends at 1 GB: an answer that
+// is compiled without an end must not take the memory of the student's machine.
 
 const MEMORY = 5, EXPORTS = 7, CODE = 10;
-const PAGE = 1 << 16, MORE_PAGES = 240;
+const PAGE = 1 << 16, MORE_PAGES = 240, MOST_PAGES = 1 << 14;
 const FUNCTION = 0, GLOBAL = 3;
 const CALL = 0x10, NOP = 0x01, BR_IF = 0x0d;
 const TRAP = [3, 0, 0x00, 0x0b]; // its size, no locals, unreachable, end
@@ -121,7 +122,8 @@ export function cut(bytes, isKept) {
   const memory = expected(all.find(({id}) => id === MEMORY), 'memory');
   reader = new Reader(bytes, memory.from + 1);
   const hasMost = bytes[reader.at++], pages = reader.number();
-  const larger = [1, hasMost, ...number(pages + MORE_PAGES), ...bytes.subarray(reader.at, memory.to)];
+  if (hasMost) reader.number();
+  const larger = [1, 1, ...number(pages + MORE_PAGES), ...number(MOST_PAGES), ...bytes.subarray(reader.at, memory.to)];
   const end = constant(pages * PAGE), newEnd = constant((pages + MORE_PAGES) * PAGE);
   let ends = 0;
   const code = expected(all.find(({id}) => id === CODE), 'code');

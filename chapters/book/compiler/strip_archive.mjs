@@ -1,12 +1,12 @@
 // strip_archive.mjs - a library without what only a debugger reads: Debian's libc.a is two thirds of that. Runs when the
 // compiler's pack is made.
 //
-// Usage: node strip_archive.mjs LIBRARY.a OUT.a
+// Usage: node strip_archive.mjs LIBRARY.a OUT.a [MEMBER ...] where each MEMBER is left out
 import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 
-const [library, out] = process.argv.slice(2);
+const [library, out, ...leftOut] = process.argv.slice(2);
 const HEADER = 60; // the bytes before each member: its name first, its size at 48
 
 /** The members in their order. Two can have the same name, so llvm-ar does not extract them all. */
@@ -29,6 +29,8 @@ mkdirSync(dirname(out), { recursive: true });
 const folder = mkdtempSync(`${out}.`), stripped = [];
 try {
     for (const { name, contents } of membersOf(readFileSync(library))) {
+        if (leftOut.includes(name))
+            continue;
         const own = join(folder, String(stripped.length)), file = join(own, name);
         mkdirSync(own);
         writeFileSync(join(own, "whole"), contents);

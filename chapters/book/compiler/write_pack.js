@@ -1,7 +1,7 @@
 // write_pack.js - puts files into one, for compiler.js to unpack.
 //
 // Usage: node write_pack.js OUT FLAGS.json PATH=FILE ... where FILE is put under the name PATH; a PATH that ends
-// with '/' stands for all headers of the folder FILE, without C++.
+// with '/' stands for all headers of the folder FILE, without C++. -PATH leaves out a file that was put there before.
 import {readFileSync, readdirSync, writeFileSync} from 'node:fs';
 
 const [out, flags, ...given] = process.argv.slice(2);
@@ -15,7 +15,8 @@ function addHeaders(path, folder) {
 
 for (const word of given) {
   const [path, file] = word.split('=');
-  if (path.endsWith('/')) addHeaders(path, file);
+  if (word.startsWith('-')) delete files[word.slice(1)];
+  else if (path.endsWith('/')) addHeaders(path, file);
   else files[path] = readFileSync(file);
 }
 const sizes = new TextEncoder().encode(JSON.stringify(Object.fromEntries(

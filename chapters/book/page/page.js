@@ -4,6 +4,7 @@ import { openAnswers, writableStorage } from "./answers.js";
 import { setUpExercise } from "./exercise.js";
 import { setUpFigures } from "./figures.js";
 import { Helper } from "./helper.js";
+import { takeNewVersion } from "./new_version.js";
 
 /* global COURSE */
 const root = document.documentElement;
@@ -134,6 +135,9 @@ async function setUpStart(course) {
 
 // ---- start --------------------------------------------------------------------------------------
 
+const keepsPages = "serviceWorker" in navigator && location.protocol !== "file:";
+if (keepsPages)
+    takeNewVersion().catch(() => {});
 setUpTheme();
 const drawer = new Helper(() => new Worker(new URL("figure_worker.js", site), { type: "module" }));
 // The figures are seen first.
@@ -153,5 +157,5 @@ if (kind === "chapter") {
     setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, drawer, onVerdict: () => showProgress(course) });
 }
 globalThis.takeEarlyClicks(); // early.js
-if ("serviceWorker" in navigator && location.protocol !== "file:")
+if (keepsPages)
     import("./offline.js").then(({ keepForOffline }) => keepForOffline(site));

@@ -45,22 +45,18 @@ addEventListener("activate", (event) => {
     })());
 });
 
-addEventListener("message", ({ data }) => {
-    if (data === "take over")
-        skipWaiting();
+// A page that was just opened asks for this (new_version.js).
+addEventListener("message", (event) => {
+    if (event.data === "take over if one page is open")
+        event.waitUntil((async () => {
+            for (let tries = 0; tries < 5; tries++) { // the page before it may still be closing
+                const open = (await clients.matchAll({ type: "window", includeUncontrolled: true })).filter(({ url }) => url.startsWith(registration.scope));
+                if (open.length === 1)
+                    return skipWaiting();
+                await new Promise((resolve) => setTimeout(resolve, 100));
+            }
+        })());
 });
-
-// The page is loaded again at once, by the new version. That takes over when nothing is asked of this one.
-const AGAIN = '<!DOCTYPE html><meta http-equiv="refresh" content="0"><title>Ray casting</title>';
-let handedOver = 0;
-async function opened(path) {
-    const { waiting } = registration;
-    if (!waiting || handedOver > 10 || (await clients.matchAll({ type: "window" })).length > 1)
-        return kept(path);
-    handedOver++;
-    waiting.postMessage("take over");
-    return new Response(AGAIN, { headers: { "content-type": "text/html; charset=utf-8", refresh: "0", "cache-control": "no-store" } });
-}
 
 addEventListener("fetch", (event) => {
     const { scope } = registration;
@@ -70,7 +66,5 @@ addEventListener("fetch", (event) => {
     const path = decodeURIComponent(url.href.slice(scope.length).replace(/[?#].*$/, "")).replace(/(^|\/)$/, "$1index.html");
     if (FILES[path] === undefined)
         return;
-    // Without the file the page tells what is missing. It is told to load the page again if the host has a new version.
-    event.respondWith((event.request.mode === "navigate" ? opened(path) : kept(path)).catch((reason) =>
-        new Response(reason.message, { status: 504, statusText: "not there" })));
+    event.respondWith(kept(path).catch((reason) => new Response(reason.message, { status: 504 })));
 });

@@ -17,7 +17,7 @@ const TYPES = { ".html": "text/html; charset=utf-8", ".css": "text/css", ".js": 
 /** The folder as a static host serves it, in a folder of the host. rate: bits per second, of all connections together. */
 export async function serve(folder, { compress = false, at = "/course/", rate = Infinity } = {}) {
     const sent = { bytes: 0, requests: [], log: [] }; // log: when, how many, and of which path
-    let free = 0, isOff = false;
+    let free = 0, isOff = false, held = null;
     async function send(response, body, path) {
         for (let from = 0, size = rate < Infinity ? 1 << 13 : body.length; from < body.length && !response.destroyed; from += size) {
             const part = body.subarray(from, from + size), now = performance.now();
@@ -32,10 +32,16 @@ export async function serve(folder, { compress = false, at = "/course/", rate = 
     }
     const server = createServer((request, response) => {
         const path = decodeURIComponent(new URL(request.url, "http://x").pathname);
-        const file = join(folder, normalize(path.slice(at.length - 1)).replace(/\/$/, "/index.html"));
         sent.requests.push(path);
         if (isOff)
             return request.socket.destroy();
+        if (held?.pattern.test(path))
+            return held.waiting.push(() => answer(request, response));
+        return answer(request, response);
+    });
+    function answer(request, response) {
+        const path = decodeURIComponent(new URL(request.url, "http://x").pathname);
+        const file = join(folder, normalize(path.slice(at.length - 1)).replace(/\/$/, "/index.html"));
         if (!path.startsWith(at) || !existsSync(file) || !statSync(file).isFile()) {
             response.writeHead(404).end();
             return;
@@ -49,10 +55,18 @@ export async function serve(folder, { compress = false, at = "/course/", rate = 
         const body = readFileSync(file);
         response.writeHead(200, { ...headers, "content-length": body.length });
         return send(response, body, path);
-    });
+    }
+    /** Paths like that are not answered until the function that it returns is called. */
+    function hold(pattern) {
+        const mine = held = { pattern, waiting: [] };
+        return () => {
+            held = null;
+            mine.waiting.forEach((go) => go());
+        };
+    }
     await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
     const stop = () => new Promise((resolve) => { server.closeAllConnections(); server.close(resolve); });
-    return { address: `http://127.0.0.1:${server.address().port}${at}`, sent, stop, stopSending() { isOff = true; } };
+    return { address: `http://127.0.0.1:${server.address().port}${at}`, sent, stop, hold, stopSending() { isOff = true; } };
 }
 
 export const browserName = process.env.BROWSER === "firefox" ? "firefox" : "chromium";
@@ -110,6 +124,20 @@ export async function waitFor(what, seconds, probe) {
         await new Promise((resolve) => setTimeout(resolve, 50));
     }
 }
+
+/** Another text in the editor, as if it was pasted, at once; judge: and Ctrl-Enter. */
+export const replaceText = (tab, text, { judge = false } = {}) => tab.$eval("#editor", (place, text, judge) => {
+    const content = place.shadowRoot.querySelector(".cm-content");
+    content.focus();
+    const press = (key, code, keyCode) => content.dispatchEvent(new KeyboardEvent("keydown", { key, code, keyCode, ctrlKey: true, bubbles: true, composed: true, cancelable: true }));
+    press("a", "KeyA", 65);
+    // Firefox gives no clipboard to an event that a script makes.
+    const paste = new Event("paste", { bubbles: true, cancelable: true });
+    paste.clipboardData = { getData: (type) => type === "text/plain" ? text : "", files: [] };
+    content.dispatchEvent(paste);
+    if (judge)
+        press("Enter", "Enter", 13);
+}, text, judge);
 
 /** Types a new last line. */
 export async function typeAtEnd(tab, text) {

@@ -3,7 +3,7 @@
 // Usage: BROWSER=chromium|firefox node drawn.mjs SITE
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { browserName, launch, openTab, serve, waitFor, waitForEditor } from "../site.mjs";
+import { browserName, launch, openTab, replaceText, serve, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2), stem = "05-quadratic";
 const host = await serve(folder), browser = await launch();
@@ -12,12 +12,7 @@ try {
     const source = readFileSync(`solutions/${stem}.c`, "utf8");
     await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
     await waitForEditor(tab);
-    await tab.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus());
-    await tab.keyboard.down("Control");
-    await tab.keyboard.press("a");
-    await tab.keyboard.up("Control");
-    await tab.evaluate((text) => document.execCommand("insertText", false, text), source);
-    await tab.$eval("#judge", (button) => button.click());
+    await replaceText(tab, source, { judge: true });
     const text = () => tab.$eval("#verdict", (place) => place.textContent);
     await waitFor("a verdict", 120, async () => (await text()).includes(`${stem} is right.`));
     await waitFor("a picture", 60, async () => (await text()).includes(`gallery/${stem}.png`));

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
-import { browserName, launch, openTab, serve, waitFor, waitForEditor } from "../site.mjs";
+import { browserName, launch, openTab, replaceText, serve, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder, shots] = process.argv.slice(2);
 const chapters = (process.env.CHAPTERS ?? "01,05").split(",");
@@ -14,36 +14,7 @@ const host = await serve(folder), browser = await launch();
 const tab = await openTab(browser, host.address);
 const textOf = (selector) => tab.$eval(selector, (each) => each.textContent);
 
-// Firefox gives a page no text with a made-up paste, so there another tab of the same chapter writes it.
-let other = null;
-async function write(text) {
-    const focus = () => tab.$eval("#editor", (place) => place.shadowRoot.querySelector(".cm-content").focus());
-    await focus();
-    await tab.keyboard.down("Control");
-    if (browserName === "chromium") {
-        await tab.keyboard.press("a");
-        await tab.keyboard.up("Control");
-        await tab.$eval("#editor", (place, pasted) => {
-            const clipboardData = new DataTransfer();
-            clipboardData.setData("text/plain", pasted);
-            place.shadowRoot.querySelector(".cm-content").dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
-        }, text);
-        return;
-    }
-    await tab.keyboard.up("Control");
-    if (other === null) {
-        other = await openTab(browser, host.address);
-        await other.goto(`${host.address}early.js`);
-    }
-    const stem = new URL(tab.url()).pathname.split("/").pop().replace(".html", "");
-    await other.evaluate((name, value) => localStorage.setItem(name, value), `ray-casting /course/ ${stem} answer`, text);
-    await waitFor("the other tab's text", 20, async () => /another tab/.test(await textOf("#state")));
-    await tab.bringToFront();
-    await focus();
-    await tab.keyboard.down("Control");
-    await tab.keyboard.press("Enter");
-    await tab.keyboard.up("Control");
-}
+const write = (text) => replaceText(tab, text, { judge: true });
 const verdict = (what, wanted, seconds = 90) => waitFor(`the verdict: ${what}`, seconds, async () => {
     const trouble = await textOf("#trouble");
     assert.equal(trouble, "", what);
