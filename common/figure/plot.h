@@ -109,7 +109,8 @@ typedef struct {
 } Room;
 void plot_room(Plot *plot, Room wide, Room narrow);
 
-// The picture fills its room, whatever room its labels need: for figures that must look alike.
+// The picture fills its room, and its labels find theirs in it, if they can: for figures that must
+// look alike.
 void plot_fill_room(Plot *plot);
 
 // In space, the panels show different things (plot_fit), all in one size.

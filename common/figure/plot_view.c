@@ -735,17 +735,19 @@ static bool leave_room(PlotView *view, int shape, int side)
     return width > 0;
 }
 
+enum { TRIES = 5 };
+
 typedef struct {
     double cost, part; // of its room
     Area over[PANELS];
 } Choice;
 
 // A smaller picture, if it is a better one: half the size costs as much as a distance of 350.
-static void choose(PlotView *view, int shape, double full, Choice *best)
+static void choose(PlotView *view, int shape, double full, int tries, Choice *best)
 {
-    static const double parts[] = {1, 0.88, 0.76, 0.64, 0.52};
-    enum { SMALLER = 700, TRIES = sizeof parts / sizeof *parts };
-    for (int i = 0; i < (view->fills ? 1 : TRIES); i++) {
+    static const double parts[TRIES] = {1, 0.88, 0.76, 0.64, 0.52};
+    enum { SMALLER = 700 };
+    for (int i = 0; i < tries; i++) {
         see(view, shape, parts[i]);
         double cost = SMALLER * (1 - view->size[shape][1] / full);
         if (cost >= best->cost)
@@ -770,17 +772,17 @@ static void place(PlotView *view, int shape)
     see(view, shape, 1);
     double full = view->size[shape][1];
     Choice best = {.cost = INFINITY, .part = 1};
-    choose(view, shape, full, &best);
-    if (!view->fills) {
+    choose(view, shape, full, view->fills ? 1 : TRIES, &best);
+    if (!view->fills || best.cost >= LABEL_FINE) {
         Area over[PANELS];
         measure_over(view, shape);
         memcpy(over, view->over[shape], sizeof over);
-        choose(view, shape, full, &best);
+        choose(view, shape, full, TRIES, &best);
         bool is_crowded = best.cost >= LABEL_FINE;
         for (int side = 0; side < SIDES && is_crowded; side++) {
             memcpy(view->over[shape], over, sizeof over);
             if (leave_room(view, shape, side))
-                choose(view, shape, full, &best);
+                choose(view, shape, full, TRIES, &best);
         }
     }
     memcpy(view->over[shape], best.over, sizeof best.over);

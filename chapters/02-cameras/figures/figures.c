@@ -90,18 +90,32 @@ static void begin_panel(Plot *plot, Given given, int form, const char *title)
     plot_pin(plot, across, up + 0.46, &words, 1);
 }
 
+// Whose camera it is, and its words: in a line, or in two where the narrow canvas is too narrow.
+// Returns how many.
+static int result_lines(Plot *plot, const char *who, const char *found, Label lines[2],
+                        char line[80])
+{
+    enum { WIDEST = 690 };
+    snprintf(line, 80, "%s %s", who, found);
+    bool fits = plot_width(plot, line) <= WIDEST;
+    lines[0] = (Label){fits ? line : who, "grey", .step = 5};
+    lines[1] = (Label){found, "grey", .step = 5};
+    return fits ? 1 : 2;
+}
+
 // All forms give one camera. If your answers give another one, the first of those is below it.
 static void plot_results(Plot *plot, const Found *found, int count)
 {
     static const char *const titles[] = {"look-at", "points", "corner", "vectors"};
-    char name[40], text[80];
-    Label lines[2] = {{"each gives {look_at_found}", "grey", .step = 5}};
-    int used = 1;
-    for (int i = 0; i < count && used == 1; i++) {
+    char name[40], who[40], given[60], right[80], yours[80];
+    Label lines[4];
+    int used = result_lines(plot, "each gives", "{look_at_found}", lines, right), first = used;
+    for (int i = 0; i < count && used == first; i++) {
         snprintf(name, sizeof name, "%s_found", found[i].form);
         if (plot_says_yours(plot, name)) {
-            snprintf(text, sizeof text, "yours, %s: {your_%s}", titles[i], name);
-            lines[used++] = (Label){text, "grey", .step = 5};
+            snprintf(who, sizeof who, "yours, %s:", titles[i]);
+            snprintf(given, sizeof given, "{your_%s}", name);
+            used += result_lines(plot, who, given, lines + used, yours);
         }
     }
     plot_pin(plot, 0.5, 0.035 * used, lines, used);
