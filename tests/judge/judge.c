@@ -42,13 +42,15 @@ typedef struct {
 // is wrong is shown first. Extra tests of a function follow its graded ones.
 static int groups_in_order(Group *groups)
 {
-    int count = 0;
+    int count = 0, numbers[MOST_TESTS];
+    for (int i = 0; i < outcomes.count; i++)
+        numbers[i] = exercise_number(outcomes.tests[i].function);
     for (int number = 0; exercises[number].name != NULL; number++) {
         for (int extra = 0; extra < 2; extra++) {
             Group group = {NULL, extra, NULL};
             for (int i = 0; i < outcomes.count; i++) {
                 const Outcome *test = &outcomes.tests[i];
-                if (exercise_number(test->function) != number || test->extra != group.extra)
+                if (numbers[i] != number || test->extra != group.extra)
                     continue;
                 group.function = test->function;
                 if (group.failed == NULL && !test->passed)

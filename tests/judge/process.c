@@ -1,4 +1,5 @@
 // process.c - the answering process, and its pipes.
+#define _GNU_SOURCE
 #include "tests/judge/process.h"
 
 #include "tests/judge/answering.h"
@@ -13,6 +14,7 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #ifdef __linux__
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #endif
@@ -128,6 +130,42 @@ static void become_answering(const int calls[2], const int answers[2], const int
     say_error();
 }
 
+// The judge and the answer take turns, and to wake a processor takes longer than most answers: both
+// stay on one, until an answer takes so long that the judge looks at it.
+#ifdef __linux__
+static cpu_set_t all_processors;
+static bool is_on_one;
+
+static void stay_on_one_processor(void)
+{
+    cpu_set_t one;
+    int here = sched_getcpu();
+    if (is_on_one || here < 0 || here >= CPU_SETSIZE ||
+        sched_getaffinity(0, sizeof all_processors, &all_processors) != 0)
+        return;
+    CPU_ZERO(&one);
+    CPU_SET((size_t)here, &one);
+    is_on_one = sched_setaffinity(0, sizeof one, &one) == 0;
+}
+
+static void use_all_processors(void)
+{
+    if (!is_on_one)
+        return;
+    is_on_one = false;
+    sched_setaffinity(0, sizeof all_processors, &all_processors);
+    sched_setaffinity(pid, sizeof all_processors, &all_processors);
+}
+#else
+static void stay_on_one_processor(void)
+{
+}
+
+static void use_all_processors(void)
+{
+}
+#endif
+
 bool process_start(void)
 {
     if (pid != 0)
@@ -136,6 +174,7 @@ bool process_start(void)
     if (pipe(calls) != 0 || pipe(answers) != 0 || pipe(errors) != 0)
         return false;
     fflush(NULL);
+    stay_on_one_processor();
     pid = fork();
     if (pid == 0)
         become_answering(calls, answers, errors);
@@ -241,6 +280,8 @@ static int move(bool out, void *bytes, size_t size, Patience *left)
             return -1;
         struct pollfd end = {out ? calls_out : answers_in, out ? POLLOUT : POLLIN, 0};
         bool ready = poll(&end, 1, LOOK) > 0;
+        if (!ready)
+            use_all_processors();
         if (n > 0) {
             place += n;
             size -= (size_t)n;
