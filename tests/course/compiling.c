@@ -1,7 +1,8 @@
 // compiling.c - one compile of an answer, by the commands of the plan.
 #include "tests/course/compiling.h"
 
-#include "tests/course/programs.h"
+#include "tests/course/precompiled.h"
+#include "tests/course/waiting_compiler.h"
 #include "tests/course/whole_text.h"
 
 #include <stdlib.h>
@@ -20,27 +21,38 @@ static int compile(const JudgingPlan *plan, const char *object, const char *sour
     return status;
 }
 
-// The plan's words with the names in their places; a '|' between the compiler and the assembler.
+EarlyCommands early_commands(const JudgingPlan *plan, const char *object, const char *source)
+{
+    EarlyCommands commands = {.planned = {.count = 0}};
+    Command *command = &commands.compiler;
+    command_words(&commands.planned, plan->compile_early);
+    for (int i = 0; i < commands.planned.count; i++) {
+        const char *word = commands.planned.words[i];
+        if (strcmp(word, "|") == 0)
+            command = &commands.assembler;
+        else
+            command_add(command, strcmp(word, "OBJECT") == 0   ? object
+                                 : strcmp(word, "SOURCE") == 0 ? source
+                                                               : word);
+    }
+    return commands;
+}
+
+void early_commands_free(EarlyCommands *commands)
+{
+    command_free(&commands->planned);
+    command_free(&commands->compiler);
+    command_free(&commands->assembler);
+}
+
 static int compile_early(const JudgingPlan *plan, const char *object, const char *source,
                          const char *said)
 {
-    Command planned = {.count = 0}, compiler = {.count = 0}, assembler = {.count = 0};
-    bool is_piped = false;
-    command_words(&planned, plan->compile_early);
-    for (int i = 0; i < planned.count; i++) {
-        const char *word = planned.words[i];
-        if (strcmp(word, "|") == 0)
-            is_piped = true;
-        else
-            command_add(is_piped ? &assembler : &compiler, strcmp(word, "OBJECT") == 0   ? object
-                                                           : strcmp(word, "SOURCE") == 0 ? source
-                                                                                         : word);
-    }
-    int status =
-        is_piped ? program_run_piped(&compiler, &assembler, said) : program_run(&compiler, said);
-    command_free(&planned);
-    command_free(&compiler);
-    command_free(&assembler);
+    EarlyCommands commands = early_commands(plan, object, source);
+    int status = commands.assembler.count > 0
+                     ? program_run_piped(&commands.compiler, &commands.assembler, said)
+                     : program_run(&commands.compiler, said);
+    early_commands_free(&commands);
     return status;
 }
 
@@ -56,8 +68,10 @@ static bool names_precompiled(const char *said)
 int compile_object(const JudgingPlan *plan, int chapter, const char *source, const char *said)
 {
     PlanPath object = plan_file(plan, chapter, "answer.o");
-    if (plan->compile_early[0] != '\0' && compile_early(plan, object.s, source, said) == 0 &&
-        !names_precompiled(said))
+    if (waiting_compiler_compiles(plan, chapter, source, said))
+        return 0;
+    if (plan->compile_early[0] != '\0' && precompiled_is_current(plan, chapter) &&
+        compile_early(plan, object.s, source, said) == 0 && !names_precompiled(said))
         return 0;
     return compile(plan, object.s, source, said);
 }

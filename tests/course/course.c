@@ -23,6 +23,7 @@
 #include "tests/course/reset_answer.h"
 #include "tests/course/reward.h"
 #include "tests/course/show_verdicts.h"
+#include "tests/course/waiting_compiler.h"
 #include "tests/course/watch.h"
 
 #include <poll.h>
@@ -186,6 +187,7 @@ static int watch(const Course *course)
         fflush(stdout);
         if (saved >= 0)
             judge_dependents(course, saved);
+        compilers_wait(plan, course->chosen);
         int file = watch_next(watched);
         if (file < 0)
             break;

@@ -32,6 +32,8 @@ bool plan_read(const char *path, JudgingPlan *plan)
         {"compile", &plan->compile, true},
         {"link", &plan->link, true},
         {"compile early", &plan->compile_early, false},
+        {"precompiled", &plan->precompiled, false},
+        {"headers", &plan->headers, false},
         {"hide", &plan->hide, false},
         {"quick", &plan->quick, false},
         {"lend", &plan->lend, false},

@@ -13,8 +13,11 @@
 //     blanks      the folder of the blanks, for answers that are not there
 //     compile     the command that compiles an answer: COMPILE -o STEM/answer.o ANSWER
 //     compile early
-//                 the same with precompiled contracts, from a folder 'precompiled', OBJECT and
-//                 SOURCE for the names, and a '|' if two programs are started; or none
+//                 the same with precompiled contracts, OBJECT and SOURCE for the names, and a '|'
+//                 if two programs are started; or none
+//     precompiled the folder of precompiled contracts, exercises/STEM.h.gch, and of sources that
+//                 include a contract and then standard input, STEM.c; or none
+//     headers     the headers that contracts include
 //     hide        a command that hides all but the exercises: HIDE STEM/answer.o; or none
 //     link        the command that links an answering process:
 //                 LINK [QUICK] -o STEM/answering STEM/answer.o OBJECTS -lm
@@ -59,7 +62,7 @@ typedef struct {
     const char *answers, *built, *verdict, *figures, *draw, *blanks;
     const char *compile, *hide, *link, *quick, *lend, *judge, *used;
     const char *reference, *drawing, *spheres, *libraries, *directly;
-    const char *compile_early, *shared, *loading, *lend_shared, *lent;
+    const char *compile_early, *precompiled, *headers, *shared, *loading, *lend_shared, *lent;
     int count;
     PlannedChapter chapters[MOST_CHAPTERS];
 } JudgingPlan;

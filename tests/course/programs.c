@@ -40,7 +40,8 @@ void programs_end_with_us(void)
     }
 }
 
-// A fork that is known, or -1. In the child nothing is known to have been started.
+// A fork that is known by its place (-1: by none), or -1. In the child nothing is known to have
+// been started.
 static pid_t start(int place)
 {
     sigset_t all, before;
@@ -56,7 +57,7 @@ static pid_t start(int place)
 #endif
         if (getppid() != parent)
             _exit(127);
-    } else if (pid > 0) {
+    } else if (pid > 0 && place >= 0) {
         started[place] = pid;
     }
     sigprocmask(SIG_SETMASK, &before, NULL);
@@ -93,7 +94,8 @@ static int end_of(pid_t pid, int place)
     int status = 127 << 8;
     while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR)
         continue;
-    started[place] = 0;
+    if (place >= 0)
+        started[place] = 0;
     return status_of(status);
 }
 
@@ -113,15 +115,88 @@ int program_run_for(const Command *command, const char *output, int seconds)
     return end_of(pid, 0);
 }
 
+// No other program that is started has its halves.
+static bool make_pipe(int halves[2])
+{
+    if (pipe(halves) != 0)
+        return false;
+    fcntl(halves[0], F_SETFD, FD_CLOEXEC);
+    fcntl(halves[1], F_SETFD, FD_CLOEXEC);
+    return true;
+}
+
+bool program_start_waiting(const Command *command, const char *said, WaitingProgram *waiting)
+{
+    int in[2], out[2], errors = open_output(said);
+    if (errors < 0 || !make_pipe(in)) {
+        close(errors);
+        return false;
+    }
+    if (!make_pipe(out)) {
+        close(errors);
+        close(in[0]);
+        close(in[1]);
+        return false;
+    }
+    *waiting = (WaitingProgram){start(-1), in[1], out[0]};
+    if (waiting->pid == 0)
+        become(command, in[0], out[1], errors);
+    close(errors);
+    close(in[0]);
+    close(out[1]);
+    if (waiting->pid < 0)
+        program_end_waiting(waiting);
+    return waiting->pid > 0;
+}
+
+void program_end_waiting(WaitingProgram *waiting)
+{
+    close(waiting->input);
+    close(waiting->output);
+    if (waiting->pid > 0) {
+        kill((pid_t)waiting->pid, SIGKILL);
+        end_of((pid_t)waiting->pid, -1);
+    }
+    waiting->pid = -1;
+}
+
+// A program that has ended does not end this one.
+static void write_all(int out, const char *text, size_t size)
+{
+    void (*before)(int) = signal(SIGPIPE, SIG_IGN);
+    while (size > 0) {
+        ssize_t n = write(out, text, size);
+        if (n <= 0 && errno != EINTR)
+            break;
+        text += n > 0 ? n : 0;
+        size -= n > 0 ? (size_t)n : 0;
+    }
+    signal(SIGPIPE, before);
+}
+
+int program_feed(WaitingProgram *waiting, const char *text, const Command *reader,
+                 const char *output)
+{
+    int said = open_output(output);
+    pid_t pid = start(0);
+    if (pid == 0)
+        become(reader, said >= 0 ? waiting->output : -1, said, said);
+    close(said);
+    write_all(waiting->input, text, strlen(text));
+    close(waiting->input);
+    close(waiting->output);
+    int of_first = end_of((pid_t)waiting->pid, -1), of_second = end_of(pid, 0);
+    waiting->pid = -1;
+    return of_first != 0 ? of_first : of_second;
+}
+
 int program_run_piped(const Command *first, const Command *second, const char *output)
 {
     int halves[2], said = open_output(output);
-    if (said < 0 || pipe(halves) != 0) {
+    if (said < 0 || !make_pipe(halves)) {
         close(said);
         return 127;
     }
-    fcntl(halves[0], F_SETFD, FD_CLOEXEC);
-    fcntl(halves[1], F_SETFD, FD_CLOEXEC);
     pid_t writer = start(0);
     if (writer == 0)
         become(first, open("/dev/null", O_RDONLY | O_CLOEXEC), halves[1], said);
@@ -135,8 +210,9 @@ int program_run_piped(const Command *first, const Command *second, const char *o
     return of_first != 0 ? of_first : of_second;
 }
 
-// Waits for one of them, whichever ends first.
-static void wait_for_one(const int *numbers, int *statuses)
+// Waits for one of them, whichever ends first. How many have ended: a program that waits for its
+// input may also end.
+static int wait_for_one(const int *numbers, int *statuses)
 {
     int status;
     pid_t pid = wait(&status);
@@ -144,7 +220,9 @@ static void wait_for_one(const int *numbers, int *statuses)
         if (started[i] == pid) {
             statuses[numbers[i]] = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
             started[i] = 0;
+            return 1;
         }
+    return pid > 0 ? 0 : 1;
 }
 
 void work_side_by_side(int count, int (*work)(int number, void *given), void *given, int *statuses)
@@ -158,8 +236,7 @@ void work_side_by_side(int count, int (*work)(int number, void *given), void *gi
     int numbers[MOST_AT_A_TIME], running = 0;
     for (int next = 0; next < count || running > 0;) {
         if (next == count || running == most) {
-            wait_for_one(numbers, statuses);
-            running--;
+            running -= wait_for_one(numbers, statuses);
             continue;
         }
         int place = 0;

@@ -36,6 +36,18 @@ int program_run_for(const Command *command, const char *output, int seconds);
 // say goes into the file. The exit status of the first that failed.
 int program_run_piped(const Command *first, const Command *second, const char *output);
 
+// A program that was started before there is something for it to read. It ends if this one does.
+typedef struct {
+    int pid, input, output;
+} WaitingProgram;
+// What it says goes into the file, not what it writes. False if it cannot be started.
+bool program_start_waiting(const Command *command, const char *said, WaitingProgram *waiting);
+// Gives it its input, and starts another program that reads what it writes; ends as
+// program_run_piped does.
+int program_feed(WaitingProgram *waiting, const char *text, const Command *reader,
+                 const char *output);
+void program_end_waiting(WaitingProgram *waiting);
+
 // Does a piece of work for each number from 0 to count - 1, each in a process of its own, as many
 // at a time as there are processors; its status is what the work returns, or -1.
 void work_side_by_side(int count, int (*work)(int number, void *given), void *given, int *statuses);

@@ -46,6 +46,30 @@ int program_run_piped(const Command *first, const Command *second, const char *o
     return status != 0 ? status : program_run(second, output);
 }
 
+// Nobody watches files here, so no program waits.
+bool program_start_waiting(const Command *command, const char *said, WaitingProgram *waiting)
+{
+    (void)command;
+    (void)said;
+    (void)waiting;
+    return false;
+}
+
+int program_feed(WaitingProgram *waiting, const char *text, const Command *reader,
+                 const char *output)
+{
+    (void)waiting;
+    (void)text;
+    (void)reader;
+    (void)output;
+    return 127;
+}
+
+void program_end_waiting(WaitingProgram *waiting)
+{
+    (void)waiting;
+}
+
 void work_side_by_side(int count, int (*work)(int number, void *given), void *given, int *statuses)
 {
     for (int i = 0; i < count; i++)
