@@ -14,11 +14,11 @@
 bool nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message)
 {
     *line = (NffLine){.file = file, .file_name = file_name, .message = message, .room = 1 << 16};
-    line->held = malloc(line->room + 1);
+    line->held = malloc(line->room + NUMBER_PADDING);
     line->next = line->end = line->held;
     if (line->held == NULL)
         return message_set(message, "%.200s: no memory to read it", file_name);
-    *line->end = '\0';
+    memset(line->end, 0, NUMBER_PADDING);
     return true;
 }
 
@@ -52,7 +52,7 @@ static bool hold_more(NffLine *line)
         line->error = errno;
     line->next = line->held;
     line->end = line->held + left + more;
-    *line->end = '\0';
+    memset(line->end, 0, NUMBER_PADDING);
     return more > 0;
 }
 
@@ -60,7 +60,7 @@ void nff_hold(NffLine *line, size_t size)
 {
     if (size > line->room) {
         size_t next = (size_t)(line->next - line->held), end = (size_t)(line->end - line->held);
-        char *larger = realloc(line->held, size + 1);
+        char *larger = realloc(line->held, size + NUMBER_PADDING);
         if (larger == NULL)
             return;
         line->held = larger;

@@ -22,7 +22,7 @@ typedef struct {
     char *next, *end;                  // what is held of the file and not read yet; *end is 0
     int error;                         // errno of a read that failed
     char *held;
-    size_t room; // for so many bytes, and a 0
+    size_t room; // for so many bytes, and zeros
 } NffLine;
 
 // False if there is not enough memory. Call nff_end in both cases.

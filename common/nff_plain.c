@@ -44,7 +44,7 @@ static const char *read_plain(const char *line, char letter, int count, double *
     if (*text++ != letter)
         return NULL;
     for (int i = 0; i < count; i++)
-        if (*text != ' ' || (text = read_number(text + 1, &numbers[i])) == NULL)
+        if (*text != ' ' || (text = read_padded_number(text + 1, &numbers[i])) == NULL)
             return NULL;
     return *text == '\n' && text - line <= NFF_LONGEST_LINE ? text + 1 : NULL;
 }

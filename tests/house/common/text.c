@@ -6,14 +6,26 @@
 
 #include <string.h>
 
-static void expect_reads(const char *text, double expected, const char *rest)
+typedef const char *Reader(const char *text, double *number);
+
+static void expect_read(Reader *read, const char *text, double expected, const char *rest)
 {
     double number = -12345;
-    const char *end = read_number(text, &number);
+    const char *end = read(text, &number);
     given("text", "'%s'", text);
     expect_law(end != NULL, "a number", "refused");
     expect_number(number, expected, 0);
     expect_text(end, rest);
+}
+
+static void expect_reads(const char *text, double expected, const char *rest)
+{
+    expect_read(read_number, text, expected, rest);
+    // The padding must not matter, not even if it is digits.
+    static char padded[100];
+    memset(padded, '7', sizeof padded);
+    strcpy(padded, text);
+    expect_read(read_padded_number, padded, expected, rest);
 }
 
 START_TEST(numbers_are_read_as_they_are_written)
