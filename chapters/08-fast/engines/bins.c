@@ -158,7 +158,7 @@ bool cast_bins(const Work *work, Message *message)
     if (!extreme && cast(work, NULL, &extreme))
         return true;
     if (extreme)
-        return cast_plain(work, message);
+        return cast_extreme(work, message);
     return message_set(message, "no memory for the bins of %d spheres", work->scene->sphere_count);
 }
 

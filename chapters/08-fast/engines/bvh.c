@@ -36,7 +36,7 @@ static void cast_row(void *given, int row)
 bool cast_bvh(const Work *work, Message *message)
 {
     if (extreme_scene(work))
-        return cast_plain(work, message);
+        return cast_extreme(work, message);
     Paint *paints = paints_of(work->scene);
     ByRay by_ray = {.work = work, .paints = paints};
     bool ready = paints != NULL && hierarchy_build(&by_ray.hierarchy, work->scene, work->threads);

@@ -18,6 +18,15 @@
 #include <string.h>
 #include <unistd.h>
 
+static const Engine *chosen; // the engine
+
+static void use_plain(void)
+{
+    fprintf(stderr, "%s: the scene has extreme numbers (see --help), so plain casts it\n",
+            chosen->name);
+    chosen = &engines[0];
+}
+
 static bool option_engine(const char *text, void *into)
 {
     *(const Engine **)into = engine_named(text);
@@ -60,13 +69,12 @@ static void say_what_it_took(const char *name, const Drawing *drawing, bool shad
 int cast_command(int argc, char **argv)
 {
     Command command = {0};
-    const Engine *engine = NULL;
     int threads = 1;
     bool shaded = false, rectangles = false;
     Lighting lighting = lighting_untold;
     const Option options[] = {
         COMMAND_OPTIONS(command),
-        {"engine", 'e', "NAME", option_engine, &engine,
+        {"engine", 'e', "NAME", option_engine, &chosen,
          "plain, object, bvh, packet, tiles, bins (auto)"},
         {"threads", 't', "N", option_threads, &threads, "number of threads, 1 to 256 (1)"},
         {"shaded", 0, NULL, option_flag, &shaded, "with shadows and mirrors: plain, bvh (auto)"},
@@ -88,11 +96,11 @@ int cast_command(int argc, char **argv)
     if (!shaded && lighting_is_told(&lighting))
         options_wrong(argv[0],
                       "light changes nothing in a flat picture, expected --shaded as well");
-    if (engine == NULL)
-        engine = engine_for(shaded);
-    if (shaded && engine->light == NULL)
+    if (chosen == NULL)
+        chosen = engine_for(shaded);
+    if (shaded && chosen->light == NULL)
         options_wrong(argv[0], "%s has no shadows and no mirrors, expected plain or bvh",
-                      engine->name);
+                      chosen->name);
     command.scene_path = argv[first];
     if (rectangles && command.output != NULL)
         options_wrong(argv[0], "-o: no picture is drawn with --rectangles");
@@ -111,22 +119,19 @@ int cast_command(int argc, char **argv)
         return EXIT_COULD_NOT;
     }
     double began = clock_seconds(), built = began;
-    Work work = {&drawing.scene, drawing.camera, &drawing.image, threads, &built};
-    if (engine != &engines[0] && (shaded ? extreme_light(&work) : extreme_scene(&work))) {
-        fprintf(stderr, "%s: the scene has extreme numbers (see --help), so plain casts it\n",
-                engine->name);
-        engine = &engines[0];
-    }
+    Work work = {&drawing.scene, drawing.camera, &drawing.image, threads, &built, use_plain};
+    if (shaded && chosen != &engines[0] && extreme_light(&work))
+        use_plain();
     Message message;
-    if (shaded ? !engine->light(&work, lighting.style, &message) : !engine->cast(&work, &message)) {
+    if (shaded ? !chosen->light(&work, lighting.style, &message) : !chosen->cast(&work, &message)) {
         fprintf(stderr, "%s: %s\n", argv[0], message.text);
         return EXIT_COULD_NOT;
     }
     double took = clock_seconds() - built;
     drawing_is_done();
     if (built > began)
-        fprintf(stderr, "%s: built in %s\n", engine->name, duration_text(built - began).s);
-    say_what_it_took(engine->name, &drawing, shaded, took);
+        fprintf(stderr, "%s: built in %s\n", chosen->name, duration_text(built - began).s);
+    say_what_it_took(chosen->name, &drawing, shaded, took);
     int status = drawing_end(&drawing);
     if (status == EXIT_DONE && command.output == NULL)
         printf("%s\n", drawing.output);

@@ -22,6 +22,8 @@ typedef struct {
     // If not NULL: gets the time when casting began, by clock.h. A hierarchy that was built before
     // that can be used with every camera.
     double *built;
+    // If not NULL: called before plain casts the scene instead, because its numbers are extreme.
+    void (*extreme)(void);
 } Work;
 
 typedef struct {
@@ -42,6 +44,8 @@ const Engine *engine_named(const char *name);
 // 1. Chapter 06's loop: every pixel asks every sphere.
 bool cast_plain(const Work *work, Message *message);
 bool light_plain(const Work *work, Style style, Message *message);
+// The same, instead of another engine, for a scene with extreme numbers (number_limits.h).
+bool cast_extreme(const Work *work, Message *message);
 // 2. Object order: every sphere asks the pixels of its rectangle.
 bool cast_object(const Work *work, Message *message);
 // 3. A bounding volume hierarchy: every ray asks the spheres on its way.

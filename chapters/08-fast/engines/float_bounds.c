@@ -53,7 +53,7 @@ static void cast_tile(void *given, int part)
 static bool cast_by(const Work *work, Message *message, Walk *walk, bool wide)
 {
     if (extreme_scene(work))
-        return cast_plain(work, message);
+        return cast_extreme(work, message);
     static PaintTile *const paints[LANES_KINDS] = LANES_TABLE(paint_tile);
     SeenScene scene;
     Cast cast = {work, &scene, walk, paints[lanes_best()]};

@@ -58,7 +58,7 @@ static void cast_band(void *given, int band)
 bool cast_object(const Work *work, Message *message)
 {
     if (extreme_scene(work))
-        return cast_plain(work, message);
+        return cast_extreme(work, message);
     Resolution screen = work->image->size;
     int count = work->scene->sphere_count;
     Rectangle *rectangles = malloc(((size_t)count + 1) * sizeof *rectangles);

@@ -47,3 +47,10 @@ bool cast_plain(const Work *work, Message *message)
     free(paints);
     return true;
 }
+
+bool cast_extreme(const Work *work, Message *message)
+{
+    if (work->extreme != NULL)
+        work->extreme();
+    return cast_plain(work, message);
+}

@@ -252,13 +252,13 @@ static void measure(const char *path, int rounds)
             spheres[4 * i + k] = (float)scene.spheres[i].center[k];
         spheres[4 * i + 3] = (float)scene.spheres[i].radius;
     }
-    Work work = {&scene, camera, &image, 2, NULL};
+    Work work = {&scene, camera, &image, 2, NULL, NULL};
     if (!bins_spheres(&work, seen))
         exit(1);
     Rays shadow = {0}, mirror = {0};
     collect(&world, seen, camera, screen, &shadow, &mirror);
     LightPaths paths;
-    if (!light_paths_begin(&paths, &world, NULL, 0))
+    if (!light_paths_begin(&paths, &world, 0))
         exit(1);
     RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
     Both both = {&world, peer_scene(device, spheres, scene.sphere_count), paths.nearest,
