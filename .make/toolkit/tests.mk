@@ -133,9 +133,9 @@ $(SOLUTION_MUTANTS): $(patsubst %,$(B)/tests/proof/mutants/%.o,mutants line_slip
 	$(Q)$(LINK) -o $@ $^
 
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
-# it takes; and shadows and mirrors against chapter 07.
+# it takes; and shadows and mirrors against chapter 07, and the grids of lights against its shadows.
 SAME_ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_pictures_of_files memory)
-ENGINES := $(B)/tests/house/engines/same_pictures $(B)/tests/house/engines/same_shading
+ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_shading same_shadows)
 ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
 $(SAME_ENGINES): $(patsubst %,$(B)/tests/house/engines/%.o,compare_engines test_scenes difficult_scenes far_scenes scene_parts)
 $(B)/tests/house/engines/same_shading: $(B)/tests/house/engines/shading_scenes.o

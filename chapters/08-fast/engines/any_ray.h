@@ -33,16 +33,16 @@ enum { MOST_CANDIDATES = 16 };
 typedef struct {
     int count;
     int places[MOST_CANDIDATES];
-} Candidates;
+} PossibleHits;
 
 // The spheres that may be the nearest hit; none if the ray certainly misses all.
-typedef void NearestOf(const RayWorld *world, const Line *line, Candidates *candidates);
+typedef void NearestOf(const RayWorld *world, const Line *line, PossibleHits *candidates);
 extern NearestOf nearest_of_baseline, nearest_of_avx2, nearest_of_avx512;
 
 // A sphere that the ray certainly hits at a distance less than reach: true, and it is the only
 // candidate. If no sphere is certain: false, and those that the ray may hit before reach.
 typedef bool AnyBefore(const RayWorld *world, const Line *line, double reach,
-                       Candidates *candidates);
+                       PossibleHits *candidates);
 extern AnyBefore any_before_baseline, any_before_avx2, any_before_avx512;
 
 #endif

@@ -2,6 +2,8 @@
 // order for any hit.
 #include "chapters/08-fast/engines/any_ray.h"
 
+#include "chapters/08-fast/engines/meeting.h"
+
 #include <math.h>
 #ifdef __AVX2__
 #include <immintrin.h>
@@ -21,11 +23,6 @@ static inline unsigned bits_of(const int *ints)
         bits |= (unsigned)(ints[i] < 0) << i;
     return bits;
 #endif
-}
-
-static inline double larger(double a, double b)
-{
-    return a > b ? a : b;
 }
 
 // ---- boxes, in floats -------------------------------------------------------------------------
@@ -87,15 +84,6 @@ static inline unsigned enters(const Slopes *slopes, const WideNode *node, float 
 
 // ---- spheres, in doubles ----------------------------------------------------------------------
 
-// Where a ray may meet a sphere: at begin or later; if end is finite, it certainly does, between
-// begin and end.
-typedef struct {
-    double begin, end;
-} Meeting;
-
-// The margin for a number that is the difference of two: many times their rounding error.
-#define MARGIN 1e-12
-
 // Which of ASKED spheres, from place first on, the ray may meet before farthest, as bits.
 static inline unsigned may_meet(const RayWorld *world, int first, int count, const Line *line,
                                 double farthest)
@@ -120,22 +108,10 @@ static inline unsigned may_meet(const RayWorld *world, int first, int count, con
     return bits & ((1U << count) - 1);
 }
 
-static Meeting meet(const RayWorld *world, int place, const Line *line)
+static inline Meeting meet_place(const RayWorld *world, int place, const Line *line)
 {
-    double x = world->x[place] - line->origin[0], y = world->y[place] - line->origin[1];
-    double z = world->z[place] - line->origin[2], r = world->r[place], rr = r * r;
-    double along = x * line->direction[0] + y * line->direction[1] + z * line->direction[2];
-    double pp = x * x + y * y + z * z, margin = MARGIN * (pp + rr), outside = pp - rr;
-    double d = rr - pp + along * along, least = d - margin;
-    double longest = sqrt(larger(d + margin, 0)), shortest = sqrt(larger(least, 0));
-    double slack = MARGIN * (fabs(along) + r);
-    if (outside > margin && least >= 0 && along - longest - slack > 0)
-        return (Meeting){along - longest - slack, along - shortest + slack};
-    if (outside > margin)
-        return (Meeting){larger(along - longest - slack, 0), INFINITY};
-    if (outside < -margin && along + shortest - slack > 0)
-        return (Meeting){along + shortest - slack, along + longest + slack};
-    return (Meeting){0, INFINITY};
+    return meet(world->x[place] - line->origin[0], world->y[place] - line->origin[1],
+                world->z[place] - line->origin[2], world->r[place], line);
 }
 
 // ---- the walk ---------------------------------------------------------------------------------
@@ -160,16 +136,9 @@ static inline int push(Waiting *waiting, int count, const WideNode *node, unsign
     return count;
 }
 
-static void add(Candidates *candidates, int place)
-{
-    if (candidates->count < MOST_CANDIDATES)
-        candidates->places[candidates->count] = place;
-    candidates->count++;
-}
-
 // Forgets the candidates that begin beyond the nearest certain hit. A list that is not complete
 // stays so.
-static void forget(Candidates *candidates, double *begins, double nearest)
+static void forget(PossibleHits *candidates, double *begins, double nearest)
 {
     int kept = 0;
     if (candidates->count > MOST_CANDIDATES)
@@ -183,7 +152,7 @@ static void forget(Candidates *candidates, double *begins, double nearest)
     candidates->count = kept;
 }
 
-void LANES(nearest_of)(const RayWorld *world, const Line *line, Candidates *candidates)
+void LANES(nearest_of)(const RayWorld *world, const Line *line, PossibleHits *candidates)
 {
     Waiting waiting[MOST_WAITING];
     double begins[MOST_CANDIDATES], nearest = INFINITY;
@@ -205,7 +174,7 @@ void LANES(nearest_of)(const RayWorld *world, const Line *line, Candidates *cand
         unsigned bits = may_meet(world, next.first, next.count, line, nearest);
         for (; bits != 0; bits &= bits - 1) {
             int place = next.first + __builtin_ctz(bits);
-            Meeting meeting = meet(world, place, line);
+            Meeting meeting = meet_place(world, place, line);
             if (meeting.begin > nearest)
                 continue;
             if (meeting.end < nearest) {
@@ -215,13 +184,13 @@ void LANES(nearest_of)(const RayWorld *world, const Line *line, Candidates *cand
             }
             if (candidates->count < MOST_CANDIDATES)
                 begins[candidates->count] = meeting.begin;
-            add(candidates, place);
+            add_candidate(candidates, place);
         }
     }
 }
 
 bool LANES(any_before)(const RayWorld *world, const Line *line, double reach,
-                       Candidates *candidates)
+                       PossibleHits *candidates)
 {
     Waiting waiting[MOST_WAITING];
     float near[LANES], farthest = (float)(reach * world->scale) * (1 + 0x1p-20F);
@@ -244,14 +213,14 @@ bool LANES(any_before)(const RayWorld *world, const Line *line, double reach,
         unsigned bits = may_meet(world, next.first, next.count, line, reach * (1 + MARGIN));
         for (; bits != 0; bits &= bits - 1) {
             int place = next.first + __builtin_ctz(bits);
-            Meeting meeting = meet(world, place, line);
+            Meeting meeting = meet_place(world, place, line);
             if (meeting.begin > reach * (1 + MARGIN))
                 continue;
             if (meeting.end < reach * (1 - MARGIN)) {
-                *candidates = (Candidates){1, {place}};
+                *candidates = (PossibleHits){1, {place}};
                 return true;
             }
-            add(candidates, place);
+            add_candidate(candidates, place);
         }
     }
     return false;

@@ -20,8 +20,12 @@ enum { FEW_CHANGES = 4 };
 bool light_world_build(LightWorld *world, const Scene *scene, int threads)
 {
     size_t count = (size_t)scene->sphere_count, room = count + ASKED;
-    *world = (LightWorld){.scene = scene, .numbers = large_memory(4 * room * sizeof(double))};
-    if (world->numbers == NULL || !hierarchy_build(&world->hierarchy, scene, threads)) {
+    *world = (LightWorld){.scene = scene,
+                          .numbers = large_memory(4 * room * sizeof(double)),
+                          .crowd = crowd_of(scene),
+                          .grids = calloc((size_t)scene->light_count + 1, sizeof *world->grids)};
+    if (world->numbers == NULL || world->grids == NULL ||
+        !hierarchy_build(&world->hierarchy, scene, threads)) {
         light_world_free(world);
         return false;
     }
@@ -43,7 +47,10 @@ bool light_world_build(LightWorld *world, const Scene *scene, int threads)
         size = fmax(size, box->high[axis] - box->low[axis]);
     world->rays.scale = 1 / size;
     world->rays.nodes = world->wide = wide_build(&world->hierarchy, 1 / size);
-    if (world->wide != NULL)
+    bool done = world->wide != NULL;
+    for (int i = 0; i < scene->light_count && done; i++)
+        done = light_grid_build(&world->grids[i], &world->crowd, scene->lights[i], threads);
+    if (done)
         return true;
     light_world_free(world);
     return false;
@@ -52,6 +59,9 @@ bool light_world_build(LightWorld *world, const Scene *scene, int threads)
 void light_world_free(LightWorld *world)
 {
     hierarchy_free(&world->hierarchy);
+    for (int i = 0; world->grids != NULL && i < world->scene->light_count; i++)
+        light_grid_free(&world->grids[i]);
+    free(world->grids);
     free(world->wide);
     free(world->numbers);
     *world = (LightWorld){0};
@@ -144,7 +154,7 @@ static Hit nearest_alone(const LightPaths *paths, Ray ray)
     const LightWorld *world = paths->world;
     double length;
     Line line = line_of(ray, &length);
-    Candidates candidates;
+    PossibleHits candidates;
     paths->nearest(&world->rays, &line, &candidates);
     if (candidates.count > MOST_CANDIDATES)
         return hierarchy_nearest(&world->hierarchy, world->scene, ray);
@@ -189,11 +199,26 @@ static bool hides(const Sphere *sphere, vec3 from, Light light)
     return !(visibility(&world, from, light) > 0);
 }
 
+// Whether a light with a grid arrives at a place.
+static bool arrives_by_grid(const LightGrid *grid, Ray to_light, Light light)
+{
+    PossibleHits candidates;
+    const Scene *scene = grid->crowd->scene;
+    if (light_grid_hides(grid, to_light, &candidates))
+        return false;
+    if (candidates.count > MOST_CANDIDATES)
+        return visibility(scene, to_light.origin, light) > 0;
+    for (int i = 0; i < candidates.count; i++)
+        if (hides(&scene->spheres[candidates.places[i]], to_light.origin, light))
+            return false;
+    return true;
+}
+
 // Whether a light arrives at a place: one ray, alone.
 static bool arrives_alone(const LightPaths *paths, vec3 from, Light light)
 {
     const LightWorld *world = paths->world;
-    Candidates candidates = {0};
+    PossibleHits candidates = {0};
     double length;
     Line line = line_of(ray_to_light(from, light), &length);
     double reach = light.kind == LIGHT_DISTANT ? INFINITY : length;
@@ -225,6 +250,7 @@ static void find_light(LightPaths *paths, const int *going, int count, int numbe
     const Scene *scene = world->scene;
     Light light = scene->lights[number];
     bool has_end = light.kind != LIGHT_DISTANT;
+    const LightGrid *grid = &world->grids[number];
     Lines lines = {0};
     int asking[LANES];
     for (int k = 0; k < count; k++) {
@@ -232,7 +258,12 @@ static void find_light(LightPaths *paths, const int *going, int count, int numbe
         Ray ray = ray_to_light(path->start, light);
         bool *lit = &paths->lit[going[k] * scene->light_count + number];
         *lit = false;
-        if (!is_behind(path, &scene->spheres[path->hit.sphere], ray, has_end)) {
+        bool behind = is_behind(path, &scene->spheres[path->hit.sphere], ray, has_end);
+        if (grid->count > 0) {
+            *lit = !behind && arrives_by_grid(grid, ray, light);
+            continue;
+        }
+        if (!behind) {
             asking[lines.count] = going[k];
             set_line(&lines, lines.count++, ray, has_end);
         }

@@ -8,6 +8,7 @@
 
 #include "chapters/08-fast/engines/any_ray.h"
 #include "chapters/08-fast/engines/hierarchy.h"
+#include "chapters/08-fast/engines/light_grid.h"
 #include "chapters/08-fast/engines/together.h"
 #include "common/ray.h"
 #include "common/scene.h"
@@ -19,6 +20,8 @@ typedef struct {
     WideNode *wide;
     double *numbers; // of the spheres, for rays
     RayWorld rays;
+    Crowd crowd;
+    LightGrid *grids; // of each light
 } LightWorld;
 
 // False if there is not enough memory.

@@ -91,7 +91,7 @@ static long ours_shadow(const Both *both, const Rays *rays)
 {
     long hits = 0;
     for (int i = 0; i < rays->count; i++) {
-        Candidates candidates = {0};
+        PossibleHits candidates = {0};
         hits += both->before(&both->world->rays, &rays->lines[i], rays->reaches[i], &candidates) ||
                 candidates.count > 0;
     }
@@ -102,7 +102,7 @@ static long ours_mirror(const Both *both, const Rays *rays)
 {
     long hits = 0;
     for (int i = 0; i < rays->count; i++) {
-        Candidates candidates;
+        PossibleHits candidates;
         both->nearest(&both->world->rays, &rays->lines[i], &candidates);
         hits += candidates.count > 0;
     }

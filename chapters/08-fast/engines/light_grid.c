@@ -1,0 +1,301 @@
+// light_grid.c - the bins of step 6, seen from a light.
+#include "chapters/08-fast/engines/light_grid.h"
+
+#include "chapters/08-fast/engines/covered_pixels.h"
+#include "chapters/08-fast/engines/large_memory.h"
+#include "chapters/08-fast/engines/meeting.h"
+
+#include <limits.h>
+#include <stdlib.h>
+
+static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
+
+// A view has MOST_COLUMNS of cells, or half of them, or a quarter, and so on.
+enum { MOST_COLUMNS = 1024, COARSEST = 6 };
+
+// Up to this distance from the light, in sizes of the scene, a pixel of a view is much larger than
+// all rounding errors.
+#define FARTHEST 1e8
+
+// Through a view, slope is how far the rays at its edges go aside for each step ahead.
+static Eye eye_towards(vec3 forward, vec3 right, vec3 up, double slope)
+{
+    Eye eye = {.width = MOST_COLUMNS * TILE_WIDTH, .height = MOST_COLUMNS * TILE_HEIGHT};
+    view_store(eye.forward, forward);
+    view_store(eye.right, right);
+    view_store(eye.up, up);
+    eye.across = eye.width / (2 * slope);
+    eye.down = eye.height / (2 * slope);
+    return eye;
+}
+
+static vec3 along_axis(int axis, double length)
+{
+    vec3 v = vec3_of(0, 0, 0);
+    v[axis % 3] = length;
+    return v;
+}
+
+// ---- giants -----------------------------------------------------------------------------------
+
+static void include(Crowd *crowd, int i)
+{
+    const Sphere *sphere = &crowd->scene->spheres[i];
+    for (int axis = 0; axis < 3; axis++) {
+        double low = sphere->center[axis] - sphere->radius;
+        double high = sphere->center[axis] + sphere->radius;
+        crowd->low[axis] = low < crowd->low[axis] ? low : crowd->low[axis];
+        crowd->high[axis] = high > crowd->high[axis] ? high : crowd->high[axis];
+    }
+}
+
+// The largest spheres are giants, if together they make the box at least twice as large.
+Crowd crowd_of(const Scene *scene)
+{
+    Crowd crowd = {.scene = scene,
+                   .low = vec3_of(INFINITY, INFINITY, INFINITY),
+                   .high = -vec3_of(INFINITY, INFINITY, INFINITY)};
+    int *giants = crowd.giants, count = 0;
+    for (int i = 0; i < scene->sphere_count; i++) { // by insertion, the largest first
+        int at = count;
+        while (at > 0 && scene->spheres[giants[at - 1]].radius < scene->spheres[i].radius)
+            at--;
+        if (at == MOST_GIANTS) {
+            include(&crowd, i);
+            continue;
+        }
+        if (count == MOST_GIANTS)
+            include(&crowd, giants[--count]);
+        for (int k = count++; k > at; k--)
+            giants[k] = giants[k - 1];
+        giants[at] = i;
+    }
+    while (count > 0) {
+        Crowd more = crowd;
+        for (int i = 0; i < count; i++)
+            include(&more, giants[i]);
+        if (vec3_length(more.high - more.low) > 2 * vec3_length(crowd.high - crowd.low))
+            break;
+        include(&crowd, giants[--count]);
+    }
+    crowd.giant_count = count;
+    return crowd;
+}
+
+static bool is_giant(const Crowd *crowd, int sphere)
+{
+    for (int i = 0; i < crowd->giant_count; i++)
+        if (crowd->giants[i] == sphere)
+            return true;
+    return false;
+}
+
+// ---- views ------------------------------------------------------------------------------------
+
+// The number of views, and their directions: towards the crowd, or to all six sides.
+static int look_around(LightGrid *grid)
+{
+    vec3 low = grid->crowd->low, high = grid->crowd->high;
+    vec3 towards = (low + high) / 2 - grid->light;
+    double size = vec3_length(high - low) / 2, distance = vec3_length(towards);
+    if (!(distance < FARTHEST * size))
+        return 0;
+    if (distance > 1.2 * size) {
+        vec3 forward = towards / distance;
+        int axis = fabs(forward[0]) < 0.6 ? 0 : 1;
+        vec3 right = vec3_unit(vec3_cross(forward, along_axis(axis, 1)));
+        double slope = 1.001 * size / sqrt(distance * distance - size * size);
+        grid->views[0].eye = eye_towards(forward, right, vec3_cross(right, forward), slope);
+        return 1;
+    }
+    for (int i = 0; i < 6; i++)
+        grid->views[i].eye = eye_towards(along_axis(i / 2, i % 2 == 0 ? 1 : -1),
+                                         along_axis(i / 2 + 1, 1), along_axis(i / 2 + 2, 1), 1.001);
+    return 6;
+}
+
+static inline double along(vec3 v, const double axis[3])
+{
+    return v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];
+}
+
+// Whether a view may show some of a sphere with this centre from the light: it is not beyond one of
+// the view's four sides.
+static bool may_show(const Eye *eye, vec3 center, double radius)
+{
+    double ahead = along(center, eye->forward), slope = eye->width / (2 * eye->across);
+    double side = fmax(fabs(along(center, eye->right)), fabs(along(center, eye->up)));
+    return side - slope * ahead <= radius * sqrt(1 + slope * slope) * (1 + 1e-9);
+}
+
+// Places of all spheres that a view may show. In places, a pixel is covered if its centre is; here
+// one more on each side counts, for the rays between the centres. Returns the number of spheres.
+static int place_spheres(const LightGrid *grid, const Eye *eye, Place *places)
+{
+    const Scene *scene = grid->crowd->scene;
+    int count = 0, waiting = 0, numbers[PLACES];
+    Positions positions = {0};
+    for (int i = 0; i < scene->sphere_count; i++) {
+        vec3 center = scene->spheres[i].center - grid->light;
+        double radius = scene->spheres[i].radius;
+        if (may_show(eye, center, radius) && !is_giant(grid->crowd, i)) {
+            positions.x[waiting] = center[0];
+            positions.y[waiting] = center[1];
+            positions.z[waiting] = center[2];
+            positions.radius[waiting] = radius;
+            numbers[waiting++] = i;
+        }
+        if (waiting < PLACES && i < scene->sphere_count - 1)
+            continue;
+        bins_lanes[lanes_best()]->place(eye, &positions, 0, waiting, places + count);
+        for (int k = 0; k < waiting; k++) {
+            Place *place = &places[count + k];
+            place->left = (uint16_t)(place->left - (place->left > 0));
+            place->top = (uint16_t)(place->top - (place->top > 0));
+            place->right = (uint16_t)(place->right + (place->right < eye->width));
+            place->bottom = (uint16_t)(place->bottom + (place->bottom < eye->height));
+            place->sphere = numbers[k];
+        }
+        count += waiting;
+        waiting = 0;
+    }
+    return count;
+}
+
+// Makes cells larger, until there are few for each sphere, and few spheres in them.
+static void choose_columns(LightView *view, Place *places, int count)
+{
+    int drop = 0;
+    for (;; drop++) {
+        long long cells = MOST_COLUMNS >> drop, entries = 0;
+        for (int i = 0; i < count; i++)
+            entries += (((places[i].right - places[i].left) / TILE_WIDTH >> drop) + 2) *
+                       (((places[i].bottom - places[i].top) / TILE_HEIGHT >> drop) + 2);
+        if (drop == COARSEST ||
+            (cells * cells <= 8LL * count + (1 << 18) && entries <= 8LL * count + (1 << 18)))
+            break;
+    }
+    view->columns = MOST_COLUMNS >> drop;
+    view->eye.across /= 1 << drop;
+    view->eye.down /= 1 << drop;
+    view->eye.width /= 1 << drop;
+    view->eye.height /= 1 << drop;
+    for (int i = 0; i < count; i++) {
+        Place *place = &places[i];
+        place->left = (uint16_t)(place->left >> drop);
+        place->top = (uint16_t)(place->top >> drop);
+        place->right = (uint16_t)(((place->right - 1) >> drop) + 1);
+        place->bottom = (uint16_t)(((place->bottom - 1) >> drop) + 1);
+    }
+}
+
+static bool view_build(const LightGrid *grid, LightView *view, Place *places, int threads)
+{
+    int count = place_spheres(grid, &view->eye, places);
+    choose_columns(view, places, count);
+    uint32_t nearest = UINT32_MAX, farthest = 0;
+    for (int i = 0; i < count; i++) {
+        uint32_t depth = place_depth(places[i]);
+        nearest = depth < nearest ? depth : nearest;
+        farthest = depth > farthest ? depth : farthest;
+    }
+    if (count == 0)
+        nearest = farthest;
+    view->sorted = large_memory(((size_t)count + 1) * sizeof *view->sorted);
+    if (view->sorted == NULL)
+        return false;
+    int visible = places_by_depth(places, count, nearest, farthest, view->sorted, threads);
+    return visible >= 0 && bins_by_tile(&view->bins, view->sorted, visible, view->columns, 0,
+                                        view->columns, threads);
+}
+
+bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light, int threads)
+{
+    *grid = (LightGrid){.crowd = crowd, .light = light.position};
+    if (light.kind != LIGHT_POINT || crowd->giant_count == crowd->scene->sphere_count)
+        return true;
+    grid->count = look_around(grid);
+    Place *places = large_memory(((size_t)crowd->scene->sphere_count + PLACES) * sizeof *places);
+    bool done = places != NULL;
+    for (int i = 0; i < grid->count && done; i++)
+        done = view_build(grid, &grid->views[i], places, threads);
+    free(places);
+    return done;
+}
+
+void light_grid_free(LightGrid *grid)
+{
+    for (int i = 0; i < grid->count; i++) {
+        free(grid->views[i].sorted);
+        bins_free(&grid->views[i].bins);
+    }
+}
+
+// ---- shadow rays ------------------------------------------------------------------------------
+
+// The view that shows a place from the light.
+static inline const LightView *view_of(const LightGrid *grid, vec3 place)
+{
+    if (grid->count == 1)
+        return grid->views;
+    int axis = fabs(place[1]) > fabs(place[0]) ? 1 : 0;
+    axis = fabs(place[2]) > fabs(place[axis]) ? 2 : axis;
+    return &grid->views[2 * axis + (place[axis] < 0)];
+}
+
+// The cell through which the light sees a place; negative: none, so the crowd hides nothing there.
+static inline int cell_of(const LightView *view, vec3 place)
+{
+    double ahead = along(place, view->eye.forward);
+    double x = view->eye.width / 2 + view->eye.across * along(place, view->eye.right) / ahead;
+    double y = view->eye.height / 2 - view->eye.down * along(place, view->eye.up) / ahead;
+    if (!(ahead > 0 && x >= 0 && x < view->eye.width && y >= 0 && y < view->eye.height))
+        return -1;
+    return (int)y / TILE_HEIGHT * view->columns + (int)x / TILE_WIDTH;
+}
+
+// Whether a sphere certainly hides the light from the start of the ray. With squared the square of
+// the ray's length, all terms of its discriminant have the margin of meeting.h, and no root is
+// needed. If it may hide the light, it becomes a candidate.
+static inline bool hides_certainly(const Scene *scene, int number, Ray ray, double squared,
+                                   PossibleHits *candidates)
+{
+    const Sphere *sphere = &scene->spheres[number];
+    vec3 p = sphere->center - ray.origin;
+    double rr = sphere->radius * sphere->radius, pp = vec3_dot(p, p), margin = MARGIN * (pp + rr);
+    double ahead = vec3_dot(p, ray.direction), outside = pp - rr;
+    double d = ahead * ahead - outside * squared;
+    if (d < -margin * squared || (ahead < 0 && outside > margin))
+        return false;
+    // If both ends are inside, the ray does not reach the surface between them.
+    vec3 q = p - ray.direction;
+    double qq = vec3_dot(q, q);
+    if (outside < -margin && qq - rr < -4 * MARGIN * (pp + qq + rr))
+        return false;
+    if (outside > 4 * margin && d > margin * squared && ahead < squared * (1 - MARGIN))
+        return true;
+    add_candidate(candidates, number);
+    return false;
+}
+
+bool light_grid_hides(const LightGrid *grid, Ray to_light, PossibleHits *candidates)
+{
+    const Crowd *crowd = grid->crowd;
+    vec3 place = to_light.origin - grid->light;
+    double squared = vec3_dot(place, place), reach = sqrt(squared);
+    candidates->count = 0;
+    const LightView *view = view_of(grid, place);
+    int cell = cell_of(view, place);
+    if (cell >= 0) {
+        const int *item = view->bins.items + view->bins.start[cell];
+        const int *end = view->bins.items + view->bins.start[cell + 1];
+        for (; item < end && (double)view->sorted[*item].near <= reach; item++)
+            if (hides_certainly(crowd->scene, view->sorted[*item].sphere, to_light, squared,
+                                candidates))
+                return true;
+    }
+    for (int i = 0; i < crowd->giant_count; i++)
+        if (hides_certainly(crowd->scene, crowd->giants[i], to_light, squared, candidates))
+            return true;
+    return false;
+}

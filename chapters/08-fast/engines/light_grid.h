@@ -1,0 +1,49 @@
+// light_grid.h - the scene as a point light sees it: which spheres may hide the light from a place?
+//
+// Shadow rays to a point light all end in one place. Backwards they are rays from an eye, so the
+// bins of step 6 work for them: every cell of a grid in front of the light lists the spheres that
+// it shows, near ones first. (Haines and Greenberg, 'The Light Buffer', 1986.)
+#ifndef CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
+#define CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
+
+#include "chapters/08-fast/engines/any_ray.h"
+#include "chapters/08-fast/engines/bins_sort.h"
+#include "common/ray.h"
+#include "common/scene.h"
+
+// One picture of the scene. A cell has 32 x 32 pixels, as a tile has.
+typedef struct {
+    Eye eye;
+    int columns;   // of cells, and rows
+    Place *sorted; // near ones first
+    Bins bins;     // of the cells; numbers of sorted places
+} LightView;
+
+// The spheres of a scene without a few giants, if those are so large that the box around the others
+// is much smaller: a ground, for example, or a sky. Every shadow ray asks the giants.
+enum { MOST_GIANTS = 4 };
+typedef struct {
+    const Scene *scene;
+    vec3 low, high; // corners of the box around the others
+    int giant_count, giants[MOST_GIANTS];
+} Crowd;
+Crowd crowd_of(const Scene *scene);
+
+// If the light is away from the crowd, one view shows all of it. Otherwise there are six, the faces
+// of a cube around the light.
+typedef struct {
+    const Crowd *crowd;
+    vec3 light;
+    int count; // of views; 0: no grid, because the light is distant or the numbers are extreme
+    LightView views[6];
+} LightGrid;
+
+// The crowd must outlive the grid. False if there is not enough memory.
+bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light, int threads);
+void light_grid_free(LightGrid *grid);
+
+// Whether any sphere certainly hides the light from the start of a ray that has the light at t = 1.
+// If not: false, and the spheres that may hide it, by their indices in the scene.
+bool light_grid_hides(const LightGrid *grid, Ray to_light, PossibleHits *candidates);
+
+#endif

@@ -1,0 +1,100 @@
+// same_shadows.c - the grid of a light leaves out no sphere that hides the light.
+//
+// Usage: same_shadows [SCENES]: random scenes (60), half of them with the light among the spheres.
+// From behind each sphere, rays to the light nearly touch it, so they go through the edges of the
+// sphere's cells. If the sphere hides the light, by chapter 07's visibility, then the grid must be
+// certain, or name the sphere. If the grid is certain, some sphere must hide the light. The last
+// line counts.
+#include "chapters/08-fast/engines/light_grid.h"
+#include "exercises/07-shading.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { MOST = 400, RAYS = 40 };
+
+static Sphere spheres[MOST];
+static unsigned long long state = 2016;
+
+static double uniform(double low, double high)
+{
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+}
+
+static vec3 anywhere(double size)
+{
+    double x = uniform(-size, size), y = uniform(-size, size);
+    return vec3_of(x, y, uniform(-size, size));
+}
+
+// Small spheres near each other, eight of them at the corners of their box; sometimes with a ground
+// and a sky.
+static Scene random_scene(int number)
+{
+    Scene scene = {.spheres = spheres, .sphere_count = (int)uniform(1, MOST - 2)};
+    for (int i = 0; i < scene.sphere_count; i++)
+        spheres[i] = (Sphere){anywhere(2), pow(10, uniform(-4, 0)), 0};
+    for (int i = 0; i < 8 && i < scene.sphere_count; i++)
+        spheres[i].center = vec3_of(i & 1 ? 2 : -2, i & 2 ? 2 : -2, i & 4 ? 2 : -2);
+    if (number % 3 == 0) {
+        spheres[scene.sphere_count++] = (Sphere){vec3_of(0, -1002, 0), 1000, 0};
+        spheres[scene.sphere_count++] = (Sphere){vec3_of(0, 0, 0), 5000, 0};
+    }
+    return scene;
+}
+
+// A ray to the light that nearly touches a sphere; sometimes one that starts in it.
+static Ray touching(vec3 light, const Sphere *sphere)
+{
+    vec3 axis = sphere->center - light, aside = vec3_unit(vec3_cross(axis, anywhere(1)));
+    double distance = vec3_length(axis), sine = sphere->radius / distance;
+    sine *= 1 + (uniform(0, 1) < 0.7 ? -1 : 1) * pow(10, uniform(-9, -2));
+    vec3 away = sqrt(1 - sine * sine) / distance * axis + sine * aside;
+    vec3 start = light + (distance + sphere->radius) * uniform(1.1, 2) * away;
+    if (uniform(0, 1) < 0.1)
+        start = sphere->center + 0.5 * sphere->radius * aside;
+    return (Ray){start, light - start};
+}
+
+// 0 if the grid's answer for this ray is right.
+static int wrong(const LightGrid *grid, Light light, int sphere, Ray ray)
+{
+    Scene scene = *grid->crowd->scene, alone = {.spheres = &spheres[sphere], .sphere_count = 1};
+    bool hidden = !(visibility(&alone, ray.origin, light) > 0);
+    PossibleHits possible;
+    if (light_grid_hides(grid, ray, &possible))
+        return !hidden && visibility(&scene, ray.origin, light) > 0;
+    if (!hidden)
+        return 0;
+    for (int i = 0; i < possible.count && i < MOST_CANDIDATES; i++)
+        if (possible.places[i] == sphere)
+            return 0;
+    return possible.count <= MOST_CANDIDATES;
+}
+
+int main(int argc, char **argv)
+{
+    int scenes = argc > 1 ? atoi(argv[1]) : 60, asked = 0, failed = 0;
+    for (int number = 0; number < scenes; number++) {
+        Scene scene = random_scene(number);
+        Crowd crowd = crowd_of(&scene);
+        Light light = {.position = number % 2 == 0 ? anywhere(2)
+                                                   : 4 * vec3_unit(anywhere(1)) + anywhere(0.2) +
+                                                         vec3_of(0, 5, 0)};
+        LightGrid grid;
+        if (!light_grid_build(&grid, &crowd, light, 1))
+            return 1;
+        for (int i = 0; i < scene.sphere_count; i++)
+            for (int k = 0; k < RAYS; k++) {
+                vec3 to = spheres[i].center - light.position;
+                if (vec3_length(to) < 1.02 * spheres[i].radius)
+                    continue; // the light is inside
+                asked++;
+                failed += wrong(&grid, light, i, touching(light.position, &spheres[i]));
+            }
+        light_grid_free(&grid);
+    }
+    printf("shadow rays: %d asked, %d wrong\n", asked, failed);
+    return failed > 0;
+}
