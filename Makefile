@@ -97,6 +97,9 @@ ifneq ($(filter exercises watch hint debug submission optional tasks,$(MAKECMDGO
 TALK = :
 endif
 
+# Make, for a recipe that 'make -n' must not run, as it would if $(MAKE) were in it.
+MAKE_AGAIN = $(MAKE)
+
 # Libraries are looked for when the first rule needs them, so that 'make setup all' sees what setup
 # has just installed.
 look = $(if $(shell pkg-config --exists $(1) 2>/dev/null && echo yes),$(shell \

@@ -34,7 +34,7 @@ $(TASK_STATES): $(TASK_FOLDER)/%.state: $(TASK_FOLDER)/% $(TASK_STATE) exercises
 
 # The programs are those of EXERCISES, which in the toolkit is another folder than ANSWERS.
 optional: $(OPTIONAL_BLANKS) $(TASK_STATE) ## tasks without marks: pictures to compare with (TASK=name)
-	@MAKEFLAGS= $(MAKE) --no-print-directory tasks $(MAKEOVERRIDES) ANSWERS='$(EXERCISES)'
+	@MAKEFLAGS= $(MAKE_AGAIN) --no-print-directory tasks $(MAKEOVERRIDES) ANSWERS='$(EXERCISES)'
 	@$(if $(TASK),$(TASK_STATE) show $(TASKS) $(B)/$(EXERCISES:/%=%)/optional)
 # For the list, tasks whose blank has not changed are not built.
 BEGUN = $(if $(TASK),$(TASKS),$(strip $(foreach t,$(TASKS),$(if $(shell \

@@ -36,7 +36,6 @@ $(FILLED) $(if $(filter solutions,$(A)),$(SCRIPTS) $(PICTURES)): | $(EXAMPLE_CHE
 # them as well; but it does not write over a lesson that was changed by hand instead of its source. Lessons that
 # are as they should be keep their dates.
 LESSONS_MADE := $(B)/lessons/made
-MAKE_AGAIN = $(MAKE)# 'make -n' would run a recipe that has $(MAKE) itself
 $(LESSONS_MADE): $(FILLED) | $(DRAWN) $(PICTURES) $$(FOR_EXERCISES)
 	@written=; kept=; for stem in $(LESSONS); do \
 		lesson=chapters/$$stem/README.md; source=chapters/lessons/$$stem.md; \

@@ -209,15 +209,23 @@ CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TYPES) $(ODD_QUESTIONS) $(ENGINES)
 OF_STEMS := $(TESTS) $(MATRIX) $(TABLE_CHECK) $(TABLE_VARIANTS)
 of_stems = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %'))
 FOR_CHECKS := $(DRAW_FIGURES) $(MAKE_PAGE) $(EXPLAIN) $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands)
-check: $(RUN) $(CHECKS) $(FOR_CHECKS) ## the tests (two minutes on two cores)
-	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh)
+# The scripts judge answers beside each other, each in a folder of its own, by the ordinary build: so all of that
+# is there before they begin, and none of them builds it.
+READY = $(DRAW_FIGURES) $(MAKE_PAGE) $(PROGRAMS) $(PACK) $(DIRECT) $(FOR_EXERCISES)
+ready: $$(READY)
+READY_HERE = $(if $(SANITIZE),,$(READY))
+READY_FIRST = $(if $(SANITIZE),$(if $(BRIEF),,MAKEFLAGS= $(MAKE_AGAIN) --no-print-directory $(MAKEOVERRIDES) SANITIZE= ready &&))
+.PHONY: ready
+
+check: $(RUN) $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (two minutes on two cores)
+	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh)
 
 # The tests that need longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
 FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(WRONG_FIGURE) $(if $(BRIEF),,$(TRIALS) $(SOLUTION_MUTANTS) $(BENCH_SCENES) $(RANDOM_EXAMPLE))
 .PHONY: check-all check-long
-check-all: $(RUN) $(CHECKS) $(FOR_LONG) ## all tests, also those that need longer
-	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh tests/proof/*.sh)
+check-all: $(RUN) $(CHECKS) $(FOR_LONG) $$(READY_HERE) ## all tests, also those that need longer
+	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh tests/proof/*.sh)
 
 check-long: $(RUN) $(FOR_LONG) ## only those that need longer
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(NUMBERS) $(wildcard tests/proof/*.sh)

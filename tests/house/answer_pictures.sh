@@ -1,8 +1,10 @@
 #!/bin/sh
 # answer_pictures.sh - the pictures that a student's answers draw before all is right, the words about
 # them, and how far all chapters are.
+# Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
+ordinary answer_pictures "the pictures of answers"
 
 answers=$scratch/answers
 export NO_COLOR=1 COLUMNS=400 # the words about a picture are one line

@@ -1,5 +1,6 @@
 #!/bin/sh
 # any_folder.sh - programs find their layouts and scenes from any folder, by any way of starting them.
+# Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 built=$(cd "$PROGRAMS" && pwd)

@@ -1,5 +1,6 @@
 #!/bin/sh
 # blanks.sh - blanks pass nothing; the scripts that write them lose nothing.
+# Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
 

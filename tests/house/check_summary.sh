@@ -68,6 +68,30 @@ EOF
     chmod +x "$scratch/$name"
 done
 check 'scripts that may build take turns' ends_with '3 passed, 0 failed' "$scratch/one.sh" "$scratch/two.sh" "$scratch/three.sh"
+# Those that build only below their own answers meet: each waits for the other.
+for name in one two; do
+    printf '#!/bin/sh\n# Builds only below its answers.\n: >"%s/%s-begun"\n' "$scratch" $name >"$scratch/$name.sh"
+    cat >>"$scratch/$name.sh" <<EOF
+for wait in \$(seq 1200); do
+    [ ! -e "$scratch/one-begun" ] || [ ! -e "$scratch/two-begun" ] || break
+    sleep 0.1
+done
+[ "\$wait" -lt 1200 ] && echo "$name: 1 passed, 0 failed"
+EOF
+done
+check 'those that build below their own answers do not' ends_with '2 passed, 0 failed' "$scratch/one.sh" "$scratch/two.sh"
+
+# What took longest begins first the next time. These take turns, so it is seen in which order they begin.
+for name in first second third; do
+    printf '#!/bin/sh\necho %s >>"%s/order"; echo "%s: 1 passed, 0 failed"\n' $name "$scratch" $name \
+        >"$scratch/$name.sh" && chmod +x "$scratch/$name.sh"
+done
+printf '1.00 1 %s\n9.00 1 %s\n3.00 1 %s\n' "$scratch/first.sh" "$scratch/second.sh" "$scratch/third.sh" >"$scratch/log/seconds"
+longest_begins_first() {
+    "$BUILD/tests/house/runner/run_tests" "$scratch/log" "$scratch/first.sh" "$scratch/second.sh" "$scratch/third.sh" \
+        >"$scratch/said" && [ "$(tr '\n' ' ' <"$scratch/order")" = 'second third first ' ]
+}
+check 'those that took longest begin first' longest_begins_first
 
 # Told to end, it ends what it has started.
 printf '#!/bin/sh\necho $$ >"%s/sleeper"\nsleep 1000 &\nwait\n' "$scratch" >"$scratch/sleeps" && chmod +x "$scratch/sleeps"

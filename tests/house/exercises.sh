@@ -1,7 +1,9 @@
 #!/bin/sh
 # exercises.sh - what 'make exercises' says of right, wrong and broken answers.
+# Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
+ordinary exercises "what 'make exercises' says"
 
 answers=$scratch/answers
 BUILD=build # whatever is under test: answers are judged by the ordinary build

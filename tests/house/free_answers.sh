@@ -1,8 +1,10 @@
 #!/bin/sh
 # free_answers.sh - answers that are right and use the freedom of their contracts (tests/NN-stem/free.c) make
 # the same pictures and figures as the reference.
+# Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
+ordinary free_answers "answers that use their freedom"
 
 answers=$scratch/free
 free=build$answers

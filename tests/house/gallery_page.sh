@@ -2,6 +2,7 @@
 # gallery_page.sh - the page of pictures follows the lecture, and describes everything on it.
 #
 # Its pictures are small here, and need neither gnuplot nor a browser (tests/proof/gallery.sh has both).
+# Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 once gallery_page "the page of pictures, its order and words"

@@ -1,5 +1,6 @@
 #!/bin/sh
 # lessons.sh - what the lessons say of the programs is what the programs say.
+# Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 

@@ -1,5 +1,6 @@
 #!/bin/sh
 # own_figures.sh - make figures FIGURES=folder: the example of chapters/README.md, and what is refused.
+# Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
 once own_figures "a lecturer's own figures"

@@ -3,9 +3,11 @@
 #
 # Memory there could hold anything, also what makes the result right by luck. The answering process
 # puts guards there (tests/judge/wire.h).
+# Builds only below its answers.
 # shellcheck disable=SC2016 # sed ends its addresses with $
 set -u
 . tests/house/runner/library.sh
+ordinary past_the_end "loops past the end"
 
 answers=$scratch/answers
 export NO_COLOR=1

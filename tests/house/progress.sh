@@ -1,5 +1,6 @@
 #!/bin/sh
 # progress.sh - long work says how far it is: on a terminal, and in a log if it is make's.
+# Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 once progress "progress"

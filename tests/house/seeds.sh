@@ -1,5 +1,6 @@
 #!/bin/sh
 # seeds.sh - the effect of SEED: other inputs for each, the same for the same, and none is shown.
+# Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
 

@@ -1,8 +1,10 @@
 #!/bin/sh
 # verdicts.sh - a verdict belongs to the text that was judged: after a watch, after a run that was
 # ended, with two runs at once, and when a text is saved while watch starts.
+# Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
+ordinary verdicts "verdicts and what was judged"
 
 answers=$scratch/answers
 export NO_COLOR=1

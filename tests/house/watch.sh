@@ -1,7 +1,9 @@
 #!/bin/sh
 # watch.sh - 'make watch' judges what is saved, by inotify and by polling.
+# Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
+ordinary watch "watching"
 
 answers=$scratch/answers
 export NO_COLOR=1

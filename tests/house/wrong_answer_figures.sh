@@ -2,6 +2,7 @@
 # wrong_answer_figures.sh - a wrong answer is drawn beside the right one: under its verdict, and in every figure.
 #
 # Needs gnuplot to draw and Python to read.
+# Builds only below its answers.
 # shellcheck disable=SC2016 # single quotes are meant literally
 set -u
 . tests/house/runner/library.sh

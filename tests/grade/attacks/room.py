@@ -120,13 +120,14 @@ def run(command: list, folder: Path, environment: dict, seconds: float, log: Pat
     return {"status": status, "words": log.read_bytes(), "left": sorted(set(left.values())), "seconds": took}
 
 
-def picture_of(tops: list) -> dict:
-    """path -> what there is to know of it, of every file in these folders."""
+def picture_of(tops: list, busy: Path | None = None) -> dict:
+    """path -> what there is to know of it, of every file in these folders, but for a folder where others work."""
     seen = {}
     for top in tops:
         for place, folders, files in os.walk(os.fsencode(top)):
             if b".git" in folders:
                 folders.remove(b".git")
+            folders[:] = [name for name in folders if os.fsdecode(os.path.join(place, name)) != str(busy)]
             for name in [b".", *folders, *files]:
                 path = os.path.join(place, name)
                 about = os.lstat(path)

@@ -99,6 +99,11 @@ once() {
     [ -z "${BRIEF:-}" ] || skip "$1" "$2: once is enough (BRIEF)"
 }
 
+# A test of what make does by itself: of the ordinary build, also in a run for a sanitizer.
+ordinary() {
+    [ "${BUILD:-build}" = build ] || once "$1" "$2, by the ordinary build"
+}
+
 # Ends a test that cannot run here, or need not: skip NAME 'what, and why'
 skip() {
     echo "skipped: $2"

@@ -12,8 +12,10 @@
 // the seconds that each test took: of a processor, which is nearly the same on a busy machine, and
 // by the clock.
 //
-// Scripts (.sh) may build in the tree, so they take turns; programs, and scripts that say in a line
-// of their own '# Only reads the tree.', run beside them.
+// Scripts (.sh) may build in the tree, so they take turns. Programs run beside them, and so do
+// scripts that say in a line of their own '# Only reads the tree.' or '# Builds only below its
+// answers.': the build of a folder of answers that nobody else has. Those that took longest in the
+// last run begin first: at the end no processor waits.
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -34,7 +36,8 @@ typedef struct {
     char name[256];
     FILE *log;
     bool takes_turns;
-    pid_t process; // 0: not begun; -1: ended
+    double expected; // seconds of a processor
+    pid_t process;   // 0: not begun; -1: ended
     time_t began;
     int seconds;
     double of_processor;
@@ -53,25 +56,34 @@ static long passed, failed;
 static Test *tests;
 static int count;
 
-static bool takes_turns(const char *program)
+static bool is_script(const char *program)
 {
     size_t length = strlen(program);
-    if (length < 3 || strcmp(program + length - 3, ".sh") != 0)
+    return length >= 3 && strcmp(program + length - 3, ".sh") == 0;
+}
+
+static bool takes_turns(const char *program)
+{
+    if (!is_script(program))
         return false;
     FILE *script = fopen(program, "r");
     char line[1000];
-    bool only_reads = false;
-    while (script != NULL && !only_reads && fgets(line, sizeof line, script) != NULL)
-        only_reads = strcmp(line, "# Only reads the tree.\n") == 0;
+    bool alone = true;
+    while (script != NULL && alone && fgets(line, sizeof line, script) != NULL)
+        alone = strcmp(line, "# Only reads the tree.\n") != 0 &&
+                strcmp(line, "# Builds only below its answers.\n") != 0;
     if (script != NULL)
         fclose(script);
-    return !only_reads;
+    return alone;
 }
 
 // Its output goes into a file without a name: nothing in the tree changes while tests run.
 static void set_test(Test *test, const char *program)
 {
-    *test = (Test){.program = program, .takes_turns = takes_turns(program), .log = tmpfile()};
+    *test = (Test){.program = program,
+                   .takes_turns = takes_turns(program),
+                   .expected = is_script(program) ? 10 : 1, // unless the last run knows better
+                   .log = tmpfile()};
     if (test->log == NULL) {
         perror("no temporary file for what a test says");
         exit(2);
@@ -81,6 +93,22 @@ static void set_test(Test *test, const char *program)
     for (char *c = test->name; *c != '\0'; c++)
         if (*c == '/' || *c == ' ')
             *c = '_';
+}
+
+// How long each took when all of them ran last.
+static void expect_seconds(const char *folder)
+{
+    char path[4096], line[4096], program[4096];
+    snprintf(path, sizeof path, "%s/seconds", folder);
+    FILE *kept = fopen(path, "r");
+    double taken;
+    while (kept != NULL && fgets(line, sizeof line, kept) != NULL)
+        if (sscanf(line, "%lf %*d %4095[^\n]", &taken, program) == 2)
+            for (int i = 0; i < count; i++)
+                if (strcmp(tests[i].program, program) == 0)
+                    tests[i].expected = taken;
+    if (kept != NULL)
+        fclose(kept);
 }
 
 // ---- running ------------------------------------------------------------------------------------
@@ -121,17 +149,23 @@ static void begin(Test *test)
     setpgid(test->process, test->process);
 }
 
-// The next test that may begin now: those that take turns first, for they take longest together.
+// The next test that may begin now: those that take turns begin first, because they take longest
+// together.
 static Test *next(void)
 {
     bool turn_is_taken = false;
     for (int i = 0; i < count; i++)
         turn_is_taken = turn_is_taken || (tests[i].takes_turns && tests[i].process > 0);
-    for (int turns = !turn_is_taken; turns >= 0; turns--)
-        for (int i = 0; i < count; i++)
-            if (tests[i].process == 0 && tests[i].takes_turns == turns)
-                return &tests[i];
-    return NULL;
+    Test *best = NULL;
+    for (int i = 0; i < count; i++) {
+        Test *test = &tests[i];
+        if (test->process != 0 || (test->takes_turns && turn_is_taken))
+            continue;
+        if (best == NULL || test->takes_turns > best->takes_turns ||
+            (test->takes_turns == best->takes_turns && test->expected > best->expected))
+            best = test;
+    }
+    return best;
 }
 
 // ---- what they say ------------------------------------------------------------------------------
@@ -334,6 +368,7 @@ int main(int argc, char **argv)
     }
     for (int i = 0; i < count; i++)
         set_test(&tests[i], argv[i + 2]);
+    expect_seconds(argv[1]);
     struct sigaction action = {.sa_handler = stop};
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
