@@ -10,7 +10,7 @@ answers=$scratch/answers
 export NO_COLOR=1 COLUMNS=400 # the words about a picture are one line
 so_far=build$answers/so-far
 judge() {
-    make --no-print-directory exercises ANSWERS="$answers" "$@" >"$scratch/said" 2>&1
+    exercises "$answers" "$@" >"$scratch/said" 2>&1
 }
 # A folder of blanks, but for these solutions.
 answered() {
@@ -113,6 +113,8 @@ answered
 cp solutions/*.c "$answers"
 judge
 check 'all of all functions are right' says "all chapters     $(grep -c '^EXERCISE(' tests/exercises.def) of $(grep -c '^EXERCISE(' tests/exercises.def) functions are right"
+check 'and the end of the road is reported' says 'You have written a ray caster.'
+check 'with its picture' says "build$answers/gallery/still-something-missing.png"
 check 'the last slide is drawn' test -s "build$answers/gallery/still-something-missing.png"
 check 'the picture of README.md has its command' says "make finale ANSWERS=$answers"
 finale_is_made() {

@@ -11,7 +11,7 @@ export NO_COLOR=1
 
 # Judges the folder of answers; what was said is in $scratch/said.
 judge() {
-    make --no-print-directory exercises ANSWERS="$answers" "$@" >"$scratch/said" 2>&1
+    exercises "$answers" "$@" >"$scratch/said" 2>&1
 }
 first_line_says() {
     cat "$scratch/said"
@@ -329,7 +329,12 @@ fresh
 for solution in solutions/*.c; do
     cp "$solution" "$answers"
 done
-check 'the solutions are judged right' judge
+are_right() {
+    make --no-print-directory status ANSWERS="$answers" >"$scratch/said" 2>&1
+    count=$(grep -c '^EXERCISE(' tests/exercises.def)
+    says "all chapters		$count of $count functions are right"
+}
+check 'the solutions are judged right' are_right
 in_the_order_of_the_contract() {
     for contract in exercises/*.h; do
         stem=$(basename "$contract" .h)
@@ -353,11 +358,6 @@ cp solutions/06-ray-casting.c "$answers"
 answer 06-ray-casting 's|depth\[i\]|depth[i / width * height + i % width]|'
 judge EX=06
 check 'rows of the height are named, also where they leave the depth' says 'looks like depth[row * height + column]'
-cp solutions/06-ray-casting.c "$answers"
-judge
-check 'and the end of the road is reported' says 'You have written a ray caster.'
-check 'with the picture drawn' says 'still-something-missing.png'
-check 'and drawn by their code' test -s "build$answers/gallery/still-something-missing.png"
 
 rm -rf "${BUILD:?}$answers"
 finish exercises

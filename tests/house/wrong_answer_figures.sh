@@ -92,19 +92,20 @@ check 'it is not drawn' is_there "$figures/corner-vectors/corner-vectors.svg"
 check 'but known to be wrong' holds 'wrong = 1' "$figures/corner-vectors/corner-vectors.gp"
 
 spoil 01-corners 's|return image_plane_vector(c, 0.3, 0.1)|return *(vec3 *)16|'
-check 'a crash stops no other figure' draws
+of_01=FIGURE=$(basename -s .gp -a chapters/01-corners/figures/*.gp | paste -sd ,)
+check 'a crash stops no other figure' draws "$of_01"
 check 'it is reported in one line' says "not yet   $figures/yours-and-right: "
 check 'and nothing older is left of it' is_not_there "$figures/yours-and-right/yours-and-right.svg"
 check 'the others are drawn' is_there "$figures/corner-vectors/corner-vectors.svg"
 
 cp build/blanks/01-corners.c "$answers"
-check 'a blank stops no other figure' draws
+check 'a blank stops no other figure' draws "$of_01"
 check 'the missing answer is reported in one line' says "not yet   $figures/corner-vectors: needs image_plane_vector"
 
 # Other words for the same number, and other digits of 0, are not a difference.
 fresh
 spoil 01-corners 's|c.height / 2 \* c.up;|0.5 * (c.height + 1e-13) * c.up + vec3_of(1e-17, 0, 1e-16);|'
-check 'figures by right answers are drawn' draws
+check 'a figure by right answers is drawn' draws FIGURE=corner-vectors
 check 'a rounding error is not a difference' holds 'wrong = 0' "$figures/corner-vectors/corner-vectors.gp"
 
 # A picture is shown beside the right one, and rounding is not a difference here either.

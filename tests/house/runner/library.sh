@@ -104,6 +104,18 @@ ordinary() {
     [ "${BUILD:-build}" = build ] || once "$1" "$2, by the ordinary build"
 }
 
+# What 'make exercises ANSWERS=folder EX=NN' does, without the time that make needs to find all of it built: make
+# is asked only for the first verdict of a folder, and for more than one chapter.
+exercises() {
+    plan=build$1/verdict/plan
+    case "$#,${2:-}" in
+    2,EX=*) [ ! -e "$plan" ] || { build/course exercises "$plan" "$(basename exercises/"${2#EX=}"-*.h .h)"; return; } ;;
+    esac
+    folder=$1
+    shift
+    make --no-print-directory exercises ANSWERS="$folder" "$@"
+}
+
 # Ends a test that cannot run here, or need not: skip NAME 'what, and why'
 skip() {
     echo "skipped: $2"
