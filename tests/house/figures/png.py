@@ -4,6 +4,7 @@ From the upper left on, row by row, as one bytearray.
 """
 import struct
 import zlib
+from itertools import accumulate
 
 
 def chunks(data):
@@ -14,35 +15,37 @@ def chunks(data):
         at += 12 + size
 
 
-def predicted(kind, left, above, corner):
-    """The byte that a filter of PNG predicts."""
-    if kind < 4:
-        return (0, left, above, (left + above) // 2)[kind]
-    return min((left, above, corner), key=lambda x: abs(left + above - corner - x))
+def unfiltered(kind, now, before, step):
+    """The bytes of a row. A filter of PNG compares each with the one step bytes to the left, and with those above."""
+    if kind == 1:
+        for first in range(step):
+            now[first::step] = bytes(byte & 255 for byte in accumulate(now[first::step]))
+    elif kind == 2:
+        now = bytearray((a + b) & 255 for a, b in zip(now, before))
+    elif kind == 3:
+        for i, above in enumerate(before):
+            now[i] = (now[i] + (above + (now[i - step] if i >= step else 0)) // 2) & 255
+    elif kind == 4:
+        for i, above in enumerate(before):
+            left, corner = (now[i - step], before[i - step]) if i >= step else (0, 0)
+            to_left, to_above, to_corner = abs(above - corner), abs(left - corner), abs(left + above - 2 * corner)
+            near = left if to_left <= to_above and to_left <= to_corner else above if to_above <= to_corner else corner
+            now[i] = (now[i] + near) & 255
+    return now
 
 
 def rows(raw, height, line, step):
-    """The bytes of each row; a filter compares each with the byte that is step bytes to the left."""
-    before = bytes(line)
-    for row in range(height):
-        kind, now = raw[row * (line + 1)], bytearray(raw[row * (line + 1) + 1:(row + 1) * (line + 1)])
-        if kind == 2:  # the row above, as our own pictures have it: large ones are read quickly
-            now = bytearray((a + b) & 255 for a, b in zip(now, before))
-        for i in range(line if kind in (1, 3, 4) else 0):
-            left, corner = (now[i - step], before[i - step]) if i >= step else (0, 0)
-            now[i] = (now[i] + predicted(kind, left, before[i], corner)) & 255
-        yield now
-        before = now
+    before = bytearray(line)
+    for at in range(0, height * (line + 1), line + 1):
+        before = unfiltered(raw[at], bytearray(raw[at + 1:at + 1 + line]), before, step)
+        yield before
 
 
-def by_palette(row, width, depth, palette):
-    """A row of indices, several to a byte, as colours."""
-    found = bytearray()
-    for column in range(width):
-        bit = column * depth
-        index = row[bit // 8] >> (8 - depth - bit % 8) & ((1 << depth) - 1)
-        found += palette[3 * index:3 * index + 3]
-    return found
+def colours_of_bytes(depth, palette):
+    """For each byte of a row of indices: the colours of its pixels."""
+    return [b"".join(palette[3 * index:3 * index + 3] for index in
+                     (byte >> shift & ((1 << depth) - 1) for shift in range(8 - depth, -1, -depth)))
+            for byte in range(256)]
 
 
 def pixels(path):
@@ -56,7 +59,8 @@ def decoded(data, path=""):
     raw = zlib.decompress(b"".join(body for name, body in parts if name == b"IDAT"))
     if kind == 3:
         palette = dict(parts)[b"PLTE"]
-        return bytearray().join(by_palette(row, width, depth, palette)
+        colours = colours_of_bytes(depth, palette)
+        return bytearray().join(b"".join(map(colours.__getitem__, row))[:3 * width]
                                 for row in rows(raw, height, (width * depth + 7) // 8, 1))
     assert (depth, kind) == (8, 2), f"{path}: neither 8-bit RGB nor a palette"
     return bytearray().join(rows(raw, height, 3 * width, 3))
