@@ -7,10 +7,10 @@
 .SUFFIXES:
 .DEFAULT_GOAL := all
 
-# As many jobs as there are processors, unless -j says something else. (One shell asks all questions about
-# this machine, because make also asks them between a saved answer and its verdict.)
+# No rules but those that are written here (-r). As many jobs as there are processors, unless -j says something else.
+# (One shell asks all questions about this machine, because make also asks them between a saved answer and its verdict.)
 ASKED := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2; $(CC) --version 2>/dev/null | { IFS= read -r line; echo "$$line"; })
-MAKEFLAGS += -j$(firstword $(ASKED))
+MAKEFLAGS += -r -j$(firstword $(ASKED))
 
 # A students' handout has no solutions/, no tests of the exercises and no .make/toolkit/. The
 # existing files decide.
@@ -248,4 +248,9 @@ include $(wildcard .make/toolkit/grading.mk .make/toolkit/bench.mk .make/toolkit
 include .make/house.mk
 
 .PHONY: all setup check exercises watch hint debug reset
--include $(shell find $(B) -name '*.d' 2>/dev/null)
+# Which headers each object includes; but not those of another build, nor between a saved answer and its verdict those
+# of tests of the toolkit. (The empty rule: make would look for a way to make each of these files.)
+OTHER_BUILDS := $(B)/sanitize-* $(if $(JUDGES_ONLY),$(B)/wasm $(B)/tests/house $(B)/tests/proof $(B)/tests/grade)
+INCLUDED := $(shell find $(B) \( -name '' $(OTHER_BUILDS:%=-o -path '%') \) -prune -o -name '*.d' -print 2>/dev/null)
+-include $(INCLUDED)
+$(INCLUDED): ;

@@ -34,8 +34,32 @@ static uint64_t hash_of_files(uint64_t hash, const char *names)
     return hash;
 }
 
+// Most objects are those of several chapters: each is read once.
+enum { MOST_OBJECTS = 1000 };
+typedef struct {
+    char *paths[MOST_OBJECTS];
+    uint64_t hashes[MOST_OBJECTS];
+    int count;
+} HashedObjects;
+
+static uint64_t hash_object(HashedObjects *objects, uint64_t hash, const char *path)
+{
+    int i = 0;
+    while (i < objects->count && strcmp(objects->paths[i], path) != 0)
+        i++;
+    if (i == MOST_OBJECTS)
+        return hash_file(hash, path);
+    if (i == objects->count) {
+        objects->hashes[i] = hash_file(HASH_BEGIN, path);
+        if ((objects->paths[objects->count++] = strdup(path)) == NULL)
+            abort();
+    }
+    return hash_bytes(hash, &objects->hashes[i], sizeof objects->hashes[i]);
+}
+
 Judging judging_begin(const JudgingPlan *plan)
 {
+    static HashedObjects hashed;
     Judging judging = {.plan = plan};
     uint64_t common = HASH_BEGIN;
     for (int i = 0; i < plan->all.count; i++)
@@ -49,9 +73,11 @@ Judging judging_begin(const JudgingPlan *plan)
         command_words(&objects, chapter->objects);
         for (int k = 0; k < objects.count; k++)
             if (strncmp(objects.words[k], plan->verdict, strlen(plan->verdict)) != 0)
-                judging.tools[i] = hash_file(judging.tools[i], objects.words[k]);
+                judging.tools[i] = hash_object(&hashed, judging.tools[i], objects.words[k]);
         command_free(&objects);
     }
+    while (hashed.count > 0)
+        free(hashed.paths[--hashed.count]);
     return judging;
 }
 
