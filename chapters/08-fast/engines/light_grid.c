@@ -201,12 +201,22 @@ static bool view_build(const LightGrid *grid, LightView *view, Place *places, in
     }
     if (count == 0)
         nearest = farthest;
-    view->sorted = large_memory(((size_t)count + 1) * sizeof *view->sorted);
-    if (view->sorted == NULL)
-        return false;
-    int visible = places_by_depth(places, count, nearest, farthest, view->sorted, threads);
-    return visible >= 0 && bins_by_tile(&view->bins, view->sorted, visible, view->columns, 0,
-                                        view->columns, threads);
+    Place *sorted = large_memory(((size_t)count + 1) * sizeof *sorted);
+    Bins bins = {0};
+    int visible =
+        sorted == NULL ? -1 : places_by_depth(places, count, nearest, farthest, sorted, threads);
+    if (visible >= 0 &&
+        bins_by_tile(&bins, sorted, visible, view->columns, 0, view->columns, threads)) {
+        size_t entries = bins.start[view->columns * view->columns];
+        view->shown = large_memory((entries + 1) * sizeof *view->shown);
+        for (size_t i = 0; i < entries && view->shown != NULL; i++)
+            view->shown[i] = (Shown){sorted[bins.items[i]].near, sorted[bins.items[i]].sphere};
+        view->start = bins.start;
+        bins.start = NULL;
+    }
+    free(sorted);
+    bins_free(&bins);
+    return view->shown != NULL;
 }
 
 bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light, int threads)
@@ -226,8 +236,8 @@ bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light, int thre
 void light_grid_free(LightGrid *grid)
 {
     for (int i = 0; i < grid->count; i++) {
-        free(grid->views[i].sorted);
-        bins_free(&grid->views[i].bins);
+        free(grid->views[i].shown);
+        free(grid->views[i].start);
     }
 }
 
@@ -287,11 +297,10 @@ bool light_grid_hides(const LightGrid *grid, Ray to_light, PossibleHits *candida
     const LightView *view = view_of(grid, place);
     int cell = cell_of(view, place);
     if (cell >= 0) {
-        const int *item = view->bins.items + view->bins.start[cell];
-        const int *end = view->bins.items + view->bins.start[cell + 1];
-        for (; item < end && (double)view->sorted[*item].near <= reach; item++)
-            if (hides_certainly(crowd->scene, view->sorted[*item].sphere, to_light, squared,
-                                candidates))
+        const Shown *shown = view->shown + view->start[cell];
+        const Shown *end = view->shown + view->start[cell + 1];
+        for (; shown < end && (double)shown->near <= reach; shown++)
+            if (hides_certainly(crowd->scene, shown->sphere, to_light, squared, candidates))
                 return true;
     }
     for (int i = 0; i < crowd->giant_count; i++)

@@ -11,12 +11,17 @@
 #include "common/ray.h"
 #include "common/scene.h"
 
-// One picture of the scene. A cell has 32 x 32 pixels, as a tile has.
+// One picture of the scene. A cell has 32 x 32 pixels, as a tile has. Cell number c has the spheres
+// from start[c] to start[c + 1] - 1, near ones first, each with its least distance from the light.
+typedef struct {
+    float near;
+    int sphere;
+} Shown;
 typedef struct {
     Eye eye;
-    int columns;   // of cells, and rows
-    Place *sorted; // near ones first
-    Bins bins;     // of the cells; numbers of sorted places
+    int columns; // of cells, and rows
+    Shown *shown;
+    size_t *start;
 } LightView;
 
 // The spheres of a scene without a few giants, if those are so large that the box around the others
