@@ -13,6 +13,7 @@
 #include "common/text.h"
 #include "exercises/06-ray-casting.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,8 +73,14 @@ static void tell(const Drawing *drawing)
 // A question about one pixel, instead of the picture.
 typedef struct {
     Pixel explained, pixel; // column -1: not given
+    vec3 center;            // NaN: not given
     FigureCommand figure;
 } Question;
+
+static bool center_is_given(Question question)
+{
+    return !isnan(question.center[0]);
+}
 
 static int answer(const char *program, Command command, Question question)
 {
@@ -94,6 +101,10 @@ static int answer(const char *program, Command command, Question question)
         options_wrong(program, "%s: (%d, %d) is not in a picture of %d x %d pixels",
                       question.explained.column >= 0 ? "--explain" : "--pixel", pixel.column,
                       pixel.row, size.width, size.height);
+    if (center_is_given(question) && drawing.scene.sphere_count == 0)
+        options_wrong(program, "--center: the scene has no sphere");
+    if (center_is_given(question))
+        drawing.scene.spheres[0].center = question.center;
     Shot shot = {&drawing.scene, drawing.camera, size, pixel};
     int status = figure ? casting_figure(program, question.figure, shot)
                         : explain(&shot, drawing.scene_path);
@@ -105,7 +116,7 @@ int main(int argc, char **argv)
 {
     Command command = {0};
     Order order = IMAGE_ORDER;
-    Question question = {.explained = {-1, -1}, .pixel = {-1, -1}};
+    Question question = {.explained = {-1, -1}, .pixel = {-1, -1}, .center = {NAN, NAN, NAN}};
     const Option options[] = {
         COMMAND_OPTIONS(command),
         {"order", 0, "image|object", option_order, &order, "the outer loop (image)"},
@@ -113,6 +124,8 @@ int main(int argc, char **argv)
          "explain one pixel, in numbers, instead"},
         {"pixel", 0, "COLUMN,ROW", option_pixel, &question.pixel,
          "the pixel whose ray a figure shows"},
+        {"center", 0, "X,Y,Z", option_vec3, &question.center,
+         "another centre for the first sphere of a figure"},
         FIGURE_OPTIONS(question.figure),
         {0}};
     Usage usage = {"[OPTION]... [SCENE.nff]",
@@ -125,6 +138,8 @@ int main(int argc, char **argv)
         return answer(argv[0], command, question);
     if (question.pixel.column >= 0)
         options_wrong(argv[0], "--pixel belongs to --figure; did you mean --explain?");
+    if (center_is_given(question))
+        options_wrong(argv[0], "--center belongs to --figure or --explain");
 
     static Drawing drawing;
     if (!picture_needs_are_met(order) ||

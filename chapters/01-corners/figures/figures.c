@@ -321,6 +321,12 @@ static void yours_and_right(Plot *plot, void *given)
     beside_words(plot, (BesideWords){vec3_text(right).s, vec3_text(yours).s,
                                      beside_off(c, yours - right).s});
     plot_look(plot, c.right, c.up, c.forward, 28, 16);
+    plot_handle(plot, (Handle){.words = "your vector",
+                               .place = c.origin + yours,
+                               .option = {"yours"},
+                               .count = 3,
+                               .value = yours,
+                               .along = {c.right, c.up}});
     plot_name(plot, (Label){"$p$", "blue", .block = "eye"});
     // On two lines, if one is too long.
     Text off = beside_off(c, yours - right);

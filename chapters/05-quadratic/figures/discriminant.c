@@ -93,7 +93,7 @@ static void roots_of_kind(Plot *plot, const char *name, const Panels *panels, Ki
 
 static void curve(Plot *plot, const char *name, const Panels *panels, bool ahead)
 {
-    double radius = panels->radius;
+    double radius = panels->radius, joined_at = plot_is_dragged(plot) ? 0.08 : 0.02;
     plot_block(plot, name, "panel x f");
     for (int i = 0; i < panels->count; i++) {
         Meeting m = situation(panels, i);
@@ -104,7 +104,7 @@ static void curve(Plot *plot, const char *name, const Panels *panels, bool ahead
             double t = (x - m.ray.origin[0]) / m.ray.direction[0], f = quadratic_value(q, t);
             bool shown = f <= panels->above * radius * radius && f >= -1.2 * radius * radius;
             // Both curves contain the place next to t = 0, so that there is no gap.
-            if (shown && (ahead ? t >= 0 : t < 0.02))
+            if (shown && (ahead ? t >= 0 : t < joined_at))
                 plot_row(plot, 3, (const double[]){i + 1, x, f});
         }
         // For a curve that is completely on the other side, or outside the picture.
@@ -128,10 +128,12 @@ static void data(Plot *plot, const Panels *panels)
                                   ray.direction[1], panels->situations[i].middle * radius});
     }
     plot_block_end(plot);
+    int places = plot_is_dragged(plot) ? 40 : 120;
     plot_block(plot, "circle", "x y");
-    for (int i = 0; i <= 120; i++)
-        plot_row(plot, 2,
-                 (const double[]){radius * cos(2 * PI * i / 120), radius * sin(2 * PI * i / 120)});
+    for (int i = 0; i <= places; i++) {
+        double angle = 2 * PI * i / places;
+        plot_row(plot, 2, (const double[]){radius * cos(angle), radius * sin(angle)});
+    }
     plot_block_end(plot);
     curve(plot, "ahead", panels, true);
     curve(plot, "behind", panels, false);
@@ -168,13 +170,31 @@ static void columns(Plot *plot, const Panels *panels)
     }
 }
 
+// On the sphere of the middle panel, where no ray is.
+static void radius_handle(Plot *plot, const Panels *panels, double radius)
+{
+    enum { LARGEST = 1000 };
+    const vec3 rim = vec3_of(sqrt(0.5), -sqrt(0.5), 0);
+    plot_panel(plot, 3);
+    plot_handle(plot, (Handle){.words = "r, the radius of the sphere",
+                               .place = panels->radius * rim,
+                               .option = {"radius"},
+                               .count = 1,
+                               .value = vec3_of(radius, 0, 0),
+                               .along = {rim},
+                               .least = {0.01},
+                               .most = {LARGEST}});
+}
+
 void discriminant_figure(Plot *plot, void *given)
 {
+    enum { SAMPLES = 400, FEW_SAMPLES = 100 };
     const Meeting *m = given;
-    Panels panels = {five, SITUATIONS, rounded(m->sphere.radius), 1.75, 2.4, 400};
+    int samples = plot_is_dragged(plot) ? FEW_SAMPLES : SAMPLES;
+    Panels panels = {five, SITUATIONS, rounded(m->sphere.radius), 1.75, 2.4, samples};
     columns(plot, &panels);
     data(plot, &panels);
-    plot_typed(plot, "r, the radius of the sphere", "radius", number_text(m->sphere.radius).s);
+    radius_handle(plot, &panels, m->sphere.radius);
 }
 
 // ---- as one ray that moves --------------------------------------------------------------------

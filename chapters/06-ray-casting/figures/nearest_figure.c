@@ -263,6 +263,19 @@ static void left_out(Plot *plot, int count, int all)
     plot_say(plot, 0, 1, &(Label){.text = text, .color = "grey"}, 1);
 }
 
+// The first sphere can be dragged along the ray, and away from it.
+static void sphere_handle(Plot *plot, const Shown *shown)
+{
+    Circle circle = circle_of(shown, 0);
+    vec3 v = shown->ray.direction, up = shown->shot.camera.up;
+    vec3 aside = vec3_unit(up - vec3_dot(up, v) / vec3_dot(v, v) * v);
+    Handle handle = shown_sphere(shown, v, vec3_length(v) * aside);
+    handle.place = vec3_of(circle.t, circle.aside, 0);
+    handle.way[0] = vec3_of(1, 0, 0);
+    handle.way[1] = vec3_of(0, 1, 0);
+    plot_handle(plot, handle);
+}
+
 void nearest_figure_data(Plot *plot, void *given)
 {
     const Shown *shown = given;
@@ -292,6 +305,9 @@ void nearest_figure_data(Plot *plot, void *given)
     plot_block_end(plot);
     plot_include(plot, "common/figure/spheres.gp");
     look(plot, shown, circles, count, window, lanes);
+    for (int i = 0; i < count; i++)
+        if (circles[i].sphere == 0)
+            sphere_handle(plot, shown);
     if (count < shown->shot.scene->sphere_count)
         left_out(plot, count, shown->shot.scene->sphere_count);
 }

@@ -50,6 +50,9 @@ void shown_only(Shown *shown, int sphere);
 // one pixel: its $pixel, its $ray, its $hits.
 void shown_data(Plot *plot, const Shown *shown);
 
+// The handle of sphere A, the scene's first: how it is moved by a drag across the figure, and up.
+Handle shown_sphere(const Shown *shown, vec3 across, vec3 up);
+
 // Of the spheres that the ray hits and that are not shown, as of a ground, what is round the hit.
 void shown_patches(Plot *plot, const Shown *shown);
 

@@ -269,6 +269,17 @@ static void pixel_handle(Plot *plot, const Shown *shown)
                                .whole = true});
 }
 
+Handle shown_sphere(const Shown *shown, vec3 across, vec3 up)
+{
+    vec3 center = shown->shot.scene->spheres[0].center;
+    return (Handle){.words = "the centre of sphere A",
+                    .place = center,
+                    .option = {"center"},
+                    .count = 3,
+                    .value = center,
+                    .along = {across, up}};
+}
+
 void shown_data(Plot *plot, const Shown *shown)
 {
     Shot shot = shown->shot;
@@ -282,4 +293,6 @@ void shown_data(Plot *plot, const Shown *shown)
               shown->hit_count > 0 ? shown->hits[0].t : shown_end(shown));
     hits(plot, shown);
     pixel_handle(plot, shown);
+    if (is_shown(shown, 0))
+        plot_handle(plot, shown_sphere(shown, shown->camera.right, shown->camera.up));
 }
