@@ -17,8 +17,8 @@ axis = 96
 above_axis(lane) = axis + 19 + 24 * lane
 x(t) = U(1, t)
 on_ray = V(1, 0)
-# Numbers on the axis: 1, 2 or 5 times a power of ten.
-rough = (high_x - low_x) / 7
+# Numbers on the axis: 1, 2 or 5 times a power of ten, and room for each.
+rough = most((high_x - low_x) / 7, 62 / size[1])
 power = 10 ** floor(log10(rough))
 tick = rough > 5 * power ? 10 * power : rough > 2 * power ? 5 * power : rough > power ? 2 * power : power
 first = tick * ceil(low_x / tick)
