@@ -53,13 +53,15 @@ book: $(BOOK)/service_worker.js ## the course as a site: build/book, for any sta
 	@echo "The course is in $(BOOK): copy it to any static host."
 .PHONY: book
 
-# In Chromium and in Firefox; BROWSERS=chromium: only that one.
+# In Chromium and in Firefox, at the same time; BROWSERS=chromium: only that one.
 BROWSERS ?= chromium firefox
 ifeq ($(FROM),)
 check-book: book ## tests of the course in a page, with real browsers
 	@for test in $(wildcard tests/proof/book/*.test.mjs); do node $$test || exit 1; done
-	@for browser in $(BROWSERS); do for test in $(wildcard tests/proof/book/browser/*.mjs); do \
-		BROWSER=$$browser node $$test $(BOOK) || exit 1; done; done
+	@running=; for browser in $(BROWSERS); do \
+		for test in $(wildcard tests/proof/book/browser/*.mjs); do BROWSER=$$browser node $$test $(BOOK) || exit 1; done & \
+		running="$$running $$!"; \
+	done; failed=0; for one in $$running; do wait $$one || failed=1; done; exit $$failed
 else
 # The verdicts are those of the handout in a terminal, and nothing of a solution is in any file.
 check-book: book

@@ -4,7 +4,7 @@
 // The host sends at a given rate, over all connections together, as a network does; a browser's own throttling leaves out
 // what a Worker fetches. Usage: BROWSER=chromium|firefox node tests/benches/book.mjs [SITE [MBIT [VERDICTS]]]
 import { readFileSync, readdirSync } from "node:fs";
-import { browserName, editorText, launch, openTab, serve, waitFor, waitForEditor } from "../proof/book/site.mjs";
+import { browserName, editorText, launch, openTab, replaceInEditor, serve, waitFor, waitForEditor } from "../proof/book/site.mjs";
 
 const [folder = "build/book", mbit = 10, verdicts = 20] = process.argv.slice(2);
 const stem = "05-quadratic", right = readFileSync(`solutions/${stem}.c`, "utf8");
@@ -68,22 +68,15 @@ try {
     show("  sent", megabytes(host.sent.bytes - before), "0");
 
     /** From a key to the verdict, in the page's own clock. */
-    const type = (text) => tab.evaluate(async (text) => {
-        const place = document.querySelector("#editor"), content = place.shadowRoot.querySelector(".cm-content");
-        content.focus();
-        const press = (key) => content.dispatchEvent(new KeyboardEvent("keydown", { key, code: key === "a" ? "KeyA" : key,
-            keyCode: key === "a" ? 65 : 13, ctrlKey: true, bubbles: true, composed: true, cancelable: true }));
-        press("a");
-        // Firefox gives no clipboard to an event that a script makes.
-        const paste = new Event("paste", { bubbles: true, cancelable: true });
-        paste.clipboardData = { getData: (type) => type === "text/plain" ? text : "", files: [] };
-        content.dispatchEvent(paste);
+    const type = (text) => tab.$eval("#editor", new Function("place", "text", `return (async () => {
         const start = performance.now();
-        press("Enter");
-        while (document.querySelector("#verdict").classList.contains("old") || !document.querySelector("#progress").hidden)
-            await new Promise((resolve) => setTimeout(resolve, 2));
-        return performance.now() - start;
-    }, text);
+        (${replaceInEditor})(place, text, true);
+        const until = async (isTrue) => { while (!isTrue()) await new Promise((resolve) => setTimeout(resolve, 2)); };
+        await until(() => !document.querySelector("#verdict").classList.contains("old"));
+        const took = performance.now() - start;
+        await until(() => /judged/.test(document.querySelector("#state").textContent)); // and its pictures are drawn
+        return took;
+    })()`), text);
     for (const text of [right, wrong, slip, right, wrong, slip])
         await type(text);
     const times = { verdict: [], slip: [] };

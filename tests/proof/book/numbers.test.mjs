@@ -49,7 +49,7 @@ try {
             writeFileSync(join(scratch, "chapters/example.h"), headerOf(options));
             execFileSync("cc", ["-std=c11", "-D_DEFAULT_SOURCE", "-ffp-contract=off", "-Wno-psabi", `-I${scratch}`, "-I.", "-o", join(scratch, "fill"), "common/example.c",
                 `build/chapters/lessons/${stem}.o`, "build/chapters/lessons/fill.o", "build/chapters/lessons/numbers.o", ...objectsOf(`chapters/${stem}`),
-                ...stems.map((each) => `build/solutions/${each}.o`), "build/chapters/shared.a", "build/common.a", "-lpng", "-lm", "-pthread"]);
+                ...stems.map((each) => `build/solutions/${each}.o`), "build/chapters/shared.a", "build/common.a", "-lpng", "-lz", "-lm", "-pthread"]);
             const made = numbersIn(execFileSync(join(scratch, "fill"), files, { encoding: "utf8" })), followed = lessonNumbers(program, "any", options);
             assert.deepEqual({ ...lecture, ...followed }, made, `${stem}: ${JSON.stringify(options)}`);
             assert.ok(Object.entries(followed).every(([name, text]) => text !== lecture[name]), `${stem}: only what differs`);

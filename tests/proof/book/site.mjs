@@ -125,8 +125,8 @@ export async function waitFor(what, seconds, probe) {
     }
 }
 
-/** Another text in the editor, as if it was pasted, at once; judge: and Ctrl-Enter. */
-export const replaceText = (tab, text, { judge = false } = {}) => tab.$eval("#editor", (place, text, judge) => {
+/** Another text in the editor, as if it was pasted, at once; judge: and Ctrl-Enter. Runs in the page. */
+export function replaceInEditor(place, text, judge) {
     const content = place.shadowRoot.querySelector(".cm-content");
     content.focus();
     const press = (key, code, keyCode) => content.dispatchEvent(new KeyboardEvent("keydown", { key, code, keyCode, ctrlKey: true, bubbles: true, composed: true, cancelable: true }));
@@ -137,7 +137,8 @@ export const replaceText = (tab, text, { judge = false } = {}) => tab.$eval("#ed
     content.dispatchEvent(paste);
     if (judge)
         press("Enter", "Enter", 13);
-}, text, judge);
+}
+export const replaceText = (tab, text, { judge = false } = {}) => tab.$eval("#editor", replaceInEditor, text, judge);
 
 /** Types a new last line. */
 export async function typeAtEnd(tab, text) {
