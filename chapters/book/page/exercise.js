@@ -172,10 +172,12 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         const pre = document.createElement("pre");
         pre.textContent = verdict.text;
         pre.dataset.result = verdict.done ? "right" : "wrong";
-        if ($("verdict").textContent !== verdict.text || $("verdict").firstElementChild?.localName !== "pre")
+        if ($("verdict").textContent !== verdict.text || $("verdict").firstElementChild?.localName !== "pre") {
             $("verdict").replaceChildren(pre);
-        else
+            $("verdict").parentElement.scrollTop = 0; // on a wide screen it scrolls by itself
+        } else {
             $("verdict").firstElementChild.dataset.result = pre.dataset.result;
+        }
         $("verdict").classList.toggle("old", editor.text() !== judged);
         document.querySelector(".exercise").classList.add("judged");
         editor.mark(verdict.marks ?? marksOf(verdict.messages ?? "", stem));

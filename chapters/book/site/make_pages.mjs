@@ -186,7 +186,7 @@ The verdicts here are for you: marks come from your instructor, who judges the a
 <div><dt><kbd>Ctrl</kbd> <kbd>Enter</kbd>, on a Mac <kbd>⌘</kbd> <kbd>Enter</kbd></dt><dd>judges your answer; a pause in typing does as well</dd></div>
 <div><dt><kbd>Esc</kbd>, then <kbd>Tab</kbd></dt><dd>leaves the editor</dd></div>
 <div><dt><kbd>←</kbd> <kbd>→</kbd></dt><dd>in a figure that fills the screen: one step back or forward</dd></div>
-<div><dt><kbd>Esc</kbd></dt><dd>back from a figure that fills the screen</dd></div>
+<div><dt><kbd>Esc</kbd></dt><dd>closes a figure that fills the screen</dd></div>
 </dl>
 </section>
 <footer><p>The questions, and the order of the steps, are from the lecture deck <cite>Ray Tracing, Part I</cite> by Geoffrey Matthews, Department of Computer
@@ -210,7 +210,7 @@ const figures = stems.flatMap((stem) => {
 write("figures.html", frame({ title: "Figures · Ray casting", kind: "figures", main: `<main class="figures" id="main">
 <h1>Figures</h1>
 <p>These are all figures of the course, in the order of the lecture, for the projector. <q>Full screen</q> shows one alone: the arrow keys go through its steps, then to the next
-figure. <kbd>Esc</kbd> comes back.</p>
+figure. <kbd>Esc</kbd> returns to this page.</p>
 ${stems.map((stem) => [stem, figures.filter((each) => each.stem === stem)]).filter(([, of]) => of.length > 0).map(([stem, of]) => `<section aria-labelledby="of-${stem}">
 <h2 id="of-${stem}"><a href="${stem}.html">${escape(lessons[stem].title)}</a></h2>
 <div class="grid">
@@ -225,7 +225,7 @@ ${figure({ stem, picture: pictureOf(`chapters/${stem}/figures/${name}`, 0, words
 if (existsSync(join(root, "exercises/optional/README.md"))) {
     const optional = lessonHtml({ root, path: "exercises/optional/README.md", pageOf, used });
     write("optional.html", frame({ title: `${optional.title} · Ray casting`, kind: "text", mathematics: optional.html.includes('class="katex'),
-        main: `<main class="text" id="main"><p class="note">These tasks need the toolkit and a terminal. The page has no judge for them.</p>\n<article class="lesson">${optional.html}</article></main>` }));
+        main: `<main class="text" id="main"><p class="note">These tasks need the toolkit and a terminal: this page cannot judge them.</p>\n<article class="lesson">${optional.html}</article></main>` }));
 }
 for (const stem of stems)
     pageOf(`exercises/${stem}.h`);
