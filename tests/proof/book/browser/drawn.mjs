@@ -21,6 +21,7 @@ try {
     await waitFor("its pixels", 20, async () => (await size())[0] > 100);
     if (process.env.SCREENSHOT)
         await tab.screenshot({ path: process.env.SCREENSHOT, fullPage: false });
+    assert.deepEqual(host.sent.requests.filter((path) => /whole/.test(path)), [], "the small compiler is enough");
     assert.deepEqual(tab.faults, []);
     console.log(`drawn (${browserName}): passed`);
 } finally {

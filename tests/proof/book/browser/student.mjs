@@ -81,6 +81,7 @@ try {
     await waitFor("progress", 10, async () => /functions are right/.test(await textOf("#so-far")));
     await shot("start");
     assert.deepEqual(tab.faults, []);
+    assert.deepEqual(host.sent.requests.filter((path) => /whole/.test(path)), [], "the small compiler is enough");
 
     // All files are there after a while; then the host may go.
     await waitFor("all files of the site", 120, () => tab.evaluate(async () => Boolean((await navigator.serviceWorker.getRegistration())?.active)));
