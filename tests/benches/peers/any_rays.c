@@ -32,9 +32,9 @@ typedef struct {
     Single *singles;
     double *reaches;
     int count, room;
-} Rays;
+} RayList;
 
-static void add(Rays *rays, Ray ray, bool to_infinity)
+static void add(RayList *rays, Ray ray, bool to_infinity)
 {
     if (rays->count == rays->room) {
         rays->room = 2 * rays->room + 1024;
@@ -57,7 +57,7 @@ static void add(Rays *rays, Ray ray, bool to_infinity)
 }
 
 static void collect(const LightWorld *world, const int *seen, Camera camera, Resolution screen,
-                    Rays *shadow, Rays *mirror)
+                    RayList *shadow, RayList *mirror)
 {
     const Scene *scene = world->scene;
     for (int i = 0; i < screen.width * screen.height; i++) {
@@ -87,7 +87,7 @@ typedef struct {
     AnyBefore *before;
 } Both;
 
-static long ours_shadow(const Both *both, const Rays *rays)
+static long ours_shadow(const Both *both, const RayList *rays)
 {
     long hits = 0;
     for (int i = 0; i < rays->count; i++) {
@@ -98,7 +98,7 @@ static long ours_shadow(const Both *both, const Rays *rays)
     return hits;
 }
 
-static long ours_mirror(const Both *both, const Rays *rays)
+static long ours_mirror(const Both *both, const RayList *rays)
 {
     long hits = 0;
     for (int i = 0; i < rays->count; i++) {
@@ -121,7 +121,7 @@ static struct RTCRay ray_for_peer(const Single *single)
                            .mask = ~0U};
 }
 
-static long peer_shadow(const Both *both, const Rays *rays)
+static long peer_shadow(const Both *both, const RayList *rays)
 {
     long hits = 0;
     struct RTCIntersectContext context;
@@ -134,7 +134,7 @@ static long peer_shadow(const Both *both, const Rays *rays)
     return hits;
 }
 
-static long peer_mirror(const Both *both, const Rays *rays)
+static long peer_mirror(const Both *both, const RayList *rays)
 {
     long hits = 0;
     struct RTCIntersectContext context;
@@ -163,9 +163,9 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-typedef long Tracing(const Both *both, const Rays *rays);
+typedef long Tracing(const Both *both, const RayList *rays);
 
-static void compare(const char *what, const Both *both, const Rays *rays, Tracing *ours,
+static void compare(const char *what, const Both *both, const RayList *rays, Tracing *ours,
                     Tracing *peer, int rounds)
 {
     double ratios[MOST_ROUNDS], rates[MOST_ROUNDS];
@@ -255,7 +255,7 @@ static void measure(const char *path, int rounds)
     Work work = {&scene, camera, &image, 2, NULL, NULL};
     if (!bins_spheres(&work, seen))
         exit(1);
-    Rays shadow = {0}, mirror = {0};
+    RayList shadow = {0}, mirror = {0};
     collect(&world, seen, camera, screen, &shadow, &mirror);
     LightPaths paths;
     if (!light_paths_begin(&paths, &world, 0))
