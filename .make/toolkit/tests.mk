@@ -225,7 +225,7 @@ check: $(RUN) $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (two minutes o
 FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(WRONG_FIGURE) $(if $(BRIEF),,$(TRIALS) $(SOLUTION_MUTANTS) $(BENCH_SCENES) $(RANDOM_EXAMPLE))
 .PHONY: check-all check-long
 check-all: $(RUN) $(CHECKS) $(FOR_LONG) $$(READY_HERE) ## all tests, also those that need longer
-	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh tests/proof/*.sh)
+	@$(READY_FIRST) $(FOR_TESTS) LONG=yes $(RUN) $(BUILT)/log $(CHECKS) $(of_stems) $(wildcard tests/house/*.sh tests/proof/*.sh)
 
-check-long: $(RUN) $(FOR_LONG) ## only those that need longer
-	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(NUMBERS) $(wildcard tests/proof/*.sh)
+check-long: $(RUN) $(NUMBERS) $(FOR_LONG) ## only those that need longer
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(wildcard tests/proof/*.sh)

@@ -25,6 +25,14 @@ for seed in 0 1 0042 9223372036854775807; do
     check "SEED=$seed is a seed" env SEED=$seed "$PROGRAMS/tests" 01-corners
 done
 
+# ---- marks do not depend on it ------------------------------------------------------------------
+
+# (In check-all that test runs by itself, with more seeds.)
+[ -n "${LONG:-}" ] || check 'with other seeds right answers pass and mistakes are named' \
+    env SEEDS=1 FIRST=4711 tests/proof/seeds.sh
+
+ordinary seeds "what a seed does to a report"
+
 # ---- which inputs it makes ----------------------------------------------------------------------
 
 # The solution, saying on stderr what it is asked.
@@ -100,10 +108,5 @@ sed '/^Camera with_unit_distance/,/^}/s|// BEGIN SOLUTION|&\n    if (c.distance 
 judge SEED=1
 check 'a mistake that shows in a hidden test is named' says '  looks like '
 check 'and its numbers are not' tells_no_number
-
-# ---- marks do not depend on it ------------------------------------------------------------------
-
-check 'with other seeds right answers pass and mistakes are named' \
-    env SEEDS=1 FIRST=4711 tests/proof/seeds.sh
 
 finish seeds
