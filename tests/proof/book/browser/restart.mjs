@@ -16,7 +16,7 @@ const verdict = (tab, what, wanted) => waitFor(`the verdict: ${what}`, 120, asyn
 const ENDLESS = `#define A0\n${Array.from({ length: 40 }, (_, i) => `#define A${i + 1} A${i} A${i}\n`).join("")}A40\n`;
 /** Takes memory, and uses it, until there is none. */
 const GREEDY = right.replace(/Roots quadratic_roots\(Quadratic q\)\s*\{/, (start) =>
-    `#include <stdlib.h>\n${start}\n    for (int i = 0; i < 1000; i++) {\n        char *p = malloc(1 << 24);\n        p[0] = 1;\n    }\n`);
+    `#include <stdlib.h>\n${start}\n    for (int i = 0; i < 1000; i++) {\n        char *p = malloc(1 << 28);\n        p[0] = 1;\n    }\n`);
 const WRONG = right.replace("= discriminant(even)", "= -discriminant(even)"), IS_WRONG = /wrong: quadratic_roots/;
 assert.ok(GREEDY !== right && WRONG !== right);
 
