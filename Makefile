@@ -51,10 +51,11 @@ B := build$(if $(SANITIZE),/sanitize-$(subst $(comma),-,$(SANITIZE)))
 BUILT := $(B)/$(A:/%=%)
 
 # All that is made is in build/, which must be ours: not a tree that can only be read, nor one that
-# was built with sudo. 'find' stops at the first file that cannot be written, if it knows how.
+# was built with sudo. 'find' stops at the first file that cannot be written, if it knows how: test then asks
+# once more, because a file that another make has just removed cannot be written either.
 ifneq ($(filter-out setup help clean,$(or $(MAKECMDGOALS),all)),)
 OURS := $(shell { [ -d build ] || mkdir -p build 2>/dev/null; } && [ -w build ] && echo yes; \
-	find build ! -writable ! -type l -print -quit 2>/dev/null)
+	find build ! -writable ! -type l -exec test -e '{}' ';' ! -exec test -w '{}' ';' -print -quit 2>/dev/null)
 ifeq ($(OURS)$(wildcard build/.),)
 $(error make cannot write into $(CURDIR): it needs a copy of the tree that is yours)
 endif
