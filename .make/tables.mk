@@ -3,7 +3,7 @@
 
 # The judge asks what the table says.
 $(JUDGE): $(REPLAY) \
-		$(patsubst %,$(B)/tests/judge/%.o,process_transport recorded_calls process crash_reason judge system_call) $(REPORTING) \
+		$(patsubst %,$(B)/tests/judge/%.o,process_transport recorded_calls process one_processor crash_reason judge system_call) $(REPORTING) \
 		$(DRAWING) $(B)/tests/handout/replay/right_answer.o $(B)/common.a | $(STEMS:%=$(TABLE)/%.table)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D) && rm -rf $@

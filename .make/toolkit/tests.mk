@@ -35,7 +35,7 @@ HEARING := $(patsubst %,$(B)/tests/judge/%.o,reference/mistake_comparison refere
 	switchboard $(DIAGNOSIS)) \
 	$(B)/tests/judge/numbers.o $(CALLING) $(call known,laws) $(REFERENCES)
 # The code that calls an answering process.
-TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport recorded_calls process crash_reason system_call)
+TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport recorded_calls process one_processor crash_reason system_call)
 # With the reference for the chapters before, one mistake costs once; and the judge lends.
 lent = $(B)/tests/judge/reference/lent_answers.o
 earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))

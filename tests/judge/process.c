@@ -1,8 +1,8 @@
 // process.c - the answering process, and its pipes.
-#define _GNU_SOURCE
 #include "tests/judge/process.h"
 
 #include "tests/judge/answering.h"
+#include "tests/judge/one_processor.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -14,7 +14,6 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #ifdef __linux__
-#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #endif
@@ -129,42 +128,6 @@ static void become_answering(const int calls[2], const int answers[2], const int
     }
     say_error();
 }
-
-// The judge and the answer take turns, and to wake a processor takes longer than most answers: both
-// stay on one, until an answer takes so long that the judge looks at it.
-#ifdef __linux__
-static cpu_set_t all_processors;
-static bool is_on_one;
-
-static void stay_on_one_processor(void)
-{
-    cpu_set_t one;
-    int here = sched_getcpu();
-    if (is_on_one || here < 0 || here >= CPU_SETSIZE ||
-        sched_getaffinity(0, sizeof all_processors, &all_processors) != 0)
-        return;
-    CPU_ZERO(&one);
-    CPU_SET((size_t)here, &one);
-    is_on_one = sched_setaffinity(0, sizeof one, &one) == 0;
-}
-
-static void use_all_processors(void)
-{
-    if (!is_on_one)
-        return;
-    is_on_one = false;
-    sched_setaffinity(0, sizeof all_processors, &all_processors);
-    sched_setaffinity(pid, sizeof all_processors, &all_processors);
-}
-#else
-static void stay_on_one_processor(void)
-{
-}
-
-static void use_all_processors(void)
-{
-}
-#endif
 
 bool process_start(void)
 {
@@ -281,7 +244,7 @@ static int move(bool out, void *bytes, size_t size, Patience *left)
         struct pollfd end = {out ? calls_out : answers_in, out ? POLLOUT : POLLIN, 0};
         bool ready = poll(&end, 1, LOOK) > 0;
         if (!ready)
-            use_all_processors();
+            use_all_processors(pid);
         if (n > 0) {
             place += n;
             size -= (size_t)n;
