@@ -1,6 +1,6 @@
 # discriminant.gp - one ray moves across the sphere: the five cases of b² − 4ac and of the roots' signs.
 #
-# As in the figure discriminant: below the section, above it f over the same places.
+# As in the figure discriminant, also in its colours: below the section, above it f over the same places.
 steps = moments
 rate = 16
 array names[5] = ["miss", "tangent", "two hits", "inside", "behind"]
@@ -40,29 +40,29 @@ plot $circle using (U(1,$1)):(V(1,$2)) with filledcurves closed fc rgb surface f
     $once using (p_x):(p_y):(right - p_x):(0) with vectors nohead lw 1.2 lc rgb blue title "ray", \
     $once using (left):(p_y):(p_x - left):(0) with vectors nohead lw 1.2 dt 3 lc rgb grey title "behind p", \
     $behind @moment using (U(1,$2)):(F($3)) with @lines lc rgb grey title "f, t < 0", \
-    $ahead @moment using (U(1,$2)):(F($3)) with @thick lc rgb green title "f", \
+    $ahead @moment using (U(1,$2)):(F($3)) with @thick lc rgb ink title "f", \
     $back using (is_now($1,U(1,$2))):(axis_y):(0):(V(1,$3)-axis_y) with vectors nohead lw 0.8 dt 2 lc rgb grey title "behind, vertical", \
-    $later using (is_now($1,U(1,$2))):(axis_y):(0):(V(1,$3)-axis_y) with vectors nohead lw 0.8 dt 2 lc rgb pink title "later, vertical", \
-    $used using (is_now($1,U(1,$2))):(axis_y):(0):(V(1,$3)-axis_y) with vectors nohead lw 0.8 dt 2 lc rgb orange title "used, vertical", \
+    $later using (is_now($1,U(1,$2))):(axis_y):(0):(V(1,$3)-axis_y) with vectors nohead lw 0.8 dt 2 lc rgb ink title "later, vertical", \
+    $used using (is_now($1,U(1,$2))):(axis_y):(0):(V(1,$3)-axis_y) with vectors nohead lw 0.8 dt 2 lc rgb blue title "used, vertical", \
     $once using (p_x):(p_y):(size[1]*v):(0) with @arrow lc rgb blue title "v", \
     $once using (p_x):(p_y) with @dot lc rgb blue title "p", \
     $once using (p_x):(p_y - 24):(math("p")) with labels tc rgb blue title "p, label", \
     $once using (p_x + size[1] * v / 2):(p_y + 22):(math("v")) with labels tc rgb blue title "v, label", \
     $back using (is_now($1,U(1,$2))):(axis_y) with @cross lc rgb grey title "root behind", \
     $back using (is_now($1,U(1,$2))):(V(1,$3)) with @cross lc rgb grey title "place behind", \
-    $later using (is_now($1,U(1,$2))):(axis_y) with @ring lc rgb pink title "later root", \
-    $later using (is_now($1,U(1,$2))):(V(1,$3)) with @ring lc rgb pink title "later place", \
-    $used using (is_now($1,U(1,$2))):(axis_y) with @dot lc rgb orange title "root used", \
-    $used using (is_now($1,U(1,$2))):(V(1,$3)) with @dot lc rgb orange title "hit", \
+    $later using (is_now($1,U(1,$2))):(axis_y) with @ring lc rgb ink title "later root", \
+    $later using (is_now($1,U(1,$2))):(V(1,$3)) with @ring lc rgb ink title "later place", \
+    $used using (is_now($1,U(1,$2))):(axis_y) with @dot lc rgb blue title "root used", \
+    $used using (is_now($1,U(1,$2))):(V(1,$3)) with @dot lc rgb blue title "hit", \
     $once using (right + 22):(axis_y):(math("t")) with labels tc rgb grey title "axis, label", \
     $once using (words_x):(height * 0.86):(large(names[case])) with labels left tc rgb ink title "case", \
-    $once using (words_x):(height * 0.74):(large(math("b^2 − 4 a c").sign)) with labels left tc rgb green title "sign", \
-    $once using (words_x):(height * 0.64):(large("= ".two(D))) with labels left tc rgb green title "discriminant", \
+    $once using (words_x):(height * 0.74):(large(math("b^2 − 4 a c").sign)) with labels left tc rgb ink title "sign", \
+    $once using (words_x):(height * 0.64):(large("= ".two(D))) with labels left tc rgb ink title "discriminant", \
     $once using (words_x):(height * 0.50):(roots == 0 ? "no root" : case == 2 ? "one root" : "two roots") \
         with labels left tc rgb ink title "number of roots", \
     $once using (words_x):(height * 0.40):(roots == 0 ? "" : t_words(case == 2 ? "t_0 = t_1" : "t_0", of("t0"))) \
-        with labels left tc rgb (case > 3 ? grey : orange) title "first root", \
+        with labels left tc rgb (case > 3 ? grey : blue) title "first root", \
     $once using (words_x):(height * 0.30):(roots == 0 || case == 2 ? "" : t_words("t_1", of("t1"))) \
-        with labels left tc rgb (case == 3 ? pink : case == 4 ? orange : grey) title "second root", \
+        with labels left tc rgb (case == 3 ? ink : case == 4 ? blue : grey) title "second root", \
     $once using (words_x):(height * 0.16):(case == 1 || case == 5 ? "no hit" : "hit: ".math("t")." = ".two(of("hit"))) \
-        with labels left tc rgb (case == 1 || case == 5 ? grey : orange) title "verdict"
+        with labels left tc rgb (case == 1 || case == 5 ? grey : blue) title "verdict"
