@@ -136,6 +136,7 @@ answers='a depth buffer
 its direction stays
 30% across, 10% up =
 It has no distance
+each gives
 not sizes but places
 Solve for
 Much simpler in object coordinates
@@ -181,6 +182,19 @@ check 'nothing is too high for the notes' no_complaints notes
 check 'they say what the deck leaves out' contains notes 'The deck leaves out:'
 check 'and what we correct' contains notes 'Our correction: the red vector that the deck draws ends at'
 check 'nobody else sees them' lacks wide 'Our correction:'
+
+# The vectors of a turned camera are long.
+long=$scratch/long
+mkdir "$long"
+vector='{(-0.6846, -0.7287, -0.01688)}'
+sed -E "s/^(.newcommand.ex(Eye|Right|Up|Forward))\{.*/\\1$vector/" "$lecture/numbers.tex" >"$long/numbers.tex"
+fits_long_numbers() {
+    [ "$(grep -cF -e "$vector" "$long/numbers.tex")" -eq 4 ] &&
+        chapters/make_slides chapters/slides.tex "$long/turned.pdf" "$drawn" "$1" light slides &&
+        ! grep Overfull "$long/.work/turned/turned.log"
+}
+check 'long numbers are not too wide' fits_long_numbers 16:9
+check 'also in 4:3' fits_long_numbers 4:3
 
 # Text is 24 of 540 units high or larger.
 for shape in 16:9 4:3; do
