@@ -58,17 +58,16 @@ $(BOOK_COMPILER)/sizes.json: $(COMPRESSED:%=$(BOOK_COMPILER)/%)
 book-compiler: $(BOOK_COMPILER)/sizes.json
 .PHONY: book-compiler
 
-# The list of what a cut compiler keeps, made again: after another version of @yowasp/clang, or other flags. Takes
-# an hour, and wants binaryen.
+# The list of what a cut compiler keeps: what a training enters is added to it, and after another version of
+# @yowasp/clang it begins anew. Wants binaryen; takes 12 minutes of a processor, most of them for SLIPS.
 TRAINED := $(wildcard solutions/0[1-7]*.c exercises/0[1-7]*.c solutions/optional/*.c $(COMPILER)/sample.c \
 	tests/0*/mistakes*.c tests/0*/variants*.c tests/0*/unknown.c chapters/0*/*.c chapters/0*/*/*.c common/*.c common/figure/*.c tests/judge/*.c tests/course/*.c)
 SLIPS ?= 2000
-# The links of pictures are not in the training: tests/proof/book/browser/drawn.mjs fails if they need a function more.
-book-train: $(WASM_COMPILER)/whole.wasm $(WASM_COMPILER)/pack
+book-train: $(WASM_COMPILER)/whole.wasm $(WASM_COMPILER)/pack $(BOOK_PICTURES)
 	$(call say,train,clang)
 	$(Q)node $(COMPILER)/write_pack.js $(WASM_COMPILER)/training $(COMPILER)/flags.json $(PACKED) tests/=tests chapters/=chapters
 	$(Q)wasm-split --instrument --profile-export=__write_profile -all $(WASM_COMPILER)/whole.wasm -o $(WASM_COMPILER)/noting.wasm
 	$(Q)node $(COMPILER)/train.mjs $(WASM_COMPILER)/noting.wasm $(CLANG_OF_NPM)/llvm.core.wasm $(WASM_COMPILER)/training \
-		$(SLIPS) $(TRAINED) > $(COMPILER)/kept.new
-	$(Q)mv $(COMPILER)/kept.new $(COMPILER)/kept.txt
+		$(WASM)/pictures.pack $(COMPILER)/kept.txt $(SLIPS) $(TRAINED) > $(WASM_COMPILER)/kept.new
+	$(Q)mv $(WASM_COMPILER)/kept.new $(COMPILER)/kept.txt
 .PHONY: book-train

@@ -1,17 +1,22 @@
 // train.mjs - which of the compiler's functions are entered when answers are compiled.
 //
 // It compiles and links C files as the page does, and each of them again with random slips, as a student makes
-// them, in a compiler whose functions note that they are entered (wasm-split --instrument). The functions that
-// were ever entered are written to kept.txt. Usage, in chapters/book (make book-train does all of it):
-//   node compiler/train.mjs INSTRUMENTED WHOLE PACK SLIPS FILE.c ... > compiler/kept.txt
+// them, in a compiler whose functions note that they are entered (wasm-split --instrument). Each solution is also linked
+// as a picture is, with and without the answers that it calls: in the site of a handout they may be missing. The
+// functions that were ever entered are added to those of kept.txt, unless that is of another compiler. Usage, in
+// chapters/book (make book-train does all of it):
+//   node compiler/train.mjs INSTRUMENTED WHOLE PACK PICTURES KEPT SLIPS FILE.c ... > compiler/kept.new
 import {createHash} from 'node:crypto';
 import {readFileSync} from 'node:fs';
 import {Compiler, Program, unpack} from '../compiler.js';
-import {keptText} from './kept.js';
+import {toolsOf} from '../tools.js';
+import {Files} from '../wasi.js';
+import {keptList, keptText} from './kept.js';
 import {slips as slipsOf} from './slips.js';
 
-const [instrumented, whole, packed, slips, ...sources] = process.argv.slice(2);
-const pack = unpack(new Uint8Array(readFileSync(packed)));
+const [instrumented, whole, packed, pictures, keptBefore, slips, ...sources] = process.argv.slice(2);
+const unpacked = path => unpack(new Uint8Array(readFileSync(path)));
+const pack = unpacked(packed);
 
 /** Adds up what its instances have noted. */
 class NotingProgram extends Program {
@@ -32,14 +37,25 @@ const compiler = new Compiler(pack, program), slipped = slipsOf(2015);
 /** As the page does it; a text that is no answer of a chapter is compiled as one, which the linker then says. */
 async function compile(name, text) {
   const stem = name.match(/0[1-7]-[a-z-]+/)?.[0] ?? '05-quadratic';
-  await compiler.compile({stem, files: {[`exercises/${stem}.c`]: text}});
+  return {stem, ...await compiler.compile({stem, files: {[`exercises/${stem}.c`]: text}})};
+}
+
+const tools = toolsOf(compiler, unpacked(pictures)), answers = new Map();
+function linkPictures() {
+  for (const stem of answers.keys())
+    for (const objects of [[stem], [...answers.keys()]])
+      for (const drawing of ['link/drawing.o', `link/${stem}-program.o link/shared.a`])
+        tools.link(['link', '-o', 'picture', ...objects.map(name => `${name}.o`), ...drawing.split(' '), 'link/common.a'],
+          new Files(new Map([...answers].map(([name, object]) => [`${name}.o`, object]))));
 }
 
 const texts = sources.map(file => [file.replace(/^(\.\.\/)+/, ''), readFileSync(file, 'utf8')]);
 for (const [i, [name, text]] of texts.entries()) {
   process.stderr.write(`\r${i + 1} of ${texts.length} files`);
-  await compile(name, text);
+  const {stem, object} = await compile(name, text);
+  if (name.startsWith('solutions/0')) answers.set(stem, object);
 }
+linkPictures();
 for (let i = 0; i < Number(slips); i++) {
   if (i % 20 === 0) process.stderr.write(`\r${i} of ${slips} slips   `);
   const [name, text] = texts[i % texts.length];
@@ -48,4 +64,5 @@ for (let i = 0; i < Number(slips); i++) {
 process.stderr.write('\n');
 
 program.note();
-process.stdout.write(keptText(createHash('sha256').update(readFileSync(whole)).digest('hex'), program.entered));
+const hash = createHash('sha256').update(readFileSync(whole)).digest('hex'), before = keptList(readFileSync(keptBefore, 'utf8'));
+process.stdout.write(keptText(hash, program.entered.map((when, i) => when || (before.hash === hash && before.isKept(i)))));
