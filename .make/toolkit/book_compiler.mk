@@ -59,7 +59,7 @@ book-compiler: $(BOOK_COMPILER)/sizes.json
 .PHONY: book-compiler
 
 # The list of what a cut compiler keeps: what a training enters is added to it, and after another version of
-# @yowasp/clang it begins anew. Wants binaryen; takes 12 minutes of a processor, most of them for SLIPS.
+# @yowasp/clang it begins anew. Wants binaryen; takes four minutes of a processor.
 TRAINED := $(wildcard solutions/0[1-7]*.c exercises/0[1-7]*.c solutions/optional/*.c $(COMPILER)/sample.c \
 	tests/0*/mistakes*.c tests/0*/variants*.c tests/0*/unknown.c chapters/0*/*.c chapters/0*/*/*.c common/*.c common/figure/*.c tests/judge/*.c tests/course/*.c)
 SLIPS ?= 2000
