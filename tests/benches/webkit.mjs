@@ -107,6 +107,8 @@ try {
         let saved;
         URL.createObjectURL = (blob) => { saved = blob.arrayBuffer(); return make.call(URL, blob); };
         document.querySelector("#download").click();
+        while (!saved) // the page's script may not be there yet
+            await new Promise((resolve) => setTimeout(resolve, 50));
         return [...new Uint8Array(await saved)].slice(0, 2);
     });
     assert.deepEqual(archive, [0x50, 0x4b], "the archive is a zip file");
