@@ -830,6 +830,7 @@ static void write_text(const PlotView *view, FILE *out, const char *text, size_t
 // One line of text, at this height above the middle of its label.
 typedef struct {
     const PlacedLabel *placed; // on each canvas
+    const bool *is_there;      // a ball may be too small for a name on one canvas, not on the other
     const Label *label;
     const char *text, *names;
     size_t length;
@@ -862,6 +863,9 @@ static void write_line(const PlotView *view, FILE *out, int number, Line line)
         to[shape][1] = leads ? label.end.v - label.start.v : 1;
     }
     fprintf(out, "label_text[%d] = ", number);
+    for (int shape = 0; shape < SHAPES; shape++)
+        if (!line.is_there[shape])
+            fprintf(out, "shape %s \"4:3\" ? \"\" : ", shape == 1 ? "eq" : "ne");
     write_text(view, out, line.text, line.length);
     fprintf(out, "label_color[%d] = %s\nlabel_step[%d] = %d\nlabel_is_left[%d] = %d\n", number,
             line.label->color, number, line.label->step, number, line.is_left);
@@ -887,13 +891,29 @@ static int lines_of(const Wanted *wanted)
     return lines;
 }
 
+// The shape of the canvas that is meant by the first or the second place, of two.
+static int shape_at(const PlotView *view, int place)
+{
+    return view->only < SHAPES ? view->only : place;
+}
+
+// On one of the canvases.
+static bool is_placed(const PlotView *view, const Wanted *wanted)
+{
+    return wanted->number[shape_at(view, 0)] != NOWHERE ||
+           wanted->number[shape_at(view, 1)] != NOWHERE;
+}
+
 // Lines of labels: those of one label, or of a block of text.
 static int write_wanted(const PlotView *view, FILE *out, int number, const Wanted *first)
 {
     PlacedLabel placed[SHAPES];
+    bool is_there[SHAPES];
     for (int i = 0; i < SHAPES; i++) {
-        int shape = view->only < SHAPES ? view->only : i;
-        placed[i] = labels_get(view->labels[shape], first->number[shape]);
+        int shape = shape_at(view, i);
+        is_there[i] = first->number[shape] != NOWHERE;
+        placed[i] =
+            is_there[i] ? labels_get(view->labels[shape], first->number[shape]) : (PlacedLabel){0};
     }
     bool is_block = first->lines > 0;
     int lines = is_block ? first->lines : lines_of(first);
@@ -904,16 +924,11 @@ static int write_wanted(const PlotView *view, FILE *out, int number, const Wante
         size_t length = strcspn(text, "\n");
         double above = LINE_HEIGHT * ((lines - 1) / 2.0 - i);
         write_line(view, out, number++,
-                   (Line){placed, &wanted->label, text, is_block ? "words" : first->block, length,
-                          above, is_block, i == 0});
+                   (Line){placed, is_there, &wanted->label, text, is_block ? "words" : first->block,
+                          length, above, is_block, i == 0});
         text += length + 1;
     }
     return number;
-}
-
-static bool is_placed(const PlotView *view, const Wanted *wanted)
-{
-    return wanted->number[view->only < SHAPES ? view->only : 0] != NOWHERE;
 }
 
 static void write_labels(const PlotView *view, FILE *out)
