@@ -75,7 +75,7 @@ static int wrong(const LightGrid *grid, Light light, int sphere, Ray ray)
 
 int main(int argc, char **argv)
 {
-    int scenes = argc > 1 ? atoi(argv[1]) : 60, asked = 0, failed = 0;
+    int scenes = argc > 1 ? atoi(argv[1]) : 60, asked = 0, passed = 0, failed = 0;
     for (int number = 0; number < scenes; number++) {
         Scene scene = random_scene(number);
         Crowd crowd = crowd_of(&scene);
@@ -85,16 +85,22 @@ int main(int argc, char **argv)
         LightGrid grid;
         if (!light_grid_build(&grid, &crowd, light, 1))
             return 1;
+        int before = asked, wrongly = 0;
         for (int i = 0; i < scene.sphere_count; i++)
             for (int k = 0; k < RAYS; k++) {
                 vec3 to = spheres[i].center - light.position;
                 if (vec3_length(to) < 1.02 * spheres[i].radius)
                     continue; // the light is inside
                 asked++;
-                failed += wrong(&grid, light, i, touching(light.position, &spheres[i]));
+                wrongly += wrong(&grid, light, i, touching(light.position, &spheres[i]));
             }
         light_grid_free(&grid);
+        if (wrongly > 0)
+            printf("scene %d: %d of %d shadow rays are wrong\n", number, wrongly, asked - before);
+        passed += wrongly == 0;
+        failed += wrongly > 0;
     }
-    printf("shadow rays: %d asked, %d wrong\n", asked, failed);
-    return failed > 0;
+    printf("%d shadow rays were asked\nshadows of scenes: %d passed, %d failed\n", asked, passed,
+           failed);
+    return failed > 0 || asked == 0;
 }
