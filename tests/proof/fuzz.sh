@@ -15,7 +15,7 @@ builds() {
     shift
     clang -std=c11 -D_DEFAULT_SOURCE -Wno-psabi -I. -g -O1 \
         -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -o "$scratch/$target" \
-        "tests/proof/fuzz/$target.c" "$@" -lm
+        "tests/proof/fuzz/$target.c" "$@" -lm -pthread
 }
 # New finds go to the scratch folder; the kept corpus is only read: runs NAME DICTIONARY CORPUS
 runs() {
@@ -26,7 +26,7 @@ runs() {
     sed -n 's/^stat::number_of_executed_units: */+ fuzz: inputs tried: /p' "$scratch/log" >>"$scratch/tried"
 }
 check 'the fuzz target of scenes builds' \
-    builds scene common/scene.c common/nff_*.c common/text.c common/answers.c
+    builds scene common/scene.c common/nff_*.c common/text.c common/answers.c common/workers.c
 check "the scene reader survives $seconds s of fuzzing" runs scene nff.dict tests/proof/fuzz/corpus
 # One case for each recorded text.
 mkdir "$scratch/cases"
