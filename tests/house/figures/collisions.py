@@ -211,10 +211,10 @@ def misplaced(labels, marks):
             continue
         if not any(marks.has(end) for end in label.anchor[:2]) and label.name:
             yield f"nothing is drawn where {label.words()!r} points"
-        if label.leader:
-            (start, end), = label.leader
+        for start, end in label.leader:  # two, if two labels name the same place
             if to_line(end, label.anchor[:2]) > ON + label.anchor[2] or to_box(start, label.box()) > LEADER_GAP:
                 yield f"the leader of {label.words()!r} does not lead to what it names"
+        if label.leader:
             continue
         own = label.to(label.anchor)
         for other in labels:
