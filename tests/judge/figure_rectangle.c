@@ -42,6 +42,13 @@ static void write_rectangle_block(Plot *plot, const char *name, ScreenRectangle 
     plot_block_end(plot);
 }
 
+// Too small to be seen as a rectangle: the layout marks its place.
+static bool is_tiny(ScreenRectangle box)
+{
+    return fabs(box.right - box.left) < 0.005 * asked.screen.width &&
+           fabs(box.bottom - box.top) < 0.005 * asked.screen.height;
+}
+
 // The points of the sphere that are on its outline are a circle, nearer to the eye than the centre.
 // If the sphere is around the eye, beside it or behind it, there is none.
 static void write_outline(Plot *plot)
@@ -88,6 +95,7 @@ void write_rectangle(Plot *plot, void *given)
     write_outline(plot);
     write_rectangle_block(plot, "answer", asked.right);
     write_rectangle_block(plot, "yours", asked.yours);
+    plot_number(plot, "is_tiny", is_tiny(asked.yours));
     plot_name(plot, (Label){pair_text(0, 0).s, "grey", .block = "frame", .row = 0});
     plot_name(plot, (Label){pair_text(screen.right, screen.bottom).s, "grey", .block = "frame",
                             .row = 2});

@@ -23,7 +23,7 @@ WRONG = "wrong:"
 # Numbers of figures that once collided: they are drawn even if only a few are.
 HARD = {"screen-to-unit": (95, 221), "pixel-grid": (166, 327), "pixel-to-ray": (194, 958),
         "camera-forms": (765,), "object-order": (584, 647), "nearest-hit": (314, 394),
-        "explain": (523, 988)}
+        "explain": (523, 988), "wrong:sphere_rectangle": (318,)}
 WRONG_FIGURE = os.environ.get("WRONG_FIGURE", "build/tests/proof/wrong_figure")
 
 
