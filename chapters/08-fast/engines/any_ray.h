@@ -1,9 +1,8 @@
-// any_ray.h - one ray, from anywhere, asks 16 boxes at once, and then the spheres in them 8 at
-// once.
+// any_ray.h - rays that start anywhere: each asks 16 boxes at once, and then 16 spheres at once.
 //
-// The boxes are those of wide_hierarchy.h, in floats. The spheres are doubles. Both have margins
-// for rounding, so the answer is a list of spheres that is certain to contain the right one. Nearly
-// always it has one sphere. If it has more, chapter 05's functions decide.
+// Boxes and spheres are floats, with margins for rounding. A sphere that floats cannot leave out is
+// asked in double, also with margins. So the answer is a list of spheres that is certain to contain
+// the right one. Nearly always it has one sphere. If it has more, chapter 05's functions decide.
 #ifndef CHAPTERS_08_FAST_ENGINES_ANY_RAY_H
 #define CHAPTERS_08_FAST_ENGINES_ANY_RAY_H
 
@@ -11,17 +10,6 @@
 #include "chapters/08-fast/engines/wide_hierarchy.h"
 
 #include <stdbool.h>
-
-// The input of a file of lanes; it contains no vec3.
-typedef struct {
-    const WideNode *nodes; // the root is the first; NULL if there are no spheres
-    const double *x, *y, *z,
-        *r;       // spheres, in the order of the hierarchy, and ASKED more at the end
-    double scale; // of the boxes, see wide_build
-} RayWorld;
-
-// Spheres asked at once; the arrays of a RayWorld are longer by these.
-enum { ASKED = 8 };
 
 // A ray whose direction has length 1: t is a distance.
 typedef struct {
@@ -44,5 +32,12 @@ extern NearestOf nearest_of_baseline, nearest_of_avx2, nearest_of_avx512;
 typedef bool AnyBefore(const RayWorld *world, const Line *line, double reach,
                        PossibleHits *candidates);
 extern AnyBefore any_before_baseline, any_before_avx2, any_before_avx512;
+
+// For each of many rays, the place of the only sphere that may be the nearest hit; or NO_PLACE, if
+// the ray certainly misses all; or IN_DOUBT, then ask nearest_of. Many rays in turns are faster
+// than one after the other: while one waits for memory, others compute.
+enum { NO_PLACE = -1, IN_DOUBT = -2 };
+typedef void NearestOfMany(const RayWorld *world, const Line *lines, int count, int *places);
+extern NearestOfMany nearest_of_many_baseline, nearest_of_many_avx2, nearest_of_many_avx512;
 
 #endif

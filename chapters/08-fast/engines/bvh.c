@@ -39,7 +39,8 @@ bool cast_bvh(const Work *work, Message *message)
         return cast_extreme(work, message);
     Paint *paints = paints_of(work->scene);
     ByRay by_ray = {.work = work, .paints = paints};
-    bool ready = paints != NULL && hierarchy_build(&by_ray.hierarchy, work->scene, work->threads);
+    bool ready = paints != NULL &&
+                 hierarchy_build(&by_ray.hierarchy, work->scene, SMALL_LEAF, work->threads);
     if (work->built != NULL)
         *work->built = clock_seconds();
     if (ready)

@@ -58,10 +58,11 @@ bool seen_scene_build(SeenScene *scene, const Work *work, bool wide)
     scene->y = malloc(((size_t)work->image->size.height + TILE) * sizeof *scene->y);
     if (scene->paints == NULL || scene->unseen == NULL || scene->colors == NULL ||
         scene->seen == NULL || scene->around == NULL || scene->x == NULL || scene->y == NULL ||
-        !hierarchy_build(&scene->hierarchy, work->scene, work->threads))
+        !hierarchy_build(&scene->hierarchy, work->scene, SMALL_LEAF, work->threads))
         return false;
+    int node_count;
     if (count > 0 && wide)
-        scene->wide = wide_build(&scene->hierarchy, 1);
+        scene->wide = wide_build(&scene->hierarchy, 1, SMALL_LEAF, &node_count);
     else if (count > 0)
         scene->nodes = large_memory((size_t)scene->hierarchy.node_count * sizeof *scene->nodes);
     in_parallel(work->threads, parts(work->scene->sphere_count), line_up, scene);

@@ -12,10 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-// BINS: the number of slices along an axis; FEW_BINS are enough for SMALL nodes. LEAF: more spheres
-// than these are split even if that costs more. Deeper than DEEP they are simply halved, so that
-// no node is deeper than HIERARCHY_DEEPEST. PARTS: at least so many for each thread.
-enum { BINS = 16, FEW_BINS = 8, SMALL = 32, LEAF = 4, DEEP = 64, PARTS = 16, SMALLEST_PART = 1024 };
+// BINS: the number of slices along an axis; FEW_BINS are enough for SMALL nodes. Nodes deeper than
+// DEEP are simply halved, so that none is deeper than HIERARCHY_DEEPEST. PARTS: at least so many
+// for each thread.
+enum { BINS = 16, FEW_BINS = 8, SMALL = 32, DEEP = 64, PARTS = 16, SMALLEST_PART = 1024 };
 
 typedef float Four __attribute__((vector_size(16)));
 typedef int FourInts __attribute__((vector_size(16)));
@@ -75,7 +75,7 @@ typedef struct {
     Part *parts;
     Above *above; // each before those below it
     int part_count, above_count;
-    int largest_part; // spheres
+    int largest_part, leaf; // spheres
 } Builder;
 
 // ---- where to split ---------------------------------------------------------------------------
@@ -184,7 +184,7 @@ static int split_in_two(const Builder *builder, const Part *part, Bounds centers
 {
     Four *items = builder->items + part->first;
     *axis = 0;
-    if (part->count <= LEAF)
+    if (part->count <= builder->leaf)
         return 0;
     Split split = best_split(items, part->count, part->centers);
     if (!(split.cost < INFINITY) || part->depth >= DEEP)
@@ -355,11 +355,12 @@ static bool build_all(Builder *builder, Hierarchy *hierarchy, int threads)
     return hierarchy->nodes != NULL;
 }
 
-bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int threads)
+bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf, int threads)
 {
     size_t count = (size_t)scene->sphere_count;
     int share = scene->sphere_count / (PARTS * threads) + 1;
     Builder builder = {.scene = scene,
+                       .leaf = leaf,
                        .largest_part = share > SMALLEST_PART ? share : SMALLEST_PART};
     // On each level few nodes are larger than that.
     size_t most = (DEEP + 1) * (count / (size_t)builder.largest_part + 1) + 1;

@@ -39,12 +39,12 @@ typedef struct {
     int *order; // indices of the scene's spheres
 } Hierarchy;
 
-// The largest depth of the hierarchy.
-enum { HIERARCHY_DEEPEST = 128 };
+// The largest depth of the hierarchy; and the size of a leaf whose spheres are asked one by one.
+enum { HIERARCHY_DEEPEST = 128, SMALL_LEAF = 4 };
 
-// False if there is not enough memory. Boxes are a little larger than their spheres, so that they
-// contain every hit, in spite of rounding.
-bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int threads);
+// More than leaf spheres are split. False if there is not enough memory. Boxes are a little larger
+// than their spheres, so that they contain every hit, in spite of rounding.
+bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf, int threads);
 void hierarchy_free(Hierarchy *hierarchy);
 
 #endif

@@ -9,45 +9,17 @@
 
 #include <stdlib.h>
 
-// Rays go nearly the same way if the cosine of their angle is at least NEARLY. Along a list of rays
-// the surface that they leave changes at most FEW_CHANGES times. (Measured: with no such limits,
-// the walk of 16 rays takes 2.7 times as long as 16 walks among 100,000 random spheres.)
-#define NEARLY 0.9
-enum { FEW_CHANGES = 4 };
-
 // ---- the world --------------------------------------------------------------------------------
 
 bool light_world_build(LightWorld *world, const Scene *scene, int threads)
 {
-    size_t count = (size_t)scene->sphere_count, room = count + ASKED;
     *world = (LightWorld){.scene = scene,
-                          .numbers = large_memory(4 * room * sizeof(double)),
                           .crowd = crowd_of(scene),
                           .grids = calloc((size_t)scene->light_count + 1, sizeof *world->grids)};
-    if (world->numbers == NULL || world->grids == NULL ||
-        !hierarchy_build(&world->hierarchy, scene, threads)) {
-        light_world_free(world);
-        return false;
-    }
-    double *x = world->numbers, *y = x + room, *z = y + room, *r = z + room;
-    for (size_t i = 0; i < room; i++) {
-        const Sphere *sphere =
-            i < count ? &scene->spheres[world->hierarchy.order[i]] : &(const Sphere){0};
-        x[i] = sphere->center[0];
-        y[i] = sphere->center[1];
-        z[i] = sphere->center[2];
-        r[i] = sphere->radius;
-    }
-    world->rays = (RayWorld){.x = x, .y = y, .z = z, .r = r};
-    if (count == 0)
+    bool done = world->grids != NULL && hierarchy_build(&world->hierarchy, scene, LANES, threads) &&
+                ray_world_build(&world->rays, &world->hierarchy, scene);
+    if (scene->sphere_count == 0 && done)
         return true;
-    const Box *box = &world->hierarchy.nodes[0].box;
-    double size = 0;
-    for (int axis = 0; axis < 3; axis++)
-        size = fmax(size, box->high[axis] - box->low[axis]);
-    world->rays.scale = 1 / size;
-    world->rays.nodes = world->wide = wide_build(&world->hierarchy, 1 / size);
-    bool done = world->wide != NULL;
     for (int i = 0; i < scene->light_count && done; i++)
         done = light_grid_build(&world->grids[i], &world->crowd, scene->lights[i], threads);
     if (done)
@@ -62,8 +34,7 @@ void light_world_free(LightWorld *world)
     for (int i = 0; world->grids != NULL && i < world->scene->light_count; i++)
         light_grid_free(&world->grids[i]);
     free(world->grids);
-    free(world->wide);
-    free(world->numbers);
+    ray_world_free(&world->rays);
     *world = (LightWorld){0};
 }
 
@@ -73,8 +44,7 @@ bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
 {
     static NearestOf *const nearest[LANES_KINDS] = LANES_TABLE(nearest_of);
     static AnyBefore *const before[LANES_KINDS] = LANES_TABLE(any_before);
-    static NearestOfLines *const nearest_of_lines[LANES_KINDS] = LANES_TABLE(nearest_of_lines);
-    static AnyOfLines *const any_of_lines[LANES_KINDS] = LANES_TABLE(any_of_lines);
+    static NearestOfMany *const nearest_of_many[LANES_KINDS] = LANES_TABLE(nearest_of_many);
     size_t lights = (size_t)world->scene->light_count, levels = (size_t)depth + 1;
     *paths = (LightPaths){.world = world,
                           .depth = depth,
@@ -85,8 +55,7 @@ bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
                           .parts = malloc(levels * PATHS * sizeof *paths->parts),
                           .nearest = nearest[lanes_best()],
                           .before = before[lanes_best()],
-                          .nearest_of_lines = nearest_of_lines[lanes_best()],
-                          .any_of_lines = any_of_lines[lanes_best()]};
+                          .nearest_of_many = nearest_of_many[lanes_best()]};
     paths->alone.sphere_count = 1;
     paths->alone.lights = malloc((lights + 1) * sizeof *paths->alone.lights);
     if (paths->paths != NULL && paths->lit != NULL && paths->colors != NULL &&
@@ -110,34 +79,6 @@ static Line line_of(Ray ray, double *length)
     *length = vec3_length(ray.direction);
     vec3 o = ray.origin, v = ray.direction / *length;
     return (Line){{o[0], o[1], o[2]}, {v[0], v[1], v[2]}};
-}
-
-static void set_line(Lines *lines, int i, Ray ray, bool has_end)
-{
-    double length;
-    Line line = line_of(ray, &length);
-    lines->x[i] = line.origin[0];
-    lines->y[i] = line.origin[1];
-    lines->z[i] = line.origin[2];
-    lines->dx[i] = line.direction[0];
-    lines->dy[i] = line.direction[1];
-    lines->dz[i] = line.direction[2];
-    lines->reach[i] = has_end ? length : INFINITY;
-}
-
-// Whether rays are likely to ask the same boxes: they go nearly the same way, and the surfaces that
-// they leave are few.
-static bool belong_together(const LightPaths *paths, const int *numbers, const Lines *lines)
-{
-    int changes = 0;
-    for (int i = 1; i < lines->count; i++) {
-        double along =
-            lines->dx[i] * lines->dx[0] + lines->dy[i] * lines->dy[0] + lines->dz[i] * lines->dz[0];
-        changes += paths->paths[numbers[i]].hit.sphere != paths->paths[numbers[i - 1]].hit.sphere;
-        if (along < NEARLY || changes > FEW_CHANGES)
-            return false;
-    }
-    return lines->count >= LANES / 2;
 }
 
 // ---- what a ray hits --------------------------------------------------------------------------
@@ -167,25 +108,20 @@ static Hit nearest_alone(const LightPaths *paths, Ray ray)
 // The same for the paths numbered in 'going'.
 static void find_hits(LightPaths *paths, const int *going, int count)
 {
-    const LightWorld *world = paths->world;
-    for (int first = 0; first < count; first += LANES) {
-        Lines lines = {.count = count - first < LANES ? count - first : LANES};
-        Answers answers;
-        for (int i = 0; i < lines.count; i++)
-            set_line(&lines, i, paths->paths[going[first + i]].ray, false);
-        if (belong_together(paths, going + first, &lines))
-            paths->nearest_of_lines(&world->rays, world->hierarchy.nodes, &lines, &answers);
+    Line lines[PATHS] = {0};
+    int places[PATHS];
+    double length;
+    for (int i = 0; i < count; i++)
+        lines[i] = line_of(paths->paths[going[i]].ray, &length);
+    paths->nearest_of_many(&paths->world->rays, lines, count, places);
+    for (int i = 0; i < count; i++) {
+        Path *path = &paths->paths[going[i]];
+        if (places[i] == IN_DOUBT)
+            path->hit = nearest_alone(paths, path->ray);
+        else if (places[i] == NO_PLACE)
+            path->hit = (Hit){NO_HIT, -1};
         else
-            answers.doubt = ~0U;
-        for (int i = 0; i < lines.count; i++) {
-            Path *path = &paths->paths[going[first + i]];
-            if (answers.doubt >> i & 1)
-                path->hit = nearest_alone(paths, path->ray);
-            else if (answers.hit >> i & 1)
-                path->hit = hit_at(world, path->ray, answers.places[i]);
-            else
-                path->hit = (Hit){NO_HIT, -1};
-        }
+            path->hit = hit_at(paths->world, path->ray, places[i]);
     }
 }
 
@@ -251,35 +187,15 @@ static void find_light(LightPaths *paths, const int *going, int count, int numbe
     Light light = scene->lights[number];
     bool has_end = light.kind != LIGHT_DISTANT;
     const LightGrid *grid = &world->grids[number];
-    Lines lines = {0};
-    int asking[LANES];
     for (int k = 0; k < count; k++) {
         Path *path = &paths->paths[going[k]];
         Ray ray = ray_to_light(path->start, light);
         bool *lit = &paths->lit[going[k] * scene->light_count + number];
         *lit = false;
         bool behind = is_behind(path, &scene->spheres[path->hit.sphere], ray, has_end);
-        if (grid->count > 0) {
-            *lit = !behind && arrives_by_grid(grid, ray, light);
-            continue;
-        }
-        if (!behind) {
-            asking[lines.count] = going[k];
-            set_line(&lines, lines.count++, ray, has_end);
-        }
-        if (lines.count < LANES && (k < count - 1 || lines.count == 0))
-            continue;
-        Answers answers;
-        if (belong_together(paths, asking, &lines))
-            paths->any_of_lines(&world->rays, world->hierarchy.nodes, &lines, &answers);
-        else
-            answers.doubt = ~0U;
-        for (int i = 0; i < lines.count; i++)
-            paths->lit[asking[i] * scene->light_count + number] =
-                (answers.doubt >> i & 1) != 0
-                    ? arrives_alone(paths, paths->paths[asking[i]].start, light)
-                    : (answers.hit >> i & 1) == 0;
-        lines.count = 0;
+        if (!behind)
+            *lit = grid->count > 0 ? arrives_by_grid(grid, ray, light)
+                                   : arrives_alone(paths, path->start, light);
     }
 }
 

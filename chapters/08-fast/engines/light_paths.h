@@ -9,7 +9,6 @@
 #include "chapters/08-fast/engines/any_ray.h"
 #include "chapters/08-fast/engines/hierarchy.h"
 #include "chapters/08-fast/engines/light_grid.h"
-#include "chapters/08-fast/engines/together.h"
 #include "common/ray.h"
 #include "common/scene.h"
 
@@ -17,8 +16,6 @@
 typedef struct {
     const Scene *scene;
     Hierarchy hierarchy;
-    WideNode *wide;
-    double *numbers; // of the spheres, for rays
     RayWorld rays;
     Crowd crowd;
     LightGrid *grids; // of each light
@@ -51,8 +48,7 @@ typedef struct {
     double *parts;
     NearestOf *nearest;
     AnyBefore *before;
-    NearestOfLines *nearest_of_lines;
-    AnyOfLines *any_of_lines;
+    NearestOfMany *nearest_of_many;
 } LightPaths;
 
 // False if there is not enough memory.

@@ -8,30 +8,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Asking so few spheres is faster than asking their boxes.
-enum { FEW = 4 };
-
 typedef struct {
     const Node *from;
     double scale;
+    int few;
     WideNode *to;
     int count, room;
 } Widening;
 
-static bool is_leaf(const Node *node)
+static bool is_leaf(const Widening *widening, const Node *node)
 {
-    return node->other == 0 || node->count <= FEW;
+    return node->other == 0 || node->count <= widening->few;
 }
 
 // The nodes below one, at most 16 and at least its children; returns their number.
-static int open_boxes(const Node *from, int node, int *below)
+static int open_boxes(const Widening *widening, int node, int *below)
 {
+    const Node *from = widening->from;
     int count = 1;
     below[0] = node;
     while (count < LANES) {
         int largest = -1;
         for (int i = 0; i < count; i++)
-            if (!is_leaf(&from[below[i]]) &&
+            if (!is_leaf(widening, &from[below[i]]) &&
                 (largest < 0 ||
                  box_surface(&from[below[i]].box) > box_surface(&from[below[largest]].box)))
                 largest = i;
@@ -44,16 +43,16 @@ static int open_boxes(const Node *from, int node, int *below)
     return count;
 }
 
-static void set_box(WideNode *wide, int i, const Node *node, double scale)
+static void set_box(const Widening *widening, WideNode *wide, int i, const Node *node)
 {
     for (int axis = 0; axis < 3; axis++) {
         double low = node->box.low[axis] - wide->corner[axis];
         double high = node->box.high[axis] - wide->corner[axis];
-        wide->middle[axis][i] = (float)((low + high) / 2 * scale);
-        wide->half[axis][i] = (float)((high - low) / 2 * scale);
+        wide->middle[axis][i] = (float)((low + high) / 2 * widening->scale);
+        wide->half[axis][i] = (float)((high - low) / 2 * widening->scale);
     }
     wide->first[i] = node->first;
-    wide->count[i] = (uint8_t)(is_leaf(node) ? node->count : 0);
+    wide->count[i] = (uint8_t)(is_leaf(widening, node) ? node->count : 0);
 }
 
 // Like realloc, but each node begins at the start of a cache line.
@@ -78,15 +77,15 @@ static int widen(Widening *widening, int node)
         return -1;
     int number = widening->count++, below[LANES];
     const Node *from = widening->from;
-    WideNode wide = {.boxes = open_boxes(from, node, below)};
+    WideNode wide = {.boxes = open_boxes(widening, node, below)};
     for (int axis = 0; axis < 3; axis++) {
         double low = from[node].box.low[axis], high = from[node].box.high[axis];
         wide.corner[axis] = low;
         wide.size = fmaxf(wide.size, (float)((high - low) * widening->scale));
     }
     for (int i = 0; i < wide.boxes; i++) {
-        set_box(&wide, i, &from[below[i]], widening->scale);
-        if (is_leaf(&from[below[i]]))
+        set_box(widening, &wide, i, &from[below[i]]);
+        if (is_leaf(widening, &from[below[i]]))
             continue;
         wide.first[i] = widen(widening, below[i]);
         if (wide.first[i] < 0)
@@ -96,11 +95,86 @@ static int widen(Widening *widening, int node)
     return number;
 }
 
-WideNode *wide_build(const Hierarchy *hierarchy, double scale)
+WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int *node_count)
 {
-    Widening widening = {.from = hierarchy->nodes, .scale = scale};
-    if (widen(&widening, 0) >= 0)
+    Widening widening = {.from = hierarchy->nodes, .scale = scale, .few = few};
+    bool built = widen(&widening, 0) >= 0;
+    *node_count = widening.count;
+    if (built)
         return widening.to;
     free(widening.to);
     return NULL;
+}
+
+// ---- for rays from anywhere -------------------------------------------------------------------
+
+static void set_leaf(WideLeaf *leaf, const RayWorld *world, const WideNode *node, int i)
+{
+    *leaf = (WideLeaf){.first = node->first[i], .count = node->count[i]};
+    double half = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        leaf->center[axis] = node->corner[axis] + (double)node->middle[axis][i] / world->scale;
+        half += node->half[axis][i];
+    }
+    // The sum of the sides is at least the diagonal; the rest is for rounding.
+    leaf->size = (float)(half * (1 + 1e-6));
+    for (int k = 0; k < leaf->count; k++) {
+        const double *sphere = world->numbers + 4 * (size_t)(leaf->first + k);
+        leaf->x[k] = (float)((sphere[0] - leaf->center[0]) * world->scale);
+        leaf->y[k] = (float)((sphere[1] - leaf->center[1]) * world->scale);
+        leaf->z[k] = (float)((sphere[2] - leaf->center[2]) * world->scale);
+        leaf->r[k] = (float)(sphere[3] * world->scale);
+    }
+}
+
+static bool set_leaves(RayWorld *world, int node_count)
+{
+    size_t count = 0;
+    for (int n = 0; n < node_count; n++)
+        for (int i = 0; i < world->nodes[n].boxes; i++)
+            count += world->nodes[n].count[i] > 0;
+    world->leaves = large_memory(count * sizeof *world->leaves);
+    int next = 0;
+    for (int n = 0; n < node_count && world->leaves != NULL; n++) {
+        for (int i = 0; i < world->nodes[n].boxes; i++) {
+            if (world->nodes[n].count[i] == 0)
+                continue;
+            set_leaf(&world->leaves[next], world, &world->nodes[n], i);
+            world->nodes[n].first[i] = next++;
+        }
+    }
+    return world->leaves != NULL;
+}
+
+bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, const Scene *scene)
+{
+    *world = (RayWorld){0};
+    if (scene->sphere_count == 0)
+        return true;
+    const Box *box = &hierarchy->nodes[0].box;
+    double size = 0;
+    for (int axis = 0; axis < 3; axis++)
+        size = fmax(size, box->high[axis] - box->low[axis]);
+    world->scale = 1 / size;
+    world->numbers = large_memory(4 * (size_t)scene->sphere_count * sizeof(double));
+    for (int i = 0; i < scene->sphere_count && world->numbers != NULL; i++) {
+        const Sphere *sphere = &scene->spheres[hierarchy->order[i]];
+        for (int axis = 0; axis < 3; axis++)
+            world->numbers[4 * (size_t)i + (size_t)axis] = sphere->center[axis];
+        world->numbers[4 * (size_t)i + 3] = sphere->radius;
+    }
+    int node_count = 0;
+    world->nodes = wide_build(hierarchy, world->scale, LANES, &node_count);
+    if (world->numbers != NULL && world->nodes != NULL && set_leaves(world, node_count))
+        return true;
+    ray_world_free(world);
+    return false;
+}
+
+void ray_world_free(RayWorld *world)
+{
+    free(world->nodes);
+    free(world->leaves);
+    free(world->numbers);
+    *world = (RayWorld){0};
 }

@@ -1,4 +1,5 @@
 // wide_hierarchy.h - the same hierarchy with 16 boxes in a node, so that all 16 are asked at once.
+// For rays from anywhere, a leaf also has up to 16 spheres, which are asked at once.
 //
 // After Wald, Benthin and Boulos, 'Getting Rid of Packets', 2008.
 #ifndef CHAPTERS_08_FAST_ENGINES_WIDE_HIERARCHY_H
@@ -6,6 +7,7 @@
 
 #include "chapters/08-fast/engines/hierarchy.h"
 #include "chapters/08-fast/engines/lanes.h"
+#include "common/scene.h"
 
 #include <stdalign.h>
 #include <stdint.h>
@@ -22,8 +24,29 @@ typedef struct {
     int boxes;  // number of boxes, at most 16
 } WideNode;
 
-// NULL if there is not enough memory. The root is the first node. Free it with free. The floats are
+// NULL if there is not enough memory. The root is the first node; node_count is their number. Free
+// it with free. A box with at most few spheres is not divided, few is at most 16. The floats are
 // lengths times the scale, so that they are in the range of floats; the corners are not scaled.
-WideNode *wide_build(const Hierarchy *hierarchy, double scale);
+WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int *node_count);
+
+// Spheres as floats, from the centre of their box: near it floats are precise enough. 320 bytes.
+typedef struct {
+    alignas(64) float x[LANES], y[LANES], z[LANES], r[LANES];
+    double center[3]; // not scaled
+    float size;       // no point of the spheres is farther from the centre
+    int first, count; // their places in the order of the hierarchy
+} WideLeaf;
+
+// A scene that rays from anywhere can ask.
+typedef struct {
+    WideNode *nodes; // NULL if there are no spheres; boxes with a count have a leaf, number first
+    WideLeaf *leaves;
+    double *numbers; // x, y, z and r of each sphere, in the order of the hierarchy
+    double scale;
+} RayWorld;
+
+// False if there is not enough memory.
+bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, const Scene *scene);
+void ray_world_free(RayWorld *world);
 
 #endif

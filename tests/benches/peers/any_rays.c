@@ -1,13 +1,18 @@
-// any_rays.c - rays from anywhere: chapter 08's hierarchy beside Embree 3's own spheres.
+// any_rays.c - rays from anywhere: chapter 08 beside Embree 3's own spheres.
 //
-// Of each scene's picture it takes the rays to the lights (is anything in between?) and the rays
-// that continue from mirrors (what is nearest?), in the order of the pixels. Both trace the same
-// rays, in turns, one ray at a time, on one thread. The times are processor times, so other
-// programs disturb them less. Then both build their hierarchies, also in turns, by one thread and
-// by two. Usage: any_rays [-r ROUNDS] SCENE.nff...
+// Of each scene's picture at 1920 x 1080 it takes the rays to the lights (is anything in between?)
+// and the rays that continue from mirrors (what is nearest?), in the order in which the picture
+// makes them: squares of 4 x 4 pixels, 256 at a time. Lights behind the surface are not asked.
+// Chapter 08 answers as in the picture: a light's grid, whose building counts, and mirrors 256 rays
+// at a time. The lines "one by one" are the walk of single rays alone. What is in doubt, chapter
+// 05's and 07's functions decide. Embree answers one ray at a time. All answer the same rays in
+// turns, on one thread. The times are processor times, so other programs disturb them less. Then
+// both build their hierarchies, also in turns, by one thread and by two.
+// Usage: any_rays [-r ROUNDS] SCENE.nff...
 #include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/light_paths.h"
+#include "chapters/08-fast/engines/nearest_hit.h"
 #include "chapters/shared/scene_camera.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
@@ -28,24 +33,49 @@ typedef struct {
 } Single;
 
 typedef struct {
+    Ray *rays;
     Line *lines;
     Single *singles;
     double *reaches;
+    uint8_t *lights; // the number of each ray's light
+    bool *hits[3];   // what each tracer says
     int count, room;
 } RayList;
 
-static void add(RayList *rays, Ray ray, bool to_infinity)
+static void *array(size_t count, size_t size)
 {
-    if (rays->count == rays->room) {
-        rays->room = 2 * rays->room + 1024;
-        rays->lines = realloc(rays->lines, (size_t)rays->room * sizeof *rays->lines);
-        rays->singles = realloc(rays->singles, (size_t)rays->room * sizeof *rays->singles);
-        rays->reaches = realloc(rays->reaches, (size_t)rays->room * sizeof *rays->reaches);
-        if (rays->lines == NULL || rays->singles == NULL || rays->reaches == NULL)
-            exit(1);
-    }
+    void *memory = calloc(count, size);
+    if (memory == NULL)
+        exit(1);
+    return memory;
+}
+
+static RayList ray_list(int room)
+{
+    size_t n = (size_t)room;
+    RayList rays = {.room = room,
+                    .rays = array(n, sizeof(Ray)),
+                    .lines = array(n, sizeof(Line)),
+                    .singles = array(n, sizeof(Single)),
+                    .reaches = array(n, sizeof(double)),
+                    .lights = array(n, 1)};
+    for (int i = 0; i < 3; i++)
+        rays.hits[i] = array(n, sizeof(bool));
+    return rays;
+}
+
+static void ray_list_free(RayList *rays)
+{
+    free(rays->rays), free(rays->lines), free(rays->singles), free(rays->reaches);
+    free(rays->lights), free(rays->hits[0]), free(rays->hits[1]), free(rays->hits[2]);
+}
+
+static void add(RayList *rays, Ray ray, bool to_infinity, int light)
+{
     int i = rays->count++;
     double length = vec3_length(ray.direction);
+    rays->rays[i] = ray;
+    rays->lights[i] = (uint8_t)light;
     rays->reaches[i] = to_infinity ? INFINITY : length;
     for (int axis = 0; axis < 3; axis++) {
         rays->lines[i].origin[axis] = ray.origin[axis];
@@ -56,58 +86,155 @@ static void add(RayList *rays, Ray ray, bool to_infinity)
     rays->singles[i].reach = (float)rays->reaches[i];
 }
 
-static void collect(const LightWorld *world, const int *seen, Camera camera, Resolution screen,
+enum { BLOCK = 16, SQUARE = 4 };
+
+// Pixel number i in the order of the picture; its place, row by row, or -1 if it is outside.
+static int pixel_place(Resolution screen, int i)
+{
+    int blocks = (screen.width + BLOCK - 1) / BLOCK, in_block = i % (BLOCK * BLOCK);
+    int block = i / (BLOCK * BLOCK), square = in_block / (SQUARE * SQUARE);
+    int in_square = in_block % (SQUARE * SQUARE), squares = BLOCK / SQUARE;
+    int row = block / blocks * BLOCK + square / squares * SQUARE + in_square / SQUARE;
+    int column = block % blocks * BLOCK + square % squares * SQUARE + in_square % SQUARE;
+    return row < screen.height && column < screen.width ? row * screen.width + column : -1;
+}
+
+static void collect(const Scene *scene, const int *seen, Camera camera, Resolution screen,
                     RayList *shadow, RayList *mirror)
 {
-    const Scene *scene = world->scene;
-    for (int i = 0; i < screen.width * screen.height; i++) {
-        if (seen[i] < 0)
+    int blocks = (screen.width + BLOCK - 1) / BLOCK * ((screen.height + BLOCK - 1) / BLOCK);
+    for (int i = 0; i < blocks * BLOCK * BLOCK; i++) {
+        int place = pixel_place(screen, i);
+        if (place < 0 || seen[place] < 0)
             continue;
-        Ray ray = pixel_ray(camera, screen, (Pixel){i % screen.width, i / screen.width});
-        Sphere sphere = scene->spheres[seen[i]];
+        Ray ray = pixel_ray(camera, screen, (Pixel){place % screen.width, place / screen.width});
+        Sphere sphere = scene->spheres[seen[place]];
         vec3 point = ray.origin + hit_sphere(ray, sphere) * ray.direction;
         vec3 normal = surface_normal(sphere, point);
         if (vec3_dot(normal, ray.direction) > 0)
             normal = -normal;
         // Farther off the surface than off_surface: Embree's floats need it.
         vec3 start = point + 1e-4 * sphere.radius * normal;
-        for (int k = 0; k < scene->light_count; k++)
-            add(shadow, ray_to_light(start, scene->lights[k]),
-                scene->lights[k].kind == LIGHT_DISTANT);
-        add(mirror, (Ray){start, mirror_direction(ray.direction, normal)}, true);
+        for (int k = 0; k < scene->light_count; k++) {
+            Ray to_light = ray_to_light(start, scene->lights[k]);
+            if (vec3_dot(normal, to_light.direction) > 0)
+                add(shadow, to_light, scene->lights[k].kind == LIGHT_DISTANT, k);
+        }
+        add(mirror, (Ray){start, mirror_direction(ray.direction, normal)}, true, 0);
     }
 }
 
-// ---- both tracers -----------------------------------------------------------------------------
+// ---- chapter 08 -------------------------------------------------------------------------------
 
 typedef struct {
-    const LightWorld *world;
+    LightWorld *world;
     RTCScene peer;
     NearestOf *nearest;
     AnyBefore *before;
+    NearestOfMany *nearest_of_many;
+    double grid_seconds; // the last building of the grids
 } Both;
 
-static long ours_shadow(const Both *both, const RayList *rays)
+static double processor_seconds(void)
 {
-    long hits = 0;
-    for (int i = 0; i < rays->count; i++) {
-        PossibleHits candidates = {0};
-        hits += both->before(&both->world->rays, &rays->lines[i], rays->reaches[i], &candidates) ||
-                candidates.count > 0;
-    }
-    return hits;
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static long ours_mirror(const Both *both, const RayList *rays)
+// Whether one of the spheres hides a light; by places in the hierarchy, if order is not NULL.
+static bool any_hides(const Scene *scene, const int *order, const PossibleHits *candidates,
+                      vec3 from, Light light)
 {
-    long hits = 0;
+    if (candidates->count > MOST_CANDIDATES)
+        return !(visibility(scene, from, light) > 0);
+    for (int i = 0; i < candidates->count; i++) {
+        int place = candidates->places[i];
+        Sphere alone = scene->spheres[order != NULL ? order[place] : place];
+        if (!(visibility(&(Scene){.spheres = &alone, .sphere_count = 1}, from, light) > 0))
+            return true;
+    }
+    return false;
+}
+
+static void shadow_one_by_one(Both *both, const RayList *rays, bool *hits)
+{
+    const LightWorld *world = both->world;
+    for (int i = 0; i < rays->count; i++) {
+        PossibleHits candidates = {0};
+        Light light = world->scene->lights[rays->lights[i]];
+        hits[i] = both->before(&world->rays, &rays->lines[i], rays->reaches[i], &candidates) ||
+                  any_hides(world->scene, world->hierarchy.order, &candidates, rays->rays[i].origin,
+                            light);
+    }
+}
+
+static void build_grids(Both *both)
+{
+    double begin = processor_seconds();
+    LightWorld *world = both->world;
+    for (int i = 0; i < world->scene->light_count; i++) {
+        light_grid_free(&world->grids[i]);
+        if (!light_grid_build(&world->grids[i], &world->crowd, world->scene->lights[i], 1))
+            exit(1);
+    }
+    both->grid_seconds = processor_seconds() - begin;
+}
+
+static void shadow_by_grids(Both *both, const RayList *rays, bool *hits)
+{
+    const LightWorld *world = both->world;
+    build_grids(both);
+    for (int i = 0; i < rays->count; i++) {
+        PossibleHits candidates;
+        const LightGrid *grid = &world->grids[rays->lights[i]];
+        Light light = world->scene->lights[rays->lights[i]];
+        hits[i] = light_grid_hides(grid, rays->rays[i], &candidates) ||
+                  any_hides(world->scene, NULL, &candidates, rays->rays[i].origin, light);
+    }
+}
+
+// Whether the ray hits one of these spheres, which are possible, not certain.
+static bool hits_any(const Both *both, Ray ray, const PossibleHits *candidates)
+{
+    const LightWorld *world = both->world;
+    if (candidates->count > MOST_CANDIDATES)
+        return hierarchy_nearest(&world->hierarchy, world->scene, ray).t < NO_HIT;
+    Hit nearest = {NO_HIT, -1};
+    for (int i = 0; i < candidates->count; i++) {
+        int sphere = world->hierarchy.order[candidates->places[i]];
+        nearest = nearer(nearest, (Hit){hit_sphere(ray, world->scene->spheres[sphere]), sphere});
+    }
+    return nearest.t < NO_HIT;
+}
+
+static void mirror_one_by_one(Both *both, const RayList *rays, bool *hits)
+{
     for (int i = 0; i < rays->count; i++) {
         PossibleHits candidates;
         both->nearest(&both->world->rays, &rays->lines[i], &candidates);
-        hits += candidates.count > 0;
+        hits[i] = hits_any(both, rays->rays[i], &candidates);
     }
-    return hits;
 }
+
+static void mirror_together(Both *both, const RayList *rays, bool *hits)
+{
+    int places[PATHS];
+    for (int first = 0; first < rays->count; first += PATHS) {
+        int count = rays->count - first < PATHS ? rays->count - first : PATHS;
+        both->nearest_of_many(&both->world->rays, rays->lines + first, count, places);
+        for (int i = 0; i < count; i++) {
+            PossibleHits candidates;
+            hits[first + i] = places[i] != NO_PLACE;
+            if (places[i] != IN_DOUBT)
+                continue;
+            both->nearest(&both->world->rays, &rays->lines[first + i], &candidates);
+            hits[first + i] = hits_any(both, rays->rays[first + i], &candidates);
+        }
+    }
+}
+
+// ---- Embree -----------------------------------------------------------------------------------
 
 static struct RTCRay ray_for_peer(const Single *single)
 {
@@ -121,41 +248,30 @@ static struct RTCRay ray_for_peer(const Single *single)
                            .mask = ~0U};
 }
 
-static long peer_shadow(const Both *both, const RayList *rays)
+static void peer_shadow(Both *both, const RayList *rays, bool *hits)
 {
-    long hits = 0;
     struct RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     for (int i = 0; i < rays->count; i++) {
         struct RTCRay ray = ray_for_peer(&rays->singles[i]);
         rtcOccluded1(both->peer, &context, &ray);
-        hits += ray.tfar < 0;
+        hits[i] = ray.tfar < 0;
     }
-    return hits;
 }
 
-static long peer_mirror(const Both *both, const RayList *rays)
+static void peer_mirror(Both *both, const RayList *rays, bool *hits)
 {
-    long hits = 0;
     struct RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     for (int i = 0; i < rays->count; i++) {
         struct RTCRayHit ray = {.ray = ray_for_peer(&rays->singles[i])};
         ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(both->peer, &context, &ray);
-        hits += ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+        hits[i] = ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
     }
-    return hits;
 }
 
 // ---- measuring --------------------------------------------------------------------------------
-
-static double processor_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 static int by_size(const void *a, const void *b)
 {
@@ -163,30 +279,56 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-typedef long Tracing(const Both *both, const RayList *rays);
+typedef void Tracing(Both *both, const RayList *rays, bool *hits);
 
-static void compare(const char *what, const Both *both, const RayList *rays, Tracing *ours,
-                    Tracing *peer, int rounds)
+// Returns the median of the ratios.
+static double say_seconds(const char *what, const RayList *rays, double *seconds,
+                          const double *peer_seconds, int rounds)
 {
-    double ratios[MOST_ROUNDS], rates[MOST_ROUNDS];
-    long our_hits = 0, peer_hits = 0;
-    if (rays->count == 0)
-        return;
-    for (int i = 0; i < rounds; i++) {
-        double a = processor_seconds();
-        our_hits = ours(both, rays);
-        double b = processor_seconds();
-        peer_hits = peer(both, rays);
-        double c = processor_seconds();
-        ratios[i] = (c - b) / (b - a);
-        rates[i] = 1e-6 * rays->count / (b - a);
-    }
+    double ratios[MOST_ROUNDS];
+    for (int i = 0; i < rounds; i++)
+        ratios[i] = peer_seconds[i] / seconds[i];
     qsort(ratios, (size_t)rounds, sizeof *ratios, by_size);
-    qsort(rates, (size_t)rounds, sizeof *rates, by_size);
-    printf("  %-7s %8d rays  %6.3g M/s  %5.2f times Embree (%.2f to %.2f)  hits %ld, %ld\n", what,
-           rays->count, rates[rounds / 2], ratios[rounds / 2], ratios[0], ratios[rounds - 1],
-           our_hits, peer_hits);
+    qsort(seconds, (size_t)rounds, sizeof *seconds, by_size);
+    printf("  %-19s %6.3g M/s  %5.2f times Embree (%.2f to %.2f)", what,
+           1e-6 * rays->count / seconds[rounds / 2], ratios[rounds / 2], ratios[0],
+           ratios[rounds - 1]);
+    return ratios[rounds / 2];
+}
+
+static int different(const RayList *rays, int a, int b)
+{
+    int count = 0;
+    for (int i = 0; i < rays->count; i++)
+        count += rays->hits[a][i] != rays->hits[b][i];
+    return count;
+}
+
+// Returns how many times Embree's speed the first tracing has.
+static double compare(const char *names[2], Both *both, const RayList *rays, Tracing *const ours[2],
+                      Tracing *peer, int rounds)
+{
+    double seconds[3][MOST_ROUNDS];
+    if (rays->count == 0)
+        return 1;
+    for (int i = 0; i < rounds; i++) {
+        for (int k = 0; k < 3; k++) {
+            double begin = processor_seconds();
+            (k < 2 ? ours[k] : peer)(both, rays, rays->hits[k]);
+            seconds[k][i] = processor_seconds() - begin;
+        }
+    }
+    long hits = 0;
+    for (int i = 0; i < rays->count; i++)
+        hits += rays->hits[0][i];
+    double ratios[2];
+    for (int k = 0; k < 2; k++) {
+        ratios[k] = say_seconds(names[k], rays, seconds[k], seconds[2], rounds);
+        printf("  %d rays, %ld hit, Embree differs in %d\n", rays->count, hits,
+               different(rays, k, 2));
+    }
     fflush(stdout);
+    return ratios[0];
 }
 
 static RTCScene peer_scene(RTCDevice device, const float *spheres, int count)
@@ -202,9 +344,18 @@ static RTCScene peer_scene(RTCDevice device, const float *spheres, int count)
     return scene;
 }
 
-// Without lights: Embree builds no grids for them.
+// Of all threads together.
+static double process_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+// Without lights: Embree builds no grids for them. With one thread the time is the processor's.
 static void compare_building(const Scene *scene, const float *spheres, int threads, int rounds)
 {
+    double (*now)(void) = threads == 1 ? process_seconds : clock_seconds;
     Scene unlit = *scene;
     unlit.light_count = 0;
     double ratios[MOST_ROUNDS], ours[MOST_ROUNDS];
@@ -213,14 +364,14 @@ static void compare_building(const Scene *scene, const float *spheres, int threa
     RTCDevice device = rtcNewDevice(config);
     for (int i = 0; i < rounds; i++) {
         LightWorld world;
-        double a = clock_seconds();
+        double a = now();
         if (!light_world_build(&world, &unlit, threads))
             exit(1);
-        double b = clock_seconds();
+        double b = now();
         light_world_free(&world);
-        double c = clock_seconds();
+        double c = now();
         RTCScene peer = peer_scene(device, spheres, scene->sphere_count);
-        double d = clock_seconds();
+        double d = now();
         rtcReleaseScene(peer);
         ratios[i] = (d - c) / (b - a);
         ours[i] = 1e3 * (b - a);
@@ -232,7 +383,32 @@ static void compare_building(const Scene *scene, const float *spheres, int threa
     rtcReleaseDevice(device);
 }
 
-static void measure(const char *path, int rounds)
+// Over all scenes: sums of logarithms, and the least.
+typedef struct {
+    double log_sum[2], least[2];
+    int scenes;
+} Sums;
+
+static void sum(Sums *sums, int kind, double ratio)
+{
+    sums->log_sum[kind] += log(ratio);
+    sums->least[kind] = sums->scenes == 0 ? ratio : fmin(sums->least[kind], ratio);
+}
+
+static void compare_rays(Both *both, const RayList *shadow, const RayList *mirror, int rounds,
+                         Sums *sums)
+{
+    const char *shadow_names[2] = {"shadow, grids", "shadow, one by one"};
+    const char *mirror_names[2] = {"mirror, 256", "mirror, one by one"};
+    Tracing *shadows[2] = {shadow_by_grids, shadow_one_by_one};
+    Tracing *mirrors[2] = {mirror_together, mirror_one_by_one};
+    sum(sums, 0, compare(shadow_names, both, shadow, shadows, peer_shadow, rounds));
+    printf("  of this, building the grids  %.3g ms\n", 1e3 * both->grid_seconds);
+    sum(sums, 1, compare(mirror_names, both, mirror, mirrors, peer_mirror, rounds));
+    sums->scenes++;
+}
+
+static void measure(const char *path, int rounds, Sums *sums)
 {
     static Scene scene;
     Camera camera;
@@ -242,12 +418,11 @@ static void measure(const char *path, int rounds)
         fprintf(stderr, "%s\n", message.text);
         exit(1);
     }
-    Resolution screen = {960, 540};
+    Resolution screen = {1920, 1080};
     Image image = {.size = screen};
-    int *seen = malloc((size_t)screen.width * (size_t)screen.height * sizeof *seen);
-    float *spheres = malloc(((size_t)scene.sphere_count + 1) * 4 * sizeof *spheres);
-    if (seen == NULL || spheres == NULL ||
-        scene_camera(&scene.view, screen, &camera) != CAMERA_OK ||
+    int *seen = array((size_t)screen.width * (size_t)screen.height, sizeof *seen), hits = 0;
+    float *spheres = array((size_t)scene.sphere_count + 1, 4 * sizeof *spheres);
+    if (scene_camera(&scene.view, screen, &camera) != CAMERA_OK ||
         !light_world_build(&world, &scene, 2))
         exit(1);
     for (int i = 0; i < scene.sphere_count; i++) {
@@ -258,25 +433,30 @@ static void measure(const char *path, int rounds)
     Work work = {&scene, camera, &image, 2, NULL, NULL};
     if (!bins_spheres(&work, seen))
         exit(1);
-    RayList shadow = {0}, mirror = {0};
-    collect(&world, seen, camera, screen, &shadow, &mirror);
+    for (int i = 0; i < screen.width * screen.height; i++)
+        hits += seen[i] >= 0;
+    RayList shadow = ray_list(hits * scene.light_count), mirror = ray_list(hits);
+    collect(&scene, seen, camera, screen, &shadow, &mirror);
     LightPaths paths;
     if (!light_paths_begin(&paths, &world, 0))
         exit(1);
     RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
-    Both both = {&world, peer_scene(device, spheres, scene.sphere_count), paths.nearest,
-                 paths.before};
+    Both both = {&world,
+                 peer_scene(device, spheres, scene.sphere_count),
+                 paths.nearest,
+                 paths.before,
+                 paths.nearest_of_many,
+                 0};
     printf("%s, %d spheres\n", path, scene.sphere_count);
-    compare("shadow", &both, &shadow, ours_shadow, peer_shadow, rounds);
-    compare("mirror", &both, &mirror, ours_mirror, peer_mirror, rounds);
+    compare_rays(&both, &shadow, &mirror, rounds, sums);
     for (int threads = 1; threads <= 2; threads++)
         compare_building(&scene, spheres, threads, rounds);
     rtcReleaseScene(both.peer);
     rtcReleaseDevice(device);
     light_paths_end(&paths);
     light_world_free(&world);
-    free(shadow.lines), free(shadow.singles), free(shadow.reaches);
-    free(mirror.lines), free(mirror.singles), free(mirror.reaches);
+    ray_list_free(&shadow);
+    ray_list_free(&mirror);
     free(seen);
     free(spheres);
     scene_free(&scene);
@@ -284,7 +464,7 @@ static void measure(const char *path, int rounds)
 
 int main(int argc, char **argv)
 {
-    int first = 1, rounds = 7;
+    int first = 1, rounds = 5;
     if (argc > 3 && strcmp(argv[1], "-r") == 0) {
         rounds = atoi(argv[2]);
         first = 3;
@@ -293,7 +473,12 @@ int main(int argc, char **argv)
         fprintf(stderr, "Usage: any_rays [-r ROUNDS, 1 to %d] SCENE.nff...\n", MOST_ROUNDS);
         return 2;
     }
+    Sums sums = {0};
     for (int i = first; i < argc; i++)
-        measure(argv[i], rounds);
+        measure(argv[i], rounds, &sums);
+    for (int kind = 0; kind < 2; kind++)
+        printf("%s: %.2f times Embree in the geometric mean of %d scenes, at least %.2f\n",
+               kind == 0 ? "shadow" : "mirror", exp(sums.log_sum[kind] / sums.scenes), sums.scenes,
+               sums.least[kind]);
     return 0;
 }
