@@ -181,7 +181,8 @@ chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c %_lanes.c,$(wildc
 
 # The loops in NAME_lanes.c are compiled for several instruction sets; which of them a processor has
 # is asked when the program runs (lanes.c of that chapter). Nowhere but there may multiplications
-# be fused with additions: what these loops decide, they decide with a margin.
+# be fused with additions: what these loops decide, they decide with a margin. The steps of light
+# have no margin: they must have the solutions' bits.
 LANES_KINDS := baseline $(if $(JUDGES_ONLY),,$(if $(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),avx2 avx512))
 FOR_avx2 := -mavx2 -mfma
 FOR_avx512 := $(FOR_avx2) -mavx512f -mavx512vl -mavx512bw -mavx512dq -mprefer-vector-width=512
@@ -193,6 +194,7 @@ $(B)/%.$(1).o: %.c $(B)/flags.mk $(SETUP_FIRST)
 	$$(Q)$$(COMPILE) $$(FOR_LANES) $$(FOR_$(1)) -DLANES_KIND=$(1) -o $$@ $$<
 endef
 $(foreach k,$(LANES_KINDS),$(eval $(call lanes_rule,$(k))))
+$(LANES_KINDS:%=$(B)/chapters/08-fast/engines/light_steps_lanes.%.o): FOR_LANES += -ffp-contract=off
 
 .SECONDEXPANSION:
 # Programs of other answers than the solutions note which they call (chapters/shared/answers_called.c).

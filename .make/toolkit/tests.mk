@@ -135,14 +135,16 @@ $(SOLUTION_MUTANTS): $(patsubst %,$(B)/tests/proof/mutants/%.o,mutants line_slip
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
 # it takes; and shadows and mirrors against chapter 07, and the grids of lights against its shadows.
 SAME_ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_pictures_of_files memory)
-ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_shading same_shadows)
+ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_shading same_shadows same_steps)
 ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
 $(SAME_ENGINES): $(patsubst %,$(B)/tests/house/engines/%.o,compare_engines test_scenes difficult_scenes far_scenes scene_parts)
 $(B)/tests/house/engines/same_shading: $(B)/tests/house/engines/shading_scenes.o
 $(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) $(B)/chapters/shared.a \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
+	$(Q)$(LINK) $(WRAPPED:%=-Wl,--wrap=%) -o $@ $^ $(PNG_LIBS) -lm -pthread
+$(B)/tests/house/engines/same_steps: WRAPPED = pixel_ray hit_sphere surface_normal off_surface mirror_direction \
+	ray_to_light shade clamp_color
 
 # Questions that a hostile answer may ask while the reference is lent.
 ODD_QUESTIONS := $(B)/tests/proof/odd_questions

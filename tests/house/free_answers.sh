@@ -51,6 +51,8 @@ for engine in plain object bvh packet tiles bins; do
     check "those that $engine casts are" same 08-fast --engine $engine -s 160x120 -o
 done
 
+check 'and shaded, by its hierarchy' same 08-fast --shaded --depth 2 -s 80x60 -o
+
 # Beside the reference's numbers nothing is called wrong.
 no_figure_differs() {
     for layout in chapters/*/figures/*.gp; do

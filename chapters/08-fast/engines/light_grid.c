@@ -3,12 +3,13 @@
 
 #include "chapters/08-fast/engines/covered_pixels.h"
 #include "chapters/08-fast/engines/large_memory.h"
-#include "chapters/08-fast/engines/meeting.h"
+#include "exercises/07-shading.h"
 
 #include <limits.h>
 #include <stdlib.h>
 
 static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
+static const ShadowLanes *const shadow_lanes[LANES_KINDS] = LANES_TABLE(shadow_lanes);
 
 // A view has MOST_COLUMNS of cells, or half of them, or a quarter, and so on.
 enum { MOST_COLUMNS = 1024, COARSEST = 6 };
@@ -264,47 +265,94 @@ static inline int cell_of(const LightView *view, vec3 place)
     return (int)y / TILE_HEIGHT * view->columns + (int)x / TILE_WIDTH;
 }
 
-// Whether a sphere certainly hides the light from the start of the ray. With squared the square of
-// the ray's length, all terms of its discriminant have the margin of meeting.h, and no root is
-// needed. If it may hide the light, it becomes a candidate.
-static inline bool hides_certainly(const Scene *scene, int number, Ray ray, double squared,
-                                   PossibleHits *candidates)
+// The spheres that a ray has still to ask: first those of its cell, then the giants.
+typedef struct {
+    const Shown *next, *end;
+    int giant;
+    float reach;
+} Remaining;
+
+static void find_cells(const LightGrid *grid, const ShadowRays *rays, Remaining *remaining)
 {
-    const Sphere *sphere = &scene->spheres[number];
-    vec3 p = sphere->center - ray.origin;
-    double rr = sphere->radius * sphere->radius, pp = vec3_dot(p, p), margin = MARGIN * (pp + rr);
-    double ahead = vec3_dot(p, ray.direction), outside = pp - rr;
-    double d = ahead * ahead - outside * squared;
-    if (d < -margin * squared || (ahead < 0 && outside > margin))
-        return false;
-    // If both ends are inside, the ray does not reach the surface between them.
-    vec3 q = p - ray.direction;
-    double qq = vec3_dot(q, q);
-    if (outside < -margin && qq - rr < -4 * MARGIN * (pp + qq + rr))
-        return false;
-    if (outside > 4 * margin && d > margin * squared && ahead < squared * (1 - MARGIN))
-        return true;
-    add_candidate(candidates, number);
-    return false;
+    const double light[3] = {grid->light[0], grid->light[1], grid->light[2]};
+    int cells[PATHS];
+    const LightView *views[PATHS];
+    if (grid->count == 1)
+        shadow_lanes[lanes_best()]->cells(&grid->views[0].eye, light, grid->views[0].columns, rays,
+                                          cells);
+    for (int i = 0; i < rays->count; i++) {
+        vec3 place = vector_of(&rays->start, i) - grid->light;
+        views[i] = view_of(grid, place);
+        if (grid->count > 1)
+            cells[i] = cell_of(views[i], place);
+        if (cells[i] >= 0)
+            __builtin_prefetch(&views[i]->start[cells[i]]);
+    }
+    for (int i = 0; i < rays->count; i++) {
+        remaining[i] = (Remaining){.reach = (float)(rays->length[i] * (1 + 1e-6))};
+        if (cells[i] < 0)
+            continue;
+        remaining[i].next = views[i]->shown + views[i]->start[cells[i]];
+        remaining[i].end = views[i]->shown + views[i]->start[cells[i] + 1];
+        __builtin_prefetch(remaining[i].next);
+    }
 }
 
-bool light_grid_hides(const LightGrid *grid, Ray to_light, PossibleHits *candidates)
+static inline int next_sphere(const Crowd *crowd, Remaining *remaining)
 {
-    const Crowd *crowd = grid->crowd;
-    vec3 place = to_light.origin - grid->light;
-    double squared = vec3_dot(place, place), reach = sqrt(squared);
-    candidates->count = 0;
-    const LightView *view = view_of(grid, place);
-    int cell = cell_of(view, place);
-    if (cell >= 0) {
-        const Shown *shown = view->shown + view->start[cell];
-        const Shown *end = view->shown + view->start[cell + 1];
-        for (; shown < end && (double)shown->near <= reach; shown++)
-            if (hides_certainly(crowd->scene, shown->sphere, to_light, squared, candidates))
-                return true;
+    if (remaining->next < remaining->end && remaining->next->near <= remaining->reach)
+        return remaining->next++->sphere;
+    remaining->next = remaining->end;
+    return remaining->giant < crowd->giant_count ? crowd->giants[remaining->giant++] : -1;
+}
+
+bool hides_light(const Sphere *sphere, vec3 from, const Light *light)
+{
+    Sphere alone = *sphere;
+    Scene world = {.spheres = &alone, .sphere_count = 1};
+    return !(visibility(&world, from, *light) > 0);
+}
+
+// All rays ask their first sphere, then those that go on ask their second one, and so on.
+void light_grid_hides(const LightGrid *grid, const Light *light, const ShadowRays *rays,
+                      bool *hidden)
+{
+    const Scene *scene = grid->crowd->scene;
+    Remaining remaining[PATHS];
+    Occluders occluders;
+    int spheres[PATHS];
+    occluders.count = rays->count;
+    find_cells(grid, rays, remaining);
+    for (int i = 0; i < rays->count; i++) {
+        occluders.ray[i] = i;
+        hidden[i] = false;
     }
-    for (int i = 0; i < crowd->giant_count; i++)
-        if (hides_certainly(crowd->scene, crowd->giants[i], to_light, squared, candidates))
-            return true;
-    return false;
+    while (occluders.count > 0) {
+        int asking = 0;
+        for (int i = 0; i < occluders.count; i++) {
+            int ray = occluders.ray[i], sphere = next_sphere(grid->crowd, &remaining[ray]);
+            if (sphere < 0)
+                continue;
+            __builtin_prefetch(&scene->spheres[sphere]);
+            spheres[asking] = sphere;
+            occluders.ray[asking++] = ray;
+        }
+        occluders.count = asking;
+        for (int i = 0; i < asking; i++) {
+            set_vector(&occluders.center, i, scene->spheres[spheres[i]].center);
+            occluders.radius[i] = scene->spheres[spheres[i]].radius;
+        }
+        shadow_lanes[lanes_best()]->ask(rays, &occluders);
+        int left = 0;
+        for (int i = 0; i < asking; i++) {
+            int ray = occluders.ray[i];
+            if (occluders.verdict[i] == HIDES ||
+                (occluders.verdict[i] == MAY_HIDE &&
+                 hides_light(&scene->spheres[spheres[i]], vector_of(&rays->start, ray), light)))
+                hidden[ray] = true;
+            else
+                occluders.ray[left++] = ray;
+        }
+        occluders.count = left;
+    }
 }

@@ -6,8 +6,8 @@
 #ifndef CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
 #define CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
 
-#include "chapters/08-fast/engines/any_ray.h"
 #include "chapters/08-fast/engines/bins_sort.h"
+#include "chapters/08-fast/engines/shadow_lanes.h"
 #include "common/ray.h"
 #include "common/scene.h"
 
@@ -47,8 +47,12 @@ typedef struct {
 bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light, int threads);
 void light_grid_free(LightGrid *grid);
 
-// Whether any sphere certainly hides the light from the start of a ray that has the light at t = 1.
-// If not: false, and the spheres that may hide it, by their indices in the scene.
-bool light_grid_hides(const LightGrid *grid, Ray to_light, PossibleHits *candidates);
+// Whether a sphere hides a light, by chapter 07's function, in a world with only this sphere.
+bool hides_light(const Sphere *sphere, vec3 from, const Light *light);
+
+// Whether any sphere hides the light from the start of each ray. If rounding may decide, chapter
+// 07's visibility does.
+void light_grid_hides(const LightGrid *grid, const Light *light, const ShadowRays *rays,
+                      bool *hidden);
 
 #endif

@@ -4,10 +4,12 @@
 
 #include "chapters/08-fast/engines/large_memory.h"
 #include "chapters/08-fast/engines/nearest_hit.h"
+#include "chapters/08-fast/engines/shadow_lanes.h"
 #include "exercises/05-quadratic.h"
 #include "exercises/07-shading.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 // ---- the world --------------------------------------------------------------------------------
 
@@ -15,8 +17,10 @@ bool light_world_build(LightWorld *world, const Scene *scene, int threads)
 {
     *world = (LightWorld){.scene = scene,
                           .crowd = crowd_of(scene),
-                          .grids = calloc((size_t)scene->light_count + 1, sizeof *world->grids)};
-    bool done = world->grids != NULL && hierarchy_build(&world->hierarchy, scene, LANES, threads) &&
+                          .grids = calloc((size_t)scene->light_count + 1, sizeof *world->grids),
+                          .materials = materials_of(scene)};
+    bool done = world->grids != NULL && world->materials != NULL &&
+                hierarchy_build(&world->hierarchy, scene, LANES, threads) &&
                 ray_world_build(&world->rays, &world->hierarchy, scene);
     if (scene->sphere_count == 0 && done)
         return true;
@@ -34,32 +38,43 @@ void light_world_free(LightWorld *world)
     for (int i = 0; world->grids != NULL && i < world->scene->light_count; i++)
         light_grid_free(&world->grids[i]);
     free(world->grids);
+    free(world->materials);
     ray_world_free(&world->rays);
     *world = (LightWorld){0};
 }
 
 // ---- one thread's paths -----------------------------------------------------------------------
 
+static const ShadowLanes *const shadow_lanes[LANES_KINDS] = LANES_TABLE(shadow_lanes);
+
+// Cleared, so that lanes without a path compute with ordinary numbers.
+static void *aligned_memory(size_t size)
+{
+    void *memory = large_memory(size);
+    return memory == NULL ? NULL : memset(memory, 0, size);
+}
+
 bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
 {
     static NearestOf *const nearest[LANES_KINDS] = LANES_TABLE(nearest_of);
     static AnyBefore *const before[LANES_KINDS] = LANES_TABLE(any_before);
     static NearestOfMany *const nearest_of_many[LANES_KINDS] = LANES_TABLE(nearest_of_many);
-    size_t lights = (size_t)world->scene->light_count, levels = (size_t)depth + 1;
+    size_t lights = (size_t)world->scene->light_count + 1, levels = (size_t)depth + 1;
     *paths = (LightPaths){.world = world,
                           .depth = depth,
-                          .alone = *world->scene,
-                          .paths = malloc(PATHS * sizeof *paths->paths),
-                          .lit = malloc((lights + 1) * PATHS * sizeof *paths->lit),
-                          .colors = malloc(levels * PATHS * sizeof *paths->colors),
-                          .parts = malloc(levels * PATHS * sizeof *paths->parts),
+                          .picture = {.scene = world->scene, .materials = world->materials},
+                          .steps = &steps_by_chapters,
+                          .paths = aligned_memory(sizeof *paths->paths),
+                          .directions = aligned_memory(2 * sizeof *paths->directions),
+                          .shadow = aligned_memory(sizeof *paths->shadow),
+                          .lit = aligned_memory(lights * PATHS * sizeof *paths->lit),
+                          .colors = aligned_memory((levels + 1) * sizeof *paths->colors),
+                          .parts = aligned_memory(levels * PATHS * sizeof *paths->parts),
                           .nearest = nearest[lanes_best()],
                           .before = before[lanes_best()],
                           .nearest_of_many = nearest_of_many[lanes_best()]};
-    paths->alone.sphere_count = 1;
-    paths->alone.lights = malloc((lights + 1) * sizeof *paths->alone.lights);
-    if (paths->paths != NULL && paths->lit != NULL && paths->colors != NULL &&
-        paths->parts != NULL && paths->alone.lights != NULL)
+    if (paths->paths != NULL && paths->directions != NULL && paths->shadow != NULL &&
+        paths->lit != NULL && paths->colors != NULL && paths->parts != NULL)
         return true;
     light_paths_end(paths);
     return false;
@@ -68,17 +83,16 @@ bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
 void light_paths_end(LightPaths *paths)
 {
     free(paths->paths);
+    free(paths->directions);
+    free(paths->shadow);
     free(paths->lit);
     free(paths->colors);
     free(paths->parts);
-    free(paths->alone.lights);
 }
 
-static Line line_of(Ray ray, double *length)
+static Line line_of(vec3 start, vec3 unit)
 {
-    *length = vec3_length(ray.direction);
-    vec3 o = ray.origin, v = ray.direction / *length;
-    return (Line){{o[0], o[1], o[2]}, {v[0], v[1], v[2]}};
+    return (Line){{start[0], start[1], start[2]}, {unit[0], unit[1], unit[2]}};
 }
 
 // ---- what a ray hits --------------------------------------------------------------------------
@@ -89,196 +103,179 @@ static Hit hit_at(const LightWorld *world, Ray ray, int place)
     return (Hit){hit_sphere(ray, world->scene->spheres[sphere]), sphere};
 }
 
-// The same hit as chapter 06's nearest_hit, to the bit: one ray, alone.
-static Hit nearest_alone(const LightPaths *paths, Ray ray)
+// The sphere of chapter 06's nearest_hit: one ray, alone. If only one sphere is possible, the ray
+// may still miss it.
+static int nearest_alone(const LightPaths *paths, Ray ray, Line line)
 {
     const LightWorld *world = paths->world;
-    double length;
-    Line line = line_of(ray, &length);
     PossibleHits candidates;
     paths->nearest(&world->rays, &line, &candidates);
     if (candidates.count > MOST_CANDIDATES)
-        return hierarchy_nearest(&world->hierarchy, world->scene, ray);
+        return hierarchy_nearest(&world->hierarchy, world->scene, ray).sphere;
+    if (candidates.count == 1)
+        return world->hierarchy.order[candidates.places[0]];
     Hit nearest = {NO_HIT, -1};
     for (int i = 0; i < candidates.count; i++)
         nearest = nearer(nearest, hit_at(world, ray, candidates.places[i]));
-    return nearest;
+    return nearest.sphere;
 }
 
-// The same for the paths numbered in 'going'.
-static void find_hits(LightPaths *paths, const int *going, int count)
+// The spheres that the rays hit, or -1.
+static void find_spheres(LightPaths *all)
 {
-    Line lines[PATHS] = {0};
+    Paths *paths = all->paths;
+    double lengths[PATHS];
+    Line lines[PATHS];
     int places[PATHS];
-    double length;
-    for (int i = 0; i < count; i++)
-        lines[i] = line_of(paths->paths[going[i]].ray, &length);
-    paths->nearest_of_many(&paths->world->rays, lines, count, places);
-    for (int i = 0; i < count; i++) {
-        Path *path = &paths->paths[going[i]];
-        if (places[i] == IN_DOUBT)
-            path->hit = nearest_alone(paths, path->ray);
-        else if (places[i] == NO_PLACE)
-            path->hit = (Hit){NO_HIT, -1};
+    shadow_lanes[lanes_best()]->units(&paths->direction, paths->count, lengths, all->directions);
+    for (int i = 0; i < paths->count; i++)
+        lines[i] = line_of(vector_of(&paths->origin, i), vector_of(all->directions, i));
+    all->nearest_of_many(&all->world->rays, lines, paths->count, places);
+    for (int i = 0; i < paths->count; i++)
+        paths->sphere[i] = places[i] == IN_DOUBT   ? nearest_alone(all, ray_of(paths, i), lines[i])
+                           : places[i] == NO_PLACE ? -1
+                                                   : all->world->hierarchy.order[places[i]];
+}
+
+static void keep(Paths *paths, int at, int from)
+{
+    paths->number[at] = paths->number[from];
+    paths->sphere[at] = paths->sphere[from];
+    set_vector(&paths->origin, at, vector_of(&paths->origin, from));
+    set_vector(&paths->direction, at, vector_of(&paths->direction, from));
+}
+
+// The rays that hit nothing see the background, and end.
+static void end_at_background(LightPaths *all, int level)
+{
+    Paths *paths = all->paths;
+    int left = 0;
+    for (int i = 0; i < paths->count; i++)
+        if (paths->sphere[i] < 0)
+            set_vector(&all->colors[level], paths->number[i], all->world->scene->background);
         else
-            path->hit = hit_at(paths->world, path->ray, places[i]);
-    }
+            keep(paths, left++, i);
+    paths->count = left;
+}
+
+// Where the rays hit their spheres. False: some miss them.
+static bool find_hits(LightPaths *all)
+{
+    Paths *paths = all->paths;
+    take_spheres(all->world->scene, paths);
+    if (!all->steps->hits(paths))
+        steps_by_chapters.hits(paths);
+    bool any_miss = false;
+    for (int i = 0; i < paths->count; i++)
+        if (!(paths->t[i] < NO_HIT)) {
+            paths->sphere[i] = -1;
+            any_miss = true;
+        }
+    return !any_miss;
 }
 
 // ---- which lights arrive ----------------------------------------------------------------------
 
-// Whether a sphere hides a light, by chapter 07's function, in a world with only this sphere.
-static bool hides(const Sphere *sphere, vec3 from, Light light)
+// Whether a light arrives by a shadow ray: one ray, alone.
+static bool arrives_alone(const LightPaths *all, int number, Light light)
 {
-    Sphere alone = *sphere;
-    Scene world = {.spheres = &alone, .sphere_count = 1};
-    return !(visibility(&world, from, light) > 0);
-}
-
-// Whether a light with a grid arrives at a place.
-static bool arrives_by_grid(const LightGrid *grid, Ray to_light, Light light)
-{
-    PossibleHits candidates;
-    const Scene *scene = grid->crowd->scene;
-    if (light_grid_hides(grid, to_light, &candidates))
-        return false;
-    if (candidates.count > MOST_CANDIDATES)
-        return visibility(scene, to_light.origin, light) > 0;
-    for (int i = 0; i < candidates.count; i++)
-        if (hides(&scene->spheres[candidates.places[i]], to_light.origin, light))
-            return false;
-    return true;
-}
-
-// Whether a light arrives at a place: one ray, alone.
-static bool arrives_alone(const LightPaths *paths, vec3 from, Light light)
-{
-    const LightWorld *world = paths->world;
+    const LightWorld *world = all->world;
+    vec3 from = vector_of(&all->shadow->start, number);
+    Line line = line_of(from, vector_of(all->directions, number));
+    double reach = light.kind == LIGHT_DISTANT ? INFINITY : all->shadow->length[number];
     PossibleHits candidates = {0};
-    double length;
-    Line line = line_of(ray_to_light(from, light), &length);
-    double reach = light.kind == LIGHT_DISTANT ? INFINITY : length;
-    if (paths->before(&world->rays, &line, reach, &candidates))
+    if (all->before(&world->rays, &line, reach, &candidates))
         return false;
     if (candidates.count > MOST_CANDIDATES)
         return visibility(world->scene, from, light) > 0;
     for (int i = 0; i < candidates.count; i++)
-        if (hides(&world->scene->spheres[world->hierarchy.order[candidates.places[i]]], from,
-                  light))
+        if (hides_light(&world->scene->spheres[world->hierarchy.order[candidates.places[i]]], from,
+                        &light))
             return false;
     return true;
 }
 
-// Whether a surface certainly hides a light from itself, because the light is behind it.
-static bool is_behind(const Path *path, const Sphere *sphere, Ray to_light, bool has_end)
+// A light that is behind a surface needs no ray.
+static void find_light(LightPaths *all, int number)
 {
-    double along = vec3_dot(path->normal, to_light.direction);
-    double squared = vec3_dot(to_light.direction, to_light.direction);
-    vec3 c = sphere->center;
-    double size = sphere->radius + fmax(fabs(c[0]), fmax(fabs(c[1]), fabs(c[2])));
-    return along < 0 && along * along > 1e-4 * squared &&
-           (!has_end || squared > 1e-6 * size * size);
-}
-
-static void find_light(LightPaths *paths, const int *going, int count, int number)
-{
-    const LightWorld *world = paths->world;
-    const Scene *scene = world->scene;
-    Light light = scene->lights[number];
-    bool has_end = light.kind != LIGHT_DISTANT;
-    const LightGrid *grid = &world->grids[number];
-    for (int k = 0; k < count; k++) {
-        Path *path = &paths->paths[going[k]];
-        Ray ray = ray_to_light(path->start, light);
-        bool *lit = &paths->lit[going[k] * scene->light_count + number];
-        *lit = false;
-        bool behind = is_behind(path, &scene->spheres[path->hit.sphere], ray, has_end);
-        if (!behind)
-            *lit = grid->count > 0 ? arrives_by_grid(grid, ray, light)
-                                   : arrives_alone(paths, path->start, light);
+    const Paths *paths = all->paths;
+    Light light = all->world->scene->lights[number];
+    const LightGrid *grid = &all->world->grids[number];
+    const ShadowLanes *lanes = shadow_lanes[lanes_best()];
+    ShadowRays *shadow = all->shadow;
+    Vectors *ways = all->directions;
+    double *lit = all->lit + number * PATHS;
+    int behind[PATHS], path[PATHS], count = 0;
+    bool hidden[PATHS];
+    all->steps->to_light(paths, &light, ways);
+    lanes->behind(paths, ways, light.kind != LIGHT_DISTANT, behind);
+    for (int i = 0; i < paths->count; i++) {
+        lit[i] = 0;
+        if (behind[i])
+            continue;
+        set_vector(&shadow->start, count, vector_of(&paths->start, i));
+        set_vector(&shadow->way, count, vector_of(ways, i));
+        path[count++] = i;
     }
+    shadow->count = count;
+    lanes->units(&shadow->way, count, shadow->length, grid->count > 0 ? NULL : all->directions);
+    if (grid->count > 0)
+        light_grid_hides(grid, &light, shadow, hidden);
+    for (int i = 0; i < count && grid->count == 0; i++)
+        hidden[i] = !arrives_alone(all, i, light);
+    for (int i = 0; i < count; i++)
+        lit[path[i]] = !hidden[i];
 }
 
 // ---- colours ----------------------------------------------------------------------------------
 
-// The colour of a path's surface, by chapter 07's function.
-static Color lit_surface(LightPaths *paths, int number)
+// The paths that have hit something are coloured; those on mirrors go on.
+static void light_up(LightPaths *all, int level)
 {
-    const Scene *scene = paths->world->scene;
-    const Path *path = &paths->paths[number];
-    Sphere sphere = scene->spheres[path->hit.sphere];
-    paths->alone.spheres = &sphere;
-    paths->alone.light_count = 0;
-    for (int i = 0; i < scene->light_count; i++)
-        if (paths->lit[number * scene->light_count + i])
-            paths->alone.lights[paths->alone.light_count++] = scene->lights[i];
-    return shade(&paths->alone, path->ray, (Hit){path->hit.t, 0});
-}
-
-static void leave_surface(Path *path, const Sphere *sphere)
-{
-    vec3 point = path->ray.origin + path->hit.t * path->ray.direction;
-    vec3 normal = surface_normal(*sphere, point);
-    path->normal = vec3_dot(normal, path->ray.direction) > 0 ? -normal : normal;
-    path->start = off_surface(*sphere, point, path->normal);
-}
-
-// One step of all paths that go on: from what their rays hit to the rays that continue from
-// mirrors. Returns the number of those.
-static int step(LightPaths *paths, int *going, int count, int level)
-{
-    const Scene *scene = paths->world->scene;
-    Color *colors = paths->colors + (size_t)level * PATHS;
-    double *parts = paths->parts + (size_t)level * PATHS;
-    int on_surface = 0;
-    for (int k = 0; k < count; k++) {
-        Path *path = &paths->paths[going[k]];
-        path->last = level;
-        colors[going[k]] = scene->background;
-        if (path->hit.sphere < 0)
-            continue;
-        leave_surface(path, &scene->spheres[path->hit.sphere]);
-        going[on_surface++] = going[k];
+    Paths *paths = all->paths;
+    Vectors *colors = &all->colors[level], *found = &all->colors[all->depth + 1];
+    double *parts = all->parts + (size_t)level * PATHS;
+    all->steps->leave(paths);
+    for (int i = 0; i < all->world->scene->light_count; i++)
+        find_light(all, i);
+    all->steps->shade(&all->picture, paths, all->lit, found);
+    for (int i = 0; i < paths->count; i++)
+        set_vector(colors, paths->number[i], vector_of(found, i));
+    if (level == all->depth) {
+        paths->count = 0;
+        return;
     }
-    for (int i = 0; i < scene->light_count; i++)
-        find_light(paths, going, on_surface, i);
+    all->steps->mirror(paths, all->directions);
     int mirrored = 0;
-    for (int k = 0; k < on_surface; k++) {
-        Path *path = &paths->paths[going[k]];
-        colors[going[k]] = lit_surface(paths, going[k]);
-        parts[going[k]] = scene_surface(scene, path->hit.sphere)->specular;
-        if (level == paths->depth || !(parts[going[k]] > 0))
+    for (int i = 0; i < paths->count; i++) {
+        double part = all->world->materials[paths->surface[i]].specular;
+        if (!(part > 0))
             continue;
-        path->ray = (Ray){path->start, mirror_direction(path->ray.direction, path->normal)};
-        going[mirrored++] = going[k];
+        parts[paths->number[i]] = part;
+        paths->number[mirrored] = paths->number[i];
+        set_vector(&paths->origin, mirrored, vector_of(&paths->start, i));
+        set_vector(&paths->direction, mirrored++, vector_of(all->directions, i));
     }
-    return mirrored;
+    paths->count = mirrored;
 }
 
-void path_colors(LightPaths *paths, const Ray *rays, const int *spheres, int count, Color *colors)
+void path_colors(LightPaths *all, bool known)
 {
-    int going[PATHS];
-    for (int i = 0; i < count; i++) {
-        Path *path = &paths->paths[i];
-        path->ray = rays[i];
-        going[i] = i;
-        if (spheres != NULL && spheres[i] < 0)
-            path->hit = (Hit){NO_HIT, -1};
-        else if (spheres != NULL)
-            path->hit =
-                (Hit){hit_sphere(rays[i], paths->world->scene->spheres[spheres[i]]), spheres[i]};
-    }
-    for (int level = 0, left = count; left > 0; level++) {
-        if (level > 0 || spheres == NULL)
-            find_hits(paths, going, left);
-        left = step(paths, going, left, level);
+    Paths *paths = all->paths;
+    int count = paths->count, level = 0;
+    for (int i = 0; i < count; i++)
+        paths->number[i] = i;
+    for (; paths->count > 0; level++) {
+        memset(all->parts + (size_t)level * PATHS, 0, PATHS * sizeof *all->parts);
+        if (level > 0 || !known)
+            find_spheres(all);
+        do
+            end_at_background(all, level);
+        while (!find_hits(all));
+        light_up(all, level);
     }
     // trace_ray adds from the last mirror to the first.
-    for (int i = 0; i < count; i++) {
-        int level = paths->paths[i].last;
-        Color color = paths->colors[level * PATHS + i];
-        while (level-- > 0)
-            color = paths->colors[level * PATHS + i] + paths->parts[level * PATHS + i] * color;
-        colors[i] = color;
-    }
+    for (level -= 2; level >= 0; level--)
+        all->steps->add_mirrors(&all->colors[level + 1], all->parts + (size_t)level * PATHS, count,
+                                &all->colors[level]);
 }

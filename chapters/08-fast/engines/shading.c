@@ -7,7 +7,7 @@
 #include "chapters/08-fast/engines/light_paths.h"
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
-#include "exercises/04-pixel-ray.h"
+#include "exercises/07-shading.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -17,8 +17,10 @@ typedef struct {
     const Work *work;
     Rendering rendering;
     const LightWorld *world; // NULL: none
-    int *seen;               // the sphere that each sample sees, row by row; NULL: not known
-    uint8_t background[3];   // of a pixel whose samples see nothing
+    Picture picture;
+    const LightSteps *steps;
+    int *seen;             // the sphere that each sample sees, row by row; NULL: not known
+    uint8_t background[3]; // of a pixel whose samples see nothing
     pthread_mutex_t together;
     bool short_of_memory;
 } Lit;
@@ -89,118 +91,122 @@ static void look(Lit *lit)
     }
 }
 
-// A block of pixels, and the colours that their samples see.
-enum { BLOCK = 16 }; // samples in a row, or all those of one pixel
+// A block of pixels that see a sphere, and the colours that their samples see. A sample is a place:
+// those of pixel number k are k, PATHS + k, 2 PATHS + k, and so on.
+enum { BLOCK = 16, SQUARE = 4 }; // samples in a row
 typedef struct {
     Lit *lit;
     LightPaths paths;
-    Pixel corner; // the first sample
-    Resolution size;
-    Color *colors;
+    int pixel_count;
+    Pixel pixels[PATHS];
+    double *colors[3]; // red, green, blue of each place
     // Samples that wait until there are PATHS.
     int count;
-    int places[PATHS], spheres[PATHS];
-    Ray rays[PATHS];
+    int places[PATHS], columns[PATHS], rows[PATHS];
 } Block;
-
-static Color color_in_block(void *world, Pixel sample, Ray ray, int depth)
-{
-    const Block *block = world;
-    (void)ray, (void)depth;
-    return block->colors[(sample.row - block->corner.row) * block->size.width + sample.column -
-                         block->corner.column];
-}
 
 static void trace_waiting(Block *block)
 {
-    Color colors[PATHS];
-    const int *spheres = block->lit->seen == NULL ? NULL : block->spheres;
-    path_colors(&block->paths, block->rays, spheres, block->count, colors);
-    for (int i = 0; i < block->count; i++)
-        block->colors[block->places[i]] = colors[i];
+    LightPaths *paths = &block->paths;
+    paths->paths->count = block->count;
+    paths->steps->rays(&paths->picture, block->columns, block->rows, paths->paths);
+    path_colors(paths, block->lit->seen != NULL);
+    for (int i = 0; i < block->count; i++) {
+        block->colors[0][block->places[i]] = paths->colors->x[i];
+        block->colors[1][block->places[i]] = paths->colors->y[i];
+        block->colors[2][block->places[i]] = paths->colors->z[i];
+    }
     block->count = 0;
 }
 
-static void trace_sample(Block *block, int column, int row)
+static void trace_sample(Block *block, Pixel sample, int seen, int place)
 {
-    const Lit *lit = block->lit;
-    Resolution samples = samples_of(&lit->rendering);
-    Pixel sample = {block->corner.column + column, block->corner.row + row};
-    int place = row * block->size.width + column, i = block->count;
-    if (lit->seen != NULL) {
-        size_t index = (size_t)sample.row * (size_t)samples.width + (size_t)sample.column;
-        block->spheres[i] = lit->seen[index];
-        block->colors[place] = lit->work->scene->background;
-        if (block->spheres[i] < 0)
-            return;
+    if (seen < 0) {
+        for (int i = 0; i < 3; i++)
+            block->colors[i][place] = block->lit->work->scene->background[i];
+        return;
     }
+    int i = block->count++;
     block->places[i] = place;
-    block->rays[i] = pixel_ray(lit->rendering.camera, samples, sample);
-    if (++block->count == PATHS)
+    block->columns[i] = sample.column;
+    block->rows[i] = sample.row;
+    block->paths.paths->sphere[i] = seen;
+    if (block->count == PATHS)
         trace_waiting(block);
 }
 
-// In squares of 4 x 4, so that 16 rays in a row are neighbours.
-static void trace_block(Block *block)
-{
-    Resolution size = block->size;
-    for (int top = 0; top < size.height; top += 4)
-        for (int left = 0; left < size.width; left += 4)
-            for (int row = top; row < top + 4 && row < size.height; row++)
-                for (int column = left; column < left + 4 && column < size.width; column++)
-                    trace_sample(block, column, row);
-    trace_waiting(block);
-}
-
-// Whether no sample of a pixel sees a sphere.
-static bool sees_nothing(const Lit *lit, Pixel pixel)
-{
-    int n = lit->rendering.style.samples;
-    size_t columns = (size_t)samples_of(&lit->rendering).width;
-    if (lit->seen == NULL)
-        return false;
-    const int *seen = lit->seen + (size_t)pixel.row * (size_t)n * columns + pixel.column * n;
-    for (int row = 0; row < n; row++)
-        for (int column = 0; column < n; column++)
-            if (seen[(size_t)row * columns + (size_t)column] >= 0)
-                return false;
-    return true;
-}
-
-// Pixels in each direction of a block.
-static int pixels_in_block(const Lit *lit)
-{
-    int n = lit->rendering.style.samples;
-    return n < BLOCK ? BLOCK / n : 1;
-}
-
-static void paint_block(Block *block, Pixel first, Resolution pixels)
+// If no sample of the pixel sees a sphere, the pixel gets the background at once.
+static void trace_pixel(Block *block, Pixel pixel)
 {
     const Lit *lit = block->lit;
-    Image *image = lit->work->image;
-    int n = lit->rendering.style.samples;
-    block->corner = (Pixel){first.column * n, first.row * n};
-    block->size = (Resolution){pixels.width * n, pixels.height * n};
-    trace_block(block);
-    for (int row = 0; row < pixels.height; row++) {
-        for (int column = 0; column < pixels.width; column++) {
-            Pixel pixel = {first.column + column, first.row + row};
-            if (sees_nothing(lit, pixel))
-                memcpy(image_bytes(image, pixel), lit->background, sizeof lit->background);
-            else
-                set_pixel(image, pixel, render_pixel(&lit->rendering, block, pixel));
-        }
+    int n = lit->rendering.style.samples, see_something = lit->seen == NULL;
+    size_t columns = (size_t)block->paths.picture.samples.width;
+    const int *seen = lit->seen + (size_t)pixel.row * (size_t)n * columns + pixel.column * n;
+    for (int i = 0; i < n * n && !see_something; i++)
+        see_something = seen[(size_t)(i / n) * columns + (size_t)(i % n)] >= 0;
+    if (!see_something) {
+        memcpy(image_bytes(lit->work->image, pixel), lit->background, sizeof lit->background);
+        return;
     }
+    int number = block->pixel_count++;
+    block->pixels[number] = pixel;
+    for (int i = 0; i < n * n; i++) {
+        Pixel sample = {pixel.column * n + i % n, pixel.row * n + i / n};
+        int sphere = lit->seen == NULL ? 0 : seen[(size_t)(i / n) * columns + (size_t)(i % n)];
+        trace_sample(block, sample, sphere, i * PATHS + number);
+    }
+}
+
+static void paint_pixels(Block *block)
+{
+    Style style = block->lit->rendering.style;
+    Vectors *means = block->paths.directions;
+    uint8_t rgb[3 * PATHS];
+    block->paths.steps->means(block->colors, style.samples * style.samples, block->pixel_count,
+                              means);
+    for (int i = 0; i < block->pixel_count && style.gamma != 1; i++)
+        set_vector(means, i, gamma_encode(vector_of(means, i), style.gamma));
+    block->paths.steps->bytes(means, block->pixel_count, rgb);
+    for (int i = 0; i < block->pixel_count; i++)
+        memcpy(image_bytes(block->lit->work->image, block->pixels[i]), &rgb[3 * i], 3);
+    block->pixel_count = 0;
+}
+
+// Pixels in each direction: samples in a row, or one pixel.
+static int pixels_in(int samples_in_a_row, const Lit *lit)
+{
+    int n = lit->rendering.style.samples;
+    return n < samples_in_a_row ? samples_in_a_row / n : 1;
+}
+
+// In squares of about 4 x 4 samples, so that 16 rays in a row are neighbours.
+static void paint_block(Block *block, Pixel first, Pixel end)
+{
+    int side = pixels_in(SQUARE, block->lit);
+    for (int top = first.row; top < end.row; top += side)
+        for (int left = first.column; left < end.column; left += side)
+            for (int row = top; row < top + side && row < end.row; row++)
+                for (int column = left; column < left + side && column < end.column; column++)
+                    trace_pixel(block, (Pixel){column, row});
+    if (block->count > 0)
+        trace_waiting(block);
+    paint_pixels(block);
 }
 
 static bool block_begin(Block *block, Lit *lit)
 {
-    size_t most = (size_t)pixels_in_block(lit) * (size_t)lit->rendering.style.samples;
-    *block = (Block){.lit = lit, .colors = malloc(most * most * sizeof *block->colors)};
-    if (block->colors != NULL &&
-        light_paths_begin(&block->paths, lit->world, lit->rendering.style.depth))
+    size_t samples = (size_t)lit->rendering.style.samples * (size_t)lit->rendering.style.samples;
+    double *colors = large_memory(3 * samples * PATHS * sizeof *colors);
+    *block = (Block){.lit = lit};
+    if (colors != NULL &&
+        light_paths_begin(&block->paths, lit->world, lit->rendering.style.depth)) {
+        for (size_t i = 0; i < 3; i++)
+            block->colors[i] = colors + i * samples * PATHS;
+        block->paths.picture = lit->picture;
+        block->paths.steps = lit->steps;
         return true;
-    free(block->colors);
+    }
+    free(colors);
     return false;
 }
 
@@ -215,14 +221,14 @@ static void blocks_in_a_row(void *given, int number)
         pthread_mutex_unlock(&lit->together);
         return;
     }
-    int side = pixels_in_block(lit), top = number * side;
-    int height = image.height - top < side ? image.height - top : side;
+    int side = pixels_in(BLOCK, lit), top = number * side;
+    int bottom = top + side < image.height ? top + side : image.height;
     for (int left = 0; left < image.width; left += side)
         paint_block(&block, (Pixel){left, top},
-                    (Resolution){image.width - left < side ? image.width - left : side, height});
+                    (Pixel){left + side < image.width ? left + side : image.width, bottom});
     light_paths_end(&block.paths);
-    free(block.colors);
-    rows_are_done(lit, height);
+    free(block.colors[0]);
+    rows_are_done(lit, bottom - top);
 }
 
 static Color see_background(void *world, Pixel sample, Ray ray, int depth)
@@ -234,10 +240,8 @@ static Color see_background(void *world, Pixel sample, Ray ray, int depth)
 
 static void set_background(Lit *lit)
 {
-    Rendering empty = lit->rendering;
     Image pixel = {.size = {1, 1}, .rgb = lit->background};
-    empty.trace = see_background;
-    set_pixel(&pixel, (Pixel){0, 0}, render_pixel(&empty, lit, (Pixel){0, 0}));
+    set_pixel(&pixel, (Pixel){0, 0}, render_pixel(&lit->rendering, lit, (Pixel){0, 0}));
 }
 
 bool light_bvh(const Work *work, Style style, Message *message)
@@ -246,16 +250,19 @@ bool light_bvh(const Work *work, Style style, Message *message)
         return light_plain(work, style, message);
     LightWorld world;
     Lit lit = {.work = work,
-               .rendering = {work->camera, work->image->size, style, color_in_block},
+               .rendering = {work->camera, work->image->size, style, see_background},
                .world = &world};
     bool ready = light_world_build(&world, work->scene, work->threads);
     if (work->built != NULL)
         *work->built = clock_seconds();
     pthread_mutex_init(&lit.together, NULL);
     if (ready) {
+        lit.picture =
+            (Picture){work->scene, world.materials, work->camera, samples_of(&lit.rendering)};
+        lit.steps = steps_for(&lit.picture);
         look(&lit);
         set_background(&lit);
-        int side = pixels_in_block(&lit);
+        int side = pixels_in(BLOCK, &lit);
         in_parallel(work->threads, (work->image->size.height + side - 1) / side, blocks_in_a_row,
                     &lit);
     }

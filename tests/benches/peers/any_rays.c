@@ -142,15 +142,14 @@ static double processor_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-// Whether one of the spheres hides a light; by places in the hierarchy, if order is not NULL.
+// Whether one of the spheres, by places in the hierarchy, hides a light.
 static bool any_hides(const Scene *scene, const int *order, const PossibleHits *candidates,
                       vec3 from, Light light)
 {
     if (candidates->count > MOST_CANDIDATES)
         return !(visibility(scene, from, light) > 0);
     for (int i = 0; i < candidates->count; i++) {
-        int place = candidates->places[i];
-        Sphere alone = scene->spheres[order != NULL ? order[place] : place];
+        Sphere alone = scene->spheres[order[candidates->places[i]]];
         if (!(visibility(&(Scene){.spheres = &alone, .sphere_count = 1}, from, light) > 0))
             return true;
     }
@@ -181,17 +180,40 @@ static void build_grids(Both *both)
     both->grid_seconds = processor_seconds() - begin;
 }
 
+// Rays to one light that wait until there are PATHS.
+typedef struct {
+    ShadowRays rays;
+    int numbers[PATHS];
+} Waiting;
+
+static void ask_grid(const LightWorld *world, Waiting *waiting, int light, bool *hits)
+{
+    bool hidden[PATHS];
+    light_grid_hides(&world->grids[light], &world->scene->lights[light], &waiting->rays, hidden);
+    for (int i = 0; i < waiting->rays.count; i++)
+        hits[waiting->numbers[i]] = hidden[i];
+    waiting->rays.count = 0;
+}
+
 static void shadow_by_grids(Both *both, const RayList *rays, bool *hits)
 {
     const LightWorld *world = both->world;
+    int lights = world->scene->light_count;
+    Waiting *waiting = array((size_t)lights, sizeof *waiting);
     build_grids(both);
     for (int i = 0; i < rays->count; i++) {
-        PossibleHits candidates;
-        const LightGrid *grid = &world->grids[rays->lights[i]];
-        Light light = world->scene->lights[rays->lights[i]];
-        hits[i] = light_grid_hides(grid, rays->rays[i], &candidates) ||
-                  any_hides(world->scene, NULL, &candidates, rays->rays[i].origin, light);
+        Waiting *here = &waiting[rays->lights[i]];
+        int at = here->rays.count++;
+        set_vector(&here->rays.start, at, rays->rays[i].origin);
+        set_vector(&here->rays.way, at, rays->rays[i].direction);
+        here->rays.length[at] = rays->reaches[i];
+        here->numbers[at] = i;
+        if (here->rays.count == PATHS)
+            ask_grid(world, here, rays->lights[i], hits);
     }
+    for (int i = 0; i < lights; i++)
+        ask_grid(world, &waiting[i], i, hits);
+    free(waiting);
 }
 
 // Whether the ray hits one of these spheres, which are possible, not certain.

@@ -27,37 +27,52 @@ static void verdict(const char *name, const char *what, int different, int of)
     printf("not ok: %s: %s: %d of %d differ\n", name, what, different, of);
 }
 
+static int differ(LightPaths *paths, const Ray *rays, int first, int count)
+{
+    int different = 0;
+    paths->paths->count = count;
+    for (int i = 0; i < count; i++) {
+        set_vector(&paths->paths->origin, i, rays[first + i].origin);
+        set_vector(&paths->paths->direction, i, rays[first + i].direction);
+    }
+    path_colors(paths, false);
+    for (int i = 0; i < count; i++) {
+        Color all = trace_ray(&lit_scene, rays[first + i], lit_depth);
+        Color color = vector_of(paths->colors, i);
+        different += memcmp(&all, &color, 3 * sizeof(double)) != 0;
+    }
+    return different;
+}
+
+// By the lanes of each kind, and by the chapters' functions.
 static void compare_rays(const char *name, Camera camera)
 {
+    enum { MOST = 1024 };
+    static Ray rays[MOST];
     Resolution screen = lit_scene.view.resolution;
     LightWorld world;
     if (!light_world_build(&world, &lit_scene, 1))
         exit(1);
     lanes_at_most = LANES_AVX512;
     const int count = screen.width * screen.height;
-    Ray rays[PATHS];
-    Color colors[PATHS];
-    for (LanesKind best = lanes_best(), kind = LANES_BASELINE; kind <= best; kind++) {
-        lanes_at_most = kind;
+    for (int i = 0; i < count && count <= MOST; i++)
+        rays[i] = pixel_ray(camera, screen, (Pixel){i % screen.width, i / screen.width});
+    Picture picture = {&lit_scene, world.materials, camera, screen};
+    const int best = (int)lanes_best();
+    for (int kind = 0; kind <= best + 1; kind++) {
+        lanes_at_most = kind > best ? LANES_AVX512 : (LanesKind)kind;
         LightPaths paths;
         if (!light_paths_begin(&paths, &world, lit_depth))
             exit(1);
-        int different = 0;
-        for (int first = 0; first < count; first += PATHS) {
-            int some = count - first < PATHS ? count - first : PATHS;
-            for (int i = 0; i < some; i++) {
-                int pixel = first + i;
-                rays[i] =
-                    pixel_ray(camera, screen, (Pixel){pixel % screen.width, pixel / screen.width});
-            }
-            path_colors(&paths, rays, NULL, some, colors);
-            for (int i = 0; i < some; i++) {
-                Color all = trace_ray(&lit_scene, rays[i], lit_depth);
-                different += memcmp(&all, &colors[i], 3 * sizeof(double)) != 0;
-            }
-        }
+        paths.picture = picture;
+        paths.steps = kind > best ? &steps_by_chapters : steps_for(&picture);
         char what[40];
-        snprintf(what, sizeof what, "rays, %s", lanes_names[kind]);
+        snprintf(what, sizeof what, "rays, %s", kind > best ? "chapters" : lanes_names[kind]);
+        if (kind <= best)
+            verdict(name, "steps in lanes", paths.steps == &steps_by_chapters, 1);
+        int different = count > MOST;
+        for (int first = 0; first < count; first += PATHS)
+            different += differ(&paths, rays, first, count - first < PATHS ? count - first : PATHS);
         verdict(name, what, different, count);
         light_paths_end(&paths);
     }

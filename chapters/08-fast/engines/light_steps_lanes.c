@@ -1,0 +1,303 @@
+// light_steps_lanes.c - the steps of paths by the formulas of the solutions, many at a time.
+//
+// Each loop has the operations of a function of solutions/, in the same order. This file is
+// compiled without fused multiplications (Makefile), as the solutions are.
+#include "chapters/08-fast/engines/light_steps.h"
+
+#include <math.h>
+
+// All of the arrays' last vector is computed, so that no loop has a rest.
+static inline int padded(int count)
+{
+    return (count + 7) / 8 * 8;
+}
+
+static inline double dot(double x, double y, double z, double u, double v, double w)
+{
+    return x * u + y * v + z * w;
+}
+
+// Of two numbers; only the first may be NaN.
+static inline double at_least(double x, double least)
+{
+    return x > least ? x : least;
+}
+
+static void rays(const Picture *picture, const int *columns, const int *rows, Paths *paths)
+{
+    const Camera *c = &picture->camera;
+    double wide = picture->samples.width, high = picture->samples.height;
+    double x = c->origin[0], y = c->origin[1], z = c->origin[2];
+    double fx = c->distance * c->forward[0], fy = c->distance * c->forward[1];
+    double fz = c->distance * c->forward[2];
+    double rx = c->right[0], ry = c->right[1], rz = c->right[2];
+    double ux = c->up[0], uy = c->up[1], uz = c->up[2];
+    double width = c->width, height = c->height;
+    int count = padded(paths->count);
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double s = (columns[i] + 0.5) / wide, t = 1 - (rows[i] + 0.5) / high;
+        double right = (s - 0.5) * width, up = (t - 0.5) * height;
+        paths->origin.x[i] = x;
+        paths->origin.y[i] = y;
+        paths->origin.z[i] = z;
+        paths->direction.x[i] = fx + right * rx + up * ux;
+        paths->direction.y[i] = fy + right * ry + up * uy;
+        paths->direction.z[i] = fz + right * rz + up * uz;
+    }
+}
+
+// solutions/05-quadratic.c: roots_near_origin, and hit_sphere.
+static bool hits(Paths *paths)
+{
+    const double least = 0x1p-400, most = 0x1p400;
+    int extreme = 0, count = paths->count;
+#pragma omp simd reduction(| : extreme)
+    for (int i = 0; i < count; i++) {
+        double x = paths->direction.x[i], y = paths->direction.y[i], z = paths->direction.z[i];
+        double px = paths->origin.x[i] - paths->center.x[i];
+        double py = paths->origin.y[i] - paths->center.y[i];
+        double pz = paths->origin.z[i] - paths->center.z[i];
+        double r = paths->radius[i], rr = r * r;
+        double a = dot(x, y, z, x, y, z), pp = dot(px, py, pz, px, py, pz);
+        extreme |= !((a > least) & (a < most) & (pp + rr > least) & (pp + rr < most));
+        double half_b = dot(px, py, pz, x, y, z), back = half_b / a;
+        double qx = px - back * x, qy = py - back * y, qz = pz - back * z;
+        double ll = dot(qx, qy, qz, qx, qy, qz), root = sqrt(ll);
+        double l = root < r ? root : r, distance = sqrt(pp);
+        double c = (distance - r) * (distance + r);
+        double sum = -(half_b + copysign(sqrt(a * (r - l) * (r + l)), half_b));
+        double t = sum / a, u = c / sum;
+        double first = t <= u ? t : u, second = t <= u ? u : t;
+        double hit = first > 0 ? first : second > 0 ? second : INFINITY;
+        paths->t[i] = ((ll <= rr) & (sum != 0)) ? hit : INFINITY;
+    }
+    return extreme == 0;
+}
+
+// solutions/07-shading.c: normal_at, off_surface.
+static void leave(Paths *paths)
+{
+    int count = padded(paths->count);
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double dx = paths->direction.x[i], dy = paths->direction.y[i];
+        double dz = paths->direction.z[i], t = paths->t[i];
+        double x = paths->origin.x[i] + t * dx, y = paths->origin.y[i] + t * dy;
+        double z = paths->origin.z[i] + t * dz;
+        double cx = paths->center.x[i], cy = paths->center.y[i], cz = paths->center.z[i];
+        double nx = x - cx, ny = y - cy, nz = z - cz;
+        double length = sqrt(dot(nx, ny, nz, nx, ny, nz));
+        nx /= length;
+        ny /= length;
+        nz /= length;
+        bool turn = dot(nx, ny, nz, dx, dy, dz) > 0;
+        nx = turn ? -nx : nx;
+        ny = turn ? -ny : ny;
+        nz = turn ? -nz : nz;
+        double size = paths->radius[i] + at_least(fabs(cx), at_least(fabs(cy), fabs(cz)));
+        double off = 0x1p-30 * size;
+        paths->point.x[i] = x;
+        paths->point.y[i] = y;
+        paths->point.z[i] = z;
+        paths->normal.x[i] = nx;
+        paths->normal.y[i] = ny;
+        paths->normal.z[i] = nz;
+        paths->start.x[i] = x + off * nx;
+        paths->start.y[i] = y + off * ny;
+        paths->start.z[i] = z + off * nz;
+    }
+}
+
+static void to_light(const Paths *paths, const Light *light, Vectors *directions)
+{
+    double x = light->position[0], y = light->position[1], z = light->position[2];
+    int count = padded(paths->count);
+    if (light->kind == LIGHT_DISTANT) {
+        for (int i = 0; i < count; i++) {
+            directions->x[i] = x;
+            directions->y[i] = y;
+            directions->z[i] = z;
+        }
+        return;
+    }
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        directions->x[i] = x - paths->start.x[i];
+        directions->y[i] = y - paths->start.y[i];
+        directions->z[i] = z - paths->start.z[i];
+    }
+}
+
+// What shade needs of the surfaces, and the directions back to the eye.
+typedef struct {
+    Vectors color, eye;
+    alignas(64) double diffuse[PATHS], specular[PATHS], shine[PATHS];
+    // Of one light: the diffuse part, and the highlight's cosine and then its power; -1 for none.
+    double reflected[PATHS], highlight[PATHS];
+} Shading;
+
+static void shading_of(const Picture *picture, const Paths *paths, Shading *shading,
+                       Vectors *colors)
+{
+    const Material *materials = picture->materials;
+    for (int i = 0; i < paths->count; i++) {
+        const Material *material = &materials[paths->surface[i]];
+        shading->color.x[i] = material->color[0];
+        shading->color.y[i] = material->color[1];
+        shading->color.z[i] = material->color[2];
+        shading->diffuse[i] = material->diffuse;
+        shading->specular[i] = material->specular;
+        shading->shine[i] = material->shine;
+        colors->x[i] = material->ambient[0];
+        colors->y[i] = material->ambient[1];
+        colors->z[i] = material->ambient[2];
+    }
+    int count = padded(paths->count);
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double x = -paths->direction.x[i], y = -paths->direction.y[i], z = -paths->direction.z[i];
+        double length = sqrt(dot(x, y, z, x, y, z));
+        shading->eye.x[i] = x / length;
+        shading->eye.y[i] = y / length;
+        shading->eye.z[i] = z / length;
+    }
+}
+
+// The cosines of diffuse_term and of phong_term.
+static void cosines(const Paths *paths, const Light *light, const double *lit, Shading *shading)
+{
+    double from = light->kind == LIGHT_DISTANT ? 0 : 1;
+    double at_x = light->position[0], at_y = light->position[1], at_z = light->position[2];
+    int count = padded(paths->count);
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double nx = paths->normal.x[i], ny = paths->normal.y[i], nz = paths->normal.z[i];
+        double x = from != 0 ? at_x - paths->point.x[i] : at_x;
+        double y = from != 0 ? at_y - paths->point.y[i] : at_y;
+        double z = from != 0 ? at_z - paths->point.z[i] : at_z;
+        double length = sqrt(dot(x, y, z, x, y, z));
+        double cosine = dot(nx, ny, nz, x / length, y / length, z / length);
+        shading->reflected[i] = shading->diffuse[i] * at_least(cosine, 0);
+        double twice = 2 * dot(-x, -y, -z, nx, ny, nz);
+        double mx = -x - twice * nx, my = -y - twice * ny, mz = -z - twice * nz;
+        double size = sqrt(dot(mx, my, mz, mx, my, mz));
+        double shine = dot(mx / size, my / size, mz / size, shading->eye.x[i], shading->eye.y[i],
+                           shading->eye.z[i]);
+        bool shines = (lit[i] != 0) & (dot(nx, ny, nz, x, y, z) > 0) & (shine > 0);
+        shading->highlight[i] = shines ? shine : -1;
+    }
+}
+
+static void add_light(const Paths *paths, const Light *light, const double *lit,
+                      const Shading *shading, Vectors *colors)
+{
+    double red = light->color[0], green = light->color[1], blue = light->color[2];
+    int count = padded(paths->count);
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double part = shading->reflected[i], power = shading->highlight[i];
+        double bright = shading->specular[i] * power;
+        double r = colors->x[i], g = colors->y[i], b = colors->z[i];
+        double lit_r = r + part * shading->color.x[i] * red + (power < 0 ? 0 : bright * red);
+        double lit_g = g + part * shading->color.y[i] * green + (power < 0 ? 0 : bright * green);
+        double lit_b = b + part * shading->color.z[i] * blue + (power < 0 ? 0 : bright * blue);
+        colors->x[i] = lit[i] != 0 ? lit_r : r;
+        colors->y[i] = lit[i] != 0 ? lit_g : g;
+        colors->z[i] = lit[i] != 0 ? lit_b : b;
+    }
+}
+
+// solutions/07-shading.c: shade. There are no vectors for pow, so only the paths that need it call
+// it.
+static void shade(const Picture *picture, const Paths *paths, const double *lit, Vectors *colors)
+{
+    Shading shading;
+    shading_of(picture, paths, &shading, colors);
+    for (int k = 0; k < picture->scene->light_count; k++, lit += PATHS) {
+        const Light *light = &picture->scene->lights[k];
+        cosines(paths, light, lit, &shading);
+        for (int i = 0; i < paths->count; i++)
+            if (shading.highlight[i] > 0)
+                shading.highlight[i] = pow(shading.highlight[i], shading.shine[i]);
+        add_light(paths, light, lit, &shading, colors);
+    }
+}
+
+static void mirror(const Paths *paths, Vectors *directions)
+{
+    int count = padded(paths->count);
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double x = paths->direction.x[i], y = paths->direction.y[i], z = paths->direction.z[i];
+        double nx = paths->normal.x[i], ny = paths->normal.y[i], nz = paths->normal.z[i];
+        double twice = 2 * dot(x, y, z, nx, ny, nz);
+        directions->x[i] = x - twice * nx;
+        directions->y[i] = y - twice * ny;
+        directions->z[i] = z - twice * nz;
+    }
+}
+
+static void add_mirrors(const Vectors *mirrored, const double *parts, int count, Vectors *colors)
+{
+    int all = padded(count);
+#pragma omp simd
+    for (int i = 0; i < all; i++) {
+        double x = colors->x[i], y = colors->y[i], z = colors->z[i], part = parts[i];
+        colors->x[i] = part > 0 ? x + part * mirrored->x[i] : x;
+        colors->y[i] = part > 0 ? y + part * mirrored->y[i] : y;
+        colors->z[i] = part > 0 ? z + part * mirrored->z[i] : z;
+    }
+}
+
+static inline void mean(const double *color, int samples, int pixels, double *means)
+{
+    int count = padded(pixels);
+    for (int k = 0; k < count; k++)
+        means[k] = 0;
+    for (int i = 0; i < samples; i++, color += PATHS) {
+#pragma omp simd
+        for (int k = 0; k < count; k++) {
+            double c = at_least(color[k], 0);
+            means[k] += c < 1 ? c : 1;
+        }
+    }
+#pragma omp simd
+    for (int k = 0; k < count; k++)
+        means[k] /= samples;
+}
+
+static void means(double *const colors[3], int samples, int pixels, Vectors *means)
+{
+    mean(colors[0], samples, pixels, means->x);
+    mean(colors[1], samples, pixels, means->y);
+    mean(colors[2], samples, pixels, means->z);
+}
+
+// round(255 c), halves up. c - floor(c) is exact.
+static inline uint8_t byte_of(double c)
+{
+    double clamped = at_least(c, 0) < 1 ? at_least(c, 0) : 1, x = 255 * clamped;
+    int whole = (int)x;
+    return (uint8_t)(whole + (x - whole >= 0.5));
+}
+
+static void bytes(const Vectors *colors, int count, uint8_t *rgb)
+{
+    uint8_t red[PATHS], green[PATHS], blue[PATHS];
+    int all = padded(count);
+#pragma omp simd
+    for (int i = 0; i < all; i++) {
+        red[i] = byte_of(colors->x[i]);
+        green[i] = byte_of(colors->y[i]);
+        blue[i] = byte_of(colors->z[i]);
+    }
+    for (int i = 0; i < count; i++) {
+        rgb[3 * i] = red[i];
+        rgb[3 * i + 1] = green[i];
+        rgb[3 * i + 2] = blue[i];
+    }
+}
+
+const LightSteps LANES(light_steps) = {rays,   hits,        leave, to_light, shade,
+                                       mirror, add_mirrors, means, bytes};
