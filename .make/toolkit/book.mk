@@ -91,6 +91,7 @@ define wasm_for_chapter
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -DANSWERED=$(call answered,$(*F)) -o $@ $<
 endef
+$(WASM_WRAPS): WASM_EXTRA = $(if $(FROM),-DEARLIER_ANSWERS)
 $(WASM_WRAPS): $(WASM)/wraps/%.o: $(INSTEAD)/calls_traced.c .make/toolkit/book.mk
 	$(wasm_for_chapter)
 $(WASM_DISPATCHES): $(WASM)/dispatch/%.o: tests/judge/dispatch.c .make/toolkit/book.mk
@@ -101,10 +102,12 @@ $(ANSWERING_LINKS): $(WASM)/link/%.o: $(WASM)/wraps/%.o $(WASM)/dispatch/%.o $(c
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)wasm-ld -r -o $@ $^
-# The names that an answer's link wraps (calls_traced.c), for each chapter.
-$(STEMS:%=$(WASM)/names/%): $(WASM)/names/%: $(B)/answer_names/%
+# The names that an answer's link wraps (calls_traced.c), for each chapter. FROM=handout: those of the answers before it too,
+# because a verdict tells which of them it depends on.
+$(STEMS:%=$(WASM)/names/%): $(WASM)/names/%: $$(addprefix $(B)/answer_names/,$$(if $$(FROM),$$(call earlier,$$*)) $$*) \
+		.make/toolkit/book.mk
 	$(Q)mkdir -p $(@D)
-	$(Q)sed 's/ .*//' $< > $@
+	$(Q)sed 's/ .*//' $(filter-out %.mk,$^) > $@
 
 # What the pictures of an answer are linked with, an object each: what draws them, the chapters' programs, the
 # reference as answer_NAME, and for each exercise one that puts this in the place of NAME.
@@ -140,6 +143,7 @@ $(BOOK_SPHERES): FORCE
 else
 $(BOOK_SPHERES): $(SPHERES) $(BOOK)/programs/07-shading.wasm chapters/book/run_program.mjs
 	$(call say,record,$@)
+	$(Q)mkdir -p $(@D)
 	$(Q)node chapters/book/run_program.mjs $(BOOK)/programs/07-shading.wasm -o $@ $<
 endif
 

@@ -67,5 +67,6 @@ else
 check-book: book
 	@cd $(BOOK_ROOT) && MAKEFLAGS= $(MAKE) all >make.log 2>&1 || { cat make.log; exit 1; }
 	@node tests/proof/book/handout.mjs $(BOOK) $(BOOK_ROOT) $(WASM)
+	@for browser in $(BROWSERS); do BROWSER=$$browser node tests/proof/book/browser/drawn.mjs $(BOOK) || exit 1; done
 endif
 .PHONY: check-book

@@ -3,7 +3,8 @@
 // Stands in for tests/judge/calls_traced.c. The linker puts __wrap_NAME in the place of all calls
 // of an exercise, in the student's file too (--wrap=NAME): there the call is reported, and goes to
 // the answer, or to the judge if the exercise is lent. So nothing is linked again to lend it.
-// ANSWERED: the chapter.
+// ANSWERED: the chapter. EARLIER_ANSWERS: it is linked with the student's answers to the chapters
+// before it (a handout), so calls of those are reported too.
 #include "tests/judge/calls_traced.h"
 
 #include "tests/judge/exercise.h"
@@ -87,7 +88,11 @@ static bool is_lent(int exercise)
 #define NAME_IMAGE(i, type, name) name
 #define NAME_PIXELS(i, type, name) name
 
+#ifdef EARLIER_ANSWERS
+#define CHAPTER(number) (ANSWERED >= number)
+#else
 #define CHAPTER(number) (ANSWERED == 0 || ANSWERED == number)
+#endif
 #define EXERCISE(stem, result, name, parameters, ...)                                              \
     IF_VOID(result, WRAP_VOID, WRAP_VALUE)(result, name, parameters)
 #include "tests/exercises.def"

@@ -118,7 +118,7 @@ async function compare(stem, what, sources) {
   console.log(spawnSync('diff', ['-u', join(folder, 'terminal'), join(folder, 'page')], {encoding: 'utf8'}).stdout);
 }
 const before = stem => Object.fromEntries(Object.entries(right).filter(([other]) => other < stem));
-for (const stem of (process.env.STEMS ?? '02-cameras 05-quadratic').split(' ')) {
+for (const stem of (process.env.STEMS ?? '02-cameras 05-quadratic 06-ray-casting').split(' ')) {
   await compare(stem, 'all blank', {});
   await compare(stem, 'right', {...before(stem), [stem]: right[stem]});
   await compare(stem, 'right, on blanks', {[stem]: right[stem]});
