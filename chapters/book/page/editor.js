@@ -31,7 +31,7 @@ export function openEditor({ place, styles, label, text, onChange, onJudge }) {
         state: EditorState.create({
             doc: text,
             extensions: [
-                lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(), history(), drawSelection(), indentOnInput(), bracketMatching(),
+                lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(), history(), drawSelection({ cursorBlinkRate: 0 }), indentOnInput(), bracketMatching(),
                 lintGutter(), StreamLanguage.define(c), syntaxHighlighting(classHighlighter), indentUnit.of("    "), EditorState.tabSize.of(4),
                 keymap.of([{ key: "Mod-Enter", ...judge }, { key: "Ctrl-Enter", ...judge }, ...defaultKeymap, ...historyKeymap, ...lintKeymap, indentWithTab]),
                 EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0", spellcheck: "false", autocorrect: "off", autocapitalize: "off" }),
