@@ -7,10 +7,10 @@
 // The compiler is cut down for size (compiler/cut.js). A run that enters a function which was cut away
 // traps; then the whole compiler is fetched, and that run is made again with it.
 import xz from 'xz-decompress';
+import {PAGE, clear, isEmpty} from './clear_memory.js';
 import {Files, Exit, trapOf, wasi} from './wasi.js';
 
 const SMALL = 'compiler/small.wasm.xz', WHOLE = 'compiler/whole.wasm.xz', PACK = 'compiler/pack.xz';
-const PAGE = 1 << 16;
 // An answer that is compiled while nobody waits.
 const FIRST = '05-quadratic', WARMING = `#include "exercises/${FIRST}.h"
 #include <math.h>
@@ -50,25 +50,31 @@ export class Program {
     this.calls = system.calls;
     exports.constructors();
     exports.stack.value = this.stack;
-    const memory = new Uint8Array(exports.memory.buffer);
-    this.size = memory.length;
-    // The stack is below, and the heap is empty but for its last words: neither is kept.
-    const isEmpty = page => new BigUint64Array(memory.buffer, page * PAGE, PAGE / 8).every(word => word === 0n);
-    this.saved = [];
-    for (let page = this.stack / PAGE; page < this.size / PAGE; page++)
-      if (!isEmpty(page)) this.saved.push([page * PAGE, memory.slice(page * PAGE, (page + 1) * PAGE)]);
+    // The stack is below, then what no run changes; the heap is empty but for its last words.
+    const {buffer} = exports.memory;
+    this.size = buffer.byteLength;
+    this.changing = Math.floor(exports.data.value / PAGE);
+    this.saved = new Map();
+    for (let page = this.changing; page < this.size / PAGE; page++)
+      if (!isEmpty(buffer, page)) this.saved.set(page, new Uint8Array(buffer, page * PAGE, PAGE).slice());
+  }
+
+  /** The memory is again as begin() left it. */
+  restore() {
+    const {buffer} = this.instance.exports.memory;
+    clear(buffer, 0, this.stack / PAGE);
+    for (let page = this.changing; page < this.size / PAGE; page++) {
+      const bytes = this.saved.get(page);
+      if (bytes) new Uint8Array(buffer, page * PAGE, PAGE).set(bytes);
+      else clear(buffer, page, page + 1);
+    }
   }
 
   /** As run in wasi.js. */
   run({args, files}) {
     if (!this.instance || this.instance.exports.memory.buffer.byteLength !== this.size) this.begin();
-    const {exports} = this.instance, memory = new Uint8Array(exports.memory.buffer);
-    let end = 0;
-    for (const [at, page] of this.saved) {
-      memory.fill(0, end, at).set(page, at);
-      end = at + PAGE;
-    }
-    memory.fill(0, end);
+    this.restore();
+    const {exports} = this.instance;
     exports.stack.value = this.stack;
     const system = wasi({args, files}), result = {files};
     system.begin(this.instance);
@@ -197,7 +203,8 @@ export class Compiler {
   async link(stem, object) {
     const linked = await this.run(['llvm', 'wasm-ld', ...this.linkWords(stem)], new Map([...this.pack, ['answer.o', object]]));
     if (linked.status !== 0) return {module: null, ...failed(linked, 'link')};
-    return {module: await WebAssembly.compile(linked.files.get('answer.wasm')), status: 0, stage: 'link', messages: linked.stderr};
+    // Not by WebAssembly.compile: in WebKit that waits until all threads are done with making the compiler faster.
+    return {module: new WebAssembly.Module(linked.files.get('answer.wasm')), status: 0, stage: 'link', messages: linked.stderr};
   }
 }
 

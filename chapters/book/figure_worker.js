@@ -6,7 +6,9 @@ import xz from "xz-decompress";
 
 async function gnuplotModule() {
     const bytes = new xz.XzReadableStream((await fetched("figures/gnuplot.wasm.xz")).body);
-    return WebAssembly.compileStreaming(new Response(bytes, { headers: { "content-type": "application/wasm" } }));
+    const module = await WebAssembly.compileStreaming(new Response(bytes, { headers: { "content-type": "application/wasm" } }));
+    xz.XzReadableStream._moduleInstance = xz.XzReadableStream._moduleInstancePromise = undefined; // its memory is not needed again
+    return module;
 }
 const figures = once(async () => {
     const [gnuplot, finish, files] = await Promise.all([gnuplotModule(), program("finish_figure"), texts("figures/files.json")]);

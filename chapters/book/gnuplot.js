@@ -2,6 +2,7 @@
 //
 // gnuplot leaves its memory and its stack as they are when it ends, so after each drawing both are put back to what
 // they were before the first.
+import {PAGE, clear, isEmpty} from './clear_memory.js';
 import createGnuplot from 'gnuplot-wasm/src/gnuplot.js';
 
 /**
@@ -23,9 +24,10 @@ export async function loadGnuplot(module) {
     },
   });
   gnuplot.FS.init(() => null, null, null);
-  let used = gnuplot.HEAPU8.length;
-  while (used > 0 && gnuplot.HEAPU8[used - 1] === 0) used--;
-  const fresh = gnuplot.HEAPU8.slice(0, used), stack = made.emscripten_stack_get_current();
+  const {buffer} = gnuplot.HEAPU8, pages = buffer.byteLength / PAGE;
+  let used = pages;
+  while (used > 0 && isEmpty(buffer, used - 1)) used--;
+  const fresh = gnuplot.HEAPU8.slice(0, used * PAGE), stack = made.emscripten_stack_get_current();
 
   function forget(name) {
     if (gnuplot.FS.analyzePath(name).exists) gnuplot.FS.unlink(name);
@@ -38,7 +40,7 @@ export async function loadGnuplot(module) {
       const status = gnuplot.callMain([...args]);
       made._emscripten_stack_restore(stack);
       gnuplot.HEAPU8.set(fresh);
-      gnuplot.HEAPU8.fill(0, used);
+      clear(buffer, used, pages);
       const drawn = {};
       for (const name of wanted)
         if (gnuplot.FS.analyzePath(name).exists) drawn[name] = gnuplot.FS.readFile(name, {encoding: 'utf8'});

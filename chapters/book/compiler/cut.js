@@ -5,13 +5,14 @@
 // what the whole one does, or traps, and then the whole one is asked (compiler.js).
 //
 // It also opens the door for compiler.js to keep the memory that the program's constructors leave, because
-// they take as long as compiling a small file: _start no longer calls them, and they are exported. The heap
+// they take as long as compiling a small file: _start no longer calls them, and they are exported. So is the address of
+// the data that a run may change: all data before it is constant. The heap
 // begins with enough memory for an answer and its link, so that a run seldom needs more. It ends at 1 GB: an answer that
 // is compiled without an end must not take the memory of the student's machine.
 
-const MEMORY = 5, EXPORTS = 7, CODE = 10;
+const MEMORY = 5, GLOBALS = 6, EXPORTS = 7, CODE = 10, DATA = 11;
 const PAGE = 1 << 16, MORE_PAGES = 240, MOST_PAGES = 1 << 14;
-const FUNCTION = 0, GLOBAL = 3;
+const FUNCTION = 0, GLOBAL = 3, I32 = 0x7f, CONSTANT = 0, END = 0x0b;
 const CALL = 0x10, NOP = 0x01, BR_IF = 0x0d;
 const TRAP = [3, 0, 0x00, 0x0b]; // its size, no locals, unreachable, end
 
@@ -101,6 +102,22 @@ function startAgain(body, argsSizes) {
   return {body: changed, constructors};
 }
 
+/** The address of the second of two data segments: the linker writes constants first. */
+function changingData(bytes, {from}) {
+  const reader = new Reader(bytes, from);
+  const segment = () => {
+    expected(bytes[reader.at++] === 0 && bytes[reader.at++] === 0x41, 'data at an address');
+    const address = reader.number();
+    reader.at++; // end
+    const size = reader.number();
+    reader.at += size;
+    return address;
+  };
+  expected(reader.number() === 2, 'constants and data');
+  const constants = segment(), data = segment();
+  return expected(data > constants && data, 'constants before data');
+}
+
 /**
  * @param {Uint8Array} bytes the whole compiler
  * @param {(index: number) => boolean} isKept whether the function of that number, without the imported ones, stays
@@ -149,13 +166,19 @@ export function cut(bytes, isKept) {
   }
   expected(constructors !== undefined, '_start');
   expected(ends === 1, 'one function that knows the end of the memory');
+  // One global more, and its export.
+  reader = new Reader(bytes, expected(all.find(({id}) => id === GLOBALS), 'globals').from);
+  const globalCount = reader.number(), firstGlobal = reader.at;
+  const data = [I32, CONSTANT, ...constant(changingData(bytes, expected(all.find(({id}) => id === DATA), 'data'))), END];
   const words = name => [name.length, ...new TextEncoder().encode(name)];
-  const doors = [[...words('constructors'), FUNCTION, ...number(constructors)], [...words('stack'), GLOBAL, 0]].flat();
+  const doors = [[...words('constructors'), FUNCTION, ...number(constructors)], [...words('stack'), GLOBAL, 0],
+    [...words('data'), GLOBAL, ...number(globalCount)]].flat();
   reader = new Reader(bytes, exported.from);
-  const exports = joined([number(reader.number() + 2), bytes.subarray(reader.at, exported.to), doors]);
+  const exports = joined([number(reader.number() + 3), bytes.subarray(reader.at, exported.to), doors]);
   const parts = [bytes.subarray(0, 8)];
   for (const {id, from, to} of all) {
-    const contents = id === EXPORTS ? exports : id === MEMORY ? larger : id === CODE ? joined(bodies) : bytes.subarray(from, to);
+    const contents = id === EXPORTS ? exports : id === MEMORY ? larger : id === CODE ? joined(bodies)
+      : id === GLOBALS ? joined([number(globalCount + 1), bytes.subarray(firstGlobal, to), data]) : bytes.subarray(from, to);
     parts.push([id], number(contents.length), contents);
   }
   return joined(parts);

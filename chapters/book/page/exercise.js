@@ -118,13 +118,13 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
     // ---- judging ---------------------------------------------------------------------------------
 
     let judged = null, shown = null, running = false, again = false;
+    let drawn = []; // the figures and pictures in the page
+    const isSame = (a, b) => a.length === b.length && a.every((byte, at) => byte === b[at]);
 
     function showProgress({ words, done, all }) {
         $("progress-words").textContent = all > 0 ? `${words}, ${(done / 1e6).toFixed(1)} of ${(all / 1e6).toFixed(1)} MB` : words;
-        if (all > 0)
-            $("bar").value = done / all;
-        else
-            $("bar").removeAttribute("value");
+        $("bar").hidden = all === 0; // without an end it would move, and drawing that takes time from the judge
+        $("bar").value = all > 0 ? done / all : 0;
     }
 
     /** How many letters a line of the verdict can have: the verdict is laid out for that, as for a terminal. */
@@ -145,26 +145,39 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
     const records = () => Object.fromEntries(course.stems.filter((each) => each !== stem && answers.verdict(each)).map((each) => [each, answers.note(each, "record")])
         .filter(([, record]) => record));
 
-    /** The figures and pictures of the verdict that is shown. */
+    /** The figures and pictures of the verdict that is shown. One that the page has already stays: an image takes memory for a while. */
     async function drawPictures() {
-        const verdict = shown, place = $("verdict-pictures");
-        const figures = await Promise.all(verdict.scripts.map(async (script) => {
-            const { svg, words } = await drawer.ask({ do: "script", script, theme: themeNow() });
-            return { bytes: svg, type: "image/svg+xml", words, caption: "Yours is dashed, beside the right one." };
-        }));
-        if (verdict !== shown)
+        const verdict = shown, place = $("verdict-pictures"), theme = themeNow(), before = drawn;
+        const wanted = await Promise.all([
+            ...verdict.scripts.map(async (script) => {
+                const is = (other) => other.script === script && other.theme === theme;
+                return before.find(is) ?? { script, theme, type: "image/svg+xml", caption: "Yours is dashed, beside the right one.", ...await drawFigure(script, theme) };
+            }),
+            ...verdict.pictures.map(({ bytes, words }) => before.find((other) => other.words === words && !other.script && isSame(other.bytes, bytes)) ?? { bytes, words, type: "image/png" })]);
+        if (verdict !== shown || theme !== themeNow())
             return;
-        for (const old of place.querySelectorAll("img"))
-            URL.revokeObjectURL(old.src);
-        place.replaceChildren(...[...figures, ...verdict.pictures].map(({ bytes, type = "image/png", words, caption }) => {
-            const figure = document.createElement("figure"), img = document.createElement("img");
-            img.src = URL.createObjectURL(new Blob([bytes], { type }));
-            img.alt = words;
-            figure.append(img);
-            if (caption)
-                figure.append(Object.assign(document.createElement("figcaption"), { textContent: caption }));
-            return figure;
-        }));
+        for (const old of drawn.filter((each) => !wanted.includes(each))) {
+            const img = old.figure.querySelector("img");
+            URL.revokeObjectURL(img.src);
+            img.removeAttribute("src"); // it takes no memory until the element is collected
+        }
+        for (const each of wanted)
+            each.figure ??= pictured(each);
+        drawn = wanted;
+        place.replaceChildren(...wanted.map(({ figure }) => figure));
+    }
+    async function drawFigure(script, theme) {
+        const { svg, words } = await drawer.ask({ do: "script", script, theme });
+        return { bytes: svg, words };
+    }
+    function pictured({ bytes, type, words, caption }) {
+        const figure = document.createElement("figure"), img = document.createElement("img");
+        img.src = URL.createObjectURL(new Blob([bytes], { type }));
+        img.alt = words;
+        figure.append(img);
+        if (caption)
+            figure.append(Object.assign(document.createElement("figcaption"), { textContent: caption }));
+        return figure;
     }
 
     function show(verdict, text) {

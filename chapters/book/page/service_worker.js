@@ -12,19 +12,22 @@ async function fetchFile(path) {
     const response = await fetch(new URL(path, registration.scope), { cache: "no-cache" });
     if (!response.ok)
         throw new Error(`${path}: the host says ${response.status}`);
-    const bytes = await response.clone().arrayBuffer();
+    const bytes = await response.arrayBuffer();
     const hash = [...new Uint8Array(await crypto.subtle.digest("SHA-256", bytes))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
     if (hash !== FILES[path])
         throw new Error(`${path}: the host has another version`);
-    return response;
+    // Without clone(): of two bodies the one that nobody reads stays in memory. And a page may not be a redirected response.
+    const type = response.headers.get("content-type");
+    return () => new Response(bytes, { headers: type ? { "content-type": type } : {} });
 }
 
-async function kept(path) {
+/** Keeps a file that is not kept yet. Returns a function that makes the response to a page. */
+async function keep(path) {
     const cache = await caches.open(CACHE), before = await cache.match(keyOf(path));
     if (before)
-        return before;
+        return () => before;
     const response = await fetchFile(path);
-    await cache.put(keyOf(path), response.clone());
+    await cache.put(keyOf(path), response());
     return response;
 }
 
@@ -32,7 +35,7 @@ addEventListener("install", (event) => {
     event.waitUntil((async () => {
         // One after the other, small ones first: a student who reads should not notice.
         for (const path of ORDER)
-            await kept(path);
+            await keep(path);
     })());
 });
 
@@ -66,5 +69,5 @@ addEventListener("fetch", (event) => {
     const path = decodeURIComponent(url.href.slice(scope.length).replace(/[?#].*$/, "")).replace(/(^|\/)$/, "$1index.html");
     if (FILES[path] === undefined)
         return;
-    event.respondWith(kept(path).catch((reason) => new Response(reason.message, { status: 504 })));
+    event.respondWith(keep(path).then((response) => response()).catch((reason) => new Response(reason.message, { status: 504 })));
 });

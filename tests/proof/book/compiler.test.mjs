@@ -54,6 +54,20 @@ test("a run leaves nothing for the next one", async () => {
     assert.deepEqual(without(await compile(small, stem, solution(stem))), without(first));
 });
 
+test("after a run the memory is again as the constructors left it", async () => {
+    const program = small.small, memory = () => Buffer.from(program.instance.exports.memory.buffer);
+    program.begin();
+    program.restore(); // the constructors leave something in the stack
+    const before = Buffer.from(memory());
+    for (const stem of stems) {
+        await compile(small, stem, solution(stem));
+        assert.ok(memory().compare(before) !== 0, stem);
+        program.restore();
+        assert.equal(memory().compare(before), 0, stem);
+    }
+    assert.ok(program.saved.size < 32, `${program.saved.size} pages are saved: most of the memory is constant`);
+});
+
 test("a missing semicolon is named at its line", async () => {
     const text = solution("05-quadratic"), at = text.indexOf(";\n}");
     const { module, status, stage, messages } = await compile(small, "05-quadratic", text.slice(0, at) + text.slice(at + 1));
