@@ -7,6 +7,7 @@
 
 #include <limits.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
 static const ShadowLanes *const shadow_lanes[LANES_KINDS] = LANES_TABLE(shadow_lanes);
@@ -190,6 +191,16 @@ static void choose_columns(LightView *view, Place *places, int count)
     }
 }
 
+static void set_numbers(LightView *view)
+{
+    const Eye *eye = &view->eye;
+    view->numbers =
+        (ViewNumbers){.across = eye->across, .size = eye->width, .columns = view->columns};
+    memcpy(view->numbers.right, eye->right, sizeof eye->right);
+    memcpy(view->numbers.up, eye->up, sizeof eye->up);
+    memcpy(view->numbers.forward, eye->forward, sizeof eye->forward);
+}
+
 static bool view_build(const LightGrid *grid, LightView *view, Place *places, int threads)
 {
     int count = place_spheres(grid, &view->eye, places);
@@ -212,12 +223,15 @@ static bool view_build(const LightGrid *grid, LightView *view, Place *places, in
         view->shown = large_memory((entries + 1) * sizeof *view->shown);
         for (size_t i = 0; i < entries && view->shown != NULL; i++)
             view->shown[i] = (Shown){sorted[bins.items[i]].near, sorted[bins.items[i]].sphere};
-        view->start = bins.start;
-        bins.start = NULL;
+        size_t cells = (size_t)view->columns * (size_t)view->columns;
+        view->start = large_memory((cells + 1) * sizeof *view->start);
+        for (size_t i = 0; i <= cells && view->start != NULL; i++)
+            view->start[i] = (uint32_t)bins.start[i];
+        set_numbers(view);
     }
     free(sorted);
     bins_free(&bins);
-    return view->shown != NULL;
+    return view->shown != NULL && view->start != NULL;
 }
 
 bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light, int threads)
@@ -244,66 +258,44 @@ void light_grid_free(LightGrid *grid)
 
 // ---- shadow rays ------------------------------------------------------------------------------
 
-// The view that shows a place from the light.
-static inline const LightView *view_of(const LightGrid *grid, vec3 place)
-{
-    if (grid->count == 1)
-        return grid->views;
-    int axis = fabs(place[1]) > fabs(place[0]) ? 1 : 0;
-    axis = fabs(place[2]) > fabs(place[axis]) ? 2 : axis;
-    return &grid->views[2 * axis + (place[axis] < 0)];
-}
-
-// The cell through which the light sees a place; negative: none, so the crowd hides nothing there.
-static inline int cell_of(const LightView *view, vec3 place)
-{
-    double ahead = along(place, view->eye.forward);
-    double x = view->eye.width / 2 + view->eye.across * along(place, view->eye.right) / ahead;
-    double y = view->eye.height / 2 - view->eye.down * along(place, view->eye.up) / ahead;
-    if (!(ahead > 0 && x >= 0 && x < view->eye.width && y >= 0 && y < view->eye.height))
-        return -1;
-    return (int)y / TILE_HEIGHT * view->columns + (int)x / TILE_WIDTH;
-}
-
-// The spheres that a ray has still to ask: first those of its cell, then the giants.
+// The spheres of its cell that a ray has still to ask.
 typedef struct {
     const Shown *next, *end;
-    int giant;
     float reach;
+    int passes;
 } Remaining;
 
 static void find_cells(const LightGrid *grid, const ShadowRays *rays, Remaining *remaining)
 {
     const double light[3] = {grid->light[0], grid->light[1], grid->light[2]};
-    int cells[PATHS];
-    const LightView *views[PATHS];
-    if (grid->count == 1)
-        shadow_lanes[lanes_best()]->cells(&grid->views[0].eye, light, grid->views[0].columns, rays,
-                                          cells);
-    for (int i = 0; i < rays->count; i++) {
-        vec3 place = vector_of(&rays->start, i) - grid->light;
-        views[i] = view_of(grid, place);
-        if (grid->count > 1)
-            cells[i] = cell_of(views[i], place);
+    ViewNumbers numbers[6];
+    int cells[PATHS], views[PATHS];
+    for (int i = 0; i < grid->count; i++)
+        numbers[i] = grid->views[i].numbers;
+    shadow_lanes[lanes_best()]->cells(light, numbers, grid->count, rays, views, cells);
+    for (int i = 0; i < rays->count; i++)
         if (cells[i] >= 0)
-            __builtin_prefetch(&views[i]->start[cells[i]]);
-    }
+            __builtin_prefetch(&grid->views[views[i]].start[cells[i]]);
     for (int i = 0; i < rays->count; i++) {
-        remaining[i] = (Remaining){.reach = (float)(rays->length[i] * (1 + 1e-6))};
+        const LightView *view = &grid->views[views[i]];
+        remaining[i] =
+            (Remaining){.reach = (float)(rays->length[i] * (1 + 1e-6)), .passes = rays->passes[i]};
         if (cells[i] < 0)
             continue;
-        remaining[i].next = views[i]->shown + views[i]->start[cells[i]];
-        remaining[i].end = views[i]->shown + views[i]->start[cells[i] + 1];
+        remaining[i].next = view->shown + view->start[cells[i]];
+        remaining[i].end = view->shown + view->start[cells[i] + 1];
         __builtin_prefetch(remaining[i].next);
     }
 }
 
-static inline int next_sphere(const Crowd *crowd, Remaining *remaining)
+static inline int next_sphere(Remaining *remaining)
 {
-    if (remaining->next < remaining->end && remaining->next->near <= remaining->reach)
-        return remaining->next++->sphere;
-    remaining->next = remaining->end;
-    return remaining->giant < crowd->giant_count ? crowd->giants[remaining->giant++] : -1;
+    while (remaining->next < remaining->end && remaining->next->near <= remaining->reach) {
+        int sphere = remaining->next++->sphere;
+        if (sphere != remaining->passes)
+            return sphere;
+    }
+    return -1;
 }
 
 bool hides_light(const Sphere *sphere, vec3 from, const Light *light)
@@ -313,7 +305,40 @@ bool hides_light(const Sphere *sphere, vec3 from, const Light *light)
     return !(visibility(&world, from, *light) > 0);
 }
 
-// All rays ask their first sphere, then those that go on ask their second one, and so on.
+// All rays ask a giant: it hides the light from few of them, so none is left out yet.
+static void ask_giant(const Sphere *giant, const Light *light, const ShadowRays *rays, bool *hidden)
+{
+    const double center[3] = {giant->center[0], giant->center[1], giant->center[2]};
+    int verdicts[PATHS];
+    if (!shadow_lanes[lanes_best()]->all_ask(rays, center, giant->radius, verdicts))
+        return;
+    for (int i = 0; i < rays->count; i++)
+        hidden[i] |=
+            verdicts[i] == HIDES ||
+            (verdicts[i] == MAY_HIDE && hides_light(giant, vector_of(&rays->start, i), light));
+}
+
+// Each ray that goes on takes its next sphere. Others are done.
+static void take_next(const Scene *scene, Remaining *remaining, Occluders *occluders, int *spheres)
+{
+    int count = 0;
+    for (int i = 0; i < occluders->count; i++) {
+        int ray = occluders->ray[i], sphere = next_sphere(&remaining[ray]);
+        if (sphere < 0)
+            continue;
+        __builtin_prefetch(&scene->spheres[sphere]);
+        spheres[count] = sphere;
+        occluders->ray[count++] = ray;
+    }
+    occluders->count = count;
+    for (int i = 0; i < count; i++) {
+        set_vector(&occluders->center, i, scene->spheres[spheres[i]].center);
+        occluders->radius[i] = scene->spheres[spheres[i]].radius;
+    }
+}
+
+// All rays ask the first sphere of their cell, then those that go on ask their second one, and so
+// on.
 void light_grid_hides(const LightGrid *grid, const Light *light, const ShadowRays *rays,
                       bool *hidden)
 {
@@ -321,30 +346,18 @@ void light_grid_hides(const LightGrid *grid, const Light *light, const ShadowRay
     Remaining remaining[PATHS];
     Occluders occluders;
     int spheres[PATHS];
-    occluders.count = rays->count;
     find_cells(grid, rays, remaining);
-    for (int i = 0; i < rays->count; i++) {
-        occluders.ray[i] = i;
-        hidden[i] = false;
-    }
-    while (occluders.count > 0) {
-        int asking = 0;
-        for (int i = 0; i < occluders.count; i++) {
-            int ray = occluders.ray[i], sphere = next_sphere(grid->crowd, &remaining[ray]);
-            if (sphere < 0)
-                continue;
-            __builtin_prefetch(&scene->spheres[sphere]);
-            spheres[asking] = sphere;
-            occluders.ray[asking++] = ray;
-        }
-        occluders.count = asking;
-        for (int i = 0; i < asking; i++) {
-            set_vector(&occluders.center, i, scene->spheres[spheres[i]].center);
-            occluders.radius[i] = scene->spheres[spheres[i]].radius;
-        }
+    memset(hidden, 0, (size_t)rays->count * sizeof *hidden);
+    for (int i = 0; i < grid->crowd->giant_count; i++)
+        ask_giant(&scene->spheres[grid->crowd->giants[i]], light, rays, hidden);
+    occluders.count = 0;
+    for (int i = 0; i < rays->count; i++)
+        if (!hidden[i])
+            occluders.ray[occluders.count++] = i;
+    while (take_next(scene, remaining, &occluders, spheres), occluders.count > 0) {
         shadow_lanes[lanes_best()]->ask(rays, &occluders);
         int left = 0;
-        for (int i = 0; i < asking; i++) {
+        for (int i = 0; i < occluders.count; i++) {
             int ray = occluders.ray[i];
             if (occluders.verdict[i] == HIDES ||
                 (occluders.verdict[i] == MAY_HIDE &&

@@ -21,7 +21,8 @@ typedef struct {
     Eye eye;
     int columns; // of cells, and rows
     Shown *shown;
-    size_t *start;
+    uint32_t *start;
+    ViewNumbers numbers;
 } LightView;
 
 // The spheres of a scene without a few giants, if those are so large that the box around the others

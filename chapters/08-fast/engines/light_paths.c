@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { FEW = 4 };
+
 // ---- the world --------------------------------------------------------------------------------
 
 bool light_world_build(LightWorld *world, const Scene *scene, int threads)
@@ -120,6 +122,32 @@ static int nearest_alone(const LightPaths *paths, Ray ray, Line line)
     return nearest.sphere;
 }
 
+// If there are only FEW spheres, all rays ask all of them. As in chapter 06, the lower index wins
+// if two hits are equally near.
+static void ask_all_spheres(LightPaths *all)
+{
+    const Scene *scene = all->world->scene;
+    Paths *paths = all->paths;
+    double nearest[PATHS];
+    int found[PATHS];
+    for (int i = 0; i < paths->count; i++) {
+        nearest[i] = NO_HIT;
+        found[i] = -1;
+    }
+    for (int sphere = 0; sphere < scene->sphere_count; sphere++) {
+        for (int i = 0; i < paths->count; i++)
+            paths->sphere[i] = sphere;
+        take_spheres(scene, paths);
+        if (!all->steps->hits(paths))
+            steps_by_chapters.hits(paths);
+        for (int i = 0; i < paths->count; i++) {
+            found[i] = paths->t[i] < nearest[i] ? sphere : found[i];
+            nearest[i] = fmin(nearest[i], paths->t[i]);
+        }
+    }
+    memcpy(paths->sphere, found, (size_t)paths->count * sizeof *found);
+}
+
 // The spheres that the rays hit, or -1.
 static void find_spheres(LightPaths *all)
 {
@@ -127,6 +155,10 @@ static void find_spheres(LightPaths *all)
     double lengths[PATHS];
     Line lines[PATHS];
     int places[PATHS];
+    if (all->world->scene->sphere_count <= FEW) {
+        ask_all_spheres(all);
+        return;
+    }
     shadow_lanes[lanes_best()]->units(&paths->direction, paths->count, lengths, all->directions);
     for (int i = 0; i < paths->count; i++)
         lines[i] = line_of(vector_of(&paths->origin, i), vector_of(all->directions, i));
@@ -205,16 +237,17 @@ static void find_light(LightPaths *all, int number)
     ShadowRays *shadow = all->shadow;
     Vectors *ways = all->directions;
     double *lit = all->lit + number * PATHS;
-    int behind[PATHS], path[PATHS], count = 0;
+    int sides[PATHS], path[PATHS], count = 0;
     bool hidden[PATHS];
     all->steps->to_light(paths, &light, ways);
-    lanes->behind(paths, ways, light.kind != LIGHT_DISTANT, behind);
+    lanes->sides(paths, ways, light.kind != LIGHT_DISTANT, sides);
     for (int i = 0; i < paths->count; i++) {
         lit[i] = 0;
-        if (behind[i])
+        if (sides[i] == BEHIND)
             continue;
         set_vector(&shadow->start, count, vector_of(&paths->start, i));
         set_vector(&shadow->way, count, vector_of(ways, i));
+        shadow->passes[count] = sides[i] == BEFORE ? paths->sphere[i] : -1;
         path[count++] = i;
     }
     shadow->count = count;

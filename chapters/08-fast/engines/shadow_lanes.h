@@ -3,17 +3,17 @@
 #ifndef CHAPTERS_08_FAST_ENGINES_SHADOW_LANES_H
 #define CHAPTERS_08_FAST_ENGINES_SHADOW_LANES_H
 
-#include "chapters/08-fast/engines/bins_lanes.h"
 #include "chapters/08-fast/engines/light_steps.h"
 
 // Rays to a light: where they start, and the way to the light, or the direction of a distant one.
 typedef struct {
     Vectors start, way;
     alignas(64) double length[PATHS]; // of the ways
+    int passes[PATHS];                // the sphere that the ray leaves and misses, or -1
     int count;
 } ShadowRays;
 
-// A sphere that some of these rays ask, each its own: ray[i] asks sphere i.
+// Spheres that some of these rays ask, each its own: ray[i] asks sphere i.
 typedef struct {
     Vectors center;
     alignas(64) double radius[PATHS];
@@ -23,16 +23,30 @@ typedef struct {
 
 typedef enum { LETS_PASS, HIDES, MAY_HIDE } Verdict;
 
+// A picture of the scene from a light, as numbers. Pixels in each direction are size; columns and
+// rows of cells are columns.
 typedef struct {
-    // Whether surfaces certainly hide a light from themselves, because it is behind them: 1 or 0.
-    void (*behind)(const Paths *paths, const Vectors *ways, bool has_end, int *behind);
+    double right[3], up[3], forward[3], across, size;
+    int columns;
+} ViewNumbers;
+
+// Where a light is, from a surface. If it is certainly behind the surface, no ray is needed. If it
+// is certainly before it, and the surface is the outside of its sphere, the ray misses this sphere.
+typedef enum { EDGE_ON, BEHIND, BEFORE } Side;
+
+typedef struct {
+    // The sides of the surfaces on which a light is.
+    void (*sides)(const Paths *paths, const Vectors *ways, bool has_end, int *sides);
     // The lengths of directions; and the directions with length 1, if not NULL.
     void (*units)(const Vectors *directions, int count, double *lengths, Vectors *units);
-    // The cell in which each ray starts; -1 if the view does not show it.
-    void (*cells)(const Eye *view, const double light[3], int columns, const ShadowRays *rays,
-                  int *cells);
+    // The view in which each ray starts, and the cell; -1 if the view does not show it. There is
+    // one view, or six around the light: along x, -x, y, -y, z, -z.
+    void (*cells)(const double light[3], const ViewNumbers *numbers, int view_count,
+                  const ShadowRays *rays, int *views, int *cells);
     // Whether each sphere hides the light, which is at t = 1.
     void (*ask)(const ShadowRays *rays, Occluders *occluders);
+    // The same if all rays ask one sphere. False: it lets all pass.
+    bool (*all_ask)(const ShadowRays *rays, const double center[3], double radius, int *verdicts);
 } ShadowLanes;
 
 extern const ShadowLanes shadow_lanes_baseline, shadow_lanes_avx2, shadow_lanes_avx512;

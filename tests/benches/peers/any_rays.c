@@ -207,6 +207,7 @@ static void shadow_by_grids(Both *both, const RayList *rays, bool *hits)
         set_vector(&here->rays.start, at, rays->rays[i].origin);
         set_vector(&here->rays.way, at, rays->rays[i].direction);
         here->rays.length[at] = rays->reaches[i];
+        here->rays.passes[at] = -1;
         here->numbers[at] = i;
         if (here->rays.count == PATHS)
             ask_grid(world, here, rays->lights[i], hits);

@@ -68,6 +68,7 @@ static int wrong(const LightGrid *grid, Light light, const Sphere *sphere)
         set_vector(&rays.start, i, ray.origin);
         set_vector(&rays.way, i, ray.direction);
         rays.length[i] = vec3_length(ray.direction);
+        rays.passes[i] = -1;
     }
     light_grid_hides(grid, &light, &rays, hidden);
     for (int i = 0; i < RAYS; i++)
