@@ -1,31 +1,65 @@
-// bins.c - step 6: object order with bins. Every sphere goes into the bins of its tiles, near
-// spheres first. Then every tile asks the spheres of its bin, until the others are hidden.
+// bins.c - step 6: object order with bins. Every sphere goes into the bins of its tiles. Then every
+// tile asks the spheres of its bin, near ones first, until the others are hidden.
 //
 // A tile's pixels stay in the cache meanwhile (Fuchs et al., 'Pixel-Planes 5', 1989). Most of the
-// hidden spheres are never asked.
-#include "chapters/08-fast/engines/bins_sort.h"
+// hidden spheres are never asked. Many do not even get into a bin: if a large sphere covers a whole
+// tile, all that begins beyond it is hidden there.
 #include "chapters/08-fast/engines/bins_tile.h"
 #include "chapters/08-fast/engines/covered_pixels.h"
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/large_memory.h"
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "exercises/04-pixel-ray.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
+
+enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024 };        // bytes
+enum { SMALLEST_BLOCK = 1 << 16, LARGEST_BLOCK = 1 << 21 }; // bytes
+enum { FEW_SPHERES = 10000, FEW_ITEMS = 128, NOTHING_HIDDEN = INT_MAX };
+
+// A bin is a list of chunks. Each begins at a multiple of its size, which is a power of 2, so the
+// address of the next item shows whether the chunk is full.
+typedef struct Chunk {
+    struct Chunk *before;
+    size_t earlier; // items in the chunks before
+    Item items[];
+} Chunk;
+
+// The memory of many chunks.
+typedef struct Block {
+    struct Block *before;
+    size_t size;
+} Block;
+
+// Each thread has a share of the spheres, and bins of its own: no thread waits for another.
+typedef struct {
+    Item **next; // of each bin: the address of its next item; NULL if the bin is empty
+    Block *block;
+    char *free, *end; // of the block
+    long long room;   // number of chunks that it may still use
+} Share;
 
 typedef struct {
     Tiling tiling;
     Eye eye;
-    Place *places;
-    Bins bins;
-    int columns, top;              // of tiles; the first row in the bins
-    atomic_llong entries;          // upper limit of the items in the bins of all tiles
-    atomic_uint nearest, farthest; // depths of places
-    atomic_bool extreme;           // some sphere has extreme numbers (number_limits.h)
+    Share *shares;
+    int share_count;
+    size_t chunk;      // bytes
+    int columns, rows; // of tiles
+    int top, bottom;   // the rows that have bins
+    // Of each tile: the depth beyond which all spheres are hidden. A thread that does not know the
+    // latest value only keeps a sphere that it could drop.
+    atomic_int *hidden;
+    atomic_bool extreme; // some sphere has extreme numbers (number_limits.h)
+    atomic_bool full;    // the bins need more memory than they should
+    atomic_bool failed;  // there is not enough memory
 } Casting;
 
 static Eye eye_of(const Work *work)
@@ -40,87 +74,305 @@ static Eye eye_of(const Work *work)
     return eye;
 }
 
-static void make_least(atomic_uint *least, unsigned x)
+// ---- bins -------------------------------------------------------------------------------------
+
+static bool add_block(Share *share, size_t chunk)
 {
-    unsigned was = atomic_load(least);
-    while (x < was && !atomic_compare_exchange_weak(least, &was, x))
-        ;
+    size_t size = share->block == NULL ? SMALLEST_BLOCK : 2 * share->block->size;
+    size = size < LARGEST_BLOCK / 4 ? size : LARGEST_BLOCK;
+    Block *block = large_memory(size);
+    if (block == NULL)
+        return false;
+    *block = (Block){share->block, size};
+    share->block = block;
+    share->free = (char *)block + chunk - (uintptr_t)block % chunk;
+    share->end = (char *)block + size;
+    return true;
 }
 
-static void make_most(atomic_uint *most, unsigned x)
+static void free_blocks(Share *share)
 {
-    unsigned was = atomic_load(most);
-    while (x > was && !atomic_compare_exchange_weak(most, &was, x))
-        ;
+    while (share->block != NULL) {
+        Block *before = share->block->before;
+        free(share->block);
+        share->block = before;
+    }
+    share->free = share->end = NULL;
 }
 
-static void place_some(void *given, int part)
+static inline bool is_full(const Item *next, size_t chunk)
 {
-    Casting *casting = given;
+    return ((uintptr_t)next & (chunk - 1)) == 0;
+}
+
+// The chunk that ends at the address of a next item, or has it inside.
+static inline Chunk *chunk_of(Item *next, size_t chunk)
+{
+    return (Chunk *)(((uintptr_t)next - 1) & ~(uintptr_t)(chunk - 1));
+}
+
+static size_t count_items(Item *next, size_t chunk)
+{
+    if (next == NULL)
+        return 0;
+    const Chunk *last = chunk_of(next, chunk);
+    return last->earlier + (size_t)(next - last->items);
+}
+
+// Returns the address of the first item in a new chunk; NULL if there is no room.
+static Item *add_chunk(Casting *casting, Share *share, Item *next)
+{
+    const size_t size = casting->chunk;
+    if (share->room == 0) {
+        atomic_store(&casting->full, true);
+        return NULL;
+    }
+    if ((share->block == NULL || (size_t)(share->end - share->free) < size) &&
+        !add_block(share, size)) {
+        atomic_store(&casting->failed, true);
+        return NULL;
+    }
+    Chunk *chunk = (Chunk *)(void *)share->free;
+    chunk->before = next == NULL ? NULL : chunk_of(next, size);
+    chunk->earlier = count_items(next, size);
+    share->free += size;
+    share->room--;
+    return chunk->items;
+}
+
+// Copies the items of a bin.
+static void copy_items(Item *next, size_t size, Item *to)
+{
+    if (next == NULL)
+        return;
+    const Chunk *chunk = chunk_of(next, size);
+    size_t count = (size_t)(next - chunk->items);
+    for (; chunk != NULL; chunk = chunk->before) {
+        for (size_t i = 0; chunk->before != NULL && i < size; i += 64)
+            __builtin_prefetch((const char *)chunk->before + i);
+        memcpy(to + chunk->earlier, chunk->items, count * sizeof *to);
+        count = (size - sizeof *chunk) / sizeof *chunk->items;
+    }
+}
+
+static inline int most(int a, int b)
+{
+    return a > b ? a : b;
+}
+
+static inline int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
+// ---- spheres ----------------------------------------------------------------------------------
+
+// Does the sphere cover a whole tile, with a margin? Its outline is an ellipse, so it is enough to
+// ask the corners.
+static bool covers(const Work *work, vec3 c, double square, int left, int top)
+{
+    for (int corner = 0; corner < 4; corner++) {
+        Pixel pixel = {left + corner % 2 * (TILE_WIDTH - 1), top + corner / 2 * (TILE_HEIGHT - 1)};
+        vec3 v = pixel_ray(work->camera, work->image->size, pixel).direction;
+        vec3 w = vec3_cross(c, v);
+        if (!(vec3_dot(w, w) < square * vec3_dot(v, v)))
+            return false;
+    }
+    return true;
+}
+
+// A large sphere hides all that begins beyond its outline from the tiles that it covers.
+static void hide(Casting *casting, const Place *place)
+{
     const Work *work = casting->tiling.work;
-    int first = part * PLACES, count = work->scene->sphere_count - first;
-    if (count > PLACES)
-        count = PLACES;
-    Positions positions = {0};
-    bool extreme = false;
+    const Sphere *sphere = &work->scene->spheres[place->sphere];
+    vec3 c = sphere->center - work->camera.origin;
+    double r = sphere->radius, square = r * r, apart = vec3_dot(c, c);
+    if (!(apart > 1.0001 * square && apart < 1e6 * square &&
+          vec3_dot(c, work->camera.forward) > 1.0001 * r))
+        return;
+    Place outline = {.near = (float)(1.00001 * sqrt(apart - square))};
+    const int depth = (int)place_depth(outline);
+    for (int row = (place->top + TILE_HEIGHT - 1) / TILE_HEIGHT;
+         (row + 1) * TILE_HEIGHT <= place->bottom; row++)
+        for (int column = (place->left + TILE_WIDTH - 1) / TILE_WIDTH;
+             (column + 1) * TILE_WIDTH <= place->right; column++) {
+            atomic_int *hidden = &casting->hidden[row * casting->columns + column];
+            if (depth < atomic_load_explicit(hidden, memory_order_relaxed) &&
+                covers(work, c, 0.98 * square, column * TILE_WIDTH, row * TILE_HEIGHT))
+                atomic_store_explicit(hidden, depth, memory_order_relaxed);
+        }
+}
+
+// False if there is no room.
+static inline bool add_item(Casting *casting, Share *share, const Place *place, int column, int row)
+{
+    int tile = row * casting->columns + column;
+    if ((int)place_depth(*place) >
+        atomic_load_explicit(&casting->hidden[tile], memory_order_relaxed))
+        return true;
+    Item *next = share->next[tile];
+    if (is_full(next, casting->chunk) && (next = add_chunk(casting, share, next)) == NULL)
+        return false;
+    *next = item_of(place, column * TILE_WIDTH, row * TILE_HEIGHT);
+    share->next[tile] = next + 1;
+    __builtin_prefetch(next + 8, 1); // the next line of the cache
+    return true;
+}
+
+// Adds a sphere to the bins of its tiles. False if there is no room.
+static inline bool add_place(Casting *casting, Share *share, const Place *place)
+{
+    const int left = place->left / TILE_WIDTH, right = (place->right - 1) / TILE_WIDTH;
+    int top = place->top / TILE_HEIGHT, bottom = (place->bottom - 1) / TILE_HEIGHT;
+    if (top < casting->top || bottom >= casting->bottom) {
+        top = most(top, casting->top);
+        bottom = least(bottom, casting->bottom - 1);
+    }
+    // Most small spheres are in one tile.
+    if (left == right && top == bottom)
+        return add_item(casting, share, place, left, top);
+    if (right > left + 1 && bottom > top + 1 &&
+        casting->tiling.work->scene->sphere_count >= FEW_SPHERES)
+        hide(casting, place);
+    for (int row = top; row <= bottom; row++)
+        for (int column = left; column <= right; column++)
+            if (!add_item(casting, share, place, column, row))
+                return false;
+    return true;
+}
+
+static bool add_spheres(Casting *casting, Share *share, int first, int count)
+{
+    const Work *work = casting->tiling.work;
+    const Sphere *spheres = &work->scene->spheres[first];
+    Positions positions;
+    Place places[PLACES];
     for (int i = 0; i < count; i++) {
-        const Sphere *sphere = &work->scene->spheres[first + i];
-        extreme |= extreme_sphere(work->camera.origin, sphere);
-        vec3 c = sphere->center - work->camera.origin;
+        vec3 c = spheres[i].center - work->camera.origin;
         positions.x[i] = c[0];
         positions.y[i] = c[1];
         positions.z[i] = c[2];
-        positions.radius[i] = sphere->radius;
+        positions.radius[i] = spheres[i].radius;
     }
-    if (extreme) {
+    bool extreme = false;
+    if (!casting->tiling.lanes->place(&casting->eye, &positions, first, count, places))
+        for (int i = 0; i < count; i++)
+            extreme |= extreme_sphere(work->camera.origin, &spheres[i]);
+    if (extreme)
         atomic_store(&casting->extreme, true);
-        return;
-    }
-    Place *places = casting->places + first;
-    casting->tiling.lanes->place(&casting->eye, &positions, first, count, places);
-    long long entries = 0;
-    unsigned nearest = UINT_MAX, farthest = 0;
-    for (int i = 0; i < count; i++) {
-        unsigned depth = place_depth(places[i]);
-        entries += ((places[i].right - places[i].left) / TILE_WIDTH + 2) *
-                   ((places[i].bottom - places[i].top) / TILE_HEIGHT + 2);
-        nearest = depth < nearest ? depth : nearest;
-        farthest = depth > farthest ? depth : farthest;
-    }
-    atomic_fetch_add(&casting->entries, entries);
-    make_least(&casting->nearest, nearest);
-    make_most(&casting->farthest, farthest);
+    for (int i = 0; i < count && !extreme; i++)
+        if (places[i].left < places[i].right && places[i].top < places[i].bottom &&
+            !add_place(casting, share, &places[i]))
+            return false;
+    return !extreme;
 }
 
-static void cast_tile(void *given, int tile)
+static void fill_share(void *given, int part)
 {
-    const Casting *casting = given;
-    size_t start = casting->bins.start[tile];
-    Pixel corner = {tile % casting->columns * TILE_WIDTH,
-                    (casting->top + tile / casting->columns) * TILE_HEIGHT};
-    tile_cast(&casting->tiling, corner, casting->bins.items + start,
-              casting->bins.start[tile + 1] - start);
+    Casting *casting = given;
+    long long count = casting->tiling.work->scene->sphere_count;
+    int first = (int)(count * part / casting->share_count);
+    int end = (int)(count * (part + 1) / casting->share_count);
+    Share *share = &casting->shares[part];
+    for (int some; first < end; first += some) {
+        some = least(end - first, PLACES);
+        if (!add_spheres(casting, share, first, some))
+            return;
+    }
+}
+
+// ---- the picture ------------------------------------------------------------------------------
+
+static void cast_tile(void *given, int part)
+{
+    Casting *casting = given;
+    int tile = casting->top * casting->columns + part;
+    Pixel corner = {tile % casting->columns * TILE_WIDTH, tile / casting->columns * TILE_HEIGHT};
+    size_t count = 0;
+    for (int i = 0; i < casting->share_count; i++)
+        count += count_items(casting->shares[i].next[tile], casting->chunk);
+    Item few[2 * FEW_ITEMS];
+    Item *items = count > FEW_ITEMS ? malloc(2 * count * sizeof *items) : few;
+    if (items == NULL) {
+        atomic_store(&casting->failed, true);
+        return;
+    }
+    count = 0;
+    for (int i = 0; i < casting->share_count; i++) {
+        copy_items(casting->shares[i].next[tile], casting->chunk, items + count);
+        count += count_items(casting->shares[i].next[tile], casting->chunk);
+    }
+    // The next tile's items are fetched into the cache meanwhile.
+    for (int i = 0; i < casting->share_count; i++)
+        __builtin_prefetch(chunk_of(casting->shares[i].next[tile + 1], casting->chunk));
+    tile_cast(&casting->tiling, corner, items, count);
+    if (items != few)
+        free(items);
+}
+
+// Empties all bins. If there is a limit, they may have four items for each sphere.
+static void empty_bins(Casting *casting, bool limited)
+{
+    const long long tiles = (long long)casting->columns * casting->rows;
+    const long long items = 4LL * casting->tiling.work->scene->sphere_count + (1 << 18);
+    const long long bytes = items * (long long)sizeof(Item);
+    const long long room = bytes / ((long long)casting->chunk * casting->share_count) + tiles;
+    for (int i = 0; i < casting->share_count; i++) {
+        Share *share = &casting->shares[i];
+        free_blocks(share);
+        memset(share->next, 0, ((size_t)tiles + 1) * sizeof(Item *));
+        share->room = limited ? room : -1;
+    }
+    atomic_store(&casting->full, false);
 }
 
 // If spheres cover many tiles, all bins together would take too much memory. Then only the bins of
 // some rows of tiles are made at a time.
-static bool cast_rows(Casting *casting, int count)
+static bool cast_rows(Casting *casting)
 {
     const Work *work = casting->tiling.work;
-    int rows = (work->image->size.height + TILE_HEIGHT - 1) / TILE_HEIGHT;
-    long long room = 4LL * work->scene->sphere_count + (1 << 20);
-    int step = (int)(rows / (casting->entries / room + 1)) + 1;
-    bool fits = true;
-    for (int top = 0; top < rows && fits; top += step) {
-        int bottom = top + step < rows ? top + step : rows;
-        casting->top = top;
-        fits = bins_by_tile(&casting->bins, casting->tiling.places, count, casting->columns, top,
-                            bottom, work->threads);
-        if (fits)
-            in_parallel(work->threads, casting->columns * (bottom - top), cast_tile, casting);
-        bins_free(&casting->bins);
+    int step = casting->rows;
+    while (casting->top < casting->rows) {
+        casting->bottom = least(casting->top + step, casting->rows);
+        empty_bins(casting, step > 1);
+        in_parallel(casting->share_count, casting->share_count, fill_share, casting);
+        if (casting->extreme || casting->failed)
+            return false;
+        if (casting->full) {
+            step = (step + 1) / 2;
+            continue;
+        }
+        in_parallel(work->threads, casting->columns * (casting->bottom - casting->top), cast_tile,
+                    casting);
+        casting->top = casting->bottom;
     }
-    return fits;
+    return !casting->failed;
+}
+
+static bool shares_create(Casting *casting)
+{
+    const size_t tiles = (size_t)casting->columns * (size_t)casting->rows;
+    casting->shares = calloc((size_t)casting->share_count, sizeof *casting->shares);
+    casting->hidden = malloc(tiles * sizeof *casting->hidden);
+    bool created = casting->shares != NULL && casting->hidden != NULL;
+    for (int i = 0; i < casting->share_count && created; i++) {
+        casting->shares[i].next = malloc((tiles + 1) * sizeof(Item *));
+        created = casting->shares[i].next != NULL;
+    }
+    for (size_t i = 0; i < tiles && created; i++)
+        atomic_init(&casting->hidden[i], NOTHING_HIDDEN);
+    return created;
+}
+
+static void shares_free(Casting *casting)
+{
+    for (int i = 0; i < casting->share_count && casting->shares != NULL; i++) {
+        free_blocks(&casting->shares[i]);
+        free(casting->shares[i].next);
+    }
+    free(casting->shares);
+    free(casting->hidden);
 }
 
 // Casts a picture, or finds the spheres that its pixels see. False if there is not enough memory,
@@ -128,32 +380,29 @@ static bool cast_rows(Casting *casting, int count)
 static bool cast(const Work *work, int *seen, bool *extreme)
 {
     Resolution screen = work->image->size;
-    int count = work->scene->sphere_count, parts = (count + PLACES - 1) / PLACES, visible = -1;
-    const size_t size = ((size_t)count + 1) * sizeof(Place);
-    Place *places = large_memory(size), *sorted = large_memory(size);
     Paint *paints = paints_of(work->scene);
-    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], sorted, paints, seen},
+    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], paints, seen},
                        .eye = eye_of(work),
-                       .places = places,
+                       .share_count = work->scene->sphere_count < FEW_SPHERES ? 1 : work->threads,
+                       .chunk = SMALLEST_CHUNK,
                        .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,
-                       .nearest = UINT_MAX};
-    if (places != NULL && sorted != NULL && paints != NULL) {
-        // For so few parts, a second thread costs more than it saves.
-        in_parallel(parts < 40 ? 1 : work->threads, parts, place_some, &casting);
-        if (!casting.extreme)
-            visible = places_by_depth(places, count, casting.nearest, casting.farthest, sorted,
-                                      work->threads);
-    }
-    free(places);
+                       .rows = (screen.height + TILE_HEIGHT - 1) / TILE_HEIGHT};
+    // Large chunks for large bins: few steps from chunk to chunk. Small ones for small bins: little
+    // memory that has no items.
+    int bin = work->scene->sphere_count / casting.columns / casting.rows;
+    while (casting.chunk < LARGEST_CHUNK && casting.chunk < (size_t)bin * sizeof(Item))
+        casting.chunk *= 2;
+    bool done = shares_create(&casting) && paints != NULL && cast_rows(&casting);
     *extreme = casting.extreme;
-    bool done = visible >= 0 && cast_rows(&casting, visible);
-    free(sorted);
+    shares_free(&casting);
     free(paints);
     return done;
 }
 
 bool cast_bins(const Work *work, Message *message)
 {
+    if (work->scene->sphere_count >> ITEM_SPHERE > 0)
+        return cast_tiles(work, message);
     bool extreme = extreme_camera(work->camera);
     if (!extreme && cast(work, NULL, &extreme))
         return true;

@@ -35,12 +35,13 @@ static inline float coarse(float x)
 }
 
 // The outline of each sphere becomes pixels, and its least distance from the eye a float.
-static void place(const Eye *eye, const Positions *positions, int first, int count, Place *places)
+static bool place(const Eye *eye, const Positions *positions, int first, int count, Place *places)
 {
     double left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], near[PLACES];
     const double *rx = eye->right, *ux = eye->up, *fx = eye->forward;
     double width = eye->width, height = eye->height, across = eye->across, down = eye->down;
-#pragma omp simd
+    double unusual = 0;
+#pragma omp simd reduction(max : unusual)
     for (int i = 0; i < count; i++) {
         double x = positions->x[i], y = positions->y[i], z = positions->z[i];
         double exact = positions->radius[i], r = exact * (1 + 1e-9);
@@ -67,10 +68,77 @@ static void place(const Eye *eye, const Positions *positions, int first, int cou
         double distance = root(square);
         double nearest = fabs(distance - exact) - 4e-6 * distance;
         near[i] = nearest > 1e-15 && square < 1e30 ? nearest : 0;
+        double seems = exact > 1e-50 && exact < 1e35 && square < 1e20 * exact * exact ? 0 : 1;
+        unusual = unusual > seems ? unusual : seems;
     }
     for (int i = 0; i < count; i++)
         places[i] = (Place){(uint16_t)left[i],   (uint16_t)right[i],     (uint16_t)top[i],
                             (uint16_t)bottom[i], coarse((float)near[i]), first + i};
+    return unusual == 0;
+}
+
+// ---- the items of a bin -----------------------------------------------------------------------
+
+enum { FEW = 32, MOST_GROUPS = 1024 };
+
+// The place of each item is the number of smaller ones.
+static void sort_few(const Item *items, size_t count, Item *to)
+{
+    for (size_t first = 0; first < count; first += LANES) {
+        Item item[LANES];
+        uint64_t smaller[LANES] = {0};
+        for (size_t i = 0; i < LANES; i++)
+            item[i] = items[first + i < count ? first + i : 0];
+        for (size_t k = 0; k < count; k++) {
+            const Item other = items[k];
+#pragma omp simd
+            for (int i = 0; i < LANES; i++)
+                smaller[i] += other < item[i] ? 1 : 0;
+        }
+        for (size_t i = 0; i < LANES && first + i < count; i++)
+            to[smaller[i]] = item[i];
+    }
+}
+
+// A counting sort: count the items of each group, add up where each group begins, fill. A group has
+// the same bits of (item - first).
+static void sort_by(const Item *items, size_t count, Item *to, Item first, int shift, Item bits)
+{
+    uint32_t begins[MOST_GROUPS], sum = 0;
+    memset(begins, 0, ((size_t)bits + 1) * sizeof *begins);
+    for (size_t i = 0; i < count; i++)
+        begins[(items[i] - first) >> shift & bits]++;
+    for (size_t i = 0; i <= bits; i++) {
+        uint32_t here = begins[i];
+        begins[i] = sum;
+        sum += here;
+    }
+    for (size_t i = 0; i < count; i++)
+        to[begins[(items[i] - first) >> shift & bits]++] = items[i];
+}
+
+static const Item *sort(Item *items, size_t count)
+{
+    enum { DEPTH = ITEM_SPHERE + ITEM_PART, HALF = (64 - DEPTH) / 2 };
+    Item *to = items + count;
+    if (count <= FEW) {
+        sort_few(items, count, to);
+        return to;
+    }
+    Item nearest = items[0], farthest = items[0];
+    for (size_t i = 1; i < count; i++) {
+        nearest = items[i] < nearest ? items[i] : nearest;
+        farthest = items[i] > farthest ? items[i] : farthest;
+    }
+    const Item first = nearest >> DEPTH << DEPTH, last = (farthest - first) >> DEPTH;
+    if (last < MOST_GROUPS) {
+        sort_by(items, count, to, first, DEPTH, last < 256 ? 255 : last < 512 ? 511 : 1023);
+        return to;
+    }
+    // Many depths: first by the lower half of their bits, then by the upper half.
+    sort_by(items, count, to, first, DEPTH, (1 << HALF) - 1);
+    sort_by(to, count, items, first, DEPTH + HALF, (1 << HALF) - 1);
+    return items;
 }
 
 // ---- the pixels of a tile ---------------------------------------------------------------------
@@ -245,4 +313,4 @@ static void paint(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t 
     }
 }
 
-const BinsLanes LANES(bins) = {place, clear, farthest, outline, ask, unsure, paint};
+const BinsLanes LANES(bins) = {place, sort, clear, farthest, outline, ask, unsure, paint};

@@ -28,6 +28,11 @@ static inline uint32_t place_depth(Place place)
     return bits >> PLACE_DROPPED;
 }
 
+// A sphere of a bin in one number: from the highest bits on its depth, its part of the tile, and
+// its number in the scene. So a bin is sorted by depth if its numbers are sorted.
+typedef uint64_t Item;
+enum { ITEM_SPHERE = 28, ITEM_PART = 20 }; // bits
+
 // Spheres as seen from the eye, and the camera: its axes, and from the plane at distance 1 to
 // pixels.
 enum { PLACES = 256 };
@@ -87,7 +92,11 @@ typedef struct {
 
 typedef struct {
     // The places of count spheres on the screen; they are those of the scene from number first on.
-    void (*place)(const Eye *eye, const Positions *positions, int first, int count, Place *places);
+    // False if the numbers of any may be extreme (number_limits.h).
+    bool (*place)(const Eye *eye, const Positions *positions, int first, int count, Place *places);
+    // Sorts the items of a bin, near ones first. After them there is room for as many. Returns
+    // where the sorted ones are: in this room, or in the place of the others.
+    const Item *(*sort)(Item *items, size_t count);
     // Clears these columns and rows; the other pixels of the tile are outside the screen.
     void (*clear)(Tile *tile, int columns, int rows, int color);
     // The largest s.

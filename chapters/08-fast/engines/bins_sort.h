@@ -1,4 +1,4 @@
-// bins_sort.h - sorts spheres into bins: a counting sort.
+// bins_sort.h - sorts the spheres that a light sees into bins (light_grid.c): a counting sort.
 #ifndef CHAPTERS_08_FAST_BINS_SORT_H
 #define CHAPTERS_08_FAST_BINS_SORT_H
 

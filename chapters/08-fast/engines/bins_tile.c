@@ -15,7 +15,7 @@
 #include <string.h>
 
 // Spheres that are prepared together; after that, the farthest pixel is computed again.
-enum { AT_ONCE = 8, UNTIL_NEXT_LOOK = 16 };
+enum { AT_ONCE = 8, UNTIL_NEXT_LOOK = 32 };
 
 typedef struct {
     const Tiling *tiling;
@@ -85,15 +85,37 @@ static void ask_in_double(Here *here, int number, Part part, float nearest)
     }
 }
 
+static inline int sphere_of(Item item)
+{
+    return (int)(item & ((1 << ITEM_SPHERE) - 1));
+}
+
+static inline Part part_of(Item item)
+{
+    int part = (int)(item >> ITEM_SPHERE & ((1 << ITEM_PART) - 1));
+    return (Part){part / (TILE_WIDTH * TILE_HEIGHT * TILE_HEIGHT),
+                  part / (TILE_HEIGHT * TILE_HEIGHT) % TILE_WIDTH + 1,
+                  part / TILE_HEIGHT % TILE_HEIGHT, part % TILE_HEIGHT + 1};
+}
+
+// The least distance from the eye, rounded down.
+static inline float near_of(Item item)
+{
+    uint32_t bits = (uint32_t)(item >> (ITEM_SPHERE + ITEM_PART)) << PLACE_DROPPED;
+    float near;
+    memcpy(&near, &bits, sizeof near);
+    return near;
+}
+
 // Which of the spheres does a pixel see? Its ray misses most of them by far: |c x v| / |v| is its
 // distance from the centre, and the margins are many times the rounding error of that.
-static int decide(const Here *here, Ray ray, const int *bin, size_t count)
+static int decide(const Here *here, Ray ray, const Item *bin, size_t count)
 {
     vec3 v = ray.direction;
     double vv = vec3_dot(v, v);
     Hit nearest = {NO_HIT, -1};
     for (size_t i = 0; i < count; i++) {
-        int number = here->tiling->places[bin[i]].sphere;
+        int number = sphere_of(bin[i]);
         Sphere sphere = here->tiling->work->scene->spheres[number];
         vec3 c = sphere.center - ray.origin, w = vec3_cross(c, v);
         double square = sphere.radius * sphere.radius, ww = vec3_dot(w, w);
@@ -104,7 +126,7 @@ static int decide(const Here *here, Ray ray, const int *bin, size_t count)
     return nearest.sphere;
 }
 
-static void decide_unsure(Here *here, const int *bin, size_t count)
+static void decide_unsure(Here *here, const Item *bin, size_t count)
 {
     if (!here->tiling->lanes->unsure(&here->pixels))
         return;
@@ -115,14 +137,6 @@ static void decide_unsure(Here *here, const int *bin, size_t count)
                 *seen = color_of(here->tiling, decide(here, ray_of(here, column, row), bin, count));
         }
     }
-}
-
-static Part part_of(const Here *here, Place place)
-{
-    int left = place.left - here->corner.column, right = place.right - here->corner.column;
-    int top = place.top - here->corner.row, bottom = place.bottom - here->corner.row;
-    return (Part){left > 0 ? left : 0, right < here->columns ? right : here->columns,
-                  top > 0 ? top : 0, bottom < here->rows ? bottom : here->rows};
 }
 
 // The place of a candidate, from the eye, and the pixels that it may ask.
@@ -178,27 +192,25 @@ static void ask_waiting(Here *here)
 
 // Returns the number of spheres that may be visible. The next ones are fetched into the cache: the
 // order of the bin is not that of the memory, and a sphere may be in two lines of the cache.
-static size_t ask_all(Here *here, const int *bin, size_t count)
+static size_t ask_all(Here *here, const Item *bin, size_t count)
 {
     const Tiling *tiling = here->tiling;
     const Part all = {0, here->columns, 0, here->rows};
     float farthest = INFINITY;
     size_t i;
     for (i = 0; i < count; i++) {
-        if (i + 16 < count) {
-            const Sphere *soon = &tiling->work->scene->spheres[tiling->places[bin[i + 8]].sphere];
+        if (i + 8 < count) {
+            const Sphere *soon = &tiling->work->scene->spheres[sphere_of(bin[i + 8])];
             __builtin_prefetch(soon);
             __builtin_prefetch(&soon->surface);
-            __builtin_prefetch(&tiling->places[bin[i + 16]]);
         }
         if (i % UNTIL_NEXT_LOOK == UNTIL_NEXT_LOOK - 1)
             farthest = tiling->lanes->farthest(&here->pixels, all);
-        Place place = tiling->places[bin[i]];
-        float nearest = place.near * here->shortest;
+        float nearest = near_of(bin[i]) * here->shortest;
         if (nearest > farthest + here->slack)
             break;
-        here->spheres[here->waiting] = place.sphere;
-        here->parts[here->waiting] = part_of(here, place);
+        here->spheres[here->waiting] = sphere_of(bin[i]);
+        here->parts[here->waiting] = part_of(bin[i]);
         here->nearest[here->waiting] = nearest;
         if (++here->waiting == AT_ONCE)
             ask_waiting(here);
@@ -264,7 +276,7 @@ static void give_background(const Tiling *tiling, Pixel corner, int columns, int
     }
 }
 
-void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
+void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
 {
     Image *image = tiling->work->image;
     Camera camera = tiling->work->camera;
@@ -290,6 +302,7 @@ void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count)
     if (tiling->seen == NULL)
         fetch_bytes(&here);
     tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
+    const Item *bin = tiling->lanes->sort(items, count);
     decide_unsure(&here, bin, ask_all(&here, bin, count));
     if (tiling->seen == NULL)
         tiling->lanes->paint(&here.pixels, here.columns, here.rows, image_bytes(image, corner),

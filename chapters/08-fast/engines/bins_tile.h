@@ -10,13 +10,26 @@
 typedef struct {
     const Work *work;
     const BinsLanes *lanes;
-    const Place *places; // near ones first
     const Paint *paints;
     int *seen; // if not NULL: gets the sphere that each pixel sees, and the image gets nothing
 } Tiling;
 
-// Casts the tile with this upper left pixel. bin has the places of its count spheres, near ones
-// first.
-void tile_cast(const Tiling *tiling, Pixel corner, const int *bin, size_t count);
+// The item of a sphere in the tile that begins at this pixel; the place covers some of it.
+static inline Item item_of(const Place *place, int tile_left, int tile_top)
+{
+    int left = place->left - tile_left, right = place->right - 1 - tile_left;
+    int top = place->top - tile_top, bottom = place->bottom - 1 - tile_top;
+    left = left > 0 ? left : 0;
+    top = top > 0 ? top : 0;
+    right = right < TILE_WIDTH ? right : TILE_WIDTH - 1;
+    bottom = bottom < TILE_HEIGHT ? bottom : TILE_HEIGHT - 1;
+    int part = ((left * TILE_WIDTH + right) * TILE_HEIGHT + top) * TILE_HEIGHT + bottom;
+    return (Item)place_depth(*place) << (ITEM_PART + ITEM_SPHERE) | (Item)part << ITEM_SPHERE |
+           (Item)place->sphere;
+}
+
+// Casts the tile with this upper left pixel. The items are those of its bin, in any order; after
+// them there is room for the sorted ones.
+void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count);
 
 #endif

@@ -56,6 +56,8 @@ static void try_all_made(void)
     try_made(&made, all, IN_TURNS);
     made_wide(&made);
     try_made(&made, all, IN_TURNS);
+    made_hidden(&made);
+    try_made(&made, some, EACH);
 }
 
 int main(int argc, char **argv)

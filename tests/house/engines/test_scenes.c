@@ -50,6 +50,16 @@ void made_wide(Made *made)
         add(within(1), uniform(2, 3));
 }
 
+void made_hidden(Made *made)
+{
+    begin(made, "hidden");
+    look_from(front, 45, 160, 130);
+    add(vec3_of(0.1, 0, 0), 1);
+    add(vec3_of(-0.4, 0.3, 0.9), 0.6);
+    while (made->scene.sphere_count < MOST)
+        add(within(1.5), uniform(0.01, 0.05));
+}
+
 // ---- random ones ------------------------------------------------------------------------------
 
 static void add_odd(vec3 at, double unit)

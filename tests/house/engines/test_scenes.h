@@ -28,6 +28,8 @@ void made_sized(Made *made, Resolution size);
 // some of the spheres at a time.
 void made_many(Made *made);
 void made_wide(Made *made);
+// Two large spheres with many small ones around them, in front of them and behind.
+void made_hidden(Made *made);
 
 // A random one: one to 400 spheres of all kinds. For a number always the same, by one compiler:
 // in which order it takes the numbers of one call is its own affair.
