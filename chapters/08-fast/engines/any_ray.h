@@ -35,9 +35,11 @@ extern AnyBefore any_before_baseline, any_before_avx2, any_before_avx512;
 
 // For each of many rays, the place of the only sphere that may be the nearest hit; or NO_PLACE, if
 // the ray certainly misses all; or IN_DOUBT, then ask nearest_of. Many rays in turns are faster
-// than one after the other: while one waits for memory, others compute.
+// than one after the other: while one waits for memory, others compute. left: the place of the
+// sphere that each ray leaves, which it rarely hits again, or NO_PLACE.
 enum { NO_PLACE = -1, IN_DOUBT = -2 };
-typedef void NearestOfMany(const RayWorld *world, const Line *lines, int count, int *places);
+typedef void NearestOfMany(const RayWorld *world, const Line *lines, const int *left, int count,
+                           int *places);
 extern NearestOfMany nearest_of_many_baseline, nearest_of_many_avx2, nearest_of_many_avx512;
 
 #endif

@@ -5,6 +5,7 @@
 #include "chapters/08-fast/engines/meeting.h"
 
 #include <math.h>
+#include <string.h>
 #ifdef __AVX2__
 #include <immintrin.h>
 #endif
@@ -27,88 +28,96 @@ static inline unsigned bits_of(const int *ints)
 
 // ---- boxes and spheres, in floats -------------------------------------------------------------
 
-// A ray, its direction in floats, and along the axes 1 / direction and its absolute value.
+typedef int FourInts __attribute__((vector_size(16)));
+
+// A ray in the units of the world. Where it starts is the sum of two floats. The number of each
+// node's side that it meets first, along each axis.
 typedef struct {
+    Four start, rest, direction, inverse, across; // inverse: 1 / direction; across: without sign
+    FourInts first_side;
     Line line;
-    float direction[3], inverse[3], across[3];
 } Slopes;
 
-// Never for 0: infinity times 0 would be NaN.
-static inline void set_slopes(Slopes *slopes, const Line *line)
+static inline Four without_sign(Four v)
 {
-    slopes->line = *line;
-    for (int axis = 0; axis < 3; axis++) {
-        float d = (float)line->direction[axis];
-        float away = fabsf(d) > 1e-18F ? d : copysignf(1e-18F, d);
-        slopes->direction[axis] = d;
-        slopes->inverse[axis] = 1 / away;
-        slopes->across[axis] = fabsf(slopes->inverse[axis]);
-    }
+    return (Four)((FourInts)v & 0x7FFFFFFF);
 }
 
-// Which boxes of a node the ray enters before farthest, as bits, and where: the slabs of
+typedef double FourDoubles __attribute__((vector_size(32)));
+
+// Never 1 / 0: infinity times 0 would be NaN.
+static inline void set_slopes(Slopes *slopes, const RayWorld *world, const Line *line)
+{
+    const double *o = line->origin, *v = line->direction, *corner = world->corner;
+    FourDoubles at = {o[0] - corner[0], o[1] - corner[1], o[2] - corner[2], 0};
+    at *= world->scale;
+    slopes->start = __builtin_convertvector(at, Four);
+    slopes->rest =
+        __builtin_convertvector(at - __builtin_convertvector(slopes->start, FourDoubles), Four);
+    Four direction = {(float)v[0], (float)v[1], (float)v[2], 1}, tiny = {1e-18F, 1e-18F, 1e-18F, 0};
+    FourInts is_tiny = without_sign(direction) < tiny, is_negative = direction <= -tiny;
+    Four away = (Four)(((FourInts)direction & ~is_tiny) | ((FourInts)tiny & is_tiny));
+    slopes->direction = direction;
+    slopes->inverse = 1 / away;
+    slopes->across = without_sign(slopes->inverse);
+    slopes->first_side = (FourInts){0, 2, 4, 0} - is_negative;
+    slopes->line = *line;
+}
+
+// Where the ray enters the boxes of a node; infinite if it does not, before farthest. The slabs of
 // slab_test.h, for 16 boxes. For rounding, boxes are larger by 2^-20 of the numbers that are
 // subtracted.
-static inline unsigned enters(const Slopes *slopes, const WideNode *node, double scale,
-                              float farthest, float *near)
+static inline void enter(const Slopes *slopes, const RayNode *node, float farthest, float *near)
 {
-    float from[3], more[3];
-    for (int axis = 0; axis < 3; axis++) {
-        float o = (float)((slopes->line.origin[axis] - node->corner[axis]) * scale);
-        from[axis] = o * slopes->inverse[axis];
-        more[axis] = 0x1p-20F * (fabsf(o) + node->size) * slopes->across[axis];
-    }
-    const float *inverse = slopes->inverse, *across = slopes->across;
-    alignas(64) int in[LANES];
+    Four local = slopes->start - node->corner + slopes->rest;
+    Four from = local * slopes->inverse;
+    Four more = 0x1p-20F * (without_sign(local) + node->size) * slopes->across;
+    Four begins = from + more, ends = from - more;
+    const float *x = node->side[slopes->first_side[0]], *xx = node->side[slopes->first_side[0] ^ 1];
+    const float *y = node->side[slopes->first_side[1]], *yy = node->side[slopes->first_side[1] ^ 1];
+    const float *z = node->side[slopes->first_side[2]], *zz = node->side[slopes->first_side[2] ^ 1];
+    float ix = slopes->inverse[0], iy = slopes->inverse[1], iz = slopes->inverse[2];
+    float x1 = begins[0], y1 = begins[1], z1 = begins[2];
+    float x2 = ends[0], y2 = ends[1], z2 = ends[2];
 #pragma omp simd
     for (int i = 0; i < LANES; i++) {
-        float x = node->middle[0][i] * inverse[0] - from[0];
-        float y = node->middle[1][i] * inverse[1] - from[1];
-        float z = node->middle[2][i] * inverse[2] - from[2];
-        float half_x = node->half[0][i] * across[0] + more[0];
-        float half_y = node->half[1][i] * across[1] + more[1];
-        float half_z = node->half[2][i] * across[2] + more[2];
-        float begin = x - half_x, end = x + half_x;
-        begin = y - half_y > begin ? y - half_y : begin;
-        begin = z - half_z > begin ? z - half_z : begin;
+        float begin = x[i] * ix - x1, begin_y = y[i] * iy - y1, begin_z = z[i] * iz - z1;
+        float end = xx[i] * ix - x2, end_y = yy[i] * iy - y2, end_z = zz[i] * iz - z2;
+        begin = begin_y > begin ? begin_y : begin;
+        begin = begin_z > begin ? begin_z : begin;
         begin = begin > 0 ? begin : 0;
-        end = y + half_y < end ? y + half_y : end;
-        end = z + half_z < end ? z + half_z : end;
+        end = end_y < end ? end_y : end;
+        end = end_z < end ? end_z : end;
         end = end < farthest ? end : farthest;
-        near[i] = begin;
-        in[i] = begin <= end ? -1 : 0;
+        near[i] = begin <= end ? begin : INFINITY;
     }
-    return bits_of(in) & ((1U << node->boxes) - 1);
 }
 
-// Which spheres of a leaf the ray may meet before farthest, as bits. Floats count from the point of
-// the ray that is nearest to the leaf's centre, so that they are not larger than the leaf. Their
-// errors are less than 2^-21 of the lengths, and 2^-19 of the squares.
-static inline unsigned may_meet(const Slopes *slopes, const WideLeaf *leaf, double scale,
-                                float farthest)
+// Which spheres of a leaf the ray may meet before farthest, as bits. The line passes a centre at
+// the distance |c x v|: no digits are lost, so its error is less than 2^-21 of the centre's
+// distance.
+static inline unsigned may_meet(const Slopes *slopes, const RayLeaf *leaf, float farthest)
 {
-    const double *o = slopes->line.origin, *v = slopes->line.direction;
-    double x = o[0] - leaf->center[0], y = o[1] - leaf->center[1], z = o[2] - leaf->center[2];
-    double ahead = -(x * v[0] + y * v[1] + z * v[2]);
-    float px = (float)((x + ahead * v[0]) * scale), py = (float)((y + ahead * v[1]) * scale);
-    float pz = (float)((z + ahead * v[2]) * scale), t = (float)(ahead * scale);
+    Four local = slopes->start - leaf->center + slopes->rest, away = without_sign(local);
+    float px = local[0], py = local[1], pz = local[2], size = leaf->size;
     float dx = slopes->direction[0], dy = slopes->direction[1], dz = slopes->direction[2];
-    float size = fabsf(px) + fabsf(py) + fabsf(pz) + leaf->size + 0x1p-28F * fabsf(t);
-    float margin = 0x1p-18F * size * size + 1e-36F, more = 0x1p-20F * (size + fabsf(t));
-    float first = -t - more, last = farthest - t + more;
+    float error = 0x1p-21F * (away[0] + away[1] + away[2] + 2 * size);
+    float margin = error * (2 * size + error) + 0x1p-21F * size * size + 1e-36F;
+    float last = farthest + error;
     alignas(64) int may[LANES];
 #pragma omp simd
     for (int i = 0; i < LANES; i++) {
         float cx = leaf->x[i] - px, cy = leaf->y[i] - py, cz = leaf->z[i] - pz, r = leaf->r[i];
         float along = cx * dx + cy * dy + cz * dz;
-        float d = r * r - (cx * cx + cy * cy + cz * cz) + along * along + margin;
+        float ax = cy * dz - cz * dy, ay = cz * dx - cx * dz, az = cx * dy - cy * dx;
+        float d = r * r + margin - (ax * ax + ay * ay + az * az);
         // How far the middle of the chord is outside of the part that counts.
-        float before = first - along, beyond = along - last;
+        float before = -error - along, beyond = along - last;
         float out = before > beyond ? before : beyond;
         out = out > 0 ? out : 0;
         may[i] = out * out <= d ? -1 : 0;
     }
-    return bits_of(may) & ((1U << leaf->count) - 1);
+    return bits_of(may) & leaf->spheres;
 }
 
 static inline Meeting meet_place(const RayWorld *world, int place, const Line *line)
@@ -126,22 +135,24 @@ static inline float at_least(double distance, double scale)
 
 // ---- one ray ----------------------------------------------------------------------------------
 
-// Nodes still to enter and leaves still to ask, the next one last.
+// Boxes still to enter, the next one last.
 typedef struct {
     float near;
-    int first, count; // as in WideNode
+    int box; // as RayNode's below
 } Waiting;
 enum { MOST_WAITING = HIERARCHY_DEEPEST * LANES };
 
-static inline int push(Waiting *waiting, int count, const WideNode *node, unsigned bits,
-                       const float *near)
+// Adds the boxes that the ray enters, the nearest last.
+static inline int push(Waiting *waiting, int count, const RayNode *node, const float *near)
 {
     int bottom = count;
-    for (; bits != 0; bits &= bits - 1) {
-        int i = __builtin_ctz(bits), at = count++;
+    for (int i = 0; i < LANES; i++) {
+        if (near[i] == INFINITY)
+            continue;
+        int at = count++;
         for (; at > bottom && waiting[at - 1].near < near[i]; at--)
             waiting[at] = waiting[at - 1];
-        waiting[at] = (Waiting){near[i], node->first[i], node->count[i]};
+        waiting[at] = (Waiting){near[i], node->below[i]};
     }
     return count;
 }
@@ -169,7 +180,7 @@ void LANES(nearest_of)(const RayWorld *world, const Line *line, PossibleHits *ca
     float near[LANES], farthest = INFINITY;
     int count = 0;
     Slopes slopes;
-    set_slopes(&slopes, line);
+    set_slopes(&slopes, world, line);
     candidates->count = 0;
     if (world->nodes != NULL)
         waiting[count++] = (Waiting){0};
@@ -177,14 +188,13 @@ void LANES(nearest_of)(const RayWorld *world, const Line *line, PossibleHits *ca
         Waiting next = waiting[--count];
         if (next.near > farthest)
             continue;
-        if (next.count == 0) {
-            const WideNode *node = &world->nodes[next.first];
-            unsigned bits = enters(&slopes, node, world->scale, farthest, near);
-            count = push(waiting, count, node, bits, near);
+        if (next.box >= 0) {
+            enter(&slopes, &world->nodes[next.box], farthest, near);
+            count = push(waiting, count, &world->nodes[next.box], near);
             continue;
         }
-        const WideLeaf *leaf = &world->leaves[next.first];
-        unsigned bits = may_meet(&slopes, leaf, world->scale, farthest);
+        const RayLeaf *leaf = &world->leaves[~next.box];
+        unsigned bits = may_meet(&slopes, leaf, farthest);
         for (; bits != 0; bits &= bits - 1) {
             int place = leaf->first + __builtin_ctz(bits);
             Meeting meeting = meet_place(world, place, line);
@@ -209,23 +219,19 @@ bool LANES(any_before)(const RayWorld *world, const Line *line, double reach,
     float near[LANES], farthest = at_least(reach, world->scale);
     int count = 0;
     Slopes slopes;
-    set_slopes(&slopes, line);
+    set_slopes(&slopes, world, line);
     candidates->count = 0;
     if (world->nodes != NULL)
         waiting[count++] = (Waiting){0};
     while (count > 0) {
         Waiting next = waiting[--count];
-        if (next.count == 0) {
-            const WideNode *node = &world->nodes[next.first];
-            unsigned bits = enters(&slopes, node, world->scale, farthest, near);
-            for (; bits != 0; bits &= bits - 1) {
-                int i = __builtin_ctz(bits);
-                waiting[count++] = (Waiting){near[i], node->first[i], node->count[i]};
-            }
+        if (next.box >= 0) {
+            enter(&slopes, &world->nodes[next.box], farthest, near);
+            count = push(waiting, count, &world->nodes[next.box], near);
             continue;
         }
-        const WideLeaf *leaf = &world->leaves[next.first];
-        unsigned bits = may_meet(&slopes, leaf, world->scale, farthest);
+        const RayLeaf *leaf = &world->leaves[~next.box];
+        unsigned bits = may_meet(&slopes, leaf, farthest);
         for (; bits != 0; bits &= bits - 1) {
             int place = leaf->first + __builtin_ctz(bits);
             Meeting meeting = meet_place(world, place, line);
@@ -248,68 +254,73 @@ bool LANES(any_before)(const RayWorld *world, const Line *line, double reach,
 enum { MOST_BOXES = 64 };
 typedef struct {
     alignas(64) float near[MOST_BOXES + LANES];
-    int box[MOST_BOXES + LANES]; // a node; if negative, ~ the number of a leaf
+    int box[MOST_BOXES + LANES]; // as RayNode's below
     int count, next;
     int number; // of the ray
     float farthest;
-    int place;
+    int place, missed;        // missed: a sphere that it certainly does not hit
     double begin, end, rival; // bounds of the nearest certain hit, and of all others
     Slopes slopes;
 } Walker;
 
 // Adds the boxes of a node that the ray enters.
-static inline void add_boxes(Walker *walker, const WideNode *node, unsigned bits, const float *near)
+static inline void add_boxes(Walker *walker, const RayNode *node, const float *near)
+{
+    float *to = walker->near + walker->count;
+    int *box = walker->box + walker->count;
+#ifdef __AVX512F__
+    __m512 distances = _mm512_loadu_ps(near), none = _mm512_set1_ps(INFINITY);
+    __mmask16 entered = _mm512_cmp_ps_mask(distances, none, _CMP_LT_OQ);
+    _mm512_storeu_ps(to, _mm512_mask_compress_ps(none, entered, distances));
+    _mm512_storeu_si512(box, _mm512_maskz_compress_epi32(entered, _mm512_load_si512(node->below)));
+    walker->count += __builtin_popcount(entered);
+#else
+    int added = 0;
+    for (int i = 0; i < LANES; i++) {
+        if (near[i] < INFINITY) {
+            to[added] = near[i];
+            box[added++] = node->below[i];
+        }
+    }
+    walker->count += added;
+#endif
+}
+
+// The place of the nearest of the boxes that wait. Its distance may be less by 2^-16 of it.
+static inline int place_of_nearest(const Walker *walker, float *nearest)
 {
 #ifdef __AVX512F__
-    __m512i first = _mm512_load_si512(node->first);
-    __m512i count = _mm512_cvtepu8_epi32(_mm_loadu_si128((const __m128i *)node->count));
-    __mmask16 leaves = _mm512_test_epi32_mask(count, count);
-    first = _mm512_mask_xor_epi32(first, leaves, first, _mm512_set1_epi32(-1));
-    __m512 entries = _mm512_maskz_compress_ps((__mmask16)bits, _mm512_load_ps(near));
-    int added = __builtin_popcount(bits);
-    __mmask16 rest = (__mmask16)(0xFFFFU << added);
-    _mm512_storeu_ps(walker->near + walker->count,
-                     _mm512_mask_mov_ps(entries, rest, _mm512_set1_ps(INFINITY)));
-    _mm512_storeu_si512(walker->box + walker->count,
-                        _mm512_maskz_compress_epi32((__mmask16)bits, first));
-    walker->count += added;
-#else
-    for (; bits != 0; bits &= bits - 1) {
-        int i = __builtin_ctz(bits);
-        walker->near[walker->count] = near[i];
-        walker->box[walker->count++] = node->count[i] > 0 ? ~node->first[i] : node->first[i];
+    // The last 7 bits of each float are its place, so the least float says where it is.
+    const __m512i last_bits = _mm512_set1_epi32(0x7F);
+    __m512i places = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    __m512i least = _mm512_load_si512(walker->near);
+    least = _mm512_ternarylogic_epi32(last_bits, places, least, 0xCA);
+    for (int i = LANES; i < walker->count; i += LANES) {
+        places = _mm512_add_epi32(places, _mm512_set1_epi32(LANES));
+        __m512i more = _mm512_load_si512(walker->near + i);
+        least = _mm512_min_epi32(least, _mm512_ternarylogic_epi32(last_bits, places, more, 0xCA));
     }
+    int bits = _mm512_reduce_min_epi32(least), distance = bits & ~0x7F;
+    memcpy(nearest, &distance, sizeof *nearest);
+    return bits & 0x7F;
+#else
+    int at = 0;
+    *nearest = INFINITY;
+    for (int i = 0; i < walker->count; i++) {
+        at = walker->near[i] < *nearest ? i : at;
+        *nearest = walker->near[i] < *nearest ? walker->near[i] : *nearest;
+    }
+    return at;
 #endif
 }
 
 // Takes the nearest of the boxes that wait. False at the end.
 static inline bool take_nearest(Walker *walker)
 {
-#ifdef __AVX512F__
-    __m512 least = _mm512_load_ps(walker->near);
-    for (int i = LANES; i < walker->count; i += LANES)
-        least = _mm512_min_ps(least, _mm512_load_ps(walker->near + i));
-    float nearest = _mm512_reduce_min_ps(least);
+    float nearest;
+    int at = place_of_nearest(walker, &nearest);
     if (!(nearest <= walker->farthest) || walker->count == 0)
         return false;
-    unsigned bits = 0;
-    int at = -LANES;
-    do {
-        at += LANES;
-        bits = _mm512_cmp_ps_mask(_mm512_load_ps(walker->near + at), _mm512_set1_ps(nearest),
-                                  _CMP_EQ_OQ);
-    } while (bits == 0);
-    at += __builtin_ctz(bits);
-#else
-    float nearest = INFINITY;
-    int at = 0;
-    for (int i = 0; i < walker->count; i++) {
-        at = walker->near[i] < nearest ? i : at;
-        nearest = walker->near[i] < nearest ? walker->near[i] : nearest;
-    }
-    if (!(nearest <= walker->farthest) || walker->count == 0)
-        return false;
-#endif
     walker->next = walker->box[at];
     int last = --walker->count;
     walker->near[at] = walker->near[last];
@@ -318,9 +329,17 @@ static inline bool take_nearest(Walker *walker)
     return true;
 }
 
-static inline void ask_leaf(Walker *walker, const RayWorld *world, const WideLeaf *leaf)
+// Nothing if the place is NO_PLACE, or in another leaf.
+static inline unsigned bit_of_place(const RayLeaf *leaf, int place)
 {
-    unsigned bits = may_meet(&walker->slopes, leaf, world->scale, walker->farthest);
+    unsigned bit = (unsigned)(place - leaf->first);
+    return bit < LANES ? 1U << bit : 0;
+}
+
+static inline void ask_leaf(Walker *walker, const RayWorld *world, const RayLeaf *leaf)
+{
+    unsigned bits = may_meet(&walker->slopes, leaf, walker->farthest);
+    bits &= ~bit_of_place(leaf, walker->missed);
     for (; bits != 0; bits &= bits - 1) {
         int place = leaf->first + __builtin_ctz(bits);
         Meeting meeting = meet_place(world, place, &walker->slopes.line);
@@ -336,40 +355,54 @@ static inline void ask_leaf(Walker *walker, const RayWorld *world, const WideLea
     }
 }
 
-static inline void start(Walker *walker, const Line *line, int number)
+static inline void start(Walker *walker, const RayWorld *world, const Line *line, int left,
+                         int number)
 {
+    for (int i = 0; i < walker->count; i++)
+        walker->near[i] = INFINITY;
     walker->count = walker->next = 0;
     walker->number = number;
     walker->farthest = INFINITY;
     walker->place = NO_PLACE;
     walker->begin = walker->end = walker->rival = INFINITY;
-    for (int i = 0; i < MOST_BOXES + LANES; i++)
-        walker->near[i] = INFINITY;
-    set_slopes(&walker->slopes, line);
+    set_slopes(&walker->slopes, world, line);
+    walker->missed = left >= 0 && meet_place(world, left, line).begin == INFINITY ? left : -LANES;
 }
 
-enum { WALKERS = 32 };
+// Begins to load what a ray asks next.
+static inline void load(const RayWorld *world, int box)
+{
+    const char *data =
+        box < 0 ? (const char *)&world->leaves[~box] : (const char *)&world->nodes[box];
+    for (int i = 0; i < (int)sizeof(RayNode); i += 64)
+        __builtin_prefetch(data + i);
+}
 
-void LANES(nearest_of_many)(const RayWorld *world, const Line *lines, int count, int *places)
+enum { WALKERS = 64 };
+
+void LANES(nearest_of_many)(const RayWorld *world, const Line *lines, const int *left, int count,
+                            int *places)
 {
     Walker walkers[WALKERS];
-    int at_node[WALKERS], at_leaf[WALKERS], nodes = 0, leaves = 0, started = 0;
+    int at_node[WALKERS], at_leaf[WALKERS], moved[WALKERS], nodes = 0, leaves = 0, started = 0;
     for (int i = 0; i < count; i++)
         places[i] = NO_PLACE;
     if (world->nodes == NULL)
         return;
     for (; started < count && started < WALKERS; started++) {
-        start(&walkers[started], &lines[started], started);
+        walkers[started].count = MOST_BOXES + LANES;
+        start(&walkers[started], world, &lines[started], left[started], started);
         at_node[nodes++] = started;
     }
+    // Rays at a node move, then those at a leaf. Then each takes its next box.
     while (nodes + leaves > 0) {
-        int moved[WALKERS], moving = 0;
+        int moving = 0;
         for (int k = 0; k < nodes; k++) {
             Walker *walker = &walkers[at_node[k]];
-            const WideNode *node = &world->nodes[walker->next];
+            const RayNode *node = &world->nodes[walker->next];
             alignas(64) float near[LANES];
-            unsigned bits = enters(&walker->slopes, node, world->scale, walker->farthest, near);
-            add_boxes(walker, node, bits, near);
+            enter(&walker->slopes, node, walker->farthest, near);
+            add_boxes(walker, node, near);
             moved[moving++] = at_node[k];
         }
         for (int k = 0; k < leaves; k++) {
@@ -382,22 +415,18 @@ void LANES(nearest_of_many)(const RayWorld *world, const Line *lines, int count,
             Walker *walker = &walkers[moved[k]];
             bool full = walker->count > MOST_BOXES;
             if (!full && take_nearest(walker)) {
-                int leaf = walker->next < 0;
-                const char *data = leaf ? (const char *)&world->leaves[~walker->next]
-                                        : (const char *)&world->nodes[walker->next];
-                for (int i = 0; i < 512; i += 64)
-                    __builtin_prefetch(data + i);
-                at_node[nodes] = moved[k];
-                at_leaf[leaves] = moved[k];
-                nodes += !leaf;
-                leaves += leaf;
+                load(world, walker->next);
+                bool is_leaf = walker->next < 0;
+                at_node[nodes] = at_leaf[leaves] = moved[k];
+                nodes += !is_leaf;
+                leaves += is_leaf;
                 continue;
             }
             bool doubt = full || (walker->rival <= walker->end && walker->rival < INFINITY);
             places[walker->number] = doubt ? IN_DOUBT : walker->place;
             if (started == count)
                 continue;
-            start(walker, &lines[started], started);
+            start(walker, world, &lines[started], left[started], started);
             started++;
             at_node[nodes++] = moved[k];
         }

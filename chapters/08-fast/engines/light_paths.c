@@ -148,21 +148,23 @@ static void ask_all_spheres(LightPaths *all)
     memcpy(paths->sphere, found, (size_t)paths->count * sizeof *found);
 }
 
-// The spheres that the rays hit, or -1.
-static void find_spheres(LightPaths *all)
+// The spheres that the rays hit, or -1. mirrored: the rays leave the spheres that they hit last.
+static void find_spheres(LightPaths *all, bool mirrored)
 {
     Paths *paths = all->paths;
     double lengths[PATHS];
     Line lines[PATHS];
-    int places[PATHS];
+    int left[PATHS], places[PATHS];
     if (all->world->scene->sphere_count <= FEW) {
         ask_all_spheres(all);
         return;
     }
     shadow_lanes[lanes_best()]->units(&paths->direction, paths->count, lengths, all->directions);
-    for (int i = 0; i < paths->count; i++)
+    for (int i = 0; i < paths->count; i++) {
         lines[i] = line_of(vector_of(&paths->origin, i), vector_of(all->directions, i));
-    all->nearest_of_many(&all->world->rays, lines, paths->count, places);
+        left[i] = mirrored ? all->world->rays.places[paths->sphere[i]] : NO_PLACE;
+    }
+    all->nearest_of_many(&all->world->rays, lines, left, paths->count, places);
     for (int i = 0; i < paths->count; i++)
         paths->sphere[i] = places[i] == IN_DOUBT   ? nearest_alone(all, ray_of(paths, i), lines[i])
                            : places[i] == NO_PLACE ? -1
@@ -286,6 +288,7 @@ static void light_up(LightPaths *all, int level)
             continue;
         parts[paths->number[i]] = part;
         paths->number[mirrored] = paths->number[i];
+        paths->sphere[mirrored] = paths->sphere[i];
         set_vector(&paths->origin, mirrored, vector_of(&paths->start, i));
         set_vector(&paths->direction, mirrored++, vector_of(all->directions, i));
     }
@@ -301,7 +304,7 @@ void path_colors(LightPaths *all, bool known)
     for (; paths->count > 0; level++) {
         memset(all->parts + (size_t)level * PATHS, 0, PATHS * sizeof *all->parts);
         if (level > 0 || !known)
-            find_spheres(all);
+            find_spheres(all, level > 0);
         do
             end_at_background(all, level);
         while (!find_hits(all));

@@ -108,42 +108,68 @@ WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int *nod
 
 // ---- for rays from anywhere -------------------------------------------------------------------
 
-static void set_leaf(WideLeaf *leaf, const RayWorld *world, const WideNode *node, int i)
+// A place in the units of the world, and from where it counts, which is a float.
+static double scaled(const RayWorld *world, int axis, double at)
 {
-    *leaf = (WideLeaf){.first = node->first[i], .count = node->count[i]};
+    return (at - world->corner[axis]) * world->scale;
+}
+
+static void set_leaf(const RayWorld *world, RayLeaf *leaf, const WideNode *wide, int i)
+{
+    *leaf = (RayLeaf){.first = wide->first[i], .spheres = (1U << wide->count[i]) - 1};
     double half = 0;
     for (int axis = 0; axis < 3; axis++) {
-        leaf->center[axis] = node->corner[axis] + (double)node->middle[axis][i] / world->scale;
-        half += node->half[axis][i];
+        leaf->center[axis] =
+            (float)(scaled(world, axis, wide->corner[axis]) + (double)wide->middle[axis][i]);
+        half += wide->half[axis][i];
     }
     // The sum of the sides is at least the diagonal; the rest is for rounding.
-    leaf->size = (float)(half * (1 + 1e-6));
-    for (int k = 0; k < leaf->count; k++) {
+    leaf->size = (float)(half * (1 + 1e-6) + 0x1p-22);
+    for (int k = 0; k < wide->count[i]; k++) {
         const double *sphere = world->numbers + 4 * (size_t)(leaf->first + k);
-        leaf->x[k] = (float)((sphere[0] - leaf->center[0]) * world->scale);
-        leaf->y[k] = (float)((sphere[1] - leaf->center[1]) * world->scale);
-        leaf->z[k] = (float)((sphere[2] - leaf->center[2]) * world->scale);
+        leaf->x[k] = (float)(scaled(world, 0, sphere[0]) - (double)leaf->center[0]);
+        leaf->y[k] = (float)(scaled(world, 1, sphere[1]) - (double)leaf->center[1]);
+        leaf->z[k] = (float)(scaled(world, 2, sphere[2]) - (double)leaf->center[2]);
         leaf->r[k] = (float)(sphere[3] * world->scale);
     }
 }
 
-static bool set_leaves(RayWorld *world, int node_count)
+static void set_node(const RayWorld *world, RayNode *node, const WideNode *wide)
+{
+    *node = (RayNode){.size = wide->size + 0x1p-25F};
+    for (int axis = 0; axis < 3; axis++) {
+        double corner = scaled(world, axis, wide->corner[axis]);
+        node->corner[axis] = (float)corner;
+        double from = corner - (double)node->corner[axis];
+        for (int i = 0; i < LANES; i++) {
+            double middle = wide->middle[axis][i] + from, half = wide->half[axis][i];
+            node->side[2 * axis][i] = i < wide->boxes ? (float)(middle - half) : INFINITY;
+            node->side[2 * axis + 1][i] = i < wide->boxes ? (float)(middle + half) : -INFINITY;
+        }
+    }
+}
+
+static bool set_nodes(RayWorld *world, const WideNode *wide, int node_count)
 {
     size_t count = 0;
     for (int n = 0; n < node_count; n++)
-        for (int i = 0; i < world->nodes[n].boxes; i++)
-            count += world->nodes[n].count[i] > 0;
+        for (int i = 0; i < wide[n].boxes; i++)
+            count += wide[n].count[i] > 0;
     world->leaves = large_memory(count * sizeof *world->leaves);
-    int next = 0;
-    for (int n = 0; n < node_count && world->leaves != NULL; n++) {
-        for (int i = 0; i < world->nodes[n].boxes; i++) {
-            if (world->nodes[n].count[i] == 0)
-                continue;
-            set_leaf(&world->leaves[next], world, &world->nodes[n], i);
-            world->nodes[n].first[i] = next++;
+    world->nodes = large_memory((size_t)node_count * sizeof *world->nodes);
+    if (world->leaves == NULL || world->nodes == NULL)
+        return false;
+    int leaves = 0;
+    for (int n = 0; n < node_count; n++) {
+        set_node(world, &world->nodes[n], &wide[n]);
+        for (int i = 0; i < wide[n].boxes; i++) {
+            bool is_leaf = wide[n].count[i] > 0;
+            world->nodes[n].below[i] = is_leaf ? ~leaves : wide[n].first[i];
+            if (is_leaf)
+                set_leaf(world, &world->leaves[leaves++], &wide[n], i);
         }
     }
-    return world->leaves != NULL;
+    return true;
 }
 
 bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, const Scene *scene)
@@ -153,19 +179,29 @@ bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, const Scene *s
         return true;
     const Box *box = &hierarchy->nodes[0].box;
     double size = 0;
-    for (int axis = 0; axis < 3; axis++)
+    for (int axis = 0; axis < 3; axis++) {
         size = fmax(size, box->high[axis] - box->low[axis]);
+        world->corner[axis] = box->low[axis];
+    }
     world->scale = 1 / size;
     world->numbers = large_memory(4 * (size_t)scene->sphere_count * sizeof(double));
-    for (int i = 0; i < scene->sphere_count && world->numbers != NULL; i++) {
+    world->places = large_memory((size_t)scene->sphere_count * sizeof *world->places);
+    if (world->numbers == NULL || world->places == NULL) {
+        ray_world_free(world);
+        return false;
+    }
+    for (int i = 0; i < scene->sphere_count; i++) {
+        world->places[hierarchy->order[i]] = i;
         const Sphere *sphere = &scene->spheres[hierarchy->order[i]];
         for (int axis = 0; axis < 3; axis++)
             world->numbers[4 * (size_t)i + (size_t)axis] = sphere->center[axis];
         world->numbers[4 * (size_t)i + 3] = sphere->radius;
     }
     int node_count = 0;
-    world->nodes = wide_build(hierarchy, world->scale, LANES, &node_count);
-    if (world->numbers != NULL && world->nodes != NULL && set_leaves(world, node_count))
+    WideNode *wide = wide_build(hierarchy, world->scale, LANES, &node_count);
+    bool built = wide != NULL && set_nodes(world, wide, node_count);
+    free(wide);
+    if (built)
         return true;
     ray_world_free(world);
     return false;
@@ -176,5 +212,6 @@ void ray_world_free(RayWorld *world)
     free(world->nodes);
     free(world->leaves);
     free(world->numbers);
+    free(world->places);
     *world = (RayWorld){0};
 }

@@ -29,20 +29,36 @@ typedef struct {
 // lengths times the scale, so that they are in the range of floats; the corners are not scaled.
 WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int *node_count);
 
-// Spheres as floats, from the centre of their box: near it floats are precise enough. 320 bytes.
+// For rays from anywhere lengths are times a scale, so that the largest box has the size 1, and
+// places count from its corner. Places in a node count from the node's own corner, and those in a
+// leaf from the leaf's centre: near these floats are precise enough.
+typedef float Four __attribute__((vector_size(16))); // x, y, z, and 0
+
+// Boxes by their low and high sides along x, y and z. A lane without a box has no inside. 512
+// bytes.
+typedef struct {
+    alignas(64) float side[6][LANES];
+    int below[LANES]; // the number of a node; if negative, ~ the number of a leaf
+    Four corner;
+    float size; // of the node's own box, its longest side
+} RayNode;
+
+// At most 16 spheres. 320 bytes.
 typedef struct {
     alignas(64) float x[LANES], y[LANES], z[LANES], r[LANES];
-    double center[3]; // not scaled
+    Four center;
     float size;       // no point of the spheres is farther from the centre
-    int first, count; // their places in the order of the hierarchy
-} WideLeaf;
+    int first;        // the place of the first one in the order of the hierarchy
+    unsigned spheres; // which lanes have one, as bits
+} RayLeaf;
 
 // A scene that rays from anywhere can ask.
 typedef struct {
-    WideNode *nodes; // NULL if there are no spheres; boxes with a count have a leaf, number first
-    WideLeaf *leaves;
-    double *numbers; // x, y, z and r of each sphere, in the order of the hierarchy
-    double scale;
+    RayNode *nodes; // the root is the first; NULL if there are no spheres
+    RayLeaf *leaves;
+    double *numbers; // x, y, z and r of each sphere, in the order of the hierarchy; not scaled
+    int *places;     // of the scene's spheres in that order
+    double corner[3], scale;
 } RayWorld;
 
 // False if there is not enough memory.

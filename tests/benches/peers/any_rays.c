@@ -11,6 +11,7 @@
 // Usage: any_rays [-r ROUNDS] SCENE.nff...
 #include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/engine.h"
+#include "chapters/08-fast/engines/large_memory.h"
 #include "chapters/08-fast/engines/light_paths.h"
 #include "chapters/08-fast/engines/nearest_hit.h"
 #include "chapters/shared/scene_camera.h"
@@ -38,16 +39,17 @@ typedef struct {
     Single *singles;
     double *reaches;
     uint8_t *lights; // the number of each ray's light
+    int *spheres;    // the sphere that each ray leaves
     bool *hits[3];   // what each tracer says
     int count, room;
 } RayList;
 
 static void *array(size_t count, size_t size)
 {
-    void *memory = calloc(count, size);
+    void *memory = large_memory(count * size + 1);
     if (memory == NULL)
         exit(1);
-    return memory;
+    return memset(memory, 0, count * size);
 }
 
 static RayList ray_list(int room)
@@ -58,7 +60,8 @@ static RayList ray_list(int room)
                     .lines = array(n, sizeof(Line)),
                     .singles = array(n, sizeof(Single)),
                     .reaches = array(n, sizeof(double)),
-                    .lights = array(n, 1)};
+                    .lights = array(n, 1),
+                    .spheres = array(n, sizeof(int))};
     for (int i = 0; i < 3; i++)
         rays.hits[i] = array(n, sizeof(bool));
     return rays;
@@ -67,15 +70,17 @@ static RayList ray_list(int room)
 static void ray_list_free(RayList *rays)
 {
     free(rays->rays), free(rays->lines), free(rays->singles), free(rays->reaches);
-    free(rays->lights), free(rays->hits[0]), free(rays->hits[1]), free(rays->hits[2]);
+    free(rays->lights), free(rays->spheres), free(rays->hits[0]), free(rays->hits[1]),
+        free(rays->hits[2]);
 }
 
-static void add(RayList *rays, Ray ray, bool to_infinity, int light)
+static void add(RayList *rays, Ray ray, bool to_infinity, int light, int sphere)
 {
     int i = rays->count++;
     double length = vec3_length(ray.direction);
     rays->rays[i] = ray;
     rays->lights[i] = (uint8_t)light;
+    rays->spheres[i] = sphere;
     rays->reaches[i] = to_infinity ? INFINITY : length;
     for (int axis = 0; axis < 3; axis++) {
         rays->lines[i].origin[axis] = ray.origin[axis];
@@ -112,15 +117,15 @@ static void collect(const Scene *scene, const int *seen, Camera camera, Resoluti
         vec3 point = ray.origin + hit_sphere(ray, sphere) * ray.direction;
         vec3 normal = surface_normal(sphere, point);
         if (vec3_dot(normal, ray.direction) > 0)
-            normal = -normal;
+            continue; // from inside: in no scene of the bench
         // Farther off the surface than off_surface: Embree's floats need it.
         vec3 start = point + 1e-4 * sphere.radius * normal;
         for (int k = 0; k < scene->light_count; k++) {
             Ray to_light = ray_to_light(start, scene->lights[k]);
             if (vec3_dot(normal, to_light.direction) > 0)
-                add(shadow, to_light, scene->lights[k].kind == LIGHT_DISTANT, k);
+                add(shadow, to_light, scene->lights[k].kind == LIGHT_DISTANT, k, seen[place]);
         }
-        add(mirror, (Ray){start, mirror_direction(ray.direction, normal)}, true, 0);
+        add(mirror, (Ray){start, mirror_direction(ray.direction, normal)}, true, 0, seen[place]);
     }
 }
 
@@ -207,7 +212,7 @@ static void shadow_by_grids(Both *both, const RayList *rays, bool *hits)
         set_vector(&here->rays.start, at, rays->rays[i].origin);
         set_vector(&here->rays.way, at, rays->rays[i].direction);
         here->rays.length[at] = rays->reaches[i];
-        here->rays.passes[at] = -1;
+        here->rays.passes[at] = rays->spheres[i];
         here->numbers[at] = i;
         if (here->rays.count == PATHS)
             ask_grid(world, here, rays->lights[i], hits);
@@ -242,10 +247,12 @@ static void mirror_one_by_one(Both *both, const RayList *rays, bool *hits)
 
 static void mirror_together(Both *both, const RayList *rays, bool *hits)
 {
-    int places[PATHS];
+    int left[PATHS], places[PATHS];
     for (int first = 0; first < rays->count; first += PATHS) {
         int count = rays->count - first < PATHS ? rays->count - first : PATHS;
-        both->nearest_of_many(&both->world->rays, rays->lines + first, count, places);
+        for (int i = 0; i < count; i++)
+            left[i] = both->world->rays.places[rays->spheres[first + i]];
+        both->nearest_of_many(&both->world->rays, rays->lines + first, left, count, places);
         for (int i = 0; i < count; i++) {
             PossibleHits candidates;
             hits[first + i] = places[i] != NO_PLACE;
