@@ -284,6 +284,49 @@ static void ask(Tile *restrict tile, const Outlines *restrict of, int n, Part pa
     }
 }
 
+// Seen from inside, the far root counts, and from outside the near one. Neither is a difference of
+// nearly equal numbers: the product of both roots is g v.v.
+static float ask_in_double(Tile *tile, const Rays *rays, const double center[3], double radius,
+                           Part part, float nearest, float slack, int color)
+{
+    double cx = center[0], cy = center[1], cz = center[2], rr = radius * radius;
+    double cc = cx * cx + cy * cy + cz * cz, g = cc - rr, size = 1e-12 * (cc + rr);
+    bool inside = g < 0;
+    float most[LANES] = {0};
+    for (int row = part.top; row < part.bottom; row++) {
+        double x0 = rays->first[0] + row * rays->row[0], y0 = rays->first[1] + row * rays->row[1];
+        double z0 = rays->first[2] + row * rays->row[2];
+        for (int first = first_lane(part); first < part.right; first += LANES) {
+            float *s = &tile->s[row * TILE_WIDTH + first];
+            int *seen = &tile->color[row * TILE_WIDTH + first];
+#pragma omp simd
+            for (int i = 0; i < LANES; i++) {
+                int column = first + i;
+                double x = x0 + column * rays->column[0], y = y0 + column * rays->column[1];
+                double z = z0 + column * rays->column[2], vv = x * x + y * y + z * z;
+                double px = cy * z - cz * y, py = cz * x - cx * z, pz = cx * y - cy * x;
+                double d = rr * vv - (px * px + py * py + pz * pz), b = cx * x + cy * y + cz * z;
+                double q = fabs(b) + sqrt(d > 0 ? d : 0), other = vv * g / q;
+                double at = !inside ? other : b > 0 ? q : -other;
+                double margin = 2 * slack + 4 * FLT_EPSILON * at;
+                bool asks =
+                    (column >= part.left) & (column < part.right) & !(nearest > s[i] + slack);
+                bool edge = fabs(d) <= size * vv, hit = (d > 0) & (inside | (b > 0));
+                bool close = !((at > 1e-30) & (at < 1e30) & (fabs(at - s[i]) > margin));
+                bool doubt = asks & (edge | (hit & close)),
+                     wins = asks & hit & !doubt & (at < s[i]);
+                seen[i] = wins ? color | (seen[i] & UNSURE) : doubt ? seen[i] | UNSURE : seen[i];
+                s[i] = wins ? (float)at : s[i];
+                most[i] = wins & ((float)at > most[i]) ? (float)at : most[i];
+            }
+        }
+    }
+    float largest = 0;
+    for (int i = 0; i < LANES; i++)
+        largest = most[i] > largest ? most[i] : largest;
+    return largest;
+}
+
 static bool unsure(const Tile *tile)
 {
     int all = 0;
@@ -313,4 +356,5 @@ static void paint(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t 
     }
 }
 
-const BinsLanes LANES(bins) = {place, sort, clear, farthest, outline, ask, unsure, paint};
+const BinsLanes LANES(bins) = {place, sort,          clear,  farthest, outline,
+                               ask,   ask_in_double, unsure, paint};

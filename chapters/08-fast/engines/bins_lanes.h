@@ -105,6 +105,10 @@ typedef struct {
     void (*outline)(const Rays *rays, const Candidates *candidates, int count, Outlines *outlines);
     // Sphere number n of these asks the pixels of its part. slack is the largest error of any s.
     void (*ask)(Tile *tile, const Outlines *outlines, int n, Part part, float slack, int color);
+    // The same in double, if float is not reliable: the centre from the eye and the radius; the s
+    // of this sphere is nowhere less than nearest. Returns the largest s that it set.
+    float (*ask_in_double)(Tile *tile, const Rays *rays, const double center[3], double radius,
+                           Part part, float nearest, float slack, int color);
     // Is any pixel unsure?
     bool (*unsure)(const Tile *tile);
     // Writes bytes of red, green and blue; apart is the number of bytes from row to row.
