@@ -88,6 +88,7 @@ static void cells(const double light[3], const ViewNumbers *numbers, int view_co
 
 // With the square of the ray's length, all terms of its discriminant have the margin of meeting.h,
 // and no root is needed. If both ends are inside, the ray does not reach the surface between them.
+// If both are outside, and the ray still comes nearer to the centre at its end, neither.
 static inline int verdict(const ShadowRays *rays, int ray, double x, double y, double z,
                           double radius)
 {
@@ -98,8 +99,11 @@ static inline int verdict(const ShadowRays *rays, int ray, double x, double y, d
     double ahead = dot(px, py, pz, wx, wy, wz), outside = pp - rr;
     double d = ahead * ahead - outside * squared;
     double qx = px - wx, qy = py - wy, qz = pz - wz, qq = dot(qx, qy, qz, qx, qy, qz);
-    bool misses = (d < -margin * squared) | ((ahead < 0) & (outside > margin)) |
-                  ((outside < -margin) & (qq - rr < -4 * MARGIN * (pp + qq + rr)));
+    double end_margin = 4 * MARGIN * (pp + qq + rr);
+    bool both_inside = (outside < -margin) & (qq - rr < -end_margin);
+    bool both_before = (outside > margin) & (qq - rr > end_margin) & (ahead > squared);
+    bool misses =
+        (d < -margin * squared) | ((ahead < 0) & (outside > margin)) | both_inside | both_before;
     bool hides = (outside > 4 * margin) & (d > margin * squared) & (ahead < squared * (1 - MARGIN));
     return misses ? LETS_PASS : hides ? HIDES : MAY_HIDE;
 }
