@@ -37,11 +37,10 @@ static inline float coarse(float x)
 // The outline of each sphere becomes pixels, and its least distance from the eye a float.
 static bool place(const Eye *eye, const Positions *positions, int first, int count, Place *places)
 {
-    double left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], near[PLACES];
+    double left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], near[PLACES], usual[PLACES];
     const double *rx = eye->right, *ux = eye->up, *fx = eye->forward;
     double width = eye->width, height = eye->height, across = eye->across, down = eye->down;
-    double unusual = 0;
-#pragma omp simd reduction(max : unusual)
+#pragma omp simd
     for (int i = 0; i < count; i++) {
         double x = positions->x[i], y = positions->y[i], z = positions->z[i];
         double exact = positions->radius[i], r = exact * (1 + 1e-9);
@@ -68,13 +67,15 @@ static bool place(const Eye *eye, const Positions *positions, int first, int cou
         double distance = root(square);
         double nearest = fabs(distance - exact) - 4e-6 * distance;
         near[i] = nearest > 1e-15 && square < 1e30 ? nearest : 0;
-        double seems = exact > 1e-50 && exact < 1e35 && square < 1e20 * exact * exact ? 0 : 1;
-        unusual = unusual > seems ? unusual : seems;
+        usual[i] = exact > 1e-50 && exact < 1e35 && square < 1e20 * exact * exact ? 1 : 0;
     }
-    for (int i = 0; i < count; i++)
+    bool all_usual = true;
+    for (int i = 0; i < count; i++) {
+        all_usual &= usual[i] > 0;
         places[i] = (Place){(uint16_t)left[i],   (uint16_t)right[i],     (uint16_t)top[i],
                             (uint16_t)bottom[i], coarse((float)near[i]), first + i};
-    return unusual == 0;
+    }
+    return all_usual;
 }
 
 // ---- the items of a bin -----------------------------------------------------------------------
