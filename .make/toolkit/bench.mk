@@ -31,8 +31,12 @@ $(B)/tests/benches/peers/any_rays: %: %.o $(ENGINE_OBJECTS) $(B)/chapters/shared
 bench-rays: $(RAY_BENCH) $(if $(EMBREE),$(BENCH_SCENES)) ## rays from anywhere, and building, beside Embree (PEERS=1)
 	@$(if $(EMBREE),$(RAY_BENCH) $(BENCH_SCENES),$(if $(PEERS),echo 'Embree 3 is not installed: make setup FOR=bench',echo \
 		'bench-rays compares with Embree: make bench-rays PEERS=1'))
-bench-engines: $(ENGINE_BENCH) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: also others)
-	@tests/benches/engines.sh $(ENGINE_BENCH) $(B)/bench $(BENCH_SCENES)
+BENCH_TABLES := $(B)/tests/benches/tables
+$(BENCH_TABLES): %: %.o
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+bench-engines: $(ENGINE_BENCH) $(BENCH_TABLES) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: also others)
+	@tests/benches/engines.sh $(ENGINE_BENCH) $(BENCH_TABLES) $(B)/bench $(BENCH_SCENES)
 $(B)/tests/benches/alone: %: %.o $(ENGINE_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
@@ -51,12 +55,12 @@ $(B)/tests/benches/pictures: %: %.o
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lz
 bench-pictures: $(B)/tests/benches/pictures $(BUILT)/$(SHADING_CHAPTER) $(BUILT)/$(ENGINE_CHAPTER) $(SCENES) ## a PNG by libpng's settings: time and size
 	@tests/benches/pictures.sh $(B) $(BUILT)
-bench-shaded: $(SHADED_BENCH) $(BENCH_SCENES) ## shaded pictures on all scenes (PEERS=1: also POV-Ray, and Embree with our shading)
-	@tests/benches/shaded.sh $(SHADED_BENCH) $(B)/bench $(BENCH_SCENES)
+bench-shaded: $(SHADED_BENCH) $(BENCH_TABLES) $(BENCH_SCENES) ## shaded pictures on all scenes (PEERS=1: also POV-Ray, and Embree with our shading)
+	@tests/benches/shaded.sh $(SHADED_BENCH) $(BENCH_TABLES) $(B)/bench $(BENCH_SCENES)
 # All numbers of chapter 08, in one run.
 bench-record: ## the numbers, tables and figure of chapter 08 (PEERS=1, on an idle machine)
 	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-shaded bench-rays bench-wait
-	@tests/benches/record.sh $(B)/bench chapters/$(ENGINE_CHAPTER)
+	@tests/benches/record.sh $(BENCH_TABLES) $(B)/bench chapters/$(ENGINE_CHAPTER)
 bench: $(JUDGE) $(GRADABLE:%=%/commands) ## from save to verdict; a class a minute; rays a second
 	@$(MAKE) --no-print-directory -s -j1 bench-engines bench-reading bench-wait bench-shading $(if $(PEERS),bench-shaded bench-rays)
 	@tests/benches/latency.sh

@@ -210,7 +210,7 @@ FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUI
 CHECKS := $(COMMON_TESTS) $(NUMBERS) $(TYPES) $(ODD_QUESTIONS) $(ENGINES)
 OF_STEMS := $(TESTS) $(MATRIX) $(TABLE_CHECK) $(TABLE_VARIANTS)
 of_stems = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %'))
-FOR_CHECKS := $(DRAW_FIGURES) $(MAKE_PAGE) $(EXPLAIN) $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands)
+FOR_CHECKS := $(DRAW_FIGURES) $(MAKE_PAGE) $(EXPLAIN) $(BLANK_TESTS) $(PROGRAMS) $(PACK) $(GENERATED:%=$(B)/scenes/%.nff) $(SAME) $(B)/tests/benches/tables $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands)
 # The scripts judge answers beside each other, each in a folder of its own, by the ordinary build: so all of that
 # is there before they begin, and none of them builds it.
 READY = $(DRAW_FIGURES) $(MAKE_PAGE) $(PROGRAMS) $(PACK) $(DIRECT) $(FOR_EXERCISES)

@@ -1,9 +1,9 @@
 # engines.gp - spheres against rays per second, log-log, of what tests/benches/engines.c measured.
 #
-# gnuplot -e "csv='FILE.csv'; threads=1; theme='dark'" engines.gp > FILE.svg
+# gnuplot -e "theme='dark'" engines-THREADS.gp engines.gp > FILE.svg
+# The first file has the data, from tests/benches/tables.c.
 # Filled marks and full lines: the three spheres and sphereflakes; hollow and broken: random spheres.
 # Bars: the quartiles. Of Embree's own spheres in packets of 8 and of 16 one is enough: they are alike.
-if (!exists("threads")) threads = 1
 if (!exists("theme")) theme = "light"
 # The colours are those of the figures (common/figure/plot.gp), and so is the size of text.
 dark = theme eq "dark"
@@ -11,7 +11,6 @@ ink = dark ? "#e8eaed" : "#1a1c20"
 set terminal svg size 960, 600 font "DejaVu Sans,24" enhanced background dark ? "#16191d" : "#ffffff"
 set border lc rgb ink
 set tics textcolor rgb ink
-set datafile separator ","
 set logscale xy
 # Exponents are as large as the rest.
 set format x "10^{/*1.25 %T}"
@@ -29,11 +28,12 @@ colors = dark ? "#64b5f0 #f79454 #e0b83c #3ecb9c #e893c6 #e8eaed #c3c8ce #c3c8ce
     "#0069a8 #b84a00 #8a6a00 #00775a #a03a7c #1a1c20 #4a5058 #4a5058 #626a73 #626a73"
 filled(i) = int(word("7 5 9 13 11 15 7 5 9 13", i))
 color(i) = word(colors, i)
-rows(random, i) = sprintf("< awk -F, '($1 ~ /^random/) == %d && $3 == \"%s\" && $4 == %d' '%s' | sort -t, -k2n", random, word(names, i), threads, csv)
-is_there(i) = system(sprintf("awk -F, '$3 == \"%s\" { n = 1 } END { print n + 0 }' '%s'", word(names, i), csv)) + 0
+# An engine's number in the list of names, and its block of data.
+style_of(engine) = sum [i = 1:words(names)] (word(names, i) eq engine ? i : 0)
 there = ""
-do for [i = 1:words(names)] { if (is_there(i)) { there = there . " " . i } }
-n(k) = int(word(there, k))
-plot for [random = 0:1] for [k = 1:words(there)] rows(random, n(k)) using 2:8:9:10 with yerrorbars lc rgb color(n(k)) pt 0 ps 0 notitle, \
-     for [k = 1:words(there)] rows(0, n(k)) using 2:8 with linespoints lc rgb color(n(k)) lw 2 pt filled(n(k)) ps 0.8 title word(labels, n(k)), \
-     for [k = 1:words(there)] rows(1, n(k)) using 2:8 with linespoints lc rgb color(n(k)) lw 1.5 dt 2 pt filled(n(k)) - 1 ps 0.9 notitle
+do for [i = 1:words(names)] { do for [k = 1:words(engines)] { if (word(engines, k) eq word(names, i)) { there = there . " " . k } } }
+block(random, k) = sprintf("$engine%s_%d", word(there, k), random)
+n(k) = style_of(word(engines, int(word(there, k))))
+plot for [random = 0:1] for [k = 1:words(there)] block(random, k) using 1:2:3:4 with yerrorbars lc rgb color(n(k)) pt 0 ps 0 notitle, \
+     for [k = 1:words(there)] block(0, k) using 1:2 with linespoints lc rgb color(n(k)) lw 2 pt filled(n(k)) ps 0.8 title word(labels, n(k)), \
+     for [k = 1:words(there)] block(1, k) using 1:2 with linespoints lc rgb color(n(k)) lw 1.5 dt 2 pt filled(n(k)) - 1 ps 0.9 notitle

@@ -1,12 +1,13 @@
 #!/bin/sh
-# engines.sh - rays a second by engine, scene and number of threads: a table, a CSV and plots.
+# engines.sh - rays a second by engine, scene and number of threads: a table, CSV files and plots.
 #
-# Usage: engines.sh PROGRAM FOLDER SCENE...; in the environment ROUNDS (7), THREADS ('1 2'),
-# LONGEST (3): who takes more seconds casts a smaller picture.
+# Usage: engines.sh PROGRAM TABLES FOLDER SCENE...; in the environment ROUNDS (7), THREADS ('1 2'),
+# SIZE (1920x1080), LONGEST (3): an engine that takes more seconds casts a smaller picture.
 set -u
 program=$1
-folder=$2
-shift 2
+tables=$2
+folder=$3
+shift 3
 mkdir -p "$folder"
 BENCH_SCRATCH=$(mktemp -d) || exit 1
 export BENCH_SCRATCH
@@ -17,14 +18,16 @@ for n in $threads; do
     options="$options -t $n"
 done
 # shellcheck disable=SC2086 # options are words
-"$program" -r "${ROUNDS:-7}" -l "${LONGEST:-3}" $options -o "$folder/engines.csv" "$@" | tee "$folder/engines.txt" || exit 1
-awk -F, -f tests/benches/engines.awk "$folder/engines.csv" >"$folder/engines.md" || exit 1
-echo "written: $folder/engines.txt, $folder/engines.csv, and as tables $folder/engines.md"
+"$program" -r "${ROUNDS:-7}" -l "${LONGEST:-3}" -s "${SIZE:-1920x1080}" $options -o "$folder/rays-per-second.csv" \
+    -p "$folder/ratios.csv" "$@" | tee "$folder/engines.txt" || exit 1
+"$tables" "$folder" >"$folder/tables.md" || exit 1
+echo "written: $folder/engines.txt, $folder/rays-per-second.csv, $folder/ratios.csv, and as tables $folder/tables.md"
 command -v gnuplot >/dev/null || exit 0
 for n in $threads; do
+    "$tables" -f "$n" "$folder" >"$folder/engines-$n.gp" || exit 1
     for theme in light dark; do
         picture=$folder/engines-$n$([ "$theme" = light ] || echo "-$theme").svg
-        gnuplot -e "csv = '$folder/engines.csv'; threads = $n; theme = '$theme'" tests/benches/engines.gp >"$picture" &&
+        gnuplot -e "theme = '$theme'" "$folder/engines-$n.gp" tests/benches/engines.gp >"$picture" &&
             echo "written: $picture"
     done
 done

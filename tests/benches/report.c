@@ -43,15 +43,20 @@ static double first_frame(const Row *row, int round)
     return row->build[round] + row->cast[round];
 }
 
-// How many times as fast as the base, round by round; the median.
-static double ratio(const Row *row, const Row *base, bool with_build)
+static int common_rounds(const Row *row, const Row *base)
+{
+    return row->rounds < base->rounds ? row->rounds : base->rounds;
+}
+
+// How many times as fast as the base, round by round; a share of 0.5 is the median.
+static double ratio(const Row *row, const Row *base, bool with_build, double share)
 {
     double ratios[MOST_ROUNDS];
-    int rounds = row->rounds < base->rounds ? row->rounds : base->rounds;
+    int rounds = common_rounds(row, base);
     for (int i = 0; i < rounds; i++)
         ratios[i] = with_build ? first_frame(base, i) / first_frame(row, i)
                                : rate(row, row->cast[i]) / rate(base, base->cast[i]);
-    return quantile(ratios, rounds, 0.5);
+    return quantile(ratios, rounds, share);
 }
 
 static const Row *base_of(const Row *rows, int count, int threads)
@@ -125,6 +130,24 @@ void report_begin(Report *report)
         fprintf(report->csv, "scene,spheres,engine,threads,width,height,rounds,rays_per_second,"
                              "lower_quartile,upper_quartile,build_ms,first_frame_ms,ratio,base,"
                              "pixels_different\n");
+    if (report->ratios != NULL)
+        fprintf(report->ratios,
+                "scene,engine,threads,peer,rounds,times,lower_quartile,upper_quartile\n");
+}
+
+// Each engine beside each peer.
+static void write_ratios(FILE *csv, const char *scene, const Row *rows, int count)
+{
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < count; k++) {
+            const Row *row = &rows[i], *peer = &rows[k];
+            if (row->peer || !peer->peer || row->threads != peer->threads ||
+                common_rounds(row, peer) == 0)
+                continue;
+            fprintf(csv, "%s,%s,%d,%s,%d,%.4g,%.4g,%.4g\n", scene, row->engine->name, row->threads,
+                    peer->engine->name, common_rounds(row, peer), ratio(row, peer, false, 0.5),
+                    ratio(row, peer, false, 0.25), ratio(row, peer, false, 0.75));
+        }
 }
 
 void report_scene(Report *report, const char *path, int spheres, const Row *rows, int count)
@@ -148,7 +171,7 @@ void report_scene(Report *report, const char *path, int spheres, const Row *rows
         double high = rate(row, quantile(row->cast, row->rounds, 0.25));
         double build = 1e3 * quantile(row->build, row->rounds, 0.5);
         double frame = 1e3 * quantile(frames, row->rounds, 0.5);
-        double times = base == NULL ? NAN : ratio(row, base, false);
+        double times = base == NULL ? NAN : ratio(row, base, false, 0.5);
         const char *name = base == NULL ? "" : base->engine->name;
         char quartiles[40], size[20], against[60];
         snprintf(quartiles, sizeof quartiles, "%.4g..%.4g", 1e-6 * low, 1e-6 * high);
@@ -165,7 +188,12 @@ void report_scene(Report *report, const char *path, int spheres, const Row *rows
                     row->size.height, row->rounds, middle, low, high, build, frame, times, name,
                     row->different);
         if (base != NULL)
-            add_up(report, row, times, ratio(row, base, true));
+            add_up(report, row, times, ratio(row, base, true, 0.5));
+    }
+    if (report->ratios != NULL) {
+        char scene[200];
+        snprintf(scene, sizeof scene, "%.*s", length, file);
+        write_ratios(report->ratios, scene, rows, count);
     }
     fflush(stdout);
 }
@@ -182,4 +210,6 @@ void report_end(Report *report)
                exp(report->sums[i].frame_log_sum / report->sums[i].scenes));
     if (report->csv != NULL)
         fclose(report->csv);
+    if (report->ratios != NULL)
+        fclose(report->ratios);
 }

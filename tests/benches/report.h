@@ -21,7 +21,8 @@ typedef struct {
 } Row;
 
 typedef struct {
-    FILE *csv; // NULL: none
+    FILE *csv;    // NULL: none
+    FILE *ratios; // each engine beside each peer; NULL: none
     struct {
         const Engine *engine;
         int threads, scenes;
@@ -33,7 +34,7 @@ typedef struct {
 // Which machine this is.
 void report_begin(Report *report);
 void report_scene(Report *report, const char *path, int spheres, const Row *rows, int count);
-// Over all scenes: the geometric mean of the ratios, and the least. Closes the CSV.
+// Over all scenes: the geometric mean of the ratios, and the least. Closes both files.
 void report_end(Report *report);
 
 #endif

@@ -6,9 +6,11 @@
 // All renderers of a scene take turns, round after round. The time includes building the hierarchy,
 // and excludes reading the scene and writing the picture. Each ratio is taken in a round, to
 // chapter 08's time in it. Pictures are compared first: peers compute in float, or have formulas of
-// their own, so only the mean difference is limited. Who takes longer than SECONDS (3) takes part
-// in fewer rounds, but in one at least. With -c the time is the processor's, of all threads
-// together: other programs disturb it less. (That is not for POV-Ray, which is another process.)
+// their own, so only the mean difference is limited. A renderer that takes longer than
+// SECONDS (3) takes part in fewer rounds, but in one at least. If it would take MOST_SECONDS times
+// as long, by what it took for fewer samples, it is left out, and the bench says so. With -c the
+// time is the processor's, of all threads together: other programs disturb it less. (That is not
+// for POV-Ray, which is another process.)
 #include "chapters/08-fast/engines/clock.h"
 #include "chapters/shared/scene_camera.h"
 #include "tests/benches/measure.h"
@@ -22,6 +24,7 @@
 
 // All rounds of one renderer take about as long as this many pictures of SECONDS.
 #define MOST_PICTURES 5
+#define MOST_SECONDS 20
 // Of a byte, in the mean over all pixels.
 #define MOST_DIFFERENT 2.0
 enum { MOST_RENDERERS = 8, MOST_ROUNDS = 99, MOST_COUNTS = 8 };
@@ -30,7 +33,7 @@ Measured measured;
 
 typedef struct {
     const Engine *renderer;
-    int rounds; // -1: fails, or draws another picture
+    int rounds; // -1: left out, fails, or draws another picture
     double seconds[MOST_ROUNDS], spent, different;
 } Row;
 
@@ -129,6 +132,16 @@ static void report(const Row *row, const Row *ours, const char *scene, int spher
     sum->least = sum->scenes++ == 0 ? times : fmin(sum->least, times);
 }
 
+// Whether a renderer would take too long for a scene, by its time for fewer samples.
+static bool is_left_out(int renderer, double expected, int samples, int threads)
+{
+    if (renderer == 0 || expected <= MOST_SECONDS * plan.longest)
+        return false;
+    printf("  %-12s %7d %7d   left out: it would take about %.0f seconds\n",
+           plan.renderers[renderer]->name, samples * samples, threads, expected);
+    return true;
+}
+
 static void measure(const Scene *scene, const char *name, int sample_count, int thread_count)
 {
     static Row rows[MOST_RENDERERS];
@@ -141,8 +154,14 @@ static void measure(const Scene *scene, const char *name, int sample_count, int 
     Work work = {.scene = scene, .image = &image, .threads = threads};
     if (scene_camera(&scene->view, plan.size, &work.camera) != CAMERA_OK)
         stop(name, "no camera");
-    for (int i = 0; i < plan.renderer_count; i++)
-        rows[i] = (Row){.renderer = plan.renderers[i]};
+    // Of each renderer and number of threads: the seconds for one sample a pixel.
+    static double seconds[MOST_RENDERERS][MOST_COUNTS];
+    for (int i = 0; i < plan.renderer_count; i++) {
+        double *each = &seconds[i][thread_count];
+        *each = sample_count == 0 ? 0 : *each;
+        bool out = is_left_out(i, *each * style.samples * style.samples, style.samples, threads);
+        rows[i] = (Row){.renderer = plan.renderers[i], .rounds = out ? -1 : 0};
+    }
     for (int round = 0; round < plan.rounds; round++)
         for (int i = 0; i < plan.renderer_count; i++) {
             Row *row = &rows[i];
@@ -161,6 +180,7 @@ static void measure(const Scene *scene, const char *name, int sample_count, int 
             }
             row->seconds[row->rounds++] = took;
             row->spent += took;
+            seconds[i][thread_count] = took / (style.samples * style.samples);
         }
     for (int i = 0; i < plan.renderer_count; i++)
         if (rows[i].rounds > 0)

@@ -1,12 +1,14 @@
 #!/bin/sh
 # shaded.sh - shadows and mirrors: chapter 08 beside its peers, on all scenes: a table and a CSV.
 #
-# Usage: shaded.sh PROGRAM FOLDER SCENE...; in the environment ROUNDS (5), THREADS ('1 2'),
-# SAMPLES ('1 2' in each direction), LONGEST (3): who takes more seconds has fewer rounds.
+# Usage: shaded.sh PROGRAM TABLES FOLDER SCENE...; in the environment ROUNDS (5), THREADS ('1 2'),
+# SAMPLES ('1 2' in each direction), SIZE (1920x1080), LONGEST (3): a renderer that takes more seconds
+# has fewer rounds.
 set -u
 program=$1
-folder=$2
-shift 2
+tables=$2
+folder=$3
+shift 3
 mkdir -p "$folder"
 BENCH_SCRATCH=$(mktemp -d) || exit 1
 export BENCH_SCRATCH
@@ -19,6 +21,6 @@ for n in ${SAMPLES:-1 2}; do
     options="$options -n $n"
 done
 # shellcheck disable=SC2086 # options are words
-"$program" -r "${ROUNDS:-5}" -l "${LONGEST:-3}" $options -o "$folder/shaded.csv" "$@" | tee "$folder/shaded.txt" || exit 1
-awk -F, -f tests/benches/shaded.awk "$folder/shaded.csv" >"$folder/shaded.md" || exit 1
-echo "written: $folder/shaded.txt, $folder/shaded.csv, and as a table $folder/shaded.md"
+"$program" -r "${ROUNDS:-5}" -l "${LONGEST:-3}" -s "${SIZE:-1920x1080}" $options -o "$folder/shaded-pictures.csv" "$@" | tee "$folder/shaded.txt" || exit 1
+"$tables" "$folder" >"$folder/tables.md" || exit 1
+echo "written: $folder/shaded.txt, $folder/shaded-pictures.csv, and as a table $folder/tables.md"
