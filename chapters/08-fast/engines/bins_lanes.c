@@ -318,7 +318,7 @@ static float ask_in_double(Tile *tile, const Rays *rays, const double center[3],
                      wins = asks & hit & !doubt & (at < s[i]);
                 seen[i] = wins ? color | (seen[i] & UNSURE) : doubt ? seen[i] | UNSURE : seen[i];
                 s[i] = wins ? (float)at : s[i];
-                most[i] = wins & ((float)at > most[i]) ? (float)at : most[i];
+                most[i] = wins && (float)at > most[i] ? (float)at : most[i];
             }
         }
     }
