@@ -4,6 +4,7 @@
 
 #include "chapters/08-fast/engines/meeting.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 #ifdef __AVX2__
@@ -30,11 +31,11 @@ static inline unsigned bits_of(const int *ints)
 
 typedef int FourInts __attribute__((vector_size(16)));
 
-// A ray in the units of the world. Where it starts is the sum of two floats. The number of each
-// node's side that it meets first, along each axis.
+// A ray in the units of the world. Where it starts is the sum of two floats. Along each axis, it
+// meets first the sides of a node's boxes from number first on.
 typedef struct {
     Four start, rest, direction, inverse, across; // inverse: 1 / direction; across: without sign
-    FourInts first_side;
+    FourInts first, last;
     Line line;
 } Slopes;
 
@@ -60,7 +61,8 @@ static inline void set_slopes(Slopes *slopes, const RayWorld *world, const Line 
     slopes->direction = direction;
     slopes->inverse = 1 / away;
     slopes->across = without_sign(slopes->inverse);
-    slopes->first_side = (FourInts){0, 2, 4, 0} - is_negative;
+    slopes->first = LANES * ((FourInts){0, 2, 4, 0} - is_negative);
+    slopes->last = LANES * ((FourInts){1, 3, 5, 0} + is_negative);
     slopes->line = *line;
 }
 
@@ -73,9 +75,9 @@ static inline void enter(const Slopes *slopes, const RayNode *node, float farthe
     Four from = local * slopes->inverse;
     Four more = 0x1p-20F * (without_sign(local) + node->size) * slopes->across;
     Four begins = from + more, ends = from - more;
-    const float *x = node->side[slopes->first_side[0]], *xx = node->side[slopes->first_side[0] ^ 1];
-    const float *y = node->side[slopes->first_side[1]], *yy = node->side[slopes->first_side[1] ^ 1];
-    const float *z = node->side[slopes->first_side[2]], *zz = node->side[slopes->first_side[2] ^ 1];
+    const float *x = node->sides + slopes->first[0], *xx = node->sides + slopes->last[0];
+    const float *y = node->sides + slopes->first[1], *yy = node->sides + slopes->last[1];
+    const float *z = node->sides + slopes->first[2], *zz = node->sides + slopes->last[2];
     float ix = slopes->inverse[0], iy = slopes->inverse[1], iz = slopes->inverse[2];
     float x1 = begins[0], y1 = begins[1], z1 = begins[2];
     float x2 = ends[0], y2 = ends[1], z2 = ends[2];
@@ -251,7 +253,7 @@ bool LANES(any_before)(const RayWorld *world, const Line *line, double reach,
 
 // A ray on its way: the box to enter next, those that wait, and the nearest hit so far. Boxes that
 // wait are in no order. After the last one their distances are infinite.
-enum { MOST_BOXES = 64 };
+enum { MOST_BOXES = 32 };
 typedef struct {
     alignas(64) float near[MOST_BOXES + LANES];
     int box[MOST_BOXES + LANES]; // as RayNode's below
@@ -262,6 +264,11 @@ typedef struct {
     double begin, end, rival; // bounds of the nearest certain hit, and of all others
     Slopes slopes;
 } Walker;
+
+static inline bool is_full(const Walker *walker)
+{
+    return walker->count > MOST_BOXES;
+}
 
 // Adds the boxes of a node that the ray enters.
 static inline void add_boxes(Walker *walker, const RayNode *node, const float *near)
@@ -291,15 +298,16 @@ static inline int place_of_nearest(const Walker *walker, float *nearest)
 {
 #ifdef __AVX512F__
     // The last 7 bits of each float are its place, so the least float says where it is.
-    const __m512i last_bits = _mm512_set1_epi32(0x7F);
+    const __m512i last_bits = _mm512_set1_epi32(0x7F), step = _mm512_set1_epi32(LANES);
     __m512i places = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-    __m512i least = _mm512_load_si512(walker->near);
-    least = _mm512_ternarylogic_epi32(last_bits, places, least, 0xCA);
-    for (int i = LANES; i < walker->count; i += LANES) {
-        places = _mm512_add_epi32(places, _mm512_set1_epi32(LANES));
-        __m512i more = _mm512_load_si512(walker->near + i);
-        least = _mm512_min_epi32(least, _mm512_ternarylogic_epi32(last_bits, places, more, 0xCA));
-    }
+    __m512i least = _mm512_set1_epi32(INT_MAX);
+    int i = 0;
+    do {
+        __m512i some = _mm512_load_si512(walker->near + i);
+        least = _mm512_min_epi32(least, _mm512_ternarylogic_epi32(last_bits, places, some, 0xCA));
+        places = _mm512_add_epi32(places, step);
+        i += LANES;
+    } while (i < walker->count);
     int bits = _mm512_reduce_min_epi32(least), distance = bits & ~0x7F;
     memcpy(nearest, &distance, sizeof *nearest);
     return bits & 0x7F;
@@ -314,19 +322,19 @@ static inline int place_of_nearest(const Walker *walker, float *nearest)
 #endif
 }
 
-// Takes the nearest of the boxes that wait. False at the end.
+// Takes the nearest of the boxes that wait. False if there is none, or too many for the list: the
+// ray ends.
 static inline bool take_nearest(Walker *walker)
 {
     float nearest;
-    int at = place_of_nearest(walker, &nearest);
-    if (!(nearest <= walker->farthest) || walker->count == 0)
-        return false;
+    int at = place_of_nearest(walker, &nearest), last = walker->count - (walker->count > 0);
+    bool goes_on = (nearest <= walker->farthest) & (walker->count > 0) & !is_full(walker);
     walker->next = walker->box[at];
-    int last = --walker->count;
     walker->near[at] = walker->near[last];
     walker->box[at] = walker->box[last];
     walker->near[last] = INFINITY;
-    return true;
+    walker->count -= goes_on;
+    return goes_on;
 }
 
 // Nothing if the place is NO_PLACE, or in another leaf.
@@ -336,10 +344,14 @@ static inline unsigned bit_of_place(const RayLeaf *leaf, int place)
     return bit < LANES ? 1U << bit : 0;
 }
 
-static inline void ask_leaf(Walker *walker, const RayWorld *world, const RayLeaf *leaf)
+static inline unsigned spheres_to_ask(const Walker *walker, const RayLeaf *leaf)
 {
-    unsigned bits = may_meet(&walker->slopes, leaf, walker->farthest);
-    bits &= ~bit_of_place(leaf, walker->missed);
+    return may_meet(&walker->slopes, leaf, walker->farthest) & ~bit_of_place(leaf, walker->missed);
+}
+
+static inline void ask_spheres(Walker *walker, const RayWorld *world, unsigned bits)
+{
+    const RayLeaf *leaf = &world->leaves[~walker->next];
     for (; bits != 0; bits &= bits - 1) {
         int place = leaf->first + __builtin_ctz(bits);
         Meeting meeting = meet_place(world, place, &walker->slopes.line);
@@ -360,7 +372,7 @@ static inline void start(Walker *walker, const RayWorld *world, const Line *line
 {
     for (int i = 0; i < walker->count; i++)
         walker->near[i] = INFINITY;
-    walker->count = walker->next = 0;
+    walker->count = walker->next = walker->box[0] = 0;
     walker->number = number;
     walker->farthest = INFINITY;
     walker->place = NO_PLACE;
@@ -380,11 +392,25 @@ static inline void load(const RayWorld *world, int box)
 
 enum { WALKERS = 64 };
 
+// Adds a number to a list, if it belongs there. A processor cannot foresee that, so no 'if'.
+typedef struct {
+    int numbers[WALKERS + 1], count;
+} List;
+
+static inline void add_if(List *list, int number, bool belongs)
+{
+    list->numbers[list->count] = number;
+    list->count += belongs;
+}
+
+// Each of these loops does one thing, for all rays that are there.
 void LANES(nearest_of_many)(const RayWorld *world, const Line *lines, const int *left, int count,
                             int *places)
 {
     Walker walkers[WALKERS];
-    int at_node[WALKERS], at_leaf[WALKERS], moved[WALKERS], nodes = 0, leaves = 0, started = 0;
+    List at_node = {.count = 0}, at_leaf = {.count = 0}, asking, moved, ended = {.count = 0};
+    unsigned bits[WALKERS];
+    int started = 0;
     for (int i = 0; i < count; i++)
         places[i] = NO_PLACE;
     if (world->nodes == NULL)
@@ -392,43 +418,46 @@ void LANES(nearest_of_many)(const RayWorld *world, const Line *lines, const int 
     for (; started < count && started < WALKERS; started++) {
         walkers[started].count = MOST_BOXES + LANES;
         start(&walkers[started], world, &lines[started], left[started], started);
-        at_node[nodes++] = started;
+        add_if(&at_node, started, true);
     }
-    // Rays at a node move, then those at a leaf. Then each takes its next box.
-    while (nodes + leaves > 0) {
-        int moving = 0;
-        for (int k = 0; k < nodes; k++) {
-            Walker *walker = &walkers[at_node[k]];
+    while (at_node.count + at_leaf.count > 0) {
+        moved.count = asking.count = 0;
+        for (int k = 0; k < at_node.count; k++) {
+            Walker *walker = &walkers[at_node.numbers[k]];
             const RayNode *node = &world->nodes[walker->next];
             alignas(64) float near[LANES];
             enter(&walker->slopes, node, walker->farthest, near);
             add_boxes(walker, node, near);
-            moved[moving++] = at_node[k];
+            add_if(&moved, at_node.numbers[k], true);
         }
-        for (int k = 0; k < leaves; k++) {
-            Walker *walker = &walkers[at_leaf[k]];
-            ask_leaf(walker, world, &world->leaves[~walker->next]);
-            moved[moving++] = at_leaf[k];
+        for (int k = 0; k < at_leaf.count; k++) {
+            int number = at_leaf.numbers[k];
+            const Walker *walker = &walkers[number];
+            bits[number] = spheres_to_ask(walker, &world->leaves[~walker->next]);
+            add_if(&asking, number, bits[number] != 0);
+            add_if(&moved, number, true);
         }
-        nodes = leaves = 0;
-        for (int k = 0; k < moving; k++) {
-            Walker *walker = &walkers[moved[k]];
-            bool full = walker->count > MOST_BOXES;
-            if (!full && take_nearest(walker)) {
-                load(world, walker->next);
-                bool is_leaf = walker->next < 0;
-                at_node[nodes] = at_leaf[leaves] = moved[k];
-                nodes += !is_leaf;
-                leaves += is_leaf;
-                continue;
-            }
-            bool doubt = full || (walker->rival <= walker->end && walker->rival < INFINITY);
+        for (int k = 0; k < asking.count; k++)
+            ask_spheres(&walkers[asking.numbers[k]], world, bits[asking.numbers[k]]);
+        at_node.count = at_leaf.count = ended.count = 0;
+        for (int k = 0; k < moved.count; k++) {
+            int number = moved.numbers[k];
+            bool goes_on = take_nearest(&walkers[number]), to_leaf = walkers[number].next < 0;
+            load(world, walkers[number].next);
+            add_if(&at_node, number, goes_on & !to_leaf);
+            add_if(&at_leaf, number, goes_on & to_leaf);
+            add_if(&ended, number, !goes_on);
+        }
+        for (int k = 0; k < ended.count; k++) {
+            Walker *walker = &walkers[ended.numbers[k]];
+            bool doubt =
+                is_full(walker) || (walker->rival <= walker->end && walker->rival < INFINITY);
             places[walker->number] = doubt ? IN_DOUBT : walker->place;
             if (started == count)
                 continue;
             start(walker, world, &lines[started], left[started], started);
             started++;
-            at_node[nodes++] = moved[k];
+            add_if(&at_node, ended.numbers[k], true);
         }
     }
 }

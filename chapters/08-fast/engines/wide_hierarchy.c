@@ -141,10 +141,11 @@ static void set_node(const RayWorld *world, RayNode *node, const WideNode *wide)
         double corner = scaled(world, axis, wide->corner[axis]);
         node->corner[axis] = (float)corner;
         double from = corner - (double)node->corner[axis];
+        float *low = node->sides + 2 * axis * LANES, *high = low + LANES;
         for (int i = 0; i < LANES; i++) {
             double middle = wide->middle[axis][i] + from, half = wide->half[axis][i];
-            node->side[2 * axis][i] = i < wide->boxes ? (float)(middle - half) : INFINITY;
-            node->side[2 * axis + 1][i] = i < wide->boxes ? (float)(middle + half) : -INFINITY;
+            low[i] = i < wide->boxes ? (float)(middle - half) : INFINITY;
+            high[i] = i < wide->boxes ? (float)(middle + half) : -INFINITY;
         }
     }
 }

@@ -37,7 +37,7 @@ typedef float Four __attribute__((vector_size(16))); // x, y, z, and 0
 // Boxes by their low and high sides along x, y and z. A lane without a box has no inside. 512
 // bytes.
 typedef struct {
-    alignas(64) float side[6][LANES];
+    alignas(64) float sides[6 * LANES];
     int below[LANES]; // the number of a node; if negative, ~ the number of a leaf
     Four corner;
     float size; // of the node's own box, its longest side

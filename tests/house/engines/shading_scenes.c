@@ -8,10 +8,11 @@
 
 #include <stddef.h>
 
-enum { MOST = 120, LIGHTS = 3 };
+// MOST spheres of random scenes; there is room for more.
+enum { MOST = 120, ROOM = 1200, LIGHTS = 3 };
 
-static Sphere spheres[MOST];
-static Surface surfaces[MOST];
+static Sphere spheres[ROOM];
+static Surface surfaces[ROOM];
 static Light lights[LIGHTS];
 Scene lit_scene = {.spheres = spheres, .surfaces = surfaces, .lights = lights};
 int lit_depth;
@@ -34,7 +35,7 @@ static vec3 anywhere(double size)
 static void add(vec3 center, double radius)
 {
     int i = lit_scene.sphere_count;
-    if (i == MOST)
+    if (i == ROOM)
         return;
     Color color = vec3_of((i % 7 + 1) / 7.0, (i / 7 % 7 + 1) / 7.0, (i / 49 % 9 + 1) / 9.0);
     surfaces[i] = (Surface){.color = color, .diffuse = 0.5, .specular = i % 3 / 3.0, .shine = 7};
@@ -214,6 +215,18 @@ static void grazing_the_light(void)
     }
 }
 
+// At the corners of the boxes rays enter nearly all of them, more than can wait in a list, and hit
+// only what is behind them.
+static void overlapping_boxes(void)
+{
+    look_from(vec3_of(0, 0, 7), middle, 50);
+    lit_depth = 1;
+    light_up(vec3_of(3, 4, 5), LIGHT_POINT);
+    add(vec3_of(0, 0, -25), 20);
+    for (int i = 1; i < ROOM; i++)
+        add(anywhere(0.4), 2);
+}
+
 const LitScene lit_awkward[] = {{"nothing", nothing, 1},
                                 {"no light", no_light, 1},
                                 {"inside", inside, 1},
@@ -226,6 +239,7 @@ const LitScene lit_awkward[] = {{"nothing", nothing, 1},
                                 {"on a huge ground", on_huge_ground, 1},
                                 {"grazing the view", grazing_the_view, 10},
                                 {"grazing the light", grazing_the_light, 10},
+                                {"overlapping boxes", overlapping_boxes, 1},
                                 {0}};
 
 void lit_at_random(unsigned number)
