@@ -18,6 +18,12 @@ function marksOf(messages, stem) {
     return marks;
 }
 
+/** A hint in one line for each paragraph: its lines are those of a terminal, and the panel is narrower. */
+function unwrapped(text) {
+    const isWrapped = (line) => /^ {2}\S/.test(line ?? "");
+    return text.split("\n").reduce((lines, line) => isWrapped(line) && isWrapped(lines.at(-1)) ? [...lines.slice(0, -1), `${lines.at(-1)} ${line.trim()}`] : [...lines, line], []).join("\n");
+}
+
 export function setUpExercise({ stem, site, course, answers, themeNow, showTrouble, firstFigure, drawer, onVerdict }) {
     const still = $("editor").querySelector("pre"), blank = still.textContent;
     const helper = new Helper(() => new Worker(new URL("judge_worker.js", site), { type: "module" }));
@@ -264,7 +270,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
             showTrouble("");
             const { text, state } = await helper.ask({ do: "hint", stem, sources: sources(), state: answers.note(stem, "hint") ?? "" }, showProgress);
             answers.saveNote(stem, "hint", state);
-            const pre = Object.assign(document.createElement("pre"), { textContent: text });
+            const pre = Object.assign(document.createElement("pre"), { textContent: unwrapped(text) });
             $("hints").append(pre);
             pre.scrollIntoView({ block: "nearest" });
         } catch (reason) {

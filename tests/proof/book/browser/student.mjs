@@ -55,6 +55,7 @@ try {
         await verdict(`${stem} is blank`, /is not answered yet/);
         await tab.$eval("#hint", (each) => each.click());
         await waitFor("a hint", 30, async () => (await textOf("#hints")).length > 20);
+        assert.equal((await textOf("#hints")).split("\n").filter((line) => line.startsWith("  ")).length, 1, "the panel wraps a hint, not its text");
         await write(right.replace(/;\n\s*\/\/ END SOLUTION/, "\n    // END SOLUTION"));
         await verdict(`${stem} lacks a semicolon`, /does not compile/);
         await tab.keyboard.press("F8"); // goes to the next error: lines that are not in sight are not in the page
