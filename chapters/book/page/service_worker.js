@@ -48,16 +48,13 @@ addEventListener("activate", (event) => {
     })());
 });
 
-// A page that was just opened asks for this (new_version.js).
+// A page that was just opened asks for this, more than once (new_version.js).
 addEventListener("message", (event) => {
     if (event.data === "take over if one page is open")
         event.waitUntil((async () => {
-            for (let tries = 0; tries < 5; tries++) { // the page before it may still be closing
-                const open = (await clients.matchAll({ type: "window", includeUncontrolled: true })).filter(({ url }) => url.startsWith(registration.scope));
-                if (open.length === 1)
-                    return skipWaiting();
-                await new Promise((resolve) => setTimeout(resolve, 100));
-            }
+            const open = (await clients.matchAll({ type: "window", includeUncontrolled: true })).filter(({ url }) => url.startsWith(registration.scope));
+            if (open.length === 1)
+                await skipWaiting();
         })());
 });
 
