@@ -173,6 +173,8 @@ static void find_spheres(LightPaths *all, bool mirrored)
 
 static void keep(Paths *paths, int at, int from)
 {
+    if (at == from)
+        return;
     paths->number[at] = paths->number[from];
     paths->sphere[at] = paths->sphere[from];
     set_vector(&paths->origin, at, vector_of(&paths->origin, from));

@@ -119,8 +119,16 @@ static void trace_waiting(Block *block)
     block->count = 0;
 }
 
-static void trace_sample(Block *block, Pixel sample, int seen, int place)
+// The sphere that a sample sees, or -1; 0 if that is not known.
+static int seen_by(const Lit *lit, Pixel sample)
 {
+    size_t columns = (size_t)lit->picture.samples.width;
+    return lit->seen == NULL ? 0 : lit->seen[(size_t)sample.row * columns + (size_t)sample.column];
+}
+
+static void trace_sample(Block *block, Pixel sample, int place)
+{
+    int seen = seen_by(block->lit, sample);
     if (seen < 0) {
         for (int i = 0; i < 3; i++)
             block->colors[i][place] = block->lit->work->scene->background[i];
@@ -135,26 +143,30 @@ static void trace_sample(Block *block, Pixel sample, int seen, int place)
         trace_waiting(block);
 }
 
+static bool sees_something(const Lit *lit, Pixel first)
+{
+    int n = lit->rendering.style.samples;
+    for (int row = first.row; row < first.row + n && lit->seen != NULL; row++)
+        for (int column = first.column; column < first.column + n; column++)
+            if (seen_by(lit, (Pixel){column, row}) >= 0)
+                return true;
+    return lit->seen == NULL;
+}
+
 // If no sample of the pixel sees a sphere, the pixel gets the background at once.
 static void trace_pixel(Block *block, Pixel pixel)
 {
     const Lit *lit = block->lit;
-    int n = lit->rendering.style.samples, see_something = lit->seen == NULL;
-    size_t columns = (size_t)block->paths.picture.samples.width;
-    const int *seen = lit->seen + (size_t)pixel.row * (size_t)n * columns + pixel.column * n;
-    for (int i = 0; i < n * n && !see_something; i++)
-        see_something = seen[(size_t)(i / n) * columns + (size_t)(i % n)] >= 0;
-    if (!see_something) {
+    int n = lit->rendering.style.samples, place = block->pixel_count;
+    Pixel first = {pixel.column * n, pixel.row * n};
+    if (!sees_something(lit, first)) {
         memcpy(image_bytes(lit->work->image, pixel), lit->background, sizeof lit->background);
         return;
     }
-    int number = block->pixel_count++;
-    block->pixels[number] = pixel;
-    for (int i = 0; i < n * n; i++) {
-        Pixel sample = {pixel.column * n + i % n, pixel.row * n + i / n};
-        int sphere = lit->seen == NULL ? 0 : seen[(size_t)(i / n) * columns + (size_t)(i % n)];
-        trace_sample(block, sample, sphere, i * PATHS + number);
-    }
+    block->pixels[block->pixel_count++] = pixel;
+    for (int row = first.row; row < first.row + n; row++)
+        for (int column = first.column; column < first.column + n; column++, place += PATHS)
+            trace_sample(block, (Pixel){column, row}, place);
 }
 
 static void paint_pixels(Block *block)
