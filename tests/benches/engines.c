@@ -129,6 +129,8 @@ static Resolution size_for(const Engine *engine, const Scene *scene, const Plan 
     for (int part = SMALLEST; part > 1; part /= 4) {
         smaller = size;
         size = (Resolution){plan->size.width / part, plan->size.height / part};
+        size.width = size.width > 0 ? size.width : 1;
+        size.height = size.height > 0 ? size.height : 1;
         Work work;
         Image image;
         work_begin(&work, &image, scene, size, threads);

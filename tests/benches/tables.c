@@ -191,6 +191,7 @@ static const struct {
     {"tachyon", "Tachyon"},
 };
 
+// NULL for an engine of the lesson.
 static const char *title_of(const char *engine)
 {
     for (size_t i = 0; i < sizeof titles / sizeof titles[0]; i++)
@@ -295,10 +296,10 @@ static void ratio_table(const Csv *csv)
     const Names seen = names_in(csv, R_PEER);
     begin_table("`bins`, times as fast as");
     for (int p = 0; p < seen.count; p++)
-        fprintf(out, " | %s",
-                strncmp(seen.names[p], "embree-", 7) == 0 && seen.names[p][7] != 'u'
-                    ? seen.names[p]
-                    : title_of(seen.names[p]));
+        fprintf(out, " | %s%s", title_of(seen.names[p]),
+                strcmp(seen.names[p], "embree-8") == 0    ? ", 8 rays at a time"
+                : strcmp(seen.names[p], "embree-16") == 0 ? ", 16 rays at a time"
+                                                          : "");
     end_head(seen.count);
     for (int s = 0; s < scenes.count; s++) {
         fprintf(out, "| %s", scenes.names[s]);
@@ -536,6 +537,8 @@ int main(int argc, char **argv)
     const char *folder = figure ? argv[3] : argv[1];
     Csv engines = csv_read(folder, "rays-per-second.csv"), ratios = csv_read(folder, "ratios.csv");
     Csv shaded = csv_read(folder, "shaded-pictures.csv");
+    if ((figure || argc == 3) && engines.count == 0)
+        stop(folder, "rays-per-second.csv has no numbers");
     char *tables = NULL;
     size_t size = 0;
     out = open_memstream(&tables, &size);
