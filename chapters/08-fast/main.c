@@ -2,15 +2,15 @@
 //
 // The students' archive does not have the engines, because they contain answers to earlier
 // chapters. There the program only has the rectangles.
-#if __has_include("chapters/08-fast/engines/cast.h")
-#include "chapters/08-fast/engines/cast.h"
+#if __has_include("chapters/08-fast/engines/engine.h")
+#include "chapters/08-fast/engines/engine.h"
 #else
 #include "chapters/08-fast/rectangles.h"
 #endif
 
 int main(int argc, char **argv)
 {
-#ifdef CHAPTERS_08_FAST_ENGINES_CAST_H
+#ifdef CHAPTERS_08_FAST_ENGINE_H
     return cast_command(argc, argv);
 #else
     return rectangles_command(argc, argv);

@@ -2,9 +2,9 @@
 //
 // Usage: alone SCENE.nff FILE.png WIDTH HEIGHT THREADS. Prints microseconds: reading, writing.
 // Between them chapter 08 casts the picture, which is not counted.
-#include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/system.h"
 #include "chapters/shared/scene_camera.h"
 #include "common/workers.h"
 

@@ -2,8 +2,6 @@
 // order for any hit.
 #include "chapters/08-fast/engines/any_ray.h"
 
-#include "chapters/08-fast/engines/meeting.h"
-
 #include <limits.h>
 #include <math.h>
 #include <string.h>
@@ -67,7 +65,7 @@ static inline void set_slopes(Slopes *slopes, const RayWorld *world, const Line 
 }
 
 // Where the ray enters the boxes of a node; infinite if it does not, before farthest. The slabs of
-// slab_test.h, for 16 boxes. For rounding, boxes are larger by 2^-20 of the numbers that are
+// bvh.c, for 16 boxes. For rounding, boxes are larger by 2^-20 of the numbers that are
 // subtracted.
 static inline void enter(const Slopes *slopes, const RayNode *node, float farthest, float *near)
 {

@@ -7,9 +7,9 @@
 #include "chapters/08-fast/engines/bins_tile.h"
 #include "chapters/08-fast/engines/covered_pixels.h"
 #include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/engines/large_memory.h"
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/system.h"
 #include "exercises/04-pixel-ray.h"
 
 #include <limits.h>

@@ -6,7 +6,7 @@
 #include "chapters/08-fast/engines/bins_tile.h"
 
 #include "chapters/08-fast/engines/covered_pixels.h"
-#include "chapters/08-fast/engines/nearest_hit.h"
+#include "chapters/08-fast/engines/hierarchy.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 

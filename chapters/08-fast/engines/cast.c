@@ -1,11 +1,10 @@
 // cast.c - draws a scene as chapter 06 does, with one of the engines, and prints how many rays a
 // second that took.
-#include "chapters/08-fast/engines/cast.h"
-
-#include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/engine.h"
+
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/system.h"
 #include "chapters/08-fast/rectangles.h"
 #include "chapters/shared/lighting.h"
 #include "chapters/shared/needed_answers.h"

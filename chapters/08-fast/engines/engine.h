@@ -19,7 +19,7 @@ typedef struct {
     Camera camera;
     Image *image; // every pixel is set
     int threads;  // at least 1
-    // If not NULL: gets the time when casting began, by clock.h. A hierarchy that was built before
+    // If not NULL: gets the time when casting began, by system.h. A hierarchy that was built before
     // that can be used with every camera.
     double *built;
     // If not NULL: called before plain casts the scene instead, because its numbers are extreme.
@@ -60,5 +60,9 @@ bool cast_bins(const Work *work, Message *message);
 // The sphere that each pixel sees, row by row, -1 for none; of the image only the size matters.
 // False if there is not enough memory, or if the scene is extreme (number_limits.h).
 bool bins_spheres(const Work *work, int *spheres);
+
+// Does what the command line of chapter 08 says: which engine draws which scene (cast.c). Returns
+// the result of main.
+int cast_command(int argc, char **argv);
 
 #endif

@@ -1,12 +1,37 @@
-// float_scene.c - the scene as floats: in the order of the hierarchy, from the eye.
-#include "chapters/08-fast/engines/float_scene.h"
+// float_scene.c - steps 4 and 5: the scene becomes floats, seen from the eye, in the order of the
+// hierarchy. Tiles of pixels are cast in floats; step 3 decides the pixels in doubt.
+#include "chapters/08-fast/engines/float_bounds.h"
 
 #include "chapters/08-fast/engines/covered_pixels.h"
-#include "chapters/08-fast/engines/large_memory.h"
+#include "chapters/08-fast/engines/engine.h"
+#include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/sphere_colors.h"
+#include "chapters/08-fast/engines/system.h"
+#include "exercises/04-pixel-ray.h"
 
+#include <stdatomic.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+
+typedef struct {
+    const Work *work;
+    // For every camera: the hierarchy, and the arrays in its order.
+    Hierarchy hierarchy;
+    Paint *paints;
+    Unseen *unseen;
+    WideNode *wide; // if it is needed
+    int *colors;
+    // For this camera.
+    See *see;
+    Seen *seen;
+    SeenNode *nodes; // if wide is not needed
+    int *around;
+    float *x, *y;
+    atomic_int found; // SEEN_AROUND | SEEN_BADLY
+    View view;
+} SeenScene;
 
 enum { AT_A_TIME = 64 * SEEN_AT_ONCE }; // spheres or nodes, by one thread
 
@@ -45,7 +70,8 @@ static void line_up(void *given, int part)
     }
 }
 
-bool seen_scene_build(SeenScene *scene, const Work *work, bool wide)
+// Prepares the part for every camera. False if there is not enough memory. Free it in both cases.
+static bool seen_scene_build(SeenScene *scene, const Work *work, bool wide)
 {
     const size_t count = (size_t)work->scene->sphere_count, padded = count + SEEN_AT_ONCE;
     static See *const sees[LANES_KINDS] = LANES_TABLE(see);
@@ -69,7 +95,7 @@ bool seen_scene_build(SeenScene *scene, const Work *work, bool wide)
     return count == 0 || scene->wide != NULL || scene->nodes != NULL;
 }
 
-void seen_scene_free(SeenScene *scene)
+static void seen_scene_free(SeenScene *scene)
 {
     free(scene->nodes);
     free(scene->wide);
@@ -83,7 +109,7 @@ void seen_scene_free(SeenScene *scene)
     hierarchy_free(&scene->hierarchy);
 }
 
-// ---- for one camera -----------------------------------------------------------------------------
+// ---- for one camera ---------------------------------------------------------------------------
 
 static void see_spheres(void *given, int part)
 {
@@ -162,7 +188,9 @@ static void set_view(SeenScene *scene)
         scene->y[i] = (float)((0.5 - (i + 0.5) / screen.height) * height);
 }
 
-bool seen_scene_look(SeenScene *scene)
+// Prepares the part for this camera. False if floats are not good enough: see SEEN_BADLY. That is
+// also the case for rays nearly at right angles to the view.
+static bool seen_scene_look(SeenScene *scene)
 {
     const Work *work = scene->work;
     Camera camera = work->camera;
@@ -177,4 +205,79 @@ bool seen_scene_look(SeenScene *scene)
     if (scene->nodes != NULL)
         in_parallel(work->threads, parts(scene->hierarchy.node_count), see_nodes, scene);
     return true;
+}
+
+// ---- the picture ------------------------------------------------------------------------------
+
+typedef struct {
+    const Work *work;
+    const SeenScene *scene;
+    Walk *walk;
+    PaintTile *paint;
+} Cast;
+
+static int tiles(int pixels)
+{
+    return (pixels + TILE - 1) / TILE;
+}
+
+// Decides a pixel in doubt: step 3, in double.
+static void decide(const Cast *cast, Pixel pixel)
+{
+    const Work *work = cast->work;
+    Hit hit = hierarchy_nearest(&cast->scene->hierarchy, work->scene,
+                                pixel_ray(work->camera, work->image->size, pixel));
+    paint_pixel(work->image, image_index(work->image, pixel), work->scene, cast->scene->paints,
+                hit.sphere);
+}
+
+static void cast_tile(void *given, int part)
+{
+    const Cast *cast = given;
+    Image *image = cast->work->image;
+    int across = tiles(image->size.width);
+    Tile tile = {.column = part % across * TILE_BLOCKS, .row = part / across * TILE_BLOCKS};
+    cast->walk(&cast->scene->view, &tile);
+    int left = tile.column * BLOCK, top = tile.row * BLOCK;
+    int right = left + TILE < image->size.width ? left + TILE : image->size.width;
+    int bottom = top + TILE < image->size.height ? top + TILE : image->size.height;
+    cast->paint(&tile, right - left, bottom - top, image_bytes(image, (Pixel){left, top}),
+                3 * (size_t)image->size.width);
+    for (int row = top; tile.doubts && row < bottom; row++)
+        for (int column = left; column < right; column++)
+            if (tile.colors[(row - top) * TILE + column - left] == IN_DOUBT)
+                decide(cast, (Pixel){column, row});
+}
+
+static bool cast_by(const Work *work, Message *message, Walk *walk, bool wide)
+{
+    if (extreme_scene(work))
+        return cast_extreme(work, message);
+    static PaintTile *const paints[LANES_KINDS] = LANES_TABLE(paint_tile);
+    SeenScene scene;
+    Cast cast = {work, &scene, walk, paints[lanes_best()]};
+    Resolution screen = work->image->size;
+    bool ready = seen_scene_build(&scene, work, wide);
+    if (work->built != NULL)
+        *work->built = clock_seconds();
+    if (!ready)
+        message_set(message, "no memory for a hierarchy of %d spheres", work->scene->sphere_count);
+    else if (seen_scene_look(&scene))
+        in_parallel(work->threads, tiles(screen.width) * tiles(screen.height), cast_tile, &cast);
+    else
+        ready = cast_bvh(work, message);
+    seen_scene_free(&scene);
+    return ready;
+}
+
+bool cast_packet(const Work *work, Message *message)
+{
+    static Walk *const walks[LANES_KINDS] = LANES_TABLE(walk_packets);
+    return cast_by(work, message, walks[lanes_best()], false);
+}
+
+bool cast_tiles(const Work *work, Message *message)
+{
+    static Walk *const walks[LANES_KINDS] = LANES_TABLE(walk_frustum);
+    return cast_by(work, message, walks[lanes_best()], true);
 }

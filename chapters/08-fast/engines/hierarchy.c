@@ -5,8 +5,8 @@
 // enough parts for all threads. Each part is then built by one thread.
 #include "chapters/08-fast/engines/hierarchy.h"
 
-#include "chapters/08-fast/engines/large_memory.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/system.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,6 +6,7 @@
 #ifndef CHAPTERS_08_FAST_HIERARCHY_H
 #define CHAPTERS_08_FAST_HIERARCHY_H
 
+#include "common/ray.h"
 #include "common/scene.h"
 
 #include <stdbool.h>
@@ -46,5 +47,15 @@ enum { HIERARCHY_DEEPEST = 128, SMALL_LEAF = 4 };
 // than their spheres, so that they contain every hit, in spite of rounding.
 bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf, int threads);
 void hierarchy_free(Hierarchy *hierarchy);
+
+// The nearer of two hits; as in chapter 06, the lower index wins if both are equally near.
+static inline Hit nearer(Hit a, Hit b)
+{
+    bool b_wins = b.t < a.t || (b.t == a.t && b.t < NO_HIT && b.sphere < a.sphere);
+    return b_wins ? b : a;
+}
+
+// The nearest hit of one ray (bvh.c): the same as chapter 06's nearest_hit, to the bit.
+Hit hierarchy_nearest(const Hierarchy *hierarchy, const Scene *scene, Ray ray);
 
 #endif

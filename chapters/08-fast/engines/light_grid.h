@@ -6,7 +6,7 @@
 #ifndef CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
 #define CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
 
-#include "chapters/08-fast/engines/bins_sort.h"
+#include "chapters/08-fast/engines/bins_lanes.h"
 #include "chapters/08-fast/engines/shadow_lanes.h"
 #include "common/ray.h"
 #include "common/scene.h"

@@ -2,9 +2,9 @@
 // a mirror.
 #include "chapters/08-fast/engines/light_paths.h"
 
-#include "chapters/08-fast/engines/large_memory.h"
-#include "chapters/08-fast/engines/nearest_hit.h"
+#include "chapters/08-fast/engines/hierarchy.h"
 #include "chapters/08-fast/engines/shadow_lanes.h"
+#include "chapters/08-fast/engines/system.h"
 #include "exercises/05-quadratic.h"
 #include "exercises/07-shading.h"
 

@@ -35,7 +35,7 @@ static void inverse_of(Inverse *of, const View *view, const Packet *packet)
         of->middle[axis] = direction(view, axis, packet->x[LANES / 2], packet->y[LANES / 2]);
 }
 
-// Whether any ray enters the box before its nearest certain hit: the slabs of slab_test.h, for 16
+// Whether any ray enters the box before its nearest certain hit: the slabs of bvh.c, for 16
 // rays.
 static inline bool packet_enters(const Inverse *of, const SeenNode *node)
 {

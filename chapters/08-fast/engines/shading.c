@@ -2,11 +2,10 @@
 // the spheres on its way (bvh).
 #include "chapters/08-fast/engines/engine.h"
 
-#include "chapters/08-fast/engines/clock.h"
-#include "chapters/08-fast/engines/large_memory.h"
 #include "chapters/08-fast/engines/light_paths.h"
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/system.h"
 #include "exercises/07-shading.h"
 
 #include <pthread.h>

@@ -1,8 +1,8 @@
 // shadow_lanes.c - shadow rays, many at once.
 #include "chapters/08-fast/engines/shadow_lanes.h"
 
+#include "chapters/08-fast/engines/any_ray.h"
 #include "chapters/08-fast/engines/bins_lanes.h"
-#include "chapters/08-fast/engines/meeting.h"
 
 static inline double dot(double x, double y, double z, double u, double v, double w)
 {
@@ -86,7 +86,7 @@ static void cells(const double light[3], const ViewNumbers *numbers, int view_co
     }
 }
 
-// With the square of the ray's length, all terms of its discriminant have the margin of meeting.h,
+// With the square of the ray's length, all terms of its discriminant have the margin of any_ray.h,
 // and no root is needed. If both ends are inside, the ray does not reach the surface between them.
 // If both are outside, and the ray still comes nearer to the centre at its end, neither.
 static inline int verdict(const ShadowRays *rays, int ray, double x, double y, double z,

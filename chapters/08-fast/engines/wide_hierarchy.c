@@ -2,7 +2,7 @@
 // until there are 16.
 #include "chapters/08-fast/engines/wide_hierarchy.h"
 
-#include "chapters/08-fast/engines/large_memory.h"
+#include "chapters/08-fast/engines/system.h"
 
 #include <math.h>
 #include <stdlib.h>

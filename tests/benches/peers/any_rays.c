@@ -9,11 +9,10 @@
 // turns, on one thread. The times are processor times, so other programs disturb them less. Then
 // both build their hierarchies, also in turns, by one thread and by two.
 // Usage: any_rays [-r ROUNDS] SCENE.nff...
-#include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/engines/large_memory.h"
+#include "chapters/08-fast/engines/hierarchy.h"
 #include "chapters/08-fast/engines/light_paths.h"
-#include "chapters/08-fast/engines/nearest_hit.h"
+#include "chapters/08-fast/engines/system.h"
 #include "chapters/shared/scene_camera.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"

@@ -3,9 +3,9 @@
 // Built for this machine's instructions (-march=native), as Embree is. It takes only fields of
 // what it is given, never a vec3 by value.
 #include "tests/benches/peers/embree.h"
-#include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/sphere_colors.h"
+#include "chapters/08-fast/engines/system.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,8 +4,8 @@
 // rays from the eye, to the lights and from mirrors. As in chapter 08, rays are gathered from many
 // samples, a light that is behind its surface is not asked, and a pixel without spheres gets the
 // background at once.
-#include "chapters/08-fast/engines/clock.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/system.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 #include "exercises/07-shading.h"

@@ -1,5 +1,5 @@
-// large_memory.c - memory in large pages.
-#include "chapters/08-fast/engines/large_memory.h"
+// system.c - memory in large pages.
+#include "chapters/08-fast/engines/system.h"
 
 #include <stdint.h>
 #include <stdlib.h>
