@@ -2,7 +2,8 @@
 //
 // Boxes and spheres are floats, with margins for rounding. A sphere that floats cannot leave out is
 // asked in double, also with margins. So the answer is a list of spheres that is certain to contain
-// the right one. Nearly always it has one sphere. If it has more, chapter 05's functions decide.
+// the right one. Nearly always it has at most one sphere. If it has more, the caller decides with
+// chapter 05's functions.
 #ifndef CHAPTERS_08_FAST_ENGINES_ANY_RAY_H
 #define CHAPTERS_08_FAST_ENGINES_ANY_RAY_H
 
@@ -34,10 +35,11 @@ typedef bool AnyBefore(const RayWorld *world, const Line *line, double reach,
                        PossibleHits *candidates);
 extern AnyBefore any_before_baseline, any_before_avx2, any_before_avx512;
 
-// For each of many rays, the place of the only sphere that may be the nearest hit; or NO_PLACE, if
-// the ray certainly misses all; or IN_DOUBT, then ask nearest_of. Many rays in turns are faster
-// than one after the other: while one waits for memory, others compute. left: the place of the
-// sphere that each ray leaves, which it rarely hits again, or NO_PLACE.
+// For each of many rays, the place of the only sphere that may be the nearest hit; or NO_PLACE if
+// the ray certainly misses all; or IN_DOUBT: then ask nearest_of. Many rays in turns are faster
+// than one after the other: while one waits for memory, others compute. left: for each ray the
+// place of the sphere that it leaves, or NO_PLACE. Usually the ray certainly misses this sphere,
+// and does not ask it again.
 enum { NO_PLACE = -1, IN_DOUBT = -2 };
 typedef void NearestOfMany(const RayWorld *world, const Line *lines, const int *left, int count,
                            int *places);

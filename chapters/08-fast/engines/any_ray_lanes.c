@@ -1,5 +1,5 @@
-// any_ray_lanes.c - rays through the wide hierarchy: near boxes first for the nearest hit, any
-// order for any hit.
+// any_ray_lanes.c - rays from anywhere through the wide hierarchy, near boxes first: one ray alone,
+// for the nearest hit or for any hit; or many rays in turns, for their nearest hits.
 #include "chapters/08-fast/engines/any_ray.h"
 
 #include <limits.h>
@@ -64,8 +64,8 @@ static inline void set_slopes(Slopes *slopes, const RayWorld *world, const Line 
     slopes->line = *line;
 }
 
-// Where the ray enters the boxes of a node; infinite if it does not, before farthest. The slabs of
-// bvh.c, for 16 boxes. For rounding, boxes are larger by 2^-20 of the numbers that are
+// Where the ray enters the boxes of a node; infinite if it does not enter before farthest. The
+// slabs of bvh.c, for 16 boxes. For rounding, boxes are larger by 2^-20 of the numbers that are
 // subtracted.
 static inline void enter(const Slopes *slopes, const RayNode *node, float farthest, float *near)
 {
@@ -390,18 +390,22 @@ static inline void load(const RayWorld *world, int box)
 
 enum { WALKERS = 64 };
 
-// Adds a number to a list, if it belongs there. A processor cannot foresee that, so no 'if'.
+// The rays that go to the same kind of place. There is room for one more, which add_if may write.
 typedef struct {
     int numbers[WALKERS + 1], count;
 } List;
 
+// Always writes, but only counts a number that belongs to the list: a processor cannot predict an
+// 'if' here, and a wrong prediction costs more than writing.
 static inline void add_if(List *list, int number, bool belongs)
 {
     list->numbers[list->count] = number;
     list->count += belongs;
 }
 
-// Each of these loops does one thing, for all rays that are there.
+// Each round takes all rays one step: those at a node enter its boxes, those at a leaf ask its
+// spheres, and then all go to their nearest box. Each loop does one thing, for all rays that need
+// it. A ray that ends gives its answer, and the next one starts in its place.
 void LANES(nearest_of_many)(const RayWorld *world, const Line *lines, const int *left, int count,
                             int *places)
 {

@@ -22,6 +22,8 @@ static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
 
 enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024 };        // bytes
 enum { SMALLEST_BLOCK = 1 << 16, LARGEST_BLOCK = 1 << 21 }; // bytes
+// For fewer than FEW_SPHERES, neither more shares nor hiding is worth its cost. At most FEW_ITEMS
+// of a bin need no malloc.
 enum { FEW_SPHERES = 10000, FEW_ITEMS = 128, NOTHING_HIDDEN = INT_MAX };
 
 // A bin is a list of chunks. Each begins at a multiple of its size, which is a power of 2, so the
@@ -140,7 +142,8 @@ static Item *add_chunk(Casting *casting, Share *share, Item *next)
     return chunk->items;
 }
 
-// Copies the items of a bin.
+// Copies the items of a bin. The last chunk comes first; the one before it is fetched into the
+// cache meanwhile.
 static void copy_items(Item *next, size_t size, Item *to)
 {
     if (next == NULL)
@@ -181,7 +184,7 @@ static bool covers(const Work *work, vec3 c, double square, int left, int top)
     return true;
 }
 
-// A large sphere hides all that begins beyond its outline from the tiles that it covers.
+// In the tiles that a large sphere covers, all that begins beyond its outline is hidden.
 static void hide(Casting *casting, const Place *place)
 {
     const Work *work = casting->tiling.work;

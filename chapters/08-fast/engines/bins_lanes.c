@@ -50,7 +50,7 @@ static bool place(const Eye *eye, const Positions *positions, int first, int cou
         double g = (ahead - r) * (ahead + r);
         double square = x * x + y * y + z * z;
         bool ordinary = ahead > r && g > 1e-30 && square < 1e30;
-        // covered_pixels.c: outline(), both axes at once.
+        // The outline by the formula of exercise 08, both axes at once.
         double safe = ordinary ? g : 1;
         double over = 1 / safe, x_middle = ahead * aside * over, y_middle = ahead * above * over;
         double x_half = r * over * root(aside * aside + safe);

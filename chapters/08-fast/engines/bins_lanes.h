@@ -1,4 +1,7 @@
-// bins_lanes.h - the inner loops of step 6, as numbers and arrays.
+// bins_lanes.h - the inner loops of step 6, and the numbers and arrays that they work on.
+//
+// A sphere has a place on the screen. In the bin of a tile it is an item; a tile that is cast makes
+// candidates of the items, and outlines of the candidates. Outlines ask the pixels.
 #ifndef CHAPTERS_08_FAST_BINS_LANES_H
 #define CHAPTERS_08_FAST_BINS_LANES_H
 
@@ -45,8 +48,8 @@ typedef struct {
     double width, height;
 } Eye;
 
-// The pixels of a tile. s is the distance of the nearest surface, as t v.v, which is the distance
-// times |v|. A pixel that float cannot decide has UNSURE in its colour.
+// The pixels of a tile. s is t v.v of the nearest hit so far: its distance times |v|. A pixel that
+// float cannot decide has UNSURE in its colour.
 enum { UNSURE = 1 << 24 };
 typedef struct {
     // Aligned to a cache line, so that 16 of them are in one line.

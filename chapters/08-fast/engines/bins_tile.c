@@ -17,12 +17,13 @@
 // Spheres that are prepared together; after that, the farthest pixel is computed again.
 enum { AT_ONCE = 8, UNTIL_NEXT_LOOK = 32 };
 
+// The tile that is being cast.
 typedef struct {
     const Tiling *tiling;
     Pixel corner;
     int columns, rows;
     Rays rays;
-    float shortest; // not more than the length of any of them
+    float shortest; // not more than the length of any ray
     float slack;    // the largest error of any s
     Tile pixels;
     // The spheres that ask next.
@@ -45,7 +46,7 @@ static Ray ray_of(const Here *here, int column, int row)
     return pixel_ray(work->camera, work->image->size, pixel);
 }
 
-// Or what stands for it, if spheres are wanted instead of colours.
+// The colour of pixels that see a sphere. If spheres are wanted instead, its number + 1.
 static int color_of(const Tiling *tiling, int sphere)
 {
     if (tiling->seen != NULL)

@@ -1,5 +1,5 @@
-// cast.c - draws a scene as chapter 06 does, with one of the engines, and prints how many rays a
-// second that took.
+// cast.c - the command line of chapter 08: chooses an engine, draws a scene with it, flat or
+// shaded, and prints how long that took.
 #include "chapters/08-fast/engines/engine.h"
 
 #include "chapters/08-fast/engines/number_limits.h"
@@ -38,7 +38,7 @@ static bool option_threads(const char *text, void *into)
 }
 
 // Building a hierarchy takes longer than casting with bins, and a picture is cast only once. But
-// for shadows and mirrors, rays start everywhere.
+// rays from mirrors start everywhere, and need a hierarchy.
 static const Engine *engine_for(bool shaded)
 {
     return engine_named(shaded ? "bvh" : "bins");

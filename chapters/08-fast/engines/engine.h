@@ -1,7 +1,7 @@
 // engine.h - six ways to cast the same picture.
 //
-// Each engine is a step: a small file, and a section of the lesson. All give the pixels of chapter
-// 06. They differ in the questions that they leave out, and in how many they ask at a time.
+// Each engine is a step, and a section of the lesson. All give the pixels of chapter 06. They
+// differ in the questions that they leave out, and in how many they ask at a time.
 #ifndef CHAPTERS_08_FAST_ENGINE_H
 #define CHAPTERS_08_FAST_ENGINE_H
 
@@ -19,8 +19,8 @@ typedef struct {
     Camera camera;
     Image *image; // every pixel is set
     int threads;  // at least 1
-    // If not NULL: gets the time when casting began, by system.h. A hierarchy that was built before
-    // that can be used with every camera.
+    // If not NULL: gets the time when casting began, by clock_seconds. A hierarchy that was built
+    // before that can be used with every camera.
     double *built;
     // If not NULL: called before plain casts the scene instead, because its numbers are extreme.
     void (*extreme)(void);

@@ -49,7 +49,7 @@ typedef struct {
     double x[SEEN_AT_ONCE], y[SEEN_AT_ONCE], z[SEEN_AT_ONCE], radius[SEEN_AT_ONCE];
 } Unseen;
 
-// The input of a file of lanes; it contains no vec3.
+// The scene and the camera for files of lanes, so without a vec3 (lanes.h).
 typedef struct {
     const SeenNode *nodes; // NULL if there are no spheres, or if these are not needed
     const WideNode *wide;  // the same

@@ -1,5 +1,5 @@
-// float_bounds_lanes.c - converts spheres to floats, and finds the blocks of pixels where they may
-// be visible.
+// float_bounds_lanes.c - the begin and the end of a picture in floats: converts spheres to floats,
+// and finds the blocks of pixels where they may be visible; and writes the colours of a tile.
 #include "chapters/08-fast/engines/float_bounds.h"
 
 #include <math.h>
@@ -50,8 +50,8 @@ int LANES(see)(const View *view, const Unseen *unseen, Seen *seen)
         larger[i] = (float)(r * r + doubt * (r + doubt));
         smaller[i] = (float)(r * r - doubt * (r + doubt));
 
-        // The outline, as in covered_pixels.c; the whole screen if the sphere is too near beside
-        // the eye.
+        // The outline by the formula of exercise 08; the whole screen if the sphere is too near
+        // beside the eye.
         r *= 1 + 1e-9;
         double g = (z - r) * (z + r), gx = x * x + g, gy = y * y + g;
         int near = z <= 1.01 * r, none = (z + r <= 0) | (distance <= r);

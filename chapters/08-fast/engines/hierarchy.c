@@ -13,7 +13,7 @@
 #include <string.h>
 
 // BINS: the number of slices along an axis; FEW_BINS are enough for SMALL nodes. Nodes deeper than
-// DEEP are simply halved, so that none is deeper than HIERARCHY_DEEPEST. PARTS: at least so many
+// DEEP are simply halved, so that none is deeper than HIERARCHY_DEEPEST. PARTS: at least this many
 // for each thread.
 enum { BINS = 16, FEW_BINS = 8, SMALL = 32, DEEP = 64, PARTS = 16, SMALLEST_PART = 1024 };
 
@@ -116,7 +116,7 @@ static void best_along(Split *split, int axis, const Bounds *boxes, const int *c
     }
 }
 
-// Its cost is infinite if all centres are in one place.
+// The cheapest split along any axis; its cost is infinite if all centres are in one place.
 static Split best_split(const Four *items, int count, Bounds centers)
 {
     int bins = count < SMALL ? FEW_BINS : BINS;

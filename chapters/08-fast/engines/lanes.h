@@ -4,8 +4,9 @@
 // the kind, and its functions get names of their own: LANES(bins) is bins_avx512, bins_avx2 or
 // bins_baseline. Its loops are plain C over arrays. The compiler turns 16 steps at a time into the
 // vectors of the instruction set: one of 16 floats, two of 8, or four of 4. A lane is one of the
-// 16. '#pragma omp simd' promises the compiler that no step needs the result of another one, except
-// for 'reduction(| : any)': all steps combine their results with |, in any order.
+// 16. Of doubles, which are twice as large, a vector has half as many. '#pragma omp simd' promises
+// the compiler that no step needs the result of another one, except for 'reduction(| : any)': all
+// steps combine their results with |, in any order.
 //
 // The functions in these files take only numbers and arrays, never a vec3, because instruction sets
 // pass a vec3 in different ways.

@@ -1,4 +1,7 @@
 // light_grid.c - the bins of step 6, seen from a light.
+//
+// To build: giants are left out; a view is one picture from the light; its spheres are sorted by
+// distance, then into the cells. To ask: shadow rays find their cells, and ask the spheres in them.
 #include "chapters/08-fast/engines/light_grid.h"
 
 #include "chapters/08-fast/engines/covered_pixels.h"
@@ -20,7 +23,7 @@ enum { MOST_COLUMNS = 1024, COARSEST = 6 };
 // all rounding errors.
 #define FARTHEST 1e8
 
-// Through a view, slope is how far the rays at its edges go aside for each step ahead.
+// slope: how far the rays at the edges of the view go aside for each step ahead.
 static Eye eye_towards(vec3 forward, vec3 right, vec3 up, double slope)
 {
     Eye eye = {.width = MOST_COLUMNS * TILE_WIDTH, .height = MOST_COLUMNS * TILE_HEIGHT};
@@ -533,8 +536,8 @@ static void take_next(const Scene *scene, Remaining *remaining, Occluders *occlu
     }
 }
 
-// All rays ask the first sphere of their cell, then those that go on ask their second one, and so
-// on.
+// All rays ask the giants. Then all that go on ask the first sphere of their cell, those that still
+// go on ask their second one, and so on.
 void light_grid_hides(const LightGrid *grid, const Light *light, const ShadowRays *rays,
                       bool *hidden)
 {

@@ -1,8 +1,8 @@
-// light_paths.h - chapter 07's colour of a ray, with every search for a sphere made by a hierarchy.
+// light_paths.h - chapter 07's colour of a ray, without asking every sphere.
 //
 // A ray needs few spheres: the one that it hits, and for each light one that hides it, if any. The
-// wide hierarchy and the grids of the lights find them. The rest is the steps of light_steps.h. A
-// hidden light adds 0, so the numbers are the same, to the last digit.
+// wide hierarchy and the grids of the lights find them. light_steps.h computes the rest. A hidden
+// light adds 0, so the numbers are the same, to the last digit.
 #ifndef CHAPTERS_08_FAST_ENGINES_LIGHT_PATHS_H
 #define CHAPTERS_08_FAST_ENGINES_LIGHT_PATHS_H
 
@@ -32,7 +32,7 @@ typedef struct {
     const LightWorld *world;
     int depth;
     Picture picture;
-    const LightSteps *steps; // by the chapters, at first
+    const LightSteps *steps; // steps_by_chapters, unless the caller sets others
     Paths *paths;
     Vectors *directions;
     ShadowRays *shadow;
@@ -41,6 +41,7 @@ typedef struct {
     // end colors[0] are those of the paths.
     Vectors *colors;
     double *parts;
+    // any_ray.h, for this processor.
     NearestOf *nearest;
     AnyBefore *before;
     NearestOfMany *nearest_of_many;

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-// All of the arrays' last vector is computed, so that no loop has a rest.
+// The last vector of an array is always computed as a whole, so that no loop has a remainder.
 static inline int padded(int count)
 {
     return (count + 7) / 8 * 8;
@@ -129,7 +129,7 @@ static void to_light(const Paths *paths, const Light *light, Vectors *directions
     }
 }
 
-// What shade needs of the surfaces, and the directions back to the eye.
+// The numbers of the surfaces that shade needs, and the directions back to the eye.
 typedef struct {
     Vectors color, eye;
     alignas(64) double diffuse[PATHS], specular[PATHS], shine[PATHS];

@@ -35,8 +35,7 @@ static void inverse_of(Inverse *of, const View *view, const Packet *packet)
         of->middle[axis] = direction(view, axis, packet->x[LANES / 2], packet->y[LANES / 2]);
 }
 
-// Whether any ray enters the box before its nearest certain hit: the slabs of bvh.c, for 16
-// rays.
+// Whether any ray enters the box before its nearest certain hit: the slabs of bvh.c, for 16 rays.
 static inline bool packet_enters(const Inverse *of, const SeenNode *node)
 {
     float low_x = node->low[0], low_y = node->low[1], low_z = node->low[2];

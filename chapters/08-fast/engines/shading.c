@@ -1,5 +1,7 @@
-// shading.c - chapter 07's pictures: shadows and mirrors. Every ray asks every sphere (plain), or
-// the spheres on its way (bvh).
+// shading.c - chapter 07's pictures: shadows and mirrors.
+//
+// With plain, every ray asks every sphere. With bvh, the bins of step 6 find the spheres that the
+// eye sees, and light_paths.h gives the colours there, for many samples at a time.
 #include "chapters/08-fast/engines/engine.h"
 
 #include "chapters/08-fast/engines/light_paths.h"
@@ -190,7 +192,8 @@ static int pixels_in(int samples_in_a_row, const Lit *lit)
     return n < samples_in_a_row ? samples_in_a_row / n : 1;
 }
 
-// In squares of about 4 x 4 samples, so that 16 rays in a row are neighbours.
+// In squares of about 4 x 4 samples: paths that are traced one after the other are neighbours, and
+// most of them ask the same spheres, which are then in the cache.
 static void paint_block(Block *block, Pixel first, Pixel end)
 {
     int side = pixels_in(SQUARE, block->lit);

@@ -1,4 +1,5 @@
-// shadow_lanes.c - shadow rays, many at once.
+// shadow_lanes.c - shadow rays, several at a time in doubles: sides of surfaces, cells of a light's
+// grid, and what hides the light.
 #include "chapters/08-fast/engines/shadow_lanes.h"
 
 #include "chapters/08-fast/engines/any_ray.h"
@@ -86,9 +87,10 @@ static void cells(const double light[3], const ViewNumbers *numbers, int view_co
     }
 }
 
-// With the square of the ray's length, all terms of its discriminant have the margin of any_ray.h,
-// and no root is needed. If both ends are inside, the ray does not reach the surface between them.
-// If both are outside, and the ray still comes nearer to the centre at its end, neither.
+// Whether a sphere hides the light at the end of a ray. All terms of the discriminant are times the
+// square of the ray's length, so the margin of any_ray.h is right for them, and no root is needed.
+// If both ends of the ray are inside the sphere, it does not meet the surface between them. If both
+// are outside, and it still comes nearer to the centre at its end, it does not meet it either.
 static inline int verdict(const ShadowRays *rays, int ray, double x, double y, double z,
                           double radius)
 {

@@ -1,5 +1,8 @@
 // shadow_lanes.h - shadow rays, many at once: which go into their own surface, and which spheres
-// hide their light. All decisions here have margins for rounding.
+// hide their light.
+//
+// All decisions have margins for rounding. If rounding could matter, a surface is EDGE_ON, and a
+// ray is needed; a sphere MAY_HIDE, and chapter 07's function decides.
 #ifndef CHAPTERS_08_FAST_ENGINES_SHADOW_LANES_H
 #define CHAPTERS_08_FAST_ENGINES_SHADOW_LANES_H
 
@@ -31,7 +34,8 @@ typedef struct {
 } ViewNumbers;
 
 // Where a light is, from a surface. If it is certainly behind the surface, no ray is needed. If it
-// is certainly before it, and the surface is the outside of its sphere, the ray misses this sphere.
+// is certainly in front of it, and the surface is the outside of its sphere, the ray misses this
+// sphere.
 typedef enum { EDGE_ON, BEHIND, BEFORE } Side;
 
 typedef struct {
@@ -39,8 +43,8 @@ typedef struct {
     void (*sides)(const Paths *paths, const Vectors *ways, bool has_end, int *sides);
     // The lengths of directions; and the directions with length 1, if not NULL.
     void (*units)(const Vectors *directions, int count, double *lengths, Vectors *units);
-    // The view in which each ray starts, and the cell; -1 if the view does not show it. There is
-    // one view, or six around the light: along x, -x, y, -y, z, -z.
+    // The view that shows the start of each ray, and the cell there; cell -1 if no view shows it.
+    // There is one view, or six around the light: along x, -x, y, -y, z, -z.
     void (*cells)(const double light[3], const ViewNumbers *numbers, int view_count,
                   const ShadowRays *rays, int *views, int *cells);
     // Whether each sphere hides the light, which is at t = 1.

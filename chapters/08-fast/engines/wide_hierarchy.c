@@ -1,5 +1,6 @@
-// wide_hierarchy.c - 16 boxes in a node: from the root of a hierarchy the largest box is opened,
-// until there are 16.
+// wide_hierarchy.c - makes nodes of 16 boxes from a hierarchy: in each node, the largest box is
+// replaced by the two boxes in it, until there are 16. Then, for rays from anywhere, the nodes and
+// their leaves get the numbers that any_ray_lanes.c asks.
 #include "chapters/08-fast/engines/wide_hierarchy.h"
 
 #include "chapters/08-fast/engines/system.h"
@@ -108,7 +109,7 @@ WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int *nod
 
 // ---- for rays from anywhere -------------------------------------------------------------------
 
-// A place in the units of the world, and from where it counts, which is a float.
+// A coordinate, counted from the world's corner and scaled.
 static double scaled(const RayWorld *world, int axis, double at)
 {
     return (at - world->corner[axis]) * world->scale;

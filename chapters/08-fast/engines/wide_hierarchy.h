@@ -25,13 +25,14 @@ typedef struct {
 } WideNode;
 
 // NULL if there is not enough memory. The root is the first node; node_count is their number. Free
-// it with free. A box with at most few spheres is not divided, few is at most 16. The floats are
+// it with free. A box with at most few spheres is not divided; few is at most 16. The floats are
 // lengths times the scale, so that they are in the range of floats; the corners are not scaled.
 WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int *node_count);
 
-// For rays from anywhere lengths are times a scale, so that the largest box has the size 1, and
-// places count from its corner. Places in a node count from the node's own corner, and those in a
-// leaf from the leaf's centre: near these floats are precise enough.
+// For rays from anywhere, all lengths are multiplied by a scale, so that the largest box has the
+// size 1. The place of a node or a leaf is counted from the corner of the largest box. Places in a
+// node are counted from the node's own corner, and those in a leaf from the leaf's centre: near
+// these, floats are precise enough.
 typedef float Four __attribute__((vector_size(16))); // x, y, z, and 0
 
 // Boxes by their low and high sides along x, y and z. A lane without a box has no inside. 512
