@@ -1,4 +1,4 @@
-// memory.c - what memory bins take beyond the scene and the image.
+// memory.c - how much memory bins take beyond the scene and the image.
 //
 // Usage: memory SPHERES THREADS LARGER: as many random spheres as are asked for, as random_nff.c
 // writes them but for their radii, which are LARGER times as large, at 1920 x 1080. The peak of

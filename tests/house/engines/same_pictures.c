@@ -1,9 +1,9 @@
 // same_pictures.c - every engine gives chapter 06's picture: of scenes that are made to be
 // difficult, on screens of all sizes, and of random scenes.
 //
-// Usage: same [SCENES [FIRST]]: SCENES random scenes, from number FIRST on (100, 1), and with the
-// first all others. Each is drawn by plain and by every other engine, with several threads, and
-// with every instruction set that the engine was compiled for. The last line counts.
+// Usage: same_pictures [SCENES [FIRST]]: SCENES random scenes, from number FIRST on (100, 1), and
+// with the first all others. Each is drawn by plain and by every other engine, with several
+// threads, and with every instruction set that the engine was compiled for. The last line counts.
 #include "tests/house/engines/compare_engines.h"
 #include "tests/house/engines/test_scenes.h"
 

@@ -1,6 +1,6 @@
 // same_pictures_of_files.c - every engine gives the same picture of a scene in a file.
 //
-// Usage: files WIDTHxHEIGHT MOST-TESTS SCENE.nff...
+// Usage: same_pictures_of_files WIDTHxHEIGHT MOST-TESTS SCENE.nff...
 //
 // Against plain, chapter 06's loop, if that takes at most the given number of tests of a ray and a
 // sphere (a number like 1e10). Beyond it against bvh, and rows of that, scattered over the picture,

@@ -1,9 +1,9 @@
 // same_shading.c - shadows and mirrors through the hierarchy are chapter 07's, on scenes that are
 // awkward, and on random ones.
 //
-// Usage: lit [SCENES [FIRST]]: SCENES random scenes, from number FIRST on (100, 1). Of each, what
-// every pixel's ray sees is compared to the last digit; and a picture of few samples, with one
-// thread and with three, to the byte. The last line counts.
+// Usage: same_shading [SCENES [FIRST]]: SCENES random scenes, from number FIRST on (100, 1). Of
+// each, the colour that every pixel's ray sees is compared to the last digit; and a picture of few
+// samples, with one thread and with three, to the byte. The last line counts.
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/light_paths.h"
 #include "chapters/shared/scene_camera.h"
