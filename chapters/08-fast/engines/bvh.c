@@ -16,35 +16,36 @@
 
 // ---- boxes on the way of a ray ----------------------------------------------------------------
 
-// A ray and, for each axis, 1 / direction and whether it goes backwards; and 1 / v.v, which is NaN
-// if squares would leave the range of a double.
+// A ray, and the numbers that all boxes and spheres need: for each axis, 1 / direction and whether
+// the ray goes backwards; and 1 / v.v, which is NaN if squares would leave the range of a double.
 typedef struct {
     double origin[3], inverse[3];
     bool backwards[3];
     double per_squared;
-} Way;
+} PreparedRay;
 
-static inline Way way_of(Ray ray)
+static inline PreparedRay prepare(Ray ray)
 {
-    Way way;
+    PreparedRay prepared;
     for (int i = 0; i < 3; i++) {
-        way.origin[i] = ray.origin[i];
-        way.inverse[i] = 1 / ray.direction[i];
-        way.backwards[i] = way.inverse[i] < 0;
+        prepared.origin[i] = ray.origin[i];
+        prepared.inverse[i] = 1 / ray.direction[i];
+        prepared.backwards[i] = prepared.inverse[i] < 0;
     }
     double squared = vec3_dot(ray.direction, ray.direction);
-    way.per_squared = squared > 1e-100 && squared < 1e100 ? 1 / squared : NAN;
-    return way;
+    prepared.per_squared = squared > 1e-100 && squared < 1e100 ? 1 / squared : NAN;
+    return prepared;
 }
 
 // The part of the ray between two opposite sides of a box. If the ray is in the plane of a side,
 // this is 0 times infinity, NaN; comparing with NaN is false, so it changes nothing.
-static inline void clip(const Way *way, int axis, const Box *box, double *enters, double *leaves)
+static inline void clip(const PreparedRay *prepared, int axis, const Box *box, double *enters,
+                        double *leaves)
 {
     double low = box->low[axis], high = box->high[axis];
-    bool backwards = way->backwards[axis];
-    double near = ((backwards ? high : low) - way->origin[axis]) * way->inverse[axis];
-    double far = ((backwards ? low : high) - way->origin[axis]) * way->inverse[axis];
+    bool backwards = prepared->backwards[axis];
+    double near = ((backwards ? high : low) - prepared->origin[axis]) * prepared->inverse[axis];
+    double far = ((backwards ? low : high) - prepared->origin[axis]) * prepared->inverse[axis];
     *enters = near > *enters ? near : *enters;
     *leaves = far < *leaves ? far : *leaves;
 }
@@ -52,33 +53,33 @@ static inline void clip(const Way *way, int axis, const Box *box, double *enters
 // The t at which the ray enters a box (0 if it starts inside); infinite if it misses the box. The
 // slabs between opposite sides, one after the other (Kay and Kajiya, 'Ray Tracing Complex Scenes',
 // 1986).
-static inline double entry(const Box *box, const Way *way)
+static inline double entry(const Box *box, const PreparedRay *prepared)
 {
     double enters = 0, leaves = INFINITY;
-    clip(way, 0, box, &enters, &leaves);
-    clip(way, 1, box, &enters, &leaves);
-    clip(way, 2, box, &enters, &leaves);
+    clip(prepared, 0, box, &enters, &leaves);
+    clip(prepared, 1, box, &enters, &leaves);
+    clip(prepared, 2, box, &enters, &leaves);
     return enters <= leaves ? enters : INFINITY;
 }
 
 // Whether the ray misses the sphere by so much that rounding cannot make it a hit: by Pythagoras,
 // which is faster than chapter 05, and less exact. The margins are many times the rounding error of
 // both.
-static inline bool surely_misses(const Way *way, Ray ray, const Sphere *sphere)
+static inline bool surely_misses(const PreparedRay *prepared, Ray ray, const Sphere *sphere)
 {
     vec3 p = sphere->center - ray.origin;
     double along = vec3_dot(p, ray.direction), pp = vec3_dot(p, p), r = sphere->radius;
-    return pp - along * along * way->per_squared > r * r * (1 + 1e-9) + pp * 1e-12 + 1e-250;
+    return pp - along * along * prepared->per_squared > r * r * (1 + 1e-9) + pp * 1e-12 + 1e-250;
 }
 
 // ---- the walk ---------------------------------------------------------------------------------
 
 static Hit ask_leaf(const Hierarchy *hierarchy, const Scene *scene, const Node *leaf, Ray ray,
-                    const Way *way, Hit nearest)
+                    const PreparedRay *prepared, Hit nearest)
 {
     for (int i = leaf->first; i < leaf->first + leaf->count; i++) {
         int sphere = hierarchy->order[i];
-        if (surely_misses(way, ray, &scene->spheres[sphere]))
+        if (surely_misses(prepared, ray, &scene->spheres[sphere]))
             continue;
         nearest = nearer(nearest, (Hit){hit_sphere(ray, scene->spheres[sphere]), sphere});
     }
@@ -90,23 +91,23 @@ Hit hierarchy_nearest(const Hierarchy *hierarchy, const Scene *scene, Ray ray)
     if (scene->sphere_count == 0)
         return (Hit){NO_HIT, -1};
     const Node *nodes = hierarchy->nodes;
-    Way way = way_of(ray);
+    PreparedRay prepared = prepare(ray);
     struct {
         int node;
         double entry;
     } waiting[HIERARCHY_DEEPEST]; // a stack: the farther child, while the nearer one is walked
     int count = 0, node = 0;
     Hit nearest = {NO_HIT, -1};
-    double enters = entry(&nodes[0].box, &way);
+    double enters = entry(&nodes[0].box, &prepared);
     for (;;) {
         // Because of rounding, a box may begin a little beyond a hit in it.
         if (enters < NO_HIT && enters <= nearest.t * (1 + 1e-9)) {
             if (nodes[node].other == 0) {
-                nearest = ask_leaf(hierarchy, scene, &nodes[node], ray, &way, nearest);
+                nearest = ask_leaf(hierarchy, scene, &nodes[node], ray, &prepared, nearest);
             } else {
                 int near = node + 1, far = nodes[node].other;
-                double near_entry = entry(&nodes[near].box, &way);
-                double far_entry = entry(&nodes[far].box, &way);
+                double near_entry = entry(&nodes[near].box, &prepared);
+                double far_entry = entry(&nodes[far].box, &prepared);
                 bool swap = far_entry < near_entry;
                 waiting[count].node = swap ? near : far;
                 waiting[count++].entry = swap ? near_entry : far_entry;

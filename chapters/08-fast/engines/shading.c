@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+// A shaded picture, for all threads.
 typedef struct {
     const Work *work;
     Rendering rendering;
