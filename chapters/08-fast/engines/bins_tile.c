@@ -32,17 +32,17 @@ typedef struct {
     int spheres[AT_ONCE];
     Part parts[AT_ONCE];
     float nearest[AT_ONCE]; // a lower bound of s
-} Here;
+} CurrentTile;
 
-static void allow(Here *here, float error)
+static void allow(CurrentTile *tile, float error)
 {
-    here->slack = error > here->slack ? error : here->slack;
+    tile->slack = error > tile->slack ? error : tile->slack;
 }
 
-static Ray ray_of(const Here *here, int column, int row)
+static Ray ray_of(const CurrentTile *tile, int column, int row)
 {
-    const Work *work = here->tiling->work;
-    Pixel pixel = {here->corner.column + column, here->corner.row + row};
+    const Work *work = tile->tiling->work;
+    Pixel pixel = {tile->corner.column + column, tile->corner.row + row};
     return pixel_ray(work->camera, work->image->size, pixel);
 }
 
@@ -59,40 +59,40 @@ static int color_of(const Tiling *tiling, int sphere)
 
 // A sphere asks its pixels in double. (If float cannot hold the t, the pixel remains undecided.) If
 // the eye is almost on the sphere, chapter 05 decides.
-static void ask_in_double(Here *here, int number, Part part, float nearest)
+static void ask_in_double(CurrentTile *tile, int number, Part part, float nearest)
 {
-    const Sphere *asking = &here->tiling->work->scene->spheres[number];
-    vec3 c = asking->center - here->tiling->work->camera.origin;
+    const Sphere *asking = &tile->tiling->work->scene->spheres[number];
+    vec3 c = asking->center - tile->tiling->work->camera.origin;
     double center[3] = {c[0], c[1], c[2]}, cc = vec3_dot(c, c),
            rr = asking->radius * asking->radius;
     if (fabs(cc - rr) > 1e-6 * (cc + rr)) {
-        float most = here->tiling->lanes->ask_in_double(&here->pixels, &here->rays, center,
-                                                        asking->radius, part, nearest, here->slack,
-                                                        color_of(here->tiling, number));
-        allow(here, FLT_EPSILON * most);
+        float most = tile->tiling->lanes->ask_in_double(&tile->pixels, &tile->rays, center,
+                                                        asking->radius, part, nearest, tile->slack,
+                                                        color_of(tile->tiling, number));
+        allow(tile, FLT_EPSILON * most);
         return;
     }
-    Sphere sphere = here->tiling->work->scene->spheres[number];
-    int color = color_of(here->tiling, number);
+    Sphere sphere = tile->tiling->work->scene->spheres[number];
+    int color = color_of(tile->tiling, number);
     for (int row = part.top; row < part.bottom; row++) {
         for (int column = part.left; column < part.right; column++) {
-            float *s = &here->pixels.s[row * TILE_WIDTH + column];
-            int *seen = &here->pixels.color[row * TILE_WIDTH + column];
-            if (nearest > *s + here->slack)
+            float *s = &tile->pixels.s[row * TILE_WIDTH + column];
+            int *seen = &tile->pixels.color[row * TILE_WIDTH + column];
+            if (nearest > *s + tile->slack)
                 continue;
-            Ray ray = ray_of(here, column, row);
+            Ray ray = ray_of(tile, column, row);
             double t = hit_sphere(ray, sphere);
             if (t == NO_HIT)
                 continue;
-            vec3 to_plane = ray_to_plane(ray, here->tiling->work->camera).direction;
+            vec3 to_plane = ray_to_plane(ray, tile->tiling->work->camera).direction;
             double at = t * vec3_dot(ray.direction, to_plane);
-            double margin = 2 * here->slack + 4 * FLT_EPSILON * at;
+            double margin = 2 * tile->slack + 4 * FLT_EPSILON * at;
             if (!(at > 1e-30 && at < 1e30 && fabs(at - *s) > margin)) {
                 *seen |= UNSURE;
             } else if (at < *s) {
                 *s = (float)at;
                 *seen = color | (*seen & UNSURE);
-                allow(here, (float)(FLT_EPSILON * at));
+                allow(tile, (float)(FLT_EPSILON * at));
             }
         }
     }
@@ -122,14 +122,14 @@ static inline float near_of(Item item)
 
 // Which of the spheres does a pixel see? Its ray misses most of them by far: |c x v| / |v| is its
 // distance from the centre, and the margins are many times the rounding error of that.
-static int decide(const Here *here, Ray ray, const Item *bin, size_t count)
+static int decide(const CurrentTile *tile, Ray ray, const Item *bin, size_t count)
 {
     vec3 v = ray.direction;
     double vv = vec3_dot(v, v);
     Hit nearest = {NO_HIT, -1};
     for (size_t i = 0; i < count; i++) {
         int number = sphere_of(bin[i]);
-        Sphere sphere = here->tiling->work->scene->spheres[number];
+        Sphere sphere = tile->tiling->work->scene->spheres[number];
         vec3 c = sphere.center - ray.origin, w = vec3_cross(c, v);
         double square = sphere.radius * sphere.radius, ww = vec3_dot(w, w);
         if (ww > 1e-250 && ww > 1.000001 * square * vv + 1e-18 * vec3_dot(c, c) * vv)
@@ -139,31 +139,31 @@ static int decide(const Here *here, Ray ray, const Item *bin, size_t count)
     return nearest.sphere;
 }
 
-static void decide_unsure(Here *here, const Item *bin, size_t count)
+static void decide_unsure(CurrentTile *tile, const Item *bin, size_t count)
 {
-    if (!here->tiling->lanes->unsure(&here->pixels))
+    if (!tile->tiling->lanes->unsure(&tile->pixels))
         return;
-    for (int row = 0; row < here->rows; row++) {
-        for (int column = 0; column < here->columns; column++) {
-            int *seen = &here->pixels.color[row * TILE_WIDTH + column];
+    for (int row = 0; row < tile->rows; row++) {
+        for (int column = 0; column < tile->columns; column++) {
+            int *seen = &tile->pixels.color[row * TILE_WIDTH + column];
             if (*seen & UNSURE)
-                *seen = color_of(here->tiling, decide(here, ray_of(here, column, row), bin, count));
+                *seen = color_of(tile->tiling, decide(tile, ray_of(tile, column, row), bin, count));
         }
     }
 }
 
 // The place of a candidate, from the eye, and the pixels that it may ask.
-static void set_candidate(Here *here, int i)
+static void set_candidate(CurrentTile *tile, int i)
 {
-    const Work *work = here->tiling->work;
-    const Sphere *sphere = &work->scene->spheres[here->spheres[i]];
-    Candidates *to = &here->candidates;
+    const Work *work = tile->tiling->work;
+    const Sphere *sphere = &work->scene->spheres[tile->spheres[i]];
+    Candidates *to = &tile->candidates;
     vec3 c = sphere->center - work->camera.origin;
     to->x[i] = c[0];
     to->y[i] = c[1];
     to->z[i] = c[2];
     to->radius[i] = sphere->radius;
-    Part part = here->parts[i];
+    Part part = tile->parts[i];
     int column = (part.left + part.right) / 2, row = (part.top + part.bottom) / 2;
     to->column[i] = column;
     to->row[i] = row;
@@ -173,42 +173,42 @@ static void set_candidate(Here *here, int i)
 
 // Do all pixels of a sphere's part see something nearer? If they do not, usually the pixel in the
 // middle is one of those.
-static bool is_hidden(const Here *here, int i)
+static bool is_hidden(const CurrentTile *tile, int i)
 {
-    Part part = here->parts[i];
+    Part part = tile->parts[i];
     int row = (part.top + part.bottom) / 2, column = (part.left + part.right) / 2;
-    float nearest = here->nearest[i] - here->slack;
-    return nearest > here->pixels.s[row * TILE_WIDTH + column] &&
-           nearest > here->tiling->lanes->farthest(&here->pixels, part);
+    float nearest = tile->nearest[i] - tile->slack;
+    return nearest > tile->pixels.s[row * TILE_WIDTH + column] &&
+           nearest > tile->tiling->lanes->farthest(&tile->pixels, part);
 }
 
-static void ask_waiting(Here *here)
+static void ask_waiting(CurrentTile *tile)
 {
-    const BinsLanes *lanes = here->tiling->lanes;
+    const BinsLanes *lanes = tile->tiling->lanes;
     Outlines outlines;
-    for (int i = 0; i < here->waiting; i++)
-        set_candidate(here, i);
-    lanes->outline(&here->rays, &here->candidates, here->waiting, &outlines);
-    for (int i = 0; i < here->waiting; i++) {
-        if (is_hidden(here, i))
+    for (int i = 0; i < tile->waiting; i++)
+        set_candidate(tile, i);
+    lanes->outline(&tile->rays, &tile->candidates, tile->waiting, &outlines);
+    for (int i = 0; i < tile->waiting; i++) {
+        if (is_hidden(tile, i))
             continue;
         if (outlines.safe[i]) {
-            lanes->ask(&here->pixels, &outlines, i, here->parts[i], here->slack,
-                       color_of(here->tiling, here->spheres[i]));
-            allow(here, outlines.s_error[i]);
+            lanes->ask(&tile->pixels, &outlines, i, tile->parts[i], tile->slack,
+                       color_of(tile->tiling, tile->spheres[i]));
+            allow(tile, outlines.s_error[i]);
         } else {
-            ask_in_double(here, here->spheres[i], here->parts[i], here->nearest[i]);
+            ask_in_double(tile, tile->spheres[i], tile->parts[i], tile->nearest[i]);
         }
     }
-    here->waiting = 0;
+    tile->waiting = 0;
 }
 
 // Returns the number of spheres that may be visible. The next ones are fetched into the cache: the
 // order of the bin is not that of the memory, and a sphere may be in two lines of the cache.
-static size_t ask_all(Here *here, const Item *bin, size_t count)
+static size_t ask_all(CurrentTile *tile, const Item *bin, size_t count)
 {
-    const Tiling *tiling = here->tiling;
-    const Part all = {0, here->columns, 0, here->rows};
+    const Tiling *tiling = tile->tiling;
+    const Part all = {0, tile->columns, 0, tile->rows};
     float farthest = INFINITY;
     size_t i;
     for (i = 0; i < count; i++) {
@@ -218,17 +218,17 @@ static size_t ask_all(Here *here, const Item *bin, size_t count)
             __builtin_prefetch(&soon->surface);
         }
         if (i % UNTIL_NEXT_LOOK == UNTIL_NEXT_LOOK - 1)
-            farthest = tiling->lanes->farthest(&here->pixels, all);
-        float nearest = near_of(bin[i]) * here->shortest;
-        if (nearest > farthest + here->slack)
+            farthest = tiling->lanes->farthest(&tile->pixels, all);
+        float nearest = near_of(bin[i]) * tile->shortest;
+        if (nearest > farthest + tile->slack)
             break;
-        here->spheres[here->waiting] = sphere_of(bin[i]);
-        here->parts[here->waiting] = part_of(bin[i]);
-        here->nearest[here->waiting] = nearest;
-        if (++here->waiting == AT_ONCE)
-            ask_waiting(here);
+        tile->spheres[tile->waiting] = sphere_of(bin[i]);
+        tile->parts[tile->waiting] = part_of(bin[i]);
+        tile->nearest[tile->waiting] = nearest;
+        if (++tile->waiting == AT_ONCE)
+            ask_waiting(tile);
     }
-    ask_waiting(here);
+    ask_waiting(tile);
     return i;
 }
 
@@ -250,25 +250,25 @@ static double nearest_to(double x, int first, int count)
 }
 
 // The bytes that will be written are fetched into the cache meanwhile.
-static void fetch_bytes(const Here *here)
+static void fetch_bytes(const CurrentTile *tile)
 {
-    Image *image = here->tiling->work->image;
-    for (int row = 0; row < here->rows; row++) {
+    Image *image = tile->tiling->work->image;
+    for (int row = 0; row < tile->rows; row++) {
         const uint8_t *rgb =
-            image_bytes(image, (Pixel){here->corner.column, here->corner.row + row});
+            image_bytes(image, (Pixel){tile->corner.column, tile->corner.row + row});
         __builtin_prefetch(rgb, 1);
-        __builtin_prefetch(rgb + 3 * here->columns - 1, 1);
+        __builtin_prefetch(rgb + 3 * tile->columns - 1, 1);
     }
 }
 
-static void give_spheres(const Here *here)
+static void give_spheres(const CurrentTile *tile)
 {
-    const Image *image = here->tiling->work->image;
-    for (int row = 0; row < here->rows; row++) {
-        Pixel first = {here->corner.column, here->corner.row + row};
-        int *seen = here->tiling->seen + image_index(image, first);
-        for (int column = 0; column < here->columns; column++)
-            seen[column] = here->pixels.color[row * TILE_WIDTH + column] - 1;
+    const Image *image = tile->tiling->work->image;
+    for (int row = 0; row < tile->rows; row++) {
+        Pixel first = {tile->corner.column, tile->corner.row + row};
+        int *seen = tile->tiling->seen + image_index(image, first);
+        for (int column = 0; column < tile->columns; column++)
+            seen[column] = tile->pixels.color[row * TILE_WIDTH + column] - 1;
     }
 }
 
@@ -294,32 +294,32 @@ void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
     Image *image = tiling->work->image;
     Camera camera = tiling->work->camera;
     int width = image->size.width, height = image->size.height;
-    Here here;
-    here.tiling = tiling;
-    here.corner = corner;
-    here.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
-    here.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
+    CurrentTile tile;
+    tile.tiling = tiling;
+    tile.corner = corner;
+    tile.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
+    tile.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
     if (count == 0) {
-        give_background(tiling, corner, here.columns, here.rows);
+        give_background(tiling, corner, tile.columns, tile.rows);
         return;
     }
     // The rays end on the plane, because the step from one pixel to the next is the same there.
-    here.rays = rays_from(ray_to_plane(pixel_ray(camera, image->size, corner), camera).direction,
+    tile.rays = rays_from(ray_to_plane(pixel_ray(camera, image->size, corner), camera).direction,
                           camera.width / width * camera.right, -camera.height / height * camera.up);
-    double x = camera.width / width * nearest_to(width / 2.0, corner.column, here.columns);
-    double y = camera.height / height * nearest_to(height / 2.0, corner.row, here.rows);
+    double x = camera.width / width * nearest_to(width / 2.0, corner.column, tile.columns);
+    double y = camera.height / height * nearest_to(height / 2.0, corner.row, tile.rows);
     // A little less, so that it is not longer than any ray, in spite of rounding.
-    here.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
-    here.slack = 0;
-    here.waiting = 0;
+    tile.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
+    tile.slack = 0;
+    tile.waiting = 0;
     if (tiling->seen == NULL)
-        fetch_bytes(&here);
-    tiling->lanes->clear(&here.pixels, here.columns, here.rows, color_of(tiling, -1));
+        fetch_bytes(&tile);
+    tiling->lanes->clear(&tile.pixels, tile.columns, tile.rows, color_of(tiling, -1));
     const Item *bin = tiling->lanes->sort(items, count);
-    decide_unsure(&here, bin, ask_all(&here, bin, count));
+    decide_unsure(&tile, bin, ask_all(&tile, bin, count));
     if (tiling->seen == NULL)
-        tiling->lanes->paint(&here.pixels, here.columns, here.rows, image_bytes(image, corner),
+        tiling->lanes->paint(&tile.pixels, tile.columns, tile.rows, image_bytes(image, corner),
                              3 * (size_t)width);
     else
-        give_spheres(&here);
+        give_spheres(&tile);
 }
