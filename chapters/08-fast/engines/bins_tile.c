@@ -57,21 +57,9 @@ static int color_of(const Tiling *tiling, int sphere)
     return rgb[0] | rgb[1] << 8 | rgb[2] << 16;
 }
 
-// A sphere asks its pixels in double. (If float cannot hold the t, the pixel remains undecided.) If
-// the eye is almost on the sphere, chapter 05 decides.
-static void ask_in_double(CurrentTile *tile, int number, Part part, float nearest)
+// A sphere asks its pixels by chapter 05. If float cannot hold the t, the pixel remains undecided.
+static void ask_by_chapter(CurrentTile *tile, int number, Part part, float nearest)
 {
-    const Sphere *asking = &tile->tiling->work->scene->spheres[number];
-    vec3 c = asking->center - tile->tiling->work->camera.origin;
-    double center[3] = {c[0], c[1], c[2]}, cc = vec3_dot(c, c),
-           rr = asking->radius * asking->radius;
-    if (fabs(cc - rr) > 1e-6 * (cc + rr)) {
-        float most = tile->tiling->lanes->ask_in_double(&tile->pixels, &tile->rays, center,
-                                                        asking->radius, part, nearest, tile->slack,
-                                                        color_of(tile->tiling, number));
-        allow(tile, FLT_EPSILON * most);
-        return;
-    }
     Sphere sphere = tile->tiling->work->scene->spheres[number];
     int color = color_of(tile->tiling, number);
     for (int row = part.top; row < part.bottom; row++) {
@@ -96,6 +84,23 @@ static void ask_in_double(CurrentTile *tile, int number, Part part, float neares
             }
         }
     }
+}
+
+// A sphere asks its pixels in double. If the eye is almost on the sphere, |c|^2 - r^2 loses its
+// digits even in double, and chapter 05 decides.
+static void ask_in_double(CurrentTile *tile, int number, Part part, float nearest)
+{
+    const Sphere *sphere = &tile->tiling->work->scene->spheres[number];
+    vec3 c = sphere->center - tile->tiling->work->camera.origin;
+    double center[3] = {c[0], c[1], c[2]}, r = sphere->radius, rr = r * r, cc = vec3_dot(c, c);
+    if (!(fabs(cc - rr) > 1e-6 * (cc + rr))) {
+        ask_by_chapter(tile, number, part, nearest);
+        return;
+    }
+    float most =
+        tile->tiling->lanes->ask_in_double(&tile->pixels, &tile->rays, center, r, part, nearest,
+                                           tile->slack, color_of(tile->tiling, number));
+    allow(tile, FLT_EPSILON * most);
 }
 
 static inline int sphere_of(Item item)

@@ -164,23 +164,29 @@ static bool agree_on_rays(const LightSteps *steps, const Picture *picture, Paths
 }
 
 // Rays to spheres all over the scene: from the eye, past the middle, and every fourth one from
-// inside its sphere. All that meet their spheres remain in both.
-static bool agree_on_hits(const LightSteps *steps, const Picture *picture, Paths *one, Paths *other)
+// inside its sphere.
+static void set_rays_to_spheres(const Picture *picture, Paths *paths)
 {
     const Scene *scene = picture->scene;
     for (int i = 0; i < PATHS; i++) {
-        one->sphere[i] = (int)((double)i / PATHS * scene->sphere_count);
-        const Sphere *sphere = &scene->spheres[one->sphere[i]];
+        paths->sphere[i] = (int)((double)i / PATHS * scene->sphere_count);
+        const Sphere *sphere = &scene->spheres[paths->sphere[i]];
         vec3 aside = sphere->radius * vec3_of(i % 7 - 3, i % 5 - 2, i % 3 - 1) / 5;
         vec3 from = i % 4 == 3 ? sphere->center + aside : picture->camera.origin;
         vec3 to = i % 4 == 3 ? sphere->center - 2 * aside : sphere->center + aside;
         if (vec3_dot(to - from, to - from) == 0)
             to = from + picture->camera.forward;
-        set_vector(&one->origin, i, from);
-        set_vector(&one->direction, i, to - from);
+        set_vector(&paths->origin, i, from);
+        set_vector(&paths->direction, i, to - from);
     }
-    one->count = PATHS;
-    take_spheres(scene, one);
+    paths->count = PATHS;
+    take_spheres(scene, paths);
+}
+
+// All rays that meet their spheres remain in both.
+static bool agree_on_hits(const LightSteps *steps, const Picture *picture, Paths *one, Paths *other)
+{
+    set_rays_to_spheres(picture, one);
     *other = *one;
     steps_by_chapters.hits(one);
     if (steps->hits(other) && !same(one->t, other->t, PATHS))
@@ -194,7 +200,7 @@ static bool agree_on_hits(const LightSteps *steps, const Picture *picture, Paths
             one->t[count++] = one->t[i];
         }
     one->count = count;
-    take_spheres(scene, one);
+    take_spheres(picture->scene, one);
     *other = *one;
     return true;
 }
