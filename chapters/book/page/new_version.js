@@ -1,6 +1,9 @@
 // new_version.js - a page that was just opened changes to the new version of the site, if that is there and no other page
 // of the site is open: those would load files of two versions.
-const EVERY = 300, MOST = 10_000; // milliseconds
+//
+// Nothing else of the page begins before that. A browser waits until the old service worker has nothing to do, and the
+// page's Workers would give it work. It may wait for half a minute then, and a student would see the page load again.
+const EVERY = 100, MOST = 2000; // milliseconds
 
 export async function takeNewVersion() {
     // The first visit ends without a service worker for its page, so this is always another version.
@@ -8,11 +11,15 @@ export async function takeNewVersion() {
     const waiting = (await navigator.serviceWorker.getRegistration())?.waiting;
     if (!waiting)
         return;
-    // The page before this one is open for a while longer, so this asks again, until the student begins to work.
-    const ask = () => waiting.postMessage("take over if one page is open");
-    const again = setInterval(ask, EVERY), stop = () => clearInterval(again);
-    for (const kind of ["keydown", "pointerdown"])
-        addEventListener(kind, stop, { once: true, capture: true });
-    setTimeout(stop, MOST);
-    ask();
+    const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+    let takesOver = false;
+    navigator.serviceWorker.addEventListener("message", ({ data }) => { takesOver ||= data === "the new version takes over"; });
+    navigator.serviceWorker.startMessages();
+    // The page before this one may be open for a moment longer, so this asks again.
+    for (let waited = 0; waited < MOST && !takesOver; waited += EVERY) {
+        waiting.postMessage("take over if one page is open");
+        await pause(EVERY);
+    }
+    if (takesOver)
+        await pause(MOST);
 }

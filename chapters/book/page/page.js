@@ -137,7 +137,7 @@ async function setUpStart(course) {
 
 const keepsPages = "serviceWorker" in navigator && location.protocol !== "file:";
 if (keepsPages)
-    takeNewVersion().catch(() => {});
+    await takeNewVersion().catch(() => {});
 setUpTheme();
 const drawer = new Helper(() => new Worker(new URL("figure_worker.js", site), { type: "module" }));
 // The figures are seen first.

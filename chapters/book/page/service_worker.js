@@ -53,8 +53,10 @@ addEventListener("message", (event) => {
     if (event.data === "take over if one page is open")
         event.waitUntil((async () => {
             const open = (await clients.matchAll({ type: "window", includeUncontrolled: true })).filter(({ url }) => url.startsWith(registration.scope));
-            if (open.length === 1)
-                await skipWaiting();
+            if (open.length !== 1)
+                return;
+            open[0].postMessage("the new version takes over");
+            await skipWaiting();
         })());
 });
 

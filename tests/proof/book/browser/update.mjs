@@ -44,7 +44,9 @@ const open = async () => {
     return tab;
 };
 const reload = (tab) => tab.reload({ waitUntil: "load" }).catch(() => {}); // a page with a new version is loaded twice
-const isOf = (tab, version, what) => waitFor(`version ${version}: ${what}`, 60, async () => (await versions(tab).catch(() => [])).join() === String(version));
+// Asks for no file before the new version has taken over: a browser waits until the old service worker has nothing to do.
+const isOf = (tab, version, what) => waitFor(`version ${version}: ${what}`, 60, async () =>
+    !(await state(tab, "waiting").catch(() => true)) && (await versions(tab).catch(() => [])).join() === String(version));
 
 try {
     publish(1);
