@@ -90,13 +90,15 @@ static void begin_panel(Plot *plot, Given given, int form, const char *title)
     plot_pin(plot, across, up + 0.46, &words, 1);
 }
 
+enum { LINE = 104 }; // whose camera it is, a space, and its words
+
 // Whose camera it is, and its words: in a line, or in two where the narrow canvas is too narrow.
 // Returns how many.
 static int result_lines(Plot *plot, const char *who, const char *found, Label lines[2],
-                        char line[80])
+                        char line[LINE])
 {
     enum { WIDEST = 690 };
-    snprintf(line, 80, "%s %s", who, found);
+    snprintf(line, LINE, "%s %s", who, found);
     bool fits = plot_width(plot, line) <= WIDEST;
     lines[0] = (Label){fits ? line : who, "grey", .step = 5};
     lines[1] = (Label){found, "grey", .step = 5};
@@ -107,7 +109,7 @@ static int result_lines(Plot *plot, const char *who, const char *found, Label li
 static void plot_results(Plot *plot, const Found *found, int count)
 {
     static const char *const titles[] = {"look-at", "points", "corner", "vectors"};
-    char name[40], who[40], given[60], right[80], yours[80];
+    char name[40], who[40], given[60], right[LINE], yours[LINE];
     Label lines[4];
     int used = result_lines(plot, "each gives", "{look_at_found}", lines, right), first = used;
     for (int i = 0; i < count && used == first; i++) {
