@@ -245,21 +245,21 @@ static inline bool add_place(Casting *casting, Share *share, const Place *place)
     return true;
 }
 
-static bool add_spheres(Casting *casting, Share *share, int first, int count)
+// With positions for their places, which need not be cleared between two calls.
+static bool add_spheres(Casting *casting, Share *share, Positions *positions, int first, int count)
 {
     const Work *work = casting->tiling.work;
     const Sphere *spheres = &work->scene->spheres[first];
-    Positions positions;
     Place places[PLACES];
     for (int i = 0; i < count; i++) {
         vec3 c = spheres[i].center - work->camera.origin;
-        positions.x[i] = c[0];
-        positions.y[i] = c[1];
-        positions.z[i] = c[2];
-        positions.radius[i] = spheres[i].radius;
+        positions->x[i] = c[0];
+        positions->y[i] = c[1];
+        positions->z[i] = c[2];
+        positions->radius[i] = spheres[i].radius;
     }
     bool extreme = false;
-    if (!casting->tiling.lanes->place(&casting->eye, &positions, first, count, places))
+    if (!casting->tiling.lanes->place(&casting->eye, positions, first, count, places))
         for (int i = 0; i < count; i++)
             extreme |= extreme_sphere(work->camera.origin, &spheres[i]);
     if (extreme)
@@ -278,9 +278,10 @@ static void fill_share(void *given, int part)
     int first = (int)(count * part / casting->share_count);
     int end = (int)(count * (part + 1) / casting->share_count);
     Share *share = &casting->shares[part];
+    Positions positions = {0};
     for (int some; first < end; first += some) {
         some = least(end - first, PLACES);
-        if (!add_spheres(casting, share, first, some))
+        if (!add_spheres(casting, share, &positions, first, some))
             return;
     }
 }
