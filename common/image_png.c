@@ -19,11 +19,13 @@
 
 enum { BAND_ROWS = 64, BANDS_AT_ONCE = 32, MOST_COLORS = 256, SLOTS = 1024 };
 
-// Different colours, found by open addressing.
+// Different colours, found by open addressing. A key is never 0, which is the key of a free slot.
 typedef struct {
     int count;
     uint32_t keys[MOST_COLORS];
-    uint16_t slots[SLOTS]; // the index of a colour, from 1; 0: free
+    struct {
+        uint32_t key, index;
+    } slots[SLOTS];
 } Colors;
 
 typedef struct {
@@ -46,40 +48,46 @@ enum { HEADER = 2, CHECKSUM = 4 };
 
 static uint32_t key_of(const uint8_t *rgb)
 {
-    return rgb[0] | (uint32_t)rgb[1] << 8 | (uint32_t)rgb[2] << 16;
+    return rgb[0] | (uint32_t)rgb[1] << 8 | (uint32_t)rgb[2] << 16 | 1u << 24;
 }
 
-// The index of a colour, which is added if it is new; -1 if there are too many. (2654435761:
-// Knuth's, 2^32 over the golden ratio.)
+// 2654435761: Knuth's, 2^32 over the golden ratio.
+static uint32_t first_slot(uint32_t key)
+{
+    return (key * 2654435761u) >> 22;
+}
+
+// The index of a colour, which is added if it is new; -1 if there are too many.
 static int index_of(Colors *colors, uint32_t key)
 {
-    uint32_t i = (key * 2654435761u) >> 22;
-    while (colors->slots[i] != 0 && colors->keys[colors->slots[i] - 1] != key)
+    uint32_t i = first_slot(key);
+    while (colors->slots[i].key != 0 && colors->slots[i].key != key)
         i = (i + 1) % SLOTS;
-    if (colors->slots[i] == 0) {
+    if (colors->slots[i].key == 0) {
         if (colors->count == MOST_COLORS)
             return -1;
-        colors->keys[colors->count] = key;
-        colors->slots[i] = (uint16_t)++colors->count;
+        colors->slots[i].key = colors->keys[colors->count] = key;
+        colors->slots[i].index = (uint32_t)colors->count++;
     }
-    return colors->slots[i] - 1;
+    return (int)colors->slots[i].index;
 }
 
+// Most colours are in their first slot. It is quicker to look there each time than to ask whether
+// the colour is that of the pixel before, which no processor can predict.
 static void find_colors(void *given, int i)
 {
     Band *band = (Band *)given + i;
+    Colors *colors = &band->colors;
     const uint8_t *rgb = image_bytes(band->image, (Pixel){0, band->row});
-    size_t pixels = (size_t)band->rows * (size_t)band->image->size.width;
-    uint32_t last = key_of(rgb);
-    int index = index_of(&band->colors, last);
-    for (size_t k = 0; k < pixels && index >= 0; k++, rgb += 3) {
-        uint32_t key = key_of(rgb);
-        if (key != last)
-            index = index_of(&band->colors, key);
-        last = key;
-        band->indices[k] = (uint8_t)index;
+    uint8_t *to = band->indices, *end = to + (size_t)band->rows * (size_t)band->image->size.width;
+    for (; to < end; to++, rgb += 3) {
+        uint32_t key = key_of(rgb), slot = first_slot(key);
+        int index = (int)colors->slots[slot].index;
+        if (colors->slots[slot].key != key && (index = index_of(colors, key)) < 0)
+            return;
+        *to = (uint8_t)index;
     }
-    band->flat = index >= 0;
+    band->flat = true;
 }
 
 // The colours of all bands, in the order of the pixels. False if there are too many.
