@@ -150,6 +150,7 @@ static inline const char *read_short_number(const char *text, double *number, bo
     static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                     1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                     1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+    static const double signs[] = {1, -1};
     enum { MOST_DIGITS = 19, MOST_POWER = 22 }; // 19 digits fit in 64 bits
     bool negative = *text == '-';
     text += negative || *text == '+';
@@ -171,7 +172,7 @@ static inline const char *read_short_number(const char *text, double *number, bo
         return NULL;
     double value = (double)digits;
     value = power < 0 ? value / powers[-power] : value * powers[power];
-    *number = negative ? -value : value;
+    *number = signs[negative] * value; // no branch: no processor can predict a sign
     return end;
 }
 
