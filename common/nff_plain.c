@@ -13,6 +13,8 @@
 // A part is at most this many bytes. After a line that is not plain, the next attempt begins with
 // few bytes, and doubles as long as all lines are plain. So little work is done in vain.
 enum { PART = 1 << 16, MOST_PARTS = 32, FIRST_ATTEMPT = 1 << 8 };
+// The bytes of the shortest lines: s 0 0 0 1, and f 0 0 0 0 0 0 0 0.
+enum { SHORTEST_SPHERE = 10, SHORTEST_FILL = 18 };
 
 typedef struct {
     const char *text, *end; // whole lines; later the first one that is not plain
@@ -138,8 +140,10 @@ static const char *whole_lines(const NffLine *line, size_t size)
 
 bool nff_plain_lines(NffReader *reader)
 {
-    // A part is at least PART less one line.
-    static const size_t most = (size_t)MOST_PARTS * (PART - 2 * NFF_LONGEST_LINE);
+    // A part is at least PART less one line. One thread reads one part after the other: then the
+    // text stays in the cache, and nobody has to count lines to know where its spheres belong.
+    const int most_parts = workers_count() > 1 ? MOST_PARTS : 1;
+    const size_t most = (size_t)most_parts * (PART - 2 * NFF_LONGEST_LINE);
     NffLine *line = &reader->line;
     Part parts[MOST_PARTS + 1];
     for (size_t attempt = FIRST_ATTEMPT;; attempt = 2 * attempt < most ? 2 * attempt : most) {
@@ -148,7 +152,12 @@ bool nff_plain_lines(NffReader *reader)
         if (end == line->next || line->number > INT_MAX / 2)
             return true;
         int count = cut(line->next, end, parts);
-        workers_do(count, count_lines, parts);
+        if (count > 1) {
+            workers_do(count, count_lines, parts);
+        } else {
+            parts->sphere_count = (int)(end - line->next) / SHORTEST_SPHERE;
+            parts->fill_count = (int)(end - line->next) / SHORTEST_FILL;
+        }
         if (!make_room(reader, parts, count))
             return false;
         workers_do(count, read_lines, parts);

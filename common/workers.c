@@ -12,9 +12,14 @@ void workers_are(InParallel *in_parallel, int threads)
     thread_count = threads;
 }
 
+int workers_count(void)
+{
+    return workers != NULL && thread_count > 1 ? thread_count : 1;
+}
+
 void workers_do(int parts, void (*part)(void *given, int i), void *given)
 {
-    if (workers != NULL && thread_count > 1 && parts > 1) {
+    if (workers_count() > 1 && parts > 1) {
         workers(thread_count, parts, part, given);
         return;
     }

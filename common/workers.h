@@ -12,6 +12,9 @@ typedef void InParallel(int threads, int parts, void (*part)(void *given, int i)
 // all parts, in their order.
 void workers_are(InParallel *in_parallel, int threads);
 
+// How many threads workers_do uses.
+int workers_count(void);
+
 void workers_do(int parts, void (*part)(void *given, int i), void *given);
 
 #endif
