@@ -1,6 +1,8 @@
 // image.c - pixels in memory. Its PNG is in image_png.c.
 #include "common/image.h"
 
+#include "common/large_pages.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -15,6 +17,7 @@ bool image_create(Image *image, Resolution size, Message *message)
     if (image->rgb == NULL)
         return message_set(message, "no memory for an image of %d x %d pixels", size.width,
                            size.height);
+    large_pages(image->rgb, (size_t)size.width * (size_t)size.height * 3);
     return true;
 }
 

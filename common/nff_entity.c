@@ -2,6 +2,8 @@
 // viewpoint, nff_view.c.
 #include "common/nff.h"
 
+#include "common/large_pages.h"
+
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +22,11 @@ void *nff_room(void *items, int count, int more, size_t size)
     if (more > INT_MAX - count)
         return NULL;
     size_t room = room_of((size_t)count + (size_t)more);
-    return room == room_of((size_t)count) ? items : realloc(items, room * size);
+    if (room == room_of((size_t)count))
+        return items;
+    void *grown = realloc(items, room * size);
+    large_pages(grown, room * size);
+    return grown;
 }
 
 #define APPEND(items, count, item)                                                                 \

@@ -26,7 +26,7 @@ runs() {
     sed -n 's/^stat::number_of_executed_units: */+ fuzz: inputs tried: /p' "$scratch/log" >>"$scratch/tried"
 }
 check 'the fuzz target of scenes builds' \
-    builds scene common/scene.c common/nff_*.c common/text.c common/answers.c common/workers.c
+    builds scene common/scene.c common/nff_*.c common/text.c common/answers.c common/workers.c common/large_pages.c
 check "the scene reader survives $seconds s of fuzzing" runs scene nff.dict tests/proof/fuzz/corpus
 # One case for each recorded text.
 mkdir "$scratch/cases"

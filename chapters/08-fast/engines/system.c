@@ -1,9 +1,10 @@
 // system.c - memory in large pages.
 #include "chapters/08-fast/engines/system.h"
 
+#include "common/large_pages.h"
+
 #include <stdint.h>
 #include <stdlib.h>
-#include <sys/mman.h>
 
 void *large_memory(size_t size)
 {
@@ -14,9 +15,6 @@ void *large_memory(size_t size)
     const size_t unit = size < page / 4 ? line : page;
     const size_t whole = (size + unit - 1) / unit * unit;
     void *memory = aligned_alloc(unit, whole);
-#ifdef MADV_HUGEPAGE
-    if (memory != NULL && unit == page)
-        madvise(memory, whole, MADV_HUGEPAGE); // a hint; the memory is usable without it
-#endif
+    large_pages(memory, whole);
     return memory;
 }
