@@ -14,6 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+// Samples in a row of a block, and of a square in it.
+enum { BLOCK = 16, SQUARE = 4 };
+
 // A shaded picture, for all threads.
 typedef struct {
     const Work *work;
@@ -21,8 +24,8 @@ typedef struct {
     const LightWorld *world; // NULL: none
     Picture picture;
     const LightSteps *steps;
-    int *seen;             // the sphere that each sample sees, row by row; NULL: not known
-    uint8_t background[3]; // of a pixel whose samples see nothing
+    int *seen;                     // the sphere that each sample sees, row by row; NULL: not known
+    uint8_t background[3 * BLOCK]; // pixels whose samples see nothing
     pthread_mutex_t together;
     bool short_of_memory;
 } Lit;
@@ -69,6 +72,11 @@ bool light_plain(const Work *work, Style style, Message *message)
 
 // ---- by the hierarchy -------------------------------------------------------------------------
 
+static int least(int a, int b)
+{
+    return a < b ? a : b;
+}
+
 static Resolution samples_of(const Rendering *rendering)
 {
     int n = rendering->style.samples;
@@ -93,98 +101,18 @@ static void look(Lit *lit)
     }
 }
 
-// A block of pixels that see a sphere, and the colours that their samples see. A sample is a place:
-// those of pixel number k are k, PATHS + k, 2 PATHS + k, and so on.
-enum { BLOCK = 16, SQUARE = 4 }; // samples in a row
+// A block of the picture, and the colours of its samples. Those of pixel number k are at the places
+// k, PATHS + k, 2 PATHS + k, and so on.
 typedef struct {
     Lit *lit;
     LightPaths paths;
-    int pixel_count;
-    Pixel pixels[PATHS];
+    int n; // samples in each direction of a pixel
+    Pixel first;
+    int columns, rows; // of pixels
     double *colors[3]; // red, green, blue of each place
     // Samples that wait until there are PATHS.
-    int count;
-    int places[PATHS], columns[PATHS], rows[PATHS];
+    int waiting, place[PATHS], column[PATHS], row[PATHS];
 } Block;
-
-static void trace_waiting(Block *block)
-{
-    LightPaths *paths = &block->paths;
-    paths->paths->count = block->count;
-    paths->steps->rays(&paths->picture, block->columns, block->rows, paths->paths);
-    path_colors(paths, block->lit->seen != NULL);
-    for (int i = 0; i < block->count; i++) {
-        block->colors[0][block->places[i]] = paths->colors->x[i];
-        block->colors[1][block->places[i]] = paths->colors->y[i];
-        block->colors[2][block->places[i]] = paths->colors->z[i];
-    }
-    block->count = 0;
-}
-
-// The sphere that a sample sees, or -1; 0 if that is not known.
-static int seen_by(const Lit *lit, Pixel sample)
-{
-    size_t columns = (size_t)lit->picture.samples.width;
-    return lit->seen == NULL ? 0 : lit->seen[(size_t)sample.row * columns + (size_t)sample.column];
-}
-
-static void trace_sample(Block *block, Pixel sample, int place)
-{
-    int seen = seen_by(block->lit, sample);
-    if (seen < 0) {
-        for (int i = 0; i < 3; i++)
-            block->colors[i][place] = block->lit->work->scene->background[i];
-        return;
-    }
-    int i = block->count++;
-    block->places[i] = place;
-    block->columns[i] = sample.column;
-    block->rows[i] = sample.row;
-    block->paths.paths->sphere[i] = seen;
-    if (block->count == PATHS)
-        trace_waiting(block);
-}
-
-static bool sees_something(const Lit *lit, Pixel first)
-{
-    int n = lit->rendering.style.samples;
-    for (int row = first.row; row < first.row + n && lit->seen != NULL; row++)
-        for (int column = first.column; column < first.column + n; column++)
-            if (seen_by(lit, (Pixel){column, row}) >= 0)
-                return true;
-    return lit->seen == NULL;
-}
-
-// If no sample of the pixel sees a sphere, the pixel gets the background at once.
-static void trace_pixel(Block *block, Pixel pixel)
-{
-    const Lit *lit = block->lit;
-    int n = lit->rendering.style.samples, place = block->pixel_count;
-    Pixel first = {pixel.column * n, pixel.row * n};
-    if (!sees_something(lit, first)) {
-        memcpy(image_bytes(lit->work->image, pixel), lit->background, sizeof lit->background);
-        return;
-    }
-    block->pixels[block->pixel_count++] = pixel;
-    for (int row = first.row; row < first.row + n; row++)
-        for (int column = first.column; column < first.column + n; column++, place += PATHS)
-            trace_sample(block, (Pixel){column, row}, place);
-}
-
-static void paint_pixels(Block *block)
-{
-    Style style = block->lit->rendering.style;
-    Vectors *means = block->paths.directions;
-    uint8_t rgb[3 * PATHS];
-    block->paths.steps->means(block->colors, style.samples * style.samples, block->pixel_count,
-                              means);
-    for (int i = 0; i < block->pixel_count && style.gamma != 1; i++)
-        set_vector(means, i, gamma_encode(vector_of(means, i), style.gamma));
-    block->paths.steps->bytes(means, block->pixel_count, rgb);
-    for (int i = 0; i < block->pixel_count; i++)
-        memcpy(image_bytes(block->lit->work->image, block->pixels[i]), &rgb[3 * i], 3);
-    block->pixel_count = 0;
-}
 
 // Pixels in each direction: samples in a row, or one pixel.
 static int pixels_in(int samples_in_a_row, const Lit *lit)
@@ -193,30 +121,128 @@ static int pixels_in(int samples_in_a_row, const Lit *lit)
     return n < samples_in_a_row ? samples_in_a_row / n : 1;
 }
 
+static void trace_waiting(Block *block)
+{
+    LightPaths *paths = &block->paths;
+    paths->paths->count = block->waiting;
+    paths->steps->rays(&paths->picture, block->column, block->row, paths->paths);
+    path_colors(paths, block->lit->seen != NULL);
+    for (int i = 0; i < block->waiting; i++) {
+        block->colors[0][block->place[i]] = paths->colors->x[i];
+        block->colors[1][block->place[i]] = paths->colors->y[i];
+        block->colors[2][block->place[i]] = paths->colors->z[i];
+    }
+    block->waiting = 0;
+}
+
+// The spheres that samples in a row see, -1 for none; NULL if they are not known.
+static const int *seen_from(const Lit *lit, int column, int row)
+{
+    size_t columns = (size_t)lit->picture.samples.width;
+    return lit->seen == NULL ? NULL : lit->seen + (size_t)row * columns + column;
+}
+
+// Samples in a row, of whole pixels: place is that of the first one. All are written to the list,
+// but only those that see a sphere count: a processor cannot predict an 'if' here.
+static void trace_samples(Block *block, int left, int row, int count, int place)
+{
+    const int unknown = 0, *seen = seen_from(block->lit, left, row);
+    int *spheres = block->paths.paths->sphere, waiting = block->waiting;
+    for (int pixel = 0; pixel < count; pixel += block->n, place++)
+        for (int k = 0; k < block->n; k++) {
+            spheres[waiting] = seen == NULL ? unknown : seen[pixel + k];
+            block->place[waiting] = place + k * PATHS;
+            block->column[waiting] = left + pixel + k;
+            block->row[waiting] = row;
+            waiting += spheres[waiting] >= 0;
+            if (waiting == PATHS) {
+                block->waiting = waiting;
+                trace_waiting(block);
+                waiting = 0;
+            }
+        }
+    block->waiting = waiting;
+}
+
 // In squares of about 4 x 4 samples: paths that are traced one after the other are neighbours, and
 // most of them ask the same spheres, which are then in the cache.
-static void paint_block(Block *block, Pixel first, Pixel end)
+static void trace_block(Block *block)
 {
-    int side = pixels_in(SQUARE, block->lit);
-    for (int top = first.row; top < end.row; top += side)
-        for (int left = first.column; left < end.column; left += side)
-            for (int row = top; row < top + side && row < end.row; row++)
-                for (int column = left; column < left + side && column < end.column; column++)
-                    trace_pixel(block, (Pixel){column, row});
-    if (block->count > 0)
+    int n = block->n, side = pixels_in(SQUARE, block->lit);
+    for (int top = 0; top < block->rows; top += side)
+        for (int left = 0; left < block->columns; left += side)
+            for (int row = top * n; row < least(top + side, block->rows) * n; row++)
+                trace_samples(block, (block->first.column + left) * n, block->first.row * n + row,
+                              least(side, block->columns - left) * n,
+                              row % n * n * PATHS + row / n * block->columns + left);
+    if (block->waiting > 0)
         trace_waiting(block);
-    paint_pixels(block);
+}
+
+// The colours of samples that see no sphere.
+static void see_nothing(Block *block)
+{
+    for (int i = 0; i < 3; i++)
+        for (int sample = 0; sample < block->n * block->n; sample++)
+            for (int k = 0; k < block->rows * block->columns; k++)
+                block->colors[i][sample * PATHS + k] = block->lit->work->scene->background[i];
+}
+
+// step: bytes from one row to the next.
+static void paint_rows(const Block *block, const uint8_t *rgb, int step)
+{
+    Pixel left = block->first;
+    for (; left.row < block->first.row + block->rows; left.row++, rgb += step)
+        memcpy(image_bytes(block->lit->work->image, left), rgb, 3 * (size_t)block->columns);
+}
+
+static void paint_colors(Block *block)
+{
+    const LightSteps *steps = block->paths.steps;
+    int count = block->rows * block->columns;
+    double gamma = block->lit->rendering.style.gamma;
+    Vectors *means = block->paths.directions;
+    uint8_t rgb[3 * PATHS];
+    steps->means(block->colors, block->n * block->n, count, means);
+    for (int i = 0; i < count && gamma != 1; i++)
+        set_vector(means, i, gamma_encode(vector_of(means, i), gamma));
+    steps->bytes(means, count, rgb);
+    paint_rows(block, rgb, 3 * block->columns);
+}
+
+// If no sample of the block sees a sphere, it gets the background at once.
+static void paint_block(Block *block)
+{
+    int n = block->n, all = -1, any = 0; // negative: all samples see nothing, or at least one
+    for (int row = 0; row < block->rows * n && block->lit->seen != NULL; row++) {
+        const int *seen =
+            seen_from(block->lit, block->first.column * n, block->first.row * n + row);
+        __builtin_prefetch(seen + 4 * BLOCK);
+        for (int i = 0; i < block->columns * n; i++) {
+            all &= seen[i];
+            any |= seen[i];
+        }
+    }
+    if (any < 0 && all < 0) {
+        paint_rows(block, block->lit->background, 0);
+        return;
+    }
+    if (any < 0)
+        see_nothing(block);
+    trace_block(block);
+    paint_colors(block);
 }
 
 static bool block_begin(Block *block, Lit *lit)
 {
-    size_t samples = (size_t)lit->rendering.style.samples * (size_t)lit->rendering.style.samples;
-    double *colors = large_memory(3 * samples * PATHS * sizeof *colors);
-    *block = (Block){.lit = lit};
+    int n = lit->rendering.style.samples;
+    size_t places = (size_t)n * (size_t)n * PATHS;
+    double *colors = large_memory(3 * places * sizeof *colors);
+    *block = (Block){.lit = lit, .n = n};
     if (colors != NULL &&
         light_paths_begin(&block->paths, lit->world, lit->rendering.style.depth)) {
         for (size_t i = 0; i < 3; i++)
-            block->colors[i] = colors + i * samples * PATHS;
+            block->colors[i] = colors + i * places;
         block->paths.picture = lit->picture;
         block->paths.steps = lit->steps;
         return true;
@@ -236,14 +262,17 @@ static void blocks_in_a_row(void *given, int number)
         pthread_mutex_unlock(&lit->together);
         return;
     }
-    int side = pixels_in(BLOCK, lit), top = number * side;
-    int bottom = top + side < image.height ? top + side : image.height;
-    for (int left = 0; left < image.width; left += side)
-        paint_block(&block, (Pixel){left, top},
-                    (Pixel){left + side < image.width ? left + side : image.width, bottom});
+    int side = pixels_in(BLOCK, lit);
+    block.first.row = number * side;
+    block.rows = least(side, image.height - block.first.row);
+    for (int left = 0; left < image.width; left += side) {
+        block.first.column = left;
+        block.columns = least(side, image.width - left);
+        paint_block(&block);
+    }
     light_paths_end(&block.paths);
     free(block.colors[0]);
-    rows_are_done(lit, bottom - top);
+    rows_are_done(lit, block.rows);
 }
 
 static Color see_background(void *world, Pixel sample, Ray ray, int depth)
@@ -255,8 +284,10 @@ static Color see_background(void *world, Pixel sample, Ray ray, int depth)
 
 static void set_background(Lit *lit)
 {
-    Image pixel = {.size = {1, 1}, .rgb = lit->background};
-    set_pixel(&pixel, (Pixel){0, 0}, render_pixel(&lit->rendering, lit, (Pixel){0, 0}));
+    Image row = {.size = {BLOCK, 1}, .rgb = lit->background};
+    Color color = render_pixel(&lit->rendering, lit, (Pixel){0, 0});
+    for (int column = 0; column < BLOCK; column++)
+        set_pixel(&row, (Pixel){column, 0}, color);
 }
 
 bool light_bvh(const Work *work, Style style, Message *message)
