@@ -66,7 +66,7 @@ bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
                           .depth = depth,
                           .picture = {.scene = world->scene, .materials = world->materials},
                           .steps = &steps_by_chapters,
-                          .paths = aligned_memory(sizeof *paths->paths),
+                          .paths = aligned_memory(2 * sizeof *paths->paths),
                           .directions = aligned_memory(2 * sizeof *paths->directions),
                           .shadow = aligned_memory(sizeof *paths->shadow),
                           .lit = aligned_memory(lights * PATHS * sizeof *paths->lit),
@@ -122,30 +122,54 @@ static int nearest_alone(const LightPaths *paths, Ray ray, Line line)
     return nearest.sphere;
 }
 
-// If there are only FEW spheres, all rays ask all of them. As in chapter 06, the lower index wins
-// if two hits are equally near.
-static void ask_all_spheres(LightPaths *all)
+// Copies the chosen ones, which are in order, to the front.
+static void choose(const Vectors *from, const int *chosen, int count, Vectors *to)
+{
+    if (count > 0 && chosen[count - 1] == count - 1) { // all
+        memcpy(to, from, sizeof *to);
+        return;
+    }
+    for (int i = 0; i < count; i++) {
+        to->x[i] = from->x[chosen[i]];
+        to->y[i] = from->y[chosen[i]];
+        to->z[i] = from->z[chosen[i]];
+    }
+}
+
+// If there are only FEW spheres, rays ask all that they may hit. As in chapter 06, the lower index
+// wins if two hits are equally near.
+static void ask_few_spheres(LightPaths *all)
 {
     const Scene *scene = all->world->scene;
-    Paths *paths = all->paths;
+    Paths *paths = all->paths, *asking = all->paths + 1;
     double nearest[PATHS];
-    int found[PATHS];
+    int may[PATHS], ray[PATHS];
     for (int i = 0; i < paths->count; i++) {
         nearest[i] = NO_HIT;
-        found[i] = -1;
+        paths->sphere[i] = -1;
     }
     for (int sphere = 0; sphere < scene->sphere_count; sphere++) {
-        for (int i = 0; i < paths->count; i++)
-            paths->sphere[i] = sphere;
-        take_spheres(scene, paths);
-        if (!all->steps->hits(paths))
-            steps_by_chapters.hits(paths);
+        const vec3 center = scene->spheres[sphere].center;
+        const double numbers[4] = {center[0], center[1], center[2], scene->spheres[sphere].radius};
+        all->steps->may_hit(paths, numbers, may);
+        int count = 0;
         for (int i = 0; i < paths->count; i++) {
-            found[i] = paths->t[i] < nearest[i] ? sphere : found[i];
-            nearest[i] = fmin(nearest[i], paths->t[i]);
+            ray[count] = i;
+            asking->sphere[count] = sphere;
+            count += may[i];
         }
+        asking->count = count;
+        choose(&paths->origin, ray, count, &asking->origin);
+        choose(&paths->direction, ray, count, &asking->direction);
+        take_spheres(scene, asking);
+        if (!all->steps->hits(asking))
+            steps_by_chapters.hits(asking);
+        for (int i = 0; i < count; i++)
+            if (asking->t[i] < nearest[ray[i]]) {
+                nearest[ray[i]] = asking->t[i];
+                paths->sphere[ray[i]] = sphere;
+            }
     }
-    memcpy(paths->sphere, found, (size_t)paths->count * sizeof *found);
 }
 
 // The spheres that the rays hit, or -1. mirrored: the rays leave the spheres that they hit last.
@@ -156,7 +180,7 @@ static void find_spheres(LightPaths *all, bool mirrored)
     Line lines[PATHS];
     int left[PATHS], places[PATHS];
     if (all->world->scene->sphere_count <= FEW) {
-        ask_all_spheres(all);
+        ask_few_spheres(all);
         return;
     }
     shadow_lanes[lanes_best()]->units(&paths->direction, paths->count, lengths, all->directions);
@@ -171,27 +195,35 @@ static void find_spheres(LightPaths *all, bool mirrored)
                                                    : all->world->hierarchy.order[places[i]];
 }
 
-static void keep(Paths *paths, int at, int from)
+// These paths go on.
+static void keep(Paths *paths, const int *kept, int count)
 {
-    if (at == from)
-        return;
-    paths->number[at] = paths->number[from];
-    paths->sphere[at] = paths->sphere[from];
-    set_vector(&paths->origin, at, vector_of(&paths->origin, from));
-    set_vector(&paths->direction, at, vector_of(&paths->direction, from));
+    for (int i = 0; i < count; i++) {
+        paths->number[i] = paths->number[kept[i]];
+        paths->sphere[i] = paths->sphere[kept[i]];
+    }
+    paths->count = count;
 }
 
-// The rays that hit nothing see the background, and end.
+// The rays that hit nothing see the background, and end. The lists are written without an 'if',
+// because a processor cannot predict it.
 static void end_at_background(LightPaths *all, int level)
 {
     Paths *paths = all->paths;
-    int left = 0;
-    for (int i = 0; i < paths->count; i++)
-        if (paths->sphere[i] < 0)
-            set_vector(&all->colors[level], paths->number[i], all->world->scene->background);
-        else
-            keep(paths, left++, i);
-    paths->count = left;
+    int hits[PATHS], misses[PATHS], hit_count = 0, miss_count = 0;
+    for (int i = 0; i < paths->count; i++) {
+        bool hit = paths->sphere[i] >= 0;
+        hits[hit_count] = misses[miss_count] = i;
+        hit_count += hit;
+        miss_count += !hit;
+    }
+    if (miss_count == 0)
+        return;
+    for (int i = 0; i < miss_count; i++)
+        set_vector(&all->colors[level], paths->number[misses[i]], all->world->scene->background);
+    choose(&paths->origin, hits, hit_count, &paths->origin);
+    choose(&paths->direction, hits, hit_count, &paths->direction);
+    keep(paths, hits, hit_count);
 }
 
 // Where the rays hit their spheres. False: some miss them.
@@ -202,11 +234,11 @@ static bool find_hits(LightPaths *all)
     if (!all->steps->hits(paths))
         steps_by_chapters.hits(paths);
     bool any_miss = false;
-    for (int i = 0; i < paths->count; i++)
-        if (!(paths->t[i] < NO_HIT)) {
-            paths->sphere[i] = -1;
-            any_miss = true;
-        }
+    for (int i = 0; i < paths->count; i++) {
+        bool miss = !(paths->t[i] < NO_HIT);
+        paths->sphere[i] = miss ? -1 : paths->sphere[i];
+        any_miss |= miss;
+    }
     return !any_miss;
 }
 
@@ -266,35 +298,34 @@ static void find_light(LightPaths *all, int number)
 
 // ---- colours ----------------------------------------------------------------------------------
 
-// The paths that have hit something are coloured; those on mirrors go on.
-static void light_up(LightPaths *all, int level)
+// The paths that have hit something are coloured; those on mirrors go on. all_hit: no path of the
+// level, or of those before, has ended.
+static void light_up(LightPaths *all, int level, bool all_hit)
 {
     Paths *paths = all->paths;
-    Vectors *colors = &all->colors[level], *found = &all->colors[all->depth + 1];
+    Vectors *colors = &all->colors[level], *found = all_hit ? colors : &all->colors[all->depth + 1];
     double *parts = all->parts + (size_t)level * PATHS;
+    int mirrors[PATHS] = {0}, count = 0;
     all->steps->leave(paths);
     for (int i = 0; i < all->world->scene->light_count; i++)
         find_light(all, i);
     all->steps->shade(&all->picture, paths, all->lit, found);
-    for (int i = 0; i < paths->count; i++)
+    for (int i = 0; i < paths->count && !all_hit; i++)
         set_vector(colors, paths->number[i], vector_of(found, i));
     if (level == all->depth) {
         paths->count = 0;
         return;
     }
-    all->steps->mirror(paths, all->directions);
-    int mirrored = 0;
     for (int i = 0; i < paths->count; i++) {
         double part = all->world->materials[paths->surface[i]].specular;
-        if (!(part > 0))
-            continue;
         parts[paths->number[i]] = part;
-        paths->number[mirrored] = paths->number[i];
-        paths->sphere[mirrored] = paths->sphere[i];
-        set_vector(&paths->origin, mirrored, vector_of(&paths->start, i));
-        set_vector(&paths->direction, mirrored++, vector_of(all->directions, i));
+        mirrors[count] = i;
+        count += part > 0;
     }
-    paths->count = mirrored;
+    all->steps->mirror(paths, all->directions);
+    choose(&paths->start, mirrors, count, &paths->origin);
+    choose(all->directions, mirrors, count, &paths->direction);
+    keep(paths, mirrors, count);
 }
 
 void path_colors(LightPaths *all, bool known)
@@ -310,7 +341,7 @@ void path_colors(LightPaths *all, bool known)
         do
             end_at_background(all, level);
         while (!find_hits(all));
-        light_up(all, level);
+        light_up(all, level, paths->count == count);
     }
     // trace_ray adds from the last mirror to the first.
     for (level -= 2; level >= 0; level--)

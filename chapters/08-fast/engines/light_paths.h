@@ -33,7 +33,7 @@ typedef struct {
     int depth;
     Picture picture;
     const LightSteps *steps; // steps_by_chapters, unless the caller sets others
-    Paths *paths;
+    Paths *paths;            // and others that ask
     Vectors *directions;
     ShadowRays *shadow;
     double *lit; // for each light and path: not 0 if the light arrives

@@ -51,6 +51,13 @@ static void rays(const Picture *picture, const int *columns, const int *rows, Pa
     }
 }
 
+static void may_hit(const Paths *paths, const double sphere[4], int *may)
+{
+    (void)sphere;
+    for (int i = 0; i < paths->count; i++)
+        may[i] = 1;
+}
+
 static bool hits(Paths *paths)
 {
     for (int i = 0; i < paths->count; i++)
@@ -132,8 +139,8 @@ static void bytes(const Vectors *colors, int count, uint8_t *rgb)
     }
 }
 
-const LightSteps steps_by_chapters = {rays,   hits,        leave, to_light, shade_all,
-                                      mirror, add_mirrors, means, bytes};
+const LightSteps steps_by_chapters = {rays,      may_hit, hits,        leave, to_light,
+                                      shade_all, mirror,  add_mirrors, means, bytes};
 
 // ---- whether the lanes agree ------------------------------------------------------------------
 

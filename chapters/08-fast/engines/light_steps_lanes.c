@@ -7,9 +7,11 @@
 #include <math.h>
 
 // The last vector of an array is always computed as a whole, so that no loop has a remainder.
+enum { VECTOR = 8 };
+
 static inline int padded(int count)
 {
-    return (count + 7) / 8 * 8;
+    return (count + VECTOR - 1) / VECTOR * VECTOR;
 }
 
 static inline double dot(double x, double y, double z, double u, double v, double w)
@@ -44,6 +46,23 @@ static void rays(const Picture *picture, const int *columns, const int *rows, Pa
         paths->direction.x[i] = fx + right * rx + up * ux;
         paths->direction.y[i] = fy + right * ry + up * uy;
         paths->direction.z[i] = fz + right * rz + up * uz;
+    }
+}
+
+// The margin is many times the rounding error of the numbers that are subtracted.
+static void may_hit(const Paths *paths, const double sphere[4], int *may)
+{
+    const double margin = 1e-12;
+    double cx = sphere[0], cy = sphere[1], cz = sphere[2], rr = sphere[3] * sphere[3];
+    int count = padded(paths->count);
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double x = paths->direction.x[i], y = paths->direction.y[i], z = paths->direction.z[i];
+        double px = cx - paths->origin.x[i], py = cy - paths->origin.y[i];
+        double pz = cz - paths->origin.z[i];
+        double a = dot(x, y, z, x, y, z), pp = dot(px, py, pz, px, py, pz);
+        double ahead = dot(px, py, pz, x, y, z), outside = pp - rr - margin * (pp + rr);
+        may[i] = !((outside > 0) & ((ahead < 0) | (ahead * ahead < a * outside)));
     }
 }
 
@@ -137,21 +156,37 @@ typedef struct {
     double reflected[PATHS], highlight[PATHS];
 } Shading;
 
+static inline void set_material(Shading *shading, Vectors *colors, int i, Material material)
+{
+    shading->color.x[i] = material.color[0];
+    shading->color.y[i] = material.color[1];
+    shading->color.z[i] = material.color[2];
+    shading->diffuse[i] = material.diffuse;
+    shading->specular[i] = material.specular;
+    shading->shine[i] = material.shine;
+    colors->x[i] = material.ambient[0];
+    colors->y[i] = material.ambient[1];
+    colors->z[i] = material.ambient[2];
+}
+
+// Often all paths of a vector have the same surface.
 static void shading_of(const Picture *picture, const Paths *paths, Shading *shading,
                        Vectors *colors)
 {
-    const Material *materials = picture->materials;
-    for (int i = 0; i < paths->count; i++) {
-        const Material *material = &materials[paths->surface[i]];
-        shading->color.x[i] = material->color[0];
-        shading->color.y[i] = material->color[1];
-        shading->color.z[i] = material->color[2];
-        shading->diffuse[i] = material->diffuse;
-        shading->specular[i] = material->specular;
-        shading->shine[i] = material->shine;
-        colors->x[i] = material->ambient[0];
-        colors->y[i] = material->ambient[1];
-        colors->z[i] = material->ambient[2];
+    for (int first = 0; first < paths->count; first += VECTOR) {
+        const int *surface = &paths->surface[first];
+        int some = paths->count - first < VECTOR ? paths->count - first : VECTOR, others = 0;
+        for (int i = 1; i < some; i++)
+            others |= surface[i] ^ surface[0];
+        const Material material = picture->materials[surface[0]];
+        if (others == 0) {
+#pragma omp simd
+            for (int i = 0; i < VECTOR; i++)
+                set_material(shading, colors, first + i, material);
+            continue;
+        }
+        for (int i = 0; i < some; i++)
+            set_material(shading, colors, first + i, picture->materials[surface[i]]);
     }
     int count = padded(paths->count);
 #pragma omp simd
@@ -274,30 +309,36 @@ static void means(double *const colors[3], int samples, int pixels, Vectors *mea
     mean(colors[2], samples, pixels, means->z);
 }
 
-// round(255 c), halves up. c - floor(c) is exact.
-static inline uint8_t byte_of(double c)
+// round(255 c), halves up. c - floor(c) is exact. Two loops, because a compiler makes no vectors of
+// one that treats 0 and 1 as special cases.
+static inline void bytes_of(const double *colors, int count, int *bytes)
 {
-    double clamped = at_least(c, 0) < 1 ? at_least(c, 0) : 1, x = 255 * clamped;
-    int whole = (int)x;
-    return (uint8_t)(whole + (x - whole >= 0.5));
+    double clamped[PATHS];
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double c = at_least(colors[i], 0);
+        clamped[i] = c < 1 ? c : 1;
+    }
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        double x = 255 * clamped[i];
+        int whole = (int)x;
+        bytes[i] = whole + (x - whole >= 0.5);
+    }
 }
 
 static void bytes(const Vectors *colors, int count, uint8_t *rgb)
 {
-    uint8_t red[PATHS], green[PATHS], blue[PATHS];
-    int all = padded(count);
-#pragma omp simd
-    for (int i = 0; i < all; i++) {
-        red[i] = byte_of(colors->x[i]);
-        green[i] = byte_of(colors->y[i]);
-        blue[i] = byte_of(colors->z[i]);
-    }
+    int red[PATHS], green[PATHS], blue[PATHS];
+    bytes_of(colors->x, padded(count), red);
+    bytes_of(colors->y, padded(count), green);
+    bytes_of(colors->z, padded(count), blue);
     for (int i = 0; i < count; i++) {
-        rgb[3 * i] = red[i];
-        rgb[3 * i + 1] = green[i];
-        rgb[3 * i + 2] = blue[i];
+        rgb[3 * i] = (uint8_t)red[i];
+        rgb[3 * i + 1] = (uint8_t)green[i];
+        rgb[3 * i + 2] = (uint8_t)blue[i];
     }
 }
 
-const LightSteps LANES(light_steps) = {rays,   hits,        leave, to_light, shade,
-                                       mirror, add_mirrors, means, bytes};
+const LightSteps LANES(light_steps) = {rays,  may_hit, hits,        leave, to_light,
+                                       shade, mirror,  add_mirrors, means, bytes};
