@@ -264,10 +264,13 @@ static bool add_spheres(Casting *casting, Share *share, Positions *positions, in
             extreme |= extreme_sphere(work->camera.origin, &spheres[i]);
     if (extreme)
         atomic_store(&casting->extreme, true);
-    for (int i = 0; i < count && !extreme; i++)
+    for (int i = 0; i < count && !extreme; i++) {
+        if (first + i + PLACES < work->scene->sphere_count)
+            __builtin_prefetch(&spheres[i + PLACES]); // for the next call
         if (places[i].left < places[i].right && places[i].top < places[i].bottom &&
             !add_place(casting, share, &places[i]))
             return false;
+    }
     return !extreme;
 }
 

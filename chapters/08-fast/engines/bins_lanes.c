@@ -10,19 +10,21 @@
 
 // ---- places of spheres ------------------------------------------------------------------------
 
-static inline double between(double low, double x, double high)
+// A pixel from 0 to most. If x is NaN, because the camera's numbers are extreme, the first or last.
+static inline int first_pixel(float x, float most)
 {
-    return x > low ? x < high ? x : high : low;
+    x = x > 0 ? x : 0;
+    return (int)(x < most ? x : most);
 }
 
-// A pixel is inside if its centre is. Rounding errors are much smaller than this part of a pixel.
-#define MARGIN (1.0 / 64)
-
-// A little more than the square root; float is faster.
-static inline double root(double x)
+static inline int end_pixel(float x, float most)
 {
-    return (double)sqrtf((float)x) * (1 + 1e-6);
+    x = x < most ? x : most;
+    return (int)(x > 0 ? x : 0);
 }
+
+// A pixel is inside if its centre is. Rounding adds some of a pixel.
+#define MARGIN (1.0F / 64)
 
 // Rounds towards 0, to the bits by which places are sorted.
 static inline float coarse(float x)
@@ -34,48 +36,58 @@ static inline float coarse(float x)
     return x;
 }
 
-// The outline of each sphere becomes pixels, and its least distance from the eye a float.
+// The outline of each sphere becomes pixels, and its least distance from the eye a float. In float
+// the centre has an error of some 2^-24 of its distance. That is more of a g that is a small part
+// of it, so the outline is wider by 2^-18 of its numbers, times distance / (ahead - r). If ahead -
+// r is almost nothing, the rectangle is the whole screen.
 static bool place(const Eye *eye, const Positions *positions, int first, int count, Place *places)
 {
-    double left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], near[PLACES], usual[PLACES];
-    const double *rx = eye->right, *ux = eye->up, *fx = eye->forward;
-    double width = eye->width, height = eye->height, across = eye->across, down = eye->down;
-#pragma omp simd
+    int left[PLACES], right[PLACES], top[PLACES], bottom[PLACES];
+    float near[PLACES], rx[3], ux[3], fx[3];
+    for (int axis = 0; axis < 3; axis++) {
+        rx[axis] = (float)eye->right[axis];
+        ux[axis] = (float)eye->up[axis];
+        fx[axis] = (float)eye->forward[axis];
+    }
+    const float width = (float)eye->width, height = (float)eye->height;
+    const float across = (float)eye->across, down = (float)eye->down;
+    int unusual = 0;
+#pragma omp simd reduction(| : unusual)
     for (int i = 0; i < count; i++) {
-        double x = positions->x[i], y = positions->y[i], z = positions->z[i];
-        double exact = positions->radius[i], r = exact * (1 + 1e-9);
-        double aside = x * rx[0] + y * rx[1] + z * rx[2];
-        double above = x * ux[0] + y * ux[1] + z * ux[2];
-        double ahead = x * fx[0] + y * fx[1] + z * fx[2];
-        double g = (ahead - r) * (ahead + r);
-        double square = x * x + y * y + z * z;
-        bool ordinary = ahead > r && g > 1e-30 && square < 1e30;
+        float x = (float)positions->x[i], y = (float)positions->y[i], z = (float)positions->z[i];
+        float r = (float)positions->radius[i], square = x * x + y * y + z * z;
+        float distance = sqrtf(square);
+        float aside = x * rx[0] + y * rx[1] + z * rx[2];
+        float above = x * ux[0] + y * ux[1] + z * ux[2];
+        float ahead = x * fx[0] + y * fx[1] + z * fx[2];
+        float g = (ahead - r) * (ahead + r);
+        bool measured = (square > 1e-30F) & (square < 1e30F) & (r < 1e15F);
+        bool ordinary = measured & (ahead - r > 1e-4F * distance);
         // The outline by the formula of exercise 08, both axes at once.
-        double safe = ordinary ? g : 1;
-        double over = 1 / safe, x_middle = ahead * aside * over, y_middle = ahead * above * over;
-        double x_half = r * over * root(aside * aside + safe);
-        double y_half = r * over * root(above * above + safe);
-        double x_low = width / 2 + across * (x_middle - x_half) + 0.5 - MARGIN;
-        double x_high = width / 2 + across * (x_middle + x_half) + 0.5 + MARGIN;
-        double y_low = height / 2 - down * (y_middle + y_half) + 0.5 - MARGIN;
-        double y_high = height / 2 - down * (y_middle - y_half) + 0.5 + MARGIN;
-        bool ahead_of_eye = ahead + r > 0;
-        left[i] = ordinary ? between(0, x_low, width) : 0;
-        right[i] = ordinary ? between(0, x_high, width) : ahead_of_eye ? width : 0;
-        top[i] = ordinary ? between(0, y_low, height) : 0;
-        bottom[i] = ordinary ? between(0, y_high, height) : height;
-        double distance = root(square);
-        double nearest = fabs(distance - exact) - 4e-6 * distance;
-        near[i] = nearest > 1e-15 && square < 1e30 ? nearest : 0;
-        usual[i] = exact > 1e-50 && exact < 1e35 && square < 1e20 * exact * exact ? 1 : 0;
+        float safe = ordinary ? g : 1, over = 1 / safe;
+        float wider = ordinary ? 0x1p-18F * distance / (ahead - r) : 0;
+        float x_middle = ahead * aside * over, x_half = r * over * sqrtf(aside * aside + safe);
+        float y_middle = ahead * above * over, y_half = r * over * sqrtf(above * above + safe);
+        x_half += wider * (fabsf(x_middle) + x_half + 0.5F);
+        y_half += wider * (fabsf(y_middle) + y_half + 0.5F);
+        float x_low = width / 2 + across * (x_middle - x_half) + (0.5F - MARGIN);
+        float x_high = width / 2 + across * (x_middle + x_half) + (0.5F + MARGIN);
+        float y_low = height / 2 - down * (y_middle + y_half) + (0.5F - MARGIN);
+        float y_high = height / 2 - down * (y_middle - y_half) + (0.5F + MARGIN);
+        bool behind = ahead + r < -1e-5F * distance;
+        left[i] = first_pixel(ordinary ? x_low : 0, width);
+        right[i] = end_pixel(ordinary ? x_high : behind ? 0 : width, width);
+        top[i] = first_pixel(ordinary ? y_low : 0, height);
+        bottom[i] = end_pixel(ordinary ? y_high : height, height);
+        float nearest = fabsf(distance - r) - 4e-6F * (distance + r);
+        near[i] = measured && nearest > 1e-15F ? coarse(nearest) : 0;
+        unusual |= !((r > 1e-15F) & (r < 1e15F) & (1e-20F * square < r * r));
     }
-    bool all_usual = true;
-    for (int i = 0; i < count; i++) {
-        all_usual &= usual[i] > 0;
-        places[i] = (Place){(uint16_t)left[i],   (uint16_t)right[i],     (uint16_t)top[i],
-                            (uint16_t)bottom[i], coarse((float)near[i]), first + i};
-    }
-    return all_usual;
+    for (int i = 0; i < count; i++)
+        places[i] =
+            (Place){(uint16_t)left[i], (uint16_t)right[i], (uint16_t)top[i], (uint16_t)bottom[i],
+                    near[i],           first + i};
+    return unusual == 0;
 }
 
 // ---- the items of a bin -----------------------------------------------------------------------
