@@ -37,10 +37,10 @@ $(BENCH_TABLES): %: %.o
 	$(Q)$(LINK) -o $@ $^ -lm
 bench-engines: $(ENGINE_BENCH) $(BENCH_TABLES) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: also others)
 	@tests/benches/engines.sh $(ENGINE_BENCH) $(BENCH_TABLES) $(B)/bench $(BENCH_SCENES)
-$(B)/tests/benches/alone: %: %.o $(ENGINE_OBJECTS) $(B)/common.a
+$(B)/tests/benches/wait: %: %.o $(ENGINE_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
-bench-wait: $(B)/tests/benches/alone $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: also others)
+bench-wait: $(B)/tests/benches/wait $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: also others)
 	@PROGRAMS='$(BUILT)' BUILD='$(B)' PEERS='$(PEERS)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
 $(B)/tests/benches/reading: %: %.o $(B)/tests/benches/by_sscanf.o $(B)/common.a
 	$(call say,link,$@)

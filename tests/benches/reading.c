@@ -3,17 +3,12 @@
 // Usage: reading SCENE.nff... If the two did not read the same spheres, it prints no number.
 #include "chapters/08-fast/engines/system.h"
 #include "tests/benches/by_sscanf.h"
+#include "tests/benches/quantile.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
 enum { ROUNDS = 15 };
-
-static int larger(const void *a, const void *b)
-{
-    double first = *(const double *)a, second = *(const double *)b;
-    return (first > second) - (first < second);
-}
 
 static bool is_same(const Scene *a, const Scene *b)
 {
@@ -51,12 +46,9 @@ static bool measure(const char *path)
         scene_free(&mine);
         scene_free(&by_sscanf);
     }
-    qsort(ours, ROUNDS, sizeof *ours, larger);
-    qsort(others, ROUNDS, sizeof *others, larger);
-    qsort(ratios, ROUNDS, sizeof *ratios, larger);
-    printf("  %9d %10.4g %12.4g   %.3g (%.3g..%.3g)\n", count, 1e3 * ours[ROUNDS / 2],
-           1e3 * others[ROUNDS / 2], ratios[ROUNDS / 2], ratios[ROUNDS / 4],
-           ratios[3 * ROUNDS / 4]);
+    printf("  %9d %10.4g %12.4g   %.3g (%.3g..%.3g)\n", count, 1e3 * quantile(ours, ROUNDS, 0.5),
+           1e3 * quantile(others, ROUNDS, 0.5), quantile(ratios, ROUNDS, 0.5),
+           quantile(ratios, ROUNDS, 0.25), quantile(ratios, ROUNDS, 0.75));
     return true;
 }
 

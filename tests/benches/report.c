@@ -9,24 +9,6 @@
 #include <string.h>
 #include <unistd.h>
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-// The value that so large a share lies below.
-static double quantile(const double *values, int count, double share)
-{
-    double sorted[MOST_ROUNDS];
-    memcpy(sorted, values, (size_t)count * sizeof *values);
-    qsort(sorted, (size_t)count, sizeof *sorted, by_value);
-    double at = share * (count - 1);
-    int below = (int)at;
-    return below + 1 < count ? sorted[below] + (at - below) * (sorted[below + 1] - sorted[below])
-                             : sorted[below];
-}
-
 // Rays a second in the round where casting took that long.
 static double rate(const Row *row, double seconds)
 {

@@ -3,11 +3,12 @@
 #define TESTS_BENCHES_REPORT_H
 
 #include "chapters/08-fast/engines/engine.h"
+#include "tests/benches/quantile.h"
 
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { MOST_ROUNDS = 101, MOST_ROWS = 64 };
+enum { MOST_ROWS = 64 };
 
 // One engine with one number of threads on one scene. Seconds.
 typedef struct {

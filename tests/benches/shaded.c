@@ -14,6 +14,7 @@
 #include "chapters/08-fast/engines/system.h"
 #include "chapters/shared/scene_camera.h"
 #include "tests/benches/measure.h"
+#include "tests/benches/quantile.h"
 
 #include <getopt.h>
 #include <math.h>
@@ -27,7 +28,7 @@
 #define MOST_SECONDS 20
 // Of a byte, in the mean over all pixels.
 #define MOST_DIFFERENT 2.0
-enum { MOST_RENDERERS = 8, MOST_ROUNDS = 99, MOST_COUNTS = 8 };
+enum { MOST_RENDERERS = 8, MOST_COUNTS = 8 };
 
 Measured measured;
 
@@ -90,23 +91,6 @@ static double mean_difference(const Image *one, const Image *other)
     for (size_t i = 0; i < bytes; i++)
         sum += abs(one->rgb[i] - other->rgb[i]);
     return sum / (double)bytes;
-}
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double quantile(const double *values, int count, double share)
-{
-    double sorted[MOST_ROUNDS];
-    memcpy(sorted, values, (size_t)count * sizeof *values);
-    qsort(sorted, (size_t)count, sizeof *sorted, by_value);
-    double at = share * (count - 1);
-    int below = (int)at;
-    return below + 1 < count ? sorted[below] + (at - below) * (sorted[below + 1] - sorted[below])
-                             : sorted[below];
 }
 
 static void report(const Row *row, const Row *ours, const char *scene, int spheres, int samples,

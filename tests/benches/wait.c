@@ -1,0 +1,125 @@
+// wait.c - what the user waits for: whole processes, beside only reading a scene and only writing
+// its picture, which is the least that it could be.
+//
+// Usage: wait SCENE.nff FILE.png WIDTH HEIGHT ROUNDS [-- NAME PROGRAM ARGUMENT...]...
+//
+// Each program gets 1 thread, then 2: in its arguments % is their number. All take turns, and each
+// ratio is taken in a round, to the first one's time. 'alone' reads and writes FILE.png in a
+// process of its own; between them it casts the picture, which is not counted.
+#include "chapters/08-fast/engines/engine.h"
+#include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/system.h"
+#include "chapters/shared/scene_camera.h"
+#include "common/workers.h"
+#include "tests/benches/quantile.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum { MOST_PROGRAMS = 8, MOST_THREADS = 2 };
+
+typedef struct {
+    const char *name;
+    bool alone;
+    char **words; // up to "--" or NULL
+    double ms[MOST_THREADS][MOST_ROUNDS];
+} Program;
+
+// Seconds without casting, written to the pipe.
+static bool read_and_write(char **words, int threads, int pipe)
+{
+    Scene scene;
+    Image image;
+    Message message;
+    Resolution size = {atoi(words[2]), atoi(words[3])};
+    Work work = {.scene = &scene, .image = &image, .threads = threads};
+    workers_are(in_parallel, threads);
+    double began = clock_seconds();
+    bool done = scene_load(words[0], &scene, &message);
+    double took = clock_seconds() - began;
+    done = done && scene_camera(&scene.view, size, &work.camera) == CAMERA_OK &&
+           image_create(&image, size, &message) && cast_bins(&work, &message);
+    began = clock_seconds();
+    done = done && image_write_png(&image, words[1], &message);
+    took += clock_seconds() - began;
+    return done && write(pipe, &took, sizeof took) == sizeof took;
+}
+
+// The words are the process's own. Numbers of threads have one digit.
+static void become(char **words, int threads)
+{
+    int count = 0;
+    for (; words[count] != NULL && strcmp(words[count], "--") != 0; count++) {
+        char *mark = strchr(words[count], '%');
+        if (mark != NULL)
+            *mark = (char)('0' + threads);
+    }
+    words[count] = NULL;
+    int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    execvp(words[0], words);
+}
+
+// Milliseconds. The process of 'alone' says how many.
+static double run(const Program *program, int threads)
+{
+    int ends[2], status;
+    double began = clock_seconds(), seconds = 0;
+    pid_t child = pipe(ends) == 0 ? fork() : -1;
+    if (child == 0 && !program->alone)
+        become(program->words, threads);
+    if (child == 0)
+        _exit(program->alone && read_and_write(program->words, threads, ends[1]) ? 0 : 1);
+    if (child < 0 || waitpid(child, &status, 0) != child || status != 0) {
+        fprintf(stderr, "wait: %s fails\n", program->name);
+        exit(1);
+    }
+    double took = clock_seconds() - began;
+    close(ends[1]);
+    if (read(ends[0], &seconds, sizeof seconds) == sizeof seconds)
+        took = seconds;
+    close(ends[0]);
+    return 1e3 * took;
+}
+
+static void report(const Program *program, const double *alone, int threads, int rounds)
+{
+    const double *ms = program->ms[threads - 1];
+    double times[MOST_ROUNDS];
+    for (int i = 0; i < rounds; i++)
+        times[i] = ms[i] / alone[i];
+    printf("  %-12s %7d %9.4g %9.4g %9.4g %9.4g   %.3g\n", program->name, threads,
+           quantile(ms, rounds, 0), quantile(ms, rounds, 0.25), quantile(ms, rounds, 0.5),
+           quantile(ms, rounds, 0.75), quantile(times, rounds, 0.5));
+}
+
+int main(int argc, char **argv)
+{
+    Program programs[MOST_PROGRAMS] = {{.name = "alone", .alone = true, .words = argv + 1}};
+    int count = 1, rounds = argc > 5 ? atoi(argv[5]) : 0;
+    for (int i = 6; i + 2 < argc && count < MOST_PROGRAMS; i++)
+        if (strcmp(argv[i], "--") == 0)
+            programs[count++] = (Program){.name = argv[i + 1], .words = argv + i + 2};
+    if (rounds < 1 || rounds > MOST_ROUNDS) {
+        fprintf(stderr, "Usage: wait SCENE.nff FILE.png WIDTH HEIGHT ROUNDS [-- NAME PROGRAM "
+                        "ARGUMENT...]...\n");
+        return 2;
+    }
+    for (int round = 0; round < rounds; round++)
+        for (int threads = 1; threads <= MOST_THREADS; threads++)
+            for (int i = 0; i < count; i++)
+                programs[i].ms[threads - 1][round] = run(&programs[i], threads);
+    printf("%s to picture, %sx%s, %d rounds in turns\n"
+           "  %-12s %7s %9s %9s %9s %9s   %s\n",
+           argv[1], argv[3], argv[4], rounds, "program", "threads", "least ms", "quartile",
+           "median", "quartile", "times alone (median of ratios)");
+    for (int threads = 1; threads <= MOST_THREADS; threads++)
+        for (int i = 0; i < count; i++)
+            report(&programs[i], programs[0].ms[threads - 1], threads, rounds);
+    return 0;
+}
