@@ -37,7 +37,8 @@ typedef struct {
 typedef struct {
     Node *nodes; // the root is the first
     int node_count;
-    int *order; // indices of the scene's spheres
+    int *order;      // indices of the scene's spheres
+    double *numbers; // x, y, z and r of each, in this order
 } Hierarchy;
 
 // The largest depth of the hierarchy; and the size of a leaf whose spheres are asked one by one.
