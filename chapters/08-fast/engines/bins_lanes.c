@@ -258,12 +258,20 @@ static void outline(const Rays *rays, const Candidates *from, int count, Outline
 }
 
 // One sphere asks its pixels, 16 in a row at a time. sure is the difference of D and u^2: above the
-// margin the sphere is certainly nearer, below -margin it is certainly not.
+// margin the sphere is certainly nearer (then D is positive), below -margin it is certainly not.
 static void ask(Tile *restrict tile, const Outlines *restrict of, int n, Part part, float slack,
                 int color)
 {
     const float u_error = of->b_error[n] + slack;
     const float doubt = of->doubt[n] + u_error * u_error, slope = 2 * u_error;
+    float d_row[TILE_HEIGHT], d_both[TILE_HEIGHT], b_row[TILE_HEIGHT];
+#pragma omp simd
+    for (int row = 0; row < TILE_HEIGHT; row++) {
+        float y = (float)row - of->y[n];
+        d_row[row] = of->d[n] + y * (of->dy[n] + y * of->dyy[n]);
+        d_both[row] = y * of->dxy[n];
+        b_row[row] = of->b[n] + y * of->by[n];
+    }
     for (int first = first_lane(part); first < part.right; first += LANES) {
         float x[LANES], d[LANES], b[LANES];
 #pragma omp simd
@@ -275,23 +283,18 @@ static void ask(Tile *restrict tile, const Outlines *restrict of, int n, Part pa
             b[i] = x[i] * of->bx[n];
         }
         for (int row = part.top; row < part.bottom; row++) {
-            float y = (float)row - of->y[n];
-            float d_row = of->d[n] + y * (of->dy[n] + y * of->dyy[n]);
-            float d_both = y * of->dxy[n], b_row = of->b[n] + y * of->by[n];
             float *restrict s = &tile->s[row * TILE_WIDTH + first];
             int *restrict seen = &tile->color[row * TILE_WIDTH + first];
 #pragma omp simd
             for (int i = 0; i < LANES; i++) {
-                float D = d[i] + d_row + d_both * x[i];
-                float middle = b[i] + b_row;
-                float u = middle - s[i];
-                u = u > 0 ? u : 0;
+                float D = d[i] + d_row[row] + d_both[row] * x[i];
+                float middle = b[i] + b_row[row];
+                float u = middle - (s[i] < middle ? s[i] : middle);
                 float sure = D - u * u, margin = doubt + slope * u;
-                float root = sqrtf(D > 0 ? D : 0);
+                float near = middle - sqrtf(D);
                 int kept = sure > margin ? color | (seen[i] & UNSURE) : seen[i];
-                int unsure = fabsf(sure) <= margin ? UNSURE : 0;
-                s[i] = sure > margin ? middle - root : s[i];
-                seen[i] = kept | unsure;
+                s[i] = sure > margin ? near : s[i];
+                seen[i] = fabsf(sure) <= margin ? kept | UNSURE : kept;
             }
         }
     }
