@@ -277,21 +277,53 @@ static void give_spheres(const CurrentTile *tile)
     }
 }
 
-// A tile without spheres.
-static void give_background(const Tiling *tiling, Pixel corner, int columns, int rows)
+// All pixels see this sphere, or none if it is -1.
+static void give_one(const Tiling *tiling, Pixel corner, int columns, int rows, int sphere)
 {
     const Image *image = tiling->work->image;
-    const uint8_t *background = tiling->paints[tiling->work->scene->surface_count].rgb;
+    const int color = tiling->seen == NULL ? color_of(tiling, sphere) : 0;
     uint8_t row_of_bytes[3 * TILE_WIDTH];
-    for (int i = 0; i < 3 * TILE_WIDTH; i++)
-        row_of_bytes[i] = background[i % 3];
+    for (int i = 0; i < TILE_WIDTH; i++)
+        for (int k = 0; k < 3; k++)
+            row_of_bytes[3 * i + k] = (uint8_t)(color >> 8 * k);
     for (int row = 0; row < rows; row++) {
         Pixel first = {corner.column, corner.row + row};
         if (tiling->seen == NULL)
             memcpy(image_bytes(image, first), row_of_bytes, 3 * (size_t)columns);
-        else
-            memset(tiling->seen + image_index(image, first), -1, (size_t)columns * sizeof(int));
+        for (int i = 0; tiling->seen != NULL && i < columns; i++)
+            tiling->seen[image_index(image, first) + (size_t)i] = sphere;
     }
+}
+
+// Do all pixels see the nearest sphere? The rays that hit it are inside its cone, which is convex,
+// so it is enough to ask the corners. No pixel sees it beyond its outline, where the others begin.
+static bool one_covers_all(const CurrentTile *tile, const Item *bin, size_t count)
+{
+    const Work *work = tile->tiling->work;
+    const Part part = part_of(bin[0]);
+    if (part.left > 0 || part.right < tile->columns || part.top > 0 || part.bottom < tile->rows)
+        return false;
+    const Sphere *sphere = &work->scene->spheres[sphere_of(bin[0])];
+    const vec3 c = sphere->center - work->camera.origin;
+    const double apart = vec3_dot(c, c), square = sphere->radius * sphere->radius;
+    if (!(apart > 1.001 * square && apart < 1e6 * square) ||
+        (count > 1 && near_of(bin[1]) < 1.00001 * sqrt(apart - square)))
+        return false;
+    for (int corner = 0; corner < 4; corner++) {
+        const double x = corner % 2 * (tile->columns - 1), y = corner / 2 * (tile->rows - 1);
+        double vv = 0, cv = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double v =
+                tile->rays.first[axis] + x * tile->rays.column[axis] + y * tile->rays.row[axis];
+            vv += v * v;
+            cv += v * c[axis];
+        }
+        // The square of the cosine between the centre and a ray is 1 - square / apart at the
+        // outline.
+        if (!(cv > 0 && cv * cv > (apart - 0.999 * square) * vv))
+            return false;
+    }
+    return true;
 }
 
 void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
@@ -305,7 +337,7 @@ void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
     tile.columns = width - corner.column < TILE_WIDTH ? width - corner.column : TILE_WIDTH;
     tile.rows = height - corner.row < TILE_HEIGHT ? height - corner.row : TILE_HEIGHT;
     if (count == 0) {
-        give_background(tiling, corner, tile.columns, tile.rows);
+        give_one(tiling, corner, tile.columns, tile.rows, -1);
         return;
     }
     // The rays end on the plane, because the step from one pixel to the next is the same there.
@@ -317,10 +349,14 @@ void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
     tile.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
     tile.slack = 0;
     tile.waiting = 0;
+    const Item *bin = tiling->lanes->sort(items, count);
+    if (one_covers_all(&tile, bin, count)) {
+        give_one(tiling, corner, tile.columns, tile.rows, sphere_of(bin[0]));
+        return;
+    }
     if (tiling->seen == NULL)
         fetch_bytes(&tile);
     tiling->lanes->clear(&tile.pixels, tile.columns, tile.rows, color_of(tiling, -1));
-    const Item *bin = tiling->lanes->sort(items, count);
     decide_unsure(&tile, bin, ask_all(&tile, bin, count));
     if (tiling->seen == NULL)
         tiling->lanes->paint(&tile.pixels, tile.columns, tile.rows, image_bytes(image, corner),
