@@ -34,7 +34,7 @@ static bool read_and_write(char **words, int threads, int pipe)
 {
     Scene scene;
     Image image;
-    Message message;
+    Message message = {"no camera"};
     Resolution size = {atoi(words[2]), atoi(words[3])};
     Work work = {.scene = &scene, .image = &image, .threads = threads};
     workers_are(in_parallel, threads);
@@ -46,6 +46,8 @@ static bool read_and_write(char **words, int threads, int pipe)
     began = clock_seconds();
     done = done && image_write_png(&image, words[1], &message);
     took += clock_seconds() - began;
+    if (!done)
+        fprintf(stderr, "%s\n", message.text);
     return done && write(pipe, &took, sizeof took) == sizeof took;
 }
 
