@@ -8,9 +8,10 @@
 typedef struct {
     NffLine line;
     Scene *scene;
-    int view_line;       // where v stands; 0 before it
-    int view_parts;      // which of its lines were there
-    int cones, polygons; // that the toolkit has no use for
+    size_t least_spheres; // that there is room for
+    int view_line;        // where v stands; 0 before it
+    int view_parts;       // which of its lines were there
+    int cones, polygons;  // that the toolkit has no use for
 } NffReader;
 
 // Reads all lines of the file. False where one is wrong: nff_wrong has said so.
@@ -18,9 +19,9 @@ bool nff_entities(NffReader *reader);
 
 // ---- spheres and their fills ------------------------------------------------------------------
 
-// Room for more items after count of them, in an array that only grows to powers of two. NULL if
-// there is not enough memory.
-void *nff_room(void *items, int count, int more, size_t size);
+// Room for more items after count of them, in an array that only grows to powers of two, and is
+// never smaller than least items, always the same least. NULL if there is not enough memory.
+void *nff_room(void *items, int count, int more, size_t size, size_t least);
 
 // Spheres and fills of these numbers. False if one is out of range.
 bool nff_sphere(const double *numbers, int surface, Sphere *sphere);

@@ -7,34 +7,36 @@
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
-// The room of an array that has this count of items: a power of two.
-static size_t room_of(size_t count)
+// The room of an array that has this count of items: a power of two, not less than least.
+static size_t room_of(size_t count, size_t least)
 {
-    size_t room = count > 0;
-    while (room < count)
+    size_t room = 1;
+    while (room < count || room < least)
         room *= 2;
     return room;
 }
 
-void *nff_room(void *items, int count, int more, size_t size)
+void *nff_room(void *items, int count, int more, size_t size, size_t least)
 {
     if (more > INT_MAX - count)
         return NULL;
-    size_t room = room_of((size_t)count + (size_t)more);
-    if (room == room_of((size_t)count))
+    size_t room = room_of((size_t)count + (size_t)more, least);
+    if (items != NULL && room == room_of((size_t)count, least))
         return items;
     void *grown = realloc(items, room * size);
     large_pages(grown, room * size);
     return grown;
 }
 
-#define APPEND(items, count, item)                                                                 \
-    append((void **)&(items), &(count), &(item), sizeof(item), &reader->line)
+#define APPEND(items, count, item, least)                                                          \
+    append((void **)&(items), &(count), &(item), sizeof(item), least, &reader->line)
 
-static bool append(void **items, int *count, const void *item, size_t size, NffLine *line)
+static bool append(void **items, int *count, const void *item, size_t size, size_t least,
+                   NffLine *line)
 {
-    void *grown = nff_room(*items, *count, 1, size);
+    void *grown = nff_room(*items, *count, 1, size, least);
     if (grown == NULL)
         return nff_wrong(line, "no memory for more than %d of these", *count);
     *items = grown;
@@ -83,7 +85,7 @@ static bool read_light(NffReader *reader)
         return false;
     if (line->word_count == 4)
         light.color = not_said;
-    return APPEND(reader->scene->lights, reader->scene->light_count, light);
+    return APPEND(reader->scene->lights, reader->scene->light_count, light, 0);
 }
 
 // Many lights are not as much brighter as they are many.
@@ -115,7 +117,7 @@ static bool read_fill(NffReader *reader)
     Surface fill;
     return nff_numbers(&reader->line, "f R G B Kd Ks Shine T IoR", 8, 8, n) &&
            read_color(&reader->line, n, &fill.color) && nff_fill(n, &fill) &&
-           APPEND(reader->scene->surfaces, reader->scene->surface_count, fill);
+           APPEND(reader->scene->surfaces, reader->scene->surface_count, fill, 0);
 }
 
 bool nff_sphere(const double *numbers, int surface, Sphere *sphere)
@@ -132,7 +134,8 @@ static bool read_sphere(NffReader *reader)
         return false;
     if (!nff_sphere(n, reader->scene->surface_count - 1, &sphere))
         return nff_wrong(&reader->line, "a radius of %g, expected more than 0", n[3]);
-    return APPEND(reader->scene->spheres, reader->scene->sphere_count, sphere);
+    return APPEND(reader->scene->spheres, reader->scene->sphere_count, sphere,
+                  reader->least_spheres);
 }
 
 // ---- what is left out -------------------------------------------------------------------------
@@ -189,11 +192,23 @@ static bool read_entities(NffReader *reader)
     return false;
 }
 
+// A large array that need not grow is in large pages from its first sphere to its last. Memory that
+// is not used costs nothing, so lines may be longer; if they are shorter, the array grows.
+static size_t spheres_expected(FILE *file)
+{
+    enum { USUAL_LINE = 64, MOST = 1 << 22 };
+    struct stat status;
+    bool known = fstat(fileno(file), &status) == 0 && S_ISREG(status.st_mode);
+    long long count = known ? (long long)status.st_size / USUAL_LINE : 0;
+    return (size_t)(count < MOST ? count : MOST);
+}
+
 bool nff_entities(NffReader *reader)
 {
     Scene *scene = reader->scene;
+    reader->least_spheres = spheres_expected(reader->line.file);
     const Surface white = {.color = vec3_of(1, 1, 1), .diffuse = 1};
-    if (!APPEND(scene->surfaces, scene->surface_count, white) || !read_entities(reader))
+    if (!APPEND(scene->surfaces, scene->surface_count, white, 0) || !read_entities(reader))
         return false;
     set_brightness(scene);
     return true;

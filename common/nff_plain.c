@@ -95,10 +95,11 @@ static bool make_room(NffReader *reader, Part *parts, int count)
         spheres += parts[i].sphere_count;
         fills += parts[i].fill_count;
     }
-    void *for_spheres = nff_room(scene->spheres, scene->sphere_count, spheres, sizeof(Sphere));
+    void *for_spheres = nff_room(scene->spheres, scene->sphere_count, spheres, sizeof(Sphere),
+                                 reader->least_spheres);
     if (for_spheres != NULL)
         scene->spheres = for_spheres;
-    void *for_fills = nff_room(scene->surfaces, scene->surface_count, fills, sizeof(Surface));
+    void *for_fills = nff_room(scene->surfaces, scene->surface_count, fills, sizeof(Surface), 0);
     if (for_fills != NULL)
         scene->surfaces = for_fills;
     if ((for_spheres == NULL && spheres > 0) || for_fills == NULL)
