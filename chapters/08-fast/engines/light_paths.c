@@ -122,6 +122,13 @@ static int nearest_alone(const LightPaths *paths, Ray ray, Line line)
     return nearest.sphere;
 }
 
+static void find_distances(const LightPaths *all, Paths *paths)
+{
+    take_spheres(all->world->scene, paths);
+    if (!all->steps->hits(paths))
+        steps_by_chapters.hits(paths);
+}
+
 // Copies the chosen ones, which are in order, to the front.
 static void choose(const Vectors *from, const int *chosen, int count, Vectors *to)
 {
@@ -136,38 +143,37 @@ static void choose(const Vectors *from, const int *chosen, int count, Vectors *t
     }
 }
 
-// If there are only FEW spheres, rays ask all that they may hit. As in chapter 06, the lower index
-// wins if two hits are equally near.
+// If there are only FEW spheres: the rays that may hit several ask all. As in chapter 06, the lower
+// index wins if two hits are equally near.
 static void ask_few_spheres(LightPaths *all)
 {
     const Scene *scene = all->world->scene;
     Paths *paths = all->paths, *asking = all->paths + 1;
-    double nearest[PATHS];
-    int may[PATHS], ray[PATHS];
-    for (int i = 0; i < paths->count; i++) {
-        nearest[i] = NO_HIT;
-        paths->sphere[i] = -1;
+    double numbers[4 * FEW], nearest[PATHS];
+    int may[PATHS], several[PATHS] = {0}, count = 0;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        for (int axis = 0; axis < 3; axis++)
+            numbers[4 * i + axis] = scene->spheres[i].center[axis];
+        numbers[4 * i + 3] = scene->spheres[i].radius;
     }
-    for (int sphere = 0; sphere < scene->sphere_count; sphere++) {
-        const vec3 center = scene->spheres[sphere].center;
-        const double numbers[4] = {center[0], center[1], center[2], scene->spheres[sphere].radius};
-        all->steps->may_hit(paths, numbers, may);
-        int count = 0;
-        for (int i = 0; i < paths->count; i++) {
-            ray[count] = i;
-            asking->sphere[count] = sphere;
-            count += may[i];
-        }
-        asking->count = count;
-        choose(&paths->origin, ray, count, &asking->origin);
-        choose(&paths->direction, ray, count, &asking->direction);
-        take_spheres(scene, asking);
-        if (!all->steps->hits(asking))
-            steps_by_chapters.hits(asking);
+    all->steps->may_hit(paths, numbers, scene->sphere_count, may);
+    for (int i = 0; i < paths->count; i++) {
+        paths->sphere[i] = may[i] == 0 ? -1 : __builtin_ctz((unsigned)may[i]);
+        nearest[i] = NO_HIT;
+        several[count] = i;
+        count += (may[i] & (may[i] - 1)) != 0;
+    }
+    asking->count = count;
+    choose(&paths->origin, several, count, &asking->origin);
+    choose(&paths->direction, several, count, &asking->direction);
+    for (int sphere = 0; sphere < scene->sphere_count && count > 0; sphere++) {
         for (int i = 0; i < count; i++)
-            if (asking->t[i] < nearest[ray[i]]) {
-                nearest[ray[i]] = asking->t[i];
-                paths->sphere[ray[i]] = sphere;
+            asking->sphere[i] = sphere;
+        find_distances(all, asking);
+        for (int i = 0; i < count; i++)
+            if (asking->t[i] < nearest[i]) {
+                nearest[i] = asking->t[i];
+                paths->sphere[several[i]] = sphere;
             }
     }
 }
@@ -230,10 +236,8 @@ static void end_at_background(LightPaths *all, int level)
 static bool find_hits(LightPaths *all)
 {
     Paths *paths = all->paths;
-    take_spheres(all->world->scene, paths);
-    if (!all->steps->hits(paths))
-        steps_by_chapters.hits(paths);
     bool any_miss = false;
+    find_distances(all, paths);
     for (int i = 0; i < paths->count; i++) {
         bool miss = !(paths->t[i] < NO_HIT);
         paths->sphere[i] = miss ? -1 : paths->sphere[i];
@@ -336,11 +340,12 @@ void path_colors(LightPaths *all, bool known)
         paths->number[i] = i;
     for (; paths->count > 0; level++) {
         memset(all->parts + (size_t)level * PATHS, 0, PATHS * sizeof *all->parts);
-        if (level > 0 || !known)
+        if (level > 0 || !known) {
             find_spheres(all, level > 0);
-        do
             end_at_background(all, level);
-        while (!find_hits(all));
+        }
+        while (!find_hits(all))
+            end_at_background(all, level);
         light_up(all, level, paths->count == count);
     }
     // trace_ray adds from the last mirror to the first.

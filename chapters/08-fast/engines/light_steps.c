@@ -51,11 +51,11 @@ static void rays(const Picture *picture, const int *columns, const int *rows, Pa
     }
 }
 
-static void may_hit(const Paths *paths, const double sphere[4], int *may)
+static void may_hit(const Paths *paths, const double *spheres, int sphere_count, int *may)
 {
-    (void)sphere;
+    (void)spheres;
     for (int i = 0; i < paths->count; i++)
-        may[i] = 1;
+        may[i] = (1 << sphere_count) - 1;
 }
 
 static bool hits(Paths *paths)

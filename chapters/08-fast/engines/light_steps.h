@@ -53,8 +53,9 @@ typedef struct {
 typedef struct {
     // The rays of samples of the picture.
     void (*rays)(const Picture *picture, const int *columns, const int *rows, Paths *paths);
-    // Whether each ray may hit a sphere, a centre and a radius: 0 only if it certainly misses it.
-    void (*may_hit)(const Paths *paths, const double sphere[4], int *may);
+    // The spheres that each ray may hit, as bits: only if it certainly misses one, the bit is 0. A
+    // sphere is four numbers: its centre and its radius.
+    void (*may_hit)(const Paths *paths, const double *spheres, int sphere_count, int *may);
     // Where the rays hit their spheres: t. False: only the chapter can compute these numbers.
     bool (*hits)(Paths *paths);
     // From there: point, normal, start.

@@ -50,19 +50,25 @@ static void rays(const Picture *picture, const int *columns, const int *rows, Pa
 }
 
 // The margin is many times the rounding error of the numbers that are subtracted.
-static void may_hit(const Paths *paths, const double sphere[4], int *may)
+static void may_hit(const Paths *paths, const double *spheres, int sphere_count, int *may)
 {
     const double margin = 1e-12;
-    double cx = sphere[0], cy = sphere[1], cz = sphere[2], rr = sphere[3] * sphere[3];
     int count = padded(paths->count);
+    for (int i = 0; i < count; i++)
+        may[i] = 0;
+    for (int sphere = 0; sphere < sphere_count; sphere++, spheres += 4) {
+        double cx = spheres[0], cy = spheres[1], cz = spheres[2], r = spheres[3];
+        int bit = 1 << sphere;
 #pragma omp simd
-    for (int i = 0; i < count; i++) {
-        double x = paths->direction.x[i], y = paths->direction.y[i], z = paths->direction.z[i];
-        double px = cx - paths->origin.x[i], py = cy - paths->origin.y[i];
-        double pz = cz - paths->origin.z[i];
-        double a = dot(x, y, z, x, y, z), pp = dot(px, py, pz, px, py, pz);
-        double ahead = dot(px, py, pz, x, y, z), outside = pp - rr - margin * (pp + rr);
-        may[i] = !((outside > 0) & ((ahead < 0) | (ahead * ahead < a * outside)));
+        for (int i = 0; i < count; i++) {
+            double x = paths->direction.x[i], y = paths->direction.y[i], z = paths->direction.z[i];
+            double px = cx - paths->origin.x[i], py = cy - paths->origin.y[i];
+            double pz = cz - paths->origin.z[i];
+            double a = dot(x, y, z, x, y, z), pp = dot(px, py, pz, px, py, pz);
+            double ahead = dot(px, py, pz, x, y, z), outside = pp - r * r - margin * (pp + r * r);
+            bool misses = (outside > 0) & ((ahead < 0) | (ahead * ahead < a * outside));
+            may[i] |= misses ? 0 : bit;
+        }
     }
 }
 
@@ -199,14 +205,14 @@ static void shading_of(const Picture *picture, const Paths *paths, Shading *shad
     }
 }
 
-// The cosines of diffuse_term and of phong_term.
-static void cosines(const Paths *paths, const Light *light, const double *lit, Shading *shading)
+// The cosines of diffuse_term and of phong_term, for one vector of paths.
+static inline void cosines(const Paths *paths, int first, const Light *light, const double *lit,
+                           Shading *shading)
 {
     double from = light->kind == LIGHT_DISTANT ? 0 : 1;
     double at_x = light->position[0], at_y = light->position[1], at_z = light->position[2];
-    int count = padded(paths->count);
 #pragma omp simd
-    for (int i = 0; i < count; i++) {
+    for (int i = first; i < first + VECTOR; i++) {
         double nx = paths->normal.x[i], ny = paths->normal.y[i], nz = paths->normal.z[i];
         double x = from != 0 ? at_x - paths->point.x[i] : at_x;
         double y = from != 0 ? at_y - paths->point.y[i] : at_y;
@@ -224,13 +230,12 @@ static void cosines(const Paths *paths, const Light *light, const double *lit, S
     }
 }
 
-static void add_light(const Paths *paths, const Light *light, const double *lit,
-                      const Shading *shading, Vectors *colors)
+static inline void add_light(int first, const Light *light, const double *lit,
+                             const Shading *shading, Vectors *colors)
 {
     double red = light->color[0], green = light->color[1], blue = light->color[2];
-    int count = padded(paths->count);
 #pragma omp simd
-    for (int i = 0; i < count; i++) {
+    for (int i = first; i < first + VECTOR; i++) {
         double part = shading->reflected[i], power = shading->highlight[i];
         double bright = shading->specular[i] * power;
         double r = colors->x[i], g = colors->y[i], b = colors->z[i];
@@ -243,19 +248,39 @@ static void add_light(const Paths *paths, const Light *light, const double *lit,
     }
 }
 
+// Where the vectors begin in which the light arrives at any path.
+static int lit_vectors(const double *lit, int count, int *firsts)
+{
+    int lit_count = 0;
+    for (int first = 0; first < count; first += VECTOR) {
+        int any = 0;
+        for (int i = first; i < first + VECTOR; i++)
+            any |= lit[i] != 0;
+        firsts[lit_count] = first;
+        lit_count += any;
+    }
+    return lit_count;
+}
+
 // solutions/07-shading.c: shade. There are no vectors for pow, so only the paths that need it call
 // it.
 static void shade(const Picture *picture, const Paths *paths, const double *lit, Vectors *colors)
 {
     Shading shading;
+    int firsts[PATHS / VECTOR];
     shading_of(picture, paths, &shading, colors);
     for (int k = 0; k < picture->scene->light_count; k++, lit += PATHS) {
         const Light *light = &picture->scene->lights[k];
-        cosines(paths, light, lit, &shading);
-        for (int i = 0; i < paths->count; i++)
-            if (shading.highlight[i] > 0)
-                shading.highlight[i] = pow(shading.highlight[i], shading.shine[i]);
-        add_light(paths, light, lit, &shading, colors);
+        int vectors = lit_vectors(lit, paths->count, firsts);
+        for (int i = 0; i < vectors; i++)
+            cosines(paths, firsts[i], light, lit, &shading);
+        for (int i = 0; i < vectors * VECTOR; i++) {
+            int path = firsts[i / VECTOR] + i % VECTOR;
+            if (shading.highlight[path] > 0 && path < paths->count)
+                shading.highlight[path] = pow(shading.highlight[path], shading.shine[path]);
+        }
+        for (int i = 0; i < vectors; i++)
+            add_light(firsts[i], light, lit, &shading, colors);
     }
 }
 
@@ -297,6 +322,8 @@ static inline void mean(const double *color, int samples, int pixels, double *me
             means[k] += c < 1 ? c : 1;
         }
     }
+    if (samples == 1)
+        return;
 #pragma omp simd
     for (int k = 0; k < count; k++)
         means[k] /= samples;

@@ -150,11 +150,12 @@ static void trace_samples(Block *block, int left, int row, int count, int place)
     int *spheres = block->paths.paths->sphere, waiting = block->waiting;
     for (int pixel = 0; pixel < count; pixel += block->n, place++)
         for (int k = 0; k < block->n; k++) {
-            spheres[waiting] = seen == NULL ? unknown : seen[pixel + k];
+            int sphere = seen == NULL ? unknown : seen[pixel + k];
+            spheres[waiting] = sphere;
             block->place[waiting] = place + k * PATHS;
             block->column[waiting] = left + pixel + k;
             block->row[waiting] = row;
-            waiting += spheres[waiting] >= 0;
+            waiting += sphere >= 0;
             if (waiting == PATHS) {
                 block->waiting = waiting;
                 trace_waiting(block);
