@@ -117,34 +117,37 @@ static double scaled(const RayWorld *world, int axis, double at)
 
 static void set_leaf(const RayWorld *world, RayLeaf *leaf, const WideNode *wide, int i)
 {
-    *leaf = (RayLeaf){.first = wide->first[i], .spheres = (1U << wide->count[i]) - 1};
+    *leaf = (RayLeaf){.first = wide->first[i]};
     double half = 0;
     for (int axis = 0; axis < 3; axis++) {
         leaf->center[axis] =
             (float)(scaled(world, axis, wide->corner[axis]) + (double)wide->middle[axis][i]);
         half += wide->half[axis][i];
     }
-    // The sum of the sides is at least the diagonal; the rest is for rounding.
-    leaf->size = (float)(half * (1 + 1e-6) + 0x1p-22);
+    // The sum of the sides is at least the diagonal.
+    float more = (float)(0x1p-18 * half + 0x1p-40);
+    for (int k = 0; k < LANES; k++)
+        leaf->r[k] = NAN;
     for (int k = 0; k < wide->count[i]; k++) {
         const double *sphere = world->numbers + 4 * (size_t)(leaf->first + k);
         leaf->x[k] = (float)(scaled(world, 0, sphere[0]) - (double)leaf->center[0]);
         leaf->y[k] = (float)(scaled(world, 1, sphere[1]) - (double)leaf->center[1]);
         leaf->z[k] = (float)(scaled(world, 2, sphere[2]) - (double)leaf->center[2]);
-        leaf->r[k] = (float)(sphere[3] * world->scale);
+        leaf->r[k] = (float)(sphere[3] * world->scale) + more;
     }
 }
 
 static void set_node(const RayWorld *world, RayNode *node, const WideNode *wide)
 {
-    *node = (RayNode){.size = wide->size + 0x1p-25F};
+    *node = (RayNode){.corner = {0}};
+    double more = 0x1p-20 * (double)wide->size + 0x1p-45;
     for (int axis = 0; axis < 3; axis++) {
         double corner = scaled(world, axis, wide->corner[axis]);
         node->corner[axis] = (float)corner;
         double from = corner - (double)node->corner[axis];
         float *low = node->sides + 2 * axis * LANES, *high = low + LANES;
         for (int i = 0; i < LANES; i++) {
-            double middle = wide->middle[axis][i] + from, half = wide->half[axis][i];
+            double middle = wide->middle[axis][i] + from, half = wide->half[axis][i] + more;
             low[i] = i < wide->boxes ? (float)(middle - half) : INFINITY;
             high[i] = i < wide->boxes ? (float)(middle + half) : -INFINITY;
         }
@@ -157,18 +160,21 @@ static bool set_nodes(RayWorld *world, const WideNode *wide, int node_count)
     for (int n = 0; n < node_count; n++)
         for (int i = 0; i < wide[n].boxes; i++)
             count += wide[n].count[i] > 0;
-    world->leaves = large_memory(count * sizeof *world->leaves);
-    world->nodes = large_memory((size_t)node_count * sizeof *world->nodes);
-    if (world->leaves == NULL || world->nodes == NULL)
+    world->nodes = large_memory((size_t)node_count * sizeof(RayNode) + count * sizeof(RayLeaf));
+    if (world->nodes == NULL)
         return false;
-    int leaves = 0;
+    enum { NODE_LINES = sizeof(RayNode) / CACHE_LINE, LEAF_LINES = sizeof(RayLeaf) / CACHE_LINE };
+    RayLeaf *leaf = (RayLeaf *)(world->nodes + node_count);
+    int place = NODE_LINES * node_count;
     for (int n = 0; n < node_count; n++) {
         set_node(world, &world->nodes[n], &wide[n]);
         for (int i = 0; i < wide[n].boxes; i++) {
             bool is_leaf = wide[n].count[i] > 0;
-            world->nodes[n].below[i] = is_leaf ? ~leaves : wide[n].first[i];
-            if (is_leaf)
-                set_leaf(world, &world->leaves[leaves++], &wide[n], i);
+            world->nodes[n].below[i] = is_leaf ? ~place : NODE_LINES * wide[n].first[i];
+            if (!is_leaf)
+                continue;
+            set_leaf(world, leaf++, &wide[n], i);
+            place += LEAF_LINES;
         }
     }
     return true;
@@ -212,7 +218,6 @@ bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, const Scene *s
 void ray_world_free(RayWorld *world)
 {
     free(world->nodes);
-    free(world->leaves);
     free(world->numbers);
     free(world->places);
     *world = (RayWorld){0};

@@ -35,32 +35,36 @@ WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int *nod
 // these, floats are precise enough.
 typedef float Four __attribute__((vector_size(16))); // x, y, z, and 0
 
-// Boxes by their low and high sides along x, y and z. A lane without a box has no inside. 512
-// bytes.
+// Boxes by their low and high sides along x, y and z, larger by the error of rounding. A lane
+// without a box has no inside. 512 bytes.
 typedef struct {
     alignas(64) float sides[6 * LANES];
-    int below[LANES]; // the number of a node; if negative, ~ the number of a leaf
+    int below[LANES]; // where it is (ray_world_data): a node; if negative, a leaf
     Four corner;
-    float size; // of the node's own box, its longest side
 } RayNode;
 
-// At most 16 spheres. 320 bytes.
+// At most 16 spheres, larger by the error of rounding. A lane without a sphere has no radius: NaN.
+// 320 bytes.
 typedef struct {
     alignas(64) float x[LANES], y[LANES], z[LANES], r[LANES];
     Four center;
-    float size;       // no point of the spheres is farther from the centre
-    int first;        // the place of the first one in the order of the hierarchy
-    unsigned spheres; // which lanes have one, as bits
+    int first; // the place of the first one in the order of the hierarchy
 } RayLeaf;
 
 // A scene that rays from anywhere can ask.
 typedef struct {
-    RayNode *nodes; // the root is the first; NULL if there are no spheres
-    RayLeaf *leaves;
+    RayNode *nodes;  // the root is the first, after them the leaves; NULL if there are no spheres
     double *numbers; // x, y, z and r of each sphere, in the order of the hierarchy; not scaled
     int *places;     // of the scene's spheres in that order
     double corner[3], scale;
 } RayWorld;
+
+// A node or a leaf: its place in memory is counted in cache lines. ~ the place of a leaf.
+enum { CACHE_LINE = 64 };
+static inline const void *ray_world_data(const RayWorld *world, int place)
+{
+    return (const char *)world->nodes + CACHE_LINE * (ptrdiff_t)(place ^ place >> 31);
+}
 
 // False if there is not enough memory.
 bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, const Scene *scene);
