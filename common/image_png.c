@@ -72,20 +72,35 @@ static int index_of(Colors *colors, uint32_t key)
     return (int)colors->slots[i].index;
 }
 
-// Most colours are in their first slot. It is quicker to look there each time than to ask whether
-// the colour is that of the pixel before, which no processor can predict.
-static void find_colors(void *given, int i)
+// The indices of some pixels; false if there are too many colours. Most colours are in their first
+// slot. It is quicker to look there each time than to ask whether the colour is that of the pixel
+// before, which no processor can predict.
+static bool find_indices(Colors *colors, const uint8_t *rgb, size_t count, uint8_t *to)
 {
-    Band *band = (Band *)given + i;
-    Colors *colors = &band->colors;
-    const uint8_t *rgb = image_bytes(band->image, (Pixel){0, band->row});
-    uint8_t *to = band->indices, *end = to + (size_t)band->rows * (size_t)band->image->size.width;
-    for (; to < end; to++, rgb += 3) {
+    for (size_t k = 0; k < count; k++, rgb += 3) {
         uint32_t key = key_of(rgb), slot = first_slot(key);
         int index = (int)colors->slots[slot].index;
         if (colors->slots[slot].key != key && (index = index_of(colors, key)) < 0)
+            return false;
+        to[k] = (uint8_t)index;
+    }
+    return true;
+}
+
+// Pixels that are like those above them have the same indices.
+static void find_colors(void *given, int i)
+{
+    enum { SOME = 16 };
+    Band *band = (Band *)given + i;
+    const uint8_t *rgb = image_bytes(band->image, (Pixel){0, band->row});
+    const size_t width = (size_t)band->image->size.width, all = (size_t)band->rows * width;
+    for (size_t k = 0; k < all; k += SOME) {
+        size_t count = all - k < SOME ? all - k : SOME;
+        if (k >= width && width >= count &&
+            memcmp(rgb + 3 * k, rgb + 3 * (k - width), 3 * count) == 0)
+            memcpy(band->indices + k, band->indices + k - width, count);
+        else if (!find_indices(&band->colors, rgb + 3 * k, count, band->indices + k))
             return;
-        *to = (uint8_t)index;
     }
     band->flat = true;
 }
