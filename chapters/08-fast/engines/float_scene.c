@@ -61,11 +61,12 @@ static void line_up(void *given, int part)
         // The spheres that fill up the last 64 are never used.
         int place = i < from->sphere_count ? i : 0;
         const Sphere *sphere = &from->spheres[scene->hierarchy.order[place]];
+        const double *numbers = scene->hierarchy.numbers + 4 * (size_t)place;
         Unseen *unseen = &scene->unseen[i / SEEN_AT_ONCE];
-        unseen->x[i % SEEN_AT_ONCE] = sphere->center[0];
-        unseen->y[i % SEEN_AT_ONCE] = sphere->center[1];
-        unseen->z[i % SEEN_AT_ONCE] = sphere->center[2];
-        unseen->radius[i % SEEN_AT_ONCE] = sphere->radius;
+        unseen->x[i % SEEN_AT_ONCE] = numbers[0];
+        unseen->y[i % SEEN_AT_ONCE] = numbers[1];
+        unseen->z[i % SEEN_AT_ONCE] = numbers[2];
+        unseen->radius[i % SEEN_AT_ONCE] = numbers[3];
         scene->colors[i] = color_of(scene->paints[sphere->surface]);
     }
 }
@@ -86,9 +87,9 @@ static bool seen_scene_build(SeenScene *scene, const Work *work, bool wide)
         scene->seen == NULL || scene->around == NULL || scene->x == NULL || scene->y == NULL ||
         !hierarchy_build(&scene->hierarchy, work->scene, SMALL_LEAF, work->threads))
         return false;
-    int node_count;
+    WideCount number;
     if (count > 0 && wide)
-        scene->wide = wide_build(&scene->hierarchy, 1, SMALL_LEAF, &node_count);
+        scene->wide = wide_build(&scene->hierarchy, 1, SMALL_LEAF, work->threads, &number);
     else if (count > 0)
         scene->nodes = large_memory((size_t)scene->hierarchy.node_count * sizeof *scene->nodes);
     in_parallel(work->threads, parts(work->scene->sphere_count), line_up, scene);

@@ -23,7 +23,7 @@ bool light_world_build(LightWorld *world, const Scene *scene, int threads)
                           .materials = materials_of(scene)};
     bool done = world->grids != NULL && world->materials != NULL &&
                 hierarchy_build(&world->hierarchy, scene, LANES, threads) &&
-                ray_world_build(&world->rays, &world->hierarchy, scene);
+                ray_world_build(&world->rays, &world->hierarchy, threads);
     if (scene->sphere_count == 0 && done)
         return true;
     for (int i = 0; i < scene->light_count && done; i++)

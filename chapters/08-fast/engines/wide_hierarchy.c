@@ -3,18 +3,34 @@
 // their leaves get the numbers that any_ray_lanes.c asks.
 #include "chapters/08-fast/engines/wide_hierarchy.h"
 
+#include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/system.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
+
+// A node that one thread widens, with all that is below it. The root of the wide hierarchy has at
+// most 16 boxes, and each of these at most 16 branches.
+enum { ROOT, BOXES, BRANCHES, BELOW };
+enum { MOST_ABOVE = 1 + LANES, MOST_BRANCHES = LANES * LANES };
+typedef struct {
+    int from;
+    WideCount count, first; // how many it becomes, and the number of the first one
+} Branch;
+
+// The boxes of a wide node, as nodes of the hierarchy.
+typedef struct {
+    int count, nodes[LANES];
+} Opened;
 
 typedef struct {
     const Node *from;
     double scale;
     int few;
-    WideNode *to;
-    int count, room;
+    Opened *opened; // first those above the branches, then room for those of each branch
+    WideNode *to;   // NULL: nodes are only opened and counted
+    Branch branches[MOST_BRANCHES];
+    int branch_count;
 } Widening;
 
 static bool is_leaf(const Widening *widening, const Node *node)
@@ -22,26 +38,33 @@ static bool is_leaf(const Widening *widening, const Node *node)
     return node->other == 0 || node->count <= widening->few;
 }
 
-// The nodes below one, at most 16 and at least its children; returns their number.
-static int open_boxes(const Widening *widening, int node, int *below)
+// A node with the largest surface is opened first, a leaf never.
+static double worth(const Widening *widening, int node)
 {
-    const Node *from = widening->from;
-    int count = 1;
+    const Node *from = &widening->from[node];
+    __builtin_prefetch(&widening->from[from->other]);
+    return is_leaf(widening, from) ? -1 : box_surface(&from->box);
+}
+
+// The nodes below one, at most 16 and at least its children.
+static void open_boxes(const Widening *widening, int node, Opened *opened)
+{
+    double worths[LANES] = {worth(widening, node)};
+    int count = 1, *below = opened->nodes;
     below[0] = node;
     while (count < LANES) {
-        int largest = -1;
-        for (int i = 0; i < count; i++)
-            if (!is_leaf(widening, &from[below[i]]) &&
-                (largest < 0 ||
-                 box_surface(&from[below[i]].box) > box_surface(&from[below[largest]].box)))
-                largest = i;
-        if (largest < 0)
+        int best = 0;
+        for (int i = 1; i < count; i++)
+            best = worths[i] > worths[best] ? i : best;
+        if (worths[best] < 0)
             break;
-        int opened = below[largest];
-        below[largest] = opened + 1;
-        below[count++] = from[opened].other;
+        below[count] = widening->from[below[best]].other;
+        below[best]++;
+        worths[best] = worth(widening, below[best]);
+        worths[count] = worth(widening, below[count]);
+        count++;
     }
-    return count;
+    opened->count = count;
 }
 
 static void set_box(const Widening *widening, WideNode *wide, int i, const Node *node)
@@ -56,55 +79,100 @@ static void set_box(const Widening *widening, WideNode *wide, int i, const Node 
     wide->count[i] = (uint8_t)(is_leaf(widening, node) ? node->count : 0);
 }
 
-// Like realloc, but each node begins at the start of a cache line.
-static bool make_room(Widening *widening)
+static void set_wide(const Widening *widening, WideNode *wide, const Node *node,
+                     const Opened *opened)
 {
-    int room = 2 * widening->room + 16;
-    WideNode *to = large_memory((size_t)room * sizeof *to);
-    if (to == NULL)
-        return false;
-    if (widening->count > 0)
-        memcpy(to, widening->to, (size_t)widening->count * sizeof *to);
-    free(widening->to);
-    widening->to = to;
-    widening->room = room;
-    return true;
+    wide->boxes = opened->count;
+    for (int axis = 0; axis < 3; axis++) {
+        double low = node->box.low[axis], high = node->box.high[axis];
+        wide->corner[axis] = low;
+        wide->size = fmaxf(wide->size, (float)((high - low) * widening->scale));
+    }
+    for (int i = 0; i < opened->count; i++)
+        set_box(widening, wide, i, &widening->from[opened->nodes[i]]);
 }
 
-// The number of the new node; negative if there is not enough memory.
-static int widen(Widening *widening, int node)
+// Opens a node and all that is below it, but for branches; or makes the wide nodes of these. Both
+// in the same order: next has the numbers of the next node and the next leaf, opened is the next
+// node. Returns the number of this node.
+static int widen(Widening *widening, int node, int depth, WideCount *next, Opened **opened)
 {
-    if (widening->count == widening->room && !make_room(widening))
-        return -1;
-    int number = widening->count++, below[LANES];
-    const Node *from = widening->from;
-    WideNode wide = {.boxes = open_boxes(widening, node, below)};
-    for (int axis = 0; axis < 3; axis++) {
-        double low = from[node].box.low[axis], high = from[node].box.high[axis];
-        wide.corner[axis] = low;
-        wide.size = fmaxf(wide.size, (float)((high - low) * widening->scale));
+    if (depth == BRANCHES) {
+        Branch *branch = &widening->branches[widening->branch_count++];
+        branch->from = node;
+        return branch->first.nodes;
     }
-    for (int i = 0; i < wide.boxes; i++) {
-        set_box(widening, &wide, i, &from[below[i]]);
-        if (is_leaf(widening, &from[below[i]]))
+    const int number = next->nodes++;
+    Opened *boxes = (*opened)++;
+    WideNode *wide = widening->to == NULL ? NULL : &widening->to[number];
+    if (wide == NULL) {
+        open_boxes(widening, node, boxes);
+    } else {
+        *wide = (WideNode){.leaves = next->leaves};
+        set_wide(widening, wide, &widening->from[node], boxes);
+    }
+    for (int i = 0; i < boxes->count; i++)
+        next->leaves += is_leaf(widening, &widening->from[boxes->nodes[i]]);
+    for (int i = 0; i < boxes->count; i++) {
+        if (is_leaf(widening, &widening->from[boxes->nodes[i]]))
             continue;
-        wide.first[i] = widen(widening, below[i]);
-        if (wide.first[i] < 0)
-            return -1;
+        int first = widen(widening, boxes->nodes[i], depth + 1, next, opened);
+        if (wide != NULL)
+            wide->first[i] = first;
     }
-    widening->to[number] = wide;
     return number;
 }
 
-WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int *node_count)
+static void widen_above(Widening *widening, WideCount *next)
 {
-    Widening widening = {.from = hierarchy->nodes, .scale = scale, .few = few};
-    bool built = widen(&widening, 0) >= 0;
-    *node_count = widening.count;
-    if (built)
-        return widening.to;
-    free(widening.to);
-    return NULL;
+    Opened *opened = widening->opened;
+    widening->branch_count = 0;
+    widen(widening, 0, ROOT, next, &opened);
+}
+
+static void widen_branch(void *given, int number)
+{
+    Widening *widening = given;
+    Branch *branch = &widening->branches[number];
+    WideCount next = branch->first;
+    // At most every second node has children.
+    Opened *opened = widening->opened + MOST_ABOVE + branch->from / 2;
+    widen(widening, branch->from, BELOW, &next, &opened);
+    branch->count =
+        (WideCount){next.nodes - branch->first.nodes, next.leaves - branch->first.leaves};
+}
+
+static void number_branches(Widening *widening, WideCount *count)
+{
+    for (int i = 0; i < widening->branch_count; i++) {
+        Branch *branch = &widening->branches[i];
+        branch->first = *count;
+        count->nodes += branch->count.nodes;
+        count->leaves += branch->count.leaves;
+    }
+}
+
+WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int threads,
+                     WideCount *count)
+{
+    const size_t room = MOST_ABOVE + (size_t)hierarchy->node_count / 2 + 1;
+    Widening widening = {.from = hierarchy->nodes,
+                         .scale = scale,
+                         .few = few,
+                         .opened = malloc(room * sizeof *widening.opened)};
+    *count = (WideCount){0, 0};
+    if (widening.opened == NULL)
+        return NULL;
+    widen_above(&widening, count);
+    in_parallel(threads, widening.branch_count, widen_branch, &widening);
+    number_branches(&widening, count);
+    widening.to = large_memory((size_t)count->nodes * sizeof *widening.to);
+    if (widening.to != NULL) {
+        widen_above(&widening, &(WideCount){0, 0});
+        in_parallel(threads, widening.branch_count, widen_branch, &widening);
+    }
+    free(widening.opened);
+    return widening.to;
 }
 
 // ---- for rays from anywhere -------------------------------------------------------------------
@@ -154,71 +222,74 @@ static void set_node(const RayWorld *world, RayNode *node, const WideNode *wide)
     }
 }
 
-static bool set_nodes(RayWorld *world, const WideNode *wide, int node_count)
+typedef struct {
+    RayWorld *world;
+    const Hierarchy *hierarchy;
+    const WideNode *wide;
+    int node_count, sphere_count;
+} Setting;
+enum { NODES = 64, SPHERES = 8192 }; // that one thread sets at a time
+
+static void set_nodes(void *given, int part)
 {
-    size_t count = 0;
-    for (int n = 0; n < node_count; n++)
-        for (int i = 0; i < wide[n].boxes; i++)
-            count += wide[n].count[i] > 0;
-    world->nodes = large_memory((size_t)node_count * sizeof(RayNode) + count * sizeof(RayLeaf));
-    if (world->nodes == NULL)
-        return false;
     enum { NODE_LINES = sizeof(RayNode) / CACHE_LINE, LEAF_LINES = sizeof(RayLeaf) / CACHE_LINE };
-    RayLeaf *leaf = (RayLeaf *)(world->nodes + node_count);
-    int place = NODE_LINES * node_count;
-    for (int n = 0; n < node_count; n++) {
-        set_node(world, &world->nodes[n], &wide[n]);
-        for (int i = 0; i < wide[n].boxes; i++) {
-            bool is_leaf = wide[n].count[i] > 0;
-            world->nodes[n].below[i] = is_leaf ? ~place : NODE_LINES * wide[n].first[i];
-            if (!is_leaf)
-                continue;
-            set_leaf(world, leaf++, &wide[n], i);
-            place += LEAF_LINES;
+    const Setting *setting = given;
+    RayWorld *world = setting->world;
+    RayLeaf *leaves = (RayLeaf *)(world->nodes + setting->node_count);
+    for (int n = NODES * part; n < NODES * (part + 1) && n < setting->node_count; n++) {
+        const WideNode *wide = &setting->wide[n];
+        int leaf = wide->leaves;
+        set_node(world, &world->nodes[n], wide);
+        for (int i = 0; i < wide->boxes; i++) {
+            bool is_leaf = wide->count[i] > 0;
+            world->nodes[n].below[i] = is_leaf
+                                           ? ~(NODE_LINES * setting->node_count + LEAF_LINES * leaf)
+                                           : NODE_LINES * wide->first[i];
+            if (is_leaf)
+                set_leaf(world, &leaves[leaf++], wide, i);
         }
     }
-    return true;
 }
 
-bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, const Scene *scene)
+static void set_places(void *given, int part)
 {
-    *world = (RayWorld){0};
-    if (scene->sphere_count == 0)
+    const Setting *setting = given;
+    for (int i = SPHERES * part; i < SPHERES * (part + 1) && i < setting->sphere_count; i++)
+        setting->world->places[setting->hierarchy->order[i]] = i;
+}
+
+bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, int threads)
+{
+    *world = (RayWorld){.numbers = hierarchy->numbers};
+    const Node *root = &hierarchy->nodes[0];
+    if (root->count == 0)
         return true;
-    const Box *box = &hierarchy->nodes[0].box;
     double size = 0;
     for (int axis = 0; axis < 3; axis++) {
-        size = fmax(size, box->high[axis] - box->low[axis]);
-        world->corner[axis] = box->low[axis];
+        size = fmax(size, root->box.high[axis] - root->box.low[axis]);
+        world->corner[axis] = root->box.low[axis];
     }
     world->scale = 1 / size;
-    world->numbers = large_memory(4 * (size_t)scene->sphere_count * sizeof(double));
-    world->places = large_memory((size_t)scene->sphere_count * sizeof *world->places);
-    if (world->numbers == NULL || world->places == NULL) {
-        ray_world_free(world);
-        return false;
+    WideCount count;
+    WideNode *wide = wide_build(hierarchy, world->scale, LANES, threads, &count);
+    world->places = large_memory((size_t)root->count * sizeof *world->places);
+    world->nodes = large_memory((size_t)count.nodes * sizeof(RayNode) +
+                                (size_t)count.leaves * sizeof(RayLeaf));
+    Setting setting = {world, hierarchy, wide, count.nodes, root->count};
+    bool built = wide != NULL && world->places != NULL && world->nodes != NULL;
+    if (built) {
+        in_parallel(threads, (root->count + SPHERES - 1) / SPHERES, set_places, &setting);
+        in_parallel(threads, (count.nodes + NODES - 1) / NODES, set_nodes, &setting);
     }
-    for (int i = 0; i < scene->sphere_count; i++) {
-        world->places[hierarchy->order[i]] = i;
-        const Sphere *sphere = &scene->spheres[hierarchy->order[i]];
-        for (int axis = 0; axis < 3; axis++)
-            world->numbers[4 * (size_t)i + (size_t)axis] = sphere->center[axis];
-        world->numbers[4 * (size_t)i + 3] = sphere->radius;
-    }
-    int node_count = 0;
-    WideNode *wide = wide_build(hierarchy, world->scale, LANES, &node_count);
-    bool built = wide != NULL && set_nodes(world, wide, node_count);
     free(wide);
-    if (built)
-        return true;
-    ray_world_free(world);
-    return false;
+    if (!built)
+        ray_world_free(world);
+    return built;
 }
 
 void ray_world_free(RayWorld *world)
 {
     free(world->nodes);
-    free(world->numbers);
     free(world->places);
     *world = (RayWorld){0};
 }

@@ -22,12 +22,18 @@ typedef struct {
     double corner[3];
     float size; // of the node's own box, its longest side
     int boxes;  // number of boxes, at most 16
+    int leaves; // number of the first leaf among all leaves
 } WideNode;
 
-// NULL if there is not enough memory. The root is the first node; node_count is their number. Free
-// it with free. A box with at most few spheres is not divided; few is at most 16. The floats are
-// lengths times the scale, so that they are in the range of floats; the corners are not scaled.
-WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int *node_count);
+typedef struct {
+    int nodes, leaves;
+} WideCount;
+
+// NULL if there is not enough memory. The root is the first node; count is for the number of all.
+// Free it with free. A box with at most few spheres is not divided; few is at most 16. The floats
+// are lengths times the scale, so that they are in the range of floats; the corners are not scaled.
+WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int threads,
+                     WideCount *count);
 
 // For rays from anywhere, all lengths are multiplied by a scale, so that the largest box has the
 // size 1. The place of a node or a leaf is counted from the corner of the largest box. Places in a
@@ -53,9 +59,9 @@ typedef struct {
 
 // A scene that rays from anywhere can ask.
 typedef struct {
-    RayNode *nodes;  // the root is the first, after them the leaves; NULL if there are no spheres
-    double *numbers; // x, y, z and r of each sphere, in the order of the hierarchy; not scaled
-    int *places;     // of the scene's spheres in that order
+    RayNode *nodes; // the root is the first, after them the leaves; NULL if there are no spheres
+    const double *numbers; // those of the hierarchy
+    int *places;           // of the scene's spheres in that order
     double corner[3], scale;
 } RayWorld;
 
@@ -66,8 +72,8 @@ static inline const void *ray_world_data(const RayWorld *world, int place)
     return (const char *)world->nodes + CACHE_LINE * (ptrdiff_t)(place ^ place >> 31);
 }
 
-// False if there is not enough memory.
-bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, const Scene *scene);
+// False if there is not enough memory. The hierarchy must outlive the world.
+bool ray_world_build(RayWorld *world, const Hierarchy *hierarchy, int threads);
 void ray_world_free(RayWorld *world);
 
 #endif
