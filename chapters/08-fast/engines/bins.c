@@ -10,7 +10,6 @@
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/system.h"
-#include "exercises/04-pixel-ray.h"
 
 #include <limits.h>
 #include <math.h>
@@ -22,9 +21,9 @@ static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
 
 enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024 };        // bytes
 enum { SMALLEST_BLOCK = 1 << 16, LARGEST_BLOCK = 1 << 21 }; // bytes
-// For fewer than FEW_SPHERES, neither more shares nor hiding is worth its cost. At most FEW_ITEMS
-// of a bin need no malloc.
-enum { FEW_SPHERES = 10000, FEW_ITEMS = 128, NOTHING_HIDDEN = INT_MAX };
+// For fewer than FEW_SPHERES more shares are not worth their cost, and for fewer than
+// HIDING_SPHERES hiding is not. At most FEW_ITEMS of a bin need no malloc.
+enum { FEW_SPHERES = 10000, HIDING_SPHERES = 1000, FEW_ITEMS = 128, NOTHING_HIDDEN = INT_MAX };
 
 // A bin is a list of chunks. Each begins at a multiple of its size, which is a power of 2, so the
 // address of the next item shows whether the chunk is full.
@@ -51,6 +50,7 @@ typedef struct {
 typedef struct {
     Tiling tiling;
     Eye eye;
+    Rays rays; // of the screen
     Share *shares;
     int share_count;
     size_t chunk;      // bytes
@@ -170,39 +170,23 @@ static inline int least(int a, int b)
 
 // ---- spheres ----------------------------------------------------------------------------------
 
-// Does the sphere cover a whole tile, with a margin? Its outline is an ellipse, so it is enough to
-// ask the corners.
-static bool covers(const Work *work, vec3 c, double square, int left, int top)
-{
-    for (int corner = 0; corner < 4; corner++) {
-        Pixel pixel = {left + corner % 2 * (TILE_WIDTH - 1), top + corner / 2 * (TILE_HEIGHT - 1)};
-        vec3 v = pixel_ray(work->camera, work->image->size, pixel).direction;
-        vec3 w = vec3_cross(c, v);
-        if (!(vec3_dot(w, w) < square * vec3_dot(v, v)))
-            return false;
-    }
-    return true;
-}
-
 // In the tiles that a large sphere covers, all that begins beyond its outline is hidden.
 static void hide(Casting *casting, const Place *place)
 {
     const Work *work = casting->tiling.work;
     const Sphere *sphere = &work->scene->spheres[place->sphere];
     vec3 c = sphere->center - work->camera.origin;
-    double r = sphere->radius, square = r * r, apart = vec3_dot(c, c);
-    if (!(apart > 1.0001 * square && apart < 1e6 * square &&
-          vec3_dot(c, work->camera.forward) > 1.0001 * r))
-        return;
-    Place outline = {.near = (float)(1.00001 * sqrt(apart - square))};
+    Place outline = {.near = (float)beyond_outline(c, sphere->radius)};
     const int depth = (int)place_depth(outline);
     for (int row = (place->top + TILE_HEIGHT - 1) / TILE_HEIGHT;
          (row + 1) * TILE_HEIGHT <= place->bottom; row++)
         for (int column = (place->left + TILE_WIDTH - 1) / TILE_WIDTH;
              (column + 1) * TILE_WIDTH <= place->right; column++) {
             atomic_int *hidden = &casting->hidden[row * casting->columns + column];
+            const Part part = {column * TILE_WIDTH, (column + 1) * TILE_WIDTH, row * TILE_HEIGHT,
+                               (row + 1) * TILE_HEIGHT};
             if (depth < atomic_load_explicit(hidden, memory_order_relaxed) &&
-                covers(work, c, 0.98 * square, column * TILE_WIDTH, row * TILE_HEIGHT))
+                covers(&casting->rays, c, sphere->radius, part))
                 atomic_store_explicit(hidden, depth, memory_order_relaxed);
         }
 }
@@ -236,7 +220,7 @@ static inline bool add_place(Casting *casting, Share *share, const Place *place)
     if (left == right && top == bottom)
         return add_item(casting, share, place, left, top);
     if (right > left + 1 && bottom > top + 1 &&
-        casting->tiling.work->scene->sphere_count >= FEW_SPHERES)
+        casting->tiling.work->scene->sphere_count >= HIDING_SPHERES)
         hide(casting, place);
     for (int row = top; row <= bottom; row++)
         for (int column = left; column <= right; column++)
@@ -390,6 +374,7 @@ static bool cast(const Work *work, int *seen, bool *extreme)
     Paint *paints = paints_of(work->scene);
     Casting casting = {.tiling = {work, bins_lanes[lanes_best()], paints, seen},
                        .eye = eye_of(work),
+                       .rays = rays_from(work, (Pixel){0, 0}),
                        .share_count = work->scene->sphere_count < FEW_SPHERES ? 1 : work->threads,
                        .chunk = SMALLEST_CHUNK,
                        .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,

@@ -134,6 +134,8 @@ static const Item *sort(Item *items, size_t count)
 {
     enum { DEPTH = ITEM_SPHERE + ITEM_PART, HALF = (64 - DEPTH) / 2 };
     Item *to = items + count;
+    if (count < 2)
+        return items;
     if (count <= FEW) {
         sort_few(items, count, to);
         return to;
@@ -200,11 +202,11 @@ static float farthest(const Tile *tile, Part part)
 // numbers cancel. The ray x columns and y rows away is v + x g + y h. Counted from the middle of
 // the sphere's part, no term is much larger than the largest D in it. So the error of D in float is
 // about 2^-24 of the sum of the terms.
-static void outline(const Rays *rays, const Candidates *from, int count, Outlines *to)
+static void outline(const Rays *rays, const Candidates *from, Outlines *to)
 {
     const double *f = rays->first, *g = rays->column, *h = rays->row;
 #pragma omp simd
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < OUTLINES; i++) {
         double column = from->column[i], row = from->row[i];
         double half_x = from->half_width[i], half_y = from->half_height[i];
         double cx = from->x[i], cy = from->y[i], cz = from->z[i];

@@ -69,11 +69,12 @@ typedef struct {
     double columns, rows, both;
 } Rays;
 
-// Spheres that may be visible: the centre from the eye, the radius; a pixel in the middle of the
-// sphere's part of the tile, and how far that part reaches from there.
+// Up to OUTLINES spheres that may be visible: the centre from the eye, the radius; a pixel in the
+// middle of the sphere's part of the tile, and how far that part reaches from there.
+enum { OUTLINES = 8 };
 typedef struct {
-    double x[LANES], y[LANES], z[LANES], radius[LANES];
-    double column[LANES], row[LANES], half_width[LANES], half_height[LANES];
+    double x[OUTLINES], y[OUTLINES], z[OUTLINES], radius[OUTLINES];
+    double column[OUTLINES], row[OUTLINES], half_width[OUTLINES], half_height[OUTLINES];
 } Candidates;
 
 // Spheres, seen from a tile. D is a quarter of chapter 05's discriminant, c the centre from the
@@ -84,13 +85,13 @@ typedef struct {
 // u^2, or if u < 0 and D > 0. If the two sides differ by less than doubt, float cannot decide. The
 // error of c.v is at most b_error, and that of the new s at most s_error.
 typedef struct {
-    float x[LANES], y[LANES];
-    float d[LANES], dx[LANES], dy[LANES], dxx[LANES], dxy[LANES], dyy[LANES];
-    float b[LANES], bx[LANES], by[LANES];
-    float doubt[LANES], b_error[LANES], s_error[LANES];
+    float x[OUTLINES], y[OUTLINES];
+    float d[OUTLINES], dx[OUTLINES], dy[OUTLINES], dxx[OUTLINES], dxy[OUTLINES], dyy[OUTLINES];
+    float b[OUTLINES], bx[OUTLINES], by[OUTLINES];
+    float doubt[OUTLINES], b_error[OUTLINES], s_error[OUTLINES];
     // 0 if float is not reliable: if the eye is inside the sphere or close to it, if the sphere is
     // partly beside or behind the eye, or if its size is extreme.
-    int safe[LANES];
+    int safe[OUTLINES];
 } Outlines;
 
 typedef struct {
@@ -104,8 +105,9 @@ typedef struct {
     void (*clear)(Tile *tile, int columns, int rows, int color);
     // The largest s.
     float (*farthest)(const Tile *tile, Part part);
-    // The outlines of count candidates, seen from the tile.
-    void (*outline)(const Rays *rays, const Candidates *candidates, int count, Outlines *outlines);
+    // The outlines of all OUTLINES candidates, seen from the tile; the compiler optimises better
+    // for a constant number.
+    void (*outline)(const Rays *rays, const Candidates *candidates, Outlines *outlines);
     // Sphere number n of these asks the pixels of its part. slack is the largest error of any s.
     void (*ask)(Tile *tile, const Outlines *outlines, int n, Part part, float slack, int color);
     // The same in double, if float is not reliable: the centre from the eye and the radius; the s

@@ -14,8 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-// Spheres that are prepared together; after that, the farthest pixel is computed again.
-enum { AT_ONCE = 8, UNTIL_NEXT_LOOK = 32 };
+// After this many spheres, the farthest pixel is computed again.
+enum { UNTIL_NEXT_LOOK = 32 };
 
 // The tile that is being cast.
 typedef struct {
@@ -29,9 +29,9 @@ typedef struct {
     // The spheres that ask next.
     int waiting;
     Candidates candidates;
-    int spheres[AT_ONCE];
-    Part parts[AT_ONCE];
-    float nearest[AT_ONCE]; // a lower bound of s
+    int spheres[OUTLINES];
+    Part parts[OUTLINES];
+    float nearest[OUTLINES]; // a lower bound of s
 } CurrentTile;
 
 static void allow(CurrentTile *tile, float error)
@@ -193,7 +193,7 @@ static void ask_waiting(CurrentTile *tile)
     Outlines outlines;
     for (int i = 0; i < tile->waiting; i++)
         set_candidate(tile, i);
-    lanes->outline(&tile->rays, &tile->candidates, tile->waiting, &outlines);
+    lanes->outline(&tile->rays, &tile->candidates, &outlines);
     for (int i = 0; i < tile->waiting; i++) {
         if (is_hidden(tile, i))
             continue;
@@ -230,15 +230,20 @@ static size_t ask_all(CurrentTile *tile, const Item *bin, size_t count)
         tile->spheres[tile->waiting] = sphere_of(bin[i]);
         tile->parts[tile->waiting] = part_of(bin[i]);
         tile->nearest[tile->waiting] = nearest;
-        if (++tile->waiting == AT_ONCE)
+        if (++tile->waiting == OUTLINES)
             ask_waiting(tile);
     }
     ask_waiting(tile);
     return i;
 }
 
-static Rays rays_from(vec3 first, vec3 column, vec3 row)
+Rays rays_from(const Work *work, Pixel pixel)
 {
+    Camera camera = work->camera;
+    Resolution screen = work->image->size;
+    vec3 first = ray_to_plane(pixel_ray(camera, screen, pixel), camera).direction;
+    vec3 column = camera.width / screen.width * camera.right;
+    vec3 row = -camera.height / screen.height * camera.up;
     Rays rays = {.columns = vec3_dot(column, column),
                  .rows = vec3_dot(row, row),
                  .both = vec3_dot(column, row)};
@@ -246,6 +251,26 @@ static Rays rays_from(vec3 first, vec3 column, vec3 row)
     view_store(rays.column, column);
     view_store(rays.row, row);
     return rays;
+}
+
+bool covers(const Rays *rays, vec3 c, double radius, Part part)
+{
+    const double apart = vec3_dot(c, c), square = radius * radius;
+    if (!(apart > 1.001 * square && apart < 1e6 * square))
+        return false;
+    for (int corner = 0; corner < 4; corner++) {
+        const double x = corner % 2 == 0 ? part.left : part.right - 1;
+        const double y = corner / 2 == 0 ? part.top : part.bottom - 1;
+        double vv = 0, cv = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double v = rays->first[axis] + x * rays->column[axis] + y * rays->row[axis];
+            vv += v * v;
+            cv += v * c[axis];
+        }
+        if (!(cv > 0 && cv * cv > (apart - 0.999 * square) * vv))
+            return false;
+    }
+    return true;
 }
 
 // The distance from x to the columns (or rows) of the tile, with a sign, and 0 inside.
@@ -295,35 +320,17 @@ static void give_one(const Tiling *tiling, Pixel corner, int columns, int rows, 
     }
 }
 
-// Do all pixels see the nearest sphere? The rays that hit it are inside its cone, which is convex,
-// so it is enough to ask the corners. No pixel sees it beyond its outline, where the others begin.
+// Do all pixels see the nearest sphere? It covers them, and the others begin beyond its outline.
 static bool one_covers_all(const CurrentTile *tile, const Item *bin, size_t count)
 {
     const Work *work = tile->tiling->work;
-    const Part part = part_of(bin[0]);
-    if (part.left > 0 || part.right < tile->columns || part.top > 0 || part.bottom < tile->rows)
+    const Part part = part_of(bin[0]), all = {0, tile->columns, 0, tile->rows};
+    if (part.left > 0 || part.right < all.right || part.top > 0 || part.bottom < all.bottom)
         return false;
     const Sphere *sphere = &work->scene->spheres[sphere_of(bin[0])];
     const vec3 c = sphere->center - work->camera.origin;
-    const double apart = vec3_dot(c, c), square = sphere->radius * sphere->radius;
-    if (!(apart > 1.001 * square && apart < 1e6 * square) ||
-        (count > 1 && near_of(bin[1]) < 1.00001 * sqrt(apart - square)))
-        return false;
-    for (int corner = 0; corner < 4; corner++) {
-        const double x = corner % 2 * (tile->columns - 1), y = corner / 2 * (tile->rows - 1);
-        double vv = 0, cv = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            double v =
-                tile->rays.first[axis] + x * tile->rays.column[axis] + y * tile->rays.row[axis];
-            vv += v * v;
-            cv += v * c[axis];
-        }
-        // The square of the cosine between the centre and a ray is 1 - square / apart at the
-        // outline.
-        if (!(cv > 0 && cv * cv > (apart - 0.999 * square) * vv))
-            return false;
-    }
-    return true;
+    return (count == 1 || near_of(bin[1]) > beyond_outline(c, sphere->radius)) &&
+           covers(&tile->rays, c, sphere->radius, all);
 }
 
 void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
@@ -340,9 +347,7 @@ void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
         give_one(tiling, corner, tile.columns, tile.rows, -1);
         return;
     }
-    // The rays end on the plane, because the step from one pixel to the next is the same there.
-    tile.rays = rays_from(ray_to_plane(pixel_ray(camera, image->size, corner), camera).direction,
-                          camera.width / width * camera.right, -camera.height / height * camera.up);
+    tile.rays = rays_from(tiling->work, corner);
     double x = camera.width / width * nearest_to(width / 2.0, corner.column, tile.columns);
     double y = camera.height / height * nearest_to(height / 2.0, corner.row, tile.rows);
     // A little less, so that it is not longer than any ray, in spite of rounding.
@@ -354,6 +359,7 @@ void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
         give_one(tiling, corner, tile.columns, tile.rows, sphere_of(bin[0]));
         return;
     }
+    tile.candidates = (Candidates){0};
     if (tiling->seen == NULL)
         fetch_bytes(&tile);
     tiling->lanes->clear(&tile.pixels, tile.columns, tile.rows, color_of(tiling, -1));

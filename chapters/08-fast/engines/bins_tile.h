@@ -6,6 +6,8 @@
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/sphere_colors.h"
 
+#include <math.h>
+
 // The data that all tiles share.
 typedef struct {
     const Work *work;
@@ -26,6 +28,22 @@ static inline Item item_of(const Place *place, int tile_left, int tile_top)
     int part = ((left * TILE_WIDTH + right) * TILE_HEIGHT + top) * TILE_HEIGHT + bottom;
     return (Item)place_depth(*place) << (ITEM_PART + ITEM_SPHERE) | (Item)part << ITEM_SPHERE |
            (Item)place->sphere;
+}
+
+// The rays from this pixel on. They end on the plane, because the step from one pixel to the next
+// is the same there.
+Rays rays_from(const Work *work, Pixel first);
+
+// Do all rays of this part hit the sphere, seen from outside? Those that do are inside a cone,
+// which is convex, so it is enough to ask the corners. The square of the cosine between c, the
+// centre from the eye, and a ray of the outline is 1 - radius^2 / c.c; there is a margin for
+// rounding.
+bool covers(const Rays *rays, vec3 c, double radius, Part part);
+
+// A little more than the distance of the outline; the sphere hides all that begins there.
+static inline double beyond_outline(vec3 c, double radius)
+{
+    return 1.00001 * sqrt(vec3_dot(c, c) - radius * radius);
 }
 
 // Casts the tile with this upper left pixel. The items are those of its bin, in any order; after
