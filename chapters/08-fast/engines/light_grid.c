@@ -1,46 +1,19 @@
 // light_grid.c - the bins of step 6, seen from a light.
 //
-// To build: giants are left out; a view is one picture from the light; its spheres are sorted by
-// distance, then into the cells. To ask: shadow rays find their cells, and ask the spheres in them.
+// To build: giants are left out; the others get places in a picture from the light; these are
+// sorted by distance, then into the cells. To ask: shadow rays find their cells, and ask the
+// spheres there.
 #include "chapters/08-fast/engines/light_grid.h"
 
+#include "chapters/08-fast/engines/bins_lanes.h"
 #include "chapters/08-fast/engines/covered_pixels.h"
-#include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/system.h"
-#include "exercises/07-shading.h"
 
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
 static const ShadowLanes *const shadow_lanes[LANES_KINDS] = LANES_TABLE(shadow_lanes);
-
-// A view has MOST_COLUMNS of cells, or half of them, or a quarter, and so on.
-enum { MOST_COLUMNS = 1024, COARSEST = 6 };
-
-// Up to this distance from the light, in sizes of the scene, a pixel of a view is much larger than
-// all rounding errors.
-#define FARTHEST 1e8
-
-// slope: how far the rays at the edges of the view go aside for each step ahead.
-static Eye eye_towards(vec3 forward, vec3 right, vec3 up, double slope)
-{
-    Eye eye = {.width = MOST_COLUMNS * TILE_WIDTH, .height = MOST_COLUMNS * TILE_HEIGHT};
-    view_store(eye.forward, forward);
-    view_store(eye.right, right);
-    view_store(eye.up, up);
-    eye.across = eye.width / (2 * slope);
-    eye.down = eye.height / (2 * slope);
-    return eye;
-}
-
-static vec3 along_axis(int axis, double length)
-{
-    vec3 v = vec3_of(0, 0, 0);
-    v[axis % 3] = length;
-    return v;
-}
 
 // ---- giants -----------------------------------------------------------------------------------
 
@@ -96,223 +69,59 @@ static bool is_giant(const Crowd *crowd, int sphere)
     return false;
 }
 
-// ---- a counting sort --------------------------------------------------------------------------
+// ---- pictures ---------------------------------------------------------------------------------
 
-// Count the items of each bin, add up where each bin begins, fill.
-//
-// Every thread has a share of the items and counts separately. The items of share p in bin b come
-// after those of all shares in earlier bins, and after those of earlier shares in this bin. So each
-// thread knows its places beforehand: all fill at the same time without locks, and items keep their
-// order.
+// Up to this distance from the light, in sizes of the scene, a pixel of a picture is much larger
+// than all rounding errors.
+#define FARTHEST 1e8
 
-// Bin number b holds the items from start[b] to start[b + 1] - 1.
-typedef struct {
-    int *items;
-    size_t *start;
-} Bins;
-
-enum { FEW = 10000 }; // not worth a second thread
-
-typedef struct {
-    const Place *places;
-    int count;
-    Place *sorted;            // by depth
-    uint32_t nearest;         // by depth: the least depth
-    int columns, top, bottom; // by tile
-    int *items;
-    int bin_count, shares;
-    size_t *counts;  // of each share, bin after bin; later the next place to fill
-    size_t *corners; // by tile, of each share; numbers below 0 wrap around, but the sums are right
-} Sort;
-
-static bool is_visible(Place place)
+static vec3 along_axis(int axis, double length)
 {
-    return place.left < place.right && place.top < place.bottom;
+    vec3 v = vec3_of(0, 0, 0);
+    v[axis % 3] = length;
+    return v;
 }
 
-// The tiles of a place, among the rows that have bins: some columns of some rows.
-static inline Part tiles_of(const Sort *sort, Place place)
+// Chooses one picture, of the crowd, or six, of all sides.
+static void look_around(LightGrid *grid, vec3 light)
 {
-    int top = place.top / TILE_HEIGHT, bottom = (place.bottom - 1) / TILE_HEIGHT + 1;
-    return (Part){place.left / TILE_WIDTH, (place.right - 1) / TILE_WIDTH + 1,
-                  (top > sort->top ? top : sort->top) - sort->top,
-                  (bottom < sort->bottom ? bottom : sort->bottom) - sort->top};
-}
-
-static int share_begins(const Sort *sort, int share)
-{
-    return (int)((long long)sort->count * share / sort->shares);
-}
-
-static size_t *counts_of(const Sort *sort, int share)
-{
-    return sort->counts + (size_t)share * (size_t)sort->bin_count;
-}
-
-static void count_depths(void *given, int share)
-{
-    const Sort *sort = given;
-    size_t *counts = counts_of(sort, share);
-    const Place *end = sort->places + share_begins(sort, share + 1);
-    for (const Place *place = sort->places + share_begins(sort, share); place < end; place++)
-        counts[place_depth(*place) - sort->nearest] += is_visible(*place);
-}
-
-static void fill_depths(void *given, int share)
-{
-    const Sort *sort = given;
-    size_t *next = counts_of(sort, share);
-    const Place *end = sort->places + share_begins(sort, share + 1);
-    for (const Place *place = sort->places + share_begins(sort, share); place < end; place++) {
-        if (!is_visible(*place))
-            continue;
-        Place *to = &sort->sorted[next[place_depth(*place) - sort->nearest]++];
-        *to = *place;
-        __builtin_prefetch(to + 8, 1); // two lines of the cache on, in the same bin
-    }
-}
-
-// A place covers some columns of some rows. Only its four corners are noted; adding up along rows
-// and columns gives the counts (Crow, 'Summed-Area Tables for Texture Mapping', 1984, in reverse).
-// That is four steps for each place, however many tiles it covers, and the processor need not
-// predict the end of a loop.
-static void count_tiles(void *given, int share)
-{
-    const Sort *sort = given;
-    size_t *counts = counts_of(sort, share);
-    const int columns = sort->columns, rows = sort->bottom - sort->top, wide = columns + 1;
-    size_t *corners = sort->corners + (size_t)share * (size_t)(wide * (rows + 1));
-    for (int i = share_begins(sort, share), end = share_begins(sort, share + 1); i < end; i++) {
-        Part tiles = tiles_of(sort, sort->places[i]);
-        if (tiles.top >= tiles.bottom)
-            continue;
-        corners[tiles.top * wide + tiles.left]++;
-        corners[tiles.top * wide + tiles.right]--;
-        corners[tiles.bottom * wide + tiles.left]--;
-        corners[tiles.bottom * wide + tiles.right]++;
-    }
-    for (int row = 0; row < rows; row++) {
-        size_t in_row = 0;
-        for (int column = 0; column < columns; column++) {
-            in_row += corners[row * wide + column];
-            counts[row * columns + column] =
-                in_row + (row > 0 ? counts[(row - 1) * columns + column] : 0);
-        }
-    }
-}
-
-static void fill_tiles(void *given, int share)
-{
-    const Sort *sort = given;
-    size_t *next = counts_of(sort, share);
-    int *items = sort->items;
-    for (int i = share_begins(sort, share), end = share_begins(sort, share + 1); i < end; i++) {
-        Part tiles = tiles_of(sort, sort->places[i]);
-        for (int row = tiles.top; row < tiles.bottom; row++)
-            for (int column = tiles.left; column < tiles.right; column++)
-                items[next[row * sort->columns + column]++] = i;
-    }
-}
-
-// Turns counts into the places where they begin: a prefix sum. start gets the begin of each bin; it
-// may be NULL. Returns the sum of all counts.
-static size_t add_up(const Sort *sort, size_t *start)
-{
-    size_t sum = 0;
-    for (int bin = 0; bin < sort->bin_count; bin++) {
-        if (start != NULL)
-            start[bin] = sum;
-        for (int share = 0; share < sort->shares; share++) {
-            size_t *count = &sort->counts[(size_t)share * (size_t)sort->bin_count + (size_t)bin];
-            size_t here = *count;
-            *count = sum;
-            sum += here;
-        }
-    }
-    if (start != NULL)
-        start[sort->bin_count] = sum;
-    return sum;
-}
-
-static bool count_all(Sort *sort, void (*count_share)(void *given, int share), int threads)
-{
-    sort->shares = sort->count < FEW ? 1 : threads;
-    sort->counts = calloc((size_t)sort->shares * (size_t)sort->bin_count, sizeof *sort->counts);
-    if (sort->counts != NULL)
-        in_parallel(sort->shares, sort->shares, count_share, sort);
-    return sort->counts != NULL;
-}
-
-// The visible ones of count places, near ones first; all depths are from nearest to farthest.
-// Returns their number; -1 if there is not enough memory.
-static int places_by_depth(const Place *places, int count, uint32_t nearest, uint32_t farthest,
-                           Place *sorted, int threads)
-{
-    Sort sort = {.places = places, .count = count, .sorted = sorted, .nearest = nearest};
-    sort.bin_count = count > 0 ? (int)(farthest - nearest) + 1 : 1;
-    if (!count_all(&sort, count_depths, threads))
-        return -1;
-    int result = (int)add_up(&sort, NULL);
-    in_parallel(sort.shares, sort.shares, fill_depths, &sort);
-    free(sort.counts);
-    return result;
-}
-
-// Sorts count places into the tiles of the rows top to bottom - 1, with columns tiles in each row.
-// The places keep their order. False if there is not enough memory. Free it with bins_free.
-static bool bins_by_tile(Bins *bins, const Place *places, int count, int columns, int top,
-                         int bottom, int threads)
-{
-    Sort sort = {.places = places,
-                 .count = count,
-                 .columns = columns,
-                 .top = top,
-                 .bottom = bottom,
-                 .bin_count = columns * (bottom - top)};
-    *bins = (Bins){NULL, malloc(((size_t)sort.bin_count + 1) * sizeof *bins->start)};
-    sort.corners = calloc((size_t)threads * (size_t)(columns + 1) * (size_t)(bottom - top + 1),
-                          sizeof *sort.corners);
-    bool counted =
-        bins->start != NULL && sort.corners != NULL && count_all(&sort, count_tiles, threads);
-    free(sort.corners);
-    if (!counted)
-        return false;
-    size_t sum = add_up(&sort, bins->start);
-    sort.items = bins->items = large_memory((sum + 1) * sizeof *bins->items);
-    if (bins->items != NULL)
-        in_parallel(sort.shares, sort.shares, fill_tiles, &sort);
-    free(sort.counts);
-    return bins->items != NULL;
-}
-
-static void bins_free(Bins *bins)
-{
-    free(bins->items);
-    free(bins->start);
-}
-
-// ---- views ------------------------------------------------------------------------------------
-
-// The number of views, and their directions: towards the crowd, or to all six sides.
-static int look_around(LightGrid *grid)
-{
+    LightCells *cells = &grid->cells;
     vec3 low = grid->crowd->low, high = grid->crowd->high;
-    vec3 towards = (low + high) / 2 - grid->light;
+    vec3 towards = (low + high) / 2 - light;
     double size = vec3_length(high - low) / 2, distance = vec3_length(towards);
-    if (!(distance < FARTHEST * size))
-        return 0;
-    if (distance > 1.2 * size) {
-        vec3 forward = towards / distance;
-        int axis = fabs(forward[0]) < 0.6 ? 0 : 1;
-        vec3 right = vec3_unit(vec3_cross(forward, along_axis(axis, 1)));
-        double slope = 1.001 * size / sqrt(distance * distance - size * size);
-        grid->views[0].eye = eye_towards(forward, right, vec3_cross(right, forward), slope);
-        return 1;
+    view_store(cells->light, light);
+    cells->pictures = !(distance < FARTHEST * size) ? 0 : distance > 1.2 * size ? 1 : 6;
+    cells->slope = 1.001;
+    if (cells->pictures != 1)
+        return;
+    vec3 forward = towards / distance;
+    int axis = fabs(forward[0]) < 0.6 ? 0 : 1;
+    vec3 right = vec3_unit(vec3_cross(forward, along_axis(axis, 1)));
+    view_store(cells->forward, forward);
+    view_store(cells->right, right);
+    view_store(cells->up, vec3_cross(right, forward));
+    cells->slope *= size / sqrt(distance * distance - size * size);
+}
+
+static vec3 light_of(const LightCells *cells)
+{
+    return vec3_of(cells->light[0], cells->light[1], cells->light[2]);
+}
+
+static Eye eye_of(const LightCells *cells, int picture)
+{
+    Eye eye = {.width = cells->columns * TILE_WIDTH, .height = cells->columns * TILE_HEIGHT};
+    eye.across = eye.down = eye.width / (2 * cells->slope);
+    if (cells->pictures == 1) {
+        memcpy(eye.forward, cells->forward, sizeof eye.forward);
+        memcpy(eye.right, cells->right, sizeof eye.right);
+        memcpy(eye.up, cells->up, sizeof eye.up);
+    } else {
+        view_store(eye.forward, along_axis(picture / 2, picture % 2 == 0 ? 1 : -1));
+        view_store(eye.right, along_axis(picture / 2 + 1, 1));
+        view_store(eye.up, along_axis(picture / 2 + 2, 1));
     }
-    for (int i = 0; i < 6; i++)
-        grid->views[i].eye = eye_towards(along_axis(i / 2, i % 2 == 0 ? 1 : -1),
-                                         along_axis(i / 2 + 1, 1), along_axis(i / 2 + 2, 1), 1.001);
-    return 6;
+    return eye;
 }
 
 static inline double along(vec3 v, const double axis[3])
@@ -320,251 +129,249 @@ static inline double along(vec3 v, const double axis[3])
     return v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];
 }
 
-// Whether a view may show some of a sphere with this centre from the light: it is not beyond one of
-// the view's four sides.
-static bool may_show(const Eye *eye, vec3 center, double radius)
+// Whether a picture may show some of a sphere with this centre from the light: it is not beyond one
+// of the picture's four sides.
+static bool may_show(const Eye *eye, double slope, vec3 center, double radius)
 {
-    double ahead = along(center, eye->forward), slope = eye->width / (2 * eye->across);
-    double side = fmax(fabs(along(center, eye->right)), fabs(along(center, eye->up)));
-    return side - slope * ahead <= radius * sqrt(1 + slope * slope) * (1 + 1e-9);
+    double ahead = along(center, eye->forward);
+    double right = fabs(along(center, eye->right)), up = fabs(along(center, eye->up));
+    return (right > up ? right : up) - slope * ahead <=
+           radius * sqrt(1 + slope * slope) * (1 + 1e-9);
 }
 
-// Places of all spheres that a view may show. In places, a pixel is covered if its centre is; here
-// one more on each side counts, for the rays between the centres. Returns the number of spheres.
-static int place_spheres(const LightGrid *grid, const Eye *eye, Place *places)
+// ---- building ---------------------------------------------------------------------------------
+
+// The spheres that a cell lists, and NOT_LISTED after them. Few rays need more.
+enum { MOST_LISTED = 16 };
+// Places by their distance; place_depth, without the sign that no distance has.
+enum { DEPTHS = 1 << (31 - PLACE_DROPPED) };
+
+// Places count cells here, with the rows of all pictures below each other.
+typedef struct {
+    LightGrid *grid;
+    int columns, rows;
+    Place *places;
+    int count;
+    uint32_t *depths;  // how many places have each; later, where the next one goes
+    uint32_t *corners; // see count_cells; later, how many places each cell has
+} Building;
+
+// Cells are so large that there are few for each sphere, and that spheres are in few of them, by
+// the sizes of about a thousand spheres from the light. The limits were measured with the scenes of
+// the benchmarks: with smaller cells, building costs more than the rays save.
+static int choose_columns(const LightGrid *grid)
 {
+    enum { FEWEST = 16, MOST = 1024, SAMPLES = 1024 };
     const Scene *scene = grid->crowd->scene;
-    int count = 0, waiting = 0, numbers[PLACES];
-    Positions positions = {0};
-    for (int i = 0; i < scene->sphere_count; i++) {
-        vec3 center = scene->spheres[i].center - grid->light;
-        double radius = scene->spheres[i].radius;
-        if (may_show(eye, center, radius) && !is_giant(grid->crowd, i)) {
-            positions.x[waiting] = center[0];
-            positions.y[waiting] = center[1];
-            positions.z[waiting] = center[2];
-            positions.radius[waiting] = radius;
-            numbers[waiting++] = i;
+    const int step = scene->sphere_count / SAMPLES + 1;
+    vec3 light = light_of(&grid->cells);
+    int columns = MOST;
+    for (; columns > FEWEST; columns /= 2) {
+        double across = columns / (2 * grid->cells.slope), entries = 0;
+        double cells = (double)columns * columns * grid->cells.pictures;
+        for (int i = step / 2; i < scene->sphere_count; i += step) {
+            double distance = vec3_length(scene->spheres[i].center - light);
+            double wide = 2 * across * scene->spheres[i].radius / distance + 1;
+            entries += step * fmin(wide * wide, cells);
         }
-        if (waiting < PLACES && i < scene->sphere_count - 1)
-            continue;
-        bins_lanes[lanes_best()]->place(eye, &positions, 0, waiting, places + count);
-        for (int k = 0; k < waiting; k++) {
-            Place *place = &places[count + k];
-            place->left = (uint16_t)(place->left - (place->left > 0));
-            place->top = (uint16_t)(place->top - (place->top > 0));
-            place->right = (uint16_t)(place->right + (place->right < eye->width));
-            place->bottom = (uint16_t)(place->bottom + (place->bottom < eye->height));
-            place->sphere = numbers[k];
-        }
-        count += waiting;
-        waiting = 0;
-    }
-    return count;
-}
-
-// Makes cells larger, until there are few for each sphere, and few spheres in them.
-static void choose_columns(LightView *view, Place *places, int count)
-{
-    int drop = 0;
-    for (;; drop++) {
-        long long cells = MOST_COLUMNS >> drop, entries = 0;
-        for (int i = 0; i < count; i++)
-            entries += (((places[i].right - places[i].left) / TILE_WIDTH >> drop) + 2) *
-                       (((places[i].bottom - places[i].top) / TILE_HEIGHT >> drop) + 2);
-        if (drop == COARSEST ||
-            (cells * cells <= 8LL * count + (1 << 18) && entries <= 8LL * count + (1 << 18)))
+        if (cells <= 32.0 * scene->sphere_count + (1 << 15) &&
+            entries <= 8.0 * scene->sphere_count + (1 << 16))
             break;
     }
-    view->columns = MOST_COLUMNS >> drop;
-    view->eye.across /= 1 << drop;
-    view->eye.down /= 1 << drop;
-    view->eye.width /= 1 << drop;
-    view->eye.height /= 1 << drop;
+    return columns;
+}
+
+// A place covers some columns of some rows. Only its four corners are noted; adding up along rows
+// and columns gives the counts (Crow, 'Summed-Area Tables for Texture Mapping', 1984, in reverse).
+// That is four steps for each place, however many cells it covers. Numbers below 0 wrap around, but
+// the sums are right.
+static void count_cells(const Building *building, Place place)
+{
+    uint32_t *corners = building->corners;
+    int wide = building->columns + 1;
+    corners[place.top * wide + place.left]++;
+    corners[place.top * wide + place.right]--;
+    corners[place.bottom * wide + place.left]--;
+    corners[place.bottom * wide + place.right]++;
+}
+
+// A pixel is covered if its centre is; here one more on each side counts, for the rays between the
+// centres.
+static Place in_cells(Place place, int size, int picture, int columns)
+{
+    int left = place.left - (place.left > 0), right = place.right + (place.right < size);
+    int top = place.top - (place.top > 0), bottom = place.bottom + (place.bottom < size);
+    int above = picture * columns;
+    place.left = (uint16_t)(left / TILE_WIDTH);
+    place.right = (uint16_t)((right - 1) / TILE_WIDTH + 1);
+    place.top = (uint16_t)(above + top / TILE_HEIGHT);
+    place.bottom = (uint16_t)(above + (bottom - 1) / TILE_HEIGHT + 1);
+    return place;
+}
+
+// The places of all spheres that a picture may show.
+static void add_places(Building *building, int picture)
+{
+    const Crowd *crowd = building->grid->crowd;
+    const LightCells *cells = &building->grid->cells;
+    const Eye eye = eye_of(cells, picture);
+    vec3 light = light_of(cells);
+    const Sphere *spheres = crowd->scene->spheres;
+    const int count = crowd->scene->sphere_count;
+    int waiting = 0, numbers[PLACES];
+    Positions positions = {0};
     for (int i = 0; i < count; i++) {
-        Place *place = &places[i];
-        place->left = (uint16_t)(place->left >> drop);
-        place->top = (uint16_t)(place->top >> drop);
-        place->right = (uint16_t)(((place->right - 1) >> drop) + 1);
-        place->bottom = (uint16_t)(((place->bottom - 1) >> drop) + 1);
+        vec3 center = spheres[i].center - light;
+        double radius = spheres[i].radius;
+        positions.x[waiting] = center[0];
+        positions.y[waiting] = center[1];
+        positions.z[waiting] = center[2];
+        positions.radius[waiting] = radius;
+        numbers[waiting] = i;
+        __builtin_prefetch(&spheres[i + PLACES / 4]); // the processor itself stops at a page's end
+        waiting += !is_giant(crowd, i) &&
+                   (cells->pictures == 1 || may_show(&eye, cells->slope, center, radius));
+        if (waiting < PLACES && i < count - 1)
+            continue;
+        Place *places = building->places + building->count;
+        bins_lanes[lanes_best()]->place(&eye, &positions, 0, waiting, places);
+        for (int k = 0; k < waiting; k++) {
+            places[k] = in_cells(places[k], (int)eye.width, picture, cells->columns);
+            places[k].sphere = numbers[k];
+            building->depths[place_depth(places[k])]++;
+            count_cells(building, places[k]);
+        }
+        building->count += waiting;
+        waiting = 0;
     }
 }
 
-static void set_numbers(LightView *view)
+// A counting sort.
+static void sort_by_depth(Building *building, Place *sorted)
 {
-    const Eye *eye = &view->eye;
-    view->numbers =
-        (ViewNumbers){.across = eye->across, .size = eye->width, .columns = view->columns};
-    memcpy(view->numbers.right, eye->right, sizeof eye->right);
-    memcpy(view->numbers.up, eye->up, sizeof eye->up);
-    memcpy(view->numbers.forward, eye->forward, sizeof eye->forward);
+    uint32_t sum = 0;
+    for (int depth = 0; depth < DEPTHS; depth++) {
+        uint32_t here = building->depths[depth];
+        building->depths[depth] = sum;
+        sum += here;
+    }
+    for (int i = 0; i < building->count; i++) {
+        Place *to = &sorted[building->depths[place_depth(building->places[i])]++];
+        *to = building->places[i];
+        __builtin_prefetch(to + 8, 1); // two lines of the cache on, of the same depth
+    }
 }
 
-static bool view_build(const LightGrid *grid, LightView *view, Place *places, int threads)
+static int at_most(uint32_t count, int most)
 {
-    int count = place_spheres(grid, &view->eye, places);
-    choose_columns(view, places, count);
-    uint32_t nearest = UINT32_MAX, farthest = 0;
-    for (int i = 0; i < count; i++) {
-        uint32_t depth = place_depth(places[i]);
-        nearest = depth < nearest ? depth : nearest;
-        farthest = depth > farthest ? depth : farthest;
+    return count < (uint32_t)most ? (int)count : most;
+}
+
+// Where the lists of cells begin, each at start[cell + 1] until it is filled; and the room in them.
+static size_t begin_lists(Building *building, uint8_t *room)
+{
+    const int columns = building->columns;
+    uint32_t *start = building->grid->cells.start, sum = 0;
+    *start++ = 0;
+    for (int row = 0; row < building->rows; row++) {
+        uint32_t in_row = 0, *counts = building->corners + row * (columns + 1);
+        for (int column = 0; column < columns; column++) {
+            in_row += counts[column];
+            counts[column] = in_row + (row > 0 ? counts[column - columns - 1] : 0);
+            *room = (uint8_t)at_most(counts[column], MOST_LISTED + 1);
+            *start++ = sum;
+            sum += *room++;
+        }
     }
-    if (count == 0)
-        nearest = farthest;
-    Place *sorted = large_memory(((size_t)count + 1) * sizeof *sorted);
-    Bins bins = {0};
-    int visible =
-        sorted == NULL ? -1 : places_by_depth(places, count, nearest, farthest, sorted, threads);
-    if (visible >= 0 &&
-        bins_by_tile(&bins, sorted, visible, view->columns, 0, view->columns, threads)) {
-        size_t entries = bins.start[view->columns * view->columns];
-        view->shown = large_memory((entries + 1) * sizeof *view->shown);
-        for (size_t i = 0; i < entries && view->shown != NULL; i++)
-            view->shown[i] = (Shown){sorted[bins.items[i]].near, sorted[bins.items[i]].sphere};
-        size_t cells = (size_t)view->columns * (size_t)view->columns;
-        view->start = large_memory((cells + 1) * sizeof *view->start);
-        for (size_t i = 0; i <= cells && view->start != NULL; i++)
-            view->start[i] = (uint32_t)bins.start[i];
-        set_numbers(view);
+    *start = sum;
+    return sum;
+}
+
+// Near ones come first, because the places are sorted.
+static void fill_lists(const Building *building, const Place *sorted, uint8_t *room)
+{
+    const LightCells *cells = &building->grid->cells;
+    const int columns = building->columns;
+    for (const Place *place = sorted; place < sorted + building->count; place++)
+        for (int row = place->top; row < place->bottom; row++)
+            for (int cell = row * columns + place->left; cell < row * columns + place->right;
+                 cell++)
+                if (room[cell] > 0) {
+                    room[cell]--;
+                    cells->shown[cells->start[cell + 1]++] = (Shown){place->near, place->sphere};
+                }
+    for (int row = 0; row < building->rows; row++)
+        for (int column = 0; column < columns; column++)
+            if (building->corners[row * (columns + 1) + column] > MOST_LISTED)
+                cells->shown[cells->start[row * columns + column + 1] - 1].sphere = NOT_LISTED;
+}
+
+static bool build_cells(Building *building)
+{
+    LightCells *cells = &building->grid->cells;
+    const size_t count = (size_t)building->columns * (size_t)building->rows;
+    for (int i = 0; i < cells->pictures; i++)
+        add_places(building, i);
+    Place *sorted = large_memory(((size_t)building->count + 1) * sizeof *sorted);
+    uint8_t *room = large_memory(count);
+    cells->start = large_memory((count + 2) * sizeof *cells->start);
+    if (sorted != NULL && room != NULL && cells->start != NULL) {
+        size_t entries = begin_lists(building, room);
+        cells->shown = large_memory((entries + 1) * sizeof *cells->shown);
+        if (cells->shown != NULL) {
+            sort_by_depth(building, sorted);
+            fill_lists(building, sorted, room);
+            cells->shown[entries] = (Shown){INFINITY, 0};
+        }
     }
     free(sorted);
-    bins_free(&bins);
-    return view->shown != NULL && view->start != NULL;
+    free(room);
+    return cells->shown != NULL;
 }
 
-bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light, int threads)
+bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light)
 {
-    *grid = (LightGrid){.crowd = crowd, .light = light.position};
+    *grid = (LightGrid){.crowd = crowd};
+    size_t spheres = (size_t)crowd->scene->sphere_count;
     if (light.kind != LIGHT_POINT || crowd->giant_count == crowd->scene->sphere_count)
         return true;
-    grid->count = look_around(grid);
-    Place *places = large_memory(((size_t)crowd->scene->sphere_count + PLACES) * sizeof *places);
-    bool done = places != NULL;
-    for (int i = 0; i < grid->count && done; i++)
-        done = view_build(grid, &grid->views[i], places, threads);
-    free(places);
+    look_around(grid, light.position);
+    if (grid->cells.pictures == 0)
+        return true;
+    grid->cells.columns = choose_columns(grid);
+    Building building = {.grid = grid,
+                         .columns = grid->cells.columns,
+                         .rows = grid->cells.columns * grid->cells.pictures};
+    building.places =
+        large_memory(((size_t)grid->cells.pictures * spheres + PLACES) * sizeof *building.places);
+    building.depths = calloc(DEPTHS, sizeof *building.depths);
+    building.corners = calloc((size_t)(building.columns + 1) * (size_t)(building.rows + 1),
+                              sizeof *building.corners);
+    bool done = building.places != NULL && building.depths != NULL && building.corners != NULL &&
+                build_cells(&building);
+    free(building.places);
+    free(building.depths);
+    free(building.corners);
     return done;
 }
 
 void light_grid_free(LightGrid *grid)
 {
-    for (int i = 0; i < grid->count; i++) {
-        free(grid->views[i].shown);
-        free(grid->views[i].start);
-    }
+    free(grid->cells.shown);
+    free(grid->cells.start);
 }
 
-// ---- shadow rays ------------------------------------------------------------------------------
+// ---- asking -----------------------------------------------------------------------------------
 
-// The spheres of its cell that a ray has still to ask.
-typedef struct {
-    const Shown *next, *end;
-    float reach;
-    int passes;
-} Remaining;
-
-static void find_cells(const LightGrid *grid, const ShadowRays *rays, Remaining *remaining)
+void light_grid_ask(const LightGrid *grid, const ShadowRays *rays, int *verdicts)
 {
-    const double light[3] = {grid->light[0], grid->light[1], grid->light[2]};
-    ViewNumbers numbers[6];
-    int cells[PATHS], views[PATHS];
-    for (int i = 0; i < grid->count; i++)
-        numbers[i] = grid->views[i].numbers;
-    shadow_lanes[lanes_best()]->cells(light, numbers, grid->count, rays, views, cells);
+    const Crowd *crowd = grid->crowd;
+    const ShadowLanes *lanes = shadow_lanes[lanes_best()];
+    const bool any = grid->cells.pictures > 0;
     for (int i = 0; i < rays->count; i++)
-        if (cells[i] >= 0)
-            __builtin_prefetch(&grid->views[views[i]].start[cells[i]]);
-    for (int i = 0; i < rays->count; i++) {
-        const LightView *view = &grid->views[views[i]];
-        remaining[i] =
-            (Remaining){.reach = (float)(rays->length[i] * (1 + 1e-6)), .passes = rays->passes[i]};
-        if (cells[i] < 0)
-            continue;
-        remaining[i].next = view->shown + view->start[cells[i]];
-        remaining[i].end = view->shown + view->start[cells[i] + 1];
-        __builtin_prefetch(remaining[i].next);
-    }
-}
-
-static inline int next_sphere(Remaining *remaining)
-{
-    while (remaining->next < remaining->end && remaining->next->near <= remaining->reach) {
-        int sphere = remaining->next++->sphere;
-        if (sphere != remaining->passes)
-            return sphere;
-    }
-    return -1;
-}
-
-bool hides_light(const Sphere *sphere, vec3 from, const Light *light)
-{
-    Sphere alone = *sphere;
-    Scene world = {.spheres = &alone, .sphere_count = 1};
-    return !(visibility(&world, from, *light) > 0);
-}
-
-// All rays ask a giant: it hides the light from few of them, so none is left out yet.
-static void ask_giant(const Sphere *giant, const Light *light, const ShadowRays *rays, bool *hidden)
-{
-    const double center[3] = {giant->center[0], giant->center[1], giant->center[2]};
-    int verdicts[PATHS];
-    if (!shadow_lanes[lanes_best()]->all_ask(rays, center, giant->radius, verdicts))
-        return;
-    for (int i = 0; i < rays->count; i++)
-        hidden[i] |=
-            verdicts[i] == HIDES ||
-            (verdicts[i] == MAY_HIDE && hides_light(giant, vector_of(&rays->start, i), light));
-}
-
-// Each ray that goes on takes its next sphere. Others are done.
-static void take_next(const Scene *scene, Remaining *remaining, Occluders *occluders, int *spheres)
-{
-    int count = 0;
-    for (int i = 0; i < occluders->count; i++) {
-        int ray = occluders->ray[i], sphere = next_sphere(&remaining[ray]);
-        if (sphere < 0)
-            continue;
-        __builtin_prefetch(&scene->spheres[sphere]);
-        spheres[count] = sphere;
-        occluders->ray[count++] = ray;
-    }
-    occluders->count = count;
-    for (int i = 0; i < count; i++) {
-        set_vector(&occluders->center, i, scene->spheres[spheres[i]].center);
-        occluders->radius[i] = scene->spheres[spheres[i]].radius;
-    }
-}
-
-// All rays ask the giants. Then all that go on ask the first sphere of their cell, those that still
-// go on ask their second one, and so on.
-void light_grid_hides(const LightGrid *grid, const Light *light, const ShadowRays *rays,
-                      bool *hidden)
-{
-    const Scene *scene = grid->crowd->scene;
-    Remaining remaining[PATHS];
-    Occluders occluders;
-    int spheres[PATHS];
-    find_cells(grid, rays, remaining);
-    memset(hidden, 0, (size_t)rays->count * sizeof *hidden);
-    for (int i = 0; i < grid->crowd->giant_count; i++)
-        ask_giant(&scene->spheres[grid->crowd->giants[i]], light, rays, hidden);
-    occluders.count = 0;
-    for (int i = 0; i < rays->count; i++)
-        if (!hidden[i])
-            occluders.ray[occluders.count++] = i;
-    while (take_next(scene, remaining, &occluders, spheres), occluders.count > 0) {
-        shadow_lanes[lanes_best()]->ask(rays, &occluders);
-        int left = 0;
-        for (int i = 0; i < occluders.count; i++) {
-            int ray = occluders.ray[i];
-            if (occluders.verdict[i] == HIDES ||
-                (occluders.verdict[i] == MAY_HIDE &&
-                 hides_light(&scene->spheres[spheres[i]], vector_of(&rays->start, ray), light)))
-                hidden[ray] = true;
-            else
-                occluders.ray[left++] = ray;
-        }
-        occluders.count = left;
-    }
+        verdicts[i] = rays->passes[i] == NO_RAY ? HIDDEN : any ? ARRIVES : DOUBTFUL;
+    for (int i = 0; any && i < crowd->giant_count; i++)
+        lanes->ask_one(rays, crowd->scene->spheres, crowd->giants[i], verdicts);
+    if (any)
+        lanes->ask_cells(rays, crowd->scene->spheres, &grid->cells, verdicts);
 }

@@ -6,24 +6,8 @@
 #ifndef CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
 #define CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
 
-#include "chapters/08-fast/engines/bins_lanes.h"
 #include "chapters/08-fast/engines/shadow_lanes.h"
-#include "common/ray.h"
 #include "common/scene.h"
-
-// One picture of the scene. A cell has 32 x 32 pixels, as a tile has. Cell number c has the spheres
-// from start[c] to start[c + 1] - 1, near ones first, each with its least distance from the light.
-typedef struct {
-    float near;
-    int sphere;
-} Shown;
-typedef struct {
-    Eye eye;
-    int columns; // of cells, and rows
-    Shown *shown;
-    uint32_t *start;
-    ViewNumbers numbers;
-} LightView;
 
 // The spheres of a scene without a few giants, if those are so large that the box around the others
 // is much smaller: a ground, for example, or a sky. Every shadow ray asks the giants.
@@ -35,25 +19,19 @@ typedef struct {
 } Crowd;
 Crowd crowd_of(const Scene *scene);
 
-// If the light is away from the crowd, one view shows all of it. Otherwise there are six, the faces
-// of a cube around the light.
+// If the light is away from the crowd, one picture shows all of it. Otherwise there are six, the
+// faces of a cube around the light; none if the light is distant or the numbers are extreme.
 typedef struct {
     const Crowd *crowd;
-    vec3 light;
-    int count; // of views; 0: no grid, because the light is distant or the numbers are extreme
-    LightView views[6];
+    LightCells cells;
 } LightGrid;
 
 // The crowd must outlive the grid. False if there is not enough memory.
-bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light, int threads);
+bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light);
 void light_grid_free(LightGrid *grid);
 
-// Whether a sphere hides a light, by chapter 07's function, in a world with only this sphere.
-bool hides_light(const Sphere *sphere, vec3 from, const Light *light);
-
-// Whether any sphere hides the light from the start of each ray. If rounding may decide, chapter
-// 07's visibility does.
-void light_grid_hides(const LightGrid *grid, const Light *light, const ShadowRays *rays,
-                      bool *hidden);
+// Whether the light arrives at the start of each ray: a Verdict for each. All are DOUBTFUL without
+// a grid.
+void light_grid_ask(const LightGrid *grid, const ShadowRays *rays, int *verdicts);
 
 #endif

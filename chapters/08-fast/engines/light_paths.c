@@ -3,11 +3,13 @@
 #include "chapters/08-fast/engines/light_paths.h"
 
 #include "chapters/08-fast/engines/hierarchy.h"
+#include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/shadow_lanes.h"
 #include "chapters/08-fast/engines/system.h"
 #include "exercises/05-quadratic.h"
 #include "exercises/07-shading.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,21 +17,38 @@ enum { FEW = 4 };
 
 // ---- the world --------------------------------------------------------------------------------
 
+typedef struct {
+    LightWorld *world;
+    int threads;
+    atomic_bool failed;
+} Building;
+
+// Part 0 is the hierarchy, the others are the grids of the lights.
+static void build_part(void *given, int part)
+{
+    Building *building = given;
+    LightWorld *world = building->world;
+    const Scene *scene = world->scene;
+    bool done = part == 0 ? hierarchy_build(&world->hierarchy, scene, LANES, building->threads) &&
+                                ray_world_build(&world->rays, &world->hierarchy, building->threads)
+                          : light_grid_build(&world->grids[part - 1], &world->crowd,
+                                             scene->lights[part - 1]);
+    if (!done)
+        atomic_store(&building->failed, true);
+}
+
 bool light_world_build(LightWorld *world, const Scene *scene, int threads)
 {
     *world = (LightWorld){.scene = scene,
                           .crowd = crowd_of(scene),
                           .grids = calloc((size_t)scene->light_count + 1, sizeof *world->grids),
                           .materials = materials_of(scene)};
-    bool done = world->grids != NULL && world->materials != NULL &&
-                hierarchy_build(&world->hierarchy, scene, LANES, threads) &&
-                ray_world_build(&world->rays, &world->hierarchy, threads);
-    if (scene->sphere_count == 0 && done)
-        return true;
-    for (int i = 0; i < scene->light_count && done; i++)
-        done = light_grid_build(&world->grids[i], &world->crowd, scene->lights[i], threads);
-    if (done)
-        return true;
+    Building building = {.world = world, .threads = threads};
+    if (world->grids != NULL && world->materials != NULL) {
+        in_parallel(threads, 1 + scene->light_count, build_part, &building);
+        if (!building.failed)
+            return true;
+    }
     light_world_free(world);
     return false;
 }
@@ -68,15 +87,14 @@ bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
                           .steps = &steps_by_chapters,
                           .paths = aligned_memory(2 * sizeof *paths->paths),
                           .directions = aligned_memory(2 * sizeof *paths->directions),
-                          .shadow = aligned_memory(sizeof *paths->shadow),
                           .lit = aligned_memory(lights * PATHS * sizeof *paths->lit),
                           .colors = aligned_memory((levels + 1) * sizeof *paths->colors),
                           .parts = aligned_memory(levels * PATHS * sizeof *paths->parts),
                           .nearest = nearest[lanes_best()],
                           .before = before[lanes_best()],
                           .nearest_of_many = nearest_of_many[lanes_best()]};
-    if (paths->paths != NULL && paths->directions != NULL && paths->shadow != NULL &&
-        paths->lit != NULL && paths->colors != NULL && paths->parts != NULL)
+    if (paths->paths != NULL && paths->directions != NULL && paths->lit != NULL &&
+        paths->colors != NULL && paths->parts != NULL)
         return true;
     light_paths_end(paths);
     return false;
@@ -86,7 +104,6 @@ void light_paths_end(LightPaths *paths)
 {
     free(paths->paths);
     free(paths->directions);
-    free(paths->shadow);
     free(paths->lit);
     free(paths->colors);
     free(paths->parts);
@@ -248,56 +265,74 @@ static bool find_hits(LightPaths *all)
 
 // ---- which lights arrive ----------------------------------------------------------------------
 
-// Whether a light arrives by a shadow ray: one ray, alone.
-static bool arrives_alone(const LightPaths *all, int number, Light light)
+// Whether a sphere hides a light, by chapter 07's function, in a world with only this sphere.
+static bool hides_light(const LightWorld *world, int place, vec3 from, Light light)
 {
-    const LightWorld *world = all->world;
-    vec3 from = vector_of(&all->shadow->start, number);
-    Line line = line_of(from, vector_of(all->directions, number));
-    double reach = light.kind == LIGHT_DISTANT ? INFINITY : all->shadow->length[number];
-    PossibleHits candidates = {0};
-    if (all->before(&world->rays, &line, reach, &candidates))
-        return false;
-    if (candidates.count > MOST_CANDIDATES)
-        return visibility(world->scene, from, light) > 0;
-    for (int i = 0; i < candidates.count; i++)
-        if (hides_light(&world->scene->spheres[world->hierarchy.order[candidates.places[i]]], from,
-                        &light))
-            return false;
-    return true;
+    Sphere alone = world->scene->spheres[world->hierarchy.order[place]];
+    Scene only = {.spheres = &alone, .sphere_count = 1};
+    return !(visibility(&only, from, light) > 0);
 }
 
-// A light that is behind a surface needs no ray.
+// Whether a light is hidden from the start of a shadow ray: one ray, alone.
+static bool hidden_alone(const LightPaths *all, vec3 from, Line line, Light light)
+{
+    const LightWorld *world = all->world;
+    PossibleHits candidates;
+    all->nearest(&world->rays, &line, &candidates);
+    if (candidates.count > MOST_CANDIDATES)
+        return !(visibility(world->scene, from, light) > 0);
+    for (int i = 0; i < candidates.count; i++)
+        if (hides_light(world, candidates.places[i], from, light))
+            return true;
+    return false;
+}
+
+// The doubtful rays ask the hierarchy. If the nearest sphere that a ray hits does not hide the
+// light, none does.
+static void ask_hierarchy(LightPaths *all, const ShadowRays *rays, Light light, int *verdicts)
+{
+    const LightWorld *world = all->world;
+    Line lines[PATHS];
+    int left[PATHS], places[PATHS], numbers[PATHS], count = 0;
+    for (int i = 0; i < rays->count; i++) {
+        if (verdicts[i] != DOUBTFUL)
+            continue;
+        vec3 from = vector_of(rays->start, i), way = vector_of(rays->way, i);
+        double length = vec3_length(way);
+        if (!(length > 0)) { // the light is there
+            verdicts[i] = visibility(world->scene, from, light) > 0 ? ARRIVES : HIDDEN;
+            continue;
+        }
+        lines[count] = line_of(from, way / length);
+        left[count] = rays->passes[i] == NO_SPHERE ? NO_PLACE : world->rays.places[rays->passes[i]];
+        numbers[count++] = i;
+    }
+    if (count == 0)
+        return;
+    all->nearest_of_many(&world->rays, lines, left, count, places);
+    for (int k = 0; k < count; k++) {
+        vec3 from = vector_of(rays->start, numbers[k]);
+        bool hidden = places[k] == IN_DOUBT   ? hidden_alone(all, from, lines[k], light)
+                      : places[k] == NO_PLACE ? false
+                                              : hides_light(world, places[k], from, light);
+        verdicts[numbers[k]] = hidden ? HIDDEN : ARRIVES;
+    }
+}
+
 static void find_light(LightPaths *all, int number)
 {
     const Paths *paths = all->paths;
     Light light = all->world->scene->lights[number];
     const LightGrid *grid = &all->world->grids[number];
-    const ShadowLanes *lanes = shadow_lanes[lanes_best()];
-    ShadowRays *shadow = all->shadow;
-    Vectors *ways = all->directions;
     double *lit = all->lit + number * PATHS;
-    int sides[PATHS], path[PATHS], count = 0;
-    bool hidden[PATHS];
-    all->steps->to_light(paths, &light, ways);
-    lanes->sides(paths, ways, light.kind != LIGHT_DISTANT, sides);
-    for (int i = 0; i < paths->count; i++) {
-        lit[i] = 0;
-        if (sides[i] == BEHIND)
-            continue;
-        set_vector(&shadow->start, count, vector_of(&paths->start, i));
-        set_vector(&shadow->way, count, vector_of(ways, i));
-        shadow->passes[count] = sides[i] == BEFORE ? paths->sphere[i] : -1;
-        path[count++] = i;
-    }
-    shadow->count = count;
-    lanes->units(&shadow->way, count, shadow->length, grid->count > 0 ? NULL : all->directions);
-    if (grid->count > 0)
-        light_grid_hides(grid, &light, shadow, hidden);
-    for (int i = 0; i < count && grid->count == 0; i++)
-        hidden[i] = !arrives_alone(all, i, light);
-    for (int i = 0; i < count; i++)
-        lit[path[i]] = !hidden[i];
+    ShadowRays rays = {.start = &paths->start, .way = all->directions, .count = paths->count};
+    int verdicts[PATHS];
+    all->steps->to_light(paths, &light, all->directions);
+    shadow_lanes[lanes_best()]->passes(paths, rays.way, light.kind != LIGHT_DISTANT, rays.passes);
+    light_grid_ask(grid, &rays, verdicts);
+    ask_hierarchy(all, &rays, light, verdicts);
+    for (int i = 0; i < paths->count; i++)
+        lit[i] = verdicts[i] == ARRIVES;
 }
 
 // ---- colours ----------------------------------------------------------------------------------

@@ -35,7 +35,6 @@ typedef struct {
     const LightSteps *steps; // steps_by_chapters, unless the caller sets others
     Paths *paths;            // and others that ask
     Vectors *directions;
-    ShadowRays *shadow;
     double *lit; // for each light and path: not 0 if the light arrives
     // For each mirror and path: the colour there, and the part of it that the next one adds. In the
     // end colors[0] are those of the paths.

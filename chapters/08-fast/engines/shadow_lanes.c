@@ -3,14 +3,15 @@
 #include "chapters/08-fast/engines/shadow_lanes.h"
 
 #include "chapters/08-fast/engines/any_ray.h"
-#include "chapters/08-fast/engines/bins_lanes.h"
 
 static inline double dot(double x, double y, double z, double u, double v, double w)
 {
     return x * u + y * v + z * w;
 }
 
-static void sides(const Paths *paths, const Vectors *ways, bool has_end, int *sides)
+// If the light is certainly in front of the surface, and this is the outside of its sphere, the ray
+// misses the sphere.
+static void passes(const Paths *paths, const Vectors *ways, bool has_end, int *passes)
 {
 #pragma omp simd
     for (int i = 0; i < paths->count; i++) {
@@ -24,7 +25,7 @@ static void sides(const Paths *paths, const Vectors *ways, bool has_end, int *si
         bool far = !has_end | (squared > 1e-6 * size * size);
         bool clear = along * along > 1e-4 * squared;
         bool before = clear & (along > 0) & (outward > 0);
-        sides[i] = (clear & (along < 0) & far) ? BEHIND : before ? BEFORE : EDGE_ON;
+        passes[i] = (clear & (along < 0) & far) ? NO_RAY : before ? paths->sphere[i] : NO_SPHERE;
     }
 }
 
@@ -45,90 +46,149 @@ static void units(const Vectors *directions, int count, double *lengths, Vectors
     }
 }
 
-static inline int cell_at(double ahead, double right, double up, const ViewNumbers *view)
+// A ray and a sphere: p is from the start of the ray to the centre, w the way to the light. All
+// terms of the discriminant d are times the square of the ray's length, so the margin of any_ray.h
+// is right for them, and no root is needed.
+typedef struct {
+    double wx, wy, wz, px, py, pz, rr, pp, squared, ahead, outside, margin, d;
+} Meets;
+
+static inline Meets meets(const ShadowRays *rays, int i, double x, double y, double z,
+                          double radius)
 {
-    double x = view->size / 2 + view->across * right / ahead;
-    double y = view->size / 2 - view->across * up / ahead;
-    bool shown = (ahead > 0) & (x >= 0) & (x < view->size) & (y >= 0) & (y < view->size);
-    int column = (int)(shown ? x : 0) / TILE_WIDTH, row = (int)(shown ? y : 0) / TILE_HEIGHT;
-    return shown ? row * view->columns + column : -1;
+    Meets m;
+    m.wx = rays->way->x[i], m.wy = rays->way->y[i], m.wz = rays->way->z[i];
+    m.px = x - rays->start->x[i], m.py = y - rays->start->y[i], m.pz = z - rays->start->z[i];
+    m.rr = radius * radius;
+    m.pp = dot(m.px, m.py, m.pz, m.px, m.py, m.pz);
+    m.squared = dot(m.wx, m.wy, m.wz, m.wx, m.wy, m.wz);
+    m.ahead = dot(m.px, m.py, m.pz, m.wx, m.wy, m.wz);
+    m.outside = m.pp - m.rr;
+    m.margin = MARGIN * (m.pp + m.rr);
+    m.d = m.ahead * m.ahead - m.outside * m.squared;
+    return m;
 }
 
-static void cells(const double light[3], const ViewNumbers *numbers, int view_count,
-                  const ShadowRays *rays, int *views, int *cells)
+static inline bool passes_beside(Meets m)
 {
-    const double *f = numbers->forward, *r = numbers->right, *u = numbers->up;
-    double lx = light[0], ly = light[1], lz = light[2];
-    if (view_count == 1) {
+    return (m.d < -m.margin * m.squared) | ((m.ahead < 0) & (m.outside > m.margin));
+}
+
+static inline bool hides(Meets m)
+{
+    return (m.outside > 4 * m.margin) & (m.d > m.margin * m.squared) &
+           (m.ahead < m.squared * (1 - MARGIN));
+}
+
+// If both ends of the ray are inside the sphere, it does not meet the surface between them. If both
+// are outside, and it still comes nearer to the centre at its end, it does not meet it either.
+static inline bool ends_before(Meets m)
+{
+    double qx = m.px - m.wx, qy = m.py - m.wy, qz = m.pz - m.wz, qq = dot(qx, qy, qz, qx, qy, qz);
+    double end_margin = 4 * MARGIN * (m.pp + qq + m.rr);
+    return ((m.outside < -m.margin) & (qq - m.rr < -end_margin)) |
+           ((m.outside > m.margin) & (qq - m.rr > end_margin) & (m.ahead > m.squared));
+}
+
+static void ask_one(const ShadowRays *rays, const Sphere *spheres, int sphere, int *verdicts)
+{
+    double x = spheres[sphere].center[0], y = spheres[sphere].center[1];
+    double z = spheres[sphere].center[2], radius = spheres[sphere].radius;
+#pragma omp simd
+    for (int i = 0; i < rays->count; i++) {
+        Meets m = meets(rays, i, x, y, z, radius);
+        bool own = rays->passes[i] == sphere, beside = passes_beside(m), before = ends_before(m);
+        int here = (own | beside | before) ? ARRIVES : hides(m) ? HIDDEN : DOUBTFUL;
+        verdicts[i] = here > verdicts[i] ? here : verdicts[i];
+    }
+}
+
+// ---- the cells of a light ---------------------------------------------------------------------
+
+// A ray that no picture shows has the cell after the last one, which is empty.
+static inline int cell_at(double ahead, double right, double up, int picture,
+                          const LightCells *cells)
+{
+    double size = cells->columns, across = size / (2 * cells->slope) / ahead;
+    double x = size / 2 + across * right, y = size / 2 - across * up;
+    bool shown = (ahead > 0) & (x >= 0) & (x < size) & (y >= 0) & (y < size);
+    int row = picture * cells->columns + (int)(shown ? y : 0);
+    return shown ? row * cells->columns + (int)(shown ? x : 0)
+                 : cells->pictures * cells->columns * cells->columns;
+}
+
+static void find_cells(const ShadowRays *rays, const LightCells *cells, int *found)
+{
+    const double *f = cells->forward, *r = cells->right, *u = cells->up;
+    double lx = cells->light[0], ly = cells->light[1], lz = cells->light[2];
+    const Vectors *start = rays->start;
+    if (cells->pictures == 1) {
 #pragma omp simd
         for (int i = 0; i < rays->count; i++) {
-            double x = rays->start.x[i] - lx, y = rays->start.y[i] - ly;
-            double z = rays->start.z[i] - lz;
-            views[i] = 0;
-            cells[i] = cell_at(dot(x, y, z, f[0], f[1], f[2]), dot(x, y, z, r[0], r[1], r[2]),
-                               dot(x, y, z, u[0], u[1], u[2]), numbers);
+            double x = start->x[i] - lx, y = start->y[i] - ly, z = start->z[i] - lz;
+            found[i] = cell_at(dot(x, y, z, f[0], f[1], f[2]), dot(x, y, z, r[0], r[1], r[2]),
+                               dot(x, y, z, u[0], u[1], u[2]), 0, cells);
         }
         return;
     }
 #pragma omp simd
     for (int i = 0; i < rays->count; i++) {
-        double x = rays->start.x[i] - lx, y = rays->start.y[i] - ly, z = rays->start.z[i] - lz;
+        double x = start->x[i] - lx, y = start->y[i] - ly, z = start->z[i] - lz;
         bool is_z = (fabs(z) > fabs(x)) & (fabs(z) > fabs(y)), is_y = !is_z & (fabs(y) > fabs(x));
         double ahead = is_z ? z : is_y ? y : x;
-        views[i] = (is_z ? 4 : is_y ? 2 : 0) + (ahead < 0);
-        cells[i] = cell_at(fabs(ahead),
-                           is_z   ? x
-                           : is_y ? z
-                                  : y,
-                           is_z   ? y
-                           : is_y ? x
-                                  : z,
-                           &numbers[views[i]]);
+        double right = is_z ? x : is_y ? z : y, up = is_z ? y : is_y ? x : z;
+        found[i] = cell_at(fabs(ahead), right, up, (is_z ? 4 : is_y ? 2 : 0) + (ahead < 0), cells);
     }
 }
 
-// Whether a sphere hides the light at the end of a ray. All terms of the discriminant are times the
-// square of the ray's length, so the margin of any_ray.h is right for them, and no root is needed.
-// If both ends of the ray are inside the sphere, it does not meet the surface between them. If both
-// are outside, and it still comes nearer to the centre at its end, it does not meet it either.
-static inline int verdict(const ShadowRays *rays, int ray, double x, double y, double z,
-                          double radius)
+// One ray asks the spheres of its cell, as far as they are nearer to the light than its start.
+static inline int ask_cell(const ShadowRays *rays, int ray, const Sphere *spheres, float reach,
+                           const Shown *shown, const Shown *end)
 {
-    double wx = rays->way.x[ray], wy = rays->way.y[ray], wz = rays->way.z[ray];
-    double px = x - rays->start.x[ray], py = y - rays->start.y[ray], pz = z - rays->start.z[ray];
-    double squared = dot(wx, wy, wz, wx, wy, wz), rr = radius * radius;
-    double pp = dot(px, py, pz, px, py, pz), margin = MARGIN * (pp + rr);
-    double ahead = dot(px, py, pz, wx, wy, wz), outside = pp - rr;
-    double d = ahead * ahead - outside * squared;
-    double qx = px - wx, qy = py - wy, qz = pz - wz, qq = dot(qx, qy, qz, qx, qy, qz);
-    double end_margin = 4 * MARGIN * (pp + qq + rr);
-    bool both_inside = (outside < -margin) & (qq - rr < -end_margin);
-    bool both_before = (outside > margin) & (qq - rr > end_margin) & (ahead > squared);
-    bool misses =
-        (d < -margin * squared) | ((ahead < 0) & (outside > margin)) | both_inside | both_before;
-    bool hides = (outside > 4 * margin) & (d > margin * squared) & (ahead < squared * (1 - MARGIN));
-    return misses ? LETS_PASS : hides ? HIDES : MAY_HIDE;
+    for (; shown < end && shown->near <= reach; shown++) {
+        if (shown->sphere == rays->passes[ray])
+            continue;
+        if (shown->sphere == NOT_LISTED)
+            return DOUBTFUL;
+        const Sphere *sphere = &spheres[shown->sphere];
+        Meets m = meets(rays, ray, sphere->center[0], sphere->center[1], sphere->center[2],
+                        sphere->radius);
+        if (passes_beside(m))
+            continue;
+        if (hides(m))
+            return HIDDEN;
+        if (!ends_before(m))
+            return DOUBTFUL;
+    }
+    return ARRIVES;
 }
 
-static void ask(const ShadowRays *rays, Occluders *occluders)
+// First all memory that will be needed is asked for, so that the rays do not wait for it.
+static void ask_cells(const ShadowRays *rays, const Sphere *spheres, const LightCells *cells,
+                      int *verdicts)
 {
+    int found[PATHS], asking[PATHS], count = 0;
+    float reach[PATHS];
+    find_cells(rays, cells, found);
 #pragma omp simd
-    for (int i = 0; i < occluders->count; i++)
-        occluders->verdict[i] =
-            verdict(rays, occluders->ray[i], occluders->center.x[i], occluders->center.y[i],
-                    occluders->center.z[i], occluders->radius[i]);
-}
-
-static bool all_ask(const ShadowRays *rays, const double center[3], double radius, int *verdicts)
-{
-    double x = center[0], y = center[1], z = center[2];
-    int any = 0;
-#pragma omp simd reduction(| : any)
     for (int i = 0; i < rays->count; i++) {
-        verdicts[i] = verdict(rays, i, x, y, z, radius);
-        any |= verdicts[i];
+        double x = rays->way->x[i], y = rays->way->y[i], z = rays->way->z[i];
+        reach[i] = (float)(sqrt(dot(x, y, z, x, y, z)) * (1 + 1e-6));
     }
-    return any != LETS_PASS;
+    for (int i = 0; i < rays->count; i++)
+        __builtin_prefetch(&cells->shown[cells->start[found[i]]]);
+    for (int i = 0; i < rays->count; i++) {
+        uint32_t first = cells->start[found[i]], end = cells->start[found[i] + 1];
+        asking[count] = i;
+        count += (verdicts[i] != HIDDEN) & (first < end) & (cells->shown[first].near <= reach[i]);
+        __builtin_prefetch(&spheres[cells->shown[first].sphere]);
+    }
+    for (int k = 0; k < count; k++) {
+        int i = asking[k];
+        int here = ask_cell(rays, i, spheres, reach[i], cells->shown + cells->start[found[i]],
+                            cells->shown + cells->start[found[i] + 1]);
+        verdicts[i] = here > verdicts[i] ? here : verdicts[i];
+    }
 }
 
-const ShadowLanes LANES(shadow_lanes) = {sides, units, cells, ask, all_ask};
+const ShadowLanes LANES(shadow_lanes) = {passes, units, ask_one, ask_cells};

@@ -1,56 +1,57 @@
 // shadow_lanes.h - shadow rays, many at once: which go into their own surface, and which spheres
 // hide their light.
 //
-// All decisions have margins for rounding. If rounding could matter, a surface is EDGE_ON, and a
-// ray is needed; a sphere MAY_HIDE, and chapter 07's function decides.
+// All decisions have margins for rounding. If rounding could matter, a ray is needed, and the
+// verdict is IN_DOUBT: then chapter 07's function decides.
 #ifndef CHAPTERS_08_FAST_ENGINES_SHADOW_LANES_H
 #define CHAPTERS_08_FAST_ENGINES_SHADOW_LANES_H
 
 #include "chapters/08-fast/engines/light_steps.h"
+#include "common/sphere.h"
+
+#include <stdbool.h>
 
 // Rays to a light: where they start, and the way to the light, or the direction of a distant one.
+// Each has a sphere that it leaves and certainly misses, or NO_SPHERE; or it is NO_RAY, because the
+// light is certainly behind the surface.
+enum { NO_SPHERE = -1, NO_RAY = -2 };
 typedef struct {
-    Vectors start, way;
-    alignas(64) double length[PATHS]; // of the ways
-    int passes[PATHS];                // the sphere that the ray leaves and misses, or -1
+    const Vectors *start, *way;
+    int passes[PATHS];
     int count;
 } ShadowRays;
 
-// Spheres that some of these rays ask, each its own: ray[i] asks sphere i.
+// In this order, so that of two verdicts the larger one counts.
+typedef enum { ARRIVES, DOUBTFUL, HIDDEN } Verdict;
+
+// The scene as a light sees it: one picture, or six around the light along x, -x, y, -y, z, -z.
+// Each has columns x columns cells. Cell number c shows the spheres from start[c] to start[c + 1] -
+// 1, near ones first, each with its least distance from the light. The last one can be NOT_LISTED:
+// there are more.
+enum { NOT_LISTED = -3 };
 typedef struct {
-    Vectors center;
-    alignas(64) double radius[PATHS];
-    int ray[PATHS], verdict[PATHS];
-    int count;
-} Occluders;
-
-typedef enum { LETS_PASS, HIDES, MAY_HIDE } Verdict;
-
-// A picture of the scene from a light, as numbers. Pixels in each direction are size; columns and
-// rows of cells are columns.
+    float near;
+    int sphere;
+} Shown;
 typedef struct {
-    double right[3], up[3], forward[3], across, size;
-    int columns;
-} ViewNumbers;
-
-// Where a light is, from a surface. If it is certainly behind the surface, no ray is needed. If it
-// is certainly in front of it, and the surface is the outside of its sphere, the ray misses this
-// sphere.
-typedef enum { EDGE_ON, BEHIND, BEFORE } Side;
+    int pictures, columns;
+    // Where the light is; the directions of a single picture; and how far rays at its edges go
+    // aside for each step ahead.
+    double light[3], right[3], up[3], forward[3], slope;
+    Shown *shown;
+    uint32_t *start;
+} LightCells;
 
 typedef struct {
-    // The sides of the surfaces on which a light is.
-    void (*sides)(const Paths *paths, const Vectors *ways, bool has_end, int *sides);
+    // The spheres that rays to the light miss, or NO_RAY. has_end: the light has a place.
+    void (*passes)(const Paths *paths, const Vectors *ways, bool has_end, int *passes);
     // The lengths of directions; and the directions with length 1, if not NULL.
     void (*units)(const Vectors *directions, int count, double *lengths, Vectors *units);
-    // The view that shows the start of each ray, and the cell there; cell -1 if no view shows it.
-    // There is one view, or six around the light: along x, -x, y, -y, z, -z.
-    void (*cells)(const double light[3], const ViewNumbers *numbers, int view_count,
-                  const ShadowRays *rays, int *views, int *cells);
-    // Whether each sphere hides the light, which is at t = 1.
-    void (*ask)(const ShadowRays *rays, Occluders *occluders);
-    // The same if all rays ask one sphere. False: it lets all pass.
-    bool (*all_ask)(const ShadowRays *rays, const double center[3], double radius, int *verdicts);
+    // All rays ask one sphere of the scene whether it hides the light, which is at t = 1.
+    void (*ask_one)(const ShadowRays *rays, const Sphere *spheres, int sphere, int *verdicts);
+    // The rays that are not hidden yet ask the spheres in their cells.
+    void (*ask_cells)(const ShadowRays *rays, const Sphere *spheres, const LightCells *cells,
+                      int *verdicts);
 } ShadowLanes;
 
 extern const ShadowLanes shadow_lanes_baseline, shadow_lanes_avx2, shadow_lanes_avx512;

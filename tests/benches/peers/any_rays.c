@@ -160,16 +160,20 @@ static bool any_hides(const Scene *scene, const int *order, const PossibleHits *
     return false;
 }
 
-static void shadow_one_by_one(Both *both, const RayList *rays, bool *hits)
+static bool hidden_alone(const Both *both, const RayList *rays, int i)
 {
     const LightWorld *world = both->world;
-    for (int i = 0; i < rays->count; i++) {
-        PossibleHits candidates = {0};
-        Light light = world->scene->lights[rays->lights[i]];
-        hits[i] = both->before(&world->rays, &rays->lines[i], rays->reaches[i], &candidates) ||
-                  any_hides(world->scene, world->hierarchy.order, &candidates, rays->rays[i].origin,
-                            light);
-    }
+    PossibleHits candidates = {0};
+    Light light = world->scene->lights[rays->lights[i]];
+    return both->before(&world->rays, &rays->lines[i], rays->reaches[i], &candidates) ||
+           any_hides(world->scene, world->hierarchy.order, &candidates, rays->rays[i].origin,
+                     light);
+}
+
+static void shadow_one_by_one(Both *both, const RayList *rays, bool *hits)
+{
+    for (int i = 0; i < rays->count; i++)
+        hits[i] = hidden_alone(both, rays, i);
 }
 
 static void build_grids(Both *both)
@@ -178,7 +182,7 @@ static void build_grids(Both *both)
     LightWorld *world = both->world;
     for (int i = 0; i < world->scene->light_count; i++) {
         light_grid_free(&world->grids[i]);
-        if (!light_grid_build(&world->grids[i], &world->crowd, world->scene->lights[i], 1))
+        if (!light_grid_build(&world->grids[i], &world->crowd, world->scene->lights[i]))
             exit(1);
     }
     both->grid_seconds = processor_seconds() - begin;
@@ -187,15 +191,20 @@ static void build_grids(Both *both)
 // Rays to one light that wait until there are PATHS.
 typedef struct {
     ShadowRays rays;
+    Vectors start, way;
     int numbers[PATHS];
 } Waiting;
 
-static void ask_grid(const LightWorld *world, Waiting *waiting, int light, bool *hits)
+static void ask_grid(const Both *both, const RayList *rays, Waiting *waiting, int light, bool *hits)
 {
-    bool hidden[PATHS];
-    light_grid_hides(&world->grids[light], &world->scene->lights[light], &waiting->rays, hidden);
+    int verdicts[PATHS];
+    waiting->rays.start = &waiting->start;
+    waiting->rays.way = &waiting->way;
+    light_grid_ask(&both->world->grids[light], &waiting->rays, verdicts);
     for (int i = 0; i < waiting->rays.count; i++)
-        hits[waiting->numbers[i]] = hidden[i];
+        hits[waiting->numbers[i]] = verdicts[i] == DOUBTFUL
+                                        ? hidden_alone(both, rays, waiting->numbers[i])
+                                        : verdicts[i] == HIDDEN;
     waiting->rays.count = 0;
 }
 
@@ -208,16 +217,15 @@ static void shadow_by_grids(Both *both, const RayList *rays, bool *hits)
     for (int i = 0; i < rays->count; i++) {
         Waiting *here = &waiting[rays->lights[i]];
         int at = here->rays.count++;
-        set_vector(&here->rays.start, at, rays->rays[i].origin);
-        set_vector(&here->rays.way, at, rays->rays[i].direction);
-        here->rays.length[at] = rays->reaches[i];
+        set_vector(&here->start, at, rays->rays[i].origin);
+        set_vector(&here->way, at, rays->rays[i].direction);
         here->rays.passes[at] = rays->spheres[i];
         here->numbers[at] = i;
         if (here->rays.count == PATHS)
-            ask_grid(world, here, rays->lights[i], hits);
+            ask_grid(both, rays, here, rays->lights[i], hits);
     }
     for (int i = 0; i < lights; i++)
-        ask_grid(world, &waiting[i], i, hits);
+        ask_grid(both, rays, &waiting[i], i, hits);
     free(waiting);
 }
 

@@ -14,6 +14,7 @@ enum { MOST = 400, RAYS = 40 };
 
 static Sphere spheres[MOST];
 static unsigned long long state = 2016;
+static int decided;
 
 static double uniform(double low, double high)
 {
@@ -59,21 +60,21 @@ static Ray touching(vec3 light, const Sphere *sphere)
 // The number of rays, out of those that nearly touch a sphere, for which the grid is wrong.
 static int wrong(const LightGrid *grid, Light light, const Sphere *sphere)
 {
-    static ShadowRays rays;
-    bool hidden[PATHS];
-    int different = 0;
-    rays.count = RAYS;
+    static Vectors starts, ways;
+    ShadowRays rays = {.start = &starts, .way = &ways, .count = RAYS};
+    int verdicts[PATHS], different = 0;
     for (int i = 0; i < RAYS; i++) {
         Ray ray = touching(light.position, sphere);
-        set_vector(&rays.start, i, ray.origin);
-        set_vector(&rays.way, i, ray.direction);
-        rays.length[i] = vec3_length(ray.direction);
-        rays.passes[i] = -1;
+        set_vector(&starts, i, ray.origin);
+        set_vector(&ways, i, ray.direction);
+        rays.passes[i] = NO_SPHERE;
     }
-    light_grid_hides(grid, &light, &rays, hidden);
-    for (int i = 0; i < RAYS; i++)
-        different +=
-            hidden[i] != !(visibility(grid->crowd->scene, vector_of(&rays.start, i), light) > 0);
+    light_grid_ask(grid, &rays, verdicts);
+    for (int i = 0; i < RAYS; i++) {
+        bool arrives = visibility(grid->crowd->scene, vector_of(&starts, i), light) > 0;
+        different += verdicts[i] == (arrives ? HIDDEN : ARRIVES);
+        decided += verdicts[i] != DOUBTFUL;
+    }
     return different;
 }
 
@@ -87,7 +88,7 @@ int main(int argc, char **argv)
                                                    : 4 * vec3_unit(anywhere(1)) + anywhere(0.2) +
                                                          vec3_of(0, 5, 0)};
         LightGrid grid;
-        if (!light_grid_build(&grid, &crowd, light, 1))
+        if (!light_grid_build(&grid, &crowd, light))
             return 1;
         int before = asked, wrongly = 0;
         for (int i = 0; i < scene.sphere_count; i++)
@@ -102,7 +103,7 @@ int main(int argc, char **argv)
         passed += wrongly == 0;
         failed += wrongly > 0;
     }
-    printf("%d shadow rays were asked\nshadows of scenes: %d passed, %d failed\n", asked, passed,
-           failed);
-    return failed > 0 || asked == 0;
+    printf("%d shadow rays were asked, %d decided\nshadows of scenes: %d passed, %d failed\n",
+           asked, decided, passed, failed);
+    return failed > 0 || 2 * decided <= asked;
 }
