@@ -64,7 +64,10 @@ typedef struct {
 // Spheres that one thread splits further.
 typedef struct {
     int first, count, depth;
-    int leaf;      // its number among the nodes above
+    int leaf; // its number among the nodes above
+    // Centre and radius of each sphere, as parts of the scene's size, in its order. They are where
+    // the numbers of these spheres are put afterwards.
+    Four *items;
     Shape *shapes; // room for 2 count - 1
     int shape_count;
 } Part;
@@ -89,7 +92,6 @@ typedef struct {
 typedef struct {
     const Scene *scene;
     Hierarchy *hierarchy;
-    Four *items;      // centre and radius of each, in its order, as parts of the scene's size
     Shape *shapes;    // room for those of all parts
     uint8_t *part_of; // each of the scene's spheres
     Chunk *chunks;
@@ -294,7 +296,7 @@ static void part_begin(Builder *builder, int number, Part part)
 // Splits the largest part of the sample again and again.
 static void divide(Builder *builder)
 {
-    Four *samples = builder->items; // they and the order are not needed before
+    Four *samples = (Four *)builder->hierarchy->numbers; // they are not needed before
     int *order = builder->hierarchy->order, count = take_sample(builder, samples);
     const double each = (builder->scene->sphere_count + 1.0) / (count + 1.0);
     part_begin(builder, builder->part_count++, (Part){.count = count});
@@ -372,6 +374,7 @@ static void place_parts(Builder *builder, const Above *above, int *next)
         *next += count;
     }
     part->count = *next - part->first;
+    part->items = (Four *)(builder->hierarchy->numbers + 4 * (size_t)part->first);
 }
 
 static void move_chunk(void *given, int number)
@@ -379,8 +382,9 @@ static void move_chunk(void *given, int number)
     const Builder *builder = given;
     int *next = builder->chunks[number].counts;
     for (int i = number * CHUNK; i < chunk_end(builder, number); i++) {
+        const Part *part = &builder->parts[builder->part_of[i]];
         int at = next[builder->part_of[i]]++;
-        builder->items[at] = item_of(builder, &builder->scene->spheres[i]);
+        part->items[at - part->first] = item_of(builder, &builder->scene->spheres[i]);
         builder->hierarchy->order[at] = i;
     }
 }
@@ -397,8 +401,8 @@ static void split_node(const Builder *builder, Part *part, int first, int count,
     Split split = {0};
     int half = 0;
     if (depth < DEEP)
-        half =
-            split_in_two(builder->items + first, builder->hierarchy->order + first, count, &split);
+        half = split_in_two(part->items + (first - part->first), builder->hierarchy->order + first,
+                            count, &split);
     half = half > 0 ? half : count / 2;
     shape->axis = split.axis;
     split_node(builder, part, first, half, depth + 1);
@@ -539,14 +543,11 @@ bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf, int thr
                        .leaf = leaf,
                        .chunk_count = (int)chunks,
                        .chunks = malloc((chunks + 1) * sizeof *builder.chunks),
-                       .items = large_memory((count + 1) * sizeof *builder.items),
                        .shapes = malloc((2 * count + 1) * sizeof *builder.shapes),
                        .part_of = malloc(count + 1)};
     bool built = hierarchy->order != NULL && hierarchy->numbers != NULL && builder.chunks != NULL &&
-                 builder.items != NULL && builder.shapes != NULL && builder.part_of != NULL &&
-                 build_all(&builder, threads);
+                 builder.shapes != NULL && builder.part_of != NULL && build_all(&builder, threads);
     free(builder.chunks);
-    free(builder.items);
     free(builder.shapes);
     free(builder.part_of);
     if (!built)
