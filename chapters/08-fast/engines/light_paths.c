@@ -213,9 +213,13 @@ static void find_spheres(LightPaths *all, bool mirrored)
     }
     all->nearest_of_many(&all->world->rays, lines, left, paths->count, places);
     for (int i = 0; i < paths->count; i++)
+        __builtin_prefetch(&all->world->hierarchy.order[places[i] < 0 ? 0 : places[i]]);
+    for (int i = 0; i < paths->count; i++) {
         paths->sphere[i] = places[i] == IN_DOUBT   ? nearest_alone(all, ray_of(paths, i), lines[i])
                            : places[i] == NO_PLACE ? -1
                                                    : all->world->hierarchy.order[places[i]];
+        __builtin_prefetch(&all->world->scene->spheres[paths->sphere[i]]);
+    }
 }
 
 // These paths go on.
@@ -358,6 +362,7 @@ static void light_up(LightPaths *all, int level, bool all_hit)
     for (int i = 0; i < paths->count; i++) {
         double part = all->world->materials[paths->surface[i]].specular;
         parts[paths->number[i]] = part;
+        __builtin_prefetch(&all->world->rays.places[paths->sphere[i]]);
         mirrors[count] = i;
         count += part > 0;
     }

@@ -147,6 +147,7 @@ static const int *seen_from(const Lit *lit, int column, int row)
 static void trace_samples(Block *block, int left, int row, int count, int place)
 {
     const int unknown = 0, *seen = seen_from(block->lit, left, row);
+    const Scene *scene = block->lit->work->scene;
     int *spheres = block->paths.paths->sphere, waiting = block->waiting;
     for (int pixel = 0; pixel < count; pixel += block->n, place++)
         for (int k = 0; k < block->n; k++) {
@@ -155,6 +156,7 @@ static void trace_samples(Block *block, int left, int row, int count, int place)
             block->place[waiting] = place + k * PATHS;
             block->column[waiting] = left + pixel + k;
             block->row[waiting] = row;
+            __builtin_prefetch(&scene->spheres[sphere]);
             waiting += sphere >= 0;
             if (waiting == PATHS) {
                 block->waiting = waiting;
