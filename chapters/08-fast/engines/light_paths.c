@@ -232,25 +232,23 @@ static void keep(Paths *paths, const int *kept, int count)
     paths->count = count;
 }
 
-// The rays that hit nothing see the background, and end. The lists are written without an 'if',
-// because a processor cannot predict it.
+// The rays that hit nothing see the background, and end. The others will get their colours later.
+// The list is written without an 'if', because a processor cannot predict it.
 static void end_at_background(LightPaths *all, int level)
 {
     Paths *paths = all->paths;
-    int hits[PATHS], misses[PATHS], hit_count = 0, miss_count = 0;
+    int hits[PATHS] = {0}, count = 0;
     for (int i = 0; i < paths->count; i++) {
-        bool hit = paths->sphere[i] >= 0;
-        hits[hit_count] = misses[miss_count] = i;
-        hit_count += hit;
-        miss_count += !hit;
+        hits[count] = i;
+        count += paths->sphere[i] >= 0;
     }
-    if (miss_count == 0)
+    if (count == paths->count)
         return;
-    for (int i = 0; i < miss_count; i++)
-        set_vector(&all->colors[level], paths->number[misses[i]], all->world->scene->background);
-    choose(&paths->origin, hits, hit_count, &paths->origin);
-    choose(&paths->direction, hits, hit_count, &paths->direction);
-    keep(paths, hits, hit_count);
+    for (int i = 0; i < PATHS; i++)
+        set_vector(&all->colors[level], i, all->world->scene->background);
+    choose(&paths->origin, hits, count, &paths->origin);
+    choose(&paths->direction, hits, count, &paths->direction);
+    keep(paths, hits, count);
 }
 
 // Where the rays hit their spheres. False: some miss them.
