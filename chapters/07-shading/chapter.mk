@@ -13,10 +13,10 @@ $(GALLERY)/still-something-missing.png: chapters/06-ray-casting/three-spheres.nf
 	$(Q)mkdir -p $(@D)
 	$(Q)$(TRY) $(BUILT)/07-shading -o $@
 
-# The last picture takes some twenty seconds; chapter 08 casts it, with chapter 07's light. Without the
-# engines of 08, as in a handout, each ray asks every sphere, so the picture is small.
+# Chapter 08 casts the last picture, with chapter 07's light. Without the engines of 08, as in a handout,
+# each ray asks every sphere, so the picture is small.
 SCENES += $(B)/scenes/finale.nff
-FINALE := $(BUILT)/finale.png
+FINALE := $(GALLERY)/finale.png
 FINALE_BY := $(if $(wildcard chapters/08-fast/engines/.),08-fast --shaded --samples 2 --threads 2,07-shading -s 320x180)
 finale: $(FINALE) ## the picture of README.md (ANSWERS=exercises: by your own code)
 	@echo "The picture: $(FINALE)"

@@ -8,3 +8,19 @@ SCENES += $(filter-out $(SCENES) chapters/%,$(BENCH_SCENES))
 $(B)/scenes/sphereflake-66430.nff: ARGUMENTS = 5
 $(B)/scenes/sphereflake-597871.nff: ARGUMENTS = 6
 $(RANDOM:%=$(B)/scenes/%.nff): ARGUMENTS = $(*:random-%=%)
+
+# The gallery's large pictures, with shadows and mirrors. A handout has no engines, and none of them.
+ifneq ($(wildcard chapters/08-fast/engines/.),)
+SHADED_PICTURES := $(patsubst %,$(GALLERY)/shaded-%.png,sphereflake-7381 sunflower)
+PICTURES += $(SHADED_PICTURES) $(FINALE)
+$(SHADED_PICTURES): $(GALLERY)/shaded-%.png: $(B)/scenes/%.nff $(BUILT)/$(ENGINE_CHAPTER)
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(TRY) $(BUILT)/$(ENGINE_CHAPTER) --shaded --depth 3 --samples 2 --threads 2 -s 1280x720 -o $@ $<
+
+# The picture of 7381 spheres takes chapter 06 ten seconds.
+$(GALLERY)/sphereflake-7381.png: $(B)/scenes/sphereflake-7381.nff $(BUILT)/$(ENGINE_CHAPTER)
+	$(call say,cast,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(TRY) $(BUILT)/$(ENGINE_CHAPTER) -o $@ $<
+endif

@@ -95,7 +95,7 @@ static void show_chapter_picture(const Page *page, const Judging *judging, int c
 // printed.
 static void reward_with_finale(const Page *page, const JudgingPlan *plan)
 {
-    PlanPath finale = path_of(plan->built, "finale", ".png");
+    PlanPath finale = path_of(plan->built, "gallery/finale", ".png");
     char answers[MOST_PLAN_PATH + 20];
     snprintf(answers, sizeof answers, "ANSWERS=%s", plan->answers);
     if (access(finale.s, F_OK) != 0) {

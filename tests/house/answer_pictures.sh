@@ -118,7 +118,7 @@ check 'with its picture' says "build$answers/gallery/still-something-missing.png
 check 'the last slide is drawn' test -s "build$answers/gallery/still-something-missing.png"
 check 'the picture of README.md has its command' says "make finale ANSWERS=$answers"
 finale_is_made() {
-    make --no-print-directory -n finale ANSWERS="$answers" >"$scratch/said" 2>&1 && says "build$answers/finale.png"
+    make --no-print-directory -n finale ANSWERS="$answers" >"$scratch/said" 2>&1 && says "build$answers/gallery/finale.png"
 }
 check 'which make knows' finale_is_made
 

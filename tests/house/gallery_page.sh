@@ -61,7 +61,7 @@ section_of() {
 }
 check 'object order is in the first' section_of 'src="../figures/object-order/' 'Two ways of rendering'
 check 'the parts of light are in chapter 07' section_of 'src="07-ambient.png"' 'Light (chapter 07)'
-check 'chapter 08 has pictures' section_of 'src="copies/finale.png"' '(chapter 08)'
+check 'chapter 08 has pictures' section_of 'src="finale.png"' '(chapter 08)'
 every_one_once() {
     for picture in $pictures; do
         [ "$(grep -c "<img src=\"$picture.png\"" "$page")" -eq 1 ] || { echo "$picture"; return 1; }
