@@ -215,10 +215,11 @@ static void find_spheres(LightPaths *all, bool mirrored)
     for (int i = 0; i < paths->count; i++)
         __builtin_prefetch(&all->world->hierarchy.order[places[i] < 0 ? 0 : places[i]]);
     for (int i = 0; i < paths->count; i++) {
-        paths->sphere[i] = places[i] == IN_DOUBT   ? nearest_alone(all, ray_of(paths, i), lines[i])
-                           : places[i] == NO_PLACE ? -1
-                                                   : all->world->hierarchy.order[places[i]];
-        __builtin_prefetch(&all->world->scene->spheres[paths->sphere[i]]);
+        int sphere = places[i] == IN_DOUBT   ? nearest_alone(all, ray_of(paths, i), lines[i])
+                     : places[i] == NO_PLACE ? -1
+                                             : all->world->hierarchy.order[places[i]];
+        paths->sphere[i] = sphere;
+        __builtin_prefetch(&all->world->scene->spheres[sphere < 0 ? 0 : sphere]);
     }
 }
 

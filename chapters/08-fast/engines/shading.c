@@ -156,7 +156,7 @@ static void trace_samples(Block *block, int left, int row, int count, int place)
             block->place[waiting] = place + k * PATHS;
             block->column[waiting] = left + pixel + k;
             block->row[waiting] = row;
-            __builtin_prefetch(&scene->spheres[sphere]);
+            __builtin_prefetch(&scene->spheres[sphere < 0 ? 0 : sphere]);
             waiting += sphere >= 0;
             if (waiting == PATHS) {
                 block->waiting = waiting;
