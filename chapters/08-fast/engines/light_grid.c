@@ -82,25 +82,46 @@ static vec3 along_axis(int axis, double length)
     return v;
 }
 
-// Chooses one picture, of the crowd, or six, of all sides.
-static void look_around(LightGrid *grid, vec3 light)
+// Rays to a distant light start on spheres. Farther than that, their cells are not certain.
+static bool giants_are_near(const Crowd *crowd, vec3 middle, double size)
+{
+    for (int i = 0; i < crowd->giant_count; i++) {
+        const Sphere *giant = &crowd->scene->spheres[crowd->giants[i]];
+        if (!(vec3_length(giant->center - middle) + giant->radius < FARTHEST * size))
+            return false;
+    }
+    return true;
+}
+
+// Chooses one picture, of the crowd, or six, of all sides. That of a distant light is drawn by
+// parallel rays, from a plane before the crowd.
+static void look_around(LightGrid *grid, Light light)
 {
     LightCells *cells = &grid->cells;
-    vec3 low = grid->crowd->low, high = grid->crowd->high;
-    vec3 towards = (low + high) / 2 - light;
-    double size = vec3_length(high - low) / 2, distance = vec3_length(towards);
-    view_store(cells->light, light);
-    cells->pictures = !(distance < FARTHEST * size) ? 0 : distance > 1.2 * size ? 1 : 6;
+    vec3 low = grid->crowd->low, high = grid->crowd->high, middle = (low + high) / 2;
+    double size = vec3_length(high - low) / 2;
+    cells->parallel = light.kind == LIGHT_DISTANT;
+    vec3 towards = cells->parallel ? -light.position : middle - light.position;
+    double distance = vec3_length(towards);
+    vec3 forward = towards / distance, from = light.position;
     cells->slope = 1.001;
+    if (cells->parallel) {
+        bool usual = distance > 1e-15 && distance < 1e15 && size > 1e-15 && size < 1e15;
+        cells->pictures = usual && giants_are_near(grid->crowd, middle, size);
+        cells->slope *= size;
+        from = middle - 1.001 * size * forward;
+    } else {
+        cells->pictures = !(distance < FARTHEST * size) ? 0 : distance > 1.2 * size ? 1 : 6;
+        cells->slope *= cells->pictures == 1 ? size / sqrt(distance * distance - size * size) : 1;
+    }
+    view_store(cells->light, from);
     if (cells->pictures != 1)
         return;
-    vec3 forward = towards / distance;
     int axis = fabs(forward[0]) < 0.6 ? 0 : 1;
     vec3 right = vec3_unit(vec3_cross(forward, along_axis(axis, 1)));
     view_store(cells->forward, forward);
     view_store(cells->right, right);
     view_store(cells->up, vec3_cross(right, forward));
-    cells->slope *= size / sqrt(distance * distance - size * size);
 }
 
 static vec3 light_of(const LightCells *cells)
@@ -170,7 +191,8 @@ static int choose_columns(const LightGrid *grid)
         double across = columns / (2 * grid->cells.slope), entries = 0;
         double cells = (double)columns * columns * grid->cells.pictures;
         for (int i = step / 2; i < scene->sphere_count; i += step) {
-            double distance = vec3_length(scene->spheres[i].center - light);
+            double distance =
+                grid->cells.parallel ? 1 : vec3_length(scene->spheres[i].center - light);
             double wide = 2 * across * scene->spheres[i].radius / distance + 1;
             entries += step * fmin(wide * wide, cells);
         }
@@ -209,6 +231,29 @@ static Place in_cells(Place place, int size, int picture, int columns)
     return place;
 }
 
+static int pixel(double x, double size)
+{
+    return (int)(x > 0 ? x < size ? x : size : 0);
+}
+
+// The places of spheres on a picture by parallel rays. Depths are rounded down, as they are sorted.
+static void place_parallel(const Eye *eye, const Positions *positions, int count, Place *places)
+{
+    for (int i = 0; i < count; i++) {
+        vec3 center = vec3_of(positions->x[i], positions->y[i], positions->z[i]);
+        double r = positions->radius[i], size = eye->width;
+        double x = along(center, eye->right), y = -along(center, eye->up);
+        double near = along(center, eye->forward) - r - 1e-6 * size / eye->across;
+        places[i] = (Place){.left = (uint16_t)pixel(size / 2 + eye->across * (x - r), size),
+                            .right = (uint16_t)pixel(size / 2 + eye->across * (x + r) + 1, size),
+                            .top = (uint16_t)pixel(size / 2 + eye->across * (y - r), size),
+                            .bottom = (uint16_t)pixel(size / 2 + eye->across * (y + r) + 1, size),
+                            .near = near > 0 ? (float)near : 0};
+        uint32_t bits = place_depth(places[i]) << PLACE_DROPPED;
+        memcpy(&places[i].near, &bits, sizeof bits);
+    }
+}
+
 // The places of all spheres that a picture may show.
 static void add_places(Building *building, int picture)
 {
@@ -234,7 +279,10 @@ static void add_places(Building *building, int picture)
         if (waiting < PLACES && i < count - 1)
             continue;
         Place *places = building->places + building->count;
-        bins_lanes[lanes_best()]->place(&eye, &positions, 0, waiting, places);
+        if (cells->parallel)
+            place_parallel(&eye, &positions, waiting, places);
+        else
+            bins_lanes[lanes_best()]->place(&eye, &positions, 0, waiting, places);
         for (int k = 0; k < waiting; k++) {
             places[k] = in_cells(places[k], (int)eye.width, picture, cells->columns);
             places[k].sphere = numbers[k];
@@ -333,9 +381,9 @@ bool light_grid_build(LightGrid *grid, const Crowd *crowd, Light light)
 {
     *grid = (LightGrid){.crowd = crowd};
     size_t spheres = (size_t)crowd->scene->sphere_count;
-    if (light.kind != LIGHT_POINT || crowd->giant_count == crowd->scene->sphere_count)
+    if (crowd->giant_count == crowd->scene->sphere_count)
         return true;
-    look_around(grid, light.position);
+    look_around(grid, light);
     if (grid->cells.pictures == 0)
         return true;
     grid->cells.columns = choose_columns(grid);

@@ -1,8 +1,9 @@
-// light_grid.h - the scene as a point light sees it: which spheres may hide the light from a place?
+// light_grid.h - the scene as a light sees it: which spheres may hide the light from a place?
 //
 // Shadow rays to a point light all end in one place. Backwards they are rays from an eye, so the
 // bins of step 6 work for them: every cell of a grid in front of the light lists the spheres that
-// it shows, near ones first. (Haines and Greenberg, 'The Light Buffer', 1986.)
+// it shows, near ones first. (Haines and Greenberg, 'The Light Buffer', 1986.) Rays to a distant
+// light are parallel, and its grid is a plane before all spheres.
 #ifndef CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
 #define CHAPTERS_08_FAST_ENGINES_LIGHT_GRID_H
 
@@ -20,7 +21,7 @@ typedef struct {
 Crowd crowd_of(const Scene *scene);
 
 // If the light is away from the crowd, one picture shows all of it. Otherwise there are six, the
-// faces of a cube around the light; none if the light is distant or the numbers are extreme.
+// faces of a cube around the light; none if the numbers are extreme.
 typedef struct {
     const Crowd *crowd;
     LightCells cells;

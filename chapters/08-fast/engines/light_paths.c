@@ -328,10 +328,13 @@ static void find_light(LightPaths *all, int number)
     Light light = all->world->scene->lights[number];
     const LightGrid *grid = &all->world->grids[number];
     double *lit = all->lit + number * PATHS;
-    ShadowRays rays = {.start = &paths->start, .way = all->directions, .count = paths->count};
+    ShadowRays rays = {.start = &paths->start,
+                       .way = all->directions,
+                       .endless = light.kind == LIGHT_DISTANT,
+                       .count = paths->count};
     int verdicts[PATHS];
     all->steps->to_light(paths, &light, all->directions);
-    shadow_lanes[lanes_best()]->passes(paths, rays.way, light.kind != LIGHT_DISTANT, rays.passes);
+    shadow_lanes[lanes_best()]->passes(paths, &rays);
     light_grid_ask(grid, &rays, verdicts);
     ask_hierarchy(all, &rays, light, verdicts);
     for (int i = 0; i < paths->count; i++)

@@ -11,8 +11,10 @@ static inline double dot(double x, double y, double z, double u, double v, doubl
 
 // If the light is certainly in front of the surface, and this is the outside of its sphere, the ray
 // misses the sphere.
-static void passes(const Paths *paths, const Vectors *ways, bool has_end, int *passes)
+static void passes(const Paths *paths, ShadowRays *rays)
 {
+    const Vectors *ways = rays->way;
+    const bool endless = rays->endless;
 #pragma omp simd
     for (int i = 0; i < paths->count; i++) {
         double x = ways->x[i], y = ways->y[i], z = ways->z[i];
@@ -22,10 +24,12 @@ static void passes(const Paths *paths, const Vectors *ways, bool has_end, int *p
         double size = larger(larger(fabs(cx), fabs(cy)), fabs(cz)) + paths->radius[i];
         double outward =
             dot(nx, ny, nz, paths->point.x[i] - cx, paths->point.y[i] - cy, paths->point.z[i] - cz);
-        bool far = !has_end | (squared > 1e-6 * size * size);
+        bool far = endless | (squared > 1e-6 * size * size);
         bool clear = along * along > 1e-4 * squared;
         bool before = clear & (along > 0) & (outward > 0);
-        passes[i] = (clear & (along < 0) & far) ? NO_RAY : before ? paths->sphere[i] : NO_SPHERE;
+        rays->passes[i] = (clear & (along < 0) & far) ? NO_RAY
+                          : before                    ? paths->sphere[i]
+                                                      : NO_SPHERE;
     }
 }
 
@@ -50,7 +54,7 @@ static void units(const Vectors *directions, int count, double *lengths, Vectors
 // terms of the discriminant d are times the square of the ray's length, so the margin of any_ray.h
 // is right for them, and no root is needed.
 typedef struct {
-    double wx, wy, wz, px, py, pz, rr, pp, squared, ahead, outside, margin, d;
+    double wx, wy, wz, px, py, pz, rr, pp, squared, end, ahead, outside, margin, d;
 } Meets;
 
 static inline Meets meets(const ShadowRays *rays, int i, double x, double y, double z,
@@ -62,6 +66,7 @@ static inline Meets meets(const ShadowRays *rays, int i, double x, double y, dou
     m.rr = radius * radius;
     m.pp = dot(m.px, m.py, m.pz, m.px, m.py, m.pz);
     m.squared = dot(m.wx, m.wy, m.wz, m.wx, m.wy, m.wz);
+    m.end = rays->endless ? INFINITY : m.squared;
     m.ahead = dot(m.px, m.py, m.pz, m.wx, m.wy, m.wz);
     m.outside = m.pp - m.rr;
     m.margin = MARGIN * (m.pp + m.rr);
@@ -77,7 +82,7 @@ static inline bool passes_beside(Meets m)
 static inline bool hides(Meets m)
 {
     return (m.outside > 4 * m.margin) & (m.d > m.margin * m.squared) &
-           (m.ahead < m.squared * (1 - MARGIN));
+           (m.ahead < m.end * (1 - MARGIN));
 }
 
 // If both ends of the ray are inside the sphere, it does not meet the surface between them. If both
@@ -86,8 +91,8 @@ static inline bool ends_before(Meets m)
 {
     double qx = m.px - m.wx, qy = m.py - m.wy, qz = m.pz - m.wz, qq = dot(qx, qy, qz, qx, qy, qz);
     double end_margin = 4 * MARGIN * (m.pp + qq + m.rr);
-    return ((m.outside < -m.margin) & (qq - m.rr < -end_margin)) |
-           ((m.outside > m.margin) & (qq - m.rr > end_margin) & (m.ahead > m.squared));
+    return ((m.outside < -m.margin) & (qq - m.rr < -end_margin) & (m.end < INFINITY)) |
+           ((m.outside > m.margin) & (qq - m.rr > end_margin) & (m.ahead > m.end));
 }
 
 static void ask_one(const ShadowRays *rays, const Sphere *spheres, int sphere, int *verdicts)
@@ -126,7 +131,8 @@ static void find_cells(const ShadowRays *rays, const LightCells *cells, int *fou
 #pragma omp simd
         for (int i = 0; i < rays->count; i++) {
             double x = start->x[i] - lx, y = start->y[i] - ly, z = start->z[i] - lz;
-            found[i] = cell_at(dot(x, y, z, f[0], f[1], f[2]), dot(x, y, z, r[0], r[1], r[2]),
+            double ahead = cells->parallel ? 1 : dot(x, y, z, f[0], f[1], f[2]);
+            found[i] = cell_at(ahead, dot(x, y, z, r[0], r[1], r[2]),
                                dot(x, y, z, u[0], u[1], u[2]), 0, cells);
         }
         return;
@@ -138,6 +144,21 @@ static void find_cells(const ShadowRays *rays, const LightCells *cells, int *fou
         double ahead = is_z ? z : is_y ? y : x;
         double right = is_z ? x : is_y ? z : y, up = is_z ? y : is_y ? x : z;
         found[i] = cell_at(fabs(ahead), right, up, (is_z ? 4 : is_y ? 2 : 0) + (ahead < 0), cells);
+    }
+}
+
+// The distances of the rays' starts from the light, or from the plane of parallel rays.
+static void find_reaches(const ShadowRays *rays, const LightCells *cells, float *reaches)
+{
+    const double *f = cells->forward, *light = cells->light;
+    const Vectors *start = rays->start, *way = rays->way;
+    const double plane = dot(light[0], light[1], light[2], f[0], f[1], f[2]);
+    const bool parallel = cells->parallel;
+#pragma omp simd
+    for (int i = 0; i < rays->count; i++) {
+        double x = way->x[i], y = way->y[i], z = way->z[i];
+        double ahead = dot(start->x[i], start->y[i], start->z[i], f[0], f[1], f[2]) - plane;
+        reaches[i] = (float)((parallel ? ahead : sqrt(dot(x, y, z, x, y, z))) * (1 + 1e-6));
     }
 }
 
@@ -170,11 +191,7 @@ static void ask_cells(const ShadowRays *rays, const Sphere *spheres, const Light
     int found[PATHS], asking[PATHS], count = 0;
     float reach[PATHS];
     find_cells(rays, cells, found);
-#pragma omp simd
-    for (int i = 0; i < rays->count; i++) {
-        double x = rays->way->x[i], y = rays->way->y[i], z = rays->way->z[i];
-        reach[i] = (float)(sqrt(dot(x, y, z, x, y, z)) * (1 + 1e-6));
-    }
+    find_reaches(rays, cells, reach);
     for (int i = 0; i < rays->count; i++)
         __builtin_prefetch(&cells->shown[cells->start[found[i]]]);
     for (int i = 0; i < rays->count; i++) {

@@ -17,6 +17,7 @@
 enum { NO_SPHERE = -1, NO_RAY = -2 };
 typedef struct {
     const Vectors *start, *way;
+    bool endless; // the light is distant
     int passes[PATHS];
     int count;
 } ShadowRays;
@@ -35,19 +36,21 @@ typedef struct {
 } Shown;
 typedef struct {
     int pictures, columns;
-    // Where the light is; the directions of a single picture; and how far rays at its edges go
-    // aside for each step ahead.
+    bool parallel; // a distant light
+    // Where the light is, or a place in the plane where parallel rays end, before all spheres; the
+    // directions of a single picture; and how far rays at its edges go aside for each step ahead,
+    // or how far parallel ones are from the middle.
     double light[3], right[3], up[3], forward[3], slope;
     Shown *shown;
     uint32_t *start;
 } LightCells;
 
 typedef struct {
-    // The spheres that rays to the light miss, or NO_RAY. has_end: the light has a place.
-    void (*passes)(const Paths *paths, const Vectors *ways, bool has_end, int *passes);
+    // Sets the spheres that rays to the light miss, or NO_RAY.
+    void (*passes)(const Paths *paths, ShadowRays *rays);
     // The lengths of directions; and the directions with length 1, if not NULL.
     void (*units)(const Vectors *directions, int count, double *lengths, Vectors *units);
-    // All rays ask one sphere of the scene whether it hides the light, which is at t = 1.
+    // All rays ask one sphere of the scene whether it hides the light: at t = 1, or distant.
     void (*ask_one)(const ShadowRays *rays, const Sphere *spheres, int sphere, int *verdicts);
     // The rays that are not hidden yet ask the spheres in their cells.
     void (*ask_cells)(const ShadowRays *rays, const Sphere *spheres, const LightCells *cells,

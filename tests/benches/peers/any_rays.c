@@ -200,6 +200,7 @@ static void ask_grid(const Both *both, const RayList *rays, Waiting *waiting, in
     int verdicts[PATHS];
     waiting->rays.start = &waiting->start;
     waiting->rays.way = &waiting->way;
+    waiting->rays.endless = both->world->scene->lights[light].kind == LIGHT_DISTANT;
     light_grid_ask(&both->world->grids[light], &waiting->rays, verdicts);
     for (int i = 0; i < waiting->rays.count; i++)
         hits[waiting->numbers[i]] = verdicts[i] == DOUBTFUL

@@ -1,9 +1,9 @@
 // same_shadows.c - the grid of a light leaves out no sphere that hides the light.
 //
-// Usage: same_shadows [SCENES]: random scenes (60), half of them with the light among the spheres.
-// From behind each sphere, rays to the light nearly touch it, so they go through the edges of the
-// sphere's cells. Each answer must be that of chapter 07's visibility, which asks all spheres. The
-// last line counts.
+// Usage: same_shadows [SCENES]: random scenes (60), half of them with the light among the spheres,
+// or distant. From behind each sphere, rays to the light nearly touch it, so they go through the
+// edges of the sphere's cells. Each answer must be that of chapter 07's visibility, which asks all
+// spheres. The last line counts.
 #include "chapters/08-fast/engines/light_grid.h"
 #include "exercises/07-shading.h"
 
@@ -45,15 +45,22 @@ static Scene random_scene(int number)
 }
 
 // A ray to the light that nearly touches a sphere; sometimes one that starts in it.
-static Ray touching(vec3 light, const Sphere *sphere)
+static Ray touching(Light to, const Sphere *sphere)
 {
-    vec3 axis = sphere->center - light, aside = vec3_unit(vec3_cross(axis, anywhere(1)));
+    vec3 light = to.position, axis = sphere->center - light,
+         aside = vec3_unit(vec3_cross(axis, anywhere(1)));
     double distance = vec3_length(axis), sine = sphere->radius / distance;
     sine *= 1 + (uniform(0, 1) < 0.7 ? -1 : 1) * pow(10, uniform(-9, -2));
     vec3 away = sqrt(1 - sine * sine) / distance * axis + sine * aside;
     vec3 start = light + (distance + sphere->radius) * uniform(1.1, 2) * away;
+    if (to.kind == LIGHT_DISTANT) {
+        aside = vec3_unit(vec3_cross(light, anywhere(1)));
+        start = sphere->center + (sine * distance) * aside - uniform(0, 2) * light;
+    }
     if (uniform(0, 1) < 0.1)
         start = sphere->center + 0.5 * sphere->radius * aside;
+    if (to.kind == LIGHT_DISTANT)
+        return (Ray){start, light};
     return (Ray){start, light - start};
 }
 
@@ -61,10 +68,11 @@ static Ray touching(vec3 light, const Sphere *sphere)
 static int wrong(const LightGrid *grid, Light light, const Sphere *sphere)
 {
     static Vectors starts, ways;
-    ShadowRays rays = {.start = &starts, .way = &ways, .count = RAYS};
+    ShadowRays rays = {
+        .start = &starts, .way = &ways, .endless = light.kind == LIGHT_DISTANT, .count = RAYS};
     int verdicts[PATHS], different = 0;
     for (int i = 0; i < RAYS; i++) {
-        Ray ray = touching(light.position, sphere);
+        Ray ray = touching(light, sphere);
         set_vector(&starts, i, ray.origin);
         set_vector(&ways, i, ray.direction);
         rays.passes[i] = NO_SPHERE;
@@ -87,6 +95,7 @@ int main(int argc, char **argv)
         Light light = {.position = number % 2 == 0 ? anywhere(2)
                                                    : 4 * vec3_unit(anywhere(1)) + anywhere(0.2) +
                                                          vec3_of(0, 5, 0)};
+        light.kind = number % 5 == 0 ? LIGHT_DISTANT : LIGHT_POINT;
         LightGrid grid;
         if (!light_grid_build(&grid, &crowd, light))
             return 1;
