@@ -29,12 +29,6 @@ typedef struct {
 typedef void NearestOf(const RayWorld *world, const Line *line, PossibleHits *candidates);
 extern NearestOf nearest_of_baseline, nearest_of_avx2, nearest_of_avx512;
 
-// A sphere that the ray certainly hits at a distance less than reach: true, and it is the only
-// candidate. If no sphere is certain: false, and those that the ray may hit before reach.
-typedef bool AnyBefore(const RayWorld *world, const Line *line, double reach,
-                       PossibleHits *candidates);
-extern AnyBefore any_before_baseline, any_before_avx2, any_before_avx512;
-
 // For each of many rays, the place of the only sphere that may be the nearest hit; or NO_PLACE if
 // the ray certainly misses all; or IN_DOUBT: then ask nearest_of. Many rays in turns are faster
 // than one after the other: while one waits for memory, others compute. left: for each ray the

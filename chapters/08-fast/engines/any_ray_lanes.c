@@ -1,5 +1,5 @@
-// any_ray_lanes.c - rays from anywhere through the wide hierarchy, near boxes first: one ray alone,
-// for the nearest hit or for any hit; or many rays in turns, for their nearest hits.
+// any_ray_lanes.c - the nearest hits of rays from anywhere, through the wide hierarchy, near boxes
+// first: one ray alone, or many rays in turns.
 #include "chapters/08-fast/engines/any_ray.h"
 
 #include <limits.h>
@@ -202,43 +202,6 @@ void LANES(nearest_of)(const RayWorld *world, const Line *line, PossibleHits *ca
             add_candidate(candidates, place);
         }
     }
-}
-
-bool LANES(any_before)(const RayWorld *world, const Line *line, double reach,
-                       PossibleHits *candidates)
-{
-    Waiting waiting[MOST_WAITING];
-    float near[LANES], farthest = at_least(reach, world->scale);
-    int count = 0;
-    Slopes slopes;
-    set_slopes(&slopes, world, line);
-    candidates->count = 0;
-    if (world->nodes != NULL)
-        waiting[count++] = (Waiting){0};
-    while (count > 0) {
-        Waiting next = waiting[--count];
-        const void *data = ray_world_data(world, next.box);
-        if (next.box >= 0) {
-            const RayNode *node = data;
-            enter(&slopes, node, farthest, near);
-            count = push(waiting, count, node, near);
-            continue;
-        }
-        const RayLeaf *leaf = data;
-        unsigned bits = may_meet(&slopes, leaf, farthest);
-        for (; bits != 0; bits &= bits - 1) {
-            int place = leaf->first + __builtin_ctz(bits);
-            Meeting meeting = meet_place(world, place, line);
-            if (!(meeting.begin <= reach * (1 + MARGIN)) || meeting.begin == INFINITY)
-                continue;
-            if (meeting.end < reach * (1 - MARGIN)) {
-                *candidates = (PossibleHits){1, {place}};
-                return true;
-            }
-            add_candidate(candidates, place);
-        }
-    }
-    return false;
 }
 
 // ---- many rays in turns -----------------------------------------------------------------------

@@ -273,7 +273,8 @@ static void add_places(Building *building, int picture)
         positions.z[waiting] = center[2];
         positions.radius[waiting] = radius;
         numbers[waiting] = i;
-        __builtin_prefetch(&spheres[i + PLACES / 4]); // the processor itself stops at a page's end
+        if (i + PLACES / 4 < count) // the processor itself stops at a page's end
+            __builtin_prefetch(&spheres[i + PLACES / 4]);
         waiting += !is_giant(crowd, i) &&
                    (cells->pictures == 1 || may_show(&eye, cells->slope, center, radius));
         if (waiting < PLACES && i < count - 1)

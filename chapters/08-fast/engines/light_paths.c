@@ -78,7 +78,6 @@ static void *aligned_memory(size_t size)
 bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
 {
     static NearestOf *const nearest[LANES_KINDS] = LANES_TABLE(nearest_of);
-    static AnyBefore *const before[LANES_KINDS] = LANES_TABLE(any_before);
     static NearestOfMany *const nearest_of_many[LANES_KINDS] = LANES_TABLE(nearest_of_many);
     size_t lights = (size_t)world->scene->light_count + 1, levels = (size_t)depth + 1;
     *paths = (LightPaths){.world = world,
@@ -91,7 +90,6 @@ bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
                           .colors = aligned_memory((levels + 1) * sizeof *paths->colors),
                           .parts = aligned_memory(levels * PATHS * sizeof *paths->parts),
                           .nearest = nearest[lanes_best()],
-                          .before = before[lanes_best()],
                           .nearest_of_many = nearest_of_many[lanes_best()]};
     if (paths->paths != NULL && paths->directions != NULL && paths->lit != NULL &&
         paths->colors != NULL && paths->parts != NULL)

@@ -42,7 +42,6 @@ typedef struct {
     double *parts;
     // any_ray.h, for this processor.
     NearestOf *nearest;
-    AnyBefore *before;
     NearestOfMany *nearest_of_many;
 } LightPaths;
 

@@ -36,7 +36,6 @@ typedef struct {
     Ray *rays;
     Line *lines;
     Single *singles;
-    double *reaches;
     uint8_t *lights; // the number of each ray's light
     int *spheres;    // the sphere that each ray leaves
     bool *hits[3];   // what each tracer says
@@ -58,7 +57,6 @@ static RayList ray_list(int room)
                     .rays = array(n, sizeof(Ray)),
                     .lines = array(n, sizeof(Line)),
                     .singles = array(n, sizeof(Single)),
-                    .reaches = array(n, sizeof(double)),
                     .lights = array(n, 1),
                     .spheres = array(n, sizeof(int))};
     for (int i = 0; i < 3; i++)
@@ -68,7 +66,7 @@ static RayList ray_list(int room)
 
 static void ray_list_free(RayList *rays)
 {
-    free(rays->rays), free(rays->lines), free(rays->singles), free(rays->reaches);
+    free(rays->rays), free(rays->lines), free(rays->singles);
     free(rays->lights), free(rays->spheres), free(rays->hits[0]), free(rays->hits[1]),
         free(rays->hits[2]);
 }
@@ -80,14 +78,13 @@ static void add(RayList *rays, Ray ray, bool to_infinity, int light, int sphere)
     rays->rays[i] = ray;
     rays->lights[i] = (uint8_t)light;
     rays->spheres[i] = sphere;
-    rays->reaches[i] = to_infinity ? INFINITY : length;
     for (int axis = 0; axis < 3; axis++) {
         rays->lines[i].origin[axis] = ray.origin[axis];
         rays->lines[i].direction[axis] = ray.direction[axis] / length;
         rays->singles[i].origin[axis] = (float)ray.origin[axis];
         rays->singles[i].direction[axis] = (float)(ray.direction[axis] / length);
     }
-    rays->singles[i].reach = (float)rays->reaches[i];
+    rays->singles[i].reach = to_infinity ? INFINITY : (float)length;
 }
 
 enum { BLOCK = 16, SQUARE = 4 };
@@ -134,7 +131,6 @@ typedef struct {
     LightWorld *world;
     RTCScene peer;
     NearestOf *nearest;
-    AnyBefore *before;
     NearestOfMany *nearest_of_many;
     double grid_seconds; // the last building of the grids
 } Both;
@@ -163,10 +159,10 @@ static bool any_hides(const Scene *scene, const int *order, const PossibleHits *
 static bool hidden_alone(const Both *both, const RayList *rays, int i)
 {
     const LightWorld *world = both->world;
-    PossibleHits candidates = {0};
+    PossibleHits candidates;
     Light light = world->scene->lights[rays->lights[i]];
-    return both->before(&world->rays, &rays->lines[i], rays->reaches[i], &candidates) ||
-           any_hides(world->scene, world->hierarchy.order, &candidates, rays->rays[i].origin,
+    both->nearest(&world->rays, &rays->lines[i], &candidates);
+    return any_hides(world->scene, world->hierarchy.order, &candidates, rays->rays[i].origin,
                      light);
 }
 
@@ -479,12 +475,8 @@ static void measure(const char *path, int rounds, Sums *sums)
     if (!light_paths_begin(&paths, &world, 0))
         exit(1);
     RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
-    Both both = {&world,
-                 peer_scene(device, spheres, scene.sphere_count),
-                 paths.nearest,
-                 paths.before,
-                 paths.nearest_of_many,
-                 0};
+    Both both = {&world, peer_scene(device, spheres, scene.sphere_count), paths.nearest,
+                 paths.nearest_of_many, 0};
     printf("%s, %d spheres\n", path, scene.sphere_count);
     compare_rays(&both, &shadow, &mirror, rounds, sums);
     for (int threads = 1; threads <= 2; threads++)
