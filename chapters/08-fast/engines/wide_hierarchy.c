@@ -1,6 +1,9 @@
-// wide_hierarchy.c - makes nodes of 16 boxes from a hierarchy: in each node, the largest box is
-// replaced by the two boxes in it, until there are 16. Then, for rays from anywhere, the nodes and
-// their leaves get the numbers that any_ray_lanes.c asks.
+// wide_hierarchy.c - makes nodes of 16 boxes from a hierarchy, so that rays enter as few nodes as
+// possible: the sum of the nodes' surfaces is the smallest one. Then, for rays from anywhere, the
+// nodes and their leaves get the numbers that any_ray_lanes.c asks.
+//
+// After Ylitie, Karras and Laine, 'Efficient Incoherent Ray Traversal on GPUs Through Compressed
+// Wide BVHs', 2017, section 3.1.
 #include "chapters/08-fast/engines/wide_hierarchy.h"
 
 #include "chapters/08-fast/engines/parallel.h"
@@ -12,23 +15,18 @@
 // A node that one thread widens, with all that is below it. The root of the wide hierarchy has at
 // most 16 boxes, and each of these at most 16 branches.
 enum { ROOT, BOXES, BRANCHES, BELOW };
-enum { MOST_ABOVE = 1 + LANES, MOST_BRANCHES = LANES * LANES };
+enum { MOST_BRANCHES = LANES * LANES };
 typedef struct {
     int from;
     WideCount count, first; // how many it becomes, and the number of the first one
 } Branch;
 
-// The boxes of a wide node, as nodes of the hierarchy.
-typedef struct {
-    int count, nodes[LANES];
-} Opened;
-
 typedef struct {
     const Node *from;
     double scale;
     int few;
-    Opened *opened; // first those above the branches, then room for those of each branch
-    WideNode *to;   // NULL: nodes are only opened and counted
+    uint8_t (*shares)[LANES]; // of each node: share_boxes
+    WideNode *to;             // NULL: nodes are only counted
     Branch branches[MOST_BRANCHES];
     int branch_count;
 } Widening;
@@ -38,33 +36,48 @@ static bool is_leaf(const Widening *widening, const Node *node)
     return node->other == 0 || node->count <= widening->few;
 }
 
-// A node with the largest surface is opened first, a leaf never.
-static double worth(const Widening *widening, int node)
+// Everything below a node can be in i boxes, from 1 to most of them. Finds the least sum of the
+// surfaces of nodes below for each i: costs[i - 1]. shares[i - 1] is the number of these boxes in
+// the first child; 0 if the node itself is the only box. shares[0] is most, which is returned.
+static int share_boxes(const Widening *widening, int node, double *costs)
 {
     const Node *from = &widening->from[node];
-    __builtin_prefetch(&widening->from[from->other]);
-    return is_leaf(widening, from) ? -1 : box_surface(&from->box);
+    costs[0] = 0;
+    if (is_leaf(widening, from))
+        return 1;
+    double first[LANES], second[LANES];
+    int a = share_boxes(widening, node + 1, first);
+    int b = share_boxes(widening, from->other, second), most = a + b < LANES ? a + b : LANES;
+    uint8_t *shares = widening->shares[node];
+    for (int i = 2; i <= most; i++) {
+        int least = i > b ? i - b : 1, best = least;
+        for (int k = least + 1; k <= a && k < i; k++)
+            if (first[k - 1] + second[i - k - 1] < first[best - 1] + second[i - best - 1])
+                best = k;
+        costs[i - 1] = first[best - 1] + second[i - best - 1];
+        shares[i - 1] = (uint8_t)best;
+    }
+    costs[0] = box_surface(&from->box) + costs[most - 1];
+    for (int i = 2; i < most; i++) {
+        if (costs[0] <= costs[i - 1]) {
+            costs[i - 1] = costs[0];
+            shares[i - 1] = 0;
+        }
+    }
+    shares[0] = (uint8_t)most;
+    return most;
 }
 
-// The nodes below one, at most 16 and at least its children.
-static void open_boxes(const Widening *widening, int node, Opened *opened)
+// Opens a node, so that what is below it is in these boxes: the nodes in them. Returns their end.
+static int *open_boxes(const Widening *widening, int node, int boxes, int *below)
 {
-    double worths[LANES] = {worth(widening, node)};
-    int count = 1, *below = opened->nodes;
-    below[0] = node;
-    while (count < LANES) {
-        int best = 0;
-        for (int i = 1; i < count; i++)
-            best = worths[i] > worths[best] ? i : best;
-        if (worths[best] < 0)
-            break;
-        below[count] = widening->from[below[best]].other;
-        below[best]++;
-        worths[best] = worth(widening, below[best]);
-        worths[count] = worth(widening, below[count]);
-        count++;
+    int share = boxes > 1 ? widening->shares[node][boxes - 1] : 0;
+    if (share == 0) {
+        *below = node;
+        return below + 1;
     }
-    opened->count = count;
+    below = open_boxes(widening, node + 1, share, below);
+    return open_boxes(widening, widening->from[node].other, boxes - share, below);
 }
 
 static void set_box(const Widening *widening, WideNode *wide, int i, const Node *node)
@@ -79,23 +92,20 @@ static void set_box(const Widening *widening, WideNode *wide, int i, const Node 
     wide->count[i] = (uint8_t)(is_leaf(widening, node) ? node->count : 0);
 }
 
-static void set_wide(const Widening *widening, WideNode *wide, const Node *node,
-                     const Opened *opened)
+static void set_wide(const Widening *widening, WideNode *wide, const Node *node, const int *below)
 {
-    wide->boxes = opened->count;
     for (int axis = 0; axis < 3; axis++) {
         double low = node->box.low[axis], high = node->box.high[axis];
         wide->corner[axis] = low;
         wide->size = fmaxf(wide->size, (float)((high - low) * widening->scale));
     }
-    for (int i = 0; i < opened->count; i++)
-        set_box(widening, wide, i, &widening->from[opened->nodes[i]]);
+    for (int i = 0; i < wide->boxes; i++)
+        set_box(widening, wide, i, &widening->from[below[i]]);
 }
 
-// Opens a node and all that is below it, but for branches; or makes the wide nodes of these. Both
-// in the same order: next has the numbers of the next node and the next leaf, opened is the next
-// node. Returns the number of this node.
-static int widen(Widening *widening, int node, int depth, WideCount *next, Opened **opened)
+// Counts the wide nodes of a node and of all that is below it, but for branches; or makes them.
+// next has the numbers of the next node and the next leaf. Returns the number of this node.
+static int widen(Widening *widening, int node, int depth, WideCount *next)
 {
     if (depth == BRANCHES) {
         Branch *branch = &widening->branches[widening->branch_count++];
@@ -103,20 +113,20 @@ static int widen(Widening *widening, int node, int depth, WideCount *next, Opene
         return branch->first.nodes;
     }
     const int number = next->nodes++;
-    Opened *boxes = (*opened)++;
+    int below[LANES],
+        most = is_leaf(widening, &widening->from[node]) ? 1 : widening->shares[node][0];
+    const int boxes = (int)(open_boxes(widening, node, most, below) - below);
     WideNode *wide = widening->to == NULL ? NULL : &widening->to[number];
-    if (wide == NULL) {
-        open_boxes(widening, node, boxes);
-    } else {
-        *wide = (WideNode){.leaves = next->leaves};
-        set_wide(widening, wide, &widening->from[node], boxes);
+    if (wide != NULL) {
+        *wide = (WideNode){.boxes = boxes, .leaves = next->leaves};
+        set_wide(widening, wide, &widening->from[node], below);
     }
-    for (int i = 0; i < boxes->count; i++)
-        next->leaves += is_leaf(widening, &widening->from[boxes->nodes[i]]);
-    for (int i = 0; i < boxes->count; i++) {
-        if (is_leaf(widening, &widening->from[boxes->nodes[i]]))
+    for (int i = 0; i < boxes; i++)
+        next->leaves += is_leaf(widening, &widening->from[below[i]]);
+    for (int i = 0; i < boxes; i++) {
+        if (is_leaf(widening, &widening->from[below[i]]))
             continue;
-        int first = widen(widening, boxes->nodes[i], depth + 1, next, opened);
+        int first = widen(widening, below[i], depth + 1, next);
         if (wide != NULL)
             wide->first[i] = first;
     }
@@ -125,9 +135,8 @@ static int widen(Widening *widening, int node, int depth, WideCount *next, Opene
 
 static void widen_above(Widening *widening, WideCount *next)
 {
-    Opened *opened = widening->opened;
     widening->branch_count = 0;
-    widen(widening, 0, ROOT, next, &opened);
+    widen(widening, 0, ROOT, next);
 }
 
 static void widen_branch(void *given, int number)
@@ -135,9 +144,7 @@ static void widen_branch(void *given, int number)
     Widening *widening = given;
     Branch *branch = &widening->branches[number];
     WideCount next = branch->first;
-    // At most every second node has children.
-    Opened *opened = widening->opened + MOST_ABOVE + branch->from / 2;
-    widen(widening, branch->from, BELOW, &next, &opened);
+    widen(widening, branch->from, BELOW, &next);
     branch->count =
         (WideCount){next.nodes - branch->first.nodes, next.leaves - branch->first.leaves};
 }
@@ -155,14 +162,15 @@ static void number_branches(Widening *widening, WideCount *count)
 WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int threads,
                      WideCount *count)
 {
-    const size_t room = MOST_ABOVE + (size_t)hierarchy->node_count / 2 + 1;
     Widening widening = {.from = hierarchy->nodes,
                          .scale = scale,
                          .few = few,
-                         .opened = malloc(room * sizeof *widening.opened)};
+                         .shares = malloc((size_t)hierarchy->node_count * LANES)};
+    double costs[LANES];
     *count = (WideCount){0, 0};
-    if (widening.opened == NULL)
+    if (widening.shares == NULL)
         return NULL;
+    share_boxes(&widening, 0, costs);
     widen_above(&widening, count);
     in_parallel(threads, widening.branch_count, widen_branch, &widening);
     number_branches(&widening, count);
@@ -171,7 +179,7 @@ WideNode *wide_build(const Hierarchy *hierarchy, double scale, int few, int thre
         widen_above(&widening, &(WideCount){0, 0});
         in_parallel(threads, widening.branch_count, widen_branch, &widening);
     }
-    free(widening.opened);
+    free(widening.shares);
     return widening.to;
 }
 
