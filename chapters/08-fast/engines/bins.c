@@ -10,6 +10,7 @@
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/system.h"
+#include "common/large_pages.h"
 
 #include <limits.h>
 #include <math.h>
@@ -19,8 +20,7 @@
 
 static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
 
-enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024 };        // bytes
-enum { SMALLEST_BLOCK = 1 << 16, LARGEST_BLOCK = 1 << 21 }; // bytes
+enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024, MORE_MEMORY = 1 << 21 }; // bytes
 // For fewer than FEW_SPHERES more shares are not worth their cost, and for fewer than
 // HIDING_SPHERES hiding is not. At most FEW_ITEMS of a bin need no malloc.
 enum { FEW_SPHERES = 10000, HIDING_SPHERES = 1000, FEW_ITEMS = 128, NOTHING_HIDDEN = INT_MAX };
@@ -33,17 +33,16 @@ typedef struct Chunk {
     Item items[];
 } Chunk;
 
-// The memory of many chunks.
+// More memory for chunks.
 typedef struct Block {
     struct Block *before;
-    size_t size;
 } Block;
 
 // Each thread has a share of the spheres, and bins of its own: no thread waits for another.
 typedef struct {
-    Item **next; // of each bin: the address of its next item; NULL if the bin is empty
-    Block *block;
-    char *free, *end; // of the block
+    Item **next;      // of each bin: the address of its next item; NULL if the bin is empty
+    char *free, *end; // of its memory
+    Block *block;     // the last one that it needed
     long long room;   // number of chunks that it may still use
 } Share;
 
@@ -53,9 +52,14 @@ typedef struct {
     Rays rays; // of the screen
     Share *shares;
     int share_count;
-    size_t chunk;      // bytes
-    int columns, rows; // of tiles
-    int top, bottom;   // the rows that have bins
+    // The first memory of all shares. One thread allocates it, because malloc keeps that thread's
+    // memory for the next picture. It gives the other threads' memory back, and the system clears
+    // the pages again.
+    char *memory;
+    size_t share_memory; // bytes of each share
+    size_t chunk;        // bytes
+    int columns, rows;   // of tiles
+    int top, bottom;     // the rows that have bins
     // Of each tile: the depth beyond which all spheres are hidden. A thread that does not know the
     // latest value only keeps a sphere that it could drop.
     atomic_int *hidden;
@@ -78,17 +82,20 @@ static Eye eye_of(const Work *work)
 
 // ---- bins -------------------------------------------------------------------------------------
 
+static void set_memory(Share *share, char *memory, size_t size, size_t chunk)
+{
+    share->free = memory + (chunk - (uintptr_t)memory % chunk) % chunk;
+    share->end = memory + size;
+}
+
 static bool add_block(Share *share, size_t chunk)
 {
-    size_t size = share->block == NULL ? SMALLEST_BLOCK : 2 * share->block->size;
-    size = size < LARGEST_BLOCK / 4 ? size : LARGEST_BLOCK;
-    Block *block = large_memory(size);
+    Block *block = large_memory(MORE_MEMORY);
     if (block == NULL)
         return false;
-    *block = (Block){share->block, size};
+    block->before = share->block;
     share->block = block;
-    share->free = (char *)block + chunk - (uintptr_t)block % chunk;
-    share->end = (char *)block + size;
+    set_memory(share, (char *)(block + 1), MORE_MEMORY - sizeof *block, chunk);
     return true;
 }
 
@@ -99,7 +106,6 @@ static void free_blocks(Share *share)
         free(share->block);
         share->block = before;
     }
-    share->free = share->end = NULL;
 }
 
 static inline bool is_full(const Item *next, size_t chunk)
@@ -129,8 +135,7 @@ static Item *add_chunk(Casting *casting, Share *share, Item *next)
         atomic_store(&casting->full, true);
         return NULL;
     }
-    if ((share->block == NULL || (size_t)(share->end - share->free) < size) &&
-        !add_block(share, size)) {
+    if (share->end - share->free < (ptrdiff_t)size && !add_block(share, size)) {
         atomic_store(&casting->failed, true);
         return NULL;
     }
@@ -312,6 +317,8 @@ static void empty_bins(Casting *casting, bool limited)
     for (int i = 0; i < casting->share_count; i++) {
         Share *share = &casting->shares[i];
         free_blocks(share);
+        set_memory(share, casting->memory + (size_t)i * casting->share_memory,
+                   casting->share_memory, casting->chunk);
         memset(share->next, 0, ((size_t)tiles + 1) * sizeof(Item *));
         share->room = limited ? room : -1;
     }
@@ -344,9 +351,17 @@ static bool cast_rows(Casting *casting)
 static bool shares_create(Casting *casting)
 {
     const size_t tiles = (size_t)casting->columns * (size_t)casting->rows;
+    // Most small spheres are in one bin, and each bin has a chunk that is not full.
+    const size_t items = 5 * (size_t)casting->tiling.work->scene->sphere_count / 4;
+    casting->share_memory =
+        items * sizeof(Item) / (size_t)casting->share_count + (tiles + 1) * casting->chunk;
     casting->shares = calloc((size_t)casting->share_count, sizeof *casting->shares);
     casting->hidden = malloc(tiles * sizeof *casting->hidden);
-    bool created = casting->shares != NULL && casting->hidden != NULL;
+    const size_t bytes = (size_t)casting->share_count * casting->share_memory;
+    // Not large_memory: malloc does not keep long arrays that it has to align.
+    casting->memory = malloc(bytes);
+    large_pages(casting->memory, bytes);
+    bool created = casting->shares != NULL && casting->hidden != NULL && casting->memory != NULL;
     for (int i = 0; i < casting->share_count && created; i++) {
         casting->shares[i].next = malloc((tiles + 1) * sizeof(Item *));
         created = casting->shares[i].next != NULL;
@@ -364,6 +379,7 @@ static void shares_free(Casting *casting)
     }
     free(casting->shares);
     free(casting->hidden);
+    free(casting->memory);
 }
 
 // Casts a picture, or finds the spheres that its pixels see. False if there is not enough memory,
