@@ -176,15 +176,25 @@ static void set_candidate(CurrentTile *tile, int i)
     to->half_height[i] = row - part.top;
 }
 
-// Do all pixels of a sphere's part see something nearer? If they do not, usually the pixel in the
-// middle is one of those.
-static bool is_hidden(const CurrentTile *tile, int i)
+static inline float larger(float a, float b)
 {
-    Part part = tile->parts[i];
-    int row = (part.top + part.bottom) / 2, column = (part.left + part.right) / 2;
-    float nearest = tile->nearest[i] - tile->slack;
-    return nearest > tile->pixels.s[row * TILE_WIDTH + column] &&
-           nearest > tile->tiling->lanes->farthest(&tile->pixels, part);
+    return a > b ? a : b;
+}
+
+// Do all pixels of a sphere's part see something nearer? If they do not, usually one of the pixels
+// in the corners is one of those. Small parts have no others.
+static inline bool is_hidden(const CurrentTile *tile, Part part, float nearest)
+{
+    const float *top = &tile->pixels.s[part.top * TILE_WIDTH];
+    const float *bottom = &tile->pixels.s[(part.bottom - 1) * TILE_WIDTH];
+    nearest -= tile->slack;
+    const float corners = larger(larger(top[part.left], top[part.right - 1]),
+                                 larger(bottom[part.left], bottom[part.right - 1]));
+    const bool small = (part.right - part.left <= 2) & (part.bottom - part.top <= 2);
+    const bool hidden = nearest > corners;
+    if (hidden & !small)
+        return nearest > tile->tiling->lanes->farthest(&tile->pixels, part);
+    return hidden;
 }
 
 static void ask_waiting(CurrentTile *tile)
@@ -195,8 +205,6 @@ static void ask_waiting(CurrentTile *tile)
         set_candidate(tile, i);
     lanes->outline(&tile->rays, &tile->candidates, &outlines);
     for (int i = 0; i < tile->waiting; i++) {
-        if (is_hidden(tile, i))
-            continue;
         if (outlines.safe[i]) {
             lanes->ask(&tile->pixels, &outlines, i, tile->parts[i], tile->slack,
                        color_of(tile->tiling, tile->spheres[i]));
@@ -227,10 +235,13 @@ static size_t ask_all(CurrentTile *tile, const Item *bin, size_t count)
         float nearest = near_of(bin[i]) * tile->shortest;
         if (nearest > farthest + tile->slack)
             break;
+        const Part part = part_of(bin[i]);
+        // Without a branch: no processor can predict which spheres are hidden.
         tile->spheres[tile->waiting] = sphere_of(bin[i]);
-        tile->parts[tile->waiting] = part_of(bin[i]);
+        tile->parts[tile->waiting] = part;
         tile->nearest[tile->waiting] = nearest;
-        if (++tile->waiting == OUTLINES)
+        tile->waiting += is_hidden(tile, part, nearest) ? 0 : 1;
+        if (tile->waiting == OUTLINES)
             ask_waiting(tile);
     }
     ask_waiting(tile);
