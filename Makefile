@@ -120,7 +120,7 @@ $(B)/%.o: %.c $(B)/flags.mk $(SETUP_FIRST)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -o $@ $<
 
-$(B)/common/image_png.o: EXTRA = $(PNG_CFLAGS)
+$(B)/common/image_png.o $(B)/common/image_bands.o: EXTRA = $(PNG_CFLAGS)
 $(B)/tests/%.o: EXTRA = $(CHECK_CFLAGS)
 
 $(B)/common.a: $(patsubst %.c,$(B)/%.o,$(wildcard common/*.c common/figure/*.c))

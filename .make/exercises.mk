@@ -68,7 +68,7 @@ $(ANY_ANSWER): $(B)/exercises.names $(SETUP_FIRST)
 	$(Q)sed 's/.*/void &(void); void &(void) {}/' $< | $(CC) -shared -fPIC -Wl,-soname,answer.so -o $@ -x c -
 without_answers = $(filter %.o,$(filter-out $(VERDICT)/%,$(call answering,$(1))))
 $(LOADING): $(B)/answering/%: $$(call without_answers,$$*) \
-		$(filter-out %/image_png.o %/picture.o,$(patsubst %.c,$(B)/%.o,$(wildcard common/*.c))) $(ANY_ANSWER)
+		$(filter-out %/image_png.o %/image_bands.o %/image_flat.o %/picture.o,$(patsubst %.c,$(B)/%.o,$(wildcard common/*.c))) $(ANY_ANSWER)
 	$(call say,link,$@)
 	$(Q)$(LINK) -rdynamic -Wl,-S -Wl,-rpath,'$$ORIGIN' -o $@ $^ -Wl,--no-as-needed -lm
 $(LOADING:%=%.names): %.names: %

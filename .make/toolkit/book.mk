@@ -32,7 +32,7 @@ $(WASM)/%.o: %.c .make/toolkit/book.mk
 	$(Q)$(WASM_COMPILE) -o $@ $<
 
 # Linked before the C library, so its tanf is ours.
-$(WASM)/common.a: $(call wasm_objects,$(wildcard common/*.c common/figure/*.c)) $(WASM)/$(INSTEAD)/tanf.o
+$(WASM)/common.a: $(call wasm_objects,$(filter-out common/image_bands.c common/image_flat.c,$(wildcard common/*.c common/figure/*.c))) $(WASM)/$(INSTEAD)/tanf.o
 $(WASM)/shared.a: $(call wasm_objects,$(wildcard chapters/shared/*.c))
 $(WASM)/common.a $(WASM)/shared.a:
 	$(Q)rm -f $@ && llvm-ar rcsD $@ $^

@@ -9,7 +9,9 @@
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
+#include "chapters/08-fast/engines/sphere_colors.h"
 #include "chapters/08-fast/engines/system.h"
+#include "common/image_flat.h"
 #include "common/large_pages.h"
 
 #include <limits.h>
@@ -24,6 +26,7 @@ enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024, MORE_MEMORY = 1 << 21 }; // b
 // For fewer than FEW_SPHERES more shares are not worth their cost, and for fewer than
 // HIDING_SPHERES hiding is not. At most FEW_ITEMS of a bin need no malloc.
 enum { FEW_SPHERES = 10000, HIDING_SPHERES = 1000, FEW_ITEMS = 128, NOTHING_HIDDEN = INT_MAX };
+enum { FEW_SURFACES = 1000 }; // of more, nobody looks how many colours are different
 
 // A bin is a list of chunks. Each begins at a multiple of its size, which is a power of 2, so the
 // address of the next item shows whether the chunk is full.
@@ -63,6 +66,8 @@ typedef struct {
     // Of each tile: the depth beyond which all spheres are hidden. A thread that does not know the
     // latest value only keeps a sphere that it could drop.
     atomic_int *hidden;
+    // Of each row of tiles: those that are not cast yet.
+    atomic_int *left;
     atomic_bool extreme; // some sphere has extreme numbers (number_limits.h)
     atomic_bool full;    // the bins need more memory than they should
     atomic_bool failed;  // there is not enough memory
@@ -305,6 +310,9 @@ static void cast_tile(void *given, int part)
     tile_cast(&casting->tiling, corner, items, count);
     if (items != few)
         free(items);
+    const Image *image = casting->tiling.work->image;
+    if (atomic_fetch_sub(&casting->left[tile / casting->columns], 1) == 1 && image->flat != NULL)
+        flat_rows_are_set(image, corner.row, least(TILE_HEIGHT, image->size.height - corner.row));
 }
 
 // Empties all bins. If there is a limit, they may have four items for each sphere.
@@ -357,11 +365,15 @@ static bool shares_create(Casting *casting)
         items * sizeof(Item) / (size_t)casting->share_count + (tiles + 1) * casting->chunk;
     casting->shares = calloc((size_t)casting->share_count, sizeof *casting->shares);
     casting->hidden = malloc(tiles * sizeof *casting->hidden);
+    casting->left = malloc((size_t)casting->rows * sizeof *casting->left);
     const size_t bytes = (size_t)casting->share_count * casting->share_memory;
     // Not large_memory: malloc does not keep long arrays that it has to align.
     casting->memory = malloc(bytes);
     large_pages(casting->memory, bytes);
-    bool created = casting->shares != NULL && casting->hidden != NULL && casting->memory != NULL;
+    bool created = casting->shares != NULL && casting->hidden != NULL && casting->left != NULL &&
+                   casting->memory != NULL;
+    for (int i = 0; i < casting->rows && created; i++)
+        atomic_init(&casting->left[i], casting->columns);
     for (int i = 0; i < casting->share_count && created; i++) {
         casting->shares[i].next = malloc((tiles + 1) * sizeof(Item *));
         created = casting->shares[i].next != NULL;
@@ -379,7 +391,28 @@ static void shares_free(Casting *casting)
     }
     free(casting->shares);
     free(casting->hidden);
+    free(casting->left);
     free(casting->memory);
+}
+
+// The colours of all surfaces, and of the background; or their numbers, if the image becomes flat.
+// NULL if there is not enough memory.
+static uint32_t *colors_of(const Work *work, bool flat)
+{
+    const int count = work->scene->surface_count + 1, spheres = work->scene->sphere_count;
+    Paint *paints = paints_of(work->scene);
+    uint32_t *colors = malloc((size_t)count * sizeof *colors);
+    for (int i = 0; i < count && paints != NULL && colors != NULL; i++)
+        colors[i] =
+            paints[i].rgb[0] | (uint32_t)paints[i].rgb[1] << 8 | (uint32_t)paints[i].rgb[2] << 16;
+    free(paints);
+    // Files have a white surface for spheres before the first fill.
+    const int unlikely = count > 1 && spheres > 0 ? work->scene->spheres[0].surface : 0;
+    if (flat && count <= FEW_SURFACES && colors != NULL &&
+        image_flatten(work->image, colors, count, unlikely))
+        for (int i = 0; i < count; i++)
+            colors[i] = (uint32_t)flat_number(work->image->flat, colors[i]);
+    return colors;
 }
 
 // Casts a picture, or finds the spheres that its pixels see. False if there is not enough memory,
@@ -387,8 +420,8 @@ static void shares_free(Casting *casting)
 static bool cast(const Work *work, int *seen, bool *extreme)
 {
     Resolution screen = work->image->size;
-    Paint *paints = paints_of(work->scene);
-    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], paints, seen},
+    uint32_t *colors = colors_of(work, work->may_be_flat && seen == NULL);
+    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], colors, seen},
                        .eye = eye_of(work),
                        .rays = rays_from(work, (Pixel){0, 0}),
                        .share_count = work->scene->sphere_count < FEW_SPHERES ? 1 : work->threads,
@@ -400,10 +433,12 @@ static bool cast(const Work *work, int *seen, bool *extreme)
     int bin = work->scene->sphere_count / casting.columns / casting.rows;
     while (casting.chunk < LARGEST_CHUNK && casting.chunk < (size_t)bin * sizeof(Item))
         casting.chunk *= 2;
-    bool done = shares_create(&casting) && paints != NULL && cast_rows(&casting);
+    bool done = shares_create(&casting) && colors != NULL && cast_rows(&casting);
     *extreme = casting.extreme;
     shares_free(&casting);
-    free(paints);
+    free(colors);
+    if (!done)
+        image_unflatten(work->image);
     return done;
 }
 

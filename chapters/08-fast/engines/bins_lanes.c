@@ -374,5 +374,27 @@ static void paint(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t 
     }
 }
 
+static inline uint32_t paint_flat_row(const int *restrict color, int columns,
+                                      uint8_t *restrict numbers)
+{
+    uint32_t set = 0;
+#pragma omp simd reduction(| : set)
+    for (int i = 0; i < columns; i++) {
+        numbers[i] = (uint8_t)color[i];
+        set |= 1U << color[i];
+    }
+    return set;
+}
+
+static uint32_t paint_flat(const Tile *tile, int columns, int rows, uint8_t *numbers, size_t apart)
+{
+    uint32_t set = 0;
+    for (int row = 0; row < rows; row++, numbers += apart) {
+        const int *color = &tile->color[row * TILE_WIDTH];
+        set |= paint_flat_row(color, columns == TILE_WIDTH ? TILE_WIDTH : columns, numbers);
+    }
+    return set;
+}
+
 const BinsLanes LANES(bins) = {place, sort,          clear,  farthest, outline,
-                               ask,   ask_in_double, unsure, paint};
+                               ask,   ask_in_double, unsure, paint,    paint_flat};

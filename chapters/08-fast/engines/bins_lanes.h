@@ -54,7 +54,7 @@ enum { UNSURE = 1 << 24 };
 typedef struct {
     // Aligned to a cache line, so that 16 of them are in one line.
     _Alignas(64) float s[TILE_HEIGHT * TILE_WIDTH];
-    int color[TILE_HEIGHT * TILE_WIDTH]; // red, 256 green, 65536 blue
+    int color[TILE_HEIGHT * TILE_WIDTH]; // red, 256 green, 65536 blue; or a colour's number
 } Tile;
 
 // A part of a tile.
@@ -118,6 +118,9 @@ typedef struct {
     bool (*unsure)(const Tile *tile);
     // Writes bytes of red, green and blue; apart is the number of bytes from row to row.
     void (*paint)(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart);
+    // Writes one byte a pixel, the number of its colour, which is less than 32. Returns the set of
+    // these numbers, as bits.
+    uint32_t (*paint_flat)(const Tile *tile, int columns, int rows, uint8_t *numbers, size_t apart);
 } BinsLanes;
 
 extern const BinsLanes bins_baseline, bins_avx2, bins_avx512;

@@ -7,6 +7,7 @@
 
 #include "chapters/08-fast/engines/covered_pixels.h"
 #include "chapters/08-fast/engines/hierarchy.h"
+#include "common/image_flat.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 
@@ -46,15 +47,14 @@ static Ray ray_of(const CurrentTile *tile, int column, int row)
     return pixel_ray(work->camera, work->image->size, pixel);
 }
 
-// The colour of pixels that see a sphere. If spheres are wanted instead, its number + 1.
+// The colour of pixels that see a sphere, or its number. If spheres are wanted instead, the
+// sphere's number + 1.
 static int color_of(const Tiling *tiling, int sphere)
 {
     if (tiling->seen != NULL)
         return sphere + 1;
     const Scene *scene = tiling->work->scene;
-    int surface = sphere < 0 ? scene->surface_count : scene->spheres[sphere].surface;
-    const uint8_t *rgb = tiling->paints[surface].rgb;
-    return rgb[0] | rgb[1] << 8 | rgb[2] << 16;
+    return (int)tiling->colors[sphere < 0 ? scene->surface_count : scene->spheres[sphere].surface];
 }
 
 // A sphere asks its pixels by chapter 05. If float cannot hold the t, the pixel remains undecided.
@@ -313,10 +313,26 @@ static void give_spheres(const CurrentTile *tile)
     }
 }
 
+// The numbers of the colours of pixels that all see this sphere, or none if it is -1.
+static void give_one_flat(const Tiling *tiling, Pixel corner, int columns, int rows, int sphere)
+{
+    const Image *image = tiling->work->image;
+    const int number = color_of(tiling, sphere);
+    for (int row = 0; row < rows; row++) {
+        Pixel first = {corner.column, corner.row + row};
+        memset(image->flat->numbers + image_index(image, first), number, (size_t)columns);
+    }
+    flat_are_seen(image->flat, 1U << number);
+}
+
 // All pixels see this sphere, or none if it is -1.
 static void give_one(const Tiling *tiling, Pixel corner, int columns, int rows, int sphere)
 {
     const Image *image = tiling->work->image;
+    if (tiling->seen == NULL && image->flat != NULL) {
+        give_one_flat(tiling, corner, columns, rows, sphere);
+        return;
+    }
     const int color = tiling->seen == NULL ? color_of(tiling, sphere) : 0;
     uint8_t row_of_bytes[3 * TILE_WIDTH];
     for (int i = 0; i < TILE_WIDTH; i++)
@@ -342,6 +358,24 @@ static bool one_covers_all(const CurrentTile *tile, const Item *bin, size_t coun
     const vec3 c = sphere->center - work->camera.origin;
     return (count == 1 || near_of(bin[1]) > beyond_outline(c, sphere->radius)) &&
            covers(&tile->rays, c, sphere->radius, all);
+}
+
+static void give_pixels(const CurrentTile *tile)
+{
+    const Tiling *tiling = tile->tiling;
+    Image *image = tiling->work->image;
+    const size_t width = (size_t)image->size.width;
+    if (tiling->seen != NULL) {
+        give_spheres(tile);
+    } else if (image->flat != NULL) {
+        uint8_t *numbers = image->flat->numbers + image_index(image, tile->corner);
+        uint32_t set =
+            tiling->lanes->paint_flat(&tile->pixels, tile->columns, tile->rows, numbers, width);
+        flat_are_seen(image->flat, set);
+    } else {
+        tiling->lanes->paint(&tile->pixels, tile->columns, tile->rows,
+                             image_bytes(image, tile->corner), 3 * width);
+    }
 }
 
 void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
@@ -371,13 +405,9 @@ void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
         return;
     }
     tile.candidates = (Candidates){0};
-    if (tiling->seen == NULL)
+    if (tiling->seen == NULL && image->flat == NULL)
         fetch_bytes(&tile);
     tiling->lanes->clear(&tile.pixels, tile.columns, tile.rows, color_of(tiling, -1));
     decide_unsure(&tile, bin, ask_all(&tile, bin, count));
-    if (tiling->seen == NULL)
-        tiling->lanes->paint(&tile.pixels, tile.columns, tile.rows, image_bytes(image, corner),
-                             3 * (size_t)width);
-    else
-        give_spheres(&tile);
+    give_pixels(&tile);
 }

@@ -4,7 +4,6 @@
 
 #include "chapters/08-fast/engines/bins_lanes.h"
 #include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/engines/sphere_colors.h"
 
 #include <math.h>
 
@@ -12,7 +11,9 @@
 typedef struct {
     const Work *work;
     const BinsLanes *lanes;
-    const Paint *paints;
+    // Of each surface, and after the last one of the background: the colour, or if the image is
+    // flat (image_flat.h) its number.
+    const uint32_t *colors;
     int *seen; // if not NULL: gets the sphere that each pixel sees, and the image gets nothing
 } Tiling;
 

@@ -9,6 +9,7 @@
 #include "chapters/shared/lighting.h"
 #include "chapters/shared/needed_answers.h"
 #include "chapters/shared/scene_command.h"
+#include "common/image_flat.h"
 #include "common/text.h"
 #include "common/workers.h"
 
@@ -118,7 +119,7 @@ int cast_command(int argc, char **argv)
         return EXIT_COULD_NOT;
     }
     double began = clock_seconds(), built = began;
-    Work work = {&drawing.scene, drawing.camera, &drawing.image, threads, &built, use_plain};
+    Work work = {&drawing.scene, drawing.camera, &drawing.image, threads, &built, use_plain, true};
     if (shaded && chosen != &engines[0] && extreme_light(&work))
         use_plain();
     Message message;
@@ -132,6 +133,7 @@ int cast_command(int argc, char **argv)
         fprintf(stderr, "%s: built in %s\n", chosen->name, duration_text(built - began).s);
     say_what_it_took(chosen->name, &drawing, shaded, took);
     int status = drawing_end(&drawing);
+    image_unflatten(&drawing.image);
     if (status == EXIT_DONE && command.output == NULL)
         printf("%s\n", drawing.output);
     return status;

@@ -24,6 +24,7 @@ typedef struct {
     double *built;
     // If not NULL: called before plain casts the scene instead, because its numbers are extreme.
     void (*extreme)(void);
+    bool may_be_flat; // bins may make a flat image of it (common/image_flat.h)
 } Work;
 
 typedef struct {

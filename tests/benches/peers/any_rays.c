@@ -464,7 +464,7 @@ static void measure(const char *path, int rounds, Sums *sums)
             spheres[4 * i + k] = (float)scene.spheres[i].center[k];
         spheres[4 * i + 3] = (float)scene.spheres[i].radius;
     }
-    Work work = {&scene, camera, &image, 2, NULL, NULL};
+    Work work = {&scene, camera, &image, 2, NULL, NULL, false};
     if (!bins_spheres(&work, seen))
         exit(1);
     for (int i = 0; i < screen.width * screen.height; i++)

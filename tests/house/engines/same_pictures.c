@@ -24,7 +24,7 @@ static void try_made(const Made *made, const int *threads, How how)
     }
     // Of small scenes plain is compared with itself, by several threads.
     const Engine *next = &engines[made->scene.sphere_count > 1000];
-    Work right = {&made->scene, made->camera, &image, 1, NULL, NULL};
+    Work right = {&made->scene, made->camera, &image, 1, NULL, NULL, false};
     engines[0].cast(&right, &message);
     against_all(made->name, next, &right, threads, how);
     image_free(&image);

@@ -89,7 +89,7 @@ static void compare_pictures(const char *name, Camera camera, Style style)
     render(&lit_scene, camera, style, &right);
     for (const Engine *engine = engines; engine->name != NULL; engine++)
         for (int threads = 1; threads <= 3 && engine->light != NULL; threads += 2) {
-            Work work = {&lit_scene, camera, &image, threads, NULL, NULL};
+            Work work = {&lit_scene, camera, &image, threads, NULL, NULL, false};
             char what[60];
             snprintf(what, sizeof what, "%s, %d threads, bytes", engine->name, threads);
             int different = engine->light(&work, style, &message) ? 0 : 1;

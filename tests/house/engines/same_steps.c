@@ -326,7 +326,7 @@ static void compare_picture(const char *function, bool lanes_are_used, bool whol
     Picture picture = {&world, materials_of(&world), camera, {96, 72}};
     const char *name = function == NULL ? "none changed" : function;
     verdict(name, "lanes are used", (steps_for(&picture) != &steps_by_chapters) == lanes_are_used);
-    Work work = {&world, camera, &image, 2, NULL, NULL};
+    Work work = {&world, camera, &image, 2, NULL, NULL, false};
     Rendering rendering = {camera, image.size, style, trace};
     for (int i = 0; i < image.size.width * image.size.height; i++) {
         Pixel pixel = {i % image.size.width, i / image.size.width};
