@@ -2,10 +2,11 @@
 // its picture, which is the least that it could be.
 //
 // Usage: wait SCENE.nff FILE.png WIDTH HEIGHT ROUNDS [-- NAME PROGRAM ARGUMENT...]...
+//        wait alone SCENE.nff FILE.png WIDTH HEIGHT THREADS
 //
 // Each program gets 1 thread, then 2: in its arguments % is their number. All take turns, and each
-// ratio is taken in a round, to the first one's time. 'alone' reads and writes FILE.png in a
-// process of its own; between them it casts the picture, which is not counted.
+// ratio is taken in a round, to the first one's time. 'alone' is this program: it reads and writes
+// FILE.png, and between them casts the picture. It says how long it casts, which is not counted.
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/system.h"
@@ -24,35 +25,35 @@ enum { MOST_PROGRAMS = 8, MOST_THREADS = 2 };
 
 typedef struct {
     const char *name;
-    bool alone;
     char **words; // up to "--" or NULL
     double ms[MOST_THREADS][MOST_ROUNDS];
 } Program;
 
-// Seconds without casting, written to the pipe.
-static bool read_and_write(char **words, int threads, int pipe)
+enum { PIPE = 3 }; // where 'alone' writes
+
+static int alone(char **words)
 {
     Scene scene;
     Image image;
     Message message = {"no camera"};
     Resolution size = {atoi(words[2]), atoi(words[3])};
-    Work work = {.scene = &scene, .image = &image, .threads = threads};
-    workers_are(in_parallel, threads);
+    Work work = {.scene = &scene, .image = &image, .threads = atoi(words[4])};
+    workers_are(in_parallel, work.threads);
+    bool done = scene_load(words[0], &scene, &message) &&
+                scene_camera(&scene.view, size, &work.camera) == CAMERA_OK &&
+                image_create(&image, size, &message);
     double began = clock_seconds();
-    bool done = scene_load(words[0], &scene, &message);
-    double took = clock_seconds() - began;
-    done = done && scene_camera(&scene.view, size, &work.camera) == CAMERA_OK &&
-           image_create(&image, size, &message) && cast_bins(&work, &message);
-    began = clock_seconds();
-    done = done && image_write_png(&image, words[1], &message);
-    took += clock_seconds() - began;
+    done = done && cast_bins(&work, &message);
+    double seconds = clock_seconds() - began;
+    done = done && image_write_png(&image, words[1], &message) &&
+           write(PIPE, &seconds, sizeof seconds) == sizeof seconds;
     if (!done)
         fprintf(stderr, "%s\n", message.text);
-    return done && write(pipe, &took, sizeof took) == sizeof took;
+    return done ? 0 : 1;
 }
 
 // The words are the process's own. Numbers of threads have one digit.
-static void become(char **words, int threads)
+static void become(char **words, int threads, int pipe)
 {
     int count = 0;
     for (; words[count] != NULL && strcmp(words[count], "--") != 0; count++) {
@@ -64,29 +65,30 @@ static void become(char **words, int threads)
     int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);
+    dup2(pipe, PIPE);
     execvp(words[0], words);
 }
 
-// Milliseconds. The process of 'alone' says how many.
+// Milliseconds.
 static double run(const Program *program, int threads)
 {
     int ends[2], status;
     double began = clock_seconds(), seconds = 0;
     pid_t child = pipe(ends) == 0 ? fork() : -1;
-    if (child == 0 && !program->alone)
-        become(program->words, threads);
-    if (child == 0)
-        _exit(program->alone && read_and_write(program->words, threads, ends[1]) ? 0 : 1);
+    if (child == 0) {
+        become(program->words, threads, ends[1]);
+        _exit(1);
+    }
     if (child < 0 || waitpid(child, &status, 0) != child || status != 0) {
         fprintf(stderr, "wait: %s fails\n", program->name);
         exit(1);
     }
     double took = clock_seconds() - began;
     close(ends[1]);
-    if (read(ends[0], &seconds, sizeof seconds) == sizeof seconds)
-        took = seconds;
+    if (read(ends[0], &seconds, sizeof seconds) != sizeof seconds)
+        seconds = 0;
     close(ends[0]);
-    return 1e3 * took;
+    return 1e3 * (took - seconds);
 }
 
 static void report(const Program *program, const double *alone, int threads, int rounds)
@@ -102,7 +104,10 @@ static void report(const Program *program, const double *alone, int threads, int
 
 int main(int argc, char **argv)
 {
-    Program programs[MOST_PROGRAMS] = {{.name = "alone", .alone = true, .words = argv + 1}};
+    if (argc == 7 && strcmp(argv[1], "alone") == 0)
+        return alone(argv + 2);
+    char *words[] = {argv[0], "alone", argv[1], argv[2], argv[3], argv[4], (char[]){"%"}, NULL};
+    Program programs[MOST_PROGRAMS] = {{.name = "alone", .words = words}};
     int count = 1, rounds = argc > 5 ? atoi(argv[5]) : 0;
     for (int i = 6; i + 2 < argc && count < MOST_PROGRAMS; i++)
         if (strcmp(argv[i], "--") == 0)
