@@ -35,8 +35,7 @@ static bool make_bands(FlatImage *flat, const Image *image)
 {
     const size_t size = (size_t)image->size.width * (size_t)image->size.height;
     const int count = bands_count(image);
-    flat->numbers = malloc(size);
-    large_pages(flat->numbers, size);
+    flat->numbers = large_memory(size);
     flat->missing = malloc((size_t)count * sizeof *flat->missing);
     if (flat->numbers == NULL || flat->missing == NULL ||
         (flat->bands = bands_of(image, flat->numbers)) == NULL)

@@ -1,8 +1,9 @@
 // large_pages.c - a hint for the system: this array is long.
 #include "common/large_pages.h"
 
-#ifdef __linux__
 #include <stdint.h>
+#include <stdlib.h>
+#ifdef __linux__
 #include <sys/mman.h>
 #endif
 
@@ -20,4 +21,17 @@ void large_pages(void *memory, size_t size)
     (void)memory;
     (void)size;
 #endif
+}
+
+void *large_memory(size_t size)
+{
+    const size_t line = 64, page = 1 << 21;
+    if (size > SIZE_MAX - page)
+        return NULL;
+    // A quarter of a large page costs less than the small pages.
+    const size_t unit = size < page / 4 ? line : page;
+    const size_t whole = (size + unit - 1) / unit * unit;
+    void *memory = aligned_alloc(unit, whole);
+    large_pages(memory, whole);
+    return memory;
 }

@@ -9,4 +9,8 @@
 // or the array is too short for them, nothing changes.
 void large_pages(void *memory, size_t size);
 
+// Memory for this many bytes, aligned to a line of the cache, or if it is long to large pages. NULL
+// if there is not enough.
+void *large_memory(size_t size);
+
 #endif

@@ -1,20 +1,14 @@
 // progress.c - long work says on stderr how far it is.
 #include "common/progress.h"
 
-#include <stdio.h>
-#include <time.h>
-#include <unistd.h>
+#include "common/clock.h"
 
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
+#include <stdio.h>
+#include <unistd.h>
 
 Progress progress_begin(const char *what, long all, bool in_logs)
 {
-    return (Progress){.what = what, .all = all, .in_logs = in_logs, .began = now()};
+    return (Progress){.what = what, .all = all, .in_logs = in_logs, .began = clock_seconds()};
 }
 
 Text progress_text(long done, long all, double seconds)
@@ -32,7 +26,7 @@ void progress_show(Progress *progress, long done)
 {
     static const double first[] = {2, 1}, then[] = {10, 0.5};
     bool terminal = isatty(STDERR_FILENO);
-    double seconds = now() - progress->began;
+    double seconds = clock_seconds() - progress->began;
     bool begins = progress->last == 0;
     if ((!terminal && !progress->in_logs) ||
         (begins ? seconds < first[terminal] : seconds - progress->last < then[terminal]))

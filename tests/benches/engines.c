@@ -9,8 +9,8 @@
 // peers what is sphere and what is not, but for one pixel in two thousand on silhouettes. An engine
 // that would take more than SECONDS (3) casts a smaller picture; a peer that does is measured once.
 // As long as all of a scene is fast, it has more rounds.
-#include "chapters/08-fast/engines/system.h"
 #include "chapters/shared/scene_camera.h"
+#include "common/clock.h"
 #include "tests/benches/measure.h"
 #include "tests/benches/report.h"
 

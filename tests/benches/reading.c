@@ -1,7 +1,7 @@
 // reading.c - how long scenes take to be read: by scene_load, and by sscanf, in turns.
 //
 // Usage: reading SCENE.nff... If the two did not read the same spheres, it prints no number.
-#include "chapters/08-fast/engines/system.h"
+#include "common/clock.h"
 #include "tests/benches/by_sscanf.h"
 #include "tests/benches/quantile.h"
 

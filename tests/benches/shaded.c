@@ -11,8 +11,8 @@
 // as long, by what it took for fewer samples, it is left out, and the bench says so. With -c the
 // time is the processor's, of all threads together: other programs disturb it less. (That is not
 // for POV-Ray, which is another process.)
-#include "chapters/08-fast/engines/system.h"
 #include "chapters/shared/scene_camera.h"
+#include "common/clock.h"
 #include "tests/benches/measure.h"
 #include "tests/benches/quantile.h"
 

@@ -9,8 +9,8 @@
 // FILE.png, and between them casts the picture. It says how long it casts, which is not counted.
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/system.h"
 #include "chapters/shared/scene_camera.h"
+#include "common/clock.h"
 #include "common/workers.h"
 #include "tests/benches/quantile.h"
 

@@ -1,6 +1,7 @@
 // process.c - the answering process, and its pipes.
 #include "tests/judge/process.h"
 
+#include "common/clock.h"
 #include "tests/judge/answering.h"
 #include "tests/judge/one_processor.h"
 
@@ -70,13 +71,6 @@ double process_most_work(void)
             seconds = 1;
     }
     return seconds;
-}
-
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
 static void limit(int what, rlim_t most)
@@ -172,9 +166,9 @@ int process_stop(bool wait_for_it)
         return status;
     close(calls_out);
     close(answers_in);
-    double until = now() + (wait_for_it ? 1 : 0);
+    double until = clock_seconds() + (wait_for_it ? 1 : 0);
     pid_t ended = 0;
-    while ((ended = waitpid(pid, &status, WNOHANG)) == 0 && now() < until)
+    while ((ended = waitpid(pid, &status, WNOHANG)) == 0 && clock_seconds() < until)
         poll(NULL, 0, 1);
     if (ended != pid) {
         kill(pid, SIGKILL);
@@ -196,7 +190,7 @@ double process_work(void)
 Patience patience_begin(void)
 {
     double work = process_work();
-    return (Patience){.work_before = work, .work = work, .since = now()};
+    return (Patience){.work_before = work, .work = work, .since = clock_seconds()};
 }
 
 // Not merely waiting for a processor, nor stopped. True if that cannot be read.
@@ -222,7 +216,7 @@ static bool look(Patience *patience, bool may_sleep)
     patience->work = work;
     patience->end = work - patience->work_before > process_most_work() ? TOO_MUCH_WORK
                     : patience->looks_asleep > MOST_ASLEEP             ? WAITS_IN_VAIN
-                    : now() - patience->since > MOST_WAIT              ? MACHINE_TOO_BUSY
+                    : clock_seconds() - patience->since > MOST_WAIT    ? MACHINE_TOO_BUSY
                                                                        : PATIENT;
     return patience->end != PATIENT;
 }

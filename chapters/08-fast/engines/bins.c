@@ -10,7 +10,6 @@
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/sphere_colors.h"
-#include "chapters/08-fast/engines/system.h"
 #include "common/image_flat.h"
 #include "common/large_pages.h"
 

@@ -8,7 +8,7 @@
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/sphere_colors.h"
-#include "chapters/08-fast/engines/system.h"
+#include "common/clock.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 

@@ -4,11 +4,11 @@
 
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/system.h"
 #include "chapters/08-fast/rectangles.h"
 #include "chapters/shared/lighting.h"
 #include "chapters/shared/needed_answers.h"
 #include "chapters/shared/scene_command.h"
+#include "common/clock.h"
 #include "common/image_flat.h"
 #include "common/text.h"
 #include "common/workers.h"

@@ -7,7 +7,7 @@
 #include "chapters/08-fast/engines/hierarchy.h"
 
 #include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/system.h"
+#include "common/large_pages.h"
 
 #include <math.h>
 #include <stdint.h>

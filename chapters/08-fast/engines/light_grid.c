@@ -7,7 +7,7 @@
 
 #include "chapters/08-fast/engines/bins_lanes.h"
 #include "chapters/08-fast/engines/covered_pixels.h"
-#include "chapters/08-fast/engines/system.h"
+#include "common/large_pages.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 #include "chapters/08-fast/engines/hierarchy.h"
 #include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/shadow_lanes.h"
-#include "chapters/08-fast/engines/system.h"
+#include "common/large_pages.h"
 #include "exercises/05-quadratic.h"
 #include "exercises/07-shading.h"
 

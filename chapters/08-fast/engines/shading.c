@@ -7,7 +7,8 @@
 #include "chapters/08-fast/engines/light_paths.h"
 #include "chapters/08-fast/engines/number_limits.h"
 #include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/system.h"
+#include "common/clock.h"
+#include "common/large_pages.h"
 #include "exercises/07-shading.h"
 
 #include <pthread.h>

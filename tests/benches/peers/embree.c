@@ -5,7 +5,7 @@
 #include "tests/benches/peers/embree.h"
 #include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/engines/sphere_colors.h"
-#include "chapters/08-fast/engines/system.h"
+#include "common/clock.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 // samples, a light that is behind its surface is not asked, and a pixel without spheres gets the
 // background at once.
 #include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/system.h"
+#include "common/clock.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 #include "exercises/07-shading.h"
