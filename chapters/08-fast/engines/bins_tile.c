@@ -16,7 +16,7 @@
 #include <string.h>
 
 // After this many spheres, the farthest pixel is computed again.
-enum { UNTIL_NEXT_LOOK = 32 };
+enum { UNTIL_NEXT_LOOK = 64 };
 
 // The tile that is being cast.
 typedef struct {
