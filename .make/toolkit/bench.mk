@@ -37,18 +37,22 @@ $(BENCH_TABLES): %: %.o
 	$(Q)$(LINK) -o $@ $^ -lm
 bench-engines: $(ENGINE_BENCH) $(BENCH_TABLES) $(BENCH_SCENES) ## rays a second: engines, scenes, threads (PEERS=1: also others)
 	@tests/benches/engines.sh $(ENGINE_BENCH) $(BENCH_TABLES) $(B)/bench $(BENCH_SCENES)
-$(B)/tests/benches/wait: %: %.o $(ENGINE_OBJECTS) $(B)/common.a
+TURNS := $(B)/tests/benches/turns
+$(B)/tests/benches/alone: %: %.o $(ENGINE_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
-bench-wait: $(B)/tests/benches/wait $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: also others)
+$(TURNS): %: %.o $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+bench-wait: $(TURNS) $(B)/tests/benches/alone $(WAIT_BENCH) $(if $(PEERS),$(ENGINE_BENCH) $(SAME)) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-597871.nff ## from scene to picture (PEERS=1: also others)
 	@PROGRAMS='$(BUILT)' BUILD='$(B)' PEERS='$(PEERS)' tests/benches/wait.sh $(B)/scenes/sphereflake-597871.nff
 $(B)/tests/benches/reading: %: %.o $(B)/tests/benches/by_sscanf.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
 bench-reading: $(B)/tests/benches/reading $(filter $(B)/%,$(BENCH_SCENES)) ## scenes: beside sscanf
 	@$< $(filter %.nff,$^)
-bench-shading: $(BUILT)/$(SHADING_CHAPTER) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-7381.nff ## shadows and mirrors: how much sooner by the hierarchy
-	@PROGRAMS='$(BUILT)' tests/benches/shading.sh $(B)/scenes/sphereflake-7381.nff
+bench-shading: $(TURNS) $(BUILT)/$(SHADING_CHAPTER) $(BUILT)/$(ENGINE_CHAPTER) $(B)/scenes/sphereflake-7381.nff ## shadows and mirrors: how much sooner by the hierarchy
+	@PROGRAMS='$(BUILT)' TURNS='$(TURNS)' tests/benches/shading.sh $(B)/scenes/sphereflake-7381.nff
 $(B)/tests/benches/pictures.o: EXTRA = $(PNG_CFLAGS)
 $(B)/tests/benches/pictures: %: %.o
 	$(call say,link,$@)

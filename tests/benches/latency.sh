@@ -63,11 +63,14 @@ while [ $i -lt "$saves" ]; do
     i=$((i + 3))
 done
 
-percentile() { # SHARE FILE
-    sort -n "$2" | awk -v share="$1" '{ v[NR] = $1 / 1000 } END { printf "%.1f", v[int(share * (NR - 1) + 1.5)] }'
+percentile() { # HUNDREDTHS FILE: microseconds
+    sort -n "$2" | sed -n "$(($1 * ($(wc -l <"$2") - 1) / 100 + 1))p"
 }
-median=$(percentile 0.5 "$scratch/verdicts")
-bare=$(percentile 0.5 "$scratch/compiles")
-echo "save to verdict, $saves saves: median $median ms, 95th percentile $(percentile 0.95 "$scratch/verdicts") ms"
-echo "one bare cc -c of the same file: median $bare ms"
-awk -v a="$median" -v b="$bare" 'BEGIN { printf "ratio of the medians: %.2f\n", a / b }'
+ms() { # MICROSECONDS
+    echo "$(($1 / 1000)).$(($1 / 100 % 10)) ms"
+}
+median=$(percentile 50 "$scratch/verdicts")
+bare=$(percentile 50 "$scratch/compiles")
+echo "save to verdict, $saves saves: median $(ms "$median"), 95th percentile $(ms "$(percentile 95 "$scratch/verdicts")")"
+echo "one bare cc -c of the same file: median $(ms "$bare")"
+echo "ratio of the medians: $((median / bare)).$((median * 10 / bare % 10))"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # wait.sh - what the user waits for: from the scene's file to the picture's, whole processes.
 #
-# Chapter 08's program beside reading and writing alone (wait.c); with PEERS=1 also POV-Ray, Tachyon and an
+# Chapter 08's program beside reading and writing alone (alone.c); with PEERS=1 also POV-Ray, Tachyon and an
 # Embree program. The pictures are compared first; the scene is given to POV-Ray and to Tachyon in their own
 # languages. Usage: wait.sh SCENE.nff; in the environment PROGRAMS and BUILD from the Makefile, ROUNDS (7).
 set -u
@@ -12,7 +12,8 @@ scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 ours="$PROGRAMS/08-fast"
 
-set -- -- ours "$ours" -t % -s ${width}x$height -o "$scratch/ours.png" "$scene"
+set -- -- alone "$BUILD/tests/benches/alone" "$scene" "$scratch/alone.png" $width $height % \
+    -- ours "$ours" -t % -s ${width}x$height -o "$scratch/ours.png" "$scene"
 if [ -n "${PEERS:-}" ]; then
     for name in povray tachyon; do
         command -v $name >/dev/null || { echo "$name is not installed: make setup FOR=bench"; continue; }
@@ -37,4 +38,5 @@ if [ -n "${PEERS:-}" ]; then
         set -- "$@" -- embree "$embree" "$scene" "$scratch/embree.png" $width $height %
     fi
 fi
-"$BUILD/tests/benches/wait" "$scene" "$scratch/alone.png" $width $height "${ROUNDS:-7}" "$@"
+echo "$scene to picture, ${width}x$height, ${ROUNDS:-7} rounds in turns"
+"$BUILD/tests/benches/turns" "${ROUNDS:-7}" "$@"
