@@ -391,7 +391,10 @@ static uint32_t paint_flat(const Tile *tile, int columns, int rows, uint8_t *num
     uint32_t set = 0;
     for (int row = 0; row < rows; row++, numbers += apart) {
         const int *color = &tile->color[row * TILE_WIDTH];
-        set |= paint_flat_row(color, columns == TILE_WIDTH ? TILE_WIDTH : columns, numbers);
+        if (columns == TILE_WIDTH) // a constant, as in paint
+            set |= paint_flat_row(color, TILE_WIDTH, numbers);
+        else
+            set |= paint_flat_row(color, columns, numbers);
     }
     return set;
 }
