@@ -25,10 +25,11 @@ $(B)/tests/benches/peers/embree_wait: %: %.o $(B)/tests/benches/peers/embree.o \
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
 RAY_BENCH := $(if $(EMBREE),$(B)/tests/benches/peers/any_rays)
-$(B)/tests/benches/peers/any_rays: %: %.o $(ENGINE_OBJECTS) $(B)/chapters/shared.a $(ANSWER_OBJECTS) $(B)/common.a
+$(B)/tests/benches/peers/any_rays: %: %.o $(B)/tests/benches/peers/trees.o $(ENGINE_OBJECTS) \
+		$(B)/chapters/shared.a $(ANSWER_OBJECTS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lembree3 $(PNG_LIBS) -lm -pthread
-bench-rays: $(RAY_BENCH) $(if $(EMBREE),$(BENCH_SCENES)) ## rays from anywhere, and building, beside Embree (PEERS=1)
+bench-rays: $(RAY_BENCH) $(if $(EMBREE),$(BENCH_SCENES)) ## rays from anywhere, building and trees beside Embree (PEERS=1)
 	@$(if $(EMBREE),$(RAY_BENCH) $(BENCH_SCENES),$(if $(PEERS),echo 'Embree 3 is not installed: make setup FOR=bench',echo \
 		'bench-rays compares with Embree: make bench-rays PEERS=1'))
 BENCH_TABLES := $(B)/tests/benches/tables

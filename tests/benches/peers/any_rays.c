@@ -7,7 +7,8 @@
 // at a time. The lines "one by one" are the walk of single rays alone. What is in doubt, chapter
 // 05's and 07's functions decide. Embree answers one ray at a time. All answer the same rays in
 // turns, on one thread. The times are processor times, so other programs disturb them less. Then
-// both build their hierarchies, also in turns, by one thread and by two.
+// both build their hierarchies, also in turns, by one thread and by two. At last, without a clock,
+// the boxes and spheres that the rays visit are counted in the trees of both (trees.c).
 // Usage: any_rays [-r ROUNDS] SCENE.nff...
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/hierarchy.h"
@@ -18,6 +19,7 @@
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 #include "exercises/07-shading.h"
+#include "tests/benches/peers/trees.h"
 
 #include <embree3/rtcore.h>
 #include <stdio.h>
@@ -28,10 +30,6 @@
 enum { MOST_ROUNDS = 99 };
 
 // ---- the rays ---------------------------------------------------------------------------------
-
-typedef struct {
-    float origin[3], direction[3], reach; // as Embree takes them; direction of length 1
-} Single;
 
 typedef struct {
     Ray *rays;
@@ -72,20 +70,29 @@ static void ray_list_free(RayList *rays)
         free(rays->hits[2]);
 }
 
+static Single single_of(Ray ray, bool to_infinity)
+{
+    double length = vec3_length(ray.direction);
+    Single single = {.reach = to_infinity ? INFINITY : (float)length};
+    for (int axis = 0; axis < 3; axis++) {
+        single.origin[axis] = (float)ray.origin[axis];
+        single.direction[axis] = (float)(ray.direction[axis] / length);
+    }
+    return single;
+}
+
 static void add(RayList *rays, Ray ray, bool to_infinity, int light, int sphere)
 {
     int i = rays->count++;
     double length = vec3_length(ray.direction);
     rays->rays[i] = ray;
+    rays->singles[i] = single_of(ray, to_infinity);
     rays->lights[i] = (uint8_t)light;
     rays->spheres[i] = sphere;
     for (int axis = 0; axis < 3; axis++) {
         rays->lines[i].origin[axis] = ray.origin[axis];
         rays->lines[i].direction[axis] = ray.direction[axis] / length;
-        rays->singles[i].origin[axis] = (float)ray.origin[axis];
-        rays->singles[i].direction[axis] = (float)(ray.direction[axis] / length);
     }
-    rays->singles[i].reach = to_infinity ? INFINITY : (float)length;
 }
 
 enum { BLOCK = 16, SQUARE = 4 };
@@ -124,6 +131,16 @@ static void collect(const Scene *scene, const int *seen, Camera camera, Resoluti
         }
         add(mirror, (Ray){start, mirror_direction(ray.direction, normal)}, true, 0, seen[place]);
     }
+}
+
+// Rays from the eye, row by row.
+static Single *eye_rays(Camera camera, Resolution screen)
+{
+    Single *rays = array((size_t)screen.width * (size_t)screen.height, sizeof *rays), *next = rays;
+    for (int row = 0; row < screen.height; row++)
+        for (int column = 0; column < screen.width; column++)
+            *next++ = single_of(pixel_ray(camera, screen, (Pixel){column, row}), true);
+    return rays;
 }
 
 // ---- chapter 08 -------------------------------------------------------------------------------
@@ -422,6 +439,7 @@ static void compare_building(const Scene *scene, const float *spheres, int threa
 typedef struct {
     double log_sum[2], least[2];
     int scenes;
+    double box_log_sum, sphere_log_sum, most_boxes, most_spheres; // of RAY_KINDS in each scene
 } Sums;
 
 static void sum(Sums *sums, int kind, double ratio)
@@ -441,6 +459,18 @@ static void compare_rays(Both *both, const RayList *shadow, const RayList *mirro
     printf("  of this, building the grids  %.3g ms\n", 1e3 * both->grid_seconds);
     sum(sums, 1, compare(mirror_names, both, mirror, mirrors, peer_mirror, rounds));
     sums->scenes++;
+}
+
+static void count_visits(const LightWorld *world, const float *spheres, const RayKind *kinds,
+                         Sums *sums)
+{
+    TreeRatios ratios = compare_trees(world->scene, &world->hierarchy, spheres, kinds);
+    for (int i = 0; i < RAY_KINDS; i++) {
+        sums->box_log_sum += log(ratios.boxes[i]);
+        sums->sphere_log_sum += log(ratios.spheres[i]);
+        sums->most_boxes = fmax(sums->most_boxes, ratios.boxes[i]);
+        sums->most_spheres = fmax(sums->most_spheres, ratios.spheres[i]);
+    }
 }
 
 static void measure(const char *path, int rounds, Sums *sums)
@@ -482,6 +512,12 @@ static void measure(const char *path, int rounds, Sums *sums)
     compare_rays(&both, &shadow, &mirror, rounds, sums);
     for (int threads = 1; threads <= 2; threads++)
         compare_building(&scene, spheres, threads, rounds);
+    Single *eye = eye_rays(camera, screen);
+    RayKind kinds[RAY_KINDS] = {{"eye", eye, screen.width * screen.height, false},
+                                {"shadow", shadow.singles, shadow.count, true},
+                                {"mirror", mirror.singles, mirror.count, false}};
+    count_visits(&world, spheres, kinds, sums);
+    free(eye);
     rtcReleaseScene(both.peer);
     rtcReleaseDevice(device);
     light_paths_end(&paths);
@@ -511,5 +547,10 @@ int main(int argc, char **argv)
         printf("%s: %.2f times Embree in the geometric mean of %d scenes, at least %.2f\n",
                kind == 0 ? "shadow" : "mirror", exp(sums.log_sum[kind] / sums.scenes), sums.scenes,
                sums.least[kind]);
+    int kinds = RAY_KINDS * sums.scenes;
+    printf("boxes visited: %.3f times those in Embree's tree in the geometric mean, at most %.3f\n",
+           exp(sums.box_log_sum / kinds), sums.most_boxes);
+    printf("spheres visited: %.3f times, at most %.3f\n", exp(sums.sphere_log_sum / kinds),
+           sums.most_spheres);
     return 0;
 }
