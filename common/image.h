@@ -21,11 +21,9 @@ typedef vec3 Color;
 #define IMAGE_MAX_SIDE 16384
 
 typedef struct Image Image;
-typedef struct FlatImage FlatImage;
 struct Image {
     Resolution size;
-    uint8_t *rgb;    // three bytes a pixel, row by row from the top
-    FlatImage *flat; // if not NULL, the pixels are there instead (image_flat.h)
+    uint8_t *rgb; // three bytes a pixel, row by row from the top
 
     // Called, where not NULL, after every IMAGE_PROGRESS_STEP pixels that were set.
     void (*progress)(const Image *image);

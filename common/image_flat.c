@@ -5,6 +5,13 @@
 
 #include <stdlib.h>
 
+static FlatImage *the_flat_image; // there is one at a time
+
+FlatImage *image_flat(const Image *image)
+{
+    return the_flat_image != NULL && the_flat_image->image == image ? the_flat_image : NULL;
+}
+
 // Adds a colour in its place, if it is new. False if there are too many.
 static bool add_color(FlatImage *flat, uint32_t color)
 {
@@ -31,8 +38,9 @@ static void set_palette(Band *band, uint32_t set)
     band->bits = bits_of_palette(count);
 }
 
-static bool make_bands(FlatImage *flat, const Image *image)
+static bool make_bands(FlatImage *flat)
 {
+    const Image *image = flat->image;
     const size_t size = (size_t)image->size.width * (size_t)image->size.height;
     const int count = bands_count(image);
     flat->numbers = large_memory(size);
@@ -47,29 +55,42 @@ static bool make_bands(FlatImage *flat, const Image *image)
     return true;
 }
 
-bool image_flatten(Image *image, const uint32_t *colors, int count, int unlikely)
+static void flat_free(FlatImage *flat)
 {
-    FlatImage *flat = image->flat = calloc(1, sizeof *flat);
+    if (flat != NULL) {
+        bands_free(flat->bands, flat->image);
+        free(flat->numbers);
+        free(flat->missing);
+    }
+    free(flat);
+}
+
+bool image_flatten(const Image *image, const uint32_t *colors, int count, int unlikely)
+{
+    if (the_flat_image != NULL)
+        return false;
+    FlatImage *flat = calloc(1, sizeof *flat);
     bool done = flat != NULL;
+    if (done)
+        flat->image = image;
     for (int i = 0; i < count && done; i++)
         done = add_color(flat, colors[i]);
     for (int i = unlikely; i < count && done; i++)
         flat->expected |= 1U << flat_number(flat, colors[i]);
-    done = done && make_bands(flat, image);
-    if (!done)
-        image_unflatten(image);
+    done = done && make_bands(flat);
+    if (done)
+        the_flat_image = flat;
+    else
+        flat_free(flat);
     return done;
 }
 
-void image_unflatten(Image *image)
+void image_unflatten(const Image *image)
 {
-    if (image->flat != NULL) {
-        bands_free(image->flat->bands, image);
-        free(image->flat->numbers);
-        free(image->flat->missing);
-    }
-    free(image->flat);
-    image->flat = NULL;
+    if (image_flat(image) == NULL)
+        return;
+    flat_free(the_flat_image);
+    the_flat_image = NULL;
 }
 
 int flat_number(const FlatImage *flat, uint32_t color)
@@ -87,27 +108,26 @@ static void have_rows(FlatImage *flat, int band, int count)
         band_encode(flat->bands, band);
 }
 
-void flat_rows_are_set(const Image *image, int row, int count)
+void flat_rows_are_set(FlatImage *flat, int row, int count)
 {
     for (int end = row + count; row < end;) {
         int band = row / BAND_ROWS, band_end = (band + 1) * BAND_ROWS;
         int until = end < band_end ? end : band_end;
-        have_rows(image->flat, band, until - row);
-        if (until == band_end && until < image->size.height)
-            have_rows(image->flat, band + 1, 1);
+        have_rows(flat, band, until - row);
+        if (until == band_end && until < flat->image->size.height)
+            have_rows(flat, band + 1, 1);
         row = until;
     }
 }
 
-int flat_palette(const Image *image, uint32_t *colors)
+int flat_palette(FlatImage *flat, uint32_t *colors)
 {
-    FlatImage *flat = image->flat;
     const uint32_t seen = atomic_load(&flat->seen);
     int count = 0;
     for (int i = 0; i < flat->color_count; i++)
         if (seen >> i & 1)
             colors[count++] = flat->colors[i];
-    for (int i = 0; i < bands_count(image) && seen != flat->expected; i++) {
+    for (int i = 0; i < bands_count(flat->image) && seen != flat->expected; i++) {
         free(flat->bands[i].stream);
         flat->bands[i].stream = NULL;
         set_palette(&flat->bands[i], seen);

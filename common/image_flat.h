@@ -12,7 +12,8 @@
 
 enum { FLAT_COLORS = 32 }; // at most: a set of them is the bits of one number
 
-struct FlatImage {
+typedef struct {
+    const Image *image;
     uint8_t *numbers; // one byte a pixel, row by row: the number of its colour
     int color_count;
     uint32_t colors[FLAT_COLORS]; // red + 256 green + 65536 blue; all different, in rising order
@@ -20,14 +21,19 @@ struct FlatImage {
     atomic_uint seen;             // bit i: some pixel has it
     Band *bands;
     atomic_int *missing; // for each band: the rows that it waits for
-};
+} FlatImage;
 
-// From now on the pixels of the image are not in image->rgb, but in image->flat->numbers. The
-// colours may come in any order, and several times. All but the first ones, which are unlikely, are
-// expected in the picture: if others are seen, all bands are encoded once more. False, and nothing
-// is changed, if there are too many colours or not enough memory.
-bool image_flatten(Image *image, const uint32_t *colors, int count, int unlikely);
-void image_unflatten(Image *image);
+// From now on the pixels of the image are not in image->rgb, but in the numbers of a flat image.
+// The colours may come in any order, and several times. All but the first ones, which are unlikely,
+// are expected in the picture: if others are seen, all bands are encoded once more. False, and
+// nothing is changed, if there are too many colours or not enough memory, or if another image is
+// flat.
+bool image_flatten(const Image *image, const uint32_t *colors, int count, int unlikely);
+void image_unflatten(const Image *image);
+
+// The flat image of this image; NULL if it is not flat. It is no part of an Image, because students
+// read what an Image consists of.
+FlatImage *image_flat(const Image *image);
 
 // The number of a colour, which it has.
 int flat_number(const FlatImage *flat, uint32_t color);
@@ -40,10 +46,10 @@ static inline void flat_are_seen(FlatImage *flat, uint32_t set)
 }
 
 // These rows are set, and their colours are seen. Each row is given once, by any thread.
-void flat_rows_are_set(const Image *image, int row, int count);
+void flat_rows_are_set(FlatImage *flat, int row, int count);
 
 // When all rows are set: the bands have a palette of the colours that are seen. Returns their
 // number; colors has room for FLAT_COLORS.
-int flat_palette(const Image *image, uint32_t *colors);
+int flat_palette(FlatImage *flat, uint32_t *colors);
 
 #endif

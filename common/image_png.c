@@ -257,11 +257,11 @@ static bool print(Picture *picture, Message *words)
     return done;
 }
 
-static bool print_flat(Picture *picture, Message *words)
+static bool print_flat(Picture *picture, FlatImage *flat, Message *words)
 {
     uint32_t colors[FLAT_COLORS] = {0};
-    picture->bands = picture->image->flat->bands;
-    picture->color_count = flat_palette(picture->image, colors);
+    picture->bands = flat->bands;
+    picture->color_count = flat_palette(flat, colors);
     picture->colors = colors;
     return print(picture, words);
 }
@@ -284,7 +284,8 @@ bool image_print_png(FILE *file, const Image *image, const char *path, Message *
     Message words = {"out of memory"};
     errno = 0;
     Picture picture = {.image = image, .file = file};
-    if (image->flat != NULL ? print_flat(&picture, &words) : print_full(&picture, &words))
+    FlatImage *flat = image_flat(image);
+    if (flat != NULL ? print_flat(&picture, flat, &words) : print_full(&picture, &words))
         return true;
     return message_set(message, "%s: cannot write the picture: %s", path,
                        errno != 0 ? strerror(errno) : words.text);

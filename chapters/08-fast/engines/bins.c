@@ -310,8 +310,9 @@ static void cast_tile(void *given, int part)
     if (items != few)
         free(items);
     const Image *image = casting->tiling.work->image;
-    if (atomic_fetch_sub(&casting->left[tile / casting->columns], 1) == 1 && image->flat != NULL)
-        flat_rows_are_set(image, corner.row, least(TILE_HEIGHT, image->size.height - corner.row));
+    FlatImage *flat = casting->tiling.flat;
+    if (atomic_fetch_sub(&casting->left[tile / casting->columns], 1) == 1 && flat != NULL)
+        flat_rows_are_set(flat, corner.row, least(TILE_HEIGHT, image->size.height - corner.row));
 }
 
 // Empties all bins. If there is a limit, they may have four items for each sphere.
@@ -410,7 +411,7 @@ static uint32_t *colors_of(const Work *work, bool flat)
     if (flat && count <= FEW_SURFACES && colors != NULL &&
         image_flatten(work->image, colors, count, unlikely))
         for (int i = 0; i < count; i++)
-            colors[i] = (uint32_t)flat_number(work->image->flat, colors[i]);
+            colors[i] = (uint32_t)flat_number(image_flat(work->image), colors[i]);
     return colors;
 }
 
@@ -420,7 +421,8 @@ static bool cast(const Work *work, int *seen, bool *extreme)
 {
     Resolution screen = work->image->size;
     uint32_t *colors = colors_of(work, work->may_be_flat && seen == NULL);
-    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], colors, seen},
+    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], colors,
+                                  seen == NULL ? image_flat(work->image) : NULL, seen},
                        .eye = eye_of(work),
                        .rays = rays_from(work, (Pixel){0, 0}),
                        .share_count = work->scene->sphere_count < FEW_SPHERES ? 1 : work->threads,

@@ -7,7 +7,6 @@
 
 #include "chapters/08-fast/engines/covered_pixels.h"
 #include "chapters/08-fast/engines/hierarchy.h"
-#include "common/image_flat.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 
@@ -320,16 +319,16 @@ static void give_one_flat(const Tiling *tiling, Pixel corner, int columns, int r
     const int number = color_of(tiling, sphere);
     for (int row = 0; row < rows; row++) {
         Pixel first = {corner.column, corner.row + row};
-        memset(image->flat->numbers + image_index(image, first), number, (size_t)columns);
+        memset(tiling->flat->numbers + image_index(image, first), number, (size_t)columns);
     }
-    flat_are_seen(image->flat, 1U << number);
+    flat_are_seen(tiling->flat, 1U << number);
 }
 
 // All pixels see this sphere, or none if it is -1.
 static void give_one(const Tiling *tiling, Pixel corner, int columns, int rows, int sphere)
 {
     const Image *image = tiling->work->image;
-    if (tiling->seen == NULL && image->flat != NULL) {
+    if (tiling->flat != NULL) {
         give_one_flat(tiling, corner, columns, rows, sphere);
         return;
     }
@@ -367,11 +366,11 @@ static void give_pixels(const CurrentTile *tile)
     const size_t width = (size_t)image->size.width;
     if (tiling->seen != NULL) {
         give_spheres(tile);
-    } else if (image->flat != NULL) {
-        uint8_t *numbers = image->flat->numbers + image_index(image, tile->corner);
+    } else if (tiling->flat != NULL) {
+        uint8_t *numbers = tiling->flat->numbers + image_index(image, tile->corner);
         uint32_t set =
             tiling->lanes->paint_flat(&tile->pixels, tile->columns, tile->rows, numbers, width);
-        flat_are_seen(image->flat, set);
+        flat_are_seen(tiling->flat, set);
     } else {
         tiling->lanes->paint(&tile->pixels, tile->columns, tile->rows,
                              image_bytes(image, tile->corner), 3 * width);
@@ -405,7 +404,7 @@ void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
         return;
     }
     tile.candidates = (Candidates){0};
-    if (tiling->seen == NULL && image->flat == NULL)
+    if (tiling->seen == NULL && tiling->flat == NULL)
         fetch_bytes(&tile);
     tiling->lanes->clear(&tile.pixels, tile.columns, tile.rows, color_of(tiling, -1));
     decide_unsure(&tile, bin, ask_all(&tile, bin, count));

@@ -4,6 +4,7 @@
 
 #include "chapters/08-fast/engines/bins_lanes.h"
 #include "chapters/08-fast/engines/engine.h"
+#include "common/image_flat.h"
 
 #include <math.h>
 
@@ -12,8 +13,9 @@ typedef struct {
     const Work *work;
     const BinsLanes *lanes;
     // Of each surface, and after the last one of the background: the colour, or if the image is
-    // flat (image_flat.h) its number.
+    // flat its number.
     const uint32_t *colors;
+    FlatImage *flat; // NULL if the image is not flat
     int *seen; // if not NULL: gets the sphere that each pixel sees, and the image gets nothing
 } Tiling;
 

@@ -29,7 +29,7 @@ int against_end(const char *name)
 // The bytes of a flat image. All its bands have to be encoded, and the colours that are seen known.
 static const char *fill_bytes(const Image *image)
 {
-    const FlatImage *flat = image->flat;
+    const FlatImage *flat = image_flat(image);
     uint32_t seen = 0;
     for (int row = 0; row < image->size.height; row++)
         for (int column = 0; column < image->size.width; column++) {
@@ -64,7 +64,7 @@ static void compare(const char *name, const Engine *engine, const Work *right, i
     static unsigned pictures;
     work.may_be_flat = pictures++ % 2 == 0;
     bool cast = engine->cast(&work, &message);
-    const char *wrong = cast && image.flat != NULL ? fill_bytes(&image) : NULL;
+    const char *wrong = cast && image_flat(&image) != NULL ? fill_bytes(&image) : NULL;
     size_t different = 0, first = 0;
     for (size_t i = pixels; cast && i-- > 0;)
         if (memcmp(image.rgb + 3 * i, right->image->rgb + 3 * i, 3) != 0) {
