@@ -136,6 +136,26 @@ START_TEST(bands_are_encoded_as_soon_as_their_rows_and_the_one_above_are_set)
 }
 END_TEST
 
+START_TEST(bands_are_encoded_again_only_if_other_colours_are_seen_than_expected)
+{
+    const uint32_t colors[] = {7, 3, 5}; // the first one is unlikely
+    for (int seen = 1; seen < 8; seen++) {
+        Image image = image_of(10, BAND_ROWS);
+        ck_assert(image_flatten(&image, colors, 3, 1));
+        FlatImage *flat = image_flat(&image);
+        memset(flat->numbers, 0, 10 * BAND_ROWS);
+        flat_are_seen(flat, (uint32_t)seen);
+        flat_rows_are_set(flat, 0, BAND_ROWS);
+        uint32_t palette[FLAT_COLORS];
+        expect_int(flat_palette(flat, palette), __builtin_popcount((unsigned)seen));
+        given("seen", "%d", seen);
+        expect_int(flat->bands[0].stream != NULL, seen == 3); // the colours 3 and 5
+        image_unflatten(&image);
+        image_free(&image);
+    }
+}
+END_TEST
+
 START_TEST(one_image_at_a_time_is_flat)
 {
     const uint32_t color = 0;
@@ -179,6 +199,7 @@ static void list_tests(void)
     test(the_rows_may_be_set_in_any_order);
     test(other_colours_may_be_seen_than_expected);
     test(bands_are_encoded_as_soon_as_their_rows_and_the_one_above_are_set);
+    test(bands_are_encoded_again_only_if_other_colours_are_seen_than_expected);
     test(one_image_at_a_time_is_flat);
     test(an_image_of_many_colours_is_not_flattened);
 }
