@@ -13,7 +13,6 @@
 #include "common/image_flat.h"
 #include "common/large_pages.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -24,7 +23,8 @@ static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
 enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024, MORE_MEMORY = 1 << 21 }; // bytes
 // For fewer than FEW_SPHERES more shares are not worth their cost, and for fewer than
 // HIDING_SPHERES hiding is not. At most FEW_ITEMS of a bin need no malloc.
-enum { FEW_SPHERES = 10000, HIDING_SPHERES = 1000, FEW_ITEMS = 128, NOTHING_HIDDEN = INT_MAX };
+enum { FEW_SPHERES = 10000, HIDING_SPHERES = 1000, FEW_ITEMS = 128 };
+enum { TURN = 8 * PLACES };   // spheres that a share adds before the next share's
 enum { FEW_SURFACES = 1000 }; // of more, nobody looks how many colours are different
 
 // A bin is a list of chunks. Each begins at a multiple of its size, which is a power of 2, so the
@@ -64,7 +64,7 @@ typedef struct {
     int top, bottom;     // the rows that have bins
     // Of each tile: the depth beyond which all spheres are hidden. A thread that does not know the
     // latest value only keeps a sphere that it could drop.
-    atomic_int *hidden;
+    _Atomic uint16_t *hidden;
     // Of each row of tiles: those that are not cast yet.
     atomic_int *left;
     atomic_bool extreme; // some sphere has extreme numbers (number_limits.h)
@@ -180,61 +180,87 @@ static inline int least(int a, int b)
 // ---- spheres ----------------------------------------------------------------------------------
 
 // In the tiles that a large sphere covers, all that begins beyond its outline is hidden.
-static void hide(Casting *casting, const Place *place)
+static void hide(Casting *casting, Place place)
 {
     const Work *work = casting->tiling.work;
-    const Sphere *sphere = &work->scene->spheres[place->sphere];
+    const Sphere *sphere = &work->scene->spheres[place.sphere];
     vec3 c = sphere->center - work->camera.origin;
-    Place outline = {.near = (float)beyond_outline(c, sphere->radius)};
-    const int depth = (int)place_depth(outline);
-    for (int row = (place->top + TILE_HEIGHT - 1) / TILE_HEIGHT;
-         (row + 1) * TILE_HEIGHT <= place->bottom; row++)
-        for (int column = (place->left + TILE_WIDTH - 1) / TILE_WIDTH;
-             (column + 1) * TILE_WIDTH <= place->right; column++) {
-            atomic_int *hidden = &casting->hidden[row * casting->columns + column];
+    const int depth = depth_of((float)beyond_outline(c, sphere->radius));
+    for (int row = (place.top + TILE_HEIGHT - 1) / TILE_HEIGHT;
+         (row + 1) * TILE_HEIGHT <= place.bottom; row++)
+        for (int column = (place.left + TILE_WIDTH - 1) / TILE_WIDTH;
+             (column + 1) * TILE_WIDTH <= place.right; column++) {
+            _Atomic uint16_t *hidden = &casting->hidden[row * casting->columns + column];
             const Part part = {column * TILE_WIDTH, (column + 1) * TILE_WIDTH, row * TILE_HEIGHT,
                                (row + 1) * TILE_HEIGHT};
             if (depth < atomic_load_explicit(hidden, memory_order_relaxed) &&
                 covers(&casting->rays, c, sphere->radius, part))
-                atomic_store_explicit(hidden, depth, memory_order_relaxed);
+                atomic_store_explicit(hidden, (uint16_t)depth, memory_order_relaxed);
         }
 }
 
-// False if there is no room.
-static inline bool add_item(Casting *casting, Share *share, const Place *place, int column, int row)
+static inline bool is_hidden(const Casting *casting, int depth, int tile)
 {
-    int tile = row * casting->columns + column;
-    if ((int)place_depth(*place) >
-        atomic_load_explicit(&casting->hidden[tile], memory_order_relaxed))
-        return true;
+    return depth > atomic_load_explicit(&casting->hidden[tile], memory_order_relaxed);
+}
+
+// False if there is no room.
+static inline bool add_item(Casting *casting, Share *share, int tile, Item item)
+{
     Item *next = share->next[tile];
     if (is_full(next, casting->chunk) && (next = add_chunk(casting, share, next)) == NULL)
         return false;
-    *next = item_of(place, column * TILE_WIDTH, row * TILE_HEIGHT);
+    *next = item;
     share->next[tile] = next + 1;
     __builtin_prefetch(next + 8, 1); // the next line of the cache
     return true;
 }
 
 // Adds a sphere to the bins of its tiles. False if there is no room.
-static inline bool add_place(Casting *casting, Share *share, const Place *place)
+static bool add_place(Casting *casting, Share *share, Place place)
 {
-    const int left = place->left / TILE_WIDTH, right = (place->right - 1) / TILE_WIDTH;
-    int top = place->top / TILE_HEIGHT, bottom = (place->bottom - 1) / TILE_HEIGHT;
-    if (top < casting->top || bottom >= casting->bottom) {
-        top = most(top, casting->top);
-        bottom = least(bottom, casting->bottom - 1);
-    }
-    // Most small spheres are in one tile.
-    if (left == right && top == bottom)
-        return add_item(casting, share, place, left, top);
+    const int left = place.left / TILE_WIDTH, right = (place.right - 1) / TILE_WIDTH;
+    const int top = most(place.top / TILE_HEIGHT, casting->top);
+    const int bottom = least((place.bottom - 1) / TILE_HEIGHT, casting->bottom - 1);
+    const int depth = (int)place_depth(place);
     if (right > left + 1 && bottom > top + 1 &&
         casting->tiling.work->scene->sphere_count >= HIDING_SPHERES)
         hide(casting, place);
-    for (int row = top; row <= bottom; row++)
-        for (int column = left; column <= right; column++)
-            if (!add_item(casting, share, place, column, row))
-                return false;
+    // One loop for both: a processor cannot guess whether two tiles are a row or a column.
+    int column = left, row = top;
+    for (int tiles = (right - left + 1) * (bottom - top + 1); tiles > 0; tiles--) {
+        const int tile = row * casting->columns + column;
+        const int part = part_in(&place, column * TILE_WIDTH, row * TILE_HEIGHT);
+        if (!is_hidden(casting, depth, tile) &&
+            !add_item(casting, share, tile, item_of(depth, part, place.sphere)))
+            return false;
+        row += column == right;
+        column = column == right ? left : column + 1;
+    }
+    return true;
+}
+
+// Adds the spheres at these places. False if there is no room.
+static bool add_places(Casting *casting, Share *share, const Places *places, int first, int count)
+{
+    // Lists without branches: a processor would often guess wrong which spheres are hidden.
+    int in_one[PLACES], in_some[PLACES], ones = 0, others = 0;
+    for (int i = 0; i < count; i++) {
+        const bool seen = !is_hidden(casting, places->depth[i], places->tile[i]);
+        in_one[ones] = in_some[others] = i;
+        ones += seen & (places->kind[i] == IN_ONE_TILE);
+        others += places->kind[i] == IN_TILES;
+    }
+    const int begin = casting->top * casting->columns, end = casting->bottom * casting->columns;
+    for (int k = 0; k < ones; k++) {
+        const int i = in_one[k], tile = places->tile[i];
+        const Item item = item_of(places->depth[i], places->part[i], first + i);
+        if (tile >= begin && tile < end && !add_item(casting, share, tile, item))
+            return false;
+    }
+    for (int k = 0; k < others; k++)
+        if (!add_place(casting, share, place_at(places, in_some[k], first + in_some[k])))
+            return false;
     return true;
 }
 
@@ -243,43 +269,36 @@ static bool add_spheres(Casting *casting, Share *share, Positions *positions, in
 {
     const Work *work = casting->tiling.work;
     const Sphere *spheres = &work->scene->spheres[first];
-    Place places[PLACES];
+    Places places;
     for (int i = 0; i < count; i++) {
         vec3 c = spheres[i].center - work->camera.origin;
         positions->x[i] = c[0];
         positions->y[i] = c[1];
         positions->z[i] = c[2];
         positions->radius[i] = spheres[i].radius;
+        if (first + i + PLACES < work->scene->sphere_count)
+            __builtin_prefetch(&spheres[i + PLACES]); // for the next call
     }
     bool extreme = false;
-    if (!casting->tiling.lanes->place(&casting->eye, positions, first, count, places))
+    if (!casting->tiling.lanes->place(&casting->eye, positions, count, &places))
         for (int i = 0; i < count; i++)
             extreme |= extreme_sphere(work->camera.origin, &spheres[i]);
     if (extreme)
         atomic_store(&casting->extreme, true);
-    for (int i = 0; i < count && !extreme; i++) {
-        if (first + i + PLACES < work->scene->sphere_count)
-            __builtin_prefetch(&spheres[i + PLACES]); // for the next call
-        if (places[i].left < places[i].right && places[i].top < places[i].bottom &&
-            !add_place(casting, share, &places[i]))
-            return false;
-    }
-    return !extreme;
+    return !extreme && add_places(casting, share, &places, first, count);
 }
 
+// The shares take turns, so that the large spheres at the beginning of many scenes are soon known.
 static void fill_share(void *given, int part)
 {
     Casting *casting = given;
-    long long count = casting->tiling.work->scene->sphere_count;
-    int first = (int)(count * part / casting->share_count);
-    int end = (int)(count * (part + 1) / casting->share_count);
-    Share *share = &casting->shares[part];
+    const int count = casting->tiling.work->scene->sphere_count;
     Positions positions = {0};
-    for (int some; first < end; first += some) {
-        some = least(end - first, PLACES);
-        if (!add_spheres(casting, share, &positions, first, some))
-            return;
-    }
+    for (int turn = TURN * part; turn < count; turn += TURN * casting->share_count)
+        for (int first = turn; first < least(turn + TURN, count); first += PLACES)
+            if (!add_spheres(casting, &casting->shares[part], &positions, first,
+                             least(count - first, PLACES)))
+                return;
 }
 
 // ---- the picture ------------------------------------------------------------------------------
@@ -378,8 +397,8 @@ static bool shares_create(Casting *casting)
         casting->shares[i].next = malloc((tiles + 1) * sizeof(Item *));
         created = casting->shares[i].next != NULL;
     }
-    for (size_t i = 0; i < tiles && created; i++)
-        atomic_init(&casting->hidden[i], NOTHING_HIDDEN);
+    if (created)
+        memset(casting->hidden, 0xff, tiles * sizeof *casting->hidden); // nothing is hidden
     return created;
 }
 
@@ -429,6 +448,7 @@ static bool cast(const Work *work, int *seen, bool *extreme)
                        .chunk = SMALLEST_CHUNK,
                        .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,
                        .rows = (screen.height + TILE_HEIGHT - 1) / TILE_HEIGHT};
+    casting.eye.tiles = casting.columns;
     // Large chunks for large bins: few steps from chunk to chunk. Small ones for small bins: little
     // memory that has no items.
     int bin = work->scene->sphere_count / casting.columns / casting.rows;

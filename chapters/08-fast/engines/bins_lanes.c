@@ -26,24 +26,37 @@ static inline int end_pixel(float x, float most)
 // A pixel is inside if its centre is. Rounding adds some of a pixel.
 #define MARGIN (1.0F / 64)
 
-// Rounds towards 0, to the bits by which places are sorted.
-static inline float coarse(float x)
+// The tile of each place. In a loop of its own, because gcc joins the conditions of
+// both loops to many more.
+static void find_tiles(const Eye *eye, int count, Places *restrict places)
 {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    bits &= ~((1U << PLACE_DROPPED) - 1);
-    memcpy(&x, &bits, sizeof x);
-    return x;
+    const int tiles = eye->tiles;
+#pragma omp simd
+    for (int i = 0; i < count; i++) {
+        const int columns = places->right[i] - places->left[i];
+        const int rows = places->bottom[i] - places->top[i];
+        unsigned left = (unsigned)places->left[i], right = (unsigned)places->right[i] - 1;
+        unsigned top = (unsigned)places->top[i], bottom = (unsigned)places->bottom[i] - 1;
+        int tile = (int)(top / TILE_HEIGHT) * tiles + (int)(left / TILE_WIDTH);
+        unsigned part = left % TILE_WIDTH * TILE_WIDTH + right % TILE_WIDTH;
+        part = (part * TILE_HEIGHT + top % TILE_HEIGHT) * TILE_HEIGHT + bottom % TILE_HEIGHT;
+        bool seen = (columns > 0) & (rows > 0);
+        bool one =
+            (left / TILE_WIDTH == right / TILE_WIDTH) & (top / TILE_HEIGHT == bottom / TILE_HEIGHT);
+        int kind = one ? IN_ONE_TILE : IN_TILES;
+        places->kind[i] = seen ? kind : UNSEEN;
+        places->tile[i] = seen ? tile : 0;
+        places->part[i] = (int)part;
+    }
 }
 
 // The outline of each sphere becomes pixels, and its least distance from the eye a float. In float
 // the centre has an error of some 2^-24 of its distance. That is more of a g that is a small part
 // of it, so the outline is wider by 2^-18 of its numbers, times distance / (ahead - r). If ahead -
 // r is almost nothing, the rectangle is the whole screen.
-static bool place(const Eye *eye, const Positions *positions, int first, int count, Place *places)
+static bool place(const Eye *eye, const Positions *positions, int count, Places *restrict places)
 {
-    int left[PLACES], right[PLACES], top[PLACES], bottom[PLACES];
-    float near[PLACES], rx[3], ux[3], fx[3];
+    float rx[3], ux[3], fx[3];
     for (int axis = 0; axis < 3; axis++) {
         rx[axis] = (float)eye->right[axis];
         ux[axis] = (float)eye->up[axis];
@@ -65,7 +78,7 @@ static bool place(const Eye *eye, const Positions *positions, int first, int cou
         bool ordinary = measured & (ahead - r > 1e-4F * distance);
         // The outline by the formula of exercise 08, both axes at once.
         float safe = ordinary ? g : 1, over = 1 / safe;
-        float wider = ordinary ? 0x1p-18F * distance / (ahead - r) : 0;
+        float wider = ordinary ? 0x1p-18F * distance * (ahead + r) * over : 0;
         float x_middle = ahead * aside * over, x_half = r * over * sqrtf(aside * aside + safe);
         float y_middle = ahead * above * over, y_half = r * over * sqrtf(above * above + safe);
         x_half += wider * (fabsf(x_middle) + x_half + 0.5F);
@@ -75,18 +88,15 @@ static bool place(const Eye *eye, const Positions *positions, int first, int cou
         float y_low = height / 2 - down * (y_middle + y_half) + (0.5F - MARGIN);
         float y_high = height / 2 - down * (y_middle - y_half) + (0.5F + MARGIN);
         bool behind = ahead + r < -1e-5F * distance;
-        left[i] = first_pixel(ordinary ? x_low : 0, width);
-        right[i] = end_pixel(ordinary ? x_high : behind ? 0 : width, width);
-        top[i] = first_pixel(ordinary ? y_low : 0, height);
-        bottom[i] = end_pixel(ordinary ? y_high : height, height);
+        places->left[i] = first_pixel(ordinary ? x_low : 0, width);
+        places->right[i] = end_pixel(ordinary ? x_high : behind ? 0 : width, width);
+        places->top[i] = first_pixel(ordinary ? y_low : 0, height);
+        places->bottom[i] = end_pixel(ordinary ? y_high : height, height);
         float nearest = fabsf(distance - r) - 4e-6F * (distance + r);
-        near[i] = measured && nearest > 1e-15F ? coarse(nearest) : 0;
+        places->depth[i] = measured && nearest > 1e-15F ? depth_of(nearest) : 0;
         unusual |= !((r > 1e-15F) & (r < 1e15F) & (1e-20F * square < r * r));
     }
-    for (int i = 0; i < count; i++)
-        places[i] =
-            (Place){(uint16_t)left[i], (uint16_t)right[i], (uint16_t)top[i], (uint16_t)bottom[i],
-                    near[i],           first + i};
+    find_tiles(eye, count, places);
     return unusual == 0;
 }
 

@@ -24,11 +24,16 @@ typedef struct {
     int sphere;
 } Place;
 
-static inline uint32_t place_depth(Place place)
+static inline int depth_of(float near)
 {
     uint32_t bits;
-    memcpy(&bits, &place.near, sizeof bits); // floats from 0 up have the order of their bits
-    return bits >> PLACE_DROPPED;
+    memcpy(&bits, &near, sizeof bits); // floats from 0 up have the order of their bits
+    return (int)(bits >> PLACE_DROPPED);
+}
+
+static inline uint32_t place_depth(Place place)
+{
+    return (uint32_t)depth_of(place.near);
 }
 
 // A sphere of a bin in one number: from the highest bits on its depth, its part of the tile, and
@@ -46,7 +51,27 @@ typedef struct {
     double right[3], up[3], forward[3];
     double across, down; // pixels per unit of the plane
     double width, height;
+    int tiles; // in a row
 } Eye;
+
+// The places of spheres, and the tile of those in one tile.
+typedef enum { UNSEEN, IN_ONE_TILE, IN_TILES } PlaceKind;
+typedef struct {
+    int left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], depth[PLACES];
+    int kind[PLACES], tile[PLACES], part[PLACES];
+} Places;
+
+static inline Place place_at(const Places *places, int i, int sphere)
+{
+    const uint32_t bits = (uint32_t)places->depth[i] << PLACE_DROPPED;
+    Place place = {.left = (uint16_t)places->left[i],
+                   .right = (uint16_t)places->right[i],
+                   .top = (uint16_t)places->top[i],
+                   .bottom = (uint16_t)places->bottom[i],
+                   .sphere = sphere};
+    memcpy(&place.near, &bits, sizeof bits);
+    return place;
+}
 
 // The pixels of a tile. s is t v.v of the nearest hit so far: its distance times |v|. A pixel that
 // float cannot decide has UNSURE in its colour.
@@ -95,9 +120,9 @@ typedef struct {
 } Outlines;
 
 typedef struct {
-    // The places of count spheres on the screen; they are those of the scene from number first on.
-    // False if the numbers of any may be extreme (number_limits.h).
-    bool (*place)(const Eye *eye, const Positions *positions, int first, int count, Place *places);
+    // The places of count spheres on the screen. False if the numbers of any may be extreme
+    // (number_limits.h).
+    bool (*place)(const Eye *eye, const Positions *positions, int count, Places *places);
     // Sorts the items of a bin, near ones first. After them there is room for as many. Returns
     // where the sorted ones are: in this room, or in the place of the others.
     const Item *(*sort)(Item *items, size_t count);

@@ -19,8 +19,13 @@ typedef struct {
     int *seen; // if not NULL: gets the sphere that each pixel sees, and the image gets nothing
 } Tiling;
 
-// The item of a sphere in the tile that begins at this pixel; the place covers some of it.
-static inline Item item_of(const Place *place, int tile_left, int tile_top)
+static inline Item item_of(int depth, int part, int sphere)
+{
+    return (Item)depth << (ITEM_PART + ITEM_SPHERE) | (Item)part << ITEM_SPHERE | (Item)sphere;
+}
+
+// The part of a place in the tile that begins at this pixel; the place covers some of it.
+static inline int part_in(const Place *place, int tile_left, int tile_top)
 {
     int left = place->left - tile_left, right = place->right - 1 - tile_left;
     int top = place->top - tile_top, bottom = place->bottom - 1 - tile_top;
@@ -28,9 +33,7 @@ static inline Item item_of(const Place *place, int tile_left, int tile_top)
     top = top > 0 ? top : 0;
     right = right < TILE_WIDTH ? right : TILE_WIDTH - 1;
     bottom = bottom < TILE_HEIGHT ? bottom : TILE_HEIGHT - 1;
-    int part = ((left * TILE_WIDTH + right) * TILE_HEIGHT + top) * TILE_HEIGHT + bottom;
-    return (Item)place_depth(*place) << (ITEM_PART + ITEM_SPHERE) | (Item)part << ITEM_SPHERE |
-           (Item)place->sphere;
+    return ((left * TILE_WIDTH + right) * TILE_HEIGHT + top) * TILE_HEIGHT + bottom;
 }
 
 // The rays from this pixel on. They end on the plane, because the step from one pixel to the next

@@ -265,6 +265,7 @@ static void add_places(Building *building, int picture)
     const int count = crowd->scene->sphere_count;
     int waiting = 0, numbers[PLACES];
     Positions positions = {0};
+    Places seen;
     for (int i = 0; i < count; i++) {
         vec3 center = spheres[i].center - light;
         double radius = spheres[i].radius;
@@ -283,9 +284,10 @@ static void add_places(Building *building, int picture)
         if (cells->parallel)
             place_parallel(&eye, &positions, waiting, places);
         else
-            bins_lanes[lanes_best()]->place(&eye, &positions, 0, waiting, places);
+            bins_lanes[lanes_best()]->place(&eye, &positions, waiting, &seen);
         for (int k = 0; k < waiting; k++) {
-            places[k] = in_cells(places[k], (int)eye.width, picture, cells->columns);
+            Place place = cells->parallel ? places[k] : place_at(&seen, k, 0);
+            places[k] = in_cells(place, (int)eye.width, picture, cells->columns);
             places[k].sphere = numbers[k];
             building->depths[place_depth(places[k])]++;
             count_cells(building, places[k]);
