@@ -8,6 +8,7 @@
 typedef struct {
     NffLine line;
     Scene *scene;
+    off_t file_size;      // 0 if it is not a regular file
     size_t least_spheres; // that there is room for
     int view_line;        // where v stands; 0 before it
     int view_parts;       // which of its lines were there
@@ -19,8 +20,11 @@ bool nff_entities(NffReader *reader);
 
 // ---- spheres and their fills ------------------------------------------------------------------
 
-// Room for more items after count of them, in an array that only grows to powers of two, and is
-// never smaller than least items, always the same least. NULL if there is not enough memory.
+// The room of an array with this count of items: a power of two, not less than least.
+size_t nff_room_of(size_t count, size_t least);
+
+// Room for more items after count of them, in an array that has always had the same least. NULL if
+// there is not enough memory.
 void *nff_room(void *items, int count, int more, size_t size, size_t least);
 
 // Spheres and fills of these numbers. False if one is out of range.

@@ -9,8 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-// The room of an array that has this count of items: a power of two, not less than least.
-static size_t room_of(size_t count, size_t least)
+size_t nff_room_of(size_t count, size_t least)
 {
     size_t room = 1;
     while (room < count || room < least)
@@ -22,8 +21,8 @@ void *nff_room(void *items, int count, int more, size_t size, size_t least)
 {
     if (more > INT_MAX - count)
         return NULL;
-    size_t room = room_of((size_t)count + (size_t)more, least);
-    if (items != NULL && room == room_of((size_t)count, least))
+    size_t room = nff_room_of((size_t)count + (size_t)more, least);
+    if (items != NULL && room == nff_room_of((size_t)count, least))
         return items;
     void *grown = realloc(items, room * size);
     large_pages(grown, room * size);
@@ -194,19 +193,24 @@ static bool read_entities(NffReader *reader)
 
 // A large array that need not grow is in large pages from its first sphere to its last. Memory that
 // is not used costs nothing, so lines may be longer; if they are shorter, the array grows.
-static size_t spheres_expected(FILE *file)
+static size_t spheres_expected(off_t file_size)
 {
     enum { USUAL_LINE = 64, MOST = 1 << 22 };
-    struct stat status;
-    bool known = fstat(fileno(file), &status) == 0 && S_ISREG(status.st_mode);
-    long long count = known ? (long long)status.st_size / USUAL_LINE : 0;
+    off_t count = file_size / USUAL_LINE;
     return (size_t)(count < MOST ? count : MOST);
+}
+
+static off_t size_of(FILE *file)
+{
+    struct stat status;
+    return fstat(fileno(file), &status) == 0 && S_ISREG(status.st_mode) ? status.st_size : 0;
 }
 
 bool nff_entities(NffReader *reader)
 {
     Scene *scene = reader->scene;
-    reader->least_spheres = spheres_expected(reader->line.file);
+    reader->file_size = size_of(reader->line.file);
+    reader->least_spheres = spheres_expected(reader->file_size);
     const Surface white = {.color = vec3_of(1, 1, 1), .diffuse = 1};
     if (!APPEND(scene->surfaces, scene->surface_count, white, 0) || !read_entities(reader))
         return false;

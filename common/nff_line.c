@@ -13,7 +13,7 @@
 
 bool nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message)
 {
-    *line = (NffLine){.file = file, .file_name = file_name, .message = message, .room = 1 << 16};
+    *line = (NffLine){.file = file, .file_name = file_name, .message = message, .room = NFF_HELD};
     line->held = malloc(line->room + NUMBER_PADDING);
     line->next = line->end = line->held;
     if (line->held == NULL)
@@ -58,18 +58,21 @@ static bool hold_more(NffLine *line)
 
 void nff_hold(NffLine *line, size_t size)
 {
-    if (size > line->room) {
-        size_t next = (size_t)(line->next - line->held), end = (size_t)(line->end - line->held);
-        char *larger = realloc(line->held, size + NUMBER_PADDING);
-        if (larger == NULL)
-            return;
-        line->held = larger;
-        line->room = size;
-        line->next = larger + next;
-        line->end = larger + end;
-    }
     if ((size_t)(line->end - line->next) < size)
         hold_more(line);
+}
+
+off_t nff_tell(const NffLine *line)
+{
+    return ftello(line->file) - (line->end - line->next);
+}
+
+bool nff_seek(NffLine *line, off_t start)
+{
+    line->next = line->end = line->held;
+    memset(line->end, 0, NUMBER_PADDING);
+    return fseeko(line->file, start, SEEK_SET) == 0 ||
+           nff_wrong(line, "cannot be read: %s", strerror(errno));
 }
 
 // One line without its end, a 0 in the place of that. NULL at the end of the file or on an error.

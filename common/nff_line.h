@@ -8,8 +8,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <sys/types.h>
 
-enum { NFF_LONGEST_LINE = 1000, NFF_MOST_WORDS = 16 };
+enum { NFF_LONGEST_LINE = 1000, NFF_MOST_WORDS = 16, NFF_HELD = 1 << 16 };
 
 typedef struct {
     FILE *file;
@@ -29,8 +30,12 @@ typedef struct {
 bool nff_begin(NffLine *line, FILE *file, const char *file_name, Message *message);
 void nff_end(NffLine *line);
 
-// Holds at least this many bytes from next on, unless the file ends or memory is short.
+// Holds at least this many bytes from next on, at most NFF_HELD, unless the file ends.
 void nff_hold(NffLine *line, size_t size);
+
+// Where next is in a regular file, and reading on from another place there. False if it fails.
+off_t nff_tell(const NffLine *line);
+bool nff_seek(NffLine *line, off_t start);
 
 // Goes to the next line that has words, comments left out. False at the end of the file, and
 // where the file cannot be read; then failed is set.

@@ -1,4 +1,4 @@
-// nff_plain.c - the plain lines of an NFF file, in parts, by the threads that a program lends.
+// nff_plain.c - the plain lines of an NFF file, by all threads that a program lends.
 //
 // Nearly all lines of a long scene are spheres: 's', four numbers, each after one space, and the
 // end of the line. Such a line means the same wherever it is, so the parts of the file can be read
@@ -8,36 +8,22 @@
 #include "common/workers.h"
 
 #include <limits.h>
+#include <pthread.h>
 #include <string.h>
+#include <unistd.h>
 
-// A part is at most this many bytes. After a line that is not plain, the next attempt begins with
-// few bytes, and doubles as long as all lines are plain. So little work is done in vain.
-enum { PART = 1 << 16, MOST_PARTS = 32, FIRST_ATTEMPT = 1 << 8 };
+// A thread reads this much text at a time, so that the text stays in its cache. After a line that
+// is not plain, the next attempt begins with few bytes, and doubles as long as all lines are plain.
+// So little work is done in vain.
+enum { WINDOW = NFF_HELD, FIRST_ATTEMPT = 1 << 8 };
 // The bytes of the shortest lines: s 0 0 0 1, and f 0 0 0 0 0 0 0 0.
 enum { SHORTEST_SPHERE = 10, SHORTEST_FILL = 18 };
 
+// Where a line begins in the file, and where its sphere or fill belongs in the scene.
 typedef struct {
-    const char *text, *end; // whole lines; later the first one that is not plain
-    Scene *scene;
-    int first_sphere, first_fill;        // where they belong in it
-    int lines, sphere_count, fill_count; // first all that look so, then those that were read
-} Part;
-
-// A loop over the lines: the one after this.
-static const char *next_line(const Part *part, const char *text)
-{
-    const char *stop = memchr(text, '\n', (size_t)(part->end - text));
-    return stop == NULL ? part->end : stop + 1;
-}
-
-static void count_lines(void *given, int i)
-{
-    Part *part = (Part *)given + i;
-    for (const char *text = part->text; text < part->end; text = next_line(part, text)) {
-        part->sphere_count += *text == 's';
-        part->fill_count += *text == 'f';
-    }
-}
+    off_t start;
+    int sphere, fill;
+} Place;
 
 // Reads a plain line of this letter and this count of numbers. Returns the next line, or NULL.
 static const char *read_plain(const char *line, char letter, int count, double *numbers)
@@ -51,50 +37,42 @@ static const char *read_plain(const char *line, char letter, int count, double *
     return *text == '\n' && text - line <= NFF_LONGEST_LINE ? text + 1 : NULL;
 }
 
-static void read_lines(void *given, int i)
+// Goes to the first line that is not plain, or to the end.
+static const char *read_lines(const char *text, const char *end, Scene *scene, Place *place)
 {
-    Part *part = (Part *)given + i;
+    const char *next;
+    const char *const first = text;
+    int sphere = place->sphere, fill = place->fill;
     double n[8];
-    part->sphere_count = part->fill_count = 0;
-    while (part->text < part->end) {
-        int fill = part->first_fill + part->fill_count;
-        const char *next = read_plain(part->text, 's', 4, n);
-        if (next != NULL &&
-            nff_sphere(n, fill - 1, &part->scene->spheres[part->first_sphere + part->sphere_count]))
-            part->sphere_count++;
-        else if (next == NULL && (next = read_plain(part->text, 'f', 8, n)) != NULL &&
-                 nff_fill(n, &part->scene->surfaces[fill]))
-            part->fill_count++;
-        else
-            return;
-        part->text = next;
-        part->lines++;
+    for (; text < end; text = next) {
+        if ((next = read_plain(text, 's', 4, n)) != NULL) {
+            if (!nff_sphere(n, fill - 1, &scene->spheres[sphere]))
+                break;
+            sphere++;
+        } else {
+            if ((next = read_plain(text, 'f', 8, n)) == NULL ||
+                !nff_fill(n, &scene->surfaces[fill]))
+                break;
+            fill++;
+        }
     }
+    *place = (Place){place->start + (text - first), sphere, fill};
+    return text;
 }
 
-// Cuts the text into parts at the ends of lines.
-static int cut(const char *text, const char *end, Part *parts)
+// The size of the whole lines at the start of a text.
+static size_t whole_lines(const char *text, size_t size)
 {
-    int count = 0;
-    while (text < end) {
-        Part *part = &parts[count++];
-        *part = (Part){.text = text, .end = end};
-        if (end - text > PART)
-            part->end = next_line(part, text + PART - NFF_LONGEST_LINE);
-        text = part->end;
-    }
-    return count;
+    while (size > 0 && text[size - 1] != '\n')
+        size--;
+    return size;
 }
 
-// The parts know where their spheres and fills belong, if all are plain.
-static bool make_room(NffReader *reader, Part *parts, int count)
+// Room for all spheres and fills that are possible in this many bytes.
+static bool make_room(NffReader *reader, int size)
 {
     Scene *scene = reader->scene;
-    int spheres = 0, fills = 0;
-    for (int i = 0; i < count; i++) {
-        spheres += parts[i].sphere_count;
-        fills += parts[i].fill_count;
-    }
+    const int spheres = size / SHORTEST_SPHERE, fills = size / SHORTEST_FILL;
     void *for_spheres = nff_room(scene->spheres, scene->sphere_count, spheres, sizeof(Sphere),
                                  reader->least_spheres);
     if (for_spheres != NULL)
@@ -102,68 +80,143 @@ static bool make_room(NffReader *reader, Part *parts, int count)
     void *for_fills = nff_room(scene->surfaces, scene->surface_count, fills, sizeof(Surface), 0);
     if (for_fills != NULL)
         scene->surfaces = for_fills;
-    if ((for_spheres == NULL && spheres > 0) || for_fills == NULL)
-        return nff_wrong(&reader->line, "no memory for more than %d spheres", scene->sphere_count);
-    spheres = scene->sphere_count;
-    fills = scene->surface_count;
-    for (int i = 0; i < count; i++) {
-        parts[i].scene = scene;
-        parts[i].first_sphere = spheres;
-        parts[i].first_fill = fills;
-        spheres += parts[i].sphere_count;
-        fills += parts[i].fill_count;
-    }
-    return true;
+    return ((for_spheres != NULL || spheres == 0) && for_fills != NULL) ||
+           nff_wrong(&reader->line, "no memory for more than %d spheres", scene->sphere_count);
 }
 
-// Takes the parts up to the first line that is not plain.
-static void take(NffReader *reader, const Part *parts, int count)
+// All lines before this place were plain.
+static void take(NffReader *reader, Place place)
 {
-    for (int i = 0; i < count; i++) {
-        reader->line.number += parts[i].lines;
-        reader->line.next += parts[i].text - reader->line.next;
-        reader->scene->sphere_count += parts[i].sphere_count;
-        reader->scene->surface_count += parts[i].fill_count;
-        if (parts[i].text < parts[i].end)
-            return;
-    }
+    Scene *scene = reader->scene;
+    reader->line.number += place.sphere - scene->sphere_count + place.fill - scene->surface_count;
+    scene->sphere_count = place.sphere;
+    scene->surface_count = place.fill;
 }
 
-// The end of the last whole line among this many bytes; the start of them if there is none.
-static const char *whole_lines(const NffLine *line, size_t size)
+// By the caller alone. This and read_by_all return false after the first line that is not plain, if
+// there are no more lines, and if there is not enough memory.
+static bool read_by_one(NffReader *reader, size_t most)
 {
+    NffLine *line = &reader->line;
+    nff_hold(line, most);
     size_t held = (size_t)(line->end - line->next);
-    const char *end = line->next + (held < size ? held : size);
-    while (end > line->next && end[-1] != '\n')
-        end--;
-    return end;
+    const char *end = line->next + whole_lines(line->next, held < most ? held : most);
+    if (end == line->next || !make_room(reader, (int)(end - line->next)))
+        return false;
+    Place place = {0, reader->scene->sphere_count, reader->scene->surface_count};
+    line->next += read_lines(line->next, end, reader->scene, &place) - line->next;
+    take(reader, place);
+    return line->next == end;
+}
+
+// ---- by all threads ---------------------------------------------------------------------------
+
+// The threads take windows of the file in turns. The one whose turn it is reads a window, and
+// counts its spheres and fills. So the next one knows where its own belong, before the numbers are
+// read.
+typedef struct {
+    pthread_mutex_t lock;
+    int file;
+    Scene *scene;
+    int most_spheres, most_fills; // how many the scene has room for
+    Place next;                   // of the next window
+    Place stop;                   // of the first line that is known not to be plain
+    bool stopped;                 // there is one
+} Turns;
+
+// How many lines begin with this letter. text[-1] is the end of the line before. The sum of a block
+// fits in a byte, so compilers make vectors of the inner loop.
+static int count_lines(const char *text, size_t size, char letter)
+{
+    enum { BLOCK = 128 };
+    int count = 0;
+    for (; size >= BLOCK; size -= BLOCK, text += BLOCK) {
+        unsigned char some = 0;
+        for (int i = 0; i < BLOCK; i++)
+            some = (unsigned char)(some + ((text[i] == letter) & (text[i - 1] == '\n')));
+        count += some;
+    }
+    for (; size > 0; size--, text++)
+        count += text[0] == letter && text[-1] == '\n';
+    return count;
+}
+
+// Reads the next window. Returns its size; 0 if there is none, or no room for it.
+static size_t next_window(Turns *turns, char *window, Place *place)
+{
+    *place = turns->next;
+    if (turns->stopped)
+        return 0;
+    ssize_t held = pread(turns->file, window, WINDOW, place->start);
+    size_t size = whole_lines(window, held > 0 ? (size_t)held : 0);
+    Place next = {place->start + (off_t)size, place->sphere + count_lines(window, size, 's'),
+                  place->fill + count_lines(window, size, 'f')};
+    if (next.sphere > turns->most_spheres || next.fill > turns->most_fills)
+        return 0;
+    turns->next = next;
+    return size;
+}
+
+static void read_windows(void *given, int thread)
+{
+    (void)thread;
+    Turns *turns = given;
+    char held[1 + WINDOW + NUMBER_PADDING] = "\n", *window = held + 1;
+    size_t size;
+    do {
+        Place place;
+        pthread_mutex_lock(&turns->lock);
+        size = next_window(turns, window, &place);
+        pthread_mutex_unlock(&turns->lock);
+        if (read_lines(window, window + size, turns->scene, &place) == window + size)
+            continue;
+        pthread_mutex_lock(&turns->lock);
+        if (!turns->stopped || place.start < turns->stop.start)
+            turns->stop = place;
+        turns->stopped = true;
+        pthread_mutex_unlock(&turns->lock);
+    } while (size > 0);
+}
+
+// The room that make_room has made, or less: lines can still be counted.
+static int most_of(int count, int more, size_t least)
+{
+    const size_t room = nff_room_of((size_t)count + (size_t)more, least);
+    const int most = count + INT_MAX / 8;
+    return room < (size_t)most ? (int)room : most;
+}
+
+static bool read_by_all(NffReader *reader)
+{
+    NffLine *line = &reader->line;
+    Scene *scene = reader->scene;
+    if (!make_room(reader, WINDOW))
+        return false;
+    const Place first = {nff_tell(line), scene->sphere_count, scene->surface_count};
+    Turns turns = {.lock = PTHREAD_MUTEX_INITIALIZER,
+                   .file = fileno(line->file),
+                   .scene = scene,
+                   .most_spheres =
+                       most_of(first.sphere, WINDOW / SHORTEST_SPHERE, reader->least_spheres),
+                   .most_fills = most_of(first.fill, WINDOW / SHORTEST_FILL, 0),
+                   .next = first};
+    workers_do(workers_count(), read_windows, &turns);
+    const Place last = turns.stopped ? turns.stop : turns.next;
+    take(reader, last);
+    return nff_seek(line, last.start) && !turns.stopped && last.start > first.start;
 }
 
 bool nff_plain_lines(NffReader *reader)
 {
-    // A part is at least PART less one line. One thread reads one part after the other: then the
-    // text stays in the cache, and nobody has to count lines to know where its spheres belong.
-    const int most_parts = workers_count() > 1 ? MOST_PARTS : 1;
-    const size_t most = (size_t)most_parts * (PART - 2 * NFF_LONGEST_LINE);
-    NffLine *line = &reader->line;
-    Part parts[MOST_PARTS + 1];
-    for (size_t attempt = FIRST_ATTEMPT;; attempt = 2 * attempt < most ? 2 * attempt : most) {
-        nff_hold(line, attempt);
-        const char *end = whole_lines(line, attempt);
-        if (end == line->next || line->number > INT_MAX / 2)
-            return true;
-        int count = cut(line->next, end, parts);
-        if (count > 1) {
-            workers_do(count, count_lines, parts);
-        } else {
-            parts->sphere_count = (int)(end - line->next) / SHORTEST_SPHERE;
-            parts->fill_count = (int)(end - line->next) / SHORTEST_FILL;
-        }
-        if (!make_room(reader, parts, count))
-            return false;
-        workers_do(count, read_lines, parts);
-        take(reader, parts, count);
-        if (line->next < end)
-            return true;
+    const NffLine *line = &reader->line;
+    const bool by_all = workers_count() > 1 && reader->file_size > 0;
+    size_t size = FIRST_ATTEMPT;
+    while (line->number < INT_MAX / 2) {
+        const bool long_enough =
+            by_all && size == WINDOW && reader->file_size - nff_tell(line) > WINDOW;
+        if (!(long_enough ? read_by_all(reader) : read_by_one(reader, size)))
+            break;
+        size = size < WINDOW ? 2 * size : WINDOW;
     }
+    return !line->failed;
 }

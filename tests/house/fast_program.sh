@@ -25,6 +25,15 @@ check 'and in the sun' draws_the_same 1 -s 32x24 --sun 1,1,1 --ambient 0.3 --dep
 check 'and of a scene without mirrors' draws_the_same 1 -s 64x48 "$BUILD/scenes/sunflower.nff"
 check 'and of three spheres' draws_the_same 2 -s 96x72 "$three"
 
+# A pipe has no size, and cannot be read in parts.
+reads_a_pipe() {
+    flake=$BUILD/scenes/sphereflake-7381.nff
+    "$programs/08-fast" --threads 2 -s 64x48 -o "$scratch/right.png" "$flake" &&
+        cat "$flake" | "$programs/08-fast" --threads 2 -s 64x48 -o "$scratch/fast.png" /dev/stdin &&
+        cmp "$scratch/right.png" "$scratch/fast.png"
+}
+check 'a scene may come through a pipe' reads_a_pipe
+
 # Numbers at the end of what a double holds: no engine crashes, and the picture is chapter 06's (07's).
 extreme() {
     printf '%s\n' v "from 0 0 $1" 'at 0 0 0' 'up 0 1 0' "angle $2" 'resolution 20 15' 'l 5 5 5' >"$scratch/extreme.nff"

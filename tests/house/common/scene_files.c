@@ -1,9 +1,10 @@
 // scene_files.c - tests of common/nff_line.c and nff_plain.c: how an NFF file may be written, and
 // what is none. Expected: the format as common/scene.h describes it. Each error is checked for its
 // line too.
-#include "tests/house/common/other_order.h"
+#include "common/workers.h"
 #include "tests/house/common/scene.h"
 
+#include <pthread.h>
 #include <stdlib.h>
 
 // ---- how it may be written ------------------------------------------------------------------
@@ -95,8 +96,39 @@ START_TEST(lines_are_whole_wherever_the_pieces_of_a_file_meet)
 }
 END_TEST
 
-// A long scene is read in parts. Some of its lines are not plain; the last one is wrong.
-START_TEST(the_parts_of_a_file_may_be_read_in_any_order)
+enum { THREADS = 3 };
+
+static int most_threads; // that read together
+
+typedef struct {
+    void (*part)(void *given, int i);
+    void *given;
+    int i;
+} OnePart;
+
+static void *do_part(void *of)
+{
+    const OnePart *one = of;
+    one->part(one->given, one->i);
+    return NULL;
+}
+
+static void at_the_same_time(int threads, int parts, void (*part)(void *given, int i), void *given)
+{
+    pthread_t all[THREADS];
+    OnePart each[THREADS];
+    ck_assert(threads == THREADS && parts <= THREADS);
+    for (int i = 0; i < parts; i++) {
+        each[i] = (OnePart){part, given, i};
+        ck_assert(pthread_create(&all[i], NULL, do_part, &each[i]) == 0);
+    }
+    for (int i = 0; i < parts; i++)
+        pthread_join(all[i], NULL);
+    most_threads = parts > most_threads ? parts : most_threads;
+}
+
+// All threads read a long scene. Some of its lines are not plain; the last one is wrong.
+START_TEST(threads_read_the_same_scene_together)
 {
     enum { COUNT = 60000, FILL = 777, ODD = 19999 };
     size_t room = (size_t)COUNT * 70, used = 0;
@@ -114,8 +146,8 @@ START_TEST(the_parts_of_a_file_may_be_read_in_any_order)
                                 i, -i);
     }
     Scene scene;
-    workers_are(last_part_first, 2);
-    most_parts = 0;
+    workers_are(at_the_same_time, THREADS);
+    most_threads = 0;
     ck_assert(read_bytes(text, used, &scene));
     expect_int(scene.sphere_count, COUNT);
     expect_int(scene.surface_count, (COUNT - 1) / FILL + 2);
@@ -125,7 +157,7 @@ START_TEST(the_parts_of_a_file_may_be_read_in_any_order)
             scene_surface(&scene, i)->refraction != i - i % FILL)
             ck_abort_msg("sphere number %d is not as it should be", i);
     }
-    expect_law(most_parts > 1, "several parts at a time", "%d", most_parts);
+    expect_law(most_threads == THREADS, "all threads", "%d", most_threads);
     scene_free(&scene);
     sprintf(text + used, "s 1 2 3 0\n%s", SPHERE SPHERE);
     expect_refused(text, line + 1, "radius of 0");
@@ -223,7 +255,7 @@ static void list_tests(void)
     test(a_byte_order_mark_is_no_word);
     test(two_hundred_thousand_spheres_are_read);
     test(lines_are_whole_wherever_the_pieces_of_a_file_meet);
-    test(the_parts_of_a_file_may_be_read_in_any_order);
+    test(threads_read_the_same_scene_together);
     tests_of("scene_read files");
     test(empty_files_are_refused);
     test(a_file_with_a_zero_byte_is_no_text);
