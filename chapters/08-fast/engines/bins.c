@@ -3,7 +3,7 @@
 //
 // A tile's pixels stay in the cache meanwhile (Fuchs et al., 'Pixel-Planes 5', 1989). Most of the
 // hidden spheres are never asked. Many do not even get into a bin: if a large sphere covers a whole
-// tile, or a small cell of the screen, all that begins beyond it is hidden there.
+// tile, all that begins beyond it is hidden there.
 #include "chapters/08-fast/engines/bins_tile.h"
 #include "chapters/08-fast/engines/covered_pixels.h"
 #include "chapters/08-fast/engines/engine.h"
@@ -13,7 +13,6 @@
 #include "common/image_flat.h"
 #include "common/large_pages.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -22,7 +21,7 @@
 static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
 
 enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024, MORE_MEMORY = 1 << 21 }; // bytes
-// For fewer than FEW_SPHERES more shares and cells are not worth their cost, and for fewer than
+// For fewer than FEW_SPHERES more shares are not worth their cost, and for fewer than
 // HIDING_SPHERES hiding is not. At most FEW_ITEMS of a bin need no malloc.
 enum { FEW_SPHERES = 10000, HIDING_SPHERES = 1000, FEW_ITEMS = 128 };
 enum { TURN = 8 * PLACES };   // spheres that a share adds before the next share's
@@ -49,15 +48,10 @@ typedef struct {
     long long room;   // number of chunks that it may still use
 } Share;
 
-// The tiles or the cells of the screen. They begin every step pixels, and are size pixels wide and
-// high; their depths in hidden begin at first.
-typedef struct {
-    int step, size, columns, rows, first;
-} Grid;
-
 typedef struct {
     Tiling tiling;
     Eye eye;
+    Rays rays; // of the screen
     Share *shares;
     int share_count;
     // The first memory of all shares. One thread allocates it, because malloc keeps that thread's
@@ -68,13 +62,9 @@ typedef struct {
     size_t chunk;        // bytes
     int columns, rows;   // of tiles
     int top, bottom;     // the rows that have bins
-    // The depth beyond which all spheres are hidden, of each tile and each cell. A thread that
-    // does not know the latest value only keeps a sphere that it could drop. hidden[0] hides
-    // nothing.
+    // Of each tile: the depth beyond which all spheres are hidden. A thread that does not know the
+    // latest value only keeps a sphere that it could drop.
     _Atomic uint16_t *hidden;
-    Grid tiles, cells;
-    int large;              // spheres from this many pixels on hide others
-    atomic_bool any_hidden; // have some done so?
     // Of each row of tiles: those that are not cast yet.
     atomic_int *left;
     atomic_bool extreme; // some sphere has extreme numbers (number_limits.h)
@@ -189,68 +179,29 @@ static inline int least(int a, int b)
 
 // ---- spheres ----------------------------------------------------------------------------------
 
-static double along(vec3 c, const double axis[3])
+// In the tiles that a large sphere covers, all that begins beyond its outline is hidden.
+static void hide(Casting *casting, Place place)
 {
-    return c[0] * axis[0] + c[1] * axis[1] + c[2] * axis[2];
-}
-
-// The whole part of x, from 0 to most.
-static int within(double x, int most)
-{
-    return x > 0 ? x < most ? (int)x : most : 0;
-}
-
-// Hides all that begins beyond this depth in the squares of a grid that are inside an ellipse. In
-// each row of squares these are between the ellipse's ends in the row of pixels that is farthest
-// from the middle.
-static void hide_in(Casting *casting, Grid grid, const double middle[2], const double half[2],
-                    int depth)
-{
-    const double scale = 1.0 / grid.step, last = grid.size - 1;
-    const int end = within((middle[1] + half[1] - last) * scale + 1, grid.rows);
-    for (int row = within((middle[1] - half[1]) * scale + 1, grid.rows); row < end; row++) {
-        const double above = middle[1] - row * grid.step, below = last - above;
-        const double y = (above > below ? above : below) / half[1];
-        const double x = half[0] * sqrt(1 - y * y);
-        const int right = within((middle[0] + x - last) * scale + 1, grid.columns);
-        for (int i = within((middle[0] - x) * scale + 1, grid.columns); i < right; i++) {
-            _Atomic uint16_t *hidden = &casting->hidden[grid.first + row * grid.columns + i];
-            if (depth < atomic_load_explicit(hidden, memory_order_relaxed))
+    const Work *work = casting->tiling.work;
+    const Sphere *sphere = &work->scene->spheres[place.sphere];
+    vec3 c = sphere->center - work->camera.origin;
+    const int depth = depth_of((float)beyond_outline(c, sphere->radius));
+    for (int row = (place.top + TILE_HEIGHT - 1) / TILE_HEIGHT;
+         (row + 1) * TILE_HEIGHT <= place.bottom; row++)
+        for (int column = (place.left + TILE_WIDTH - 1) / TILE_WIDTH;
+             (column + 1) * TILE_WIDTH <= place.right; column++) {
+            _Atomic uint16_t *hidden = &casting->hidden[row * casting->columns + column];
+            const Part part = {column * TILE_WIDTH, (column + 1) * TILE_WIDTH, row * TILE_HEIGHT,
+                               (row + 1) * TILE_HEIGHT};
+            if (depth < atomic_load_explicit(hidden, memory_order_relaxed) &&
+                covers(&casting->rays, c, sphere->radius, part))
                 atomic_store_explicit(hidden, (uint16_t)depth, memory_order_relaxed);
         }
-    }
 }
 
-// In the tiles and cells that a large sphere covers, all that begins beyond its outline is hidden.
-//
-// The outline is an ellipse in the rectangle of exercise 08. With p = x y / (x_root y_root), and u
-// and v counted from its middle in halves of the rectangle, u^2 + v^2 - 2 p u v <= 1 - p^2 inside.
-// That is certain if u^2 + v^2 <= 1 - |p|, because 2 u v is not more than u^2 + v^2. As in covers,
-// there is a margin of a thousandth for rounding.
-static void hide(Casting *casting, const Sphere *sphere)
+static inline bool is_hidden(const Casting *casting, int depth, int tile)
 {
-    const Eye *eye = &casting->eye;
-    const vec3 c = sphere->center - casting->tiling.work->camera.origin;
-    const double r = sphere->radius, x = along(c, eye->right), y = along(c, eye->up);
-    const double z = along(c, eye->forward), g = z * z - r * r;
-    if (!(z > 1.001 * r && vec3_dot(c, c) < 1e6 * r * r))
-        return;
-    const double x_root = sqrt(x * x + g), y_root = sqrt(y * y + g);
-    const double smaller = sqrt(0.999 * (1 - fabs(x * y) / (x_root * y_root)));
-    // Centres of pixels have whole numbers here.
-    const double middle[] = {eye->width / 2 + eye->across * x * z / g - 0.5,
-                             eye->height / 2 - eye->down * y * z / g - 0.5};
-    const double half[] = {smaller * eye->across * r * x_root / g,
-                           smaller * eye->down * r * y_root / g};
-    const int depth = depth_of((float)beyond_outline(c, r));
-    atomic_store_explicit(&casting->any_hidden, true, memory_order_relaxed);
-    hide_in(casting, casting->tiles, middle, half, depth);
-    hide_in(casting, casting->cells, middle, half, depth);
-}
-
-static inline bool is_hidden(const Casting *casting, int depth, int by)
-{
-    return depth > atomic_load_explicit(&casting->hidden[by], memory_order_relaxed);
+    return depth > atomic_load_explicit(&casting->hidden[tile], memory_order_relaxed);
 }
 
 // False if there is no room.
@@ -272,14 +223,15 @@ static bool add_place(Casting *casting, Share *share, Place place)
     const int top = most(place.top / TILE_HEIGHT, casting->top);
     const int bottom = least((place.bottom - 1) / TILE_HEIGHT, casting->bottom - 1);
     const int depth = (int)place_depth(place);
-    if (place.right - place.left >= casting->large && place.bottom - place.top >= casting->large)
-        hide(casting, &casting->tiling.work->scene->spheres[place.sphere]);
+    if (right > left + 1 && bottom > top + 1 &&
+        casting->tiling.work->scene->sphere_count >= HIDING_SPHERES)
+        hide(casting, place);
     // One loop for both: a processor cannot guess whether two tiles are a row or a column.
     int column = left, row = top;
     for (int tiles = (right - left + 1) * (bottom - top + 1); tiles > 0; tiles--) {
         const int tile = row * casting->columns + column;
         const int part = part_in(&place, column * TILE_WIDTH, row * TILE_HEIGHT);
-        if (!is_hidden(casting, depth, casting->tiles.first + tile) &&
+        if (!is_hidden(casting, depth, tile) &&
             !add_item(casting, share, tile, item_of(depth, part, place.sphere)))
             return false;
         row += column == right;
@@ -294,10 +246,10 @@ static bool add_places(Casting *casting, Share *share, const Places *places, int
     // Lists without branches: a processor would often guess wrong which spheres are hidden.
     int in_one[PLACES], in_some[PLACES], ones = 0, others = 0;
     for (int i = 0; i < count; i++) {
-        const bool seen = !is_hidden(casting, places->depth[i], places->hidden_by[i]);
+        const bool seen = !is_hidden(casting, places->depth[i], places->tile[i]);
         in_one[ones] = in_some[others] = i;
         ones += seen & (places->kind[i] == IN_ONE_TILE);
-        others += seen & (places->kind[i] == IN_TILES);
+        others += places->kind[i] == IN_TILES;
     }
     const int begin = casting->top * casting->columns, end = casting->bottom * casting->columns;
     for (int k = 0; k < ones; k++) {
@@ -317,9 +269,6 @@ static bool add_spheres(Casting *casting, Share *share, Positions *positions, in
 {
     const Work *work = casting->tiling.work;
     const Sphere *spheres = &work->scene->spheres[first];
-    Eye eye = casting->eye;
-    if (!atomic_load_explicit(&casting->any_hidden, memory_order_relaxed))
-        eye.in_cell = 0; // tiles are enough: they are fewer, and stay in the cache
     Places places;
     for (int i = 0; i < count; i++) {
         vec3 c = spheres[i].center - work->camera.origin;
@@ -331,7 +280,7 @@ static bool add_spheres(Casting *casting, Share *share, Positions *positions, in
             __builtin_prefetch(&spheres[i + PLACES]); // for the next call
     }
     bool extreme = false;
-    if (!casting->tiling.lanes->place(&eye, positions, count, &places))
+    if (!casting->tiling.lanes->place(&casting->eye, positions, count, &places))
         for (int i = 0; i < count; i++)
             extreme |= extreme_sphere(work->camera.origin, &spheres[i]);
     if (extreme)
@@ -426,24 +375,6 @@ static bool cast_rows(Casting *casting)
     return !casting->failed;
 }
 
-// Few spheres have no cells.
-static void set_grids(Casting *casting)
-{
-    Eye *eye = &casting->eye;
-    const int count = casting->tiling.work->scene->sphere_count;
-    const int width = (int)eye->width, height = (int)eye->height;
-    const int cells = 1 + casting->columns * casting->rows;
-    const bool few = count < FEW_SPHERES;
-    casting->tiles = (Grid){TILE_WIDTH, TILE_WIDTH, casting->columns, casting->rows, 1};
-    casting->cells = (Grid){CELL, CELL + OVERLAP, few ? 0 : (width + CELL - 1) / CELL,
-                            few ? 0 : (height + CELL - 1) / CELL, cells};
-    casting->large = count < HIDING_SPHERES ? INT_MAX : few ? 2 * TILE_WIDTH : LARGE;
-    eye->tiles = casting->columns;
-    eye->cells = casting->cells.columns;
-    eye->first_cell = cells;
-    eye->in_cell = few ? 0 : OVERLAP + 1;
-}
-
 static bool shares_create(Casting *casting)
 {
     const size_t tiles = (size_t)casting->columns * (size_t)casting->rows;
@@ -452,9 +383,7 @@ static bool shares_create(Casting *casting)
     casting->share_memory =
         items * sizeof(Item) / (size_t)casting->share_count + (tiles + 1) * casting->chunk;
     casting->shares = calloc((size_t)casting->share_count, sizeof *casting->shares);
-    const size_t hidden =
-        (size_t)casting->cells.first + (size_t)casting->cells.columns * (size_t)casting->cells.rows;
-    casting->hidden = malloc(hidden * sizeof *casting->hidden);
+    casting->hidden = malloc(tiles * sizeof *casting->hidden);
     casting->left = malloc((size_t)casting->rows * sizeof *casting->left);
     const size_t bytes = (size_t)casting->share_count * casting->share_memory;
     // Not large_memory: malloc does not keep long arrays that it has to align.
@@ -469,7 +398,7 @@ static bool shares_create(Casting *casting)
         created = casting->shares[i].next != NULL;
     }
     if (created)
-        memset(casting->hidden, 0xff, hidden * sizeof *casting->hidden); // nothing is hidden
+        memset(casting->hidden, 0xff, tiles * sizeof *casting->hidden); // nothing is hidden
     return created;
 }
 
@@ -514,11 +443,12 @@ static bool cast(const Work *work, int *seen, bool *extreme)
     Casting casting = {.tiling = {work, bins_lanes[lanes_best()], colors,
                                   seen == NULL ? image_flat(work->image) : NULL, seen},
                        .eye = eye_of(work),
+                       .rays = rays_from(work, (Pixel){0, 0}),
                        .share_count = work->scene->sphere_count < FEW_SPHERES ? 1 : work->threads,
                        .chunk = SMALLEST_CHUNK,
                        .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,
                        .rows = (screen.height + TILE_HEIGHT - 1) / TILE_HEIGHT};
-    set_grids(&casting);
+    casting.eye.tiles = casting.columns;
     // Large chunks for large bins: few steps from chunk to chunk. Small ones for small bins: little
     // memory that has no items.
     int bin = work->scene->sphere_count / casting.columns / casting.rows;

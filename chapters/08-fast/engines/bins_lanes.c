@@ -26,12 +26,11 @@ static inline int end_pixel(float x, float most)
 // A pixel is inside if its centre is. Rounding adds some of a pixel.
 #define MARGIN (1.0F / 64)
 
-// The tile and the cell of each place. In a loop of its own, because gcc joins the conditions of
+// The tile of each place. In a loop of its own, because gcc joins the conditions of
 // both loops to many more.
 static void find_tiles(const Eye *eye, int count, Places *restrict places)
 {
-    const int tiles = eye->tiles, cells = eye->cells, first_cell = eye->first_cell;
-    const int in_cell = eye->in_cell;
+    const int tiles = eye->tiles;
 #pragma omp simd
     for (int i = 0; i < count; i++) {
         const int columns = places->right[i] - places->left[i];
@@ -39,18 +38,15 @@ static void find_tiles(const Eye *eye, int count, Places *restrict places)
         unsigned left = (unsigned)places->left[i], right = (unsigned)places->right[i] - 1;
         unsigned top = (unsigned)places->top[i], bottom = (unsigned)places->bottom[i] - 1;
         int tile = (int)(top / TILE_HEIGHT) * tiles + (int)(left / TILE_WIDTH);
-        int cell = (int)(top / CELL) * cells + (int)(left / CELL) + first_cell;
         unsigned part = left % TILE_WIDTH * TILE_WIDTH + right % TILE_WIDTH;
         part = (part * TILE_HEIGHT + top % TILE_HEIGHT) * TILE_HEIGHT + bottom % TILE_HEIGHT;
-        bool seen = (columns > 0) & (rows > 0), large = (columns >= LARGE) & (rows >= LARGE);
+        bool seen = (columns > 0) & (rows > 0);
         bool one =
             (left / TILE_WIDTH == right / TILE_WIDTH) & (top / TILE_HEIGHT == bottom / TILE_HEIGHT);
-        int kind = (one & !large) ? IN_ONE_TILE : IN_TILES, hidden_by = one ? 1 + tile : 0;
-        hidden_by = ((columns <= in_cell) & (rows <= in_cell)) ? cell : hidden_by;
+        int kind = one ? IN_ONE_TILE : IN_TILES;
         places->kind[i] = seen ? kind : UNSEEN;
-        places->tile[i] = tile;
+        places->tile[i] = seen ? tile : 0;
         places->part[i] = (int)part;
-        places->hidden_by[i] = seen ? hidden_by : 0;
     }
 }
 

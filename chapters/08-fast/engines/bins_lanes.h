@@ -14,11 +14,6 @@
 
 enum { TILE_WIDTH = 32, TILE_HEIGHT = 32 };
 
-// The screen also has small cells, to know what large spheres hide: those of LARGE pixels or more.
-// Cells begin every CELL pixels and overlap by OVERLAP, so a sphere of at most OVERLAP + 1 pixels
-// is in one cell.
-enum { CELL = 4, OVERLAP = 3, LARGE = 28 };
-
 // The place of a sphere on the screen (columns left to right - 1, rows top to bottom - 1), and its
 // least distance from the eye. That is rounded down, without the last PLACE_DROPPED bits of the
 // float; places are sorted by the other bits.
@@ -56,16 +51,14 @@ typedef struct {
     double right[3], up[3], forward[3];
     double across, down; // pixels per unit of the plane
     double width, height;
-    int tiles, cells;        // in a row
-    int first_cell, in_cell; // in hidden (bins.c); pixels of a sphere that is certainly in one cell
+    int tiles; // in a row
 } Eye;
 
-// The places of spheres, and the tile of those in one tile. hidden_by is the number of the cell or
-// the tile that hides a sphere if it hides anything there (bins.c); 0 if it needs several.
-typedef enum { UNSEEN, IN_ONE_TILE, IN_TILES } PlaceKind; // LARGE spheres count as IN_TILES
+// The places of spheres, and the tile of those in one tile.
+typedef enum { UNSEEN, IN_ONE_TILE, IN_TILES } PlaceKind;
 typedef struct {
     int left[PLACES], right[PLACES], top[PLACES], bottom[PLACES], depth[PLACES];
-    int kind[PLACES], tile[PLACES], part[PLACES], hidden_by[PLACES];
+    int kind[PLACES], tile[PLACES], part[PLACES];
 } Places;
 
 static inline Place place_at(const Places *places, int i, int sphere)
