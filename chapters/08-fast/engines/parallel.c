@@ -4,9 +4,11 @@
 // and Kuck, 1987). So all threads finish at the same time, and each works at its own place
 // meanwhile. Neighbours in a picture share cache lines, and two threads that write to one line wait
 // for each other.
+#define _GNU_SOURCE // for affinity
 #include "chapters/08-fast/engines/parallel.h"
 
 #include <pthread.h>
+#include <sched.h>
 #include <stdatomic.h>
 
 enum { MOST_THREADS = 256, SHARES = 8 };
@@ -40,16 +42,40 @@ static void *take(void *of)
     return NULL;
 }
 
+// Linux may put a new thread on the processor of the thread that creates it, and let it wait there
+// for milliseconds, although another processor is idle. So threads are created for the other
+// processors. Returns the number of these; 0 if it is not known.
+static int start_elsewhere(pthread_attr_t *how)
+{
+#ifdef __GLIBC__
+    cpu_set_t others;
+    const int here = sched_getcpu();
+    if (here < 0 || here >= CPU_SETSIZE || sched_getaffinity(0, sizeof others, &others) != 0)
+        return 0;
+    CPU_CLR((size_t)here, &others);
+    const int count = CPU_COUNT(&others);
+    if (count > 0 && pthread_attr_setaffinity_np(how, sizeof others, &others) == 0)
+        return count;
+#else
+    (void)how;
+#endif
+    return 0;
+}
+
 void in_parallel(int threads, int parts, void (*part)(void *given, int i), void *given)
 {
     if (threads > parts)
         threads = parts > 0 ? parts : 1;
     Queue queue = {.parts = parts, .threads = threads, .part = part, .given = given};
     pthread_t others[MOST_THREADS];
+    pthread_attr_t how;
+    pthread_attr_init(&how);
+    const int elsewhere = threads > 1 ? start_elsewhere(&how) : 0;
     int started = 0;
     while (started < threads - 1 && started < MOST_THREADS &&
-           pthread_create(&others[started], NULL, take, &queue) == 0)
+           pthread_create(&others[started], started < elsewhere ? &how : NULL, take, &queue) == 0)
         started++;
+    pthread_attr_destroy(&how);
     take(&queue);
     for (int i = 0; i < started; i++)
         pthread_join(others[i], NULL);
