@@ -8,7 +8,8 @@
 // 05's and 07's functions decide. Embree answers one ray at a time. All answer the same rays in
 // turns, on one thread. The times are processor times, so other programs disturb them less. Then
 // both build their hierarchies, also in turns, by one thread and by two. At last, without a clock,
-// the boxes and spheres that the rays visit are counted in the trees of both (trees.c).
+// the boxes and spheres that the rays visit are counted in the trees of both (trees.c); with 0
+// rounds only these.
 // Usage: any_rays [-r ROUNDS] SCENE.nff...
 #include "chapters/08-fast/engines/engine.h"
 #include "chapters/08-fast/engines/hierarchy.h"
@@ -439,7 +440,6 @@ static void compare_building(const Scene *scene, const float *spheres, int threa
 typedef struct {
     double log_sum[2], least[2];
     int scenes;
-    double box_log_sum, sphere_log_sum, most_boxes, most_spheres; // of RAY_KINDS in each scene
 } Sums;
 
 static void sum(Sums *sums, int kind, double ratio)
@@ -461,96 +461,151 @@ static void compare_rays(Both *both, const RayList *shadow, const RayList *mirro
     sums->scenes++;
 }
 
-static void count_visits(const LightWorld *world, const float *spheres, const RayKind *kinds,
-                         Sums *sums)
+// A scene, and the rays of its picture.
+typedef struct {
+    Scene scene;
+    Camera camera;
+    Resolution screen;
+    LightWorld world;
+    RayList shadow, mirror;
+    float *spheres; // x, y, z and r, for Embree
+} PictureRays;
+
+static void collect_rays(PictureRays *picture)
 {
-    TreeRatios ratios = compare_trees(world->scene, &world->hierarchy, spheres, kinds);
-    for (int i = 0; i < RAY_KINDS; i++) {
-        sums->box_log_sum += log(ratios.boxes[i]);
-        sums->sphere_log_sum += log(ratios.spheres[i]);
-        sums->most_boxes = fmax(sums->most_boxes, ratios.boxes[i]);
-        sums->most_spheres = fmax(sums->most_spheres, ratios.spheres[i]);
-    }
+    Image image = {.size = picture->screen};
+    const int pixels = picture->screen.width * picture->screen.height;
+    int *seen = array((size_t)pixels, sizeof *seen), hits = 0;
+    Work work = {&picture->scene, picture->camera, &image, 2, NULL, NULL, false};
+    if (!bins_spheres(&work, seen))
+        exit(1);
+    for (int i = 0; i < pixels; i++)
+        hits += seen[i] >= 0;
+    picture->shadow = ray_list(hits * picture->scene.light_count);
+    picture->mirror = ray_list(hits);
+    collect(&picture->scene, seen, picture->camera, picture->screen, &picture->shadow,
+            &picture->mirror);
+    free(seen);
 }
 
-static void measure(const char *path, int rounds, Sums *sums)
+static void picture_begin(PictureRays *picture, const char *path)
 {
-    static Scene scene;
-    Camera camera;
-    LightWorld world;
+    Scene *scene = &picture->scene;
     Message message;
-    if (!scene_load(path, &scene, &message)) {
+    if (!scene_load(path, scene, &message)) {
         fprintf(stderr, "%s\n", message.text);
         exit(1);
     }
-    Resolution screen = {1920, 1080};
-    Image image = {.size = screen};
-    int *seen = array((size_t)screen.width * (size_t)screen.height, sizeof *seen), hits = 0;
-    float *spheres = array((size_t)scene.sphere_count + 1, 4 * sizeof *spheres);
-    if (scene_camera(&scene.view, screen, &camera) != CAMERA_OK ||
-        !light_world_build(&world, &scene, 2))
+    picture->screen = (Resolution){1920, 1080};
+    picture->spheres = array((size_t)scene->sphere_count + 1, 4 * sizeof *picture->spheres);
+    if (scene_camera(&scene->view, picture->screen, &picture->camera) != CAMERA_OK ||
+        !light_world_build(&picture->world, scene, 2))
         exit(1);
-    for (int i = 0; i < scene.sphere_count; i++) {
+    for (int i = 0; i < scene->sphere_count; i++) {
         for (int k = 0; k < 3; k++)
-            spheres[4 * i + k] = (float)scene.spheres[i].center[k];
-        spheres[4 * i + 3] = (float)scene.spheres[i].radius;
+            picture->spheres[4 * i + k] = (float)scene->spheres[i].center[k];
+        picture->spheres[4 * i + 3] = (float)scene->spheres[i].radius;
     }
-    Work work = {&scene, camera, &image, 2, NULL, NULL, false};
-    if (!bins_spheres(&work, seen))
-        exit(1);
-    for (int i = 0; i < screen.width * screen.height; i++)
-        hits += seen[i] >= 0;
-    RayList shadow = ray_list(hits * scene.light_count), mirror = ray_list(hits);
-    collect(&scene, seen, camera, screen, &shadow, &mirror);
+    collect_rays(picture);
+    printf("%s, %d spheres\n", path, scene->sphere_count);
+}
+
+static void picture_end(PictureRays *picture)
+{
+    light_world_free(&picture->world);
+    ray_list_free(&picture->shadow);
+    ray_list_free(&picture->mirror);
+    free(picture->spheres);
+    scene_free(&picture->scene);
+}
+
+static void measure(PictureRays *picture, int rounds, Sums *sums)
+{
+    const Scene *scene = &picture->scene;
     LightPaths paths;
-    if (!light_paths_begin(&paths, &world, 0))
+    if (!light_paths_begin(&paths, &picture->world, 0))
         exit(1);
     RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
-    Both both = {&world, peer_scene(device, spheres, scene.sphere_count), paths.nearest,
-                 paths.nearest_of_many, 0};
-    printf("%s, %d spheres\n", path, scene.sphere_count);
-    compare_rays(&both, &shadow, &mirror, rounds, sums);
+    Both both = {&picture->world, peer_scene(device, picture->spheres, scene->sphere_count),
+                 paths.nearest, paths.nearest_of_many, 0};
+    compare_rays(&both, &picture->shadow, &picture->mirror, rounds, sums);
     for (int threads = 1; threads <= 2; threads++)
-        compare_building(&scene, spheres, threads, rounds);
-    Single *eye = eye_rays(camera, screen);
-    RayKind kinds[RAY_KINDS] = {{"eye", eye, screen.width * screen.height, false},
-                                {"shadow", shadow.singles, shadow.count, true},
-                                {"mirror", mirror.singles, mirror.count, false}};
-    count_visits(&world, spheres, kinds, sums);
-    free(eye);
+        compare_building(scene, picture->spheres, threads, rounds);
     rtcReleaseScene(both.peer);
     rtcReleaseDevice(device);
     light_paths_end(&paths);
-    light_world_free(&world);
-    ray_list_free(&shadow);
-    ray_list_free(&mirror);
-    free(seen);
-    free(spheres);
-    scene_free(&scene);
+}
+
+static void say_sums(const Sums *sums)
+{
+    for (int kind = 0; kind < 2; kind++)
+        printf("%s: %.2f times Embree in the geometric mean of %d scenes, at least %.2f\n",
+               kind == 0 ? "shadow" : "mirror", exp(sums->log_sum[kind] / sums->scenes),
+               sums->scenes, sums->least[kind]);
+}
+
+// ---- trees ------------------------------------------------------------------------------------
+
+// Over all scenes and kinds of rays: sums of logarithms, and the most.
+typedef struct {
+    double boxes, spheres, most_boxes, most_spheres;
+    int count;
+} TreeSums;
+
+static void count_visits(const PictureRays *picture, TreeSums *sums)
+{
+    Single *eye = eye_rays(picture->camera, picture->screen);
+    RayKind kinds[RAY_KINDS] = {{"eye", eye, picture->screen.width * picture->screen.height, false},
+                                {"shadow", picture->shadow.singles, picture->shadow.count, true},
+                                {"mirror", picture->mirror.singles, picture->mirror.count, false}};
+    TreeRatios ratios =
+        compare_trees(&picture->scene, &picture->world.hierarchy, picture->spheres, kinds);
+    for (int i = 0; i < RAY_KINDS; i++) {
+        sums->boxes += log(ratios.boxes[i]);
+        sums->spheres += log(ratios.spheres[i]);
+        sums->most_boxes = fmax(sums->most_boxes, ratios.boxes[i]);
+        sums->most_spheres = fmax(sums->most_spheres, ratios.spheres[i]);
+        sums->count++;
+    }
+    free(eye);
+}
+
+static void say_tree_sums(const TreeSums *sums)
+{
+    printf("boxes visited: %.3f times those in Embree's tree in the geometric mean, at most %.3f\n",
+           exp(sums->boxes / sums->count), sums->most_boxes);
+    printf("spheres visited: %.3f times, at most %.3f\n", exp(sums->spheres / sums->count),
+           sums->most_spheres);
 }
 
 int main(int argc, char **argv)
 {
+    static PictureRays picture;
     int first = 1, rounds = 5;
     if (argc > 3 && strcmp(argv[1], "-r") == 0) {
         rounds = atoi(argv[2]);
         first = 3;
     }
-    if (first >= argc || rounds < 1 || rounds > MOST_ROUNDS) {
-        fprintf(stderr, "Usage: any_rays [-r ROUNDS, 1 to %d] SCENE.nff...\n", MOST_ROUNDS);
+    if (first >= argc || rounds < 0 || rounds > MOST_ROUNDS) {
+        fprintf(stderr, "Usage: any_rays [-r ROUNDS, 0 (only trees) to %d] SCENE.nff...\n",
+                MOST_ROUNDS);
         return 2;
     }
     Sums sums = {0};
-    for (int i = first; i < argc; i++)
-        measure(argv[i], rounds, &sums);
-    for (int kind = 0; kind < 2; kind++)
-        printf("%s: %.2f times Embree in the geometric mean of %d scenes, at least %.2f\n",
-               kind == 0 ? "shadow" : "mirror", exp(sums.log_sum[kind] / sums.scenes), sums.scenes,
-               sums.least[kind]);
-    int kinds = RAY_KINDS * sums.scenes;
-    printf("boxes visited: %.3f times those in Embree's tree in the geometric mean, at most %.3f\n",
-           exp(sums.box_log_sum / kinds), sums.most_boxes);
-    printf("spheres visited: %.3f times, at most %.3f\n", exp(sums.sphere_log_sum / kinds),
-           sums.most_spheres);
+    for (int i = first; i < argc && rounds > 0; i++) {
+        picture_begin(&picture, argv[i]);
+        measure(&picture, rounds, &sums);
+        picture_end(&picture);
+    }
+    if (rounds > 0)
+        say_sums(&sums);
+    // After all that is measured, so that it disturbs nothing.
+    TreeSums tree_sums = {0};
+    for (int i = first; i < argc; i++) {
+        picture_begin(&picture, argv[i]);
+        count_visits(&picture, &tree_sums);
+        picture_end(&picture);
+    }
+    say_tree_sums(&tree_sums);
     return 0;
 }

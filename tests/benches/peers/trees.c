@@ -293,13 +293,13 @@ static double meet_sphere(const float *sphere, const float *origin, const float 
     return t > 0 ? t : INFINITY;
 }
 
-// Where it enters a box; infinite if it does not. The slabs of bvh.c.
-static double enter(const Box *box, const Single *ray)
+// Where a ray enters a box; infinite if it does not. The slabs of bvh.c. inverse: 1 / direction.
+static double enter(const Box *box, const Single *ray, const double *inverse)
 {
     double near = 0, far = INFINITY;
     for (int i = 0; i < 3; i++) {
-        double a = (box->low[i] - (double)ray->origin[i]) / (double)ray->direction[i];
-        double b = (box->high[i] - (double)ray->origin[i]) / (double)ray->direction[i];
+        double a = (box->low[i] - (double)ray->origin[i]) * inverse[i];
+        double b = (box->high[i] - (double)ray->origin[i]) * inverse[i];
         double begin = a < b ? a : b, end = a < b ? b : a;
         near = begin > near ? begin : near;
         far = end < far ? end : far;
@@ -312,8 +312,11 @@ static int add_waiting(Waiting *waiting, int count, const Tree *tree, const Bran
                        const Single *ray, bool sorted)
 {
     const int bottom = count;
+    double inverse[3];
+    for (int i = 0; i < 3; i++)
+        inverse[i] = 1 / (double)ray->direction[i];
     for (int i = node->first; i < node->first + node->count; i++) {
-        double near = enter(&tree->branches[i].box, ray);
+        double near = enter(&tree->branches[i].box, ray, inverse);
         if (near == INFINITY)
             continue;
         int at = count++;
