@@ -8,7 +8,6 @@
 #include "common/workers.h"
 
 #include <limits.h>
-#include <pthread.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -115,7 +114,6 @@ static bool read_by_one(NffReader *reader, size_t most)
 // counts its spheres and fills. So the next one knows where its own belong, before the numbers are
 // read.
 typedef struct {
-    pthread_mutex_t lock;
     int file;
     Scene *scene;
     int most_spheres, most_fills; // how many the scene has room for
@@ -141,41 +139,52 @@ static int count_lines(const char *text, size_t size, char letter)
     return count;
 }
 
-// Reads the next window. Returns its size; 0 if there is none, or no room for it.
-static size_t next_window(Turns *turns, char *window, Place *place)
+// What one of the threads reads.
+typedef struct {
+    Turns *turns;
+    char *window;
+    size_t size; // of the whole lines in it; 0 if there are none, or no room for them
+    Place place; // of the first line; then of the first one that is not plain, or of the end
+} Reading;
+
+static void read_window(void *given)
 {
-    *place = turns->next;
+    Reading *reading = given;
+    Turns *turns = reading->turns;
+    const Place place = reading->place = turns->next;
+    reading->size = 0;
     if (turns->stopped)
-        return 0;
-    ssize_t held = pread(turns->file, window, WINDOW, place->start);
-    size_t size = whole_lines(window, held > 0 ? (size_t)held : 0);
-    Place next = {place->start + (off_t)size, place->sphere + count_lines(window, size, 's'),
-                  place->fill + count_lines(window, size, 'f')};
+        return;
+    ssize_t held = pread(turns->file, reading->window, WINDOW, place.start);
+    size_t size = whole_lines(reading->window, held > 0 ? (size_t)held : 0);
+    Place next = {place.start + (off_t)size, place.sphere + count_lines(reading->window, size, 's'),
+                  place.fill + count_lines(reading->window, size, 'f')};
     if (next.sphere > turns->most_spheres || next.fill > turns->most_fills)
-        return 0;
+        return;
     turns->next = next;
-    return size;
+    reading->size = size;
+}
+
+static void stop(void *given)
+{
+    Turns *turns = ((Reading *)given)->turns;
+    const Place place = ((Reading *)given)->place;
+    if (!turns->stopped || place.start < turns->stop.start)
+        turns->stop = place;
+    turns->stopped = true;
 }
 
 static void read_windows(void *given, int thread)
 {
     (void)thread;
-    Turns *turns = given;
-    char held[1 + WINDOW + NUMBER_PADDING] = "\n", *window = held + 1;
-    size_t size;
+    char held[1 + WINDOW + NUMBER_PADDING] = "\n";
+    Reading reading = {.turns = given, .window = held + 1};
     do {
-        Place place;
-        pthread_mutex_lock(&turns->lock);
-        size = next_window(turns, window, &place);
-        pthread_mutex_unlock(&turns->lock);
-        if (read_lines(window, window + size, turns->scene, &place) == window + size)
-            continue;
-        pthread_mutex_lock(&turns->lock);
-        if (!turns->stopped || place.start < turns->stop.start)
-            turns->stop = place;
-        turns->stopped = true;
-        pthread_mutex_unlock(&turns->lock);
-    } while (size > 0);
+        workers_one_at_a_time(read_window, &reading);
+        const char *end = reading.window + reading.size;
+        if (read_lines(reading.window, end, reading.turns->scene, &reading.place) < end)
+            workers_one_at_a_time(stop, &reading);
+    } while (reading.size > 0);
 }
 
 // The room that make_room has made, or less: lines can still be counted.
@@ -193,8 +202,7 @@ static bool read_by_all(NffReader *reader)
     if (!make_room(reader, WINDOW))
         return false;
     const Place first = {nff_tell(line), scene->sphere_count, scene->surface_count};
-    Turns turns = {.lock = PTHREAD_MUTEX_INITIALIZER,
-                   .file = fileno(line->file),
+    Turns turns = {.file = fileno(line->file),
                    .scene = scene,
                    .most_spheres =
                        most_of(first.sphere, WINDOW / SHORTEST_SPHERE, reader->least_spheres),

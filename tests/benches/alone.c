@@ -25,7 +25,7 @@ int main(int argc, char **argv)
     Message message = {"no camera"};
     Resolution size = {atoi(argv[3]), atoi(argv[4])};
     Work work = {.scene = &scene, .image = &image, .threads = atoi(argv[5])};
-    workers_are(in_parallel, work.threads);
+    workers_are(in_parallel, one_at_a_time, work.threads);
     bool done = scene_load(argv[1], &scene, &message) &&
                 scene_camera(&scene.view, size, &work.camera) == CAMERA_OK &&
                 image_create(&image, size, &message);

@@ -107,7 +107,8 @@ int cast_command(int argc, char **argv)
     if (rectangles)
         return rectangles_tell(argv[0], &command);
 
-    workers_are(in_parallel, threads); // also to read the scene, and to write the picture
+    // Threads also read the scene, and write the picture.
+    workers_are(in_parallel, one_at_a_time, threads);
     static Drawing drawing;
     if (!(shaded ? shading_needs_are_met(lighting.style) : picture_needs_are_met(IMAGE_ORDER)) ||
         !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))

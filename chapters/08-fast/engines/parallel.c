@@ -80,3 +80,11 @@ void in_parallel(int threads, int parts, void (*part)(void *given, int i), void 
     for (int i = 0; i < started; i++)
         pthread_join(others[i], NULL);
 }
+
+void one_at_a_time(void (*step)(void *given), void *given)
+{
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    pthread_mutex_lock(&lock);
+    step(given);
+    pthread_mutex_unlock(&lock);
+}

@@ -7,4 +7,7 @@
 // thread. If a thread cannot be created, the others do its work.
 void in_parallel(int threads, int parts, void (*part)(void *given, int i), void *given);
 
+// Calls step(given). If another thread is in such a call, waits until that has ended.
+void one_at_a_time(void (*step)(void *given), void *given);
+
 #endif

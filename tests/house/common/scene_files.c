@@ -127,6 +127,14 @@ static void at_the_same_time(int threads, int parts, void (*part)(void *given, i
     most_threads = parts > most_threads ? parts : most_threads;
 }
 
+static void one_at_a_time(void (*step)(void *given), void *given)
+{
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    pthread_mutex_lock(&lock);
+    step(given);
+    pthread_mutex_unlock(&lock);
+}
+
 // All threads read a long scene. Some of its lines are not plain; the last one is wrong.
 START_TEST(threads_read_the_same_scene_together)
 {
@@ -146,7 +154,7 @@ START_TEST(threads_read_the_same_scene_together)
                                 i, -i);
     }
     Scene scene;
-    workers_are(at_the_same_time, THREADS);
+    workers_are(at_the_same_time, one_at_a_time, THREADS);
     most_threads = 0;
     ck_assert(read_bytes(text, used, &scene));
     expect_int(scene.sphere_count, COUNT);
