@@ -28,6 +28,7 @@ check 'and of three spheres' draws_the_same 2 -s 96x72 "$three"
 # A pipe has no size, and cannot be read in parts.
 reads_a_pipe() {
     flake=$BUILD/scenes/sphereflake-7381.nff
+    # shellcheck disable=SC2002 # a file would not be a pipe
     "$programs/08-fast" --threads 2 -s 64x48 -o "$scratch/right.png" "$flake" &&
         cat "$flake" | "$programs/08-fast" --threads 2 -s 64x48 -o "$scratch/fast.png" /dev/stdin &&
         cmp "$scratch/right.png" "$scratch/fast.png"
