@@ -67,6 +67,7 @@ static void flat_free(FlatImage *flat)
 
 bool image_flatten(const Image *image, const uint32_t *colors, int count, int unlikely)
 {
+    image_unflatten(image);
     if (the_flat_image != NULL)
         return false;
     FlatImage *flat = calloc(1, sizeof *flat);
@@ -96,7 +97,7 @@ void image_unflatten(const Image *image)
 int flat_number(const FlatImage *flat, uint32_t color)
 {
     int i = 0;
-    while (flat->colors[i] != color)
+    while (i < flat->color_count - 1 && flat->colors[i] != color)
         i++;
     return i;
 }

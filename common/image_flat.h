@@ -27,15 +27,15 @@ typedef struct {
 // The colours may come in any order, and several times. All but the first ones, which are unlikely,
 // are expected in the picture: if others are seen, all bands are encoded once more. False, and
 // nothing is changed, if there are too many colours or not enough memory, or if another image is
-// flat.
+// flat. Call image_unflatten before the Image is freed, or used in another way.
 bool image_flatten(const Image *image, const uint32_t *colors, int count, int unlikely);
 void image_unflatten(const Image *image);
 
-// The flat image of this image; NULL if it is not flat. It is no part of an Image, because students
-// read what an Image consists of.
+// The flat image of this image; NULL if it is not flat. It is not a field of Image, because
+// students read what an Image consists of.
 FlatImage *image_flat(const Image *image);
 
-// The number of a colour, which it has.
+// The number of a colour. It must be one of image_flatten's.
 int flat_number(const FlatImage *flat, uint32_t color);
 
 // Some pixels have these colours: the bits of a set.

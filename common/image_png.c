@@ -156,6 +156,7 @@ static void coloring_free(Coloring *coloring, const Image *image)
     free(coloring->colors);
     free(coloring->flat);
 }
+
 // ---- libpng -----------------------------------------------------------------------------------
 
 // libpng reports through a jump; its words are kept for the message.

@@ -1,4 +1,4 @@
-// large_pages.c - a hint for the system: this array is long.
+// large_pages.c - long arrays: a hint for the system, and memory for them.
 #include "common/large_pages.h"
 
 #include <stdint.h>

@@ -1,4 +1,4 @@
-// large_pages.h - a hint for the system: this array is long.
+// large_pages.h - long arrays: a hint for the system, and memory for them.
 #ifndef COMMON_LARGE_PAGES_H
 #define COMMON_LARGE_PAGES_H
 

@@ -32,7 +32,8 @@ bool nff_sphere(const double *numbers, int surface, Sphere *sphere);
 bool nff_fill(const double *numbers, Surface *fill);
 
 // Reads the lines of spheres and fills that come next and are plain: each number after one space,
-// and nothing wrong. The other lines are left to nff_next. False if there is not enough memory.
+// and nothing wrong. The other lines are left to nff_next. False if there is not enough memory, or
+// the file cannot be read.
 bool nff_plain_lines(NffReader *reader);
 
 // ---- the viewpoint ----------------------------------------------------------------------------

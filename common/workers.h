@@ -12,7 +12,7 @@ typedef void InParallel(int threads, int parts, void (*part)(void *given, int i)
 typedef void OneAtATime(void (*step)(void *given), void *given);
 
 // From now on, workers_do and workers_one_at_a_time use these functions, with this number of
-// threads. NULL: the caller does all parts, in their order.
+// threads. Both NULL: the caller does all parts, in their order.
 void workers_are(InParallel *in_parallel, OneAtATime *one_at_a_time, int threads);
 
 // How many threads workers_do uses.

@@ -1,5 +1,4 @@
-// alone.c - only reads a scene and writes its picture: the least that a program that casts it
-// takes.
+// alone.c - reads a scene and writes its picture: what programs take besides casting.
 //
 // Usage: alone SCENE.nff FILE.png WIDTH HEIGHT THREADS. Between the two it casts the picture. It
 // says how many seconds that takes, as a double for turns.c, which does not count them.

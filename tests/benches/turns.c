@@ -38,7 +38,7 @@ static bool add(char **words, int threads)
     for (int i = 0; words[i] != NULL && strcmp(words[i], "--") != 0 && i < MOST_WORDS; i++) {
         size_t length = strlen(words[i]);
         program->words[i] = words[i];
-        if (length == 0 || length > sizeof program->number || words[i][length - 1] != '%')
+        if (length == 0 || length >= sizeof program->number || words[i][length - 1] != '%')
             continue;
         program->threads = threads;
         program->words[i] = program->number;

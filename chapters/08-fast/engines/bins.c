@@ -24,8 +24,8 @@ enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024, MORE_MEMORY = 1 << 21 }; // b
 // For fewer than FEW_SPHERES more shares are not worth their cost, and for fewer than
 // HIDING_SPHERES hiding is not. At most FEW_ITEMS of a bin need no malloc.
 enum { FEW_SPHERES = 10000, HIDING_SPHERES = 1000, FEW_ITEMS = 128 };
-enum { TURN = 8 * PLACES };   // spheres that a share adds before the next share's
-enum { FEW_SURFACES = 1000 }; // of more, nobody looks how many colours are different
+enum { MOST_AT_A_TURN = 8 };  // times PLACES spheres, that a share adds before the next share's
+enum { FEW_SURFACES = 1000 }; // if there are more, the program does not count the different colours
 
 // A bin is a list of chunks. Each begins at a multiple of its size, which is a power of 2, so the
 // address of the next item shows whether the chunk is full.
@@ -294,8 +294,10 @@ static void fill_share(void *given, int part)
     Casting *casting = given;
     const int count = casting->tiling.work->scene->sphere_count;
     Positions positions = {0};
-    for (int turn = TURN * part; turn < count; turn += TURN * casting->share_count)
-        for (int first = turn; first < least(turn + TURN, count); first += PLACES)
+    const int some = count / (4 * casting->share_count * PLACES) + 1; // so that all have turns
+    const int size = PLACES * least(some, MOST_AT_A_TURN);
+    for (int turn = size * part; turn < count; turn += size * casting->share_count)
+        for (int first = turn; first < least(turn + size, count); first += PLACES)
             if (!add_spheres(casting, &casting->shares[part], &positions, first,
                              least(count - first, PLACES)))
                 return;
@@ -416,18 +418,18 @@ static void shares_free(Casting *casting)
 
 // The colours of all surfaces, and of the background; or their numbers, if the image becomes flat.
 // NULL if there is not enough memory.
-static uint32_t *colors_of(const Work *work, bool flat)
+static uint32_t *colors_of(const Work *work, bool may_be_flat)
 {
     const int count = work->scene->surface_count + 1, spheres = work->scene->sphere_count;
     Paint *paints = paints_of(work->scene);
-    uint32_t *colors = malloc((size_t)count * sizeof *colors);
-    for (int i = 0; i < count && paints != NULL && colors != NULL; i++)
+    uint32_t *colors = paints != NULL ? malloc((size_t)count * sizeof *colors) : NULL;
+    for (int i = 0; i < count && colors != NULL; i++)
         colors[i] =
             paints[i].rgb[0] | (uint32_t)paints[i].rgb[1] << 8 | (uint32_t)paints[i].rgb[2] << 16;
     free(paints);
     // Files have a white surface for spheres before the first fill.
     const int unlikely = count > 1 && spheres > 0 ? work->scene->spheres[0].surface : 0;
-    if (flat && count <= FEW_SURFACES && colors != NULL &&
+    if (may_be_flat && count <= FEW_SURFACES && colors != NULL &&
         image_flatten(work->image, colors, count, unlikely))
         for (int i = 0; i < count; i++)
             colors[i] = (uint32_t)flat_number(image_flat(work->image), colors[i]);
@@ -439,9 +441,10 @@ static uint32_t *colors_of(const Work *work, bool flat)
 static bool cast(const Work *work, int *seen, bool *extreme)
 {
     Resolution screen = work->image->size;
-    uint32_t *colors = colors_of(work, work->may_be_flat && seen == NULL);
+    const bool may_be_flat = work->may_be_flat && seen == NULL;
+    uint32_t *colors = colors_of(work, may_be_flat);
     Casting casting = {.tiling = {work, bins_lanes[lanes_best()], colors,
-                                  seen == NULL ? image_flat(work->image) : NULL, seen},
+                                  may_be_flat ? image_flat(work->image) : NULL, seen},
                        .eye = eye_of(work),
                        .rays = rays_from(work, (Pixel){0, 0}),
                        .share_count = work->scene->sphere_count < FEW_SPHERES ? 1 : work->threads,

@@ -26,8 +26,8 @@ static inline int end_pixel(float x, float most)
 // A pixel is inside if its centre is. Rounding adds some of a pixel.
 #define MARGIN (1.0F / 64)
 
-// The tile of each place. In a loop of its own, because gcc joins the conditions of
-// both loops to many more.
+// The tile of each place. It is a loop of its own, because gcc makes slower code of one loop for
+// both.
 static void find_tiles(const Eye *eye, int count, Places *restrict places)
 {
     const int tiles = eye->tiles;

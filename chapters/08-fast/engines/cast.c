@@ -56,9 +56,9 @@ static void list_engines(void)
 static void say_what_it_took(const char *name, const Drawing *drawing, bool shaded, double seconds)
 {
     Resolution size = drawing->image.size;
-    fprintf(stderr, "%s: %d x %d %s among %d spheres in %s", name, size.width, size.height,
+    fprintf(stderr, "%s: %d x %d %s among %d spheres in %s%s", name, size.width, size.height,
             shaded ? "pixels, shaded," : "rays", drawing->scene.sphere_count,
-            duration_text(seconds).s);
+            duration_text(seconds).s, image_flat(&drawing->image) != NULL ? " with the PNG" : "");
     if (shaded)
         fprintf(stderr, "\n");
     else

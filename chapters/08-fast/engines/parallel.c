@@ -73,7 +73,8 @@ void in_parallel(int threads, int parts, void (*part)(void *given, int i), void 
     const int elsewhere = threads > 1 ? start_elsewhere(&how) : 0;
     int started = 0;
     while (started < threads - 1 && started < MOST_THREADS &&
-           pthread_create(&others[started], started < elsewhere ? &how : NULL, take, &queue) == 0)
+           ((started < elsewhere && pthread_create(&others[started], &how, take, &queue) == 0) ||
+            pthread_create(&others[started], NULL, take, &queue) == 0))
         started++;
     pthread_attr_destroy(&how);
     take(&queue);

@@ -85,7 +85,7 @@ START_TEST(the_bands_of_a_picture_may_be_encoded_in_any_order)
         }
         size_t sizes[2];
         for (int order = 0; order < 2; order++) {
-            workers_are(order == 0 ? NULL : last_part_first, NULL, 2);
+            workers_are(order == 0 ? NULL : last_part_first, order == 0 ? NULL : at_once, 2);
             most_parts = 0;
             expect_written(&image, in_folder("a.png").s);
             expect_picture(in_folder("a.png").s, &image);

@@ -16,4 +16,9 @@ static inline void last_part_first(int threads, int parts, void (*part)(void *gi
         part(given, i);
 }
 
+static inline void at_once(void (*step)(void *given), void *given)
+{
+    step(given);
+}
+
 #endif
