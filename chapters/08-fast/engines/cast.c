@@ -56,14 +56,13 @@ static void list_engines(void)
 static void say_what_it_took(const char *name, const Drawing *drawing, bool shaded, double seconds)
 {
     Resolution size = drawing->image.size;
-    fprintf(stderr, "%s: %d x %d %s among %d spheres in %s%s", name, size.width, size.height,
+    fprintf(stderr, "%s: %d x %d %s among %d spheres in %s", name, size.width, size.height,
             shaded ? "pixels, shaded," : "rays", drawing->scene.sphere_count,
-            duration_text(seconds).s, image_flat(&drawing->image) != NULL ? " with the PNG" : "");
-    if (shaded)
-        fprintf(stderr, "\n");
-    else
-        fprintf(stderr, ", %s million a second\n",
+            duration_text(seconds).s);
+    if (!shaded)
+        fprintf(stderr, ", %s million a second",
                 number_text_to(1e-6 * size.width * size.height / seconds, 3).s);
+    fprintf(stderr, "%s\n", image_flat(&drawing->image) != NULL ? ", with the PNG" : "");
 }
 
 int cast_command(int argc, char **argv)
