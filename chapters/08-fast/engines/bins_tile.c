@@ -251,9 +251,13 @@ Rays rays_from(const Work *work, Pixel pixel)
 {
     Camera camera = work->camera;
     Resolution screen = work->image->size;
-    vec3 first = ray_to_plane(pixel_ray(camera, screen, pixel), camera).direction;
     vec3 column = camera.width / screen.width * camera.right;
     vec3 row = -camera.height / screen.height * camera.up;
+    // From the middle of the screen. At the edge of a very wide view, a ray that ends on the plane
+    // has lost digits.
+    Pixel middle = {screen.width / 2, screen.height / 2};
+    vec3 first = ray_to_plane(pixel_ray(camera, screen, middle), camera).direction +
+                 (pixel.column - middle.column) * column + (pixel.row - middle.row) * row;
     Rays rays = {.columns = vec3_dot(column, column),
                  .rows = vec3_dot(row, row),
                  .both = vec3_dot(column, row)};
