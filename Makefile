@@ -7,9 +7,20 @@
 .SUFFIXES:
 .DEFAULT_GOAL := all
 
+# 'make setup all': a second make builds, and finds what setup has installed.
+AFTER_SETUP := $(if $(filter setup,$(MAKECMDGOALS)),$(filter-out setup,$(MAKECMDGOALS)))
+ifneq ($(AFTER_SETUP),)
+$(AFTER_SETUP): after-setup ;
+after-setup: setup
+	@$(MAKE) --no-print-directory $(AFTER_SETUP)
+setup:
+	@.make/setup $(FOR)
+.PHONY: $(AFTER_SETUP) after-setup setup
+else
+
 # No rules but those that are written here (-r). As many jobs as there are processors, unless -j says something else.
 # (One shell asks all questions about this machine, because make also asks them between a saved answer and its verdict.)
-ASKED := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2; $(CC) --version 2>/dev/null | { IFS= read -r line; echo "$$line"; })
+ASKED := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2; uname -m; $(CC) --version 2>/dev/null | { IFS= read -r line; echo "$$line"; })
 MAKEFLAGS += -r -j$(firstword $(ASKED))
 
 # A students' handout has no solutions/, no tests of the exercises and no .make/toolkit/. The
@@ -19,7 +30,7 @@ STEMS := $(sort $(notdir $(basename $(wildcard exercises/*.h))))
 
 # Questions that matter only when all chapters are built or drawn are not asked between a saved
 # answer and its verdict.
-JUDGES_ONLY := $(if $(filter-out exercises watch hint debug reset status optional tasks,$(or $(MAKECMDGOALS),all)),,yes)
+JUDGES_ONLY := $(if $(filter-out exercises watch hint debug reset status submission optional tasks,$(or $(MAKECMDGOALS),all)),,yes)
 
 # Answers inside the tree are named from its top, others by their whole path. Not by patsubst: the
 # path of the tree may have a '%'.
@@ -76,21 +87,25 @@ WERROR ?= $(if $(CI),-Werror)
 LANGUAGE := -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I.
 STRICT := -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes \
 	-Wno-enum-float-conversion
-# Two warnings are errors for everybody: what is left out there is found by luck or not at all.
-FOR_STUDENTS := -Wall -Wextra -Wno-unused-parameter -Werror=return-type \
-	-Werror=implicit-function-declaration
+# Two warnings are errors for everybody: what is left out there is found by luck or not at all. Three of -Wextra
+# and -Wall are about code that means what its writer thinks: (Roots){2}, (Roots){1, t}, size_t i < count.
+FOR_STUDENTS := -Wall -Wextra -Wno-unused-parameter -Wno-missing-field-initializers -Wno-missing-braces \
+	-Wno-sign-compare -Werror=return-type -Werror=implicit-function-declaration
 SANITIZER := $(if $(SANITIZE),-fsanitize=$(SANITIZE) -fno-sanitize-recover=all)
 WARNINGS = $(STRICT) $(WERROR)
 COMPILE = $(CC) $(LANGUAGE) $(CFLAGS) $(OPTIMIZE) $(SANITIZER) $(WARNINGS) $(EXTRA) $(CPPFLAGS) -MMD -MP -c
 LINK = $(CC) $(CFLAGS) $(SANITIZER) $(LDFLAGS)
 
 # A change of compiler or flags builds all again: objects of two kinds must not be mixed.
-FLAGS_NOW := $(wordlist 2,99,$(ASKED)) $(LANGUAGE) $(CFLAGS) $(CPPFLAGS) \
+FLAGS_NOW := $(wordlist 3,99,$(ASKED)) $(LANGUAGE) $(CFLAGS) $(CPPFLAGS) \
 	$(LDFLAGS) $(SANITIZER) $(STRICT) $(WERROR)
 include $(wildcard $(B)/flags.mk)
 ifneq ($(strip $(FLAGS_NOW)),$(strip $(FLAGS_WERE)))
 $(shell { mkdir -p $(B) && printf 'FLAGS_WERE := %s\n' '$(FLAGS_NOW)' > $(B)/flags.mk; } 2>/dev/null)
 endif
+
+# What reads and writes text while the tree is built; it leaves nothing beside the sources.
+PYTHON := python3 -B
 
 Q := $(if $(V),,@)
 say = $(if $(V),,@$(TALK))
@@ -103,24 +118,20 @@ endif
 # Make, for a recipe that 'make -n' must not run, as it would if $(MAKE) were in it.
 MAKE_AGAIN = $(MAKE)
 
-# Libraries are looked for when the first rule needs them, so that 'make setup all' sees what setup
-# has just installed.
+# Libraries are looked for when the first rule needs them: 'make setup' installs them.
 look = $(if $(shell pkg-config --exists $(1) 2>/dev/null && echo yes),$(shell \
 	pkg-config $(2) $(1)),$(error $(1) (or pkg-config) is missing: 'make setup' installs it))
-PNG_CFLAGS = $(eval PNG_CFLAGS := $$(call look,libpng zlib,--cflags))$(PNG_CFLAGS)
-PNG_LIBS = $(eval PNG_LIBS := $$(call look,libpng zlib,--libs))$(PNG_LIBS)
+PNG_CFLAGS = $(eval PNG_CFLAGS := $$(call look,libpng,--cflags))$(PNG_CFLAGS)
+PNG_LIBS = $(eval PNG_LIBS := $$(call look,libpng,--libs))$(PNG_LIBS)
 CHECK_CFLAGS = $(eval CHECK_CFLAGS := $$(call look,check,--cflags))$(CHECK_CFLAGS)
 CHECK_LIBS = $(eval CHECK_LIBS := $$(call look,check,--libs))$(CHECK_LIBS)
 
-# 'make setup all' installs before anything is compiled, with -j too.
-SETUP_FIRST := $(if $(filter setup,$(MAKECMDGOALS)),| setup)
-
-$(B)/%.o: %.c $(B)/flags.mk $(SETUP_FIRST)
+$(B)/%.o: %.c $(B)/flags.mk
 	$(call say,compile,$<)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -o $@ $<
 
-$(B)/common/image_png.o $(B)/common/image_bands.o: EXTRA = $(PNG_CFLAGS)
+$(B)/common/image_png.o: EXTRA = $(PNG_CFLAGS)
 $(B)/tests/%.o: EXTRA = $(CHECK_CFLAGS)
 
 $(B)/common.a: $(patsubst %.c,$(B)/%.o,$(wildcard common/*.c common/figure/*.c))
@@ -135,20 +146,16 @@ $(B)/common.a $(B)/chapters/shared.a:
 # If a folder lacks an answer, the blank is used.
 BLANKS := $(STEMS:%=build/blanks/%.c)
 # Blanks are made from the solutions; a handout has them made.
-MAKE_BLANK := $(B)/tests/handout/make_blank
-$(MAKE_BLANK): $(MAKE_BLANK).o
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^
-build/blanks/%.c: solutions/%.c $(MAKE_BLANK)
+build/blanks/%.c: solutions/%.c solutions/make_blank
 	$(Q)mkdir -p $(@D)
-	$(Q)$(MAKE_BLANK) $< > $@
+	$(Q)solutions/make_blank $< > $@
 build/blanks/%.c: tests/handout/replay/blanks/%.c
 	$(Q)mkdir -p $(@D)
 	$(Q)cp $< $@
 
 # Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
 # reference in the place of one of them (tests/course/judging.c).
-$(B)/weak.h: tests/judge/weak.def tests/exercises.def $(SETUP_FIRST)
+$(B)/weak.h: tests/judge/names.def tests/exercises.def
 	$(Q)$(CC) -E -P -x c -I. $< > $@
 FOR_ANSWERS = $(FOR_STUDENTS) -include $(B)/weak.h
 # Helpers may go anywhere, so two chapters may use one name: only the exercises are seen from outside.
@@ -165,7 +172,7 @@ $(STEMS:%=$(BUILT)/%.text): $(BUILT)/%.text: build/blanks/%.c FORCE
 	@cmp -s $(call answer_in,$(A),$*) $@ || cp $(call answer_in,$(A),$*) $@
 $(ANSWER_OBJECTS): WARNINGS = $(FOR_ANSWERS)
 $(ANSWER_OBJECTS): $(BUILT)/%.o: $(BUILT)/%.text $(B)/flags.mk $(B)/weak.h \
-		$(B)/exercises.names build/blanks/%.c $(SETUP_FIRST)
+		$(B)/exercises.names build/blanks/%.c
 	$(call say,compile,$(call answer_in,$(A),$*))
 	$(Q)$(COMPILE) -o $@ $(call answer_in,$(A),$*) || { rm -f $(@:.o=.d); exit 1; }
 	$(Q)$(HIDE_HELPERS) $@
@@ -182,7 +189,7 @@ chapter_objects = $(patsubst %.c,$(B)/%.o,$(filter-out %_nff.c %_lanes.c,$(wildc
 	chapters/$(1)/*/*_lanes.c)))
 
 # The loops in NAME_lanes.c are compiled for several instruction sets; which of them a processor has
-# is asked when the program runs (lanes.c of that chapter). Nowhere but there may multiplications
+# is asked when the program runs (parallel.c of that chapter). Nowhere but there may multiplications
 # be fused with additions: what these loops decide, they decide with a margin. The steps of light
 # have no margin: they must have the solutions' bits.
 LANES_KINDS := baseline $(if $(JUDGES_ONLY),,$(if $(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),avx2 avx512))
@@ -190,7 +197,7 @@ FOR_avx2 := -mavx2 -mfma
 FOR_avx512 := $(FOR_avx2) -mavx512f -mavx512vl -mavx512bw -mavx512dq -mprefer-vector-width=512
 FOR_LANES := -O3 -fopenmp-simd -fno-math-errno -fno-trapping-math -ffp-contract=fast
 define lanes_rule
-$(B)/%.$(1).o: %.c $(B)/flags.mk $(SETUP_FIRST)
+$(B)/%.$(1).o: %.c $(B)/flags.mk
 	$$(call say,compile,$$< for $(1))
 	$$(Q)mkdir -p $$(@D)
 	$$(Q)$$(COMPILE) $$(FOR_LANES) $$(FOR_$(1)) -DLANES_KIND=$(1) -o $$@ $$<
@@ -199,9 +206,10 @@ $(foreach k,$(LANES_KINDS),$(eval $(call lanes_rule,$(k))))
 $(LANES_KINDS:%=$(B)/chapters/08-fast/engines/light_steps_lanes.%.o): FOR_LANES += -ffp-contract=off
 
 .SECONDEXPANSION:
-# Programs of other answers than the solutions note which they call (chapters/shared/answers_called.c).
-NOTE_CALLS := $(if $(filter-out solutions,$(A)),$$(sed 's/^/-Wl,--wrap=/' $(B)/exercises.names))
-$(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a
+# Programs of other answers than the solutions note which they call.
+ANSWERS_CALLED := $(if $(filter-out solutions,$(A)),$(B)/tests/judge/answers_called.o)
+NOTE_CALLS := $(if $(ANSWERS_CALLED),$$(sed 's/^/-Wl,--wrap=/' $(B)/exercises.names))
+$(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(ANSWERS_CALLED) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) $(NOTE_CALLS) -o $@ $^ $(PNG_LIBS) -lm -pthread
 
@@ -238,10 +246,12 @@ $(BUILT)/made: $(PROGRAMS) $(PICTURES) $(PAGE) $(B)/compile_commands.json $$(FOR
 	@$(eval DONE := yes)
 
 all: $(BUILT)/made ## build, cast the pictures and draw the figures (ANSWERS=folder: by those)
-	@if [ -s $(DRAWN) ]; then figures="No figures: 'make setup' installs gnuplot"; \
+	@if [ -s $(DRAWN) ]; then figures="No figures: 'make setup' installs $$(cat $(DRAWN))"; \
 		else figures='Figures: $(DRAWN_FIGURES)/'; fi; \
+	if [ -e $(PAGE) ]; then page='$(PAGE)'; else page="none, 'make setup' installs python3"; fi; \
 	$(if $(DONE),printf '%s\n' 'Done. Programs: $(BUILT)/NN-stem' 'Pictures: $(GALLERY)/' "$$figures" \
-		'All on one page: $(PAGE)',echo 'Nothing to do: all is up to date. The page: $(PAGE)')
+		"All on one page: $$page",echo "Nothing to do: all is up to date. The page: $$page")
+	$(SAY_WRONG)
 
 setup: ## install what is missing (FOR=lecturer, instructor, contributor, book, bench)
 	@.make/setup $(FOR)
@@ -259,3 +269,4 @@ OTHER_BUILDS := $(B)/sanitize-* $(if $(JUDGES_ONLY),$(B)/wasm $(B)/tests/house $
 INCLUDED := $(shell find $(B) \( -name '' $(OTHER_BUILDS:%=-o -path '%') \) -prune -o -name '*.d' -print 2>/dev/null)
 -include $(INCLUDED)
 $(INCLUDED): ;
+endif

@@ -1,7 +1,7 @@
 # figures.mk - make figures, and the page of pictures and figures. Included by the Makefile.
 
 # A layout chapters/NN-stem/figures/NAME.gp, and the data that the chapter's program computes for it, are a
-# script (common/figure/plot.h), which gnuplot draws (chapters/gallery/draw_figures.c). Each figure has a
+# script (common/figure/plot.h), which gnuplot draws (chapters/gallery/draw_figures.py). Each figure has a
 # folder: DRAWN_FIGURES/NAME/NAME.gp, NAME.svg and so on.
 # FIGURE=name: only that one, or several with commas.
 DRAWN_FIGURES := $(BUILT)/figures
@@ -32,52 +32,60 @@ $(RIGHT_PROGRAMS): $(B)/solutions/%: $$(call chapter_objects,$$*) \
 RIGHT_SCRIPTS := $(call script_of,$(RIGHT),$(FIGURE_NAMES))
 $(RIGHT_SCRIPTS): $(RIGHT)/%.gp: $(B)/solutions/$$(call stem_of,$$(*F)) $$(call figure_files,$$(*F))
 	$(Q)mkdir -p $(@D)
-	$(Q)$< --figure $(*F) > $@
+	$(Q)$< --figure $(*F) > $@.new || { rm -rf $(@D); exit 1; }; $(take_script)
 endif
+# Nothing that was drawn from another script remains beside a new one, in whatever format. Without a script there is
+# no figure.
+take_script = if [ ! -s $@.new ]; then rm -rf $(@D); else \
+	cmp -s $@.new $@ || find $(@D) -mindepth 1 ! -name $(@F).new -delete; mv $@.new $@; fi
+# A figure of your own, an animation and slides that this run does not draw have older numbers if the example or an
+# answer has changed since.
+NEW_NUMBERS = $(wildcard chapters/example.h $(if $(filter solutions,$(A)),solutions/*.c,$(STEMS:%=$(BUILT)/%.text)))
+remove_older = find $(BUILT)/figures/*/*.gp $(BUILT)/animations/*/*.gp $(BUILT)/slides/*.pdf \
+	\( -name '' $(NEW_NUMBERS:%=-o ! -newer %) \) 2>/dev/null | { gone=; while read -r old; do \
+	case $$old in *.gp) old=$${old%/*} ;; esac; rm -rf "$$old"; gone="$$gone $${old\#\#*/}"; done; \
+	[ -z "$$gone" ] || echo "Removed, because of their older numbers:$$gone"; }
+
 # A figure that calls an answer that is missing is not drawn: its program says so in one line (NOT_YET,
 # common/answers.h), and no older figure is left in its place. Below a wrong figure is what the judge says of the
 # answers that it calls.
 $(SCRIPTS): $(DRAWN_FIGURES)/%.gp: $(BUILT)/$$(call stem_of,$$(*F)) $$(call figure_files,$$(*F)) \
 		$(if $(RIGHT),$$(call right_script_of,$$(*F)) $$(RECORDS))
 	$(Q)mkdir -p $(@D)
-	$(Q)$(if $(RIGHT),$(beside_right),$< --figure $(*F) > $@)
+	$(Q)$(if $(RIGHT),$(beside_right),$< --figure $(*F) > $@.new || { rm -rf $(@D); exit 1; }; $(take_script))
 define beside_right
-note=$$($(COURSE) note $(PLAN) $$({ $< --figure $(*F) --answers; } 2>/dev/null)); \
+names=$$({ $< --figure $(*F) --answers; } 2>/dev/null); note=$${names:+$$($(COURSE) note $(PLAN) $$names)}; \
 NOT_YET=$(@D) $< --figure $(*F) --beside $(call right_script_of,$(*F)) $${note:+--note "$$note"} > $@.new || \
-	echo '  not yet   $(@D): crashed'; \
-if [ -s $@.new ]; then mv $@.new $@; else rm -rf $(@D); fi
+	case $$? in 1[2-9]?) echo '  not yet   $(@D): crashed' ;; *) echo '  not yet   $(@D): its program has said why' ;; esac; \
+$(take_script)
 endef
 
-DRAW_FIGURES := $(B)/chapters/gallery/draw_figures
-MAKE_PAGE := $(B)/chapters/gallery/gallery
-figures: $(call script_of,$(DRAWN_FIGURES),$(FIGURES_WANTED)) $(DRAW_FIGURES) $(MAKE_PAGE) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name; FIGURES=folder: your own)
+DRAW_FIGURES := $(PYTHON) chapters/gallery/draw_figures.py
+MAKE_PAGE := $(PYTHON) chapters/gallery/gallery.py $(BUILT) $(B)/scenes
+figures: $(call script_of,$(DRAWN_FIGURES),$(FIGURES_WANTED)) ## the deck's diagrams (FORMAT=svg,pdf,png,tex THEME=light,dark SHAPE=16:9,4:3 STEPS=1 FIGURE=name; FIGURES=folder: your own)
 	@FORMAT='$(FORMAT)' THEME='$(THEME)' SHAPE='$(SHAPE)' STEPS='$(STEPS)' \
 		$(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURES_WANTED)
-	@$(MAKE_PAGE) $(BUILT) $(B)/scenes
+	@$(remove_older)
+	@$(MAKE_PAGE)
 	@echo "All on a page: $(PAGE)"
 .PHONY: figures
 
-# 'make' draws them for the web: also 4:3, for phones. If gnuplot was missing and is there now, they are drawn again. A figure
-# that wrong answers make impossible is reported, and stops nothing else.
+# 'make' draws them for the web: also 4:3, for phones. If gnuplot or python3 was missing and is there now, they are drawn
+# again. A figure that wrong answers make impossible is reported, and stops nothing else.
 DRAWN := $(BUILT)/drawn
-ifeq ($(if $(JUDGES_ONLY),,$(shell cat $(DRAWN) 2>/dev/null)),without gnuplot)
-$(shell command -v gnuplot >/dev/null && rm -f $(DRAWN))
-endif
-$(DRAWN): $(SCRIPTS) $(DRAW_FIGURES) chapters/gallery/draw_figures.c chapters/gallery/latex_picture.c \
-		chapters/gallery/svg_picture.c
-	@FORMAT=svg THEME= SHAPE=16:9,4:3 STEPS= $(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURE_NAMES); status=$$?; \
-		case $$status in 0) : > $@ ;; 3) echo 'without gnuplot' > $@ ;; \
-			*) $(if $(filter solutions,$(A)),exit $$status,: > $@) ;; esac
+$(if $(JUDGES_ONLY),,$(shell [ ! -s $(DRAWN) ] || ! command -v "$$(cat $(DRAWN))" >/dev/null || rm -f $(DRAWN)))
+$(DRAWN): $(SCRIPTS) $(addprefix chapters/gallery/,draw_figures.py jobs.py latex_picture.py)
+	@$(remove_older)
+	@command -v python3 >/dev/null || { echo python3 > $@; exit; }; \
+		FORMAT=svg THEME= SHAPE=16:9,4:3 STEPS= $(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURE_NAMES); status=$$?; \
+		case $$status in 0) : > $@ ;; 3) echo gnuplot > $@ ;; *) $(if $(filter solutions,$(A)),exit $$status,: > $@) ;; esac
 
 # All of it on a page.
-$(DRAW_FIGURES): $(B)/chapters/gallery/latex_picture.o $(B)/chapters/gallery/svg_picture.o
-$(DRAW_FIGURES) $(MAKE_PAGE): %: %.o $(B)/common.a
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ -lm
 PAGE := $(GALLERY)/index.html
-$(PAGE): $(PICTURES) $(DRAWN) $(MAKE_PAGE) chapters/gallery/gallery.css chapters/gallery/contents.txt $(wildcard $(GALLERY)/*.png $(BUILT)/animations/*/*.*) \
-		$(wildcard chapters/*/README.md chapters/*/picture.txt)
-	@$(MAKE_PAGE) $(BUILT) $(B)/scenes
+$(PAGE): $(PICTURES) $(DRAWN) $(addprefix chapters/gallery/,gallery.py gallery.css contents.txt) \
+		$(wildcard $(GALLERY)/*.png $(BUILT)/animations/*/*.*) $(wildcard chapters/*/README.md chapters/*/picture.txt)
+	@if command -v python3 >/dev/null; then $(MAKE_PAGE); else rm -f $@; \
+		echo "python3 is missing, so the figures and the page of pictures, $@, are left out: 'make setup' installs it"; fi
 
 # For the test of that page.
 list-pictures:

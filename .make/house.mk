@@ -1,9 +1,9 @@
 # house.mk - make format, tidy, clean, help: the habits of the house. Included by the Makefile, last, so that
 # 'make help' lists them last.
 C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/*/*.[ch] exercises/*.h solutions/*.c solutions/*/*.c) \
-	$(filter-out tests/benches/peers/% tests/grade/attacks/% tests/grade/example/%,$(wildcard tests/*.[ch] \
+	$(filter-out tests/benches/embree% tests/grade/attacks/% tests/grade/example/%,$(wildcard tests/*.[ch] \
 	tests/*/*.[ch] tests/*/*/*.[ch]))
-FORMATTED = $(C_SOURCES) $(wildcard tests/benches/peers/*.c)
+FORMATTED = $(C_SOURCES) $(wildcard tests/benches/embree*.c)
 format: ## lay out the C sources (clang-format)
 	@clang-format -i $(FORMATTED)
 
@@ -12,17 +12,22 @@ format-check: ## fails where 'make format' would change something
 
 # Not in known mistakes, where bugs are what is wanted, nor in files that only compile for WebAssembly or with a
 # chapter's number.
-NOT_TIDY = $(wildcard tests/[0-9]*/mistakes*) chapters/book/instead/% tests/proof/book/reference_answers.c \
+NOT_TIDY = $(wildcard tests/[0-9]*/wrong.c) chapters/book/instead/% tests/proof/book/reference_answers.c \
 	tests/proof/book/answer_by_number.c
 tidy: $(B)/compile_commands.json ## look for bugs (clang-tidy)
 	clang-tidy --quiet -p $(B) $(filter-out $(NOT_TIDY),$(filter %.c,$(C_SOURCES)))
 
-$(B)/compile_commands.json: Makefile $(filter %.c,$(C_SOURCES)) $(SETUP_FIRST)
+# For tidy and for editors: what is known of the exercises as beside the reference; and the students' answers, with
+# the warnings that they get.
+KNOWN_SOURCES = $(filter %/wrong.c %/right.c %/verdicts.c %/laws.c,$(C_SOURCES))
+STUDENTS_SOURCES = $(STEMS:%=exercises/%.c) $(wildcard exercises/optional/*.c)
+commands_of = for f in $(1); do printf '{"directory": "%s", "file": "%s", "command": "%s -c %s"},\n' \
+	'$(CURDIR)' "$$f" '$(CC) $(LANGUAGE) $(2)' "$$f"; done
+$(B)/compile_commands.json: Makefile .make/house.mk $(filter %.c,$(C_SOURCES)) $(if $(KNOWN_SOURCES),$(B)/reference.h)
 	@mkdir -p $(@D)
-	@for f in $(filter %.c,$(C_SOURCES)); do \
-		printf '{"directory": "%s", "file": "%s", "command": "%s -c %s"},\n' \
-			'$(CURDIR)' "$$f" '$(CC) $(LANGUAGE) $(STRICT) $(PNG_CFLAGS)' "$$f"; \
-	done | sed '1s/^/[/; $$s/,$$/]/' > $@
+	@{ $(call commands_of,$(filter-out $(KNOWN_SOURCES),$(filter %.c,$(C_SOURCES))),$(STRICT) $(PNG_CFLAGS)); \
+		$(call commands_of,$(KNOWN_SOURCES),$(STRICT) $(AS_KNOWN)); \
+		$(call commands_of,$(STUDENTS_SOURCES),$(FOR_STUDENTS)); } | sed '1s/^/[/; $$s/,$$/]/' > $@
 
 clean: ## remove what was built
 	rm -rf build

@@ -40,7 +40,7 @@ $(OWN_SCRIPTS): $(DRAWN_FIGURES)/%.gp: $$(call own_program,$$(*F)) FORCE
 	$(Q)mkdir -p $(@D)
 	$(Q)NOT_YET=$(@D) $(print_own) > $@.new || \
 		{ rm -f $@.new; echo '$(call own_layout,$(*F)):1: its data could not be computed' >&2; exit 1; }
-	$(Q)if [ -s $@.new ]; then mv $@.new $@; else rm -rf $(@D); fi
+	$(Q)$(take_script)
 $(OWN_PROGRAMS): $(BUILT)/own-figures/%: $(FIGURES)/%.c $(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a FORCE
 	$(call say,compile,$<)
 	$(Q)mkdir -p $(@D)

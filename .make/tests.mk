@@ -8,11 +8,9 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
 
-# The common parts of all test programs: the list of tests, and the words for given and expected.
-TESTING := $(patsubst %,$(B)/tests/judge/%.o,record given expect expect_roots runner \
-	show random stem types type_words) $(B)/tests/course/page.o
-COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/course/check_*.c \
-	tests/course/explained/*.c))
+# The common parts of all test programs: the list of tests, the words for given and expected, the lecture's example.
+TESTING := $(patsubst %,$(B)/tests/judge/%.o,test runner stem types) $(B)/tests/course/page.o $(B)/chapters/shared/example.o
+COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/course/check_*.c))
 # The parts of the program that judges answers (tests/course/course.c).
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c %/explain_main.c tests/course/check_%, \
 	$(wildcard tests/course/*.c))) $(patsubst %,$(B)/tests/judge/%.o,exercise types)
@@ -23,20 +21,14 @@ $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/test_main.o $(B)/common.a
 
 # Compiling what is known of the stems takes longer than running it: not optimised. But every call goes
 # through its message.
-FOR_EACH_CALL := $(patsubst %,$(B)/tests/judge/%.o,types wire numbers message equal_numbers suspects)
+FOR_EACH_CALL := $(patsubst %,$(B)/tests/judge/%.o,types wire numbers message suspects answers_called)
 $(filter-out $(FOR_EACH_CALL),$(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*.c tests/[0-9]*/*.c tests/judge/*.c))): OPTIMIZE = -O0
 
-# The program that runs the tests.
-RUN := $(B)/tests/house/runner/run_tests
-$(RUN): $(RUN).o
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^
+# The program that runs the tests: T=word, only those that have it in their name.
+RUN := $(PYTHON) tests/house/runner/run_tests.py
 
 # The program that packs a student's answers (make submission).
-PACK := $(B)/tests/course/submission/pack
-$(PACK): $(patsubst %,$(B)/tests/course/submission/%.o,pack stored_zip) $(B)/common.a
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ -lm
+PACK := $(PYTHON) tests/course/pack_submission.py
 
 # The judge of all stems: by the tests, or in a handout by tables.
 JUDGE := $(B)/judge
@@ -48,24 +40,20 @@ $(LIST): $(patsubst %,tests/judge/%.c,list_exercises exercise types) tests/exerc
 	$(Q)$(CC) $(LANGUAGE) -o $@ $(filter %.c,$^)
 
 # One call of one exercise, as a message.
-CALLING := $(patsubst %,$(B)/tests/judge/%.o,transport message wire exercise types)
+CALLING := $(patsubst %,$(B)/tests/judge/%.o,message wire exercise types)
 # The answering process, for each stem: its number without zeros; 0 is all of them.
 answered = $(if $(filter all,$(1)),0,$(patsubst 0%,%,$(firstword $(subst -, ,$(1)))))
 DISPATCHES := $(patsubst %,$(B)/dispatch/%.o,$(STEMS) all)
-$(DISPATCHES): $(B)/dispatch/%.o: tests/judge/dispatch.c $(B)/flags.mk $(SETUP_FIRST)
+$(DISPATCHES): $(B)/dispatch/%.o: tests/judge/dispatch.c $(B)/flags.mk
 	$(call say,compile,$< for $*)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -o $@ $<
 
-# Which known mistake a wrong answer is.
-DIAGNOSIS := suspects evidence explanation stack_paint equal_numbers
-
 # The judge's report on answers, for a program.
-REPORTING := $(B)/tests/judge/report.o $(patsubst %,$(B)/tests/course/%.o,entries whole_text)
+REPORTING := $(B)/tests/course/chapter_record.o
 
 # The judge's figures of a wrong answer.
-DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,vector camera place section \
-	equation rectangle pictures) $(B)/tests/judge/picture_panels.o
+DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,space screen line) $(B)/tests/judge/picture_panels.o
 before = $(if $(filter-out $(2),$(firstword $(1))),$(firstword $(1)) $(call before,$(wordlist 2,99,$(1)),$(2)))
 earlier = $(strip $(call before,$(STEMS),$(1)))
 
@@ -76,8 +64,8 @@ earlier = $(strip $(call before,$(STEMS),$(1)))
 TABLE := $(if $(wildcard tests/handout/replay/*.table),tests/handout/replay,$(B)/replay)
 $(B)/tests/handout/replay/table.o: EXTRA = '-DTABLES="$(TABLE)"'
 TOLD := $(B)/tests/handout/replay/table.o $(B)/tests/judge/numbers.o $(CALLING)
-REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard $(DIAGNOSIS)) $(TOLD) \
-	$(patsubst %,$(B)/tests/handout/replay/%.o,replay expect)
+REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard suspects) $(TOLD) \
+	$(B)/tests/handout/replay/replay.o
 
 # A table by itself: what is right passes, and each mistake's values are failed and named.
 TABLE_CHECK := $(B)/replay/check

@@ -2,7 +2,7 @@
 //
 // To lecture with other numbers, change them here and run make. The programs, the lessons, their
 // figures and pictures, the slides, and the tests that use the example follow. All numbers are the
-// deck's, 'Ray Tracing, Part I'. Programs take them through common/example.h.
+// deck's, 'Ray Tracing, Part I'. Programs take them through chapters/shared/example.h.
 
 // The slide 'Camera': the eye p, and three unit vectors at right angles to each other.
 #define EXAMPLE_EYE 2, 2, -4

@@ -7,6 +7,7 @@
 #define COMMON_ANSWERS_H
 
 #include <stddef.h>
+#include <stdio.h> // an answer may print what it computes: the verdict shows it
 
 #define NOT_ANSWERED(type) (*(type *)not_answered(__func__, __FILE__, &(type){0}, sizeof(type)))
 #define NOT_ANSWERED_YET() ((void)not_answered(__func__, __FILE__, NULL, 0))
@@ -22,7 +23,7 @@ const char *answer_missing(int i);
 void answers_forget(void);
 
 // Notes that this answer was called, once for each name: the names are kept, not copied. Only in
-// programs whose calls pass chapters/shared/answers_called.c.
+// programs whose calls pass tests/judge/answers_called.c.
 void answer_called(const char *function);
 int answers_called(void);
 const char *answer_that_was_called(int i);

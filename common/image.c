@@ -1,7 +1,7 @@
 // image.c - pixels in memory. Its PNG is in image_png.c.
 #include "common/image.h"
 
-#include "common/large_pages.h"
+#include "common/failed_check.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +17,6 @@ bool image_create(Image *image, Resolution size, Message *message)
     if (image->rgb == NULL)
         return message_set(message, "no memory for an image of %d x %d pixels", size.width,
                            size.height);
-    large_pages(image->rgb, (size_t)size.width * (size_t)size.height * 3);
     return true;
 }
 
@@ -25,13 +24,6 @@ void image_free(Image *image)
 {
     free(image->rgb);
     image->rgb = NULL;
-}
-
-uint8_t byte_from_color(double c)
-{
-    if (!(c > 0))
-        return 0;
-    return c >= 1 ? 255 : (uint8_t)lround(255 * c);
 }
 
 static ImageWatch *image_watched;
@@ -43,14 +35,12 @@ void image_watch(ImageWatch *watch, void *watcher)
     image_watcher = watcher;
 }
 
-void image_set(Image *image, Pixel pixel, Color color)
+void(image_set)(Image *image, Pixel pixel, Color color)
 {
     if (pixel.column < 0 || pixel.column >= image->size.width || pixel.row < 0 ||
-        pixel.row >= image->size.height) {
-        fprintf(stderr, "image_set: column %d, row %d is not in an image of %d x %d\n",
-                pixel.column, pixel.row, image->size.width, image->size.height);
-        abort();
-    }
+        pixel.row >= image->size.height)
+        check_failed(CHECKED_PIXEL, (long[]){pixel.column, pixel.row, image->size.width,
+                                             image->size.height, image->set_count});
     uint8_t *rgb = image_bytes(image, pixel);
     for (int i = 0; i < 3; i++)
         rgb[i] = byte_from_color(color[i]);

@@ -5,6 +5,7 @@
 #ifndef COMMON_IMAGE_H
 #define COMMON_IMAGE_H
 
+#include "common/failed_check.h"
 #include "common/screen.h"
 #include "common/text.h"
 #include "common/vec3.h"
@@ -48,7 +49,12 @@ static inline uint8_t *image_bytes(const Image *image, Pixel pixel)
 }
 
 // 255 c, rounded, from 0 to 255; 0 where c is not a number.
-uint8_t byte_from_color(double c);
+static inline uint8_t byte_from_color(double c)
+{
+    double x = c > 0 ? c < 1 ? 255 * c : 255 : 0;
+    int whole = (int)x;
+    return (uint8_t)(whole + (x - whole >= 0.5));
+}
 
 // Colours one pixel. It must lie in the image: where it does not, the program ends, and says so.
 void image_set(Image *image, Pixel pixel, Color color);
@@ -58,11 +64,16 @@ void image_set(Image *image, Pixel pixel, Color color);
 typedef void ImageWatch(const Image *image, Pixel pixel, void *watcher);
 void image_watch(ImageWatch *watch, void *watcher);
 
-// Writes a PNG, whole or not at all (whole_file.h); one of at most 256 colours as a palette and
-// indices, which decode to the same. False, and a message, where it could not.
+// Writes a PNG, whole or not at all (whole_file.h). False, and a message, if it could not.
 bool image_write_png(const Image *image, const char *path, Message *message);
 
 // The same into an open file; messages name the path.
 bool image_print_png(FILE *file, const Image *image, const char *path, Message *message);
+
+// Last, because messages about a call are to point at the call, not at the macro.
+#pragma GCC system_header
+#ifndef WITHOUT_LINES_OF_CALLS
+#define image_set(...) (called_in(__FILE__, __LINE__), image_set(__VA_ARGS__))
+#endif
 
 #endif

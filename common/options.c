@@ -7,6 +7,7 @@
 #include "common/text.h"
 
 #include <getopt.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,16 +28,26 @@ bool option_string(const char *text, void *into)
     return *text != '\0';
 }
 
+// The fifth powers of these are still numbers, so what the programs print is never infinite or NaN.
+static const double LARGEST = 1e60, SMALLEST = 1e-60;
+static const char *out_of_range; // why the last numbers were refused; NULL if they were no numbers
+
 // Exactly count numbers, with commas between.
 static bool read_numbers(const char *text, double *numbers, int count)
 {
+    out_of_range = NULL;
     for (int i = 0; i < count; i++) {
         text = read_number(text, &numbers[i]);
         if (text == NULL || *text != (i < count - 1 ? ',' : '\0'))
             return false;
         text++;
     }
-    return true;
+    for (int i = 0; i < count; i++)
+        if (fabs(numbers[i]) > LARGEST)
+            out_of_range = "is too large, expected at most 1e60";
+        else if (numbers[i] != 0 && fabs(numbers[i]) < SMALLEST)
+            out_of_range = "is too small, expected 0 or at least 1e-60";
+    return out_of_range == NULL;
 }
 
 bool option_number(const char *text, void *into)
@@ -116,6 +127,8 @@ static void print_help(const char *program, const Option *options, Usage usage)
     printf("Usage: %s %s\n\n%s\n\n", program, usage.synopsis, usage.purpose);
     for (const Option *o = options; o->name != NULL; o++) {
         char left[64];
+        if (o->help == NULL)
+            continue;
         if (o->letter != 0)
             snprintf(left, sizeof left, "-%c, --%s", o->letter, o->name);
         else
@@ -166,9 +179,13 @@ int options_read(int argc, char **argv, const Option *options, Usage usage)
         const Option *o = options;
         while (o->letter != found && 256 + (int)(o - options) != found)
             o++;
-        if (!o->read(optarg, o->into))
-            options_wrong(argv[0], "--%s: '%s', expected %s: %s", o->name, word_text(optarg).s,
-                          o->expected, o->help);
+        out_of_range = NULL;
+        bool is_read = o->read(optarg, o->into);
+        if (out_of_range != NULL)
+            options_wrong(argv[0], "--%s: '%s' %s", o->name, word_text(optarg).s, out_of_range);
+        if (!is_read)
+            options_wrong(argv[0], "--%s: '%s', expected %s%s%s", o->name, word_text(optarg).s,
+                          o->expected, o->help != NULL ? ": " : "", o->help != NULL ? o->help : "");
     }
     return optind;
 }

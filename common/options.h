@@ -18,7 +18,7 @@ typedef struct {
     const char *expected; // what follows, as the help shows it: "X,Y,Z"; NULL where nothing does
     OptionReader *read;
     void *into;       // what read is given
-    const char *help; // one line
+    const char *help; // one line; NULL: --help does not list it
 } Option;
 
 // The text of a program for --help.
@@ -37,9 +37,9 @@ _Noreturn void options_wrong(const char *program, const char *format, ...)
 
 OptionReader option_flag;   // bool: set to true
 OptionReader option_string; // const char *
-OptionReader option_number; // double, finite
-OptionReader option_vec3;   // vec3:        X,Y,Z
-OptionReader option_pair;   // double[2]:   X,Y
+OptionReader option_number; // double: 0, or 1e-60 to 1e60, or minus that
+OptionReader option_vec3;   // vec3:        X,Y,Z, the same three times
+OptionReader option_pair;   // double[2]:   X,Y, the same twice
 OptionReader option_pixel;  // Pixel:       COLUMN,ROW
 OptionReader option_size;   // Resolution:  WIDTHxHEIGHT, 1 to IMAGE_MAX_SIDE each (image.h)
 

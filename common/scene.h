@@ -72,4 +72,10 @@ bool scene_load(const char *path, Scene *scene, Message *message);
 
 void scene_free(Scene *scene);
 
+// See image_set.
+#pragma GCC system_header
+#ifndef WITHOUT_LINES_OF_CALLS
+#define scene_surface(...) (called_in(__FILE__, __LINE__), scene_surface(__VA_ARGS__))
+#endif
+
 #endif

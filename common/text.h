@@ -38,11 +38,6 @@ Text word_text(const char *word);
 // with one, or where it does not fit a double. No white space, hexadecimals, 'inf' or 'nan'.
 const char *read_number(const char *text, double *number);
 
-// The same, in about half the time, if so many bytes can be read from the end of the text on,
-// whatever they are; the 0 at the end is the first of them.
-enum { NUMBER_PADDING = 8 };
-const char *read_padded_number(const char *text, double *number);
-
 // A message to hand to the caller, instead of printing it.
 typedef struct {
     char text[400];

@@ -2,7 +2,6 @@
 #include "common/whole_file.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -14,77 +13,6 @@ static bool close_written(FILE *file, const char *path, Message *message)
         return true;
     return message_set(message, "%s: cannot be written: %s", path, strerror(errno));
 }
-
-// ---- signals ----------------------------------------------------------------------------------
-
-// While a temporary file is there, a signal that ends the program removes it. Signals that the
-// program ignored stay ignored. A file that grows beyond a limit does not end it: that is an error
-// (EFBIG).
-static const int ending[] = {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGALRM, SIGXCPU};
-enum { ENDINGS = sizeof ending / sizeof ending[0] };
-static struct sigaction before[ENDINGS], before_limit;
-static const char *volatile to_remove;
-
-static void remove_and_end(int number)
-{
-    const char *path = to_remove;
-    if (path != NULL)
-        unlink(path);
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-static void hold_signals(sigset_t *mask)
-{
-    sigset_t all;
-    sigemptyset(&all);
-    for (int i = 0; i < ENDINGS; i++)
-        sigaddset(&all, ending[i]);
-    sigprocmask(SIG_BLOCK, &all, mask);
-}
-
-// Makes the file under a name of its own, which is put into the path; -1 where it cannot.
-static int make_temporary(char *path)
-{
-    sigset_t mask;
-    hold_signals(&mask); // between making it and knowing its name nothing ends the program
-    int descriptor = mkstemp(path);
-    if (descriptor >= 0) {
-        to_remove = path;
-        struct sigaction action = {.sa_handler = remove_and_end};
-        for (int i = 0; i < ENDINGS; i++) {
-            sigaction(ending[i], NULL, &before[i]);
-            if (before[i].sa_handler == SIG_DFL)
-                sigaction(ending[i], &action, NULL);
-        }
-        struct sigaction ignored = {.sa_handler = SIG_IGN};
-        sigaction(SIGXFSZ, &ignored, &before_limit);
-    }
-    int reason = errno;
-    sigprocmask(SIG_SETMASK, &mask, NULL);
-    errno = reason;
-    return descriptor;
-}
-
-// Renames the file, or removes it; false where it cannot be renamed. All is as it was then.
-static bool end_temporary(const char *path, const char *target)
-{
-    sigset_t mask;
-    hold_signals(&mask);
-    bool done = target != NULL && rename(path, target) == 0;
-    int reason = errno;
-    if (!done)
-        unlink(path);
-    to_remove = NULL;
-    for (int i = 0; i < ENDINGS; i++)
-        sigaction(ending[i], &before[i], NULL);
-    sigaction(SIGXFSZ, &before_limit, NULL);
-    sigprocmask(SIG_SETMASK, &mask, NULL);
-    errno = reason;
-    return done;
-}
-
-// ---- writing ----------------------------------------------------------------------------------
 
 // The file a path leads to, links followed, so that a rename replaces the file and not the link.
 static char *final_path(const char *path)
@@ -107,7 +35,7 @@ static bool replace_file(const char *path, mode_t mode, FileWriter *write, const
             slash == NULL ? "." : target);
 
     bool done = false;
-    int descriptor = make_temporary(temporary);
+    int descriptor = mkstemp(temporary);
     FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "wb");
     if (file == NULL) {
         message_set(message, "%s: cannot create a file beside it: %s", path, strerror(errno));
@@ -116,12 +44,10 @@ static bool replace_file(const char *path, mode_t mode, FileWriter *write, const
                message_set(message, "%s: cannot set its permissions: %s", path, strerror(errno));
         done = done && write(file, given, path, message);
         done = close_written(file, path, message) && done;
-        if (!end_temporary(temporary, done ? target : NULL) && done)
+        if (done && rename(temporary, target) != 0)
             done = message_set(message, "%s: cannot replace it: %s", path, strerror(errno));
-    }
-    if (descriptor >= 0 && file == NULL) {
-        close(descriptor);
-        end_temporary(temporary, NULL);
+        if (!done)
+            unlink(temporary);
     }
     free(temporary);
     free(target);

@@ -2,7 +2,7 @@
 //
 // The new file is written beside its place under another name and renamed when it is complete. So
 // every reader sees the old file or the new one, never half of one. A program that is ended
-// meanwhile by a signal (Ctrl-C, say) removes the other file first; only SIGKILL can leave it.
+// meanwhile (by Ctrl-C, say) leaves the other file, '.' and six letters.
 #ifndef COMMON_WHOLE_FILE_H
 #define COMMON_WHOLE_FILE_H
 

@@ -40,11 +40,13 @@ vec3 mirror_direction(vec3 direction, vec3 normal);
 // Phong's highlight, in the colour of the light: ks times the light, times the cosine of the angle
 // between the mirrored light and the direction to the eye, to the power of shine. Black if that
 // cosine is negative, or if the light is behind the surface. You may assume that the eye is in
-// front of the surface. The case of shine 0 and a negative cosine is not tested (pow(0, 0) is 1).
+// front of the surface. No highlight is tested with shine 0 and a cosine that is not positive
+// (pow(0, 0) is 1).
 Color phong_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
 // Blinn's variant: the cosine is that of the angle between the normal and the vector half-way
-// between light and eye. Here the eye may be anywhere.
+// between light and eye. Here the eye may be anywhere; if it is behind the surface, black is right
+// as well.
 Color halfway_term(double ks, double shine, Color light, vec3 normal, vec3 to_light, vec3 to_eye);
 
 // A point of a sphere, moved off its surface to the side to which normal points, so that a ray from

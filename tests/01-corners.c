@@ -2,7 +2,7 @@
 // component, and what a projection onto the camera's own axes must give back.
 #include "exercises/01-corners.h"
 
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "tests/judge/test.h"
 
 static const double tolerance = 1e-9;
@@ -53,61 +53,55 @@ static vec3 along(Camera c, double right, double up, double forward)
     return v;
 }
 
-START_TEST(the_upper_left_corner_of_the_example)
+TEST(upper_left, the_upper_left_corner_of_the_example)
 {
     Camera c = example_camera();
     given_camera(c);
     expect_vec3(upper_left(c), along(c, -0.5 * c.width, 0.5 * c.height, c.distance),
                 tolerance * fmax(1, size_of(c)));
 }
-END_TEST
 
-START_TEST(the_upper_right_corner_of_the_example)
+TEST(upper_right, the_upper_right_corner_of_the_example)
 {
     Camera c = example_camera();
     given_camera(c);
     expect_vec3(upper_right(c), along(c, 0.5 * c.width, 0.5 * c.height, c.distance),
                 tolerance * fmax(1, size_of(c)));
 }
-END_TEST
 
 // From the middle, the point is 20% of the width to the left, and 40% of the height down.
-START_TEST(the_point_30_percent_across_and_10_percent_up_of_the_example)
+TEST(across_30_up_10, the_point_30_percent_across_and_10_percent_up_of_the_example)
 {
     Camera c = example_camera();
     given_camera(c);
     expect_vec3(across_30_up_10(c), along(c, -0.2 * c.width, -0.4 * c.height, c.distance),
                 tolerance * fmax(1, size_of(c)));
 }
-END_TEST
 
 // By hand: 6 f = (2, 4, 4), 9/2 r = (3, -3, 1.5), 3/2 u = (1, 0.5, -1).
-START_TEST(the_upper_left_corner_of_an_oblique_camera)
+TEST(upper_left, the_upper_left_corner_of_an_oblique_camera)
 {
     Camera c = oblique_camera();
     given_camera(c);
     expect_vec3(upper_left(c), vec3_of(0, 7.5, 1.5), tolerance);
 }
-END_TEST
 
-START_TEST(the_upper_right_corner_of_an_oblique_camera)
+TEST(upper_right, the_upper_right_corner_of_an_oblique_camera)
 {
     Camera c = oblique_camera();
     given_camera(c);
     expect_vec3(upper_right(c), vec3_of(6, 1.5, 4.5), tolerance);
 }
-END_TEST
 
 // By hand: (2, 4, 4) - 0.2 * (6, -6, 3) - 0.4 * (2, 1, -2).
-START_TEST(the_point_30_percent_across_and_10_percent_up_of_an_oblique_camera)
+TEST(across_30_up_10, the_point_30_percent_across_and_10_percent_up_of_an_oblique_camera)
 {
     Camera c = oblique_camera();
     given_camera(c);
     expect_vec3(across_30_up_10(c), vec3_of(0, 4.8, 4.2), tolerance);
 }
-END_TEST
 
-START_TEST(the_middle_of_the_plane_is_straight_ahead)
+TEST(image_plane_vector, the_middle_of_the_plane_is_straight_ahead)
 {
     Camera c = oblique_camera();
     given_camera(c);
@@ -115,9 +109,8 @@ START_TEST(the_middle_of_the_plane_is_straight_ahead)
     given_number("t", 0.5);
     expect_vec3(image_plane_vector(c, 0.5, 0.5), vec3_of(2, 4, 4), tolerance);
 }
-END_TEST
 
-START_TEST(s_and_t_are_counted_from_the_lower_left_corner)
+TEST(image_plane_vector, s_and_t_are_counted_from_the_lower_left_corner)
 {
     Camera c = oblique_camera();
     given_camera(c);
@@ -129,10 +122,9 @@ START_TEST(s_and_t_are_counted_from_the_lower_left_corner)
     given_number("t", 0.75);
     expect_vec3(image_plane_vector(c, 0.25, 0.75), vec3_of(1, 5.75, 2.75), tolerance);
 }
-END_TEST
 
 // No place is a special case, and neither is a place just beside the middle or an edge.
-START_TEST(a_place_just_beside_the_middle_or_an_edge_is_right)
+TEST(image_plane_vector, a_place_just_beside_the_middle_or_an_edge_is_right)
 {
     Camera c = oblique_camera();
     const double shares[] = {0.499, 0.501, 0.001, 0.999, 1.001, -0.001};
@@ -146,9 +138,8 @@ START_TEST(a_place_just_beside_the_middle_or_an_edge_is_right)
                     vec3_of(6, 9 * s - 4.5, 3 * t - 1.5), tolerance);
     }
 }
-END_TEST
 
-START_TEST(every_place_is_d_ahead_and_its_share_of_w_and_h_aside)
+TEST(image_plane_vector, every_place_is_d_ahead_and_its_share_of_w_and_h_aside)
 {
     for (int i = 0; i < 50; i++) {
         Camera c = random_camera();
@@ -162,9 +153,8 @@ START_TEST(every_place_is_d_ahead_and_its_share_of_w_and_h_aside)
                     tolerance);
     }
 }
-END_TEST
 
-START_TEST(the_corners_do_not_depend_on_where_the_eye_is)
+TEST(upper_left, the_corners_do_not_depend_on_where_the_eye_is)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -174,9 +164,8 @@ START_TEST(the_corners_do_not_depend_on_where_the_eye_is)
                     tolerance);
     }
 }
-END_TEST
 
-START_TEST(the_upper_right_corner_does_not_depend_on_where_the_eye_is)
+TEST(upper_right, the_upper_right_corner_does_not_depend_on_where_the_eye_is)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -186,10 +175,9 @@ START_TEST(the_upper_right_corner_does_not_depend_on_where_the_eye_is)
                     tolerance);
     }
 }
-END_TEST
 
 // From the middle: a fifth of the width to the left, two fifths of the height down.
-START_TEST(the_point_30_percent_across_and_10_percent_up_of_any_camera)
+TEST(across_30_up_10, the_point_30_percent_across_and_10_percent_up_of_any_camera)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -199,12 +187,11 @@ START_TEST(the_point_30_percent_across_and_10_percent_up_of_any_camera)
                     vec3_of(c.distance, -c.width / 5, -2 * c.height / 5), tolerance);
     }
 }
-END_TEST
 
 enum { SIZES = 13 };
 
 // The law of scale: in a world that is k times as large, the vector is k times as long.
-START_TEST(the_upper_left_corner_in_worlds_of_any_size)
+TEST(upper_left, the_upper_left_corner_in_worlds_of_any_size)
 {
     for (int i = 0; i < SIZES; i++) {
         Camera c = camera_of_any_size(i, SIZES);
@@ -214,9 +201,8 @@ START_TEST(the_upper_left_corner_in_worlds_of_any_size)
                     tolerance * size_of(c));
     }
 }
-END_TEST
 
-START_TEST(the_upper_right_corner_in_worlds_of_any_size)
+TEST(upper_right, the_upper_right_corner_in_worlds_of_any_size)
 {
     for (int i = 0; i < SIZES; i++) {
         Camera c = camera_of_any_size(i, SIZES);
@@ -226,9 +212,8 @@ START_TEST(the_upper_right_corner_in_worlds_of_any_size)
                     tolerance * size_of(c));
     }
 }
-END_TEST
 
-START_TEST(the_point_30_percent_across_and_10_percent_up_in_worlds_of_any_size)
+TEST(across_30_up_10, the_point_30_percent_across_and_10_percent_up_in_worlds_of_any_size)
 {
     for (int i = 0; i < SIZES; i++) {
         Camera c = camera_of_any_size(i, SIZES);
@@ -238,10 +223,9 @@ START_TEST(the_point_30_percent_across_and_10_percent_up_in_worlds_of_any_size)
                     vec3_of(c.distance, -c.width / 5, -2 * c.height / 5), tolerance * size_of(c));
     }
 }
-END_TEST
 
 // Beyond the plane the same formula holds, however far.
-START_TEST(every_place_in_worlds_of_any_size)
+TEST(image_plane_vector, every_place_in_worlds_of_any_size)
 {
     for (int i = 0; i < 2 * SIZES; i++) {
         Camera c = camera_of_any_size(i, 2 * SIZES);
@@ -256,9 +240,8 @@ START_TEST(every_place_in_worlds_of_any_size)
                     tolerance * far * size_of(c));
     }
 }
-END_TEST
 
-START_TEST(unit_distance_halves_the_plane_of_a_camera_with_distance_2)
+TEST(with_unit_distance, unit_distance_halves_the_plane_of_a_camera_with_distance_2)
 {
     Camera c = camera_of_the_deck(), same = c;
     c.distance = 2;
@@ -270,9 +253,8 @@ START_TEST(unit_distance_halves_the_plane_of_a_camera_with_distance_2)
     given_camera(c);
     expect_camera(with_unit_distance(c), same, tolerance);
 }
-END_TEST
 
-START_TEST(unit_distance_gives_the_same_rays)
+TEST(with_unit_distance, unit_distance_gives_the_same_rays)
 {
     for (int i = 0; i < 20; i++) {
         Camera c = random_camera();
@@ -296,9 +278,8 @@ START_TEST(unit_distance_gives_the_same_rays)
         expect_vec3(same.forward, c.forward, tolerance);
     }
 }
-END_TEST
 
-START_TEST(unit_distance_gives_the_same_rays_in_worlds_of_any_size)
+TEST(with_unit_distance, unit_distance_gives_the_same_rays_in_worlds_of_any_size)
 {
     for (int i = 0; i < SIZES; i++) {
         Camera c = camera_of_any_size(i, SIZES);
@@ -313,35 +294,47 @@ START_TEST(unit_distance_gives_the_same_rays_in_worlds_of_any_size)
         expect_vec3(same.origin, c.origin, 0);
     }
 }
-END_TEST
 
-static void list_tests(void)
+// ---- probes -------------------------------------------------------------------------------------
+
+// Calls that distinguish the mistakes of exercise 01: any cameras, and places on and beyond the
+// plane.
+
+enum { MANY = 12 };
+
+PROBE(upper_left, upper_left_of_any_camera)
 {
-    tests_of("upper_left");
-    test(the_upper_left_corner_of_the_example);
-    test(the_upper_left_corner_of_an_oblique_camera);
-    test(the_corners_do_not_depend_on_where_the_eye_is);
-    test(the_upper_left_corner_in_worlds_of_any_size);
-    tests_of("upper_right");
-    test(the_upper_right_corner_of_the_example);
-    test(the_upper_right_corner_of_an_oblique_camera);
-    test(the_upper_right_corner_does_not_depend_on_where_the_eye_is);
-    test(the_upper_right_corner_in_worlds_of_any_size);
-    tests_of("across_30_up_10");
-    test(the_point_30_percent_across_and_10_percent_up_of_the_example);
-    test(the_point_30_percent_across_and_10_percent_up_of_an_oblique_camera);
-    test(the_point_30_percent_across_and_10_percent_up_of_any_camera);
-    test(the_point_30_percent_across_and_10_percent_up_in_worlds_of_any_size);
-    tests_of("image_plane_vector");
-    test(the_middle_of_the_plane_is_straight_ahead);
-    test(s_and_t_are_counted_from_the_lower_left_corner);
-    test(a_place_just_beside_the_middle_or_an_edge_is_right);
-    test(every_place_is_d_ahead_and_its_share_of_w_and_h_aside);
-    test(every_place_in_worlds_of_any_size);
-    tests_of("with_unit_distance");
-    test(unit_distance_halves_the_plane_of_a_camera_with_distance_2);
-    test(unit_distance_gives_the_same_rays);
-    test(unit_distance_gives_the_same_rays_in_worlds_of_any_size);
+    for (int i = 0; i < MANY; i++)
+        upper_left(random_camera());
 }
 
-OF_STEM(list_tests)
+PROBE(upper_right, upper_right_of_any_camera)
+{
+    for (int i = 0; i < MANY; i++)
+        upper_right(random_camera());
+}
+
+PROBE(across_30_up_10, across_30_up_10_of_any_camera)
+{
+    for (int i = 0; i < MANY; i++)
+        across_30_up_10(random_camera());
+}
+
+PROBE(image_plane_vector, any_place_of_any_camera)
+{
+    for (int i = 0; i < 2 * MANY; i++) {
+        Camera camera = random_camera();
+        double s = random_number(-1, 2);
+        image_plane_vector(camera, s, random_number(-1, 2));
+    }
+}
+
+PROBE(with_unit_distance, unit_distance_of_any_camera)
+{
+    for (int i = 0; i < 2 * MANY; i++) {
+        Camera camera = random_camera();
+        if (i % 2 == 0)
+            camera.distance = random_number(0.1, 0.9);
+        with_unit_distance(camera);
+    }
+}

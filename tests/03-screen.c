@@ -2,7 +2,7 @@
 // hand, and that going there and back returns to the start.
 #include "exercises/03-screen.h"
 
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "tests/judge/test.h"
 
 static const double tolerance = 1e-12;      // normalized
@@ -43,16 +43,15 @@ static double quarters(double low, double high)
 }
 
 // "What are the point's normalized screen coordinates?" The deck's are 0.46875 and 1/6.
-START_TEST(the_point_of_the_example_is_normalized)
+TEST(screen_to_normalized, the_point_of_the_example_is_normalized)
 {
     Resolution screen = example_screen();
     ScreenPoint point = example_point();
     expect_normalized(point, screen, point.x / screen.width,
                       (screen.height - point.y) / screen.height);
 }
-END_TEST
 
-START_TEST(the_corners_of_the_screen_are_the_corners_of_the_unit_square)
+TEST(screen_to_normalized, the_corners_of_the_screen_are_the_corners_of_the_unit_square)
 {
     Resolution screen = {640, 480};
     expect_normalized((ScreenPoint){0, 0}, screen, 0, 1);
@@ -60,39 +59,35 @@ START_TEST(the_corners_of_the_screen_are_the_corners_of_the_unit_square)
     expect_normalized((ScreenPoint){0, 480}, screen, 0, 0);
     expect_normalized((ScreenPoint){640, 480}, screen, 1, 0);
 }
-END_TEST
 
-START_TEST(a_quarter_across_and_three_quarters_up_on_screens_of_any_shape)
+TEST(screen_to_normalized, a_quarter_across_and_three_quarters_up_on_screens_of_any_shape)
 {
     expect_normalized((ScreenPoint){2, 1}, (Resolution){8, 4}, 0.25, 0.75);
     expect_normalized((ScreenPoint){1, 50}, (Resolution){4, 200}, 0.25, 0.75);
     expect_normalized((ScreenPoint){50, 1}, (Resolution){200, 4}, 0.25, 0.75);
 }
-END_TEST
 
-START_TEST(a_point_may_lie_between_whole_pixels)
+TEST(screen_to_normalized, a_point_may_lie_between_whole_pixels)
 {
     expect_normalized((ScreenPoint){2.5, 0.75}, (Resolution){4, 3}, 0.625, 0.75);
     expect_normalized((ScreenPoint){0.125, 1.5}, (Resolution){2, 2}, 0.0625, 0.25);
 }
-END_TEST
 
-START_TEST(a_screen_of_a_single_pixel_is_a_screen)
+TEST(screen_to_normalized, a_screen_of_a_single_pixel_is_a_screen)
 {
     expect_normalized((ScreenPoint){0.5, 0.5}, (Resolution){1, 1}, 0.5, 0.5);
     expect_normalized((ScreenPoint){1, 0.25}, (Resolution){1, 1}, 1, 0.75);
 }
-END_TEST
 
-START_TEST(beyond_the_screen_is_beyond_0_to_1)
+TEST(screen_to_normalized, beyond_the_screen_is_beyond_0_to_1)
 {
     expect_normalized((ScreenPoint){-320, 600}, (Resolution){640, 480}, -0.5, -0.25);
     expect_normalized((ScreenPoint){1280, -480}, (Resolution){640, 480}, 2, 2);
 }
-END_TEST
 
 // Equal steps on the screen are equal steps in the square, wherever they start.
-START_TEST(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_a_tenth_less_t)
+TEST(screen_to_normalized,
+     a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_a_tenth_less_t)
 {
     for (int i = 0; i < 20; i++) {
         Resolution screen = random_screen(1, 2000);
@@ -106,9 +101,8 @@ START_TEST(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_a_tenth_le
         expect_pair(b.s - a.s, b.t - a.t, 0.1, -0.1, tolerance);
     }
 }
-END_TEST
 
-START_TEST(a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom)
+TEST(screen_to_normalized, a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom)
 {
     for (int i = 0; i < 20; i++) {
         Resolution screen = random_screen(1, 2000);
@@ -117,15 +111,13 @@ START_TEST(a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom)
         expect_normalized((ScreenPoint){screen.width * s, screen.height - below}, screen, s, t);
     }
 }
-END_TEST
 
 // By hand: 3/4 and 1/2 of 1 by 8, of 8 by 1.
-START_TEST(a_screen_of_a_single_column_or_row_is_a_screen)
+TEST(screen_to_normalized, a_screen_of_a_single_column_or_row_is_a_screen)
 {
     expect_normalized((ScreenPoint){0.75, 4}, (Resolution){1, 8}, 0.75, 0.5);
     expect_normalized((ScreenPoint){6, 0.5}, (Resolution){8, 1}, 0.75, 0.5);
 }
-END_TEST
 
 // A single column or row, portrait and landscape, up to a million pixels.
 static Resolution screen_of_any_shape(int i)
@@ -136,7 +128,7 @@ static Resolution screen_of_any_shape(int i)
 }
 
 // The law of scale: on a screen of k times as many pixels the shares are the same.
-START_TEST(a_point_of_screens_of_any_shape_is_its_share_of_them)
+TEST(screen_to_normalized, a_point_of_screens_of_any_shape_is_its_share_of_them)
 {
     for (int i = 0; i < 20; i++) {
         Resolution screen = screen_of_any_shape(i);
@@ -144,18 +136,16 @@ START_TEST(a_point_of_screens_of_any_shape_is_its_share_of_them)
         expect_normalized((ScreenPoint){s * screen.width, (1 - t) * screen.height}, screen, s, t);
     }
 }
-END_TEST
 
-START_TEST(the_place_of_the_point_of_the_example_is_that_point)
+TEST(normalized_to_screen, the_place_of_the_point_of_the_example_is_that_point)
 {
     Resolution screen = example_screen();
     ScreenPoint point = example_point();
     Normalized place = {point.x / screen.width, (screen.height - point.y) / screen.height};
     expect_point(place, screen, point.x, point.y);
 }
-END_TEST
 
-START_TEST(the_corners_of_the_unit_square_are_the_corners_of_the_screen)
+TEST(normalized_to_screen, the_corners_of_the_unit_square_are_the_corners_of_the_screen)
 {
     Resolution screen = {640, 480};
     expect_point((Normalized){0, 1}, screen, 0, 0);
@@ -163,31 +153,27 @@ START_TEST(the_corners_of_the_unit_square_are_the_corners_of_the_screen)
     expect_point((Normalized){0, 0}, screen, 0, 480);
     expect_point((Normalized){1, 0}, screen, 640, 480);
 }
-END_TEST
 
-START_TEST(a_place_may_be_between_whole_pixels_on_the_screen)
+TEST(normalized_to_screen, a_place_may_be_between_whole_pixels_on_the_screen)
 {
     expect_point((Normalized){0.625, 0.75}, (Resolution){4, 3}, 2.5, 0.75);
     expect_point((Normalized){0.25, 0.625}, (Resolution){1, 1}, 0.25, 0.375);
 }
-END_TEST
 
-START_TEST(beyond_0_to_1_is_beyond_the_screen)
+TEST(normalized_to_screen, beyond_0_to_1_is_beyond_the_screen)
 {
     expect_point((Normalized){-0.5, -0.25}, (Resolution){640, 480}, -320, 600);
     expect_point((Normalized){2, 2}, (Resolution){640, 480}, 1280, -480);
 }
-END_TEST
 
 // By hand, as above.
-START_TEST(a_place_on_a_single_column_or_row)
+TEST(normalized_to_screen, a_place_on_a_single_column_or_row)
 {
     expect_point((Normalized){0.75, 0.5}, (Resolution){1, 8}, 0.75, 4);
     expect_point((Normalized){0.75, 0.5}, (Resolution){8, 1}, 6, 0.5);
 }
-END_TEST
 
-START_TEST(a_share_of_a_screen_of_any_shape_is_that_share_of_its_pixels)
+TEST(normalized_to_screen, a_share_of_a_screen_of_any_shape_is_that_share_of_its_pixels)
 {
     for (int i = 0; i < 20; i++) {
         Resolution screen = screen_of_any_shape(i);
@@ -197,10 +183,9 @@ START_TEST(a_share_of_a_screen_of_any_shape_is_that_share_of_its_pixels)
                      screen.height - below);
     }
 }
-END_TEST
 
 // Two answers are tested together here. If one alone is wrong, its own tests show it first.
-START_TEST(to_the_square_and_back_is_the_same_point)
+TEST(normalized_to_screen, to_the_square_and_back_is_the_same_point)
 {
     for (int i = 0; i < 50; i++) {
         Resolution screen = random_screen(1, 2000);
@@ -215,9 +200,8 @@ START_TEST(to_the_square_and_back_is_the_same_point)
         expect_pair(back.x, back.y, point.x, point.y, pixel_tolerance);
     }
 }
-END_TEST
 
-START_TEST(to_the_screen_and_back_is_the_same_place)
+TEST(normalized_to_screen, to_the_screen_and_back_is_the_same_place)
 {
     for (int i = 0; i < 50; i++) {
         Resolution screen = random_screen(1, 2000);
@@ -232,38 +216,33 @@ START_TEST(to_the_screen_and_back_is_the_same_place)
         expect_pair(back.s, back.t, place.s, place.t, tolerance);
     }
 }
-END_TEST
 
-START_TEST(the_first_pixel_is_half_a_pixel_right_of_and_below_the_corner)
+TEST(pixel_center, the_first_pixel_is_half_a_pixel_right_of_and_below_the_corner)
 {
     expect_center(0, 0, 0.5, 0.5);
 }
-END_TEST
 
-START_TEST(column_is_x_and_row_is_y)
+TEST(pixel_center, column_is_x_and_row_is_y)
 {
     expect_center(300, 400, 300.5, 400.5);
     expect_center(7, 0, 7.5, 0.5);
 }
-END_TEST
 
 // The last pixel of 640 x 480 is as far from the lower right corner as the first from its own.
-START_TEST(the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner)
+TEST(pixel_center, the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner)
 {
     expect_center(639, 479, 640 - 0.5, 480 - 0.5);
 }
-END_TEST
 
 // Beyond 16777216 a float cannot represent half a pixel.
-START_TEST(the_centre_of_a_pixel_far_out_is_half_a_pixel_on)
+TEST(pixel_center, the_centre_of_a_pixel_far_out_is_half_a_pixel_on)
 {
     expect_center(20000001, 3, 20000001.5, 3.5);
     expect_center(2, 30000000, 2.5, 30000000.5);
 }
-END_TEST
 
 // The first point of a pixel is (column, row); its last points are just before the next pixel.
-START_TEST(the_centre_of_any_pixel_is_half_way_to_the_next_pixel)
+TEST(pixel_center, the_centre_of_any_pixel_is_half_way_to_the_next_pixel)
 {
     for (int i = 0; i < 20; i++) {
         Pixel pixel = random_pixel((Resolution){5000, 5000});
@@ -272,36 +251,48 @@ START_TEST(the_centre_of_any_pixel_is_half_way_to_the_next_pixel)
                       (pixel.row + next.row) / 2.0);
     }
 }
-END_TEST
 
-static void list_tests(void)
+// ---- probes -------------------------------------------------------------------------------------
+
+// Calls that distinguish the mistakes of exercise 03: portrait and landscape, on the screen and
+// beyond it.
+
+enum { MANY = 16 };
+
+static Resolution screen(int i)
 {
-    tests_of("screen_to_normalized");
-    test(the_point_of_the_example_is_normalized);
-    test(the_corners_of_the_screen_are_the_corners_of_the_unit_square);
-    test(a_quarter_across_and_three_quarters_up_on_screens_of_any_shape);
-    test(a_point_may_lie_between_whole_pixels);
-    test(a_screen_of_a_single_pixel_is_a_screen);
-    test(beyond_the_screen_is_beyond_0_to_1);
-    test(a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_a_tenth_less_t);
-    test(a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom);
-    test(a_screen_of_a_single_column_or_row_is_a_screen);
-    test(a_point_of_screens_of_any_shape_is_its_share_of_them);
-    tests_of("normalized_to_screen");
-    test(the_place_of_the_point_of_the_example_is_that_point);
-    test(the_corners_of_the_unit_square_are_the_corners_of_the_screen);
-    test(a_place_may_be_between_whole_pixels_on_the_screen);
-    test(beyond_0_to_1_is_beyond_the_screen);
-    test(a_place_on_a_single_column_or_row);
-    test(a_share_of_a_screen_of_any_shape_is_that_share_of_its_pixels);
-    test(to_the_square_and_back_is_the_same_point);
-    test(to_the_screen_and_back_is_the_same_place);
-    tests_of("pixel_center");
-    test(the_first_pixel_is_half_a_pixel_right_of_and_below_the_corner);
-    test(column_is_x_and_row_is_y);
-    test(the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner);
-    test(the_centre_of_a_pixel_far_out_is_half_a_pixel_on);
-    test(the_centre_of_any_pixel_is_half_way_to_the_next_pixel);
+    Resolution size = random_screen(2, 900);
+    bool portrait = size.width < size.height;
+    return portrait == (i % 2 == 0) ? size : (Resolution){size.height, size.width};
 }
 
-OF_STEM(list_tests)
+PROBE(screen_to_normalized, any_point_of_any_screen)
+{
+    for (int i = 0; i < MANY; i++) {
+        Resolution size = screen(i);
+        double x = random_number(-0.5, 1.5) * size.width;
+        screen_to_normalized((ScreenPoint){x, random_number(-0.5, 1.5) * size.height}, size);
+    }
+}
+
+PROBE(normalized_to_screen, any_place_of_any_screen)
+{
+    for (int i = 0; i < MANY; i++) {
+        Resolution size = screen(i);
+        double s = random_number(-0.5, 1.5);
+        normalized_to_screen((Normalized){s, random_number(-0.5, 1.5)}, size);
+    }
+}
+
+PROBE(pixel_center, any_pixel)
+{
+    for (int i = 0; i < MANY; i++)
+        pixel_center(random_pixel(screen(i)));
+}
+
+// Beyond 2^24 a float does not hold the centre.
+PROBE(pixel_center, any_pixel_far_out)
+{
+    for (int i = 0; i < MANY; i++)
+        pixel_center((Pixel){(int)random_number(17e6, 1e8), (int)random_number(17e6, 1e8)});
+}

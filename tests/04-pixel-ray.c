@@ -2,7 +2,7 @@
 // projection onto the camera's own axes must give back. A direction may have any positive length.
 #include "exercises/04-pixel-ray.h"
 
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "tests/judge/test.h"
 
 static const double tolerance = 1e-9;
@@ -45,7 +45,7 @@ static vec3 place_on_plane(Camera camera, Resolution screen, Pixel pixel)
 }
 
 // By hand: the plane is 2 by 2, so a pixel is 1/320 wide and 1/240 high.
-START_TEST(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners)
+TEST(pixel_ray, the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners)
 {
     Camera c = camera_of_the_deck();
     Resolution screen = {640, 480};
@@ -55,11 +55,10 @@ START_TEST(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners)
     expect_direction(c, screen, (Pixel){0, 479}, vec3_of(-x, -y, 4));
     expect_direction(c, screen, (Pixel){639, 479}, vec3_of(x, -y, 4));
 }
-END_TEST
 
 // From the middle of the plane, in pixels, then in the world's units. For the deck's numbers:
 // 300.5 / 320 - 1 across; 1 - 400.5 / 240 up.
-START_TEST(the_pixel_of_the_example)
+TEST(pixel_ray, the_pixel_of_the_example)
 {
     Camera c = example_camera();
     Resolution screen = example_screen();
@@ -71,37 +70,33 @@ START_TEST(the_pixel_of_the_example)
         v[i] = across * c.right[i] + up * c.up[i] + c.distance * c.forward[i];
     expect_direction(c, screen, pixel, v);
 }
-END_TEST
 
 // By hand: 4 columns of width 1/2, their middles at -3/4, -1/4, 1/4 and 3/4; 2 rows at 1/2, -1/2.
-START_TEST(all_eight_pixels_of_a_screen_of_4_by_2)
+TEST(pixel_ray, all_eight_pixels_of_a_screen_of_4_by_2)
 {
     for (int row = 0; row < 2; row++)
         for (int column = 0; column < 4; column++)
             expect_direction(camera_of_the_deck(), (Resolution){4, 2}, (Pixel){column, row},
                              vec3_of(-0.75 + 0.5 * column, row == 0 ? 0.5 : -0.5, 4));
 }
-END_TEST
 
 // By hand: as above with columns and rows swapped; for the other handedness, x is reversed.
-START_TEST(a_screen_of_2_by_4_seen_by_a_right_handed_camera)
+TEST(pixel_ray, a_screen_of_2_by_4_seen_by_a_right_handed_camera)
 {
     Camera c = camera_of_the_deck();
     c.right = -c.right;
     expect_direction(c, (Resolution){2, 4}, (Pixel){0, 0}, vec3_of(0.5, 0.75, 4));
     expect_direction(c, (Resolution){2, 4}, (Pixel){1, 2}, vec3_of(-0.5, -0.25, 4));
 }
-END_TEST
 
-START_TEST(a_single_pixel_looks_straight_ahead)
+TEST(pixel_ray, a_single_pixel_looks_straight_ahead)
 {
     expect_direction(camera_of_the_deck(), (Resolution){1, 1}, (Pixel){0, 0}, vec3_of(0, 0, 4));
     expect_direction(oblique_camera(), (Resolution){1, 1}, (Pixel){0, 0}, vec3_of(2, 4, 4));
 }
-END_TEST
 
 // By hand: 6 f = (2, 4, 4); a third of 9 r is (2, -2, 1); a quarter of 3 u is (0.5, 0.25, -0.5).
-START_TEST(the_pixels_of_an_oblique_camera_away_from_the_origin)
+TEST(pixel_ray, the_pixels_of_an_oblique_camera_away_from_the_origin)
 {
     Camera c = oblique_camera();
     Resolution screen = {3, 2};
@@ -109,10 +104,9 @@ START_TEST(the_pixels_of_an_oblique_camera_away_from_the_origin)
     expect_direction(c, screen, (Pixel){1, 0}, vec3_of(2.5, 4.25, 3.5));
     expect_direction(c, screen, (Pixel){2, 1}, vec3_of(3.5, 1.75, 5.5));
 }
-END_TEST
 
 // By hand: a column of the deck's plane is all of it, 2 wide; 4 rows are 1/2 high, 5 columns 2/5.
-START_TEST(a_screen_of_a_single_column_or_row)
+TEST(pixel_ray, a_screen_of_a_single_column_or_row)
 {
     Camera c = camera_of_the_deck();
     for (int row = 0; row < 4; row++)
@@ -121,9 +115,8 @@ START_TEST(a_screen_of_a_single_column_or_row)
         expect_direction(c, (Resolution){5, 1}, (Pixel){column, 0},
                          vec3_of(-0.8 + 0.4 * column, 0, 4));
 }
-END_TEST
 
-START_TEST(every_ray_starts_at_the_eye)
+TEST(pixel_ray, every_ray_starts_at_the_eye)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -132,9 +125,8 @@ START_TEST(every_ray_starts_at_the_eye)
         expect_vec3(pixel_ray(c, (Resolution){5, 3}, (Pixel){1, 2}).origin, c.origin, tolerance);
     }
 }
-END_TEST
 
-START_TEST(opposite_pixels_have_rays_on_opposite_sides_of_straight_ahead)
+TEST(pixel_ray, opposite_pixels_have_rays_on_opposite_sides_of_straight_ahead)
 {
     for (int i = 0; i < 20; i++) {
         Camera c = random_camera();
@@ -148,10 +140,9 @@ START_TEST(opposite_pixels_have_rays_on_opposite_sides_of_straight_ahead)
         expect_pair(sum[0], sum[1], 0, 0, tolerance);
     }
 }
-END_TEST
 
 // Twice the distance from the left edge is an odd number of pixels, and so is that from the top.
-START_TEST(every_ray_meets_the_plane_in_the_middle_of_its_pixel)
+TEST(pixel_ray, every_ray_meets_the_plane_in_the_middle_of_its_pixel)
 {
     for (int i = 0; i < 50; i++) {
         Camera c = random_camera();
@@ -166,7 +157,6 @@ START_TEST(every_ray_meets_the_plane_in_the_middle_of_its_pixel)
                     tolerance);
     }
 }
-END_TEST
 
 // A single column or row, portrait and landscape, small and large.
 static Resolution screen_of_any_shape(int i)
@@ -178,7 +168,7 @@ static Resolution screen_of_any_shape(int i)
 
 // The law of scale: in a world that is k times as large the ray starts k times as far out, and its
 // direction is the same; its length is free anyway.
-START_TEST(screens_of_any_shape_in_worlds_of_any_size)
+TEST(pixel_ray, screens_of_any_shape_in_worlds_of_any_size)
 {
     enum { COUNT = 26 };
     for (int i = 0; i < COUNT; i++) {
@@ -198,22 +188,28 @@ START_TEST(screens_of_any_shape_in_worlds_of_any_size)
                         tolerance * (c.distance + c.width + c.height));
     }
 }
-END_TEST
 
-static void list_tests(void)
+// ---- probes -------------------------------------------------------------------------------------
+
+// Calls that distinguish the mistakes of exercise 04: any camera, portrait and landscape.
+
+PROBE(pixel_ray, any_pixel_of_any_camera)
 {
-    tests_of("pixel_ray");
-    test(the_outermost_pixels_of_the_deck_are_half_a_pixel_inside_its_corners);
-    test(the_pixel_of_the_example);
-    test(all_eight_pixels_of_a_screen_of_4_by_2);
-    test(a_screen_of_2_by_4_seen_by_a_right_handed_camera);
-    test(a_single_pixel_looks_straight_ahead);
-    test(the_pixels_of_an_oblique_camera_away_from_the_origin);
-    test(a_screen_of_a_single_column_or_row);
-    test(every_ray_starts_at_the_eye);
-    test(opposite_pixels_have_rays_on_opposite_sides_of_straight_ahead);
-    test(every_ray_meets_the_plane_in_the_middle_of_its_pixel);
-    test(screens_of_any_shape_in_worlds_of_any_size);
+    for (int i = 0; i < 30; i++) {
+        Camera camera = random_camera();
+        Resolution size = random_screen(2, 60);
+        if ((size.width < size.height) != (i % 2 == 0))
+            size = (Resolution){size.height, size.width};
+        pixel_ray(camera, size, random_pixel(size));
+    }
 }
 
-OF_STEM(list_tests)
+PROBE(pixel_ray, any_pixel_of_a_single_row_or_column)
+{
+    for (int i = 0; i < 12; i++) {
+        Camera camera = random_camera();
+        Resolution size = random_screen(2, 60);
+        *(i % 2 == 0 ? &size.width : &size.height) = 1;
+        pixel_ray(camera, size, random_pixel(size));
+    }
+}

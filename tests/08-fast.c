@@ -60,17 +60,16 @@ static void expect_rectangle(Camera camera, Resolution screen, Sphere sphere,
 }
 
 // By hand: sides 9, 40, 41. The tangent has m = 9/40 = 0.225 of 0.25 on each side of the middle.
-START_TEST(a_sphere_straight_ahead_of_the_camera_of_the_deck)
+TEST(sphere_rectangle, a_sphere_straight_ahead_of_the_camera_of_the_deck)
 {
     Camera c = camera_of_the_deck();
     expect_rectangle(c, (Resolution){640, 480}, sphere_at(c, 0, 0, 41, 9),
                      (ScreenRectangle){32, 608, 24, 456});
 }
-END_TEST
 
 // By hand: 5 ahead, radius 3, 3 to the side: g = 16, m = (15 -+ 15) / 16, that is 0 and 15/8. In
 // the middle: m = -+3/4.
-START_TEST(a_sphere_whose_edge_is_straight_ahead)
+TEST(sphere_rectangle, a_sphere_whose_edge_is_straight_ahead)
 {
     Camera c = camera_of_45_degrees();
     c.width = 8;
@@ -81,10 +80,9 @@ START_TEST(a_sphere_whose_edge_is_straight_ahead)
     expect_rectangle(c, screen, sphere_at(c, -3, 0, 5, 3),
                      (ScreenRectangle){212.5, 400, 62.5, 137.5});
 }
-END_TEST
 
 // By hand, up and down: m = 0 and 15/8 up, of 2 on the plane.
-START_TEST(a_sphere_above_is_in_the_upper_half_of_the_screen)
+TEST(sphere_rectangle, a_sphere_above_is_in_the_upper_half_of_the_screen)
 {
     Camera c = camera_of_45_degrees();
     c.height = 4;
@@ -93,11 +91,10 @@ START_TEST(a_sphere_above_is_in_the_upper_half_of_the_screen)
     expect_rectangle(c, screen, sphere_at(c, 0, -3, 5, 3),
                      (ScreenRectangle){12.5, 87.5, 200, 387.5});
 }
-END_TEST
 
 // By hand: m = 0 and 15/8 to the right, of 2 on the plane; also m = (-20 -+ 3 * sqrt(32)) / 16
 // upwards.
-START_TEST(a_sphere_on_the_right_and_below_for_an_oblique_camera)
+TEST(sphere_rectangle, a_sphere_on_the_right_and_below_for_an_oblique_camera)
 {
     Camera c = oblique_camera();
     Resolution screen = {320, 90};
@@ -105,17 +102,15 @@ START_TEST(a_sphere_on_the_right_and_below_for_an_oblique_camera)
     expect_rectangle(c, screen, sphere_at(c, 3, -4, 5, 3),
                      (ScreenRectangle){160, 310, 45 - 60 * high, 90});
 }
-END_TEST
 
-START_TEST(a_sphere_between_the_eye_and_the_image_plane_is_seen)
+TEST(sphere_rectangle, a_sphere_between_the_eye_and_the_image_plane_is_seen)
 {
     Camera c = camera_of_the_deck();
     expect_rectangle(c, (Resolution){640, 480}, sphere_at(c, 0, 0, 0.41, 0.09),
                      (ScreenRectangle){32, 608, 24, 456});
 }
-END_TEST
 
-START_TEST(a_sphere_behind_the_eye_has_no_rectangle)
+TEST(sphere_rectangle, a_sphere_behind_the_eye_has_no_rectangle)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -127,9 +122,8 @@ START_TEST(a_sphere_behind_the_eye_has_no_rectangle)
                          (ScreenRectangle){0, 0, 0, 0});
     }
 }
-END_TEST
 
-START_TEST(a_sphere_around_the_eye_covers_the_whole_screen)
+TEST(sphere_rectangle, a_sphere_around_the_eye_covers_the_whole_screen)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -139,11 +133,10 @@ START_TEST(a_sphere_around_the_eye_covers_the_whole_screen)
         expect_rectangle(c, screen, sphere, (ScreenRectangle){0, screen.width, 0, screen.height});
     }
 }
-END_TEST
 
 // The sphere reaches behind the eye, but the eye is outside: the argument is how far ahead the
 // centre is.
-START_TEST(a_sphere_beside_the_eye_covers_the_whole_screen)
+TEST(sphere_rectangle, a_sphere_beside_the_eye_covers_the_whole_screen)
 {
     for (int i = 0; i < 10; i++) {
         Camera c = random_camera();
@@ -155,10 +148,9 @@ START_TEST(a_sphere_beside_the_eye_covers_the_whole_screen)
                          (ScreenRectangle){0, screen.width, 0, screen.height});
     }
 }
-END_TEST
 
 // By hand: m from 0 to 15/8, and from -3/4 to 3/4; the plane has -1 to 1.
-START_TEST(the_part_beyond_the_edges_is_cut_off)
+TEST(sphere_rectangle, the_part_beyond_the_edges_is_cut_off)
 {
     Camera c = camera_of_45_degrees();
     Resolution screen = {200, 100};
@@ -167,18 +159,16 @@ START_TEST(the_part_beyond_the_edges_is_cut_off)
     expect_rectangle(c, screen, sphere_at(c, 0, 3, 5, 3), (ScreenRectangle){25, 175, 0, 50});
     expect_rectangle(c, screen, sphere_at(c, 0, -3, 5, 3), (ScreenRectangle){25, 175, 50, 100});
 }
-END_TEST
 
-START_TEST(a_sphere_larger_than_the_screen_covers_it)
+TEST(sphere_rectangle, a_sphere_larger_than_the_screen_covers_it)
 {
     Camera c = camera_of_the_deck();
     expect_rectangle(c, (Resolution){640, 480}, sphere_at(c, 0.5, -0.25, 5, 4),
                      (ScreenRectangle){0, 640, 0, 480});
 }
-END_TEST
 
 // By hand: 20 to the side, 5 ahead, radius 3: m is above 2 on that side, and the plane ends at 1.
-START_TEST(a_sphere_beside_the_screen_has_no_rectangle)
+TEST(sphere_rectangle, a_sphere_beside_the_screen_has_no_rectangle)
 {
     Camera c = camera_of_45_degrees();
     Resolution screen = {320, 200};
@@ -187,7 +177,6 @@ START_TEST(a_sphere_beside_the_screen_has_no_rectangle)
         expect_rectangle(c, screen, sphere_at(c, 0, way * 20, 5, 3), (ScreenRectangle){0, 0, 0, 0});
     }
 }
-END_TEST
 
 // ---- any camera, any sphere --------------------------------------------------------------------
 
@@ -226,7 +215,7 @@ static ScreenRectangle rectangle_by_angles(Camera c, Resolution screen, Sphere s
                              limited((1 - y[1]) / 2 * h, h), limited((1 - y[0]) / 2 * h, h)};
 }
 
-START_TEST(the_edges_are_where_the_angles_of_the_tangents_say)
+TEST(sphere_rectangle, the_edges_are_where_the_angles_of_the_tangents_say)
 {
     for (int i = 0; i < 60; i++) {
         Camera c = random_camera();
@@ -235,11 +224,10 @@ START_TEST(the_edges_are_where_the_angles_of_the_tangents_say)
         expect_rectangle(c, screen, sphere, rectangle_by_angles(c, screen, sphere));
     }
 }
-END_TEST
 
 // Its edge is up to three pixels inside the screen, or up to one outside: on each of the four
 // sides.
-START_TEST(a_sphere_whose_edge_is_within_a_pixel_or_two_of_the_screens)
+TEST(sphere_rectangle, a_sphere_whose_edge_is_within_a_pixel_or_two_of_the_screens)
 {
     for (int i = 0; i < 40; i++) {
         Camera c = camera_of_45_degrees();
@@ -255,9 +243,8 @@ START_TEST(a_sphere_whose_edge_is_within_a_pixel_or_two_of_the_screens)
             expect_rectangle(c, screen, sphere, rectangle_by_angles(c, screen, sphere));
     }
 }
-END_TEST
 
-START_TEST(worlds_of_any_size_have_the_same_rectangles)
+TEST(sphere_rectangle, worlds_of_any_size_have_the_same_rectangles)
 {
     enum { COUNT = 26 };
     for (int i = 0; i < COUNT; i++) {
@@ -275,10 +262,10 @@ START_TEST(worlds_of_any_size_have_the_same_rectangles)
         expect_rectangle(c, screen, sphere, expected);
     }
 }
-END_TEST
 
 // Every point of the outline is on a circle: seen from the eye, nearer than the centre.
-START_TEST(every_point_of_the_outline_is_in_the_rectangle_and_the_outermost_are_on_its_edges)
+TEST(sphere_rectangle,
+     every_point_of_the_outline_is_in_the_rectangle_and_the_outermost_are_on_its_edges)
 {
     enum { POINTS = 720 };
     for (int i = 0; i < 10; i++) {
@@ -310,10 +297,9 @@ START_TEST(every_point_of_the_outline_is_in_the_rectangle_and_the_outermost_are_
         expect_pair(yours.top, yours.bottom, seen.top, seen.bottom, bend);
     }
 }
-END_TEST
 
 // By brute force: the distance of each pixel's ray from the centre.
-START_TEST(no_pixel_outside_of_the_rectangle_shows_the_sphere)
+TEST(sphere_rectangle, no_pixel_outside_of_the_rectangle_shows_the_sphere)
 {
     for (int i = 0; i < 12; i++) {
         Camera c = random_camera();
@@ -339,27 +325,49 @@ START_TEST(no_pixel_outside_of_the_rectangle_shows_the_sphere)
         }
     }
 }
-END_TEST
 
-static void list_tests(void)
+// ---- probes -------------------------------------------------------------------------------------
+
+// Calls that distinguish the mistakes of exercise 08: any camera, any sphere.
+
+PROBE(sphere_rectangle, any_sphere_anywhere)
 {
-    tests_of("sphere_rectangle");
-    test(a_sphere_straight_ahead_of_the_camera_of_the_deck);
-    test(a_sphere_whose_edge_is_straight_ahead);
-    test(a_sphere_above_is_in_the_upper_half_of_the_screen);
-    test(a_sphere_on_the_right_and_below_for_an_oblique_camera);
-    test(a_sphere_between_the_eye_and_the_image_plane_is_seen);
-    test(a_sphere_behind_the_eye_has_no_rectangle);
-    test(a_sphere_around_the_eye_covers_the_whole_screen);
-    test(a_sphere_beside_the_eye_covers_the_whole_screen);
-    test(the_part_beyond_the_edges_is_cut_off);
-    test(a_sphere_larger_than_the_screen_covers_it);
-    test(a_sphere_beside_the_screen_has_no_rectangle);
-    test(the_edges_are_where_the_angles_of_the_tangents_say);
-    test(a_sphere_whose_edge_is_within_a_pixel_or_two_of_the_screens);
-    test(worlds_of_any_size_have_the_same_rectangles);
-    test(every_point_of_the_outline_is_in_the_rectangle_and_the_outermost_are_on_its_edges);
-    test(no_pixel_outside_of_the_rectangle_shows_the_sphere);
+    for (int i = 0; i < 60; i++) {
+        Camera camera = random_camera();
+        Resolution screen = random_screen(2, 900);
+        Sphere sphere = {camera.origin + random_vec3(-8, 8), random_number(0.1, 5), 0};
+        sphere_rectangle(camera, screen, sphere);
+    }
 }
 
-OF_STEM(list_tests)
+// All of it on the screen, large and small.
+PROBE(sphere_rectangle, spheres_near_the_middle)
+{
+    for (int i = 0; i < 40; i++) {
+        Camera camera = random_camera();
+        Resolution screen = random_screen(20, 900);
+        double radius = random_number(0.1, 3), ahead = radius * random_number(3, 20);
+        vec3 aside = random_number(-0.2, 0.2) * camera.width / camera.distance * camera.right +
+                     random_number(-0.2, 0.2) * camera.height / camera.distance * camera.up;
+        Sphere sphere = {camera.origin + ahead * (camera.forward + aside), radius, 0};
+        sphere_rectangle(camera, screen, sphere);
+    }
+}
+
+// Within three pixels of the left, the right, the upper or the lower edge of the screen.
+PROBE(sphere_rectangle, spheres_that_only_just_reach_the_screen)
+{
+    for (int i = 0; i < 80; i++) {
+        Camera camera = random_camera();
+        Resolution screen = random_screen(20, 900);
+        bool across = i % 4 < 2;
+        double half = (across ? camera.width : camera.height) / 2 / camera.distance;
+        double pixels = across ? screen.width : screen.height;
+        double around = random_number(0.05, 0.2), away = random_number(2, 9);
+        double middle = atan(half * (random_number(0, 3) / pixels - 1)) - around;
+        double aside = (i % 2 == 0 ? 1 : -1) * away * sin(middle), ahead = away * cos(middle);
+        vec3 to = ahead * camera.forward + aside * (across ? camera.right : camera.up);
+        if (ahead > 0.3 * away)
+            sphere_rectangle(camera, screen, (Sphere){camera.origin + to, away * sin(around), 0});
+    }
+}

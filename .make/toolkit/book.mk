@@ -26,13 +26,17 @@ WASM_LIBS := $(WASM_EMULATED:%=-lwasi-emulated-%) -lm
 # For the objects of a list of sources: the stand-in if there is one.
 instead_of = $(or $(wildcard $(INSTEAD)/$(notdir $(1))),$(1))
 wasm_objects = $(foreach source,$(1),$(patsubst %.c,$(WASM)/%.o,$(call instead_of,$(source))))
-$(WASM)/%.o: %.c .make/toolkit/book.mk
+wasm-is-here:
+	@echo 'int main(void) { return 0; }' | $(WASM_CC) -x c -o /dev/null - 2>/dev/null || \
+		{ echo "make book needs clang and a C library for WebAssembly: 'make setup FOR=book' installs them" >&2; exit 1; }
+.PHONY: wasm-is-here
+$(WASM)/%.o: %.c .make/toolkit/book.mk | wasm-is-here
 	$(call say,wasm,$<)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -o $@ $<
 
 # Linked before the C library, so its tanf is ours.
-$(WASM)/common.a: $(call wasm_objects,$(filter-out common/image_bands.c common/image_flat.c,$(wildcard common/*.c common/figure/*.c))) $(WASM)/$(INSTEAD)/tanf.o
+$(WASM)/common.a: $(call wasm_objects,$(wildcard common/*.c common/figure/*.c)) $(WASM)/$(INSTEAD)/tanf.o
 $(WASM)/shared.a: $(call wasm_objects,$(wildcard chapters/shared/*.c))
 $(WASM)/common.a $(WASM)/shared.a:
 	$(Q)rm -f $@ && llvm-ar rcsD $@ $^
@@ -62,14 +66,14 @@ $(WASM_REFERENCES): $(WASM)/tests/reference/%.o: solutions/%.c $(B)/reference.h
 	$(call say,wasm,$< for the judge)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -include $(B)/reference.h -o $@ $<
-$(call wasm_of,$(BESIDE_REFERENCE)): WASM_EXTRA = -include $(B)/reference.h
+$(call wasm_of,$(BESIDE_REFERENCE)): WASM_EXTRA = $(AS_KNOWN)
 $(call wasm_of,$(BESIDE_REFERENCE)): $(B)/reference.h
-$(call wasm_of,$(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(call known,laws)): WASM_OPTIMIZE = -Oz
+$(call wasm_of,$(ALL_TESTS) $(call known,wrong) $(call known,laws)): WASM_OPTIMIZE = -Oz
 WASM_HEARING := $(call wasm_of,$(filter-out $(REFERENCES),$(HEARING))) $(WASM_REFERENCES)
 BOOK_JUDGE := $(BOOK)/programs/judge.wasm
-WASM_BY_REFERENCE = $(call wasm_of,$(ALL_TESTS) $(call known,mistakes) $(call known,probes) $(TESTING) \
+WASM_BY_REFERENCE = $(call wasm_of,$(ALL_TESTS) $(call known,wrong) $(TESTING) \
 	$(B)/tests/judge/reference/right_answer.o) $(WASM_HEARING)
-WASM_BY_TABLE = $(call wasm_of,$(REPLAY) $(B)/tests/handout/replay/right_answer.o)
+WASM_BY_TABLE = $(call wasm_of,$(REPLAY))
 $(WASM)/tests/handout/replay/table.o: WASM_EXTRA = '-DTABLES="tests/handout/replay"'
 $(BOOK_JUDGE): $(if $(FROM),$(WASM_BY_TABLE),$(WASM_BY_REFERENCE)) \
 		$(call wasm_of,$(TO_PROCESS) $(DRAWING) $(REPORTING) $(B)/tests/judge/judge.o) \
@@ -78,7 +82,7 @@ $(BOOK_JUDGE): $(if $(FROM),$(WASM_BY_TABLE),$(WASM_BY_REFERENCE)) \
 
 # The program that makes a verdict of what the judge has found.
 BOOK_COURSE := $(BOOK)/programs/course.wasm
-$(BOOK_COURSE): $(call wasm_of,$(B)/tests/course/course.o $(COURSE_PARTS) $(B)/tests/judge/show.o) \
+$(BOOK_COURSE): $(call wasm_of,$(B)/tests/course/course.o $(COURSE_PARTS)) \
 		$(WASM)/$(INSTEAD)/no_processes.o $(WASM)/common.a
 	$(wasm_link)
 
@@ -121,7 +125,7 @@ $(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o):
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)wasm-ld -r -o $@ $^
-$(BOOK_STEMS:%=$(WASM)/right/%.h): $(WASM)/right/%.h: tests/judge/reference/rename.def tests/exercises.def
+$(BOOK_STEMS:%=$(WASM)/right/%.h): $(WASM)/right/%.h: tests/judge/names.def tests/exercises.def
 	$(Q)mkdir -p $(@D)
 	$(Q)$(call renamed,$(call answered,$*),answer_) > $@
 $(BOOK_STEMS:%=$(WASM)/link/%-right.o): $(WASM)/link/%-right.o: solutions/%.c $(WASM)/right/%.h
@@ -160,8 +164,7 @@ $(BOOK_PICTURES): $(PICTURE_LINKS) $(if $(FROM),,$(REFERENCE_LINKS)/made) $(BOOK
 BOOK_PLAN := $(BOOK)/tree/plan
 $(BOOK_PLAN): .make/toolkit/book.mk
 	$(Q)mkdir -p $(@D)
-	$(Q)printf '%s\n' 'answers	exercises' 'built	build/exercises' 'verdict	build/exercises/verdict' \
-		'figures	build/exercises/figures' 'draw	draw --one' 'blanks	build/blanks' 'compile	compile' 'link	link' \
+	$(Q)printf '%s\n' 'answers	exercises' 'built	build/exercises' 'draw	draw --one' 'compile	compile' 'link	link' \
 		$(if $(FROM),'hide	hide','lend	--lend=NAME' 'reference	link/reference/NAME.o') \
 		'drawing	link/drawing.o' 'spheres	$(SPHERES) link/spheres.png' 'judge	judge' 'libraries	link/common.a' \
 		$(foreach s,$(STEMS),'chapter	$(s)' 'objects	link/$(s).o$(if $(FROM),$(foreach e,$(call earlier,$(s)), build/exercises/verdict/$(e)/answer.o))' \

@@ -1,7 +1,7 @@
 # book_compiler.mk - the compiler of the page: clang of npm's @yowasp/clang, cut down, and a pack of headers and
 # libraries. Included by book.mk.
 #
-# All is compressed with xz, which halves what gzip leaves, and no host has to do anything for it (compiler.js).
+# All is compressed with xz, which leaves less than gzip, and no host has to do anything for it (compiler.js).
 COMPILER := chapters/book/compiler
 CLANG_OF_NPM := $(NPM)/node_modules/@yowasp/clang/gen
 WASM_COMPILER := $(WASM)/compiler
@@ -43,7 +43,7 @@ $(WASM_COMPILER)/pack: $(COMPILER)/flags.json $(COMPILER)/write_pack.js $(WASM_C
 	$(call say,pack,headers and libraries)
 	$(Q)node $(COMPILER)/write_pack.js $@ $< $(PACKED)
 
-# xz-decompress knows no other check. Few seconds more for the small one save each student 0.1 MB.
+# xz-decompress knows no other check. The small one is fetched by each student, so it is packed as well as can be.
 XZ := xz --check=crc32 --threads=1 --stdout
 $(BOOK_COMPILER)/small.wasm.xz: XZ_HOW := --lzma2=preset=8,dict=8MiB
 $(BOOK_COMPILER)/whole.wasm.xz: XZ_HOW := --lzma2=preset=1,dict=8MiB
@@ -59,9 +59,9 @@ book-compiler: $(BOOK_COMPILER)/sizes.json
 .PHONY: book-compiler
 
 # The list of what a cut compiler keeps: what a training enters is added to it, and after another version of
-# @yowasp/clang it begins anew. Wants binaryen; takes four minutes of a processor.
+# @yowasp/clang it begins anew. Wants binaryen, and takes long.
 TRAINED := $(wildcard solutions/0[1-7]*.c exercises/0[1-7]*.c solutions/optional/*.c $(COMPILER)/sample.c \
-	tests/0*/mistakes*.c tests/0*/variants*.c tests/0*/unknown.c chapters/0*/*.c chapters/0*/*/*.c common/*.c common/figure/*.c tests/judge/*.c tests/course/*.c)
+	chapters/0*/*.c chapters/0*/*/*.c common/*.c common/figure/*.c tests/judge/*.c tests/course/*.c)
 SLIPS ?= 2000
 book-train: $(WASM_COMPILER)/whole.wasm $(WASM_COMPILER)/pack $(BOOK_PICTURES)
 	$(call say,train,clang)

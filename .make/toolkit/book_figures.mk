@@ -1,12 +1,5 @@
 # book_figures.mk - what the live figures of make book need, besides the chapters' programs. Included by book.mk.
 
-# The end of a figure that gnuplot has drawn.
-FINISH_FIGURE := $(BOOK)/programs/finish_figure.wasm
-$(FINISH_FIGURE): $(call wasm_objects,chapters/book/finish_figure.c chapters/gallery/svg_picture.c)
-	$(call say,wasm,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(WASM_LINK) -Wl,--strip-all -o $@ $^ $(WASM_LIBS)
-
 # gnuplot, and the layouts and scenes that the programs read. Compressed by xz, as the compiler is.
 BOOK_GNUPLOT := $(BOOK)/figures/gnuplot.wasm.xz
 $(BOOK_GNUPLOT): $(BOOK_PACKAGES) .make/toolkit/book_figures.mk
@@ -29,7 +22,5 @@ $(LESSON_NUMBERS): $(BOOK)/programs/%-numbers.wasm: $(WASM)/chapters/lessons/%.o
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_LINK) -Wl,--strip-all $(EXAMPLE_WRAPS) -o $@ $^ $(WASM_LIBS)
 
-BOOK_FIGURES := $(FINISH_FIGURE) $(BOOK_GNUPLOT) $(BOOK_LAYOUTS) $(if $(FROM),,$(LESSON_NUMBERS))
-book-figures: $(BOOK_FIGURES) $(BOOK_PROGRAMS)
-.PHONY: book-figures
+BOOK_FIGURES := $(BOOK_GNUPLOT) $(BOOK_LAYOUTS) $(if $(FROM),,$(LESSON_NUMBERS))
 $(BOOK)/service_worker.js: $(BOOK_FIGURES)

@@ -23,14 +23,16 @@ $(UNPACKED): build/handout.tar.gz
 	$(Q)mkdir -p $(@D) && rm -rf $(WASM)/ray-casting
 	$(Q)tar xf $< -C $(@D)
 	@touch $@
-BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapters/[0-9]*/figures/*.svg exercises/*.[ch] exercises/*.hints \
+BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapters/[0-9]*/*.svg exercises/*.[ch] exercises/*.hints \
 	exercises/optional/README.md exercises/optional/pictures/*.png common/*.h tests/handout/replay/blanks/*.c)
 BOOK_SCRIPTS := $(wildcard $(BOOK_SOURCES)/*.js $(BOOK_SOURCES)/*/*.js $(BOOK_SOURCES)/*/*.mjs $(BOOK_SOURCES)/page/*)
-$(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) $(LIST) .make/toolkit/book_page.mk $(if $(FROM),$(UNPACKED))
+$(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) $(DRAWN) $(LIST) .make/toolkit/book_page.mk $(if $(FROM),$(UNPACKED))
 	$(call say,pages,$(BOOK))
 	$(Q)mkdir -p $(BOOK)
 	$(Q)$(LIST) > build/book-exercises.txt
-	$(Q)node $(BOOK_SOURCES)/site/make_pages.mjs $(BOOK_ROOT) $(BOOK) build/book-exercises.txt $(if $(FROM),none,$(B)/lessons) '$(HAND_IN)'
+	$(Q)$(draw_lesson_steps)
+	$(Q)node $(BOOK_SOURCES)/site/make_pages.mjs $(BOOK_ROOT) $(BOOK) build/book-exercises.txt $(if $(FROM),none,$(B)/lessons) \
+		$(DRAWN_FIGURES) '$(HAND_IN)'
 	@touch $@
 
 # What course and judge read: headers for what the compiler says, hints, blanks, layouts.
@@ -55,8 +57,11 @@ book: $(BOOK)/service_worker.js ## the course as a site: build/book, for any sta
 
 # In Chromium and in Firefox, at the same time; BROWSERS=chromium: only that one.
 BROWSERS ?= chromium firefox
+browsers-are-here:
+	@! command -v node >/dev/null || node tests/proof/book/browsers.mjs $(BROWSERS)
+.PHONY: browsers-are-here
 ifeq ($(FROM),)
-check-book: book ## tests of the course in a page, with real browsers
+check-book: browsers-are-here book ## tests of the course in a page, with real browsers
 	@for test in $(wildcard tests/proof/book/*.test.mjs); do node $$test || exit 1; done
 	@running=; for browser in $(BROWSERS); do \
 		for test in $(wildcard tests/proof/book/browser/*.mjs); do BROWSER=$$browser node $$test $(BOOK) || exit 1; done & \
@@ -64,7 +69,7 @@ check-book: book ## tests of the course in a page, with real browsers
 	done; failed=0; for one in $$running; do wait $$one || failed=1; done; exit $$failed
 else
 # The verdicts are those of the handout in a terminal, and nothing of a solution is in any file.
-check-book: book
+check-book: browsers-are-here book
 	@cd $(BOOK_ROOT) && MAKEFLAGS= $(MAKE) all >make.log 2>&1 || { cat make.log; exit 1; }
 	@node tests/proof/book/handout.mjs $(BOOK) $(BOOK_ROOT) $(WASM)
 	@for browser in $(BROWSERS); do BROWSER=$$browser node tests/proof/book/browser/drawn.mjs $(BOOK) || exit 1; done

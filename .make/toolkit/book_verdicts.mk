@@ -6,18 +6,17 @@
 KNOWN := $(B)/known
 WASM_KNOWN := $(WASM)/known
 KNOWN_PARTS := $(patsubst %,$(B)/tests/%.o,proof/book/known_answers judge/stem)
-known_tables = $(foreach kind,mistakes variants unknown support laws,$(call parts,tests/$(1)/$(kind))) $(B)/tests/$(1).o
 by_number = -DANSWERED=$(call answered,$(1)) '-DSOLUTION="solutions/$(1).c"' -include $(B)/weak.h
 KNOWN_TWO := tests/proof/book/answer_by_number.c tests/proof/book/reference_answers.c
 $(BOOK_STEMS:%=$(KNOWN)/%.o): $(KNOWN)/%.o: $(KNOWN_TWO) $(B)/weak.h $(KNOWN_PARTS) $(B)/$(INSTEAD)/tanf.o $(REFERENCES) \
-		$$(call parts,tests/$$*/mistakes) $$(call parts,tests/$$*/variants) $$(call parts,tests/$$*/unknown)
+		$$(foreach kind,wrong right verdicts,$$(call parts,tests/$$*/$$(kind)))
 	$(call say,compile,known answers of $*)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(LANGUAGE) -O2 -w -finstrument-functions $(call by_number,$*) -c -o $(@D)/$*-number.o $(word 1,$^)
 	$(Q)$(CC) $(LANGUAGE) -O2 -w $(call by_number,$*) -c -o $(@D)/$*-reference.o $(word 2,$^)
 	$(Q)ld -r -o $@ $(@D)/$*-number.o $(@D)/$*-reference.o $(filter-out $(B)/weak.h,$(wordlist 3,999,$^))
 $(BOOK_STEMS:%=$(WASM_KNOWN)/%.o): $(WASM_KNOWN)/%.o: $(KNOWN_TWO) $(B)/weak.h $(call wasm_of,$(KNOWN_PARTS)) $(WASM_REFERENCES) \
-		$$(call wasm_of,$$(call parts,tests/$$*/mistakes) $$(call parts,tests/$$*/variants) $$(call parts,tests/$$*/unknown))
+		$$(call wasm_of,$$(foreach kind,wrong right verdicts,$$(call parts,tests/$$*/$$(kind))))
 	$(call say,wasm,known answers of $*)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_CC) $(WASM_LANGUAGE) -O2 -w $(call by_number,$*) -c -o $(@D)/$*-number.o $(word 1,$^)
@@ -36,7 +35,7 @@ $(SAME_TANF): $(INSTEAD)/tanf.c
 	$(Q)mkdir -p $(@D)
 	$(Q)$(CC) $(LANGUAGE) -O2 -shared -fPIC -o $@ $< -lm
 LIST_KNOWN := $(B)/tests/proof/book/list_known
-$(LIST_KNOWN): $(LIST_KNOWN).o $(KNOWN_PARTS) $(foreach kind,mistakes variants unknown,$(call known,$(kind))) $(REFERENCES) \
+$(LIST_KNOWN): $(LIST_KNOWN).o $(KNOWN_PARTS) $(KNOWN_ANSWERS) $(REFERENCES) \
 		$(KNOWN_CALLS) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm

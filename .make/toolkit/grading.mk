@@ -1,12 +1,12 @@
 # grading.mk - make grade: the kit that sandboxes are shown, and what else marks a class.
 #
 # Everything that a sandbox shows of this tree is in KIT: the headers that an answer may include; for
-# each stem what the answering process holds besides the answer, linked in advance (which takes a
-# tenth of the time then); and the commands that use them.
+# each stem what the answering process holds besides the answer, linked in advance, to
+# save time; and the commands that use them.
 CONFINE := $(KIT)/confine
 SECCOMP_LIBS = $(if $(CAN_GRADE),$(shell pkg-config --libs libseccomp),$(error grading needs python3, \
-	ld and libseccomp: 'make setup' installs them))
-$(CONFINE): $(patsubst %,$(B)/tests/grade/confine/%.o,confine landlock system_calls tool watch)
+	ld and libseccomp: 'make setup FOR=instructor' installs them))
+$(CONFINE): $(patsubst %,$(B)/tests/grade/confine/%.o,confine landlock system_calls watch)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -static -o $@ $^ $(SECCOMP_LIBS)
@@ -34,7 +34,7 @@ $(KIT_HEADER): $(B)/weak.h $(wildcard common/*.h exercises/*.h)
 KIT_BLANKS := $(STEMS:%=$(KIT)/link/blank-%.o)
 $(KIT_BLANKS): $(KIT)/link/blank-%.o: build/blanks/%.c $(B)/weak.h $(B)/flags.mk
 	$(Q)mkdir -p $(@D)
-	$(Q)$(CC) $(QUICK_FLAGS) -include $(B)/weak.h -c -o $@ $<
+	$(Q)$(CC) $(ANSWER_FLAGS) -include $(B)/weak.h -c -o $@ $<
 
 library = $(shell $(CC) -print-file-name=$(1))
 C_LIBRARIES = $(foreach l,libm.a libc.a libgcc.a libgcc_eh.a,$(call library,$(l)))
@@ -66,10 +66,12 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
 $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
-		$(B)/common.a $(KIT)/expected.png $(LIST)
+		$(B)/common.a $(KIT)/expected.png $(LIST) \
+		$(if $(findstring =$(abspath $(PICTURE)),$(file <$(KIT)/commands)),,FORCE) # paths: the tree may have been moved
+	$(Q)mkdir -p $(KIT)/blanks && cp $(STEMS:%=build/blanks/%.c) $(KIT)/blanks/
 	$(Q)cp $(B)/common.a $(KIT)/link/ && cp $(SCENE_TO_DRAW) $(PICTURE)/scene.nff
 	$(Q)printf '%s\n' 'JUDGE=$(abspath $(JUDGE))' 'PICTURE=$(abspath $(PICTURE))' \
-		'COMPILE=$(CC) $(QUICK_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \
+		'COMPILE=$(CC) $(ANSWER_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \
 		'PARTS=$(if $(IS_CLANG),,-pass-exit-codes -wrapper)' \
 		'LINK=ld -static -s -z noexecstack -e graded_start' \
 		'LIBRARIES=--start-group $(abspath $(KIT)/link/common.a) $(C_LIBRARIES) --end-group $(foreach \

@@ -1,13 +1,7 @@
 # handout.mk - make handout, and the blanks of exercises/. Included by the Makefile.
-# Pages without what links to files that the archive lacks.
-TRIM_PAGE := $(B)/tests/handout/trim_page
-$(TRIM_PAGE): $(TRIM_PAGE).o
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^
-
 handout: build/handout.tar.gz ## the students' archive: no solutions, no tests, no mistakes
-build/handout.tar.gz: $(TABLES) $(RECORDED) $(BLANKS) $(OPTIONAL_BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) $(TRIM_PAGE) FORCE
-	@tests/handout/pack $(@D) $(TABLE) build/blanks $(or $(RIGHT),$(DRAWN_FIGURES)) $(TRIM_PAGE)
+build/handout.tar.gz: $(TABLES) $(RECORDED) $(BLANKS) $(OPTIONAL_BLANKS) $(if $(RIGHT),$(RIGHT_SCRIPTS),$(SCRIPTS)) FORCE
+	@tests/handout/pack $(@D) $(TABLE) build/blanks $(or $(RIGHT),$(DRAWN_FIGURES))
 .PHONY: handout FORCE
 
 skeletons: $(BLANKS) $(OPTIONAL_BLANKS) ## write the blanks that solutions/ make; never over changes

@@ -23,7 +23,7 @@ $(LESSONS_MARKED): $(B)/lessons/%.marked.md: $(B)/lessons/%.md
 
 # Numbers that are not an example are named before anything is made of them.
 CHECK_EXAMPLE := $(B)/chapters/lessons/check_example
-$(CHECK_EXAMPLE): %: %.o $(B)/common.a
+$(CHECK_EXAMPLE): %: %.o $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ -lm
 EXAMPLE_CHECKED := $(B)/lessons/example
@@ -51,10 +51,10 @@ endif
 lessons: $(LESSONS_MADE) ## write the numbers of chapters/example.h into the lessons ('make' does it as well)
 .PHONY: lessons
 
-LESSON_FIGURES := $(B)/tests/house/figures/lesson_figures
-$(LESSON_FIGURES): $(LESSON_FIGURES).o
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^
+LESSON_FIGURES := python3 -B chapters/lessons/lesson_figures.py
+# Of some figures a lesson also shows a step.
+draw_lesson_steps = FORMAT=svg THEME= SHAPE=16:9,4:3 STEPS=1 $(DRAW_FIGURES) $(DRAWN_FIGURES) \
+	$$($(LESSON_FIGURES) --in-steps $(CHAPTERS:%=chapters/%))
 
 # Pictures that the lessons show, chapters/NN-stem/NAME.png: those that programs draw, $(GALLERY)/NAME.png.
 # Two take too long; they have tests of their own (tests/house/fast_program.sh, tests/proof/finale.sh).
@@ -73,13 +73,12 @@ $(SO_FAR:%=$(B)/so-far/%): $(B)/so-far/%.png: $(DRAW_SO_FAR) $(SPHERES) $(RECORD
 	$(Q)$(DRAW_SO_FAR) $(SPHERES) $(RECORDED) $* $@
 
 # The tests of all these need what is compared, and what compares it.
-check check-all check-long: $(FILLED) $(LESSON_FIGURES) $(DRAWN_PICTURES)
+check check-all check-long: $(FILLED) $(DRAWN_PICTURES)
 check-all check-long: $(B)/scenes/finale.nff
-lesson-figures: $(DRAWN) $(LESSON_FIGURES) $(DRAWN_PICTURES) $(SAME) ## write the figures and pictures that the lessons show, and the figures' words
-	@export FORMAT=svg THEME= SHAPE=16:9,4:3; STEPS= $(DRAW_FIGURES) $(DRAWN_FIGURES) $(FIGURE_NAMES) && \
-		STEPS=1 $(DRAW_FIGURES) $(DRAWN_FIGURES) $$($(LESSON_FIGURES) --in-steps $(CHAPTERS:%=chapters/%))
+lesson-figures: $(DRAWN) $(DRAWN_PICTURES) ## write the figures and pictures that the lessons show, and the figures' words
+	@$(draw_lesson_steps)
 	@$(LESSON_FIGURES) --write $(DRAWN_FIGURES) $(CHAPTERS:%=chapters/%)
 	@for picture in $(LESSON_PICTURES); do \
 		drawn=$(B)/so-far/$${picture##*/}; [ -e $$drawn ] || drawn=$(GALLERY)/$${picture##*/}; \
-		$(SAME) $$drawn $$picture >/dev/null || { cp $$drawn $$picture && echo "wrote $$picture"; }; done
+		$(PYTHON) tests/house/figures/same_picture.py $$drawn $$picture >/dev/null || { cp $$drawn $$picture && echo "wrote $$picture"; }; done
 .PHONY: lesson-figures

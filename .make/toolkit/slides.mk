@@ -20,23 +20,20 @@ ON_SLIDES := $(filter $(FIGURE_NAMES) $(OWN_FIGURES),$(shell grep -ho '^[^%]*{[a
 endif
 
 # The numbers, by the answers.
-$(LECTURE)/numbers: $(B)/chapters/slides/numbers.o $(ANSWER_OBJECTS) $(B)/common.a
+$(LECTURE)/numbers: $(B)/chapters/slides/numbers.o $(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -o $@ $^ -lm
 $(LECTURE)/numbers.tex: $(LECTURE)/numbers
 	$(Q)$< > $@
 
-# The tests of slides need what is compared, and what reads a PDF.
-PAGES := $(B)/tests/proof/slides/pages
-$(PAGES): $(PAGES).o
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^
-check-all check-long: $(LECTURE)/numbers.tex $(PAGES)
+# The tests of slides need what is compared.
+check-all check-long: $(LECTURE)/numbers.tex
 
 slides-ready:
 	@chapters/make_slides --ready
-slides-figures: $(call script_of,$(DRAWN_FIGURES),$(ON_SLIDES)) $(DRAW_FIGURES) | slides-ready
+slides-figures: $(call script_of,$(DRAWN_FIGURES),$(ON_SLIDES)) | slides-ready
+	@$(remove_older)
 	@FORMAT=tex THEME= SHAPE='$(SHAPE)' STEPS=1 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(ON_SLIDES)
 
 # name_of_slides SHAPE,SUFFIX; slides_rule SHAPE,SUFFIX,THEME,VERSION

@@ -5,7 +5,7 @@
 // plane: the colour of each place shows the direction of its vector, and the three answers are
 // white dots.
 #include "chapters/01-corners/figures/figures.h"
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"
@@ -53,7 +53,7 @@ static void doubling(Camera c)
         printf("  %-10s %-10s %-10s %s\n", number_text(cameras[i].distance).s,
                number_text(cameras[i].width).s, number_text(cameras[i].height).s,
                vec3_text(image_plane_vector(cameras[i], 0, 1)).s);
-    printf("  The lengths differ, the directions do not: the same rays, the same picture.\n");
+    printf("  Only the lengths differ, not the directions: the same rays, the same picture.\n");
 }
 
 // Here s and t reach 0 and 1, so that the corners are in the picture.

@@ -3,7 +3,7 @@
 // Shows the lecture's point on its screen, the corners and pixel centres, normalized and back. Its
 // picture colours each pixel by its own coordinates: red is s, green is t.
 #include "chapters/03-screen/figures/figures.h"
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"

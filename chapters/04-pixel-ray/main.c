@@ -3,7 +3,7 @@
 // Follows one pixel from its column and row to its ray. Its picture shows the direction of each
 // pixel's ray as a colour: red along x, green along y, blue along z.
 #include "chapters/04-pixel-ray/figures/figures.h"
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "common/options.h"
 #include "common/picture.h"
 #include "common/story.h"

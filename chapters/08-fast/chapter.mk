@@ -18,7 +18,7 @@ $(SHADED_PICTURES): $(GALLERY)/shaded-%.png: $(B)/scenes/%.nff $(BUILT)/$(ENGINE
 	$(Q)mkdir -p $(@D)
 	$(Q)$(TRY) $(BUILT)/$(ENGINE_CHAPTER) --shaded --depth 3 --samples 2 --threads 2 -s 1280x720 -o $@ $<
 
-# The picture of 7381 spheres takes chapter 06 ten seconds.
+# The picture of 7381 spheres takes chapter 06 long.
 $(GALLERY)/sphereflake-7381.png: $(B)/scenes/sphereflake-7381.nff $(BUILT)/$(ENGINE_CHAPTER)
 	$(call say,cast,$@)
 	$(Q)mkdir -p $(@D)

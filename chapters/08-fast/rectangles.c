@@ -1,8 +1,8 @@
 // rectangles.c - where the spheres of a scene are on the screen, in numbers.
 #include "chapters/08-fast/rectangles.h"
 
+#include "chapters/shared/example.h"
 #include "common/answers.h"
-#include "common/example.h"
 #include "common/story.h"
 #include "common/text.h"
 #include "exercises/08-fast.h"

@@ -8,10 +8,10 @@
 #include "chapters/05-quadratic/figures/figures.h"
 #include "chapters/06-ray-casting/figures/figures.h"
 #include "chapters/animations/moments.h"
+#include "chapters/shared/example.h"
 #include "chapters/shared/needed_answers.h"
 #include "chapters/shared/scene_command.h"
 #include "common/answers.h"
-#include "common/example.h"
 #include "common/text.h"
 
 #include <stdio.h>

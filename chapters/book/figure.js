@@ -1,8 +1,9 @@
 // figure.js - draws a figure in a page, as 'make figures' does: the chapter's program writes the script, gnuplot
-// draws it, and chapters/gallery/svg_picture.c makes of that the figure that is shown.
+// draws it, and finish_figure.js makes of that the figure that is shown.
 //
 // Nothing is computed here: the program says what is drawn, what can be dragged and where it is on the canvas
 // (common/figure/handles.c), and which options a drag gives.
+import {finishFigure} from './finish_figure.js';
 import {loadGnuplot} from './gnuplot.js';
 import {run} from './wasi.js';
 
@@ -27,10 +28,10 @@ const text = new TextDecoder();
 const as_text = bytes => bytes === undefined ? '' : text.decode(bytes);
 
 /**
- * @param {{gnuplot: WebAssembly.Module, finish: WebAssembly.Module, files: Object<string, string|Uint8Array>}} given
+ * @param {{gnuplot: WebAssembly.Module, files: Object<string, string|Uint8Array>}} given
  *   files: the toolkit's files that programs read, by their path from the top: layouts, scenes
  */
-export async function loadFigures({gnuplot: module, finish, files}) {
+export async function loadFigures({gnuplot: module, files}) {
   const gnuplot = await loadGnuplot(module);
 
   /** What a program's figure says: on stdout, and in files. */
@@ -50,11 +51,9 @@ export async function loadFigures({gnuplot: module, finish, files}) {
     const drawn = gnuplot.run(['-d', '-e', settings, 'script.gp', '-e', end], {'script.gp': script},
       ['figure.svg', 'words', 'steps']);
     if (drawn.status !== 0 || drawn.files['figure.svg'] === undefined) throw new FigureError(`gnuplot: ${drawn.said}`);
-    const figure = run(finish, {args: ['finish_figure', 'figure.svg', 'words', 'pictures'],
-      files: {'figure.svg': drawn.files['figure.svg'], words: drawn.files.words, pictures}});
-    if (figure.status !== 0) throw new FigureError(figure.stderr || figure.trap);
-    const [title, , words] = drawn.files.words.split('\n');
-    return {svg: figure.stdout, title, words, steps: Number(drawn.files.steps)};
+    const {'figure.svg': svg, words: said, steps} = drawn.files;
+    const [title, , words] = said.split('\n');
+    return {svg: finishFigure(svg, said, pictures), title, words, steps: Number(steps)};
   }
 
   return {
@@ -64,7 +63,7 @@ export async function loadFigures({gnuplot: module, finish, files}) {
     draw(wanted) {
       const told = ask(wanted, ['--live', '.']);
       const live = JSON.parse(as_text(told.files.get('handles.json')) || '{"handles": []}');
-      return {...drawScript(told.stdout, wanted, told.files.get('pictures') ?? ''), ...live, name: wanted.name};
+      return {...drawScript(told.stdout, wanted, as_text(told.files.get('pictures'))), ...live, name: wanted.name};
     },
 
     /**

@@ -11,8 +11,8 @@ async function gnuplotModule() {
     return module;
 }
 const figures = once(async () => {
-    const [gnuplot, finish, files] = await Promise.all([gnuplotModule(), program("finish_figure"), texts("figures/files.json")]);
-    return loadFigures({ gnuplot, finish, files });
+    const [gnuplot, files] = await Promise.all([gnuplotModule(), texts("figures/files.json")]);
+    return loadFigures({ gnuplot, files });
 });
 
 answerQuestions({

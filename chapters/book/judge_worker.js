@@ -89,7 +89,7 @@ answerQuestions({
         await Promise.all([judging(), compile(stem, text)]);
         return {};
     },
-    async judge({ stem, sources, records, columns }) {
+    async judge({ stem, sources, records, columns, isDrawn = true }) {
         const [{ judge: before }, first] = await Promise.all([judging(), compile(stem, sources[stem])]);
         if (isHandout)
             await fetchTables(before, stem, sources);
@@ -104,7 +104,7 @@ answerQuestions({
         const told = async (verdict) => ({ text: verdict.text || verdict.errors, record: verdict.record, messages: said(),
             ...countOf(await judged((judge) => judge.status([stem]).text), stem), ...drawnOf(verdict) });
         const verdict = await judged((judge) => judge.judge(given));
-        if (!verdict.needs)
+        if (!verdict.needs || !isDrawn)
             return told(verdict);
         // The verdict at once; the pictures that the answer draws when they are linked.
         tellProgress("Drawing", 0, 0, await told(verdict));

@@ -2,7 +2,7 @@
 #include "exercises/01-corners.h"
 
 #include "chapters/lessons/fill.h"
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "common/text.h"
 
 #include <math.h>
@@ -21,7 +21,7 @@ static void fill_corners(Camera c)
     fill_vector("lower_right", image_plane_vector(c, 1, 0));
     fill_vector("middle", image_plane_vector(c, 0.5, 0.5));
     fill_vector("across_30_up_10", across_30_up_10(c));
-    fill_option("upside_down", image_plane_vector(c, place.s, 1 - place.t));
+    fill_option("upside_down", image_plane_vector(c, 0.3, 0.9));
     fill_number("s", place.s);
     fill_number("t", place.t);
     fill_number("percent_across", 100 * place.s);
@@ -50,6 +50,6 @@ void fill_numbers(void)
     fill_ball(c);
     fill_number("unit_w", unit.width);
     fill_number("unit_h", unit.height);
-    fill_text("degrees", "%.2f", degrees_across(c.width, c.distance));
-    fill_text("degrees_zoomed", "%.2f", degrees_across(c.width, 2 * c.distance));
+    fill_number_to("degrees", degrees_across(c.width, c.distance), 4);
+    fill_number_to("degrees_zoomed", degrees_across(c.width, 2 * c.distance), 4);
 }

@@ -1,7 +1,7 @@
 // 02-cameras.c - the numbers of lesson 02.
 #include "chapters/02-cameras/forms.h"
 #include "chapters/lessons/fill.h"
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "common/text.h"
 
 static const char *const hands[] = {[RIGHT_HANDED] = "right-handed", [LEFT_HANDED] = "left-handed"};
@@ -35,7 +35,7 @@ void fill_numbers(void)
     fill_vector("lower_left", forms.vectors.lower_left);
     fill_vector("lower_right", forms.vectors.lower_right);
     fill_vector("mean", forms.look_at.at - c.origin);
-    fill_text("degrees", "%.2f", 2 * atan(c.width / 2 / c.distance) * 180 / PI);
+    fill_number_to("degrees", 2 * atan(c.width / 2 / c.distance) * 180 / PI, 4);
     fill_option("eye_option", forms.look_at.eye);
     fill_option("at_option", forms.look_at.at);
     bool square = c.width == c.height;

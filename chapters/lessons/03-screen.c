@@ -2,7 +2,7 @@
 #include "exercises/03-screen.h"
 
 #include "chapters/lessons/fill.h"
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "common/text.h"
 
 #include <math.h>

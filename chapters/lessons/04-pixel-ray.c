@@ -2,7 +2,7 @@
 #include "exercises/04-pixel-ray.h"
 
 #include "chapters/lessons/fill.h"
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "common/text.h"
 #include "exercises/01-corners.h"
 #include "exercises/03-screen.h"

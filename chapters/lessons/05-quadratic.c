@@ -2,10 +2,11 @@
 #include "exercises/05-quadratic.h"
 
 #include "chapters/lessons/fill.h"
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "common/text.h"
 
 #include <math.h>
+#include <string.h>
 
 // The result if a is taken for 1, as if every direction had length 1.
 static void fill_mistake(Ray ray, Sphere sphere, Quadratic q)
@@ -14,17 +15,22 @@ static void fill_mistake(Ray ray, Sphere sphere, Quadratic q)
     q.a = 1;
     Roots roots = quadratic_roots(q);
     if (fabs(a - 1) < 1e-6)
-        fill_text("with_1", "Here that makes no difference, so test with another ray.");
+        fill_text("with_1",
+                  "If you use 1 for $a$,\nthat makes no difference here: test with another ray.");
     else if (roots.count == 0)
         fill_text("with_1", "If you use 1 instead of %s, $D$ is %s, and the ray seems to miss.",
                   number_text(a).s, number_text_to(q.b * q.b - 4 * q.c, 3).s);
     else {
         double t = roots.t[0];
         double away = vec3_length(ray.origin + t * ray.direction - sphere.center);
+        int digits = 3; // and more, if the point is almost on the sphere
+        while (digits < 15 &&
+               strcmp(number_text_to(away, digits).s, number_text_to(sphere.radius, digits).s) == 0)
+            digits++;
         fill_text("with_1",
                   "If you use 1 instead of %s, you get\n$t = %s$. That point is %s from the "
                   "centre: %s the sphere.",
-                  number_text(a).s, number_text_to(t, 4).s, number_text_to(away, 3).s,
+                  number_text(a).s, number_text_to(t, 4).s, number_text_to(away, digits).s,
                   away < sphere.radius ? "inside" : "outside");
     }
 }

@@ -1,6 +1,6 @@
 // check_example.c - says what is wrong with the numbers of chapters/example.h, before anything is
 // made of them. Exit status 1 if they are not an example.
-#include "common/example.h"
+#include "chapters/shared/example.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -74,10 +74,10 @@ static bool print_section(const char *output, const char *heading)
 static void print_figure(const char *lesson, const char *name)
 {
     char shown[200];
-    snprintf(shown, sizeof shown, "src=\"figures/%s.svg\"", name);
+    snprintf(shown, sizeof shown, "](%s.svg)", name);
     const char *at = strstr(lesson, shown);
     if (at == NULL) {
-        printf("<picture><img %s></picture>\n", shown);
+        printf("![%s\n", shown);
         return;
     }
     while (at > lesson && at[-1] != '\n')

@@ -1,8 +1,8 @@
 // needed_answers.c - the answers that a picture needs.
 #include "chapters/shared/needed_answers.h"
 
+#include "chapters/shared/example.h"
 #include "common/answers.h"
-#include "common/example.h"
 #include "exercises/01-corners.h"
 #include "exercises/02-cameras.h"
 #include "exercises/03-screen.h"

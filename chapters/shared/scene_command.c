@@ -39,7 +39,7 @@ static void show_progress(const Image *image)
     static long last;
     // The first pixels of this picture: a program may draw several.
     if (last == 0 || image->set_count < last)
-        progress = progress_begin("pixels", (long)image->size.width * image->size.height, false);
+        progress = progress_begin("pixels", (long)image->size.width * image->size.height);
     last = image->set_count;
     progress_show(&progress, last);
 }

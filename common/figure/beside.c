@@ -26,6 +26,7 @@ void beside_words(Plot *plot, BesideWords words)
     plot_label(plot, "answer", words.right);
     plot_label(plot, "yours", words.yours);
     plot_label(plot, "off", words.off);
+    plot_text(plot, "drawn", words.drawn);
 }
 
 static void paragraph(Plot *plot, const char *color, const char *name, const char *words)
@@ -38,11 +39,13 @@ static void paragraph(Plot *plot, const char *color, const char *name, const cha
 
 void beside_below(Plot *plot, const char *asked, const char *why, BesideWords words)
 {
+    char yours[40];
     plot_text(plot, "asked", asked);
     plot_text(plot, "why", why);
     beside_words(plot, words);
-    paragraph(plot, "blue", "right: ", words.right);
-    paragraph(plot, "ink", "yours, dashed: ", words.yours);
+    paragraph(plot, "blue", "expected: ", words.right);
+    snprintf(yours, sizeof yours, "yours%s%s: ", words.drawn[0] != '\0' ? ", " : "", words.drawn);
+    paragraph(plot, "ink", yours, words.yours);
     paragraph(plot, "ink", "", words.off);
     if (why[0] != '\0')
         plot_below(plot, "grey", why, false);
@@ -50,7 +53,7 @@ void beside_below(Plot *plot, const char *asked, const char *why, BesideWords wo
 
 void beside_names(Plot *plot)
 {
-    plot_name(plot, (Label){"right", "blue", .block = "answer", .part = 1});
+    plot_name(plot, (Label){"expected", "blue", .block = "answer", .part = 1});
     plot_name(plot, (Label){"yours", "ink", .step = 2, .block = "yours", .part = 1});
 }
 

@@ -13,19 +13,20 @@
 // $answer (what is right), $yours, and $off from tip to tip; all of it has to be seen.
 void beside_vectors(Plot *plot, vec3 right_from, vec3 right, vec3 yours_from, vec3 yours);
 
-// What is right, what is yours, and by how much it is off ("" if nobody can say).
+// What is right, what is yours, and by how much it is off ("" if nobody can say). drawn: how yours
+// is, 'dashed' or 'as a ring'; "" if it is not.
 typedef struct {
-    const char *right, *yours, *off;
+    const char *right, *yours, *off, *drawn;
 } BesideWords;
 
-// answer_text, yours_text, off_text; minus signs for hyphens.
+// answer_text, yours_text, off_text; minus signs for hyphens. And drawn.
 void beside_words(Plot *plot, BesideWords words);
 
 // A figure of the judge: which function it is about, those words, and why yours is wrong. They are
 // below the canvas, because they may be long.
 void beside_below(Plot *plot, const char *asked, const char *why, BesideWords words);
 
-// 'right' and 'yours' beside the two arrows.
+// 'expected' and 'yours' beside the two arrows.
 void beside_names(Plot *plot);
 
 // off by (1, 1, 0) = 1/2 w r + 1/2 h u: in the camera's own steps, where those are simple

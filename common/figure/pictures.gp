@@ -5,7 +5,7 @@
 # title of its plot.
 #
 # A gnuplot that reads no PNG is given 'framed = 1': the layout then draws each picture's frame ($square) in its
-# place, and chapters/gallery/svg_picture.c puts the picture into it.
+# place, and chapters/book/finish_figure.js puts the picture into it.
 if (!exists("framed")) framed = 0
 cast_file(number) = sprintf("%s.cast%d", output, number)
 cast_title(number, words) = framed ? "picture ".cast_name[number].": ".words : words

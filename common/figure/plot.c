@@ -1,11 +1,291 @@
-// plot.c - figures: what layouts call by name: numbers, words, points, vectors, pairs.
-#include "common/figure/gnuplot.h"
+// plot.c - the data of a figure: tables, which gnuplot calls data blocks, and what layouts call by
+// name: numbers, words, points, vectors, pairs. Beside them is what is right, if that is known.
 #include "common/figure/plot_internal.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 enum { LABEL_DIGITS = 4 };
+
+// ---- strings and numbers as gnuplot reads them --------------------------------------------------
+
+char *gnuplot_string(const char *text, bool is_label)
+{
+    char *string;
+    size_t size;
+    FILE *out = open_memstream(&string, &size);
+    putc('"', out);
+    for (; *text != '\0'; text++) {
+        if (*text == '"' || *text == '\\')
+            putc('\\', out);
+        if (*text == '-' && is_label)
+            fputs("\u2212", out);
+        else // a backquote would run what is between two of them
+            putc((unsigned char)*text < ' ' ? ' ' : *text == '`' ? '\'' : *text, out);
+    }
+    putc('"', out);
+    fclose(out);
+    return string;
+}
+
+Text gnuplot_number(double x)
+{
+    enum { DIGITS = 12 };
+    return isfinite(x) ? number_text_to(x, DIGITS) : (Text){"NaN"};
+}
+
+// ---- the data by right answers, and whether yours say the same ----------------------------------
+
+// From the end of key, which begins a line, up to end.
+static size_t between(const Plot *plot, const char *key, const char *end, const char **begin)
+{
+    const char *found = plot->right != NULL ? strstr(plot->right, key) : NULL;
+    if (found == NULL)
+        return 0;
+    *begin = found + strlen(key);
+    const char *stop = strstr(*begin, end);
+    return stop != NULL ? (size_t)(stop - *begin) : 0;
+}
+
+size_t plot_right_value(const Plot *plot, const char *name, const char **begin)
+{
+    char key[120];
+    snprintf(key, sizeof key, "\n%s = ", name);
+    return between(plot, key, "\n", begin);
+}
+
+// After the block's first line comes the comment that names its columns.
+size_t plot_right_rows(const Plot *plot, const char *block, const char **begin)
+{
+    char key[120];
+    snprintf(key, sizeof key, "\n$%s << EOD\n", block);
+    size_t size = between(plot, key, "\nEOD\n", begin);
+    const char *line = size > 0 ? strchr(*begin, '\n') : NULL;
+    if (line == NULL)
+        return 0;
+    size++; // the last row's end
+    size -= (size_t)(line + 1 - *begin);
+    *begin = line + 1;
+    return size;
+}
+
+// A number as in data or in a label. next points after it, or to its start if there is none.
+static double number_at(const char *text, const char **next)
+{
+    bool minus = strncmp(text, "\u2212", strlen("\u2212")) == 0;
+    const char *digits = text + (minus ? strlen("\u2212") : 0);
+    char *end;
+    double x = strtod(digits, &end);
+    *next = end == digits ? text : end;
+    if (end != digits && end[0] == 'e') // 1e−7
+        x *= pow(10, number_at(end + 1, next));
+    return minus ? -x : x;
+}
+
+static bool is_right(const char *right, size_t size, const char *yours)
+{
+    const char *end = right + size;
+    while (right < end && *yours != '\0') {
+        const char *right_next, *yours_next;
+        double x = number_at(right, &right_next), y = number_at(yours, &yours_next);
+        if ((right_next == right) != (yours_next == yours))
+            return false;
+        if (right_next == right) {
+            if (*right++ != *yours++)
+                return false;
+            continue;
+        }
+        if (!(x == y || fabs(x - y) <= 1e-9 * (1 + fabs(x)) || (isnan(x) && isnan(y))))
+            return false;
+        right = right_next;
+        yours = yours_next;
+    }
+    return right >= end && *yours == '\0';
+}
+
+// ---- what has to be seen: $fit ------------------------------------------------------------------
+
+// A row of $fit.
+typedef struct {
+    vec3 center;
+    double radius;
+    int panel;
+} Fit;
+
+static void write_fit(FILE *out, Fit fit)
+{
+    const double numbers[] = {fit.center[0], fit.center[1], fit.center[2], fit.radius};
+    for (int i = 0; i < 4; i++)
+        fprintf(out, "%s ", gnuplot_number(numbers[i]).s);
+    fprintf(out, "%d\n", fit.panel);
+}
+
+void plot_fit(Plot *plot, vec3 center, double radius)
+{
+    if (!vec3_is_finite(center) || !isfinite(radius))
+        return;
+    write_fit(plot->fit, (Fit){center, radius, plot_view_panel(plot)});
+    plot_view_fit(plot, center, radius);
+}
+
+// The next row before 'end'.
+static bool next_fit(const char **row, const char *end, Fit *fit)
+{
+    double x, y, z;
+    int used = 0;
+    if (*row >= end ||
+        sscanf(*row, "%lf %lf %lf %lf %d\n%n", &x, &y, &z, &fit->radius, &fit->panel, &used) != 5)
+        return false;
+    fit->center = vec3_of(x, y, z);
+    *row += used;
+    return true;
+}
+
+// Is a part of a wrong figure so near to what is right that the rest remains legible? 'right':
+// those rows.
+static bool is_near(Fit part, const char *right, const char *end)
+{
+    enum { TIMES = 3 };
+    double far = 0, away = INFINITY;
+    vec3 first = part.center;
+    int count = 0;
+    for (Fit fit; next_fit(&right, end, &fit);) {
+        if (fit.panel != part.panel)
+            continue;
+        first = count++ == 0 ? fit.center : first;
+        far = fmax(far, vec3_length(fit.center - first) + fit.radius);
+        away = fmin(away, vec3_length(part.center - fit.center) + part.radius);
+    }
+    return count == 0 || away <= TIMES * far;
+}
+
+// The right parts must be visible, however wrong the others are.
+void plot_fit_end(Plot *plot)
+{
+    fclose(plot->fit);
+    fputs("$fit << EOD\n# x y z radius of what has to be seen, and its panel\n", plot->script);
+    const char *right = "", *yours = plot->fit_text;
+    size_t size = plot_right_rows(plot, "fit", &right);
+    const char *end = right + size;
+    if (size == 0)
+        fputs(plot->fit_text, plot->script);
+    else {
+        int panel = plot_view_panel(plot);
+        plot_view_forget_fits(plot);
+        for (int side = 0; side < 2; side++) {
+            const char *row = side == 0 ? right : yours;
+            const char *last = side == 0 ? end : yours + plot->fit_size;
+            for (Fit fit; next_fit(&row, last, &fit);)
+                if (side == 0 || is_near(fit, right, end)) {
+                    write_fit(plot->script, fit);
+                    plot_panel(plot, fit.panel);
+                    plot_view_fit(plot, fit.center, fit.radius);
+                }
+        }
+        plot_panel(plot, panel);
+    }
+    fputs("EOD\n", plot->script);
+    free(plot->fit_text);
+}
+
+// ---- tables -------------------------------------------------------------------------------------
+
+void plot_block(Plot *plot, const char *name, const char *columns)
+{
+    plot->block = name;
+    plot->columns = columns;
+    plot->rows = open_memstream(&plot->rows_text, &plot->rows_size);
+    plot_view_block(plot, name, columns);
+}
+
+void plot_row(Plot *plot, int count, const double *numbers)
+{
+    for (int i = 0; i < count; i++)
+        fprintf(plot->rows, "%s%s", i > 0 ? " " : "", gnuplot_number(numbers[i]).s);
+    putc('\n', plot->rows);
+}
+
+void plot_row_point(Plot *plot, vec3 point)
+{
+    plot_view_row(plot, point, vec3_of(0, 0, 0));
+    plot_row(plot, 3, (const double[]){point[0], point[1], point[2]});
+}
+
+void plot_row_vector(Plot *plot, vec3 from, vec3 vector)
+{
+    plot_view_row(plot, from, vector);
+    plot_row(plot, 6, (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2]});
+}
+
+void plot_row_dot(Plot *plot, int count, const double *numbers)
+{
+    plot_view_gap(plot);
+    plot_view_row(plot, vec3_of(numbers[0], numbers[1], numbers[2]), vec3_of(0, 0, 0));
+    plot_row(plot, count, numbers);
+}
+
+void plot_row_vector_with(Plot *plot, vec3 from, vec3 vector, double number)
+{
+    plot_view_row(plot, from, vector);
+    plot_row(plot, 7,
+             (const double[]){from[0], from[1], from[2], vector[0], vector[1], vector[2], number});
+}
+
+void plot_gap(Plot *plot)
+{
+    putc('\n', plot->rows);
+    plot_view_gap(plot);
+}
+
+static bool has_rows(const char *rows)
+{
+    while (*rows != '\0') {
+        size_t length = strcspn(rows, "\n");
+        const char *none = strstr(rows, "NaN");
+        if (length > 0 && (none == NULL || none > rows + length))
+            return true;
+        rows += length + (rows[length] == '\n');
+    }
+    return false;
+}
+
+// Takes rows over. Of a block that has no row, or none without a NaN, as many far off the canvas,
+// at least one: gnuplot 5.4 warns of the one, and crashes on labels of the other.
+static char *drawable(char *rows)
+{
+    if (has_rows(rows))
+        return rows;
+    char *text;
+    size_t size;
+    FILE *instead = open_memstream(&text, &size);
+    const char *row = rows;
+    do {
+        fputs("1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9 1e9\n", instead);
+        row = strchr(row, '\n');
+    } while (row != NULL && *++row != '\0');
+    fclose(instead);
+    free(rows);
+    return text;
+}
+
+bool plot_block_end(Plot *plot)
+{
+    fclose(plot->rows);
+    char *yours = drawable(plot->rows_text);
+    fprintf(plot->script, "$%s << EOD\n# %s\n", plot->block, plot->columns);
+    const char *right;
+    size_t size = plot_right_rows(plot, plot->block, &right);
+    bool is_wrong = size > 0 && !is_right(right, size, yours);
+    plot_view_block_end(plot, right, size);
+    if (size > 0) // two empty lines: what follows is the next index
+        fprintf(plot->script, "%.*s\n\n", (int)size, right);
+    fprintf(plot->script, "%sEOD\n", yours);
+    free(yours);
+    plot->wrong = plot->wrong || is_wrong;
+    return is_wrong;
+}
+
+// ---- by name ------------------------------------------------------------------------------------
 
 // Where something else is right, that goes by the name, and yours by your_NAME.
 static void define_both(Plot *plot, const char *name, const char *value, bool is_wrong)
@@ -30,7 +310,7 @@ static bool define(Plot *plot, const char *name, const char *value)
 {
     const char *right;
     size_t size = plot_right_value(plot, name, &right);
-    bool is_wrong = size > 0 && !plot_is_right(right, size, value);
+    bool is_wrong = size > 0 && !is_right(right, size, value);
     define_both(plot, name, value, is_wrong);
     return is_wrong;
 }
@@ -85,7 +365,7 @@ void plot_point(Plot *plot, const char *name, vec3 point)
     bool is_wrong = plot_block_end(plot);
     define_label(plot, name, vec3_text_to(point, LABEL_DIGITS).s, is_wrong);
     if (is_wrong)
-        plot_fit_wrong(plot, point);
+        plot_fit(plot, point, 0);
 }
 
 void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector)
@@ -95,7 +375,7 @@ void plot_vector(Plot *plot, const char *name, vec3 from, vec3 vector)
     bool is_wrong = plot_block_end(plot);
     define_label(plot, name, vec3_text_to(vector, LABEL_DIGITS).s, is_wrong);
     if (is_wrong)
-        plot_fit_wrong(plot, from + vector);
+        plot_fit(plot, from + vector, 0);
 }
 
 void plot_direction(Plot *plot, const char *name, vec3 v)

@@ -74,7 +74,7 @@ if (format eq "png") {
 }
 if (tex) {
     # The slides' own font, as large as the others' looks; \small and \large beside it. Labels are made fit
-    # for LaTeX by chapters/gallery/latex_picture.c.
+    # for LaTeX by chapters/gallery/latex_picture.py.
     points = text_size / 2.0
     set terminal cairolatex pdf input colortext header sprintf('\def\small{\fontsize{%g}{%g}\selectfont}\
 \def\large{\fontsize{%g}{%g}\selectfont}\fontsize{%g}{%g}\selectfont', points / 1.2, points, points * 1.22, \
@@ -111,6 +111,7 @@ math(s) = tex ? "$".s."$" : italic(s)
 steps = 1
 # In a plot: '@step2 ...' is drawn from step 2 on; '@who $DATA index who ...' draws what is right and,
 # if something is wrong, yours beside it, dashed.
+# gnuplot's plot has no if: 'for [_=1:condition] ...' draws once if the condition is 1, and nothing if it is 0.
 step2 = "for [_=2:step:1000]"
 step3 = "for [_=3:step:1000]"
 step4 = "for [_=4:step:1000]"
@@ -226,7 +227,7 @@ labels = 'for [i=1:label_count] $once using (leader_u[i]):(step < label_step[i] 
 
 # What is right, what is yours, by how much it is off, and why, for readers who do not see it.
 why = ""
-beside_words(_) = sprintf("Right is %s; yours, drawn dashed, is %s%s.", answer_text, yours_text, \
+beside_words(_) = sprintf("Expected is %s; yours%s is %s%s.", answer_text, drawn eq "" ? "" : ", drawn ".drawn.",", yours_text, \
     off_text eq "" ? "" : ", ".off_text).(why eq "" ? "" : " ".why)
 
 # ---- the end --------------------------------------------------------------------------------------
@@ -236,9 +237,10 @@ differs = " Some of it differs from what is right: that is drawn dashed, beside 
 say = 'print title; print ""; print description.(wrong ? differs : "").(wrong && note ne "" ? " ".note : "")'
 finish = 'unset output; if (format eq "txt") { set print output.".txt"; @say; unset print }'
 
-# The words below the canvas.
+# The words below the canvas. Their labels have high numbers: a layout has labels 1, 2 and so on of its own.
 legend = 'if (strip > 0) { set arrow 99 from 0, 0 to width, 0 nohead lc rgb faint lw 1 }; \
     do for [i=1:strip_count] { do for [k=1:lines_of(strip_text[i], strip_room)] { \
-        set label line_of(strip_text[i], strip_room, k) at 16, -down(i - 1) - line_height * (k - 0.5) left noenhanced \
+        strip_label = 100 * (i + 1) + k; \
+        set label strip_label line_of(strip_text[i], strip_room, k) at 16, -down(i - 1) - line_height * (k - 0.5) left noenhanced \
             tc rgb value(strip_color[i]) front } }; \
-    if (wrong) { set label 99 "solid: right; dashed: yours" at 16, -down(strip_count) - line_height / 2 left tc rgb grey front }'
+    if (wrong) { set label 99 "solid: expected; dashed: yours" at 16, -down(strip_count) - line_height / 2 left tc rgb grey front }'

@@ -52,7 +52,7 @@ void plot_direction(Plot *plot, const char *name, vec3 v);
 void plot_pair(Plot *plot, const char *name, const char *first_name, double first,
                const char *second_name, double second);
 
-// ---- tables (plot_block.c) --------------------------------------------------------------------
+// ---- tables (plot.c) --------------------------------------------------------------------------
 
 // $NAME: a table, row by row; columns says what they are. Numbers that are not finite are NaN.
 void plot_block(Plot *plot, const char *name, const char *columns);
@@ -76,7 +76,7 @@ void plot_picture(Plot *plot, const char *name, const Image *image, double allow
 // Is the figure dragged just now, so that a coarser picture will do?
 bool plot_is_dragged(const Plot *plot);
 
-// ---- what the layout starts from (plot_fit.c, plot_script.c) ----------------------------------
+// ---- what the layout starts from (plot.c, plot_script.c) --------------------------------------
 
 // A thing that the picture must show: a point, or a sphere of a radius.
 void plot_fit(Plot *plot, vec3 center, double radius);
@@ -215,17 +215,18 @@ typedef struct {
     const char *drag;  // instead of the script, the options of a handle that is put there
 } FigureCommand;
 
+// Make and the page give them: --help does not list them.
 #define FIGURE_OPTIONS(command)                                                                    \
-    {"figure", 0, "NAME", option_string, &(command).name, "print a figure's gnuplot script"},      \
-        {"layout", 0, "FILE.gp", option_string, &(command).layout, "its data, laid out by you"},   \
-        {"beside", 0, "FILE.gp", option_string, &(command).right, "the same, right: both shown"},  \
-        {"answers", 0, NULL, option_flag, &(command).answers, "the answers that figure calls"},    \
-        {"live", 0, "FOLDER", option_string, &(command).live, "for a page: what can be dragged"},  \
-        {"shape", 0, "16:9|4:3", option_string, &(command).shape, "for a page: its shape alone"},  \
-        {"held", 0, "VIEW", option_string, &(command).held, "for a page: the view is kept"},       \
-        {"drag", 0, "HANDLE,U,V", option_string, &(command).drag, "for a page: the new options"},  \
+    {"figure", 0, "NAME", option_string, &(command).name, NULL},                                   \
+        {"layout", 0, "FILE.gp", option_string, &(command).layout, NULL},                          \
+        {"beside", 0, "FILE.gp", option_string, &(command).right, NULL},                           \
+        {"answers", 0, NULL, option_flag, &(command).answers, NULL},                               \
+        {"live", 0, "FOLDER", option_string, &(command).live, NULL},                               \
+        {"shape", 0, "16:9|4:3", option_string, &(command).shape, NULL},                           \
+        {"held", 0, "VIEW", option_string, &(command).held, NULL},                                 \
+        {"drag", 0, "HANDLE,U,V", option_string, &(command).drag, NULL},                           \
     {                                                                                              \
-        "note", 0, "WORDS", option_string, &(command).note, "what to say where they differ"        \
+        "note", 0, "WORDS", option_string, &(command).note, NULL                                   \
     }
 
 // Prints the script. chapter is the folder of the layouts; figures ends with one that has no name.

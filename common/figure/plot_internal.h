@@ -4,6 +4,7 @@
 #define COMMON_FIGURE_PLOT_INTERNAL_H
 
 #include "common/figure/plot.h"
+#include "common/text.h"
 
 typedef struct PlotView PlotView;
 typedef struct PlotHandles PlotHandles;
@@ -30,23 +31,26 @@ struct Plot {
     bool failed; // a file could not be read, and a message said so
 };
 
-// ---- what is right (plot_right.c) -------------------------------------------------------------
+// ---- strings and numbers as gnuplot reads them (plot.c) -----------------------------------------
+
+// "text", for freeing: a string of gnuplot's, and nothing else, for no command can begin in it. A
+// label of numbers has a minus sign, not a hyphen.
+char *gnuplot_string(const char *text, bool is_label);
+
+// To more digits than any canvas shows. If x is not finite: NaN, which gnuplot leaves out.
+Text gnuplot_number(double x);
+
+// ---- what is right (plot.c) -------------------------------------------------------------------
 
 // The right value of NAME, and the right rows of a block, here without '$' before its name. Returns
 // how many characters begin there; 0 where there are none.
 size_t plot_right_value(const Plot *plot, const char *name, const char **begin);
 size_t plot_right_rows(const Plot *plot, const char *block, const char **begin);
 
-// So many characters of what is right, and yours: the same words, and the same numbers as far as
-// rounding goes?
-bool plot_is_right(const char *right, size_t size, const char *yours);
+// ---- what has to be seen (plot.c) -------------------------------------------------------------
 
-// ---- what has to be seen (plot_fit.c) ---------------------------------------------------------
-
-// Shows a wrong part, if it is near enough to leave the rest of the figure legible.
-void plot_fit_wrong(Plot *plot, vec3 place);
-
-// Writes $fit, when all else is written.
+// Writes $fit, when all else is written: what is right has to be seen, and of what is wrong the
+// parts that are near enough to leave the rest of the figure legible.
 void plot_fit_end(Plot *plot);
 
 // ---- from where it is seen (plot_view.c) --------------------------------------------------------
@@ -61,8 +65,10 @@ void plot_view_row(Plot *plot, vec3 from, vec3 vector);
 void plot_view_gap(Plot *plot);
 void plot_view_block_end(Plot *plot, const char *right, size_t size);
 
-// What has to be seen, and what the words of a name are.
+// What has to be seen in the panel that is chosen; and nothing has to, up to here. What the words
+// of a name are.
 void plot_view_fit(Plot *plot, vec3 center, double radius);
+void plot_view_forget_fits(Plot *plot);
 void plot_view_words(Plot *plot, const char *name, const char *value, size_t size);
 
 // Places the labels, and writes the places, when all else is written. Returns whether the figure

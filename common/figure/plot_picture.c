@@ -1,5 +1,4 @@
 // plot_picture.c - figures: pictures, which are in the script as PNGs in base64.
-#include "common/figure/gnuplot.h"
 #include "common/figure/plot_internal.h"
 
 #include <math.h>

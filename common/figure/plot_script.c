@@ -1,7 +1,6 @@
 // plot_script.c - figures: head, data and layout become one script, in memory, and it is printed
 // when all of it is there.
 #include "common/answers.h"
-#include "common/figure/gnuplot.h"
 #include "common/figure/plot_internal.h"
 #include "common/text.h"
 #include "common/toolkit_file.h"

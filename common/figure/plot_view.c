@@ -1,9 +1,8 @@
 // plot_view.c - figures: from where they are seen, how large, and where their labels stand.
 //
-// What is drawn is known from the blocks (plot_block.c). Here it is projected onto both canvases,
+// What is drawn is known from the blocks (plot.c). Here it is projected onto both canvases,
 // 16:9 and 4:3, as large as the labels around it allow (labels.h), and the script is told: scale,
 // place, labels.
-#include "common/figure/gnuplot.h"
 #include "common/figure/labels.h"
 #include "common/figure/plot_internal.h"
 
@@ -152,14 +151,36 @@ static void look(PlotView *view, Look look)
     view->looks = true;
 }
 
+// The layout looks along the right directions (NAME_x and so on).
+static vec3 right_direction(const Plot *plot, const char *name, vec3 yours)
+{
+    static const char axes[] = "xyz";
+    vec3 right = yours;
+    for (int i = 0; i < 3; i++) {
+        char key[40];
+        const char *value;
+        snprintf(key, sizeof key, "%s_%c", name, axes[i]);
+        if (plot_right_value(plot, key, &value) > 0)
+            right[i] = strtod(value, NULL);
+    }
+    return right;
+}
+
 void plot_look(Plot *plot, vec3 right, vec3 up, vec3 forward, double azimuth, double elevation)
 {
+    right = right_direction(plot, "right", right);
+    up = right_direction(plot, "up", up);
+    forward = right_direction(plot, "forward", forward);
+    plot_number(plot, "azimuth", azimuth);
+    plot_number(plot, "elevation", elevation);
+    if (plot->right != NULL) {
+        azimuth = plot_shown(plot, "azimuth");
+        elevation = plot_shown(plot, "elevation");
+    }
     double a = azimuth * PI / 180, e = elevation * PI / 180;
     vec3 aside = cos(a) * right - sin(a) * forward;
     look(plot->view,
          (Look){false, cos(a) * forward + sin(a) * right, cos(e) * up - sin(e) * aside});
-    plot_number(plot, "azimuth", azimuth);
-    plot_number(plot, "elevation", elevation);
 }
 
 void plot_apart(Plot *plot)
@@ -192,6 +213,11 @@ void plot_view_fit(Plot *plot, vec3 center, double radius)
 {
     Fit *fit = add(&plot->view->fits, sizeof(Fit));
     *fit = (Fit){center, radius, plot->view->panel};
+}
+
+void plot_view_forget_fits(Plot *plot)
+{
+    plot->view->fits.count = 0;
 }
 
 void plot_view_words(Plot *plot, const char *name, const char *value, size_t size)
@@ -604,7 +630,7 @@ enum { NOWHERE = -1 };
 
 static bool is_somewhere(Spot spot)
 {
-    const double far = 1e7; // plot_block.c draws there what is not to be seen
+    const double far = 1e7; // plot.c draws there what is not to be seen
     return fabs(spot.u) < far && fabs(spot.v) < far;
 }
 

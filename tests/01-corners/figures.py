@@ -35,12 +35,6 @@ def arrow(figure, title, start, end, aside=(0, 0)):
     checks.near(f"{title}, from one end to the other", ends, at)
 
 
-def shows(figure, *texts):
-    labels = [words for words, _, _ in figure.labels()]
-    for text in texts:
-        checks.that(f"a label says {text!r}", text in labels, str(labels))
-
-
 def outline(figure, title, c, points=None):
     points = points or corners(c)
     checks.near(f"the outline of {title}", figure.lines(title)[0], [figure.place(p) for p in points + points[:1]])
@@ -70,7 +64,7 @@ def camera_frame(c, options, shape):
     upper_left, upper_right, lower_right, _ = corners(c)
     arrow(figure, "upper edge", upper_left, upper_right, (0, 14))
     arrow(figure, "right edge", lower_right, upper_right, (14, 0))
-    shows(figure, *(f"{name} = {label(c[name])}" for name in "dwh"), *"pruf", *"xyz")
+    checks.shows(figure, *(f"{name} = {label(c[name])}" for name in "dwh"), *"pruf", *"xyz")
     axes(figure, c, middle)
 
 
@@ -104,8 +98,8 @@ def corner_vectors(c, options, shape):
     for title, (end, start) in way.items():
         checks.near(f"the arrow {title}", figure.tips(title), figure.place(place_of(c, *end)))
         arrow(figure, title, place_of(c, *start) if start else c["p"], place_of(c, *end))
-    shows(figure, "= " + label_of(left), "= " + label_of(right),
-          "d f − (w/2) r + (h/2) u", "d f + (w/2) r + (h/2) u")
+    checks.shows(figure, "= " + label_of(left), "= " + label_of(right),
+                 "d f − (w/2) r + (h/2) u", "d f + (w/2) r + (h/2) u")
 
 
 def point_30_10(c, options, shape, s=0.3, t=0.1):
@@ -125,8 +119,8 @@ def point_30_10(c, options, shape, s=0.3, t=0.1):
     arrow(figure, "upward", place_of(c, 1, 0), place_of(c, 1, t), (14, 0))
     arrow(figure, "column", place_of(c, s, 0), point)
     arrow(figure, "row", place_of(c, 1, t), point)
-    shows(figure, f"{label(100 * s)} %", f"{label(100 * t)} %", f"s = {label(s)}", f"t = {label(t)}",
-          "d f + (s − ½) w r + (t − ½) h u", f"= {label_of(vector)}")
+    checks.shows(figure, f"{label(100 * s)} %", f"{label(100 * t)} %", f"s = {label(s)}", f"t = {label(t)}",
+                 "d f + (s − ½) w r + (t − ½) h u", f"= {label_of(vector)}")
 
 
 def double_dwh(c, options, shape, s=0.3, t=0.1):
@@ -144,8 +138,8 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
     checks.near("the rays", [stroke[-1] for stroke in figure.strokes("rays")], [figure.place(p) for p in ends])
     checks.near("the ray", figure.tips("one ray"),
                 figure.place(plus(c["p"], legs(c, 2 * s - 1, 2 * t - 1), far)))
-    shows(figure, *(f"{n} = {label(c[n])}" for n in "dwh"), *(f"2 {n} = {label(2 * c[n])}" for n in "dwh"),
-          *(f"{n}/d = {label(c[n] / c['d'])}" for n in "dwh"))
+    checks.shows(figure, *(f"{n} = {label(c[n])}" for n in "dwh"), *(f"2 {n} = {label(2 * c[n])}" for n in "dwh"),
+                 *(f"{n}/d = {label(c[n] / c['d'])}" for n in "dwh"))
     for title, factor in (("plane", 1), ("twice plane", 2), ("unit plane", 1 / c["d"])):
         upper_left, upper_right, lower_right, _ = (
             plus(c["p"], plus(p, c["p"], -1), factor) for p in corners(c))

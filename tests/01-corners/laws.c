@@ -1,5 +1,5 @@
 // laws.c - the laws of exercise 01: how far a vector goes along the camera's own directions.
-#include "tests/01-corners/laws.h"
+#include "exercises/01-corners.h"
 
 #include "common/text.h"
 #include "tests/judge/law.h"
@@ -57,22 +57,22 @@ static void law_of_place(vec3 yours, Camera c, double aside, const char *column,
                    up.yours.s, row, up.right.s);
 }
 
-void law_upper_left(vec3 yours, Camera c)
+LAW(upper_left)
 {
     law_of_place(yours, c, -c.width / 2, "its left edge", c.height / 2, "its top edge");
 }
 
-void law_upper_right(vec3 yours, Camera c)
+LAW(upper_right)
 {
     law_of_place(yours, c, c.width / 2, "its right edge", c.height / 2, "its top edge");
 }
 
-void law_across_30_up_10(vec3 yours, Camera c)
+LAW(across_30_up_10)
 {
     law_of_place(yours, c, -0.2 * c.width, "30% of the way across", -0.4 * c.height, "10% up");
 }
 
-void law_image_plane_vector(vec3 yours, Camera c, double s, double t)
+LAW(image_plane_vector)
 {
     // Far beyond the plane, rounding errors grow with s and t.
     if (fabs(s) > 1e3 || fabs(t) > 1e3)
@@ -101,7 +101,7 @@ static bool same(vec3 v, vec3 w, double within)
     return vec3_length(v - w) <= within;
 }
 
-void law_with_unit_distance(Camera yours, Camera c)
+LAW(with_unit_distance)
 {
     if (!(fabs(yours.distance - 1) <= 1e-8))
         law_broken("the distance must be 1, and yours is %s", apart(yours.distance, 1).yours.s);

@@ -6,19 +6,11 @@ import tempfile
 from cameras import DECK, corners, label, label_of, options_of, some_camera
 from check import Checks, holds_for_every, on_the_canvas, told_in_words
 from collisions import nothing_collides
-from figure import Figure, dot, plus, times
+from figure import Figure, cross, dot, plus, times, unit
 
 checks = Checks("figures of 02-cameras")
 SHAPES = {"16:9": 960, "4:3": 720}
 FORMS = ("look-at", "points", "corner", "vectors")  # panels 1 to 4
-
-
-def unit(v):
-    return times(1 / dot(v, v) ** 0.5, v)
-
-
-def cross(v, w):
-    return (v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0])
 
 
 def in_panel(drawn, panel):

@@ -2,7 +2,7 @@
 // is the camera of the arguments.
 //
 // Close to the border between valid and refused these laws are silent: rounding may go either way.
-#include "tests/02-cameras/laws.h"
+#include "exercises/02-cameras.h"
 
 #include "common/text.h"
 #include "tests/judge/law.h"
@@ -99,9 +99,10 @@ static bool is_settled(CameraFault yours, int sure, int may, Contract contract)
                    "each of the reasons of this contract? They are %s",
                    contract.reasons);
     else if (yours != CAMERA_OK && may == 0)
-        law_broken("you refused it ('%s'), although %s%s", camera_fault_text(yours),
-                   contract.what_it_is,
-                   yours <= CAMERA_NOT_PERPENDICULAR ? ": your frame is wrong" : "");
+        law_broken("you refused it ('%s'), although %s", camera_fault_text(yours),
+                   yours <= CAMERA_NOT_PERPENDICULAR
+                       ? "it is a camera: the frame that you made is wrong, or rounded to float"
+                       : contract.what_it_is);
     else if ((yours == CAMERA_NOT_UNIT || yours == CAMERA_NOT_PERPENDICULAR) &&
              (may >> yours & 1) == 0)
         law_broken(
@@ -148,6 +149,39 @@ static int reasons_of(vec3 eye, Corners v, double slack, double tiny)
                                     fmax(cosine(left, middle), cosine(right, middle)) > slack);
 }
 
+#define COMPARE                                                                                    \
+    "Compare a difference with CAMERA_TOLERANCE x the edges and a cosine with CAMERA_TOLERANCE, "  \
+    "not with 0 or a fixed length, and use no float"
+
+// What an exact comparison finds in a rectangle: rounding. False if it finds nothing.
+static bool is_refused_for_rounding(CameraFault yours, Corners v)
+{
+    vec3 top = v.upper_right - v.upper_left, bottom = v.lower_right - v.lower_left;
+    vec3 left = v.upper_left - v.lower_left, right = v.upper_right - v.lower_right;
+    vec3 middle = (v.upper_left + v.upper_right + v.lower_left + v.lower_right) / 4;
+    double gap = fmax(vec3_length(top - bottom), vec3_length(left - right));
+    double diagonals =
+        fabs(vec3_length(v.upper_right - v.lower_left) - vec3_length(v.lower_right - v.upper_left));
+    double corner = fmax(cosine(top, left), cosine(bottom, right));
+    double unit_corner = fabs(vec3_dot(vec3_unit(top), vec3_unit(left)));
+    double axis = fmax(cosine(top, middle), cosine(left, middle));
+    double distances = fabs(vec3_length(v.upper_left) - vec3_length(v.lower_right)) +
+                       fabs(vec3_length(v.upper_right) - vec3_length(v.lower_left));
+    corner = fmax(corner, unit_corner);
+    bool is_gap = yours == CAMERA_NO_RECTANGLE && gap + diagonals + corner > 0;
+    bool is_beside = yours == CAMERA_OFF_AXIS && axis + distances > 0;
+    if (is_gap)
+        law_broken("you refuse rounding: this is a rectangle, but opposite edges, %s long, differ "
+                   "by %s, and the cosine of an angle is %s. " COMPARE,
+                   number_text_to(vec3_length(top), 2).s, number_text_to(gap, 2).s,
+                   number_text_to(corner, 2).s);
+    if (is_beside)
+        law_broken("you refuse rounding: the eye is straight behind the middle, but the cosine "
+                   "between an edge and the direction to the middle is %s. " COMPARE,
+                   number_text_to(axis, 2).s);
+    return is_gap || is_beside;
+}
+
 // Corners are shown as they were given: counted from the eye, or from the origin.
 static void rectangle(CameraFault yours, vec3 eye, Corners v, const Camera *camera, vec3 from)
 {
@@ -158,7 +192,8 @@ static void rectangle(CameraFault yours, vec3 eye, Corners v, const Camera *came
     if (far > 1e100)
         return; // squares leave the range of a double
     int sure = reasons_of(eye, v, 1e-7, 0), may = reasons_of(eye, v, 1e-10, 1e-7 * far);
-    if (is_settled(yours, sure, may, of_rectangles))
+    if ((may == 0 && is_refused_for_rounding(yours, v)) ||
+        is_settled(yours, sure, may, of_rectangles))
         return;
 
     Camera c = *camera;
@@ -176,20 +211,19 @@ static void rectangle(CameraFault yours, vec3 eye, Corners v, const Camera *came
                 "and the given one is at", from + v.lower_left, far);
 }
 
-void law_camera_from_vectors(CameraFault yours, vec3 eye, Corners vectors, Camera *camera)
+LAW(camera_from_vectors)
 {
     rectangle(yours, eye, vectors, camera, vec3_of(0, 0, 0));
 }
 
-void law_camera_from_points(CameraFault yours, vec3 eye, Corners points, Camera *camera)
+LAW(camera_from_points)
 {
     Corners vectors = {points.upper_left - eye, points.upper_right - eye, points.lower_left - eye,
                        points.lower_right - eye};
     rectangle(yours, eye, vectors, camera, eye);
 }
 
-void law_camera_from_corner(CameraFault yours, vec3 eye, vec3 lower_left, vec3 across, vec3 up,
-                            Camera *camera)
+LAW(camera_from_corner)
 {
     vec3 corner = lower_left - eye;
     Corners vectors = {corner + up, corner + up + across, corner, corner + across};
@@ -215,7 +249,7 @@ static int reasons_of_view(LookAt view, double slack)
                !no_direction && area <= slack * vec3_length(ahead) * vec3_length(view.up));
 }
 
-void law_camera_from_look_at(CameraFault yours, LookAt view, Handedness world, Camera *camera)
+LAW(camera_from_look_at)
 {
     vec3 ahead = view.at - view.eye;
     double distance = vec3_length(ahead), up_length = vec3_length(view.up);
@@ -227,6 +261,11 @@ void law_camera_from_look_at(CameraFault yours, LookAt view, Handedness world, C
     // Also true, though not the first reason one would give.
     may |= bit(CAMERA_NO_DISTANCE, distance == 0) |
            bit(CAMERA_NOT_FINITE, !isfinite(view.width / view.aspect));
+    double sine = vec3_length(vec3_cross(ahead, view.up)) / distance / up_length;
+    if (yours == CAMERA_OK && sure == bit(CAMERA_UP_ALONG_VIEW, true) && sine > 0)
+        law_broken("you gave a camera although up is along the view: the sine of the angle between "
+                   "them is %s, and that is rounding. Compare it with CAMERA_TOLERANCE, not with 0",
+                   number_text_to(sine, 2).s);
     if (is_settled(yours, sure, may, of_look_at))
         return;
 
@@ -253,7 +292,7 @@ void law_camera_from_look_at(CameraFault yours, LookAt view, Handedness world, C
 
 // ---- width from angle -------------------------------------------------------------------------
 
-void law_width_from_angle(double yours, double degrees, double distance)
+LAW(width_from_angle)
 {
     if (!(degrees > 0 && degrees < 180 && distance > 0 && isfinite(distance)))
         return;

@@ -4,7 +4,7 @@ import random
 
 from check import Checks, holds_for_every
 from figure import Figure
-from flat import Panel, in_words, line, number, pair, stroke
+from flat import Panel, line, number, pair, stroke
 
 checks = Checks("figures of 03-screen")
 DOT = 0.05  # canvas units
@@ -12,12 +12,6 @@ DOT = 0.05  # canvas units
 
 def on_screen(panel, x, y):
     return panel.place(x, -y)
-
-
-def shows(figure, *wanted):
-    labels = [" ".join(text.split()) for text, _, _ in figure.labels()]
-    for text in wanted:
-        checks.that(f"the label {text!r}", text in labels, str(labels))
 
 
 def label_at(figure, text, x=None, y=None):
@@ -51,10 +45,10 @@ def screen_to_unit(size, at, options):
                                ("from the top", square, (s, 1), (s, t))):
         stroke(checks, figure, title, panel.place(*a), panel.place(*b))
     y_text = f"({number(y)})" if y < 0 else number(y)
-    shows(figure, pair(x, y), number(x), number(y), number(across), number(down), f"s = x/{number(across)}",
-          f"t = 1 − y/{number(down)}", f"s = {number(x)}/{number(across)} = {number(s)}",
-          f"t = 1 − {y_text}/{number(down)} = {number(t)}")
-    words = in_words(figure)
+    checks.shows(figure, pair(x, y), number(x), number(y), number(across), number(down), f"s = x/{number(across)}",
+                 f"t = 1 − y/{number(down)}", f"s = {number(x)}/{number(across)} = {number(s)}",
+                 f"t = 1 − {y_text}/{number(down)} = {number(t)}")
+    words = figure.in_words()[1]
     for text in (f"{number(across)} by {number(down)} pixels", pair(x, y), pair(s, t)):
         checks.that(f"the words have {text}", text in words, words)
 
@@ -93,8 +87,8 @@ def pixel_grid(size, pixel, options):
     checks.near("from the centre to its t", line(figure, "to t"), [middle, (side, middle[1])])
     checks.that("the column's number is above it", label_at(figure, str(column), x=middle[0]))
     checks.that("the row's number is beside it", label_at(figure, str(row), y=middle[1]))
-    shows(figure, f"pixel {pair(column, row)}", f"centre {pair(x, y)}", f"s = ({column} + ½)/{across}",
-          f"t = 1 − ({row} + ½)/{down}", f"= {number(s)}", f"= {number(t)}")
+    checks.shows(figure, f"pixel {pair(column, row)}", f"centre {pair(x, y)}", f"s = ({column} + ½)/{across}",
+                 f"t = 1 − ({row} + ½)/{down}", f"= {number(s)}", f"= {number(t)}")
     if whole:  # 0 and 1 are s and t of the edges, if the centre's own number leaves room for them
         left, bottom = panel.place(0, -down)
         right, top = panel.place(across, 0)
@@ -106,7 +100,7 @@ def pixel_grid(size, pixel, options):
 
 DECK = ["--size", "640x480", "--point", "300,400"]  # the lecture may have another example
 screen_to_unit((640, 480), (300, 400), DECK)
-checks.that("the deck's answer", "(0.46875, 0.166667)" in in_words(Figure("03-screen", "screen-to-unit", *DECK)))
+checks.that("the deck's answer", "(0.46875, 0.166667)" in Figure("03-screen", "screen-to-unit", *DECK).in_words()[1])
 pixel_grid((8, 6), (3, 4), [])
 pixel_grid((640, 480), (300, 400), DECK)
 pixel_grid((1, 1), (0, 0), ["--size", "1x1"])

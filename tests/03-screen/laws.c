@@ -1,6 +1,6 @@
 // laws.c - the laws of exercise 03: a share of the whole is the same share of the pixels, from the
 // same edge.
-#include "tests/03-screen/laws.h"
+#include "exercises/03-screen.h"
 
 #include "tests/judge/law.h"
 #include "tests/judge/reference/distinct_digits.h"
@@ -19,7 +19,7 @@ static bool not_finite(double x, double y)
     return true;
 }
 
-void law_screen_to_normalized(Normalized yours, ScreenPoint point, Resolution screen)
+LAW(screen_to_normalized)
 {
     if (not_finite(yours.s, yours.t))
         return;
@@ -36,7 +36,7 @@ void law_screen_to_normalized(Normalized yours, ScreenPoint point, Resolution sc
     }
 }
 
-void law_normalized_to_screen(ScreenPoint yours, Normalized place, Resolution screen)
+LAW(normalized_to_screen)
 {
     if (not_finite(yours.x, yours.y))
         return;
@@ -72,7 +72,7 @@ static bool off_center(double yours, int number, const char *letter, const char 
     return true;
 }
 
-void law_pixel_center(ScreenPoint yours, Pixel pixel)
+LAW(pixel_center)
 {
     if (not_finite(yours.x, yours.y) || off_center(yours.x, pixel.column, "x", "column"))
         return;

@@ -5,7 +5,7 @@ import random
 from cameras import DECK, corners, label_of, options_of, some_camera
 from check import Checks, holds_for_every
 from figure import Figure, plus, times
-from flat import Panel, in_words, line, number, pair, stroke
+from flat import Panel, line, number, pair, stroke
 
 checks = Checks("figures of 04-pixel-ray")
 DOT = 0.05  # canvas units
@@ -88,7 +88,7 @@ def pixel_to_ray(c, size, pixel, options):
         vector = label_of(toward(c, s, t))
         for text in ("v = d f + (s − ½) w r", "+ (t − ½) h u", f"= {vector}", "ray p + t v from (2, 2, −4)"):
             checks.that(f"the vector's and the ray's label {text!r}", text in labels, str(labels))
-        words = in_words(figure)
+        words = figure.in_words()[1]
         for text in (pair(column + 0.5, row + 0.5), pair(s, t), vector):
             checks.that(f"the words have {text}", text in words, words)
 

@@ -1,5 +1,5 @@
 // laws.c - the laws of exercise 04: a ray starts at the eye and goes through its pixel.
-#include "tests/04-pixel-ray/laws.h"
+#include "exercises/04-pixel-ray.h"
 
 #include "common/text.h"
 #include "tests/judge/law.h"
@@ -20,7 +20,7 @@ static bool beside_its_pixel(double place, int number, double size, double toler
     return true;
 }
 
-void law_pixel_ray(Ray yours, Camera camera, Resolution screen, Pixel pixel)
+LAW(pixel_ray)
 {
     // Much wider than the contract's 1e-9; a ray that is nearly parallel to the plane meets it less
     // exactly.

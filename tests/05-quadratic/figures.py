@@ -8,23 +8,11 @@ import os
 import random
 
 from check import Checks, holds_for_every
-from figure import Figure, dot, plus, times
+from figure import Figure, cross, dot, length, plus, times, unit
 
 checks = Checks("figures of 05-quadratic")
 P = "05-quadratic"
 DECK = ((-4, -1, 0), (0.89, 0.45, 0), (0, 0, 0), 1)
-
-
-def length(v):
-    return math.sqrt(dot(v, v))
-
-
-def unit(v):
-    return times(1 / length(v), v)
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def across(v, line):

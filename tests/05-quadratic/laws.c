@@ -2,9 +2,11 @@
 //
 // Tolerances are wide, so that the slide's plain formula never breaks a law; if numbers are so
 // extreme that it loses all digits, the laws are silent.
-#include "tests/05-quadratic/laws.h"
+#include "exercises/05-quadratic.h"
 
 #include "common/text.h"
+#include "tests/judge/law.h"
+#include "tests/judge/reference/distinct_digits.h"
 
 // 0, or of a size whose square stays in range.
 static bool tame(double x)
@@ -19,24 +21,28 @@ static bool tame_vec3(vec3 v)
 
 // ---- coefficients -------------------------------------------------------------------------------
 
-void law_to_object_coordinates(Ray yours, Ray ray, Sphere sphere)
+LAW(to_object_coordinates)
 {
     if (!tame_vec3(ray.origin) || !tame_vec3(ray.direction) || !tame_vec3(sphere.center))
         return;
     double size = vec3_length(ray.origin) + vec3_length(sphere.center);
     double mine = vec3_length(ray.origin - sphere.center);
-    if (!(vec3_length(yours.direction - ray.direction) <= 1e-9 * vec3_length(ray.direction)))
+    if (!(vec3_length(yours.direction - ray.direction) <= 1e-9 * vec3_length(ray.direction))) {
+        Apart its = apart_vec3(yours.direction, ray.direction);
         law_broken("your direction is %s, the given one is %s: a direction is the same seen from "
                    "any point",
-                   vec3_text(yours.direction).s, vec3_text(ray.direction).s);
-    else if (!(fabs(vec3_length(yours.origin) - mine) <= 1e-9 * size))
+                   its.yours.s, its.right.s);
+    } else if (!(fabs(vec3_length(yours.origin) - mine) <= 1e-9 * size)) {
+        Apart its = apart(vec3_length(yours.origin), mine);
         law_broken("your origin is %s away from the centre, which is now at (0, 0, 0); in the "
                    "world the eye is %s away from it",
-                   number_text(vec3_length(yours.origin)).s, number_text(mine).s);
-    else if (!(vec3_length(yours.origin - (ray.origin - sphere.center)) <= 1e-9 * size))
+                   its.yours.s, its.right.s);
+    } else if (!(vec3_length(yours.origin - (ray.origin - sphere.center)) <= 1e-9 * size)) {
+        Apart its = apart_vec3(sphere.center + yours.origin, ray.origin);
         law_broken("your origin is as far from the centre as it should be, but in another "
                    "direction: centre plus origin is %s, and the eye is at %s",
-                   vec3_text(sphere.center + yours.origin).s, vec3_text(ray.origin).s);
+                   its.yours.s, its.right.s);
+    }
 }
 
 // p is the eye seen from the centre; size is the size of the arguments. One at a time: only c
@@ -47,28 +53,30 @@ static void law_of_coefficients(Quadratic yours, vec3 p, vec3 v, double r, doubl
     double speed = vec3_length(v), tolerance = 1e-9 * (size + speed) * (size + speed);
     if (!tame_vec3(p) || !tame_vec3(v) || !tame(r) || !tame(size) || speed == 0)
         return;
-    if (!(fabs(yours.c - c) <= tolerance))
+    if (!(fabs(yours.c - c) <= tolerance)) {
+        Apart its = apart(yours.c, c);
         law_broken("at t = 0, where the ray starts, your a t^2 + b t + c is %s; the eye is %s from "
                    "the centre and r is %s: the difference of their squares is %s",
-                   number_text(yours.c).s, number_text(vec3_length(p)).s, number_text(r).s,
-                   number_text(c).s);
-    else if (!(fabs(yours.a - a) <= tolerance))
+                   its.yours.s, number_text(vec3_length(p)).s, number_text(r).s, its.right.s);
+    } else if (!(fabs(yours.a - a) <= tolerance)) {
         law_broken("with p and r 0 only a t^2 is left, the squared distance from the centre: at "
-                   "t = 1 yours is %s, but v is %s long",
-                   number_text(yours.a).s, number_text(speed).s);
-    else if (!(fabs(yours.b - b) <= tolerance))
+                   "t = 1 yours is %s, but v is %s long, and its square is %s",
+                   apart(yours.a, a).yours.s, number_text(speed).s, apart(yours.a, a).right.s);
+    } else if (!(fabs(yours.b - b) <= tolerance)) {
+        Apart its = apart(-yours.b / (2 * yours.a), -b / (2 * a));
         law_broken("your a t^2 + b t + c is smallest at t = %s, but the ray is closest to the "
                    "centre at t = %s",
-                   number_text(-yours.b / (2 * yours.a)).s, number_text(-b / (2 * a)).s);
+                   its.yours.s, its.right.s);
+    }
 }
 
-void law_object_quadratic(Quadratic yours, Ray object_ray, double radius)
+LAW(object_quadratic)
 {
     law_of_coefficients(yours, object_ray.origin, object_ray.direction, radius,
                         vec3_length(object_ray.origin) + radius);
 }
 
-void law_world_quadratic(Quadratic yours, Ray ray, Sphere sphere)
+LAW(world_quadratic)
 {
     law_of_coefficients(yours, ray.origin - sphere.center, ray.direction, sphere.radius,
                         vec3_length(ray.origin) + vec3_length(sphere.center) + sphere.radius);
@@ -126,7 +134,7 @@ static void law_of_a_parabola(Roots yours, Quadratic q)
                    number_text((yours.t[0] + yours.t[1]) / 2).s, number_text(-q.b / (2 * q.a)).s);
 }
 
-void law_quadratic_roots(Roots yours, Quadratic q)
+LAW(quadratic_roots)
 {
     if (!tame(q.a) || !tame(q.b) || !tame(q.c))
         return;
@@ -174,7 +182,7 @@ static double off_the_sphere(const Sight *sight, double t)
     return vec3_length(sight->p + t * sight->v) - sight->r;
 }
 
-void law_sphere_roots(Roots yours, Ray ray, Sphere sphere)
+LAW(sphere_roots)
 {
     Sight sight;
     if (!look(ray, sphere, &sight))
@@ -209,7 +217,7 @@ void law_sphere_roots(Roots yours, Ray ray, Sphere sphere)
                    number_text(2 * sight.half * sight.speed).s);
 }
 
-void law_hit_sphere(double yours, Ray ray, Sphere sphere)
+LAW(hit_sphere)
 {
     Sight sight;
     if (!look(ray, sphere, &sight))

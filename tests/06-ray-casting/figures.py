@@ -12,7 +12,7 @@ import tempfile
 
 import png
 from check import NEAR, Checks, holds_for_every
-from figure import Figure, PROGRAMS, dot, plus, times
+from figure import Figure, PROGRAMS, cross, dot, length, plus, times
 
 PROGRAM = "06-ray-casting"
 checks = Checks("figures of 06-ray-casting")
@@ -34,14 +34,6 @@ GROUND = {"from": (0, 1.5, 6), "at": (0, 1, 0), "up": (0, 1, 0), "angle": 50, "s
 
 
 # ---- geometry -------------------------------------------------------------------------------------
-
-def length(v):
-    return math.sqrt(dot(v, v))
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
 
 class World:
     """A scene, its camera, and the hits of its rays."""

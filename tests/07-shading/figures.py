@@ -9,7 +9,7 @@ import tempfile
 
 import png
 from check import Checks, holds_for_every, on_the_canvas, told_in_words
-from figure import SVG, XLINK, Figure, dot, plus, times
+from figure import Figure, SVG, XLINK, dot, plus, times, unit
 
 checks = Checks("figures of 07-shading")
 
@@ -18,10 +18,6 @@ SPHERES = [((2, 2, 1), (1, 0, 0)), ((2, -2, 0), (0, 1, 0)), ((-2, 0, -1), (0, 0,
 RADIUS, EYE, ANGLE, LIGHT = 3, (0, 0, 20), 42, (-8, 14, 16)
 KD, KS, SHINE, AMBIENT, GREY = 0.9, 0.5, 40, 0.1, 127
 COLUMNS, ROWS, SAMPLES = 920, 690, 2
-
-
-def unit(v):
-    return times(1 / math.sqrt(dot(v, v)), v)
 
 
 def meets(origin, direction, center):

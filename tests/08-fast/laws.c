@@ -1,9 +1,10 @@
 // laws.c - the laws of exercise 08: a rectangle is on the screen, and the centre of a sphere is in
 // its rectangle.
-#include "tests/08-fast/laws.h"
+#include "exercises/08-fast.h"
 
 #include "common/text.h"
 #include "tests/judge/law.h"
+#include "tests/judge/reference/distinct_digits.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -37,10 +38,11 @@ static bool touches(const char *edge, double m, double inside, bool cut_off, dou
     double tolerance = 1e-7 * r + noise * pixel * ahead;
     if (distance <= r + tolerance && (cut_off || distance >= r - tolerance))
         return true;
+    Apart its = apart(distance, r);
     law_broken(
         "the plane through the eye and your %s edge passes %s from the centre of the sphere; "
         "its radius is %s",
-        edge, number_text(distance).s, number_text(r).s);
+        edge, its.yours.s, its.right.s);
     return false;
 }
 
@@ -50,7 +52,7 @@ static bool is_beside(double m, double aside, double ahead, double r)
     return (fabs(aside) - m * ahead) / sqrt(1 + m * m) >= 0.999999 * r;
 }
 
-void law_sphere_rectangle(ScreenRectangle yours, Camera camera, Resolution screen, Sphere sphere)
+LAW(sphere_rectangle)
 {
     double w = screen.width, h = screen.height, r = sphere.radius;
     if (!in_order("left", yours.left, "right", yours.right, "width", screen.width) ||

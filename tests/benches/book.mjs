@@ -43,13 +43,13 @@ try {
     const begin = Date.now();
     await tab.goto(`${host.address}${stem}.html`, { waitUntil: "domcontentloaded" });
     const started = await tab.evaluate(() => performance.timeOrigin);
-    const paint = await waitFor("a paint", 20, () => tab.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime));
+    const paint = await waitFor("a paint", () => tab.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime));
     show(`first paint, ${mbit} Mbit/s`, seconds(paint), "at most 0.5 s");
     show("  sent until then", megabytes(sentUntil(started + paint)), "at most 0.1 MB");
-    await waitFor("a live figure", 120, () => tab.$(".figure.live"));
+    await waitFor("a live figure", () => tab.$(".figure.live"));
     const figure = Date.now();
     await tab.$eval("#judge", (each) => each.click());
-    await waitFor("a verdict", 180, () => verdictIsThere(tab));
+    await waitFor("a verdict", () => verdictIsThere(tab));
     const first = Date.now();
     show("first live figure", seconds(figure - begin), "at most 2 s");
     show("  sent until then, without the compiler's", megabytes(sentUntil(figure, (path) => !isForVerdict(path))), "at most 1 MB");
@@ -57,13 +57,13 @@ try {
     show("first verdict", seconds(first - begin), "at most 8 s");
     show("  sent until then", megabytes(sentUntil(first)), "at most 8 MB");
 
-    await waitFor("everything kept", 300, () => tab.evaluate(async () => Boolean((await navigator.serviceWorker?.getRegistration())?.active)));
+    await waitFor("everything kept", () => tab.evaluate(async () => Boolean((await navigator.serviceWorker?.getRegistration())?.active)));
     host.stopSending();
     const before = host.sent.bytes, again = Date.now();
     await tab.reload({ waitUntil: "load" });
     await waitForEditor(tab);
     await tab.$eval("#judge", (each) => each.click());
-    await waitFor("a verdict without a network", 120, () => verdictIsThere(tab));
+    await waitFor("a verdict without a network", () => verdictIsThere(tab));
     show("first verdict of a later visit, no network", seconds(Date.now() - again));
     show("  sent", megabytes(host.sent.bytes - before), "0");
 

@@ -1,27 +1,27 @@
 // shaded.c - shadows and mirrors at full size: chapter 08 beside its peers, in one run.
 //
-// Usage: shaded [-r ROUNDS] [-s WIDTHxHEIGHT] [-t THREADS]... [-n SAMPLES]... [-d DEPTH]
-// [-l SECONDS] [-e RENDERER]... [-c] [-o FILE.csv] SCENE...
+// Usage: shaded [-p] [-r ROUNDS] [-s WIDTHxHEIGHT] [-t THREADS]... [-n SAMPLES]... [-d DEPTH]
+// [-l SECONDS] [-e RENDERER]... [-o FOLDER] SCENE...
+//
+// -p: also the peers, which are other ray tracers. -o: shaded-pictures.csv is written to this
+// folder, and so are the peers' files. SAMPLES are those in each direction of a pixel.
 //
 // All renderers of a scene take turns, round after round. The time includes building the hierarchy,
 // and excludes reading the scene and writing the picture. Each ratio is taken in a round, to
 // chapter 08's time in it. Pictures are compared first: peers compute in float, or have formulas of
 // their own, so only the mean difference is limited. A renderer that takes longer than
 // SECONDS (3) takes part in fewer rounds, but in one at least. If it would take MOST_SECONDS times
-// as long, by what it took for fewer samples, it is left out, and the bench says so. With -c the
-// time is the processor's, of all threads together: other programs disturb it less. (That is not
-// for POV-Ray, which is another process.)
+// as long, by what it took for fewer samples, it is left out, and the bench says so.
 #include "chapters/shared/scene_camera.h"
 #include "common/clock.h"
 #include "tests/benches/measure.h"
-#include "tests/benches/quantile.h"
 
+#include <errno.h>
 #include <getopt.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 // All rounds of one renderer take about as long as this many pictures of SECONDS.
 #define MOST_PICTURES 5
@@ -30,7 +30,7 @@
 #define MOST_DIFFERENT 2.0
 enum { MOST_RENDERERS = 8, MOST_COUNTS = 8 };
 
-Measured measured;
+Measured measured = {.folder = "/tmp"};
 
 typedef struct {
     const Engine *renderer;
@@ -48,7 +48,7 @@ static struct {
     int rounds, threads[MOST_COUNTS], thread_counts, samples[MOST_COUNTS], sample_counts, depth;
     Resolution size;
     double longest;
-    bool processor_time;
+    bool with_peers;
     const char *chosen[MOST_RENDERERS];
     int chosen_count, renderer_count;
     const Engine *renderers[MOST_RENDERERS]; // the first one is chapter 08's
@@ -62,25 +62,17 @@ static void stop(const char *what, const char *why)
     exit(1);
 }
 
-static double now(void)
-{
-    struct timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return plan.processor_time ? (double)time.tv_sec + 1e-9 * (double)time.tv_nsec
-                               : clock_seconds();
-}
-
 // Seconds, -1 if it fails; the picture is left in the image.
 static double render_once(const Engine *renderer, const Work *work, Style style)
 {
     Message message;
     measured.build = measured.cast = 0;
-    double began = now();
+    double began = clock_seconds();
     if (!renderer->light(work, style, &message)) {
         fprintf(stderr, "%s: %s\n", renderer->name, message.text);
         return -1;
     }
-    double took = now() - began;
+    double took = clock_seconds() - began;
     return measured.cast > 0 ? measured.build + measured.cast : took;
 }
 
@@ -106,12 +98,10 @@ static void report(const Row *row, const Row *ours, const char *scene, int spher
            samples * samples, threads, ms, times, low, high, rounds);
     printf(row->different > 0 ? "  bytes differ by %.2g in the mean\n" : "\n", row->different);
     fflush(stdout);
-    if (plan.csv != NULL)
-        fprintf(plan.csv, "%s,%d,%s,%d,%d,%d,%.5g,%.4g,%.4g,%.4g,%.3g\n", scene, spheres,
-                row->renderer->name, samples * samples, threads, rounds, ms, times, low, high,
-                row->different);
-    if (plan.csv != NULL)
-        fflush(plan.csv);
+    fprintf(plan.csv, "%s,%d,%s,%d,%d,%d,%.5g,%.4g,%.4g,%.4g,%.3g\n", scene, spheres,
+            row->renderer->name, samples * samples, threads, rounds, ms, times, low, high,
+            row->different);
+    fflush(plan.csv);
     sum->log_sum += log(times);
     sum->least = sum->scenes++ == 0 ? times : fmin(sum->least, times);
 }
@@ -204,9 +194,9 @@ static bool is_chosen(const char *name)
 static void find_renderers(void)
 {
     plan.renderers[plan.renderer_count++] = engine_named("bvh");
-    for (const Engine *peer = peers; peer->name != NULL; peer++) {
+    for (const Engine *peer = peers; plan.with_peers && peer->name != NULL; peer++) {
         Message message;
-        if (peer->light == NULL || !is_chosen(peer->name))
+        if ((peer->light == NULL && peer->cast != NULL) || !is_chosen(peer->name))
             continue;
         if (peer_is_here(peer, &message))
             plan.renderers[plan.renderer_count++] = peer;
@@ -231,10 +221,20 @@ static void sum_up(void)
             }
 }
 
+// Those that were given; otherwise both 1 and 2.
+static int one_and_two(int *numbers, int given)
+{
+    numbers[0] = given > 0 ? numbers[0] : 1;
+    numbers[1] = given > 0 ? numbers[1] : 2;
+    return given > 0 ? given : 2;
+}
+
 int main(int argc, char **argv)
 {
-    for (int c; (c = getopt(argc, argv, "r:s:t:n:d:l:e:co:")) != -1;)
-        if (c == 'r')
+    for (int c; (c = getopt(argc, argv, "pr:s:t:n:d:l:e:o:")) != -1;)
+        if (c == 'p')
+            plan.with_peers = true;
+        else if (c == 'r')
             plan.rounds = atoi(optarg);
         else if (c == 's' && sscanf(optarg, "%dx%d", &plan.size.width, &plan.size.height) == 2)
             continue;
@@ -246,26 +246,26 @@ int main(int argc, char **argv)
             plan.depth = atoi(optarg);
         else if (c == 'l')
             plan.longest = atof(optarg);
-        else if (c == 'c')
-            plan.processor_time = true;
         else if (c == 'e' && plan.chosen_count < MOST_RENDERERS)
             plan.chosen[plan.chosen_count++] = optarg;
-        else if (c != 'o' || (plan.csv = fopen(optarg, "w")) == NULL)
+        else if (c == 'o')
+            measured.folder = optarg;
+        else
             return 2;
-    if (plan.thread_counts == 0)
-        plan.threads[plan.thread_counts++] = 1;
-    if (plan.sample_counts == 0)
-        plan.samples[plan.sample_counts++] = 1;
+    plan.thread_counts = one_and_two(plan.threads, plan.thread_counts);
+    plan.sample_counts = one_and_two(plan.samples, plan.sample_counts);
     if (plan.rounds < 1 || plan.rounds > MOST_ROUNDS)
         plan.rounds = MOST_ROUNDS;
     find_renderers();
-    if (plan.csv != NULL)
-        fprintf(plan.csv, "scene,spheres,renderer,samples,threads,rounds,ms,times,least,most,"
-                          "bytes_different\n");
+    char path[500];
+    snprintf(path, sizeof path, "%.400s/shaded-pictures.csv", measured.folder);
+    if ((plan.csv = fopen(path, "w")) == NULL)
+        stop(path, strerror(errno));
+    fprintf(plan.csv, "scene,spheres,renderer,samples,threads,rounds,ms,times,least,most,"
+                      "bytes_different\n");
     for (int i = optind; i < argc; i++)
         measure_scene(argv[i]);
     sum_up();
-    if (plan.csv != NULL)
-        fclose(plan.csv);
+    fclose(plan.csv);
     return 0;
 }

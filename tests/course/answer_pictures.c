@@ -3,16 +3,23 @@
 // The objects that were judged are linked with what draws: nothing is compiled again. If a function
 // is not answered, or did not come back when it was judged, the linker puts the reference in its
 // place; a handout has none, and does without the picture.
-#include "tests/course/answer_pictures.h"
+#include "tests/course/show.h"
 
-#include "tests/course/call_graph.h"
-#include "tests/course/linking.h"
+#include "tests/course/chapter_record.h"
 #include "tests/course/programs.h"
 #include "tests/judge/exercise.h"
 
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+// Who answers the functions that a picture is drawn by: names, with a blank between them.
+enum { MOST_ANSWERS = 1000 };
+typedef struct {
+    char yours[MOST_ANSWERS], wrong[MOST_ANSWERS]; // by the student: right, and not right yet
+    char reference[MOST_ANSWERS], missing[MOST_ANSWERS];
+} Answerers;
 
 // Of processor time. A wrong answer may need any.
 enum { MOST_SECONDS = 5 };
@@ -21,17 +28,11 @@ static const struct AnswerPicture {
     const char *name, *function, *needs, *shows, *given;
 } pictures[] = {
 #define PICTURE(draws, name, function, needs, shows, given) {name, function, needs, shows, given},
+#define PICTURE_OF_HIT PICTURE
 #include "tests/course/pictures/pictures.def"
 };
 typedef struct AnswerPicture AnswerPicture;
 enum { PICTURE_COUNT = sizeof pictures / sizeof pictures[0] };
-
-static void add_name(char list[MOST_ANSWERS], const char *name)
-{
-    size_t length = strlen(list);
-    if (length + strlen(name) + 2 < MOST_ANSWERS)
-        snprintf(list + length, MOST_ANSWERS - length, "%s%s", length > 0 ? " " : "", name);
-}
 
 // One that only waits for another is right by itself.
 static bool is_right(const char *state)
@@ -53,13 +54,12 @@ static const char *usable_state(const ChapterRecord *record, const char *name)
 }
 
 // Whose answers of a chapter there are. Adds what the linker needs.
-static void choose_answers(const Judging *judging, int chapter, const char *needs, Linking *linking,
-                           Answerers *answerers)
+static void choose_answers(const JudgingPlan *plan, int chapter, const char *needs,
+                           Command *objects, Answerers *answerers)
 {
-    const JudgingPlan *plan = judging->plan;
     PlanPath object = plan_file(plan, chapter, "answer.o");
     ChapterRecord record;
-    bool there = judging_record(judging, chapter, &record) && access(object.s, F_OK) == 0 &&
+    bool there = judging_record(plan, chapter, &record) && access(object.s, F_OK) == 0 &&
                  record.function_count > 0;
     bool has_reference = plan->reference[0] != '\0', uses_reference = false;
     for (const Exercise *e = exercises; e->name != NULL; e++) {
@@ -71,37 +71,63 @@ static void choose_answers(const Judging *judging, int chapter, const char *need
                      : is_right(state)               ? answerers->yours
                                                      : answerers->wrong;
         if (names_include(needs, e->name))
-            add_name(list, e->name);
+            names_add(list, MOST_ANSWERS, e->name);
         if (state == NULL && has_reference) {
-            linking_tell(linking, plan->reference, e->name);
+            command_words_for(objects, plan->reference, e->name);
             uses_reference = true;
         }
     }
     if (there)
-        linking_add(linking, object.s);
+        command_words(objects, object.s);
     if (uses_reference)
-        linking_add(linking, plan->chapters[chapter].right);
+        command_words(objects, plan->chapters[chapter].right);
     chapter_record_free(&record);
 }
 
-bool link_with_answers(const Judging *judging, int chapter, const char *objects, const char *needs,
-                       const char *program, Answerers *answerers)
+// Who answers those that matter, of a chapter and of those before it.
+static Answerers answerers_of(const JudgingPlan *plan, int chapter, const char *needs)
 {
-    const JudgingPlan *plan = judging->plan;
-    *answerers = (Answerers){.yours = ""};
-    Linking linking = linking_begin(plan, program);
+    Answerers answerers = {.yours = ""};
+    Command ignored = {.count = 0};
     for (int i = chapter; i >= 0; i--)
-        choose_answers(judging, i, needs, &linking, answerers);
-    if (answerers->missing[0] != '\0') {
-        linking_free(&linking);
-        return false;
-    }
-    linking_add(&linking, objects);
-    linking_add(&linking, plan->libraries);
-    return linking_end(&linking, "/dev/null") == 0;
+        choose_answers(plan, i, needs, &ignored, &answerers);
+    command_free(&ignored);
+    return answerers;
 }
 
-// ---- the pictures so far ----------------------------------------------------------------------
+static bool link_as_judged(const JudgingPlan *plan, int chapter, const char *objects,
+                           const char *needs, const char *program, Answerers *answerers)
+{
+    *answerers = (Answerers){.yours = ""};
+    Command words = {.count = 0};
+    for (int i = chapter; i >= 0; i--)
+        choose_answers(plan, i, needs, &words, answerers);
+    if (answerers->missing[0] != '\0') {
+        command_free(&words);
+        return false;
+    }
+    command_words(&words, objects);
+    command_words(&words, plan->libraries);
+    return link_program(plan, program, &words, "/dev/null") == 0;
+}
+
+// Helpers are hidden only if the linker stumbles over them: a verdict does not wait for that.
+// Links objects with the answers of a chapter and of those before: the student's, if they are
+// judged; the reference's for the others, if there is one. needs: the functions that matter. False
+// if one of them is missing, or the linker fails.
+static bool link_with_answers(const JudgingPlan *plan, int chapter, const char *objects,
+                              const char *needs, const char *program, Answerers *answerers)
+{
+    if (link_as_judged(plan, chapter, objects, needs, program, answerers))
+        return true;
+    if (answerers->missing[0] != '\0')
+        return false;
+    for (int i = chapter; i >= 0; i--)
+        hide_helpers(plan, i);
+    return link_as_judged(plan, chapter, objects, needs, program, answerers);
+}
+
+// ---- the pictures so far -----------------------------------------------------------------------
 
 static bool draw(const JudgingPlan *plan, const char *program, const char *name,
                  const char *picture)
@@ -120,23 +146,22 @@ static bool draw(const JudgingPlan *plan, const char *program, const char *name,
 // LABEL: NAME, NAME.
 static void say_names(char *text, size_t size, const char *label, const char *names)
 {
+    char list[MOST_ANSWERS];
     size_t length = strlen(text);
+    put_names(list, sizeof list, names);
     if (names[0] != '\0')
-        length += (size_t)snprintf(text + length, size - length, " %s: ", label);
-    for (const char *c = names; *c != '\0' && length + 3 < size; c++) {
-        if (*c == ' ')
-            text[length++] = ',';
-        text[length++] = *c;
-        text[length] = '\0';
-    }
-    if (names[0] != '\0')
-        snprintf(text + length, size - length, ".");
+        snprintf(text + length, size - length, " %s: %s.", label, list);
 }
 
-void say_picture(const Page *page, const char *path, const char *shows, const Answerers *by,
-                 const char *given)
+// Says where a picture is, what it shows, who answered, and what is nobody's answer.
+static void say_picture(const Page *page, const char *path, const char *shows, const Answerers *by,
+                        const char *given)
 {
+    static char said[MOST_PLAN_PATH];
     char words[4000];
+    if (page->rows > 0 && strcmp(said, path) == 0)
+        return;
+    snprintf(said, sizeof said, "%s", path);
     snprintf(words, sizeof words, "%s", shows);
     say_names(words, sizeof words, "Yours", by->yours);
     say_names(words, sizeof words, "Yours, not right yet", by->wrong);
@@ -145,23 +170,24 @@ void say_picture(const Page *page, const char *path, const char *shows, const An
     if (given[0] != '\0')
         snprintf(words + length, sizeof words - length, " %s", given);
     page_field(page, PLAIN, "picture", path);
+    if (page->rows > 0)
+        return;
     page_words(page, PLAIN, PAGE_LABEL, PAGE_LABEL, words);
 }
 
-static bool show_picture(const Page *page, const Judging *judging, int chapter,
+static bool show_picture(const Page *page, const JudgingPlan *plan, int chapter,
                          const AnswerPicture *picture, bool begins)
 {
-    const JudgingPlan *plan = judging->plan;
     char file[200], needs[MOST_ANSWERS];
     snprintf(file, sizeof file, "so-far/%s", picture->name);
     snprintf(needs, sizeof needs, "%s %s", picture->function, picture->needs);
     PlanPath path = path_of(plan->built, file, ".png"),
              program = plan_file(plan, chapter, "picture");
     Answerers by;
-    if (!link_with_answers(judging, chapter, plan->drawing, needs, program.s, &by) ||
+    if (!link_with_answers(plan, chapter, plan->drawing, needs, program.s, &by) ||
         !draw(plan, program.s, picture->name, path.s))
         return false;
-    if (begins)
+    if (begins && page->rows == 0)
         putc('\n', page->out);
     say_picture(page, path.s, picture->shows, &by, picture->given);
     return true;
@@ -194,21 +220,20 @@ static void set_mark(const char *path)
         fclose(file);
 }
 
-void show_answer_pictures(const Page *page, const Judging *judging, int chapter)
+void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter)
 {
-    const JudgingPlan *plan = judging->plan;
     ChapterRecord record;
     bool has_shown = false; // after an empty line
-    judging_record(judging, chapter, &record);
+    judging_record(plan, chapter, &record);
     const AnswerPicture *wrong = NULL;
     for (int i = 0; i < record.function_count && wrong == NULL; i++)
-        if (strcmp(function_state(&record.functions[i]), "wrong") == 0 &&
+        if (function_is(&record.functions[i], "wrong") &&
             usable_state(&record, record.functions[i].name) != NULL)
             wrong = picture_of_wrong(record.functions[i].name);
     for (int i = 0; i < PICTURE_COUNT; i++) {
         const AnswerPicture *picture = &pictures[i];
         const FunctionRecord *function = record_function(&record, picture->function);
-        PlanPath mark = path_of(plan->verdict, picture->name, ".drawn");
+        PlanPath mark = path_of(plan->verdict.s, picture->name, ".drawn");
         if (function == NULL)
             continue;
         bool right = is_right(function_state(function));
@@ -216,7 +241,7 @@ void show_answer_pictures(const Page *page, const Judging *judging, int chapter)
             unlink(mark.s);
         if (picture != wrong && !(right && access(mark.s, F_OK) != 0))
             continue;
-        bool shown = show_picture(page, judging, chapter, picture, !has_shown);
+        bool shown = show_picture(page, plan, chapter, picture, !has_shown);
         has_shown = has_shown || shown;
         if (right && shown)
             set_mark(mark.s);
@@ -224,18 +249,191 @@ void show_answer_pictures(const Page *page, const Judging *judging, int chapter)
     chapter_record_free(&record);
 }
 
-void show_right_pictures(const Page *page, const Judging *judging, int chapter, bool again)
+// The same for a chapter that is right: the pictures of the first chapters. Again: also if they
+// were shown before.
+static void show_right_pictures(const Page *page, const JudgingPlan *plan, int chapter, bool again)
 {
-    const JudgingPlan *plan = judging->plan;
     for (int i = 0; i < PICTURE_COUNT; i++) {
         const AnswerPicture *picture = &pictures[i];
-        PlanPath mark = path_of(plan->verdict, picture->name, ".drawn");
+        PlanPath mark = path_of(plan->verdict.s, picture->name, ".drawn");
         bool is_early = picture->given[0] != '\0';
         if (!is_of(picture, plan->chapters[chapter].stem))
             continue;
         // In the later chapters the chapter's own picture shows all of it.
         if (is_early && (again || access(mark.s, F_OK) != 0))
-            show_picture(page, judging, chapter, picture, false);
+            show_picture(page, plan, chapter, picture, false);
         set_mark(mark.s);
+    }
+}
+
+// ---- the picture that is drawn after a chapter is right ----------------------------------------
+
+// Of processor time.
+enum { MOST_SECONDS_OF_CHAPTER = 20 };
+
+// How the chapter's program draws its picture, FILE for its path, and the answers that it calls.
+static const struct {
+    const char *stem, *now, *picture, *drawn_by, *needs;
+} rewards[] = {
+    {"01-corners", "Your vectors reach all of the image plane.", "01-corners", "--picture NAME",
+     "upper_left upper_right across_30_up_10 image_plane_vector"},
+    {"02-cameras", "Your cameras now work in either world.", "02-cameras", "--picture NAME",
+     "image_plane_vector camera_from_look_at"},
+    {"03-screen", "Your pixels now know where they are.", "03-screen", "--picture NAME",
+     "pixel_center screen_to_normalized"},
+    {"04-pixel-ray", "Every pixel now has its ray.", "04-pixel-ray", "--picture NAME", "pixel_ray"},
+    {"05-quadratic", "Your rays now meet spheres, at the right place.", "05-quadratic",
+     "--picture NAME", "pixel_ray hit_sphere"},
+    {"06-ray-casting", "Your rays now find what is nearest.", "three-spheres",
+     "-o NAME chapters/06-ray-casting/three-spheres.nff",
+     "camera_from_look_at width_from_angle pixel_ray hit_sphere nearest_hit cast_image_order"},
+    {"07-shading", "Nothing is missing any more.", "still-something-missing", "-o NAME",
+     "camera_from_look_at width_from_angle pixel_ray nearest_hit shade trace_ray"},
+    {"08-fast", "Object order now asks only the pixels that a sphere can cover.", NULL, NULL, ""},
+};
+enum { REWARD_COUNT = sizeof rewards / sizeof rewards[0] };
+
+static PlanPath picture_of(const JudgingPlan *plan, const char *name)
+{
+    char file[300];
+    snprintf(file, sizeof file, "gallery/%s", name);
+    return path_of(plan->built, file, ".png");
+}
+
+// By the chapter's program, linked with the answers as they were judged.
+static bool draw_chapter(const JudgingPlan *plan, int chapter, int reward, PlanPath picture,
+                         Answerers *answerers)
+{
+    PlanPath program = plan_file(plan, chapter, "program");
+    mkdir(path_of(plan->built, "gallery", "").s, 0777);
+    if (!link_with_answers(plan, chapter, plan->chapters[chapter].program, rewards[reward].needs,
+                           program.s, answerers))
+        return false;
+    Command command = {.count = 0};
+    command_add(&command, program.s);
+    command_words_for(&command, rewards[reward].drawn_by, picture.s);
+    bool good = program_run_for(&command, "/dev/null", MOST_SECONDS_OF_CHAPTER) == 0;
+    command_free(&command);
+    return good;
+}
+
+static int reward_of(const char *stem)
+{
+    int reward = 0;
+    while (reward < REWARD_COUNT && strcmp(stem, rewards[reward].stem) != 0)
+        reward++;
+    return reward;
+}
+
+static void say_again(const Page *page, const JudgingPlan *plan)
+{
+    fprintf(page->out, "make exercises");
+    if (strcmp(plan->answers, "exercises") != 0)
+        fprintf(page->out, " ANSWERS=%s", plan->answers);
+}
+
+static void show_chapter_picture(const Page *page, const JudgingPlan *plan, int chapter, int reward)
+{
+    PlanPath picture = picture_of(plan, rewards[reward].picture);
+    Answerers by;
+    if (!draw_chapter(plan, chapter, reward, picture, &by)) {
+        if (by.missing[0] == '\0') {
+            fprintf(page->out, "  Its picture could not be drawn: make ANSWERS=%s says why\n",
+                    plan->answers);
+            return;
+        }
+        fprintf(page->out, "  Its picture also needs %s: ", by.missing);
+        say_again(page, plan);
+        putc('\n', page->out);
+    } else if (by.wrong[0] == '\0' && by.reference[0] == '\0') {
+        fprintf(page->out, "  drawn by your own code: %s\n", picture.s);
+    } else {
+        say_picture(page, picture.s, "The chapter's picture.", &by, "");
+    }
+}
+
+// The picture of README.md, by the programs that make builds of these answers. It takes a while, so
+// make and the program show how far they are; if nobody would see that, only the command is
+// printed.
+static void reward_with_finale(const Page *page, const JudgingPlan *plan)
+{
+    PlanPath finale = path_of(plan->built, "gallery/finale", ".png");
+    char answers[MOST_PLAN_PATH + 20];
+    snprintf(answers, sizeof answers, "ANSWERS=%s", plan->answers);
+    if (access(finale.s, F_OK) != 0) {
+        fprintf(page->out,
+                "The last picture is that of README.md, by your own code: make finale %s\n",
+                answers);
+        if (isatty(fileno(page->out)) != 1)
+            return;
+        const char *words[] = {"make", "--no-print-directory", "finale", answers};
+        Command command = {.count = 0};
+        for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
+            command_add(&command, words[i]);
+        program_run(&command, NULL);
+        command_free(&command);
+    } else {
+        fprintf(page->out, "  %s\nis the picture of README.md, by your own code.\n", finale.s);
+    }
+}
+
+void reward_all(const Page *page, const JudgingPlan *plan)
+{
+    fprintf(page->out, "All right, every chapter. You have written a ray caster.\n");
+    fflush(page->out);
+    const char *stem = "07-shading"; // whose picture is the deck's last slide
+    int chapter = plan_chapter(plan, stem), reward = reward_of(stem);
+    if (chapter >= 0 && reward < REWARD_COUNT)
+        show_chapter_picture(page, plan, chapter, reward);
+    fprintf(page->out, "All pictures: make ANSWERS=%s\n", plan->answers);
+    reward_with_finale(page, plan);
+}
+
+void reward_line(const Page *page, const JudgingPlan *plan, int chapter)
+{
+    const char *stem = plan->chapters[chapter].stem;
+    int reward = reward_of(stem);
+    if (reward == REWARD_COUNT || rewards[reward].picture == NULL) {
+        fprintf(page->out, "%s is right.\n", stem);
+        return;
+    }
+    Answerers by = answerers_of(plan, chapter, rewards[reward].needs);
+    if (by.missing[0] != '\0')
+        fprintf(page->out, "%s is right. Its picture also needs %s.\n", stem, by.missing);
+    else
+        fprintf(page->out, "%s is right: %s\n", stem, picture_of(plan, rewards[reward].picture).s);
+}
+
+void reward_draw(const Page *page, const JudgingPlan *plan, int chapter)
+{
+    int reward = reward_of(plan->chapters[chapter].stem);
+    Answerers by;
+    if (reward < REWARD_COUNT && rewards[reward].picture != NULL) {
+        PlanPath picture = picture_of(plan, rewards[reward].picture);
+        if (!draw_chapter(plan, chapter, reward, picture, &by) && by.missing[0] == '\0')
+            fprintf(page->out, "%s could not be drawn: make ANSWERS=%s says why\n", picture.s,
+                    plan->answers);
+    }
+    show_right_pictures(page, plan, chapter, false);
+}
+
+void reward_chapter(const Page *page, const JudgingPlan *plan, int chapter)
+{
+    const char *stem = plan->chapters[chapter].stem;
+    int reward = reward_of(stem);
+    fprintf(page->out, "%s is right. %s\n", stem, reward < REWARD_COUNT ? rewards[reward].now : "");
+    fflush(page->out);
+    if (reward < REWARD_COUNT && rewards[reward].picture != NULL)
+        show_chapter_picture(page, plan, chapter, reward);
+    show_right_pictures(page, plan, chapter, true);
+    if (chapter + 1 < plan->count) {
+        const char *next = plan->chapters[chapter + 1].stem;
+        fprintf(page->out, "Next: chapters/%s/README.md\n      and then ", next);
+        say_again(page, plan);
+        fprintf(page->out, " EX=%.2s\n", next);
+    } else {
+        fprintf(page->out, "Next: ");
+        say_again(page, plan);
+        fprintf(page->out, ", to see that every chapter is.\n");
     }
 }

@@ -2,12 +2,157 @@
 // uses it.
 #include "tests/course/chapter_record.h"
 
-#include "tests/course/whole_text.h"
-
 #include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+// ---- a file's bytes in memory, and a number that stands for them -------------------------------
+
+char *whole_text(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    if (file == NULL)
+        return NULL;
+    size_t room = 1 << 16;
+    char *text = malloc(room);
+    *size = 0;
+    while (text != NULL) {
+        *size += fread(text + *size, 1, room - 1 - *size, file);
+        if (*size < room - 1)
+            break;
+        char *larger = realloc(text, room *= 2);
+        if (larger == NULL)
+            free(text);
+        text = larger;
+    }
+    if (ferror(file)) {
+        free(text);
+        text = NULL;
+    }
+    fclose(file);
+    if (text != NULL)
+        text[*size] = '\0';
+    return text;
+}
+
+// FNV-1a, with the size first, so that two texts are not one.
+static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
+{
+    const unsigned char *byte = bytes;
+    hash = (hash ^ size) * 0x100000001b3u;
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ byte[i]) * 0x100000001b3u;
+    return hash;
+}
+
+uint64_t hash_string(uint64_t hash, const char *text)
+{
+    return hash_bytes(hash, text, strlen(text));
+}
+
+uint64_t hash_file(uint64_t hash, const char *path)
+{
+    size_t size;
+    char *text = whole_text(path, &size);
+    hash = hash_string(hash, path);
+    hash = text != NULL ? hash_bytes(hash, text, size) : hash_string(hash, "not there");
+    free(text);
+    return hash;
+}
+
+void hash_word(char word[HASH_WORD], uint64_t hash)
+{
+    snprintf(word, HASH_WORD, "%016" PRIx64, hash);
+}
+
+// ---- lines of KEY tab VALUE --------------------------------------------------------------------
+
+void entry_put(FILE *out, const char *key, const char *value)
+{
+    if (value == NULL || value[0] == '\0')
+        return;
+    fprintf(out, "%s\t", key);
+    for (const char *c = value; *c != '\0'; c++) {
+        if (*c == '\n' || *c == '\t' || *c == '\\')
+            fprintf(out, "\\%c", *c == '\n' ? 'n' : *c == '\t' ? 't' : '\\');
+        else if (*c >= ' ' && *c < 127)
+            putc(*c, out);
+        else
+            fprintf(out, "\\x%02x", (unsigned char)*c);
+    }
+    putc('\n', out);
+}
+
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+// In place, which never needs more room. False if a \ is followed by what entry_put does not write.
+static bool decode(char *value)
+{
+    char *to = value;
+    for (const char *from = value; *from != '\0';) {
+        if (*from != '\\') {
+            *to++ = *from++;
+        } else if (from[1] == 'n' || from[1] == 't' || from[1] == '\\') {
+            *to++ = from[1] == 'n' ? '\n' : from[1] == 't' ? '\t' : '\\';
+            from += 2;
+        } else if (from[1] == 'x' && hex_digit(from[2]) >= 0 && hex_digit(from[3]) >= 0) {
+            *to++ = (char)(hex_digit(from[2]) * 16 + hex_digit(from[3]));
+            from += 4;
+        } else {
+            return false;
+        }
+    }
+    *to = '\0';
+    return true;
+}
+
+bool entries_read(const char *path, Entries *entries)
+{
+    size_t size;
+    *entries = (Entries){.text = whole_text(path, &size)};
+    if (entries->text == NULL || memchr(entries->text, '\0', size) != NULL)
+        return false;
+    int lines = 0;
+    for (const char *c = entries->text; *c != '\0'; c++)
+        lines += *c == '\n';
+    entries->entries = calloc((size_t)lines + 1, sizeof *entries->entries);
+    if (entries->entries == NULL)
+        return false;
+    for (char *line = entries->text; *line != '\0';) {
+        char *end = strchr(line, '\n'), *tab = strchr(line, '\t');
+        if (end == NULL || tab == NULL || tab > end)
+            return false;
+        *end = *tab = '\0';
+        if (!decode(tab + 1))
+            return false;
+        entries->entries[entries->count++] = (Entry){line, tab + 1};
+        line = end + 1;
+    }
+    return true;
+}
+
+void entries_free(Entries *entries)
+{
+    free(entries->text);
+    free(entries->entries);
+    *entries = (Entries){0};
+}
+
+const char *entry_value(const Entry *entries, int count, const char *key)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(entries[i].key, key) == 0)
+            return entries[i].value;
+    return "";
+}
+
+// ---- the record --------------------------------------------------------------------------------
 
 enum { MOST_PATH = 4096 };
 
@@ -100,6 +245,27 @@ const char *function_state(const FunctionRecord *function)
     return strcmp(state, "crashed") == 0 || strcmp(state, "timed out") == 0 ? "wrong" : state;
 }
 
+bool function_is(const FunctionRecord *function, const char *state)
+{
+    return strcmp(function_state(function), state) == 0;
+}
+
+int functions_that_are(const ChapterRecord *record, const char *state)
+{
+    int count = 0;
+    for (int i = 0; i < record->function_count; i++)
+        count += function_is(&record->functions[i], state);
+    return count;
+}
+
+const FunctionRecord *first_that_is(const ChapterRecord *record, const char *state)
+{
+    for (int i = 0; i < record->function_count; i++)
+        if (function_is(&record->functions[i], state))
+            return &record->functions[i];
+    return NULL;
+}
+
 const char *function_because(const FunctionRecord *function)
 {
     const char *waits = function_value(function, "waits");
@@ -114,18 +280,14 @@ const char *function_because(const FunctionRecord *function)
 const char *record_state(const ChapterRecord *record)
 {
     const char *state = record_value(record, "state");
-    int right = 0, wrong = 0;
+    int right = functions_that_are(record, "right");
     if (strcmp(state, "judged") != 0)
         return state;
-    for (int i = 0; i < record->function_count; i++) {
-        const char *is = function_state(&record->functions[i]);
-        right += strcmp(is, "right") == 0;
-        wrong += strcmp(is, "wrong") == 0 || strcmp(is, "unsure") == 0;
-    }
     return right == record->function_count && right > 0 ? "right"
-           : wrong > 0                                  ? "wrong"
-           : right > 0                                  ? "begun"
-                                                        : "blank";
+           : first_that_is(record, "wrong") != NULL || first_that_is(record, "unsure") != NULL
+               ? "wrong"
+           : right > 0 ? "begun"
+                       : "blank";
 }
 
 FILE *record_begin(const char *folder, const char *stem)
@@ -151,4 +313,61 @@ bool record_finish(FILE *file, const char *folder, const char *stem)
     if (!good)
         unlink(new);
     return good;
+}
+
+// ---- which answers fail perhaps only because of others -----------------------------------------
+
+bool names_include(const char *names, const char *name)
+{
+    size_t length = strlen(name);
+    for (const char *word = names + strspn(names, " "); *word != '\0'; word += strspn(word, " ")) {
+        size_t size = strcspn(word, " ");
+        if (size == length && strncmp(word, name, length) == 0)
+            return true;
+        word += size;
+    }
+    return false;
+}
+
+void names_add(char *names, size_t size, const char *name)
+{
+    size_t length = strlen(names);
+    if (length + strlen(name) + 2 <= size)
+        snprintf(names + length, size - length, "%s%s", length > 0 ? " " : "", name);
+}
+
+void names_that_may_excuse(const ChapterRecord *record, const FunctionRecord *wrong,
+                           char names[MOST_NAMES])
+{
+    names[0] = '\0';
+    const char *calls = function_value(wrong, "calls");
+    for (int i = 0; i < record->function_count; i++) {
+        const FunctionRecord *other = &record->functions[i];
+        if (other != wrong && !function_is(other, "right") && names_include(calls, other->name) &&
+            !names_include(function_value(other, "calls"), wrong->name))
+            names_add(names, MOST_NAMES, other->name);
+    }
+}
+
+void names_not_right(const ChapterRecord *earlier, const char *calls, const char *const *exercises,
+                     char names[MOST_NAMES])
+{
+    names[0] = '\0';
+    for (; *exercises != NULL; exercises++) {
+        const FunctionRecord *function = record_function(earlier, *exercises);
+        if ((function == NULL || !function_is(function, "right")) &&
+            names_include(calls, *exercises))
+            names_add(names, MOST_NAMES, *exercises);
+    }
+}
+
+void put_names(char *list, size_t size, const char *names)
+{
+    size_t length = 0;
+    for (const char *c = names + strspn(names, " "); *c != '\0' && length + 3 < size; c++) {
+        if (*c == ' ')
+            list[length++] = ',';
+        list[length++] = *c;
+    }
+    list[length] = '\0';
 }

@@ -2,44 +2,280 @@
 //
 //   course judge PLAN STEM...      judges what has changed since it was judged last
 //   course show PLAN STEM...       shows the verdicts; draws pictures
-//   course exercises PLAN STEM...  both. Exit status 1 if something is wrong; if QUIET_MAKE is
-//                                  set, make stops without an error message of its own
+//   course exercises PLAN STEM...  both
 //   course watch PLAN STEM...      both, again whenever an answer is saved
-//   course hint PLAN STEM          one hint more
+//   course hint PLAN STEM...       one hint more, of the chapter that needs work first
 //   course debug PLAN STEM PROGRAM gdb at the call that failed
 //   course reset PLAN STEM         replaces the answer by the blank; keeps a copy
 //   course note PLAN NAME...       the note below a figure if one of these answers is wrong
+//   course faults PLAN STEM...     judges, and says in a line for each chapter what is wrong
 //   course status PLAN STEM...     a line for each function: STEM NAME STATE, with a tab between
-//                                  them; then how many of all chapters are right
+//                                  them; then how many of all chapters are right. Exit status 1
+//                                  if a function of these chapters is not
 //
-// PLAN: how answers are judged, as make has written it down (judging_plan.h). It starts compilers,
-// judges and drawing programs; it never loads an answer. In the environment: ALL=1 shows all that
-// needs work; NO_COLOR, TERM, COLUMNS (page.h); POLL (watch.h); GDB_FLAGS.
-#include "tests/course/answer_pictures.h"
-#include "tests/course/figure_note.h"
-#include "tests/course/hints.h"
+// PLAN: how answers are judged, as make has written it down (judging.h). It starts compilers,
+// judges and drawing programs; it never loads an answer. In the environment: V=1 shows these
+// commands; ALL=1 shows all that needs work; NO_COLOR, TERM, COLUMNS (page.h); POLL: look at the
+// answers, without inotify; GDB_FLAGS.
+#include "common/whole_file.h"
+#include "tests/course/chapter_record.h"
 #include "tests/course/judging.h"
+#include "tests/course/page.h"
 #include "tests/course/programs.h"
-#include "tests/course/reset_answer.h"
-#include "tests/course/reward.h"
-#include "tests/course/show_verdicts.h"
-#include "tests/course/waiting_compiler.h"
-#include "tests/course/watch.h"
+#include "tests/course/show.h"
 
 #include <poll.h>
 #include <signal.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #ifdef __linux__
+#include <sys/inotify.h>
 #include <sys/prctl.h>
 #endif
 
+// ---- judges answers again whenever they are saved ----------------------------------------------
+
+// A file counts as saved when its text is another than before: dates are unreliable, and editors
+// write twice. Whoever watches begins before the texts are judged first, so that no save is lost.
+
+// Milliseconds from one look at the texts to the next, with events and without.
+enum { WITH_EVENTS = 1000, WITHOUT_EVENTS = 200 };
+
+static struct {
+    int chapters[MOST_CHAPTERS], count;
+    PlanPath files[MOST_CHAPTERS]; // the answers to them
+    uint64_t seen[MOST_CHAPTERS];
+    int events; // a descriptor, or -1
+    pid_t parent;
+} watched;
+
+static int events_of(const char *folder)
+{
+    int events = -1;
+#ifdef __linux__
+    const char *poll_only = getenv("POLL");
+    if (poll_only == NULL || poll_only[0] == '\0')
+        events = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+    if (events >= 0 && inotify_add_watch(events, folder, IN_CLOSE_WRITE | IN_MOVED_TO) < 0) {
+        close(events);
+        events = -1;
+    }
+#else
+    (void)folder;
+#endif
+    return events;
+}
+
+// By inotify, if it is there and the environment does not have POLL; in any case it also looks by
+// itself, more rarely (network drives send no events).
+static void watch_begin(const JudgingPlan *plan, const bool chosen[MOST_CHAPTERS])
+{
+    watched.events = events_of(plan->answers);
+    watched.parent = getppid();
+    for (int i = 0; i < plan->count; i++)
+        if (chosen[i]) {
+            watched.files[watched.count] = path_of(plan->answers, plan->chapters[i].stem, ".c");
+            watched.seen[watched.count] = hash_file(HASH_BEGIN, watched.files[watched.count].s);
+            watched.chapters[watched.count++] = i;
+        }
+}
+
+// The chapter whose answer has another text now, or -1. A file that is not there is being replaced,
+// or is not there yet.
+static int changed_chapter(void)
+{
+    for (int i = 0; i < watched.count; i++) {
+        uint64_t now = hash_file(HASH_BEGIN, watched.files[i].s);
+        if (now == watched.seen[i] || access(watched.files[i].s, F_OK) != 0)
+            continue;
+        watched.seen[i] = now;
+        return watched.chapters[i];
+    }
+    return -1;
+}
+
+// Waits for one. -1 if the process that has started this one is gone.
+static int next_saved(void)
+{
+    while (getppid() == watched.parent) {
+        int chapter = changed_chapter();
+        if (chapter >= 0)
+            return chapter;
+        struct pollfd event = {watched.events, POLLIN, 0}; // one below 0 is left out
+        poll(&event, 1, watched.events >= 0 ? WITH_EVENTS : WITHOUT_EVENTS);
+        char ignored[4096];
+        while (watched.events >= 0 && read(watched.events, ignored, sizeof ignored) > 0)
+            continue;
+    }
+    return -1;
+}
+
+// ---- hints -------------------------------------------------------------------------------------
+
+// The next line of a text, without blanks at its end; NULL after the last.
+static char *next_line(char **rest)
+{
+    char *line = *rest != NULL && **rest != '\0' ? strsep(rest, "\n") : NULL;
+    for (size_t length = line != NULL ? strlen(line) : 0;
+         length > 0 && strchr(" \r", line[length - 1]);)
+        line[--length] = '\0';
+    return line;
+}
+
+static const char *section_name(char *line)
+{
+    line += 1 + strspn(line + 1, " ");
+    line[strcspn(line, " ")] = '\0';
+    return line;
+}
+
+// Prints hint NUMBER of a function, as it is wrapped in the file; how many there are. If function
+// is NULL, prints the names of all functions instead.
+static int go_through(const Page *page, const char *hints, const char *function, int number)
+{
+    size_t size;
+    char *text = whole_text(hints, &size), *rest = text;
+    bool inside = false;
+    int count = 0;
+    for (char *line; (line = next_line(&rest)) != NULL;) {
+        if (line[0] == '#') {
+            const char *name = section_name(line);
+            inside = function != NULL && strcmp(name, function) == 0;
+            if (function == NULL)
+                fprintf(page->out, "  %s\n", name);
+        } else if (inside && line[0] != '\0') {
+            bool begins = strncmp(line, "- ", 2) == 0;
+            count += begins;
+            if (count > 0 && count == number)
+                fprintf(page->out, "%s%s\n", begins ? "  " : "", line + (begins ? 2 : 0));
+        }
+    }
+    free(text);
+    return count;
+}
+
+static int shown_so_far(const char *state, const char *function, const char *hash)
+{
+    char last_function[100] = "", last_hash[HASH_WORD] = "";
+    int count = 0;
+    FILE *file = fopen(state, "r");
+    if (file == NULL)
+        return 0;
+    bool good = fscanf(file, "%99s %16s %4d", last_function, last_hash, &count) == 3;
+    fclose(file);
+    return good && count > 0 && strcmp(last_function, function) == 0 && strcmp(last_hash, hash) == 0
+               ? count
+               : 0;
+}
+
+// hints: a file (exercises/NN-stem.hints) with a section '# FUNCTION' for each exercise. A hint
+// begins with '- ', lines that continue it with two blanks. state: a file that remembers what was
+// shown: the function, the hash of the answer's text, how many hints. Returns an exit status.
+static int hint_next(const Page *page, const char *stem, const char *hints, const char *function,
+                     const char *answer, const char *state)
+{
+    FILE *there = fopen(hints, "r");
+    if (there == NULL) {
+        fprintf(stderr,
+                "%s: there are no hints (%s is missing). The lesson: chapters/%s/README.md\n", stem,
+                hints, stem);
+        return 1;
+    }
+    fclose(there);
+    int total = go_through(page, hints, function, 0);
+    if (total == 0) {
+        fprintf(stderr, "%s: there is no hint for '%s'. There are some for:\n", stem, function);
+        go_through(&(Page){stderr, page->columns, false, 0}, hints, NULL, 0);
+        return 1;
+    }
+    // By its text, not its date: saving it again unchanged is not a new attempt.
+    char hash[HASH_WORD];
+    hash_word(hash, hash_file(HASH_BEGIN, answer));
+    int shown = shown_so_far(state, function, hash), number = shown < total ? shown + 1 : total;
+    fprintf(page->out, "%s  %s  hint %d of %d\n", stem, function, number, total);
+    go_through(page, hints, function, number);
+    if (number < total)
+        fprintf(page->out, "(next hint: make hint EX=%.2s)\n", stem);
+    else
+        fprintf(page->out, "(that was the last one; the lesson is chapters/%s/README.md)\n", stem);
+    FILE *file = fopen(state, "w");
+    if (file != NULL) {
+        fprintf(file, "%s %s %d\n", function, hash, number);
+        fclose(file);
+    }
+    return 0;
+}
+
+// ---- puts the blank back in the place of an answer ---------------------------------------------
+
+typedef struct {
+    const char *bytes;
+    size_t size;
+} Bytes;
+
+static bool write_bytes(FILE *file, const void *given, const char *path, Message *message)
+{
+    const Bytes *bytes = given;
+    if (fwrite(bytes->bytes, 1, bytes->size, file) == bytes->size)
+        return true;
+    return message_set(message, "%s: cannot be written", path);
+}
+
+static bool put(const char *path, const char *bytes, size_t size)
+{
+    Message message;
+    if (file_write_whole(path, write_bytes, &(Bytes){bytes, size}, &message))
+        return true;
+    fprintf(stderr, "%s\n", message.text);
+    return false;
+}
+
+static bool keep(const char *answer, const char *text, size_t size)
+{
+    char kept[4200];
+    for (int n = 1;; n++) {
+        snprintf(kept, sizeof kept, "%s.backup-%d", answer, n);
+        if (access(kept, F_OK) != 0)
+            break;
+    }
+    if (!put(kept, text, size))
+        return false;
+    printf("Your answer is kept as %s\n", kept);
+    return true;
+}
+
+// The answer is kept beside it, as ANSWER.backup-N, unless it is the blank. Returns an exit status.
+static int reset_answer(const char *blank, const char *answer)
+{
+    size_t size, old_size;
+    char *text = whole_text(blank, &size), *old = whole_text(answer, &old_size);
+    bool good = text != NULL;
+    if (!good)
+        fprintf(stderr, "%s: cannot be read\n", blank);
+    bool is_blank = good && old != NULL && old_size == size && memcmp(old, text, size) == 0;
+    if (good && old != NULL && !is_blank)
+        good = keep(answer, old, old_size);
+    good = good && put(answer, text, size);
+    if (good)
+        printf("%s is the blank again.\n", answer);
+    free(text);
+    free(old);
+    return good ? 0 : 1;
+}
+
+// ---- what is shown -----------------------------------------------------------------------------
+
+// What is shown at a time: these chapters, and the last of them.
+typedef struct {
+    bool chosen[MOST_CHAPTERS];
+    int count, last;
+} Shown;
+
 typedef struct {
     JudgingPlan plan;
-    Judging judging;
-    bool chosen[MOST_CHAPTERS];
-    int count, last; // of the chosen ones
+    Shown all; // that were chosen
 } Course;
 
 static void draw_figures(const Page *page, const JudgingPlan *plan, const ShownFigures *shown)
@@ -47,98 +283,158 @@ static void draw_figures(const Page *page, const JudgingPlan *plan, const ShownF
     for (int i = 0; i < shown->count; i++) {
         Command command = {.count = 0};
         command_words(&command, plan->draw);
-        command_add(&command, plan->figures);
+        command_add(&command, plan->figures.s);
         command_add(&command, shown->names[i]);
         if (program_run(&command, "/dev/null") != 0)
             fprintf(page->out, "That figure could not be drawn: gnuplot %s/%s.gp says why.\n",
-                    plan->figures, shown->names[i]);
+                    plan->figures.s, shown->names[i]);
         command_free(&command);
     }
 }
 
-// A chapter that has become right is rewarded once, though another one needs work.
-static void reward_what_is_new(const Page *page, const Course *course,
-                               const bool chosen[MOST_CHAPTERS])
+static bool is_right(const Course *course, int chapter)
 {
+    ChapterRecord record;
+    bool right = judging_record(&course->plan, chapter, &record) &&
+                 strcmp(record_state(&record), "right") == 0;
+    chapter_record_free(&record);
+    return right;
+}
+
+// Those that have become right: each is rewarded once, though another one needs work.
+static int find_rewards(const Course *course, const bool chosen[MOST_CHAPTERS],
+                        bool news[MOST_CHAPTERS])
+{
+    bool all_right = true;
+    int count = 0;
     for (int i = 0; i < course->plan.count; i++) {
         PlanPath mark = plan_beside(&course->plan, i, ".rewarded");
-        ChapterRecord record;
-        if (!chosen[i])
-            continue;
-        bool right = judging_record(&course->judging, i, &record) &&
-                     strcmp(record_state(&record), "right") == 0;
-        chapter_record_free(&record);
-        if (!right) {
+        bool right = chosen[i] && is_right(course, i);
+        news[i] = right && access(mark.s, F_OK) != 0;
+        count += news[i];
+        all_right = all_right && (right || !chosen[i]);
+        if (chosen[i] && !right)
             unlink(mark.s);
-            show_answer_pictures(page, &course->judging, i);
-        } else if (access(mark.s, F_OK) != 0) {
-            putc('\n', page->out);
-            reward_chapter(page, &course->judging, i, false);
-            FILE *file = fopen(mark.s, "w");
+    }
+    if (all_right) // rewarded in another way
+        memset(news, 0, MOST_CHAPTERS * sizeof *news);
+    return all_right ? 0 : count;
+}
+
+static void say_rewards(const Page *page, const Course *course, const bool news[MOST_CHAPTERS])
+{
+    for (int i = 0; i < course->plan.count; i++)
+        if (news[i])
+            reward_line(page, &course->plan, i);
+}
+
+static void draw_pictures(const Page *page, const Course *course, const bool chosen[MOST_CHAPTERS],
+                          const bool news[MOST_CHAPTERS])
+{
+    for (int i = 0; i < course->plan.count; i++) {
+        if (news[i]) {
+            reward_draw(page, &course->plan, i);
+            FILE *file = fopen(plan_beside(&course->plan, i, ".rewarded").s, "w");
             if (file != NULL)
                 fclose(file);
+        } else if (chosen[i] && !is_right(course, i)) {
+            show_answer_pictures(page, &course->plan, i);
         }
     }
 }
 
-static Standing show(const Course *course, const bool chosen[MOST_CHAPTERS], int count, int last)
+// What comes after the verdict, so that nobody waits for it because of it.
+static void show_pictures(const Page *page, const Course *course, const Shown *shown,
+                          Standing standing, const ShownFigures *figures,
+                          const bool news[MOST_CHAPTERS])
 {
-    static ShownFigures shown;
+    draw_figures(page, &course->plan, figures);
+    if (standing != ALL_RIGHT)
+        draw_pictures(page, course, shown->chosen, news);
+    else if (shown->count > 1)
+        reward_all(page, &course->plan);
+    else
+        reward_chapter(page, &course->plan, shown->last);
+}
+
+static int show(const Course *course, const Shown *shown)
+{
+    static ShownFigures figures;
     Page page = page_on(stdout);
     const char *all = getenv("ALL");
+    bool news[MOST_CHAPTERS];
+    if (find_rewards(course, shown->chosen, news) > 0) {
+        say_rewards(&page, course, news);
+        putchar('\n');
+    }
     Standing standing =
-        show_verdicts(&page, &course->judging, chosen, all != NULL && all[0] != '\0', &shown);
-    // After the verdict, so that nobody waits for it because of them.
+        show_verdicts(&page, &course->plan, shown->chosen, all != NULL && all[0] != '\0', &figures);
     fflush(stdout);
-    draw_figures(&page, &course->plan, &shown);
-    if (standing != ALL_RIGHT)
-        reward_what_is_new(&page, course, chosen);
-    else if (count > 1)
-        reward_all(&page, &course->judging);
-    else
-        reward_chapter(&page, &course->judging, last, true);
+    show_pictures(&page, course, shown, standing, &figures, news);
     fflush(stdout);
-    return standing;
-}
-
-static int show_chosen(const Course *course)
-{
-    return show(course, course->chosen, course->count, course->last) == SOMETHING_WRONG ? 1 : 0;
-}
-
-// Whether a signal is in one of a process's sets, if that can be known: ShdPnd has the pending
-// signals; SigCgt those with a handler.
-static bool is_in(pid_t process, const char *set, int number)
-{
-    char path[60], line[200], format[20];
-    unsigned long long signals = 0;
-    snprintf(path, sizeof path, "/proc/%d/status", (int)process);
-    snprintf(format, sizeof format, "%s: %%llx", set);
-    FILE *file = fopen(path, "r");
-    while (file != NULL && fgets(line, sizeof line, file) != NULL)
-        if (sscanf(line, format, &signals) == 1)
-            break;
-    if (file != NULL)
-        fclose(file);
-    return (signals >> (number - 1) & 1) != 0;
-}
-
-// A status that is not 0 makes make print an error of its own. After SIGQUIT it waits for the
-// programs it started and exits with 1 and without a message, if the signal came before they ended.
-// If make does not take the signal (started in the background by a script, it ignores it), the
-// error is better than a status that says all is well.
-static int fail_quietly(int status)
-{
-    const char *quiet = getenv("QUIET_MAKE");
-    pid_t make = getppid();
-    if (status != 1 || quiet == NULL || quiet[0] == '\0' || !is_in(make, "SigCgt", SIGQUIT))
-        return status;
-    fflush(stdout);
-    enum { MOST_LOOKS = 2000 };
-    kill(make, SIGQUIT);
-    for (int looks = 0; looks < MOST_LOOKS && is_in(make, "ShdPnd", SIGQUIT); looks++)
-        poll(NULL, 0, 1);
     return 0;
+}
+
+// ---- on a terminal that shows nothing else -----------------------------------------------------
+
+// A page that is written to memory, to free.
+static Page page_in_memory(int rows, char **text, size_t *size)
+{
+    Page page = page_on(stdout);
+    page.rows = rows;
+    page.out = open_memstream(text, size);
+    if (page.out == NULL)
+        abort();
+    return page;
+}
+
+// What has become right, in a line each if there is room, and the verdict. The rows that are left.
+static int say_verdict(const Course *course, int rewards, const bool news[MOST_CHAPTERS],
+                       char *verdict, int room)
+{
+    Page page = page_on(stdout);
+    char *text = NULL, command[100] = "make exercises";
+    size_t size;
+    if (course->all.count == 1)
+        snprintf(command, sizeof command, "make exercises EX=%.2s",
+                 course->plan.chapters[course->all.last].stem);
+    Page fitted = page_in_memory(page.rows, &text, &size);
+    int used = page_fit(&fitted, verdict, room - (rewards > 0), command);
+    fclose(fitted.out);
+    bool is_room = used + rewards <= room;
+    if (is_room)
+        say_rewards(&page, course, news);
+    else
+        printf("%d chapters are right: %s/gallery\n", rewards, course->plan.built);
+    fputs(text, stdout);
+    free(text);
+    fflush(stdout);
+    return room - used - (is_room ? rewards : 1);
+}
+
+static void show_on_screen(const Course *course, const Shown *shown, int rows)
+{
+    enum { KEPT_FREE = 2 }; // for 'Watching ...', and the cursor
+    static ShownFigures figures;
+    bool news[MOST_CHAPTERS];
+    char *verdict = NULL, *pictures = NULL;
+    size_t size;
+    int rewards = find_rewards(course, shown->chosen, news);
+    Page page = page_in_memory(rows, &verdict, &size);
+    Standing standing = show_verdicts(&page, &course->plan, shown->chosen, false, &figures);
+    fclose(page.out);
+    int room = say_verdict(course, rewards, news, verdict, rows - KEPT_FREE);
+    free(verdict);
+    bool is_right = standing == ALL_RIGHT;
+    page = is_right ? page_on(stdout) : page_in_memory(rows, &pictures, &size);
+    show_pictures(&page, course, shown, standing, &figures, news);
+    if (is_right)
+        return;
+    fclose(page.out);
+    char *rest = pictures;
+    for (char *line; room > 0 && (line = strsep(&rest, "\n")) != NULL && rest != NULL; room--)
+        puts(line);
+    free(pictures);
 }
 
 // Chapters that call an answer that was saved may have another verdict now. Blanks keep theirs.
@@ -147,66 +443,65 @@ static bool judge_dependents(const Course *course, int saved)
     bool wanted[MOST_CHAPTERS] = {false};
     for (int i = saved + 1; i < course->plan.count; i++) {
         ChapterRecord record;
-        wanted[i] = course->chosen[i] && plan_depends_on(&course->plan, i, saved) &&
+        wanted[i] = course->all.chosen[i] && plan_depends_on(&course->plan, i, saved) &&
                     record_read(plan_beside(&course->plan, i, ".record").s, &record) &&
                     strcmp(record_state(&record), "blank") != 0;
-        if (course->chosen[i] && plan_depends_on(&course->plan, i, saved))
+        if (course->all.chosen[i] && plan_depends_on(&course->plan, i, saved))
             chapter_record_free(&record);
     }
-    return judging_judge(&course->judging, wanted);
+    return judging_judge(&course->plan, wanted);
 }
 
 static int watch(const Course *course)
 {
-    static PlanPath paths[MOST_CHAPTERS];
-    const char *files[MOST_CHAPTERS];
-    int chapters[MOST_CHAPTERS], count = 0;
-    const JudgingPlan *plan = &course->plan;
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
-    for (int i = 0; i < plan->count; i++)
-        if (course->chosen[i]) {
-            paths[count] = path_of(plan->answers, plan->chapters[i].stem, ".c");
-            files[count] = paths[count].s;
-            chapters[count++] = i;
-        }
-    Watch *watched = watch_begin(plan->answers, count, files);
-    bool good = judging_judge(&course->judging, course->chosen);
+    programs_end_as_usual_by_interrupt();
+    watch_begin(&course->plan, course->all.chosen);
+    Shown shown = course->all;
+    bool good = judging_judge(&course->plan, shown.chosen);
     for (int saved = -1; good;) {
-        bool only[MOST_CHAPTERS] = {false};
-        if (isatty(STDOUT_FILENO) == 1)
+        int rows = page_rows(stdout);
+        if (rows > 0) {
             printf("\033[2J\033[H"); // an empty screen
-        if (saved < 0) {
-            show_chosen(course);
+            show_on_screen(course, &shown, rows);
         } else {
-            only[saved] = true;
-            show(course, only, 1, saved);
+            show(course, &shown);
+            putchar('\n');
         }
-        printf("\nWatching %s/: save a file and it is judged; Ctrl-C ends.\n", plan->answers);
+        puts("Watching: save a file and it is judged; Ctrl-C ends.");
         fflush(stdout);
         if (saved >= 0)
             judge_dependents(course, saved);
-        compilers_wait(plan, course->chosen);
-        int file = watch_next(watched);
-        if (file < 0)
+        saved = next_saved();
+        if (saved < 0)
             break;
-        saved = chapters[file];
-        memset(only, 0, sizeof only);
-        only[saved] = true;
-        good = judging_judge(&course->judging, only);
+        shown = (Shown){.count = 1, .last = saved};
+        shown.chosen[saved] = true;
+        good = judging_judge(&course->plan, shown.chosen);
     }
-    watch_end(watched);
     return good ? 0 : 1;
 }
 
 static int hint(const Course *course)
 {
     const JudgingPlan *plan = &course->plan;
-    const char *stem = plan->chapters[course->last].stem;
+    int next = chapter_that_is_next(&course->plan, course->all.chosen);
+    int chapter = next >= 0 ? next : course->all.last;
+    const char *stem = plan->chapters[chapter].stem;
+    if (next < 0 && course->all.count > 1) {
+        puts("All chapters are right: there is nothing to hint at.");
+        return 0;
+    }
     Page page = page_on(stdout);
+    MissingAnswer missing = missing_answer(plan->answers, stem);
+    if (missing.is_missing && missing.like[0] != '\0') {
+        show_missing(&page, plan, stem, &missing);
+        return 0;
+    }
     ChapterRecord record;
-    judging_record(&course->judging, course->last, &record);
+    judging_record(&course->plan, chapter, &record);
     const FunctionRecord *function = function_for_hint(&record);
     int status = 0;
     if (function == NULL && record.function_count == 0)
@@ -215,17 +510,16 @@ static int hint(const Course *course)
         printf("%s needs no hint: make exercises EX=%.2s\n", stem, stem);
     else
         status = hint_next(&page, stem, path_of("exercises", stem, ".hints").s, function->name,
-                           plan_answer(plan, course->last).s,
-                           plan_beside(plan, course->last, ".hint").s);
+                           plan_answer(plan, chapter).s, plan_beside(plan, chapter, ".hint").s);
     chapter_record_free(&record);
     return status;
 }
 
 static int debug(const Course *course, const char *program)
 {
-    const char *stem = course->plan.chapters[course->last].stem, *flags = getenv("GDB_FLAGS");
+    const char *stem = course->plan.chapters[course->all.last].stem, *flags = getenv("GDB_FLAGS");
     ChapterRecord record;
-    judging_record(&course->judging, course->last, &record);
+    judging_record(&course->plan, course->all.last, &record);
     const FunctionRecord *function = function_for_debug(&record);
     if (function == NULL) {
         printf("%s: there is no wrong answer to debug (make exercises EX=%.2s).\n", stem, stem);
@@ -248,13 +542,20 @@ static int debug(const Course *course, const char *program)
            number);
     fflush(stdout);
     char first_break[200], second_break[200];
-    snprintf(first_break, sizeof first_break, "break case_begins if number == %s", number);
-    snprintf(second_break, sizeof second_break, "break %s", function->name);
+    // Of the way there nothing is printed.
+    snprintf(first_break, sizeof first_break,
+             "pipe break case_begins if number == %s | cat >/dev/null", number);
+    snprintf(second_break, sizeof second_break, "pipe break %s | cat >/dev/null", function->name);
     Command command = {.count = 0};
     command_words(&command, "gdb -q");
     command_words(&command, flags != NULL ? flags : "");
-    const char *commands[] = {"set confirm off", first_break,  "run",
-                              "delete",          second_break, "continue"};
+    const char *commands[] = {"set confirm off",
+                              first_break,
+                              "pipe run | cat >/dev/null",
+                              "delete",
+                              second_break,
+                              "pipe continue | cat >/dev/null",
+                              "frame"};
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         command_add(&command, "-ex");
         command_add(&command, commands[i]);
@@ -270,12 +571,14 @@ static int debug(const Course *course, const char *program)
 
 static int status(const Course *course)
 {
+    bool all_right = true;
     for (int i = 0; i < course->plan.count; i++) {
         ChapterRecord record;
         const char *stem = course->plan.chapters[i].stem;
-        if (!course->chosen[i])
+        if (!course->all.chosen[i])
             continue;
-        if (!judging_record(&course->judging, i, &record))
+        all_right = all_right && is_right(course, i);
+        if (!judging_record(&course->plan, i, &record))
             printf("%s\t\tnot judged\n", stem);
         else if (record.function_count == 0)
             printf("%s\t\t%s\n", stem, record_state(&record));
@@ -286,7 +589,7 @@ static int status(const Course *course)
     }
     Progress progress = progress_so_far(&course->plan);
     printf("all chapters\t\t%d of %d functions are right\n", progress.right, progress.of);
-    return 0;
+    return all_right ? 0 : 1;
 }
 
 // Blanks are made from solutions/, so nothing could be put back there.
@@ -297,22 +600,27 @@ static int reset(const JudgingPlan *plan, int chapter)
         return 1;
     }
     const char *stem = plan->chapters[chapter].stem;
-    return reset_answer(path_of(plan->blanks, stem, ".c").s, path_of(plan->answers, stem, ".c").s);
+    return reset_answer(plan_blank(plan, chapter).s, path_of(plan->answers, stem, ".c").s);
 }
 
 static int run(const char *what, const Course *course, const char *program)
 {
     if (strcmp(what, "reset") == 0)
-        return reset(&course->plan, course->last);
+        return reset(&course->plan, course->all.last);
     if (strcmp(what, "watch") == 0)
         return watch(course);
     if (strcmp(what, "show") == 0)
-        return show_chosen(course);
+        return show(course, &course->all);
     if (strcmp(what, "status") == 0)
         return status(course);
-    if (!judging_judge(&course->judging, course->chosen))
+    if (!judging_judge(&course->plan, course->all.chosen))
         return 2;
-    return strcmp(what, "exercises") == 0 ? fail_quietly(show_chosen(course))
+    if (strcmp(what, "faults") == 0) {
+        Page page = page_on(stdout);
+        show_faults(&page, &course->plan);
+        return 0;
+    }
+    return strcmp(what, "exercises") == 0 ? show(course, &course->all)
            : strcmp(what, "hint") == 0    ? hint(course)
            : strcmp(what, "debug") == 0   ? debug(course, program)
                                           : 0; // judge
@@ -324,9 +632,9 @@ int main(int argc, char **argv)
     const char *what = argc > 3 ? argv[1] : "";
     bool is_debug = strcmp(what, "debug") == 0;
     if (argc < 4 || (is_debug && argc != 5) ||
-        strstr(" judge show exercises watch hint debug reset status note ", what) == NULL) {
+        strstr(" judge show exercises watch hint debug reset status faults note ", what) == NULL) {
         fprintf(stderr,
-                "Usage: %s judge|show|exercises|watch|hint|reset|status PLAN STEM...\n"
+                "Usage: %s judge|show|exercises|watch|hint|reset|status|faults PLAN STEM...\n"
                 "       %s debug PLAN STEM PROGRAM\n"
                 "       %s note PLAN NAME...\n",
                 argv[0], argv[0], argv[0]);
@@ -350,11 +658,10 @@ int main(int argc, char **argv)
             fprintf(stderr, "%s: no chapter of %s\n", argv[i], argv[2]);
             return 2;
         }
-        course.count += !course.chosen[chapter];
-        course.chosen[chapter] = true;
-        course.last = chapter;
+        course.all.count += !course.all.chosen[chapter];
+        course.all.chosen[chapter] = true;
+        course.all.last = chapter;
     }
-    course.judging = judging_begin(&course.plan);
     int result = run(what, &course, argv[argc - 1]);
     plan_free(&course.plan);
     return result;

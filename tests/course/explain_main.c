@@ -6,7 +6,7 @@
 // From the top of the tree: it looks into the headers in exercises/ and common/.
 #include "tests/course/explain.h"
 
-#include "tests/course/explain_text.h"
+#include "tests/course/explain_inside.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,10 +1,269 @@
-// explain_mistakes.c - see explain_mistakes.h. The words of gcc and clang for each kind of mistake.
-#include "tests/course/explain_mistakes.h"
+// explain_mistakes.c - the compiler's messages: which mistake each is about, by the words of gcc
+// and clang, and which are left out because they only follow from another.
+
+#include "tests/course/explain_inside.h"
 
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
-// ---- kinds --------------------------------------------------------------------------------------
+Explanation all;
+
+// ---- words -------------------------------------------------------------------------------------
+
+static bool is_continuation(char c)
+{
+    return ((unsigned char)c & 0xC0) == 0x80;
+}
+
+// Of several bytes, one character: a typographic quote is a plain one, all else '?'.
+static char plain_character(const char *at, size_t *length)
+{
+    const unsigned char *byte = (const unsigned char *)at;
+    *length = 1;
+    if (byte[0] == '\t')
+        return ' ';
+    if (byte[0] < 0xC0)
+        return byte[0] >= ' ' && byte[0] <= '~' ? at[0] : '?';
+    if (byte[0] == 0xE2 && byte[1] == 0x80 && (byte[2] == 0x98 || byte[2] == 0x99)) {
+        *length = 3;
+        return '\'';
+    }
+    while (is_continuation(at[*length]))
+        ++*length;
+    return '?';
+}
+
+// The note of gcc and clang on the type behind vec3 does not help a student.
+static const char *without_vector(const char *line)
+{
+    line = text_replaced(line, " \\{aka [^}]*\\}", "");
+    line = text_replaced(line, " \\(aka '[^']*'\\)", "");
+    line = text_replaced(line, " \\(vector of 4 '[a-z ]*' values\\)", "");
+    line =
+        text_replaced(line, "__attribute__\\(\\(__vector_size__\\([^)]*\\)\\)+ [a-z ]*", "vector");
+    return text_replaced(line, "'__vector\\(4\\) double'", "'vec3'");
+}
+
+// Plain ASCII without colours, typographic quotes, or the type behind vec3.
+static const char *plain(const char *line)
+{
+    line = text_replaced(line, "\033\\[[0-9;]*[mK]", ""); // colours, and the erasing of a line
+    char *text = text_memory(strnlen(line, LONGEST_LINE) + 1);
+    size_t size = 0;
+    for (size_t i = 0, length; line[i] != '\0' && size < LONGEST_LINE; i += length)
+        text[size++] = plain_character(line + i, &length);
+    text[size] = '\0';
+    const char *words =
+        text_has(text, "aka ") || text_has(text, "vector") ? without_vector(text) : text;
+    size = strlen(words);
+    while (size > 0 && words[size - 1] == ' ') // no pattern: that takes long for many blanks
+        size--;
+    return text_part(words, 0, size);
+}
+
+// The part that is between the quotes number first and first + 1.
+static const char *between_quotes(const char *text, int first)
+{
+    for (; first > 0; first--) {
+        text = strchr(text, '\'');
+        if (text == NULL)
+            return "";
+        text++;
+    }
+    return text_part(text, 0, strcspn(text, "'"));
+}
+
+const char *quoted(const char *text)
+{
+    return between_quotes(text, 1);
+}
+
+const char *quoted_second(const char *text)
+{
+    return between_quotes(text, 3);
+}
+
+// ---- reading -----------------------------------------------------------------------------------
+
+typedef struct {
+    Message *message;     // that is being read, or NULL
+    bool inside;          // lines still belong to it
+    bool inside_note;     // or to its note
+    bool pointed;         // the caret has come
+    const char *before;   // the line before this one; "" at the beginning
+    const char *in_macro; // an error in a macro that the answer may use; or ""
+} Reader;
+
+// "FILE:LINE:COLUMN: error: WORDS" about the answer.
+static void begin_message(Reader *reader, const char *line, const char *text, bool is_warning)
+{
+    reader->inside = false;
+    if (all.count == MOST_READ) {
+        all.unread++;
+        return;
+    }
+    const char *place = text_from(line, strlen(answer.source) + 1);
+    char *end;
+    unsigned long number = strtoul(place, &end, 10);
+    unsigned long column = *end == ':' ? strtoul(end + 1, NULL, 10) : 0;
+    reader->message = &all.messages[all.count++];
+    *reader->message = (Message){.line = line,
+                                 .text = text,
+                                 .is_warning = is_warning,
+                                 .line_number = number,
+                                 .column = column,
+                                 .quoted_line = "",
+                                 .ahead = "",
+                                 .behind = "",
+                                 .library = "",
+                                 .argument = "",
+                                 .declared = ""};
+    reader->inside = true;
+    reader->inside_note = reader->pointed = false;
+    reader->before = reader->in_macro = "";
+}
+
+static void read_note(Reader *reader, const char *line, const char *head, const char *words,
+                      bool own)
+{
+    if (own && text_begins(words, "in expansion of macro") && reader->in_macro[0] != '\0') {
+        // gcc places an error in a macro where the macro is defined.
+        const char *where = text_without(head, ": note: $");
+        begin_message(reader, text_format("%s: error: %s", where, reader->in_macro),
+                      reader->in_macro, false);
+        return;
+    }
+    Message *message = reader->message;
+    if (message == NULL || all.unread > 0 ||
+        text_says(words, "column-tracking|silence this warning|near initialization"))
+        return;
+    if (text_matches(words, "include .*<[a-z_/0-9]+\\.h>"))
+        message->library = text_group(words, "<[a-z_/0-9]+\\.h>", 0);
+    else if (text_matches(words, "^expected .* but argument is of type"))
+        message->argument = words;
+    else if (text_matches(words, "^('[^']*' )?declared here")) {
+        if (quoted(words)[0] != '\0')
+            message->declared = quoted(words);
+    } else if (own &&
+               !text_says(words, "each undeclared identifier|^passing argument to parameter")) {
+        lines_add(&message->body, line);
+        reader->inside = reader->inside_note = true;
+        reader->pointed = false;
+        reader->before = "";
+    }
+}
+
+// Divides the quoted line at the caret below it.
+static void find_place(Message *message, const char *text_line, const char *caret_line)
+{
+    size_t at = strcspn(caret_line, "^");
+    message->ahead = text_without(text_part(text_line, 0, at), "^ *[0-9]+ \\|");
+    message->behind = text_from(text_line, at);
+    message->quoted_line = text_line;
+}
+
+bool is_caret_line(const char *line)
+{
+    return line[text_span(line, " |~")] == '^';
+}
+
+static void read_below(Reader *reader, const char *line)
+{
+    Message *message = reader->message;
+    if (!reader->pointed) {
+        lines_add(&message->body, line);
+        if (!reader->inside_note && text_has(line, "^") && reader->before[0] != '\0') {
+            find_place(message, reader->before, line);
+            reader->pointed = true;
+        } else
+            reader->pointed = is_caret_line(line);
+        reader->before = line;
+    } else if (line[0] != '\0' && !text_matches(line, "^ *([0-9]+|\\+\\+\\+) \\|"))
+        // The repair and the labels after the caret are kept; the following lines that gcc quotes
+        // are not.
+        lines_add(&message->body, line);
+    else
+        reader->inside = false;
+}
+
+// FILE:LINE:COLUMN: error: WORDS, about the answer or about another file.
+static void read_first_line(Reader *reader, const char *line, size_t head, bool own)
+{
+    const char *beginning = text_part(line, 0, head), *words = text_from(line, head);
+    bool is_error = text_matches(beginning, "error: $");
+    reader->inside = false;
+    if (text_matches(beginning, " note: $"))
+        read_note(reader, line, beginning, words, own);
+    else if (own)
+        begin_message(reader, line, words, !is_error);
+    else {
+        if (is_error && all.elsewhere[0] == '\0')
+            all.elsewhere = line;
+        reader->in_macro = is_error ? words : "";
+    }
+}
+
+// Lines of a compiler about itself, or before a message: In function 'f':
+static bool is_about_nothing(const char *line, bool own, size_t name)
+{
+    return (own && line[name + 1] == ' ') ||
+           text_says(line, "^cc1: |^compilation terminated|^fatal error: too many errors") ||
+           (isdigit((unsigned char)line[0]) &&
+            text_matches(line, "^[0-9]+ (warning|error).* generated\\.$"));
+}
+
+static void read_line(Reader *reader, const char *line)
+{
+    const char *source = answer.source;
+    bool own = text_begins(line, source) && line[strlen(source)] == ':';
+    Match head;
+    if (all.raw_count < MOST_SHOWN && text_says(line, "error|Error"))
+        all.raw[all.raw_count++] = line;
+    if (is_about_nothing(line, own, strlen(source)))
+        reader->inside = false;
+    else if (text_says(line, "^In file included from |^                 from ")) {
+        reader->inside = false;
+        const char *where = strstr(line, text_format("%s:", source));
+        if (where != NULL)
+            all.where_included = text_without(where, "[:,]$");
+    } else if (text_find(line,
+                         "^[^ |][^:]*:[0-9]+:([0-9]+:)? (fatal error|error|warning|note): ", &head))
+        read_first_line(reader, line, head.length, own);
+    else if (reader->inside)
+        read_below(reader, line);
+}
+
+// gcc does not quote a line again that it quoted for the message before, which may be left out.
+static void quote_again(Message *message)
+{
+    const char *text = answer_text(message->line_number);
+    if (message->quoted_line[0] != '\0' || message->column == 0 || message->column > LONGEST_LINE ||
+        text_has(text, "\t"))
+        return;
+    const char *line = text_format("%5zu | %s", message->line_number, plain(text));
+    const char *caret = text_format("      | %*s", (int)message->column, "^");
+    Lines body = {NULL, 0};
+    lines_add(&body, line);
+    lines_add(&body, caret);
+    for (size_t i = 0; i < message->body.count; i++)
+        lines_add(&body, message->body.line[i]);
+    message->body = body;
+    find_place(message, line, caret);
+}
+
+static void read_messages(const char *words)
+{
+    all.elsewhere = all.where_included = "";
+    Reader reader = {.before = "", .in_macro = ""};
+    char *rest = text_copy(words);
+    for (char *line; (line = text_next_line(&rest)) != NULL;)
+        read_line(&reader, plain(line));
+    for (size_t i = 0; i < all.count; i++)
+        quote_again(&all.messages[i]);
+}
+
+// ---- kinds -------------------------------------------------------------------------------------
 
 static bool is_syntax(const char *text)
 {
@@ -28,11 +287,11 @@ static bool has_foreign_byte(const char *text)
     return false;
 }
 
-static bool is_pasted(const Explanation *all, const Mistake *mistake)
+static bool is_pasted(const Mistake *mistake)
 {
     const char *behind = mistake->message->behind;
     return (text_begins(mistake->text, "expected") && behind[text_span(behind, " ")] == '?' &&
-            has_foreign_byte(answer_text(&all->code.answer, mistake->line))) ||
+            has_foreign_byte(answer_text(mistake->line))) ||
            text_says(mistake->text,
                      "\\U0000|identifier '?|^stray '\\2|^stray '\\3|^unexpected character <U+|"
                      "^unexpected character U+|^character <U+|^character U+|^treating Unicode|"
@@ -107,7 +366,7 @@ bool is_vector_for_number(const Mistake *mistake)
                         "^invalid argument type .*vector|(convert|conversion).*vec3.*double");
 }
 
-// ---- keywords -----------------------------------------------------------------------------------
+// ---- keywords ----------------------------------------------------------------------------------
 
 // The word without the letter at i, or with it and the next one the other way round.
 static const char *without_letter(const char *word, size_t i)
@@ -170,10 +429,10 @@ static const char *misspelled(const char *name, const char *code)
     return "";
 }
 
-// ---- types --------------------------------------------------------------------------------------
+// ---- types -------------------------------------------------------------------------------------
 
 // Which type was wanted and which was given, if the message says so.
-static void find_types(const Explanation *all, Mistake *mistake)
+static void find_types(Mistake *mistake)
 {
     const char *words =
         mistake->message->argument[0] != '\0' ? mistake->message->argument : mistake->text;
@@ -192,29 +451,25 @@ static void find_types(const Explanation *all, Mistake *mistake)
         mistake->wanted = bare_type(quoted_second(words));
     } else if (text_begins(words, "invalid initializer")) {
         const char *name = text_expression_at_end(text_before(mistake->code, "="));
-        mistake->wanted = type_of(&all->code, name, mistake->line);
+        mistake->wanted = type_of(name, mistake->line);
         const char *value = text_before(text_without(mistake->code, "[^=]*= *"), ";");
-        mistake->given = type_of_argument(&all->code, value, mistake->line);
+        mistake->given = type_of_argument(value, mistake->line);
     }
-    Match match;
-    if (text_find(mistake->given, " ?\\* ?const$", &match))
-        mistake->given = text_format("%s *", text_part(mistake->given, 0, match.at));
+    if (text_matches(mistake->given, " ?\\* ?const$"))
+        mistake->given = text_format("%s *", text_without(mistake->given, " ?\\* ?const$"));
 }
 
 // The name that a line with a misspelled type declares.
 static const char *declared_by(const Mistake *mistake)
 {
-    Match match;
     if (!mistake->is_unknown || !text_has_word(mistake->code, mistake->name) ||
         text_has(mistake->text, "function '"))
         return "";
     const char *after = strstr(mistake->code, mistake->name) + strlen(mistake->name);
-    return text_find(after, "^ +\\**[A-Za-z_][A-Za-z_0-9]*", &match)
-               ? text_replaced(text_part(after, 0, match.length), "[ *]+", "")
-               : "";
+    return text_group(after, "^ +\\**([A-Za-z_][A-Za-z_0-9]*)", 1);
 }
 
-// ---- letters ------------------------------------------------------------------------------------
+// ---- letters -----------------------------------------------------------------------------------
 
 static void add_to(const char **list, const char *what)
 {
@@ -244,26 +499,26 @@ static const char *letter_of_whole(const Mistake *mistake)
                : text_format("%s" UNBROKEN "is" UNBROKEN "%s.%s", letter, name, part);
 }
 
-static void find_letters(Explanation *all, Mistake *mistake)
+static void find_letters(Mistake *mistake)
 {
-    AboutFunction *about = &all->about[mistake->begins];
+    AboutFunction *about = &all.about[mistake->begins];
     const char *owner;
     bool is_letter = mistake->is_unknown && is_one_letter(mistake->name) &&
                      !text_says(mistake->text, "function '|unknown type") &&
-                     answer_loop_of(&all->code.answer, mistake->name, mistake->line) == 0;
-    mistake->translation =
-        is_letter ? translated(&all->code, mistake->name, mistake->line, about->strange_letters)
-                  : letter_of_whole(mistake);
+                     answer_loop_of(mistake->name, mistake->line) == 0;
+    mistake->translation = is_letter
+                               ? translated(mistake->name, mistake->line, about->strange_letters)
+                               : letter_of_whole(mistake);
     if (mistake->translation[0] != '\0')
         add_to(&about->letters, mistake->translation);
-    else if (is_letter && whole_of(&all->code, mistake->name, mistake->line, &owner)[0] == '\0')
+    else if (is_letter && whole_of(mistake->name, mistake->line, &owner)[0] == '\0')
         add_to(&about->strange_letters, mistake->name);
     else
         is_letter = false;
     mistake->is_letter = is_letter || mistake->translation[0] != '\0';
 }
 
-// ---- consequences ----------------------------------------------------------------------------
+// ---- consequences ------------------------------------------------------------------------------
 
 static bool is_about_argument(const char *text)
 {
@@ -295,9 +550,8 @@ static bool follows_in_statement(const Mistake *j, const Mistake *i)
 }
 
 // Of the same function.
-static bool follows_in_function(const Explanation *all, const Mistake *j, const Mistake *i)
+static bool follows_in_function(const Mistake *j, const Mistake *i)
 {
-    const Answer *answer = &all->code.answer;
     bool later = j > i, is_warning = j->message->is_warning;
     if (i->is_letter && j->is_letter && later &&
         (i->translation[0] == '\0') == (j->translation[0] == '\0'))
@@ -315,7 +569,7 @@ static bool follows_in_function(const Explanation *all, const Mistake *j, const 
     if (later && i->is_unknown && j->is_unknown && text_is(i->name, j->name))
         return true;
     if (i->is_unknown && text_says(j->text, "clause does not guard|empty body") &&
-        answer_ends_at_once(answer, j->line) && answer_loop_of(answer, i->name, i->line) == j->line)
+        answer_ends_at_once(j->line) && answer_loop_of(i->name, i->line) == j->line)
         return true;
     if (i->is_unknown && i->line == i->begins && text_has(j->text, "'int'"))
         return true;
@@ -326,14 +580,18 @@ static bool follows_in_function(const Explanation *all, const Mistake *j, const 
 }
 
 // Whether message j only follows from message i.
-static bool follows(const Explanation *all, const Mistake *j, const Mistake *i)
+static bool follows(const Mistake *j, const Mistake *i)
 {
     bool later = j > i, is_warning = j->message->is_warning;
     if (i->lacks_contract && (later || is_warning))
         return true;
+    // image_set is a macro: without its ) it takes the rest of the file, at whose end gcc says so.
+    if ((text_begins(j->text, "unterminated argument") && text_has(i->text, "at end of input")) ||
+        (text_begins(i->text, "unterminated function-like macro") && later))
+        return true;
     if (i->is_pasted && i->line == j->line && (later || !j->is_pasted))
         return true;
-    if (i->is_missing_brace && j->line >= all->open_function)
+    if (i->is_missing_brace && j->line >= all.open_function)
         return j->is_missing_brace
                    ? later
                    : j->is_missing_return ||
@@ -348,48 +606,45 @@ static bool follows(const Explanation *all, const Mistake *j, const Mistake *i)
     // An undeclared name is treated as a function that returns an int; gcc says so only once.
     if (i->is_unknown && (i->statement == j->statement || text_has_word(j->code, i->name)) &&
         text_says(j->text, "'int'|invalid initializer|subscripted value|incompatible implicit|"
-                           "type mismatch in conditional"))
+                           "integer absolute value|type mismatch in conditional"))
         return true;
-    return i->begins != 0 && i->begins == j->begins && follows_in_function(all, j, i);
+    return i->begins != 0 && i->begins == j->begins && follows_in_function(j, i);
 }
 
-static void drop_what_follows(Explanation *all)
+static void drop_what_follows(void)
 {
-    for (size_t i = 0; i < all->count; i++)
-        for (size_t j = 0; j < all->count; j++)
-            if (j != i && !all->mistakes[i].is_dropped && !all->mistakes[j].is_dropped &&
-                follows(all, &all->mistakes[j], &all->mistakes[i]))
-                all->mistakes[j].is_dropped = true;
+    for (size_t i = 0; i < all.count; i++)
+        for (size_t j = 0; j < all.count; j++)
+            if (j != i && !all.mistakes[i].is_dropped && !all.mistakes[j].is_dropped &&
+                follows(&all.mistakes[j], &all.mistakes[i]))
+                all.mistakes[j].is_dropped = true;
 }
 
-// ---- all together -------------------------------------------------------------------------------
+// ---- all together ------------------------------------------------------------------------------
 
-bool has_comma_in_statement(const Explanation *all, const Mistake *mistake)
+bool has_comma_in_statement(const Mistake *mistake)
 {
-    for (size_t i = 0; i < all->count; i++)
-        if (all->mistakes[i].is_comma && all->mistakes[i].statement == mistake->statement)
+    for (size_t i = 0; i < all.count; i++)
+        if (all.mistakes[i].is_comma && all.mistakes[i].statement == mistake->statement)
             return true;
     return false;
 }
 
-static void understand(Explanation *all, Mistake *mistake)
+static void understand(Mistake *mistake)
 {
-    const Code *code = &all->code;
     const char *text = mistake->text, *name = mistake->name;
-    Match match;
-    mistake->begins = answer_beginning(&code->answer, mistake->line);
-    mistake->statement = answer_statement(&code->answer, mistake->line);
+    mistake->begins = answer_beginning(mistake->line);
+    mistake->statement = answer_statement(mistake->line);
     mistake->is_unknown = is_unknown(text);
-    find_letters(all, mistake);
-    mistake->lacks_contract = mistake->is_unknown &&
-                              !answer_includes(&code->answer, code->contract) &&
-                              header_of(&code->headers, name) != NULL;
-    mistake->is_pasted = is_pasted(all, mistake);
+    find_letters(mistake);
+    mistake->lacks_contract =
+        mistake->is_unknown && !answer_includes(headers.contract) && header_of(name) != NULL;
+    mistake->is_pasted = is_pasted(mistake);
     // gcc reports only once that the function fro does not exist.
     mistake->slip = name;
     if (text_begins(text, "expected expression before '") &&
-        text_find(mistake->message->ahead, "[a-z]+ *\\($", &match))
-        mistake->slip = text_before(mistake->message->ahead + match.at, "(");
+        text_matches(mistake->message->ahead, "[a-z]+ *\\($"))
+        mistake->slip = text_group(mistake->message->ahead, "([a-z]+) *\\($", 1);
     mistake->keyword = mistake->is_unknown || !text_is(mistake->slip, name)
                            ? misspelled(mistake->slip, mistake->code)
                            : "";
@@ -399,44 +654,37 @@ static void understand(Explanation *all, Mistake *mistake)
         text_says(text, "^too few arguments to function|^too many arguments to function");
     mistake->is_signature = is_signature(text);
     mistake->is_missing_return = is_missing_return(text);
-    mistake->is_missing_brace = all->open_function != 0 && is_missing_brace(text);
+    mistake->is_missing_brace = all.open_function != 0 && is_missing_brace(text);
     mistake->is_outside = is_outside(text, mistake->code);
-    find_types(all, mistake);
-    mistake->decimal =
-        may_be_decimal_comma(text) ? answer_decimal_comma(&code->answer, mistake->line) : "";
+    find_types(mistake);
+    mistake->decimal = may_be_decimal_comma(text) ? answer_decimal_comma(mistake->line) : "";
     mistake->is_comma = is_comma(text);
     mistake->is_unused_value = is_unused_value(text);
-    if (mistake->is_unused_value && all->about[mistake->begins].lost == 0)
-        all->about[mistake->begins].lost = mistake->line;
+    if (mistake->is_unused_value && all.about[mistake->begins].lost == 0)
+        all.about[mistake->begins].lost = mistake->line;
     mistake->declares = declared_by(mistake);
 }
 
-Explanation explanation_of(const char *source, const char *words)
+void explanation_read(const char *source, const char *words)
 {
     const char *slash = strrchr(source, '/'), *stem = slash == NULL ? source : slash + 1;
-    size_t length = strlen(stem);
-    length -= length > 2 && text_is(stem + length - 2, ".c") ? 2 : 0;
-    Explanation all = {.code = {.answer = answer_read(source),
-                                .headers = headers_read(),
-                                .contract = text_format("exercises/%.*s.h", (int)length, stem)}};
-    all.diagnostics = diagnostics_read(&all.code.answer, words);
-    all.count = all.diagnostics->count;
-    all.mistakes = text_memory((all.count + 1) * sizeof *all.mistakes);
-    all.open_function = answer_unclosed(&all.code.answer);
-    all.about = text_memory((all.code.answer.count + 1) * sizeof *all.about);
-    for (size_t i = 0; i <= all.code.answer.count; i++)
+    answer_read(source);
+    headers_read(text_format("exercises/%s.h", text_without(stem, "\\.c$")));
+    all = (Explanation){.open_function = answer_unclosed()};
+    read_messages(words);
+    all.about = text_memory((answer.count + 1) * sizeof *all.about);
+    for (size_t i = 0; i <= answer.count; i++)
         all.about[i].letters = all.about[i].strange_letters = "";
     for (size_t i = 0; i < all.count; i++) {
-        const Message *message = &all.diagnostics->messages[i];
+        const Message *message = &all.messages[i];
         all.mistakes[i] = (Mistake){.message = message,
                                     .text = message->text,
                                     .line = message->line_number,
-                                    .code = answer_code(&all.code.answer, message->line_number),
+                                    .code = answer_code(message->line_number),
                                     .name = quoted(message->text),
                                     .wanted = "",
                                     .given = ""};
-        understand(&all, &all.mistakes[i]);
+        understand(&all.mistakes[i]);
     }
-    drop_what_follows(&all);
-    return all;
+    drop_what_follows();
 }

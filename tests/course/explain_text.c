@@ -1,5 +1,5 @@
-// explain_text.c - see explain_text.h.
-#include "tests/course/explain_text.h"
+// explain_text.c - strings of the explainer: made, searched, and freed all at once.
+#include "tests/course/explain_inside.h"
 
 #include <ctype.h>
 #include <regex.h>
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// ---- memory -------------------------------------------------------------------------------------
+// ---- memory ------------------------------------------------------------------------------------
 
 typedef struct Block {
     struct Block *next;
@@ -136,7 +136,7 @@ void lines_add(Lines *lines, const char *line)
     lines->line[lines->count++] = line;
 }
 
-// ---- searching ----------------------------------------------------------------------------------
+// ---- searching ---------------------------------------------------------------------------------
 
 bool is_word_character(char c)
 {
@@ -218,7 +218,7 @@ size_t text_span_of_word(const char *text)
     return length;
 }
 
-// ---- patterns -----------------------------------------------------------------------------------
+// ---- patterns ----------------------------------------------------------------------------------
 
 // A pattern is compiled when it is first looked for. Patterns are literals, so that their addresses
 // tell them apart.
@@ -265,6 +265,16 @@ bool text_find(const char *text, const char *pattern, Match *match)
     return find_from(text, 0, pattern, match);
 }
 
+const char *text_group(const char *text, const char *pattern, int group)
+{
+    enum { MOST_GROUPS = 8 };
+    regmatch_t found[MOST_GROUPS];
+    if (regexec(compiled(pattern), text, MOST_GROUPS, found, 0) != 0 || found[group].rm_so < 0)
+        return "";
+    return text_part(text, (size_t)found[group].rm_so,
+                     (size_t)(found[group].rm_eo - found[group].rm_so));
+}
+
 const char *text_without(const char *text, const char *pattern)
 {
     Match match;
@@ -293,32 +303,8 @@ const char *text_replaced(const char *text, const char *pattern, const char *by)
 // A name, and then .name, ->name and [...], back from the end.
 const char *text_expression_at_end(const char *text)
 {
-    const char *end = text + strlen(text), *begin = end, *at = end;
-    for (;;) {
-        if (at > text && at[-1] == ']') {
-            const char *open = at - 1;
-            while (open > text && open[-1] != ']' && *open != '[')
-                open--;
-            if (*open != '[')
-                return begin;
-            at = open;
-            continue;
-        }
-        const char *name = at;
-        while (name > text && is_word_character(name[-1]))
-            name--;
-        while (name < at && isdigit((unsigned char)*name)) // 2x: the name is x
-            name++;
-        if (name == at)
-            return begin;
-        begin = name;
-        if (name > text && name[-1] == '.')
-            at = name - 1;
-        else if (name > text + 1 && name[-1] == '>' && name[-2] == '-')
-            at = name - 2;
-        else
-            return begin;
-    }
+    return text_group(text, "[A-Za-z_][A-Za-z_0-9]*((\\.|->)[A-Za-z_][A-Za-z_0-9]*|\\[[^]]*\\])*$",
+                      0);
 }
 
 const char *text_before(const char *text, const char *sign)
@@ -332,22 +318,10 @@ const char *text_before(const char *text, const char *sign)
 
 const char *bare_type(const char *type)
 {
-    char *bare = text_memory(strlen(type) + 1);
-    size_t size = 0;
-    for (size_t i = 0; type[i] != '\0';) {
-        size_t length = text_span_of_word(type + i);
-        bool qualifier =
-            length > 0 && type[i + length] == ' ' &&
-            text_is_one_of(text_part(type, i, length), "const struct static inline extern");
-        size_t copied = length > 0 ? length : 1;
-        if (!qualifier) {
-            memcpy(bare + size, type + i, copied);
-            size += copied;
-        }
-        i += qualifier ? length + 1 : copied;
+    static const char qualifier[] = "(^|[ (*])(const|struct|static|inline|extern) ";
+    for (Match match; text_find(type, qualifier, &match);) {
+        const char *before = text_group(type, qualifier, 1);
+        type = text_format("%.*s%s%s", (int)match.at, type, before, type + match.at + match.length);
     }
-    while (size > 0 && bare[size - 1] == ' ')
-        size--;
-    bare[size] = '\0';
-    return bare + text_span(bare, " ");
+    return text_group(type, "[^ ](.*[^ ])?", 0);
 }

@@ -5,115 +5,279 @@
 // here.
 #include "tests/course/judging.h"
 
-#include "tests/course/call_graph.h"
-#include "tests/course/compiling.h"
+#include "tests/course/chapter_record.h"
 #include "tests/course/explain.h"
-#include "tests/course/folder_lock.h"
-#include "tests/course/linking.h"
-#include "tests/course/programs.h"
-#include "tests/course/shared_answer.h"
-#include "tests/course/whole_text.h"
 #include "tests/judge/exercise.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+// ---- the plan ----------------------------------------------------------------------------------
+
+static bool complain(const char *path, const char *what)
+{
+    fprintf(stderr, "%s: %s\n", path, what);
+    return false;
+}
+
+bool plan_read(const char *path, JudgingPlan *plan)
+{
+    *plan = (JudgingPlan){0};
+    if (!entries_read(path, &plan->all))
+        return complain(path, "cannot be read as a plan of judging");
+    const Entry *entries = plan->all.entries;
+    int head = 0;
+    while (head < plan->all.count && strcmp(entries[head].key, "chapter") != 0)
+        head++;
+    const struct {
+        const char *key, **value;
+        bool needed;
+    } keys[] = {
+        {"answers", &plan->answers, true},
+        {"built", &plan->built, true},
+        {"draw", &plan->draw, true},
+        {"compile", &plan->compile, true},
+        {"link", &plan->link, true},
+        {"hide", &plan->hide, false},
+        {"lend", &plan->lend, false},
+        {"judge", &plan->judge, true},
+        {"drawing", &plan->drawing, true},
+        {"spheres", &plan->spheres, true},
+        {"reference", &plan->reference, false},
+        {"libraries", &plan->libraries, false},
+    };
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        *keys[i].value = entry_value(entries, head, keys[i].key);
+        if (keys[i].needed && (*keys[i].value)[0] == '\0')
+            return complain(path, keys[i].key);
+    }
+    plan->verdict = path_of(plan->built, "verdict", "");
+    plan->figures = path_of(plan->built, "figures", "");
+    plan->hash = HASH_BEGIN;
+    for (int i = 0; i < plan->all.count; i++)
+        plan->hash = hash_string(plan->hash, entries[i].value);
+    for (int i = head; i < plan->all.count;) {
+        int end = i + 1;
+        while (end < plan->all.count && strcmp(entries[end].key, "chapter") != 0)
+            end++;
+        if (plan->count == MOST_CHAPTERS)
+            return complain(path, "too many chapters");
+        plan->chapters[plan->count++] =
+            (PlannedChapter){entries[i].value, entry_value(entries + i, end - i, "objects"),
+                             entry_value(entries + i, end - i, "stands on"),
+                             entry_value(entries + i, end - i, "right"),
+                             entry_value(entries + i, end - i, "program")};
+        i = end;
+    }
+    return true;
+}
+
+void plan_free(JudgingPlan *plan)
+{
+    entries_free(&plan->all);
+    *plan = (JudgingPlan){0};
+}
+
+int plan_chapter(const JudgingPlan *plan, const char *stem)
+{
+    for (int i = 0; i < plan->count; i++)
+        if (strcmp(plan->chapters[i].stem, stem) == 0)
+            return i;
+    return -1;
+}
+
+bool plan_depends_on(const JudgingPlan *plan, int chapter, int other)
+{
+    return names_include(plan->chapters[chapter].stands_on, plan->chapters[other].stem);
+}
+
+PlanPath path_of(const char *folder, const char *name, const char *ending)
+{
+    PlanPath path;
+    if (snprintf(path.s, sizeof path.s, "%s/%s%s", folder, name, ending) >= (int)sizeof path.s)
+        path.s[0] = '\0'; // which cannot be opened
+    return path;
+}
+
+PlanPath plan_answer(const JudgingPlan *plan, int chapter)
+{
+    PlanPath path = path_of(plan->answers, plan->chapters[chapter].stem, ".c");
+    return access(path.s, F_OK) == 0 ? path : plan_blank(plan, chapter);
+}
+
+PlanPath plan_blank(const JudgingPlan *plan, int chapter)
+{
+    return path_of("build/blanks", plan->chapters[chapter].stem, ".c");
+}
+
+PlanPath plan_file(const JudgingPlan *plan, int chapter, const char *name)
+{
+    PlanPath folder = path_of(plan->verdict.s, plan->chapters[chapter].stem, "");
+    return path_of(folder.s, name, "");
+}
+
+PlanPath plan_beside(const JudgingPlan *plan, int chapter, const char *ending)
+{
+    return path_of(plan->verdict.s, plan->chapters[chapter].stem, ending);
+}
+
+// ---- the commands ------------------------------------------------------------------------------
+
+void command_add(Command *command, const char *word)
+{
+    if (command->count == MOST_WORDS) {
+        fprintf(stderr, "a command of more than %d words\n", MOST_WORDS);
+        exit(2);
+    }
+    command->words[command->count++] = word;
+    command->words[command->count] = NULL;
+}
+
+void command_words(Command *command, const char *text)
+{
+    char *copy = strdup(text);
+    if (copy == NULL || command->part_count == MOST_WORDS)
+        abort();
+    command->parts[command->part_count++] = copy;
+    for (char *rest = copy, *word; (word = strtok_r(rest, " ", &rest)) != NULL;)
+        command_add(command, word);
+}
+
+void command_words_for(Command *command, const char *text, const char *name)
+{
+    char *words = NULL;
+    size_t size;
+    FILE *out = open_memstream(&words, &size);
+    if (out == NULL)
+        abort();
+    for (const char *at; (at = strstr(text, "NAME")) != NULL; text = at + strlen("NAME"))
+        fprintf(out, "%.*s%s", (int)(at - text), text, name);
+    fputs(text, out);
+    fclose(out);
+    command_words(command, words);
+    free(words);
+}
+
+void command_free(Command *command)
+{
+    for (int i = 0; i < command->part_count; i++)
+        free(command->parts[i]);
+    *command = (Command){.count = 0};
+}
+
+static int run_and_free(Command *command, const char *output)
+{
+    int status = program_run(command, output);
+    command_free(command);
+    return status;
+}
+
+// What the compiler says goes into a file.
+static int compile_answer(const JudgingPlan *plan, int chapter, const char *source,
+                          const char *said)
+{
+    PlanPath object = plan_file(plan, chapter, "answer.o");
+    Command command = {.count = 0};
+    command_words(&command, plan->compile);
+    command_add(&command, "-o");
+    command_add(&command, object.s);
+    command_add(&command, source);
+    return run_and_free(&command, said);
+}
+
+int link_program(const JudgingPlan *plan, const char *program, Command *objects, const char *said)
+{
+    Command command = {.count = 0};
+    command_words(&command, plan->link);
+    command_add(&command, "-o");
+    command_add(&command, program);
+    for (int i = 0; i < objects->count; i++)
+        command_add(&command, objects->words[i]);
+    command_add(&command, "-lm");
+    int status = run_and_free(&command, said);
+    command_free(objects);
+    return status;
+}
+
+void hide_helpers(const JudgingPlan *plan, int chapter)
+{
+    PlanPath object = plan_file(plan, chapter, "answer.o");
+    Command command = {.count = 0};
+    if (plan->hide[0] == '\0' || access(object.s, F_OK) != 0)
+        return;
+    command_words(&command, plan->hide);
+    command_add(&command, object.s);
+    run_and_free(&command, NULL);
+}
+
+// ---- one at a time judges a folder of answers --------------------------------------------------
+
+int folder_lock(const char *folder)
+{
+    PlanPath path = path_of(folder, "lock", "");
+    int lock = open(path.s, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (lock < 0)
+        return -1;
+    if (flock(lock, LOCK_EX | LOCK_NB) == 0)
+        return lock;
+    if (errno == EWOULDBLOCK)
+        fprintf(stderr, "These answers are already being judged; waiting until that is done ...\n");
+    while (flock(lock, LOCK_EX) != 0)
+        if (errno != EINTR) {
+            close(lock);
+            return -1;
+        }
+    return lock;
+}
+
+void folder_unlock(int lock)
+{
+    if (lock >= 0)
+        close(lock);
+}
 
 // The result of a piece of work.
 enum { DONE, NO_VERDICT, SAVED_MEANWHILE, TROUBLE };
 
-static uint64_t hash_of_files(uint64_t hash, const char *names)
-{
-    Command files = {.count = 0};
-    command_words(&files, names);
-    for (int i = 0; i < files.count; i++)
-        hash = hash_file(hash, files.words[i]);
-    command_free(&files);
-    return hash;
-}
-
-// Most objects are those of several chapters: each is read once.
-enum { MOST_OBJECTS = 1000 };
-typedef struct {
-    char *paths[MOST_OBJECTS];
-    uint64_t hashes[MOST_OBJECTS];
-    int count;
-} HashedObjects;
-
-static uint64_t hash_object(HashedObjects *objects, uint64_t hash, const char *path)
-{
-    int i = 0;
-    while (i < objects->count && strcmp(objects->paths[i], path) != 0)
-        i++;
-    if (i == MOST_OBJECTS)
-        return hash_file(hash, path);
-    if (i == objects->count) {
-        objects->hashes[i] = hash_file(HASH_BEGIN, path);
-        if ((objects->paths[objects->count++] = strdup(path)) == NULL)
-            abort();
-    }
-    return hash_bytes(hash, &objects->hashes[i], sizeof objects->hashes[i]);
-}
-
-Judging judging_begin(const JudgingPlan *plan)
-{
-    static HashedObjects hashed;
-    Judging judging = {.plan = plan};
-    uint64_t common = HASH_BEGIN;
-    for (int i = 0; i < plan->all.count; i++)
-        common = hash_string(common, plan->all.entries[i].value);
-    common = hash_file(hash_of_files(common, plan->used), plan->judge);
-    for (int i = 0; i < plan->count; i++) {
-        const PlannedChapter *chapter = &plan->chapters[i];
-        judging.tools[i] = common;
-        // Objects of other chapters are made from those chapters' texts, which are hashed below.
-        Command objects = {.count = 0};
-        command_words(&objects, chapter->objects);
-        for (int k = 0; k < objects.count; k++)
-            if (strncmp(objects.words[k], plan->verdict, strlen(plan->verdict)) != 0)
-                judging.tools[i] = hash_object(&hashed, judging.tools[i], objects.words[k]);
-        command_free(&objects);
-    }
-    while (hashed.count > 0)
-        free(hashed.paths[--hashed.count]);
-    return judging;
-}
-
 // The hash of the answer, of the answers that it calls, and of everything that judges it.
-static void hash_now(const Judging *judging, int chapter, char word[HASH_WORD])
+static void hash_now(const JudgingPlan *plan, int chapter, char word[HASH_WORD])
 {
-    uint64_t hash = judging->tools[chapter];
+    uint64_t hash = plan->hash;
     for (int i = 0; i <= chapter; i++)
-        if (i == chapter || plan_depends_on(judging->plan, chapter, i))
-            hash = hash_file(hash, plan_answer(judging->plan, i).s);
+        if (i == chapter || plan_depends_on(plan, chapter, i))
+            hash = hash_file(hash, plan_answer(plan, i).s);
     hash_word(word, hash);
 }
 
-bool judging_record(const Judging *judging, int chapter, ChapterRecord *record)
+bool judging_record(const JudgingPlan *plan, int chapter, ChapterRecord *record)
 {
     char word[HASH_WORD];
-    hash_now(judging, chapter, word);
-    return record_read(plan_beside(judging->plan, chapter, ".record").s, record) &&
+    hash_now(plan, chapter, word);
+    return record_read(plan_beside(plan, chapter, ".record").s, record) &&
            strcmp(record_value(record, "hash"), word) == 0;
 }
 
 // Later chapters that call this one are linked with its object, which must be up to date.
-static bool needs_judging(const Judging *judging, int chapter)
+static bool needs_judging(const JudgingPlan *plan, int chapter)
 {
     ChapterRecord record;
-    bool fresh = judging_record(judging, chapter, &record);
-    if (fresh && judging->plan->lend[0] == '\0') {
+    bool fresh = judging_record(plan, chapter, &record);
+    if (fresh && plan->lend[0] == '\0') {
         char word[HASH_WORD];
-        hash_word(word, hash_file(HASH_BEGIN, plan_file(judging->plan, chapter, "answer.o").s));
+        hash_word(word, hash_file(HASH_BEGIN, plan_file(plan, chapter, "answer.o").s));
         fresh = strcmp(record_value(&record, "object"), word) == 0;
     }
     chapter_record_free(&record);
     return !fresh;
 }
 
-// ---- one chapter ------------------------------------------------------------------------------
+// ---- one chapter -------------------------------------------------------------------------------
 
 static char *text_of(const JudgingPlan *plan, int chapter, const char *name)
 {
@@ -138,11 +302,10 @@ static char *explained(const JudgingPlan *plan, int chapter, Explainer *explaine
     return text;
 }
 
-static FILE *begin_record(const Judging *judging, int chapter, const char *hash, const char *state,
+static FILE *begin_record(const JudgingPlan *plan, int chapter, const char *hash, const char *state,
                           const char *words)
 {
-    const JudgingPlan *plan = judging->plan;
-    FILE *out = record_begin(plan->verdict, plan->chapters[chapter].stem);
+    FILE *out = record_begin(plan->verdict.s, plan->chapters[chapter].stem);
     if (out == NULL)
         return NULL;
     char object[HASH_WORD];
@@ -165,57 +328,43 @@ static FILE *begin_record(const Judging *judging, int chapter, const char *hash,
 
 // A text that was saved while it was judged is judged again, because nobody knows which text this
 // verdict is about.
-static int end_record(const Judging *judging, int chapter, const char *hash, FILE *out)
+static int end_record(const JudgingPlan *plan, int chapter, const char *hash, FILE *out)
 {
-    const char *stem = judging->plan->chapters[chapter].stem;
+    const char *stem = plan->chapters[chapter].stem;
     char now[HASH_WORD];
-    hash_now(judging, chapter, now);
+    hash_now(plan, chapter, now);
     if (out != NULL && strcmp(now, hash) != 0) {
         fclose(out);
         return SAVED_MEANWHILE;
     }
-    if (out != NULL && record_finish(out, judging->plan->verdict, stem))
+    if (out != NULL && record_finish(out, plan->verdict.s, stem))
         return DONE;
     fprintf(stderr, "%s: its verdict cannot be written: %s\n", stem, strerror(errno));
     return TROUBLE;
 }
 
-static int give_up(const Judging *judging, int chapter, const char *hash, const char *state,
+static int give_up(const JudgingPlan *plan, int chapter, const char *hash, const char *state,
                    const char *words)
 {
-    FILE *out = begin_record(judging, chapter, hash, state, words);
-    return end_record(judging, chapter, hash, out);
+    FILE *out = begin_record(plan, chapter, hash, state, words);
+    return end_record(plan, chapter, hash, out);
 }
 
-// Helpers of two chapters may have one name.
-static void hide_helpers(const JudgingPlan *plan, int chapter)
+static int compile_chapter(const JudgingPlan *plan, int chapter, const char *hash)
 {
-    PlanPath object = plan_file(plan, chapter, "answer.o");
-    Command command = {.count = 0};
-    if (plan->hide[0] == '\0')
-        return;
-    command_words(&command, plan->hide);
-    command_add(&command, object.s);
-    program_run(&command, NULL);
-    command_free(&command);
-}
-
-static int compile_answer(const Judging *judging, int chapter, const char *hash)
-{
-    const JudgingPlan *plan = judging->plan;
     PlanPath answer = plan_answer(plan, chapter), said = plan_file(plan, chapter, "compiler");
     mkdir(plan_beside(plan, chapter, "").s, 0777);
     unlink(plan_file(plan, chapter, "answer.o").s);
-    if (compile_object(plan, chapter, answer.s, said.s) == 0)
+    if (compile_answer(plan, chapter, answer.s, said.s) == 0)
         return DONE;
     // The later chapters, which call this one, use its blank.
     if (plan->lend[0] == '\0') {
-        PlanPath blank = path_of(plan->blanks, plan->chapters[chapter].stem, ".c");
-        compile_object(plan, chapter, blank.s, "/dev/null");
+        PlanPath blank = plan_blank(plan, chapter);
+        compile_answer(plan, chapter, blank.s, "/dev/null");
         hide_helpers(plan, chapter);
     }
     char *words = explained(plan, chapter, explain, "compiler");
-    int status = give_up(judging, chapter, hash, "compiler", words);
+    int status = give_up(plan, chapter, hash, "compiler", words);
     free(words);
     return status == DONE ? NO_VERDICT : status;
 }
@@ -224,22 +373,17 @@ static int compile_answer(const Judging *judging, int chapter, const char *hash)
 static int link_answering(const JudgingPlan *plan, int chapter, const char *program,
                           const char *lent, const char *said)
 {
-    PlanPath output = plan_file(plan, chapter, program),
-             object = plan_file(plan, chapter, "answer.o");
-    if (shared_answer_link(plan, chapter, output.s, lent))
-        return 0;
-    Linking linking = linking_begin(plan, output.s);
-    Command names = {.count = 0};
+    Command objects = {.count = 0}, names = {.count = 0};
     command_words(&names, lent);
     for (int i = 0; i < names.count; i++)
-        linking_tell(&linking, plan->lend, names.words[i]);
+        command_words_for(&objects, plan->lend, names.words[i]);
     command_free(&names);
-    linking_add(&linking, object.s);
-    linking_add(&linking, plan->chapters[chapter].objects);
-    return linking_end(&linking, said);
+    command_words(&objects, plan_file(plan, chapter, "answer.o").s);
+    command_words(&objects, plan->chapters[chapter].objects);
+    return link_program(plan, plan_file(plan, chapter, program).s, &objects, said);
 }
 
-// ---- who waits --------------------------------------------------------------------------------
+// ---- who waits ---------------------------------------------------------------------------------
 
 // Whether it is right if the reference answers those instead.
 static bool passes_with_lent(const JudgingPlan *plan, int chapter, const char *function,
@@ -255,9 +399,7 @@ static bool passes_with_lent(const JudgingPlan *plan, int chapter, const char *f
     command_add(&command, "--only");
     command_add(&command, function);
     command_words(&command, lent);
-    bool passes = program_run(&command, "/dev/null") == 0;
-    command_free(&command);
-    return passes;
+    return run_and_free(&command, "/dev/null") == 0;
 }
 
 // The others that it waits for: one, if that one is enough; none, if it is wrong by itself.
@@ -285,11 +427,10 @@ static void wait_for(const JudgingPlan *plan, int chapter, const ChapterRecord *
 
 // Without a reference: the answers that it calls and that are not right, in its chapter and in
 // earlier ones. Adds those of earlier ones to stands, by chapter.
-static void be_unsure(const Judging *judging, int chapter, const ChapterRecord *report,
+static void be_unsure(const JudgingPlan *plan, int chapter, const ChapterRecord *report,
                       const FunctionRecord *function, char names[MOST_NAMES],
                       char stands[][MOST_NAMES])
 {
-    const JudgingPlan *plan = judging->plan;
     const char *calls = function_value(function, "calls");
     names_that_may_excuse(report, function, names);
     for (int i = 0; i < chapter; i++) {
@@ -308,18 +449,15 @@ static void be_unsure(const Judging *judging, int chapter, const ChapterRecord *
         Command words = {.count = 0};
         command_words(&words, others);
         for (int k = 0; k < words.count; k++)
-            if (!names_include(stands[i], words.words[k])) {
-                size_t length = strlen(stands[i]);
-                snprintf(stands[i] + length, MOST_NAMES - length, " %s", words.words[k]);
-            }
+            if (!names_include(stands[i], words.words[k]))
+                names_add(stands[i], MOST_NAMES, words.words[k]);
         command_free(&words);
-        size_t length = strlen(names);
         if (others[0] != '\0')
-            snprintf(names + length, MOST_NAMES - length, "%s%s", length > 0 ? " " : "", others);
+            names_add(names, MOST_NAMES, others);
     }
 }
 
-// ---- the record -------------------------------------------------------------------------------
+// ---- the record --------------------------------------------------------------------------------
 
 static void put_slips(const JudgingPlan *plan, int chapter, const ChapterRecord *report,
                       const FunctionRecord *function, FILE *out)
@@ -338,16 +476,15 @@ static void put_slips(const JudgingPlan *plan, int chapter, const ChapterRecord 
     entry_put(out, "comma", slips.is_comma ? "yes" : "");
 }
 
-static int write_record(const Judging *judging, int chapter, const char *hash)
+static int write_record(const JudgingPlan *plan, int chapter, const char *hash)
 {
     static char stands[MOST_CHAPTERS][MOST_NAMES];
     static char because[MOST_FUNCTIONS][MOST_NAMES];
-    const JudgingPlan *plan = judging->plan;
     bool lends = plan->lend[0] != '\0';
     ChapterRecord report;
     if (!report_read(plan_file(plan, chapter, "report").s, &report)) {
         char *said = text_of(plan, chapter, "said");
-        int status = give_up(judging, chapter, hash, "stopped", said);
+        int status = give_up(plan, chapter, hash, "stopped", said);
         free(said);
         chapter_record_free(&report);
         return status;
@@ -359,17 +496,18 @@ static int write_record(const Judging *judging, int chapter, const char *hash)
         if (lends && strcmp(state, "wrong") == 0)
             wait_for(plan, chapter, &report, &report.functions[i], because[i]);
         else if (!lends && strcmp(state, "right") != 0 && strcmp(state, "unanswered") != 0)
-            be_unsure(judging, chapter, &report, &report.functions[i], because[i], stands);
+            be_unsure(plan, chapter, &report, &report.functions[i], because[i], stands);
     }
-    FILE *out = begin_record(judging, chapter, hash, "judged", "");
+    FILE *out = begin_record(plan, chapter, hash, "judged", "");
     for (int i = 0; out != NULL && i < chapter; i++) {
         char line[MOST_NAMES + 100];
-        snprintf(line, sizeof line, "%.90s%.*s", plan->chapters[i].stem, MOST_NAMES - 1, stands[i]);
+        snprintf(line, sizeof line, "%.90s %.*s", plan->chapters[i].stem, MOST_NAMES - 1,
+                 stands[i]);
         entry_put(out, "stands", stands[i][0] != '\0' ? line : "");
     }
     for (int i = 0; out != NULL && i < report.function_count; i++) {
         const FunctionRecord *function = &report.functions[i];
-        bool is_wrong = strcmp(function_state(function), "wrong") == 0;
+        bool is_wrong = function_is(function, "wrong");
         entry_put(out, "function", function->name);
         for (int k = 0; k < function->count; k++)
             entry_put(out, function->entries[k].key, function->entries[k].value);
@@ -379,42 +517,43 @@ static int write_record(const Judging *judging, int chapter, const char *hash)
             put_slips(plan, chapter, &report, function, out);
     }
     chapter_record_free(&report);
-    return end_record(judging, chapter, hash, out);
+    return end_record(plan, chapter, hash, out);
 }
 
-// Links and asks. DONE also if there is no verdict: the record tells why.
-static int ask(const Judging *judging, int chapter, const char *hash)
+static int link_chapter(const JudgingPlan *plan, int chapter, const char *hash)
 {
-    const JudgingPlan *plan = judging->plan;
-    PlanPath program = plan_file(plan, chapter, "answering"),
-             folder = plan_beside(plan, chapter, "");
-    PlanPath linker = plan_file(plan, chapter, "linker"), said = plan_file(plan, chapter, "said");
+    PlanPath linker = plan_file(plan, chapter, "linker");
     unlink(plan_file(plan, chapter, "report").s);
     int linked = link_answering(plan, chapter, "answering", "", linker.s);
-    hide_helpers(plan, chapter);
-    if (linked != 0) {
-        char *words = explained(plan, chapter, explain_linker, "linker");
-        int status = give_up(judging, chapter, hash, "linker", words);
-        free(words);
-        return status == DONE ? NO_VERDICT : status;
-    }
-    mkdir(plan->figures, 0777);
+    if (plan->lend[0] == '\0') // later chapters are linked with it
+        hide_helpers(plan, chapter);
+    if (linked == 0)
+        return DONE;
+    char *words = explained(plan, chapter, explain_linker, "linker");
+    int status = give_up(plan, chapter, hash, "linker", words);
+    free(words);
+    return status == DONE ? NO_VERDICT : status;
+}
+
+static void ask(const JudgingPlan *plan, int chapter)
+{
+    PlanPath program = plan_file(plan, chapter, "answering"),
+             folder = plan_beside(plan, chapter, ""), said = plan_file(plan, chapter, "said");
+    mkdir(plan->figures.s, 0777);
     Command command = {.count = 0};
     command_add(&command, plan->judge);
     command_add(&command, plan->chapters[chapter].stem);
     command_add(&command, program.s);
     command_add(&command, folder.s);
-    command_add(&command, plan->figures);
-    if (program_run(&command, said.s) > 1)
+    command_add(&command, plan->figures.s);
+    if (run_and_free(&command, said.s) > 1)
         unlink(plan_file(plan, chapter, "report").s);
-    command_free(&command);
-    return DONE;
 }
 
-// ---- all of them ------------------------------------------------------------------------------
+// ---- all of them -------------------------------------------------------------------------------
 
 typedef struct {
-    const Judging *judging;
+    const JudgingPlan *plan;
     int count, chapters[MOST_CHAPTERS];
     char hashes[MOST_CHAPTERS][HASH_WORD];
 } Work;
@@ -422,18 +561,23 @@ typedef struct {
 static int compile_one(int number, void *given)
 {
     const Work *work = given;
-    return compile_answer(work->judging, work->chapters[number], work->hashes[number]);
+    return compile_chapter(work->plan, work->chapters[number], work->hashes[number]);
+}
+
+static int link_one(int number, void *given)
+{
+    const Work *work = given;
+    return link_chapter(work->plan, work->chapters[number], work->hashes[number]);
 }
 
 static int judge_one(int number, void *given)
 {
     const Work *work = given;
     int chapter = work->chapters[number];
-    int status = ask(work->judging, chapter, work->hashes[number]);
+    ask(work->plan, chapter);
     // A record that needs other chapters of this run is written after all of them have been asked.
-    if (status == DONE && work->judging->plan->lend[0] != '\0')
-        status = write_record(work->judging, chapter, work->hashes[number]);
-    return status;
+    return work->plan->lend[0] == '\0' ? DONE
+                                       : write_record(work->plan, chapter, work->hashes[number]);
 }
 
 // Those that have been done go on. The gravest of the statuses.
@@ -457,11 +601,18 @@ static int judge(Work *work)
     int statuses[MOST_CHAPTERS];
     work_side_by_side(work->count, compile_one, work, statuses);
     int gravest = keep_done(work, statuses);
+    // If chapters are linked with earlier ones, the helpers of those must be hidden by then.
+    if (work->plan->lend[0] != '\0')
+        work_side_by_side(work->count, link_one, work, statuses);
+    for (int i = 0; i < work->count && work->plan->lend[0] == '\0'; i++)
+        statuses[i] = link_one(i, work);
+    int linked = keep_done(work, statuses);
     work_side_by_side(work->count, judge_one, work, statuses);
     int asked = keep_done(work, statuses);
+    gravest = linked > gravest ? linked : gravest;
     gravest = asked > gravest ? asked : gravest;
-    for (int i = 0; i < work->count && work->judging->plan->lend[0] == '\0'; i++) {
-        int written = write_record(work->judging, work->chapters[i], work->hashes[i]);
+    for (int i = 0; i < work->count && work->plan->lend[0] == '\0'; i++) {
+        int written = write_record(work->plan, work->chapters[i], work->hashes[i]);
         gravest = written > gravest ? written : gravest;
     }
     return gravest;
@@ -469,27 +620,26 @@ static int judge(Work *work)
 
 static void collect(Work *work, const bool wanted[MOST_CHAPTERS])
 {
-    const JudgingPlan *plan = work->judging->plan;
+    const JudgingPlan *plan = work->plan;
     work->count = 0;
     for (int i = 0; i < plan->count; i++) {
         bool needed = wanted[i];
         for (int k = i + 1; k < plan->count; k++)
             needed = needed || (wanted[k] && plan_depends_on(plan, k, i));
-        if (!needed || !needs_judging(work->judging, i))
+        if (!needed || !needs_judging(work->plan, i))
             continue;
-        hash_now(work->judging, i, work->hashes[work->count]);
+        hash_now(work->plan, i, work->hashes[work->count]);
         work->chapters[work->count++] = i;
     }
 }
 
-bool judging_judge(const Judging *judging, const bool wanted[MOST_CHAPTERS])
+bool judging_judge(const JudgingPlan *plan, const bool wanted[MOST_CHAPTERS])
 {
-    const JudgingPlan *plan = judging->plan;
-    Work work = {.judging = judging};
-    mkdir(plan->verdict, 0777);
-    int lock = folder_lock(plan->verdict);
+    Work work = {.plan = plan};
+    mkdir(plan->verdict.s, 0777);
+    int lock = folder_lock(plan->verdict.s);
     if (lock < 0) {
-        fprintf(stderr, "%s: no lock: %s\n", plan->verdict, strerror(errno));
+        fprintf(stderr, "%s: no lock: %s\n", plan->verdict.s, strerror(errno));
         return false;
     }
     int status;

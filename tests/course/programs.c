@@ -19,11 +19,15 @@ enum { MOST_AT_A_TIME = 64 };
 static volatile pid_t started[MOST_AT_A_TIME];
 static const int ends[] = {SIGINT, SIGTERM, SIGHUP};
 
+static volatile sig_atomic_t interrupt_is_usual;
+
 static void end_all(int number)
 {
     for (int i = 0; i < MOST_AT_A_TIME; i++)
         if (started[i] > 0)
             kill(started[i], SIGTERM);
+    if (number == SIGINT && interrupt_is_usual)
+        _exit(0);
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -40,8 +44,12 @@ void programs_end_with_us(void)
     }
 }
 
-// A fork that is known by its place (-1: by none), or -1. In the child nothing is known to have
-// been started.
+void programs_end_as_usual_by_interrupt(void)
+{
+    interrupt_is_usual = 1;
+}
+
+// A fork that is known by its place, or -1. In the child nothing is known to have been started.
 static pid_t start(int place)
 {
     sigset_t all, before;
@@ -57,7 +65,7 @@ static pid_t start(int place)
 #endif
         if (getppid() != parent)
             _exit(127);
-    } else if (pid > 0 && place >= 0) {
+    } else if (pid > 0) {
         started[place] = pid;
     }
     sigprocmask(SIG_SETMASK, &before, NULL);
@@ -74,144 +82,50 @@ int program_run(const Command *command, const char *output)
     return program_run_for(command, output, 0);
 }
 
-// In the child: reads from one descriptor, writes to another and reports to a third; -1: as before.
-static _Noreturn void become(const Command *command, int in, int out, int errors)
+// With V=1, as make shows its commands.
+static void show_command(const Command *command, const char *output)
 {
-    if (in >= 0 && dup2(in, STDIN_FILENO) >= 0 && (out < 0 || dup2(out, STDOUT_FILENO) >= 0) &&
-        (errors < 0 || dup2(errors, STDERR_FILENO) >= 0))
+    const char *wanted = getenv("V");
+    if (wanted == NULL || wanted[0] == '\0')
+        return;
+    for (int i = 0; i < command->count; i++)
+        printf("%s%s", i > 0 ? " " : "", command->words[i]);
+    if (output != NULL)
+        printf(" >%s 2>&1", output);
+    putchar('\n');
+}
+
+// In the child: the input from /dev/null, the output and the errors into a file.
+static _Noreturn void become(const Command *command, const char *output)
+{
+    int in = open("/dev/null", O_RDONLY | O_CLOEXEC), out = STDOUT_FILENO;
+    if (output != NULL)
+        out = open(output, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+    if (in >= 0 && out >= 0 && dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 &&
+        (output == NULL || dup2(out, STDERR_FILENO) >= 0))
         execvp(command->words[0], (char *const *)command->words);
     fprintf(stderr, "%s: %s\n", command->words[0], strerror(errno));
     _exit(127);
 }
 
-static int open_output(const char *path)
-{
-    return open(path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
-}
-
-static int end_of(pid_t pid, int place)
-{
-    int status = 127 << 8;
-    while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR)
-        continue;
-    if (place >= 0)
-        started[place] = 0;
-    return status_of(status);
-}
-
 int program_run_for(const Command *command, const char *output, int seconds)
 {
+    show_command(command, output);
     pid_t pid = start(0);
     if (pid == 0) {
         const struct rlimit limit = {(rlim_t)seconds, (rlim_t)seconds};
         if (seconds > 0)
             setrlimit(RLIMIT_CPU, &limit);
-        int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
-        int out = output != NULL ? open_output(output) : -1;
-        if (output != NULL && out < 0)
-            in = -1;
-        become(command, in, out, out);
+        become(command, output);
     }
-    return end_of(pid, 0);
+    int status = 127 << 8;
+    while (pid > 0 && waitpid(pid, &status, 0) < 0 && errno == EINTR)
+        continue;
+    started[0] = 0;
+    return status_of(status);
 }
 
-// No other program that is started has its halves.
-static bool make_pipe(int halves[2])
-{
-    if (pipe(halves) != 0)
-        return false;
-    fcntl(halves[0], F_SETFD, FD_CLOEXEC);
-    fcntl(halves[1], F_SETFD, FD_CLOEXEC);
-    return true;
-}
-
-bool program_start_waiting(const Command *command, const char *said, WaitingProgram *waiting)
-{
-    int in[2], out[2], errors = open_output(said);
-    if (errors < 0 || !make_pipe(in)) {
-        close(errors);
-        return false;
-    }
-    if (!make_pipe(out)) {
-        close(errors);
-        close(in[0]);
-        close(in[1]);
-        return false;
-    }
-    *waiting = (WaitingProgram){start(-1), in[1], out[0]};
-    if (waiting->pid == 0)
-        become(command, in[0], out[1], errors);
-    close(errors);
-    close(in[0]);
-    close(out[1]);
-    if (waiting->pid < 0)
-        program_end_waiting(waiting);
-    return waiting->pid > 0;
-}
-
-void program_end_waiting(WaitingProgram *waiting)
-{
-    close(waiting->input);
-    close(waiting->output);
-    if (waiting->pid > 0) {
-        kill((pid_t)waiting->pid, SIGKILL);
-        end_of((pid_t)waiting->pid, -1);
-    }
-    waiting->pid = -1;
-}
-
-// A program that has ended does not end this one.
-static void write_all(int out, const char *text, size_t size)
-{
-    void (*before)(int) = signal(SIGPIPE, SIG_IGN);
-    while (size > 0) {
-        ssize_t n = write(out, text, size);
-        if (n <= 0 && errno != EINTR)
-            break;
-        text += n > 0 ? n : 0;
-        size -= n > 0 ? (size_t)n : 0;
-    }
-    signal(SIGPIPE, before);
-}
-
-int program_feed(WaitingProgram *waiting, const char *text, const Command *reader,
-                 const char *output)
-{
-    int said = open_output(output);
-    pid_t pid = start(0);
-    if (pid == 0)
-        become(reader, said >= 0 ? waiting->output : -1, said, said);
-    close(said);
-    write_all(waiting->input, text, strlen(text));
-    close(waiting->input);
-    close(waiting->output);
-    int of_first = end_of((pid_t)waiting->pid, -1), of_second = end_of(pid, 0);
-    waiting->pid = -1;
-    return of_first != 0 ? of_first : of_second;
-}
-
-int program_run_piped(const Command *first, const Command *second, const char *output)
-{
-    int halves[2], said = open_output(output);
-    if (said < 0 || !make_pipe(halves)) {
-        close(said);
-        return 127;
-    }
-    pid_t writer = start(0);
-    if (writer == 0)
-        become(first, open("/dev/null", O_RDONLY | O_CLOEXEC), halves[1], said);
-    pid_t reader = start(1);
-    if (reader == 0)
-        become(second, halves[0], said, said);
-    close(halves[0]);
-    close(halves[1]);
-    close(said);
-    int of_first = end_of(writer, 0), of_second = end_of(reader, 1);
-    return of_first != 0 ? of_first : of_second;
-}
-
-// Waits for one of them, whichever ends first. How many have ended: a program that waits for its
-// input may also end.
+// Waits for one of them, whichever ends first. How many have ended.
 static int wait_for_one(const int *numbers, int *statuses)
 {
     int status;

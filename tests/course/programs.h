@@ -22,31 +22,19 @@ void command_free(Command *command);
 
 // From now on Ctrl-C, a closed terminal or kill ends what was started, then this program.
 void programs_end_with_us(void);
+// From now on Ctrl-C is the end that is expected: exit status 0, so that make has no error to
+// print.
+void programs_end_as_usual_by_interrupt(void);
 
 // Whether there is a program of this name in PATH.
 bool program_is_there(const char *name);
 
 // Runs it, its input from /dev/null, and its output into a file (NULL: to our own output). Its exit
-// status; 128 and more after a signal; 127 if it cannot be started.
+// status; 128 and more after a signal; 127 if it cannot be started. V=1 in the environment shows
+// the command.
 int program_run(const Command *command, const char *output);
 // The same; the system ends it after this many seconds of processor time.
 int program_run_for(const Command *command, const char *output, int seconds);
-
-// Runs two programs side by side, the second of which reads what the first one writes; what they
-// say goes into the file. The exit status of the first that failed.
-int program_run_piped(const Command *first, const Command *second, const char *output);
-
-// A program that was started before there is something for it to read. It ends if this one does.
-typedef struct {
-    int pid, input, output;
-} WaitingProgram;
-// What it says goes into the file, not what it writes. False if it cannot be started.
-bool program_start_waiting(const Command *command, const char *said, WaitingProgram *waiting);
-// Gives it its input, and starts another program that reads what it writes; ends as
-// program_run_piped does.
-int program_feed(WaitingProgram *waiting, const char *text, const Command *reader,
-                 const char *output);
-void program_end_waiting(WaitingProgram *waiting);
 
 // Does a piece of work for each number from 0 to count - 1, each in a process of its own, as many
 // at a time as there are processors; its status is what the work returns, or -1.

@@ -1,18 +1,22 @@
 // show_verdicts.c - the records of the chapters, as a student reads them.
-#include "tests/course/show_verdicts.h"
+#include "tests/course/show.h"
 
+#include "tests/course/chapter_record.h"
 #include "tests/course/programs.h"
 #include "tests/judge/exercise.h"
-#include "tests/judge/show.h"
 
 #include <ctype.h>
+#include <dirent.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 typedef struct {
     const char *stem;
     bool is_known; // there is a record of what is there now
+    MissingAnswer missing;
     ChapterRecord record;
 } Chapter;
 
@@ -24,33 +28,25 @@ static const Exercise *exercise_named(const char *name)
     return exercise->name != NULL ? exercise : NULL;
 }
 
-static const FunctionRecord *first_of(const ChapterRecord *record, const char *state)
-{
-    for (int i = 0; i < record->function_count; i++)
-        if (strcmp(function_state(&record->functions[i]), state) == 0)
-            return &record->functions[i];
-    return NULL;
-}
-
 const FunctionRecord *function_for_debug(const ChapterRecord *record)
 {
-    return first_of(record, "wrong");
+    return first_that_is(record, "wrong");
 }
 
 const FunctionRecord *function_for_hint(const ChapterRecord *record)
 {
-    const FunctionRecord *wrong = first_of(record, "wrong"),
-                         *blank = first_of(record, "unanswered");
+    const FunctionRecord *wrong = first_that_is(record, "wrong"),
+                         *blank = first_that_is(record, "unanswered");
     if (wrong != NULL || blank != NULL)
         return wrong != NULL ? wrong : blank;
     const FunctionRecord *last = NULL;
     for (int i = 0; i < record->function_count; i++)
-        if (strcmp(function_state(&record->functions[i]), "right") != 0)
+        if (!function_is(&record->functions[i], "right"))
             last = &record->functions[i];
     return last;
 }
 
-// ---- what needs work --------------------------------------------------------------------------
+// ---- what needs work ---------------------------------------------------------------------------
 
 static void show_lines(const Page *page, const char *text)
 {
@@ -70,7 +66,7 @@ static void show_header(const Page *page, const Exercise *exercise, const char *
     int column = snprintf(line, sizeof line, "%s  %s%s", exercise->stem, exercise->name, state);
     int length = snprintf(slide, sizeof slide, "slide: %s", exercise->slide);
     int room = page->columns - column;
-    if (room >= length && column + length < (int)sizeof line)
+    if (room > length && column + length < (int)sizeof line)
         snprintf(line + column, sizeof line - (size_t)column, "%*s", room, slide);
     page_line(page, BOLD, line);
 }
@@ -107,8 +103,8 @@ static void show_figure(const Page *page, const JudgingPlan *plan, const char *n
                         ShownFigures *shown)
 {
     static int has_gnuplot = -1;
-    PlanPath picture = path_of(plan->figures, name, ".png"),
-             script = path_of(plan->figures, name, ".gp");
+    PlanPath picture = path_of(plan->figures.s, name, ".png"),
+             script = path_of(plan->figures.s, name, ".gp");
     if (access(picture.s, F_OK) == 0) {
         page_field(page, PLAIN, "see", picture.s);
         return;
@@ -116,10 +112,22 @@ static void show_figure(const Page *page, const JudgingPlan *plan, const char *n
     if (has_gnuplot < 0)
         has_gnuplot = program_is_there("gnuplot");
     if (has_gnuplot && access(script.s, F_OK) == 0) {
-        page_field(page, PLAIN, "see", path_of(plan->figures, name, ".svg").s);
+        page_field(page, PLAIN, "see", path_of(plan->figures.s, name, ".svg").s);
         if (shown->count < MOST_SHOWN && strlen(name) < sizeof shown->names[0])
             strcpy(shown->names[shown->count++], name);
     }
+}
+
+static bool is_blank(const Chapter *chapter)
+{
+    return chapter->is_known && strcmp(record_state(&chapter->record), "blank") == 0;
+}
+
+// Then the blank is judged. In another folder than exercises/ that may be intended.
+static bool is_lost(const JudgingPlan *plan, const Chapter *chapter)
+{
+    return chapter->missing.is_missing && is_blank(chapter) &&
+           (chapter->missing.like[0] != '\0' || strcmp(plan->answers, "exercises") == 0);
 }
 
 static void show_function(const Page *page, const JudgingPlan *plan, const Chapter *chapter,
@@ -158,6 +166,12 @@ static void show_function(const Page *page, const JudgingPlan *plan, const Chapt
             snprintf(words, sizeof words, "help: %s", function->entries[i].value);
             page_words(page, YELLOW, 2, 8, words);
         }
+    if (is_blank(chapter) && chapter->missing.like[0] != '\0') {
+        char words[500];
+        snprintf(words, sizeof words, "help: there is also '%s'. Only %s.c is your answer.",
+                 chapter->missing.like, chapter->stem);
+        page_words(page, YELLOW, 2, 8, words);
+    }
     show_figure(page, plan, function->name, shown);
     char what[100];
     snprintf(what, sizeof what, "make %s EX=%.2s", has_ended ? "debug" : "hint", chapter->stem);
@@ -166,17 +180,41 @@ static void show_function(const Page *page, const JudgingPlan *plan, const Chapt
     page_line(page, PLAIN, "");
 }
 
+void show_missing(const Page *page, const JudgingPlan *plan, const char *stem,
+                  const MissingAnswer *missing)
+{
+    char line[MOST_PLAN_PATH + 600];
+    snprintf(line, sizeof line, "%s  %s/%s.c is missing", stem, plan->answers, stem);
+    page_line(page, BOLD, line);
+    if (missing->like[0] != '\0')
+        snprintf(line, sizeof line, "help: there is '%s': rename it to %s.c.", missing->like, stem);
+    else
+        snprintf(line, sizeof line, "help: make reset EX=%.2s puts the blank there.", stem);
+    page_words(page, YELLOW, 2, 8, line);
+}
+
+// NULL if there is a verdict.
+static const char *trouble_of(const Chapter *chapter)
+{
+    const char *state = chapter->is_known ? record_state(&chapter->record) : "stopped";
+    return strcmp(state, "compiler") == 0  ? "does not compile"
+           : strcmp(state, "linker") == 0  ? "cannot be linked"
+           : strcmp(state, "stopped") == 0 ? "could not be judged"
+                                           : NULL;
+}
+
 static void show_troubles(const Page *page, const JudgingPlan *plan, const Chapter *chapter,
                           bool all, ShownFigures *shown)
 {
-    const char *state = chapter->is_known ? record_state(&chapter->record) : "stopped";
-    const char *what = strcmp(state, "compiler") == 0  ? "does not compile:"
-                       : strcmp(state, "linker") == 0  ? "cannot be linked:"
-                       : strcmp(state, "stopped") == 0 ? "could not be judged:"
-                                                       : NULL;
+    if (is_lost(plan, chapter)) {
+        show_missing(page, plan, chapter->stem, &chapter->missing);
+        page_line(page, PLAIN, "");
+        return;
+    }
+    const char *what = trouble_of(chapter);
     if (what != NULL) {
         char line[200];
-        snprintf(line, sizeof line, "%s  %s", chapter->stem, what);
+        snprintf(line, sizeof line, "%s  %s:", chapter->stem, what);
         page_line(page, BOLD, line);
         show_lines(page, record_value(&chapter->record, "words"));
         page_line(page, PLAIN, "");
@@ -186,7 +224,7 @@ static void show_troubles(const Page *page, const JudgingPlan *plan, const Chapt
     for (int s = 0; s < 2; s++)
         for (int i = 0; i < chapter->record.function_count; i++) {
             const FunctionRecord *function = &chapter->record.functions[i];
-            if (strcmp(function_state(function), states[s]) != 0)
+            if (!function_is(function, states[s]))
                 continue;
             show_function(page, plan, chapter, function, shown);
             if (!all)
@@ -194,7 +232,7 @@ static void show_troubles(const Page *page, const JudgingPlan *plan, const Chapt
         }
 }
 
-// ---- how far ----------------------------------------------------------------------------------
+// ---- how far -----------------------------------------------------------------------------------
 
 static void show_names(const Page *page, const char *label, const char *names)
 {
@@ -214,18 +252,6 @@ static void append(char *list, size_t size, const char *separator, const char *f
         snprintf(list + length, size - length, format, a, b);
 }
 
-// a b c -> a, b, c
-static void put_commas(char *list, size_t size, const char *names)
-{
-    size_t length = 0;
-    for (const char *c = names + strspn(names, " "); *c != '\0' && length + 3 < size; c++) {
-        if (*c == ' ')
-            list[length++] = ',';
-        list[length++] = *c;
-    }
-    list[length] = '\0';
-}
-
 // NAME, NAME (for OTHER, OTHER), ...
 static void show_those(const Page *page, const Chapter *chapter, const char *label,
                        const char *state)
@@ -234,9 +260,9 @@ static void show_those(const Page *page, const Chapter *chapter, const char *lab
     for (int i = 0; i < chapter->record.function_count; i++) {
         const FunctionRecord *function = &chapter->record.functions[i];
         char others[2000];
-        if (strcmp(function_state(function), state) != 0)
+        if (!function_is(function, state))
             continue;
-        put_commas(others, sizeof others, function_because(function));
+        put_names(others, sizeof others, function_because(function));
         const char *format = strcmp(state, "waiting") == 0  ? "%s (for %s)"
                              : strcmp(state, "unsure") == 0 ? "%s (it calls %s)"
                                                             : "%s%s";
@@ -257,7 +283,7 @@ static void show_dependencies(const Page *page, const Chapter *chapter, char fir
         char stem[64], label[200], names[4000];
         int length = (int)strcspn(entry->value, " ");
         snprintf(stem, sizeof stem, "%.*s", length, entry->value);
-        put_commas(names, sizeof names, entry->value + length);
+        put_names(names, sizeof names, entry->value + length);
         snprintf(label, sizeof label, "depends on your %s, which is not right yet", stem);
         show_names(page, label, names);
         if (first[0] == '\0')
@@ -265,24 +291,21 @@ static void show_dependencies(const Page *page, const Chapter *chapter, char fir
     }
 }
 
-static void show_progress(const Page *page, const Chapter *chapter, bool is_next,
-                          char stands_on[64])
+static void show_progress(const Page *page, const JudgingPlan *plan, const Chapter *chapter,
+                          bool is_next, char stands_on[64])
 {
     const char *state = chapter->is_known ? record_state(&chapter->record) : "stopped";
     char counted[40], line[200];
-    int right = 0;
-    for (int i = 0; i < chapter->record.function_count; i++)
-        right += strcmp(function_state(&chapter->record.functions[i]), "right") == 0;
-    snprintf(counted, sizeof counted, "%d of %d", right, chapter->record.function_count);
-    const char *words = strcmp(state, "compiler") == 0  ? "does not compile"
-                        : strcmp(state, "linker") == 0  ? "cannot be linked"
-                        : strcmp(state, "stopped") == 0 ? "could not be judged"
-                        : strcmp(state, "right") == 0   ? "done"
-                        : strcmp(state, "blank") == 0   ? "not yet"
-                                                        : counted;
+    snprintf(counted, sizeof counted, "%d of %d", functions_that_are(&chapter->record, "right"),
+             chapter->record.function_count);
+    const char *trouble = trouble_of(chapter), *words = trouble != NULL               ? trouble
+                                                        : strcmp(state, "right") == 0 ? "done"
+                                                        : is_lost(plan, chapter)      ? "missing"
+                                                        : strcmp(state, "blank") == 0 ? "not yet"
+                                                                                      : counted;
     snprintf(line, sizeof line, "  %-16s %s%s", chapter->stem, words, is_next ? "   <- next" : "");
     page_line(page, PLAIN, line);
-    if (is_next) {
+    if (is_next && !is_lost(plan, chapter)) {
         show_those(page, chapter, "wrong", "wrong");
         show_those(page, chapter, "waiting", "waiting");
         show_those(page, chapter, "cannot be judged yet", "unsure");
@@ -300,16 +323,30 @@ static void show_progress(const Page *page, const Chapter *chapter, bool is_next
     }
 }
 
+// Whether somebody has written an answer: it differs from the blank.
+static bool is_begun(const JudgingPlan *plan, int chapter)
+{
+    size_t size, blank_size;
+    char *text = whole_text(plan_answer(plan, chapter).s, &size);
+    char *blank = whole_text(plan_blank(plan, chapter).s, &blank_size);
+    bool differs =
+        text != NULL && blank != NULL && (size != blank_size || memcmp(text, blank, size) != 0);
+    free(text);
+    free(blank);
+    return differs;
+}
+
 Progress progress_so_far(const JudgingPlan *plan)
 {
-    Progress progress = {0, 0};
+    Progress progress = {0, 0, 0};
     for (const Exercise *e = exercises; e->name != NULL; e++)
         progress.of++;
     for (int i = 0; i < plan->count; i++) {
         ChapterRecord record;
-        if (record_read(plan_beside(plan, i, ".record").s, &record))
-            for (int k = 0; k < record.function_count; k++)
-                progress.right += strcmp(function_state(&record.functions[k]), "right") == 0;
+        if (judging_record(plan, i, &record))
+            progress.right += functions_that_are(&record, "right");
+        else if (is_begun(plan, i))
+            progress.unjudged++;
         chapter_record_free(&record);
     }
     return progress;
@@ -318,18 +355,23 @@ Progress progress_so_far(const JudgingPlan *plan)
 static void show_progress_so_far(const Page *page, const JudgingPlan *plan)
 {
     Progress progress = progress_so_far(plan);
-    char line[100];
-    snprintf(line, sizeof line, "  %-16s %d of %d functions are right", "all chapters",
-             progress.right, progress.of);
+    char line[100], unjudged[50] = "";
+    if (progress.unjudged > 0)
+        snprintf(unjudged, sizeof unjudged, "; %d chapter%s not judged yet", progress.unjudged,
+                 progress.unjudged == 1 ? "" : "s");
+    snprintf(line, sizeof line, "  %-16s %d of %d functions are right%s", "all chapters",
+             progress.right, progress.of, unjudged);
     page_line(page, PLAIN, line);
 }
 
-// Wrong comes before what is not answered yet.
-static bool is_wrong(const Chapter *chapter)
+// Wrong comes before what is not answered yet. An answer with another name counts as wrong.
+static bool is_wrong(const JudgingPlan *plan, const Chapter *chapter)
 {
     const char *state = chapter->is_known ? record_state(&chapter->record) : "stopped";
     return strcmp(state, "compiler") == 0 || strcmp(state, "linker") == 0 ||
-           strcmp(state, "stopped") == 0 || function_for_debug(&chapter->record) != NULL;
+           strcmp(state, "stopped") == 0 ||
+           (is_lost(plan, chapter) && chapter->missing.like[0] != '\0') ||
+           function_for_debug(&chapter->record) != NULL;
 }
 
 static bool is_right(const Chapter *chapter)
@@ -337,44 +379,241 @@ static bool is_right(const Chapter *chapter)
     return chapter->is_known && strcmp(record_state(&chapter->record), "right") == 0;
 }
 
-Standing show_verdicts(const Page *page, const Judging *judging, const bool chosen[MOST_CHAPTERS],
-                       bool all, ShownFigures *shown)
+void show_faults(const Page *page, const JudgingPlan *plan)
 {
-    static Chapter chapters[MOST_CHAPTERS];
-    const JudgingPlan *plan = judging->plan;
-    int count = 0;
-    const Chapter *next = NULL;
-    bool wrong = false;
-    shown->count = 0;
+    bool any = false;
+    for (int i = 0; i < plan->count; i++) {
+        Chapter chapter = {.stem = plan->chapters[i].stem};
+        char names[4000] = "", line[4200];
+        chapter.is_known = judging_record(plan, i, &chapter.record);
+        for (int k = 0; k < chapter.record.function_count; k++)
+            if (function_is(&chapter.record.functions[k], "wrong"))
+                append(names, sizeof names, ", ", "%s%s", chapter.record.functions[k].name, "");
+        const char *trouble = trouble_of(&chapter);
+        if (trouble != NULL || names[0] != '\0') {
+            if (!any)
+                page_line(page, PLAIN, "Not right in it ('make exercises' says more):");
+            any = true;
+            static const char padding[] = "~~~~~~~~~~~~~~~~~~~~"; // as blanks that do not break
+            size_t length = strlen(chapter.stem), most = sizeof padding - 1;
+            snprintf(line, sizeof line, "%s%s %s%s", chapter.stem,
+                     padding + (length < most ? length : most),
+                     trouble != NULL ? trouble : "wrong: ", names);
+            page_words(page, PLAIN, 2, 23, line);
+        }
+        chapter_record_free(&chapter.record);
+    }
+}
+
+typedef struct {
+    Chapter chapters[MOST_CHAPTERS]; // the chosen ones
+    int count;
+    const Chapter *next; // the first that is wrong, or else not answered yet; NULL if all are right
+    bool wrong;
+} Chosen;
+
+static Chosen *chosen_read(const JudgingPlan *plan, const bool chosen[MOST_CHAPTERS])
+{
+    static Chosen all;
+    all.count = 0;
+    all.next = NULL;
+    all.wrong = false;
     for (int i = 0; i < plan->count; i++) {
         if (!chosen[i])
             continue;
-        Chapter *chapter = &chapters[count++];
+        Chapter *chapter = &all.chapters[all.count++];
         chapter->stem = plan->chapters[i].stem;
-        chapter->is_known = judging_record(judging, i, &chapter->record);
-        wrong = wrong || !chapter->is_known || is_wrong(chapter) ||
-                strcmp(record_state(&chapter->record), "wrong") == 0;
+        chapter->missing = missing_answer(plan->answers, chapter->stem);
+        chapter->is_known = judging_record(plan, i, &chapter->record);
+        all.wrong = all.wrong || !chapter->is_known || is_wrong(plan, chapter) ||
+                    strcmp(record_state(&chapter->record), "wrong") == 0;
     }
-    for (int i = count - 1; i >= 0; i--)
-        if (!is_right(&chapters[i]) && (is_wrong(&chapters[i]) || next == NULL || !is_wrong(next)))
-            next = &chapters[i];
+    for (int i = all.count - 1; i >= 0; i--)
+        if (!is_right(&all.chapters[i]) &&
+            (is_wrong(plan, &all.chapters[i]) || all.next == NULL || !is_wrong(plan, all.next)))
+            all.next = &all.chapters[i];
+    return &all;
+}
+
+static void chosen_free(Chosen *all)
+{
+    for (int i = 0; i < all->count; i++)
+        chapter_record_free(&all->chapters[i].record);
+}
+
+int chapter_that_is_next(const JudgingPlan *plan, const bool chosen[MOST_CHAPTERS])
+{
+    Chosen *read = chosen_read(plan, chosen);
+    int next = read->next != NULL ? plan_chapter(plan, read->next->stem) : -1;
+    chosen_free(read);
+    return next;
+}
+
+Standing show_verdicts(const Page *page, const JudgingPlan *plan, const bool chosen[MOST_CHAPTERS],
+                       bool all, ShownFigures *shown)
+{
+    Chosen *read = chosen_read(plan, chosen);
+    const Chapter *chapters = read->chapters, *next = read->next;
+    int count = read->count;
+    shown->count = 0;
     for (int i = 0; i < count; i++)
         if (all ? !is_right(&chapters[i]) : &chapters[i] == next)
             show_troubles(page, plan, &chapters[i], all, shown);
+    if (page->rows > 0)
+        putc(PAGE_END_OF_VERDICT, page->out);
     char stands_on[64] = "";
     for (int i = 0; i < count; i++)
-        show_progress(page, &chapters[i], &chapters[i] == next, stands_on);
+        if (page->rows == 0 || next == NULL || &chapters[i] == next)
+            show_progress(page, plan, &chapters[i], &chapters[i] == next, stands_on);
     show_progress_so_far(page, plan);
-    page_line(page, PLAIN, "");
-    if (next != NULL) {
+    if (next == NULL || page->rows == 0 || stands_on[0] != '\0')
+        page_line(page, PLAIN, "");
+    if (next != NULL && (page->rows == 0 || stands_on[0] != '\0')) {
         bool has_trouble = function_for_debug(&next->record) != NULL ||
-                           first_of(&next->record, "unanswered") != NULL;
+                           first_that_is(&next->record, "unanswered") != NULL;
         const char *work = !has_trouble && stands_on[0] != '\0' ? stands_on : next->stem;
         fprintf(page->out, "Next: %s/%s.c\n      the lesson is chapters/%s/README.md\n",
                 plan->answers, work, work);
     }
     bool is_done = next == NULL;
+    chosen_free(read);
+    return is_done ? ALL_RIGHT : read->wrong ? SOMETHING_WRONG : BLANKS_LEFT;
+}
+
+// ---- the words below a figure that is drawn by wrong answers -----------------------------------
+
+typedef struct {
+    ChapterRecord records[MOST_CHAPTERS];
+    bool reached[MOST_CHAPTERS][MOST_FUNCTIONS];
+    int count;
+} Verdicts;
+
+static void reach(Verdicts *verdicts, const char *name, size_t length);
+
+static void reach_each(Verdicts *verdicts, const char *names)
+{
+    while (*(names += strspn(names, " ")) != '\0') {
+        size_t length = strcspn(names, " ");
+        reach(verdicts, names, length);
+        names += length;
+    }
+}
+
+// An answer that a wrong one calls is not to blame; an answer that one waits for is.
+static void reach(Verdicts *verdicts, const char *name, size_t length)
+{
+    for (int i = 0; i < verdicts->count; i++)
+        for (int k = 0; k < verdicts->records[i].function_count; k++) {
+            const FunctionRecord *function = &verdicts->records[i].functions[k];
+            if (strlen(function->name) != length || strncmp(function->name, name, length) != 0 ||
+                verdicts->reached[i][k])
+                continue;
+            verdicts->reached[i][k] = true;
+            if (!function_is(function, "wrong"))
+                reach_each(verdicts, function_because(function));
+        }
+}
+
+// On one line, with a minus sign where a hyphen is one.
+static void put_words(FILE *out, const char *words, bool is_formula)
+{
+    for (; *words != '\0'; words++)
+        if (is_formula && words[0] == '-' && words[1] == ' ')
+            fputs("\u2212", out);
+        else
+            putc(*words == '\n' || *words == '\t' ? ' ' : *words, out);
+}
+
+static void put_note(FILE *out, const FunctionRecord *function)
+{
+    const char *formula = function_value(function, "formula"),
+               *why = function_value(function, "why");
+    fputs(function->name, out);
+    if (why[0] == '\0') {
+        fputs(" is not right yet.", out);
+        return;
+    }
+    if (formula[0] != '\0') {
+        fputs(" looks like ", out);
+        put_words(out, formula, true);
+    }
+    fputs(": ", out);
+    put_words(out, why, false);
+}
+
+void figure_note(FILE *out, const JudgingPlan *plan, int count, char *const *called)
+{
+    static Verdicts verdicts;
+    bool first = true;
+    verdicts.count = plan->count;
+    for (int i = 0; i < plan->count; i++)
+        record_read(plan_beside(plan, i, ".record").s, &verdicts.records[i]);
     for (int i = 0; i < count; i++)
-        chapter_record_free(&chapters[i].record);
-    return is_done ? ALL_RIGHT : wrong ? SOMETHING_WRONG : BLANKS_LEFT;
+        reach(&verdicts, called[i], strlen(called[i]));
+    for (int i = 0; i < plan->count; i++)
+        for (int k = 0; k < verdicts.records[i].function_count; k++) {
+            const FunctionRecord *function = &verdicts.records[i].functions[k];
+            if (!verdicts.reached[i][k] || !function_is(function, "wrong"))
+                continue;
+            if (!first)
+                putc(' ', out);
+            first = false;
+            put_note(out, function);
+        }
+    if (!first)
+        putc('\n', out);
+    for (int i = 0; i < plan->count; i++)
+        chapter_record_free(&verdicts.records[i]);
+    memset(&verdicts, 0, sizeof verdicts);
+}
+
+// ---- an answer that is not where it must be, and the file that it may be in --------------------
+
+enum { LONGEST_PATH = 4096 };
+
+// The letters and digits of the stem come first, whatever is between them.
+static bool begins_like(const char *name, const char *stem)
+{
+    for (; *stem != '\0'; stem++) {
+        if (!isalnum((unsigned char)*stem))
+            continue;
+        while (*name != '\0' && !isalnum((unsigned char)*name))
+            name++;
+        if (tolower((unsigned char)*name++) != *stem)
+            return false;
+    }
+    return true;
+}
+
+// Not the answer, the other files of the exercise, nor what make reset has kept.
+static bool may_be_answer(const char *name, const char *stem)
+{
+    const char *ending = strrchr(name, '.');
+    return isdigit((unsigned char)name[0]) && begins_like(name, stem) &&
+           (strncmp(name, stem, strlen(stem)) != 0 || strcmp(name + strlen(stem), ".c") != 0) &&
+           strstr(name, ".backup-") == NULL &&
+           (ending == NULL || (strcmp(ending, ".h") != 0 && strcmp(ending, ".hints") != 0 &&
+                               strcmp(ending, ".o") != 0));
+}
+
+MissingAnswer missing_answer(const char *folder, const char *stem)
+{
+    MissingAnswer missing = {false, ""};
+    char path[LONGEST_PATH];
+    snprintf(path, sizeof path, "%s/%s.c", folder, stem);
+    missing.is_missing = access(path, F_OK) != 0;
+    DIR *files = opendir(folder);
+    time_t newest = 0;
+    for (const struct dirent *file; files != NULL && (file = readdir(files)) != NULL;) {
+        struct stat is;
+        snprintf(path, sizeof path, "%s/%s", folder, file->d_name);
+        if (!may_be_answer(file->d_name, stem) || stat(path, &is) != 0 || !S_ISREG(is.st_mode) ||
+            (missing.like[0] != '\0' && is.st_mtime <= newest))
+            continue;
+        newest = is.st_mtime;
+        snprintf(missing.like, sizeof missing.like, "%s", file->d_name);
+    }
+    if (files != NULL)
+        closedir(files);
+    return missing;
 }

@@ -1,9 +1,106 @@
-"""Starts the grader, from any working directory: python3 -B tests/grade KIT SUBMISSIONS."""
+"""grade - marks a folder of submissions: make grade SUBMISSIONS=dir.
+
+Settings (settings.py), then each submission in a process of its own (mark/), then the reports of the class
+from what those wrote (report/). A grader that was stopped goes on where it was, and several (SHARD)
+can share the work.
+"""
+import os
+import shutil
 import sys
+import time
 from pathlib import Path
 
-sys.path[0] = str(Path(__file__).resolve().parents[1])  # there the package is found
+sys.path[0] = str(Path(__file__).resolve().parents[1])  # there the package is found, from any working directory
 
-from grade.command import main  # noqa: E402 - found from there on
+from grade.collect import submissions  # noqa: E402 - found from there on
+from grade.mark.crew import alone, mark_all, of_shard  # noqa: E402
+from grade.mark.grader import FAILED, Grader  # noqa: E402
+from grade.policy import PolicyError, came_in  # noqa: E402
+from grade.report import files, text  # noqa: E402
+from grade.settings import arguments, stop  # noqa: E402
+from grade.visible import visible, why  # noqa: E402
+
+
+def mention(found: list, others: list, stems: list, folder) -> None:
+    answers = [name for name in others if name in [f"{stem}.c" for stem in stems]]
+    if answers and all(submission.kind == "file" for submission in found):
+        stop(f"{folder} holds {answers[0]} itself: it is one submission. Name the folder that it lies in.")
+    if not found:
+        stop(f"{folder} holds no submission")
+    for name in answers:
+        print(f"{name} lies loose in {folder}: put it into a folder of its owner's", file=sys.stderr)
+    if set(others) - set(answers):
+        print(f"Not submissions: {', '.join(name for name in others if name not in answers)}", file=sys.stderr)
+
+
+def mention_times(policy, found: list) -> None:
+    if policy.times is None:
+        return
+    known = {name for submission in found for name in (submission.name, submission.folder)}
+    for name in sorted(set(policy.times) - known):
+        print(f"No submission is called {visible(name)}, whose time is given", file=sys.stderr)
+    without = [submission.name for submission in found if came_in(policy, submission, None) is None]
+    if without:
+        print(f"Without a time, taken as on time: {', '.join(without)}", file=sys.stderr)
+
+
+def grade() -> int:
+    given = arguments()
+    try:
+        grader = Grader(given)
+    except PolicyError as error:
+        stop(str(error))
+    found, others = submissions.find(given.submissions, grader.stems)
+    mention(found, others, grader.stems, given.submissions)
+    mention_times(grader.policy, found)
+    todo = of_shard(found, given.shard)
+    began = time.monotonic()
+    try:
+        lock = alone(grader.work)
+        grader.begin()
+    except OSError as error:
+        stop(f"OUT={given.out} cannot be written: {why(error)}")
+    try:
+        grader.prove()
+        failed = mark_all(grader, todo, given.jobs)
+    finally:
+        shutil.rmtree(grader.work, ignore_errors=True)
+        lock.close()
+    records = [failed.get(submission.folder) or grader.record(submission) for submission in found]
+    missing = records.count(None)
+    if missing:
+        print(f"{len(todo)} of {len(found)} submissions are of this shard; "
+              f"{missing} of the class have no result yet.\n"
+              "When all shards are done, 'make grade' once more, without SHARD, writes the reports.")
+        print(text.failures(records), end="")
+        return 0 if given.shard and not failed else 1
+    print(text.closing(records))
+    try:
+        files.write_class(records, str(grader.out))
+    except OSError as error:
+        stop(f"the reports cannot be written to {given.out}: {error.strerror}")
+    print(f"Took {time.monotonic() - began:.1f} s. Reports: {given.out}/index.html")
+    return 1 if any(record["status"] == FAILED for record in records) else 0
+
+
+def main() -> int:
+    """The exit status. Whatever this machine cannot do is one sentence."""
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:
+            stream.reconfigure(errors="backslashreplace")
+    try:
+        status = grade()
+        print(end="", flush=True)
+        return status
+    except KeyboardInterrupt:
+        print("\ngrade: stopped; what is done is kept. The same command does the rest.", file=sys.stderr)
+        return 130
+    except OSError as error:
+        # Python would try to print the rest again when it ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        stop(f"{error.filename or 'its output'}: {why(error)}")
+    except UnicodeError as error:
+        stop(f"a file of the grader's is not text: {why(error)}")
+
 
 sys.exit(main())

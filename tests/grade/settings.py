@@ -44,7 +44,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--sandbox", default=there("SANDBOX", ""))
     parser.add_argument("--unsafe", action="store_true", default=there("UNSAFE", "") not in ("", "0"))
     given = parser.parse_args()
-    # Two for each processor: while a sandbox is made, or a pipe is empty, one waits (measured: +15%).
+    # Two for each processor: while a sandbox is made, or a pipe is empty, one waits.
     processors = len(os.sched_getaffinity(0))
     given.jobs = number("JOBS", given.jobs, 1, 1024) if given.jobs else 2 * processors
     given.shard = shard(given.shard) if given.shard else None

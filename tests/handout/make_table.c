@@ -7,15 +7,306 @@
 // First each test runs as it is, and its calls are written down. Then it runs again and again with
 // one result changed a little, to find out which other results it accepts: the table is as strict
 // as the test, and each tolerance is written in one place.
-#include "tests/handout/accepted_results.h"
-#include "tests/handout/test_recorder.h"
-
-#include "tests/judge/record.h"
+#include "common/camera.h"
+#include "tests/handout/replay/table.h"
+#include "tests/judge/message.h"
+#include "tests/judge/reference/mistake_comparison.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 
+#include <math.h>
 #include <string.h>
+
+// ---- the calls of a test, and the test again with other results --------------------------------
+
+static ToldTest *writing; // the test whose calls are written down; NULL while one is changed
+static Wire arguments, answer;
+static Resolution size; // of the image of the call
+
+static struct {
+    int call; // this one is changed; the others are as they were
+    const Numbers *result;
+} change = {.call = -1};
+static int call_number;
+
+static void fail(const char *why)
+{
+    fprintf(stderr, "%s: %s, %s\n", record_now()->function, record_now()->name, why);
+    exit(1);
+}
+
+// To the last bit, because some results distinguish mistakes by small differences.
+static bool are_equal(const Numbers *a, const Numbers *b)
+{
+    return a->count == b->count &&
+           (a->count == 0 || memcmp(a->at, b->at, (size_t)a->count * sizeof *a->at) == 0);
+}
+
+static int which_result(ToldCall *call, Numbers *result)
+{
+    for (int i = 0; i < call->result_count; i++)
+        if (are_equal(&call->results[i], result)) {
+            numbers_free(result);
+            return i;
+        }
+    call->results = told_grow(call->results, &call->result_count, sizeof *call->results);
+    call->results[call->result_count - 1] = *result;
+    return call->result_count - 1;
+}
+
+static int result_of(ToldCall *call, int exercise, AnyFunction *function)
+{
+    Numbers result = {0};
+    if (!known_result(exercise, function, &arguments, &size, &result))
+        fail("a result that tests/judge/numbers.c cannot read");
+    return which_result(call, &result);
+}
+
+static int right_reasons(int exercise)
+{
+    Numbers right = {0};
+    known_result(exercise, right_function(exercise), &arguments, &size, &right);
+    int reasons = reasons_in(&right);
+    numbers_free(&right);
+    return reasons;
+}
+
+// The arguments that a student needs to know. Lines about the results that the test looks at are
+// left out, because the table may look at others.
+static char *given_lines(void)
+{
+    static const char *const looks[] = {"looking at\t", "seen\t", "seen along\t", "compared\t",
+                                        "in order\t"};
+    const char *line = record_now()->closed ? "" : record_now()->given;
+    char *lines = calloc(1, strlen(line) + 1);
+    while (lines != NULL && *line != '\0') {
+        size_t length = strcspn(line, "\n") + 1;
+        bool looked = false;
+        for (size_t i = 0; i < sizeof looks / sizeof looks[0]; i++)
+            looked = looked || strncmp(line, looks[i], strlen(looks[i])) == 0;
+        if (!looked)
+            strncat(lines, line, length);
+        line += length;
+    }
+    return lines;
+}
+
+// A figure of a vector or a ray from the eye shows the image plane.
+static void add_corners(ToldCall *call, const Exercise *exercise)
+{
+    Camera camera;
+    vec3 corners[4];
+    if (strncmp(exercise->arguments, "Camera", 6) != 0 ||
+        (strcmp(exercise->results, "vec3") != 0 && strcmp(exercise->results, "Ray") != 0))
+        return;
+    arguments.read = 0;
+    wire_get_value(&arguments, &type_Camera, &camera);
+    reference_corners(camera, corners);
+    for (int i = 0; i < 12; i++)
+        numbers_add(&call->corners, corners[i / 3][i % 3]);
+}
+
+static void write_down(int exercise)
+{
+    writing->calls = told_grow(writing->calls, &writing->call_count, sizeof *writing->calls);
+    ToldCall *call = &writing->calls[writing->call_count - 1];
+    call->given = given_lines();
+    if (!layout_read(exercises[exercise].arguments, &arguments, &size, &call->arguments))
+        fail("arguments that tests/judge/numbers.c cannot read");
+    add_corners(call, &exercises[exercise]);
+    result_of(call, exercise, exercises[exercise].reference);
+    if (has_reasons(exercise))
+        call->reasons = right_reasons(exercise);
+    for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next) {
+        if (exercise_number(it->exercise) != exercise)
+            continue;
+        int which = result_of(call, exercise, it->answer);
+        call->of_mistake =
+            told_grow(call->of_mistake, &call->mistake_count, sizeof *call->of_mistake);
+        call->of_mistake[call->mistake_count - 1] = which;
+    }
+}
+
+static Wire *begin(int exercise)
+{
+    (void)exercise;
+    wire_clear(&arguments);
+    return &arguments;
+}
+
+static void write_down_and_answer(int exercise)
+{
+    if (writing != NULL)
+        write_down(exercise);
+    // The image's size is among the arguments.
+    static Numbers ignored;
+    arguments.read = 0;
+    layout_read(exercises[exercise].arguments, &arguments, &size, &ignored);
+    answer_here(exercise, exercises[exercise].reference, &arguments, &answer);
+    if (writing == NULL && call_number++ == change.call) {
+        wire_clear(&answer);
+        layout_write(exercises[exercise].results, change.result, &size, &answer);
+    }
+}
+
+static Wire *receive(int exercise)
+{
+    (void)exercise;
+    return &answer;
+}
+
+// From now on the reference answers, and its calls are recorded.
+static void asked_begin(void)
+{
+    static const Transport asked = {begin, write_down_and_answer, receive, NULL};
+    transport_use(&asked);
+}
+
+static bool passes(const ToldTest *test)
+{
+    static Outcomes one;
+    if (test->probe)
+        run_probes(test->function, test->name, &one);
+    else
+        run_tests(test->function, test->name, ANSWERS_APART, &one);
+    bool passed = one.count == 1 && one.tests[0].passed;
+    records_end();
+    return passed;
+}
+
+// Runs the test, and records its calls: the arguments, and the results of the reference and of each
+// mistake. False if the reference does not pass.
+static bool asked_of(ToldTest *test)
+{
+    writing = test;
+    bool passed = passes(test);
+    writing = NULL;
+    return passed;
+}
+
+// Runs it again with another result of one of its calls. True if it passes.
+static bool asked_again(const ToldTest *test, int call, const Numbers *result)
+{
+    call_number = 0;
+    change.call = call;
+    change.result = result;
+    return passes(test);
+}
+
+// ---- which other results a test accepts --------------------------------------------------------
+
+// All numbers off by as much, every other one to the other side.
+static bool accepts_off_by(const ToldTest *test, int call, double off)
+{
+    Numbers result = numbers_copy(&test->calls[call].results[0]);
+    for (int i = 0; i < result.count; i++)
+        result.at[i] += i % 2 == 0 ? off : -off;
+    bool accepted = asked_again(test, call, &result);
+    numbers_free(&result);
+    return accepted;
+}
+
+// From 1e-5 of the largest number down by halves. Never less than the difference between two ways
+// to compute the same thing: a test may compare with this very answer (its own ray, for example),
+// but the table compares with the reference's.
+static double tolerance_of(const ToldTest *test, int call)
+{
+    enum { HALVES = 23 };
+    const Numbers *result = &test->calls[call].results[0];
+    double largest = 0;
+    for (int i = 0; i < result->count; i++)
+        if (isfinite(result->at[i]))
+            largest = fmax(largest, fabs(result->at[i]));
+    double most = 1e-5 * (largest > 0 ? largest : 1);
+    int low = 0, high = HALVES;
+    while (low < high) {
+        int half = (low + high) / 2;
+        double off = ldexp(most, -half);
+        if (accepts_off_by(test, call, off) && accepts_off_by(test, call, -off))
+            high = half;
+        else
+            low = half + 1;
+    }
+    return ldexp(most, -low);
+}
+
+static int reasons_of(const ToldTest *test, int call)
+{
+    Numbers result = numbers_copy(&test->calls[call].results[0]);
+    int reasons = 0;
+    for (int fault = 0; result.count > 0 && fault < CAMERA_FAULTS; fault++) {
+        result.at[0] = fault;
+        reasons |= asked_again(test, call, &result) ? 1 << fault : 0;
+    }
+    numbers_free(&result);
+    return reasons | 1 << (int)test->calls[call].results[0].at[0];
+}
+
+static bool length_is_free(const ToldTest *test, int call)
+{
+    Numbers result = numbers_copy(&test->calls[call].results[0]);
+    bool free = true;
+    for (int i = 0; free && i < 2; i++) {
+        for (int k = 3; k < result.count; k++)
+            result.at[k] *= i == 0 ? 2 : 0.125;
+        free = asked_again(test, call, &result);
+    }
+    numbers_free(&result);
+    return free;
+}
+
+static bool accepts_step(const ToldTest *test, int call, double times)
+{
+    Numbers result = numbers_copy(&test->calls[call].results[0]);
+    const double *from = test->calls[call].arguments.at + STEP_FROM;
+    for (int i = 0; i < result.count; i++)
+        result.at[i] = from[i] + times * (result.at[i] - from[i]);
+    bool accepted = asked_again(test, call, &result);
+    numbers_free(&result);
+    return accepted;
+}
+
+// By powers of 2, as in the contract.
+static void steps_of(const ToldTest *test, int call, double *least, double *most)
+{
+    const double end = 256;
+    *least = *most = 1;
+    while (*least > 1 / end && accepts_step(test, call, *least / 2))
+        *least /= 2;
+    while (*most < end && accepts_step(test, call, *most * 2))
+        *most *= 2;
+}
+
+// Asks it again and again with one result changed a little: tolerance, reasons, free length.
+static void takes_for_right(ToldTest *test)
+{
+    const Exercise *exercise = &exercises[exercise_number(test->function)];
+    const char *results = exercise->results;
+    for (int i = 0; i < test->call_count; i++) {
+        ToldCall *call = &test->calls[i];
+        if (strcmp(results, "Ray") == 0)
+            call->length_is_free = length_is_free(test, i);
+        if (layout_is_step(exercise))
+            steps_of(test, i, &call->least, &call->most);
+        if (strncmp(results, "CameraFault", 11) == 0)
+            call->reasons = reasons_of(test, i);
+        if (strcmp(results, "Pixels") != 0 && strcmp(results, "CameraFault") != 0)
+            call->tolerance = tolerance_of(test, i);
+    }
+}
+
+// If one test of a function requires the exact length of a direction, the others must require it as
+// well.
+static void agree_on_lengths(Told *told)
+{
+    for (int i = 0; i < told->test_count; i++)
+        for (int k = 0; k < told->tests[i].call_count; k++)
+            for (int j = 0; !told->tests[i].calls[k].length_is_free && j < told->test_count; j++)
+                for (int l = 0; l < told->tests[j].call_count; l++)
+                    if (strcmp(told->tests[i].function, told->tests[j].function) == 0)
+                        told->tests[j].calls[l].length_is_free = 0;
+}
 
 static Told told;
 static Outcomes all;
@@ -41,7 +332,7 @@ static void add_test(const Outcome *outcome, bool probe)
 static void add_probes(int exercise)
 {
     static Outcomes probes;
-    run_probes(exercise, NULL, &probes);
+    run_probes(exercises[exercise].name, NULL, &probes);
     records_end();
     for (int i = 0; i < probes.count; i++)
         add_test(&probes.tests[i], true);
@@ -59,10 +350,8 @@ static void add_mistake(const Mistake *mistake)
 
 static int say_formulas(void)
 {
-    const Mistake *const *mistakes = chosen_mistakes();
-    for (int table = 0; mistakes[table] != NULL; table++)
-        for (int i = 0; mistakes[table][i].id != NULL; i++)
-            puts(mistakes[table][i].formula);
+    for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
+        puts(it->formula);
     return 0;
 }
 
@@ -81,7 +370,6 @@ int main(int argc, char **argv)
         perror(argv[2]);
         return 2;
     }
-    const Mistake *const *mistakes = chosen_mistakes();
     switch_to_process(stem);
     asked_begin();
     run_tests(NULL, NULL, ANSWERS_APART, &all);
@@ -92,9 +380,8 @@ int main(int argc, char **argv)
     for (int i = 0; exercises[i].name != NULL; i++)
         if (strcmp(exercises[i].stem, stem) == 0)
             add_probes(i);
-    for (int table = 0; mistakes[table] != NULL; table++)
-        for (int i = 0; mistakes[table][i].id != NULL; i++)
-            add_mistake(&mistakes[table][i]);
+    for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
+        add_mistake(it);
     bool written = told_write(file, &told);
     if (fclose(file) != 0 || !written) {
         perror(argv[2]);

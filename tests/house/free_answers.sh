@@ -41,7 +41,7 @@ same() {
     shift
     "$right/$program" "$@" "$scratch/right.png" >"$scratch/said" 2>&1 &&
         "$free/$program" "$@" "$scratch/free.png" >"$scratch/said" 2>&1 &&
-        "$BUILD/tests/same_picture" "$scratch/right.png" "$scratch/free.png"
+        same_picture "$scratch/right.png" "$scratch/free.png"
 }
 check 'by them the sphere of 05 is the same picture' same 05-quadratic --picture
 check 'the spheres of 06 are' same 06-ray-casting -s 160x120 -o

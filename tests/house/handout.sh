@@ -30,7 +30,7 @@ elsewhere() {
         echo '// my answer' >>"$scratch/copy/exercises/01-corners.c" &&
         SOURCE_DATE_EPOCH=$(date -r "$scratch/tree/ray-casting/Makefile" +%s) && export SOURCE_DATE_EPOCH &&
         (cd "$scratch/copy" && tests/handout/pack "$scratch/out" "$here/build/replay" "$here/build/blanks" \
-            "$here/build/solutions/figures" "$here/build/tests/handout/trim_page") &&
+            "$here/build/solutions/figures") &&
         cmp "$archive" "$scratch/out/handout.tar.gz"
 }
 in_one_folder() {
@@ -187,12 +187,35 @@ leaves_out() {
     printf '%s\n' 'a [x](here)' 'b' '' 'c' '[y](gone)' '' 'd' '' '| e |' '| [z](gone) |' '| [f](here) |' '' '- [g](gone)' '- h' '' 'i' >"$scratch/page"
     : >"$scratch/here"
     printf '%s\n' 'a [x](here)' 'b' '' 'd' '' '| e |' '| [f](here) |' '' '- h' '' 'i' >"$scratch/wanted"
-    build/tests/handout/trim_page "$scratch" "$scratch/page" | diff "$scratch/wanted" -
+    python3 tests/handout/trim_page.py "$scratch" "$scratch/page" | diff "$scratch/wanted" -
 }
 check 'of what is not there a page says nothing' leaves_out
 same_page() {
     cmp exercises/README.md "$scratch/tree/ray-casting/exercises/README.md"
 }
 check "the students' page is that of the toolkit" same_page
+
+
+# An editor finds the flags of each answer: it compiles as it is judged.
+editor_finds() {
+    (cd "$1" && unset ANSWERS BUILD KIT PROGRAMS COMPILER && make --no-print-directory -s build/compile_commands.json \
+        CC="$2" && python3 -B - exercises/*.c exercises/optional/*.c) <<'PYTHON'
+import json, subprocess, sys
+entries = {entry["file"]: entry for entry in json.load(open("build/compile_commands.json"))}
+for answer in sys.argv[1:]:
+    command = entries[answer]["command"]
+    assert "-Wno-unused-parameter" in command, command
+    done = subprocess.run(command + " -fsyntax-only", shell=True, cwd=entries[answer]["directory"],
+                          capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr
+PYTHON
+}
+if command -v python3 >/dev/null; then
+    for compiler in gcc clang; do
+        command -v $compiler >/dev/null || continue
+        check "in it, an editor finds how each answer is compiled by $compiler" \
+            editor_finds "$scratch/tree/ray-casting" $compiler
+    done
+fi
 
 finish handout

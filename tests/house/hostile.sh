@@ -3,7 +3,7 @@
 # All of them, on a tree full of secrets and in every sandbox, are in tests/proof/hostile.sh.
 . tests/house/runner/library.sh
 needs_grading hostile 'attacks on the grader'
-HERE=1 python3 -B tests/grade/attacks bubblewrap exit-in-constructor exit-raw \
+HERE=1 python3 -B tests/grade/attacks bubblewrap exit-in-constructor exit-in-function \
     forged-answer-early include-solution incbin-reference circle-of-two wait-for-blanks wait-object lend-no- \
     reference- table chance- honest-counting honest-latin honest-output honest-pragma honest-printf \
-    honest-sorting honest-wait honest-wrong
+    honest-sorting honest-wait honest-wrong unset-

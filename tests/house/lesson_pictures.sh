@@ -23,7 +23,7 @@ for picture in chapters/[0-9]*/*.png; do
     check "$picture has at most $most_bytes bytes" test "$(wc -c <"$picture")" -le "$most_bytes"
     drawn=$BUILD/so-far/$name
     [ -e "$drawn" ] || drawn=$PROGRAMS/gallery/$name
-    check "$picture is what the programs draw" "$BUILD/tests/same_picture" "$drawn" "$picture" "$(allowed_in "$name")"
+    check "$picture is what the programs draw" same_picture "$drawn" "$picture" "$(allowed_in "$name")"
 done
 # A chapter's own picture has the title that it has on the page of all pictures.
 for words in chapters/[0-9]*/picture.txt; do

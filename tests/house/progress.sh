@@ -53,9 +53,9 @@ for name in one two three; do
     echo 'plot 1' >"$scratch/figures/$name/$name.gp"
 done
 check 'figures show their progress on a terminal' on_terminal 'figures +33 % \(1 of 3\), about .* left' \
-    /usr/bin/env PATH="$scratch/bin:$PATH" "$BUILD/chapters/gallery/draw_figures" "$scratch/figures" one two three
+    /usr/bin/env PATH="$scratch/bin:$PATH" python3 chapters/gallery/draw_figures.py "$scratch/figures" one two three
 in_a_log() {
-    env PATH="$scratch/bin:$PATH" "$BUILD/chapters/gallery/draw_figures" "$scratch/figures" one two three >"$scratch/said" 2>&1
+    env PATH="$scratch/bin:$PATH" python3 chapters/gallery/draw_figures.py "$scratch/figures" one two three >"$scratch/said" 2>&1
     cat "$scratch/said"
     grep -Eqx '  figures   33 % \(1 of 3\), about .* left' "$scratch/said"
 }

@@ -3,11 +3,10 @@
 
 #include "common/answers.h"
 #include "tests/judge/calls_traced.h"
-#include "tests/judge/dispatch.h"
 #include "tests/judge/message.h"
-#include "tests/judge/transport.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -74,15 +73,26 @@ static void say_entered(int exercise)
         answer_end();
 }
 
-// A result that the answer does not set keeps these bytes (stack_paint.h).
-static __attribute__((noinline)) void paint_stack(void)
+// What the answer does not set keeps these bytes (message.h).
+static void fill_memory(void *result, size_t size)
 {
-    enum { ROOM = 1 << 13 };
-    char room[ROOM];
-    if (current.paint == 0)
-        return;
-    memset(room, current.paint, sizeof room);
-    __asm__ volatile("" : : "r"(room) : "memory"); // or nobody would need to fill it
+    int byte = current.paint & PAINT_BYTE;
+    memset(result, byte, size);
+    fill_stack_with(byte);
+}
+
+// No call passes because its padding is 0.
+static int padding_of_call(void)
+{
+    int byte = current.paint & PAINT_BYTE;
+    return current.paint & EMPTY_PADDING ? 0 : byte != 0 ? byte : 0xff;
+}
+
+static void say_failed_check(const FailedCheck *failed)
+{
+    fflush(NULL);
+    answer_crashed(&(WireCrash){.signal = SIGABRT, .access = -1, .failed_check = *failed});
+    answer_end();
 }
 
 void answer_begin(void)
@@ -90,7 +100,8 @@ void answer_begin(void)
     static const Transport judge = {begin_asking, ask_judge, receive_lent, NULL};
     transport_use(&judge);
     setvbuf(stdout, NULL, _IONBF, 0); // so that the text printed before a crash is not lost
-    before_call = paint_stack;
+    before_call = fill_memory;
+    tell_failed_check = say_failed_check;
 }
 
 bool answer_call(void)
@@ -99,6 +110,7 @@ bool answer_call(void)
     if (!receive(&current, &in))
         return false;
     wire_clear(&out);
+    wire_fill_padding_with(padding_of_call());
     errno = 0;
     trace_calls_of(current.exercise, say_entered);
     if (!dispatch(current.exercise, &in, &out))

@@ -3,7 +3,7 @@
 // It reads a call from one pipe, makes it, and writes the answer to another. When the code
 // crashes, it says how before it ends; whatever else happens, the judge sees for itself.
 #define _GNU_SOURCE
-#include "tests/judge/answering.h"
+#include "tests/judge/process.h"
 
 #include "tests/judge/answer_calls.h"
 
@@ -66,6 +66,7 @@ static void say_crash(int number, siginfo_t *info, void *context)
     WireCrash crash = {.signal = number, .access = -1};
     if (number == SIGSEGV || number == SIGBUS) {
         crash.address = (uint64_t)(uintptr_t)info->si_addr;
+        crash.no_address = info->si_code == SI_KERNEL;
         uintptr_t stack;
 #if defined(__x86_64__) && defined(__linux__)
         const ucontext_t *at = context;

@@ -1,6 +1,5 @@
 // call_directly.c - for a program of tests: the answers of the stem that was chosen are called in
 // this process, and the reference answers for all other stems, so that one mistake costs once.
-#include "tests/judge/direct_answers.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/switchboard.h"
 

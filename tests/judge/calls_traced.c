@@ -1,6 +1,7 @@
-// calls_traced.c - which exercises an answer enters while it answers a call.
+// calls_traced.c - what happens when a function of an answer is entered.
 #include "tests/judge/calls_traced.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -39,9 +40,59 @@ void trace_end(void)
     say = NULL;
 }
 
+// ---- the stack ----------------------------------------------------------------------------------
+
+enum { STACK_FILLED = 4096 }; // bytes; also in __fentry__
+
+// What it is filled with: also by a program that draws and never asks for a byte.
+unsigned char stack_filling[16] __attribute__((aligned(16), visibility("hidden"))) = {
+    0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe, 0xfe};
+
+static __attribute__((noinline)) void fill_below(void)
+{
+    unsigned char room[STACK_FILLED];
+    memset(room, stack_filling[0], sizeof room);
+    __asm__ volatile("" : : "r"(room) : "memory"); // or nobody would need to fill it
+}
+
+void fill_stack_with(int byte)
+{
+    memset(stack_filling, byte, sizeof stack_filling);
+    fill_below();
+}
+
+// With -pg -mfentry each function of an answer calls __fentry__ before anything else: nothing is in
+// its frame yet, and all registers of its arguments have to stay as they are. On other machines the
+// frame is there already when a function reports: then the frames of those that it calls are
+// filled, when it is entered and when one of them returns.
+#ifdef __x86_64__
+__asm__(".text\n"
+        ".globl __fentry__\n"
+        ".type __fentry__, @function\n"
+        "__fentry__:\n"
+        "    leaq -4096(%rsp), %r11\n"
+        "    movaps stack_filling(%rip), %xmm8\n"
+        "1:  movups %xmm8, (%r11)\n"
+        "    movups %xmm8, 16(%r11)\n"
+        "    movups %xmm8, 32(%r11)\n"
+        "    movups %xmm8, 48(%r11)\n"
+        "    addq $64, %r11\n"
+        "    cmpq %rsp, %r11\n"
+        "    jb 1b\n"
+        "    ret\n"
+        ".size __fentry__, . - __fentry__\n");
+#define FILLED_BY_HOOKS false
+#else
+#define FILLED_BY_HOOKS true
+#endif
+
+// ---- what the compiler calls --------------------------------------------------------------------
+
 void __cyg_profile_func_enter(void *function, void *from)
 {
     (void)from;
+    if (FILLED_BY_HOOKS)
+        fill_below();
     const void **place = &known[((uintptr_t)function >> 4) % KNOWN];
     if (say == NULL || *place == function)
         return;
@@ -55,4 +106,6 @@ void __cyg_profile_func_exit(void *function, void *from)
 {
     (void)function;
     (void)from;
+    if (FILLED_BY_HOOKS)
+        fill_below();
 }

@@ -2,7 +2,7 @@
 #ifndef TESTS_JUDGE_DEFINE_TYPES_H
 #define TESTS_JUDGE_DEFINE_TYPES_H
 
-#include "tests/judge/for_each.h"
+#include "tests/judge/parameters.h"
 #include "tests/judge/types.h"
 
 #define NUMBERS(type, n) const Type type_##type = {#type, sizeof(type), TYPE_OF_NUMBERS, n, NULL};

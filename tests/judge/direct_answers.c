@@ -1,5 +1,5 @@
 // direct_answers.c - answers that are linked into this program, in the list's order.
-#include "tests/judge/direct_answers.h"
+#include "tests/judge/exercise.h"
 
 #include <stddef.h>
 

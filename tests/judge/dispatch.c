@@ -1,6 +1,5 @@
 // dispatch.c - one call of one exercise, by its contract name. Compiled for each chapter, ANSWERED,
 // so that the linker reports a missing answer; 0 is all of them.
-#include "tests/judge/dispatch.h"
 
 #include "tests/judge/message.h"
 

@@ -26,58 +26,44 @@
     IF_VOID(result, CALL_VOID, CALL_VALUE)(result, name, parameters)
 #include "tests/exercises.def"
 
-#define PARAMETER_VALUE(i, type, name)                                                             \
+#define PARAMETER(i, passing, type, name)                                                          \
     {                                                                                              \
-        PASSED_VALUE, &type_##type                                                                 \
-    }
-#define PARAMETER_CONST_POINTER(i, type, name)                                                     \
-    {                                                                                              \
-        PASSED_CONST_POINTER, &type_##type                                                         \
-    }
-#define PARAMETER_POINTER(i, type, name)                                                           \
-    {                                                                                              \
-        PASSED_POINTER, &type_##type                                                               \
-    }
-#define PARAMETER_IMAGE(i, type, name)                                                             \
-    {                                                                                              \
-        PASSED_IMAGE, &type_##type                                                                 \
-    }
-#define PARAMETER_PIXELS(i, type, name)                                                            \
-    {                                                                                              \
-        PASSED_PIXELS, &type_##type                                                                \
+        PASSED_##passing, &type_##type                                                             \
     }
 
-#define TEXT_VALUE(i, type, name) #type " " #name
-#define TEXT_CONST_POINTER(i, type, name) "const " #type " *" #name
-#define TEXT_POINTER(i, type, name) #type " *" #name
-#define TEXT_IMAGE(i, type, name) #type " *" #name
-#define TEXT_PIXELS(i, type, name) #type " *" #name
+#define TEXT(i, passing, type, name) TEXT_##passing(#type) #name
+#define TEXT_VALUE(type) type " "
+#define TEXT_CONST_POINTER(type) "const " type " *"
+#define TEXT_POINTER(type) type " *"
+#define TEXT_IMAGE TEXT_POINTER
+#define TEXT_PIXELS TEXT_POINTER
 #define COMMA_TEXT() ", "
 
 // Each begins with a blank, also the first.
-#define ARGUMENT_WORD_VALUE(i, type, name) " " #type
-#define ARGUMENT_WORD_CONST_POINTER(i, type, name) " " #type
-#define ARGUMENT_WORD_POINTER(i, type, name) " " #type
-#define ARGUMENT_WORD_IMAGE(i, type, name) " Image"
-#define ARGUMENT_WORD_PIXELS(i, type, name) " Doubles"
-#define RESULT_WORD_VALUE(i, type, name)
-#define RESULT_WORD_CONST_POINTER(i, type, name)
-#define RESULT_WORD_POINTER(i, type, name) " " #type
-#define RESULT_WORD_IMAGE(i, type, name) " Pixels"
-#define RESULT_WORD_PIXELS(i, type, name) " Doubles"
-#define EACH_TEXT(macro, between, parameters) EACH(BY_PASSING, between, macro, parameters)
+#define ARGUMENT_WORD(i, passing, type, name) ARGUMENT_WORD_##passing(" " #type)
+#define ARGUMENT_WORD_VALUE(type) type
+#define ARGUMENT_WORD_CONST_POINTER(type) type
+#define ARGUMENT_WORD_POINTER(type) type
+#define ARGUMENT_WORD_IMAGE(type) type
+#define ARGUMENT_WORD_PIXELS(type) " Doubles"
+#define RESULT_WORD(i, passing, type, name) RESULT_WORD_##passing(" " #type)
+#define RESULT_WORD_VALUE(type)
+#define RESULT_WORD_CONST_POINTER(type)
+#define RESULT_WORD_POINTER(type) type
+#define RESULT_WORD_IMAGE(type) " Pixels"
+#define RESULT_WORD_PIXELS(type) " Doubles"
 
 #define EXERCISE(stem, result, name, parameters, slide, prompt)                                    \
     {#name,                                                                                        \
      stem,                                                                                         \
      slide,                                                                                        \
      prompt,                                                                                       \
-     #result " " #name "(" EACH_TEXT(TEXT, COMMA_TEXT, parameters) ")",                            \
-     &(EACH_TEXT(ARGUMENT_WORD, NOTHING, parameters))[1],                                          \
-     &(IF_VOID(result, "", " " #result) EACH_TEXT(RESULT_WORD, NOTHING, parameters))[1],           \
+     #result " " #name "(" EACH_PARAMETER(TEXT, COMMA_TEXT, parameters) ")",                       \
+     &(EACH_PARAMETER(ARGUMENT_WORD, NOTHING, parameters))[1],                                     \
+     &(IF_VOID(result, "", " " #result) EACH_PARAMETER(RESULT_WORD, NOTHING, parameters))[1],      \
      &type_##result,                                                                               \
-     sizeof((Parameter[]){EACH(BY_PASSING, COMMA, PARAMETER, parameters)}) / sizeof(Parameter),    \
-     {EACH(BY_PASSING, COMMA, PARAMETER, parameters)},                                             \
+     sizeof((Parameter[]){EACH_PARAMETER(PARAMETER, COMMA, parameters)}) / sizeof(Parameter),      \
+     {EACH_PARAMETER(PARAMETER, COMMA, parameters)},                                               \
      call_##name,                                                                                  \
      (AnyFunction *)reference_##name},
 const Exercise exercises[] = {

@@ -1,8 +1,9 @@
 // figure.c - a wrong answer beside the right one: the kind of figure, and its file.
 #include "tests/judge/figure.h"
 
+#include "common/image.h"
 #include "tests/judge/numbers.h"
-#include "tests/judge/right_answer.h"
+#include "tests/judge/picture_panels.h"
 #include "tests/judge/switchboard.h"
 
 #include <stdio.h>
@@ -67,7 +68,33 @@ static void write_figure(const char *path, Wrong *wrong)
     }
 }
 
-static void replace_all(char *text, size_t size, const char *old, const char *new)
+// Yours, expected, and where they differ, side by side: after the scene and the camera comes the
+// image; the results are its pixels.
+static bool write_pictures(Wrong *wrong, const char *path)
+{
+    Scene scene;
+    Camera camera;
+    Image yours, right = {0};
+    Message message;
+    wire_get_value(wrong->question, &type_Scene, &scene);
+    wire_free_value(&type_Scene, &scene);
+    WIRE_GET(wrong->question, Camera, camera);
+    wire_get_value(wrong->question, &type_Image, &yours);
+    bool good = !wrong->question->bad && image_create(&right, yours.size, &message);
+    if (good) {
+        wire_get_pixels(wrong->yours, &yours);
+        wire_get_pixels(wrong->right, &right);
+        size_t bytes = 3 * (size_t)right.size.width * (size_t)right.size.height;
+        good = !wrong->yours->bad && !wrong->right->bad &&
+               memcmp(yours.rgb, right.rgb, bytes) != 0 &&
+               picture_panels_write(&yours, &right, 0, path);
+    }
+    image_free(&right);
+    image_free(&yours);
+    return good;
+}
+
+void replace_all(char *text, size_t size, const char *old, const char *new)
 {
     size_t from = strlen(old), to = strlen(new);
     for (char *at = strstr(text, old); at != NULL; at = strstr(at + to, old)) {
@@ -111,7 +138,7 @@ void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosi
         write_figure(path, &wrong);
 }
 
-// ---- for the kinds ------------------------------------------------------------------------------
+// ---- for the kinds -----------------------------------------------------------------------------
 
 void range_add(Range *range, double x)
 {
@@ -128,98 +155,4 @@ bool range_try(Range *range, double x)
         return false;
     *range = wider;
     return true;
-}
-
-// Between round numbers of t: at most eight of them.
-static double stride_of(const Axis *axis)
-{
-    static const double steps[] = {1, 2, 5};
-    double step = 0, wide = axis->high - axis->low, power = pow(10, floor(log10(wide / 10)));
-    for (int i = 0; wide / (step = power * steps[i % 3]) > 8; i++)
-        power *= i % 3 == 2 ? 10 : 1;
-    return step;
-}
-
-static bool is_taken(const double *t, int count, double tick, double stride)
-{
-    for (int i = 0; i < count; i++)
-        if (fabs(t[i] - tick) < 0.3 * stride)
-            return true;
-    return false;
-}
-
-static void axis_row(Plot *plot, const Axis *axis, double t)
-{
-    plot_row_dot(plot, 4, (const double[]){t * axis->unit, axis->y, 0, t});
-}
-
-static void axis_ticks(Plot *plot, const Axis *axis)
-{
-    double step = stride_of(axis);
-    int row = 0;
-    plot_block(plot, "ticks", "x y z t");
-    for (double n = ceil(axis->low / step); n * step <= axis->high; n++, row++) {
-        axis_row(plot, axis, n * step);
-        if (is_taken(axis->right, axis->right_count, n * step, step) ||
-            is_taken(axis->yours, axis->your_count, n * step, step))
-            continue;
-        char words[200];
-        snprintf(words, sizeof words, "%s", number_text_to(n * step, 10).s);
-        replace_all(words, sizeof words, "-", "\u2212");
-        plot_name(plot, (Label){words, "grey", .block = "ticks", .row = row});
-    }
-    plot_block_end(plot);
-}
-
-static void axis_marks(Plot *plot, const Axis *axis, const char *name, const double *t, int count,
-                       Label label)
-{
-    plot_block(plot, name, "x y z t");
-    for (int i = 0; i < count; i++) {
-        axis_row(plot, axis, t[i]);
-        label.block = name;
-        label.row = i;
-        plot_name(plot, label);
-    }
-    plot_block_end(plot);
-}
-
-void figure_axis(Plot *plot, const Axis *axis)
-{
-    vec3 begin = vec3_of(axis->low * axis->unit, axis->y, 0);
-    vec3 end = vec3_of((axis->high + 0.04 * (axis->high - axis->low)) * axis->unit, axis->y, 0);
-    plot_vector(plot, "axis", begin, end - begin);
-    plot_fit(plot, begin, 0);
-    plot_fit(plot, end, 0);
-    plot_name(plot, (Label){"$t$", "grey", .block = "axis", .part = 1});
-    axis_marks(plot, axis, "answer", axis->right, axis->right_count,
-               (Label){"right", "blue", .step = 1});
-    axis_marks(plot, axis, "yours", axis->yours, axis->your_count,
-               (Label){"yours", "ink", .step = 2});
-    axis_ticks(plot, axis);
-}
-
-Text figure_off(double right, double yours)
-{
-    Text text = {""};
-    if (isfinite(right) && isfinite(yours))
-        snprintf(text.s, sizeof text.s, "off by %.60s", number_text_to(yours - right, 4).s);
-    return text;
-}
-
-bool figure_near(vec3 yours, vec3 right, double size)
-{
-    return vec3_is_finite(yours) && vec3_length(yours - right) <= FIGURE_FAR * size;
-}
-
-void figure_frame(Plot *plot, vec3 right, vec3 up, vec3 forward)
-{
-    plot_direction(plot, "right", right);
-    plot_direction(plot, "up", up);
-    plot_direction(plot, "forward", forward);
-}
-
-bool figure_same_place(vec3 a, vec3 b)
-{
-    return vec3_length(a - b) <= 1e-9 * (1 + vec3_length(b));
 }

@@ -8,8 +8,8 @@
 #define TESTS_JUDGE_FIGURE_H
 
 #include "common/figure/plot.h"
-#include "tests/judge/record.h"
-#include "tests/judge/recorded_calls.h"
+#include "tests/judge/process_transport.h"
+#include "tests/judge/runner.h"
 #include "tests/judge/suspects.h"
 
 // Removes the figure of an older answer.
@@ -17,7 +17,7 @@ void figure_forget(const char *folder, const char *function);
 
 void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosis diagnosis);
 
-// ---- kinds of answers ---------------------------------------------------------------------------
+// ---- kinds of answers --------------------------------------------------------------------------
 
 // One call. The wires are read from their beginning.
 typedef struct {
@@ -37,10 +37,7 @@ FigureReader read_vector, read_ray, read_camera, read_place, read_section, read_
 FigureWriter write_vector, write_ray, write_camera, write_place, write_section, write_equation,
     write_rectangle;
 
-// Yours, expected, and where they differ, side by side.
-bool write_pictures(Wrong *wrong, const char *path);
-
-// ---- for those --------------------------------------------------------------------------------
+// ---- for those ---------------------------------------------------------------------------------
 
 // The next value of the message.
 #define WIRE_GET(wire, type, value) wire_get_value(wire, &type_##type, &(value))
@@ -52,27 +49,19 @@ typedef struct {
 void range_add(Range *range, double x);
 bool range_try(Range *range, double x); // false: left out
 
-// Results on a t axis: a flat figure, in which t = 1 is 'unit' to the right.
-typedef struct {
-    double low, high; // of t
-    double unit, y;
-    const double *right, *yours; // the results
-    int right_count, your_count;
-} Axis;
+// In the text, as often as there is room.
+void replace_all(char *text, size_t size, const char *old, const char *new);
 
-// $axis and $ticks, with round numbers, except where the results are; $answer and $yours, x y z t,
-// on the axis.
-void figure_axis(Plot *plot, const Axis *axis);
+// ---- the right result for a call that was kept -------------------------------------------------
 
-// Whether it is finite, and no farther from the right one than this multiple of its size.
-enum { FIGURE_FAR = 20 };
-bool figure_near(vec3 yours, vec3 right, double size);
-bool figure_same_place(vec3 a, vec3 b); // to 9 digits
+// By the reference (reference/right_answer.c), or, if there is none, by a table
+// (tests/handout/replay/replay.c).
 
-// From whose right side the figure is seen.
-void figure_frame(Plot *plot, vec3 right, vec3 up, vec3 forward);
+// The answer, as it would have crossed the pipe. False if it is not known.
+bool right_answer(const Record *record, Kept *kept, Wire *right);
 
-// The difference of 3.2 and 3.6: "off by 0.4"; empty if one of them is missing.
-Text figure_off(double right, double yours);
+// Of the camera in the arguments: from the eye to the upper left, upper right, lower right and
+// lower left corner of the image plane.
+bool right_corners(const Record *record, Camera camera, vec3 corners[4]);
 
 #endif

@@ -2,32 +2,104 @@
 //
 //   judge STEM ANSWERS FOLDER [FIGURES]
 //                                    all tests. FOLDER/report says how each function is, and why
-//                                    (report.h); FIGURES/NAME.gp or .png what can be drawn of it
+//                                    (as below); FIGURES/NAME.gp or .png what can be drawn of it
 //                                    (figure.h). Exit status 0 if all are right, 1 if not
 //   judge STEM ANSWERS --only NAME LENT...   exit status 0 where NAME passes all its graded tests
 //                                    while the reference answers those that are lent; prints which
 //                                    of them NAME asked for
-//   judge STEM --mistakes FOLDER     the same of every known mistake, as if it were an answer:
-//                                    FOLDER/FUNCTION.ID/report
 //
 // The functions of STEM are called in the process ANSWERS, those of all other stems are answered by
 // the reference (switchboard.h).
 //
 // The student's code is in the process ANSWERS. This one never loads, parses or runs any of it.
+#include "tests/course/chapter_record.h"
+#include "tests/judge/exercise.h"
 #include "tests/judge/figure.h"
 #include "tests/judge/process.h"
 #include "tests/judge/process_transport.h"
-#include "tests/judge/recorded_calls.h"
-#include "tests/judge/report.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
+
+// ---- the judge's findings, as lines for a program ----------------------------------------------
+
+// Lines of KEY tab VALUE (tests/course/chapter_record.h). 'function' begins one: its name; 'state'
+// is right, wrong, unanswered, waiting, timed out or crashed; 'calls' names the exercises that it
+// entered when it was called, with a blank between them; 'extra' is right or wrong: its tests that
+// cost no marks. The others are there where a test failed and there is something to say: 'test' its
+// name, 'case' the number of the call that failed, 'given' lines of a name, a tab and a value, ...
+
+static const char *state_of(const char *function, const Record *record)
+{
+    return strcmp(record->missing, function) == 0 ? "unanswered"
+           : record->missing[0] != '\0'           ? "waiting"
+           : record->ended == HOW_TIMED_OUT       ? "timed out"
+           : record->ended == HOW_CRASHED         ? "crashed"
+                                                  : "wrong";
+}
+
+static void put_calls(FILE *out, int exercise)
+{
+    char names[4000] = "";
+    size_t length = 0;
+    for (int other = 0; exercises[other].name != NULL; other++)
+        if (other != exercise && call_has_entered(exercise, other) && length < sizeof names)
+            length += (size_t)snprintf(names + length, sizeof names - length, "%s%s",
+                                       length > 0 ? " " : "", exercises[other].name);
+    entry_put(out, "calls", names);
+}
+
+// Failed: the first test that did; NULL if all passed.
+static void report_function(FILE *out, const char *function, const Outcome *failed,
+                            Diagnosis diagnosis)
+{
+    entry_put(out, "function", function);
+    if (failed == NULL) {
+        entry_put(out, "state", "right");
+        put_calls(out, exercise_number(function));
+        return;
+    }
+    const Record *record = failed->record;
+    entry_put(out, "state", state_of(function, record));
+    entry_put(out, "test", failed->name);
+    if (record->hidden) {
+        entry_put(out, "hidden", "yes");
+    } else {
+        entry_put(out, "given", record->given);
+        entry_put(out, "expected", record->expected);
+        entry_put(out, "yours", record->missing[0] == '\0' ? record->yours : "");
+    }
+    if (!record->hidden)
+        entry_put(out, "printed", record->printed);
+    char number[20];
+    snprintf(number, sizeof number, "%d", record->cases);
+    entry_put(out, "case", number);
+    entry_put(out, "missing", record->missing);
+    entry_put(out, "how", record->expected[0] == '\0' ? failed->how : "");
+    if (diagnosis.mistake != NULL) {
+        entry_put(out, "mistake", diagnosis.mistake->id);
+        entry_put(out, "formula", diagnosis.mistake->formula);
+        entry_put(out, "why", diagnosis.mistake->why);
+        entry_put(out, "picture", diagnosis.mistake->picture);
+        entry_put(out, "partly", diagnosis.in_part ? "yes" : "");
+        if (diagnosis.other != NULL) {
+            entry_put(out, "also formula", diagnosis.other->formula);
+            entry_put(out, "also why", diagnosis.other->why);
+        }
+    }
+    entry_put(out, "law", diagnosis.law != NULL ? diagnosis.law : "");
+    put_calls(out, exercise_number(function));
+}
+
+// After it, if it has extra tests: of those.
+static void report_extra(FILE *out, const Outcome *failed)
+{
+    entry_put(out, "extra", failed == NULL ? "right" : "wrong");
+}
 
 static Outcomes outcomes;
 
@@ -122,33 +194,6 @@ static int verdict(const char *folder, const char *figures)
     return all_right ? 0 : 1;
 }
 
-// The texts that a student would read for each known mistake: two versions of the tests are
-// compared by them (tests/proof/by_hand/record.sh).
-static int verdicts_of_mistakes(const char *folder)
-{
-    const Mistake *const *mistakes = chosen_mistakes();
-    for (int table = 0; mistakes[table] != NULL; table++) {
-        for (const Mistake *mistake = mistakes[table]; mistake->id != NULL; mistake++) {
-            char path[4096];
-            int start = snprintf(path, sizeof path, "%s/", folder);
-            snprintf(path + start, sizeof path - (size_t)start, "%s.%s", mistake->exercise,
-                     mistake->id);
-            for (char *slash = path + start; (slash = strchr(slash, '/')) != NULL;)
-                *slash = '_';
-            if (mkdir(path, 0777) != 0 && errno != EEXIST) {
-                perror(path);
-                return 2;
-            }
-            switch_to_reference();
-            switch_one(mistake->exercise, mistake->answer);
-            run_tests(mistake->exercise, NULL, ANSWERS_APART, &outcomes);
-            verdict(path, NULL);
-            records_end();
-        }
-    }
-    return 0;
-}
-
 static int passes(char **lent)
 {
     bool good = outcomes.count > 0 && !call_only_passes_on();
@@ -173,18 +218,14 @@ static void lend(char **names)
 
 int main(int argc, char **argv)
 {
-    bool all_mistakes = argc == 4 && strcmp(argv[2], "--mistakes") == 0;
     bool only = argc >= 5 && strcmp(argv[3], "--only") == 0;
     if (argc != 4 && argc != 5 && !only) {
         fprintf(stderr,
-                "Usage: %s STEM ANSWERS FOLDER [FIGURES] | STEM ANSWERS --only NAME LENT... | "
-                "STEM --mistakes FOLDER\n",
+                "Usage: %s STEM ANSWERS FOLDER [FIGURES] | STEM ANSWERS --only NAME LENT...\n",
                 argv[0]);
         return 2;
     }
     choose_stem(argv[1]);
-    if (all_mistakes)
-        return verdicts_of_mistakes(argv[3]);
     FILE *printed = process_printed_file();
     if (printed == NULL) {
         perror("cannot make a file for the output of the answers");

@@ -8,6 +8,8 @@
 #include "tests/judge/exercise.h"
 #include "tests/judge/wire.h"
 
+#include <stdbool.h>
+
 typedef struct {
     int count, room;
     double *at; // from malloc
@@ -34,7 +36,20 @@ bool layout_write(const char *types, const Numbers *numbers, Resolution *size, W
 int layout_places(const char *types);
 const char *layout_place(const char *types, int place);
 
-// Equal within the rounding of two ways to compute the same thing (equal_numbers.h).
+// A camera that may be refused for any of several reasons, because the contract leaves the choice
+// free: its first number has a bit for each, and one half, which no single reason has.
+bool has_reasons(int exercise);                  // whether its result begins with one
+int reasons_in(const Numbers *numbers);          // a bit for each, also of a single one
+void set_reasons(Numbers *numbers, int reasons); // at least one
+
+// Equal within the rounding of two ways to compute the same thing.
 bool numbers_same(const Numbers *a, const Numbers *b);
+
+// Do two numbers agree? Within the rounding of two ways to compute the same thing.
+//
+// The result of a mistake is compared with a student's: NaN agrees with NaN here.
+
+bool same_double(double a, double b);
+bool same_within(double a, double b, double tolerance); // 1e-9 is that of same_double
 
 #endif

@@ -2,8 +2,6 @@
 #include "tests/judge/process.h"
 
 #include "common/clock.h"
-#include "tests/judge/answering.h"
-#include "tests/judge/one_processor.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -131,7 +129,6 @@ bool process_start(void)
     if (pipe(calls) != 0 || pipe(answers) != 0 || pipe(errors) != 0)
         return false;
     fflush(NULL);
-    stay_on_one_processor();
     pid = fork();
     if (pid == 0)
         become_answering(calls, answers, errors);
@@ -237,8 +234,6 @@ static int move(bool out, void *bytes, size_t size, Patience *left)
             return -1;
         struct pollfd end = {out ? calls_out : answers_in, out ? POLLOUT : POLLIN, 0};
         bool ready = poll(&end, 1, LOOK) > 0;
-        if (!ready)
-            use_all_processors(pid);
         if (n > 0) {
             place += n;
             size -= (size_t)n;

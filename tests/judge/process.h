@@ -6,6 +6,10 @@
 #include <stddef.h>
 #include <stdio.h>
 
+// The ends of its pipes, as it sees them. The third is closed when the program starts: until then
+// an errno is written to it if that fails.
+enum { CALLS_IN = 3, ANSWERS_OUT = 4, START_ERROR = 5 };
+
 // A file for what the answers print, which takes no room on a disk if that is possible. NULL, and
 // errno, if it cannot be made.
 FILE *process_printed_file(void);
@@ -44,5 +48,9 @@ bool patience_is_over(Patience *patience);
 // Moves all bytes, out or in. 1 done, 0 waited too long, -1 the other end is closed.
 int process_send(const void *bytes, size_t size, Patience *patience);
 int process_receive(void *bytes, size_t size, Patience *patience);
+
+// What a forbidden system call was for, in words (system_call.c): 'to open a file'. Of any number,
+// because it comes from hostile code.
+const char *system_call_purpose(int number);
 
 #endif

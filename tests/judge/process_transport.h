@@ -7,7 +7,8 @@
 #ifndef TESTS_JUDGE_PROCESS_TRANSPORT_H
 #define TESTS_JUDGE_PROCESS_TRANSPORT_H
 
-#include "tests/judge/transport.h"
+#include "tests/judge/message.h"
+#include "tests/judge/wire.h"
 
 // From now on calls go to this program; the file receives what it prints (a descriptor).
 void call_answers_from(const char *answering, int printed);
@@ -29,5 +30,18 @@ bool call_serve(void);
 
 // Ends the answering process.
 void call_stop(void);
+
+// The last call of each test that was answered: of one that failed, what can be drawn.
+
+typedef struct {
+    int exercise;
+    Wire question, answer; // the bytes that crossed the pipe
+} Kept;
+
+// While it is on, calls are kept; at first it is off.
+void keep_calls(bool on);
+
+// Of the test of this number; NULL if its last call had no answer.
+Kept *kept_of(int test);
 
 #endif

@@ -1,6 +1,8 @@
 // runner.c - runs the tests with Check: which test is which, and how it ended.
 #include "tests/judge/runner.h"
 
+#include "common/answers.h"
+#include "tests/course/page.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/test.h"
 
@@ -8,7 +10,153 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <unistd.h>
+
+// ---- the record of each test, kept where a crash of the test cannot destroy it -----------------
+
+struct Records {
+    size_t size; // bytes
+    int count;
+    int next; // the test that runs next
+    Record records[];
+};
+static Records *shared;
+static Record *record;
+static int printed_file = -1;
+
+static void records_begin(int tests)
+{
+    size_t size = sizeof *shared + (size_t)tests * sizeof(Record);
+    shared = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (shared == MAP_FAILED) {
+        perror("no memory for the records of the tests");
+        _exit(1);
+    }
+    shared->size = size;
+    shared->count = tests;
+}
+
+void records_end(void)
+{
+    if (shared != NULL)
+        munmap(shared, shared->size);
+    shared = NULL;
+}
+
+Records *records_aside(void)
+{
+    Records *records = shared;
+    shared = NULL;
+    return records;
+}
+
+void records_back(Records *records)
+{
+    shared = records;
+}
+
+const Record *records_find(const Records *records, const char *name)
+{
+    for (int i = 0; records != NULL && i < records->count; i++)
+        if (strcmp(records->records[i].name, name) == 0)
+            return &records->records[i];
+    return NULL;
+}
+
+static void record_is_of(int test, const char *name, const char *function, bool extra, bool probe)
+{
+    Record *it = &shared->records[test];
+    it->name = name;
+    it->extra = extra;
+    it->probe = probe;
+    snprintf(it->function, sizeof it->function, "%s", function);
+}
+
+void records_catch_printed(int file)
+{
+    printed_file = file;
+}
+
+const Record *record_of(int test)
+{
+    return &shared->records[test];
+}
+
+Record *record_now(void)
+{
+    return record;
+}
+
+int record_number(void)
+{
+    return (int)(record - shared->records);
+}
+
+static void record_setup(void)
+{
+    record = &shared->records[shared->next++];
+    random_begin(record->name, record->probe);
+    if (printed_file >= 0 && ftruncate(printed_file, 0) != 0)
+        perror("what the answer prints");
+}
+
+void record_keep_printed(void)
+{
+    if (printed_file < 0 || record->printed[0] != '\0')
+        return;
+    ssize_t n = pread(printed_file, record->printed, sizeof record->printed - 1, 0);
+    record->printed[n < 0 ? 0 : n] = '\0';
+}
+
+void record_missing(const char *name)
+{
+    if (record->missing[0] == '\0')
+        snprintf(record->missing, sizeof record->missing, "%s", name);
+}
+
+bool record_is_missing(void)
+{
+    if (answers_missing() > 0)
+        record_missing(answer_missing(0));
+    return record->missing[0] != '\0';
+}
+
+void record_how(How ended, const char *why)
+{
+    record_keep_printed();
+    record->ended = ended;
+    snprintf(record->how, sizeof record->how, "%s", why);
+    ck_abort_msg("%s", why);
+}
+
+void record_overran(void)
+{
+    if (record->overran > 0)
+        return;
+    record->overran = record->cases;
+    snprintf(record->overran_given, sizeof record->overran_given, "%s", record->given);
+}
+
+static void record_fails_by_overrun(int test)
+{
+    Record *it = &shared->records[test];
+    it->cases = it->overran;
+    memcpy(it->given, it->overran_given, sizeof it->given);
+    it->ended = HOW_CRASHED;
+    snprintf(it->how, sizeof it->how, "wrote past the end of the image or of depth");
+}
+
+// A blank never passes, whatever it returned; nor does an answer that calls exit, which Check
+// counts as a pass.
+static void record_teardown(void)
+{
+    if (record_is_missing())
+        ck_abort_msg("not answered yet");
+    record->finished = true;
+}
+
+// ---- running them ------------------------------------------------------------------------------
 
 static struct {
     const char *function_wanted, *name_wanted; // NULL: all
@@ -58,6 +206,37 @@ void test(const TTest *test)
     tcase_add_test(listing.tcase, test);
 }
 
+// Compilers write the tests of a file in an order of their own.
+void add_test(const char *file, bool is_probe, ListedTest *test)
+{
+    Stem *stem = stem_of_file(file);
+    ListedTest **at = is_probe ? &stem->probes : &stem->tests;
+    while (*at != NULL && (*at)->place < test->place)
+        at = &(*at)->next;
+    test->next = *at;
+    *at = test;
+}
+
+static bool are_together(const ListedTest *one, const ListedTest *two)
+{
+    return one->extra == two->extra && strcmp(one->function, two->function) == 0;
+}
+
+static void list_in_order(const ListedTest *first)
+{
+    for (const ListedTest *it = first; it != NULL; it = it->next) {
+        const ListedTest *before = first;
+        while (!are_together(before, it))
+            before = before->next;
+        if (before != it)
+            continue;
+        begin_function(it->function, it->extra);
+        for (; before != NULL; before = before->next)
+            if (are_together(before, it))
+                test(before->test);
+    }
+}
+
 // Check's words for the ways in which a test can end, in ours.
 static void say_how(char *how, size_t size, const char *message)
 {
@@ -104,9 +283,11 @@ static void keep_files_in_memory(void)
         setenv("TEMP", "/dev/shm", 0);
 }
 
-static void run(void (*list)(void), bool probes, WhereAnswersAre where)
+static void run(bool probes, WhereAnswersAre where)
 {
     Outcomes *outcomes = listing.outcomes;
+    const Stem *stem = chosen_stem();
+    void (*list)(void) = probes ? stem->list_probes : stem->list_tests;
     random_take_seed();
     if (where == ANSWERS_APART) {
         unsetenv("CK_RUN_CASE"); // a verdict is about all of them
@@ -118,6 +299,7 @@ static void run(void (*list)(void), bool probes, WhereAnswersAre where)
     SRunner *runner = srunner_create(listing.suite);
     if (list != NULL)
         list();
+    list_in_order(probes ? stem->probes : stem->tests);
     if (probes && outcomes->count == 0) {
         srunner_free(runner);
         return;
@@ -155,13 +337,22 @@ void run_tests(const char *function, const char *name, WhereAnswersAre where, Ou
     listing.function_wanted = function;
     listing.name_wanted = name;
     listing.outcomes = outcomes;
-    run(chosen_stem()->list_tests, false, where);
+    run(false, where);
 }
 
-void run_listed_probes(const char *function, const char *name, Outcomes *outcomes)
+void run_probes(const char *function, const char *name, Outcomes *outcomes)
 {
     listing.function_wanted = function;
     listing.name_wanted = name;
     listing.outcomes = outcomes;
-    run(chosen_stem()->list_probes, true, ANSWERS_APART);
+    run(true, ANSWERS_APART);
+}
+
+void show_outcome(const Outcome *outcome)
+{
+    enum { COLUMNS = 79 };
+    const Record *it = outcome->record;
+    show_call(&(Page){stdout, COLUMNS, false, 0},
+              &(ShownCall){it->hidden, it->given, it->expected, it->yours, it->missing,
+                           outcome->how, it->printed});
 }

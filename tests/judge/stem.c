@@ -1,11 +1,15 @@
 // stem.c - what is known of each stem, and which stem this run of the program is about.
 #include "tests/judge/stem.h"
 
+#include "tests/judge/known.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { MOST_STEMS = 100 };
+
+int answer_style;
 
 static Stem stems[MOST_STEMS];
 static int count;
@@ -73,8 +77,17 @@ const Stem *chosen_stem(void)
     return chosen;
 }
 
-const struct Mistake *const *chosen_mistakes(void)
+// Compilers write the entries of a file in an order of their own.
+void add_known(const char *file, KindOfAnswer kind, KnownAnswer *answer)
 {
-    static const struct Mistake *const none[] = {NULL};
-    return chosen->mistakes != NULL ? chosen->mistakes : none;
+    KnownAnswer **at = &stem_of_file(file)->known[kind];
+    while (*at != NULL && (*at)->place < answer->place)
+        at = &(*at)->next;
+    answer->next = *at;
+    *at = answer;
+}
+
+const KnownAnswer *known_answers(KindOfAnswer kind)
+{
+    return chosen->known[kind];
 }

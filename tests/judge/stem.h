@@ -1,33 +1,33 @@
 // stem.h - what is known of each stem, and which stem this run of the program is about.
 //
-// A program holds the tests of all stems. Each file of a stem adds what it defines:
+// A program holds the tests of all stems. Each file of a stem adds what it defines: tests (test.h),
+// known answers (known.h), and by OF_STEM(part) a part of Stem that has this name in the file.
 //
-//     static void list_tests(void) { ... }
-//     OF_STEM(list_tests)
-//
-// The stem is the file's: 05-quadratic of tests/05-quadratic.c and of
-// tests/05-quadratic/mistakes.c.
+// The stem is the file's: 05-quadratic of tests/05-quadratic.c and of tests/05-quadratic/wrong.c.
 #ifndef TESTS_JUDGE_STEM_H
 #define TESTS_JUDGE_STEM_H
 
-struct Mistake;
-struct Variant;
-struct Unknown;
-struct Composed;
-struct SameMistake;
+struct KnownAnswer;
+struct ListedTest;
 struct Generated;
+
+typedef enum {
+    WRONG_ANSWERS,
+    RIGHT_ANSWERS,
+    UNNAMED_ANSWERS,
+    FREE_ANSWERS,
+    KINDS_OF_ANSWERS
+} KindOfAnswer;
 
 typedef struct {
     char name[64];
-    void (*load)(void); // called when the stem is chosen; may be NULL
-    void (*list_tests)(void);
+    void (*load)(void);                // called when the stem is chosen; may be NULL
+    struct ListedTest *tests, *probes; // tests/judge/test.h
+    void (*list_tests)(void);          // or these
     void (*list_probes)(void);
-    const struct Mistake *const *mistakes;   // tests/judge/mistake.h
-    const struct Variant *variants;          // tests/proof/variants.h
-    const struct Unknown *unknowns;          // tests/proof/unknown.h
-    const struct Composed *composed;         // tests/proof/composed.h
-    const struct SameMistake *same_mistakes; // the same
-    const struct Generated *generated;       // tests/proof/generated/generated.h
+    struct KnownAnswer *known[KINDS_OF_ANSWERS]; // tests/judge/known.h
+    int styles;                                  // of the mistakes (known.h); 0 is one
+    const struct Generated *generated;           // tests/proof/generated/generated.h
 } Stem;
 
 #ifndef OF_STEM // as nothing if only the functions of a file are wanted (MUTANTS in tests.mk)
@@ -46,6 +46,10 @@ Stem *stem_named(const char *name);
 // of them. NULL: the program has one.
 void choose_stem(const char *name);
 const Stem *chosen_stem(void);
-const struct Mistake *const *chosen_mistakes(void); // an empty list if it has none
+
+// Adds it to what is known of the file's stem.
+void add_known(const char *file, KindOfAnswer kind, struct KnownAnswer *answer);
+// Of the chosen stem: the first, which leads to the next; NULL if there is none.
+const struct KnownAnswer *known_answers(KindOfAnswer kind);
 
 #endif

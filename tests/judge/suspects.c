@@ -1,15 +1,748 @@
 // suspects.c - which known mistake a wrong answer is, and which law it breaks.
 #include "tests/judge/suspects.h"
 
-#include "tests/judge/evidence.h"
-#include "tests/judge/explanation.h"
 #include "tests/judge/law.h"
-#include "tests/judge/record.h"
-#include "tests/judge/stack_paint.h"
+#include "tests/judge/message.h"
+#include "tests/judge/numbers.h"
+#include "tests/judge/runner.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+
+// ---- explains a wrong answer that is not simply one known mistake ------------------------------
+
+// It is better to say nothing than something false. So a mistake is named only if the answer agrees
+// with it on several general inputs, and is never right where the mistake is wrong. Two are named
+// together if they explain every call.
+
+// The result of a mistake for a call.
+typedef struct {
+    Numbers numbers; // none for a picture, which has too many
+    bool is_yours, is_right;
+} Theirs;
+
+typedef struct {
+    int test;   // its number in the run
+    bool probe; // with general arguments; a test may have special ones
+    Numbers arguments, yours, right, again;
+    bool is_right;  // yours is
+    bool is_common; // yours is the same as for other arguments: NO_HIT, say, or 0
+    bool changes;   // called again with other paint, yours returned something else
+    bool repeats;   // and with the same paint it returned the same
+    bool is_padded; // yours depends on the padding
+    Theirs *theirs; // of each mistake
+} EvidenceCall;
+
+typedef struct {
+    int exercise, mistake_count, call_count;
+    const Mistake **mistakes; // except those that only extra tests can distinguish from right
+    EvidenceCall *calls;      // of all graded tests and probes, in order
+} Evidence;
+
+// ---- evidence ----------------------------------------------------------------------------------
+
+enum { MOST_KEPT = 40 }; // numbers of a result: any but a picture
+
+// A ray whose direction may have any length (exercises/04-pixel-ray.h).
+static bool length_is_free(int exercise)
+{
+    return strcmp(exercises[exercise].name, "pixel_ray") == 0;
+}
+
+// As long as the reference's, if the contract of off_surface allows its length. The step is a
+// billionth of the numbers, as large as the difference between two right ways to compute anything
+// else.
+static double size_of_sphere(const Numbers *arguments)
+{
+    enum { RADIUS = 3 };
+    double largest = 0;
+    for (int i = 0; i < RADIUS; i++)
+        largest = fmax(largest, fabs(arguments->at[i]));
+    return arguments->at[RADIUS] + largest;
+}
+
+static void settle_step(const Numbers *arguments, Numbers *numbers)
+{
+    const double *from = arguments->at + STEP_FROM;
+    double *to = numbers->at, size = size_of_sphere(arguments), length = 0;
+    for (int i = 0; i < 3; i++)
+        length = hypot(length, to[i] - from[i]);
+    if (length < 0.99 * 0x1p-32 * size || length > 1.01 * 0x1p-28 * size)
+        return;
+    for (int i = 0; i < 3; i++)
+        to[i] = from[i] + 0x1p-30 * size / length * (to[i] - from[i]);
+}
+
+// Differences that the contract allows do not count: a direction is normalised if its length is
+// free, and so is a step off a surface.
+static void settle_freedom(int exercise, const Numbers *arguments, Numbers *numbers)
+{
+    if (layout_is_step(&exercises[exercise]) && numbers->count == 3)
+        settle_step(arguments, numbers);
+    if (!length_is_free(exercise) || numbers->count != 6)
+        return;
+    double *d = numbers->at + 3, length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    for (int i = 0; i < 3 && length > 0 && isfinite(length); i++)
+        d[i] /= length;
+}
+
+// A thousandth of a step is allowed between two steps.
+static bool steps_agree(const Numbers *arguments, const Numbers *a, const Numbers *b)
+{
+    double tolerance = 0x1p-40 * size_of_sphere(arguments);
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(a->at[i] - b->at[i]) <= tolerance) && a->at[i] != b->at[i])
+            return false;
+    return true;
+}
+
+// The image in a curved mirror depends a little on the length of the step off it.
+static double tolerance_of(int exercise)
+{
+    return strcmp(exercises[exercise].name, "trace_ray") == 0 ? 3e-9 : 1e-9;
+}
+
+// Whether two results agree within rounding. Of a step off a surface the step is compared, of
+// refusals for one of several reasons (numbers.h) one reason must be the same.
+static bool results_agree(int exercise, const Numbers *arguments, const Numbers *a,
+                          const Numbers *b)
+{
+    bool have_reason = has_reasons(exercise) && (reasons_in(a) & reasons_in(b)) != 0;
+    if (layout_is_step(&exercises[exercise]) && a->count == 3 && b->count == 3)
+        return steps_agree(arguments, a, b);
+    bool same = a->count == b->count;
+    for (int i = have_reason ? 1 : 0; same && i < a->count; i++)
+        same = same_within(a->at[i], b->at[i], tolerance_of(exercise));
+    return same;
+}
+
+// Whether a call says nothing against the mistake: the answer agrees with it, or both are right,
+// each as it uses the freedom of the contract. All three are settled.
+static bool may_be_mistake(int exercise, const Numbers *arguments, const Numbers *yours,
+                           const Numbers *theirs, const Numbers *right)
+{
+    return results_agree(exercise, arguments, yours, theirs) ||
+           (results_agree(exercise, arguments, yours, right) &&
+            results_agree(exercise, arguments, theirs, right));
+}
+
+static Numbers settled(int exercise, const Numbers *arguments, const Numbers *numbers)
+{
+    Numbers copy = numbers_copy(numbers);
+    settle_freedom(exercise, arguments, &copy);
+    return copy;
+}
+
+// One of several reasons: the other's, if it is among them.
+static void settle_reason(int exercise, Numbers *numbers, const Numbers *other)
+{
+    int reasons = reasons_in(numbers), both = reasons & reasons_in(other);
+    int among = both != 0 ? both : reasons;
+    if (has_reasons(exercise) && among != 0)
+        set_reasons(numbers, among & -among);
+}
+
+static bool is_same_as_before(const Evidence *evidence, const EvidenceCall *call)
+{
+    bool common = false;
+    for (int i = 0; i < evidence->call_count; i++) {
+        EvidenceCall *other = &evidence->calls[i];
+        if (other == call || !numbers_same(&other->yours, &call->yours) ||
+            numbers_same(&other->arguments, &call->arguments))
+            continue;
+        other->is_common = common = true;
+    }
+    return common;
+}
+
+static void forget_if_long(Numbers *numbers)
+{
+    if (numbers->count > MOST_KEPT)
+        numbers_free(numbers);
+}
+
+static Numbers called_again(const Evidence *evidence, const Heard *heard, int paint)
+{
+    paint_calls(paint);
+    Numbers numbers =
+        settled(evidence->exercise, heard->arguments, heard->again(evidence->exercise));
+    paint_calls(PAINT);
+    return numbers;
+}
+
+static bool is_repeated(const Evidence *evidence, const Heard *heard, const EvidenceCall *call,
+                        int paint)
+{
+    Numbers again = called_again(evidence, heard, paint);
+    bool same = numbers_same(&again, &call->yours);
+    numbers_free(&again);
+    return same;
+}
+
+static void evidence_hear(Evidence *evidence, const Heard *heard, const int *nth)
+{
+    int exercise = evidence->exercise;
+    evidence->calls =
+        realloc(evidence->calls, (size_t)(evidence->call_count + 1) * sizeof *evidence->calls);
+    Theirs *theirs = calloc((size_t)evidence->mistake_count + 1, sizeof *theirs);
+    if (evidence->calls == NULL || theirs == NULL)
+        abort();
+    EvidenceCall *call = &evidence->calls[evidence->call_count++];
+    const Numbers *given = heard->arguments;
+    Numbers right = settled(exercise, given, heard->by(exercise, NULL, -1));
+    *call = (EvidenceCall){.test = record_number(),
+                           .probe = record_now()->probe,
+                           .arguments = numbers_copy(given),
+                           .yours = settled(exercise, given, heard->yours),
+                           .right = numbers_copy(&right),
+                           .theirs = theirs};
+    call->is_right = results_agree(exercise, given, &call->yours, &right);
+    settle_reason(exercise, &call->right, &call->yours);
+    call->is_common = is_same_as_before(evidence, call);
+    for (int i = 0; i < evidence->mistake_count; i++) {
+        Numbers *numbers = &theirs[i].numbers;
+        *numbers = settled(exercise, given, heard->by(exercise, evidence->mistakes[i], nth[i]));
+        theirs[i].is_yours = may_be_mistake(exercise, given, &call->yours, numbers, &right);
+        theirs[i].is_right = results_agree(exercise, given, numbers, &right);
+        settle_reason(exercise, numbers, &call->right);
+        settle_reason(exercise, numbers, &call->yours);
+        forget_if_long(numbers);
+    }
+    numbers_free(&right);
+    call->again = called_again(evidence, heard, OTHER_PAINT);
+    bool is_same_if_0 = is_repeated(evidence, heard, call, EMPTY_STACK);
+    call->changes = !numbers_same(&call->again, &call->yours) || !is_same_if_0;
+    call->repeats = is_repeated(evidence, heard, call, PAINT);
+    call->is_padded =
+        !is_repeated(evidence, heard, call, PAINT | EMPTY_PADDING) ||
+        (!is_same_if_0 && is_repeated(evidence, heard, call, EMPTY_STACK | EMPTY_PADDING));
+}
+
+// frees its contents
+static void evidence_end(Evidence *evidence)
+{
+    for (int i = 0; i < evidence->call_count; i++) {
+        EvidenceCall *call = &evidence->calls[i];
+        for (int k = 0; k < evidence->mistake_count; k++)
+            numbers_free(&call->theirs[k].numbers);
+        free(call->theirs);
+        numbers_free(&call->arguments);
+        numbers_free(&call->yours);
+        numbers_free(&call->right);
+        numbers_free(&call->again);
+    }
+    free(evidence->calls);
+    *evidence = (Evidence){0};
+}
+
+enum { ENOUGH = 3 }; // general inputs that support a mistake
+
+// Excluded: on a call where the mistake is wrong, the answer is right.
+static bool is_contradicted(const Evidence *evidence, int mistake)
+{
+    for (int i = 0; i < evidence->call_count; i++)
+        if (evidence->calls[i].is_right && !evidence->calls[i].theirs[mistake].is_right)
+            return true;
+    return false;
+}
+
+// By more than the last digits, which depend on how a formula is computed.
+static bool is_clearly_wrong(const EvidenceCall *call)
+{
+    for (int i = 0; i < call->yours.count && i < call->right.count; i++) {
+        double yours = call->yours.at[i], right = call->right.at[i];
+        if (!(fabs(yours - right) <= 1e-4 * (1e-9 + fmin(fabs(yours), fabs(right)))))
+            return true;
+    }
+    return false;
+}
+
+// The answer returns the same as the mistake, and not by chance: not NO_HIT, 0 or another value
+// that many mistakes return for many inputs.
+static bool speaks_for(const EvidenceCall *call, int mistake)
+{
+    return is_clearly_wrong(call) && call->probe && !call->is_common && !call->is_right &&
+           call->theirs[mistake].is_yours;
+}
+
+static bool speaks_for_nobody_else(const EvidenceCall *call, int mistake, int count,
+                                   const bool *possible)
+{
+    for (int i = 0; i < count; i++)
+        if (i != mistake && possible[i] && call->theirs[i].is_yours)
+            return false;
+    return true;
+}
+
+// At least one number that the mistake gets wrong has the same value in the answer.
+static bool is_like(const EvidenceCall *call, int mistake)
+{
+    const Numbers *theirs = &call->theirs[mistake].numbers;
+    bool like = call->theirs[mistake].is_yours;
+    for (int i = 0; i < theirs->count && i < call->yours.count && i < call->right.count; i++)
+        like = like || (!same_double(theirs->at[i], call->right.at[i]) &&
+                        same_double(theirs->at[i], call->yours.at[i]));
+    return like;
+}
+
+// Of the general inputs on which the mistake is wrong, the answer agrees with it on most, and on
+// none it has something quite different: an answer that computes a term in a wrong way has none of
+// it on many inputs, but did not leave it out. And these inputs are most of those on which the
+// answer is wrong.
+static bool is_usual(const Evidence *evidence, int mistake)
+{
+    int same = 0, shows = 0, wrong = 0;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        if (!call->probe)
+            continue;
+        wrong += !call->is_right;
+        if (call->theirs[mistake].is_right)
+            continue;
+        shows++;
+        same += call->theirs[mistake].is_yours;
+        if (!is_like(call, mistake))
+            return false;
+    }
+    return 2 * same > shows && 2 * same > wrong;
+}
+
+// The only mistake that any input supports.
+static Diagnosis in_part(const Evidence *evidence, int shown)
+{
+    int count = evidence->mistake_count, found = -1, others = 0;
+    bool *possible = calloc((size_t)count + 1, sizeof *possible);
+    if (possible == NULL)
+        abort();
+    for (int i = 0; i < count; i++)
+        possible[i] = !is_contradicted(evidence, i);
+    for (int i = 0; i < count; i++) {
+        int speaking = 0;
+        for (int k = 0; possible[i] && k < evidence->call_count; k++)
+            speaking += speaks_for(&evidence->calls[k], i) &&
+                        speaks_for_nobody_else(&evidence->calls[k], i, count, possible);
+        if (speaking >= ENOUGH && found < 0)
+            found = i;
+        else
+            others += speaking > 0;
+    }
+    free(possible);
+    if (found < 0 || others > 0 || !is_usual(evidence, found) ||
+        (shown >= 0 && !evidence->calls[shown].theirs[found].is_yours))
+        return (Diagnosis){0};
+    return (Diagnosis){.mistake = evidence->mistakes[found], .in_part = true};
+}
+
+// ---- two mistakes ------------------------------------------------------------------------------
+
+// If one mistake is right in a number, that number is the other mistake's; if both are wrong, their
+// errors are added. Errors that partly cancel are another mistake: (1 - kd) is not kd left out and
+// the whole left out as well.
+static bool is_sum(const EvidenceCall *call, const Numbers *one, const Numbers *other)
+{
+    const Numbers *yours = &call->yours, *right = &call->right;
+    double along = 0; // the one error times the other
+    if (one->count != yours->count || other->count != yours->count || right->count != yours->count)
+        return false;
+    for (int i = 0; i < yours->count; i++) {
+        double a = one->at[i], b = other->at[i], r = right->at[i];
+        double sum = same_double(a, r) ? b : same_double(b, r) ? a : a + b - r;
+        if (!same_double(yours->at[i], sum))
+            return false;
+        along += same_double(a, r) || same_double(b, r) ? 0 : (a - r) * (b - r);
+    }
+    return !(along < -1e-9);
+}
+
+static bool may_be_both(const EvidenceCall *call, int one, int other)
+{
+    const Theirs *a = &call->theirs[one], *b = &call->theirs[other];
+    if (a->is_right)
+        return b->is_yours;
+    if (b->is_right || (a->is_yours && b->is_yours))
+        return a->is_yours;
+    return is_sum(call, &a->numbers, &b->numbers);
+}
+
+// In space, if the two errors have different directions: then they add up to this error only by
+// chance.
+static bool errors_differ(const EvidenceCall *call, int mistake, int other)
+{
+    const Numbers *one = &call->theirs[mistake].numbers, *two = &call->theirs[other].numbers;
+    double ee = 0, ef = 0, ff = 0;
+    for (int i = 0; i < call->right.count; i++) {
+        double e = one->at[i] - call->right.at[i], f = two->at[i] - call->right.at[i];
+        ee += e * e;
+        ef += e * f;
+        ff += f * f;
+    }
+    return call->right.count >= 3 && ee * ff - ef * ef > 1e-6 * ee * ff;
+}
+
+// The answer needs this mistake: one of its numbers is the mistake's, and the other mistake is
+// right there; or both are wrong. If the errors of both are equal, sums mean nothing.
+static bool is_needed(const EvidenceCall *call, int mistake, int other)
+{
+    const Theirs *a = &call->theirs[mistake], *b = &call->theirs[other];
+    const Numbers *yours = &call->yours, *right = &call->right;
+    if (a->is_right || b->is_yours)
+        return false;
+    if (b->is_right)
+        return a->is_yours;
+    if (a->numbers.count != right->count || b->numbers.count != right->count)
+        return false;
+    for (int i = 0; i < right->count && i < yours->count; i++)
+        if (same_double(b->numbers.at[i], right->at[i]) &&
+            !same_double(a->numbers.at[i], right->at[i]) &&
+            same_double(yours->at[i], a->numbers.at[i]))
+            return true;
+    return errors_differ(call, mistake, other);
+}
+
+// The number of general inputs on which the other mistake alone does not give the answer, but this
+// one does: all of them, and those on which the agreement cannot be by chance.
+static void count_needed(const Evidence *evidence, int mistake, int other, int *all, int *telling)
+{
+    *all = *telling = 0;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        if (!call->probe || !is_needed(call, mistake, other))
+            continue;
+        ++*all;
+        *telling += !call->is_common;
+    }
+}
+
+static bool are_both(const Evidence *evidence, int one, int other)
+{
+    int first, second, first_telling, second_telling;
+    for (int i = 0; i < evidence->call_count; i++)
+        if (!may_be_both(&evidence->calls[i], one, other))
+            return false;
+    count_needed(evidence, one, other, &first, &first_telling);
+    count_needed(evidence, other, one, &second, &second_telling);
+    return first >= ENOUGH && second >= ENOUGH &&
+           (first_telling >= ENOUGH || second_telling >= ENOUGH);
+}
+
+// The only two that together explain every call; none if another pair does. For pictures too little
+// is kept to decide, and steps off a surface are too small to be added up.
+static Diagnosis two_at_once(const Evidence *evidence)
+{
+    Diagnosis it = {0};
+    const Exercise *exercise = &exercises[evidence->exercise];
+    if (strncmp(exercise->results, "Pixels", 6) == 0 || layout_is_step(exercise))
+        return it;
+    for (int i = 0; i < evidence->mistake_count; i++)
+        for (int k = i + 1; k < evidence->mistake_count; k++) {
+            if (!are_both(evidence, i, k))
+                continue;
+            if (it.mistake != NULL)
+                return (Diagnosis){0};
+            it = (Diagnosis){
+                .mistake = evidence->mistakes[i], .other = evidence->mistakes[k], .also = true};
+        }
+    return it;
+}
+
+// ---- wrong answers that no formula explains ----------------------------------------------------
+
+// The positions of the numbers in a result that were never written: the stack's old contents were
+// returned.
+static bool is_unset(const Evidence *evidence, int place)
+{
+    int unset = 0;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        unset += place < call->yours.count && place < call->again.count &&
+                 is_paint(call->yours.at[place], PAINT) &&
+                 is_paint(call->again.at[place], OTHER_PAINT);
+    }
+    return unset > 0;
+}
+
+// The camera that a function had to store in *camera, if part of the old one is still there: in all
+// calls that returned a camera.
+static bool is_left_as_it_was(const Evidence *evidence, int place)
+{
+    int left = 0;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        if (call->yours.at[0] != CAMERA_OK || call->right.at[0] != CAMERA_OK)
+            continue;
+        double before = call->arguments.at[call->arguments.count - call->yours.count + place];
+        if (!same_double(call->yours.at[place], before))
+            return false;
+        left += !same_double(call->right.at[place], before);
+    }
+    return left >= ENOUGH;
+}
+
+typedef bool IsSo(const Evidence *evidence, int place);
+
+// The fields of a result for which that is true, in words; "" if there are none.
+static const char *fields_that(const Evidence *evidence, IsSo *is_so)
+{
+    static char words[200];
+    const char *last = NULL;
+    const char *results = exercises[evidence->exercise].results;
+    words[0] = '\0';
+    for (int i = 0; i < layout_places(results); i++) {
+        const char *name = layout_place(results, i);
+        if (!is_so(evidence, i) || (last != NULL && strcmp(name, last) == 0))
+            continue;
+        size_t used = strlen(words);
+        snprintf(words + used, sizeof words - used, "%s%s", used > 0 ? ", " : "",
+                 name[0] != '\0' ? name : "the result");
+        last = name;
+    }
+    return words;
+}
+
+static const char *one_or_several(const char *fields, const char *one, const char *several)
+{
+    return strchr(fields, ',') != NULL ? several : one;
+}
+
+static const char *what_was_not_set(const Evidence *evidence)
+{
+    static char words[400];
+    const char *results = exercises[evidence->exercise].results;
+    const char *unset = fields_that(evidence, is_unset);
+    if (unset[0] != '\0') {
+        snprintf(words, sizeof words,
+                 "%s %s never set: your function uses what happened to be in memory", unset,
+                 one_or_several(unset, "was", "were"));
+        return words;
+    }
+    if (strcmp(results, "CameraFault Camera") != 0)
+        return NULL;
+    unset = fields_that(evidence, is_left_as_it_was);
+    if (unset[0] == '\0')
+        return NULL;
+    snprintf(words, sizeof words, "%s of *camera %s never set: still as before the call", unset,
+             one_or_several(unset, "was", "were"));
+    return words;
+}
+
+// A result that depends on the fourth lane of a vec3. Other padding of an argument has no name.
+static const char *what_uses_padding(const Evidence *evidence)
+{
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        if (call->repeats && call->is_padded)
+            return "your function uses v[3] of a vec3, which is not part of the vector "
+                   "(common/vec3.h): a loop over its components ends after v[2]";
+    }
+    return NULL;
+}
+
+// All numbers of the field that a place belongs to, in every call that returned a result.
+static bool is_always_0(const Evidence *evidence, int place)
+{
+    const char *results = exercises[evidence->exercise].results;
+    const char *name = layout_place(results, place);
+    int differs = 0;
+    for (int i = 0; i < layout_places(results); i++)
+        for (int k = 0; k < evidence->call_count && strcmp(layout_place(results, i), name) == 0;
+             k++) {
+            const EvidenceCall *call = &evidence->calls[k];
+            bool is_camera = strncmp(results, "CameraFault", 11) == 0;
+            if (is_camera && (call->yours.at[0] != CAMERA_OK || call->right.at[0] != CAMERA_OK))
+                continue;
+            if (i >= call->yours.count || i >= call->right.count || call->yours.at[i] != 0)
+                return false;
+            differs += call->right.at[i] != 0;
+        }
+    return name[0] != '\0' && differs >= ENOUGH;
+}
+
+static const char *what_is_0(const Evidence *evidence)
+{
+    static char words[400];
+    const char *fields = fields_that(evidence, is_always_0);
+    if (fields[0] == '\0')
+        return NULL;
+    snprintf(words, sizeof words, "%s %s 0 in every call: does your function set %s?", fields,
+             one_or_several(fields, "is", "are"), one_or_several(fields, "it", "them"));
+    return words;
+}
+
+static const char *what_changes(const Evidence *evidence, bool changed_since)
+{
+    for (int i = 0; i < evidence->call_count; i++)
+        if (evidence->calls[i].changes && evidence->calls[i].repeats)
+            return "your function uses a variable that was never set, and so what happened to be "
+                   "in memory";
+    for (int i = 0; i < evidence->call_count; i++)
+        if (changed_since || evidence->calls[i].changes)
+            return "your function gives another result when it is called again with the same "
+                   "arguments: it keeps a value between calls (in a static or global variable?), "
+                   "uses a variable that was never set, or reads past the end of an array";
+    return NULL;
+}
+
+// ---- answers that ignore their arguments -------------------------------------------------------
+
+enum { MANY = 8 }; // calls
+
+static bool is_always_the_same(const Evidence *evidence, int places)
+{
+    for (int i = 1; i < evidence->call_count; i++) {
+        const double *first = evidence->calls[0].yours.at, *yours = evidence->calls[i].yours.at;
+        for (int k = 0; k < places; k++)
+            if (evidence->calls[i].yours.count < places || !same_double(first[k], yours[k]))
+                return false;
+    }
+    return evidence->call_count >= MANY;
+}
+
+// Whether all numbers of the result are those of the arguments that start there.
+static bool is_argument(const Evidence *evidence, int from)
+{
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        if (call->arguments.count < from + call->yours.count)
+            return false;
+        for (int k = 0; k < call->yours.count; k++)
+            if (!same_double(call->arguments.at[from + k], call->yours.at[k]))
+                return false;
+    }
+    return evidence->call_count >= MANY;
+}
+
+// In every call the whole picture has the colour of its first pixel.
+static bool is_one_color(const Evidence *evidence, bool has_depth)
+{
+    for (int i = 0; i < evidence->call_count; i++) {
+        const Numbers *yours = &evidence->calls[i].yours;
+        int bytes = has_depth ? yours->count / 4 * 3 : yours->count;
+        for (int k = 3; k < bytes; k++)
+            if (yours->at[k] != yours->at[k % 3])
+                return false;
+    }
+    return evidence->call_count >= MANY;
+}
+
+static const char *what_is_trivial(const Evidence *evidence)
+{
+    static char words[300];
+    const char *results = exercises[evidence->exercise].results;
+    if (evidence->call_count == 0)
+        return NULL;
+    const Numbers *yours = &evidence->calls[0].yours;
+    if (strncmp(results, "Pixels", 6) == 0)
+        return is_one_color(evidence, strcmp(results, "Pixels") != 0)
+                   ? "every pixel of your picture has the same colour, whatever is in the scene"
+                   : NULL;
+    if (strncmp(results, "CameraFault", 11) == 0) {
+        int fault = (int)yours->at[0];
+        if (fault <= CAMERA_OK || fault >= CAMERA_FAULTS || !is_always_the_same(evidence, 1))
+            return NULL;
+        snprintf(words, sizeof words,
+                 "your function refuses all arguments, always for the same reason: %s",
+                 camera_fault_text((CameraFault)fault));
+        return words;
+    }
+    if (is_always_the_same(evidence, yours->count))
+        return "your function returns the same result in every call, whatever its arguments are";
+    for (int from = 0; from < evidence->calls[0].arguments.count; from++)
+        if (is_argument(evidence, from))
+            return "your function returns one of its arguments unchanged";
+    return NULL;
+}
+
+// ---- rounding, and float -----------------------------------------------------------------------
+
+// Differs from the right result, but by so little that a float may be the reason: a step off a
+// surface is that small, so all of the point must be floats.
+static bool is_off_by_a_float(const Evidence *evidence, const EvidenceCall *call)
+{
+    bool is_step = layout_is_step(&exercises[evidence->exercise]);
+    if (call->is_right || call->yours.count != call->right.count)
+        return false;
+    for (int i = 0; i < call->right.count; i++) {
+        double yours = call->yours.at[i], right = call->right.at[i];
+        bool is_near =
+            yours == right || fabs(yours - right) <= 1e-5 * (1 + fmin(fabs(yours), fabs(right)));
+        if (!is_near || (is_step && yours != (double)(float)yours))
+            return false;
+    }
+    return true;
+}
+
+// A float in its place would be wrong.
+static bool needs_a_double(const EvidenceCall *call)
+{
+    for (int i = 0; i < call->right.count; i++)
+        if (!same_double(call->right.at[i], (float)call->right.at[i]))
+            return true;
+    return false;
+}
+
+// Most of what is wrong is off by so little, and most results that no float holds are wrong: a
+// special case or a limit is wrong only here and there.
+static const char *what_is_a_float(const Evidence *evidence)
+{
+    int wrong = 0, off = 0, shows = 0, shown = 0;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        bool is_off = is_off_by_a_float(evidence, call);
+        wrong += !call->is_right;
+        off += is_off;
+        shows += call->probe && needs_a_double(call);
+        shown += call->probe && needs_a_double(call) && is_off;
+    }
+    if (off < ENOUGH || 4 * off < 3 * wrong || 2 * shown < shows)
+        return NULL;
+    return "your results are right to 6 or 7 digits, and no more: is there a float (0.3f, sqrtf, "
+           "float t), or a constant with few digits? Use double";
+}
+
+// Some cameras are refused because of a comparison, and nothing else is wrong. NULL if there is
+// another reason.
+static const char *explain_refusals(const Evidence *evidence)
+{
+    int refused = 0, accepted = 0;
+    if (strcmp(exercises[evidence->exercise].results, "CameraFault Camera") != 0)
+        return NULL;
+    for (int i = 0; i < evidence->call_count; i++) {
+        const EvidenceCall *call = &evidence->calls[i];
+        double yours = call->yours.at[0];
+        if (call->right.at[0] != CAMERA_OK && yours != CAMERA_OK)
+            continue; // of several reasons any may be given
+        if (yours == CAMERA_NO_RECTANGLE || yours == CAMERA_OFF_AXIS)
+            refused++;
+        else if (call->is_right || is_off_by_a_float(evidence, call))
+            accepted++;
+        else
+            return NULL;
+    }
+    if (refused == 0 || accepted == 0)
+        return NULL;
+    return "you refuse rounding, it seems: some cameras are refused, others are not. Compare a "
+           "difference with CAMERA_TOLERANCE x the edges and a cosine with CAMERA_TOLERANCE, not "
+           "with 0 or a fixed length, and use no float";
+}
+
+// These words contain no number of a test, so that they may also be shown for hidden tests.
+// shown: the call that the student is shown; -1 if there is none. changed_since: its answer is now
+// different from then.
+static Diagnosis explain_by_evidence(const Evidence *evidence, int shown, bool changed_since)
+{
+    const char *said[] = {what_uses_padding(evidence), what_was_not_set(evidence),
+                          what_changes(evidence, changed_since), what_is_trivial(evidence),
+                          what_is_a_float(evidence)};
+    for (size_t i = 0; i < sizeof said / sizeof said[0]; i++)
+        if (said[i] != NULL)
+            return (Diagnosis){.law = said[i]};
+    Diagnosis named = two_at_once(evidence);
+    if (named.mistake == NULL)
+        named = in_part(evidence, shown);
+    return named.mistake != NULL ? named : (Diagnosis){.law = what_is_0(evidence)};
+}
 
 enum { MOST_EXERCISES = 100, MOST_MISTAKES = 100 };
 
@@ -17,9 +750,10 @@ static struct {
     int count;
     struct {
         const Mistake *mistake;
-        bool innocent;
+        bool ruled_out;
     } suspects[MOST_MISTAKES];
     bool called;
+    const char *differs;   // the first test or probe in which a result was not the right one
     bool refuses, accepts; // of a function that may refuse: it did so, always with the same reason
     int reason;
 } cases[MOST_EXERCISES];
@@ -34,10 +768,10 @@ static struct {
     bool hidden;
 } laws[MOST_TESTS];
 
-static bool awake;         // since suspects_begin
+static bool is_listening;  // since suspects_begin
 static Evidence *evidence; // if every call is recorded: then no mistake is ruled out yet
 
-static void take_up(const Mistake *mistake)
+static void add_suspect(const Mistake *mistake)
 {
     int exercise = exercise_number(mistake->exercise);
     if (exercise < 0 || cases[exercise].count == MOST_MISTAKES) {
@@ -52,15 +786,13 @@ void suspects_begin(void)
 {
     memset(cases, 0, sizeof cases);
     memset(laws, 0, sizeof laws);
-    awake = true;
-    const Mistake *const *mistakes = chosen_mistakes();
-    for (int table = 0; mistakes[table] != NULL; table++)
-        for (int i = 0; mistakes[table][i].id != NULL; i++)
-            take_up(&mistakes[table][i]);
+    is_listening = true;
+    for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
+        add_suspect(it);
 }
 
 // In the tests of other exercises the reference answers.
-static bool is_on_trial(int exercise)
+static bool is_tested(int exercise)
 {
     return strcmp(record_now()->function, exercises[exercise].name) == 0;
 }
@@ -73,19 +805,17 @@ static bool is_of_digits(const Mistake *mistake)
 
 bool suspects_listen(int exercise)
 {
-    return awake && is_on_trial(exercise) && (evidence == NULL || !record_now()->extra);
+    return is_listening && is_tested(exercise) && (evidence == NULL || !record_now()->extra);
 }
 
-static bool brings(int exercise, int nth, const Heard *heard, const Numbers *yours)
+static bool may_be(int exercise, int nth, const Heard *heard, const Numbers *yours,
+                   const Numbers *right)
 {
-    Numbers theirs = numbers_copy(heard->by(exercise, cases[exercise].suspects[nth].mistake, nth));
-    settle_freedom(exercise, &theirs);
-    bool same = results_agree(exercise, heard->arguments, yours, &theirs);
-    if (!same && yours->count == theirs.count)
-        same = refusals_agree(exercise, heard->arguments, yours, &theirs,
-                              heard->by(exercise, NULL, -1));
+    Numbers theirs = settled(exercise, heard->arguments,
+                             heard->by(exercise, cases[exercise].suspects[nth].mistake, nth));
+    bool may = may_be_mistake(exercise, heard->arguments, yours, &theirs, right);
     numbers_free(&theirs);
-    return same;
+    return may;
 }
 
 static void watch_refusals(int exercise, const Numbers *yours)
@@ -101,24 +831,33 @@ static void watch_refusals(int exercise, const Numbers *yours)
 
 // On the extreme inputs of extra tests every way to arrange a formula has its own digits, so they
 // rule out only mistakes about digits.
-static void acquit(int exercise, const Heard *heard)
+static void rule_out(int exercise, const Heard *heard)
 {
     bool extra = record_now()->extra;
-    Numbers yours = numbers_copy(heard->yours);
-    settle_freedom(exercise, &yours);
+    Numbers yours = settled(exercise, heard->arguments, heard->yours);
+    Numbers right = settled(exercise, heard->arguments, heard->by(exercise, NULL, -1));
     cases[exercise].called = true;
     watch_refusals(exercise, heard->yours);
+    if (!extra && cases[exercise].differs == NULL &&
+        !results_agree(exercise, heard->arguments, &yours, &right))
+        cases[exercise].differs = record_now()->name;
     for (int i = 0; i < cases[exercise].count; i++)
-        if (!cases[exercise].suspects[i].innocent &&
+        if (!cases[exercise].suspects[i].ruled_out &&
             (!extra || is_of_digits(cases[exercise].suspects[i].mistake)))
-            cases[exercise].suspects[i].innocent = !brings(exercise, i, heard, &yours);
+            cases[exercise].suspects[i].ruled_out = !may_be(exercise, i, heard, &yours, &right);
     numbers_free(&yours);
+    numbers_free(&right);
+}
+
+const char *suspect_differs(int exercise)
+{
+    return cases[exercise].differs;
 }
 
 void suspects_hear(int exercise, const Heard *heard)
 {
     if (evidence == NULL) {
-        acquit(exercise, heard);
+        rule_out(exercise, heard);
         return;
     }
     int nth[MOST_MISTAKES], count = 0;
@@ -132,19 +871,19 @@ const Mistake *suspect(int exercise, int nth, bool extra)
 {
     for (int i = 0; cases[exercise].called && i < cases[exercise].count; i++) {
         const Mistake *mistake = cases[exercise].suspects[i].mistake;
-        if (!cases[exercise].suspects[i].innocent && (extra || !is_of_digits(mistake)) &&
+        if (!cases[exercise].suspects[i].ruled_out && (extra || !is_of_digits(mistake)) &&
             nth-- == 0)
             return mistake;
     }
     return NULL;
 }
 
-// ---- laws ---------------------------------------------------------------------------------------
+// ---- laws --------------------------------------------------------------------------------------
 
 bool law_begin(int exercise)
 {
-    bool wanted = awake && is_on_trial(exercise) && !record_now()->extra && !record_now()->probe &&
-                  record_number() < MOST_TESTS;
+    bool wanted = is_listening && is_tested(exercise) && !record_now()->extra &&
+                  !record_now()->probe && record_number() < MOST_TESTS;
     if (wanted)
         laws[record_number()].calls++;
     return wanted;
@@ -182,12 +921,7 @@ static const char *law_of(int test)
     return laws[test].words[0] != '\0' && last && !laws[test].hidden ? laws[test].words : NULL;
 }
 
-// ---- diagnosis ----------------------------------------------------------------------------------
-
-void run_probes(int exercise, const char *name, Outcomes *outcomes)
-{
-    run_listed_probes(exercises[exercise].name, name, outcomes);
-}
+// ---- diagnosis ---------------------------------------------------------------------------------
 
 // The first graded test that failed; -1 if none did.
 static int first_failed(const Outcomes *outcomes)
@@ -258,14 +992,17 @@ static const char *where_it_crashed(const Records *shown_records, const Outcomes
 }
 
 // Runs all tests and probes, which rule out mistakes. False if that says nothing about the answer
-// that was shown: a call had no answer, or another one.
-static bool is_heard(int exercise, const Records *shown)
+// that was shown: a call had no answer, or another one. The probes find other contents in memory,
+// so that no mistake is named because of them.
+static bool is_consistent(int exercise, const Records *shown)
 {
     static Outcomes tests, probes;
     run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &tests);
     bool good = all_were_answered(&tests) && !has_changed(shown, &tests);
     records_end();
-    run_probes(exercise, NULL, &probes);
+    paint_calls(EMPTY_STACK);
+    run_probes(exercises[exercise].name, NULL, &probes);
+    paint_calls(PAINT);
     good = good && all_were_answered(&probes);
     records_end();
     return good;
@@ -281,7 +1018,7 @@ static Diagnosis look_closer(int exercise, const Records *shown_records, bool hi
     for (int i = 0; i < cases[exercise].count; i++)
         if (!is_of_digits(cases[exercise].suspects[i].mistake))
             known[count++] = cases[exercise].suspects[i].mistake;
-    evidence_begin(&all, exercise, known, count);
+    all = (Evidence){.exercise = exercise, .mistake_count = count, .mistakes = known};
     evidence = &all;
     memset(laws, 0, sizeof laws);
     run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &tests);
@@ -295,7 +1032,7 @@ static Diagnosis look_closer(int exercise, const Records *shown_records, bool hi
     bool changed = has_changed(shown_records, &tests);
     const char *crash = where_it_crashed(shown_records, &tests);
     records_end();
-    run_probes(exercise, NULL, &probes);
+    run_probes(exercises[exercise].name, NULL, &probes);
     if (crash == NULL)
         crash = where_it_crashed(NULL, &probes);
     records_end();
@@ -305,6 +1042,8 @@ static Diagnosis look_closer(int exercise, const Records *shown_records, bool hi
         it.law = law;
     if (it.mistake == NULL && it.law == NULL)
         it.law = crash;
+    if (it.mistake == NULL && it.law == NULL)
+        it.law = explain_refusals(&all);
     evidence_end(&all);
     return it;
 }
@@ -315,7 +1054,7 @@ Diagnosis diagnose(int exercise, bool hidden)
     suspects_begin();
     paint_calls(PAINT);
     Diagnosis it = {0};
-    bool heard = is_heard(exercise, shown);
+    bool heard = is_consistent(exercise, shown);
     // Many mistakes end in the same refusal, whatever the arguments: then none of them is named.
     // Nor is one of two that no test distinguishes, which the matrix rejects.
     if (heard && (cases[exercise].accepts || !cases[exercise].refuses) &&

@@ -5,7 +5,7 @@
 #ifndef TESTS_JUDGE_SUSPECTS_H
 #define TESTS_JUDGE_SUSPECTS_H
 
-#include "tests/judge/mistake.h"
+#include "tests/judge/known.h"
 #include "tests/judge/numbers.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/switchboard.h"
@@ -19,10 +19,14 @@ void suspects_begin(void);
 // exercise was never called. extra: also those that only extra tests can distinguish from right.
 const Mistake *suspect(int exercise, int nth, bool extra);
 
-// Probes are calls that separate mistakes and are not graded: of inputs in general position, in
-// tests/NN-stem/probes.c, OF_STEM(list_probes). They run like tests, and nothing is expected of
-// them.
-void run_probes(int exercise, const char *name, Outcomes *outcomes); // name NULL: all of them
+// The first graded test or probe in which a result of the exercise was not the right one, in
+// whatever way the contract leaves it free; NULL if none was. Where it leaves a result free, none
+// may decide which mistakes are left.
+const char *suspect_differs(int exercise);
+
+// Probes are calls that separate mistakes and are not graded: of inputs in general position, PROBE
+// in tests/NN-stem.c. They run like tests, and nothing is expected of them (run_probes in
+// runner.h).
 
 // All of that for an exercise whose tests have failed: they are run again, now with the mistakes
 // and the laws, which most answers never need.

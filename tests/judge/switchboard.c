@@ -1,7 +1,7 @@
 // switchboard.c - who answers an exercise.
 #include "tests/judge/switchboard.h"
 
-#include "tests/judge/record.h"
+#include "tests/judge/runner.h"
 
 #include <stddef.h>
 #include <string.h>

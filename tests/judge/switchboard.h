@@ -14,7 +14,7 @@ void switch_to_reference(void);
 // From now on this function answers the exercise. False if there is no exercise of this name.
 bool switch_one(const char *exercise, AnyFunction *answer);
 
-// From now on the transport (transport.h) answers the exercises of this stem, each in its own
+// From now on the transport (message.h) answers the exercises of this stem, each in its own
 // tests.
 void switch_to_process(const char *stem);
 

@@ -1,6 +1,6 @@
 // system_call.c - what a forbidden system call was for, in words.
 #define _GNU_SOURCE
-#include "tests/judge/system_call.h"
+#include "tests/judge/process.h"
 
 #include <stddef.h>
 #include <sys/syscall.h>

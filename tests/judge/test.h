@@ -14,20 +14,41 @@
 #include "common/sphere.h"
 #include "common/text.h"
 #include "common/vec3.h"
+#include "exercises/05-quadratic.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/types.h"
 
 #include <check.h>
 
-// Each stem has one list of tests: tests_of a function, then its tests, and so on.
+// A test of an exercise adds itself to the tests of its stem; those of a function run one after the
+// other, in the order of the file. An extra test costs no marks, a probe is none (suspects.h).
 //
-//     static void list_tests(void)
+//     TEST(upper_left, the_upper_left_corner_of_the_example)
 //     {
-//         tests_of("upper_left");
-//         test(the_upper_left_corner_of_the_example);
 //     }
-//
-//     OF_STEM(list_tests)
+#define TEST(function, name) LISTED_TEST(#function, name, false, false)
+#define EXTRA_TEST(function, name) LISTED_TEST(#function, name, true, false)
+#define PROBE(function, name) LISTED_TEST(#function, name, false, true)
+#define LISTED_TEST(function, name, is_extra, is_probe)                                            \
+    static const TTest *name;                                                                      \
+    __attribute__((constructor)) static void add_##name(void)                                      \
+    {                                                                                              \
+        static ListedTest listed = {function, NULL, is_extra, __COUNTER__, NULL};                  \
+        listed.test = name;                                                                        \
+        add_test(__FILE__, is_probe, &listed);                                                     \
+    }                                                                                              \
+    START_TEST(name)
+typedef struct ListedTest {
+    const char *function;
+    const TTest *test;
+    bool extra;
+    int place; // in its file
+    struct ListedTest *next;
+} ListedTest;
+void add_test(const char *file, bool is_probe, ListedTest *test);
+
+// What is not about exercises, or is known only when the program runs, has OF_STEM(list_tests): a
+// function that calls tests_of, then test for each.
 void tests_of(const char *function);
 void tests_of_extra(const char *function); // that cost no marks
 void test(const TTest *test);
@@ -72,7 +93,7 @@ double random_number(double low, double high);
 double random_scale(int i, int count);
 vec3 random_vec3(double low, double high);
 vec3 random_unit(void);
-// The deck's own camera, also if the lecture has another one (common/example.h).
+// The deck's own camera, also if the lecture has another one (chapters/shared/example.h).
 Camera camera_of_the_deck(void);
 Camera random_camera(void); // far from special: every number counts
 // Each number of origin, direction and center is between minus that and that.
@@ -83,5 +104,10 @@ Pixel random_pixel(Resolution screen);
 
 // Where gdb stops: the case of this number begins (the first is 1).
 void case_begins(int number);
+
+// ---- expected roots: their number, and each to within an absolute tolerance --------------------
+
+// If there are fewer roots, the values of the unused t do not matter.
+void expect_roots(Roots yours, Roots expected, double within);
 
 #endif

@@ -7,7 +7,6 @@
 // STEM is needed if the program has the tests of several.
 // CK_RUN_CASE=FUNCTION does what --only does.
 #include "tests/judge/runner.h"
-#include "tests/judge/show.h"
 #include "tests/judge/stem.h"
 
 #include <stdio.h>
@@ -22,7 +21,7 @@ static int report(const char *name, const Outcomes *outcomes)
             continue;
         failed++;
         printf("not ok: %s: %s\n", test->function, test->name);
-        show_outcome(stdout, test);
+        show_outcome(test);
     }
     printf("%s: %d passed, %d failed\n", name, outcomes->count - failed, failed);
     return failed == 0 && outcomes->count > 0 ? 0 : 1;

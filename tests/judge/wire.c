@@ -72,26 +72,6 @@ bool wire_is_read(const Wire *wire)
     return !wire->bad && wire->read == wire->size;
 }
 
-bool wire_allows_depth(const Wire *wire, int depth)
-{
-    return !wire->is_hostile || depth <= WIRE_MOST_DEPTH;
-}
-
-bool wire_allows_hit(const Wire *wire, Hit hit, const Scene *scene)
-{
-    return !wire->is_hostile || (hit.sphere >= 0 && hit.sphere < scene->sphere_count);
-}
-
-bool wire_allows_light(const Wire *wire, Light light)
-{
-    return !wire->is_hostile || light.kind == LIGHT_POINT || light.kind == LIGHT_DISTANT;
-}
-
-bool wire_allows_world(const Wire *wire, Handedness world)
-{
-    return !wire->is_hostile || world == LEFT_HANDED || world == RIGHT_HANDED;
-}
-
 static size_t pixels_of(const Image *image)
 {
     return (size_t)image->size.width * (size_t)image->size.height;
@@ -140,13 +120,20 @@ void wire_put_value(Wire *wire, const Type *type, const void *value)
     }
 }
 
+static int padding = 0xff;
+
+void wire_fill_padding_with(int byte)
+{
+    padding = byte;
+}
+
 static void get_flat(Wire *wire, const Type *type, void *value)
 {
     unsigned char bytes[TYPE_MOST_BYTES];
     if (type->size == 0)
         return;
     wire_get(wire, bytes, type->size);
-    memset(value, 0, type->size);
+    memset(value, padding, type->size);
     type_copy(type, value, bytes);
 }
 
@@ -212,6 +199,11 @@ static void get_image(Wire *wire, Image *image)
     wire_get_pixels(wire, image);
 }
 
+bool is_light_kind(LightKind kind)
+{
+    return kind == LIGHT_POINT || kind == LIGHT_DISTANT;
+}
+
 static bool is_sane(const Wire *wire, const Scene *scene)
 {
     bool sane = true;
@@ -219,7 +211,7 @@ static bool is_sane(const Wire *wire, const Scene *scene)
         sane = sane && scene->spheres[i].surface >= 0 &&
                scene->spheres[i].surface < scene->surface_count;
     for (int i = 0; i < scene->light_count; i++)
-        sane = sane && wire_allows_light(wire, scene->lights[i]);
+        sane = sane && (!wire->is_hostile || is_light_kind(scene->lights[i].kind));
     return sane;
 }
 
@@ -229,7 +221,7 @@ void wire_get_value(Wire *wire, const Type *type, void *value)
         get_flat(wire, type, value);
         return;
     }
-    memset(value, 0, type->size);
+    memset(value, padding, type->size);
     for (const Field *field = type->fields; field < type->fields + type->count; field++) {
         if (field->kind == FIELD_OF_ONE)
             wire_get_value(wire, field->type, (char *)value + field->offset);

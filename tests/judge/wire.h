@@ -6,6 +6,7 @@
 #ifndef TESTS_JUDGE_WIRE_H
 #define TESTS_JUDGE_WIRE_H
 
+#include "common/failed_check.h"
 #include "tests/judge/types.h"
 
 #include <stdint.h>
@@ -32,7 +33,7 @@ typedef struct {
     uint64_t nonce; // new for every call; the answer must bring it back
     uint64_t size;  // of the message that follows
     int32_t kind;
-    int32_t paint;    // of a call: a byte to fill the stack with before it (stack_paint.h)
+    int32_t paint;    // of a call: what memory is filled with that nobody has set (message.h)
     int32_t overran;  // in an answer: it wrote past the end of the image or of depth
     char missing[60]; // in an answer: the first blank that was called; empty if none was
 } WireHeader;
@@ -49,7 +50,9 @@ typedef struct {
     uint64_t address;
     int32_t stack_overflow;
     int32_t out_of_memory; // an allocation had failed before
+    int32_t no_address;    // the pointer is none: the machine has no such address
     int32_t system_call;   // of SIGSYS: which one is forbidden
+    FailedCheck failed_check;
 } WireCrash;
 
 void wire_clear(Wire *wire);
@@ -62,15 +65,12 @@ bool wire_is_read(const Wire *wire); // to its end, and nothing was invalid
 // end once. NULL if there is no memory.
 const void *wire_block(Wire *wire, const WireHeader *header, size_t *size);
 
-// Whether the reference can be called with these; all of them if the question is not hostile.
-enum { WIRE_MOST_DEPTH = 100 };
-bool wire_allows_depth(const Wire *wire, int depth);
-bool wire_allows_hit(const Wire *wire, Hit hit, const Scene *scene);
-bool wire_allows_light(const Wire *wire, Light light);
-bool wire_allows_world(const Wire *wire, Handedness world);
+bool is_light_kind(LightKind kind); // and not another number
 
 // A value of any type: the parts of the type, and zeros for its padding, which could hold data of
-// the judge.
+// the judge. In a value that was read, padding has this byte: nobody should use it, and numbers
+// made of it spoil any result. To begin with it is 0xff (NaN).
+void wire_fill_padding_with(int byte);
 void wire_put_value(Wire *wire, const Type *type, const void *value);
 void wire_get_value(Wire *wire, const Type *type, void *value);
 void wire_free_value(const Type *type, void *value); // memory that reading it took from malloc

@@ -8,12 +8,12 @@ set -u
 . tests/house/figures/scripts.sh
 once videos "the videos of animations"
 
-needs videos 'the videos of animations' gnuplot
+needs videos 'the videos of animations' gnuplot python3
 draw_in() {
     folder=$1
     shift
     # shellcheck disable=SC2086 # names are words
-    env "$@" "$BUILD/chapters/animations/draw_animations" "$folder" $names >"$scratch/said" 2>&1
+    env "$@" python3 -B chapters/animations/draw_animations.py "$folder" $names >"$scratch/said" 2>&1
     status=$?
     cat "$scratch/said"
     return $status
@@ -88,7 +88,7 @@ check 'and this is said' says '(all were there)'
 
 # A turntable: chapter 08 from all sides.
 turn() {
-    env FORMAT=png FRAMES=4 "$BUILD/chapters/animations/draw_animations" "$scratch/one" --turn table \
+    env FORMAT=png FRAMES=4 python3 -B chapters/animations/draw_animations.py "$scratch/one" --turn table \
         chapters/06-ray-casting/three-spheres.nff "$PROGRAMS/08-fast" --shaded -s 64x36
 }
 check 'a turntable is drawn' turn
@@ -97,7 +97,7 @@ check 'all differ' test "$(cksum "$scratch"/one/table/frames/* | cut -d' ' -f1 |
 check 'the scene without a turn' "$PROGRAMS/08-fast" --shaded -s 64x36 -o "$scratch/front.png" chapters/06-ray-casting/three-spheres.nff
 check 'is its first frame' cmp "$scratch/front.png" "$scratch/one/table/frames/0001.png"
 check 'and its last, after all the way round' "$PROGRAMS/08-fast" --shaded -s 64x36 --turn -360 -o "$scratch/round.png" chapters/06-ray-casting/three-spheres.nff
-check 'the same picture' "$BUILD/tests/same_picture" "$scratch/front.png" "$scratch/round.png" 20 1
+check 'the same picture' same_picture "$scratch/front.png" "$scratch/round.png" 20 1
 
 for program in ffmpeg ffprobe; do
     command -v $program >/dev/null || skip videos "videos, which need ffmpeg (make setup FOR=lecturer)"
@@ -112,7 +112,7 @@ asked() {
 }
 # All the way round in 6 s, so every fifth of 90 frames, as large as they are.
 turn_in_few_pictures() {
-    env FORMAT=gif,apng FRAMES=90 "$BUILD/chapters/animations/draw_animations" "$scratch/one" --turn around \
+    env FORMAT=gif,apng FRAMES=90 python3 -B chapters/animations/draw_animations.py "$scratch/one" --turn around \
         chapters/06-ray-casting/three-spheres.nff "$PROGRAMS/08-fast" --shaded -s 256x144
 }
 check 'a turntable in few pictures is made' turn_in_few_pictures

@@ -66,10 +66,10 @@ START_TEST(what_is_received_has_no_padding_of_the_other_side)
     memset(&got, 0, sizeof got);
     wire_get_value(&wire, &type_Plane, &got);
     expect_vec3(got.normal, vec3_of(1, 2, 3), 0);
-    expect_number(got.normal[3], 0, 0);
+    expect_int(isnan(got.normal[3]), true); // so that nobody's result depends on it
     expect_number(got.offset, 4, 0);
     expect_int(got.kind, 'p');
-    expect_int(((unsigned char *)&got)[sizeof got - 1], 0);
+    expect_int(((unsigned char *)&got)[sizeof got - 1], 0xff);
     wire_free(&wire);
 }
 END_TEST
@@ -87,6 +87,7 @@ START_TEST(a_list_of_planes_comes_back_and_has_no_secrets)
     expect_int(got.plane_count, 2);
     expect_vec3(got.planes[1].normal, vec3_of(5, 2, 3), 0);
     expect_int(got.planes[1].kind, 'b');
+    expect_int(isnan(got.planes[0].normal[3]) && isnan(got.planes[1].normal[3]), true);
     wire_free_value(&type_Planes, &got);
     wire_free(&wire);
 }

@@ -42,7 +42,6 @@ case $BUILD in
         counted "$memory" 1000000 2 1
     elif has_memory; then
         counted "$memory" 10000000 2 1
-        counted "$memory" 10000000 1 10
     else
         echo "skipped: engines with ten million spheres, which need 1.5 GB of free memory"
     fi
@@ -71,7 +70,7 @@ x86_64*)
         check 'objects for any processor have no vectors that not all have' no_wide_vectors
         check 'objects for other processors give away nothing by a name of all' none_given_away
     else
-        echo "skipped: which vectors objects have: objdump is missing ('make setup' installs it)"
+        echo "skipped: which vectors objects have: objdump is missing ('make setup FOR=contributor' installs it)"
     fi
     ;;
 esac

@@ -1,17 +1,19 @@
 #!/bin/sh
 # examples.sh - a lecture with other numbers. In a copy of the tree, chapters/example.h gets random ones
-# (random_example.c), 'make' runs, and then nothing disagrees: the reference passes, lessons and figures
+# (random_example.py), 'make' runs, and then nothing disagrees: the reference passes, lessons and figures
 # have the new numbers, and the tests of the lessons pass.
 # EXAMPLES=20 in the environment says how many; FIRST_EXAMPLE=1 with which to begin.
 # Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 once examples 'lectures with other numbers'
-needs examples 'figures with other numbers' gnuplot
+needs examples 'figures with other numbers' gnuplot python3
 
 examples=${EXAMPLES:-20}
 first=${FIRST_EXAMPLE:-1}
-random=$BUILD/tests/proof/random_example
+random_example() {
+    python3 "$here/tests/proof/random_example.py" "$@"
+}
 tree=$scratch/tree
 mkdir "$tree"
 # With their dates, so that make builds only what depends on the example.
@@ -25,7 +27,7 @@ export PROGRAMS="$BUILD/solutions"
 
 # What a lecturer runs, and then what the tests below need. The second one has nothing to write.
 with_the_numbers_of() {
-    "$random" "$1" >chapters/example.h || return 1
+    random_example "$1" >chapters/example.h || return 1
     make CC="$CC" >"$scratch/made" 2>&1 && cp chapters/01-corners/README.md "$scratch/lesson" &&
         make CC="$CC" lessons "$BUILD/solutions/tests" "$BUILD/tests/house/common/example" >>"$scratch/made" 2>&1 &&
         cmp chapters/01-corners/README.md "$scratch/lesson" && return
@@ -33,7 +35,7 @@ with_the_numbers_of() {
     return 1
 }
 holds_its_numbers() {
-    "$random" "$1" --lessons | while IFS='	' read -r lesson text other; do
+    random_example "$1" --lessons | while IFS='	' read -r lesson text other; do
         grep -qF -e "$text" -e "${other:-$text}" "$lesson" || { echo "$lesson does not have: $text"; break; }
     done >"$scratch/missing"
     cat "$scratch/missing"
@@ -41,7 +43,7 @@ holds_its_numbers() {
 }
 # The figures without options are those with the example's numbers as options.
 draws_its_numbers() {
-    "$random" "$1" --figures >"$scratch/figures" && [ -s "$scratch/figures" ] || return 1
+    random_example "$1" --figures >"$scratch/figures" && [ -s "$scratch/figures" ] || return 1
     while read -r program figure options; do
         "$PROGRAMS/$program" --figure "$figure" >"$scratch/default.gp" || return 1
         # shellcheck disable=SC2086 # options are words
@@ -50,9 +52,59 @@ draws_its_numbers() {
     done <"$scratch/figures"
 }
 
+# Pictures in every format, a figure from a folder, an animation and slides: after a change of the example, each is of
+# the new numbers or is gone.
+is_drawn_before() {
+    mkdir "$scratch/own" && { echo '# data: parabola'; cat chapters/05-quadratic/figures/parabola.gp; } >"$scratch/own/own-parabola.gp"
+    for folder in animations/discriminant slides; do
+        mkdir -p "$PROGRAMS/$folder" && touch "$PROGRAMS/$folder/discriminant.gp" "$PROGRAMS/$folder/old.mp4" "$PROGRAMS/$folder/old.pdf"
+    done
+    rm "$PROGRAMS"/slides/*.[mg]p*
+    make CC="$CC" figures FIGURE=parabola FORMAT=svg,pdf,png,tex SHAPE=16:9,4:3 STEPS=1 &&
+        make CC="$CC" figures FIGURES="$scratch/own" && [ -s "$PROGRAMS/figures/own-parabola/own-parabola.pdf" ]
+}
+nothing_is_older() {
+    [ -s "$PROGRAMS/figures/parabola/parabola.svg" ] || return 1
+    find "$PROGRAMS"/figures/*parabola "$PROGRAMS/animations" "$PROGRAMS/slides" -name '[!.]*.*' -type f \
+        ! -path '*/.work/*' ! -name 'numbers*' ! -newer chapters/example.h >"$scratch/older"
+    cat "$scratch/older"
+    [ ! -s "$scratch/older" ]
+}
+check 'there are pictures in every format' is_drawn_before
+# The figures that the lecturer's page says have a scene of their own are those that do not follow the example.
+cp -r "$PROGRAMS/figures" "$scratch/figures-before"
+# shellcheck disable=SC2016 # they are letters
+figures_that_stayed() {
+    for script in chapters/0?-*/figures/*.gp; do
+        name=$(basename "$script" .gp)
+        ! cmp -s "$scratch/figures-before/$name/$name.gp" "$PROGRAMS/figures/$name/$name.gp" || echo "$name"
+    done | sort >"$scratch/stayed"
+    sed -n '/^These figures have a scene of their own/,/^$/p' chapters/README.md | tr '\n' ' ' | sed 's/.*`discriminant`://' |
+        grep -o '`[^`]*`' | tr -d '`' | sort | diff - "$scratch/stayed"
+}
+# What the notes say of the example's numbers. A point and the centre of its pixel are said to be two places: they look
+# different, however large the screen is.
+mkdir -p "$scratch/new/chapters"
+says_on_slides() {
+    random_example "$1" >"$scratch/new/chapters/example.h" && random_example "$1" --slides >"$scratch/wanted" &&
+        "${CC:-cc}" -std=c11 -D_DEFAULT_SOURCE -Wno-psabi "-I$scratch/new" -I. -o "$scratch/numbers" chapters/slides/numbers.c \
+            chapters/shared/example.c "$PROGRAMS"/0?-*.o "$BUILD/common.a" -lm && "$scratch/numbers" >"$scratch/numbers.tex" || return 1
+    while IFS= read -r line; do
+        grep -qxF -e "$line" "$scratch/numbers.tex" || { echo "example $1: no $line"; return 1; }
+    done <"$scratch/wanted"
+    point=$(sed -n 's/.*exPointNormalized//p' "$scratch/numbers.tex")
+    pixel=$(sed -n 's/.*exPixelNormalized//p' "$scratch/numbers.tex")
+    echo "$point $pixel"
+    [ "${point%,*}" != "${pixel%,*}" ] && [ "${point#*,}" != "${pixel#*,}" ]
+}
+for number in 0 1 2 3 4 5 6 7 8; do
+    check "the notes of the slides say what holds for example $number" says_on_slides "$number"
+done
 number=$first
 while [ "$number" -lt $((first + examples)) ]; do
     check "make has the numbers of example $number everywhere" with_the_numbers_of "$number"
+    check 'nothing with older numbers is beside them' nothing_is_older
+    check 'the page names the figures that do not follow it' figures_that_stayed
     check 'it is an example' "$BUILD/tests/house/common/example"
     for contract in exercises/*.h; do
         stem=$(basename "$contract" .h)
@@ -62,7 +114,7 @@ while [ "$number" -lt $((first + examples)) ]; do
     check "example $number: the figures have its numbers" draws_its_numbers "$number"
     check "example $number: the tests of the lessons pass" sh tests/house/lessons.sh
     check "example $number: the lessons show the figures that are drawn" \
-        "$BUILD/tests/house/figures/lesson_figures" "$PROGRAMS/figures" chapters/[0-9]*
+        python3 -B chapters/lessons/lesson_figures.py "$PROGRAMS/figures" chapters/[0-9]*
     check "example $number: the lessons show the pictures that are drawn" sh tests/house/lesson_pictures.sh
     number=$((number + 1))
 done

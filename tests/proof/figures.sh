@@ -17,7 +17,7 @@ draws() {
     folder=$1
     shift
     # shellcheck disable=SC2086 # names are words
-    env "$@" "$BUILD/chapters/gallery/draw_figures" "$folder" $names >"$scratch/said" 2>&1
+    env "$@" python3 chapters/gallery/draw_figures.py "$folder" $names >"$scratch/said" 2>&1
     status=$?
     sed -i '/^  figures  .* left$/d' "$scratch/said" # how far it is
     return $status

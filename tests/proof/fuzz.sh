@@ -1,5 +1,5 @@
 #!/bin/sh
-# fuzz.sh - what a fuzzer thinks of (tests/proof/fuzz), FUZZ_SECONDS long each: the scene reader, and the
+# fuzz.sh - what a fuzzer thinks of (tests/proof/fuzz.c), FUZZ_SECONDS long each: the scene reader, and the
 # explainer of a compiler's words.
 # Only reads the tree.
 set -u
@@ -13,26 +13,34 @@ fi
 builds() {
     target=$1
     shift
-    clang -std=c11 -D_DEFAULT_SOURCE -Wno-psabi -I. -g -O1 \
+    clang -std=c11 -D_DEFAULT_SOURCE -Wno-psabi -I. -g -O1 "-D$target" \
         -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -o "$scratch/$target" \
-        "tests/proof/fuzz/$target.c" "$@" -lm -pthread
+        tests/proof/fuzz.c "$@" -lm -pthread
 }
-# New finds go to the scratch folder; the kept corpus is only read: runs NAME DICTIONARY CORPUS
+# The dictionary is the strings of the code. New finds go to the scratch folder: runs NAME CORPUS SOURCE...
 runs() {
-    mkdir "$scratch/new-$1"
-    "$scratch/$1" -max_total_time="$seconds" -max_len=4096 -dict="tests/proof/fuzz/$2" \
-        -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/new-$1" "$3" \
+    target=$1
+    corpus=$2
+    shift 2
+    mkdir "$scratch/new-$target"
+    grep -oh '"[^"\\%]\{1,60\}"' "$@" | sort -u >"$scratch/dictionary"
+    "$scratch/$target" -max_total_time="$seconds" -max_len=4096 -dict="$scratch/dictionary" \
+        -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/new-$target" "$corpus" \
         2>"$scratch/log" || { tail -n 40 "$scratch/log"; return 1; }
     sed -n 's/^stat::number_of_executed_units: */+ fuzz: inputs tried: /p' "$scratch/log" >>"$scratch/tried"
 }
 check 'the fuzz target of scenes builds' \
-    builds scene common/scene.c common/nff_*.c common/text.c common/answers.c common/workers.c common/large_pages.c
-check "the scene reader survives $seconds s of fuzzing" runs scene nff.dict tests/proof/fuzz/corpus
+    builds SCENES common/scene.c common/text.c common/answers.c common/failed_check.c
+mkdir "$scratch/scenes"
+sed -n "/^[a-z]/ { s/VIEW/v\\\\nfrom 0 0 5\\\\nat 0 0 0\\\\nup 0 1 0\\\\nangle 45\\\\nresolution 8 6\\\\n/
+    s/BLANKS/$(printf '%1000s' '')/; p; }" tests/proof/fuzz-scenes.txt |
+    while read -r name text; do printf '%b' "$text" >"$scratch/scenes/$name.nff"; done
+check "the scene reader survives $seconds s of fuzzing" runs SCENES "$scratch/scenes" common/scene.c
 # One case for each recorded text.
 mkdir "$scratch/cases"
 cat tests/course/explained/*.txt | csplit -s -z -n 3 -f "$scratch/cases/" - '/^== /' '{*}'
 check 'the fuzz target of the explainer builds' \
-    builds explain tests/course/explain_[!m]*.c tests/course/explain_me*.c tests/course/explain_mi*.c
-check "the explainer survives $seconds s of fuzzing" runs explain explain.dict "$scratch/cases"
+    builds COMPILERS tests/course/explain_[!m]*.c tests/course/explain_mi*.c
+check "the explainer survives $seconds s of fuzzing" runs COMPILERS "$scratch/cases" tests/course/explain*.c
 cat "$scratch/tried"
 finish fuzz

@@ -24,7 +24,7 @@ cp "$built/gallery/sunflower.png" "$built/gallery/a \"<b>\" & c#1 50%?.png"
 
 draw() {
     # shellcheck disable=SC2086 # names are words
-    env "$@" "$BUILD/chapters/gallery/draw_figures" "$built/figures" $names
+    env "$@" python3 chapters/gallery/draw_figures.py "$built/figures" $names
 }
 says() {
     grep -qF -- "$1" "$page"
@@ -32,16 +32,16 @@ says() {
 says_not() {
     ! says "$1"
 }
-check 'a page is made without any figure' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'a page is made without any figure' python3 chapters/gallery/gallery.py "$built" "$BUILD/scenes"
 check 'and says so' says 'No figure is drawn yet'
 first=$(echo "$names" | cut -d' ' -f2)
 check 'figures are drawn' draw FORMAT=svg,png SHAPE=16:9,4:3 STEPS=1
-check 'the page is made' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'the page is made' python3 chapters/gallery/gallery.py "$built" "$BUILD/scenes"
 check 'it links what is there' says "../figures/$first/$first-dark.png"
 check 'each step' says "../figures/$first/$first-4x3-step1-dark.svg"
 check 'and not what is not' says_not "../figures/$first/$first.pdf"
 cp "$page" "$scratch/before.html"
-check 'the page has the same bytes' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'the page has the same bytes' python3 chapters/gallery/gallery.py "$built" "$BUILD/scenes"
 check 'every time' cmp "$page" "$scratch/before.html"
 # Animations are on the page if they are there.
 check 'without animations there are no videos' says_not '<video'
@@ -49,7 +49,7 @@ mkdir -p "$built/animations/image-order/frames"
 cp "$built/gallery/01-corners.png" "$built/animations/image-order/frames/0001.png"
 printf 'A title & more\nIts words.\n' >"$built/animations/image-order/image-order.txt"
 touch "$built/animations/image-order/image-order.mp4"
-check 'a page is made beside an animation' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'a page is made beside an animation' python3 chapters/gallery/gallery.py "$built" "$BUILD/scenes"
 check 'the page shows its video' says '<source src="../animations/image-order/image-order.mp4" type="video/mp4">'
 check 'with its last frame before it moves' says 'poster="../animations/image-order/frames/0001.png" aria-label="Its words."'
 check 'and its title' says '<h3>A title &amp; more</h3>'
@@ -58,14 +58,14 @@ rm -r "$built/animations"
 # The figure of an older script is not linked.
 echo '# another' >>"$built/figures/$first/$first.gp"
 check 'with another script' draw FORMAT=svg THEME=light,dark
-check 'the page is made once more' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'the page is made once more' python3 chapters/gallery/gallery.py "$built" "$BUILD/scenes"
 check 'and does not link what was drawn before' says_not "../figures/$first/$first.png"
 check 'but what is drawn now' says "../figures/$first/$first-dark.svg"
 # On a narrow screen a figure has its narrow shape.
 check 'both shapes are drawn' draw FORMAT=svg SHAPE=16:9,4:3
 check 'all again' draw FORMAT=svg,png,pdf,tex
 check 'and for details' draw FORMAT=svg SHAPE=16:9,4:3 STEPS=1
-check 'for the browser' "$BUILD/chapters/gallery/gallery" "$built" "$BUILD/scenes"
+check 'for the browser' python3 chapters/gallery/gallery.py "$built" "$BUILD/scenes"
 
 if ! python3 -c 'import sys; sys.path.insert(0, "tests/house/figures"); import browser; sys.exit(not browser.found())'; then
     skip gallery "the page in a browser, which needs Chromium (make setup FOR=contributor)"

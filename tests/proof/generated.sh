@@ -2,9 +2,9 @@
 # generated.sh - thousands of wrong answers that nobody wrote by hand: do they fail, and is the verdict on them true?
 #
 # tests/proof/generated/ makes them from all known answers, with a seed, runs the tests on them, and checks the
-# verdicts. This test fails if a wrong answer passes, a right one fails or a mistake is named falsely, unless
-# tests/proof/generated/reviewed explains the case; and if less than 90% of a chapter's wrong answers are named or
-# described. Only reads the tree.
+# verdicts. This test fails if no test notices a plain slip in a solution, a wrong answer passes, a right one fails or a
+# mistake is named falsely, unless tests/proof/generated/reviewed explains the case; and if less than 90% of a chapter's
+# wrong answers are named or described. Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 once generated "wrong answers that nobody has thought of"

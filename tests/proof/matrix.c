@@ -2,23 +2,18 @@
 //
 //   matrix STEM
 //   matrix STEM --missing     what an exercise of the stem still lacks
-//   matrix STEM --composed    only mistakes that are seen through another function
+//   matrix STEM --verdicts    the verdict on every known answer, a line each (by_hand/record.py)
 //
 // Each mistake must fail a test of its function and be named from its values; each test must be
-// failed by a mistake, or it cannot fail and is worth nothing; no exercise may lack what it needs
-// (missing.h); no right answer, however it is
-// written, may fail or be accused. The verdict on a wrong answer that is not a known mistake must
-// not be false (unknown.c), nor that on an answer whose mistake is in another function
-// (composed.c). A table of the public inputs must fail with every SEED, and must not learn the
-// hidden inputs.
+// failed by a mistake, or it cannot fail and is worth nothing; no exercise may lack what it needs;
+// no right answer, however it is written, may fail or be accused. The verdict on a wrong answer
+// that is not a known mistake must not be false (verdicts.c). An answer in float is told so. A
+// table of the public inputs must fail with every SEED, and must not learn the hidden inputs.
+#include "tests/judge/message.h"
+#include "tests/judge/numbers.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
-#include "tests/proof/composed.h"
-#include "tests/proof/memorised_answers.h"
-#include "tests/proof/missing.h"
-#include "tests/proof/unknown.h"
-#include "tests/proof/variants.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,7 +21,8 @@
 
 static Outcomes all, some;
 static bool failed_by_some[MOST_TESTS];
-static int passed, failed, mistake_count, variant_count, unknown_count, pair_count, part_count;
+static int passed, failed, mistake_count, variant_count, unknown_count, pair_count, float_count,
+    style_count;
 static bool told; // whether a failed test of the last run may tell its numbers
 
 static void settle(bool good, const char *what, const char *name, const char *why)
@@ -34,6 +30,31 @@ static void settle(bool good, const char *what, const char *name, const char *wh
     if (!good)
         printf("not ok: %s %s: %s\n", what, name, why);
     *(good ? &passed : &failed) += 1;
+}
+
+// Of this number, to be shown: from its first that is not 0.
+static int digits_of(const char *number, int length)
+{
+    int digits = 0;
+    for (int i = 0; i < length && number[i] != 'e'; i++)
+        digits += number[i] >= (digits == 0 ? '1' : '0') && number[i] <= '9';
+    return digits;
+}
+
+// A difference shows in the digits that a tolerance allows, and rounding is not shown.
+static void check_digits(const Outcome *test)
+{
+    enum { MOST = 13 };
+    const char *both[] = {test->record->expected, test->record->yours};
+    if (both[0][0] != '\0' && strcmp(both[0], both[1]) == 0)
+        settle(false, "two sides that look the same:", test->name, both[0]);
+    for (int side = 0; side < 2; side++)
+        for (const char *at = both[side]; *at != '\0';) {
+            int length = (int)strspn(at, "-0123456789.e");
+            if (digits_of(at, length) > MOST)
+                settle(false, "too many digits:", test->name, both[side]);
+            at += length > 0 ? length : 1;
+        }
 }
 
 // How many tests fail, of those that count (extra ones only on request).
@@ -46,12 +67,13 @@ static int run(const char *function, Outcomes *outcomes, bool extra)
     for (int i = 0; i < outcomes->count; i++) {
         const Outcome *test = &outcomes->tests[i];
         count += !test->passed && (extra || !test->extra);
+        check_digits(test);
         told = told || (!test->passed && !test->record->hidden);
     }
     records_end();
     if (function != NULL) {
         static Outcomes probes;
-        run_probes(exercise_number(function), NULL, &probes);
+        run_probes(function, NULL, &probes);
         records_end();
     }
     return count;
@@ -75,11 +97,9 @@ static void check_reference(void)
 
 static int count_of(const char *exercise)
 {
-    const Mistake *const *mistakes = chosen_mistakes();
     int count = 0;
-    for (int table = 0; mistakes[table] != NULL; table++)
-        for (int i = 0; mistakes[table][i].id != NULL; i++)
-            count += strcmp(mistakes[table][i].exercise, exercise) == 0;
+    for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
+        count += strcmp(it->exercise, exercise) == 0;
     return count;
 }
 
@@ -108,6 +128,40 @@ static void check_mistake(const Mistake *mistake)
                 failed_by_some[j] = true;
 }
 
+static bool is_declared(const Exercise *exercise)
+{
+    char path[1000], line[1000], call[200];
+    snprintf(path, sizeof path, "exercises/%s.h", exercise->stem);
+    snprintf(call, sizeof call, "%s(", exercise->name);
+    FILE *file = fopen(path, "r");
+    bool found = false;
+    while (file != NULL && !found && fgets(line, sizeof line, file) != NULL)
+        found = strncmp(line, "//", 2) != 0 && strstr(line, call) != NULL;
+    if (file != NULL)
+        fclose(file);
+    return found;
+}
+
+// In words, the first thing that is missing, in the order of CONTRIBUTING's steps.
+static bool missing_next(const Exercise *exercise, bool has_test, bool has_mistake, char *words,
+                         size_t size)
+{
+    const char *stem = exercise->stem, *name = exercise->name;
+    if (!is_declared(exercise))
+        snprintf(words, size, "%s is not declared: the contract is exercises/%s.h", name, stem);
+    else if (exercise->reference == NULL)
+        snprintf(words, size, "%s has no solution: it belongs in solutions/%s.c", name, stem);
+    else if (!has_test)
+        snprintf(words, size, "%s has no graded test: TEST(%s, ...) in tests/%s.c", name, name,
+                 stem);
+    else if (!has_mistake)
+        snprintf(words, size, "%s has no known mistake: they belong in tests/%s/wrong.c", name,
+                 stem);
+    else
+        return false;
+    return true;
+}
+
 // Does an exercise of the stem lack something, because it was just added?
 static bool something_is_missing(const char *stem, char *words, size_t size)
 {
@@ -124,24 +178,28 @@ static bool something_is_missing(const char *stem, char *words, size_t size)
     return false;
 }
 
-static void check_variant(const Variant *variant)
+static void check_variant(const KnownAnswer *variant)
 {
     switch_to_reference();
     switch_one(variant->exercise, variant->answer);
     int exercise = exercise_number(variant->exercise);
     settle(run(variant->exercise, &some, false) == 0, "right answer fails:", variant->exercise,
-           variant->what);
+           variant->id);
     settle(suspect(exercise, 0, false) == NULL, "right answer is accused:", variant->exercise,
-           variant->what);
-    check_law("right answer breaks a law:", variant->what, exercise);
+           variant->id);
+    settle(suspect_differs(exercise) == NULL,
+           "an input that decides names leaves the result free:", variant->id,
+           suspect_differs(exercise));
+    check_law("right answer breaks a law:", variant->id, exercise);
 }
 
-static bool passes_all(const Outcomes *outcomes)
+// Of those that count; NULL if none has failed.
+static const char *first_failed(const Outcomes *outcomes)
 {
     for (int i = 0; i < outcomes->count; i++)
         if (!outcomes->tests[i].passed && !outcomes->tests[i].extra)
-            return false;
-    return true;
+            return outcomes->tests[i].name;
+    return NULL;
 }
 
 // The judge's verdict on an answer, in short.
@@ -155,71 +213,243 @@ static void say(char *words, size_t size, Diagnosis it)
         snprintf(words, size, "%s%s", it.mistake->id, it.in_part ? " in part" : "");
 }
 
-static void check_unknown(const Unknown *unknown)
+static void check_unknown(const KnownAnswer *unknown)
 {
     char words[500];
     switch_to_reference();
     switch_one(unknown->exercise, unknown->answer);
     run_tests(unknown->exercise, NULL, ANSWERS_APART, &some);
-    settle(!passes_all(&some), "wrong answer fails no test:", unknown->exercise, unknown->what);
+    settle(first_failed(&some) != NULL, "wrong answer fails no test:", unknown->exercise,
+           unknown->id);
     say(words, sizeof words, diagnose(exercise_number(unknown->exercise), false));
     records_end();
     bool is_named = strncmp(unknown->said, NOBODY, strlen(NOBODY)) != 0;
     settle(is_named ? strcmp(words, unknown->said) == 0
                     : strncmp(words, unknown->said, strlen(unknown->said)) == 0,
-           unknown->exercise, unknown->what, words);
+           unknown->exercise, unknown->id, words);
 }
 
-// ---- mistakes of other functions of the chapter -------------------------------------------------
+// ---- transports: other answers to the process's calls -------------------------------------------
 
-// How a mistake of a part is named in the whole; NOBODY where it is not.
-static const char *same_mistake(const char *exercise, const char *part)
+// How the question on the wire becomes the answer.
+static void (*answer_on_wire)(int exercise);
+static Wire wire;
+
+static Wire *clear_wire(int exercise)
 {
-    for (const SameMistake *same = chosen_stem()->same_mistakes; same->exercise != NULL; same++)
-        if (strcmp(same->exercise, exercise) == 0 && strcmp(same->part, part) == 0)
-            return same->said;
-    return NOBODY;
+    (void)exercise;
+    wire_clear(&wire);
+    return &wire;
 }
 
-// Everything is right but one function, which this one asks: that is an answer to this one.
-static void check_part(const Composed *whole, const Mistake *part)
+static void send_wire(int exercise)
 {
-    char words[500];
-    switch_to_reference();
-    for (const Composed *other = chosen_stem()->composed; other->exercise != NULL; other++)
-        switch_one(other->exercise, other->answer);
-    switch_one(whole->exercise, whole->answer);
-    switch_one(part->exercise, part->answer);
-    run_tests(whole->exercise, NULL, ANSWERS_APART, &some);
-    bool passes = passes_all(&some);
-    if (!passes) {
-        const char *said = same_mistake(whole->exercise, part->id);
-        say(words, sizeof words, diagnose(exercise_number(whole->exercise), false));
-        bool nobody = strncmp(words, NOBODY, strlen(NOBODY)) == 0;
-        settle(nobody || strcmp(words, said) == 0, whole->exercise, part->id, words);
-        part_count++;
+    answer_on_wire(exercise);
+    wire.read = 0;
+}
+
+static Wire *wire_again(int exercise)
+{
+    (void)exercise;
+    return &wire;
+}
+
+static void must_be_read(int exercise)
+{
+    if (!wire_is_read(&wire)) {
+        fprintf(stderr, "exercise %d: an answer that cannot be read\n", exercise);
+        abort();
     }
-    records_end();
 }
 
-static void check_parts(void)
+static void process_answers_by(void (*by)(int exercise))
 {
-    const Mistake *const *mistakes = chosen_mistakes();
-    for (const Composed *whole = chosen_stem()->composed; whole != NULL && whole->exercise != NULL;
-         whole++)
-        for (int table = 0; mistakes[table] != NULL; table++)
-            for (int i = 0; mistakes[table][i].id != NULL; i++)
-                if (strcmp(mistakes[table][i].exercise, whole->exercise) != 0)
-                    check_part(whole, &mistakes[table][i]);
+    static const Transport transport = {clear_wire, send_wire, wire_again, must_be_read};
+    answer_on_wire = by;
+    transport_use(&transport);
 }
 
-// ---- hard-coded answers -------------------------------------------------------------------------
+// The answer of a function replaces the question.
+static void apply_to_wire(int exercise, AnyFunction *answer)
+{
+    Wire said = {0};
+    wire.read = 0;
+    if (!apply(exercise, answer, &wire, &said)) {
+        fprintf(stderr, "a question that cannot be read\n");
+        abort();
+    }
+    wire_free(&wire);
+    wire = said;
+}
+
+// The reference, rounded to float: the arguments before, or the results after.
+static bool rounds_arguments;
+
+static void read_wire(const char *types, Resolution *size, Numbers *numbers)
+{
+    wire.read = 0;
+    layout_read(types, &wire, size, numbers);
+}
+
+static void write_wire(const char *types, const Numbers *numbers, Resolution *size)
+{
+    wire_clear(&wire);
+    layout_write(types, numbers, size, &wire);
+}
+
+static void round_wire(const char *types, Resolution *size)
+{
+    static Numbers numbers;
+    read_wire(types, size, &numbers);
+    for (int i = 0; i < numbers.count; i++)
+        numbers.at[i] = (float)numbers.at[i];
+    write_wire(types, &numbers, size);
+}
+
+static void answer_rounded(int exercise)
+{
+    static Numbers ignored;
+    Resolution size = {0, 0};
+    if (rounds_arguments)
+        round_wire(exercises[exercise].arguments, &size);
+    else
+        read_wire(exercises[exercise].arguments, &size, &ignored);
+    apply_to_wire(exercise, exercises[exercise].reference);
+    if (!rounds_arguments)
+        round_wire(exercises[exercise].results, &size);
+}
+
+// Directions and steps of other lengths that the contract allows: a direction three times as long,
+// or a step off a surface twice as long, if that is not too long.
+static AnyFunction *stretched;
+
+static void answer_stretched(int exercise)
+{
+    enum { RADIUS = 3, DIRECTION = 3 };
+    static Numbers arguments, result;
+    Resolution size = {0, 0};
+    read_wire(exercises[exercise].arguments, &size, &arguments);
+    apply_to_wire(exercise, stretched);
+    read_wire(exercises[exercise].results, &size, &result);
+    if (!layout_is_step(&exercises[exercise])) {
+        for (int i = DIRECTION; i < result.count; i++)
+            result.at[i] *= 3;
+    } else {
+        const double *from = arguments.at + STEP_FROM;
+        double length = 0, extent = 0;
+        for (int i = 0; i < RADIUS; i++) {
+            length = hypot(length, result.at[i] - from[i]);
+            extent = fmax(extent, fabs(arguments.at[i]));
+        }
+        extent += arguments.at[RADIUS];
+        for (int i = 0; i < 3 && length >= 0x1p-32 * extent && length < 0x1p-29 * extent; i++)
+            result.at[i] += result.at[i] - from[i];
+    }
+    write_wire(exercises[exercise].results, &result, &size);
+}
+
+// A table of the earlier questions, and nothing else: while it learns, the reference tells it what
+// to say; then it says what it has learned, and garbage to any other question.
+typedef struct Line {
+    struct Line *next;
+    int exercise;
+    Wire question, answer;
+} Line;
+
+static Line *lines;
+static bool learning;
+static int garbage; // each byte of the answer to any other question
+
+static void answer_from_table(int exercise)
+{
+    Line *line = lines;
+    while (line != NULL && (line->exercise != exercise || line->question.size != wire.size ||
+                            memcmp(line->question.bytes, wire.bytes, wire.size) != 0))
+        line = line->next;
+    Line *new = learning &&line == NULL ? calloc(1, sizeof *new) : NULL;
+    if (new != NULL)
+        wire_put(&new->question, wire.bytes, wire.size);
+    apply_to_wire(exercise, exercises[exercise].reference);
+    if (new != NULL) {
+        wire_put(&new->answer, wire.bytes, wire.size);
+        new->exercise = exercise;
+        new->next = lines;
+        lines = new;
+    } else if (line != NULL) {
+        memcpy(wire.bytes, line->answer.bytes, wire.size);
+    } else {
+        memset(wire.bytes, garbage, wire.size);
+    }
+}
+
+static void forget_table(void)
+{
+    while (lines != NULL) {
+        Line *line = lines;
+        lines = line->next;
+        wire_free(&line->question);
+        wire_free(&line->answer);
+        free(line);
+    }
+}
+
+// ---- mistakes in other styles ------------------------------------------------------------------
+
+static void check_free_answer(const KnownAnswer *free)
+{
+    switch_to_reference();
+    switch_one(free->exercise, free->answer);
+    for (answer_style = 0; answer_style < chosen_stem()->styles; answer_style++) {
+        run(free->exercise, &some, false);
+        const char *test = first_failed(&some);
+        settle(test == NULL, "right answer fails in another style:", free->exercise,
+               test == NULL ? "" : test);
+    }
+    answer_style = 0;
+}
+
+// The same mistake has the same name in every style, if it is a mistake there.
+static void check_styles(const Mistake *mistake)
+{
+    int exercise = exercise_number(mistake->exercise);
+    switch_to_reference();
+    switch_one(mistake->exercise, mistake->answer);
+    for (answer_style = 1; answer_style < chosen_stem()->styles; answer_style++) {
+        if (run(mistake->exercise, &some, false) == 0)
+            continue;
+        const Mistake *named = suspect(exercise, 0, false), *other = suspect(exercise, 1, false);
+        settle(named == mistake && other == NULL,
+               "mistake has another name in another style:", mistake->id,
+               named == NULL   ? "none"
+               : other != NULL ? other->id
+                               : named->id);
+        style_count++;
+    }
+    answer_style = 0;
+}
+
+// Nor does the name depend on a length that is free.
+static void check_lengths(const char *stem, const Mistake *mistake)
+{
+    int exercise = exercise_number(mistake->exercise);
+    if (strcmp(mistake->exercise, "pixel_ray") != 0 && !layout_is_step(&exercises[exercise]))
+        return;
+    switch_to_process(stem);
+    stretched = mistake->answer;
+    process_answers_by(answer_stretched);
+    if (run(mistake->exercise, &some, false) == 0)
+        return;
+    settle(suspect(exercise, 0, false) == mistake && suspect(exercise, 1, false) == NULL,
+           "mistake has another name with another length:", mistake->id, mistake->formula);
+    style_count++;
+}
+
+// ---- hard-coded answers ------------------------------------------------------------------------
 
 static void check_by_heart(const char *function, const char *seed)
 {
     setenv("SEED", seed, 1);
-    for (int garbage = 0; garbage < 2; garbage++) {
-        table_recite(garbage == 0 ? 0x00 : 0xff);
+    for (garbage = 0; garbage <= 0xff; garbage += 0xff) {
         settle(run(function, &some, false) > 0, "a table of the public inputs is enough for",
                function, seed);
         settle(!told, "hidden inputs may be shown:", function, seed);
@@ -236,9 +466,12 @@ static void check_table(const char *stem)
         if (strcmp(exercises[i].stem, stem) != 0)
             continue;
         unsetenv("SEED");
-        table_learn();
+        forget_table();
+        process_answers_by(answer_from_table);
+        learning = true;
         run(function, &some, true);
-        table_recite(0xff);
+        learning = false;
+        garbage = 0xff;
         settle(run(function, &some, true) == 0,
                "a table fails, although no input is new:", function, "");
         for (int k = 0; seed == NULL && k < 3; k++)
@@ -249,20 +482,120 @@ static void check_table(const char *stem)
     free(seed);
 }
 
-// The calls that the parts of a function ask are many: apart from the rest.
-static int only_parts(const char *stem)
+// ---- float -------------------------------------------------------------------------------------
+
+// Of more than five digits, with a point; or three numbers in parentheses.
+static bool has_a_number_twice(const char *words)
 {
-    check_parts();
-    printf("composed mistakes of %s (%d): %d passed, %d failed\n", stem, part_count, passed,
-           failed);
-    return failed == 0 ? 0 : 1;
+    char number[100];
+    for (; *words != '\0'; words++) {
+        size_t vector = *words == '(' ? strcspn(words, ")") : 0;
+        int length = (int)(vector > 0 ? vector : strspn(words, "-0123456789.e"));
+        if (length == 0 || length >= (int)sizeof number)
+            continue;
+        snprintf(number, sizeof number, "%.*s", length, words);
+        words += length - 1;
+        const char *same = strstr(words + 1, number);
+        if (digits_of(number, length) > 5 && strchr(number, '.') != NULL && same != NULL &&
+            (same[length] < '0' || same[length] > '9'))
+            return true;
+    }
+    return false;
+}
+
+static bool has_probes(const char *function)
+{
+    static Outcomes probes;
+    run_probes(function, NULL, &probes);
+    return probes.count > 0;
+}
+
+// An answer that fails because it is rounded to float is told so, by a known mistake or otherwise,
+// if the function has probes: a test ends with its first wrong result, so tests alone are few.
+// False if it passes: then its results have no digits that a float loses.
+static bool check_float(const char *function, bool arguments)
+{
+    rounds_arguments = arguments;
+    process_answers_by(answer_rounded);
+    suspects_begin();
+    run_tests(function, NULL, ANSWERS_APART, &some);
+    bool passes = first_failed(&some) == NULL;
+    if (!passes && has_probes(function)) {
+        const char *law = suspect_broke_law(exercise_number(function), true);
+        settle(law == NULL || !has_a_number_twice(law), "nothing differs in", function, law);
+        Diagnosis it = diagnose(exercise_number(function), false);
+        const char *words = it.mistake != NULL ? it.mistake->why : it.law != NULL ? it.law : "";
+        settle(strstr(words, "float") != NULL, "nothing is said of the float in", function, words);
+        float_count++;
+    }
+    records_end();
+    return passes;
+}
+
+static void check_floats(const char *stem)
+{
+    switch_to_process(stem);
+    for (int i = 0; exercises[i].name != NULL; i++)
+        if (strcmp(exercises[i].stem, stem) == 0 && !check_float(exercises[i].name, false))
+            check_float(exercises[i].name, true);
+}
+
+// ---- the verdicts in words ---------------------------------------------------------------------
+
+// In one line.
+static void print_flat(const char *what, const char *words)
+{
+    printf("; %s ", what);
+    for (; *words != '\0'; words++)
+        putchar(*words == '\n' || *words == '\t' ? ' ' : *words);
+}
+
+static void print_verdict(const char *kind, const KnownAnswer *answer)
+{
+    const Outcome *first = NULL;
+    char words[500];
+    switch_to_reference();
+    switch_one(answer->exercise, answer->answer);
+    run_tests(answer->exercise, NULL, ANSWERS_APART, &some);
+    for (int i = some.count - 1; i >= 0; i--)
+        if (!some.tests[i].passed && (first == NULL || !some.tests[i].extra))
+            first = &some.tests[i];
+    printf("%s %s, %s: %s", kind, answer->exercise, answer->id,
+           first == NULL ? "passes" : first->name);
+    if (first != NULL) {
+        const Record *record = first->record;
+        Diagnosis it = diagnose(exercise_number(answer->exercise), record->hidden);
+        say(words, sizeof words, it);
+        print_flat("given", record->given);
+        print_flat("expected", record->expected);
+        print_flat("yours", record->yours);
+        print_flat("how", first->how);
+        print_flat("is", words);
+        if (it.mistake != NULL) {
+            print_flat("formula", it.mistake->formula);
+            print_flat("why", it.mistake->why);
+            print_flat("picture", it.mistake->picture);
+        }
+    }
+    putchar('\n');
+    records_end();
+}
+
+static int print_verdicts(void)
+{
+    const char *const kinds[] = {"mistake", "variant", "unknown"};
+    for (KindOfAnswer kind = WRONG_ANSWERS; kind <= UNNAMED_ANSWERS; kind++)
+        for (const KnownAnswer *it = known_answers(kind); it != NULL; it = it->next)
+            print_verdict(kinds[kind], it);
+    return 0;
 }
 
 int main(int argc, char **argv)
 {
     const char *stem = argc > 1 ? argv[1] : NULL, *option = argc == 3 ? argv[2] : "";
     choose_stem(stem);
-    const Mistake *const *mistakes = chosen_mistakes();
+    if (strcmp(option, "--verdicts") == 0)
+        return print_verdicts();
     check_reference();
     char words[500];
     bool lacks = something_is_missing(stem, words, sizeof words);
@@ -278,23 +611,31 @@ int main(int argc, char **argv)
         printf("matrix of %s: %d passed, %d failed\n", stem, passed, failed);
         return 1;
     }
-    if (strcmp(option, "--composed") == 0)
-        return only_parts(stem);
-    for (int table = 0; mistakes[table] != NULL; table++)
-        for (int i = 0; mistakes[table][i].id != NULL; i++, mistake_count++)
-            check_mistake(&mistakes[table][i]);
+    for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next) {
+        check_mistake(it);
+        check_styles(it);
+        check_lengths(stem, it);
+        mistake_count++;
+    }
+    for (const KnownAnswer *it = known_answers(FREE_ANSWERS); it != NULL; it = it->next)
+        check_free_answer(it);
     for (int i = 0; i < all.count; i++)
         settle(failed_by_some[i], "test", all.tests[i].name, "no mistake fails it");
-    for (const Variant *it = chosen_stem()->variants; it != NULL && it->exercise != NULL;
-         it++, variant_count++)
+    for (const KnownAnswer *it = known_answers(RIGHT_ANSWERS); it != NULL; it = it->next) {
         check_variant(it);
-    for (const Unknown *it = chosen_stem()->unknowns; it != NULL && it->exercise != NULL;
-         it++, unknown_count++)
+        variant_count++;
+    }
+    for (const KnownAnswer *it = known_answers(UNNAMED_ANSWERS); it != NULL; it = it->next) {
         check_unknown(it);
+        unknown_count++;
+    }
+    check_floats(stem);
     check_table(stem);
     printf("+ %d known mistakes\n+ %d pairs of them told apart\n+ %d tests\n+ %d right "
-           "answers\n+ %d unknown mistakes\n",
-           mistake_count, pair_count / 2, all.count, variant_count, unknown_count);
+           "answers\n+ %d unknown mistakes\n+ %d answers in float\n+ %d mistakes in another "
+           "style\n",
+           mistake_count, pair_count / 2, all.count, variant_count, unknown_count, float_count,
+           style_count);
     printf("matrix of %s: %d passed, %d failed\n", stem, passed, failed);
     return failed == 0 ? 0 : 1;
 }

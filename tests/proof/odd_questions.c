@@ -3,10 +3,6 @@
 // them.
 //
 //   odd_questions       says 'odd questions: N passed, N failed'; a crash is the failure
-#include "common/scene.h"
-#include "common/screen.h"
-#include "exercises/02-cameras.h"
-#include "exercises/05-quadratic.h"
 #include "tests/judge/message.h"
 
 #include <float.h>
@@ -39,58 +35,17 @@ static int odd_int(int most)
     return draw(3) != 0 ? (int)draw((unsigned)most + 1) : odd[draw(sizeof odd / sizeof odd[0])];
 }
 
-// A struct is doubles, but for the numbers at the end of it that are set afterwards.
-static void odd_doubles(void *value, size_t size)
+static void set_odd(void *most, const char *name, void *at, size_t size, bool is_double)
 {
-    for (size_t at = 0; at + sizeof(double) <= size; at += sizeof(double)) {
-        double x = odd_double();
-        memcpy((char *)value + at, &x, sizeof x);
-    }
+    double x = odd_double();
+    int i = odd_int(*(int *)most);
+    (void)name;
+    memcpy(at, is_double ? (void *)&x : (void *)&i, size);
 }
-
-#define ODD(type, name)                                                                            \
-    type name;                                                                                     \
-    odd_doubles(&name, sizeof name)
 
 static void put_int(Wire *wire, int value)
 {
     wire_put(wire, &value, sizeof value);
-}
-
-static void put_sphere(Wire *wire)
-{
-    ODD(Sphere, sphere);
-    sphere.surface = odd_int(3);
-    wire_put(wire, &sphere, sizeof sphere);
-}
-
-static void put_light(Wire *wire)
-{
-    ODD(Light, light);
-    int kind = odd_int(1);
-    memcpy(&light.kind, &kind, sizeof kind);
-    wire_put(wire, &light, sizeof light);
-}
-
-static void put_scene(Wire *wire)
-{
-    ODD(Scene, scene);
-    wire_put(wire, &scene.view, sizeof scene.view);
-    wire_put(wire, &scene.background, sizeof scene.background);
-    wire_put(wire, &scene.ambient, sizeof scene.ambient);
-    int there = (int)draw(5);
-    put_int(wire, draw(8) != 0 ? there : odd_int(5));
-    for (int i = 0; i < there; i++)
-        put_sphere(wire);
-    put_int(wire, draw(8) != 0 ? 4 : odd_int(5));
-    for (int i = 0; i < 4; i++) {
-        ODD(Surface, surface);
-        wire_put(wire, &surface, sizeof surface);
-    }
-    there = (int)draw(4);
-    put_int(wire, draw(8) != 0 ? there : odd_int(4));
-    for (int i = 0; i < there; i++)
-        put_light(wire);
 }
 
 // A picture with that many pixels, or one that only claims so.
@@ -106,52 +61,34 @@ static size_t put_image(Wire *wire)
     return pixels;
 }
 
-static void put(Wire *wire, const char *type, size_t length, size_t *pixels)
+// A list has as many items as it says, or not.
+static void put_type(Wire *wire, const Type *type)
 {
-#define IS(name) (length == strlen(name) && strncmp(type, name, length) == 0)
-#define PUT_DOUBLES(name)                                                                          \
-    if (IS(#name)) {                                                                               \
-        ODD(name, value);                                                                          \
-        wire_put(wire, &value, sizeof value);                                                      \
-        return;                                                                                    \
+    if (type_is_flat(type)) {
+        _Alignas(32) unsigned char value[TYPE_MOST_BYTES] = {0};
+        int most = type == &type_Resolution || type == &type_Pixel ? 640 : 4;
+        type_visit(type, "", value, set_odd, &most);
+        wire_put_value(wire, type, value);
+        return;
     }
-    PUT_DOUBLES(double)
-    PUT_DOUBLES(vec3)
-    PUT_DOUBLES(Ray)
-    PUT_DOUBLES(ScreenPoint)
-    PUT_DOUBLES(Normalized)
-    PUT_DOUBLES(Quadratic)
-    PUT_DOUBLES(Camera)
-    PUT_DOUBLES(LookAt)
-    PUT_DOUBLES(Corners)
-    if (IS("int"))
-        put_int(wire, odd_int(4));
-    else if (IS("Handedness"))
-        put_int(wire, odd_int(1));
-    else if (IS("Resolution") || IS("Pixel")) {
-        put_int(wire, odd_int(640));
-        put_int(wire, odd_int(480));
-    } else if (IS("Hit")) {
-        ODD(Hit, hit);
-        hit.sphere = odd_int(4);
-        wire_put(wire, &hit, sizeof hit);
-    } else if (IS("Sphere"))
-        put_sphere(wire);
-    else if (IS("Light"))
-        put_light(wire);
-    else if (IS("Scene"))
-        put_scene(wire);
-    else if (IS("Image"))
+    for (const Field *field = type->fields; field < type->fields + type->count; field++) {
+        int there = field->kind == FIELD_OF_ONE ? 1 : (int)draw(5);
+        if (field->kind != FIELD_OF_ONE)
+            put_int(wire, draw(8) != 0 ? there : odd_int(5));
+        while (there-- > 0)
+            put_type(wire, field->type);
+    }
+}
+
+static void put(Wire *wire, const char *name, size_t *pixels)
+{
+    if (strcmp(name, "Image") == 0)
         *pixels = put_image(wire);
-    else if (IS("Doubles")) {
-        for (size_t i = 0; i < *pixels; i++) {
-            double x = odd_double();
-            wire_put(wire, &x, sizeof x);
-        }
-    } else {
-        fprintf(stderr, "%.*s: a type that is not asked here\n", (int)length, type);
-        exit(1);
-    }
+    else if (strcmp(name, "Doubles") != 0)
+        put_type(wire, type_named(name));
+    else
+        for (size_t i = 0; i < *pixels; i++)
+            put_type(wire, &type_double);
 }
 
 int main(void)
@@ -164,11 +101,11 @@ int main(void)
             wire_clear(&question);
             wire_clear(&answer);
             size_t pixels = 0;
-            for (const char *type = exercises[i].arguments; *type != '\0';) {
-                size_t length = strcspn(type, " ");
-                put(&question, type, length, &pixels);
-                type += length + (type[length] == ' ');
-            }
+            char name[40];
+            int used;
+            for (const char *types = exercises[i].arguments;
+                 sscanf(types, " %39s%n", name, &used) == 1; types += used)
+                put(&question, name, &pixels);
             question.is_hostile = true;
             asked++;
             answers += apply(i, exercises[i].reference, &question, &answer);

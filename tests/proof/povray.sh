@@ -21,8 +21,8 @@ agrees() {
         "$PROGRAMS/07-shading" "$@" -s 640x480 --export pov -o "$scratch/$name.pov" "$scene" &&
         (cd "$scratch" && povray "+I$name.pov" +Otheirs.png +W640 +H480 -A -D >log 2>&1) || return 1
     case $1 in
-    --flat) "$BUILD/tests/same_picture" "$scratch/ours.png" "$scratch/theirs.png" 5 ;;
-    *) "$BUILD/tests/same_picture" "$scratch/ours.png" "$scratch/theirs.png" $few $mean ;;
+    --flat) same_picture "$scratch/ours.png" "$scratch/theirs.png" 5 ;;
+    *) same_picture "$scratch/ours.png" "$scratch/theirs.png" $few $mean ;;
     esac
 }
 for scene in chapters/06-ray-casting/three-spheres.nff "$BUILD/scenes/sunflower.nff" \
@@ -36,7 +36,7 @@ check 'also with a distant light' agrees three-spheres chapters/06-ray-casting/t
 mirrored_is_another() {
     sed 's/right <15/right <-15/' "$scratch/three-spheres.pov" >"$scratch/mirrored.pov"
     (cd "$scratch" && povray +Imirrored.pov +Omirrored.png +W640 +H480 -A -D >log 2>&1) &&
-        ! "$BUILD/tests/same_picture" "$scratch/ours.png" "$scratch/mirrored.png" $few $mean
+        ! same_picture "$scratch/ours.png" "$scratch/mirrored.png" $few $mean
 }
 check 'the mirror image is not taken for it' mirrored_is_another
 finish povray

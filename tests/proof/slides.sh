@@ -22,13 +22,13 @@ check 'and says what to install' says "LaTeX lacks pdflatex: 'make setup FOR=lec
 if ! chapters/make_slides --ready >/dev/null 2>&1; then
     skip slides "slides, which need LaTeX with Beamer (make setup FOR=lecturer)"
 fi
-needs slides "the pages of slides" pdftohtml pdfinfo pdftoppm
+command -v pdfinfo >/dev/null || skip slides "the pages of slides, which need poppler-utils (make setup FOR=contributor)"
 
 drawn=$scratch/figures
 check 'every figure has a script' scripts_into "$drawn"
 draw() {
     # shellcheck disable=SC2086 # names are words
-    env "$@" "$BUILD/chapters/gallery/draw_figures" "$drawn" $names
+    env "$@" python3 chapters/gallery/draw_figures.py "$drawn" $names
 }
 # In CI light slides of 16:9 and the questions must do.
 shapes='16:9 4:3'
@@ -47,9 +47,9 @@ lecture_as() {
 text_of() {
     pdftohtml -xml -i -zoom 10 -stdout "$lecture/$1.pdf" >"$lecture/$1.xml"
 }
-# tells QUESTION NAME FILE: the answer (tests/proof/slides/pages.c) is this file's.
+# tells QUESTION NAME FILE: the answer (tests/proof/slides/pages.py) is this file's.
 tells() {
-    "$BUILD/tests/proof/slides/pages" "$1" <"$lecture/$2.xml" >"$scratch/told" && diff "$scratch/told" "$3"
+    python3 tests/proof/slides/pages.py "$1" <"$lecture/$2.xml" >"$scratch/told" && diff "$scratch/told" "$3"
 }
 : >"$scratch/nothing"
 # Title for title, the deck.
@@ -88,7 +88,7 @@ shows_all_steps() {
 }
 # Each name is a function of the chapter whose number is before it.
 are_exercises() {
-    "$BUILD/tests/proof/slides/pages" exercises <"$lecture/$1.xml" >"$scratch/exercises" || return 1
+    python3 tests/proof/slides/pages.py exercises <"$lecture/$1.xml" >"$scratch/exercises" || return 1
     ! grep 'none' "$scratch/exercises" || return 1
     status=0
     while IFS=' ,:' read -r word chapter functions; do
@@ -242,7 +242,14 @@ pages() {
 steps=$(find "$drawn/parabola" -name 'parabola-step[0-9].tex' | wc -l)
 check 'with a page for each step' test "$(pages mine)" -eq "$steps"
 check 'LaTeX alone makes them, where the figures are beside them' compiles mine
-check 'also in the dark' compiles '\def\theme{dark}\input{mine}'
+by_the_page() {
+    commands=$(sed -n 's/^cd my-talk && //p' chapters/README.md | sed 's/talk/mine/g')
+    rm -f "$talk"/mine*.pdf
+    (cd "$talk" && sh -c "$commands" </dev/null) && cp "$talk/mine.pdf" "$talk/mine-dark.pdf" "$lecture"
+}
+check "the page's commands make two of them" by_the_page
+check 'a light one' has_ground mine 255 255 255
+check 'and a dark one' has_ground mine-dark 22 25 29
 
 # A figure of one's own, on slides of one's own. Its answers and its output are in a place of their own.
 mkdir "$scratch/my-figures" "$scratch/answers"

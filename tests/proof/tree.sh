@@ -44,6 +44,8 @@ if command -v gnuplot >/dev/null; then
     check 'and draws' test -s build/solutions/figures/corner-vectors/corner-vectors-dark.svg
 fi
 
+check 'without clang nothing is compiled for a page' refused without clang make build/wasm/common/camera.o
+check 'and what to install is said' grep -qF "'make setup FOR=book' installs them" "$scratch/log"
 if [ -z "${CI:-}" ]; then # .ci/run does that itself
     for file in exercises/*.c; do
         printf 'this is not C {{{\n' >"$file"
@@ -55,7 +57,7 @@ for file in exercises/*.c; do
 done
 check 'with solutions in exercises/, make exercises is content' make_quietly exercises
 check 'make ANSWERS=exercises draws with them' make_quietly ANSWERS=exercises
-check 'and they draw the same picture' "$here/$BUILD/tests/same_picture" \
+check 'and they draw the same picture' same_picture \
     build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
 
 rm exercises/05-quadratic.c exercises/07-shading.c
@@ -68,7 +70,7 @@ check 'a program that is run is refused' refused build/exercises/06-ray-casting 
 check 'and names every missing answer' grep -q 'not answered yet: quadratic_roots' "$scratch/log"
 check 'so is light' refused build/exercises/07-shading -o "$scratch/x.png" $three
 check 'with its names' grep -q 'not answered yet: off_surface' "$scratch/log"
-check 'the older picture is left as it was' "$here/$BUILD/tests/same_picture" \
+check 'the older picture is left as it was' same_picture \
     build/solutions/gallery/sunflower.png build/exercises/gallery/sunflower.png
 
 cd "$here" || exit 1

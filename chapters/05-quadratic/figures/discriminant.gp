@@ -9,7 +9,7 @@ title = "The discriminant, and the signs of the roots"
 description = "Five rays against one sphere, each below its parabola f(t). ".in_words(1).in_words(2).in_words(3). \
     in_words(4).in_words(5)."The hit is the smallest root greater than 0."
 steps = 5
-if (wrong) { set label 99 "solid: right\ndashed, squares: yours" }
+if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
 
 # A table: a column for each ray, with its section, and above it f over the same places. Its words begin where a
 # slide's do.
@@ -44,25 +44,25 @@ plot for [i=1:4] @one using (left_of(i + 1)):(8):(0):(452) with vectors nohead l
     for [i=1:last] @one using (left_of(i) + 8):(axis):(column - 16):(0) with @thin_arrow lc rgb grey title "axis", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(axis - 5):(0):(10) with vectors nohead lw 2 lc rgb blue title "t = 0", \
     for [i=1:last] @one using (U(i, of(i, "x"))):(axis + (i == 4 ? 20 : -20)):("0") with labels tc rgb blue title "t = 0, label", \
-    for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)):(size[1]*(of($1,"middle")+1.75*r-$2)):(0) with vectors nohead lw 1.6 lc rgb blue title "ray", \
-    for [i=1:last] $rays using (only(i,$1,U($1,$6-1.75*r))):(V($1,$3)):(size[1]*($2-$6+1.75*r)):(0) with vectors nohead lw 1.2 dt 3 lc rgb grey title "behind p", \
-    @who for [i=1:last] $behind index who using (only(i,$1,U($1,$2))):(F($3)) with @lines lc rgb grey dt dash(who) title "f, t < 0", \
-    @who for [i=1:last] $ahead index who using (only(i,$1,U($1,$2))):(F($3)) with @thick lc rgb ink dt dash(who) title "f", \
-    for [i=1:last] $back index 0 using (only(i,$1,U($1,$2))):(axis):(0):(V($1,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb grey title "behind, vertical", \
-    for [i=1:last] $later index 0 using (only(i,$1,U($1,$2))):(axis):(0):(V($1,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb ink title "later, vertical", \
-    for [i=1:last] $used index 0 using (only(i,$1,U($1,$2))):(axis):(0):(V($1,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb blue title "used, vertical", \
-    for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)):(size[1]*$4):(size[1]*$5) with @arrow lc rgb blue title "v", \
-    for [i=1:last] $rays using (only(i,$1,U($1,$2))):(V($1,$3)) with @dot lc rgb blue title "p", \
+    for [i=1:last] $rays using (only(i,$1,U(i,$2))):(V(i,$3)):(size[1]*(of($1,"middle")+1.75*r-$2)):(0) with vectors nohead lw 1.6 lc rgb blue title "ray", \
+    for [i=1:last] $rays using (only(i,$1,U(i,$6-1.75*r))):(V(i,$3)):(size[1]*($2-$6+1.75*r)):(0) with vectors nohead lw 1.2 dt 3 lc rgb grey title "behind p", \
+    @who for [i=1:last] $behind index who using (only(i,$1,U(i,$2))):(F($3)) with @lines lc rgb grey dt dash(who) title "f, t < 0", \
+    @who for [i=1:last] $ahead index who using (only(i,$1,U(i,$2))):(F($3)) with @thick lc rgb ink dt dash(who) title "f", \
+    for [i=1:last] $back index 0 using (only(i,$1,U(i,$2))):(axis):(0):(V(i,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb grey title "behind, vertical", \
+    for [i=1:last] $later index 0 using (only(i,$1,U(i,$2))):(axis):(0):(V(i,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb ink title "later, vertical", \
+    for [i=1:last] $used index 0 using (only(i,$1,U(i,$2))):(axis):(0):(V(i,$3)-axis) with vectors nohead lw 0.8 dt 2 lc rgb blue title "used, vertical", \
+    for [i=1:last] $rays using (only(i,$1,U(i,$2))):(V(i,$3)):(size[1]*$4):(size[1]*$5) with @arrow lc rgb blue title "v", \
+    for [i=1:last] $rays using (only(i,$1,U(i,$2))):(V(i,$3)) with @dot lc rgb blue title "p", \
     @one using (U(1, of(1, "x")) - 8):(V(1, of(1, "y")) - 20):(math("p")) with labels tc rgb blue title "p, label", \
     @one using (U(1, of(1, "x") + 0.5 * v) + 4):(V(1, of(1, "y")) - 20):(math("v")) with labels tc rgb blue title "v, label", \
-    for [i=1:last] $back index 0 using (only(i,$1,U($1,$2))):(axis) with @cross lc rgb grey title "root behind", \
-    for [i=1:last] $back index 0 using (only(i,$1,U($1,$2))):(V($1,$3)) with @cross lc rgb grey title "place behind", \
-    for [i=1:last] $later index 0 using (only(i,$1,U($1,$2))):(axis) with @ring lc rgb ink title "later root", \
-    for [i=1:last] $later index 0 using (only(i,$1,U($1,$2))):(V($1,$3)) with @ring lc rgb ink title "later place", \
-    for [i=1:last] $used index 0 using (only(i,$1,U($1,$2))):(axis) with @dot lc rgb blue title "root used", \
-    for [i=1:last] $used index 0 using (only(i,$1,U($1,$2))):(V($1,$3)) with @dot lc rgb blue title "hit", \
-    for [_=1:wrong] for [i=1:last] $used index wrong using (only(i,$1,U($1,$2))):(axis) with @square lc rgb blue title "your root used", \
-    for [_=1:wrong] for [i=1:last] $later index wrong using (only(i,$1,U($1,$2))):(axis) with @square lc rgb ink title "your later root", \
-    for [_=1:wrong] for [i=1:last] $back index wrong using (only(i,$1,U($1,$2))):(axis) with @square lc rgb grey title "your root behind", \
+    for [i=1:last] $back index 0 using (only(i,$1,U(i,$2))):(axis) with @cross lc rgb grey title "root behind", \
+    for [i=1:last] $back index 0 using (only(i,$1,U(i,$2))):(V(i,$3)) with @cross lc rgb grey title "place behind", \
+    for [i=1:last] $later index 0 using (only(i,$1,U(i,$2))):(axis) with @ring lc rgb ink title "later root", \
+    for [i=1:last] $later index 0 using (only(i,$1,U(i,$2))):(V(i,$3)) with @ring lc rgb ink title "later place", \
+    for [i=1:last] $used index 0 using (only(i,$1,U(i,$2))):(axis) with @dot lc rgb blue title "root used", \
+    for [i=1:last] $used index 0 using (only(i,$1,U(i,$2))):(V(i,$3)) with @dot lc rgb blue title "hit", \
+    for [_=1:wrong] for [i=1:last] $used index wrong using (only(i,$1,U(i,$2))):(axis) with @square lc rgb blue title "your root used", \
+    for [_=1:wrong] for [i=1:last] $later index wrong using (only(i,$1,U(i,$2))):(axis) with @square lc rgb ink title "your later root", \
+    for [_=1:wrong] for [i=1:last] $back index wrong using (only(i,$1,U(i,$2))):(axis) with @square lc rgb grey title "your root behind", \
     for [k=0:1] for [i=1:last] @one using (middle(i)):(80 - 30 * k):(root(i, k)) with labels tc rgb root_color(i, k) title "root", \
     for [i=1:last] @one using (middle(i)):(20):(hit_shown(i)) with labels tc rgb (of(i, "hit") > 0 ? blue : grey) title "used"

@@ -9,7 +9,7 @@ the ray and the circle. ", polynomial_text, c_text).( \
     touches ? sprintf("The parabola touches the axis, and the line touches the circle, at t = %s.", t0_text) : \
     sprintf("The parabola crosses the axis, and the line crosses the circle, at t0 = %s and t1 = %s.", t0_text, t1_text))
 steps = 4
-if (wrong) { set label 99 "solid: right\ndashed, squares: yours" }
+if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
 
 # Places of t, along the line, and of f.
 t_u(t) = zero_x[1] + size[1] * (t_zero + speed * t)

@@ -9,7 +9,7 @@ r is %s%s. |p + t v|² = r² in object coordinates has a = %s, b = %s, c = %s, a
     sprintf("the line meets the circle at t0 = %s and t1 = %s.", t0_text, t1_text)).( \
     hit > 0 ? sprintf(" The hit is at t = %s.", hit_text) : roots > 0 ? " No hit is in front of p." : "")
 steps = 5
-if (wrong) { set label 99 "solid: right\ndashed, squares: yours" }
+if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
 
 # Across the line, for the marks of t.
 off_u = seen_x(off_x, off_y, off_z)

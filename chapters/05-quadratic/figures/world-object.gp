@@ -10,7 +10,7 @@ around the origin. The equation |p + t v|² = r² has a = %s, b = %s, c = %s, an
     world_a_text, world_b_text, world_c_text, plain("world"), object_p_text, object_a_text, object_b_text, object_c_text, \
     plain("object"))
 steps = 4
-if (wrong) { set label 99 "solid: right\ndashed, squares: yours" }
+if (wrong) { set label 99 "solid: expected\ndashed, squares: yours" }
 
 # In the right panel: what is in object coordinates, and what the world's data are there.
 object_point = "(X($1-moved_x,$2-moved_y,$3-moved_z)):(Y($1-moved_x,$2-moved_y,$3-moved_z))"

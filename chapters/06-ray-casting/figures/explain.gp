@@ -18,12 +18,12 @@ rim = "points pt 7 ps 1.1 lc rgb 'black'"
 white = "points pt 7 ps 0.9 lc rgb 'white'"
 
 plot @patches @behind \
-    $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
-    @step6 $pixel using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
-    $grid using @point with @hair lc rgb faint title "grid", \
-    $plane using @point with @lines lc rgb ink title "plane", \
+    $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
+    @step6 $pixel index 0 using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
+    $grid index 0 using @point with @hair lc rgb faint title "grid", \
+    @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     @before \
-    $pixel using @point with @thick lc rgb ink title "outline of the pixel", \
+    @who $pixel index who using @point with @thick lc rgb ink dt dash(who) title "outline of the pixel", \
     $crossing using @point with points pt 7 ps 0.3 lc rgb ink title "centre", \
     @step3 $ray index 0 using @point with @hidden lc rgb blue title "ray, all of it", \
     @step5 @who $ray index who using @bold with @ray dt dash(who) lc rgb blue title "ray", \

@@ -60,7 +60,11 @@ static void counted(Plot *plot, int step, int cells, const char *what)
 static void hit_names(Plot *plot, const Shown *shown)
 {
     if (shown->hit_count == 0)
-        plot_say(plot, 0.5, 0, &(Label){"the ray meets nothing", "ink", .step = 3}, 1);
+        plot_say(plot, 0.5, 0,
+                 &(Label){plot_says_yours(plot, "all_hits") ? "your ray meets nothing"
+                                                            : "the ray meets nothing",
+                          "ink", .step = 3},
+                 1);
     for (int i = 0; i < shown->hit_count && i < MOST_HITS; i++) {
         char text[400];
         snprintf(text, sizeof text, "$t$ = %s, sphere %s%s", number_text_to(shown->hits[i].t, 4).s,

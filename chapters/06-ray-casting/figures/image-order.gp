@@ -8,16 +8,16 @@ steps = 5
 @spheres
 
 plot @patches @behind \
-    $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
+    $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step5 $pixels index 0 using @point:4 with filledcurves closed fc rgb variable fs solid noborder title "pixels", \
     for [_=5:wrong * step:1000] $pixels index wrong using @point:4 with lines lw 2.2 dt 2 lc rgb variable \
         title "your pixels", \
-    @step3 $pixel using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
-    $grid using @point with @hair lc rgb faint title "grid", \
-    $plane using @point with @lines lc rgb ink title "plane", \
+    @step3 $pixel index 0 using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
+    $grid index 0 using @point with @hair lc rgb faint title "grid", \
+    @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
     @before \
-    @step2 $pixel using @point with @thick lc rgb ink title "outline of the pixel", \
+    @step2 @who $pixel index who using @point with @thick lc rgb ink dt dash(who) title "outline of the pixel", \
     @step2 $ray index 0 using @point with @hidden lc rgb blue title "ray, all of it", \
     @step2 @who $ray index who using @bold with @ray dt dash(who) lc rgb blue title "ray", \
     @step3 @who $hits index who every ::0::0 using @point with points pt (who ? 8 : 7) ps 0.6 lc rgb ink title "closest hit", \

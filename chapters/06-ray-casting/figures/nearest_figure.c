@@ -1,12 +1,74 @@
 // nearest_figure.c - one ray and the spheres that it meets, in a plane, as the data of a figure.
 #include "chapters/06-ray-casting/figures/nearest_figure.h"
 
-#include "chapters/06-ray-casting/figures/clipped_circle.h"
+#include "common/vec3.h"
 #include "exercises/05-quadratic.h"
 
+#include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+// ---- a disc cut at the four edges of a window ---------------------------------------------------
+
+typedef struct {
+    double low[2], high[2];
+} Window;
+
+typedef struct {
+    double at[2];
+    bool on_circle; // if not, it is on the window's edge
+} Place;
+
+enum { ARC_PLACES = 512, MOST_PLACES = ARC_PLACES + 16 };
+
+// Keeps the part on the window's side of one edge: sign * at[axis] <= sign * limit.
+static int cut(Place *places, int count, int axis, double limit, double sign)
+{
+    Place left[MOST_PLACES];
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+        Place a = places[i], b = places[(i + 1) % count];
+        double a_over = sign * (a.at[axis] - limit), b_over = sign * (b.at[axis] - limit);
+        if (a_over <= 0)
+            left[kept++] = a;
+        if ((a_over <= 0) != (b_over <= 0)) {
+            double part = a_over / (a_over - b_over);
+            Place edge = {.on_circle = false};
+            edge.at[1 - axis] = a.at[1 - axis] + part * (b.at[1 - axis] - a.at[1 - axis]);
+            edge.at[axis] = limit;
+            left[kept++] = edge;
+        }
+    }
+    memcpy(places, left, (size_t)kept * sizeof *places);
+    return kept;
+}
+
+// The corners of the part of the disc in the window, in order; returns their number.
+static int window_part(Window window, const double middle[2], double radius,
+                       Place places[MOST_PLACES])
+{
+    // Only the sector that contains the window, because a whole large circle would not be smooth.
+    double x = (window.low[0] + window.high[0]) / 2 - middle[0];
+    double y = (window.low[1] + window.high[1]) / 2 - middle[1];
+    double half = hypot(window.high[0] - window.low[0], window.high[1] - window.low[1]) / 2;
+    double flat = half / fmin(radius, hypot(x, y));
+    double wide = flat < 1 ? asin(flat) : PI, towards = atan2(y, x);
+    int count = 0;
+    for (int k = 0; k <= ARC_PLACES; k++) {
+        double angle = towards + wide * (2.0 * k / ARC_PLACES - 1);
+        places[count++] =
+            (Place){{middle[0] + radius * cos(angle), middle[1] + radius * sin(angle)}, true};
+    }
+    if (flat < 1)
+        places[count++] = (Place){{middle[0], middle[1]}, false};
+    for (int axis = 0; axis < 2; axis++) {
+        count = cut(places, count, axis, window.low[axis], -1);
+        count = cut(places, count, axis, window.high[axis], 1);
+    }
+    return count;
+}
 
 enum { MOST_CIRCLES = 8, MOST_MISSED = 2, IN_PART = 4 };
 
@@ -131,7 +193,7 @@ static int circle_data(Plot *plot, const Shown *shown, const Circle *circles, in
                                   met ? intervals[i].t[1] : NAN, hit < NO_HIT ? hit : NAN, lanes[i],
                                   c.part});
     }
-    // If all spheres are missed, each row has a NaN; such a block is not drawn (plot_block.c).
+    // If all spheres are missed, each row has a NaN; such a block is not drawn (plot.c).
     double nowhere[11];
     for (int i = 0; i < 11; i++)
         nowhere[i] = 1e9;

@@ -8,12 +8,12 @@ steps = 4
 @spheres
 
 plot @behind \
-    $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
+    $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step4 $pixels index 0 using @point:4 with filledcurves closed fc rgb variable fs solid noborder title "pixels", \
     for [_=4:wrong * step:1000] $pixels index wrong using @point:4 with lines lw 2.2 dt 2 lc rgb variable \
         title "your pixels", \
-    $grid using @point with @hair lc rgb faint title "grid", \
-    $plane using @point with @lines lc rgb ink title "plane", \
+    $grid index 0 using @point with @hair lc rgb faint title "grid", \
+    @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     @step4 $centers using @point with points pt 7 ps (coarse ? 0.07 : 0.12) lc rgb ink title "centres", \
     @before \
     @step2 $lines using @point with @hidden lc rgb blue title "lines to the eye, all of them", \

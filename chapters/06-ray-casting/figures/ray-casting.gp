@@ -1,6 +1,7 @@
 # ray-casting.gp - one ray, all its hits, and the colour of the closest one (slide 'Ray casting').
-# In words: the rows of $hits after the comment and the first row, which is the closest.
-hits_from(i) = i > |$hits| || i > 9 ? "" : (i < 3 || words($hits[i]) < 5 || word($hits[i], 5) eq "-1" ? "" : \
+# In words: the rows of $hits after the comment and the first row, which is the closest. After as many rows as are right
+# are those that are yours.
+hits_from(i) = i > all_hits + 1 || i > 9 ? "" : (i < 3 || words($hits[i]) < 5 || word($hits[i], 5) eq "-1" ? "" : \
     sprintf("It meets sphere %s at t = %.4g. ", ball_name(int(word($hits[i], 5) + 0)), word($hits[i], 4) + 0)).hits_from(i + 1)
 title = "Ray casting: the closest hit colours the pixel"
 description = sprintf("The ray of pixel %s of %s goes from the eye through the image plane. ", pixel_text, size_text). \
@@ -12,14 +13,14 @@ steps = 5
 @spheres
 
 plot @patches @behind \
-    $plane using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
+    $plane index 0 using @point with filledcurves closed fc rgb surface fs solid noborder title "surface", \
     @step5 $pixels index 0 using @point:4 with filledcurves closed fc rgb variable fs solid noborder title "pixels", \
     for [_=5:wrong * step:1000] $pixels index wrong using @point:4 with lines lw 2.2 dt 2 lc rgb variable title "your pixels", \
-    @step4 $pixel using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
-    $grid using @point with @hair lc rgb faint title "grid", \
-    $plane using @point with @lines lc rgb ink title "plane", \
+    @step4 $pixel index 0 using @point with filledcurves closed fc rgb int(pixel_rgb) fs solid noborder title "pixel", \
+    $grid index 0 using @point with @hair lc rgb faint title "grid", \
+    @who $plane index who using @point with @lines lc rgb ink dt dash(who) title "plane", \
     @before \
-    @step2 $pixel using @point with @thick lc rgb ink title "outline of the pixel", \
+    @step2 @who $pixel index who using @point with @thick lc rgb ink dt dash(who) title "outline of the pixel", \
     @step2 $ray index 0 using @point with @hidden lc rgb blue title "ray, all of it", \
     @step2 @who $ray index who using @bold with @ray dt dash(who) lc rgb blue title "ray", \
     @step3 @who $hits index who every ::1 using @point with @ring lc rgb ink title "farther hits", \

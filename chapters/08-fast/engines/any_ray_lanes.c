@@ -1,72 +1,53 @@
-// any_ray_lanes.c - the nearest hits of rays from anywhere, through the wide hierarchy, near boxes
-// first: one ray alone, or many rays in turns.
-#include "chapters/08-fast/engines/any_ray.h"
+// any_ray_lanes.c - many rays from anywhere, through the wide hierarchy, near boxes first: each ray
+// asks 16 boxes at once, and then 16 spheres at once.
+//
+// Boxes and spheres are floats, with margins for rounding. A sphere that floats cannot leave out is
+// asked in double, also with margins.
+#include "chapters/08-fast/engines/light.h"
 
 #include <limits.h>
-#include <math.h>
-#include <string.h>
-#ifdef __AVX2__
+#ifdef __AVX512F__
 #include <immintrin.h>
 #endif
 
-// One bit for each of 16 ints that is negative. Compilers do not find this instruction.
-static inline unsigned bits_of(const int *ints)
-{
-#if defined __AVX512DQ__
-    return _mm512_movepi32_mask(_mm512_loadu_si512(ints));
-#elif defined __AVX2__
-    unsigned low = (unsigned)_mm256_movemask_ps(_mm256_loadu_ps((const float *)ints));
-    return low | (unsigned)_mm256_movemask_ps(_mm256_loadu_ps((const float *)(ints + 8))) << 8;
-#else
-    unsigned bits = 0;
-    for (int i = 0; i < LANES; i++)
-        bits |= (unsigned)(ints[i] < 0) << i;
-    return bits;
-#endif
-}
-
 // ---- boxes and spheres, in floats -------------------------------------------------------------
 
-typedef int FourInts __attribute__((vector_size(16)));
-
-// A ray in the units of the world. Where it starts is the sum of two floats. Along each axis, it
-// meets first the sides of a node's boxes from number first on.
+// A ray in the units of the hierarchy. Where it starts is the sum of two floats. Along each axis,
+// it meets first the sides of a node's boxes from number first on.
+typedef double FourDoubles __attribute__((vector_size(32)));
 typedef struct {
     Four start, rest, direction, inverse; // inverse: 1 / direction
     FourInts first, last;
 } Slopes;
 
-typedef double FourDoubles __attribute__((vector_size(32)));
-
 // Never 1 / 0: infinity times 0 would be NaN.
-static inline void set_slopes(Slopes *slopes, const RayWorld *world, const Line *line)
+static inline void set_slopes(Slopes *slopes, const WideHierarchy *wide, Vector from, Vector v)
 {
-    const double *o = line->origin, *v = line->direction, *corner = world->corner;
-    FourDoubles at = {o[0] - corner[0], o[1] - corner[1], o[2] - corner[2], 0};
-    at *= world->scale;
+    from = times(wide->scale, minus(from, vector_at(wide->corner)));
+    const FourDoubles at = {from.x, from.y, from.z, 0};
+    const Four direction = {(float)v.x, (float)v.y, (float)v.z, 1};
+    const Four size = (Four)((FourInts)direction & INT_MAX), tiny = (Four){0} + 1e-18F;
     slopes->start = __builtin_convertvector(at, Four);
     slopes->rest =
         __builtin_convertvector(at - __builtin_convertvector(slopes->start, FourDoubles), Four);
-    Four direction = {(float)v[0], (float)v[1], (float)v[2], 1}, tiny = {1e-18F, 1e-18F, 1e-18F, 0};
-    FourInts is_tiny = (Four)((FourInts)direction & INT_MAX) < tiny;
-    FourInts is_negative = direction <= -tiny;
-    Four away = (Four)(((FourInts)direction & ~is_tiny) | ((FourInts)tiny & is_tiny));
     slopes->direction = direction;
-    slopes->inverse = 1 / away;
-    slopes->first = LANES * ((FourInts){0, 2, 4, 0} - is_negative);
-    slopes->last = LANES * ((FourInts){1, 3, 5, 0} + is_negative);
+    slopes->inverse =
+        1 / (Four)(((FourInts)direction & ~(size < tiny)) | ((FourInts)tiny & (size < tiny)));
+    const FourInts backwards = direction <= -tiny;
+    slopes->first = LANES * ((FourInts){0, 2, 4, 0} - backwards);
+    slopes->last = LANES * ((FourInts){1, 3, 5, 0} + backwards);
 }
 
 // Where the ray enters the boxes of a node; infinite if it does not enter before farthest. The
 // slabs of bvh.c, for 16 boxes. Rounding changes a distance t by less than 2^-20 of t and of the
-// node's size. By the latter, the boxes are larger (wide_hierarchy.c).
-static inline void enter(const Slopes *slopes, const RayNode *node, float farthest, float *near)
+// node's size. By the latter, the boxes are larger (hierarchy.c).
+static inline void enter(const Slopes *slopes, const WideNode *node, float farthest, float *near)
 {
-    Four from = (slopes->start - node->corner + slopes->rest) * slopes->inverse;
     const float *x = node->sides + slopes->first[0], *xx = node->sides + slopes->last[0];
     const float *y = node->sides + slopes->first[1], *yy = node->sides + slopes->last[1];
     const float *z = node->sides + slopes->first[2], *zz = node->sides + slopes->last[2];
     float ix = slopes->inverse[0], iy = slopes->inverse[1], iz = slopes->inverse[2];
+    const Four from = (slopes->start - node->corner + slopes->rest) * slopes->inverse;
     float from_x = from[0], from_y = from[1], from_z = from[2];
 #pragma omp simd
     for (int i = 0; i < LANES; i++) {
@@ -78,7 +59,7 @@ static inline void enter(const Slopes *slopes, const RayNode *node, float farthe
         begin = begin_z > begin ? begin_z : begin;
         end = end_y < end ? end_y : end;
         end = end_z < end ? end_z : end;
-        end = end < farthest ? end : farthest;
+        end = farthest < end ? farthest : end; // NaN stays: a ray of NaN enters no box
         near[i] = begin * (1 - 0x1p-19F) <= end ? begin : INFINITY;
     }
 }
@@ -87,11 +68,11 @@ static inline void enter(const Slopes *slopes, const RayNode *node, float farthe
 // the distance |c x v|: no digits are lost, so its error is less than 2^-20 of the centre's
 // distance and of the leaf's size. The same is true of c.v, where the middle of the chord is. A
 // sphere that is larger by both errors is met before and after these too. By the size's part, the
-// radii are larger already (wide_hierarchy.c).
-static inline unsigned may_meet(const Slopes *slopes, const RayLeaf *leaf, float farthest)
+// radii are larger already (hierarchy.c).
+static inline unsigned may_meet(const Slopes *slopes, const WideLeaf *leaf, float farthest)
 {
-    Four local = slopes->start - leaf->center + slopes->rest;
-    float px = local[0], py = local[1], pz = local[2];
+    const Four from = slopes->start - leaf->center + slopes->rest;
+    float px = from[0], py = from[1], pz = from[2];
     float dx = slopes->direction[0], dy = slopes->direction[1], dz = slopes->direction[2];
     alignas(64) int may[LANES];
 #pragma omp simd
@@ -107,306 +88,348 @@ static inline unsigned may_meet(const Slopes *slopes, const RayLeaf *leaf, float
         float out = along - inside;
         may[i] = out * out <= d ? -1 : 0;
     }
-    return bits_of(may);
+#ifdef __AVX512F__ // one instruction, which compilers do not find
+    return _mm512_movepi32_mask(_mm512_load_si512(may));
+#else
+    unsigned bits = 0;
+    for (int i = 0; i < LANES; i++)
+        bits |= (unsigned)(may[i] & 1) << i;
+    return bits;
+#endif
 }
 
-static inline Meeting meet_place(const RayWorld *world, int place, const Line *line)
-{
-    const double *sphere = world->numbers + 4 * (size_t)place;
-    return meet(sphere[0] - line->origin[0], sphere[1] - line->origin[1],
-                sphere[2] - line->origin[2], sphere[3], line);
-}
+// ---- where a ray meets a sphere, in doubles, with margins for rounding -------------------------
 
-// A distance in floats that is certainly not less.
-static inline float at_least(double distance, double scale)
-{
-    return (float)(distance * scale) * (1 + 0x1p-18F);
-}
+// The margin for a number that is the difference of two: many times their rounding error.
+#define MARGIN 1e-12
 
-// ---- one ray ----------------------------------------------------------------------------------
-
-// Boxes still to enter, the next one last.
+// It may meet a sphere at begin or later; if end is finite, it certainly does, between begin and
+// end.
 typedef struct {
-    float near;
-    int box; // as RayNode's below
-} Waiting;
-enum { MOST_WAITING = HIERARCHY_DEEPEST * LANES };
+    double begin, end;
+} Meeting;
 
-// Adds the boxes that the ray enters, the nearest last.
-static inline int push(Waiting *waiting, int count, const RayNode *node, const float *near)
+// A sphere of radius r around p, seen from where the ray starts; v has length 1.
+static inline Meeting meet(Vector p, double r, Vector v)
 {
-    int bottom = count;
-    for (int i = 0; i < LANES; i++) {
-        if (near[i] == INFINITY)
-            continue;
-        int at = count++;
-        for (; at > bottom && waiting[at - 1].near < near[i]; at--)
-            waiting[at] = waiting[at - 1];
-        waiting[at] = (Waiting){near[i], node->below[i]};
-    }
-    return count;
+    const double rr = r * r, along = dot(p, v), pp = dot(p, p);
+    const double margin = MARGIN * (pp + rr), outside = pp - rr;
+    const double d = rr - pp + along * along, least = d - margin;
+    const double longest = sqrt(d + margin > 0 ? d + margin : 0);
+    const double shortest = sqrt(least > 0 ? least : 0), slack = MARGIN * (fabs(along) + r);
+    const double near = along - longest - slack, far = along + shortest - slack;
+    const bool misses = (d + margin < 0) | ((along < 0) & (outside > margin));
+    const bool enters = (outside > margin) & (near > 0);
+    const bool leaves = (outside < -margin) & (far > 0);
+    const double begin = enters ? near : leaves ? far : 0;
+    const double end = (enters & (least >= 0)) ? along - shortest + slack
+                       : leaves                ? along + longest + slack
+                                               : INFINITY;
+    return (Meeting){misses ? INFINITY : begin, end}; // end: a miss neither enters nor leaves
 }
 
-// Forgets the candidates that begin beyond the nearest certain hit. A list that is not complete
-// stays so.
-static void forget(PossibleHits *candidates, double *begins, double nearest)
+// Whether a sphere hides the end of a ray: its place, or NO_PLACE, or UNKNOWN.
+enum { UNKNOWN = -3 };
+static inline int hides(Meeting meeting, int place, double reach)
 {
-    int kept = 0;
-    if (candidates->count > MOST_CANDIDATES)
-        return;
-    for (int i = 0; i < candidates->count; i++) {
-        if (begins[i] <= nearest) {
-            begins[kept] = begins[i];
-            candidates->places[kept++] = candidates->places[i];
-        }
-    }
-    candidates->count = kept;
+    const bool late = (meeting.begin > reach * (1 + MARGIN)) | (meeting.begin == INFINITY);
+    return late ? NO_PLACE : meeting.end < reach * (1 - MARGIN) ? place : UNKNOWN;
 }
 
-void LANES(nearest_of)(const RayWorld *world, const Line *line, PossibleHits *candidates)
+// Rays with directions of length 1, where they end, and what they ask first.
+typedef struct {
+    const Vectors *origin;
+    Vectors direction;
+    alignas(64) double reach[PATHS];
+    int missed[PATHS]; // the sphere that a ray leaves, if it certainly misses that, or -LANES
+} Starts;
+
+// Of ray i and the sphere at this place in the order of the hierarchy.
+static inline Meeting meet_place(const WideHierarchy *wide, int place, const Starts *starts, int i)
 {
-    Waiting waiting[MOST_WAITING];
-    double begins[MOST_CANDIDATES], nearest = INFINITY;
-    float near[LANES], farthest = INFINITY;
-    int count = 0;
-    Slopes slopes;
-    set_slopes(&slopes, world, line);
-    candidates->count = 0;
-    if (world->nodes != NULL)
-        waiting[count++] = (Waiting){0};
-    while (count > 0) {
-        Waiting next = waiting[--count];
-        if (next.near > farthest)
-            continue;
-        const void *data = ray_world_data(world, next.box);
-        if (next.box >= 0) {
-            const RayNode *node = data;
-            enter(&slopes, node, farthest, near);
-            count = push(waiting, count, node, near);
-            continue;
-        }
-        const RayLeaf *leaf = data;
-        unsigned bits = may_meet(&slopes, leaf, farthest);
-        for (; bits != 0; bits &= bits - 1) {
-            int place = leaf->first + __builtin_ctz(bits);
-            Meeting meeting = meet_place(world, place, line);
-            if (!(meeting.begin <= nearest) || meeting.begin == INFINITY)
-                continue;
-            if (meeting.end < nearest) {
-                nearest = meeting.end;
-                farthest = at_least(nearest, world->scale);
-                forget(candidates, begins, nearest);
-            }
-            if (candidates->count < MOST_CANDIDATES)
-                begins[candidates->count] = meeting.begin;
-            add_candidate(candidates, place);
-        }
+    const double *sphere = wide->numbers + 4 * (size_t)place;
+    return meet(minus(vector_at(sphere), get(starts->origin, i)), sphere[3],
+                get(&starts->direction, i));
+}
+
+// Usually a ray certainly misses the sphere that it leaves; or this hides the light from its own
+// back. Otherwise, the answer is still UNKNOWN.
+static void ask_own(const WideHierarchy *wide, const Rays *rays, Starts *starts, int *answers)
+{
+    Vectors center;
+    double radius[PATHS], begin[PATHS], end[PATHS];
+    for (int i = 0; i < rays->count; i++) {
+        const double *own = wide->numbers + 4 * (size_t)most(rays->left[i], 0);
+        put(&center, i, vector_at(own));
+        radius[i] = own[3];
+    }
+    starts->origin = rays->origin;
+#pragma omp simd
+    for (int i = 0; i < rays->count; i++) {
+        const Vector v = get(rays->direction, i), p = minus(get(&center, i), get(rays->origin, i));
+        const double length = sqrt(dot(v, v));
+        const Vector u = times(1 / length, v);
+        const Meeting own = meet(p, radius[i], u);
+        put(&starts->direction, i, u);
+        starts->reach[i] = rays->grid == NULL ? INFINITY : length;
+        begin[i] = own.begin;
+        end[i] = own.end;
+    }
+    for (int i = 0; i < rays->count; i++) {
+        const int left = rays->left[i];
+        const int own = hides((Meeting){begin[i], end[i]}, left, starts->reach[i]);
+        starts->missed[i] = left >= 0 && own == NO_PLACE ? left : -LANES;
+        answers[i] = rays->any && left >= 0 && own != NO_PLACE ? own : UNKNOWN;
     }
 }
 
-// ---- many rays in turns -----------------------------------------------------------------------
+// ---- the cells of a light ---------------------------------------------------------------------
 
-// A ray on its way: boxes to enter, and the nearest hit so far. Boxes wait in no order. Where none
-// waits, or one that begins beyond farthest, another one may be written.
+// The cell of each ray's start; -1 if no sphere is there.
+static void find_cells(const Bins *bins, const Rays *rays, int *cells)
+{
+    const Vector f = vector_at(bins->eye.forward), r = vector_at(bins->eye.right);
+    const Vector u = vector_at(bins->eye.up);
+    const Vector from = {bins->from[0], bins->from[1], bins->from[2]};
+    const double size = bins->columns, across = bins->eye.across / SIDE;
+#pragma omp simd
+    for (int i = 0; i < rays->count; i++) {
+        const Vector p = minus(get(rays->origin, i), from);
+        double ahead = dot(p, f), scale = across / ahead;
+        double column = size / 2 + scale * dot(p, r), row = size / 2 - scale * dot(p, u);
+        bool shown = (ahead > 0) & (column >= 0) & (column < size) & (row >= 0) & (row < size);
+        cells[i] = shown ? (int)row * (int)size + (int)column : -1;
+    }
+}
+
+// Ray i asks a sphere, unless it certainly misses that.
+static inline int ask_place(const WideHierarchy *wide, int place, const Starts *starts, int i)
+{
+    const Meeting meeting = meet_place(wide, place, starts, i);
+    return place == starts->missed[i] ? NO_PLACE : hides(meeting, place, starts->reach[i]);
+}
+
+// The rays ask the giants, and the spheres of their cells as far as they are nearer to the light
+// than the start. First all memory that will be needed is asked for, so that no ray waits for it.
+static void ask_cells(const WideHierarchy *wide, const Rays *rays, Starts *starts, int *answers)
+{
+    const LightGrid *grid = rays->grid;
+    const Item *items = grid->bins.items;
+    const BinsShare *bins = &grid->bins.shares[0];
+    const Item *shown[PATHS], *end[PATHS];
+    int cells[PATHS];
+    find_cells(&grid->bins, rays, cells);
+    for (int i = 0; i < rays->count; i++) {
+        shown[i] = &items[cells[i] < 0 ? 0 : bins->begin[cells[i]]];
+        end[i] = &items[cells[i] < 0 ? 0 : bins->next[cells[i]]];
+        __builtin_prefetch(shown[i]);
+        answers[i] = answers[i] == UNKNOWN ? NO_PLACE : answers[i];
+    }
+    for (int i = 0; i < rays->count; i++)
+        __builtin_prefetch(&wide->numbers[4 * (size_t)sphere_of(*shown[i])]);
+    for (int i = 0; i < rays->count; i++) {
+        const float reach = (float)(starts->reach[i] * (1 + 1e-6));
+        for (int k = 0; k < grid->giant_count && answers[i] == NO_PLACE; k++)
+            answers[i] = ask_place(wide, grid->giants[k], starts, i);
+        const Item *at = shown[i];
+        for (; at < end[i] && near_of(*at) <= reach && answers[i] == NO_PLACE; at++)
+            answers[i] = ask_place(wide, sphere_of(*at), starts, i);
+    }
+}
+
+// ---- rays on their way ------------------------------------------------------------------------
+
+// A ray on its way: boxes to enter, in no order, and the nearest hit so far. After the last box all
+// distances are infinite, and there is room for those of another node.
+enum { MOST_WAITING = 48 };
 typedef struct {
     union {
-        alignas(64) float near[LANES];
-        int bits[LANES]; // the same floats: as ints they have the same order
+        alignas(64) float near[MOST_WAITING + LANES];
+        int bits[MOST_WAITING + LANES]; // the same floats: as ints they have the same order
     };
-    int box[LANES]; // as RayNode's below
+    int box[MOST_WAITING + LANES]; // as WideNode's below
+    int count;
     Slopes slopes;
-    const Line *line;
-    int number;               // of the ray
-    float farthest, lost;     // lost: where the first box began for which there was no room
+    int number; // of the ray
+    float farthest;
+    bool lost;                // there was no room for all boxes, or the ray has no direction
     int place, missed;        // missed: a sphere that it certainly does not hit
     double begin, end, rival; // bounds of the nearest certain hit, and of all others
+    double enough;            // a hit that certainly ends before this suffices
 } Walker;
 
-// Adds the boxes of a node that the ray enters.
-static inline void add_boxes(Walker *walker, const RayNode *node, const float *near)
+// Adds the boxes of a node that the ray enters, without an 'if', because no processor can predict
+// them. AVX-512 packs them with one instruction, which compilers do not find.
+static inline void add_boxes(Walker *walker, const WideNode *node, const float *near)
 {
+    int count = walker->count;
+    if (count > MOST_WAITING) {
+        walker->lost = true;
+        return;
+    }
 #ifdef __AVX512F__
-    const __m512 none = _mm512_set1_ps(INFINITY), found = _mm512_loadu_ps(near);
-    __m512 waiting = _mm512_load_ps(walker->near);
-    __mmask16 entered = _mm512_cmp_ps_mask(found, none, _CMP_LT_OQ);
-    __mmask16 room = _mm512_cmp_ps_mask(waiting, _mm512_set1_ps(walker->farthest), _CMP_GE_OQ);
-    __m512 some = _mm512_mask_compress_ps(none, entered, found);
-    __m512i boxes = _mm512_maskz_compress_epi32(entered, _mm512_load_si512(node->below));
-    _mm512_store_ps(walker->near, _mm512_mask_expand_ps(waiting, room, some));
-    _mm512_store_si512(walker->box,
-                       _mm512_mask_expand_epi32(_mm512_load_si512(walker->box), room, boxes));
-    int places = __builtin_popcount(room);
-    if (__builtin_popcount(entered) > places) {
-        __mmask16 beyond = (__mmask16)(0xFFFFU << places);
-        walker->lost = fminf(walker->lost, _mm512_mask_reduce_min_ps(beyond, some));
-    }
+    const __m512 found = _mm512_loadu_ps(near), none = _mm512_set1_ps(INFINITY);
+    const __mmask16 entered = _mm512_cmp_ps_mask(found, none, _CMP_LT_OQ);
+    const __m512i boxes = _mm512_maskz_compress_epi32(entered, _mm512_load_si512(node->below));
+    _mm512_storeu_ps(walker->near + count, _mm512_mask_compress_ps(none, entered, found));
+    _mm512_storeu_si512(walker->box + count, boxes);
+    walker->count = count + __builtin_popcount(entered);
 #else
-    int at = 0;
     for (int i = 0; i < LANES; i++) {
-        if (near[i] == INFINITY)
-            continue;
-        while (at < LANES && walker->near[at] < walker->farthest)
-            at++;
-        if (at < LANES) {
-            walker->near[at] = near[i];
-            walker->box[at] = node->below[i];
-        } else
-            walker->lost = fminf(walker->lost, near[i]);
+        walker->near[count] = near[i];
+        walker->box[count] = node->below[i];
+        count += near[i] < INFINITY;
     }
+    walker->count = count;
 #endif
 }
 
 // Takes the nearest of the boxes that wait, and returns where it begins, infinite if there is none.
-// The last 4 bits of a distance are replaced by its place, so the least number says where it is.
+// The last 6 bits of a distance are replaced by its index, so the least number says where it is.
 static inline float take_nearest(Walker *walker, int *next)
 {
-    int least = INT_MAX;
-#pragma omp simd reduction(min : least)
-    for (int i = 0; i < LANES; i++) {
-        int bits = (walker->bits[i] & -LANES) | i;
-        least = bits < least ? bits : least;
+    enum { INDICES = 64 };
+    int least_bits = INT_MAX;
+#pragma omp simd reduction(min : least_bits)
+    for (int i = 0; i < INDICES; i++) {
+        int bits = (walker->bits[i] & -INDICES) | i;
+        least_bits = bits < least_bits ? bits : least_bits;
     }
-    int at = least & (LANES - 1);
-    float nearest;
-    least &= -LANES;
-    memcpy(&nearest, &least, sizeof nearest);
+    const int at = least_bits & (INDICES - 1), last = walker->count - (walker->count > 0);
+    const float nearest = walker->near[at];
     *next = walker->box[at];
-    walker->near[at] = INFINITY;
+    walker->near[at] = walker->near[last];
+    walker->box[at] = walker->box[last];
+    walker->near[last] = INFINITY;
+    walker->count = last;
     return nearest;
 }
 
-// Nothing if the place is NO_PLACE, or in another leaf.
-static inline unsigned bit_of_place(const RayLeaf *leaf, int place)
+static inline void learn(Walker *walker, const WideHierarchy *wide, int place, Meeting meeting)
 {
-    unsigned bit = (unsigned)(place - leaf->first);
-    return bit < LANES ? 1U << bit : 0;
-}
-
-static inline void ask_spheres(Walker *walker, const RayWorld *world, const RayLeaf *leaf,
-                               unsigned bits)
-{
-    for (; bits != 0; bits &= bits - 1) {
-        int place = leaf->first + __builtin_ctz(bits);
-        Meeting meeting = meet_place(world, place, walker->line);
-        double other = meeting.begin;
-        if (meeting.end < walker->end) {
-            other = walker->begin;
-            walker->begin = meeting.begin;
-            walker->end = meeting.end;
-            walker->place = place;
-            walker->farthest = at_least(meeting.end, world->scale);
-        }
-        walker->rival = other < walker->rival ? other : walker->rival;
+    double other = meeting.begin;
+    if (meeting.end < walker->end) {
+        other = walker->begin;
+        walker->begin = meeting.begin;
+        walker->end = meeting.end;
+        walker->place = place;
+        walker->farthest = (float)(meeting.end * wide->scale) * (1 + 0x1p-18F); // rounded up
+    }
+    walker->rival = other < walker->rival ? other : walker->rival;
+    if (walker->end < walker->enough) { // nothing else matters
+        walker->farthest = -1;
+        walker->rival = INFINITY;
     }
 }
 
-static inline void start(Walker *walker, const RayWorld *world, const Line *line, int left,
-                         int number)
+// Starts the next ray without an answer. False if there is none. The end of the ray, where a light
+// is, is like a hit there: only what is nearer matters.
+static inline bool start_next(Walker *walker, const WideHierarchy *wide, const Rays *rays,
+                              const Starts *starts, const int *answers, int *started)
 {
-    for (int i = 0; i < LANES; i++)
-        walker->near[i] = INFINITY;
-    walker->number = number;
-    walker->line = line;
-    walker->farthest = walker->lost = INFINITY;
+    while (*started < rays->count && answers[*started] != UNKNOWN)
+        (*started)++;
+    if (*started == rays->count)
+        return false;
+    const int i = walker->number = (*started)++;
+    const double reach = starts->reach[i];
+    for (int k = 0; k < MOST_WAITING + LANES; k++)
+        walker->near[k] = INFINITY;
+    walker->count = 0;
+    walker->lost = isnan(starts->direction.x[i]);
     walker->place = NO_PLACE;
-    walker->begin = walker->end = walker->rival = INFINITY;
-    set_slopes(&walker->slopes, world, line);
-    walker->missed = left >= 0 && meet_place(world, left, line).begin == INFINITY ? left : -LANES;
+    walker->begin = reach * (1 - MARGIN);
+    walker->end = reach * (1 + MARGIN);
+    walker->rival = INFINITY;
+    walker->farthest = (float)(walker->end * wide->scale) * (1 + 0x1p-18F);
+    walker->enough = rays->any ? walker->begin : 0;
+    walker->missed = starts->missed[i];
+    set_slopes(&walker->slopes, wide, get(rays->origin, i), get(&starts->direction, i));
+    return true;
 }
 
 // One bit for each ray on its way.
 enum { WALKERS = 64 };
 typedef uint64_t Bits;
 
-// The rays whose next box is a leaf.
-static inline Bits at_leaves(const int *next)
-{
-    Bits bits = 0;
-    for (int i = 0; i < WALKERS; i += LANES)
-        bits |= (Bits)bits_of(next + i) << i;
-    return bits;
-}
-
 // Rays at nodes enter the boxes there.
-static inline void leave_nodes(const RayWorld *world, Walker *walkers, const int *next, Bits bits)
+static inline void leave_nodes(const WideHierarchy *wide, Walker *walkers, const int *next,
+                               Bits bits)
 {
     for (; bits != 0; bits &= bits - 1) {
-        int number = __builtin_ctzll(bits);
-        const RayNode *node = ray_world_data(world, next[number]);
+        Walker *walker = &walkers[__builtin_ctzll(bits)];
+        const WideNode *node = &wide->nodes[next[__builtin_ctzll(bits)]];
         alignas(64) float near[LANES];
-        enter(&walkers[number].slopes, node, walkers[number].farthest, near);
-        add_boxes(&walkers[number], node, near);
+        enter(&walker->slopes, node, walker->farthest, near);
+        add_boxes(walker, node, near);
     }
 }
 
 // Rays at leaves ask the spheres there.
-static inline void leave_leaves(const RayWorld *world, Walker *walkers, const int *next, Bits bits)
+static inline void leave_leaves(const WideHierarchy *wide, const Starts *starts, Walker *walkers,
+                                const int *next, Bits bits)
 {
     Bits asking = 0;
     unsigned spheres[WALKERS];
     for (; bits != 0; bits &= bits - 1) {
         int number = __builtin_ctzll(bits);
         const Walker *walker = &walkers[number];
-        const RayLeaf *leaf = ray_world_data(world, next[number]);
-        spheres[number] =
-            may_meet(&walker->slopes, leaf, walker->farthest) & ~bit_of_place(leaf, walker->missed);
+        const WideLeaf *leaf = &wide->leaves[~next[number]];
+        unsigned missed = (unsigned)(walker->missed - leaf->first); // its place in this leaf
+        spheres[number] = may_meet(&walker->slopes, leaf, walker->farthest) &
+                          ~(missed < LANES ? 1U << missed : 0);
         asking |= (Bits)(spheres[number] != 0) << number;
     }
     for (; asking != 0; asking &= asking - 1) {
         int number = __builtin_ctzll(asking);
-        ask_spheres(&walkers[number], world, ray_world_data(world, next[number]), spheres[number]);
+        Walker *walker = &walkers[number];
+        const int first = wide->leaves[~next[number]].first;
+        for (unsigned found = spheres[number]; found != 0; found &= found - 1) {
+            int place = first + __builtin_ctz(found);
+            learn(walker, wide, place, meet_place(wide, place, starts, walker->number));
+        }
     }
-}
-
-// Rays go to the nearest of their boxes. Returns those that end.
-static inline Bits go_on(Walker *walkers, int *next, Bits bits)
-{
-    Bits ended = 0;
-    for (; bits != 0; bits &= bits - 1) {
-        int number = __builtin_ctzll(bits);
-        bool ends = !(take_nearest(&walkers[number], &next[number]) < walkers[number].farthest);
-        ended |= (Bits)ends << number;
-    }
-    return ended;
 }
 
 // Each round takes all rays a step: those at a node enter its boxes, those at a leaf ask its
 // spheres, and then all go to their nearest box. Each loop does one short thing, for all rays that
 // need it. So no ray waits for itself, and where it goes need not be predicted. A ray that ends
 // gives its answer, and the next one starts in its place.
-void LANES(nearest_of_many)(const RayWorld *world, const Line *lines, const int *left, int count,
-                            int *places)
+void LANES(nearest_of_many)(const WideHierarchy *wide, const Rays *rays, int *places)
 {
     Walker walkers[WALKERS];
-    alignas(64) int next[WALKERS] = {0};
-    Bits walking = 0;
-    int started = 0;
-    for (int i = 0; i < count; i++)
+    Starts starts;
+    int next[WALKERS] = {0}, started = 0;
+    Bits going = 0, leaves = 0;
+    for (int i = 0; i < rays->count; i++)
         places[i] = NO_PLACE;
-    if (world->nodes == NULL)
+    if (wide->nodes == NULL)
         return;
-    for (; started < count && started < WALKERS; started++) {
-        start(&walkers[started], world, &lines[started], left[started], started);
-        walking |= (Bits)1 << started;
-    }
-    while (walking != 0) {
-        Bits leaves = at_leaves(next);
-        leave_nodes(world, walkers, next, walking & ~leaves);
-        leave_leaves(world, walkers, next, walking & leaves);
-        Bits ended = go_on(walkers, next, walking);
-        walking &= ~ended;
+    ask_own(wide, rays, &starts, places);
+    if (rays->grid != NULL && rays->grid->bins.items != NULL)
+        ask_cells(wide, rays, &starts, places);
+    for (int i = 0; i < WALKERS; i++)
+        if (start_next(&walkers[i], wide, rays, &starts, places, &started))
+            going |= (Bits)1 << i;
+    while (going != 0) {
+        leave_nodes(wide, walkers, next, going & ~leaves);
+        leave_leaves(wide, &starts, walkers, next, leaves);
+        Bits ended = 0;
+        leaves = 0;
+        for (Bits bits = going; bits != 0; bits &= bits - 1) {
+            int i = __builtin_ctzll(bits);
+            bool ends = !(take_nearest(&walkers[i], &next[i]) < walkers[i].farthest);
+            ended |= (Bits)ends << i;
+            leaves |= (Bits)(!ends & (next[i] < 0)) << i;
+        }
         for (; ended != 0; ended &= ended - 1) {
-            int number = __builtin_ctzll(ended);
-            Walker *walker = &walkers[number];
-            bool doubt = walker->lost < walker->farthest ||
-                         (walker->rival <= walker->end && walker->rival < INFINITY);
+            int i = __builtin_ctzll(ended);
+            const Walker *walker = &walkers[i];
+            bool doubt = walker->lost || (walker->rival <= walker->end && walker->rival < INFINITY);
             places[walker->number] = doubt ? IN_DOUBT : walker->place;
-            if (started == count)
-                continue;
-            start(walker, world, &lines[started], left[started], started);
-            started++;
-            next[number] = 0;
-            walking |= (Bits)1 << number;
+            next[i] = 0;
+            if (!start_next(&walkers[i], wide, rays, &starts, places, &started))
+                going &= ~((Bits)1 << i);
         }
     }
 }

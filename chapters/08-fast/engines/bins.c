@@ -2,80 +2,428 @@
 // tile asks the spheres of its bin, near ones first, until the others are hidden.
 //
 // A tile's pixels stay in the cache meanwhile (Fuchs et al., 'Pixel-Planes 5', 1989). Most of the
-// hidden spheres are never asked. Many do not even get into a bin: if a large sphere covers a whole
-// tile, all that begins beyond it is hidden there.
-#include "chapters/08-fast/engines/bins_tile.h"
-#include "chapters/08-fast/engines/covered_pixels.h"
-#include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/engines/number_limits.h"
-#include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/sphere_colors.h"
-#include "common/image_flat.h"
-#include "common/large_pages.h"
+// hidden spheres are never asked.
+#include "chapters/08-fast/engines/bins.h"
+#include "chapters/08-fast/engines/hierarchy.h"
+#include "exercises/04-pixel-ray.h"
+#include "exercises/05-quadratic.h"
 
-#include <math.h>
-#include <stdatomic.h>
+#include <float.h>
 #include <stdlib.h>
-#include <string.h>
 
-static const BinsLanes *const bins_lanes[LANES_KINDS] = LANES_TABLE(bins);
+// ---- one tile ---------------------------------------------------------------------------------
 
-enum { SMALLEST_CHUNK = 128, LARGEST_CHUNK = 1024, MORE_MEMORY = 1 << 21 }; // bytes
-// For fewer than FEW_SPHERES more shares are not worth their cost, and for fewer than
-// HIDING_SPHERES hiding is not. At most FEW_ITEMS of a bin need no malloc.
-enum { FEW_SPHERES = 10000, HIDING_SPHERES = 1000, FEW_ITEMS = 128 };
-enum { MOST_AT_A_TURN = 8 };  // times PLACES spheres, that a share adds before the next share's
-enum { FEW_SURFACES = 1000 }; // if there are more, the program does not count the different colours
+// Its spheres ask its pixels, the near ones first, until the rest is hidden. Float decides if its
+// error cannot matter (bins_lanes.c). At the end, chapter 05's hit_sphere decides the other pixels
+// in double.
 
-// A bin is a list of chunks. Each begins at a multiple of its size, which is a power of 2, so the
-// address of the next item shows whether the chunk is full.
-typedef struct Chunk {
-    struct Chunk *before;
-    size_t earlier; // items in the chunks before
-    Item items[];
-} Chunk;
-
-// More memory for chunks.
-typedef struct Block {
-    struct Block *before;
-} Block;
-
-// Each thread has a share of the spheres, and bins of its own: no thread waits for another.
+// The data that all tiles share.
 typedef struct {
-    Item **next;      // of each bin: the address of its next item; NULL if the bin is empty
-    char *free, *end; // of its memory
-    Block *block;     // the last one that it needed
-    long long room;   // number of chunks that it may still use
-} Share;
+    const Work *work;
+    const BinsLanes *lanes;
+    const int *colors;
+    int *seen; // if not NULL: gets the sphere that each pixel sees, and the image gets nothing
+} Tiling;
+
+// After this many spheres, the farthest pixel is computed again.
+enum { UNTIL_NEXT_LOOK = 64 };
+
+// The tile that is being cast.
+typedef struct {
+    const Tiling *tiling;
+    Pixel corner;
+    int columns, rows;
+    TileRays rays;
+    float shortest; // not more than the length of any ray
+    float slack;    // the largest error of any s
+    TilePixels pixels;
+    // The spheres that ask next.
+    int waiting;
+    Candidates candidates;
+    int spheres[OUTLINES];
+    Part parts[OUTLINES];
+    float nearest[OUTLINES]; // a lower bound of s
+} CurrentTile;
+
+// The colour of pixels that see a sphere. If spheres are wanted instead, the sphere's number + 1.
+static int color_of(const Tiling *tiling, int sphere)
+{
+    return tiling->seen != NULL ? sphere + 1
+                                : sphere_color(tiling->work->scene, tiling->colors, sphere);
+}
+
+// Which of the spheres does a pixel see? Its ray misses most of them by far: |c x v| / |v| is its
+// distance from the centre, and the margins are many times the rounding error of that.
+static int decide(const CurrentTile *tile, int column, int row, const Item *bin, size_t count)
+{
+    const Work *work = tile->tiling->work;
+    Pixel pixel = {tile->corner.column + column, tile->corner.row + row};
+    Ray ray = pixel_ray(work->camera, work->image->size, pixel);
+    vec3 v = ray.direction;
+    double vv = vec3_dot(v, v);
+    Hit nearest = {NO_HIT, -1};
+    for (size_t i = 0; i < count; i++) {
+        int number = sphere_of(bin[i]);
+        Sphere sphere = work->scene->spheres[number];
+        vec3 c = sphere.center - ray.origin, w = vec3_cross(c, v);
+        double square = sphere.radius * sphere.radius, ww = vec3_dot(w, w);
+        if (ww > 1e-250 && ww > 1.000001 * square * vv + 1e-18 * vec3_dot(c, c) * vv)
+            continue;
+        nearest = nearer(nearest, (Hit){hit_sphere(ray, sphere), number});
+    }
+    return nearest.sphere;
+}
+
+static void decide_unsure(CurrentTile *tile, const Item *bin, size_t count)
+{
+    if (!tile->tiling->lanes->unsure(&tile->pixels))
+        return;
+    for (int row = 0; row < tile->rows; row++) {
+        for (int column = 0; column < tile->columns; column++) {
+            int *seen = &tile->pixels.color[row * SIDE + column];
+            if (*seen & UNSURE)
+                *seen = color_of(tile->tiling, decide(tile, column, row, bin, count));
+        }
+    }
+}
+
+// The place of a candidate, from the eye, and the pixels that it may ask.
+static void set_candidate(CurrentTile *tile, int i)
+{
+    const Work *work = tile->tiling->work;
+    const Sphere *sphere = &work->scene->spheres[tile->spheres[i]];
+    Candidates *to = &tile->candidates;
+    vec3 c = sphere->center - work->camera.origin;
+    to->x[i] = c[0];
+    to->y[i] = c[1];
+    to->z[i] = c[2];
+    to->radius[i] = sphere->radius;
+    Part part = tile->parts[i];
+    int column = (part.left + part.right) / 2, row = (part.top + part.bottom) / 2;
+    to->column[i] = column;
+    to->row[i] = row;
+    to->half_width[i] = column - part.left;
+    to->half_height[i] = row - part.top;
+}
+
+// Do all pixels of a sphere's part see something nearer? If they do not, usually one of the pixels
+// in the corners is one of those. Small parts have no others.
+static inline bool part_is_hidden(const CurrentTile *tile, Part part, float nearest)
+{
+    const float *top = &tile->pixels.s[part.top * SIDE];
+    const float *bottom = &tile->pixels.s[(part.bottom - 1) * SIDE];
+    nearest -= tile->slack;
+    const float corners = larger(larger(top[part.left], top[part.right - 1]),
+                                 larger(bottom[part.left], bottom[part.right - 1]));
+    const bool small = (part.right - part.left <= 2) & (part.bottom - part.top <= 2);
+    const bool hidden = nearest > corners;
+    if (hidden & !small)
+        return nearest > tile->tiling->lanes->farthest(&tile->pixels, part);
+    return hidden;
+}
+
+static void ask_waiting(CurrentTile *tile)
+{
+    const BinsLanes *lanes = tile->tiling->lanes;
+    Outlines outlines;
+    for (int i = 0; i < tile->waiting; i++)
+        set_candidate(tile, i);
+    lanes->outline(&tile->rays, &tile->candidates, &outlines);
+    for (int i = 0; i < tile->waiting; i++) {
+        if (outlines.safe[i]) {
+            lanes->ask(&tile->pixels, &outlines, i, tile->parts[i], tile->slack,
+                       color_of(tile->tiling, tile->spheres[i]));
+            tile->slack = larger(tile->slack, outlines.s_error[i]);
+        } else {
+            float farthest = lanes->ask_in_double(&tile->pixels, &tile->rays, &tile->candidates, i,
+                                                  tile->parts[i], tile->nearest[i], tile->slack,
+                                                  color_of(tile->tiling, tile->spheres[i]));
+            tile->slack = larger(tile->slack, FLT_EPSILON * farthest);
+        }
+    }
+    tile->waiting = 0;
+}
+
+// Returns the number of spheres that may be visible. The next ones are fetched into the cache: the
+// order of the bin is not that of the memory, and a sphere may be in two lines of the cache.
+static size_t ask_all(CurrentTile *tile, const Item *bin, size_t count)
+{
+    const Tiling *tiling = tile->tiling;
+    const Part all = {0, tile->columns, 0, tile->rows};
+    float farthest = INFINITY;
+    size_t i;
+    for (i = 0; i < count; i++) {
+        if (i + 8 < count) {
+            const Sphere *soon = &tiling->work->scene->spheres[sphere_of(bin[i + 8])];
+            __builtin_prefetch(soon);
+            __builtin_prefetch(&soon->surface);
+        }
+        if (i % UNTIL_NEXT_LOOK == UNTIL_NEXT_LOOK - 1)
+            farthest = tiling->lanes->farthest(&tile->pixels, all);
+        float nearest = near_of(bin[i]) * tile->shortest;
+        if (nearest > farthest + tile->slack)
+            break;
+        const Part part = part_of(bin[i]);
+        // Without a branch: no processor can predict which spheres are hidden.
+        tile->spheres[tile->waiting] = sphere_of(bin[i]);
+        tile->parts[tile->waiting] = part;
+        tile->nearest[tile->waiting] = nearest;
+        tile->waiting += part_is_hidden(tile, part, nearest) ? 0 : 1;
+        if (tile->waiting == OUTLINES)
+            ask_waiting(tile);
+    }
+    ask_waiting(tile);
+    return i;
+}
+
+// The rays from this pixel on. They end on the plane, because the step from one pixel to the next
+// is the same there.
+static TileRays rays_from(const Work *work, Pixel pixel)
+{
+    Camera camera = work->camera;
+    Resolution screen = work->image->size;
+    vec3 column = camera.width / screen.width * camera.right;
+    vec3 row = -camera.height / screen.height * camera.up;
+    // From the middle of the screen. At the edge of a very wide view, a ray that ends on the plane
+    // has lost digits.
+    Pixel middle = {screen.width / 2, screen.height / 2};
+    vec3 first = ray_to_plane(pixel_ray(camera, screen, middle), camera).direction +
+                 (pixel.column - middle.column) * column + (pixel.row - middle.row) * row;
+    TileRays rays;
+    view_store(rays.first, first);
+    view_store(rays.column, column);
+    view_store(rays.row, row);
+    return rays;
+}
+
+// Do all rays of this part hit the sphere, seen from outside? Those that do are inside a cone,
+// which is convex, so it is enough to ask the corners. The square of the cosine between c, the
+// centre from the eye, and a ray of the outline is 1 - radius^2 / c.c; there is a margin for
+// rounding.
+static bool covers(const TileRays *rays, vec3 c, double radius, Part part)
+{
+    const double apart = vec3_dot(c, c), square = radius * radius;
+    if (!(apart > 1.001 * square && apart < 1e6 * square))
+        return false;
+    for (int corner = 0; corner < 4; corner++) {
+        const double x = corner % 2 == 0 ? part.left : part.right - 1;
+        const double y = corner / 2 == 0 ? part.top : part.bottom - 1;
+        double vv = 0, cv = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double v = rays->first[axis] + x * rays->column[axis] + y * rays->row[axis];
+            vv += v * v;
+            cv += v * c[axis];
+        }
+        if (!(cv > 0 && cv * cv > (apart - 0.999 * square) * vv))
+            return false;
+    }
+    return true;
+}
+
+// The distance from x to the columns (or rows) of the tile, with a sign, and 0 inside.
+static double nearest_to(double x, int first, int count)
+{
+    return fmin(fmax(x, first), first + count) - x;
+}
+
+// All pixels see this sphere, or none if it is -1.
+static void give_one(const Tiling *tiling, Pixel corner, int columns, int rows, int sphere)
+{
+    const Image *image = tiling->work->image;
+    const int color = tiling->seen == NULL ? color_of(tiling, sphere) : 0;
+    uint8_t row_of_bytes[3 * SIDE];
+    for (int i = 0; i < SIDE; i++)
+        for (int k = 0; k < 3; k++)
+            row_of_bytes[3 * i + k] = (uint8_t)(color >> 8 * k);
+    for (int row = 0; row < rows; row++) {
+        Pixel first = {corner.column, corner.row + row};
+        if (tiling->seen == NULL)
+            memcpy(image_bytes(image, first), row_of_bytes, 3 * (size_t)columns);
+        for (int i = 0; tiling->seen != NULL && i < columns; i++)
+            tiling->seen[image_index(image, first) + (size_t)i] = sphere;
+    }
+}
+
+// Do all pixels see the nearest sphere? It covers them, and the others begin beyond its outline.
+static bool one_covers_all(const CurrentTile *tile, const Item *bin, size_t count)
+{
+    const Work *work = tile->tiling->work;
+    const Part part = part_of(bin[0]), all = {0, tile->columns, 0, tile->rows};
+    if (part.left > 0 || part.right < all.right || part.top > 0 || part.bottom < all.bottom)
+        return false;
+    const Sphere *sphere = &work->scene->spheres[sphere_of(bin[0])];
+    const vec3 c = sphere->center - work->camera.origin;
+    const double outline = sqrt(vec3_dot(c, c) - sphere->radius * sphere->radius);
+    return (count == 1 || near_of(bin[1]) > 1.00001 * outline) &&
+           covers(&tile->rays, c, sphere->radius, all);
+}
+
+static void give_pixels(const CurrentTile *tile)
+{
+    const Tiling *tiling = tile->tiling;
+    Image *image = tiling->work->image;
+    if (tiling->seen == NULL)
+        tiling->lanes->paint(tile->pixels.color, SIDE, tile->columns, tile->rows,
+                             image_bytes(image, tile->corner), 3 * (size_t)image->size.width);
+    for (int row = 0; tiling->seen != NULL && row < tile->rows; row++) {
+        Pixel first = {tile->corner.column, tile->corner.row + row};
+        int *seen = tiling->seen + image_index(image, first);
+        for (int column = 0; column < tile->columns; column++)
+            seen[column] = tile->pixels.color[row * SIDE + column] - 1;
+    }
+}
+
+// Casts the tile with this upper left pixel. The items are those of its bin, in any order; after
+// them there is room for the sorted ones.
+static void tile_cast(const Tiling *tiling, Pixel corner, Item *items, size_t count)
+{
+    Image *image = tiling->work->image;
+    Camera camera = tiling->work->camera;
+    int width = image->size.width, height = image->size.height;
+    CurrentTile tile;
+    tile.tiling = tiling;
+    tile.corner = corner;
+    tile.columns = least(width - corner.column, SIDE);
+    tile.rows = least(height - corner.row, SIDE);
+    if (count == 0) {
+        give_one(tiling, corner, tile.columns, tile.rows, -1);
+        return;
+    }
+    tile.rays = rays_from(tiling->work, corner);
+    double x = camera.width / width * nearest_to(width / 2.0, corner.column, tile.columns);
+    double y = camera.height / height * nearest_to(height / 2.0, corner.row, tile.rows);
+    // A little less, so that it is not longer than any ray, in spite of rounding.
+    tile.shortest = 0.999999F * (float)sqrt(camera.distance * camera.distance + x * x + y * y);
+    tile.slack = 0;
+    tile.waiting = 0;
+    const Item *bin = tiling->lanes->sort(items, count);
+    if (one_covers_all(&tile, bin, count)) {
+        give_one(tiling, corner, tile.columns, tile.rows, sphere_of(bin[0]));
+        return;
+    }
+    tile.candidates = (Candidates){0};
+    tiling->lanes->clear(&tile.pixels, tile.columns, tile.rows, color_of(tiling, -1));
+    decide_unsure(&tile, bin, ask_all(&tile, bin, count));
+    give_pixels(&tile);
+}
+
+// ---- bins of all tiles ------------------------------------------------------------------------
+
+// For fewer spheres more shares are not worth their cost.
+enum { FEW_SPHERES = 10000 };
+
+// Counts or adds a sphere in the bins of its tiles.
+static inline void visit_tiles(Bins *bins, const BinsShare *share, int number, Part place,
+                               int depth)
+{
+    const int left = place.left / SIDE, right = (place.right - 1) / SIDE;
+    const int top = place.top / SIDE, bottom = (place.bottom - 1) / SIDE;
+    // One loop for both: a processor cannot guess whether two tiles are a row or a column.
+    int column = left, row = top;
+    for (int tiles = (right - left + 1) * (bottom - top + 1); tiles > 0; tiles--) {
+        const int tile = row * bins->columns + column;
+        const int x = column * SIDE, y = row * SIDE;
+        const Part part = {most(place.left - x, 0), least(place.right - x, SIDE),
+                           most(place.top - y, 0), least(place.bottom - y, SIDE)};
+        const uint32_t at = share->next[tile]++;
+        if (bins->items != NULL) {
+            bins->items[at] = item_of(depth, part, number);
+            __builtin_prefetch(&bins->items[at + 8], 1); // the next line of the cache
+        }
+        row += column == right;
+        column = column == right ? left : column + 1;
+    }
+}
+
+// Where some spheres are on the screen.
+static void find_places(Bins *bins, const Sphere *spheres, int count, Places *places)
+{
+    Positions positions = {0};
+    for (int i = 0; i < count; i++) {
+        position_set(&positions, i, spheres[i].center - bins->from, spheres[i].radius);
+        __builtin_prefetch(&spheres[i + PLACES]); // for the next call
+    }
+    if (!LANES_BEST(bins)->place(&bins->eye, &positions, count, places))
+        atomic_store(&bins->unusual, true);
+    for (int i = 0; i < count; i++)
+        places->right[i] = spheres[i].radius > bins->largest ? 0 : places->right[i];
+}
+
+static void visit_share(void *given, int part)
+{
+    Bins *bins = given;
+    const int spheres = bins->scene->sphere_count;
+    for (int k = part, first; (first = k * PLACES) < spheres; k += bins->share_count) {
+        const int count = least(spheres - first, PLACES);
+        Places *places = &bins->places[k];
+        if (bins->items == NULL)
+            find_places(bins, &bins->scene->spheres[first], count, places);
+        for (int i = 0; i < count; i++) {
+            const Part place = {places->left[i], places->right[i], places->top[i],
+                                places->bottom[i]};
+            if (place.left >= place.right || place.top >= place.bottom)
+                continue;
+            visit_tiles(bins, &bins->shares[part],
+                        bins->numbers == NULL ? first + i : bins->numbers[first + i], place,
+                        places->depth[i]);
+        }
+    }
+}
+
+long long bins_count(Bins *bins, int threads)
+{
+    const size_t tiles = (size_t)bins->columns * (size_t)bins->rows;
+    bins->share_count = bins->scene->sphere_count < FEW_SPHERES ? 1 : least(threads, MOST_SHARES);
+    bins->places = malloc((size_t)(bins->scene->sphere_count / PLACES + 1) * sizeof(Places));
+    uint32_t *numbers = calloc(2 * (size_t)bins->share_count * tiles, sizeof *numbers);
+    bins->shares[0].begin = numbers;
+    if (bins->places == NULL || numbers == NULL)
+        return -1;
+    for (int i = 0; i < bins->share_count; i++, numbers += 2 * tiles)
+        bins->shares[i] = (BinsShare){numbers, numbers + tiles};
+    in_parallel(bins->share_count, bins->share_count, visit_share, bins);
+    // From the numbers of items to where they begin.
+    long long sum = 0;
+    for (size_t tile = 0; tile < tiles; tile++)
+        for (int i = 0; i < bins->share_count; i++) {
+            const BinsShare *share = &bins->shares[i];
+            const uint32_t count = share->next[tile];
+            share->begin[tile] = share->next[tile] = (uint32_t)sum;
+            sum += count;
+        }
+    return sum;
+}
+
+bool bins_fill(Bins *bins, long long count)
+{
+    bins->items = malloc(((size_t)count + 1) * sizeof *bins->items);
+    if (bins->items == NULL)
+        return false;
+    bins->items[count] = 0; // the first item of an empty bin may be read
+    in_parallel(bins->share_count, bins->share_count, visit_share, bins);
+    return true;
+}
+
+void bins_free(Bins *bins)
+{
+    free(bins->items);
+    free(bins->shares[0].begin);
+    free(bins->places);
+}
+
+// ---- the picture ------------------------------------------------------------------------------
 
 typedef struct {
     Tiling tiling;
-    Eye eye;
-    Rays rays; // of the screen
-    Share *shares;
-    int share_count;
-    // The first memory of all shares. One thread allocates it, because malloc keeps that thread's
-    // memory for the next picture. It gives the other threads' memory back, and the system clears
-    // the pages again.
-    char *memory;
-    size_t share_memory; // bytes of each share
-    size_t chunk;        // bytes
-    int columns, rows;   // of tiles
-    int top, bottom;     // the rows that have bins
-    // Of each tile: the depth beyond which all spheres are hidden. A thread that does not know the
-    // latest value only keeps a sphere that it could drop.
-    _Atomic uint16_t *hidden;
-    // Of each row of tiles: those that are not cast yet.
-    atomic_int *left;
-    atomic_bool extreme; // some sphere has extreme numbers (number_limits.h)
-    atomic_bool full;    // the bins need more memory than they should
-    atomic_bool failed;  // there is not enough memory
+    Bins bins;
+    atomic_bool failed; // there is not enough memory
 } Casting;
 
-static Eye eye_of(const Work *work)
+Eye eye_of(const Work *work)
 {
     Camera camera = work->camera;
-    Eye eye = {.width = work->image->size.width, .height = work->image->size.height};
+    Eye eye = {
+        .width = work->image->size.width, .height = work->image->size.height, .margin = ROUNDING};
     view_store(eye.right, camera.right);
     view_store(eye.up, camera.up);
     view_store(eye.forward, camera.forward);
@@ -84,402 +432,86 @@ static Eye eye_of(const Work *work)
     return eye;
 }
 
-// ---- bins -------------------------------------------------------------------------------------
-
-static void set_memory(Share *share, char *memory, size_t size, size_t chunk)
+static void cast_tile(void *given, int tile)
 {
-    share->free = memory + (chunk - (uintptr_t)memory % chunk) % chunk;
-    share->end = memory + size;
-}
-
-static bool add_block(Share *share, size_t chunk)
-{
-    Block *block = large_memory(MORE_MEMORY);
-    if (block == NULL)
-        return false;
-    block->before = share->block;
-    share->block = block;
-    set_memory(share, (char *)(block + 1), MORE_MEMORY - sizeof *block, chunk);
-    return true;
-}
-
-static void free_blocks(Share *share)
-{
-    while (share->block != NULL) {
-        Block *before = share->block->before;
-        free(share->block);
-        share->block = before;
-    }
-}
-
-static inline bool is_full(const Item *next, size_t chunk)
-{
-    return ((uintptr_t)next & (chunk - 1)) == 0;
-}
-
-// The chunk that ends at the address of a next item, or has it inside.
-static inline Chunk *chunk_of(Item *next, size_t chunk)
-{
-    return (Chunk *)(((uintptr_t)next - 1) & ~(uintptr_t)(chunk - 1));
-}
-
-static size_t count_items(Item *next, size_t chunk)
-{
-    if (next == NULL)
-        return 0;
-    const Chunk *last = chunk_of(next, chunk);
-    return last->earlier + (size_t)(next - last->items);
-}
-
-// Returns the address of the first item in a new chunk; NULL if there is no room.
-static Item *add_chunk(Casting *casting, Share *share, Item *next)
-{
-    const size_t size = casting->chunk;
-    if (share->room == 0) {
-        atomic_store(&casting->full, true);
-        return NULL;
-    }
-    if (share->end - share->free < (ptrdiff_t)size && !add_block(share, size)) {
-        atomic_store(&casting->failed, true);
-        return NULL;
-    }
-    Chunk *chunk = (Chunk *)(void *)share->free;
-    chunk->before = next == NULL ? NULL : chunk_of(next, size);
-    chunk->earlier = count_items(next, size);
-    share->free += size;
-    share->room--;
-    return chunk->items;
-}
-
-// Copies the items of a bin. The last chunk comes first; the one before it is fetched into the
-// cache meanwhile.
-static void copy_items(Item *next, size_t size, Item *to)
-{
-    if (next == NULL)
-        return;
-    const Chunk *chunk = chunk_of(next, size);
-    size_t count = (size_t)(next - chunk->items);
-    for (; chunk != NULL; chunk = chunk->before) {
-        for (size_t i = 0; chunk->before != NULL && i < size; i += 64)
-            __builtin_prefetch((const char *)chunk->before + i);
-        memcpy(to + chunk->earlier, chunk->items, count * sizeof *to);
-        count = (size - sizeof *chunk) / sizeof *chunk->items;
-    }
-}
-
-static inline int most(int a, int b)
-{
-    return a > b ? a : b;
-}
-
-static inline int least(int a, int b)
-{
-    return a < b ? a : b;
-}
-
-// ---- spheres ----------------------------------------------------------------------------------
-
-// In the tiles that a large sphere covers, all that begins beyond its outline is hidden.
-static void hide(Casting *casting, Place place)
-{
-    const Work *work = casting->tiling.work;
-    const Sphere *sphere = &work->scene->spheres[place.sphere];
-    vec3 c = sphere->center - work->camera.origin;
-    const int depth = depth_of((float)beyond_outline(c, sphere->radius));
-    for (int row = (place.top + TILE_HEIGHT - 1) / TILE_HEIGHT;
-         (row + 1) * TILE_HEIGHT <= place.bottom; row++)
-        for (int column = (place.left + TILE_WIDTH - 1) / TILE_WIDTH;
-             (column + 1) * TILE_WIDTH <= place.right; column++) {
-            _Atomic uint16_t *hidden = &casting->hidden[row * casting->columns + column];
-            const Part part = {column * TILE_WIDTH, (column + 1) * TILE_WIDTH, row * TILE_HEIGHT,
-                               (row + 1) * TILE_HEIGHT};
-            if (depth < atomic_load_explicit(hidden, memory_order_relaxed) &&
-                covers(&casting->rays, c, sphere->radius, part))
-                atomic_store_explicit(hidden, (uint16_t)depth, memory_order_relaxed);
-        }
-}
-
-static inline bool is_hidden(const Casting *casting, int depth, int tile)
-{
-    return depth > atomic_load_explicit(&casting->hidden[tile], memory_order_relaxed);
-}
-
-// False if there is no room.
-static inline bool add_item(Casting *casting, Share *share, int tile, Item item)
-{
-    Item *next = share->next[tile];
-    if (is_full(next, casting->chunk) && (next = add_chunk(casting, share, next)) == NULL)
-        return false;
-    *next = item;
-    share->next[tile] = next + 1;
-    __builtin_prefetch(next + 8, 1); // the next line of the cache
-    return true;
-}
-
-// Adds a sphere to the bins of its tiles. False if there is no room.
-static bool add_place(Casting *casting, Share *share, Place place)
-{
-    const int left = place.left / TILE_WIDTH, right = (place.right - 1) / TILE_WIDTH;
-    const int top = most(place.top / TILE_HEIGHT, casting->top);
-    const int bottom = least((place.bottom - 1) / TILE_HEIGHT, casting->bottom - 1);
-    const int depth = (int)place_depth(place);
-    if (right > left + 1 && bottom > top + 1 &&
-        casting->tiling.work->scene->sphere_count >= HIDING_SPHERES)
-        hide(casting, place);
-    // One loop for both: a processor cannot guess whether two tiles are a row or a column.
-    int column = left, row = top;
-    for (int tiles = (right - left + 1) * (bottom - top + 1); tiles > 0; tiles--) {
-        const int tile = row * casting->columns + column;
-        const int part = part_in(&place, column * TILE_WIDTH, row * TILE_HEIGHT);
-        if (!is_hidden(casting, depth, tile) &&
-            !add_item(casting, share, tile, item_of(depth, part, place.sphere)))
-            return false;
-        row += column == right;
-        column = column == right ? left : column + 1;
-    }
-    return true;
-}
-
-// Adds the spheres at these places. False if there is no room.
-static bool add_places(Casting *casting, Share *share, const Places *places, int first, int count)
-{
-    // Lists without branches: a processor would often guess wrong which spheres are hidden.
-    int in_one[PLACES], in_some[PLACES], ones = 0, others = 0;
-    for (int i = 0; i < count; i++) {
-        const bool seen = !is_hidden(casting, places->depth[i], places->tile[i]);
-        in_one[ones] = in_some[others] = i;
-        ones += seen & (places->kind[i] == IN_ONE_TILE);
-        others += places->kind[i] == IN_TILES;
-    }
-    const int begin = casting->top * casting->columns, end = casting->bottom * casting->columns;
-    for (int k = 0; k < ones; k++) {
-        const int i = in_one[k], tile = places->tile[i];
-        const Item item = item_of(places->depth[i], places->part[i], first + i);
-        if (tile >= begin && tile < end && !add_item(casting, share, tile, item))
-            return false;
-    }
-    for (int k = 0; k < others; k++)
-        if (!add_place(casting, share, place_at(places, in_some[k], first + in_some[k])))
-            return false;
-    return true;
-}
-
-// With positions for their places, which need not be cleared between two calls.
-static bool add_spheres(Casting *casting, Share *share, Positions *positions, int first, int count)
-{
-    const Work *work = casting->tiling.work;
-    const Sphere *spheres = &work->scene->spheres[first];
-    Places places;
-    for (int i = 0; i < count; i++) {
-        vec3 c = spheres[i].center - work->camera.origin;
-        positions->x[i] = c[0];
-        positions->y[i] = c[1];
-        positions->z[i] = c[2];
-        positions->radius[i] = spheres[i].radius;
-        if (first + i + PLACES < work->scene->sphere_count)
-            __builtin_prefetch(&spheres[i + PLACES]); // for the next call
-    }
-    bool extreme = false;
-    if (!casting->tiling.lanes->place(&casting->eye, positions, count, &places))
-        for (int i = 0; i < count; i++)
-            extreme |= extreme_sphere(work->camera.origin, &spheres[i]);
-    if (extreme)
-        atomic_store(&casting->extreme, true);
-    return !extreme && add_places(casting, share, &places, first, count);
-}
-
-// The shares take turns, so that the large spheres at the beginning of many scenes are soon known.
-static void fill_share(void *given, int part)
-{
+    enum { FEW_ITEMS = 128 }; // need no malloc
     Casting *casting = given;
-    const int count = casting->tiling.work->scene->sphere_count;
-    Positions positions = {0};
-    const int some = count / (4 * casting->share_count * PLACES) + 1; // so that all have turns
-    const int size = PLACES * least(some, MOST_AT_A_TURN);
-    for (int turn = size * part; turn < count; turn += size * casting->share_count)
-        for (int first = turn; first < least(turn + size, count); first += PLACES)
-            if (!add_spheres(casting, &casting->shares[part], &positions, first,
-                             least(count - first, PLACES)))
-                return;
-}
-
-// ---- the picture ------------------------------------------------------------------------------
-
-static void cast_tile(void *given, int part)
-{
-    Casting *casting = given;
-    int tile = casting->top * casting->columns + part;
-    Pixel corner = {tile % casting->columns * TILE_WIDTH, tile / casting->columns * TILE_HEIGHT};
+    const Bins *bins = &casting->bins;
+    Pixel corner = {tile % bins->columns * SIDE, tile / bins->columns * SIDE};
     size_t count = 0;
-    for (int i = 0; i < casting->share_count; i++)
-        count += count_items(casting->shares[i].next[tile], casting->chunk);
+    for (int i = 0; i < bins->share_count; i++)
+        count += bins->shares[i].next[tile] - bins->shares[i].begin[tile];
     Item few[2 * FEW_ITEMS];
-    Item *items = count > FEW_ITEMS ? malloc(2 * count * sizeof *items) : few;
+    Item *items = count > FEW_ITEMS ? malloc(2 * count * sizeof *items) : few, *to = items;
     if (items == NULL) {
         atomic_store(&casting->failed, true);
         return;
     }
-    count = 0;
-    for (int i = 0; i < casting->share_count; i++) {
-        copy_items(casting->shares[i].next[tile], casting->chunk, items + count);
-        count += count_items(casting->shares[i].next[tile], casting->chunk);
+    for (int i = 0; i < bins->share_count; i++) {
+        const BinsShare *share = &bins->shares[i];
+        const size_t some = share->next[tile] - share->begin[tile];
+        memcpy(to, bins->items + share->begin[tile], some * sizeof *to);
+        to += some;
     }
-    // The next tile's items are fetched into the cache meanwhile.
-    for (int i = 0; i < casting->share_count; i++)
-        __builtin_prefetch(chunk_of(casting->shares[i].next[tile + 1], casting->chunk));
     tile_cast(&casting->tiling, corner, items, count);
     if (items != few)
         free(items);
-    const Image *image = casting->tiling.work->image;
-    FlatImage *flat = casting->tiling.flat;
-    if (atomic_fetch_sub(&casting->left[tile / casting->columns], 1) == 1 && flat != NULL)
-        flat_rows_are_set(flat, corner.row, least(TILE_HEIGHT, image->size.height - corner.row));
 }
 
-// Empties all bins. If there is a limit, they may have four items for each sphere.
-static void empty_bins(Casting *casting, bool limited)
-{
-    const long long tiles = (long long)casting->columns * casting->rows;
-    const long long items = 4LL * casting->tiling.work->scene->sphere_count + (1 << 18);
-    const long long bytes = items * (long long)sizeof(Item);
-    const long long room = bytes / ((long long)casting->chunk * casting->share_count) + tiles;
-    for (int i = 0; i < casting->share_count; i++) {
-        Share *share = &casting->shares[i];
-        free_blocks(share);
-        set_memory(share, casting->memory + (size_t)i * casting->share_memory,
-                   casting->share_memory, casting->chunk);
-        memset(share->next, 0, ((size_t)tiles + 1) * sizeof(Item *));
-        share->room = limited ? room : -1;
-    }
-    atomic_store(&casting->full, false);
-}
+// How casting ends. If spheres cover so many tiles that the bins would need too much memory, other
+// ways are better.
+typedef enum { CAST, EXTREME, TOO_MANY, NO_MEMORY } Outcome;
 
-// If spheres cover many tiles, all bins together would take too much memory. Then only the bins of
-// some rows of tiles are made at a time.
-static bool cast_rows(Casting *casting)
+static Outcome cast_by_bins(Casting *casting)
 {
     const Work *work = casting->tiling.work;
-    int step = casting->rows;
-    while (casting->top < casting->rows) {
-        casting->bottom = least(casting->top + step, casting->rows);
-        empty_bins(casting, step > 1);
-        in_parallel(casting->share_count, casting->share_count, fill_share, casting);
-        if (casting->extreme || casting->failed)
-            return false;
-        if (casting->full) {
-            step = (step + 1) / 2;
-            continue;
-        }
-        in_parallel(work->threads, casting->columns * (casting->bottom - casting->top), cast_tile,
-                    casting);
-        casting->top = casting->bottom;
-    }
-    return !casting->failed;
+    Bins *bins = &casting->bins;
+    const long long count = bins_count(bins, work->threads);
+    if (bins->unusual && extreme_scene(work))
+        return EXTREME;
+    if (count > 8LL * work->scene->sphere_count + (1 << 22))
+        return TOO_MANY;
+    if (count < 0 || casting->tiling.colors == NULL || !bins_fill(bins, count))
+        return NO_MEMORY;
+    in_parallel(work->threads, bins->columns * bins->rows, cast_tile, casting);
+    return casting->failed ? NO_MEMORY : CAST;
 }
 
-static bool shares_create(Casting *casting)
+// Casts a picture, or finds the spheres that its pixels see.
+static Outcome cast(const Work *work, int *seen)
 {
-    const size_t tiles = (size_t)casting->columns * (size_t)casting->rows;
-    // Most small spheres are in one bin, and each bin has a chunk that is not full.
-    const size_t items = 5 * (size_t)casting->tiling.work->scene->sphere_count / 4;
-    casting->share_memory =
-        items * sizeof(Item) / (size_t)casting->share_count + (tiles + 1) * casting->chunk;
-    casting->shares = calloc((size_t)casting->share_count, sizeof *casting->shares);
-    casting->hidden = malloc(tiles * sizeof *casting->hidden);
-    casting->left = malloc((size_t)casting->rows * sizeof *casting->left);
-    const size_t bytes = (size_t)casting->share_count * casting->share_memory;
-    // Not large_memory: malloc does not keep long arrays that it has to align.
-    casting->memory = malloc(bytes);
-    large_pages(casting->memory, bytes);
-    bool created = casting->shares != NULL && casting->hidden != NULL && casting->left != NULL &&
-                   casting->memory != NULL;
-    for (int i = 0; i < casting->rows && created; i++)
-        atomic_init(&casting->left[i], casting->columns);
-    for (int i = 0; i < casting->share_count && created; i++) {
-        casting->shares[i].next = malloc((tiles + 1) * sizeof(Item *));
-        created = casting->shares[i].next != NULL;
-    }
-    if (created)
-        memset(casting->hidden, 0xff, tiles * sizeof *casting->hidden); // nothing is hidden
-    return created;
-}
-
-static void shares_free(Casting *casting)
-{
-    for (int i = 0; i < casting->share_count && casting->shares != NULL; i++) {
-        free_blocks(&casting->shares[i]);
-        free(casting->shares[i].next);
-    }
-    free(casting->shares);
-    free(casting->hidden);
-    free(casting->left);
-    free(casting->memory);
-}
-
-// The colours of all surfaces, and of the background; or their numbers, if the image becomes flat.
-// NULL if there is not enough memory.
-static uint32_t *colors_of(const Work *work, bool may_be_flat)
-{
-    const int count = work->scene->surface_count + 1, spheres = work->scene->sphere_count;
-    Paint *paints = paints_of(work->scene);
-    uint32_t *colors = paints != NULL ? malloc((size_t)count * sizeof *colors) : NULL;
-    for (int i = 0; i < count && colors != NULL; i++)
-        colors[i] =
-            paints[i].rgb[0] | (uint32_t)paints[i].rgb[1] << 8 | (uint32_t)paints[i].rgb[2] << 16;
-    free(paints);
-    // Files have a white surface for spheres before the first fill.
-    const int unlikely = count > 1 && spheres > 0 ? work->scene->spheres[0].surface : 0;
-    if (may_be_flat && count <= FEW_SURFACES && colors != NULL &&
-        image_flatten(work->image, colors, count, unlikely))
-        for (int i = 0; i < count; i++)
-            colors[i] = (uint32_t)flat_number(image_flat(work->image), colors[i]);
-    return colors;
-}
-
-// Casts a picture, or finds the spheres that its pixels see. False if there is not enough memory,
-// or if the scene is extreme.
-static bool cast(const Work *work, int *seen, bool *extreme)
-{
+    const Scene *scene = work->scene;
     Resolution screen = work->image->size;
-    const bool may_be_flat = work->may_be_flat && seen == NULL;
-    uint32_t *colors = colors_of(work, may_be_flat);
-    Casting casting = {.tiling = {work, bins_lanes[lanes_best()], colors,
-                                  may_be_flat ? image_flat(work->image) : NULL, seen},
-                       .eye = eye_of(work),
-                       .rays = rays_from(work, (Pixel){0, 0}),
-                       .share_count = work->scene->sphere_count < FEW_SPHERES ? 1 : work->threads,
-                       .chunk = SMALLEST_CHUNK,
-                       .columns = (screen.width + TILE_WIDTH - 1) / TILE_WIDTH,
-                       .rows = (screen.height + TILE_HEIGHT - 1) / TILE_HEIGHT};
-    casting.eye.tiles = casting.columns;
-    // Large chunks for large bins: few steps from chunk to chunk. Small ones for small bins: little
-    // memory that has no items.
-    int bin = work->scene->sphere_count / casting.columns / casting.rows;
-    while (casting.chunk < LARGEST_CHUNK && casting.chunk < (size_t)bin * sizeof(Item))
-        casting.chunk *= 2;
-    bool done = shares_create(&casting) && colors != NULL && cast_rows(&casting);
-    *extreme = casting.extreme;
-    shares_free(&casting);
+    if (extreme_camera(work->camera, screen))
+        return EXTREME;
+    if (scene->sphere_count >= (seen != NULL ? UNSURE - 1 : 1 << ITEM_SPHERE))
+        return TOO_MANY;
+    int *colors = colors_of(scene);
+    Casting casting = {.tiling = {work, LANES_BEST(bins), colors, seen},
+                       .bins = {.scene = scene,
+                                .from = work->camera.origin,
+                                .largest = INFINITY,
+                                .eye = eye_of(work),
+                                .columns = (screen.width + SIDE - 1) / SIDE,
+                                .rows = (screen.height + SIDE - 1) / SIDE}};
+    Outcome outcome = cast_by_bins(&casting);
+    bins_free(&casting.bins);
     free(colors);
-    if (!done)
-        image_unflatten(work->image);
-    return done;
+    return outcome;
 }
 
 bool cast_bins(const Work *work, Message *message)
 {
-    if (work->scene->sphere_count >> ITEM_SPHERE > 0)
-        return cast_tiles(work, message);
-    bool extreme = extreme_camera(work->camera);
-    if (!extreme && cast(work, NULL, &extreme))
-        return true;
-    if (extreme)
+    Outcome outcome = cast(work, NULL);
+    if (outcome == EXTREME)
         return cast_extreme(work, message);
-    return message_set(message, "no memory for the bins of %d spheres", work->scene->sphere_count);
+    if (outcome == TOO_MANY)
+        return cast_tiles(work, message);
+    return outcome == CAST ||
+           message_set(message, "no memory for the bins of %d spheres", work->scene->sphere_count);
 }
 
 bool bins_spheres(const Work *work, int *spheres)
 {
-    bool extreme = extreme_camera(work->camera) || work->scene->sphere_count >= UNSURE - 1;
-    return !extreme && cast(work, spheres, &extreme);
+    return cast(work, spheres) == CAST;
 }

@@ -2,52 +2,23 @@
 //
 // Compiled for several instruction sets (lanes.h). The compiler may fuse multiplications with
 // additions here, which rounds less. Float decides with a margin, and leaves the rest to double.
-#include "chapters/08-fast/engines/bins_lanes.h"
+#include "chapters/08-fast/engines/bins.h"
 
 #include <float.h>
-#include <math.h>
-#include <string.h>
 
 // ---- places of spheres ------------------------------------------------------------------------
 
 // A pixel from 0 to most. If x is NaN, because the camera's numbers are extreme, the first or last.
-static inline int first_pixel(float x, float most)
+static inline uint16_t first_pixel(float x, float most)
 {
     x = x > 0 ? x : 0;
-    return (int)(x < most ? x : most);
+    return (uint16_t)(int)(x < most ? x : most);
 }
 
-static inline int end_pixel(float x, float most)
+static inline uint16_t end_pixel(float x, float most)
 {
     x = x < most ? x : most;
-    return (int)(x > 0 ? x : 0);
-}
-
-// A pixel is inside if its centre is. Rounding adds some of a pixel.
-#define MARGIN (1.0F / 64)
-
-// The tile of each place. It is a loop of its own, because gcc makes slower code of one loop for
-// both.
-static void find_tiles(const Eye *eye, int count, Places *restrict places)
-{
-    const int tiles = eye->tiles;
-#pragma omp simd
-    for (int i = 0; i < count; i++) {
-        const int columns = places->right[i] - places->left[i];
-        const int rows = places->bottom[i] - places->top[i];
-        unsigned left = (unsigned)places->left[i], right = (unsigned)places->right[i] - 1;
-        unsigned top = (unsigned)places->top[i], bottom = (unsigned)places->bottom[i] - 1;
-        int tile = (int)(top / TILE_HEIGHT) * tiles + (int)(left / TILE_WIDTH);
-        unsigned part = left % TILE_WIDTH * TILE_WIDTH + right % TILE_WIDTH;
-        part = (part * TILE_HEIGHT + top % TILE_HEIGHT) * TILE_HEIGHT + bottom % TILE_HEIGHT;
-        bool seen = (columns > 0) & (rows > 0);
-        bool one =
-            (left / TILE_WIDTH == right / TILE_WIDTH) & (top / TILE_HEIGHT == bottom / TILE_HEIGHT);
-        int kind = one ? IN_ONE_TILE : IN_TILES;
-        places->kind[i] = seen ? kind : UNSEEN;
-        places->tile[i] = seen ? tile : 0;
-        places->part[i] = (int)part;
-    }
+    return (uint16_t)(int)(x > 0 ? x : 0);
 }
 
 // The outline of each sphere becomes pixels, and its least distance from the eye a float. In float
@@ -63,7 +34,7 @@ static bool place(const Eye *eye, const Positions *positions, int count, Places 
         fx[axis] = (float)eye->forward[axis];
     }
     const float width = (float)eye->width, height = (float)eye->height;
-    const float across = (float)eye->across, down = (float)eye->down;
+    const float across = (float)eye->across, down = (float)eye->down, margin = (float)eye->margin;
     int unusual = 0;
 #pragma omp simd reduction(| : unusual)
     for (int i = 0; i < count; i++) {
@@ -83,26 +54,25 @@ static bool place(const Eye *eye, const Positions *positions, int count, Places 
         float y_middle = ahead * above * over, y_half = r * over * sqrtf(above * above + safe);
         x_half += wider * (fabsf(x_middle) + x_half + 0.5F);
         y_half += wider * (fabsf(y_middle) + y_half + 0.5F);
-        float x_low = width / 2 + across * (x_middle - x_half) + (0.5F - MARGIN);
-        float x_high = width / 2 + across * (x_middle + x_half) + (0.5F + MARGIN);
-        float y_low = height / 2 - down * (y_middle + y_half) + (0.5F - MARGIN);
-        float y_high = height / 2 - down * (y_middle - y_half) + (0.5F + MARGIN);
+        float x_low = width / 2 + across * (x_middle - x_half) + (0.5F - margin);
+        float x_high = width / 2 + across * (x_middle + x_half) + (0.5F + margin);
+        float y_low = height / 2 - down * (y_middle + y_half) + (0.5F - margin);
+        float y_high = height / 2 - down * (y_middle - y_half) + (0.5F + margin);
         bool behind = ahead + r < -1e-5F * distance;
         places->left[i] = first_pixel(ordinary ? x_low : 0, width);
         places->right[i] = end_pixel(ordinary ? x_high : behind ? 0 : width, width);
         places->top[i] = first_pixel(ordinary ? y_low : 0, height);
         places->bottom[i] = end_pixel(ordinary ? y_high : height, height);
         float nearest = fabsf(distance - r) - 4e-6F * (distance + r);
-        places->depth[i] = measured && nearest > 1e-15F ? depth_of(nearest) : 0;
+        places->depth[i] = (uint16_t)(measured && nearest > 1e-15F ? depth_of(nearest) : 0);
         unusual |= !((r > 1e-15F) & (r < 1e15F) & (1e-20F * square < r * r));
     }
-    find_tiles(eye, count, places);
     return unusual == 0;
 }
 
 // ---- the items of a bin -----------------------------------------------------------------------
 
-enum { FEW = 32, MOST_GROUPS = 1024 };
+enum { FEW = 32 };
 
 // The place of each item is the number of smaller ones.
 static void sort_few(const Item *items, size_t count, Item *to)
@@ -123,26 +93,25 @@ static void sort_few(const Item *items, size_t count, Item *to)
     }
 }
 
-// A counting sort: count the items of each group, add up where each group begins, fill. A group has
-// the same bits of (item - first).
-static void sort_by(const Item *items, size_t count, Item *to, Item first, int shift, Item bits)
+// A counting sort by 8 bits: count the items of each group, add up where each group begins, fill.
+static void sort_by(const Item *items, size_t count, Item *to, int shift)
 {
-    uint32_t begins[MOST_GROUPS], sum = 0;
-    memset(begins, 0, ((size_t)bits + 1) * sizeof *begins);
+    enum { GROUPS = 256 };
+    uint32_t begins[GROUPS] = {0}, sum = 0;
     for (size_t i = 0; i < count; i++)
-        begins[(items[i] - first) >> shift & bits]++;
-    for (size_t i = 0; i <= bits; i++) {
+        begins[items[i] >> shift & (GROUPS - 1)]++;
+    for (int i = 0; i < GROUPS; i++) {
         uint32_t here = begins[i];
         begins[i] = sum;
         sum += here;
     }
     for (size_t i = 0; i < count; i++)
-        to[begins[(items[i] - first) >> shift & bits]++] = items[i];
+        to[begins[items[i] >> shift & (GROUPS - 1)]++] = items[i];
 }
 
+// By the lower half of the depth's bits, then by the upper half.
 static const Item *sort(Item *items, size_t count)
 {
-    enum { DEPTH = ITEM_SPHERE + ITEM_PART, HALF = (64 - DEPTH) / 2 };
     Item *to = items + count;
     if (count < 2)
         return items;
@@ -150,28 +119,17 @@ static const Item *sort(Item *items, size_t count)
         sort_few(items, count, to);
         return to;
     }
-    Item nearest = items[0], farthest = items[0];
-    for (size_t i = 1; i < count; i++) {
-        nearest = items[i] < nearest ? items[i] : nearest;
-        farthest = items[i] > farthest ? items[i] : farthest;
-    }
-    const Item first = nearest >> DEPTH << DEPTH, last = (farthest - first) >> DEPTH;
-    if (last < MOST_GROUPS) {
-        sort_by(items, count, to, first, DEPTH, last < 256 ? 255 : last < 512 ? 511 : 1023);
-        return to;
-    }
-    // Many depths: first by the lower half of their bits, then by the upper half.
-    sort_by(items, count, to, first, DEPTH, (1 << HALF) - 1);
-    sort_by(to, count, items, first, DEPTH + HALF, (1 << HALF) - 1);
+    sort_by(items, count, to, ITEM_SPHERE + ITEM_PART);
+    sort_by(to, count, items, ITEM_SPHERE + ITEM_PART + 8);
     return items;
 }
 
 // ---- the pixels of a tile ---------------------------------------------------------------------
 
-static void clear(Tile *tile, int columns, int rows, int color)
+static void clear(TilePixels *tile, int columns, int rows, int color)
 {
-    for (int i = 0; i < TILE_WIDTH * TILE_HEIGHT; i++) {
-        tile->s[i] = i % TILE_WIDTH < columns && i / TILE_WIDTH < rows ? INFINITY : 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        tile->s[i] = i % SIDE < columns && i / SIDE < rows ? INFINITY : 0;
         tile->color[i] = color;
     }
 }
@@ -181,10 +139,10 @@ static void clear(Tile *tile, int columns, int rows, int color)
 static inline int first_lane(Part part)
 {
     int lanes = (part.right - part.left + LANES - 1) / LANES * LANES;
-    return part.left < TILE_WIDTH - lanes ? part.left : TILE_WIDTH - lanes;
+    return part.left < SIDE - lanes ? part.left : SIDE - lanes;
 }
 
-static float farthest(const Tile *tile, Part part)
+static float farthest(const TilePixels *tile, Part part)
 {
     float most[LANES] = {0};
     for (int first = first_lane(part); first < part.right; first += LANES) {
@@ -193,7 +151,7 @@ static float farthest(const Tile *tile, Part part)
         for (int i = 0; i < LANES; i++)
             in[i] = first + i >= part.left && first + i < part.right ? INFINITY : 0;
         for (int row = part.top; row < part.bottom; row++) {
-            const float *s = &tile->s[row * TILE_WIDTH + first];
+            const float *s = &tile->s[row * SIDE + first];
 #pragma omp simd
             for (int i = 0; i < LANES; i++) {
                 float seen = s[i] < in[i] ? s[i] : in[i];
@@ -212,43 +170,37 @@ static float farthest(const Tile *tile, Part part)
 // numbers cancel. The ray x columns and y rows away is v + x g + y h. Counted from the middle of
 // the sphere's part, no term is much larger than the largest D in it. So the error of D in float is
 // about 2^-24 of the sum of the terms.
-static void outline(const Rays *rays, const Candidates *from, Outlines *to)
+static void outline(const TileRays *rays, const Candidates *from, Outlines *to)
 {
-    const double *f = rays->first, *g = rays->column, *h = rays->row;
+    const Vector g = {rays->column[0], rays->column[1], rays->column[2]};
+    const Vector h = {rays->row[0], rays->row[1], rays->row[2]};
+    const Vector first = {rays->first[0], rays->first[1], rays->first[2]};
 #pragma omp simd
     for (int i = 0; i < OUTLINES; i++) {
         double column = from->column[i], row = from->row[i];
         double half_x = from->half_width[i], half_y = from->half_height[i];
-        double cx = from->x[i], cy = from->y[i], cz = from->z[i];
         double r = from->radius[i], square = r * r;
-        double vx = f[0] + column * g[0] + row * h[0];
-        double vy = f[1] + column * g[1] + row * h[1];
-        double vz = f[2] + column * g[2] + row * h[2];
-        // c x v, c x g and c x h; then dot products of these, and of v and g, v and h.
-        double wx = cy * vz - cz * vy, wy = cz * vx - cx * vz, wz = cx * vy - cy * vx;
-        double gx = cy * g[2] - cz * g[1], gy = cz * g[0] - cx * g[2], gz = cx * g[1] - cy * g[0];
-        double hx = cy * h[2] - cz * h[1], hy = cz * h[0] - cx * h[2], hz = cx * h[1] - cy * h[0];
-        double vv = vx * vx + vy * vy + vz * vz, ww = wx * wx + wy * wy + wz * wz;
-        double vg = vx * g[0] + vy * g[1] + vz * g[2], wg = wx * gx + wy * gy + wz * gz;
-        double vh = vx * h[0] + vy * h[1] + vz * h[2], wh = wx * hx + wy * hy + wz * hz;
-        double gg = gx * gx + gy * gy + gz * gz, hh = hx * hx + hy * hy + hz * hz;
-        double gh = gx * hx + gy * hy + gz * hz;
-        double d = square * vv - ww;
-        double dx = 2 * (square * vg - wg), dy = 2 * (square * vh - wh);
-        double dxx = square * rays->columns - gg, dyy = square * rays->rows - hh;
-        double dxy = 2 * (square * rays->both - gh);
-        double b = cx * vx + cy * vy + cz * vz;
-        double bx = cx * g[0] + cy * g[1] + cz * g[2], by = cx * h[0] + cy * h[1] + cz * h[2];
+        Vector c = {from->x[i], from->y[i], from->z[i]};
+        Vector v = plus(first, plus(times(column, g), times(row, h)));
+        Vector c_v = cross(c, v), c_g = cross(c, g), c_h = cross(c, h);
+        double vv = dot(v, v), aside = dot(c_v, c_v);
+        double d = square * vv - aside;
+        double dx = 2 * (square * dot(v, g) - dot(c_v, c_g));
+        double dy = 2 * (square * dot(v, h) - dot(c_v, c_h));
+        double dxx = square * dot(g, g) - dot(c_g, c_g);
+        double dyy = square * dot(h, h) - dot(c_h, c_h);
+        double dxy = 2 * (square * dot(g, h) - dot(c_g, c_h));
+        double b = dot(c, v), bx = dot(c, g), by = dot(c, h);
 
         // The sum of D's terms, and how much b varies.
         double d_sum = fabs(d) + (fabs(dx) + fabs(dxx) * half_x) * half_x +
                        (fabs(dy) + fabs(dyy) * half_y) * half_y + fabs(dxy) * half_x * half_y;
         double b_range = fabs(bx) * half_x + fabs(by) * half_y, b_sum = fabs(b) + b_range;
-        double apart = cx * cx + cy * cy + cz * cz;
+        double apart = dot(c, c);
         bool safe = (apart - square > 1e-3 * apart) & (b - b_range > 1e-6 * b_sum) &
                     (b_sum < 1e15) & (d_sum > 1e-30) & (d_sum < 1e30);
         // Each term is rounded at most six times in float, and double is not exact either.
-        double d_error = 4 * FLT_EPSILON * d_sum + 1e-14 * (square * vv + sqrt(ww * vv * apart));
+        double d_error = 4 * FLT_EPSILON * d_sum + 1e-14 * (square * vv + sqrt(aside * vv * apart));
         // A square root near 0 magnifies its error, so such a small D is also in doubt.
         double doubt = 0x1p-16 * d_sum + 2 * d_error;
         to->x[i] = (float)column;
@@ -271,14 +223,14 @@ static void outline(const Rays *rays, const Candidates *from, Outlines *to)
 
 // One sphere asks its pixels, 16 in a row at a time. sure is the difference of D and u^2: above the
 // margin the sphere is certainly nearer (then D is positive), below -margin it is certainly not.
-static void ask(Tile *restrict tile, const Outlines *restrict of, int n, Part part, float slack,
-                int color)
+static void ask(TilePixels *restrict tile, const Outlines *restrict of, int n, Part part,
+                float slack, int color)
 {
     const float u_error = of->b_error[n] + slack;
     const float doubt = of->doubt[n] + u_error * u_error, slope = 2 * u_error;
-    float d_row[TILE_HEIGHT], d_both[TILE_HEIGHT], b_row[TILE_HEIGHT];
+    float d_row[SIDE], d_both[SIDE], b_row[SIDE];
 #pragma omp simd
-    for (int row = 0; row < TILE_HEIGHT; row++) {
+    for (int row = 0; row < SIDE; row++) {
         float y = (float)row - of->y[n];
         d_row[row] = of->d[n] + y * (of->dy[n] + y * of->dyy[n]);
         d_both[row] = y * of->dxy[n];
@@ -295,8 +247,8 @@ static void ask(Tile *restrict tile, const Outlines *restrict of, int n, Part pa
             b[i] = x[i] * of->bx[n];
         }
         for (int row = part.top; row < part.bottom; row++) {
-            float *restrict s = &tile->s[row * TILE_WIDTH + first];
-            int *restrict seen = &tile->color[row * TILE_WIDTH + first];
+            float *restrict s = &tile->s[row * SIDE + first];
+            int *restrict seen = &tile->color[row * SIDE + first];
 #pragma omp simd
             for (int i = 0; i < LANES; i++) {
                 float D = d[i] + d_row[row] + d_both[row] * x[i];
@@ -313,33 +265,33 @@ static void ask(Tile *restrict tile, const Outlines *restrict of, int n, Part pa
 }
 
 // Seen from inside, the far root counts, and from outside the near one. Neither is a difference of
-// nearly equal numbers: the product of both roots is g v.v.
-static float ask_in_double(Tile *tile, const Rays *rays, const double center[3], double radius,
+// nearly equal numbers: the product of both roots is out v.v.
+// If the eye is almost on the sphere, out loses its digits even in double.
+static float ask_in_double(TilePixels *tile, const TileRays *rays, const Candidates *from, int n,
                            Part part, float nearest, float slack, int color)
 {
-    double cx = center[0], cy = center[1], cz = center[2], rr = radius * radius;
-    double cc = cx * cx + cy * cy + cz * cz, g = cc - rr, size = 1e-12 * (cc + rr);
-    bool inside = g < 0;
+    const Vector c = {from->x[n], from->y[n], from->z[n]};
+    const Vector g = {rays->column[0], rays->column[1], rays->column[2]};
+    const double rr = from->radius[n] * from->radius[n], cc = dot(c, c), out = cc - rr;
+    const double size = 1e-12 * (cc + rr);
+    bool inside = out < 0, lost = !(fabs(out) > 1e-8 * (cc + rr));
     float most[LANES] = {0};
     for (int row = part.top; row < part.bottom; row++) {
-        double x0 = rays->first[0] + row * rays->row[0], y0 = rays->first[1] + row * rays->row[1];
-        double z0 = rays->first[2] + row * rays->row[2];
+        const Vector begin = plus(vector_at(rays->first), times(row, vector_at(rays->row)));
         for (int first = first_lane(part); first < part.right; first += LANES) {
-            float *s = &tile->s[row * TILE_WIDTH + first];
-            int *seen = &tile->color[row * TILE_WIDTH + first];
+            float *s = &tile->s[row * SIDE + first];
+            int *seen = &tile->color[row * SIDE + first];
 #pragma omp simd
             for (int i = 0; i < LANES; i++) {
                 int column = first + i;
-                double x = x0 + column * rays->column[0], y = y0 + column * rays->column[1];
-                double z = z0 + column * rays->column[2], vv = x * x + y * y + z * z;
-                double px = cy * z - cz * y, py = cz * x - cx * z, pz = cx * y - cy * x;
-                double d = rr * vv - (px * px + py * py + pz * pz), b = cx * x + cy * y + cz * z;
-                double q = fabs(b) + sqrt(d > 0 ? d : 0), other = vv * g / q;
+                Vector v = plus(begin, times(column, g)), p = cross(c, v);
+                double vv = dot(v, v), d = rr * vv - dot(p, p), b = dot(c, v);
+                double q = fabs(b) + sqrt(d > 0 ? d : 0), other = vv * out / q;
                 double at = !inside ? other : b > 0 ? q : -other;
                 double margin = 2 * slack + 4 * FLT_EPSILON * at;
                 bool asks =
                     (column >= part.left) & (column < part.right) & !(nearest > s[i] + slack);
-                bool edge = fabs(d) <= size * vv, hit = (d > 0) & (inside | (b > 0));
+                bool edge = lost | (fabs(d) <= size * vv), hit = (d > 0) & (inside | (b > 0));
                 bool close = !((at > 1e-30) & (at < 1e30) & (fabs(at - s[i]) > margin));
                 bool doubt = asks & (edge | (hit & close)),
                      wins = asks & hit & !doubt & (at < s[i]);
@@ -355,15 +307,16 @@ static float ask_in_double(Tile *tile, const Rays *rays, const double center[3],
     return largest;
 }
 
-static bool unsure(const Tile *tile)
+static bool unsure(const TilePixels *tile)
 {
     int all = 0;
 #pragma omp simd reduction(| : all)
-    for (int i = 0; i < TILE_WIDTH * TILE_HEIGHT; i++)
+    for (int i = 0; i < SIDE * SIDE; i++)
         all |= tile->color[i];
     return (all & UNSURE) != 0;
 }
 
+// The compiler optimises better for a constant number of columns.
 static inline void paint_row(const int *restrict color, int columns, uint8_t *restrict rgb)
 {
     for (int i = 0; i < columns; i++) {
@@ -373,41 +326,15 @@ static inline void paint_row(const int *restrict color, int columns, uint8_t *re
     }
 }
 
-static void paint(const Tile *tile, int columns, int rows, uint8_t *rgb, size_t apart)
+static void paint(const int *colors, int side, int columns, int rows, uint8_t *rgb, size_t apart)
 {
-    for (int row = 0; row < rows; row++, rgb += apart) {
-        // The compiler optimises better for a constant number of columns.
-        if (columns == TILE_WIDTH)
-            paint_row(&tile->color[row * TILE_WIDTH], TILE_WIDTH, rgb);
+    for (int row = 0; row < rows; row++, rgb += apart, colors += side) {
+        if (columns == SIDE)
+            paint_row(colors, SIDE, rgb);
         else
-            paint_row(&tile->color[row * TILE_WIDTH], columns, rgb);
+            paint_row(colors, columns, rgb);
     }
-}
-
-static inline uint32_t paint_flat_row(const int *restrict color, int columns,
-                                      uint8_t *restrict numbers)
-{
-    uint32_t set = 0;
-#pragma omp simd reduction(| : set)
-    for (int i = 0; i < columns; i++) {
-        numbers[i] = (uint8_t)color[i];
-        set |= 1U << color[i];
-    }
-    return set;
-}
-
-static uint32_t paint_flat(const Tile *tile, int columns, int rows, uint8_t *numbers, size_t apart)
-{
-    uint32_t set = 0;
-    for (int row = 0; row < rows; row++, numbers += apart) {
-        const int *color = &tile->color[row * TILE_WIDTH];
-        if (columns == TILE_WIDTH) // a constant, as in paint
-            set |= paint_flat_row(color, TILE_WIDTH, numbers);
-        else
-            set |= paint_flat_row(color, columns, numbers);
-    }
-    return set;
 }
 
 const BinsLanes LANES(bins) = {place, sort,          clear,  farthest, outline,
-                               ask,   ask_in_double, unsure, paint,    paint_flat};
+                               ask,   ask_in_double, unsure, paint};

@@ -5,14 +5,8 @@
 #include "chapters/08-fast/engines/engine.h"
 
 #include "chapters/08-fast/engines/hierarchy.h"
-#include "chapters/08-fast/engines/number_limits.h"
-#include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/sphere_colors.h"
 #include "common/clock.h"
-#include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
-
-#include <stdlib.h>
 
 // ---- boxes on the way of a ray ----------------------------------------------------------------
 
@@ -125,41 +119,22 @@ Hit hierarchy_nearest(const Hierarchy *hierarchy, const Scene *scene, Ray ray)
 
 // ---- the picture ------------------------------------------------------------------------------
 
-typedef struct {
-    const Work *work;
-    const Paint *paints;
-    Hierarchy hierarchy;
-} ByRay;
-
-static void cast_row(void *given, int row)
+static Hit nearest_of(const void *of, const Scene *scene, Ray ray)
 {
-    const ByRay *by_ray = given;
-    const Work *work = by_ray->work;
-    Resolution screen = work->image->size;
-    for (int column = 0; column < screen.width; column++) {
-        Pixel pixel = {column, row};
-        Hit hit = hierarchy_nearest(&by_ray->hierarchy, work->scene,
-                                    pixel_ray(work->camera, screen, pixel));
-        paint_pixel(work->image, image_index(work->image, pixel), work->scene, by_ray->paints,
-                    hit.sphere);
-    }
+    return hierarchy_nearest(of, scene, ray);
 }
 
 bool cast_bvh(const Work *work, Message *message)
 {
     if (extreme_scene(work))
         return cast_extreme(work, message);
-    Paint *paints = paints_of(work->scene);
-    ByRay by_ray = {.work = work, .paints = paints};
-    bool ready = paints != NULL &&
-                 hierarchy_build(&by_ray.hierarchy, work->scene, SMALL_LEAF, work->threads);
+    Hierarchy hierarchy;
+    if (!hierarchy_build(&hierarchy, work->scene, SMALL_LEAF))
+        return message_set(message, "no memory for a hierarchy of %d spheres",
+                           work->scene->sphere_count);
     if (work->built != NULL)
         *work->built = clock_seconds();
-    if (ready)
-        in_parallel(work->threads, work->image->size.height, cast_row, &by_ray);
-    else
-        message_set(message, "no memory for a hierarchy of %d spheres", work->scene->sphere_count);
-    hierarchy_free(&by_ray.hierarchy);
-    free(paints);
-    return ready;
+    bool done = cast_rays(work, nearest_of, &hierarchy, message);
+    hierarchy_free(&hierarchy);
+    return done;
 }

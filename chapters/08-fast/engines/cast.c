@@ -1,22 +1,38 @@
-// cast.c - the command line of chapter 08: chooses an engine, draws a scene with it, flat or
-// shaded, and prints how long that took.
+// cast.c - the engines, and the command line of chapter 08: chooses an engine, draws a scene with
+// it, flat or shaded, and prints how long that took.
 #include "chapters/08-fast/engines/engine.h"
-
-#include "chapters/08-fast/engines/number_limits.h"
-#include "chapters/08-fast/engines/parallel.h"
 #include "chapters/08-fast/rectangles.h"
 #include "chapters/shared/lighting.h"
 #include "chapters/shared/needed_answers.h"
 #include "chapters/shared/scene_command.h"
 #include "common/clock.h"
-#include "common/image_flat.h"
 #include "common/text.h"
-#include "common/workers.h"
 
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+const Engine engines[] = {
+    {"plain", "every pixel asks every sphere", cast_plain, light_plain},
+    {"object", "every sphere asks the pixels of its rectangle", cast_object, NULL},
+    {"bvh", "every ray asks the spheres on its way", cast_bvh, light_bvh},
+    {"packet", "16 rays at a time ask the spheres on their way", cast_packet, NULL},
+    {"tiles", "a tile of pixels asks the spheres in its frustum", cast_tiles, NULL},
+    {"bins", "every tile asks the spheres in it, near ones first", cast_bins, NULL},
+    {0},
+};
+
+const Engine *engine_named(const char *name)
+{
+    for (const Engine *engine = engines; engine->name != NULL; engine++)
+        if (strcmp(engine->name, name) == 0)
+            return engine;
+    return NULL;
+}
+
+// ---- the command line -------------------------------------------------------------------------
 
 static const Engine *chosen; // the engine
 
@@ -38,13 +54,6 @@ static bool option_threads(const char *text, void *into)
     return option_whole(text, 1, 256, into);
 }
 
-// Building a hierarchy takes longer than casting with bins, and a picture is cast only once. But
-// rays from mirrors start everywhere, and need a hierarchy.
-static const Engine *engine_for(bool shaded)
-{
-    return engine_named(shaded ? "bvh" : "bins");
-}
-
 static void list_engines(void)
 {
     printf("08-fast: the same picture, faster\n\n");
@@ -62,7 +71,7 @@ static void say_what_it_took(const char *name, const Drawing *drawing, bool shad
     if (!shaded)
         fprintf(stderr, ", %s million a second",
                 number_text_to(1e-6 * size.width * size.height / seconds, 3).s);
-    fprintf(stderr, "%s\n", image_flat(&drawing->image) != NULL ? ", with the PNG" : "");
+    fprintf(stderr, "\n");
 }
 
 int cast_command(int argc, char **argv)
@@ -87,7 +96,8 @@ int cast_command(int argc, char **argv)
         "[OPTION]... [SCENE.nff]",
         "Draws a scene, flat or shaded, with one of six engines. Without arguments it lists the\n"
         "engines, and draws the deck's three spheres. If a sphere is more than 1e12 of its radii\n"
-        "away, or a length is above 1e60 or below 1e-60, plain casts the scene instead."};
+        "away (with --shaded: 1e10 of the smallest radius), a pixel is narrower than 1e-13 of its\n"
+        "distance, or a length is above 1e60 or below 1e-60, plain casts the scene instead."};
     int first = options_read(argc, argv, options, usage);
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);
@@ -95,8 +105,10 @@ int cast_command(int argc, char **argv)
     if (!shaded && lighting_is_told(&lighting))
         options_wrong(argv[0],
                       "light changes nothing in a flat picture, expected --shaded as well");
+    // Building a hierarchy takes longer than casting with bins, and a picture is cast only once.
+    // But rays from mirrors start everywhere, and need a hierarchy.
     if (chosen == NULL)
-        chosen = engine_for(shaded);
+        chosen = engine_named(shaded ? "bvh" : "bins");
     if (shaded && chosen->light == NULL)
         options_wrong(argv[0], "%s has no shadows and no mirrors, expected plain or bvh",
                       chosen->name);
@@ -106,8 +118,6 @@ int cast_command(int argc, char **argv)
     if (rectangles)
         return rectangles_tell(argv[0], &command);
 
-    // Threads also read the scene, and write the picture.
-    workers_are(in_parallel, one_at_a_time, threads);
     static Drawing drawing;
     if (!(shaded ? shading_needs_are_met(lighting.style) : picture_needs_are_met(IMAGE_ORDER)) ||
         !drawing_begin(&drawing, argv[0], &command, "chapters/06-ray-casting/three-spheres.nff"))
@@ -119,7 +129,7 @@ int cast_command(int argc, char **argv)
         return EXIT_COULD_NOT;
     }
     double began = clock_seconds(), built = began;
-    Work work = {&drawing.scene, drawing.camera, &drawing.image, threads, &built, use_plain, true};
+    Work work = {&drawing.scene, drawing.camera, &drawing.image, threads, &built, use_plain};
     if (shaded && chosen != &engines[0] && extreme_light(&work))
         use_plain();
     Message message;
@@ -133,7 +143,6 @@ int cast_command(int argc, char **argv)
         fprintf(stderr, "%s: built in %s\n", chosen->name, duration_text(built - began).s);
     say_what_it_took(chosen->name, &drawing, shaded, took);
     int status = drawing_end(&drawing);
-    image_unflatten(&drawing.image);
     if (status == EXIT_DONE && command.output == NULL)
         printf("%s\n", drawing.output);
     return status;

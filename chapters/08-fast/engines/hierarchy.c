@@ -1,41 +1,15 @@
 // hierarchy.c - builds a bounding volume hierarchy: chooses where to split, and splits.
 //
 // The choice needs no exact numbers: it is made in floats, four at a time (x, y, z and the radius).
-// The first splits are chosen from a sample of the spheres. They make parts, and every sphere finds
-// its part. Each part is then split by one thread. At last, from the bottom up, the nodes get their
-// boxes, in double. The hierarchy does not depend on the number of threads.
+// At last, from the bottom up, the nodes get their boxes, in double.
 #include "chapters/08-fast/engines/hierarchy.h"
 
-#include "chapters/08-fast/engines/parallel.h"
-#include "common/large_pages.h"
-
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
-#include <string.h>
 
 // BINS: the number of slices along an axis; FEW_BINS are enough for SMALL nodes. Nodes deeper than
-// DEEP are simply halved, so that none is deeper than HIERARCHY_DEEPEST. CHUNK: spheres that find
-// their part, by one thread.
+// DEEP are simply halved, so that none is deeper than HIERARCHY_DEEPEST.
 enum { BINS = 16, FEW_BINS = 8, SMALL = 32, DEEP = 64 };
-enum { AT_ONCE = 8, PARTS = 64, SMALLEST_PART = 1024, SAMPLES = 1 << 15, CHUNK = 1 << 13 };
-
-typedef float Four __attribute__((vector_size(16)));
-typedef int FourInts __attribute__((vector_size(16)));
-
-static inline Four lower(Four a, Four b)
-{
-    for (int i = 0; i < 4; i++)
-        a[i] = a[i] < b[i] ? a[i] : b[i];
-    return a;
-}
-
-static inline Four higher(Four a, Four b)
-{
-    for (int i = 0; i < 4; i++)
-        a[i] = a[i] > b[i] ? a[i] : b[i];
-    return a;
-}
 
 typedef struct {
     Four low, high;
@@ -46,8 +20,10 @@ static const Bounds nothing = {{INFINITY, INFINITY, INFINITY, INFINITY},
 
 static inline void include(Bounds *bounds, Four low, Four high)
 {
-    bounds->low = lower(bounds->low, low);
-    bounds->high = higher(bounds->high, high);
+    for (int i = 0; i < 4; i++) {
+        bounds->low[i] = low[i] < bounds->low[i] ? low[i] : bounds->low[i];
+        bounds->high[i] = high[i] > bounds->high[i] ? high[i] : bounds->high[i];
+    }
 }
 
 static inline float surface(const Bounds *bounds)
@@ -55,54 +31,6 @@ static inline float surface(const Bounds *bounds)
     Four size = bounds->high - bounds->low;
     return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
 }
-
-// A node without its box. Its children are the next one and number other of the part.
-typedef struct {
-    int first, count, other, axis;
-} Shape;
-
-// Spheres that one thread splits further.
-typedef struct {
-    int first, count, depth;
-    int leaf; // its number among the nodes above
-    // Centre and radius of each sphere, as parts of the scene's size, in its order. They are where
-    // the numbers of these spheres are put afterwards.
-    Four *items;
-    Shape *shapes; // room for 2 count - 1
-    int shape_count;
-} Part;
-
-// A node above the parts, or the first one of a part. Spheres whose centre is before the plane are
-// below its first child.
-typedef struct {
-    int axis;
-    float plane;
-    int below[2]; // if it belongs to a part, itself
-    int part;     // -1: none
-    int node;     // its number in the hierarchy
-} Above;
-
-// Some spheres, as they are in the scene.
-typedef struct {
-    vec3 low, high;    // the lowest and the highest coordinates of their centres
-    int largest;       // the number of the largest sphere
-    int counts[PARTS]; // spheres in each part; then the place of the next one
-} Chunk;
-
-typedef struct {
-    const Scene *scene;
-    Hierarchy *hierarchy;
-    Shape *shapes;    // room for those of all parts
-    uint8_t *part_of; // each of the scene's spheres
-    Chunk *chunks;
-    vec3 low; // the lowest coordinates of all centres
-    double scale;
-    Above above[2 * PARTS]; // each before those below it
-    Part parts[PARTS];
-    int chunk_count, part_count, above_count;
-    int leaf;    // spheres in a leaf
-    int deepest; // of the parts
-} Builder;
 
 // ---- where to split ---------------------------------------------------------------------------
 
@@ -113,25 +41,11 @@ typedef struct {
     float cost; // spheres times surface, both children
 } Split;
 
-static Bounds bounds_of(const Four *items, int count)
-{
-    Bounds bounds = nothing;
-    for (int i = 0; i < count; i++)
-        include(&bounds, items[i], items[i]);
-    return bounds;
-}
-
 // A slice along an axis: the spheres whose centres are in it.
 typedef struct {
     Bounds box;
     int count;
 } Bin;
-
-static inline void put(Bin *bin, Four low, Four high)
-{
-    include(&bin->box, low, high);
-    bin->count++;
-}
 
 // The number of the cheapest first bin of the second child, along one axis; 0 if none is cheaper
 // than cost.
@@ -159,27 +73,29 @@ static int best_along(float *cost, const Bin *bins, int count)
     return best;
 }
 
-// The cheapest split along any axis; its cost is infinite if all centres are in one place.
+// The cheapest split along any axis; its cost is infinite if all centres are in one place. Items
+// are centres and radii.
 static Split best_split(const Four *items, int count)
 {
     int bin_count = count < SMALL ? FEW_BINS : BINS;
-    Bounds centers = bounds_of(items, count);
+    Bounds centers = nothing;
+    for (int i = 0; i < count; i++)
+        include(&centers, items[i], items[i]);
     Four size = centers.high - centers.low, scale = {0};
     // A little less, so that the largest centre is in the last bin.
     for (int axis = 0; axis < 3; axis++)
         scale[axis] = size[axis] > 1e-30F ? 0.999999F * (float)bin_count / size[axis] : 0;
 
     Bin bins[3][BINS];
-    for (int axis = 0; axis < 3; axis++)
-        for (int i = 0; i < bin_count; i++)
-            bins[axis][i] = (Bin){nothing, 0};
+    for (int i = 0; i < 3 * bin_count; i++)
+        bins[i / bin_count][i % bin_count] = (Bin){nothing, 0};
     for (int i = 0; i < count; i++) {
-        Four item = items[i], radius = (Four){0} + item[3];
-        Four low = item - radius, high = item + radius;
-        FourInts bin = __builtin_convertvector((item - centers.low) * scale, FourInts);
-        put(&bins[0][bin[0]], low, high);
-        put(&bins[1][bin[1]], low, high);
-        put(&bins[2][bin[2]], low, high);
+        Four radius = (Four){0} + items[i][3];
+        FourInts bin = __builtin_convertvector((items[i] - centers.low) * scale, FourInts);
+        for (int axis = 0; axis < 3; axis++) {
+            include(&bins[axis][bin[axis]].box, items[i] - radius, items[i] + radius);
+            bins[axis][bin[axis]].count++;
+        }
     }
     Split split = {.cost = INFINITY};
     for (int axis = 0; axis < 3; axis++) {
@@ -199,359 +115,130 @@ static int partition(Four *items, int *order, int count, Split split)
 {
     int front = 0;
     for (int i = 0; i < count; i++) {
-        float center = items[i][split.axis];
         Four item = items[i];
         int index = order[i];
         items[i] = items[front];
         order[i] = order[front];
         items[front] = item;
         order[front] = index;
-        front += center < split.plane;
+        front += item[split.axis] < split.plane;
     }
     return front;
 }
 
-// Splits spheres in two; returns the number of the first ones, 0 if they cannot be told apart.
-static int split_in_two(Four *items, int *order, int count, Split *split)
-{
-    *split = best_split(items, count);
-    int half = split->cost < INFINITY ? partition(items, order, count, *split) : 0;
-    return half < count ? half : 0;
-}
-
-// ---- the parts --------------------------------------------------------------------------------
-
-static Four item_of(const Builder *builder, const Sphere *sphere)
-{
-    vec3 item = (sphere->center - builder->low) * builder->scale;
-    // Squares of what is larger would not be floats.
-    double radius = sphere->radius * builder->scale;
-    item[3] = radius < 1e15 ? radius : 1e15;
-    return __builtin_convertvector(item, Four);
-}
-
-static int chunk_end(const Builder *builder, int chunk)
-{
-    int end = (chunk + 1) * CHUNK, count = builder->scene->sphere_count;
-    return end < count ? end : count;
-}
-
-static void measure_chunk(void *given, int number)
-{
-    const Builder *builder = given;
-    const Sphere *spheres = builder->scene->spheres;
-    int first = number * CHUNK, largest = first;
-    vec3 low = spheres[first].center, high = low;
-    for (int i = first; i < chunk_end(builder, number); i++) {
-        vec3 center = spheres[i].center;
-        for (int axis = 0; axis < 3; axis++) {
-            low[axis] = center[axis] < low[axis] ? center[axis] : low[axis];
-            high[axis] = center[axis] > high[axis] ? center[axis] : high[axis];
-        }
-        largest = spheres[i].radius > spheres[largest].radius ? i : largest;
-    }
-    builder->chunks[number] = (Chunk){.low = low, .high = high, .largest = largest};
-}
-
-static void set_scale(Builder *builder)
-{
-    double size = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        double low = INFINITY, high = -INFINITY;
-        for (int i = 0; i < builder->chunk_count; i++) {
-            low = fmin(low, builder->chunks[i].low[axis]);
-            high = fmax(high, builder->chunks[i].high[axis]);
-        }
-        builder->low[axis] = low;
-        size = fmax(size, high - low);
-    }
-    builder->scale = size > 0 ? 1 / size : 1;
-}
-
-// One sphere of every few, by chance: a regular choice could miss what is regular in the scene. And
-// the largest of each chunk, because a large sphere changes much. Returns their number.
-static int take_sample(const Builder *builder, Four *samples)
-{
-    const Scene *scene = builder->scene;
-    int step = scene->sphere_count / SAMPLES + 1, count = scene->sphere_count / step;
-    uint32_t chance = 1;
-    for (int i = 0; i < count; i++) {
-        chance = chance * 1664525 + 1013904223; // Knuth, 'The Art of Computer Programming', 3.3.4
-        int sphere = i * step + (int)((chance >> 8) % (uint32_t)step);
-        samples[i] = item_of(builder, &scene->spheres[sphere]);
-    }
-    for (int i = 0; i < builder->chunk_count && step > 1; i++)
-        samples[count++] = item_of(builder, &scene->spheres[builder->chunks[i].largest]);
-    return count;
-}
-
-static void part_begin(Builder *builder, int number, Part part)
-{
-    part.leaf = builder->above_count++;
-    builder->above[part.leaf] = (Above){.below = {part.leaf, part.leaf}, .part = number};
-    builder->parts[number] = part;
-    builder->deepest = part.depth > builder->deepest ? part.depth : builder->deepest;
-}
-
-// Splits the largest part of the sample again and again.
-static void divide(Builder *builder)
-{
-    Four *samples = (Four *)builder->hierarchy->numbers; // they are not needed before
-    int *order = builder->hierarchy->order, count = take_sample(builder, samples);
-    const double each = (builder->scene->sphere_count + 1.0) / (count + 1.0);
-    part_begin(builder, builder->part_count++, (Part){.count = count});
-    while (builder->part_count < PARTS) {
-        int largest = 0;
-        for (int i = 1; i < builder->part_count; i++)
-            if (builder->parts[i].count > builder->parts[largest].count)
-                largest = i;
-        Part part = builder->parts[largest];
-        Split split;
-        int half = 0;
-        if (part.count * each > SMALLEST_PART && part.depth < DEEP)
-            half = split_in_two(samples + part.first, order, part.count, &split);
-        if (half == 0)
-            return;
-        builder->above[part.leaf] =
-            (Above){.axis = split.axis,
-                    .plane = split.plane,
-                    .below = {builder->above_count, builder->above_count + 1},
-                    .part = -1};
-        Part other = part;
-        part.depth = ++other.depth;
-        part.count = half;
-        other.first += half;
-        other.count -= half;
-        part_begin(builder, largest, part);
-        part_begin(builder, builder->part_count++, other);
-    }
-}
-
-// The parts of a few spheres. All go down together: while one waits for a number, others compute.
-static void find_parts(const Builder *builder, const Sphere *spheres, int count, uint8_t *parts)
-{
-    int at[AT_ONCE] = {0};
-    float items[AT_ONCE][4];
-    for (int i = 0; i < AT_ONCE; i++) {
-        Four item = item_of(builder, &spheres[i < count ? i : 0]);
-        memcpy(items[i], &item, sizeof item);
-    }
-    for (int depth = 0; depth < builder->deepest; depth++) {
-        for (int i = 0; i < AT_ONCE; i++) {
-            const Above *above = &builder->above[at[i]];
-            at[i] = above->below[!(items[i][above->axis] < above->plane)];
-        }
-    }
-    for (int i = 0; i < count; i++)
-        parts[i] = (uint8_t)builder->above[at[i]].part;
-}
-
-static void count_chunk(void *given, int number)
-{
-    const Builder *builder = given;
-    int end = chunk_end(builder, number);
-    for (int i = number * CHUNK; i < end; i += AT_ONCE) {
-        int count = end - i < AT_ONCE ? end - i : AT_ONCE;
-        find_parts(builder, &builder->scene->spheres[i], count, &builder->part_of[i]);
-        for (int k = i; k < i + count; k++)
-            builder->chunks[number].counts[builder->part_of[k]]++;
-    }
-}
-
-// The parts below get their places, one after the other.
-static void place_parts(Builder *builder, const Above *above, int *next)
-{
-    if (above->part < 0) {
-        place_parts(builder, &builder->above[above->below[0]], next);
-        place_parts(builder, &builder->above[above->below[1]], next);
-        return;
-    }
-    Part *part = &builder->parts[above->part];
-    part->first = *next;
-    for (int i = 0; i < builder->chunk_count; i++) {
-        int *of = &builder->chunks[i].counts[above->part], count = *of;
-        *of = *next;
-        *next += count;
-    }
-    part->count = *next - part->first;
-    part->items = (Four *)(builder->hierarchy->numbers + 4 * (size_t)part->first);
-}
-
-static void move_chunk(void *given, int number)
-{
-    const Builder *builder = given;
-    int *next = builder->chunks[number].counts;
-    for (int i = number * CHUNK; i < chunk_end(builder, number); i++) {
-        const Part *part = &builder->parts[builder->part_of[i]];
-        int at = next[builder->part_of[i]]++;
-        part->items[at - part->first] = item_of(builder, &builder->scene->spheres[i]);
-        builder->hierarchy->order[at] = i;
-    }
-}
-
 // ---- the nodes --------------------------------------------------------------------------------
 
-// Splits what is in a node of a part, and what is below.
-static void split_node(const Builder *builder, Part *part, int first, int count, int depth)
+typedef struct {
+    Hierarchy *hierarchy;
+    Four *items; // in the order of the hierarchy
+    int leaf;    // spheres in a leaf
+} Builder;
+
+double extent_of(const Scene *scene, double largest, vec3 *middle)
 {
-    Shape *shape = &part->shapes[part->shape_count++];
-    *shape = (Shape){.first = first, .count = count};
+    vec3 low = vec3_of(INFINITY, INFINITY, INFINITY), high = -low;
+    for (int i = 0; i < scene->sphere_count; i++)
+        for (int axis = 0; axis < 3 && scene->spheres[i].radius <= largest; axis++) {
+            low[axis] = fmin(low[axis], scene->spheres[i].center[axis]);
+            high[axis] = fmax(high[axis], scene->spheres[i].center[axis]);
+        }
+    *middle = (low + high) / 2;
+    return vec3_length(high - low) / 2;
+}
+
+// Lengths are parts of the scene's size.
+static void set_items(const Builder *builder, const Scene *scene)
+{
+    vec3 middle;
+    const double size = extent_of(scene, INFINITY, &middle), scale = size > 0 ? 1 / size : 1;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        vec3 item = (scene->spheres[i].center - middle) * scale;
+        item[3] = fmin(scene->spheres[i].radius * scale, 1e15); // its square is a float
+        builder->items[i] = __builtin_convertvector(item, Four);
+        builder->hierarchy->order[i] = i;
+    }
+}
+
+// Adds a node, with all that is below it, but without their boxes.
+static void add_node(const Builder *builder, int first, int count, int depth)
+{
+    Hierarchy *hierarchy = builder->hierarchy;
+    Node *node = &hierarchy->nodes[hierarchy->node_count++];
+    *node = (Node){.first = first, .count = count};
     if (count <= builder->leaf)
         return;
-    Split split = {0};
-    int half = 0;
+    Four *items = builder->items + first;
+    Split split = {.cost = INFINITY};
     if (depth < DEEP)
-        half = split_in_two(part->items + (first - part->first), builder->hierarchy->order + first,
-                            count, &split);
-    half = half > 0 ? half : count / 2;
-    shape->axis = split.axis;
-    split_node(builder, part, first, half, depth + 1);
-    shape->other = part->shape_count;
-    split_node(builder, part, first + half, count - half, depth + 1);
+        split = best_split(items, count);
+    int half = 0;
+    if (split.cost < INFINITY)
+        half = partition(items, hierarchy->order + first, count, split);
+    if (half == 0 || half == count) // they cannot be told apart
+        half = count / 2;
+    node->axis = split.axis;
+    add_node(builder, first, half, depth + 1);
+    node->other = hierarchy->node_count;
+    add_node(builder, first + half, count - half, depth + 1);
 }
 
-static void split_part(void *given, int number)
+// The numbers of the spheres in the order of the hierarchy.
+static void line_up(const Hierarchy *hierarchy, const Scene *scene)
 {
-    const Builder *builder = given;
-    Part *part = &((Builder *)given)->parts[number];
-    part->shapes = builder->shapes + 2 * (size_t)part->first;
-    split_node(builder, part, part->first, part->count, part->depth);
-}
-
-// This one and the nodes below get their numbers.
-static void number_nodes(Builder *builder, Above *above, int *next)
-{
-    above->node = *next;
-    if (above->part >= 0) {
-        *next += builder->parts[above->part].shape_count;
-        return;
-    }
-    ++*next;
-    number_nodes(builder, &builder->above[above->below[0]], next);
-    number_nodes(builder, &builder->above[above->below[1]], next);
-}
-
-// The spheres of a part in the order of the hierarchy. They come from all over the memory.
-static void line_up(const Builder *builder, const Part *part)
-{
-    enum { AHEAD = 16 };
-    const Sphere *spheres = builder->scene->spheres;
-    const int *order = builder->hierarchy->order;
-    for (int i = part->first, end = i + part->count; i < end; i++) {
-        const Sphere *soon = &spheres[order[i + AHEAD < end ? i + AHEAD : i]];
-        __builtin_prefetch(&soon->center);
-        __builtin_prefetch(&soon->radius);
-        const Sphere *sphere = &spheres[order[i]];
-        double *numbers = builder->hierarchy->numbers + 4 * (size_t)i;
+    const int *order = hierarchy->order, count = scene->sphere_count;
+    double *numbers = hierarchy->numbers;
+    for (int i = 0; i < count; i++, numbers += 4) {
+        const Sphere *sphere = &scene->spheres[order[i]];
         for (int axis = 0; axis < 3; axis++)
             numbers[axis] = sphere->center[axis];
         numbers[3] = sphere->radius;
     }
 }
 
-static Box around(const double *numbers, int count)
+// The last nodes first, because they are below the others.
+static void set_boxes(const Hierarchy *hierarchy)
 {
-    Box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    for (int i = 0; i < count; i++, numbers += 4) {
+    for (int i = hierarchy->node_count - 1; i >= 0; i--) {
+        Node *node = &hierarchy->nodes[i];
+        const double *sphere = hierarchy->numbers + 4 * (size_t)node->first;
+        const Box *first = &node[1].box, *second = &hierarchy->nodes[node->other].box;
         for (int axis = 0; axis < 3; axis++) {
-            double c = numbers[axis], r = numbers[3];
-            double more = r + 1e-6 * r + 1e-12 * fabs(c);
-            box.low[axis] = c - more < box.low[axis] ? c - more : box.low[axis];
-            box.high[axis] = c + more > box.high[axis] ? c + more : box.high[axis];
-        }
-    }
-    return box;
-}
-
-static Box around_both(const Box *a, const Box *b)
-{
-    Box box = *a;
-    for (int i = 0; i < 3; i++) {
-        box.low[i] = b->low[i] < box.low[i] ? b->low[i] : box.low[i];
-        box.high[i] = b->high[i] > box.high[i] ? b->high[i] : box.high[i];
-    }
-    return box;
-}
-
-// The nodes of a part: the last ones first, because they are below the others.
-static void finish_part(void *given, int number)
-{
-    const Builder *builder = given;
-    const Part *part = &builder->parts[number];
-    const int begin = builder->above[part->leaf].node;
-    Node *nodes = builder->hierarchy->nodes + begin;
-    line_up(builder, part);
-    for (int i = part->shape_count - 1; i >= 0; i--) {
-        Shape shape = part->shapes[i];
-        nodes[i] = (Node){.first = shape.first, .count = shape.count, .axis = shape.axis};
-        if (shape.other == 0) {
-            nodes[i].box =
-                around(builder->hierarchy->numbers + 4 * (size_t)shape.first, shape.count);
-        } else {
-            nodes[i].box = around_both(&nodes[i + 1].box, &nodes[shape.other].box);
-            nodes[i].other = begin + shape.other;
+            double low = INFINITY, high = -INFINITY;
+            for (int k = 0; k < (node->other == 0 ? node->count : 0); k++) {
+                double c = sphere[4 * k + axis], r = sphere[4 * k + 3];
+                double more = r + 1e-6 * r + 1e-12 * fabs(c);
+                low = c - more < low ? c - more : low;
+                high = c + more > high ? c + more : high;
+            }
+            if (node->other > 0) {
+                low = fmin(first->low[axis], second->low[axis]);
+                high = fmax(first->high[axis], second->high[axis]);
+            }
+            node->box.low[axis] = low;
+            node->box.high[axis] = high;
         }
     }
 }
 
-static void finish_above(const Builder *builder)
+bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf)
 {
-    Node *nodes = builder->hierarchy->nodes;
-    for (int i = builder->above_count - 1; i >= 0; i--) {
-        const Above *above = &builder->above[i];
-        if (above->part >= 0)
-            continue;
-        int other = builder->above[above->below[1]].node;
-        const Node *first = &nodes[above->node + 1];
-        nodes[above->node] = (Node){.box = around_both(&first->box, &nodes[other].box),
-                                    .first = first->first,
-                                    .count = first->count + nodes[other].count,
-                                    .other = other,
-                                    .axis = above->axis};
-    }
-}
-
-// ---- the whole --------------------------------------------------------------------------------
-
-static bool build_all(Builder *builder, int threads)
-{
-    Hierarchy *hierarchy = builder->hierarchy;
-    int placed = 0;
-    in_parallel(threads, builder->chunk_count, measure_chunk, builder);
-    set_scale(builder);
-    divide(builder);
-    in_parallel(threads, builder->chunk_count, count_chunk, builder);
-    place_parts(builder, builder->above, &placed);
-    in_parallel(threads, builder->chunk_count, move_chunk, builder);
-    in_parallel(threads, builder->part_count, split_part, builder);
-    number_nodes(builder, builder->above, &hierarchy->node_count);
-    hierarchy->nodes = large_memory((size_t)hierarchy->node_count * sizeof(Node));
-    if (hierarchy->nodes == NULL)
-        return false;
-    in_parallel(threads, builder->part_count, finish_part, builder);
-    finish_above(builder);
-    return true;
-}
-
-bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf, int threads)
-{
-    const size_t count = (size_t)scene->sphere_count, chunks = (count + CHUNK - 1) / CHUNK;
-    *hierarchy = (Hierarchy){.order = large_memory((count + 1) * sizeof *hierarchy->order),
-                             .numbers = large_memory((count + 1) * 4 * sizeof(double))};
-    Builder builder = {.scene = scene,
-                       .hierarchy = hierarchy,
-                       .leaf = leaf,
-                       .chunk_count = (int)chunks,
-                       .chunks = malloc((chunks + 1) * sizeof *builder.chunks),
-                       .shapes = malloc((2 * count + 1) * sizeof *builder.shapes),
-                       .part_of = malloc(count + 1)};
-    bool built = hierarchy->order != NULL && hierarchy->numbers != NULL && builder.chunks != NULL &&
-                 builder.shapes != NULL && builder.part_of != NULL && build_all(&builder, threads);
-    free(builder.chunks);
-    free(builder.shapes);
-    free(builder.part_of);
-    if (!built)
+    const size_t count = (size_t)scene->sphere_count;
+    Builder builder = {hierarchy, malloc((count + 1) * sizeof *builder.items), leaf};
+    // There are fewer than twice as many nodes; what is not used takes no memory.
+    *hierarchy = (Hierarchy){.nodes = malloc((2 * count + 1) * sizeof *hierarchy->nodes),
+                             .order = malloc((count + 1) * sizeof *hierarchy->order),
+                             .numbers = malloc((count + 1) * 4 * sizeof(double))};
+    bool built = builder.items != NULL && hierarchy->nodes != NULL && hierarchy->order != NULL &&
+                 hierarchy->numbers != NULL;
+    if (built) {
+        set_items(&builder, scene);
+        add_node(&builder, 0, scene->sphere_count, 0);
+        line_up(hierarchy, scene);
+        set_boxes(hierarchy);
+    } else {
         hierarchy_free(hierarchy);
+    }
+    free(builder.items);
     return built;
 }
 
@@ -561,4 +248,154 @@ void hierarchy_free(Hierarchy *hierarchy)
     free(hierarchy->order);
     free(hierarchy->numbers);
     *hierarchy = (Hierarchy){0};
+}
+
+// ---- 16 boxes in a node -----------------------------------------------------------------------
+
+// Nodes are counted, and when there is memory for them, they are made.
+typedef struct {
+    const Node *from;
+    WideHierarchy *to;
+    int nodes, leaves;
+} Widening;
+
+static float box_surface(const Box *box)
+{
+    float x = (float)(box->high[0] - box->low[0]), y = (float)(box->high[1] - box->low[1]);
+    float z = (float)(box->high[2] - box->low[2]);
+    return x * y + y * z + z * x;
+}
+
+// Opens a node, and then the largest of those in it, because rays enter it most often, until there
+// are 16. Returns their number.
+static int open_boxes(const Node *nodes, int node, int *below)
+{
+    float surface[LANES]; // 0: a leaf, which is not opened
+    int count = 1, largest = 0;
+    below[0] = node;
+    surface[0] = nodes[node].other == 0 ? 0 : 1;
+    while (count < LANES && surface[largest] > 0) {
+        const int both[2] = {below[largest] + 1, nodes[below[largest]].other};
+        const int into[2] = {largest, count++};
+        for (int i = 0; i < 2; i++) {
+            below[into[i]] = both[i];
+            surface[into[i]] = nodes[both[i]].other == 0 ? 0 : box_surface(&nodes[both[i]].box);
+        }
+        for (int i = largest = 0; i < count; i++)
+            largest = surface[i] > surface[largest] ? i : largest;
+    }
+    return count;
+}
+
+// A coordinate, counted from the corner of the largest box and scaled.
+static double scaled(const WideHierarchy *wide, int axis, double at)
+{
+    return (at - wide->corner[axis]) * wide->scale;
+}
+
+// A side of a lane without a box; not infinite, because infinity times 0 is NaN.
+#define NOWHERE 1e30F
+
+static void set_node(const WideHierarchy *wide, WideNode *node, const Box *own)
+{
+    *node = (WideNode){.size = 0};
+    for (int axis = 0; axis < 3; axis++) {
+        float size = (float)((own->high[axis] - own->low[axis]) * wide->scale);
+        node->corner[axis] = (float)scaled(wide, axis, own->low[axis]);
+        node->size = fmaxf(node->size, size);
+        for (int i = 0; i < LANES; i++) {
+            node->sides[2 * axis * LANES + i] = NOWHERE;
+            node->sides[(2 * axis + 1) * LANES + i] = -NOWHERE;
+        }
+    }
+}
+
+static void set_box(const WideHierarchy *wide, WideNode *node, int i, const Box *box)
+{
+    const double more = 0x1p-20 * (double)node->size + 0x1p-45;
+    for (int axis = 0; axis < 3; axis++) {
+        float *low = &node->sides[2 * axis * LANES + i], *high = low + LANES;
+        double corner = node->corner[axis];
+        *low = (float)(scaled(wide, axis, box->low[axis]) - corner - more);
+        *high = (float)(scaled(wide, axis, box->high[axis]) - corner + more);
+    }
+}
+
+static void set_leaf(const WideHierarchy *wide, WideLeaf *leaf, const Node *node)
+{
+    *leaf = (WideLeaf){.first = node->first, .count = node->count};
+    double size = 0; // the sum of the sides is at least the diagonal
+    for (int axis = 0; axis < 3; axis++) {
+        double low = scaled(wide, axis, node->box.low[axis]);
+        double high = scaled(wide, axis, node->box.high[axis]);
+        leaf->center[axis] = (float)((low + high) / 2);
+        size += (high - low) / 2;
+    }
+    for (int k = 0; k < LANES; k++) {
+        const double *sphere = wide->numbers + 4 * (size_t)(leaf->first + k);
+        leaf->r[k] = NAN;
+        if (k >= leaf->count)
+            continue;
+        leaf->x[k] = (float)(scaled(wide, 0, sphere[0]) - (double)leaf->center[0]);
+        leaf->y[k] = (float)(scaled(wide, 1, sphere[1]) - (double)leaf->center[1]);
+        leaf->z[k] = (float)(scaled(wide, 2, sphere[2]) - (double)leaf->center[2]);
+        leaf->r[k] = (float)(sphere[3] * wide->scale + 0x1p-18 * size + 0x1p-40);
+    }
+}
+
+// Returns the number of the wide node. (The root of only a few spheres is a leaf, in a node.)
+static int widen(Widening *widening, int number)
+{
+    const Node *from = widening->from, *node = &from[number];
+    WideHierarchy *to = widening->to;
+    const int made = widening->nodes++;
+    int inside[LANES], count = open_boxes(from, number, inside);
+    if (to->nodes != NULL)
+        set_node(to, &to->nodes[made], &node->box);
+    for (int i = 0; i < count; i++) {
+        const Node *below = &from[inside[i]];
+        int next = below->other == 0 ? ~widening->leaves++ : widen(widening, inside[i]);
+        if (to->nodes == NULL)
+            continue;
+        set_box(to, &to->nodes[made], i, &below->box);
+        to->nodes[made].below[i] = next;
+        if (next < 0)
+            set_leaf(to, &to->leaves[~next], below);
+    }
+    return made;
+}
+
+bool wide_build(WideHierarchy *wide, const Hierarchy *hierarchy)
+{
+    const Node *root = &hierarchy->nodes[0];
+    *wide = (WideHierarchy){.numbers = hierarchy->numbers};
+    if (root->count == 0)
+        return true;
+    double size = 0;
+    for (int axis = 0; axis < 3; axis++) {
+        size = fmax(size, root->box.high[axis] - root->box.low[axis]);
+        wide->corner[axis] = root->box.low[axis];
+    }
+    wide->scale = 1 / size;
+    Widening count = {.from = hierarchy->nodes, .to = wide}, fill = count;
+    widen(&count, 0);
+    wide->nodes = lanes_memory((size_t)count.nodes * sizeof *wide->nodes);
+    wide->leaves = lanes_memory((size_t)count.leaves * sizeof *wide->leaves);
+    wide->places = malloc((size_t)root->count * sizeof *wide->places);
+    if (wide->nodes == NULL || wide->leaves == NULL || wide->places == NULL) {
+        wide_free(wide);
+        return false;
+    }
+    widen(&fill, 0);
+    for (int i = 0; i < root->count; i++)
+        wide->places[hierarchy->order[i]] = i;
+    return true;
+}
+
+void wide_free(WideHierarchy *wide)
+{
+    free(wide->nodes);
+    free(wide->leaves);
+    free(wide->places);
+    *wide = (WideHierarchy){0};
 }

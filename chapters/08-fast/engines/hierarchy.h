@@ -6,23 +6,17 @@
 #ifndef CHAPTERS_08_FAST_HIERARCHY_H
 #define CHAPTERS_08_FAST_HIERARCHY_H
 
+#include "chapters/08-fast/engines/lanes.h"
 #include "common/ray.h"
 #include "common/scene.h"
 
+#include <stdalign.h>
 #include <stdbool.h>
 
 // The sides of a box, along x, y, z.
 typedef struct {
     double low[3], high[3];
 } Box;
-
-// Half of the surface, which is enough for comparing; 0 for an empty box.
-static inline double box_surface(const Box *box)
-{
-    double x = box->high[0] - box->low[0], y = box->high[1] - box->low[1];
-    double z = box->high[2] - box->low[2];
-    return box->low[0] > box->high[0] ? 0 : x * y + y * z + z * x;
-}
 
 // A node holds count spheres, from first on in the order of the hierarchy. It has two children, or
 // none: then it is a leaf. The first child is the next node, the second one is number other. Along
@@ -44,9 +38,13 @@ typedef struct {
 // The largest depth of the hierarchy; and the size of a leaf whose spheres are asked one by one.
 enum { HIERARCHY_DEEPEST = 128, SMALL_LEAF = 4 };
 
+// Half the diagonal of the box around the centres of all spheres that are not larger, and its
+// middle.
+double extent_of(const Scene *scene, double largest, vec3 *middle);
+
 // More than leaf spheres are split. False if there is not enough memory. Boxes are a little larger
 // than their spheres, so that they contain every hit, in spite of rounding.
-bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf, int threads);
+bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf);
 void hierarchy_free(Hierarchy *hierarchy);
 
 // The nearer of two hits; as in chapter 06, the lower index wins if both are equally near.
@@ -58,5 +56,46 @@ static inline Hit nearer(Hit a, Hit b)
 
 // The nearest hit of one ray (bvh.c): the same as chapter 06's nearest_hit, to the bit.
 Hit hierarchy_nearest(const Hierarchy *hierarchy, const Scene *scene, Ray ray);
+
+// ---- 16 boxes in a node -----------------------------------------------------------------------
+
+// The same hierarchy with 16 boxes in a node and up to 16 spheres in a leaf, so that all 16 are
+// asked at once (after Wald, Benthin and Boulos, 'Getting Rid of Packets', 2008).
+//
+// All lengths are multiplied by a scale, so that the largest box has the size 1. The place of a
+// node or a leaf is counted from the corner of the largest box. Places in a node are counted from
+// the node's own corner, and those in a leaf from the leaf's centre: near these, floats are precise
+// enough.
+typedef float Four __attribute__((vector_size(16))); // along x, y and z; and one more
+typedef int FourInts __attribute__((vector_size(16)));
+
+// Boxes by their low and high sides along x, y and z, larger by the error of rounding. A lane
+// without a box has no inside. 512 bytes, from the start of a cache line.
+typedef struct {
+    alignas(64) float sides[6 * LANES];
+    int below[LANES]; // the number of a node; ~ the number of a leaf
+    Four corner;
+    float size; // of the node's own box, its longest side
+} WideNode;
+
+// Spheres, larger by the error of rounding. A lane without a sphere has no radius: NaN.
+typedef struct {
+    alignas(64) float x[LANES], y[LANES], z[LANES], r[LANES];
+    Four center;
+    int first, count; // their places in the order of the hierarchy
+} WideLeaf;
+
+typedef struct {
+    WideNode *nodes; // the root is the first; NULL if there are no spheres
+    WideLeaf *leaves;
+    const double *numbers; // those of the hierarchy
+    int *places;           // of the scene's spheres in its order
+    double corner[3], scale;
+} WideHierarchy;
+
+// From a hierarchy whose leaves have at most 16 spheres, which must outlive it. False if there is
+// not enough memory.
+bool wide_build(WideHierarchy *wide, const Hierarchy *hierarchy);
+void wide_free(WideHierarchy *wide);
 
 #endif

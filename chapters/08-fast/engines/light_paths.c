@@ -1,223 +1,158 @@
 // light_paths.c - the colour of a ray: what it hits, which lights arrive there, and what it sees in
 // a mirror.
-#include "chapters/08-fast/engines/light_paths.h"
-
-#include "chapters/08-fast/engines/hierarchy.h"
-#include "chapters/08-fast/engines/parallel.h"
-#include "chapters/08-fast/engines/shadow_lanes.h"
-#include "common/large_pages.h"
+#include "chapters/08-fast/engines/light.h"
+#include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 #include "exercises/07-shading.h"
 
-#include <stdatomic.h>
 #include <stdlib.h>
-#include <string.h>
 
-enum { FEW = 4 };
+// ---- by the chapters' functions ---------------------------------------------------------------
+
+static Ray ray_of(const Paths *paths, int i)
+{
+    return (Ray){vector_of(&paths->origin, i), vector_of(&paths->direction, i)};
+}
+
+static Sphere path_sphere(const Paths *paths, int i)
+{
+    return (Sphere){vector_of(&paths->center, i), paths->radius[i], paths->surface[i]};
+}
+
+static void rays(const LightWorld *world, const int *columns, const int *rows, Paths *paths)
+{
+    for (int i = 0; i < paths->count; i++) {
+        Pixel sample = {columns[i], rows[i]};
+        Ray ray = pixel_ray(world->camera, world->samples, sample);
+        set_vector(&paths->origin, i, ray.origin);
+        set_vector(&paths->direction, i, ray.direction);
+    }
+}
+
+static bool hits(Paths *paths)
+{
+    for (int i = 0; i < paths->count; i++)
+        paths->t[i] = hit_sphere(ray_of(paths, i), path_sphere(paths, i));
+    return true;
+}
+
+static void leave(Paths *paths)
+{
+    for (int i = 0; i < paths->count; i++) {
+        Ray ray = ray_of(paths, i);
+        Sphere sphere = path_sphere(paths, i);
+        vec3 point = ray.origin + paths->t[i] * ray.direction;
+        vec3 normal = surface_normal(sphere, point);
+        normal = vec3_dot(normal, ray.direction) > 0 ? -normal : normal;
+        set_vector(&paths->point, i, point);
+        set_vector(&paths->normal, i, normal);
+        set_vector(&paths->start, i, off_surface(sphere, point, normal));
+        set_vector(&paths->mirrored, i, mirror_direction(ray.direction, normal));
+    }
+}
+
+static void to_light(const Paths *paths, const Light *light, Vectors *directions)
+{
+    for (int i = 0; i < paths->count; i++)
+        set_vector(directions, i, ray_to_light(vector_of(&paths->start, i), *light).direction);
+}
+
+// Chapter 07's shade lights a scene of one sphere, with one light after the other that arrives. A
+// hidden light would add 0.
+static void shade_all(const Scene *scene, const Paths *paths, const double *lit, Vectors *colors)
+{
+    Scene alone = *scene;
+    Light *lights = malloc(((size_t)alone.light_count + 1) * sizeof *lights);
+    alone.sphere_count = 1;
+    for (int i = 0; i < paths->count; i++) {
+        Sphere sphere = path_sphere(paths, i);
+        alone.spheres = &sphere;
+        alone.lights = lights;
+        alone.light_count = 0;
+        for (int k = 0; k < scene->light_count && lights != NULL; k++)
+            if (lit[k * PATHS + i] != 0)
+                lights[alone.light_count++] = scene->lights[k];
+        set_vector(colors, i, shade(&alone, ray_of(paths, i), (Hit){paths->t[i], 0}));
+    }
+    free(lights);
+}
+
+static void add_clamped(const Vectors *colors, const int *places, int count, Vectors *sums)
+{
+    for (int i = 0; i < count; i++)
+        set_vector(sums, places[i], vector_of(sums, places[i]) + clamp_color(vector_of(colors, i)));
+}
+
+const LightSteps steps_by_chapters = {rays, hits, leave, to_light, shade_all, add_clamped};
 
 // ---- the world --------------------------------------------------------------------------------
 
-typedef struct {
-    LightWorld *world;
-    int threads;
-    atomic_bool failed;
-} Building;
-
-// Part 0 is the hierarchy, the others are the grids of the lights.
-static void build_part(void *given, int part)
+bool light_world_build(LightWorld *world)
 {
-    Building *building = given;
-    LightWorld *world = building->world;
     const Scene *scene = world->scene;
-    bool done = part == 0 ? hierarchy_build(&world->hierarchy, scene, LANES, building->threads) &&
-                                ray_world_build(&world->rays, &world->hierarchy, building->threads)
-                          : light_grid_build(&world->grids[part - 1], &world->crowd,
-                                             scene->lights[part - 1]);
-    if (!done)
-        atomic_store(&building->failed, true);
-}
-
-bool light_world_build(LightWorld *world, const Scene *scene, int threads)
-{
-    *world = (LightWorld){.scene = scene,
-                          .crowd = crowd_of(scene),
-                          .grids = calloc((size_t)scene->light_count + 1, sizeof *world->grids),
-                          .materials = materials_of(scene)};
-    Building building = {.world = world, .threads = threads};
-    if (world->grids != NULL && world->materials != NULL) {
-        in_parallel(threads, 1 + scene->light_count, build_part, &building);
-        if (!building.failed)
-            return true;
-    }
-    light_world_free(world);
-    return false;
+    world->grids = calloc((size_t)scene->light_count + 1, sizeof *world->grids);
+    bool built = world->grids != NULL && hierarchy_build(&world->hierarchy, scene, LANES) &&
+                 wide_build(&world->wide, &world->hierarchy);
+    for (int i = 0; built && i < scene->light_count; i++)
+        built = light_grid_build(&world->grids[i], scene, &world->wide, scene->lights[i]);
+    return built;
 }
 
 void light_world_free(LightWorld *world)
 {
     hierarchy_free(&world->hierarchy);
+    wide_free(&world->wide);
     for (int i = 0; world->grids != NULL && i < world->scene->light_count; i++)
-        light_grid_free(&world->grids[i]);
+        bins_free(&world->grids[i].bins);
     free(world->grids);
-    free(world->materials);
-    ray_world_free(&world->rays);
-    *world = (LightWorld){0};
 }
 
 // ---- one thread's paths -----------------------------------------------------------------------
 
-static const ShadowLanes *const shadow_lanes[LANES_KINDS] = LANES_TABLE(shadow_lanes);
-
-// Cleared, so that lanes without a path compute with ordinary numbers.
-static void *aligned_memory(size_t size)
+// One piece of memory; cleared, so that lanes without a path compute with ordinary numbers.
+LightPaths *light_paths_create(const LightWorld *world, const LightSteps *steps)
 {
-    void *memory = large_memory(size);
-    return memory == NULL ? NULL : memset(memory, 0, size);
-}
-
-bool light_paths_begin(LightPaths *paths, const LightWorld *world, int depth)
-{
-    static NearestOf *const nearest[LANES_KINDS] = LANES_TABLE(nearest_of);
-    static NearestOfMany *const nearest_of_many[LANES_KINDS] = LANES_TABLE(nearest_of_many);
-    size_t lights = (size_t)world->scene->light_count + 1, levels = (size_t)depth + 1;
-    *paths = (LightPaths){.world = world,
-                          .depth = depth,
-                          .picture = {.scene = world->scene, .materials = world->materials},
-                          .steps = &steps_by_chapters,
-                          .paths = aligned_memory(2 * sizeof *paths->paths),
-                          .directions = aligned_memory(2 * sizeof *paths->directions),
-                          .lit = aligned_memory(lights * PATHS * sizeof *paths->lit),
-                          .colors = aligned_memory((levels + 1) * sizeof *paths->colors),
-                          .parts = aligned_memory(levels * PATHS * sizeof *paths->parts),
-                          .nearest = nearest[lanes_best()],
-                          .nearest_of_many = nearest_of_many[lanes_best()]};
-    if (paths->paths != NULL && paths->directions != NULL && paths->lit != NULL &&
-        paths->colors != NULL && paths->parts != NULL)
-        return true;
-    light_paths_end(paths);
-    return false;
-}
-
-void light_paths_end(LightPaths *paths)
-{
-    free(paths->paths);
-    free(paths->directions);
-    free(paths->lit);
-    free(paths->colors);
-    free(paths->parts);
-}
-
-static Line line_of(vec3 start, vec3 unit)
-{
-    return (Line){{start[0], start[1], start[2]}, {unit[0], unit[1], unit[2]}};
+    size_t lights = (size_t)world->scene->light_count, levels = (size_t)world->depth + 1;
+    size_t doubles = (lights + levels) * PATHS, size = sizeof(LightPaths);
+    size += (levels + 1) * sizeof(Vectors) + doubles * sizeof(double);
+    LightPaths *paths = lanes_memory(size);
+    if (paths == NULL)
+        return NULL;
+    memset(paths, 0, size);
+    paths->world = world;
+    paths->steps = steps;
+    paths->nearest_of_many = LANES_BEST(nearest_of_many);
+    paths->colors = (Vectors *)(paths + 1);
+    paths->parts = paths->colors[levels + 1].x;
+    paths->lit = paths->parts + levels * PATHS;
+    return paths;
 }
 
 // ---- what a ray hits --------------------------------------------------------------------------
 
-static Hit hit_at(const LightWorld *world, Ray ray, int place)
-{
-    int sphere = world->hierarchy.order[place];
-    return (Hit){hit_sphere(ray, world->scene->spheres[sphere]), sphere};
-}
-
-// The sphere of chapter 06's nearest_hit: one ray, alone. If only one sphere is possible, the ray
-// may still miss it.
-static int nearest_alone(const LightPaths *paths, Ray ray, Line line)
-{
-    const LightWorld *world = paths->world;
-    PossibleHits candidates;
-    paths->nearest(&world->rays, &line, &candidates);
-    if (candidates.count > MOST_CANDIDATES)
-        return hierarchy_nearest(&world->hierarchy, world->scene, ray).sphere;
-    if (candidates.count == 1)
-        return world->hierarchy.order[candidates.places[0]];
-    Hit nearest = {NO_HIT, -1};
-    for (int i = 0; i < candidates.count; i++)
-        nearest = nearer(nearest, hit_at(world, ray, candidates.places[i]));
-    return nearest.sphere;
-}
-
-static void find_distances(const LightPaths *all, Paths *paths)
-{
-    take_spheres(all->world->scene, paths);
-    if (!all->steps->hits(paths))
-        steps_by_chapters.hits(paths);
-}
-
 // Copies the chosen ones, which are in order, to the front.
 static void choose(const Vectors *from, const int *chosen, int count, Vectors *to)
 {
-    if (count > 0 && chosen[count - 1] == count - 1) { // all
-        memcpy(to, from, sizeof *to);
-        return;
-    }
-    for (int i = 0; i < count; i++) {
-        to->x[i] = from->x[chosen[i]];
-        to->y[i] = from->y[chosen[i]];
-        to->z[i] = from->z[chosen[i]];
-    }
-}
-
-// If there are only FEW spheres: the rays that may hit several ask all. As in chapter 06, the lower
-// index wins if two hits are equally near.
-static void ask_few_spheres(LightPaths *all)
-{
-    const Scene *scene = all->world->scene;
-    Paths *paths = all->paths, *asking = all->paths + 1;
-    double numbers[4 * FEW], nearest[PATHS];
-    int may[PATHS], several[PATHS] = {0}, count = 0;
-    for (int i = 0; i < scene->sphere_count; i++) {
-        for (int axis = 0; axis < 3; axis++)
-            numbers[4 * i + axis] = scene->spheres[i].center[axis];
-        numbers[4 * i + 3] = scene->spheres[i].radius;
-    }
-    all->steps->may_hit(paths, numbers, scene->sphere_count, may);
-    for (int i = 0; i < paths->count; i++) {
-        paths->sphere[i] = may[i] == 0 ? -1 : __builtin_ctz((unsigned)may[i]);
-        nearest[i] = NO_HIT;
-        several[count] = i;
-        count += (may[i] & (may[i] - 1)) != 0;
-    }
-    asking->count = count;
-    choose(&paths->origin, several, count, &asking->origin);
-    choose(&paths->direction, several, count, &asking->direction);
-    for (int sphere = 0; sphere < scene->sphere_count && count > 0; sphere++) {
-        for (int i = 0; i < count; i++)
-            asking->sphere[i] = sphere;
-        find_distances(all, asking);
-        for (int i = 0; i < count; i++)
-            if (asking->t[i] < nearest[i]) {
-                nearest[i] = asking->t[i];
-                paths->sphere[several[i]] = sphere;
-            }
-    }
+    for (int i = 0; i < count; i++)
+        put(to, i, get(from, chosen[i]));
 }
 
 // The spheres that the rays hit, or -1. mirrored: the rays leave the spheres that they hit last.
 static void find_spheres(LightPaths *all, bool mirrored)
 {
-    Paths *paths = all->paths;
-    double lengths[PATHS];
-    Line lines[PATHS];
-    int left[PATHS], places[PATHS];
-    if (all->world->scene->sphere_count <= FEW) {
-        ask_few_spheres(all);
-        return;
-    }
-    shadow_lanes[lanes_best()]->units(&paths->direction, paths->count, lengths, all->directions);
-    for (int i = 0; i < paths->count; i++) {
-        lines[i] = line_of(vector_of(&paths->origin, i), vector_of(all->directions, i));
-        left[i] = mirrored ? all->world->rays.places[paths->sphere[i]] : NO_PLACE;
-    }
-    all->nearest_of_many(&all->world->rays, lines, left, paths->count, places);
+    Paths *paths = &all->paths;
+    const LightWorld *world = all->world;
+    Rays rays = {&paths->origin, &paths->direction, NULL, false, paths->count, {0}};
+    int places[PATHS];
     for (int i = 0; i < paths->count; i++)
-        __builtin_prefetch(&all->world->hierarchy.order[places[i] < 0 ? 0 : places[i]]);
+        rays.left[i] = mirrored ? world->wide.places[paths->sphere[i]] : NO_PLACE;
+    all->nearest_of_many(&world->wide, &rays, places);
     for (int i = 0; i < paths->count; i++) {
-        int sphere = places[i] == IN_DOUBT   ? nearest_alone(all, ray_of(paths, i), lines[i])
-                     : places[i] == NO_PLACE ? -1
-                                             : all->world->hierarchy.order[places[i]];
+        int sphere = places[i] < 0 ? -1 : world->hierarchy.order[places[i]];
+        if (places[i] == IN_DOUBT)
+            sphere = hierarchy_nearest(&world->hierarchy, world->scene, ray_of(paths, i)).sphere;
         paths->sphere[i] = sphere;
-        __builtin_prefetch(&all->world->scene->spheres[sphere < 0 ? 0 : sphere]);
+        __builtin_prefetch(&world->scene->spheres[sphere < 0 ? 0 : sphere]);
     }
 }
 
@@ -235,7 +170,7 @@ static void keep(Paths *paths, const int *kept, int count)
 // The list is written without an 'if', because a processor cannot predict it.
 static void end_at_background(LightPaths *all, int level)
 {
-    Paths *paths = all->paths;
+    Paths *paths = &all->paths;
     int hits[PATHS] = {0}, count = 0;
     for (int i = 0; i < paths->count; i++) {
         hits[count] = i;
@@ -253,9 +188,16 @@ static void end_at_background(LightPaths *all, int level)
 // Where the rays hit their spheres. False: some miss them.
 static bool find_hits(LightPaths *all)
 {
-    Paths *paths = all->paths;
+    Paths *paths = &all->paths;
     bool any_miss = false;
-    find_distances(all, paths);
+    for (int i = 0; i < paths->count; i++) {
+        const Sphere *sphere = &all->world->scene->spheres[paths->sphere[i]];
+        set_vector(&paths->center, i, sphere->center);
+        paths->radius[i] = sphere->radius;
+        paths->surface[i] = sphere->surface;
+    }
+    if (!all->steps->hits(paths))
+        steps_by_chapters.hits(paths);
     for (int i = 0; i < paths->count; i++) {
         bool miss = !(paths->t[i] < NO_HIT);
         paths->sphere[i] = miss ? -1 : paths->sphere[i];
@@ -266,77 +208,32 @@ static bool find_hits(LightPaths *all)
 
 // ---- which lights arrive ----------------------------------------------------------------------
 
-// Whether a sphere hides a light, by chapter 07's function, in a world with only this sphere.
-static bool hides_light(const LightWorld *world, int place, vec3 from, Light light)
+// Whether a light arrives, by chapter 07's function in a world with only the nearest sphere: if
+// that does not hide the light, none does.
+static bool arrives(const LightWorld *world, vec3 from, Light light)
 {
-    Sphere alone = world->scene->spheres[world->hierarchy.order[place]];
-    Scene only = {.spheres = &alone, .sphere_count = 1};
-    return !(visibility(&only, from, light) > 0);
-}
-
-// Whether a light is hidden from the start of a shadow ray: one ray, alone.
-static bool hidden_alone(const LightPaths *all, vec3 from, Line line, Light light)
-{
-    const LightWorld *world = all->world;
-    PossibleHits candidates;
-    all->nearest(&world->rays, &line, &candidates);
-    if (candidates.count > MOST_CANDIDATES)
-        return !(visibility(world->scene, from, light) > 0);
-    for (int i = 0; i < candidates.count; i++)
-        if (hides_light(world, candidates.places[i], from, light))
-            return true;
-    return false;
-}
-
-// The doubtful rays ask the hierarchy. If the nearest sphere that a ray hits does not hide the
-// light, none does.
-static void ask_hierarchy(LightPaths *all, const ShadowRays *rays, Light light, int *verdicts)
-{
-    const LightWorld *world = all->world;
-    Line lines[PATHS];
-    int left[PATHS], places[PATHS], numbers[PATHS], count = 0;
-    for (int i = 0; i < rays->count; i++) {
-        if (verdicts[i] != DOUBTFUL)
-            continue;
-        vec3 from = vector_of(rays->start, i), way = vector_of(rays->way, i);
-        double length = vec3_length(way);
-        if (!(length > 0)) { // the light is there
-            verdicts[i] = visibility(world->scene, from, light) > 0 ? ARRIVES : HIDDEN;
-            continue;
-        }
-        lines[count] = line_of(from, way / length);
-        left[count] = rays->passes[i] == NO_SPHERE ? NO_PLACE : world->rays.places[rays->passes[i]];
-        numbers[count++] = i;
-    }
-    if (count == 0)
-        return;
-    all->nearest_of_many(&world->rays, lines, left, count, places);
-    for (int k = 0; k < count; k++) {
-        vec3 from = vector_of(rays->start, numbers[k]);
-        bool hidden = places[k] == IN_DOUBT   ? hidden_alone(all, from, lines[k], light)
-                      : places[k] == NO_PLACE ? false
-                                              : hides_light(world, places[k], from, light);
-        verdicts[numbers[k]] = hidden ? HIDDEN : ARRIVES;
-    }
+    Ray ray = ray_to_light(from, light);
+    int sphere = hierarchy_nearest(&world->hierarchy, world->scene, ray).sphere;
+    Scene only = {.spheres = world->scene->spheres + (sphere < 0 ? 0 : sphere), .sphere_count = 1};
+    return sphere < 0 || visibility(&only, from, light) > 0;
 }
 
 static void find_light(LightPaths *all, int number)
 {
-    const Paths *paths = all->paths;
-    Light light = all->world->scene->lights[number];
-    const LightGrid *grid = &all->world->grids[number];
+    const Paths *paths = &all->paths;
+    const LightWorld *world = all->world;
+    const Light light = world->scene->lights[number];
+    const LightGrid *grid = light.kind == LIGHT_DISTANT ? NULL : &world->grids[number];
     double *lit = all->lit + number * PATHS;
-    ShadowRays rays = {.start = &paths->start,
-                       .way = all->directions,
-                       .endless = light.kind == LIGHT_DISTANT,
-                       .count = paths->count};
-    int verdicts[PATHS];
-    all->steps->to_light(paths, &light, all->directions);
-    shadow_lanes[lanes_best()]->passes(paths, &rays);
-    light_grid_ask(grid, &rays, verdicts);
-    ask_hierarchy(all, &rays, light, verdicts);
+    Rays rays = {&paths->start, &all->directions, grid, true, paths->count, {0}};
+    int places[PATHS];
+    all->steps->to_light(paths, &light, &all->directions);
     for (int i = 0; i < paths->count; i++)
-        lit[i] = verdicts[i] == ARRIVES;
+        rays.left[i] = world->wide.places[paths->sphere[i]];
+    all->nearest_of_many(&world->wide, &rays, places);
+    for (int i = 0; i < paths->count; i++)
+        lit[i] = places[i] == NO_PLACE ||
+                 (places[i] == IN_DOUBT && arrives(world, vector_of(&paths->start, i), light));
 }
 
 // ---- colours ----------------------------------------------------------------------------------
@@ -345,36 +242,36 @@ static void find_light(LightPaths *all, int number)
 // level, or of those before, has ended.
 static void light_up(LightPaths *all, int level, bool all_hit)
 {
-    Paths *paths = all->paths;
-    Vectors *colors = &all->colors[level], *found = all_hit ? colors : &all->colors[all->depth + 1];
+    Paths *paths = &all->paths;
+    Vectors *colors = &all->colors[level],
+            *found = all_hit ? colors : &all->colors[all->world->depth + 1];
     double *parts = all->parts + (size_t)level * PATHS;
     int mirrors[PATHS] = {0}, count = 0;
     all->steps->leave(paths);
     for (int i = 0; i < all->world->scene->light_count; i++)
         find_light(all, i);
-    all->steps->shade(&all->picture, paths, all->lit, found);
+    all->steps->shade(all->world->scene, paths, all->lit, found);
     for (int i = 0; i < paths->count && !all_hit; i++)
-        set_vector(colors, paths->number[i], vector_of(found, i));
-    if (level == all->depth) {
+        put(colors, paths->number[i], get(found, i));
+    if (level == all->world->depth) {
         paths->count = 0;
         return;
     }
     for (int i = 0; i < paths->count; i++) {
-        double part = all->world->materials[paths->surface[i]].specular;
+        double part = all->world->scene->surfaces[paths->surface[i]].specular;
         parts[paths->number[i]] = part;
-        __builtin_prefetch(&all->world->rays.places[paths->sphere[i]]);
+        __builtin_prefetch(&all->world->wide.places[paths->sphere[i]]);
         mirrors[count] = i;
         count += part > 0;
     }
-    all->steps->mirror(paths, all->directions);
     choose(&paths->start, mirrors, count, &paths->origin);
-    choose(all->directions, mirrors, count, &paths->direction);
+    choose(&paths->mirrored, mirrors, count, &paths->direction);
     keep(paths, mirrors, count);
 }
 
 void path_colors(LightPaths *all, bool known)
 {
-    Paths *paths = all->paths;
+    Paths *paths = &all->paths;
     int count = paths->count, level = 0;
     for (int i = 0; i < count; i++)
         paths->number[i] = i;
@@ -389,7 +286,40 @@ void path_colors(LightPaths *all, bool known)
         light_up(all, level, paths->count == count);
     }
     // trace_ray adds from the last mirror to the first.
-    for (level -= 2; level >= 0; level--)
-        all->steps->add_mirrors(&all->colors[level + 1], all->parts + (size_t)level * PATHS, count,
-                                &all->colors[level]);
+    for (level -= 2; level >= 0; level--) {
+        Vectors *colors = &all->colors[level];
+        for (int k = 0; k < count; k++) {
+            double part = all->parts[level * PATHS + k];
+            if (part > 0)
+                put(colors, k, plus(get(colors, k), times(part, get(&colors[1], k))));
+        }
+    }
+}
+
+// ---- whether the lanes agree with the chapters ------------------------------------------------
+
+const LightSteps *steps_for(const LightWorld *world, const int *columns, const int *rows, int count)
+{
+    const LightSteps *const both[2] = {&steps_by_chapters, LANES_BEST(light_steps)};
+    int places[PATHS];
+    for (int i = 0; i < PATHS; i++)
+        places[i] = i;
+    for (int first = 0; first < count; first += PATHS) {
+        const int some = least(count - first, PATHS);
+        Vectors sums[2];
+        memset(sums, 0, sizeof sums);
+        for (int i = 0; i < 2; i++) {
+            LightPaths *paths = light_paths_create(world, both[i]);
+            if (paths == NULL)
+                return both[0];
+            paths->paths.count = some;
+            both[i]->rays(world, columns + first, rows + first, &paths->paths);
+            path_colors(paths, false);
+            both[i]->add_clamped(paths->colors, places, some, &sums[i]);
+            free(paths);
+        }
+        if (memcmp(&sums[0], &sums[1], sizeof sums[0]) != 0)
+            return both[0];
+    }
+    return both[1];
 }

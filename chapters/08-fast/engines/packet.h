@@ -1,17 +1,15 @@
 // packet.h - 16 rays at a time: what they see so far, and how they ask one sphere.
 //
-// The rays compare t v.v = c.v - sqrt(D) (float_bounds.h), so that they need not divide. It is
+// The rays compare t v.v = c.v - sqrt(D) (float_scene.h), so that they need not divide. It is
 // between two known bounds. A sphere is certainly the nearest if the lower bounds of all others are
 // greater than its upper bound.
 #ifndef CHAPTERS_08_FAST_PACKET_H
 #define CHAPTERS_08_FAST_PACKET_H
 
-#include "chapters/08-fast/engines/float_bounds.h"
+#include "chapters/08-fast/engines/float_scene.h"
 
-#include <math.h>
 #include <stdalign.h>
 #include <stdbool.h>
-#include <stdint.h>
 #include <string.h>
 
 typedef struct {
@@ -21,16 +19,6 @@ typedef struct {
     float rival[LANES];             // the lower bound of all others
     int color[LANES];
 } Packet;
-
-static inline float smaller(float a, float b)
-{
-    return a < b ? a : b;
-}
-
-static inline float larger(float a, float b)
-{
-    return a > b ? a : b;
-}
 
 static inline void packet_begin(Packet *packet, const View *view, int column, int row)
 {
@@ -57,7 +45,7 @@ static inline float aside(const Seen *seen, float x, float y)
 
 // Whether any ray may hit the sphere before its nearest certain hit: D >= 0, and c.v - sqrt(D) <=
 // end. That is true if c.v - end is not positive, or if its square is at most D. So only a few
-// spheres need square roots. D is that of the larger sphere, so no sphere is left out.
+// spheres need square roots. D is that of the first sphere, so no sphere is left out.
 static inline bool packet_may_see(const Packet *packet, const Seen *seen)
 {
     int any = 0;
@@ -67,7 +55,7 @@ static inline bool packet_may_see(const Packet *packet, const Seen *seen)
         float along = seen->x * x + seen->y * y + seen->z;
         float behind = along - seen->doubt * a - packet->end[i];
         behind = behind > 0 ? behind : 0;
-        any |= seen->larger * a - aside(seen, x, y) >= behind * behind;
+        any |= seen->first * a - aside(seen, x, y) >= behind * behind;
     }
     return any != 0;
 }
@@ -77,46 +65,31 @@ static inline float root(float d)
     return sqrtf(d > 0 ? d : 0);
 }
 
-// Ray i learns about a sphere: it hits the sphere between begin and end. If end is infinite, it may
-// hit the sphere, at begin or later; if both are infinite, it misses.
-static inline void packet_take(Packet *packet, int i, int color, float begin, float end)
+// Asks a sphere: each ray certainly hits it between begin and end. If end is infinite, the ray may
+// hit it, at begin or later; if both are infinite, it misses.
+static inline void packet_see(Packet *packet, const Seen *seen)
 {
-    float old_begin = packet->begin[i], old_end = packet->end[i], rival = packet->rival[i];
-    int old_color = packet->color[i];
-    bool wins = end < old_end;
-    float loser = wins ? old_begin : begin;
-    packet->begin[i] = wins ? begin : old_begin;
-    packet->end[i] = smaller(end, old_end);
-    packet->color[i] = wins ? color : old_color;
-    packet->rival[i] = loser < rival ? loser : rival;
-}
-
-// Asks a sphere, which is between a larger and a smaller one: the ray enters the larger one first.
-static inline void packet_see(Packet *packet, const Seen *seen, int color)
-{
+    const float behind = seen->side > 0 ? 0 : -INFINITY; // from inside, nothing is behind the eye
 #pragma omp simd
     for (int i = 0; i < LANES; i++) {
         float x = packet->x[i], y = packet->y[i], a = packet->squared[i];
         float along = seen->x * x + seen->y * y + seen->z, across = aside(seen, x, y);
-        float most = seen->larger * a - across, least = seen->smaller * a - across;
-        float begin = along - seen->doubt * a - root(most);
-        float end = along + seen->doubt * a - root(least);
-        most = along > 0 ? most : -1; // behind the eye
-        least = along > 0 ? least : -1;
-        begin = most >= 0 ? begin : INFINITY;
-        end = least >= 0 ? end : INFINITY;
-        packet_take(packet, i, color, begin, end);
-    }
-}
+        float first = seen->first * a - across, second = seen->second * a - across;
+        float begin = along - seen->doubt * a - seen->side * root(first);
+        float end = along + seen->doubt * a - seen->side * root(second);
+        first = along > behind ? first : -1;
+        second = along > behind ? second : -1;
+        begin = first >= 0 ? begin : INFINITY;
+        end = second >= 0 ? end : INFINITY;
 
-// The eye is in the sphere: every ray hits it, on its way out.
-static inline void packet_see_around(Packet *packet, const Seen *seen, int color)
-{
-    for (int i = 0; i < LANES; i++) {
-        float x = packet->x[i], y = packet->y[i], a = packet->squared[i];
-        float along = seen->x * x + seen->y * y + seen->z, across = aside(seen, x, y);
-        packet_take(packet, i, color, along - seen->doubt * a + root(seen->smaller * a - across),
-                    along + seen->doubt * a + root(seen->larger * a - across));
+        float old_begin = packet->begin[i], old_end = packet->end[i], rival = packet->rival[i];
+        int old_color = packet->color[i];
+        bool wins = end < old_end;
+        float loser = wins ? old_begin : begin;
+        packet->begin[i] = wins ? begin : old_begin;
+        packet->end[i] = smaller(end, old_end);
+        packet->color[i] = wins ? seen->color : old_color;
+        packet->rival[i] = smaller(loser, rival);
     }
 }
 

@@ -36,10 +36,10 @@ static void inverse_of(Inverse *of, const View *view, const Packet *packet)
 }
 
 // Whether any ray enters the box before its nearest certain hit: the slabs of bvh.c, for 16 rays.
-static inline bool packet_enters(const Inverse *of, const SeenNode *node)
+static inline bool packet_enters(const Inverse *of, const SeenBox *box)
 {
-    float low_x = node->low[0], low_y = node->low[1], low_z = node->low[2];
-    float high_x = node->high[0], high_y = node->high[1], high_z = node->high[2];
+    float low_x = box->low[0], low_y = box->low[1], low_z = box->low[2];
+    float high_x = box->high[0], high_y = box->high[1], high_z = box->high[2];
     int any = 0;
 #pragma omp simd reduction(| : any)
     for (int i = 0; i < LANES; i++) {
@@ -54,15 +54,15 @@ static inline bool packet_enters(const Inverse *of, const SeenNode *node)
     return any != 0;
 }
 
-static void ask_leaf(Packet *packet, Inverse *of, const View *view, const SeenNode *leaf,
-                     int column, int row)
+static void ask_leaf(Packet *packet, Inverse *of, const View *view, const Node *leaf, int column,
+                     int row)
 {
-    for (int i = leaf->other; i < leaf->other + leaf->count; i++) {
+    for (int i = leaf->first; i < leaf->first + leaf->count; i++) {
         const Seen *seen = &view->seen[i];
         if (column < seen->left || column >= seen->right || row < seen->top ||
             row >= seen->bottom || !packet_may_see(packet, seen))
             continue;
-        packet_see(packet, seen, view->colors[i]);
+        packet_see(packet, seen);
 #pragma omp simd
         for (int k = 0; k < LANES; k++)
             of->end[k] = packet->end[k] * of->per_squared[k];
@@ -79,15 +79,15 @@ static void walk(Packet *packet, const View *view, int column, int row)
     waiting[count++] = 0; // the root
     while (count > 0) {
         int number = waiting[--count];
-        const SeenNode *node = &view->nodes[number];
-        if (node->count > 0) {
+        const Node *node = &view->nodes[number];
+        if (node->other == 0) {
             ask_leaf(packet, &of, view, node, column, row);
             continue;
         }
         bool swap = of.middle[node->axis] < 0;
         int near = swap ? node->other : number + 1, far = swap ? number + 1 : node->other;
-        bool near_in = packet_enters(&of, &view->nodes[near]);
-        bool far_in = packet_enters(&of, &view->nodes[far]);
+        bool near_in = packet_enters(&of, &view->boxes[near]);
+        bool far_in = packet_enters(&of, &view->boxes[far]);
         if (far_in)
             waiting[count++] = far;
         if (near_in)
@@ -103,8 +103,6 @@ void LANES(walk_packets)(const View *view, Tile *tile)
             continue;
         Packet packet;
         packet_begin(&packet, view, column, row);
-        for (int k = 0; k < view->around_count; k++)
-            packet_see_around(&packet, &view->seen[view->around[k]], view->colors[view->around[k]]);
         if (view->nodes != NULL)
             walk(&packet, view, column, row);
         packet_end(&packet, column, row, tile);

@@ -7,18 +7,20 @@
 
 enum { PACKETS = TILE_BLOCKS * TILE_BLOCKS, LEFT = 0, RIGHT, TOP, BOTTOM, AHEAD, PLANES };
 
-// The sides are planes through the eye, normals inwards; and one direction in the middle.
+// The sides are planes through the eye, normals inwards; and one direction in the middle. Lengths
+// are those of the wide hierarchy.
 typedef struct {
     float normal[PLANES][3];
+    double eye[3];
     float shortest; // of the tile's rays
     float farthest; // nothing farther away is visible, along AHEAD
     Packet packets[PACKETS];
 } Frustum;
 
-// Nodes still to enter and spheres still to ask, the nearest last.
+// Nodes still to enter and leaves still to ask, the nearest last.
 typedef struct {
     float near;
-    int first, count; // as in WideNode
+    int below; // as in WideNode
 } Waiting;
 enum { MOST_WAITING = HIERARCHY_DEEPEST * LANES };
 
@@ -40,6 +42,7 @@ static void frustum_begin(Frustum *frustum, const View *view, const Tile *tile)
         frustum->normal[TOP][axis] = (float)(top * f - u);
         frustum->normal[BOTTOM][axis] = (float)(u - bottom * f);
         frustum->normal[AHEAD][axis] = (float)((f + middle_x * r + middle_y * u) / length);
+        frustum->eye[axis] = (view->eye[axis] - view->wide->corner[axis]) * view->wide->scale;
     }
     frustum->farthest = INFINITY;
     float nearest_x = between(left, 0, right), nearest_y = between(bottom, 0, top);
@@ -47,43 +50,53 @@ static void frustum_begin(Frustum *frustum, const View *view, const Tile *tile)
     for (int i = 0; i < PACKETS; i++) {
         int column = tile->column + i % TILE_BLOCKS, row = tile->row + i / TILE_BLOCKS;
         packet_begin(&frustum->packets[i], view, column, row);
-        for (int k = 0; k < view->around_count; k++)
-            packet_see_around(&frustum->packets[i], &view->seen[view->around[k]],
-                              view->colors[view->around[k]]);
         if (column >= view->columns || row >= view->rows) // beyond the screen everything is hidden
             memset(frustum->packets[i].end, 0, sizeof frustum->packets[i].end);
     }
 }
 
-// Which boxes of a node are, or may be, in the frustum, as bits; and how near each begins. Along a
-// direction n a box reaches from n.middle - |n|.half to n.middle + |n|.half. If even the latter is
-// outside a side, the whole box is. For rounding, boxes are larger by 2^-20 of the largest distance
-// in the node.
-static unsigned frustum_enters(const Frustum *frustum, const View *view, const WideNode *node,
-                               float *near)
+// The last corners of 16 boxes along a direction n; the first ones along -n.
+static inline void add_last_corners(const WideNode *node, const float *n, float sign, float *last)
 {
-    float x = (float)(node->corner[0] - view->eye[0]), y = (float)(node->corner[1] - view->eye[1]),
-          z = (float)(node->corner[2] - view->eye[2]);
-    float more = 0x1p-20F * (larger(larger(fabsf(x), fabsf(y)), fabsf(z)) + node->size);
+    const float *x = node->sides + (sign * n[0] > 0 ? LANES : 0);
+    const float *y = node->sides + (sign * n[1] > 0 ? 3 : 2) * LANES;
+    const float *z = node->sides + (sign * n[2] > 0 ? 5 : 4) * LANES;
+#pragma omp simd
+    for (int i = 0; i < LANES; i++)
+        last[i] += n[0] * x[i] + n[1] * y[i] + n[2] * z[i];
+}
+
+// Which boxes of a node are, or may be, in the frustum, as bits; and how near each begins. If even
+// the last corner of a box along the normal of a side is outside, the whole box is. For rounding,
+// there is a margin of 2^-20 of the largest distance in the node.
+static unsigned frustum_enters(const Frustum *frustum, const WideNode *node, float *near)
+{
+    float corner[3], reach = node->size;
+    for (int axis = 0; axis < 3; axis++) {
+        corner[axis] = (float)((double)node->corner[axis] - frustum->eye[axis]);
+        reach += fabsf(corner[axis]);
+    }
+    float least[LANES];
+    for (int i = 0; i < LANES; i++)
+        least[i] = INFINITY;
+    for (int side = LEFT; side <= AHEAD; side++) {
+        const float *n = frustum->normal[side];
+        float sum = fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]), last[LANES];
+        float begin = n[0] * corner[0] + n[1] * corner[1] + n[2] * corner[2];
+        begin += (side == AHEAD ? -0x1p-19F : 0x1p-19F) * reach * sum;
+        for (int i = 0; i < LANES; i++)
+            last[i] = begin;
+        add_last_corners(node, n, side == AHEAD ? -1 : 1, last);
+#pragma omp simd
+        for (int i = 0; i < LANES; i++) {
+            least[i] = side < AHEAD ? smaller(least[i], last[i]) : least[i];
+            near[i] = last[i];
+        }
+    }
     unsigned enters = 0;
 #pragma omp simd reduction(| : enters)
-    for (int i = 0; i < LANES; i++) {
-        float middle_x = node->middle[0][i] + x, half_x = node->half[0][i] + more;
-        float middle_y = node->middle[1][i] + y, half_y = node->half[1][i] + more;
-        float middle_z = node->middle[2][i] + z, half_z = node->half[2][i] + more;
-        bool in = i < node->boxes;
-        for (int side = 0; side < AHEAD; side++) {
-            const float *n = frustum->normal[side];
-            in &= n[0] * middle_x + n[1] * middle_y + n[2] * middle_z + fabsf(n[0]) * half_x +
-                      fabsf(n[1]) * half_y + fabsf(n[2]) * half_z >=
-                  0;
-        }
-        const float *n = frustum->normal[AHEAD];
-        near[i] = n[0] * middle_x + n[1] * middle_y + n[2] * middle_z - fabsf(n[0]) * half_x -
-                  fabsf(n[1]) * half_y - fabsf(n[2]) * half_z;
-        in &= near[i] <= frustum->farthest;
-        enters |= (unsigned)in << i;
-    }
+    for (int i = 0; i < LANES; i++)
+        enters |= (unsigned)((least[i] >= 0) & (near[i] <= frustum->farthest)) << i;
     return enters;
 }
 
@@ -99,7 +112,7 @@ static bool show(Frustum *frustum, const View *view, const Tile *tile, int spher
             int i = row * TILE_BLOCKS + column;
             Packet *packet = &frustum->packets[i];
             if (packet_may_see(packet, seen)) {
-                packet_see(packet, seen, view->colors[sphere]);
+                packet_see(packet, seen);
                 changed = true;
             }
         }
@@ -107,52 +120,35 @@ static bool show(Frustum *frustum, const View *view, const Tile *tile, int spher
     return changed;
 }
 
-// Floats of one sign have the order of their bits, and the largest integer is found faster.
-static float largest(const float *x)
-{
-    int32_t most = 0;
-#pragma omp simd reduction(max : most)
-    for (int i = 0; i < LANES; i++) {
-        int32_t bits;
-        memcpy(&bits, &x[i], sizeof bits);
-        most = bits > most ? bits : most;
-    }
-    float result;
-    memcpy(&result, &most, sizeof result);
-    return result;
-}
-
 // Spheres ask the tile. After that, nothing farther away than the farthest of its certain hits
 // matters. (An end is t v.v, a distance times |v|: divided by the least |v| it is not less than the
 // distance.)
-static void ask(Frustum *frustum, const View *view, const Tile *tile, int first, int count)
+static void ask(Frustum *frustum, const View *view, const Tile *tile, const WideLeaf *leaf)
 {
     bool changed = false;
-    for (int i = first; i < first + count; i++)
+    for (int i = leaf->first; i < leaf->first + leaf->count; i++)
         changed |= show(frustum, view, tile, i);
     if (!changed)
         return;
-    float end[LANES] = {0};
+    float end = 0;
     for (int k = 0; k < PACKETS; k++)
-#pragma omp simd
+#pragma omp simd reduction(max : end)
         for (int i = 0; i < LANES; i++)
-            end[i] = larger(end[i], frustum->packets[k].end[i]);
-    frustum->farthest = largest(end) / frustum->shortest;
+            end = larger(frustum->packets[k].end[i], end);
+    frustum->farthest = end / frustum->shortest * (float)view->wide->scale;
 }
 
 // Adds the boxes of a node that the tile enters to the waiting ones, sorted, the nearest last;
 // returns the new number.
-static int enter(const Frustum *frustum, const View *view, const WideNode *node, Waiting *waiting,
-                 int count)
+static int enter(const Frustum *frustum, const WideNode *node, Waiting *waiting, int count)
 {
     float near[LANES];
     int before = count;
-    for (unsigned enters = frustum_enters(frustum, view, node, near); enters != 0;
-         enters &= enters - 1) {
+    for (unsigned enters = frustum_enters(frustum, node, near); enters != 0; enters &= enters - 1) {
         int i = __builtin_ctz(enters), place = count++; // the lowest bit that is set
         for (; place > before && waiting[place - 1].near < near[i]; place--)
             waiting[place] = waiting[place - 1];
-        waiting[place] = (Waiting){near[i], node->first[i], node->count[i]};
+        waiting[place] = (Waiting){near[i], node->below[i]};
     }
     return count;
 }
@@ -163,16 +159,16 @@ void LANES(walk_frustum)(const View *view, Tile *tile)
     frustum_begin(&frustum, view, tile);
     Waiting waiting[MOST_WAITING];
     int count = 0;
-    if (view->wide != NULL)
-        waiting[count++] = (Waiting){0}; // the root
+    if (view->nodes != NULL)
+        waiting[count++] = (Waiting){-INFINITY, 0}; // the root
     while (count > 0) {
         Waiting next = waiting[--count];
         if (next.near > frustum.farthest)
             continue;
-        if (next.count > 0)
-            ask(&frustum, view, tile, next.first, next.count);
+        if (next.below < 0)
+            ask(&frustum, view, tile, &view->wide->leaves[~next.below]);
         else
-            count = enter(&frustum, view, &view->wide[next.first], waiting, count);
+            count = enter(&frustum, &view->wide->nodes[next.below], waiting, count);
     }
     for (int i = 0; i < PACKETS; i++)
         packet_end(&frustum.packets[i], tile->column + i % TILE_BLOCKS, tile->row + i / TILE_BLOCKS,

@@ -7,6 +7,7 @@
 // before it (a handout), so calls of those are reported too.
 #include "tests/judge/calls_traced.h"
 
+#include "chapters/book/instead/page.h"
 #include "tests/judge/exercise.h"
 #include "tests/judge/parameters.h"
 
@@ -33,6 +34,7 @@ void trace_end(void)
 
 static void enter(int exercise)
 {
+    fill_stack_again();
     if (say == NULL || is_known[exercise] || exercise == called)
         return;
     is_known[exercise] = true;
@@ -81,12 +83,6 @@ static bool is_lent(int exercise)
         else                                                                                       \
             __real_##name(NAMES(parameters));                                                      \
     }
-#define NAMES(parameters) EACH(BY_PASSING, COMMA, NAME, parameters)
-#define NAME_VALUE(i, type, name) name
-#define NAME_CONST_POINTER(i, type, name) name
-#define NAME_POINTER(i, type, name) name
-#define NAME_IMAGE(i, type, name) name
-#define NAME_PIXELS(i, type, name) name
 
 #ifdef EARLIER_ANSWERS
 #define CHAPTER(number) (ANSWERED >= number)

@@ -2,9 +2,9 @@
 //
 // Usage: NN-stem-numbers --figure=NAME [OPTION]..., with the figure's options. Prints {"NAME":
 // "NUMBER", ...} for the numbers that differ from those of chapters/example.h. The linker puts
-// __wrap_NAME in the place of the functions of common/example.c (--wrap=NAME).
+// __wrap_NAME in the place of the functions of chapters/shared/example.c (--wrap=NAME).
 #include "chapters/lessons/fill.h"
-#include "common/example.h"
+#include "chapters/shared/example.h"
 #include "common/figure/json.h"
 #include "common/options.h"
 

@@ -29,6 +29,7 @@ OF_PAGE(answer_steps) double answer_steps(void); // of all instances so far
 // For the answer: the other end.
 OF_PAGE(call_get) bool call_get(void *bytes, size_t size);
 OF_PAGE(call_put) void call_put(const void *bytes, size_t size);
+void fill_stack_again(void); // with the same byte (steps.c)
 OF_PAGE(out_of_steps) _Noreturn void out_of_steps(void);
 
 // For the tests: runs the exported function 'guarded', which may leave. False if it has left.

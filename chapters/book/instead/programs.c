@@ -13,6 +13,10 @@ void programs_end_with_us(void)
 {
 }
 
+void programs_end_as_usual_by_interrupt(void)
+{
+}
+
 bool program_is_there(const char *name)
 {
     return program_exists(name);
@@ -37,37 +41,6 @@ int program_run_for(const Command *command, const char *output, int seconds)
     int status = program_start(words, size, output, seconds);
     free(words);
     return status;
-}
-
-// The plan of the page has no assembler, so nobody asks for two at once.
-int program_run_piped(const Command *first, const Command *second, const char *output)
-{
-    int status = program_run(first, output);
-    return status != 0 ? status : program_run(second, output);
-}
-
-// Nobody watches files here, so no program waits.
-bool program_start_waiting(const Command *command, const char *said, WaitingProgram *waiting)
-{
-    (void)command;
-    (void)said;
-    (void)waiting;
-    return false;
-}
-
-int program_feed(WaitingProgram *waiting, const char *text, const Command *reader,
-                 const char *output)
-{
-    (void)waiting;
-    (void)text;
-    (void)reader;
-    (void)output;
-    return 127;
-}
-
-void program_end_waiting(WaitingProgram *waiting)
-{
-    (void)waiting;
 }
 
 void work_side_by_side(int count, int (*work)(int number, void *given), void *given, int *statuses)

@@ -7,12 +7,6 @@
 #include "tests/exercises.def" // the contracts
 
 #define IF_WANTED(name, yes, no) IF_VOID_(WANTED_##name, yes, no, ~)
-#define NAMES(parameters) EACH(BY_PASSING, COMMA, NAME, parameters)
-#define NAME_VALUE(i, type, name) name
-#define NAME_CONST_POINTER(i, type, name) name
-#define NAME_POINTER(i, type, name) name
-#define NAME_IMAGE(i, type, name) name
-#define NAME_PIXELS(i, type, name) name
 
 #define NONE(result, name, parameters)
 #define BY_REFERENCE(result, name, parameters)                                                     \

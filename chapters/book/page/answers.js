@@ -24,13 +24,17 @@ export function nameOfText(text) {
  * @param {object} of
  * @param {Storage | null} of.storage localStorage, or null if the browser refuses it
  * @param {string} of.folder the folder of the site
- * @param {(words: string) => void} of.onTrouble called if something could not be kept, with words for the student
+ * @param {(words: string) => void} of.onTrouble called if something could not be kept, with words for the student; with
+ *     none if all is kept again
  */
 export function openAnswers({ storage, folder, onTrouble }) {
     const key = (stem, what = "answer") => `ray-casting ${folder} ${stem} ${what}`;
     const memory = new Map(); // what this page knows, even if the browser keeps nothing
+    const refused = new Set(); // of that, what the browser has not kept: what it has there is older
 
     function read(name) {
+        if (refused.has(name))
+            return memory.get(name);
         try {
             return storage?.getItem(name) ?? memory.get(name) ?? null;
         } catch {
@@ -44,12 +48,15 @@ export function openAnswers({ storage, folder, onTrouble }) {
             if (storage === null)
                 throw new Error("no storage");
             storage.setItem(name, value);
+            if (refused.delete(name) && refused.size === 0)
+                onTrouble("");
             return true;
         } catch (reason) {
+            refused.add(name);
             const isFull = /quota/i.test(`${reason?.name} ${reason?.message}`) && storage?.length > 0;
             onTrouble(isFull
-                ? "The browser has no more room to save your answers. Download them on the start page before you close this tab."
-                : "This browser does not save your answers (a private window, or a setting). Download them on the start page before you close this tab.");
+                ? "The browser has no more room to save your answers. Download them before you leave this page."
+                : "This browser does not save your answers (a private window, or a setting). Download them before you leave this page.");
             return false;
         }
     }
@@ -92,6 +99,13 @@ export function openAnswers({ storage, folder, onTrouble }) {
             return verdict && verdict.of === nameOfText(read(key(stem)) ?? "") ? verdict : null;
         },
         saveVerdict: (stem, verdict) => put(key(stem, "verdict"), JSON.stringify(verdict)),
+        /** Keeps what the judge said of a text. */
+        saveJudged(stem, text, { record, right, total, done }) {
+            put(key(stem, "record"), record);
+            this.saveVerdict(stem, { of: nameOfText(text), right, total, done });
+        },
+        /** Whether the browser has kept the text of a chapter. */
+        isKept: (stem) => !refused.has(key(stem)),
         /** Anything else of a chapter that must outlive the page. */
         note: (stem, what) => read(key(stem, what)),
         saveNote: (stem, what, value) => put(key(stem, what), value),

@@ -1,6 +1,5 @@
 // exercise.js - the exercise of a chapter: the editor, and everything around it. The work is done in a Worker
 // (judge_worker.js), so the page always answers.
-import { nameOfText } from "./answers.js";
 import { Helper, Stopped } from "./helper.js";
 
 const PAUSE = 600;    // milliseconds without a key, after which an answer is judged
@@ -28,6 +27,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
     const still = $("editor").querySelector("pre"), blank = still.textContent;
     const helper = new Helper(() => new Worker(new URL("judge_worker.js", site), { type: "module" }));
     const say = (words) => { $("state").textContent = words; };
+    const saved = () => answers.isKept(stem) ? "Your answer is saved." : "Your answer is not saved.";
     $("judge-keys").textContent = isMac ? "⌘ ⏎" : "Ctrl Enter";
 
     // ---- saving ----------------------------------------------------------------------------------
@@ -157,7 +157,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         const wanted = await Promise.all([
             ...verdict.scripts.map(async (script) => {
                 const is = (other) => other.script === script && other.theme === theme;
-                return before.find(is) ?? { script, theme, type: "image/svg+xml", caption: "Yours is dashed, beside the right one.", ...await drawFigure(script, theme) };
+                return before.find(is) ?? { script, theme, type: "image/svg+xml", caption: "Yours beside the expected one.", ...await drawFigure(script, theme) };
             }),
             ...verdict.pictures.map(({ bytes, words }) => before.find((other) => other.words === words && !other.script && isSame(other.bytes, bytes)) ?? { bytes, words, type: "image/png" })]);
         if (verdict !== shown || theme !== themeNow())
@@ -202,8 +202,7 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
         editor.mark(verdict.marks ?? marksOf(verdict.messages ?? "", stem));
         shown = verdict;
         drawPictures().catch((reason) => showTrouble(`The figure of the verdict could not be drawn: ${reason.message}.`));
-        answers.saveNote(stem, "record", verdict.record);
-        answers.saveVerdict(stem, { of: nameOfText(text), right: verdict.right, total: verdict.total, done: verdict.done });
+        answers.saveJudged(stem, text, verdict);
         onVerdict();
     }
 
@@ -237,11 +236,11 @@ export function setUpExercise({ stem, site, course, answers, themeNow, showTroub
                 throw reason;
             });
             show(verdict, text);
-            say(`Saved and judged, ${Math.round(took || performance.now() - start)} ms.`);
+            say(`${answers.isKept(stem) ? "Saved and judged" : "Judged, not saved"}, ${Math.round(took || performance.now() - start)} ms.`);
         } catch (reason) {
             showTrouble(reason instanceof Stopped
-                ? `The judge was ended and starts again, because ${reason.message}. Your answer is saved. Change it, or press Judge to try again.`
-                : `This could not be judged: ${reason.message}. Your answer is saved. Press Judge to try again.`);
+                ? `The judge was ended and starts again, because ${reason.message}. ${saved()} Change it, or press Judge to try again.`
+                : `This could not be judged: ${reason.message}. ${saved()} Press Judge to try again.`);
             if (reason instanceof Stopped)
                 getReady().catch(() => {});
         }

@@ -3,9 +3,9 @@
 import { liveFigure } from "../live_figure.js";
 import { numbersFollow } from "./numbers.js";
 
-/** The static files of a figure: the wide SVG of a theme. Not each step has one. */
-const fileOf = (site, { stem, name, step }, theme) =>
-    new URL(`chapters/${stem}/figures/${name}${step ? `-step${step}` : ""}${theme === "dark" ? "-dark" : ""}.svg`, site);
+/** The wide SVG of a static figure in a theme. A chart has one for both. */
+const fileOf = (site, figure, theme) =>
+    new URL(figure.dataset.src.replace(/\.svg$/, theme === "dark" && figure.querySelector("source") ? "-dark$&" : "$&"), site);
 
 /** In the site of a handout, whose programs would hold answers. */
 const areStatic = document.documentElement.dataset.figures === "static";
@@ -79,7 +79,7 @@ function fullScreenView({ site, themeNow, figures, drawer }) {
             if (mine !== shown)
                 return;
             steps = step = 1;
-            img.src = fileOf(site, { stem, name, step: figures[at].dataset.step }, themeNow());
+            img.src = fileOf(site, figures[at], themeNow());
             status.textContent = `Figure ${at + 1} of ${figures.length}`;
         }
     }

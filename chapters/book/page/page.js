@@ -20,7 +20,35 @@ export function showTrouble(words) {
 }
 
 const site = new URL(up || ".", location.href);
-const answers = openAnswers({ storage: writableStorage(), folder: site.pathname, onTrouble: showTrouble });
+const answers = openAnswers({ storage: writableStorage(), folder: site.pathname, onTrouble: showUnsaved });
+
+// ---- answers that the browser does not keep -------------------------------------------------------
+
+let isRefused = false, downloaded = ""; // all texts, when they were downloaded
+const allTexts = (course) => JSON.stringify(course.stems.map((each) => answers.text(each)));
+
+/** Another page does not know what this one has, so the download is beside the words. */
+function showUnsaved(words) {
+    isRefused = words !== "";
+    const place = $("unsaved");
+    if (!place)
+        return;
+    place.hidden = words === "";
+    if (place.firstElementChild.textContent !== words)
+        place.firstElementChild.textContent = words;
+}
+function setUpDownload(button, course) {
+    button?.addEventListener("click", async () => {
+        showTrouble("");
+        try {
+            const { download } = await import("./hand_in.js"), count = download(course.stems, answers);
+            downloaded = allTexts(course);
+            $("state").textContent = count === 0 ? "There is no answer yet. Begin with a chapter." : `submission.zip has ${count} answer${count === 1 ? "" : "s"}.`;
+        } catch (reason) {
+            showTrouble(reason.message);
+        }
+    });
+}
 
 // ---- theme --------------------------------------------------------------------------------------
 
@@ -102,18 +130,27 @@ function showProgress(course) {
 
 // ---- the start page -----------------------------------------------------------------------------
 
-async function setUpStart(course) {
-    const { download, answersIn } = await import("./hand_in.js");
-    const say = (words) => { $("state").textContent = words; };
-    $("download").addEventListener("click", () => {
-        showTrouble("");
+/** Judges answers that were not typed here, one after the other, so that the page can count what is right. */
+async function judgeAll(stems, course, onNext) {
+    const helper = new Helper(() => new Worker(new URL("judge_worker.js", site), { type: "module" }));
+    for (const each of stems.filter((one) => answers.verdict(one) === null)) {
+        onNext(each);
+        const text = answers.text(each), sources = Object.fromEntries(course.stems.map((one) => [one, answers.text(one)]).filter(([, other]) => other !== null));
         try {
-            const count = download(course.stems, answers);
-            say(count === 0 ? "There is no answer yet. Begin with a chapter." : `submission.zip has ${count} answer${count === 1 ? "" : "s"}.`);
-        } catch (reason) {
-            showTrouble(reason.message);
+            const verdict = await helper.ask({ do: "judge", stem: each, sources, records: {}, columns: 80, isDrawn: false });
+            if (answers.text(each) === text) // nothing else was loaded meanwhile
+                answers.saveJudged(each, text, verdict);
+        } catch {
+            // Its own page says why it could not be judged.
         }
-    });
+        showProgress(course);
+    }
+    helper.stop("all are judged", false);
+}
+
+async function setUpStart(course) {
+    const { answersIn } = await import("./hand_in.js");
+    const say = (words) => { $("state").textContent = words; };
     $("upload").addEventListener("change", async (event) => {
         showTrouble("");
         try {
@@ -124,8 +161,9 @@ async function setUpStart(course) {
                 answers.keepVersion(each, "before an upload");
                 answers.save(each, text);
             }
-            say(`Loaded ${[...found.keys()].map((each) => each.slice(0, 2)).sort().join(", ")}. Open a chapter to see its verdict.`);
+            const stems = [...found.keys()].sort(), loaded = `Loaded ${stems.map((each) => each.slice(0, 2)).join(", ")}.`;
             showProgress(course);
+            judgeAll(stems, course, (each) => say(`${loaded} Judging ${each.slice(0, 2)}.`)).then(() => say(`${loaded} Open a chapter to see its verdict.`));
         } catch (reason) {
             showTrouble(`The upload was not read: ${reason.message}. Nothing has changed.`);
         }
@@ -144,6 +182,12 @@ const drawer = new Helper(() => new Worker(new URL("figure_worker.js", site), { 
 const firstFigure = document.querySelector(".figure") && setUpFigures({ site, themeNow, drawer });
 const course = COURSE; // written here when the site is built: site/make_pages.mjs
 showProgress(course);
+setUpDownload($("download"), course);
+setUpDownload($("unsaved")?.querySelector("button"), course);
+addEventListener("beforeunload", (event) => {
+    if (isRefused && allTexts(course) !== downloaded)
+        event.preventDefault(); // the browser asks
+});
 addEventListener("storage", (event) => {
     if (answers.changeIn(event, course.stems))
         showProgress(course);

@@ -60,30 +60,30 @@ function sizeOfPng(file) {
     return { width: bytes.readUInt32BE(16), height: bytes.readUInt32BE(20) };
 }
 
-const attribute = (tag, name) => new RegExp(`\\b${name}="([^"]*)"`).exec(tag)?.[1];
-
-/** The parts of a figure's file name: NAME-4x3-step2-dark.svg. */
-const figureName = (src) => /([^/]+?)(-4x3)?(?:-step(\d+))?(-dark)?\.svg$/.exec(src);
-
 /**
  * A static figure that the page can replace by the live one: the picture, its words, and room for a button.
- * `src` is the path in the site of its light, wide SVG.
+ * A figure with a layout is four files, drawn for the site: wide and narrow, light and dark. A chart is the lesson's file.
+ * @param {object} of
+ * @param {string} of.root the folder of the toolkit
+ * @param {string} of.file the lesson's SVG, chapters/NN-stem/NAME[-stepN].svg
+ * @param {Set<string>} of.used gets the path in the site of each SVG
  */
-export function figure({ stem, picture, src, words, first }) {
-    const [, name, , step] = figureName(src);
-    return `<figure class="figure" data-stem="${stem}" data-figure="${name}"${step ? ` data-step="${step}"` : ""}>
-<div class="drawing">${picture.replace(/<img /, `<img width="960" height="540" ${first ? 'fetchpriority="high"' : 'loading="lazy"'} decoding="async" `)}</div>
+export function figure({ root, file, words, first, used }) {
+    const [, stem, name, step] = /^chapters\/([^/]+)\/([^/]+?)(?:-step(\d+))?\.svg$/.exec(file);
+    const isDrawn = existsSync(join(root, `chapters/${stem}/figures/${name}.gp`));
+    const use = (path) => {
+        used.add(path);
+        return path;
+    };
+    const drawn = (shape, theme) => use(`chapters/${stem}/figures/${name}${shape}${step ? `-step${step}` : ""}${theme}.svg`);
+    const src = isDrawn ? drawn("", "") : use(file);
+    const sources = isDrawn ? `<source media="(max-width: 600px) and (prefers-color-scheme: dark)" srcset="${drawn("-4x3", "-dark")}">` +
+        `<source media="(max-width: 600px)" srcset="${drawn("-4x3", "")}">` +
+        `<source media="(prefers-color-scheme: dark)" srcset="${drawn("", "-dark")}">` : "";
+    return `<figure class="figure" data-stem="${stem}" data-figure="${name}"${step ? ` data-step="${step}"` : ""} data-src="${src}">
+<div class="drawing"><picture>${sources}<img width="960" height="540" ${first ? 'fetchpriority="high"' : 'loading="lazy"'} decoding="async" alt="${words}" src="${src}"></picture></div>
 <figcaption><details><summary>In words</summary><p>${words}</p></details></figcaption>
 </figure>`;
-}
-
-/** The four files of a figure as one picture: wide and narrow, light and dark. */
-export function pictureOf(base, step, words) {
-    const file = (shape, theme) => `${base}${shape}${step ? `-step${step}` : ""}${theme}.svg`;
-    return `<picture><source media="(max-width: 600px) and (prefers-color-scheme: dark)" srcset="${file("-4x3", "-dark")}">` +
-        `<source media="(max-width: 600px)" srcset="${file("-4x3", "")}">` +
-        `<source media="(prefers-color-scheme: dark)" srcset="${file("", "-dark")}">` +
-        `<img alt="${words}" src="${file("", "")}"></picture>`;
 }
 
 /**
@@ -98,7 +98,6 @@ export function pictureOf(base, step, words) {
  */
 export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {
     const source = readFileSync(join(root, path), "utf8");
-    const stem = /^chapters\/([^/]+)\//.exec(path)?.[1] ?? "";
     const resolve = (link) => normalize(join(dirname(path), link));
     const use = (link) => {
         const file = resolve(link);
@@ -134,29 +133,25 @@ export function lessonHtml({ root, path, pageOf, used, marked = "", up = "" }) {
         first = false;
         return attributes;
     };
-    markdown.renderer.rules.image = (tokens, at) => {
-        const src = use(tokens[at].attrGet("src"));
-        const words = escape(tokens[at].content);
-        const file = join(root, resolve(tokens[at].attrGet("src")));
-        const size = src.endsWith(".png") ? sizeOfPng(file) : { width: 960, height: 540 };
-        return `<img class="${src.endsWith(".svg") ? "chart" : "picture"}" alt="${words}" src="${src}" width="${size.width}" height="${size.height}"${lazily()}>`;
+    markdown.renderer.rules.image = (tokens, at, options, env, self) => {
+        const words = escape(self.renderInlineAsText(tokens[at].children, options, env));
+        const file = resolve(tokens[at].attrGet("src"));
+        if (file.endsWith(".svg")) {
+            const made = figure({ root, file, words, first, used });
+            first = false;
+            return made;
+        }
+        const { width, height } = sizeOfPng(join(root, file));
+        return `<img class="picture" alt="${words}" src="${use(tokens[at].attrGet("src"))}" width="${width}" height="${height}"${lazily()}>`;
     };
 
     const html = toSpans(markdown.render(withMarks(source, marked)))
-        .replace(/<p>(<picture>.*?<\/picture>)<\/p>/gs, (_, picture) => {
-            const img = /<img[^>]*>/.exec(picture)[0];
-            for (const [, link] of picture.matchAll(/(?:src|srcset)="([^"]*)"/g))
-                use(link);
-            const relinked = picture.replace(/(src|srcset)="([^"]*)"/g, (__, name, link) => `${name}="${use(link)}"`);
-            const made = figure({ stem, picture: relinked, src: use(attribute(img, "src")), words: attribute(img, "alt"), first });
-            first = false;
-            return made;
-        })
+        .replace(/<p>(<figure .*?<\/figure>)<\/p>/gs, "$1")
         .replace(/<table>/g, '<div class="table" tabindex="0"><table>').replace(/<\/table>/g, "</table></div>")
         .replace(/<thead>\s*<tr>\s*(<th>\s*<\/th>\s*)+<\/tr>\s*<\/thead>/g, "")
         .replace(/<p>((?:<img class="picture"[^>]*>\s*)+)<\/p>/g, '<p class="pictures">$1</p>');
     return { html, title: /^# (.*)$/m.exec(source)?.[1] ?? path, time: /^\| time \| (.*) \|$/m.exec(source)?.[1] ?? "",
-        gives: /^\| gives \| (.*) \|$/m.exec(source)?.[1] ?? "", stem };
+        gives: /^\| gives \| (.*) \|$/m.exec(source)?.[1] ?? "" };
 }
 
 /** The page needs the size of a file for its progress. */

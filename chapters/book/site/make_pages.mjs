@@ -1,15 +1,15 @@
 // make_pages.mjs - writes the pages of the site: start, chapters, figures, contracts. Runs when the site is built.
 //
-// Usage: node make_pages.mjs ROOT SITE EXERCISES.txt LESSONS [HAND-IN-ADDRESS]
+// Usage: node make_pages.mjs ROOT SITE EXERCISES.txt LESSONS DRAWN [HAND-IN-ADDRESS]
 // ROOT is the folder of the toolkit (or of a handout), EXERCISES.txt is what list_exercises prints,
-// LESSONS the folder with the lessons whose numbers are marked.
+// LESSONS the folder with the lessons whose numbers are marked, DRAWN that of the figures: NAME/NAME[-4x3][-stepN][-dark].svg.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { colouredC } from "./coloured_c.mjs";
-import { escape, figure, lessonHtml, pictureOf } from "./lesson.mjs";
+import { escape, figure, lessonHtml } from "./lesson.mjs";
 
-const [root, site, exercisesFile, lessonsFolder, handIn = ""] = process.argv.slice(2);
+const [root, site, exercisesFile, lessonsFolder, drawnFolder, handIn = ""] = process.argv.slice(2);
 const isHandout = !existsSync(join(root, "solutions")); // its figures stay static: their programs hold answers
 const used = new Set();
 const packageFolder = (name) => dirname(createRequire(import.meta.url).resolve(`${name}/package.json`));
@@ -95,6 +95,9 @@ function write(name, text) {
 /** The exercise as it is at the beginning: a handout's student has changed the other file. */
 const blankOf = (stem) => [`tests/handout/replay/blanks/${stem}.c`, `exercises/${stem}.c`].find((path) => existsSync(join(root, path)));
 
+// What the browser refuses to keep is downloaded from the page that has it (page/page.js).
+const unsaved = '<p class="note" id="unsaved" role="alert" hidden><span></span> <button type="button">Download submission.zip</button></p>';
+
 function exercise(stem) {
     return `<section class="exercise" id="exercise" aria-labelledby="exercise-title" tabindex="-1">
 <div class="exercise-head">
@@ -118,6 +121,7 @@ function exercise(stem) {
 <p class="keys">Tab indents. To leave the editor by keyboard, press <kbd>Esc</kbd>, then <kbd>Tab</kbd>.</p>
 <div class="progress" id="progress" hidden><label for="bar" id="progress-words"></label><progress id="bar" max="1"></progress></div>
 <p class="note" id="trouble" role="alert" hidden></p>
+${unsaved}
 <section class="verdict" aria-labelledby="verdict-title">
 <h3 id="verdict-title">Verdict</h3>
 <div id="verdict" aria-live="polite" aria-atomic="true"><p>Nothing is judged yet. Press <q>Judge</q>, or stop typing for a moment.</p></div>
@@ -177,6 +181,7 @@ ${handIn ? `<a class="button" href="${escape(handIn)}" rel="noopener">Hand in</a
 <p class="state" id="state" role="status"></p>
 </div>
 <p class="note" id="trouble" role="alert" hidden></p>
+${unsaved}
 <p>The archive is <code>submission.zip</code>, the same that <code>make submission</code> makes in the toolkit.${handIn ? "" : " Hand it in the way that your instructor says."}
 The verdicts here are for you: marks come from your instructor, who judges the archive again.</p>
 </section>
@@ -196,15 +201,10 @@ Science, Western Washington University, Fall 2015. The sphereflake is from Eric 
 // ---- all figures, for a lecturer ----------------------------------------------------------------
 
 const figures = stems.flatMap((stem) => {
-    const folder = join(root, "chapters", stem, "figures");
-    const files = existsSync(folder) ? readdirSync(folder) : [];
-    return files.filter((file) => file.endsWith(".svg") && files.includes(file.replace(/\.svg$/, "-dark.svg")) && !/-4x3|-step\d|-dark/.test(file)).map((file) => {
-        const name = file.replace(/\.svg$/, "");
-        const svg = readFileSync(join(folder, file), "utf8");
-        for (const other of files.filter((each) => each === file || each.startsWith(`${name}-`)).filter((each) => each.endsWith(".svg")))
-            if (new RegExp(`^${name}(-4x3)?(-step\\d+)?(-dark)?\\.svg$`).test(other))
-                used.add(`chapters/${stem}/figures/${other}`);
-        return { stem, name, title: /<title[^>]*>(.*?)<\/title>/s.exec(svg)?.[1] ?? name, words: (/<desc[^>]*>(.*?)<\/desc>/s.exec(svg)?.[1] ?? "").replace(/"/g, "&quot;") };
+    const names = readdirSync(join(root, "chapters", stem)).filter((name) => name.endsWith(".svg") && !/-step\d/.test(name));
+    return names.map((name) => {
+        const file = `chapters/${stem}/${name}`, svg = readFileSync(join(root, file), "utf8");
+        return { stem, file, title: /<title[^>]*>(.*?)<\/title>/s.exec(svg)[1], words: /<desc[^>]*>(.*?)<\/desc>/s.exec(svg)[1].replace(/"/g, "&quot;") };
     });
 });
 write("figures.html", frame({ title: "Figures · Ray casting", kind: "figures", main: `<main class="figures" id="main">
@@ -214,8 +214,8 @@ figure. <kbd>Esc</kbd> returns to this page.</p>
 ${stems.map((stem) => [stem, figures.filter((each) => each.stem === stem)]).filter(([, of]) => of.length > 0).map(([stem, of]) => `<section aria-labelledby="of-${stem}">
 <h2 id="of-${stem}"><a href="${stem}.html">${escape(lessons[stem].title)}</a></h2>
 <div class="grid">
-${of.map(({ name, title, words }) => `<section aria-label="${title}"><h3>${title}</h3>
-${figure({ stem, picture: pictureOf(`chapters/${stem}/figures/${name}`, 0, words), src: `chapters/${stem}/figures/${name}.svg`, words, first: false })}</section>`).join("\n")}
+${of.map(({ file, title, words }) => `<section aria-label="${title}"><h3>${title}</h3>
+${figure({ root, file, words, first: false, used })}</section>`).join("\n")}
 </div>
 </section>`).join("\n")}
 </main>` }));
@@ -243,7 +243,8 @@ for (const path of listings) {
 
 for (const path of used) {
     mkdirSync(dirname(join(site, path)), { recursive: true });
-    copyFileSync(join(root, path), join(site, path));
+    const [, name, drawn] = /^chapters\/[^/]+\/figures\/(([^/]+?)(?:-4x3)?(?:-step\d+)?(?:-dark)?\.svg)$/.exec(path) ?? [];
+    copyFileSync(drawn ? join(drawnFolder, drawn, name) : join(root, path), join(site, path));
 }
 const katex = packageFolder("katex");
 // Every browser of today reads woff2, so the other formats are left out; so are fonts that no formula uses.

@@ -80,41 +80,38 @@ static Color through(const View *view, Camera camera, Pixel pixel)
                                                1 - pixel.row / (SIDE - 1.0)));
 }
 
-static Color by_vectors(Pixel pixel, void *given)
+static Color by_vectors(const View *view, Pixel pixel)
 {
-    const View *view = given;
     return through(view, view->camera, pixel);
 }
 
-static Color by_look_at(Pixel pixel, void *given)
+static Color by_look_at(const View *view, Pixel pixel)
 {
-    const View *view = given;
     Camera camera = view->camera;
     LookAt look_at = {camera.origin, view->scene.view.at, vec3_of(0, 1, 0), 13, 1};
     camera_from_look_at(look_at, RIGHT_HANDED, &camera);
     return through(view, camera, pixel);
 }
 
-static Color by_places(Pixel pixel, void *given)
+static Color by_places(const View *view, Pixel pixel)
 {
-    const View *view = given;
     Normalized place = screen_to_normalized(pixel_center(pixel), view->size);
     return seen_through(view, place.s - 0.5, place.t - 0.5);
 }
 
-static Color by_rays(Pixel pixel, void *given)
+static Color by_rays(const View *view, Pixel pixel)
 {
-    const View *view = given;
     return seen_along(view, pixel_ray(view->camera, view->size, pixel).direction);
 }
 
 // ---- chapter 07 -------------------------------------------------------------------------------
 
-// The hit that a pixel sees. False if there is none.
+// The hit that a pixel sees, and what is known there.
 typedef struct {
     Ray ray;
     Hit hit;
     Sphere sphere;
+    Surface surface;
     vec3 point;
 } Seen;
 
@@ -129,9 +126,26 @@ static bool see(const View *view, Pixel pixel, Seen *seen)
     return true;
 }
 
-static Surface surface_of(const View *view, const Seen *seen)
+// Without a hit the colour is the background's.
+typedef Color ColorOfHit(const View *view, const Seen *seen);
+
+static Color color_of_hit(const View *view, Pixel pixel, ColorOfHit *color)
 {
-    return *scene_surface(&view->scene, seen->hit.sphere);
+    Seen seen;
+    if (!see(view, pixel, &seen))
+        return view->scene.background;
+    seen.surface = *scene_surface(&view->scene, seen.hit.sphere);
+    return color(view, &seen);
+}
+
+static vec3 normal_at(const Seen *seen)
+{
+    return surface_normal(seen->sphere, seen->point);
+}
+
+static vec3 to_light(const View *view, const Seen *seen)
+{
+    return ray_to_light(seen->point, view->light).direction;
 }
 
 static Color direction_color(vec3 direction)
@@ -139,114 +153,70 @@ static Color direction_color(vec3 direction)
     return (vec3_unit(direction) + vec3_of(1, 1, 1)) / 2;
 }
 
-static Color normals(Pixel pixel, void *given)
+static Color normals(const View *view, const Seen *seen)
 {
-    const View *view = given;
-    Seen seen;
-    return see(view, pixel, &seen) ? direction_color(surface_normal(seen.sphere, seen.point))
-                                   : view->scene.background;
+    (void)view;
+    return direction_color(normal_at(seen));
 }
 
-static Color ways_to_light(Pixel pixel, void *given)
+static Color ways_to_light(const View *view, const Seen *seen)
 {
-    const View *view = given;
-    Seen seen;
-    return see(view, pixel, &seen)
-               ? direction_color(ray_to_light(seen.point, view->light).direction)
-               : view->scene.background;
+    return direction_color(to_light(view, seen));
 }
 
-static Color ambient(Pixel pixel, void *given)
+static Color ambient(const View *view, const Seen *seen)
 {
-    const View *view = given;
-    Seen seen;
-    if (!see(view, pixel, &seen))
-        return view->scene.background;
-    Surface surface = surface_of(view, &seen);
-    return ambient_term(surface.color, surface.diffuse, 5 * view->scene.ambient);
+    return ambient_term(seen->surface.color, seen->surface.diffuse, 5 * view->scene.ambient);
 }
 
-static Color diffuse_of(const View *view, const Seen *seen)
+static Color diffuse(const View *view, const Seen *seen)
 {
-    Surface surface = surface_of(view, seen);
-    return diffuse_term(surface.color, surface.diffuse, view->light.color,
-                        surface_normal(seen->sphere, seen->point),
-                        ray_to_light(seen->point, view->light).direction);
+    return diffuse_term(seen->surface.color, seen->surface.diffuse, view->light.color,
+                        normal_at(seen), to_light(view, seen));
 }
 
-static Color diffuse(Pixel pixel, void *given)
+static Color mirrored(const View *view, const Seen *seen)
 {
-    const View *view = given;
-    Seen seen;
-    return see(view, pixel, &seen) ? diffuse_of(view, &seen) : view->scene.background;
+    (void)view;
+    return direction_color(mirror_direction(seen->ray.direction, normal_at(seen)));
 }
 
-static Color mirrored(Pixel pixel, void *given)
+// Highlights are as bright as the light, so that they are easily seen.
+static Color phong(const View *view, const Seen *seen)
 {
-    const View *view = given;
-    Seen seen;
-    return see(view, pixel, &seen)
-               ? direction_color(
-                     mirror_direction(seen.ray.direction, surface_normal(seen.sphere, seen.point)))
-               : view->scene.background;
+    return diffuse(view, seen) + phong_term(1, seen->surface.shine, view->light.color,
+                                            normal_at(seen), to_light(view, seen),
+                                            -seen->ray.direction);
 }
 
-typedef Color Highlight(double ks, double shine, Color light, vec3 normal, vec3 to_light,
-                        vec3 to_eye);
-
-// As bright as the light, so that it is easily seen.
-static Color highlight(const View *view, Pixel pixel, Highlight *term)
+static Color halfway(const View *view, const Seen *seen)
 {
-    Seen seen;
-    if (!see(view, pixel, &seen))
-        return view->scene.background;
-    vec3 normal = surface_normal(seen.sphere, seen.point);
-    vec3 to_light = ray_to_light(seen.point, view->light).direction;
-    return diffuse_of(view, &seen) + term(1, surface_of(view, &seen).shine, view->light.color,
-                                          normal, to_light, -seen.ray.direction);
+    return diffuse(view, seen) + halfway_term(1, seen->surface.shine, view->light.color,
+                                              normal_at(seen), to_light(view, seen),
+                                              -seen->ray.direction);
 }
 
-static Color phong(Pixel pixel, void *given)
+static Color shadows(const View *view, const Seen *seen)
 {
-    return highlight(given, pixel, phong_term);
+    vec3 start = off_surface(seen->sphere, seen->point, normal_at(seen));
+    return (0.2 + 0.8 * visibility(&view->scene, start, view->light)) * seen->surface.color;
 }
 
-static Color halfway(Pixel pixel, void *given)
+static Color shaded(const View *view, const Seen *seen)
 {
-    return highlight(given, pixel, halfway_term);
-}
-
-static Color shadows(Pixel pixel, void *given)
-{
-    const View *view = given;
-    Seen seen;
-    if (!see(view, pixel, &seen))
-        return view->scene.background;
-    vec3 normal = surface_normal(seen.sphere, seen.point);
-    double light =
-        visibility(&view->scene, off_surface(seen.sphere, seen.point, normal), view->light);
-    return (0.2 + 0.8 * light) * surface_of(view, &seen).color;
-}
-
-static Color shaded(Pixel pixel, void *given)
-{
-    const View *view = given;
-    Seen seen;
-    return see(view, pixel, &seen) ? shade(&view->scene, seen.ray, seen.hit)
-                                   : view->scene.background;
+    return shade(&view->scene, seen->ray, seen->hit);
 }
 
 enum { MIRRORS = 5 };
 
-static Color traced(Pixel pixel, void *given)
+static Color traced(const View *view, Pixel pixel)
 {
-    const View *view = given;
     return trace_ray(&view->scene, pixel_ray(view->camera, view->size, pixel), MIRRORS);
 }
 
-static Color encoded(Pixel pixel, void *given)
+static Color encoded(const View *view, Pixel pixel)
 {
-    return gamma_encode(traced(pixel, given), 2.2);
+    return gamma_encode(traced(view, pixel), 2.2);
 }
 
 // ---- chapter 08 -------------------------------------------------------------------------------
@@ -261,9 +231,8 @@ static bool is_on_edge(ScreenRectangle r, Pixel pixel)
 }
 
 // The colours are recorded, from edge to edge as in chapter 01.
-static Color by_rectangles(Pixel pixel, void *given)
+static Color by_rectangles(const View *view, Pixel pixel)
 {
-    const View *view = given;
     Color seen =
         seen_through(view, pixel.column / (SIDE - 1.0) - 0.5, 0.5 - pixel.row / (SIDE - 1.0));
     for (int i = 0; i < view->scene.sphere_count; i++)
@@ -274,13 +243,23 @@ static Color by_rectangles(Pixel pixel, void *given)
 
 // ---- all of them ------------------------------------------------------------------------------
 
-static const struct {
+static const struct Picture {
     const char *name;
-    Color (*color)(Pixel pixel, void *given);
+    Color (*of_pixel)(const View *view, Pixel pixel);
+    ColorOfHit *of_hit; // one of the two
 } pictures[] = {
-#define PICTURE(draws, name, ...) {name, draws},
+#define PICTURE(draws, name, ...) {name, draws, NULL},
+#define PICTURE_OF_HIT(draws, name, ...) {name, NULL, draws},
 #include "tests/course/pictures/pictures.def"
 };
+
+static const struct Picture *drawn;
+
+static Color color_of_pixel(Pixel pixel, void *given)
+{
+    return drawn->of_pixel != NULL ? drawn->of_pixel(given, pixel)
+                                   : color_of_hit(given, pixel, drawn->of_hit);
+}
 
 int main(int argc, char **argv)
 {
@@ -308,8 +287,10 @@ int main(int argc, char **argv)
                            .height = 2};
     view.light = view.scene.lights[0];
     for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++)
-        if (strcmp(pictures[i].name, argv[3]) == 0)
-            return picture_write(argv[4], view.size, pictures[i].color, &view);
+        if (strcmp(pictures[i].name, argv[3]) == 0) {
+            drawn = &pictures[i];
+            return picture_write(argv[4], view.size, color_of_pixel, &view);
+        }
     fprintf(stderr, "%s: no such picture\n", argv[3]);
     return EXIT_WRONG_USAGE;
 }

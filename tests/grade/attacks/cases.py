@@ -3,15 +3,23 @@
 A file holds the attacks of one family. Each is a section, which is one submission of one file:
 
     // ---- name: what it tries, on as many lines as that takes.
-    // stem: 01-corners             the exercise that it is handed in for
-    // expect: crashed | graded     the statuses that it may get
-    // earns: upper_right           the functions whose marks it gets: no others; nothing; everything;
-                                    'perhaps' before those that may be spoilt by its own doing
-    // says: killed | by itself     one of these is among the verdict's words
-    // rest: none                   a function that is missing stays missing; else blanks are added
-    // needs: a process namespace   without one, it is left out
+    // -> crashed | graded; earns upper_right; says killed | by itself
+    vec3 upper_left(Camera c) ...
 
-@TREE@ and the like are replaced by places of this run: an attacker is taken to have guessed them.
+After the arrow are the statuses that it may get, then, each only if it is so:
+
+    earns FUNCTIONS     they get their marks, and no others; 'everything': all of its exercise
+    perhaps FUNCTIONS   they may get their marks, or be spoilt by its own doing
+    also FUNCTIONS      they are right, and get no marks
+    wrong FUNCTIONS     they are wrong; how does not matter
+    says WORDS | WORDS  one of these is among the verdict's words
+    of STEM             the exercise that it is handed in for, if it is not 01-corners
+    bare                handed in as it is; else the contract and prelude.h come before it, and after it such
+                        answers for the functions named here that it does not have, and blanks for the others
+    needs WHAT          without it, the attack is left out
+
+A text that includes its contract itself gets no prelude. @TREE@ and the like are replaced by places of this run: an
+attacker is taken to have guessed them.
 """
 from __future__ import annotations
 
@@ -22,8 +30,8 @@ from pathlib import Path
 from grade.exercises import Exercise
 
 FOLDER = Path(__file__).resolve().parent
-STATUSES = {"graded", "does not compile", "empty", "timed out", "crashed"}
-KEYS = {"stem", "expect", "earns", "says", "rest", "needs"}
+STATUSES = {"graded", "does not compile", "empty", "timed out", "crashed", "cannot be read", "partly read"}
+KEYS = {"earns", "perhaps", "also", "wrong", "says", "of", "bare", "needs"}
 SECTION = "// ---- "
 
 
@@ -39,8 +47,13 @@ class Expected:
 @dataclass(frozen=True)
 class Case:
     name: str
-    text: str      # as it is handed in, but for places and blanks
+    statuses: set
     head: dict     # KEY -> words
+    text: str      # after the head
+
+    @property
+    def stem(self) -> str:
+        return self.head.get("of", "01-corners")
 
 
 def by_stem(exercises: list[Exercise]) -> dict[str, dict[str, str]]:
@@ -51,66 +64,40 @@ def by_stem(exercises: list[Exercise]) -> dict[str, dict[str, str]]:
     return found
 
 
-def head_of(text: str, where: str) -> dict[str, str]:
-    """KEY -> words. An unknown line is a mistake in the file."""
-    head: dict = {}
-    for line in text.splitlines()[1:]:
-        match = re.match(r"// (\w+): (.+)", line)
-        if match and match[1] in KEYS:
-            head[match[1]] = match[2]
-        elif not line.startswith("// ") or head:
-            break
-    if not {"stem", "expect", "earns"} <= head.keys():
-        raise ValueError(f"{where}: expected the lines stem, expect and earns")
-    if not set(head["expect"].split(" | ")) <= STATUSES:
-        raise ValueError(f"{where}: expect: {head['expect']}: expected some of {sorted(STATUSES)}")
-    return head
-
-
-def sections_of(text: str, file: str) -> list[Case]:
-    """The cases of one file, whose first lines say what they have in common."""
-    first, *sections = ("\n" + text).split(f"\n{SECTION}")
-    odd = [line for line in first.splitlines() if line and not line.startswith("// ")]
-    if odd or not first.startswith(f"\n// {file} - "):
-        raise ValueError(f"{file}: expected '// {file} - what they have in common', then sections")
-    cases = []
-    for section in sections:
-        match = re.match(r"([a-z0-9-]+): \S", section)
-        if not match:
-            raise ValueError(f"{file}: {section.splitlines()[0]}: expected '{SECTION}name: what it tries'")
-        text = f"// {section.strip()}\n"
-        cases.append(Case(match[1], text, head_of(text, f"{file}, {match[1]}")))
-    if not cases:
-        raise ValueError(f"{file}: no section")
-    return cases
+def case_of(section: str, file: str) -> Case:
+    comment = re.match(r"(.*\n(?:// .*\n)*)", section)[1]
+    match = re.fullmatch(r"([a-z0-9-]+): \S.*? -> (.+)", comment.strip().replace("\n// ", " "))
+    if not match:
+        raise ValueError(f"{file}: {comment!r}: expected '{SECTION}name: what it tries', and after '-> ' what it gets")
+    statuses, *rest = match[2].split("; ")
+    head = {key: words for key, _, words in (part.partition(" ") for part in rest)}
+    if not set(statuses.split(" | ")) <= STATUSES or not head.keys() <= KEYS:
+        raise ValueError(f"{file}: {match[2]}: expected some of {sorted(STATUSES)}, then of {sorted(KEYS)}")
+    return Case(match[1], set(statuses.split(" | ")), head, section[len(comment):])
 
 
 def read(folder: Path = FOLDER) -> dict[str, Case]:
     """All of them: name -> Case."""
     found: dict[str, Case] = {}
     for path in sorted(folder.glob("*.c")):
-        for case in sections_of(path.read_text(encoding="utf-8"), path.name):
+        for section in ("\n" + path.read_text(encoding="utf-8")).split(f"\n{SECTION}")[1:]:
+            case = case_of(section, path.name)
             if case.name in found:
                 raise ValueError(f"{path.name}: {case.name} is there twice")
             found[case.name] = case
     return found
 
 
-def expected(head: dict, functions) -> Expected:
-    statuses = set(head["expect"].split(" | "))
-    says = head["says"].split(" | ") if "says" in head else []
-    words = head["earns"].split()
-    if words == ["nothing"]:
-        return Expected(statuses, says=says)
-    if words == ["everything"]:
-        return Expected(statuses, set(functions), says=says)
-    perhaps = words[0] == "perhaps"
-    unknown = set(words[perhaps:]) - set(functions)
-    if unknown:
-        raise ValueError(f"earns: {unknown.pop()}: no function of {head['stem']}")
-    if perhaps:
-        return Expected(statuses, perhaps=set(words[1:]), says=says)
-    return Expected(statuses, set(words), says=says)
+def named(case: Case, key: str, functions) -> set:
+    words = case.head.get(key, "").split()
+    if not set(words) <= {*functions, "everything"}:
+        raise ValueError(f"{case.name}: {key} {' '.join(words)}: no functions of {case.stem}")
+    return set(functions) if words == ["everything"] else set(words)
+
+
+def expected(case: Case, functions) -> Expected:
+    says = case.head["says"].split(" | ") if "says" in case.head else []
+    return Expected(case.statuses, named(case, "earns", functions), named(case, "perhaps", functions), says)
 
 
 def blank(prototype: str) -> str:
@@ -119,31 +106,51 @@ def blank(prototype: str) -> str:
     return f"\n{prototype}\n{{\n    {body}\n}}\n"
 
 
-def completed(text: str, functions: dict) -> str:
-    """With a blank for every function that it neither defines nor declares."""
-    missing = [prototype for name, prototype in functions.items()
-               if not re.search(rf"^\w[^\n;=]*\b{name}\(", text, re.M)]
-    return text + '\n#include "common/answers.h"\n' + "".join(map(blank, missing))
+def completed(text: str, functions: dict, given: dict | None = None) -> str:
+    """With an answer, or a blank, for every function that it neither defines nor declares."""
+    text += '\n#include "common/answers.h"\n'
+    for name, prototype in functions.items():
+        if not re.search(rf"^\w[^\n;=]*\b{name}\(", text, re.M):
+            text += (given or {}).get(name) or blank(prototype)
+    return text
 
 
-def filled(text: str, places: dict) -> bytes:
+def answers(case: Case, functions: dict, reference: str) -> dict:
+    """FUNCTION -> its definition, for those that are said to be right or wrong."""
+    found = {name: f"{functions[name]}\n{{\n    return c.up;\n}}\n" for name in named(case, "wrong", functions)}
+    for name in {name for key in ("earns", "perhaps", "also") for name in named(case, key, functions)}:
+        found[name] = re.search(rf"^{re.escape(functions[name])}\n.*?^}}\n", reference, re.M | re.S)[0]
+    return found
+
+
+def prelude() -> str:
+    """With the messages of the wire as they are now."""
+    wire = (FOLDER.parents[1] / "judge/wire.h").read_text(encoding="utf-8")
+    header = re.search(r"typedef struct \{\n    uint32_t magic;.*?\} WireCrash;\n", wire, re.S)[0]
+    return (FOLDER / "prelude.h").read_text(encoding="utf-8").replace("@WIRE@\n", header)
+
+
+def handed_in(case: Case, functions: dict, reference: str, places: dict) -> bytes:
+    text, contract = case.text, f'#include "exercises/{case.stem}.h"\n'
+    if "bare" not in case.head:
+        if contract not in text:
+            text = contract + prelude() + text
+        text = completed(text, functions, answers(case, functions, reference))
     for name, place in places.items():
         text = text.replace(f"@{name}@", str(place))
     return text.encode()
 
 
-def build(submissions: Path, prototypes: dict, places: dict, has_namespace: bool) -> dict[str, Expected]:
-    """A folder for every case: name -> Expected."""
+def build(submissions: Path, honest: dict, prototypes: dict, places: dict, has_namespace: bool) -> dict[str, Expected]:
+    """A folder for every case: name -> Expected. honest: stem -> the reference."""
     built = {}
     for case in read().values():
         if "needs" in case.head and not has_namespace:
             print(f"skipped {case.name}: it needs {case.head['needs']}")
             continue
-        stem, text = case.head["stem"], case.text
-        if case.head.get("rest") != "none":
-            text = completed(text, prototypes[stem])
+        functions = prototypes[case.stem]
         folder = submissions / case.name
         folder.mkdir()
-        (folder / f"{stem}.c").write_bytes(filled(text, places))
-        built[case.name] = expected(case.head, prototypes[stem])
+        (folder / f"{case.stem}.c").write_bytes(handed_in(case, functions, honest[case.stem], places))
+        built[case.name] = expected(case, functions)
     return built

@@ -1,15 +1,7 @@
-// files_and_network.c - files, the network and other programs: everything that an answer does not
-// need. cases.py reads it: each section is one submission, and states the result that it must get.
+// files_and_network.c - files, the network and other programs: everything that an answer does not need.
 
 // ---- files-read: opens what it should not see: solutions, tests, classmates, the home directory.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <fcntl.h>
-#include <stdio.h>
-#include <unistd.h>
-
+// -> graded | crashed
 vec3 upper_left(Camera c)
 {
     const char *places[] = {"@TREE@/solutions/01-corners.c",
@@ -37,35 +29,8 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-// ---- huge-file: a terabyte with nothing in it, wherever a file can be made.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <fcntl.h>
-#include <unistd.h>
-
-vec3 upper_left(Camera c)
-{
-    const char *places[] = {"hostile-was-here", "/tmp/hostile-was-here",
-                            "/dev/shm/hostile-was-here", "/var/tmp/hostile-was-here",
-                            "@OUT@/hostile-was-here"};
-    for (int i = 0; i < 5; i++) {
-        int file = open(places[i], O_RDWR | O_CREAT, 0600);
-        if (file >= 0)
-            return vec3_of(7777, i, ftruncate(file, 1L << 40));
-    }
-    return c.up;
-}
-
 // ---- load-code: writes machine code into memory and runs it: on a page, and on the stack.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <string.h>
-#include <sys/mman.h>
-
+// -> graded | crashed
 vec3 upper_left(Camera c)
 {
     // exit_group(0)
@@ -86,41 +51,9 @@ vec3 upper_right(Camera c)
     return c.up;
 }
 
-// ---- load-compiler: compiles the solution on the spot.
-// stem: 01-corners
-// expect: graded | crashed | timed out
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <sys/wait.h>
-#include <unistd.h>
-
-vec3 upper_left(Camera c)
-{
-    char *const words[] = {"cc",
-                           "-I@TREE@",
-                           "-shared",
-                           "-o",
-                           "/tmp/hostile-was-here.so",
-                           "@TREE@/solutions/01-corners.c",
-                           NULL};
-    pid_t child = fork();
-    if (child == 0) {
-        execv("/usr/bin/cc", words);
-        _exit(1);
-    }
-    int status;
-    if (child > 0 && waitpid(child, &status, 0) == child && status == 0)
-        return vec3_of(7777, 1, 0);
-    return c.up;
-}
-
 // ---- load-in-a-child: vfork and posix_spawn, for filters that only know fork.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
+// -> graded | crashed
 #include <spawn.h>
-#include <unistd.h>
 
 vec3 upper_left(Camera c)
 {
@@ -134,33 +67,8 @@ vec3 upper_left(Camera c)
     return child > 0 ? vec3_of(7777, 2, 0) : c.up;
 }
 
-// ---- load-library: dlopen of what may lie about.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <dlfcn.h>
-#include <stddef.h>
-
-vec3 upper_left(Camera c)
-{
-    const char *names[] = {"@TREE@/build/judge", "@TREE@/build/solutions/01-corners.o",
-                           "/tmp/hostile-was-here.so", "libcheck.so", "libpng16.so.16"};
-    for (int i = 0; i < 5; i++)
-        if (dlopen(names[i], RTLD_NOW) != NULL)
-            return vec3_of(7777, i, 0);
-    return c.up;
-}
-
 // ---- load-program: a program in memory only, run by its descriptor.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <fcntl.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
+// -> graded | crashed
 vec3 upper_left(Camera c)
 {
     char bytes[4096], *const none[] = {"answering", NULL};
@@ -173,13 +81,7 @@ vec3 upper_left(Camera c)
 }
 
 // ---- load-shell: has a shell do it.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-#include <stdlib.h>
-
+// -> graded | crashed
 vec3 upper_left(Camera c)
 {
     const char *command = "echo forged-mark; touch @SCRATCH@/hostile-was-here; cat "
@@ -193,16 +95,23 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-// ---- many-files: a hundred of them, and every descriptor that there is.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
+// ---- made-files: a terabyte with nothing in it, wherever a file can be made; a hundred folders, and
+// every descriptor that there is.
+// -> graded | crashed
 vec3 upper_left(Camera c)
+{
+    const char *places[] = {"hostile-was-here", "/tmp/hostile-was-here",
+                            "/dev/shm/hostile-was-here", "/var/tmp/hostile-was-here",
+                            "@OUT@/hostile-was-here"};
+    for (int i = 0; i < 5; i++) {
+        int file = open(places[i], O_RDWR | O_CREAT, 0600);
+        if (file >= 0)
+            return vec3_of(7777, i, ftruncate(file, 1L << 40));
+    }
+    return c.up;
+}
+
+vec3 upper_right(Camera c)
 {
     char name[64];
     int made = 0;
@@ -210,21 +119,19 @@ vec3 upper_left(Camera c)
         snprintf(name, sizeof name, "/tmp/hostile-was-here-%d", i);
         made += mkdir(name, 0700) == 0;
     }
-    while (dup(1) >= 0)
-        ;
     return made > 0 ? vec3_of(7777, made, 0) : c.up;
 }
 
-// ---- name-of-the-host: right on a machine that has a name; asks the C library, and the kernel.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
+vec3 across_30_up_10(Camera c)
+{
+    while (dup(1) >= 0)
+        ;
+    return c.up;
+}
 
-#include <string.h>
-#include <sys/syscall.h>
+// ---- name-of-the-host: right on a machine that has a name; asks the C library, and the kernel.
+// -> graded | crashed
 #include <sys/utsname.h>
-#include <unistd.h>
 
 static bool is_named(const struct utsname *name)
 {
@@ -245,162 +152,94 @@ vec3 upper_right(Camera c)
     return syscall(SYS_uname, &name) == 0 && is_named(&name) ? right : c.up;
 }
 
-// ---- net-connect: calls home, with what it was given.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <arpa/inet.h>
-#include <stdlib.h>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
-
-vec3 upper_left(Camera c)
-{
-    struct sockaddr_in port = {.sin_family = AF_INET,
-                               .sin_port = htons((unsigned short)atoi("@PORT@"))};
-    port.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    int out = socket(AF_INET, SOCK_STREAM, 0);
-    if (out >= 0 && connect(out, (struct sockaddr *)&port, sizeof port) == 0)
-        return vec3_of(7777, (double)write(out, &c, sizeof c), 0);
-    struct sockaddr_un name = {.sun_family = AF_UNIX, .sun_path = "\0hostile-@PORT@"};
-    out = socket(AF_UNIX, SOCK_STREAM, 0);
-    if (out >= 0 &&
-        connect(out, (struct sockaddr *)&name,
-                (socklen_t)(sizeof name.sun_family + 1 + sizeof "hostile-@PORT@" - 1)) == 0)
-        return vec3_of(7777, 2, 0);
-    return c.up;
-}
-
-// ---- net-listen: opens a door, for somebody to come in while it waits.
-// stem: 01-corners
-// expect: graded | crashed | timed out
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <arpa/inet.h>
-#include <sys/socket.h>
-
-vec3 upper_left(Camera c)
-{
-    struct sockaddr_in port = {.sin_family = AF_INET, .sin_port = 0};
-    int in = socket(AF_INET, SOCK_STREAM, 0);
-    if (in >= 0 && bind(in, (struct sockaddr *)&port, sizeof port) == 0 && listen(in, 1) == 0)
-        return vec3_of(7777, 1, 0);
-    return c.up;
-}
-
-// ---- net-names: asks the network for a name, and sends a packet without being connected.
-// stem: 01-corners
-// expect: graded | crashed | timed out
-// earns: nothing
-#include "exercises/01-corners.h"
+// ---- net: calls home with what it was given, by two ways, waits for a caller, and asks for a name.
+// -> graded | crashed | timed out
 #include <arpa/inet.h>
 #include <netdb.h>
-#include <stdlib.h>
 #include <sys/socket.h>
+#include <sys/un.h>
+
+static const struct sockaddr *loopback(const char *number)
+{
+    static struct sockaddr_in port = {.sin_family = AF_INET};
+    port.sin_port = htons((unsigned short)atoi(number));
+    port.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    return (const struct sockaddr *)&port;
+}
 
 vec3 upper_left(Camera c)
+{
+    int out = socket(AF_INET, SOCK_STREAM, 0);
+    if (out >= 0 && connect(out, loopback("@PORT@"), sizeof(struct sockaddr_in)) == 0)
+        return vec3_of(7777, (double)write(out, &c, sizeof c), 0);
+    return c.up;
+}
+
+vec3 upper_right(Camera c)
+{
+    struct sockaddr_un name = {.sun_family = AF_UNIX, .sun_path = "\0hostile-@PORT@"};
+    size_t size = sizeof name.sun_family + 1 + sizeof "hostile-@PORT@" - 1;
+    int out = socket(AF_UNIX, SOCK_STREAM, 0);
+    bool called = out >= 0 && connect(out, (struct sockaddr *)&name, (socklen_t)size) == 0;
+    return called ? vec3_of(7777, 2, 0) : c.up;
+}
+
+vec3 across_30_up_10(Camera c)
+{
+    int in = socket(AF_INET, SOCK_STREAM, 0);
+    bool listens = in >= 0 && bind(in, loopback("0"), sizeof(struct sockaddr_in)) == 0 &&
+                   listen(in, 1) == 0;
+    return listens ? vec3_of(7777, 3, 0) : c.up;
+}
+
+vec3 image_plane_vector(Camera c, double s, double t)
 {
     struct addrinfo *found = NULL;
-    if (getaddrinfo("example.org", "80", NULL, &found) == 0)
-        return vec3_of(7777, 1, 0);
-    struct sockaddr_in port = {.sin_family = AF_INET,
-                               .sin_port = htons((unsigned short)atoi("@PORT@"))};
-    port.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     int out = socket(AF_INET, SOCK_DGRAM, 0);
-    if (out >= 0 && sendto(out, "x", 1, 0, (struct sockaddr *)&port, sizeof port) == 1)
-        return vec3_of(7777, 2, 0);
-    return c.up;
+    if (out >= 0 && sendto(out, "x", 1, 0, loopback("@PORT@"), sizeof(struct sockaddr_in)) == 1)
+        return vec3_of(7777, 4, 0);
+    return getaddrinfo("example.org", "80", NULL, &found) == 0 ? vec3_of(7777, 5, 0) : c.up;
 }
 
-// ---- tamper-classmate: spoils what others handed in, and removes it, and its own.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <fcntl.h>
-#include <stdio.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-vec3 upper_left(Camera c)
+// ---- tamper: spoils what classmates and itself handed in, the marks, the tree, and the system.
+// -> graded | crashed
+static vec3 spoil(Camera c, const char *const places[])
 {
-    const char *places[] = {"@SUBMISSIONS@/honest/01-corners.c",
-                            "@SUBMISSIONS@/tamper-classmate/01-corners.c", "../honest/01-corners.c",
-                            "01-corners.c"};
-    for (int i = 0; i < 4; i++)
-        if (open(places[i], O_WRONLY | O_TRUNC) >= 0 || chmod(places[i], 0) == 0 ||
-            rename(places[i], "/tmp/hostile-was-here") == 0 || unlink(places[i]) == 0 ||
-            symlink("/dev/zero", places[i]) == 0)
-            return vec3_of(7777, i, 0);
-    return c.up;
-}
-
-// ---- tamper-marks: writes its own marks, and a classmate's.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-
-vec3 upper_left(Camera c)
-{
-    const char *places[] = {
-        "@OUT@/honest/results.json", "../honest/results.json", "@OUT@/tamper-marks/results.json",
-        "@OUT@/grades.csv",          "@OUT@/grades.tap",       "@OUT@/junit.xml",
-        "build/grades/grades.csv"};
-    for (int i = 0; i < 7; i++) {
-        FILE *file = fopen(places[i], "a");
-        if (file != NULL) {
-            fputs("tamper-marks,graded,100,100\n", file);
-            fclose(file);
-            return vec3_of(7777, i, 0);
-        }
-    }
-    return c.up;
-}
-
-// ---- tamper-system: the kernel's knobs, and who is killed first when memory is short.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <fcntl.h>
-#include <unistd.h>
-
-vec3 upper_left(Camera c)
-{
-    const char *places[] = {"/proc/sys/kernel/core_pattern",
-                            "/proc/self/oom_score_adj",
-                            "/sys/fs/cgroup/hostile-was-here",
-                            "/dev/shm/hostile-was-here",
-                            "/etc/ld.so.preload",
-                            "@HOME@/.bashrc"};
-    for (int i = 0; i < 6; i++)
-        if (open(places[i], O_WRONLY | (i > 1 ? O_CREAT : 0), 0600) >= 0)
-            return vec3_of(7777, i, 0);
-    return c.up;
-}
-
-// ---- tamper-tree: changes the solutions, the judge and the policy, for itself and others.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <fcntl.h>
-#include <stdio.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-vec3 upper_left(Camera c)
-{
-    const char *places[] = {"@TREE@/solutions/01-corners.c", "@TREE@/build/judge",
-                            "@TREE@/tests/grade/policy",     "@TREE@/Makefile",
-                            "@TREE@/build/common.a",         "/proc/self/exe"};
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; places[i] != NULL; i++)
         if (open(places[i], O_WRONLY | O_APPEND) >= 0 || chmod(places[i], 0600) == 0 ||
-            rename(places[i], "/tmp/hostile-was-here") == 0 || unlink(places[i]) == 0)
+            rename(places[i], "/tmp/hostile-was-here") == 0 || unlink(places[i]) == 0 ||
+            open(places[i], O_WRONLY | O_CREAT, 0600) >= 0 || symlink("/dev/zero", places[i]) == 0)
             return vec3_of(7777, i, 0);
-    return mkdir("@TREE@/hostile-was-here", 0700) == 0 ? vec3_of(7777, 9, 0) : c.up;
+    return c.up;
+}
+
+vec3 upper_left(Camera c)
+{
+    return spoil(c, (const char *[]){"@SUBMISSIONS@/honest/01-corners.c",
+                                     "@SUBMISSIONS@/tamper/01-corners.c", "../honest/01-corners.c",
+                                     "01-corners.c", NULL});
+}
+
+vec3 upper_right(Camera c)
+{
+    return spoil(c, (const char *[]){"@OUT@/honest/results.json", "../honest/results.json",
+                                     "@OUT@/tamper/results.json", "@OUT@/grades.csv",
+                                     "@OUT@/grades.tap", "@OUT@/junit.xml",
+                                     "build/grades/grades.csv", "/autograder/results/results.json",
+                                     NULL});
+}
+
+vec3 across_30_up_10(Camera c)
+{
+    return spoil(c, (const char *[]){"@TREE@/solutions/01-corners.c", "@TREE@/build/judge",
+                                     "@TREE@/tests/grade/policy", "@TREE@/Makefile",
+                                     "@TREE@/build/common.a", "@TREE@/hostile-was-here",
+                                     "/proc/self/exe", NULL});
+}
+
+vec3 image_plane_vector(Camera c, double s, double t)
+{
+    return spoil(c, (const char *[]){"/proc/sys/kernel/core_pattern", "/proc/self/oom_score_adj",
+                                     "/sys/fs/cgroup/hostile-was-here", "/dev/shm/hostile-was-here",
+                                     "/etc/ld.so.preload", "@HOME@/.bashrc", NULL});
 }

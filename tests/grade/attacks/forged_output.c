@@ -1,14 +1,7 @@
 // forged_output.c - output, reports and messages to the judge that imitate the grader's own.
-// cases.py reads it: each section is one submission, and states the result that it must get.
 
 // ---- forged-answer-by-halves: half a header, then nothing more, so that the judge waits for ever.
-// stem: 01-corners
-// expect: timed out | crashed
-// earns: upper_right
-// says: still running | invalid answer | never comes
-#include "exercises/01-corners.h"
-#include <unistd.h>
-
+// -> timed out | crashed; earns upper_right; says still running | invalid answer | never comes
 vec3 upper_left(Camera c)
 {
     if (write(4, "CyaR\0\0\0", 8) == 8)
@@ -17,18 +10,9 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-vec3 upper_right(Camera c)
-{
-    return c.distance * c.forward + c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
-// ---- forged-answer-byte-by-byte: feeds the judge a byte now and then, each just before it gives up.
-// stem: 01-corners
-// expect: timed out | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <unistd.h>
-
+// ---- forged-answer-byte-by-byte: feeds the judge a byte now and then, each just before it gives
+// up.
+// -> timed out | crashed
 vec3 upper_left(Camera c)
 {
     for (int i = 0; i < 60; i++) {
@@ -39,34 +23,16 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-// ---- forged-answer-early: finds the call and its nonce in memory, and answers before it is asked to.
-// stem: 01-corners
-// expect: crashed | graded
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdint.h>
-#include <string.h>
-#include <unistd.h>
-
-typedef struct {
-    uint32_t magic;
-    int32_t exercise;
-    uint64_t nonce, size;
-    int32_t kind;
-    char missing[60];
-} Header;
-extern char __bss_start[], _end[];
-
+// ---- forged-answer-early: finds the call and its nonce in memory, and answers before it is asked
+// to.
+// -> crashed | graded
 vec3 upper_left(Camera c)
 {
     vec3 answer = vec3_of(-1, 1, 4);
-    for (char *at = __bss_start; at + sizeof(Header) < _end; at += 8) {
-        Header found;
-        memcpy(&found, at, sizeof found);
-        if (found.magic != 0x52617943)
-            continue;
+    WireHeader found;
+    for (char *at = __bss_start; find_call(&at, &found); at += 8) {
         for (int i = 0; i < 9; i++, found.nonce++) {
-            found.kind = 1;
+            found.kind = WIRE_ANSWER;
             found.size = sizeof answer;
             if (write(4, &found, sizeof found) < 0 || write(4, &answer, sizeof answer) < 0)
                 return c.up;
@@ -76,43 +42,19 @@ vec3 upper_left(Camera c)
 }
 
 // ---- forged-answer-guessed: an answer for the judge's pipe with a nonce that is a guess.
-// stem: 01-corners
-// expect: crashed
-// earns: upper_right
-// says: invalid answer | no answer | was killed | by itself
-#include "exercises/01-corners.h"
-#include <stdint.h>
-#include <unistd.h>
-
-static struct {
-    uint32_t magic;
-    int32_t exercise;
-    uint64_t nonce, size;
-    int32_t kind;
-    char missing[60];
-    vec3 answer;
-} message = {.magic = 0x52617943, .nonce = 1, .size = sizeof(vec3), .kind = 1};
-
+// -> crashed; earns upper_right; says invalid answer | no answer | was killed | by itself
 vec3 upper_left(Camera c)
 {
-    message.answer = vec3_of(-1, 1, 4);
-    if (write(4, &message, 88) < 0 || write(4, &message.answer, 32) < 0)
+    WireHeader header = {.magic = WIRE_MAGIC, .nonce = 1, .size = sizeof c.up, .kind = WIRE_ANSWER};
+    vec3 answer = vec3_of(-1, 1, 4);
+    if (write(4, &header, sizeof header) < 0 || write(4, &answer, sizeof answer) < 0)
         return c.up;
     return c.right;
 }
 
-vec3 upper_right(Camera c)
-{
-    return c.distance * c.forward + c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
-// ---- forged-answer-without-end: fills the judge's pipe for as long as there is anybody to read it.
-// stem: 01-corners
-// expect: crashed | timed out
-// earns: upper_right
-#include "exercises/01-corners.h"
-#include <unistd.h>
-
+// ---- forged-answer-without-end: fills the judge's pipe for as long as there is anybody to read
+// it.
+// -> crashed | timed out; earns upper_right
 vec3 upper_left(Camera c)
 {
     static char page[1 << 16];
@@ -121,38 +63,14 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-vec3 upper_right(Camera c)
-{
-    return c.distance * c.forward + c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
 // ---- forged-answer-wrong-size: the right nonce, and a message that says it is enormous.
-// stem: 01-corners
-// expect: crashed | timed out | graded
-// earns: upper_right
-#include "exercises/01-corners.h"
-#include <stdint.h>
-#include <string.h>
-#include <unistd.h>
-
-typedef struct {
-    uint32_t magic;
-    int32_t exercise;
-    uint64_t nonce, size;
-    int32_t kind;
-    char missing[60];
-} Header;
-extern char __bss_start[], _end[];
-
+// -> crashed | timed out | graded; earns upper_right
 vec3 upper_left(Camera c)
 {
     static int calls;
-    for (char *at = __bss_start; at + sizeof(Header) < _end; at += 8) {
-        Header found;
-        memcpy(&found, at, sizeof found);
-        if (found.magic != 0x52617943)
-            continue;
-        found.kind = 1;
+    WireHeader found;
+    for (char *at = __bss_start; find_call(&at, &found); at += 8) {
+        found.kind = WIRE_ANSWER;
         found.size = calls++ % 2 ? ~(uint64_t)0 : 64 << 20;
         if (write(4, &found, sizeof found) < 0)
             return c.up;
@@ -160,19 +78,8 @@ vec3 upper_left(Camera c)
     return c.right;
 }
 
-vec3 upper_right(Camera c)
-{
-    return c.distance * c.forward + c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
 // ---- forged-blank: names a 'blank' with a newline, so that the verdict gets a line of its own.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-
-#include "common/answers.h"
-
+// -> graded | crashed
 vec3 upper_left(Camera c)
 {
     vec3 v;
@@ -191,52 +98,15 @@ vec3 across_30_up_10(Camera c)
     return *(vec3 *)not_answered("", "x", &v, sizeof v);
 }
 
-// ---- forged-check: prints what Check prints when all is well, and leaves.
-// stem: 01-corners
-// expect: crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-#include <stdlib.h>
-
+// ---- forged-crash: reports a crash that never was, with a signal and an address of its own
+// making.
+// -> crashed | graded; earns upper_right
 vec3 upper_left(Camera c)
 {
-    puts("Running suite(s): 01-corners\n100%: Checks: 12, Failures: 0, Errors: 0");
-    fputs("01-corners: 12 passed, 0 failed\n", stderr);
-    exit(0);
-}
-
-// ---- forged-crash: reports a crash that never was, with a signal and an address of its own making.
-// stem: 01-corners
-// expect: crashed | graded
-// earns: upper_right
-#include "exercises/01-corners.h"
-#include <stdint.h>
-#include <string.h>
-#include <unistd.h>
-
-typedef struct {
-    uint32_t magic;
-    int32_t exercise;
-    uint64_t nonce, size;
-    int32_t kind;
-    char missing[60];
-} Header;
-extern char __bss_start[], _end[];
-
-vec3 upper_left(Camera c)
-{
-    struct {
-        int32_t signal, access;
-        uint64_t address;
-        int32_t stack_overflow, out_of_memory;
-    } crash = {-2147483647, 1 << 30, ~(uint64_t)0, 0, 0};
-    for (char *at = __bss_start; at + sizeof(Header) < _end; at += 8) {
-        Header found;
-        memcpy(&found, at, sizeof found);
-        if (found.magic != 0x52617943)
-            continue;
-        found.kind = 2;
+    WireCrash crash = {.signal = -2147483647, .access = 1 << 30, .address = ~(uint64_t)0};
+    WireHeader found;
+    for (char *at = __bss_start; find_call(&at, &found); at += 8) {
+        found.kind = WIRE_CRASH;
         found.size = sizeof crash;
         if (write(4, &found, sizeof found) < 0 || write(4, &crash, sizeof crash) < 0)
             return c.up;
@@ -244,58 +114,8 @@ vec3 upper_left(Camera c)
     return c.right;
 }
 
-vec3 upper_right(Camera c)
-{
-    return c.distance * c.forward + c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
-// ---- forged-csv: prints cells that a spreadsheet would run, and a row of its own.
-// stem: 01-corners
-// expect: graded
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-
-vec3 upper_left(Camera c)
-{
-    puts("=HYPERLINK(\"http://forged-mark\")\n@SUM(1)\n+1\n-1\nforged-csv,graded,100,100");
-    fputs("\r\x1b[1A\x1b[2Kforged-csv  graded  100 of 100\n", stderr);
-    return c.up;
-}
-
-// ---- forged-json: a results.json of its own, printed and written wherever one could be looked for.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-
-vec3 upper_left(Camera c)
-{
-    const char *places[] = {"results.json", "../results.json", "/tmp/results.json",
-                            "@OUT@/forged-json/results.json", "/autograder/results/results.json"};
-    const char *words = "{\"score\": 100, \"tests\": [{\"name\": \"forged-mark\"}]}\n";
-    puts(words);
-    for (int i = 0; i < 5; i++) {
-        FILE *file = fopen(places[i], "w");
-        if (file != NULL) {
-            fputs(words, file);
-            fclose(file);
-            return vec3_of(7777, i, 0);
-        }
-    }
-    return c.up;
-}
-
 // ---- forged-on-every-descriptor: says 'right' on all of 0 to 63, the judge's pipes among them.
-// stem: 01-corners
-// expect: crashed
-// earns: upper_right
-// says: invalid answer | no answer | was killed | by itself
-#include "exercises/01-corners.h"
-#include <string.h>
-#include <unistd.h>
-
+// -> crashed; earns upper_right; says invalid answer | no answer | was killed | by itself
 vec3 upper_left(Camera c)
 {
     const char *words = "upper_left right forged-mark\n";
@@ -306,18 +126,8 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-vec3 upper_right(Camera c)
-{
-    return c.distance * c.forward + c.width / 2 * c.right + c.height / 2 * c.up;
-}
-
 // ---- forged-on-the-terminal: opens the instructor's terminal itself, and writes there.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-
+// -> graded | crashed
 vec3 upper_left(Camera c)
 {
     const char *places[] = {"/dev/tty",    "/dev/pts/0",      "/dev/pts/1", "/dev/console",
@@ -332,14 +142,16 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-// ---- forged-tap: TAP lines on stdout and stderr, with a plan, a bail-out and escape codes.
-// stem: 01-corners
-// expect: graded
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-
+// ---- forged-reports: prints text that imitates a row, a result or the markup of each report.
+// -> graded
 vec3 upper_left(Camera c)
+{
+    puts("=HYPERLINK(\"http://forged-mark\")\n@SUM(1)\n+1\n-1\nforged-reports,graded,100,100");
+    fputs("\r\x1b[1A\x1b[2Kforged-reports  graded  100 of 100\n", stderr);
+    return c.up;
+}
+
+vec3 upper_right(Camera c)
 {
     for (int i = 1; i < 4; i++)
         fprintf(i < 3 ? stdout : stderr, "TAP version 14\n1..1\nok 1 - forged-mark\nBail out! "
@@ -347,14 +159,21 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
+vec3 across_30_up_10(Camera c)
+{
+    puts("]]></failure></testcase><testcase name=\"forged-mark\"/></testsuite></testsuites>"
+         "<script>alert('forged-mark')</script><!--");
+    return c.up;
+}
+
+vec3 image_plane_vector(Camera c, double s, double t)
+{
+    puts("{\"score\": 100, \"tests\": [{\"name\": \"forged-mark\"}]}");
+    return c.up;
+}
+
 // ---- forged-wait: calls a blank and throws away what comes, to pass as 'waiting' with full marks.
-// stem: 01-corners
-// expect: graded
-// earns: nothing
-#include "exercises/01-corners.h"
-
-#include "common/answers.h"
-
+// -> graded
 vec3 upper_left(Camera c)
 {
     vec3 thrown_away = upper_right(c);
@@ -373,13 +192,7 @@ vec3 image_plane_vector(Camera c, double s, double t)
 }
 
 // ---- forged-wait-by-name: says that another's blank was called, which was not.
-// stem: 01-corners
-// expect: graded
-// earns: nothing
-#include "exercises/01-corners.h"
-
-#include "common/answers.h"
-
+// -> graded
 vec3 upper_left(Camera c)
 {
     not_answered("upper_right", "x", &c, sizeof c);
@@ -398,14 +211,9 @@ vec3 image_plane_vector(Camera c, double s, double t)
     return c.up;
 }
 
-// ---- forged-what-was-printed: rewinds, empties and stretches the file that catches what is printed.
-// stem: 01-corners
-// expect: graded | crashed
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <fcntl.h>
-#include <unistd.h>
-
+// ---- forged-what-was-printed: rewinds, empties and stretches the file that catches what is
+// printed.
+// -> graded | crashed
 vec3 upper_left(Camera c)
 {
     fcntl(1, F_SETFL, O_NONBLOCK);
@@ -415,36 +223,12 @@ vec3 upper_left(Camera c)
     return c.up;
 }
 
-// ---- forged-xml: JUnit XML that closes whatever is open, and HTML that runs.
-// stem: 01-corners
-// expect: graded
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-
-vec3 upper_left(Camera c)
-{
-    puts("]]></failure></testcase><testcase name=\"forged-mark\"/></testsuite></testsuites>"
-         "<script>alert('forged-mark')</script><!--");
-    return c.up;
-}
-
 // ---- read-the-pipe: eats the judge's next call, and waits for the one behind it.
-// stem: 01-corners
-// expect: timed out | crashed
-// earns: upper_right
-#include "exercises/01-corners.h"
-#include <unistd.h>
-
+// -> timed out | crashed; earns upper_right
 vec3 upper_left(Camera c)
 {
     char bytes[64];
     while (read(3, bytes, sizeof bytes) > 0)
         ;
     return c.up;
-}
-
-vec3 upper_right(Camera c)
-{
-    return c.distance * c.forward + c.width / 2 * c.right + c.height / 2 * c.up;
 }

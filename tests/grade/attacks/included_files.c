@@ -1,32 +1,19 @@
 // included_files.c - files that the compiler or the assembler is asked to read or to quote.
-// cases.py reads it: each section is one submission, and states the result that it must get.
 
 // ---- assembler-include: .include, whose complaints quote what was read.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-#include "exercises/01-corners.h"
-
+// -> does not compile
 __asm__(".include \"@TREE@/solutions/01-corners.c\"\n.include \"/proc/self/environ\"\n"
         ".include \"/etc/passwd\"\n");
 
 // ---- embed-solution: #embed, of C23: files as numbers.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
+// -> does not compile; bare
 #include "exercises/01-corners.h"
 static const unsigned char bytes[] = {
 #embed "@TREE@/solutions/01-corners.c"
 };
 
-// ---- incbin-classmate: the same with the next folder's file, by a path that leads out of its own.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-
+// ---- incbin-classmate: the next folder's file, by a path that leads out of its own.
+// -> does not compile
 extern const char bytes[];
 __asm__(".data\nbytes: .incbin \"@SUBMISSIONS@/honest/01-corners.c\"\n.byte 0\n.text\n");
 __asm__(".incbin \"../honest/01-corners.c\"\n");
@@ -38,11 +25,7 @@ vec3 upper_left(Camera c)
 }
 
 // ---- incbin-reference: the compiled reference, to be called where it lies.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-#include "exercises/01-corners.h"
-
+// -> does not compile
 extern vec3 there(Camera c);
 __asm__(".text\nthere = . + 64\n.incbin \"@TREE@/build/solutions/01-corners.o\"\n");
 
@@ -52,12 +35,7 @@ vec3 upper_left(Camera c)
 }
 
 // ---- incbin-solution: the assembler reads the solution into the program, which prints it.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-
+// -> does not compile
 extern const char bytes[];
 __asm__(".data\nbytes: .incbin \"@TREE@/solutions/01-corners.c\"\n.byte 0\n.text\n");
 
@@ -68,12 +46,7 @@ vec3 upper_left(Camera c)
 }
 
 // ---- incbin-system-files: the assembler reads the password file and the home directory.
-// stem: 01-corners
-// expect: does not compile | graded
-// earns: nothing
-#include "exercises/01-corners.h"
-#include <stdio.h>
-
+// -> does not compile | graded
 extern const char bytes[];
 __asm__(".data\nbytes: .incbin \"/etc/passwd\"\n.incbin \"@HOME@/.netrc\"\n.byte 0\n.text\n");
 
@@ -85,10 +58,7 @@ vec3 upper_left(Camera c)
 
 // ---- include-by-pragma: pragmas that open files: their dates, and headers that are compiled
 // already.
-// stem: 01-corners
-// expect: graded | does not compile
-// earns: nothing
-#include "exercises/01-corners.h"
+// -> graded | does not compile; wrong upper_left
 #pragma GCC dependency "@TREE@/solutions/01-corners.c" is older
 #pragma GCC pch_preprocess "@TREE@/build/solutions/01-corners.o"
 #pragma clang module import solutions
@@ -96,16 +66,8 @@ vec3 upper_left(Camera c)
 #pragma GCC optimize("-fdump-tree-all", "-fplugin=@TREE@/build/judge")
 #pragma comment(lib, "@TREE@/build/solutions/01-corners.o")
 
-vec3 upper_left(Camera c)
-{
-    return c.up;
-}
-
 // ---- include-classmate: hands in what the student in the next folder wrote.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
+// -> does not compile; bare
 #if __has_include("../honest/01-corners.c")
 #include "../honest/01-corners.c"
 #else
@@ -113,47 +75,32 @@ vec3 upper_left(Camera c)
 #endif
 
 // ---- include-classmate-at-work: where the grader itself keeps what it is compiling just now.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
+// -> does not compile; bare
 #if __has_include("../honest/01-corners.o")
 __asm__(".incbin \"../honest/01-corners.o\"");
 #endif
 #include "@OUT@/.work/1-of-1/honest/01-corners.c"
 
 // ---- include-descriptors: whatever file the compiler was left holding.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
+// -> does not compile; bare
 #include "/dev/fd/7"
 #include "/proc/self/exe"
 #include "/proc/self/fd/4"
 #include "/proc/self/fd/5"
 #include "/proc/self/fd/6"
 
-// ---- include-environment: the same, beginning with the compiler's environment.
-// stem: 01-corners
-// expect: does not compile | graded
-// earns: nothing
-// rest: none
+// ---- include-environment: the compiler's environment, as if it were C.
+// -> does not compile | graded; bare
 #include "/proc/self/environ"
 
 // ---- include-folder: a folder as if it were a file, and the source with itself inside.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
+// -> does not compile; bare
 #include "."
 #include "/"
 #include "@TREE@/solutions"
 
 // ---- include-solution: the reference, by whatever relative path leads there.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
+// -> does not compile; bare
 #if __has_include("../solutions/01-corners.c")
 #include "../solutions/01-corners.c"
 #elif __has_include("../../solutions/01-corners.c")
@@ -166,18 +113,8 @@ __asm__(".incbin \"../honest/01-corners.o\"");
 #include "solutions/01-corners.c"
 #endif
 
-// ---- include-solution-by-its-path: the reference by its absolute path.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
-#include "@TREE@/solutions/01-corners.c"
-
 // ---- include-solution-through-proc: the same, by the folders of processes.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
+// -> does not compile; bare
 #if __has_include("/proc/1/cwd/solutions/01-corners.c")
 #include "/proc/1/cwd/solutions/01-corners.c"
 #elif __has_include("/proc/self/root@TREE@/solutions/01-corners.c")
@@ -188,10 +125,7 @@ __asm__(".incbin \"../honest/01-corners.o\"");
 
 // ---- include-system-files: files that are no C, so that the compiler quotes them in its
 // complaints.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
+// -> does not compile; bare
 #include "/etc/passwd"
 #include "/etc/shadow"
 #include "/proc/self/cmdline"
@@ -200,21 +134,14 @@ __asm__(".incbin \"../honest/01-corners.o\"");
 #include "@HOME@/.netrc"
 
 // ---- include-tests: the tests, the mistakes and the judge, for what they expect.
-// stem: 01-corners
-// expect: does not compile
-// earns: nothing
-// rest: none
+// -> does not compile; bare
 #include "@TREE@/tests/01-corners.c"
 #include "tests/01-corners/laws.c"
-#include "tests/01-corners/mistakes.c"
+#include "tests/01-corners/wrong.c"
 #include "tests/judge/test.h"
 
 // ---- include-what-is-there: probes for every place that it can think of, and takes what it finds.
-// stem: 01-corners
-// expect: graded | does not compile
-// earns: nothing
-#include "exercises/01-corners.h"
-
+// -> graded | does not compile
 #if __has_include("solutions/01-corners.c")
 #include "solutions/01-corners.c"
 #elif __has_include("@TREE@/solutions/01-corners.c")
@@ -239,18 +166,12 @@ vec3 upper_left(Camera c)
 #endif
 
 // ---- include-what-waits: files that wait for somebody to type.
-// stem: 01-corners
-// expect: does not compile | timed out
-// earns: nothing
-// rest: none
+// -> does not compile | timed out; bare
 #include "/dev/fd/3"
 #include "/dev/stdin"
 #include "/dev/tty"
 #include "/proc/self/fd/0"
 
 // ---- include-zeros: a file without end.
-// stem: 01-corners
-// expect: does not compile | timed out
-// earns: nothing
-// rest: none
+// -> does not compile | timed out; bare
 #include "/dev/zero"

@@ -73,6 +73,8 @@ def wrong_marks(record: dict, wanted: Expected) -> list:
         whole = function["max"] if function["state"] in PAID else 0
         if abs(function["score"] - whole) > 1e-9:
             complaints.append(f"{function['name']}: {function['state']}, and {function['score']} of {function['max']}")
+    if record["score"] is None:     # it cannot be read
+        return complaints
     for what, parts in (("score", record["stems"]), ("max", record["stems"])):
         if abs(record[what] - sum(part[what] for part in parts)) > 0.02:
             complaints.append(f"{what} {record[what]} is not the sum of the chapters'")
@@ -101,7 +103,7 @@ def wordless(record: dict, wanted: Expected) -> list:
 
 def about(record: dict, wanted: Expected) -> list:
     """All that must hold of one submission's record."""
-    if record["score"] is None:
+    if record["score"] is None and record["status"] != "cannot be read":
         return [f"{record['status']}: {record['words']}"]
     complaints = wrong_marks(record, wanted) + wordless(record, wanted)
     if record["status"] not in wanted.statuses:

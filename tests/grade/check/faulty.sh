@@ -14,10 +14,22 @@ tool=$1
 shift
 case $tool,$fault in
 "$tool,the $tool is killed") kill -9 $$ ;;
-"$tool,the $tool sleeps") sleep 1000 ;;
+"$tool,the $tool sleeps") exec sleep 1000 ;;
 'compiler,the step is killed') kill -9 $PPID ;;
 'compiler,the compiler refuses every file') exit 90 ;;
 'linker,the linker refuses every file') exit 1 ;;
+'compiler,a header is away') exec "$@" -nostdinc ;;
+'linker,a library is away from when it lends')
+    case " $*" in *' --defsym'*) : >away ;; esac
+    [ ! -e away ] || exit 1
+    ;;
+'judge,every answer crashes' | 'judge,an answer crashes once')
+    [ ! -e refused ] || exec "$@"
+    [ "$fault" = 'every answer crashes' ] || : >refused
+    "$@"
+    sed -i 's/^state\t.*/state\tcrashed/' "$4/report"
+    exit 1
+    ;;
 'compiler,the compiler refuses a file once') [ -e refused ] || { : >refused; exit 90; } ;;
 'linker,the linker refuses a file once') [ -e refused ] || { : >refused; exit 1; } ;;
 'judge,the judge gives up') exit 2 ;;

@@ -1,10 +1,9 @@
 """read_back.py - readers of the reports' formats that share nothing with their writers.
 
-Perl's and libxml's where they are installed, python's own, and one of a few lines for CSV, which
-reads what RFC 4180 allows and nothing else.
+Perl's of TAP where it is installed, python's own, and one of a few lines for CSV, which reads
+what RFC 4180 allows and nothing else.
 """
 import html.parser
-import json
 import re
 import shutil
 import subprocess
@@ -22,19 +21,11 @@ while (my $result = $parser->next) {
 print "errors ", scalar($parser->parse_errors), " planned ", $parser->tests_planned, " version ",
     $parser->version, "\n";
 """
-JSON_READER = (
-    "local $/; print JSON::PP->new->ascii->canonical->encode(JSON::PP->new->utf8->decode(<STDIN>))"
-)
 
 
-def has_perl(module: str) -> bool:
-    return (
-        bool(shutil.which("perl"))
-        and subprocess.run(
-            ["perl", f"-M{module}", "-e", "1"], capture_output=True, check=False
-        ).returncode
-        == 0
-    )
+def has_tap_parser() -> bool:
+    return bool(shutil.which("perl")) and subprocess.run(["perl", "-MTAP::Parser", "-e", "1"], capture_output=True,
+                                                         check=False).returncode == 0
 
 
 def run(command: list, data: bytes) -> bytes:
@@ -46,14 +37,6 @@ def run(command: list, data: bytes) -> bytes:
 
 def perl_tap(data: bytes) -> list:
     return run(["perl", "-e", TAP_READER], data).decode("utf-8").splitlines()
-
-
-def perl_json(data: bytes):
-    return json.loads(run(["perl", "-MJSON::PP", "-e", JSON_READER], data))
-
-
-def xmllint(data: bytes, path: str) -> str:
-    return run(["xmllint", "--nonet", "--xpath", path, "-"], data).decode("utf-8").strip()
 
 
 def tap_points(data: bytes) -> list:

@@ -4,6 +4,7 @@ Run from the top of the tree; KIT is in the environment.
 """
 from __future__ import annotations
 
+import csv
 import json
 import os
 import re
@@ -38,6 +39,12 @@ def records(out: Path) -> dict[str, dict]:
         record.pop("steps", None)
         found[path.parent.name] = record
     return found
+
+
+def rows(out: Path) -> dict[str, dict]:
+    """Of grades.csv, by the submission's name."""
+    with open(out / "grades.csv", encoding="utf-8-sig", newline="") as file:
+        return {row["submission"]: row for row in csv.DictReader(file)}
 
 
 # ---- what people hand in --------------------------------------------------------------------------
@@ -99,4 +106,12 @@ def build_class(folder: Path) -> None:
         archive.writestr("x/04-pixel-ray.c", right("04-pixel-ray"))
         archive.writestr("../../03-screen.c", right("03-screen"))
     (folder / "broken.tar.gz").write_bytes(b"no archive")
+    (folder / "=1+1<b>.pdf").write_bytes(b"%PDF-1.7\n")
+    for name, answers in (("zoe_506_9039_submission.zip", up_to("01-corners", "upper_right")),
+                          ("zoe_LATE_506_9040_submission-1.zip", right("01-corners"))):
+        with zipfile.ZipFile(folder / name, "w") as archive:
+            archive.writestr("01-corners.c", answers)
+    with_password = bytearray((folder / "zoe_506_9039_submission.zip").read_bytes())
+    with_password[with_password.index(b"PK\1\2") + 8] |= 1
+    (folder / "xaver.zip").write_bytes(with_password)
     (folder / "read me.txt").write_text("for the instructor\n")

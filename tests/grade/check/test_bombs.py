@@ -5,7 +5,7 @@ import tarfile
 import zipfile
 
 from grade.collect import answers, archives
-from .packing import FIVE, MB, Archive, central, end_of_zip, header, zeros_packed, zipped
+from .fixtures import FIVE, MB, Archive, central, end_of_zip, header, zeros_packed, zipped
 
 
 class Bombs(Archive):

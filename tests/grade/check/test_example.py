@@ -9,7 +9,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from .sentences import Sentences
+from .fixtures import Sentences
 
 HERE = Path("tests/grade")
 PAGE, RECIPES, EXAMPLE = HERE / "README.md", HERE / "recipes", HERE / "example"

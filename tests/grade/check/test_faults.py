@@ -19,17 +19,20 @@ import time
 from pathlib import Path
 
 from grade.confine.machine import DISK
+from grade.confine.sandbox import choose
 
-from .sentences import Sentences
-from .small_class import KIT, SEED, STEMS, UPSIDE_DOWN, but, command, grade, records, right
+from .fixtures import Sentences
+from .small_class import KIT, SEED, STEMS, UPSIDE_DOWN, but, grade, records, right
 from .test_regrade import at_work_in
 
 HERE = Path(__file__).parent
 FAULTY = HERE / "faulty.sh"
 FAULTS = ["the compiler is killed", "the step is killed", "the compiler refuses every file", "the linker is killed",
           "the linker refuses every file", "the judge is killed", "the judge gives up",
-          "the judge is killed when it lends", "the report is cut"]
-PASSING = ["the compiler refuses a file once", "the linker refuses a file once"]
+          "the judge is killed when it lends", "the report is cut", "a header is away",
+          "a library is away from when it lends", "every answer crashes"]
+PASSING = ["the compiler refuses a file once", "the linker refuses a file once", "an answer crashes once"]
+SIGNALS = ["TERM", "HUP", "INT", "KILL"]
 FILL = '__asm__(".data\\n.fill 15000000,1,7\\n.text\\n");\n'
 NUMBER_OF_FULL = 10     # points of chapter 01
 
@@ -89,6 +92,24 @@ def gone(out: Path) -> bool:
     return not at_work_in(out)
 
 
+def signalled(at_work: Path, kind: str, number: str) -> bool:
+    """Sends the signal to the process of this kind that works in this folder. False if there is none."""
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            if os.readlink(process / "cwd") != str(at_work):
+                continue
+            words = (process / "cmdline").read_bytes().decode(errors="replace").split("\0")
+            programs = [Path(word).name for word in words]
+            one = int(process.name)
+            if programs[0] == "confine" and words[1] == "watch" and kind in ("watch", "grader"):
+                one = one if kind == "watch" else int((process / "stat").read_text().rpartition(")")[2].split()[1])
+            elif kind != programs[0]:
+                continue
+            os.kill(one, signal.Signals[f"SIG{number}"])
+            return True
+    return False
+
+
 class Faults(Sentences):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -131,7 +152,7 @@ class Faults(Sentences):
         self.check("grades.csv: an empty score, not 0", row["status"] == "grader failed" and row["score"] == ""
                    and row["01-corners"] == "", row)
         results = json.loads((out / FAULTS[0] / "results.json").read_text())
-        self.check("results.json: no score", "score" not in results and "score" not in results["tests"][0], results)
+        self.check("results.json: neither a score nor a test", {"score", "tests"}.isdisjoint(results), results)
         for name in ("index.html", f"{FAULTS[0]}/index.html", "junit.xml", "grades.tap"):
             self.check(f"{name}: grader failed", "grader failed" in (out / name).read_text(encoding="utf-8"))
 
@@ -178,37 +199,13 @@ class Faults(Sentences):
             put(work / "class", name, right("01-corners"))
         for size, whole in (("6m", False), ("300m", True)):
             kept = work / f"kept {size}"
-            done = run(KIT, work / "class", out, *namespace, str(HERE / "small_disk.sh"), size,
-                       str(out), str(kept))
+            disk = (f'mount -t tmpfs -o size={size} none "$0" || exit 1; "$@"; status=$?; '
+                    f'cp -r "$0" "{kept}"; exit $status')
+            done = run(KIT, work / "class", out, *namespace, "sh", "-c", disk, str(out))
             found = records(kept)
             self.check(f"a disk of {size}: all marks or none given",
                        is_scored_whole_or_not(found, NUMBER_OF_FULL) and len(found) == (3 if whole else 0)
                        and (done.returncode == 0) == whole, (done.returncode, done.stderr[-300:], done.stdout[-300:]))
-
-    def killed(self, what: str, is_it) -> None:
-        """Kills a process of a grader that this test started, by its number."""
-        work = self.work
-        folder, out = work / what / "class", work / what / "out"
-        put(folder, "anna", but("01-corners", upper_left="for (;;) { }", upper_right="for (;;) { }"))
-        grader = subprocess.Popen(command(folder, out), env={**os.environ, "SEED": SEED}, stdout=subprocess.PIPE,
-                                  stderr=subprocess.PIPE, text=True)
-        at_work = out / ".work" / "1-of-1" / "anna"
-        victim, until = 0, time.monotonic() + 60
-        while not victim and grader.poll() is None and time.monotonic() < until:
-            for process in Path("/proc").glob("[0-9]*"):
-                with contextlib.suppress(OSError):
-                    words = (process / "cmdline").read_bytes().decode(errors="replace").split("\0")
-                    # The reference is not endless: what works for so long is anna's.
-                    if os.readlink(process / "cwd") == str(at_work.resolve()) and is_it(words):
-                        victim = int(process.name)
-                        os.kill(victim, signal.SIGKILL)
-                        break
-            time.sleep(0.002)
-        said, _ = grader.communicate()
-        record = records(out).get("anna", {})
-        self.check(f"{what} is killed: no score, and exit status 1", victim and grader.returncode == 1
-                   and (record["status"], record["score"]) == ("grader failed", None),
-                   (grader.returncode, record, said[-300:]))
 
     def kills_leave_nothing(self, work: Path, sandbox: str) -> None:
         work.mkdir()
@@ -240,25 +237,61 @@ class Faults(Sentences):
                 continue
             self.kills_leave_nothing(self.work / sandbox, sandbox)
 
-    def test_a_kill_is_no_mark(self) -> None:
-        self.killed("the judge", lambda words: words[0].endswith("/judge") and words[1] == "01-corners")
-        self.killed("the answering process", lambda words: words[0] == "answering")
+    def test_a_signal_is_no_mark(self) -> None:
+        """To each kind of process that works on a submission, found by the submission's folder."""
+        folder, out, kit = self.work / "class", self.work / "out", faulty_kit(self.work)
+        view = ["bwrap"] if choose(Path(KIT) / "confine", "", False).bubblewrap else []
+        wanted = {}     # submission -> kind of process, signal
+        for number in SIGNALS:
+            for fault in ("the compiler sleeps", "the judge sleeps"):
+                for kind in ("grader", "watch", *view, "parts", "sleep"):
+                    name = f"{fault}, SIG{number} to {kind}"
+                    put(folder, name, f"// fault: {fault}\n{right('01-corners')}")
+                    wanted[name] = (kind, number)
+            name = f"SIG{number} to answering"
+            put(folder, name, but("01-corners", upper_left="for (;;) { }", upper_right="for (;;) { }"))
+            wanted[name] = ("answering", number)
+        words = [sys.executable, "-B", "tests/grade", str(kit), str(folder), "--out", str(out)]
+        grader = subprocess.Popen(words, env={**os.environ, "SEED": SEED, "JOBS": "64"}, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.PIPE, text=True)
+        until = time.monotonic() + 120
+        ended = set()
+        while grader.poll() is None and time.monotonic() < until:
+            for name, (kind, number) in wanted.items():
+                if name not in ended and signalled(out / ".work" / "1-of-1" / name, kind, number):
+                    ended.add(name)
+            time.sleep(0.01)
+        grader.kill()
+        said = grader.communicate()[1]
+        found = records(out)
+        for name in wanted:
+            record = found.get(name, {})
+            self.check(f"{name}: no score", name in ended and record.get("status") == "grader failed"
+                       and record["score"] is None, (name in ended, record, said[-300:]))
+        self.check("the exit status says so", grader.returncode == 1, grader.returncode)
 
     def test_how_a_part_of_the_compiler_ended_is_known(self) -> None:
         for how, status in (("0", 0), ("1", 90), ("4", 94), ("SIGXCPU", 91), ("SIGXFSZ", 92), ("SIGSEGV", 93),
                             ("SIGKILL", 99), ("SIGTERM", 99), ("SIGBUS", 99)):
-            words = [f"{KIT}/confine", "tool", sys.executable, "-B", str(HERE / "ends_like.py"), how]
+            ends = f"exit {how}" if how.isdigit() else f"kill -{how[3:]} $$"
+            words = [f"{KIT}/confine", "tool", "/bin/sh", "-c", f"ulimit -c 0; {ends}"]
             done = subprocess.run(words, capture_output=True)
             self.check(f"a part of the compiler that ends with {how} is {status}", done.returncode == status,
                        done.returncode)
         done = subprocess.run([f"{KIT}/confine", "tool", "/no/such/program"], capture_output=True)
         self.check("one that cannot be started is not the student's", done.returncode == 99, done.returncode)
 
-    def test_room_for_processes_is_known(self) -> None:
-        """As somebody whom the limit on processes holds for: root has none."""
+    def test_limits_on_processes(self) -> None:
+        """As somebody whom they hold for: root has none."""
         who = ["setpriv", "--reuid", "65534", "--clear-groups"] if os.geteuid() == 0 else []
         confine = shutil.copy(f"{KIT}/confine", tempfile.gettempdir())
         try:
+            done = subprocess.run([*who, "prlimit", "--nproc=512:512", confine, "compile", "/dev/null", "-", "/", "--",
+                                   "/bin/true"], capture_output=True, text=True)
+            self.check("a compiler is started where somebody may have 512 processes", done.returncode == 0, done)
+            done = subprocess.run([*who, "prlimit", "--as=800000000:800000000", confine, "compile", "/dev/null", "-",
+                                   "/", "--", "/bin/true"], capture_output=True, text=True)
+            self.check("a hard limit that is too low is named", "ulimit -v" in done.stderr, done)
             for most, status in (("3", 1), ("4000", 0)):
                 done = subprocess.run([*who, "prlimit", f"--nproc={most}", confine, "room", "12"],
                                       capture_output=True, text=True)

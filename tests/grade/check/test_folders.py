@@ -1,10 +1,13 @@
 """test_folders.py - which answers a folder holds, and that nothing leads out of it."""
+import errno
 import os
 import time
 import unittest
+from unittest import mock
 
-from grade.collect import answers, folders
-from .scratch import Scratch
+from grade.collect import answers, folders, streams
+from grade.confine.machine import GraderFailed
+from .fixtures import Scratch
 
 
 class Folder(Scratch):
@@ -195,6 +198,15 @@ class Folder(Scratch):
         collected = self.collect()
         self.assertIn("and 252 more", collected.answers["05-quadratic"].words)
         self.assertIn("more than 64 MB of answers", collected.words)
+
+    def test_a_disk_that_fails_is_the_grader_s_failure(self):
+        with self.assertRaisesRegex(GraderFailed, "Input/output error"), \
+                streams.opened_file("/proc/self/mem") as file:    # whose first page is not there
+            file.read(1)
+        self.put("05-quadratic.c")
+        with mock.patch("os.open", side_effect=OSError(errno.ESTALE, "Stale file handle")), \
+                self.assertRaisesRegex(GraderFailed, "Stale file handle"):
+            self.collect()
 
     def test_places_are_one_visible_line(self):
         self.put(b"a\n\xff/05-quadratic.c")

@@ -1,11 +1,19 @@
-"""test_grade.py - what the whole grader says of a small class, and that it is fair."""
+"""test_grade.py - the whole grader on a small class: it is fair, a change of the policy alone marks nothing again and
+counts at once, and whatever this machine cannot do is one sentence, and no traceback.
+"""
 from __future__ import annotations
 
+import os
+import re
+import shutil
+import subprocess
+import sys
 import tempfile
 from pathlib import Path
+from xml.etree import ElementTree
 
-from .sentences import Sentences
-from .small_class import STEMS, build_class, grade, records
+from .fixtures import Sentences
+from .small_class import KIT, STEMS, UPSIDE_DOWN, build_class, but, command, grade, records, right, rows
 
 
 def function(record: dict, name: str) -> dict:
@@ -69,9 +77,29 @@ class Grade(Sentences):
     def has_a_result_for_the_odd(self, found: dict[str, dict]) -> None:
         broken, zipped = found["broken"], found["zipped"]
         self.check("no file: empty", found["nothing"]["status"] == "empty")
-        self.check("a broken archive is a result too", broken["status"] == "empty" and broken["words"] != "", broken)
+        self.check("a broken archive cannot be read, and has no score",
+                   (broken["status"], broken["score"]) == ("cannot be read", None)
+                   and broken["words"].startswith("the archive is broken"), broken)
+        locked = found["xaver"]
+        self.check("nor can one with a password", (locked["status"], locked["score"], locked["words"])
+                   == ("cannot be read", None, "01-corners.c cannot be read: it is encrypted"), locked)
+        self.check("of an archive that was uploaded twice, the last counts", has_all(found["zoe_506"], STEMS[:1]),
+                   found["zoe_506"]["stems"][0])
         self.check("an archive is read; what would escape from it is not",
                    score(zipped, "04-pixel-ray")[0] > 0 and score(zipped, "03-screen")[0] == 0, zipped)
+
+    def says_what_cannot_be_read(self, table: dict[str, dict], page: str, told: str) -> None:
+        row = table["'=1+1<b>.pdf"]
+        reason = "a loose file, and neither a folder nor an archive"
+        self.check("grades.csv: no score, in any column, and the reason",
+                   row == {"submission": "'=1+1<b>.pdf", "status": "cannot be read", "score": "", "max": "100",
+                           **dict.fromkeys(STEMS, ""), "reason": reason}, row)
+        self.check("the page of the class has the reason",
+                   re.search("=1\\+1&lt;b&gt;.pdf</bdi></a><div[^>]*>cannot be read</div>\\s*<div[^>]*>"
+                             + reason, page))
+        self.check("the terminal has the reason", f"  =1+1<b>.pdf: {reason}\n" in told, told)
+        self.check("it does not count in the median", "Cannot be read, or only partly: 3\n" in told
+                   and len(re.findall(r"^ +0-9 +#+ (\d+)$", told, re.M)) == 1, told)
 
     def keeps_hidden_inputs(self, found: dict[str, dict]) -> None:
         hidden = [f for record in found.values() for stem in record["stems"]
@@ -85,10 +113,154 @@ class Grade(Sentences):
             build_class(folder)
             done = grade(folder, out)
             found = records(out)
-        self.check("every submission has one result", done.returncode == 0 and len(found) == 18, done.stderr[-600:])
+            table, page = rows(out), (out / "index.html").read_text(encoding="utf-8")
+        self.check("every submission has one result", done.returncode == 0 and len(found) == 21, done.stderr[-600:])
         self.check("a file that is not a submission is mentioned", "read me.txt" in done.stderr)
         self.check("nothing acts on the terminal", "\x1b" not in done.stdout + done.stderr)
         for tested in (self.says_what_is_right, self.says_what_is_wrong, self.knows_who_waits,
                        self.has_a_result_for_the_odd,
                        self.keeps_hidden_inputs):
             tested(found)
+        self.says_what_cannot_be_read(table, page, done.stdout)
+
+
+# ---- a change of the policy ---------------------------------------------------------------------
+
+
+JUNE = 1748779200  # 2025-06-01 12:00 UTC
+
+
+def scores(out: Path) -> dict[str, tuple[str, str]]:
+    return {name: (row["score"], row["max"]) for name, row in rows(out).items()}
+
+
+def upper_right_of(out: Path) -> tuple[str, float, bool]:
+    """The state and score of what waits, and whether JUnit calls it failed."""
+    functions = records(out)["carla"]["stems"][0]["functions"]
+    found = next(one for one in functions if one["name"] == "upper_right")
+    suite = ElementTree.parse(out / "junit.xml")
+    failed = [case.get("name") for case in suite.iter("testcase") if case.find("failure") is not None]
+    return found["state"], found["score"], any("upper_right" in name for name in failed)
+
+
+class PolicyChange(Sentences):
+    def test_policy_change(self) -> None:
+        with tempfile.TemporaryDirectory() as work:
+            folder, out, policy = Path(work, "class"), Path(work, "out"), Path(work, "policy")
+            for name, text in (("anna", right("03-screen")), ("ben", "int x = ;\n")):
+                (folder / name).mkdir(parents=True)
+                (folder / name / "03-screen.c").write_text(text)
+                os.utime(folder / name / "03-screen.c", (JUNE, JUNE))
+
+            def marked(*lines: str) -> tuple[int, dict]:
+                policy.write_text("".join(f"{line}\n" for line in lines))
+                done = grade(folder, out, POLICY=str(policy))
+                self.check(f"{lines} is graded", done.returncode == 0, done.stderr)
+                return done.stderr.count("(kept)"), scores(out)
+
+            first = ("points others 0", "points 03-screen 8")
+            self.check("each is marked once", marked(*first) == (0, {"anna": ("8", "8"), "ben": ("0", "8")}))
+            told = (out / "anna" / "results.json").read_bytes()
+            self.check("a change of points marks nothing again, and counts",
+                       marked("points others 0", "points 03-screen 20") == (2,
+                                                                            {"anna": ("20", "20"), "ben": ("0", "20")}))
+            self.check("the student's page has the new marks",
+                       b"20 of 20" in (out / "anna" / "index.html").read_bytes())
+            # Ten hours late, begun days count: one of them, a quarter.
+            self.check("so does lateness", marked("points others 0", "points 03-screen 20", "due 2025-06-01T02:00Z",
+                                                  "late 25% per day, at most 50%")
+                       == (2, {"anna": ("15", "20"), "ben": ("0", "20")}))
+            self.check("and back again", marked(*first) == (2, {"anna": ("8", "8"), "ben": ("0", "8")}))
+            self.check("with the same bytes", (out / "anna" / "results.json").read_bytes() == told)
+
+    def test_waiting_is_switched_off(self) -> None:
+        with tempfile.TemporaryDirectory() as work:
+            folder, out, policy = Path(work, "class"), Path(work, "out"), Path(work, "policy")
+            (folder / "carla").mkdir(parents=True)
+            (folder / "carla" / "01-corners.c").write_text(
+                but("01-corners", upper_left=UPSIDE_DOWN, upper_right="return upper_left(c) + c.width * c.right;"))
+
+            def marked(line: str) -> tuple[str, float, bool]:
+                policy.write_text(f"points others 0\npoints 01-corners 10\n{line}\n")
+                done = grade(folder, out, POLICY=str(policy))
+                self.check(f"'{line}' is graded", done.returncode == 0, done.stderr)
+                return upper_right_of(out)
+
+            full = marked("waiting full")
+            self.check("what waits has its marks", full == ("waiting", 2, False), full)
+            none = marked("waiting none")
+            self.check("with 'waiting none' it has none, and does not pass", none == ("waiting", 0, True), none)
+
+
+# ---- the machine --------------------------------------------------------------------------------
+
+
+def said(words: list[str], **settings) -> tuple[int, str]:
+    stdout = settings.pop("stdout", subprocess.DEVNULL)
+    done = subprocess.run(words, env={**os.environ, "SEED": "1", **settings}, stdin=subprocess.DEVNULL, stdout=stdout,
+                          stderr=subprocess.PIPE, text=True, check=False)
+    return done.returncode, done.stderr
+
+
+def with_kit(words: list[str], kit: Path) -> list[str]:
+    return [str(kit) if word == KIT else word for word in words]
+
+
+class Environment(Sentences):
+    def is_one_sentence(self, name: str, wanted: str, words: list[str], **settings) -> None:
+        status, complaints = said(words, **settings)
+        last = complaints.splitlines()[-1:] or [""]
+        self.check(f"{name} is one sentence", status == 1 and last[0].startswith("grade: ") and wanted in last[0]
+                   and "Traceback" not in complaints and complaints.count("grade: ") == 1, complaints)
+
+    def test_environment(self) -> None:
+        with tempfile.TemporaryDirectory() as temporary:
+            work = Path(temporary)
+            folder, file = work / "class", work / "file"
+            (folder / "anna").mkdir(parents=True)
+            (folder / "anna" / "03-screen.c").write_text(right("03-screen"))
+            file.write_text("x")
+            for name, out in {"an OUT that is a file": file, "an OUT in a file": file / "out",
+                              "an OUT where nothing can be made": Path("/proc/out")}.items():
+                self.is_one_sentence(name, f"OUT={out} cannot be written: ", command(folder, out))
+            shut = work / "shut"
+            shut.mkdir()
+            (shut / ".seed").write_bytes(b"\xff")
+            self.is_one_sentence("a seed that is noise", "", command(folder, shut))
+            for name, kit in {"no kit": work / "none", "a kit that is a file": file}.items():
+                self.is_one_sentence(name, str(kit), with_kit(command(folder, work / "out"), kit))
+            self.is_one_sentence("a policy that is a folder", "cannot be read", command(folder, work / "out"),
+                                 POLICY=str(work))
+            self.is_one_sentence("a class that is a file", "is a file", command(file, work / "out"))
+            with open("/dev/full", "w") as full:
+                self.is_one_sentence("a full terminal", "its output: No space left", command(folder, work / "out"),
+                                     stdout=full)
+            self.read_only(folder, work)
+
+    def test_it_starts_from_any_folder(self) -> None:
+        words = [sys.executable, str(Path("tests/grade").resolve()), "--help"]
+        done = subprocess.run(words, cwd="/", capture_output=True, text=True,
+                              env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+        self.check("the grader starts from any folder", (done.returncode, done.stdout[:13]) == (0, "usage: grade "),
+                   done.stderr)
+
+    def test_a_tree_that_was_moved(self) -> None:
+        """It was 'compiling something right also fails': the kit named the folder where the tree had been."""
+        with tempfile.TemporaryDirectory() as temporary:
+            kit = Path(shutil.copytree(KIT, Path(temporary, "kit")))
+            compiler = [f"CC={os.environ['CC']}"] if "CC" in os.environ else []
+            done = subprocess.run(["make", *compiler, f"KIT={kit}", f"{kit}/commands"], capture_output=True, text=True,
+                                  env={name: value for name, value in os.environ.items() if name != "MAKEFLAGS"})
+            self.check("its kit names the folder where it is",
+                       str(Path(KIT).resolve()) not in (kit / "commands").read_text(), done.stderr)
+
+    def read_only(self, folder: Path, work: Path) -> None:
+        view = ["bwrap", "--ro-bind", "/", "/", "--dev", "/dev", "--proc", "/proc"]
+        if not shutil.which("bwrap") or said([*view, "true"])[0] != 0:
+            self.skip("a file system that is read-only: no bubblewrap here")
+            return
+        for name in ("new", "old"):
+            if name == "old":
+                (work / name).mkdir()
+            self.is_one_sentence(f"a read-only OUT ({name})", "cannot be written: Read-only file system",
+                                 [*view, *command(folder, work / name)], SANDBOX="landlock")

@@ -10,8 +10,9 @@ import time
 import zipfile
 from pathlib import Path
 
-from .sentences import Sentences
+from .fixtures import Sentences
 
+NO_MARK = "neither a score nor a test"
 CLASS = Path("tests/grade/example/class")
 ARCHIVE = Path("build/gradescope.zip")
 # make's variables for its children would decide how the copy is built.
@@ -57,9 +58,18 @@ class Gradescope(Sentences):
         done = self.run_there(self.top / "run_autograder", **settings)
         found = json.loads(results.read_text(encoding="utf-8"))
         results.unlink()
-        most = sum(test["max_score"] for test in found.get("tests", []))
-        self.check(sentence, f"{found['score']:g} of {most:g}" == score and found["output"].startswith(words),
-                   (found["score"], most, found["output"][:80], done.stdout[-300:]))
+        marks = f"{found['score']:g} of {sum(test['max_score'] for test in found['tests']):g}" \
+            if {"score", "tests"} & found.keys() else NO_MARK
+        self.check(sentence, marks == score and found["output"].startswith(words),
+                   (marks, found["output"][:80], done.stdout[-300:]))
+
+    def path_where(self, program: str, line: str) -> str:
+        """A PATH on which this program is a script of one line."""
+        (self.top / "bin").mkdir(exist_ok=True)
+        there = self.top / "bin" / program
+        there.write_text(f'#!/bin/sh\n{line}\nexec {shutil.which(program)} "$@"\n')
+        there.chmod(0o755)
+        return f"{self.top / 'bin'}:{os.environ['PATH']}"
 
     def test_an_autograder(self):
         first = self.archive()
@@ -86,8 +96,13 @@ class Gradescope(Sentences):
         shutil.rmtree(self.submission)
         self.says("an empty folder has a result", "0 of 100", "empty")
         self.hand_in(*CLASS.glob("another-way/*.c"))
-        self.says("without a sandbox nothing is graded, and it says why", "0 of 0", "Nothing was graded", SANDBOX="none")
+        self.says("without a sandbox nothing is graded, and it says why", NO_MARK, "Nothing was graded", SANDBOX="none")
+        killed = self.path_where("python3", '[ "$2" != tests/grade ] || kill -9 $$')
+        self.says("a grader that is killed has no mark", NO_MARK, "The autograder did not", PATH=killed)
+        # Each part of the grader is larger.
+        self.says("a grader on a full disk has no mark", NO_MARK, "The autograder did not",
+                  PATH=self.path_where("python3", '[ "$2" != tests/grade ] || ulimit -f 1'))
         (self.toolkit / "Makefile").unlink()
-        self.says("a grader that is broken leaves a result", "0 of 0", "The autograder did not")
+        self.says("a grader that is broken leaves a result", NO_MARK, "The autograder did not")
         self.toolkit.rename(self.top / "gone")
-        self.says("so does one that is gone", "0 of 0", "The autograder did not")
+        self.says("so does one that is gone", NO_MARK, "The autograder did not")

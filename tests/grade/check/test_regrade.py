@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -10,7 +11,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from .sentences import Sentences
+from .fixtures import Sentences
 from .small_class import SEED, build_class, command, grade, records, right
 
 
@@ -32,6 +33,19 @@ def at_work_in(folder: Path) -> list[str]:
     return found
 
 
+def capabilities(folder: Path, program: str) -> list[str]:
+    """Of the processes of this name that work in this folder, as the kernel lists them."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            name = os.path.basename((process / "cmdline").read_bytes().split(b"\0")[0]).decode()
+            if name == program and os.readlink(process / "cwd").startswith(str(folder)):
+                found += re.findall(r"Cap(?:Inh|Prm|Eff|Amb):\s*(\w+)", (process / "status").read_text())
+        except OSError:
+            pass
+    return found
+
+
 class Regrade(Sentences):
     def same_marks(self, folder: Path, work: Path, found: dict[str, dict]) -> None:
         if "bubblewrap" in next(iter(found.values()))["sandbox"]:
@@ -50,9 +64,11 @@ class Regrade(Sentences):
         grader = subprocess.Popen(command(endless, out), env={**os.environ, "SEED": SEED, "SANDBOX": sandbox},
                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         until = time.monotonic() + 60
-        while not any("answering" in words for words in at_work_in(out)) and time.monotonic() < until:
+        while not (found := capabilities(out, "answering")) and time.monotonic() < until:
             time.sleep(0.02)
         self.check(f"an endless answer is at work under {sandbox}", time.monotonic() < until)
+        self.check(f"under {sandbox} it has no capabilities, also if root grades",
+                   not any(int(one, 16) for one in found), found)
         grader.kill()
         grader.wait()
         # Processes end one after the other, on a busy machine later: the limit is for those that do not.
@@ -96,6 +112,16 @@ class Regrade(Sentences):
             subprocess.run(["rm", "-r", "--", str(copy / name)], check=True)
         done = grade(copy, out, SEED="1")
         self.check("another seed marks all again", (kept(done), done.stderr.count("/3 ")) == (0, 3), done.stderr)
+        other = work / "other version"
+        shutil.copytree("tests/grade", other / "tests" / "grade")
+        shutil.copytree("solutions", other / "solutions")
+        (other / "build").symlink_to(Path("build").resolve())
+        with open(other / "tests/grade/confine/machine.py", "a") as rules:
+            rules.write("# another rule\n")
+        words = [str(other / word) if word == "tests/grade" else word for word in command(copy, out)]
+        done = subprocess.run(words, env={**os.environ, "SEED": "1"}, capture_output=True, text=True, errors="replace")
+        self.check("what another version of the rules for marks has kept is marked again",
+                   (kept(done), done.stderr.count("/3 ")) == (0, 3), done.stderr)
 
     def shards_share_the_work(self, folder: Path, work: Path, found: dict[str, dict]) -> None:
         if shutil.which("parallel") is None:
@@ -119,7 +145,7 @@ class Regrade(Sentences):
             build_class(folder)
             grade(folder, work / "out", JOBS="4")
             found = records(work / "out")
-            self.check("every submission has one result", len(found) == 18, list(found))
+            self.check("every submission has one result", len(found) == 21, list(found))
             self.same_marks(folder, work, found)
             for sandbox in ("bubblewrap", "landlock"):
                 if sandbox in next(iter(found.values()))["sandbox"].lower():

@@ -13,9 +13,8 @@ import xml.dom.minidom
 from grade.report import files
 from grade.report.points import clean
 from . import read_back
-from .hostile_records import hostile_class
-from .sample_records import ordinary_class
-from .sentences import Sentences
+from .fixtures import Sentences
+from .records import hostile_class, ordinary_class
 
 PACKAGES = pathlib.Path(__file__).resolve().parents[2]
 CLASS = {"grades.csv", "junit.xml", "grades.tap", "index.html"}
@@ -45,54 +44,34 @@ class ReportFiles(Sentences):
             files.write_submission(one, os.path.join(self.out, one["folder"]))
         read = [files.read_record(os.path.join(self.out, one["folder"], "results.json")) for one in them]
         self.check("a record that was written is read as it was", read == [clean(one) for one in them])
-        self.check(
-            "a submission has its two files",
-            all(
-                listed(os.path.join(self.out, one["folder"])) == {"index.html", "results.json"}
-                for one in them
-            ),
-        )
+        self.check("a submission has its two files",
+                   all(listed(os.path.join(self.out, one["folder"])) == {"index.html", "results.json"} for one in them))
         files.write_class(them, self.out)
         before = {name: pathlib.Path(self.out, name).read_bytes() for name in CLASS}
         files.write_class(read[::-1], self.out)
-        self.check(
-            "class reports from what was read, in another order, are the same bytes",
-            before == {name: pathlib.Path(self.out, name).read_bytes() for name in CLASS},
-        )
+        self.check("class reports from what was read, in another order, are the same bytes",
+                   before == {name: pathlib.Path(self.out, name).read_bytes() for name in CLASS})
         self.check("only the reports are left", listed(self.out) == CLASS | {one["folder"] for one in them})
         os.rename(os.path.join(self.out, "h00"), os.path.join(self.out, "moved"))
-        self.check(
-            "a folder that was renamed is found again",
-            files.read_record(os.path.join(self.out, "moved", "results.json"))["folder"] == "moved",
-        )
+        self.check("a folder that was renamed is found again",
+                   files.read_record(os.path.join(self.out, "moved", "results.json"))["folder"] == "moved")
 
     def test_hash_seeds(self):
         # Python's sets and hashes differ from run to run; what is written must not.
         program = (
-            "import sys; from grade.check import hostile_records, sample_records; from grade.report import files;"
-            "files.write_class(sample_records.ordinary_class(), sys.argv[1]);"
-            "files.write_submission(hostile_records.hostile_class()[9], sys.argv[1] + '/one');"
+            "import sys; from grade.check import records; from grade.report import files;"
+            "files.write_class(records.ordinary_class(), sys.argv[1]);"
+            "files.write_submission(records.hostile_class()[9], sys.argv[1] + '/one');"
         )
         written = []
         for seed in ("1", "2"):
             folder = os.path.join(self.out, seed)
-            subprocess.run(
-                [sys.executable, "-B", "-c", program, folder],
-                check=True,
-                cwd=PACKAGES,
-                env={**os.environ, "PYTHONHASHSEED": seed, "LC_ALL": "C"},
-            )
-            written.append(
-                {
-                    str(path.relative_to(folder)): path.read_bytes()
-                    for path in pathlib.Path(folder).rglob("*")
-                    if path.is_file()
-                }
-            )
-        self.check(
-            "two runs write the same bytes, whatever the locale",
-            written[0] == written[1] and len(written[0]) == 6,
-        )
+            subprocess.run([sys.executable, "-B", "-c", program, folder], check=True, cwd=PACKAGES,
+                           env={**os.environ, "PYTHONHASHSEED": seed, "LC_ALL": "C"})
+            written.append({str(path.relative_to(folder)): path.read_bytes()
+                            for path in pathlib.Path(folder).rglob("*") if path.is_file()})
+        self.check("two runs write the same bytes, whatever the locale",
+                   written[0] == written[1] and len(written[0]) == 6)
 
     def test_whole_or_not(self):
         one = ordinary_class()[0]
@@ -103,27 +82,17 @@ class ReportFiles(Sentences):
         )
         self.check(
             "a mark that is none is refused",
-            raises(
-                ValueError,
-                files.write_submission,
-                {**one, "submission": "b", "score": float("inf")},
-                self.out,
-            ),
+            raises(ValueError, files.write_submission, {**one, "submission": "b", "score": float("inf")}, self.out),
         )
         rename, os.replace = os.replace, lambda *paths: (_ for _ in ()).throw(OSError("disk full"))
-        self.check(
-            "a full disk is reported",
-            raises(OSError, files.write_submission, {**one, "submission": "b"}, self.out),
-        )
+        self.check("a full disk is reported",
+                   raises(OSError, files.write_submission, {**one, "submission": "b"}, self.out))
         os.replace = rename
         self.check(
             "and the older files stay, alone",
             listed(self.out) == {"index.html", "results.json"}
             and before
-            == (
-                pathlib.Path(self.out, "index.html").read_bytes(),
-                pathlib.Path(self.out, "results.json").read_bytes(),
-            ),
+            == (pathlib.Path(self.out, "index.html").read_bytes(), pathlib.Path(self.out, "results.json").read_bytes()),
         )
         order = []
         os.replace = lambda new, name: (order.append(os.path.basename(name)), rename(new, name))
@@ -135,23 +104,12 @@ class ReportFiles(Sentences):
         old.touch()
         os.utime(old, (time.time() - 7200,) * 2)
         files.write_submission(one, self.out)
-        self.check(
-            "what a killed grader left is cleared away, another's work is not",
-            fresh.exists() and not old.exists(),
-        )
+        self.check("what a killed grader left is cleared away, another's work is not",
+                   fresh.exists() and not old.exists())
 
     def test_no_record(self):
         path = os.path.join(self.out, "results.json")
-        for words in (
-            "",
-            "{",
-            "[]",
-            "null",
-            "{}",
-            '{"extra_data": 1}',
-            '{"extra_data": {"record": []}}',
-            "\x00",
-        ):
+        for words in ("", "{", "[]", "null", "{}", '{"extra_data": 1}', '{"extra_data": {"record": []}}', "\x00"):
             pathlib.Path(path).write_text(words, encoding="utf-8")
             self.check(f"no record is found in {words!r}", raises(ValueError, files.read_record, path))
 

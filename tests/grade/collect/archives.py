@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 
 from grade.visible import brief, why
 from . import answers, streams
-from .limits import Enough, opened_file
+from .streams import Enough, opened_file
 
 MEMBERS = 50000
 KEPT = 64 * 1024 * 1024     # bytes of answers, and of archives inside
@@ -73,12 +73,12 @@ def room_for_more(room: Room) -> int:
 def put_by(search, room: Room, parts, raw: bytes, level: int) -> bool:
     """Keeps an inner archive for later, unless it is too large or too deep, or there are too many."""
     if level > LEVELS:
-        answers.note(search, f"an archive {LEVELS} deep in others is not opened: {answers.place_of(parts)}")
+        answers.not_read(search, f"an archive {LEVELS} deep in others is not opened: {answers.place_of(parts)}")
     elif room.archives == 0:
-        answers.note(search, f"holds more than {ARCHIVES} archives; no more were opened")
+        answers.not_read(search, f"holds more than {ARCHIVES} archives; no more were opened")
     elif len(raw) > room.kept:
-        answers.note(search, f"{answers.place_of(parts)} is larger than {KEPT >> 20} MB, with what else there is; "
-                             "it was not read")
+        answers.not_read(search, f"{answers.place_of(parts)} is larger than {KEPT >> 20} MB, with what else there is; "
+                                 "it was not read")
     else:
         room.keep(len(raw))
         room.archives -= 1
@@ -179,7 +179,7 @@ def look_in_zip(search, room: Room, place: Place, file) -> None:
                 except (Enough, MemoryError):
                     raise
                 except Exception as error:  # of an archive inside; the members after it are whole
-                    answers.note(search, f"{answers.place_of(parts)} cannot be read: {why(error)}")
+                    answers.not_read(search, f"{answers.place_of(parts)} cannot be read: {why(error)}")
             elif answers.stem_of(search, parts[-1]):
                 answers.no_file(search, parts, answers.NOT_FOLLOWED)
 
@@ -255,7 +255,7 @@ def look_in_tar(search, room: Room, place: Place, stream) -> None:
 def said(search, place: Place, words: str) -> None:
     """Why an archive was not read to its end."""
     if place.parts:
-        answers.note(search, f"{answers.place_of(place.parts)}: {words}")
+        answers.not_read(search, f"{answers.place_of(place.parts)}: {words}")
     else:
         answers.ended_early(search, words)
 
@@ -280,6 +280,7 @@ def look_in(search, room: Room, place: Place, file, called: str) -> None:
         search.lacks = search.lacks or str(error)
         said(search, place, str(error))
     except streams.Unreadable as error:
+        search.refused = True
         said(search, place, str(error))
     except Exception as error:
         said(search, place, f"the archive is broken: {why(error)}")

@@ -6,13 +6,13 @@ names, so that what is found does not depend on the machine, and answers are fou
 Archives in it are read as they are met, and opened when all folders have been looked at.
 """
 import os
-import stat
 from collections import deque
 from itertools import islice
 
+from grade.confine.machine import must_be_its_own
 from grade.visible import why
 from . import answers, archives
-from .limits import Enough, opened_file
+from .streams import Enough, opened_file
 from .names import decoded
 
 ENTRIES = 20000
@@ -46,7 +46,7 @@ def put_by(search, folder: int, parts, entry, inner) -> None:
     try:
         raw, when = read(entry.name, folder, archives.room_for_more(inner))
     except OSError as error:
-        answers.note(search, f"{answers.place_of(parts)} cannot be read: {why(error)}")
+        answers.not_read(search, f"{answers.place_of(parts)} cannot be read: {why(error)}")
         return
     if archives.put_by(search, inner, parts, raw, 1):
         answers.written(search, when)
@@ -119,8 +119,9 @@ def look(search, path: bytes, opener=None) -> None:
                 finally:
                     os.close(folder)
             except OSError as error:
+                must_be_its_own(error)
                 place = answers.place_of(map(decoded, parts)) or "the folder"
-                answers.note(search, f"{place} cannot be read: {why(error)}")
+                answers.not_read(search, f"{place} cannot be read: {why(error)}")
         archives.look_in_waiting(search, inner)
     except Enough as enough:
         answers.ended_early(search, str(enough))

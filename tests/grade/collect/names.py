@@ -11,12 +11,19 @@ from collections import defaultdict
 from grade.visible import spelled
 
 LONGEST = 200  # bytes; file systems allow 255, and temporary names need room
+# Nobody hands these in: what systems and platforms leave, and the instructor's own tables and notes.
+CLUTTER = re.compile(r"\..*|__MACOSX|thumbs\.db|desktop\.ini|submission_metadata\.yml|read ?me(\..*)?|.*\.csv",
+                     re.IGNORECASE | re.DOTALL)
 RESERVED = {"grades.csv", "junit.xml", "grades.tap", "index.html"}
 
 
 def decoded(raw: bytes) -> str:
     """As UTF-8; a byte that is none becomes a lone surrogate, whatever the locale."""
     return raw.decode("utf-8", "surrogateescape")
+
+
+def is_clutter(name: str) -> bool:
+    return bool(CLUTTER.fullmatch(name))
 
 
 def shown(raws: list) -> list:

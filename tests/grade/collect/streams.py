@@ -1,17 +1,53 @@
-"""streams.py - a compressed archive as the tar that is in it, piece by piece.
+"""streams.py - a file that somebody else made, and a compressed archive as the tar that is in it, piece by piece.
 
 gzip, xz and bzip2 are Python's own. 7-Zip, RAR and Zstandard are read by bsdtar (libarchive), which
 writes what they hold as a tar; it runs where compilers run, with nothing but the archive to read.
 """
+import io
 import os
 import resource
 import shutil
+import stat
 import subprocess
+import tarfile
 import zlib
 from contextlib import contextmanager
 
-from grade.visible import visible
-from .limits import Enough
+from grade.confine.machine import CRASHES, LIMITS, GraderFailed, must_be_its_own, statuses_of
+from grade.visible import visible, why
+
+# Should it have become a fifo since it was looked at, opening it must not wait.
+FILE = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC
+
+
+class Enough(Exception):
+    """Nothing more is looked at; the words say why."""
+
+
+class File(io.FileIO):
+    def readinto(self, buffer):
+        try:
+            return super().readinto(buffer)
+        except OSError as error:
+            must_be_its_own(error)
+            raise
+
+
+def opened_file(name, folder=None):
+    """A regular file; OSError where it is something else."""
+    try:
+        file = io.BufferedReader(File(os.open(name, FILE, dir_fd=folder)))
+    except OSError as error:
+        must_be_its_own(error)
+        raise
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+        file.close()
+        raise OSError(0, "it is not a file")
+    return file
+
+
+# ---- compressed ---------------------------------------------------------------------------------
+
 
 CHUNK = 64 * 1024
 STREAMS = 1000              # compressed streams, one after the other, in one file
@@ -22,8 +58,12 @@ KINDS = {b"\x1f\x8b": "gzip", b"\xfd7zXZ\0": "xz", b"BZh": "bzip2", b"7z\xbc\xaf
          b"Rar!\x1a\x07": "RAR", b"\x28\xb5\x2f\xfd": "Zstandard"}
 
 
+# How bsdtar ends if it can read an archive, or if something is wrong with that.
+ENDINGS = {0, 1} | statuses_of(CRASHES | LIMITS) | {-number for number in CRASHES | LIMITS}
+
+
 class Unreadable(Exception):
-    """An archive that cannot be read; the words say why."""
+    """An archive that a program cannot read; the words say why."""
 
 
 class NotHere(Unreadable):
@@ -108,6 +148,14 @@ def as_file(file):
     return handle
 
 
+def started(command: list, archive: int, said) -> subprocess.Popen:
+    try:
+        return subprocess.Popen(command, stdin=archive, stdout=subprocess.PIPE, stderr=said, preexec_fn=limited,
+                                env={"LC_ALL": "C.UTF-8", "PATH": "/usr/bin:/bin"})
+    except (OSError, subprocess.SubprocessError) as error:
+        raise GraderFailed(f"bsdtar cannot be started: {why(error)}") from None
+
+
 @contextmanager
 def by_bsdtar(kind: str, file, opener):
     program = shutil.which("bsdtar")
@@ -118,23 +166,47 @@ def by_bsdtar(kind: str, file, opener):
     handle, words = as_file(file), os.memfd_create("words", os.MFD_CLOEXEC)
     with open(words, "r+b") as said:
         try:
-            process = subprocess.Popen(opener(command) if opener else command, stdin=handle, stdout=subprocess.PIPE,
-                                       stderr=said, preexec_fn=limited, env={"LC_ALL": "C.UTF-8", "PATH": "/usr/bin:/bin"})
+            process = started(opener(command) if opener else command, handle, said)
         finally:
             os.close(handle)
+        broken = None
         try:
-            yield process.stdout
+            try:
+                yield process.stdout
+            except (Enough, MemoryError):
+                raise
+            except Exception as error:  # perhaps the tar is cut off: then how bsdtar ended says why
+                broken = error
             for _ in iter(lambda: process.stdout.read(CHUNK), b""):
                 pass    # a tar is filled up with zeros
-            if process.wait() != 0:
-                said.seek(0)
-                lines = visible(said.read(2000).decode("utf-8", "replace").strip(), lines=True).splitlines()
+            status = process.wait()
+            said.seek(0)
+            lines = visible(said.read(2000).decode("utf-8", "replace").strip(), lines=True).splitlines()
+            if status not in ENDINGS:
+                raise GraderFailed(f"reading {kind}: {lines[-1][:200] if lines else f'bsdtar ended with {status}'}")
+            if status != 0:
                 raise Unreadable(f"the {kind} archive cannot be read: "
                                  + (lines[0].removeprefix("bsdtar: ")[:200] if lines else "it takes too much work"))
+            if broken:
+                raise Unreadable(f"the archive is broken: {why(broken)}")
         finally:
             process.kill()
             process.wait()
             process.stdout.close()
+
+
+def must_read_something_right(opener) -> None:
+    """The canary of by_bsdtar: a small archive. GraderFailed if that cannot be read either."""
+    known = io.BytesIO()
+    with tarfile.open(fileobj=known, mode="w") as archive:
+        archive.addfile(tarfile.TarInfo("right"))
+    try:
+        with by_bsdtar("an archive", known, opener) as stream, tarfile.open(fileobj=stream, mode="r|") as archive:
+            if archive.getnames() == ["right"]:
+                return
+    except (Unreadable, tarfile.TarError):
+        pass
+    raise GraderFailed("bsdtar also refused a correct archive")
 
 
 @contextmanager

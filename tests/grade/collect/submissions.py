@@ -1,30 +1,156 @@
 """submissions.py - what is a submission, and the answers in it.
 
-Every entry of the class's folder is one, or a part of one (exports.py), whatever is wrong with it:
-whoever handed in anything has a result. Only what nobody hands in is not: hidden files, what systems
-and platforms leave, the instructor's own tables and notes. Nothing here follows a symbolic link,
-writes anything, or trusts a size; anything odd is reported in words. Whoever calls collect does so in a
-process with limits on memory and time.
+Every entry of the class's folder is one, or a part of one, whatever is wrong with it: whoever handed in anything has
+a result. Only what nobody hands in is not: hidden files, what systems and platforms leave, the instructor's own
+tables and notes. Nothing here follows a symbolic link, writes anything, or trusts a size; anything odd is reported in
+words. Whoever calls collect does so in a process with limits on memory and time.
+
+Learning platforms export what is one person's in these ways:
+
+    Canvas      doejane_123_456_01-corners.c      loose files: who, user, upload, name; _LATE after
+                doejane_LATE_123_457_hw-1.zip     who; -1, -2 ... before the suffix if handed in again
+    Moodle      Jane Doe_123_assignsubmission_file_/     a folder for each, or with 'folders' off
+                Jane Doe_123_assignsubmission_file_NAME  loose files
+    Gradescope  submission_123/               a folder for each; submission_metadata.yml has the names
+
+Everything else is a submission under its own name: folders (a clone of GitHub Classroom's is one),
+archives, and loose files, which hold no answer but whose owner has handed in something.
 """
 from __future__ import annotations
 
 import hashlib
 import os
 import re
-from dataclasses import dataclass
+from collections import Counter, defaultdict
+from dataclasses import dataclass, replace
 from typing import Callable, Iterable, Optional
 
-from grade.confine.machine import GraderFailed
+from grade.confine.machine import GraderFailed, believed, must_be_its_own
 from grade.visible import why
-from . import answers, archives, exports, folders, names
+from . import answers, archives, folders, names, streams
 from .answers import Collected
-from .exports import Part
-from .limits import Enough
+from .names import decoded
+from .streams import Enough, opened_file
+
+# ---- what platforms export ----------------------------------------------------------------------
+
+
+CANVAS = re.compile(r"(?P<who>.+?)(?:_LATE)?_(?P<user>\d{1,18})_(?P<upload>\d{1,18})_(?P<name>.+)",
+                    re.ASCII | re.DOTALL)
+MOODLE = re.compile(r"(?P<who>.+?)_(?P<user>\d{1,18})_assignsubmission_[a-z]+(?:_(?P<name>.*))?", re.ASCII | re.DOTALL)
+AGAIN = re.compile(r"(?P<name>.+?)-\d{1,4}(?P<suffix>(\.[A-Za-z0-9]+)+)", re.ASCII | re.DOTALL)
+GRADESCOPE = "submission_metadata.yml"
+LARGEST_METADATA = 64 * 1024 * 1024
+NAMED = 5   # of a group
+
+
+@dataclass(frozen=True)
+class Part:
+    """An entry of the class's folder, or what a platform made of a file that was handed in."""
+    path: bytes
+    kind: str           # folder, archive, file, link, unreadable
+    name: str = ""      # what it was called when it was handed in
+    words: str = ""     # why there is nothing to look at
+    upload: int = 0     # larger: later
+
+
+@dataclass(frozen=True)
+class Owner:
+    """Whose parts these are, as the class's folder says it."""
+    raw: bytes
+    parts: tuple
+    title: str = ""     # as people read it
+
+
+def matched(pattern, entry: bytes, kind: str):
+    text = decoded(entry)
+    found = pattern.fullmatch(text) if kind in ("folder", "archive", "file") else None
+    return found if found and (kind == "folder" or found["name"]) else None
+
+
+def handed_in_as(name: str) -> str:
+    """Canvas calls a file 01-corners-1.c that is handed in again."""
+    again = AGAIN.fullmatch(name)
+    return again["name"] + again["suffix"] if again else name
+
+
+def of_canvas(found: dict) -> dict:
+    """The matches that are Canvas's, and not names that happen to look like that: an upload has one
+    number, a user one name, and archives of other names of one user alone are rather ws_2025_1_anna.zip."""
+    uploads = Counter(match["upload"] for match, _ in found.values())
+    users = Counter(user for user, _ in {(match["user"], match["who"]) for match, _ in found.values()})
+    names = {handed_in_as(match["name"]) for match, _ in found.values()}
+    if len(names) > 1 and len(users) == 1 and all(kind == "archive" for _, kind in found.values()):
+        return {}
+    return {raw: match for raw, (match, _) in found.items()
+            if uploads[match["upload"]] == 1 and users[match["user"]] == 1}
+
+
+def grouped(entries: list) -> list:
+    """entries: (Part, its name's bytes). The owners, in the order of their first entries."""
+    canvas = of_canvas({raw: (match, part.kind) for part, raw in entries if part.kind in ("archive", "file")
+                        and (match := matched(CANVAS, raw, part.kind))})
+    owners = defaultdict(list)
+    for part, raw in entries:
+        match = matched(MOODLE, raw, part.kind)
+        if match is None and raw in canvas:
+            match = canvas[raw]
+            part = replace(part, upload=int(match["upload"]), name=handed_in_as(match["name"]))
+        elif match is not None:
+            part = replace(part, name=match["name"] or "")
+        owner = f"{match['who']}_{match['user']}".encode("utf-8", "surrogateescape") if match else raw
+        owners[owner].append(part)
+    return [Owner(raw, tuple(parts)) for raw, parts in owners.items()]
+
+
+# ---- Gradescope's names -------------------------------------------------------------------------
+
+def unquoted(text: str) -> str:
+    text = text.strip()
+    return text[1:-1].replace("''", "'") if len(text) > 1 and text[0] == text[-1] and text[0] in "'\"" else text
+
+
+def people(directory: bytes) -> dict:
+    """Folder -> the names of those who handed it in, from Gradescope's list; {} without one."""
+    found = defaultdict(list)
+    try:
+        with opened_file(os.path.join(directory, os.fsencode(GRADESCOPE))) as file:
+            lines = file.read(LARGEST_METADATA).decode("utf-8", "replace").splitlines()
+    except OSError:
+        return {}
+    folder, inside = "", False
+    for line in lines:
+        if match := re.fullmatch(r"['\"]?(submission_\d+)['\"]?:\s*", line):
+            folder, inside = match[1], False
+        elif re.fullmatch(r"  ?:?submitters:\s*", line):
+            inside = True
+        elif re.match(r"  ?:?\w", line):
+            inside = False
+        elif inside and folder and (match := re.fullmatch(r"\s+(?:- +)?:?name: +(.+)", line)):
+            found[folder].append(unquoted(match[1]))
+    return found
+
+
+def titled(owners: list, directory: bytes) -> list:
+    """With the names of people, where the platform has a list of them."""
+    known, taken = people(directory), {decoded(owner.raw) for owner in owners}
+    for owner in owners:
+        folder = decoded(owner.raw)
+        them = known.get(folder, [])
+        more = f" and {len(them) - NAMED} more" if len(them) > NAMED else ""
+        title = f"{', '.join(them[:NAMED])}{more} ({folder})" if them else folder
+        if title in taken:
+            title = folder
+        taken.add(title)
+        yield replace(owner, title=title)
+
+
+# ---- submissions --------------------------------------------------------------------------------
+
 
 SUFFIXES = tuple(suffix.encode() for suffix in archives.SUFFIXES)
 # Nobody hands these in.
 HIDDEN = re.compile(r"\..*|__MACOSX", re.DOTALL)
-NOTES = re.compile(r"thumbs\.db|desktop\.ini|submission_metadata\.yml|read ?me(\..*)?|.*\.csv", re.IGNORECASE | re.DOTALL)
 NO_ANSWER = "a loose file, and neither a folder nor an archive"
 
 
@@ -57,10 +183,10 @@ def is_nobody_s(raw: bytes, kind: str, stems: list) -> bool:
     name = names.decoded(raw)
     if HIDDEN.fullmatch(name):
         return True
-    return kind != "folder" and bool(NOTES.fullmatch(name) or name in [f"{stem}.c" for stem in stems])
+    return kind != "folder" and bool(names.is_clutter(name) or name in [f"{stem}.c" for stem in stems])
 
 
-def suffix_of(owner: exports.Owner) -> int:
+def suffix_of(owner: Owner) -> int:
     return next((len(suffix) for suffix in SUFFIXES if owner.raw.lower().endswith(suffix)), 0) \
         if owner.parts[0].kind == "archive" else 0
 
@@ -76,7 +202,7 @@ def find(directory, stems: Iterable[str] = ()) -> tuple:
                 others.append(entry.name)
             else:
                 entries.append((Part(entry.path, kind, "", words), entry.name))
-    owners = list(exports.titled(exports.grouped(entries), directory))
+    owners = list(titled(grouped(entries), directory))
     shown = names.shown([owner.title.encode("utf-8", "surrogateescape") for owner in owners])
     stored = names.folders([(owner.raw, suffix_of(owner)) for owner in owners])
     return ([Submission(owner.parts[0].path, name, folder, owner.parts[0].kind, owner.parts[0].words, owner.parts)
@@ -107,25 +233,40 @@ def look_at(search, part: Part, opener) -> None:
     elif part.name:
         look_at_file(search, part)
     else:
-        answers.note(search, part.words)
+        answers.not_read(search, part.words)
 
 
-def collect(submission: Submission, stems: Iterable[str],
-            opener: Optional[Callable[[list], list]] = None) -> Collected:
-    """The answers of a submission, or words. GraderFailed, if some are perhaps in an archive that only
-    this machine cannot read; no other exception. opener: how a program that unpacks is started, a
-    command to a command (a sandbox's)."""
-    stems = list(stems)
+def searched(submission: Submission, stems: list, opener) -> answers.Search:
     search = answers.search_for(stems)
     parts = submission.parts or (Part(submission.path, submission.kind, "", submission.words),)
     for part in parts:
+        search.upload = part.upload
         try:
             look_at(search, part, opener)
         except MemoryError:
             search = answers.search_for(stems)
-            answers.note(search, "reading it takes more memory than a submission may have")
+            answers.not_read(search, "reading it takes more memory than a submission may have")
         except (Exception, Enough) as error:
-            answers.note(search, f"cannot be read: {why(error)}")
+            if isinstance(error, OSError):
+                must_be_its_own(error)
+            answers.not_read(search, f"cannot be read: {why(error)}")
+    return search
+
+
+def collect(submission: Submission, stems: Iterable[str],
+            opener: Optional[Callable[[list], list]] = None) -> Collected:
+    """The answers of a submission, or words. GraderFailed, if this machine is at fault that some are perhaps not
+    found; no other exception. opener: how a program that unpacks is started, a
+    command to a command (a sandbox's)."""
+    stems = list(stems)
+
+    def again(_) -> answers.Search:
+        streams.must_read_something_right(opener)
+        search = searched(submission, stems, opener)
+        streams.must_read_something_right(opener)
+        return search
+
+    search = believed({"": searched(submission, stems, opener)}, lambda search: search.refused, again)[""]
     collected = answers.all_of(search)
     if search.lacks and any(answer.state == "missing" for answer in collected.answers.values()):
         raise GraderFailed(search.lacks)
@@ -139,5 +280,5 @@ def digest(collected: Collected) -> str:
         for part in (stem, answer.state, answer.file, answer.words, answer.text):
             raw = part if isinstance(part, bytes) else part.encode()
             sum_of.update(b"%d:" % len(raw) + raw)
-    sum_of.update(collected.words.encode())
+    sum_of.update(f"{collected.status}: {collected.words}".encode())
     return sum_of.hexdigest()

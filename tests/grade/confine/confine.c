@@ -8,25 +8,22 @@
 //                                            the judge: files in these places
 //   confine watch PARENT -- PROGRAM ARGUMENT...
 //                                            not confined: nothing of it outlives it, or the
-//                                            process PARENT that started this (watch.h)
+//                                            process PARENT that started this (watch.c)
 //   confine tool PROGRAM ARGUMENT...         a part of the compiler; its exit status says how that
-//                                            ended (tool.h), which no message of it can forge
+//                                            ended (watch.c), which no message of it can forge
 //   confine room PROCESSES                   fails if that many processes cannot be started
 //   confine probe                            says what this kernel has: 'landlock', 'seccomp'
 //
-// Limits, then Landlock (files, network, signals), then seccomp (system calls); each alone would do
-// for most attacks. The children of the program inherit the limits. Exit status 126: could not be
-// confined.
+// No capabilities, limits, then Landlock (files, network, signals), then seccomp (system calls);
+// each alone would do for most attacks. The children of the program inherit the limits. Exit status
+// 126: could not be confined.
 #define _GNU_SOURCE
-#include "tests/grade/confine/give_up.h"
-#include "tests/grade/confine/landlock.h"
-#include "tests/grade/confine/system_calls.h"
-#include "tests/grade/confine/tool.h"
-#include "tests/grade/confine/watch.h"
-#include "tests/judge/answering.h"
+#include "tests/grade/confine/confine.h"
+#include "tests/judge/process.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -50,7 +47,7 @@ enum {
     COMPILE_PROCESSES = 4096, // all processes of this user, if there is no user namespace
 };
 
-static bool judge_listens; // for why an answer was not started (tests/judge/answering.h)
+static bool judge_listens; // for why an answer was not started (tests/judge/process.h)
 
 void give_up(const char *what)
 {
@@ -61,11 +58,34 @@ void give_up(const char *what)
     exit(126);
 }
 
-static void limit(__rlimit_resource_t what, rlim_t most)
+// option: of the shell's ulimit
+static void limit(__rlimit_resource_t what, rlim_t most, char option)
 {
     struct rlimit limits = {most, most};
-    if (setrlimit(what, &limits) != 0)
-        give_up("setrlimit");
+    if (setrlimit(what, &limits) == 0)
+        return;
+    char words[80];
+    snprintf(words, sizeof words, "the hard limit 'ulimit -%c' of this machine is too low", option);
+    give_up(words);
+}
+
+// Shared machines allow fewer.
+static void limit_processes(rlim_t most)
+{
+    struct rlimit limits;
+    if (getrlimit(RLIMIT_NPROC, &limits) != 0)
+        give_up("getrlimit");
+    limit(RLIMIT_NPROC, limits.rlim_max < most ? limits.rlim_max : most, 'u');
+}
+
+// In a container without bubblewrap the grader is often root. Without new privileges a program that
+// is started gets none of them back.
+static void drop_capabilities(void)
+{
+    struct __user_cap_header_struct version = {_LINUX_CAPABILITY_VERSION_3, 0};
+    struct __user_cap_data_struct none[_LINUX_CAPABILITY_U32S_3] = {0};
+    if (syscall(SYS_capset, &version, none) != 0)
+        give_up("to drop capabilities");
 }
 
 static void start_answers(const char *program)
@@ -80,12 +100,12 @@ static void start_answers(const char *program)
         landlock_allow_program(rules, PROGRAM);
         landlock_end(rules);
     }
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, ANSWER_PRINTED);
-    limit(RLIMIT_AS, ANSWER_MEMORY);
-    limit(RLIMIT_CPU, ANSWER_SECONDS);
-    limit(RLIMIT_NPROC, 1);
-    limit(RLIMIT_NOFILE, 5);
+    limit(RLIMIT_CORE, 0, 'c');
+    limit(RLIMIT_FSIZE, ANSWER_PRINTED, 'f');
+    limit(RLIMIT_AS, ANSWER_MEMORY, 'v');
+    limit(RLIMIT_CPU, ANSWER_SECONDS, 't');
+    limit(RLIMIT_NPROC, 1, 'u');
+    limit(RLIMIT_NOFILE, 5, 'n');
     // The same addresses and no clock, so that nothing differs between two runs.
     personality(ADDR_NO_RANDOMIZE);
 #ifdef PR_SET_TSC
@@ -112,20 +132,21 @@ static void allow_places(char **places, char **command)
         }
         landlock_end(rules);
     }
-    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CORE, 0, 'c');
 }
 
 static void start_compiler(char **places, char **command)
 {
     allow_places(places, command);
-    limit(RLIMIT_FSIZE, COMPILE_FILE);
-    limit(RLIMIT_AS, COMPILE_MEMORY);
+    limit(RLIMIT_FSIZE, COMPILE_FILE, 'f');
+    limit(RLIMIT_AS, COMPILE_MEMORY, 'v');
     // At the lower one the signal says what it is for; SIGKILL would not.
+    limit(RLIMIT_CPU, COMPILE_SECONDS + 1, 't');
     struct rlimit work = {COMPILE_SECONDS, COMPILE_SECONDS + 1};
     if (setrlimit(RLIMIT_CPU, &work) != 0)
         give_up("setrlimit");
-    limit(RLIMIT_NPROC, COMPILE_PROCESSES);
-    limit(RLIMIT_NOFILE, 64);
+    limit_processes(COMPILE_PROCESSES);
+    limit(RLIMIT_NOFILE, 64, 'n');
     allow_compiler();
     execv(command[0], command);
     give_up(command[0]);
@@ -167,6 +188,7 @@ int main(int argc, char **argv)
     }
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0)
         give_up("no new privileges");
+    drop_capabilities();
     if (prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) != 0)
         give_up("to end with its parent");
     if (answer)

@@ -2,9 +2,7 @@
 // older systems have no header (Debian 11 lacks it). The numbers are the kernel's, on every
 // processor: https://docs.kernel.org/userspace-api/landlock.html
 #define _GNU_SOURCE
-#include "tests/grade/confine/landlock.h"
-
-#include "tests/grade/confine/give_up.h"
+#include "tests/grade/confine/confine.h"
 
 #include <fcntl.h>
 #include <stdint.h>

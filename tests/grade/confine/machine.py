@@ -1,13 +1,18 @@
-"""machine.py - whether this machine has room for a step, and what it means that a step failed.
+"""machine.py - the rule for faults of this machine: they are never a mark.
 
-A step that did not come to its end says nothing about a submission: it is the grader's failure, and
-never a mark. Whoever judges a submission raises GraderFailed then, and the crew lists it.
+A step that did not come to its end says nothing about a submission. Whoever works on one raises
+GraderFailed then, and the crew lists it. A step that did come to its end, and found something wrong, is
+believed only if the same step works on something right just before and after (believed). Before each step there must be
+room for it (check_room).
 """
 from __future__ import annotations
 
+import errno
 import os
+import signal
 import subprocess
 from pathlib import Path
+from typing import Callable
 
 # The disk space of one submission in OUT: its objects, its programs, and the judge's output (mark/building.py).
 DISK = 128 << 20
@@ -18,8 +23,42 @@ PROCESSES = 12          # of one submission at a time, and some more
 CONTROL_GROUP = Path("/sys/fs/cgroup")
 
 
-class GraderFailed(Exception):
-    """The reason for a missing mark, in words for the instructor."""
+# The signals by which a program can end because of the file that it was given. Any other came from outside.
+CRASHES = {signal.SIGILL, signal.SIGABRT, signal.SIGFPE, signal.SIGSEGV}
+LIMITS = {signal.SIGXCPU, signal.SIGXFSZ}
+# The errors of system calls that are not about the file that is read or written.
+NO_ROOM = {errno.EAGAIN, errno.EIO, errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.ENOSPC, errno.EDQUOT, errno.ESTALE,
+           errno.ETIMEDOUT}
+
+
+class GraderFailed(BaseException):
+    """The reason for a missing mark, in words for the instructor. Not an Exception: whoever reads something odd of a
+    submission's must not take this for one more odd thing."""
+
+
+def must_be_its_own(error: OSError) -> None:
+    """The error of a file of the submission's."""
+    if error.errno in NO_ROOM:
+        raise GraderFailed(f"a file cannot be read: {error.strerror}") from None
+
+
+def believed(first: dict, is_doubtful: Callable, again: Callable) -> dict:
+    """What a step found, by name. Something that counts against the submission (is_doubtful) is believed only if a
+    second look finds it as well (again: a name to what it found), just before and just after which the same step
+    worked on something right, or GraderFailed is raised. While second looks find something else, there is a third."""
+    found = dict(first)
+    doubtful = [name for name in found if is_doubtful(found[name])]
+    while doubtful:
+        found.update({name: again(name) for name in doubtful})
+        before, doubtful = doubtful, [name for name in doubtful if is_doubtful(found[name])]
+        if doubtful == before:
+            break
+    return found
+
+
+def statuses_of(signals: set) -> set[int]:
+    """The exit statuses of a program that another one has run, if these signals ended it."""
+    return {128 + number for number in signals}
 
 
 def megabytes(size: int) -> str:

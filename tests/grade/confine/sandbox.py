@@ -10,6 +10,7 @@ import os
 import shutil
 import signal
 import subprocess
+import time
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -78,23 +79,42 @@ class Sandbox:
         except OSError as error:
             raise GraderFailed(f"the sandbox could not be started: {error.strerror}") from None
         try:
-            said, words = process.communicate(timeout=seconds)
-        except subprocess.TimeoutExpired:
-            raise GraderFailed(f"it was not done after {seconds:g} s") from None
+            said, words = output(process, seconds)
         finally:
-            end_group(process)
+            end_all(process)
         if process.returncode != 0:
             raise GraderFailed(f"it ended with {ending(process.returncode)}{complaint(words)}")
         return said, words
 
 
-def end_group(process: subprocess.Popen) -> None:
-    """Also ends the processes that it left running."""
+def output(process: subprocess.Popen, seconds: float) -> tuple[str, str]:
+    until = time.monotonic() + seconds
+    while time.monotonic() < until:
+        has_ended = process.poll() is not None
+        try:
+            return process.communicate(timeout=5)
+        except subprocess.TimeoutExpired:
+            if has_ended:   # and something that it started still holds its output
+                raise GraderFailed(f"it ended with {ending(process.returncode)}") from None
+    raise GraderFailed(f"it was not done after {seconds:g} s")
+
+
+def end_all(process: subprocess.Popen) -> None:
+    """Also ends the processes that it left running; of those that have lost their parent, this one is it (crew.py)."""
     try:
         os.killpg(process.pid, signal.SIGKILL)
     except ProcessLookupError:
         pass
-    process.communicate()
+    process.wait()
+    process.stdout.close()
+    process.stderr.close()
+    try:
+        left = Path(f"/proc/self/task/{os.getpid()}/children").read_text().split()
+    except OSError:
+        left = []
+    for child in left:
+        os.kill(int(child), signal.SIGKILL)
+        os.waitpid(int(child), 0)
 
 
 def ending(code: int) -> str:

@@ -6,11 +6,12 @@ from __future__ import annotations
 
 import re
 import struct
+from typing import Callable
 
-from grade.confine.machine import GraderFailed
+from grade.confine.machine import believed
 from grade.visible import visible
 
-from .commands import HEADERS, LIMITED, REFUSED
+from .commands import BLANK, DONE, HEADERS, LIMITED, Command
 from .workbench import Workbench
 
 MOST_WORDS = 2000      # characters that are quoted of a compiler
@@ -18,7 +19,9 @@ MOST_LINES = 30
 MOST_EXPLAINED = 1 << 20    # bytes of what it said
 CUT_SHORT = ("signal terminated program", "limit exceeded", "out of memory")
 MOST_MEMORY = 400 << 20     # that a program may take before it does anything; confine/ allows 512 MB in all
-CANARY = "canary"           # the name of a file that is right
+# Headers that an answer may include and its blank may not; every C compiler has them.
+C_HEADERS = ("assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdarg stdbool "
+             "stddef stdint stdio stdlib string tgmath time wchar wctype").split()
 
 
 def quoted(bench: Workbench, name: str) -> str:
@@ -49,30 +52,24 @@ def link_words(bench: Workbench, stem: str, status: int) -> str:
     return "\n".join(line.removeprefix("  ") for line in words.splitlines())
 
 
-def believed(bench: Workbench, first: dict[str, int], canary, again) -> dict[str, int]:
-    """Whether a tool refused a file for what is in it, or because the machine has no room: then it also refuses
-    a file that is right (canary), or it does not refuse the same file twice (again)."""
-    doubtful = [name for name, status in first.items() if status in REFUSED]
-    if not doubtful:
-        return first
-    for status in canary(doubtful).values():
-        if status != 0:
-            raise GraderFailed(f"the compiler also refused a correct file (status {status})")
-    second = again(doubtful)
-    bench.check_room()
-    return {**first, **second}
+def is_refused(status: int) -> bool:
+    return status != DONE
 
 
 def compiled(bench: Workbench, stems: list[str]) -> dict[str, int]:
-    def compiling(stems: list[str]) -> dict[str, int]:
-        return bench.compile([bench.kit.compile(stem, bench.sandbox.confine) for stem in stems])
+    def compiling(name: str) -> Command:
+        return bench.kit.compile(name, bench.sandbox.confine)
+
+    def again(stem: str) -> int:
+        headers = "".join(f"#include <{name}.h>\n" for name in C_HEADERS)
+        (bench.folder / f"{BLANK}{stem}.c").write_text(bench.kit.blank(stem) + headers)
+        return bench.sandwich(bench.compile, compiling(f"{BLANK}{stem}"), compiling(stem))
 
     # Here the explainer of compiler messages looks up the functions that an answer may use.
     for name in ("common", "exercises"):
         (bench.folder / name).symlink_to(bench.kit.folder / HEADERS / name)
-    (bench.folder / f"{CANARY}.c").write_text("int canary = 1;\n")
-    statuses = believed(bench, compiling(stems), lambda doubtful: compiling([CANARY]), compiling)
-    refused = [stem for stem, status in statuses.items() if status != 0]
+    statuses = believed(bench.compile([compiling(stem) for stem in stems]), is_refused, again)
+    refused = [stem for stem, status in statuses.items() if is_refused(status)]
     for stem in refused:
         name_the_assembler_s_file(bench, stem)
     if refused:
@@ -89,16 +86,10 @@ def name_the_assembler_s_file(bench: Workbench, stem: str) -> None:
         file.truncate()
 
 
-def linked(bench: Workbench, stems: list[str]) -> dict[str, int]:
-    def linking(stems: list[str]) -> dict[str, int]:
-        return bench.link([bench.kit.link(stem) for stem in stems])
-
-    statuses = believed(bench, linking(stems),
-                        lambda doubtful: bench.link([bench.kit.link_blanks(stem) for stem in doubtful]), linking)
-    refused = [stem for stem, status in statuses.items() if status != 0]
-    if refused:
-        bench.link([bench.kit.explain(stem, "--linker") for stem in refused])
-    return statuses
+def linked(bench: Workbench, commands: dict[str, Command], right: Callable[[str], Command]) -> dict[str, int]:
+    """By the name of each command. right: one that cannot fail, for a name."""
+    return believed(bench.link(list(commands.values())), is_refused,
+                    lambda name: bench.sandwich(bench.link, right(name), commands[name]))
 
 
 def memory_of(program: bytes) -> int:
@@ -121,13 +112,16 @@ def build(bench: Workbench, answers: dict) -> tuple[list[str], dict[str, tuple[s
         (bench.folder / f"{stem}.c").write_bytes(answers[stem].text)
         (bench.folder / f"{stem}.d").mkdir()
     objects = compiled(bench, there) if there else {}
-    good = [stem for stem, status in objects.items() if status == 0]
-    programs = linked(bench, good) if good else {}
+    good = [stem for stem, status in objects.items() if not is_refused(status)]
+    programs = linked(bench, {stem: bench.kit.link(stem) for stem in good}, bench.kit.link_blanks) if good else {}
+    unlinked = [stem for stem, status in programs.items() if is_refused(status)]
+    if unlinked:
+        bench.link([bench.kit.explain(stem, "--linker") for stem in unlinked])
     ready, trouble = [], {}
     for stem in there:
         if stem not in good:
             trouble[stem] = ("does not compile", compile_words(bench, stem, objects[stem]))
-        elif programs[stem] != 0:
+        elif stem in unlinked:
             trouble[stem] = ("cannot be linked", link_words(bench, stem, programs[stem]))
         elif memory_of((bench.folder / f"{stem}.exe").read_bytes()) > MOST_MEMORY:
             trouble[stem] = ("cannot be linked", "its variables take more than 400 MB of memory")

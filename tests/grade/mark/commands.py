@@ -8,20 +8,25 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from grade.confine.machine import CRASHES, LIMITS, statuses_of
+
 LARGEST_OBJECT = 2 << 20
 LARGEST_PROGRAM = 4 << 20
 
-# The exit statuses that are about what was handed in; all others are about this machine. REFUSED is not
-# believed at once (building.py). Beyond 128: a signal.
+# The exit statuses that are about what was handed in, after a second look (confine/machine.py); all others are about
+# this machine.
 DONE = 0
-REFUSED = {1, 90, 93, 94, 132, 134, 136, 139}   # an error, or the compiler crashed on it (confine/tool.h)
-LIMITED = {91, 92, 152, 153}                    # SIGXCPU, SIGXFSZ, or a file that is too large
+REFUSED = {1, 90, 93, 94} | statuses_of(CRASHES)    # an error, or the compiler crashed on it (confine/confine.h)
+LIMITED = {91, 92} | statuses_of(LIMITS)            # too much work, or a file that is too large
 BUILT = frozenset({DONE} | REFUSED | LIMITED)
 JUDGED = frozenset({DONE, 1})
-ANY = frozenset(range(256))
+EXPLAINED = frozenset(range(126)) | BUILT
 
 # The commands that compile, link and judge answers, from the folder of the kit.
 HEADERS, LINKED = "headers", "link"
+# Files of something right, which the steps must accept, begin with these words: the chapter's blank, and
+# the reference.
+BLANK, RIGHT = "blank-", "right-"
 
 
 @dataclass(frozen=True)
@@ -59,7 +64,7 @@ class Kit:
         return str(self.folder / LINKED / name)
 
     def compile(self, stem: str, tool: str) -> Command:
-        """tool: what says how each program of the compiler ended (confine/tool.c); '' if there is nothing."""
+        """tool: what says how each program of the compiler ended (confine/watch.c); '' if there is nothing."""
         watched = [*self.parts_of_compiler, f"{tool},tool"] if tool and self.parts_of_compiler else []
         return Command(stem, [*self.compiler, *watched, "-o", f"{stem}.o", f"{stem}.c"],
                        BUILT - {1} if watched else BUILT, complaints=f"{stem}.words",
@@ -72,11 +77,14 @@ class Kit:
     def explain(self, stem: str, *option: str) -> Command:
         """The words of the compiler (or, with --linker, of the linker) as 'make exercises' shows them; their
         own words if this fails."""
-        return Command(stem, [self.explainer, *option, f"{stem}.c"], ANY, reads=f"{stem}.words",
+        return Command(stem, [self.explainer, *option, f"{stem}.c"], EXPLAINED, reads=f"{stem}.words",
                        writes=f"{stem}.help", complaints="/dev/null")
 
-    def link(self, stem: str) -> Command:
-        return self._link(stem, stem, f"{stem}.exe", f"{stem}.o")
+    def blank(self, stem: str) -> str:
+        return (self.folder / "blanks" / f"{stem}.c").read_text()
+
+    def link(self, stem: str, whose: str = "") -> Command:
+        return self._link(stem, stem, f"{whose}{stem}.exe", f"{whose}{stem}.o")
 
     def link_lent(self, stem: str, name: str, others: list[str]) -> Command:
         """The program in which the judge answers for the others."""
@@ -84,7 +92,7 @@ class Kit:
                           f"{stem}.o")
 
     def link_blanks(self, stem: str) -> Command:
-        """The same without the answer, which cannot fail."""
+        """The same without the answer, which is right."""
         return replace(self._link(stem, stem, "blanks.exe"), complaints="")
 
     def _link(self, part: str, stem: str, program: str, *answer: str) -> Command:
@@ -101,8 +109,8 @@ class Kit:
         words = [*self.linker, "-o", "all.exe", self.of_link("all.o"), *objects, *blanks, *self.libraries]
         return Command("all", words, BUILT, complaints="/dev/null")
 
-    def judge(self, stem: str) -> Command:
-        return Command(stem, [self.judge_program, stem, f"{stem}.exe", f"{stem}.d"], JUDGED)
+    def judge(self, stem: str, whose: str = "") -> Command:
+        return Command(stem, [self.judge_program, stem, f"{whose}{stem}.exe", f"{whose}{stem}.d"], JUDGED)
 
     def judge_lent(self, stem: str, name: str, others: list[str]) -> Command:
         """NAME.asked will have the names of those that it asked for."""
@@ -117,5 +125,5 @@ class Kit:
 def read_kit(folder: Path) -> Kit:
     lines = (folder / "commands").read_text().splitlines()
     commands = {key: words.split() for key, words in (line.split("=", 1) for line in lines)}
-    return Kit(folder, *commands["JUDGE"], Path(*commands["PICTURE"]), commands["COMPILE"], commands["PARTS"], commands["LINK"],
-               commands["LIBRARIES"])
+    return Kit(folder, *commands["JUDGE"], Path(*commands["PICTURE"]), commands["COMPILE"], commands["PARTS"],
+               commands["LINK"], commands["LIBRARIES"])

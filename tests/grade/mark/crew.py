@@ -58,9 +58,10 @@ class Progress:
 
 def end_with_parent(parent: int) -> None:
     """However the parent ends. The processes started here do the same (confine/watch.c)."""
-    PR_SET_PDEATHSIG = 1
+    PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)     # what loses its parent is ended here
     if os.getppid() != parent:  # it ended before this was asked for
         os._exit(1)
 
@@ -92,7 +93,8 @@ def start(grader: Grader, submission) -> tuple[int, int]:
     except (GraderFailed, OSError, MemoryError) as error:
         os.write(reason, (str(error) or "there is no memory left").encode("utf-8", "replace")[:MOST_WORDS])
     except BaseException as error:
-        os.write(reason, f"{type(error).__name__}: {error} (please report this)".encode("utf-8", "replace")[:MOST_WORDS])
+        words = f"{type(error).__name__}: {error} (please report this)"
+        os.write(reason, words.encode("utf-8", "replace")[:MOST_WORDS])
         traceback.print_exc()
     finally:
         sys.stderr.flush()
@@ -143,7 +145,7 @@ def mark_all(grader: Grader, submissions: list, jobs: int) -> dict[str, dict]:
             os.close(reasons)
             code = os.waitstatus_to_exitcode(status)
             if code == -signal.SIGXCPU:
-                grader.give_up_on(submission, "timed out", "takes more than a minute to be read")
+                grader.give_up_on(submission, "reading it takes more than a minute of work")
             elif code not in (DONE, KEPT):
                 failed[submission.folder] = grader.failed(submission, reason or how_it_ended(code, began))
             progress.say(failed.get(submission.folder) or grader.record(submission), code == KEPT)
@@ -172,13 +174,23 @@ def of_shard(found: list, shard: tuple[int, int] | None) -> list:
             if int(hashlib.sha256(os.fsencode(submission.folder)).hexdigest(), 16) % parts == part - 1]
 
 
-def alone(work: Path):
-    """Two graders of one shard would do everything twice. Holds until what it gives is closed."""
-    work.mkdir(parents=True, exist_ok=True)
-    lock = open(work.parent / f"{work.name}.lock", "w")
+def locked(path: Path):
+    lock = open(path, "w")
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
-        stop(f"another grader is at work here: {work.parent.parent}")
+        stop(f"another grader is at work here: {path.parent.parent} (part {path.stem})")
+    return lock
+
+
+def alone(work: Path):
+    """Two graders of one part of the class would do everything twice, and so would two that split it in different ways.
+    Holds until what it gives is closed."""
+    work.mkdir(parents=True, exist_ok=True)
+    lock = locked(work.parent / f"{work.name}.lock")
+    _, _, parts = work.name.rpartition("-")
+    for other in work.parent.glob("*.lock"):
+        if not other.stem.endswith(f"-of-{parts}"):
+            locked(other).close()
     shutil.rmtree(work, ignore_errors=True)
     return lock

@@ -18,7 +18,7 @@ from pathlib import Path
 from grade import exercises
 from grade import policy as policies
 from grade.collect import submissions
-from grade.collect.answers import Collected
+from grade.collect.answers import UNREADABLE, Collected
 from grade.collect.submissions import Submission
 from grade.confine.machine import GraderFailed
 from grade.confine.sandbox import choose
@@ -26,8 +26,8 @@ from grade.report import files
 from grade.settings import seed_of_class
 
 from .commands import read_kit
+from .judging import calls_of
 from .marking import add_marks, mark
-from .waiting import calls_of
 from .workbench import Workbench
 
 DONE, KEPT = 0, 3       # exit statuses of the process that marks
@@ -72,6 +72,7 @@ class Grader:
         self.kit = read_kit(given.kit.resolve())
         self.sandbox = choose(given.kit.resolve() / "confine", given.sandbox, given.unsafe)
         self.seed, self.wanted_seed = 0, given.seed
+        self.right: dict[str, bytes] = {}
         self.called: dict[str, set[str]] = {}
         part, parts = given.shard or (1, 1)
         self.work = self.out / ".work" / f"{part}-of-{parts}"
@@ -117,6 +118,8 @@ class Grader:
         with limited(COLLECTING):
             collected = submissions.collect(submission, self.stems,
                                             lambda command: self.sandbox.compiler(folder, [], command))
+        if collected.status == UNREADABLE:
+            return self.give_up_on(submission, collected.words)
         when = policies.came_in(self.policy, submission, collected)
         key = self.key(collected)
         old = self.record(submission)
@@ -125,7 +128,7 @@ class Grader:
             if priced != old:
                 files.write_submission(priced, str(self.place(submission)))
             return KEPT
-        bench = Workbench(self.kit, self.sandbox, self.work / submission.folder, self.seed)
+        bench = Workbench(self.kit, self.sandbox, self.work / submission.folder, self.seed, self.right)
         record = self.priced(mark(bench, collected, self.exercises, self.called), when)
         record.update(key=key, submission=submission.name, folder=submission.folder,
                       seconds=round(time.monotonic() - began, 2),
@@ -143,26 +146,27 @@ class Grader:
             else:
                 (place / name).unlink(missing_ok=True)
 
-    def without_verdicts(self, submission: Submission, status: str, words: str, score: float | None) -> dict:
-        stems = []
-        for stem in self.stems:
-            most = policies.rounded(sum(policies.points(self.policy, stem, exercise.name)
-                                        for exercise in self.exercises if exercise.stem == stem))
-            stems.append({"stem": stem, "file": "", "state": "not judged", "words": words,
-                          "functions": [], "score": 0, "max": most})
+    def without_score(self, submission: Submission, status: str, words: str) -> dict:
+        most = policies.rounded(sum(policies.points(self.policy, exercise.stem, exercise.name)
+                                    for exercise in self.exercises))
         return {"submission": submission.name, "folder": submission.folder, "status": status,
-                "words": words, "score": score, "max": policies.rounded(sum(stem["max"] for stem in stems)),
-                "late": "", "stems": stems, "pictures": {}, "key": "", "seed": self.seed, "seconds": 0,
-                "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
+                "words": words, "score": None, "max": most, "late": "", "stems": [], "pictures": {}, "key": "",
+                "seed": self.seed, "seconds": 0, "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
 
-    def give_up_on(self, submission: Submission, status: str, words: str) -> None:
-        """The result of a submission that cannot be read through its own fault."""
-        files.write_submission(self.without_verdicts(submission, status, words, 0), str(self.place(submission)))
+    def give_up_on(self, submission: Submission, words: str) -> int:
+        """The result of a submission that cannot be read through its own fault. It has no score: nobody knows
+        what it would have earned."""
+        record = self.without_score(submission, UNREADABLE, words)
+        if record == self.record(submission):
+            return KEPT
+        self.keep_pictures(record, self.place(submission), self.kit.folder)
+        files.write_submission(record, str(self.place(submission)))
+        return DONE
 
     def failed(self, submission: Submission, words: str) -> dict:
         """No score: the record of a submission that this grader could not mark. It replaces an older one, which
         may be of other files; its empty key has the submission marked again next time."""
-        record = {**self.without_verdicts(submission, FAILED, words, None), "stems": []}
+        record = self.without_score(submission, FAILED, words)
         place = self.place(submission)
         shutil.rmtree(self.work / submission.folder, ignore_errors=True)
         try:
@@ -175,10 +179,11 @@ class Grader:
     def prove(self) -> None:
         """Marks the reference, which has all marks on a machine that can grade. SystemExit if it has not."""
         found = submissions.Submission(os.fsencode(SOLUTIONS), "the reference", ".reference", "folder")
-        bench = Workbench(self.kit, self.sandbox, self.work / found.folder, self.seed)
+        bench = Workbench(self.kit, self.sandbox, self.work / found.folder, self.seed, {})
         try:
             stems = mark(bench, submissions.collect(found, self.stems), self.exercises, {})["stems"]
             self.called = calls_of(bench, self.exercises)
+            self.right = {stem: (bench.folder / f"{stem}.o").read_bytes() for stem in self.stems}
         except (GraderFailed, OSError) as error:
             raise SystemExit(f"grade: nothing is graded, because the grader fails on the reference: {error}") from None
         finally:

@@ -11,14 +11,16 @@ import shutil
 
 from grade.policy import rounded
 
-from .building import build
-from .waiting import lend, may_wait, waiting
+from .building import build, is_refused, linked
+from .judging import judged, lend, may_wait, waiting
 from .workbench import Workbench
 
 
 def draw(bench: Workbench, answered: list[str]) -> bool:
     """Whether yours.png is there: what the answers draw together, and right ones where there are none."""
-    if bench.link([bench.kit.link_all([f"{stem}.o" for stem in answered])])["all"] != 0:
+    programs = linked(bench, {"all": bench.kit.link_all([f"{stem}.o" for stem in answered])},
+                      lambda _: bench.kit.link_all([]))
+    if is_refused(programs["all"]):
         return False
     return bench.judge([bench.kit.draw(answered)])["all"] == 0
 
@@ -49,21 +51,17 @@ def function_part(exercise, found: dict[str, str], waits_for: list[str] | None) 
 
 def stem_parts(bench: Workbench, answers: dict, exercises: list, called: dict) -> tuple[list[dict], bool]:
     """Each stem's part of the record, but for its marks; and whether there is a picture."""
-    linked, trouble = build(bench, answers)
-    names = {stem: [exercise.name for exercise in exercises if exercise.stem == stem] for stem in linked}
-    if linked:
-        bench.judge([bench.kit.judge(stem) for stem in linked])
-    reports, waits = {}, {}
-    for stem in linked:
-        found = bench.report(stem, names[stem])
-        reports[stem] = {name: found[name] for name in names[stem]}
+    ready, trouble = build(bench, answers)
+    reports = judged(bench, {stem: [exercise.name for exercise in exercises if exercise.stem == stem]
+                             for stem in ready})
+    for stem in ready:
         (bench.folder / f"{stem}.exe").unlink()
-    for stem in linked:
-        waits[stem] = waiting(reports[stem], lend(bench, stem, reports[stem], may_wait(reports[stem], called)))
+    waits = {stem: waiting(reports[stem], lend(bench, stem, reports[stem], may_wait(reports[stem], called)))
+             for stem in ready}
 
     parts = []
     for stem, answer in answers.items():
-        state, words = trouble.get(stem, ("judged" if stem in linked else answer.state, answer.words))
+        state, words = trouble.get(stem, ("judged" if stem in ready else answer.state, answer.words))
         if state == "unreadable":
             state = "not judged"
         functions = []
@@ -75,7 +73,7 @@ def stem_parts(bench: Workbench, answers: dict, exercises: list, called: dict) -
                       "functions": functions})
     right = all(part["functions"] and all(function["state"] == "right" for function in part["functions"])
                 for part in parts)
-    return parts, bool(linked) and not right and draw(bench, linked)
+    return parts, bool(ready) and not right and draw(bench, ready)
 
 
 def add_marks(stem: dict, exercises: list, points, waiting_earns: bool) -> None:
@@ -110,7 +108,7 @@ def mark(bench: Workbench, collected, exercises: list, called: dict[str, set[str
     shutil.rmtree(bench.folder, ignore_errors=True)
     bench.folder.mkdir(parents=True)
     stems, is_drawn = stem_parts(bench, collected.answers, exercises, called)
-    status, words = ("empty", collected.words) if collected.empty else status_of(stems)
+    status, words = (collected.status, collected.words) if collected.status else status_of(stems)
     return {"status": status, "words": words or collected.words, "stems": stems,
             "pictures": {"expected": "expected.png", "yours": "yours.png"} if is_drawn else {},
             "seed": bench.seed, "sandbox": bench.sandbox.name, "unsafe": bench.sandbox.unsafe}

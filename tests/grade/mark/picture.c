@@ -10,7 +10,6 @@
 #include "common/image.h"
 #include "common/scene.h"
 #include "exercises/06-ray-casting.h"
-#include "tests/judge/direct_answers.h"
 #include "tests/judge/process.h"
 #include "tests/judge/process_transport.h"
 #include "tests/judge/runner.h"

@@ -1,15 +1,39 @@
 """workbench.py - where one submission is worked on, each step in a sandbox of its own."""
 from __future__ import annotations
 
+import re
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Callable
 
 from grade.confine.machine import GraderFailed, check_room
 from grade.confine.sandbox import Sandbox, complaint
 
 from .commands import HEADERS, LINKED, Command, Kit
-from .judge_report import read_report
+
+ESCAPES = {"n": "\n", "t": "\t", "\\": "\\"}  # what is not printable stays an escape: \x1b
+
+
+def read_report(path: Path, names: list[str]) -> dict[str, dict[str, str]]:
+    """FUNCTION -> KEY -> value (tests/judge/judge.c). A report without one of these functions is invalid."""
+    functions: dict[str, dict[str, str]] = {}
+    current: dict[str, str] = {}
+    try:
+        text = path.read_text(encoding="ascii")
+    except (OSError, UnicodeDecodeError) as error:
+        raise GraderFailed(f"the judge's report cannot be read: {error}") from None
+    for line in text.splitlines():
+        key, _, value = line.partition("\t")
+        if key == "function":
+            current = functions.setdefault(value, {})
+        else:
+            current[key] = re.sub(r"\\([nt\\])", lambda m: ESCAPES[m[1]], value)
+    lacking = [name for name in names if not functions.get(name, {}).get("state")]
+    if lacking:
+        raise GraderFailed(f"the judge's report says nothing of {lacking[0]}")
+    return functions
+
 
 STEP_SECONDS = 900     # a step of a submission; each of its parts has its own limit, which is far lower
 STEPS = {"compile": "compiling", "link": "linking", "judge": "judging"}
@@ -21,6 +45,7 @@ class Workbench:
     sandbox: Sandbox
     folder: Path
     seed: int
+    right: dict[str, bytes]     # STEM -> the reference's object file
     seconds: dict[str, float] = field(default_factory=lambda: dict.fromkeys(STEPS, 0.0))
 
     def compile(self, commands: list[Command]) -> dict[str, int]:
@@ -40,17 +65,23 @@ class Workbench:
         readable = [self.kit.parts, self.kit.judge_program, str(self.kit.picture)]
         return self._run("judge", commands, lambda words: self.sandbox.judge(self.folder, readable, words), environment)
 
+    def sandwich(self, step: Callable, right: Command, doubtful: Command) -> int:
+        """The exit status of a command between two runs of one that is right and must work, in one sandbox."""
+        ended = step([replace(right, name="before"), doubtful, replace(right, name="after")])
+        if ended["before"] or ended["after"]:
+            raise GraderFailed(f"{STEPS[step.__name__]} something right also fails "
+                               f"({spelled_status(ended['before'] or ended['after'])})")
+        return ended[doubtful.name]
+
     def report(self, stem: str, names: list[str]) -> dict[str, dict[str, str]]:
         """The judge's findings on these functions: FUNCTION -> KEY -> value."""
-        return read_report(self.folder / f"{stem}.d" / "report", names)
-
-    def check_room(self) -> None:
-        check_room(self.folder, self.sandbox.confine)
+        found = read_report(self.folder / f"{stem}.d" / "report", names)
+        return {name: found[name] for name in names}
 
     def _run(self, step: str, commands: list[Command], confined, environment: dict[str, str]) -> dict[str, int]:
         """By name, the exit status of each part. A part that was killed, or that our own programs gave up on, is
         the grader's failure."""
-        self.check_room()
+        check_room(self.folder, self.sandbox.confine)
         began = time.monotonic()
         words = [self.kit.parts, *(word for command in commands for word in command.arguments())]
         try:

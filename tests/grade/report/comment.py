@@ -4,7 +4,61 @@ Fields first (a label, words), which pages lay out by themselves; then the same 
 columns, as 'make exercises' prints them. Hidden inputs are described, never printed, whatever the
 record holds.
 """
-from .columns import LABEL, NO_BREAK, wrapped
+import unicodedata
+
+# ---- columns of a terminal ----------------------------------------------------------------------
+
+
+COLUMNS, LABEL = 79, 13  # as in tests/course/page.c
+NO_BREAK = "\u00a0"  # the judge's ~: a blank at which no line ends
+
+
+def width(text: str) -> int:
+    """Columns on a terminal: East Asian characters take two, combining characters take none."""
+    if text.isascii():
+        return len(text)
+    return sum(0 if unicodedata.combining(c) else 2 if unicodedata.east_asian_width(c) in "WF" else 1 for c in text)
+
+
+def fitted(text: str, columns: int) -> str:
+    """Cut or padded to exactly that number of columns."""
+    text = text[: 4 * columns]
+    if width(text) > columns:
+        while width(text) > columns - 2:
+            text = text[:-1]
+        text += ".."
+    return text + " " * (columns - width(text))
+
+
+def words_of(text: str):
+    """Split at blanks, but a vector stays in one piece where it fits."""
+    word, depth = "", 0
+    for part in text.split(" "):
+        word += (" " if word else "") + part
+        depth += part.count("(") - part.count(")")
+        if depth <= 0:
+            yield word
+            word, depth = "", 0
+        elif width(word) >= COLUMNS - LABEL:
+            yield from word.split(" ")
+            word, depth = "", 0
+    if word:
+        yield word
+
+
+def wrapped(label: str, words: str, indent: int = LABEL) -> list:
+    """A label, then words that wrap under each other."""
+    lines, line = [], label.ljust(indent)
+    for word in filter(None, words_of(words)):
+        blank = " " if len(line) > indent else ""
+        if blank and width(line) + 1 + width(word) > COLUMNS:
+            lines.append(line)
+            line, blank = " " * indent, ""
+        line += blank + word
+    return [line.replace(NO_BREAK, " ").rstrip() for line in lines + [line]]
+
+
+# ---- the comment --------------------------------------------------------------------------------
 
 
 def sentence(function: dict) -> str:
@@ -26,8 +80,7 @@ def mistake_words(mistake: dict, partly: bool = False) -> str:
 
 def mistake_fields(mistake: dict, partly: bool) -> list:
     """The judge's words about a mistake, and about the second one, if there is one."""
-    told = [("looks like", mistake_words(mistake, partly)),
-            ("you'd see", mistake["picture"].replace("~", NO_BREAK))]
+    told = [("looks like", mistake_words(mistake, partly)), ("you'd see", mistake["picture"].replace("~", NO_BREAK))]
     if "also" in mistake:
         told.append(("and also", mistake_words(mistake["also"])))
     return told
@@ -41,9 +94,7 @@ def waiting_words(function: dict) -> str:
 
 def what_to_try(stem: str, function: dict) -> str:
     # A crash or a loop is found by looking, not by thinking.
-    command = (
-        "debug" if function["state"] in ("timed out", "crashed") or function["how"] else "hint"
-    )
+    command = "debug" if function["state"] in ("timed out", "crashed") or function["how"] else "hint"
     return f"make {command} EX={stem[:2]}"
 
 

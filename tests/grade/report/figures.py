@@ -1,6 +1,6 @@
 """figures.py - a class in figures: how the scores lie, and what went wrong most.
 
-Everybody who has a score counts, also who handed in nothing.
+Everybody who has a score counts, also those who handed in nothing.
 """
 import statistics
 
@@ -22,7 +22,7 @@ def circumstances(records: list) -> list:
 
 
 def scored(records: list) -> list:
-    """Without those that the grader failed on."""
+    """Without those that cannot be read, and those that the grader failed on."""
     return [record for record in records if record["score"] is not None]
 
 
@@ -71,19 +71,10 @@ def most_made(records: list) -> list:
                 found = trouble(function)
                 if found:
                     key = (stem["stem"], function["name"], found[0])
-                    made.setdefault(
-                        key,
-                        {
-                            "stem": stem["stem"],
-                            "function": function["name"],
-                            "sentence": found[1],
-                            "who": [],
-                        },
-                    )["who"].append(record)
+                    new = {"stem": stem["stem"], "function": function["name"], "sentence": found[1], "who": []}
+                    made.setdefault(key, new)["who"].append(record)
     # Of equals, those that have a name first: they can be explained.
-    order = sorted(
-        made, key=lambda key: (-len(made[key]["who"]), not key[2].startswith("mistake"), key)
-    )
+    order = sorted(made, key=lambda key: (-len(made[key]["who"]), not key[2].startswith("mistake"), key))
     shared = [key for key in order if len(made[key]["who"]) > 1]
     return [made[key] for key in (shared or order)[:MOST]]
 

@@ -9,11 +9,8 @@ import os
 import secrets
 import time
 
-from .ci import grades_tap, junit_xml
-from .gradebook import grades_csv
-from .gradescope import results_json
-from .html import submission_page
-from .html_class import class_page
+from .formats import grades_csv, grades_tap, junit_xml, results_json
+from .html import class_page, submission_page
 
 STALE = 3600  # seconds; what is older was left by a grader that was killed
 
@@ -48,12 +45,7 @@ def write_submission(record: dict, folder_path: str) -> None:
 
 def write_class(records: list, out_path: str) -> None:
     os.makedirs(out_path, exist_ok=True)
-    reports = {
-        "grades.csv": grades_csv,
-        "junit.xml": junit_xml,
-        "grades.tap": grades_tap,
-        "index.html": class_page,
-    }
+    reports = {"grades.csv": grades_csv, "junit.xml": junit_xml, "grades.tap": grades_tap, "index.html": class_page}
     for name, report in reports.items():
         put(out_path, name, report(records))
 

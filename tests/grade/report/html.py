@@ -1,11 +1,93 @@
-"""html.py - the page of one submission: its marks, and what to look at in each chapter.
+"""html.py - the pages: of one submission, its marks and what to look at in each chapter; of the class, everybody's
+marks and what to explain again.
 
-One file that needs no network and no script; pictures are inside it.
+A page is one file that needs no network and no script. It is a tree, xml.etree's, whose HTML writer escapes all text
+and attributes: text that goes in is text that comes out, whatever it says. No page is put together from strings.
 """
+import base64
+import os
+import pathlib
+import stat
+import xml.etree.ElementTree as ElementTree
+from urllib.parse import quote
+
 from grade.visible import number
 from .comment import fields, stem_lines
-from .points import clean
-from .tree import banner, data_url, page, read_picture, tag
+from .figures import bins, circumstances, most_made, not_answered, quartiles, stems_of
+from .points import UNSAFE, any_unsafe, clean, clean_class
+
+POLICY = "default-src 'none'; img-src data: 'self'; style-src 'unsafe-inline'"
+STYLE = pathlib.Path(__file__).with_name("report.css").read_text(encoding="utf-8")
+INLINE = {"a", "abbr", "b", "bdi", "code", "span", "strong", "text"}
+LARGEST_PICTURE = 4_000_000  # bytes; a page should open on a telephone
+
+
+def tag(name: str, /, *children, **attributes) -> ElementTree.Element:
+    """tag('a', 'words', href='...'): class_ is class, aria_label aria-label; None is left out."""
+    element = ElementTree.Element(name, {key.rstrip("_").replace("_", "-"): str(value)
+                                         for key, value in attributes.items() if value is not None})
+    last = None
+    for child in children:
+        if child is None:
+            continue
+        if isinstance(child, str):
+            if last is None:
+                element.text = (element.text or "") + child
+            else:
+                last.tail = (last.tail or "") + child
+        else:
+            element.append(child)
+            last = child
+            if child.tag not in INLINE:
+                child.tail = "\n"
+    return element
+
+
+def page(title: str, *body) -> str:
+    head = tag("head",
+               tag("meta", charset="utf-8"),
+               tag("meta", http_equiv="Content-Security-Policy", content=POLICY),
+               tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
+               tag("meta", name="color-scheme", content="light dark"),
+               tag("meta", name="robots", content="noindex"),
+               tag("title", title),
+               tag("style", STYLE))
+    root = tag("html", head, tag("body", *body), lang="en")
+    return "<!DOCTYPE html>\n" + ElementTree.tostring(root, "unicode", method="html") + "\n"
+
+
+def banner(records: list):
+    """None where all were graded in a sandbox."""
+    if not any_unsafe(records):
+        return None
+    return tag("p", tag("strong", UNSAFE), class_="unsafe", role="alert")
+
+
+def address(*parts: str) -> str:
+    """A relative URL of files beside the page; the names in it mean nothing but themselves."""
+    return "./" + "/".join(quote(os.fsencode(part), safe="") for part in parts)
+
+
+def read_picture(folder: str, name: str):
+    """The bytes of a PNG that lies in the folder as an ordinary file; else None."""
+    if not name or name != os.path.basename(name):
+        return None
+    try:
+        handle = os.open(os.path.join(folder, name), os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+    except (OSError, ValueError):
+        return None
+    with open(handle, "rb") as file:
+        if not stat.S_ISREG(os.fstat(handle).st_mode):
+            return None
+        data = file.read(LARGEST_PICTURE + 1)
+    return data if data.startswith(b"\x89PNG\r\n\x1a\n") and len(data) <= LARGEST_PICTURE else None
+
+
+def data_url(png: bytes) -> str:
+    return "data:image/png;base64," + base64.b64encode(png).decode("ascii")
+
+
+# ---- one submission -----------------------------------------------------------------------------
 
 
 def of(part: dict) -> str:
@@ -22,33 +104,16 @@ def share(score: float, most: float) -> str:
 
 
 def marks(record: dict):
-    rows = [
-        tag(
-            "tr",
-            tag("td", tag("a", stem["stem"], href="#" + stem["stem"])),
-            tag(
-                "td",
-                "counts nothing" if not stem["max"] else stem["state"] if stem["state"] != "judged" else "",
-                class_="warn" if stem["state"] != "judged" else None,
-            ),
-            tag("td", of(stem), class_=share(stem["score"], stem["max"])),
-        )
-        for stem in record["stems"]
-    ]
-    return tag(
-        "table",
-        tag("caption", "Marks by chapter"),
-        tag(
-            "thead",
-            tag(
-                "tr",
-                tag("th", "chapter", scope="col"),
-                tag("th", scope="col", aria_label="state"),
-                tag("th", "marks", scope="col"),
-            ),
-        ),
-        tag("tbody", *rows),
-    )
+    rows = []
+    for stem in record["stems"]:
+        odd = stem["state"] if stem["state"] != "judged" else ""
+        rows.append(tag("tr",
+                        tag("td", tag("a", stem["stem"], href="#" + stem["stem"])),
+                        tag("td", odd if stem["max"] else "counts nothing", class_="warn" if odd else None),
+                        tag("td", of(stem), class_=share(stem["score"], stem["max"]))))
+    heads = [tag("th", "chapter", scope="col"), tag("th", scope="col", aria_label="state"),
+             tag("th", "marks", scope="col")]
+    return tag("table", tag("caption", "Marks by chapter"), tag("thead", tag("tr", *heads)), tag("tbody", *rows))
 
 
 def told(stem: dict, function: dict):
@@ -56,38 +121,20 @@ def told(stem: dict, function: dict):
     lines, rows = [], []
     for label, words in fields(stem["stem"], function):
         if not label:
-            lines.append(
-                tag("p", ("" if function["state"] == "waiting" else "Should hold: ") + words)
-            )
+            lines.append(tag("p", ("" if function["state"] == "waiting" else "Should hold: ") + words))
         elif label == "try":
             rows += [tag("dt", label), tag("dd", tag("code", words))]
         else:
-            numbers = not function["hidden"] and label not in (
-                "looks like",
-                "you'd see",
-                "but",
-                "it",
-                "asked",
-            )
+            numbers = not function["hidden"] and label not in ("looks like", "you'd see", "but", "it", "asked")
             rows += [tag("dt", label), tag("dd", words, class_="value" if numbers else None)]
-    return tag(
-        "article",
-        tag(
-            "div",
-            tag(
-                "h3",
-                tag("code", function["name"]),
-                " ",
-                tag("span", function["state"], class_=kind(function["state"])),
-            ),
-            tag("span", of(function), class_="marks"),
-            class_="head",
-        ),
-        tag("p", "Slide: " + function["slide"], class_="quiet") if function["slide"] else None,
-        *lines,
-        tag("dl", *rows) if rows else None,
-        class_="told " + kind(function["state"]),
-    )
+    state = tag("span", function["state"], class_=kind(function["state"]))
+    return tag("article",
+               tag("div", tag("h3", tag("code", function["name"]), " ", state),
+                   tag("span", of(function), class_="marks"), class_="head"),
+               tag("p", "Slide: " + function["slide"], class_="quiet") if function["slide"] else None,
+               *lines,
+               tag("dl", *rows) if rows else None,
+               class_="told " + kind(function["state"]))
 
 
 def chapter(stem: dict):
@@ -107,72 +154,137 @@ def chapter(stem: dict):
         inside += [told(stem, one) for one in others]
     else:
         first, *rest = stem_lines(stem)
-        inside.append(
-            tag(
-                "p",
-                first[:1].upper() + first[1:].rstrip(":") + ("." if not rest else ":"),
-                class_="warn",
-            )
-        )
+        inside.append(tag("p", first[:1].upper() + first[1:].rstrip(":") + ("." if not rest else ":"), class_="warn"))
         if rest:
             inside.append(tag("pre", "\n".join(rest), tabindex="0", aria_label="the message"))
-    return tag(
-        "section",
-        tag("h2", tag("span", stem["stem"]), tag("span", of(stem), class_="marks"), class_="head"),
-        *inside,
-        id=stem["stem"],
-    )
+    head = tag("h2", tag("span", stem["stem"]), tag("span", of(stem), class_="marks"), class_="head")
+    return tag("section", head, *inside, id=stem["stem"])
 
 
 def pictures(record: dict, folder: str):
     """Expected beside theirs; None where the submission drew none."""
-    found = {
-        which: read_picture(folder, record["pictures"].get(which, ""))
-        for which in ("expected", "yours")
-    }
+    found = {which: read_picture(folder, record["pictures"].get(which, "")) for which in ("expected", "yours")}
     if not found["yours"]:
         return None
-    figures = [
-        tag(
-            "figure",
-            tag("img", src=data_url(png), alt=f"the picture, {which}"),
-            tag("figcaption", which),
-        )
-        for which, png in found.items()
-        if png
-    ]
+    figures = [tag("figure", tag("img", src=data_url(png), alt=f"the picture, {which}"), tag("figcaption", which))
+               for which, png in found.items() if png]
     return tag("section", tag("h2", "Your picture"), tag("div", *figures, class_="pair"))
 
 
 def submission_page(record: dict, folder: str) -> str:
     """folder: where the pictures of the record lie."""
     record = clean(record)
-    status = [tag("strong", record["status"]), f": {of(record)}"]
-    return page(
-        f"{record['submission']}: {of(record)}",
-        tag(
-            "header",
-            banner([record]),
-            tag("h1", tag("bdi", record["submission"])),
-            tag("p", *status, class_="score"),
-            tag("p", record["words"], class_="warn") if record["words"] else None,
-            tag("p", record["late"], class_="warn") if record["late"] else None,
-        ),
-        tag(
-            "main",
-            marks(record) if record["stems"] else None,
-            pictures(record, folder),
-            *[chapter(stem) for stem in record["stems"]],
-        ),
-        tag(
-            "footer",
-            tag(
-                "p",
-                "The same verdicts come from ",
-                tag("code", "make exercises"),
-                " in your own copy; what was drawn at random here is not in it, so look for"
-                " the idea, not for the numbers.",
-                class_="quiet",
-            ),
-        ),
-    )
+    head = tag("header",
+               banner([record]),
+               tag("h1", tag("bdi", record["submission"])),
+               tag("p", tag("strong", record["status"]), f": {of(record)}", class_="score"),
+               *[tag("p", words, class_="warn") for words in (record["words"], record["late"]) if words])
+    chapters = [chapter(stem) for stem in record["stems"]]
+    main = tag("main", marks(record) if chapters else None, pictures(record, folder), *chapters)
+    foot = tag("p", "The same verdicts come from ", tag("code", "make exercises"),
+               " in your own copy; what was drawn at random here is not in it, so look for the idea,"
+               " not for the numbers.", class_="quiet")
+    return page(f"{record['submission']}: {of(record)}", head, main, tag("footer", foot))
+
+
+# ---- the class ----------------------------------------------------------------------------------
+
+
+def link(record: dict):
+    name = record["submission"].strip() or record["folder"]
+    return tag("a", tag("bdi", name), href=address(record["folder"], "index.html"))
+
+
+def distribution(records: list):
+    """A bar for each tenth, its count above it and its ends below."""
+    counted = bins(records)
+    most = max(count for _, count in counted) or 1
+    shapes = [tag("line", x1=0, y1=120, x2=343, y2=120)]
+    for place, (ends, count) in enumerate(counted):
+        height = round(100 * count / most, 1)
+        middle = 34 * place + 17
+        if count:
+            shapes.append(tag("rect", x=34 * place + 3, y=120 - height, width=28, height=height))
+            shapes.append(tag("text", str(count), x=middle, y=116 - height, text_anchor="middle"))
+        shapes.append(tag("text", ends.split("-")[0], x=34 * place + 3, y=134))
+    shapes.append(tag("text", "100", x=343, y=134))
+    low, middle, high = quartiles(records)
+    words = (f"Median {number(middle)} of {number(max(record['max'] for record in records))}; "
+             f"the middle half lies between {number(low)} and {number(high)}.")
+    label = "; ".join(f"{ends} percent: {count}" for ends, count in counted if count)
+    return tag("section", tag("h2", "Scores"), tag("p", words),
+               tag("svg", *shapes, viewBox="0 0 366 140", role="img", aria_label=label),
+               tag("p", "Submissions by percent of what could be had.", class_="quiet"))
+
+
+def explain_again(records: list):
+    items = []
+    for made in most_made(records):
+        who = []
+        for record in made["who"]:
+            who += [", " if who else "", link(record)]
+        items.append(tag("li", tag("b", f"{len(made['who'])} of {len(records)}"),
+                         f"  {made['stem']} ", tag("code", made["function"]),
+                         tag("p", made["sentence"]),
+                         tag("details", tag("summary", "who"), tag("p", *who))))
+    blanks = ", ".join(f"{what} ({count})" for what, count in not_answered(records))
+    if not items and not blanks:
+        return None
+    return tag("section", tag("h2", "What to explain again next week"),
+               tag("ol", *items, class_="most") if items else None,
+               tag("p", "Not answered, or no file: " + blanks + ".", class_="quiet") if blanks else None)
+
+
+def row(record: dict, stems: list):
+    found = {stem["stem"]: stem for stem in record["stems"]}
+    name = [link(record)]
+    if record["status"] != "graded":
+        name.append(tag("div", record["status"], class_="warn"))
+    name += [tag("div", words, class_="quiet") for words in (record["words"], record["late"]) if words]
+    cells = [tag("td", number(found[stem]["score"]), class_=share(found[stem]["score"], found[stem]["max"]))
+             if stem in found else tag("td", "") for stem in stems]
+    return tag("tr", tag("td", *name), tag("td", tag("b", number(record["score"]))), *cells)
+
+
+def everybody(records: list):
+    stems = stems_of(records)
+    most = max((record["max"] for record in records), default=0)
+    heads = [tag("th", tag("abbr", stem[:2], title=stem), scope="col") for stem in stems]
+    table = tag("table", tag("caption", f"Marks, of {number(most)}, and by chapter"),
+                tag("thead", tag("tr", tag("th", "submission", scope="col"), tag("th", "score", scope="col"), *heads)),
+                tag("tbody", *[row(record, stems) for record in records]))
+    return tag("section", tag("h2", "Everybody"),
+               tag("div", table, class_="scroll", tabindex="0", role="region", aria_label="marks of everybody"))
+
+
+def gallery(records: list):
+    """Everybody's picture, after the one that was expected."""
+    drawn = [record for record in records if record["pictures"].get("yours")]
+    if not drawn:
+        return None
+
+    def figure(record, which, caption):
+        picture = tag("img", src=address(record["folder"], record["pictures"][which]), alt="", loading="lazy")
+        return tag("figure", picture, tag("figcaption", caption))
+
+    figures = [figure(record, "yours", link(record)) for record in drawn]
+    expected = [record for record in drawn if record["pictures"].get("expected")]
+    if expected:
+        figures.insert(0, figure(expected[0], "expected", "expected"))
+    return tag("section", tag("h2", "Pictures"), tag("div", *figures, class_="pictures"))
+
+
+def facts(records: list):
+    rows = [("class", f"{len(records)} submissions"), *circumstances(records)]
+    files = []
+    for name in ("grades.csv", "junit.xml", "grades.tap"):
+        files += [", " if files else "", tag("a", name, href=address(name))]
+    rows = [part for name, value in rows for part in (tag("dt", name), tag("dd", value))]
+    return tag("dl", *rows, tag("dt", "also"), tag("dd", *files))
+
+
+def class_page(records: list) -> str:
+    records = clean_class(records)
+    parts = [distribution(records), explain_again(records), everybody(records), gallery(records)] if records \
+        else [tag("p", "No submissions.")]
+    return page("Grades", tag("header", banner(records), tag("h1", "Grades"), facts(records)), tag("main", *parts))

@@ -1,8 +1,10 @@
 """points.py - records as reports read them: nothing in them acts, and what has a result is a flat list.
 
 One point per function of a stem that was judged; one for a stem that was not; one for a submission
-without stems. So every report counts the same things, and nothing that a student wrote adds one.
+without stems, or that was not read to its end. So every report counts the same things, and nothing
+that a student wrote adds one.
 """
+from grade.collect.answers import PARTLY
 from grade.visible import visible
 from .comment import function_lines, stem_lines, stem_says, sentence, waiting_words
 
@@ -11,13 +13,7 @@ UNSAFE = "UNSAFE: graded without a sandbox (UNSAFE=1). These marks may be forged
 # Each state as one of the four outcomes that test readers know. A file that was not handed in is skipped,
 # since a class need not be past chapter 02; where nothing at all was, that is a failure.
 # A waiting function passes if the policy gives it its marks.
-OUTCOMES = {
-    "right": "passed",
-    "wrong": "failure",
-    "unanswered": "failure",
-    "missing": "skipped",
-    "empty": "failure",
-}
+OUTCOMES = {"right": "passed", "wrong": "failure", "unanswered": "failure", "missing": "skipped", "empty": "failure"}
 
 
 def outcome(point: dict) -> str:
@@ -35,57 +31,35 @@ def message(function: dict) -> str:
     return sentence(function) or function["how"] or function["state"]
 
 
+def point(stem: str, number: str, part: dict, message: str, lines: list, name: str = "") -> dict:
+    """part: what has a state and marks. name: a function's."""
+    what = name or part["state"]
+    return {"stem": stem, "name": f"{stem}: {what}" if stem else what, "number": number, "state": part["state"],
+            "message": message, "lines": lines, "score": part["score"], "max": part["max"]}
+
+
 def points(record: dict) -> list:
     """Dicts: stem, name, number, state, outcome, message, lines, score, max. Names are unique."""
     found = []
     for place, stem in enumerate(record["stems"], 1):
         if stem["state"] == "missing" and not stem["max"]:
             continue  # it was not asked for
-        number = str(int(stem["stem"][:2])) if stem["stem"][:2].isdecimal() else f"x{place}"
+        name = stem["stem"]
+        number = str(int(name[:2])) if name[:2].isdecimal() else f"x{place}"
         if stem["state"] != "judged":
-            found.append(
-                {
-                    "stem": stem["stem"],
-                    "name": f"{stem['stem']}: {stem['state']}",
-                    "number": number,
-                    "state": stem["state"],
-                    "message": stem_says(stem),
-                    "lines": stem_lines(stem),
-                    "score": stem["score"],
-                    "max": stem["max"],
-                }
-            )
+            found.append(point(name, number, stem, stem_says(stem), stem_lines(stem)))
             continue
-        for index, function in enumerate(stem["functions"], 1):
-            found.append(
-                {
-                    "stem": stem["stem"],
-                    "name": f"{stem['stem']}: {function['name']}",
-                    "number": f"{number}.{index}",
-                    "state": function["state"],
-                    "message": message(function),
-                    "lines": function_lines(stem["stem"], function),
-                    "score": function["score"],
-                    "max": function["max"],
-                }
-            )
-    if not found:
-        found.append(
-            {
-                "stem": "",
-                "name": record["status"],
-                "number": "0",
-                "state": record["status"],
-                "message": record["words"] or record["status"],
-                "lines": [],
-                "score": record["score"],
-                "max": record["max"],
-            }
-        )
-    for point in found:
-        point["outcome"] = outcome(point)
-        if record["status"] == "empty" and point["state"] == "missing":
-            point["outcome"] = "failure"
+        found += [point(name, f"{number}.{index}", function, message(function), function_lines(name, function),
+                        function["name"])
+                  for index, function in enumerate(stem["functions"], 1)]
+    if not found or record["status"] == PARTLY:
+        marks = {"score": 0, "max": 0} if found else record
+        whole = {"state": record["status"], "score": marks["score"], "max": marks["max"]}
+        found.insert(0, point("", "0", whole, record["words"] or record["status"], []))
+    for one in found:
+        one["outcome"] = outcome(one)
+        if record["status"] == "empty" and one["state"] == "missing":
+            one["outcome"] = "failure"
     return found
 
 

@@ -3,8 +3,9 @@
 80 columns. A long class is shortened to who needs a look: those without an ordinary result, and the
 lowest scores; everybody is in grades.csv.
 """
+from grade.collect.answers import PARTLY, UNREADABLE
 from grade.visible import number
-from .columns import COLUMNS, fitted, wrapped
+from .comment import COLUMNS, fitted, wrapped
 from .figures import bins, circumstances, most_made, not_answered, quartiles, scored, stems_of
 from .points import UNSAFE, any_unsafe, clean_class
 
@@ -35,28 +36,16 @@ def table(records: list) -> list:
     column = 6 if len(stems) <= 6 else 5
     status = max([6] + [len(record["status"]) for record in shown])
     name = COLUMNS - (1 + status) - 7 - column * len(stems)
-    lines = [
-        fitted("submission", name)
-        + " "
-        + fitted("status", status)
-        + "  score"
-        + "".join(stem[:2].rjust(column) for stem in stems)
-    ]
+    rows = [("submission", "status", "score", [stem[:2] for stem in stems])]
     for record in shown:
         marks = {stem["stem"]: number(stem["score"]) for stem in record["stems"]}
-        lines.append(
-            fitted(record["submission"], name)
-            + " "
-            + fitted(record["status"], status)
-            + number(record["score"]).rjust(7)
-            + "".join(marks.get(stem, "").rjust(column) for stem in stems)
-        )
+        rows.append((record["submission"], record["status"], number(record["score"]),
+                     [marks.get(stem, "") for stem in stems]))
+    lines = [f"{fitted(who, name)} {fitted(what, status)}{score:>7}" + "".join(mark.rjust(column) for mark in marks)
+             for who, what, score, marks in rows]
     if len(shown) < len(records):
-        lines.append(
-            f"... and {len(records) - len(shown)} more; above are those without an ordinary "
-            "result and the lowest."
-        )
-        lines.append("Everybody is in grades.csv and index.html.")
+        lines += [f"... and {len(records) - len(shown)} more; above are those without an ordinary result and the "
+                  "lowest.", "Everybody is in grades.csv and index.html."]
     return lines
 
 
@@ -97,15 +86,28 @@ def late(records: list) -> list:
     return [f"Late, or nobody knows when: {len(those)}"] + wrapped("", named, 6)
 
 
+def reasons(records: list) -> list:
+    lines = []
+    for record in records:
+        lines += wrapped("", f"{record['submission']}: {record['words']}", 2)
+    return lines
+
+
+def unread(records: list) -> list:
+    """Who handed in something that cannot be read, and why."""
+    those = [record for record in records if record["status"] in (UNREADABLE, PARTLY)]
+    return [f"Cannot be read, or only partly: {len(those)}"] + reasons(those) if those else []
+
+
 def failures(records: list) -> str:
     """Whom the grader failed on, and why; '' if it did not."""
-    those = [record for record in clean_class([r for r in records if r]) if record["score"] is None]
+    those = [record for record in clean_class([r for r in records if r])
+             if record["score"] is None and record["status"] != UNREADABLE]
     if not those:
         return ""
-    lines = [f"The grader failed on {len(those)} of {len(records)}. They have no score, and the next run marks them again:"]
-    for record in those:
-        lines += wrapped("", f"{record['submission']}: {record['words']}", 2)
-    return "\n".join(lines) + "\n"
+    lines = [f"The grader failed on {len(those)} of {len(records)}. "
+             "They have no score, and the next run marks them again:"]
+    return "\n".join(lines + reasons(those)) + "\n"
 
 
 def closing(records: list) -> str:
@@ -120,6 +122,7 @@ def closing(records: list) -> str:
         distribution(records),
         mistakes(records),
         late(records),
+        unread(records),
         failures(records).splitlines(),
         wrapped("", f"{len(records)} submissions. Seed {seeds}. Sandbox: {boxes}.", 0),
         loud,

@@ -30,9 +30,10 @@ mkdir "$answers"
 cp build/blanks/*.c "$answers"
 echo 'this is no C' >"$answers/03-screen.c"
 refused() {
-    ! judge
+    ! make --no-print-directory -s status ANSWERS="$answers" >"$scratch/said" 2>&1
 }
 check 'what does not compile is not right' refused
+judge
 check 'and said to be so' says '03-screen        does not compile'
 check 'the others are judged' says '04-pixel-ray     not yet'
 rm -rf "${answers:?}" "build/$answers"

@@ -1,10 +1,10 @@
 // debug.c - the calls of one test of a table, made directly: for gdb (tests/course/course.c).
 //
 //   PROGRAM STEM --test NAME
-#include "tests/handout/replay/replay.h"
+#include "tests/handout/replay/table.h"
 
-#include "tests/judge/dispatch.h"
 #include "tests/judge/exercise.h"
+#include "tests/judge/message.h"
 
 #include <string.h>
 

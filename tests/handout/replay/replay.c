@@ -2,14 +2,14 @@
 // was made.
 //
 // Known mistakes are recognised by their values in the table, not by running them.
-#include "tests/handout/replay/replay.h"
+#include "tests/handout/replay/table.h"
 
-#include "tests/judge/record.h"
+#include "tests/judge/figure.h"
+#include "tests/judge/message.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/test.h"
-#include "tests/judge/transport.h"
 
 #include <string.h>
 
@@ -17,8 +17,7 @@ enum { MOST_MISTAKES = 1000 };
 
 static Told told;
 static const ToldCall *now;
-static Mistake known[MOST_MISTAKES + 1];
-static const Mistake *const mistakes[] = {known, NULL};
+static Mistake known[MOST_MISTAKES];
 
 const Told *told_table(void)
 {
@@ -41,13 +40,200 @@ static void load_table(void)
         known[i] = (Mistake){.id = told.mistakes[i].digits ? "X-" : "",
                              .exercise = told.mistakes[i].function,
                              .why = told.mistakes[i].why,
-                             .picture = told.mistakes[i].picture};
+                             .picture = told.mistakes[i].picture,
+                             .next = i + 1 < told.mistake_count ? &known[i + 1] : NULL};
 }
+
+// ---- expect ------------------------------------------------------------------------------------
+
+static vec3 vec3_at(const Numbers *numbers, int i)
+{
+    return vec3_of(numbers->at[i], numbers->at[i + 1], numbers->at[i + 2]);
+}
+
+static Ray ray_of(const Numbers *numbers)
+{
+    return (Ray){vec3_at(numbers, 0), vec3_at(numbers, 3)};
+}
+
+// A value of this type, whose numbers begin here.
+static void get_value(const Type *type, const Numbers *numbers, int from, void *value)
+{
+    static Wire wire;
+    Resolution size = {0, 0};
+    wire_clear(&wire);
+    layout_write(type->name, &(Numbers){.count = numbers->count - from, .at = numbers->at + from},
+                 &size, &wire);
+    wire_get_value(&wire, type, value);
+}
+
+static void expect_value_at(const Type *type, const Numbers *yours, const ToldCall *call, int from)
+{
+    _Alignas(vec3) unsigned char y[TYPE_MOST_BYTES], e[TYPE_MOST_BYTES];
+    get_value(type, yours, from, y);
+    get_value(type, &call->results[0], from, e);
+    expect_value(type, y, e, call->tolerance, 1);
+}
+
+static Roots roots_of(const Numbers *numbers)
+{
+    return (Roots){(int)numbers->at[0], {numbers->at[1], numbers->at[2]}};
+}
+
+// Adds to the description of the case, which the first expectation has closed.
+static void looking_at(const char *what)
+{
+    record_now()->closed = false;
+    given("looking at", "%s", what);
+}
+
+static bool near(double yours, double expected, double tolerance)
+{
+    return yours == expected || fabs(yours - expected) <= tolerance;
+}
+
+static void expect_ray(Ray yours, Ray expected, const ToldCall *call)
+{
+    double tolerance = call->tolerance;
+    if (call->length_is_free) {
+        expect_same_ray(yours, expected, tolerance);
+        return;
+    }
+    vec3 off = yours.origin - expected.origin;
+    if (!(near(off[0], 0, tolerance) && near(off[1], 0, tolerance) && near(off[2], 0, tolerance))) {
+        looking_at("the origin");
+        expect_vec3(yours.origin, expected.origin, tolerance);
+    }
+    looking_at("the direction");
+    expect_vec3(yours.direction, expected.direction, tolerance);
+}
+
+// The right step, or a multiple of it within the accepted limits.
+static void expect_step(vec3 yours, vec3 expected, const ToldCall *call)
+{
+    double tolerance = call->tolerance;
+    vec3 from = vec3_at(&call->arguments, STEP_FROM), step = expected - from;
+    double times = vec3_dot(yours - from, step) / vec3_dot(step, step);
+    vec3 nearest = from + fmin(fmax(times, call->least), call->most) * step, off = yours - nearest;
+    if (near(off[0], 0, tolerance) && near(off[1], 0, tolerance) && near(off[2], 0, tolerance))
+        expected = nearest;
+    record_now()->closed = false;
+    given("as right", "from %s to %s times as far from the point as expected",
+          number_text(call->least).s, number_text(call->most).s);
+    expect_vec3(yours, expected, tolerance);
+}
+
+// Any reason that the test accepts; then the camera, which must be unchanged if it is refused.
+static void expect_fault_and_camera(const Numbers *yours, const ToldCall *call)
+{
+    const Numbers *expected = &call->results[0];
+    int fault = (int)yours->at[0];
+    if (fault < 0 || fault >= CAMERA_FAULTS || (call->reasons >> fault & 1) == 0)
+        expect_fault((CameraFault)fault, (CameraFault)expected->at[0]);
+    if (fault != CAMERA_OK)
+        looking_at("*camera, which stays as it was");
+    expect_value_at(&type_Camera, yours, call, 1);
+}
+
+static Image image_of(const Numbers *numbers, Resolution size)
+{
+    Image image;
+    Message message;
+    if (!image_create(&image, size, &message))
+        ck_abort_msg("%s", message.text);
+    for (int i = 0; i < 3 * size.width * size.height; i++)
+        image.rgb[i] = (uint8_t)numbers->at[i];
+    return image;
+}
+
+// The picture; then its depth, if it has one.
+static void expect_picture(const Numbers *yours, const ToldCall *call, Resolution size)
+{
+    static Image theirs, right; // freed by the next: a test that fails leaves by a jump
+    image_free(&theirs);
+    image_free(&right);
+    theirs = image_of(yours, size);
+    right = image_of(&call->results[0], size);
+    expect_same_image(&theirs, &right);
+    for (int i = 3 * size.width * size.height; i < yours->count; i++) {
+        double expected = call->results[0].at[i];
+        int pixel = i - 3 * size.width * size.height;
+        if (near(yours->at[i], expected, call->tolerance))
+            continue;
+        record_now()->closed = false;
+        given("looking at", "the depth of column %d, row %d", pixel % size.width,
+              pixel / size.width);
+        expect_number(yours->at[i], expected, call->tolerance);
+    }
+}
+
+static void expect_hit(const Numbers *yours, const ToldCall *call)
+{
+    const Numbers *expected = &call->results[0];
+    if (!near(yours->at[0], expected->at[0], call->tolerance)) {
+        looking_at("t");
+        expect_number(yours->at[0], expected->at[0], call->tolerance);
+    }
+    looking_at("the index of the sphere");
+    expect_int((long)yours->at[1], (long)expected->at[1]);
+}
+
+// A result must agree with the table, within the tolerance of its test. If it does not, both values
+// are kept as text and the test ends. results: the types of the result; size: of the call's image.
+static void told_expect(const char *results, const ToldCall *call, const Numbers *yours,
+                        Resolution size)
+{
+    const Numbers *expected = &call->results[0];
+    double tolerance = call->tolerance;
+    if (yours->count != expected->count)
+        record_how(HOW_CRASHED, "sent an invalid answer");
+    if (strcmp(results, "double") == 0) {
+        expect_number(yours->at[0], expected->at[0], tolerance);
+    } else if (call->most > 0) {
+        expect_step(vec3_at(yours, 0), vec3_at(expected, 0), call);
+    } else if (strcmp(results, "vec3") == 0) {
+        expect_vec3(vec3_at(yours, 0), vec3_at(expected, 0), tolerance);
+    } else if (strcmp(results, "CameraFault Camera") == 0) {
+        expect_fault_and_camera(yours, call);
+    } else if (strcmp(results, "Normalized") == 0 || strcmp(results, "ScreenPoint") == 0) {
+        expect_pair(yours->at[0], yours->at[1], expected->at[0], expected->at[1], tolerance);
+    } else if (strcmp(results, "ScreenRectangle") == 0) {
+        looking_at("left and right");
+        expect_pair(yours->at[0], yours->at[1], expected->at[0], expected->at[1], tolerance);
+        looking_at("top and bottom");
+        expect_pair(yours->at[2], yours->at[3], expected->at[2], expected->at[3], tolerance);
+    } else if (strcmp(results, "Ray") == 0) {
+        expect_ray(ray_of(yours), ray_of(expected), call);
+    } else if (strcmp(results, "Quadratic") == 0) {
+        looking_at("a, b, c");
+        expect_vec3(vec3_at(yours, 0), vec3_at(expected, 0), tolerance);
+    } else if (strcmp(results, "Roots") == 0) {
+        expect_roots(roots_of(yours), roots_of(expected), tolerance);
+    } else if (strcmp(results, "Hit") == 0) {
+        expect_hit(yours, call);
+    } else if (strncmp(results, "Pixels", 6) == 0) {
+        expect_picture(yours, call, size);
+    } else if (type_named(results) != NULL && type_is_flat(type_named(results))) {
+        expect_value_at(type_named(results), yours, call, 0);
+    } else {
+        fprintf(stderr, "tests/handout/replay/replay.c does not know the results '%s'\n", results);
+        exit(2);
+    }
+}
+
+// ---- the calls ---------------------------------------------------------------------------------
 
 static const Numbers *by_table(int exercise, const Mistake *mistake, int nth)
 {
-    (void)exercise;
-    return &now->results[mistake == NULL ? 0 : now->of_mistake[nth]];
+    static Numbers right;
+    if (mistake != NULL)
+        return &now->results[now->of_mistake[nth]];
+    if (!has_reasons(exercise) || now->results[0].at[0] == CAMERA_OK)
+        return &now->results[0];
+    numbers_free(&right);
+    right = numbers_copy(&now->results[0]);
+    set_reasons(&right, now->reasons);
+    return &right;
 }
 
 static const Numbers *once_more(int exercise)
@@ -133,6 +319,48 @@ __attribute__((constructor)) static void add_all_stems(void)
         stem->load = load_table;
         stem->list_tests = list_tests;
         stem->list_probes = list_probes;
-        stem->mistakes = mistakes;
+        stem->known[WRONG_ANSWERS] = known;
     }
+}
+
+// ---- the right result of a recorded call, from the table ---------------------------------------
+
+// The call at which the test stopped.
+static const ToldCall *call_of(const Record *record)
+{
+    for (int i = 0; i < told.test_count; i++) {
+        const ToldTest *test = &told.tests[i];
+        if (strcmp(test->function, record->function) == 0 &&
+            strcmp(test->name, record->name) == 0 && record->cases >= 1 &&
+            record->cases <= test->call_count)
+            return &test->calls[record->cases - 1];
+    }
+    return NULL;
+}
+
+bool right_answer(const Record *record, Kept *kept, Wire *right)
+{
+    const ToldCall *call = call_of(record);
+    Resolution size = {0, 0};
+    Numbers arguments = {0};
+    if (call == NULL)
+        return false;
+    // The image's size is among the arguments.
+    kept->question.read = 0;
+    layout_read(exercises[kept->exercise].arguments, &kept->question, &size, &arguments);
+    numbers_free(&arguments);
+    wire_clear(right);
+    return layout_write(exercises[kept->exercise].results, &call->results[0], &size, right);
+}
+
+bool right_corners(const Record *record, Camera camera, vec3 corners[4])
+{
+    const ToldCall *call = call_of(record);
+    (void)camera;
+    if (call == NULL || call->corners.count != 12)
+        return false;
+    const double *at = call->corners.at;
+    for (int i = 0; i < 4; i++)
+        corners[i] = vec3_of(at[3 * i], at[3 * i + 1], at[3 * i + 2]);
+    return true;
 }

@@ -6,7 +6,7 @@
 #ifndef TESTS_HANDOUT_REPLAY_TABLE_H
 #define TESTS_HANDOUT_REPLAY_TABLE_H
 
-#include "tests/judge/mistake.h"
+#include "tests/judge/known.h"
 #include "tests/judge/numbers.h"
 
 #include <stdio.h>
@@ -18,9 +18,9 @@ typedef struct {
     int result_count; // results that differ; the first is the right one
     Numbers *results;
     int mistake_count;
-    int *of_mistake;    // which of them each known mistake of the function gives
-    double tolerance;   // of the test for numbers; absolute
-    int reasons;        // the CameraFaults that it accepts, a bit each
+    int *of_mistake;  // which of them each known mistake of the function gives
+    double tolerance; // of the test for numbers; absolute
+    int reasons; // the CameraFaults that are right, a bit each; of a test, those that it accepts
     int length_is_free; // whether it accepts the direction of a ray in any length
     double least, most; // the accepted lengths of a step, relative to the right one; or 0
     Numbers corners;    // of the image plane, from the eye, if a vector to it is asked for
@@ -53,5 +53,13 @@ bool told_write(FILE *file, Told *told);
 
 // From malloc, one more of it; the new one is all zero.
 void *told_grow(void *items, int *count, size_t size);
+
+// ---- the tests of a table, run again with any answer -------------------------------------------
+
+// Of the stem that was chosen.
+const Told *told_table(void);
+
+// The call that is being made.
+const ToldCall *told_now(void);
 
 #endif

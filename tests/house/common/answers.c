@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 // Runs lines in a child; each returns the number of its first claim that is not true, or 0.
-static void expect_all_true(int (*claims)(void))
+static void expect_all_true(const char *name, int (*claims)(void))
 {
     fflush(NULL);
     pid_t child = fork();
@@ -23,7 +23,7 @@ static void expect_all_true(int (*claims)(void))
     int status;
     ck_assert_int_eq(waitpid(child, &status, 0), child);
     ck_assert(WIFEXITED(status));
-    given("in a child", "which of its claims is not true");
+    given("which claim is not true", "%s", name);
     expect_int(WEXITSTATUS(status), 0);
 }
 
@@ -153,58 +153,15 @@ static int make_gets_one_line_and_goes_on(void)
     return 0;
 }
 
-START_TEST(a_blank_returns_nan_and_minus_1)
-{
-    expect_all_true(a_blank_returns_the_impossible);
-}
-END_TEST
+#define EXPECT_ALL_TRUE(claims) expect_all_true(#claims, claims)
 
-START_TEST(each_blank_is_remembered_once_in_order_of_its_first_call)
+TEST(not_answered, what_is_said_of_blanks_is_true)
 {
-    expect_all_true(blanks_are_remembered_once_each_in_order);
+    EXPECT_ALL_TRUE(a_blank_returns_the_impossible);
+    EXPECT_ALL_TRUE(blanks_are_remembered_once_each_in_order);
+    EXPECT_ALL_TRUE(more_blanks_than_anybody_has_do_no_harm);
+    EXPECT_ALL_TRUE(a_blanks_number_is_shown_as_not_answered);
+    EXPECT_ALL_TRUE(the_report_names_file_and_function);
+    EXPECT_ALL_TRUE(an_answer_that_is_called_is_known);
+    EXPECT_ALL_TRUE(make_gets_one_line_and_goes_on);
 }
-END_TEST
-
-START_TEST(a_thousand_blanks_do_no_harm)
-{
-    expect_all_true(more_blanks_than_anybody_has_do_no_harm);
-}
-END_TEST
-
-START_TEST(what_a_blank_returns_is_shown_as_not_answered_yet)
-{
-    expect_all_true(a_blanks_number_is_shown_as_not_answered);
-}
-END_TEST
-
-START_TEST(the_report_names_each_blank_and_its_file)
-{
-    expect_all_true(the_report_names_file_and_function);
-}
-END_TEST
-
-START_TEST(an_answer_that_is_called_is_known_by_name)
-{
-    expect_all_true(an_answer_that_is_called_is_known);
-}
-END_TEST
-
-START_TEST(for_make_a_missing_answer_is_one_line_and_not_an_error)
-{
-    expect_all_true(make_gets_one_line_and_goes_on);
-}
-END_TEST
-
-static void list_tests(void)
-{
-    tests_of("not_answered");
-    test(a_blank_returns_nan_and_minus_1);
-    test(each_blank_is_remembered_once_in_order_of_its_first_call);
-    test(a_thousand_blanks_do_no_harm);
-    test(what_a_blank_returns_is_shown_as_not_answered_yet);
-    test(the_report_names_each_blank_and_its_file);
-    test(an_answer_that_is_called_is_known_by_name);
-    test(for_make_a_missing_answer_is_one_line_and_not_an_error);
-}
-
-OF_STEM(list_tests)

@@ -1,10 +1,41 @@
-// image.c - tests of common/image.c and common/screen.h: colours, pixels, the image in memory.
-// Expected: the conventions that they declare.
-#include "tests/house/common/image.h"
+// image.c - tests of common/image.c, common/image_png.c and common/whole_file.c: colours, the image
+// in memory, the picture as a file. Expected: the conventions that they declare; the same picture,
+// read back by libpng itself. What the programs say of their files is in
+// tests/house/command_line.txt.
+#include "common/image.h"
+
+#include "common/whole_file.h"
+#include "tests/judge/test.h"
+
+#include <png.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static Image image_of(int width, int height)
+{
+    Image image;
+    Message message;
+    if (!image_create(&image, (Resolution){width, height}, &message))
+        ck_abort_msg("%s", message.text);
+    return image;
+}
+
+// No two neighbours are alike, nor are red, green and blue.
+static Image pattern_of(int width, int height)
+{
+    Image image = image_of(width, height);
+    for (int i = 0; i < 3 * width * height; i++)
+        image.rgb[i] = (uint8_t)(i * 37 + i / 256);
+    return image;
+}
 
 // ---- colours and pixels ---------------------------------------------------------------------
 
-START_TEST(a_byte_is_255_times_the_colour_rounded)
+TEST(byte_from_color, a_byte_is_255_times_the_colour_rounded)
 {
     for (int byte = 0; byte < 256; byte++) {
         given_number("colour", byte / 255.0);
@@ -22,9 +53,8 @@ START_TEST(a_byte_is_255_times_the_colour_rounded)
         expect_int(byte_from_color(c), lround(255 * c));
     }
 }
-END_TEST
 
-START_TEST(colours_outside_0_to_1_are_clamped)
+TEST(byte_from_color, colours_outside_0_to_1_are_clamped)
 {
     const double low[] = {-0.0, -1e-9, -1, -2, -1e300, -INFINITY};
     const double high[] = {1, 1 + 1e-9, 1.01, 2, 257.0 / 255, 1e300, INFINITY};
@@ -37,9 +67,8 @@ START_TEST(colours_outside_0_to_1_are_clamped)
         expect_int(byte_from_color(high[i]), 255);
     }
 }
-END_TEST
 
-START_TEST(a_colour_that_is_no_number_is_black)
+TEST(byte_from_color, a_colour_that_is_no_number_is_black)
 {
     expect_int(byte_from_color(NAN), 0);
     expect_int(byte_from_color(copysign(NAN, -1)), 0);
@@ -48,22 +77,8 @@ START_TEST(a_colour_that_is_no_number_is_black)
     expect_vec3(vec3_of(image.rgb[0], image.rgb[1], image.rgb[2]), vec3_of(0, 255, 0), 0);
     image_free(&image);
 }
-END_TEST
 
-// The slide's 640 x 480: an int holds a pixel, a double a point between pixels.
-START_TEST(pixels_are_whole_and_points_are_continuous)
-{
-    Pixel pixel = {.column = 300, .row = 400};
-    ScreenPoint center = {.x = pixel.column + 0.5, .y = pixel.row + 0.5};
-    Normalized n = {.s = center.x / 640, .t = 1 - center.y / 480};
-    ck_assert(_Generic(pixel.column, int : 1, default : 0));
-    ck_assert(_Generic(center.x, double : 1, default : 0));
-    expect_pair(center.x, center.y, 300.5, 400.5, 0);
-    expect_pair(n.s, n.t, 0.46953125, 0.165625, 1e-12);
-}
-END_TEST
-
-START_TEST(columns_count_from_the_left_and_rows_from_the_top)
+TEST(image_set, columns_count_from_the_left_and_rows_from_the_top)
 {
     Image image = image_of(4, 3);
     image_set(&image, (Pixel){.column = 3, .row = 1}, vec3_of(1, 0.2, 0.4));
@@ -75,11 +90,10 @@ START_TEST(columns_count_from_the_left_and_rows_from_the_top)
     }
     image_free(&image);
 }
-END_TEST
 
 // ---- the image in memory --------------------------------------------------------------------
 
-START_TEST(a_new_image_is_black)
+TEST(image_create, a_new_image_is_black)
 {
     Image image = image_of(7, 5);
     expect_pair(image.size.width, image.size.height, 7, 5, 0);
@@ -88,9 +102,8 @@ START_TEST(a_new_image_is_black)
     image_free(&image);
     ck_assert_ptr_null(image.rgb);
 }
-END_TEST
 
-START_TEST(impossible_sizes_are_refused)
+TEST(image_create, impossible_sizes_are_refused)
 {
     const Resolution bad[] = {{0, 0},          {0, 5},
                               {5, 0},          {-1, 5},
@@ -113,19 +126,6 @@ START_TEST(impossible_sizes_are_refused)
         image_free(&image);
     }
 }
-END_TEST
-
-START_TEST(the_longest_sides_are_16384)
-{
-    Image wide = image_of(16384, 1), high = image_of(1, 16384);
-    image_set(&wide, (Pixel){16383, 0}, vec3_of(0, 0, 1));
-    image_set(&high, (Pixel){0, 16383}, vec3_of(0, 0, 1));
-    expect_int(wide.rgb[3 * 16384 - 1], 255);
-    expect_int(high.rgb[3 * 16384 - 1], 255);
-    image_free(&wide);
-    image_free(&high);
-}
-END_TEST
 
 static struct {
     int calls;
@@ -138,7 +138,7 @@ static void note_progress(const Image *image)
     progress.last = image->set_count;
 }
 
-START_TEST(progress_is_reported_after_every_1024_pixels)
+TEST(image_set, progress_is_reported_after_every_1024_pixels)
 {
     Image image = image_of(10, 10);
     image.progress = note_progress;
@@ -150,22 +150,81 @@ START_TEST(progress_is_reported_after_every_1024_pixels)
     }
     image_free(&image);
 }
-END_TEST
 
-static void list_tests(void)
+// The image written to a file, and the file decoded by libpng's simplified interface.
+static Image read_back(const Image *image)
 {
-    tests_of("byte_from_color");
-    test(a_byte_is_255_times_the_colour_rounded);
-    test(colours_outside_0_to_1_are_clamped);
-    test(a_colour_that_is_no_number_is_black);
-    tests_of("image_set");
-    test(pixels_are_whole_and_points_are_continuous);
-    test(columns_count_from_the_left_and_rows_from_the_top);
-    test(progress_is_reported_after_every_1024_pixels);
-    tests_of("image_create");
-    test(a_new_image_is_black);
-    test(impossible_sizes_are_refused);
-    test(the_longest_sides_are_16384);
+    char path[] = "/tmp/image-XXXXXX";
+    Message message;
+    close(mkstemp(path));
+    expect_law(image_write_png(image, path, &message), "written", "%s", message.text);
+    png_image png = {.version = PNG_IMAGE_VERSION};
+    if (png_image_begin_read_from_file(&png, path) == 0)
+        ck_abort_msg("%s", png.message);
+    // Eight bits of red, green and blue: no alpha, not linear. A palette holds the same.
+    ck_assert_uint_eq(png.format & ~PNG_FORMAT_FLAG_COLORMAP, PNG_FORMAT_RGB);
+    png.format = PNG_FORMAT_RGB;
+    Image found = image_of((int)png.width, (int)png.height);
+    if (png_image_finish_read(&png, NULL, found.rgb, 0, NULL) == 0)
+        ck_abort_msg("%s", png.message);
+    unlink(path);
+    return found;
 }
 
-OF_STEM(list_tests)
+TEST(image_write_png, a_picture_is_read_back_as_it_was_written)
+{
+    const Resolution sizes[] = {{1, 1}, {1, 9}, {9, 1}, {64, 48}, {317, 211}};
+    for (int i = 0; i < 5; i++) {
+        Image image = pattern_of(sizes[i].width, sizes[i].height), found = read_back(&image);
+        given("size", "%d x %d", image.size.width, image.size.height);
+        expect_pair(found.size.width, found.size.height, image.size.width, image.size.height, 0);
+        expect_same_image(&found, &image);
+        image_free(&found);
+        image_free(&image);
+    }
+}
+
+TEST(image_write_png, the_first_row_of_the_file_is_the_top_one)
+{
+    Image image = image_of(2, 2);
+    image_set(&image, (Pixel){.column = 1, .row = 0}, vec3_of(1, 0.2, 0));
+    Image found = read_back(&image);
+    const uint8_t expected[12] = {0, 0, 0, 255, 51, 0};
+    ck_assert_mem_eq(found.rgb, expected, 12);
+    image_free(&found);
+    image_free(&image);
+}
+
+// Half of the file is written when the signal comes.
+static bool write_and_raise(FILE *file, const void *given, const char *path, Message *message)
+{
+    (void)path;
+    (void)message;
+    fputs("half of it", file);
+    fflush(file);
+    raise(*(const int *)given);
+    return true;
+}
+
+TEST(file_write_whole, a_program_that_a_signal_ends_leaves_the_older_file)
+{
+    char path[] = "/tmp/image-XXXXXX", found[10] = "";
+    int older = mkstemp(path), status;
+    ck_assert_int_eq(write(older, "older", 5), 5);
+    pid_t child = fork();
+    ck_assert_int_ge(child, 0);
+    if (child == 0) {
+        signal(SIGTERM, SIG_DFL); // Check's own handler would end the tests
+        file_write_whole(path, write_and_raise, &(int){SIGTERM}, &(Message){""});
+    }
+    ck_assert_int_eq(waitpid(child, &status, 0), child);
+    expect_law(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM, "ended by the signal",
+               "wait status %d", status);
+    FILE *file = fopen(path, "rb");
+    ck_assert_ptr_nonnull(file);
+    found[fread(found, 1, sizeof found - 1, file)] = '\0';
+    expect_text(found, "older");
+    fclose(file);
+    close(older);
+    unlink(path);
+}

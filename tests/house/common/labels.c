@@ -3,7 +3,6 @@
 // Expected: properties, of random drawings. Whether a line meets a box is found here by walking
 // along it in short steps; widths of characters are those in the font's own table (hmtx).
 #include "common/figure/labels.h"
-#include "common/figure/label_places.h"
 
 #include "tests/judge/test.h"
 
@@ -106,68 +105,44 @@ static bool is_inside(Area box)
            box.top <= canvas.top;
 }
 
-START_TEST(labels_meet_neither_lines_nor_discs)
+static void expect_good_label(const Drawing *drawing, const Labels *labels, int i)
 {
-    for (int k = 0; k < DRAWINGS; k++) {
-        Drawing drawing = some_drawing();
-        Labels *labels = labels_for(&drawing, 0);
-        for (int i = 0; i < LABELS; i++) {
-            double room = gap_to_drawing(box_of(labels_get(labels, i)), &drawing);
-            given("drawing and label", "%d, %d", k, i);
-            expect_law(room > 2, "some room around it", "it meets something");
-        }
-        labels_free(labels);
+    PlacedLabel one = labels_get(labels, i);
+    Area box = box_of(one);
+    expect_law(gap_to_drawing(box, drawing) > 2, "some room around it", "it meets something");
+    expect_law(is_inside(box), "inside the canvas", "outside");
+    for (int j = 0; j < i; j++) {
+        PlacedLabel other = labels_get(labels, j);
+        expect_law(fabs(one.middle.u - other.middle.u) > (one.width + other.width) / 2 ||
+                       fabs(one.middle.v - other.middle.v) > (one.height + other.height) / 2,
+                   "apart from the others", "two overlap");
+    }
+    if (one.leads) {
+        Area end = {one.end.u, one.end.u, one.end.v, one.end.v};
+        expect_law(gap_to_line(end, one.from, one.to) < 1, "an end on it", "elsewhere");
+        expect_law(gap(box, one.start) < 6, "a start at the label", "elsewhere");
+    } else {
+        expect_law(gap_to_line(box, one.from, one.to) < 40, "near it", "far");
     }
 }
-END_TEST
 
-START_TEST(labels_do_not_overlap_and_are_inside)
-{
-    for (int k = 0; k < DRAWINGS; k++) {
-        Drawing drawing = some_drawing();
-        Labels *labels = labels_for(&drawing, 0);
-        for (int i = 0; i < LABELS; i++) {
-            PlacedLabel one = labels_get(labels, i);
-            given("drawing and label", "%d, %d", k, i);
-            expect_law(is_inside(box_of(one)), "inside the canvas", "outside");
-            for (int j = 0; j < i; j++) {
-                PlacedLabel other = labels_get(labels, j);
-                bool apart = fabs(one.middle.u - other.middle.u) > (one.width + other.width) / 2 ||
-                             fabs(one.middle.v - other.middle.v) > (one.height + other.height) / 2;
-                expect_law(apart, "apart from the others", "two overlap");
-            }
-        }
-        labels_free(labels);
-    }
-}
-END_TEST
-
-START_TEST(leaders_go_from_labels_to_what_they_name)
+TEST(labels_place, labels_meet_nothing_and_are_near_what_they_name_or_have_a_leader)
 {
     int leaders = 0;
     for (int k = 0; k < DRAWINGS; k++) {
         Drawing drawing = some_drawing();
         Labels *labels = labels_for(&drawing, 0);
         for (int i = 0; i < LABELS; i++) {
-            PlacedLabel label = labels_get(labels, i);
-            leaders += label.leads;
             given("drawing and label", "%d, %d", k, i);
-            if (label.leads) {
-                Area end = {label.end.u, label.end.u, label.end.v, label.end.v};
-                expect_law(gap_to_line(end, label.from, label.to) < 1, "an end on it", "elsewhere");
-                expect_law(gap(box_of(label), label.start) < 6, "a start at the label",
-                           "elsewhere");
-            } else {
-                expect_law(gap_to_line(box_of(label), label.from, label.to) < 40, "near it", "far");
-            }
+            expect_good_label(&drawing, labels, i);
+            leaders += labels_get(labels, i).leads;
         }
         labels_free(labels);
     }
     expect_law(leaders > 0, "some leaders in so many drawings", "none");
 }
-END_TEST
 
-START_TEST(a_label_with_room_beside_it_has_no_leader)
+TEST(labels_place, a_label_with_room_beside_it_has_no_leader)
 {
     for (int k = 0; k < DRAWINGS; k++) {
         Drawing drawing = some_drawing();
@@ -196,7 +171,6 @@ START_TEST(a_label_with_room_beside_it_has_no_leader)
         labels_free(labels);
     }
 }
-END_TEST
 
 // In the middle of a grid that is too narrow for any text.
 static void shut_in(double half_width, double half_height)
@@ -219,12 +193,11 @@ static void shut_in(double half_width, double half_height)
     labels_free(labels);
 }
 
-START_TEST(a_label_that_is_shut_in_has_a_leader)
+TEST(labels_place, a_label_that_is_shut_in_has_a_leader)
 {
     shut_in(60, 60);
     shut_in(300, 230); // out of the grid only far away
 }
-END_TEST
 
 // The same labels, bit by bit.
 static void expect_same(const Labels *labels, const Labels *others)
@@ -237,7 +210,7 @@ static void expect_same(const Labels *labels, const Labels *others)
     }
 }
 
-START_TEST(the_order_of_what_is_drawn_does_not_matter)
+TEST(labels_place, the_order_of_what_is_drawn_does_not_matter)
 {
     for (int k = 0; k < DRAWINGS; k++) {
         Drawing drawing = some_drawing();
@@ -248,19 +221,8 @@ START_TEST(the_order_of_what_is_drawn_does_not_matter)
         labels_free(others);
     }
 }
-END_TEST
 
-START_TEST(the_same_drawing_has_the_same_labels)
-{
-    Drawing drawing = some_drawing();
-    Labels *labels = labels_for(&drawing, 0), *others = labels_for(&drawing, 0);
-    expect_same(labels, others);
-    labels_free(labels);
-    labels_free(others);
-}
-END_TEST
-
-START_TEST(each_label_is_nearest_to_what_it_names)
+TEST(labels_place, each_label_is_nearest_to_what_it_names)
 {
     for (int k = 0; k < DRAWINGS; k++) {
         Labels *labels = labels_new(canvas);
@@ -282,84 +244,8 @@ START_TEST(each_label_is_nearest_to_what_it_names)
         labels_free(labels);
     }
 }
-END_TEST
 
-// A place gets its cost only when places of that cost are asked for: none may come too late.
-START_TEST(places_come_by_their_costs_and_none_is_left_out)
-{
-    enum { AROUND_A_SPOT = 160, ALONG_A_LINE = 7 * AROUND_A_SPOT };
-    for (int k = 0; k < DRAWINGS; k++) {
-        Drawing drawing = some_drawing();
-        Labels *labels = labels_for(&drawing, 0);
-        for (int i = 0; i < LABELS; i++) {
-            int count = 0, least = i % 2 == 0 ? AROUND_A_SPOT : ALONG_A_LINE;
-            double before = 0;
-            const Place *place;
-            given("drawing and label", "%d, %d", k, i);
-            while ((place = place_below(labels, i, count, INFINITY)) != NULL) {
-                expect_law(place->cost >= before, "as much as the place before, or more",
-                           "a cheaper place comes later");
-                before = place->cost;
-                count++;
-            }
-            expect_law(count >= least, "all places", "some are left out");
-        }
-        labels_free(labels);
-    }
-}
-END_TEST
-
-static double gap_to_leader(Area box, PlacedLabel label)
-{
-    return label.leads ? gap_to_line(box, label.start, label.end) : INFINITY;
-}
-
-// Does another label keep this one from that place? It may be nearer than the least that is
-// allowed.
-static bool is_kept_away(const Labels *labels, int number, int count, Area box)
-{
-    enum { ABOUT = 12 };
-    for (int i = 0; i < count; i++) {
-        PlacedLabel other = labels_get(labels, i);
-        Area there = box_of(other);
-        bool near = box.left - there.right < ABOUT && there.left - box.right < ABOUT &&
-                    box.bottom - there.top < ABOUT && there.bottom - box.top < ABOUT;
-        if (i != number && (near || gap_to_leader(box, other) < ABOUT))
-            return true;
-    }
-    return false;
-}
-
-// A place may become free when another label moves on.
-START_TEST(a_cheaper_place_is_taken_if_no_other_label_is_there)
-{
-    enum { CROWDS = 8, MANY = 24, MOST_LATE = 2 };
-    int late = 0;
-    for (int k = 0; k < CROWDS; k++) {
-        Labels *labels = labels_new(canvas);
-        for (int i = 0; i < MANY; i++) {
-            Spot spot = {random_number(300, 660), random_number(140, 340)};
-            labels_add(labels, some_label(spot, spot));
-        }
-        labels_place(labels);
-        for (int i = 0; i < MANY; i++) {
-            PlacedLabel label = labels_get(labels, i);
-            const Place *place;
-            for (int rank = 0; (place = place_below(labels, i, rank, INFINITY)) != NULL; rank++) {
-                PlacedLabel there = label;
-                there.middle = place->middle;
-                if (place->middle.u == label.middle.u && place->middle.v == label.middle.v)
-                    break;
-                late += !place->leads && !is_kept_away(labels, i, MANY, box_of(there));
-            }
-        }
-        labels_free(labels);
-    }
-    expect_law(late <= MOST_LATE, "hardly any place", "many places");
-}
-END_TEST
-
-START_TEST(words_that_name_no_place_are_where_there_is_room)
+TEST(labels_place, words_that_name_no_place_are_where_there_is_room)
 {
     Drawing drawing = some_drawing();
     Labels *labels = labels_new(canvas);
@@ -378,9 +264,8 @@ START_TEST(words_that_name_no_place_are_where_there_is_room)
     expect_pair(label.middle.u, label.middle.v, 70, 439, 1e-9);
     labels_free(labels);
 }
-END_TEST
 
-START_TEST(nothing_to_place_and_what_is_not_finite_are_harmless)
+TEST(labels_place, nothing_to_place_and_what_is_not_finite_are_harmless)
 {
     Labels *labels = labels_new(canvas);
     labels_line(labels, (Spot){NAN, 0}, (Spot){100, INFINITY}, 2);
@@ -394,9 +279,8 @@ START_TEST(nothing_to_place_and_what_is_not_finite_are_harmless)
     expect_law(labels_cost(labels) >= LABEL_FINE, "a fine", "none");
     labels_free(labels);
 }
-END_TEST
 
-START_TEST(text_is_as_wide_as_in_the_font)
+TEST(labels_text_width, text_is_as_wide_as_in_the_font)
 {
     const struct {
         const char *text;
@@ -411,25 +295,3 @@ START_TEST(text_is_as_wide_as_in_the_font)
     expect_number(labels_text_width("(0, 0)", 24), (2 * 799 + 2 * 1303 + 2 * 651) / 2048.0 * 24,
                   0.1);
 }
-END_TEST
-
-static void list_tests(void)
-{
-    tests_of("labels_place");
-    test(labels_meet_neither_lines_nor_discs);
-    test(labels_do_not_overlap_and_are_inside);
-    test(leaders_go_from_labels_to_what_they_name);
-    test(a_label_with_room_beside_it_has_no_leader);
-    test(a_label_that_is_shut_in_has_a_leader);
-    test(the_order_of_what_is_drawn_does_not_matter);
-    test(the_same_drawing_has_the_same_labels);
-    test(each_label_is_nearest_to_what_it_names);
-    test(places_come_by_their_costs_and_none_is_left_out);
-    test(a_cheaper_place_is_taken_if_no_other_label_is_there);
-    test(words_that_name_no_place_are_where_there_is_room);
-    test(nothing_to_place_and_what_is_not_finite_are_harmless);
-    tests_of("labels_text_width");
-    test(text_is_as_wide_as_in_the_font);
-}
-
-OF_STEM(list_tests)

@@ -6,29 +6,17 @@
 
 #include <string.h>
 
-typedef const char *Reader(const char *text, double *number);
-
-static void expect_read(Reader *read, const char *text, double expected, const char *rest)
+static void expect_reads(const char *text, double expected, const char *rest)
 {
     double number = -12345;
-    const char *end = read(text, &number);
+    const char *end = read_number(text, &number);
     given("text", "'%s'", text);
     expect_law(end != NULL, "a number", "refused");
     expect_number(number, expected, 0);
     expect_text(end, rest);
 }
 
-static void expect_reads(const char *text, double expected, const char *rest)
-{
-    expect_read(read_number, text, expected, rest);
-    // The padding must not matter, not even if it is digits.
-    static char padded[100];
-    memset(padded, '7', sizeof padded);
-    strcpy(padded, text);
-    expect_read(read_padded_number, padded, expected, rest);
-}
-
-START_TEST(numbers_are_read_as_they_are_written)
+TEST(read_number, numbers_are_read_as_they_are_written)
 {
     expect_reads("0", 0, "");
     expect_reads("4", 4, "");
@@ -42,17 +30,15 @@ START_TEST(numbers_are_read_as_they_are_written)
     expect_reads("1E-3", 0.001, "");
     expect_reads("1.7976931348623157e308", 1.7976931348623157e308, "");
     expect_reads("0.1000000000000000055511151231257827021181583404541015625", 0.1, "");
-}
-END_TEST
-
-START_TEST(minus_zero_is_a_zero)
-{
-    expect_reads("-0", 0, "");
     expect_reads("-0.0e9", 0, "");
+    expect_reads("1,2", 1, ",2");
+    expect_reads("640x480", 640, "x480");
+    expect_reads("1.5.5", 1.5, ".5");
+    expect_reads("1e", 1, "e");
+    expect_reads("3 4", 3, " 4");
 }
-END_TEST
 
-START_TEST(what_is_too_small_for_a_double_is_about_zero)
+TEST(read_number, what_is_too_small_for_a_double_is_about_zero)
 {
     expect_reads("1e-999", 0, "");
     double number = 1;
@@ -60,19 +46,8 @@ START_TEST(what_is_too_small_for_a_double_is_about_zero)
     ck_assert_double_ge(number, 0);
     ck_assert_double_le(number, 1e-319);
 }
-END_TEST
 
-START_TEST(what_follows_a_number_is_handed_back)
-{
-    expect_reads("1,2", 1, ",2");
-    expect_reads("640x480", 640, "x480");
-    expect_reads("1.5.5", 1.5, ".5");
-    expect_reads("1e", 1, "e");
-    expect_reads("3 4", 3, " 4");
-}
-END_TEST
-
-START_TEST(what_is_no_finite_decimal_number_is_refused)
+TEST(read_number, what_is_no_finite_decimal_number_is_refused)
 {
     static const char *const bad[] = {
         "",         "+",         "-",        ".",    "-.",   "+.",  "--1",  "+-1",
@@ -87,9 +62,8 @@ START_TEST(what_is_no_finite_decimal_number_is_refused)
         expect_number(number, 7, 0);
     }
 }
-END_TEST
 
-START_TEST(numbers_are_shown_to_six_digits_without_idle_zeros)
+TEST(number_text, numbers_are_shown_to_six_digits_without_idle_zeros)
 {
     expect_text(number_text(4).s, "4");
     expect_text(number_text(-0.4).s, "-0.4");
@@ -98,53 +72,33 @@ START_TEST(numbers_are_shown_to_six_digits_without_idle_zeros)
     expect_text(number_text_to(1.0 / 3, 3).s, "0.333");
     expect_text(number_text_to(0.1, 17).s, "0.10000000000000001");
 }
-END_TEST
 
-START_TEST(no_minus_stands_before_a_zero)
+TEST(number_text, no_minus_stands_before_a_zero)
 {
     expect_text(number_text(-0.0).s, "0");
     expect_text(number_text_to(-0.0, 17).s, "0");
     expect_text(vec3_text(vec3_of(-0.0, 0, -0.0)).s, "(0, 0, 0)");
     expect_text(pair_text(-0.0, -0.0).s, "(0, 0)");
 }
-END_TEST
 
 // 0 / 0 is -nan on some machines and nan on others.
-START_TEST(what_is_not_finite_is_shown_alike_everywhere)
+TEST(number_text, what_is_not_finite_is_shown_alike_everywhere)
 {
     expect_text(number_text(NAN).s, "nan");
     expect_text(number_text(copysign(NAN, -1)).s, "nan");
     expect_text(number_text(INFINITY).s, "inf");
     expect_text(number_text(-INFINITY).s, "-inf");
 }
-END_TEST
 
-START_TEST(vectors_and_pairs_stand_in_parentheses)
+TEST(number_text, vectors_and_pairs_stand_in_parentheses)
 {
     expect_text(vec3_text(vec3_of(2, 2, -4)).s, "(2, 2, -4)");
     expect_text(vec3_text(vec3_of(-0.4, 1.0 / 6, 1e-9)).s, "(-0.4, 0.166667, 1e-09)");
     expect_text(vec3_text_to(vec3_of(1.0 / 3, 0, 2), 2).s, "(0.33, 0, 2)");
     expect_text(pair_text(0.5, 0.25).s, "(0.5, 0.25)");
 }
-END_TEST
 
-START_TEST(the_longest_vector_fits)
-{
-    double x = -1.2345678901234568e-300;
-    expect_text(vec3_text_to(vec3_of(x, x, x), 17).s,
-                "(-1.2345678901234568e-300, -1.2345678901234568e-300, -1.2345678901234568e-300)");
-}
-END_TEST
-
-START_TEST(plain_words_stay_as_they_are)
-{
-    expect_text(word_text("").s, "");
-    expect_text(word_text("sphere").s, "sphere");
-    expect_text(word_text("~ !\"%s'").s, "~ !\"%s'");
-}
-END_TEST
-
-START_TEST(control_characters_of_a_word_are_harmless)
+TEST(word_text, control_characters_of_a_word_are_harmless)
 {
     expect_text(word_text("\x1b[31mred\a\r\n").s, "?[31mred???");
     expect_text(word_text("caf\xc3\xa9\x7f\x9b").s, "caf????");
@@ -155,10 +109,10 @@ START_TEST(control_characters_of_a_word_are_harmless)
                    "byte %d", (unsigned char)text.s[0]);
     }
 }
-END_TEST
 
-START_TEST(long_words_are_cut)
+TEST(word_text, long_words_are_cut)
 {
+    expect_text(word_text("~ !\"%s'").s, "~ !\"%s'");
     const char forty[] = "0123456789012345678901234567890123456789";
     expect_text(word_text(forty).s, forty);
     char word[100001];
@@ -169,99 +123,30 @@ START_TEST(long_words_are_cut)
     word[41] = '\0';
     expect_text(word_text(word).s, cut);
 }
-END_TEST
 
-START_TEST(a_message_is_set_and_false)
-{
-    Message message;
-    ck_assert(!message_set(&message, "%s:%d: %s", "a.nff", 12, "wrong"));
-    expect_text(message.text, "a.nff:12: wrong");
-}
-END_TEST
-
-START_TEST(a_message_that_is_too_long_is_cut)
+TEST(message_set, a_message_that_is_too_long_is_cut)
 {
     Message message;
     ck_assert(!message_set(&message, "%1000d", 1));
     expect_int((long)strlen(message.text), (long)sizeof message.text - 1);
 }
-END_TEST
 
-static void expect_duration(double seconds, const char *expected)
+TEST(duration_text, times_have_three_digits_or_two_units)
 {
-    given("seconds", "%.17g", seconds);
-    expect_text(duration_text(seconds).s, expected);
+    const struct {
+        double seconds;
+        const char *text;
+    } times[] = {{0, "0 ms"},           {0.0000123, "0.0123 ms"},
+                 {0.00234, "2.34 ms"},  {0.999, "999 ms"},
+                 {0.9996, "1 s"},       {1.5, "1.5 s"},
+                 {37.24, "37.2 s"},     {59.9, "59.9 s"},
+                 {59.96, "1 min"},      {119.6, "2 min"},
+                 {218.6, "3 min 39 s"}, {3599.4, "59 min 59 s"},
+                 {3599.6, "1 h"},       {7199, "2 h"},
+                 {7500, "2 h 5 min"},   {360000, "100 h"},
+                 {NAN, "nan ms"},       {-2, "-2 s"}};
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++) {
+        given("seconds", "%.17g", times[i].seconds);
+        expect_text(duration_text(times[i].seconds).s, times[i].text);
+    }
 }
-
-START_TEST(short_times_have_three_digits)
-{
-    expect_duration(0, "0 ms");
-    expect_duration(0.0000123, "0.0123 ms");
-    expect_duration(0.00234, "2.34 ms");
-    expect_duration(0.999, "999 ms");
-    expect_duration(1.5, "1.5 s");
-    expect_duration(37.24, "37.2 s");
-    expect_duration(59.9, "59.9 s");
-}
-END_TEST
-
-START_TEST(long_times_are_in_minutes_and_hours)
-{
-    expect_duration(219, "3 min 39 s");
-    expect_duration(218.6, "3 min 39 s");
-    expect_duration(120, "2 min");
-    expect_duration(3600, "1 h");
-    expect_duration(7500, "2 h 5 min");
-    expect_duration(360000, "100 h");
-}
-END_TEST
-
-START_TEST(no_time_has_sixty_of_a_unit)
-{
-    expect_duration(0.9996, "1 s");
-    expect_duration(59.96, "1 min");
-    expect_duration(119.6, "2 min");
-    expect_duration(3599.4, "59 min 59 s");
-    expect_duration(3599.6, "1 h");
-    expect_duration(7199, "2 h");
-}
-END_TEST
-
-START_TEST(what_is_no_time_is_no_crash)
-{
-    expect_duration(NAN, "nan ms");
-    expect_duration(INFINITY, "inf s");
-    expect_duration(-2, "-2 s");
-    expect_duration(1e15, "1e+15 s");
-}
-END_TEST
-
-static void list_tests(void)
-{
-    tests_of("read_number");
-    test(numbers_are_read_as_they_are_written);
-    test(minus_zero_is_a_zero);
-    test(what_is_too_small_for_a_double_is_about_zero);
-    test(what_follows_a_number_is_handed_back);
-    test(what_is_no_finite_decimal_number_is_refused);
-    tests_of("number_text");
-    test(numbers_are_shown_to_six_digits_without_idle_zeros);
-    test(no_minus_stands_before_a_zero);
-    test(what_is_not_finite_is_shown_alike_everywhere);
-    test(vectors_and_pairs_stand_in_parentheses);
-    test(the_longest_vector_fits);
-    tests_of("duration_text");
-    test(short_times_have_three_digits);
-    test(long_times_are_in_minutes_and_hours);
-    test(no_time_has_sixty_of_a_unit);
-    test(what_is_no_time_is_no_crash);
-    tests_of("word_text");
-    test(plain_words_stay_as_they_are);
-    test(control_characters_of_a_word_are_harmless);
-    test(long_words_are_cut);
-    tests_of("message_set");
-    test(a_message_is_set_and_false);
-    test(a_message_that_is_too_long_is_cut);
-}
-
-OF_STEM(list_tests)

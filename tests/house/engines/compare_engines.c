@@ -2,7 +2,6 @@
 #include "tests/house/engines/compare_engines.h"
 
 #include "chapters/08-fast/engines/lanes.h"
-#include "common/image_flat.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
 
@@ -24,25 +23,7 @@ int against_end(const char *name)
     return failed > 0;
 }
 
-// ---- whole pictures ---------------------------------------------------------------------------
-
-// The bytes of a flat image. All its bands have to be encoded, and the colours that are seen known.
-static const char *fill_bytes(const Image *image)
-{
-    const FlatImage *flat = image_flat(image);
-    uint32_t seen = 0;
-    for (int row = 0; row < image->size.height; row++)
-        for (int column = 0; column < image->size.width; column++) {
-            size_t i = image_index(image, (Pixel){column, row});
-            seen |= 1U << flat->numbers[i];
-            for (int k = 0; k < 3; k++)
-                image->rgb[3 * i + (size_t)k] = (uint8_t)(flat->colors[flat->numbers[i]] >> 8 * k);
-        }
-    for (int i = 0; i < bands_count(image); i++)
-        if (flat->bands[i].stream == NULL)
-            return "a band is not encoded";
-    return seen == atomic_load(&flat->seen) ? NULL : "other colours are seen than it says";
-}
+// ---- whole pictures --------------------------------------------------------------------------
 
 static void compare(const char *name, const Engine *engine, const Work *right, int threads)
 {
@@ -61,10 +42,7 @@ static void compare(const char *name, const Engine *engine, const Work *right, i
     // No engine may rely on what was in the image.
     size_t pixels = (size_t)image.size.width * (size_t)image.size.height;
     memset(image.rgb, 0xa5, 3 * pixels);
-    static unsigned pictures;
-    work.may_be_flat = pictures++ % 2 == 0;
     bool cast = engine->cast(&work, &message);
-    const char *wrong = cast && image_flat(&image) != NULL ? fill_bytes(&image) : NULL;
     size_t different = 0, first = 0;
     for (size_t i = pixels; cast && i-- > 0;)
         if (memcmp(image.rgb + 3 * i, right->image->rgb + 3 * i, 3) != 0) {
@@ -74,11 +52,10 @@ static void compare(const char *name, const Engine *engine, const Work *right, i
     char why[120];
     snprintf(why, sizeof why, "%zu of %zu pixels differ, first (%zu, %zu)", different, pixels,
              first % (size_t)image.size.width, first / (size_t)image.size.width);
-    if (cast && wrong == NULL && different == 0)
+    if (cast && different == 0)
         passed++;
     else
-        against_fail(who, !cast ? message.text : wrong != NULL ? wrong : why);
-    image_unflatten(&image);
+        against_fail(who, !cast ? message.text : why);
     image_free(&image);
 }
 
@@ -113,7 +90,7 @@ void against_all(const char *name, const Engine *first, const Work *right, const
     lanes_at_most = LANES_AVX512;
 }
 
-// ---- rows -------------------------------------------------------------------------------------
+// ---- rows ------------------------------------------------------------------------------------
 
 // The spheres that a row's rays may hit. All its rays lie in a plane through the eye; what is
 // farther from the plane than its radius is not hit. In their order, so that ties are the same.

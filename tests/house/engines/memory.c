@@ -41,7 +41,7 @@ int main(int argc, char **argv)
     }
     for (int i = 0; i < 3 * image.size.width * image.size.height; i++)
         image.rgb[i] = 0xa5; // memory counts from when it is used
-    Work work = {&made.scene, made.camera, &image, threads, NULL, NULL, false};
+    Work work = {&made.scene, made.camera, &image, threads, NULL, NULL};
     double before = peak();
     if (!engine_named("bins")->cast(&work, &message))
         against_fail(made.name, message.text);

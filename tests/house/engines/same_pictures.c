@@ -24,7 +24,7 @@ static void try_made(const Made *made, const int *threads, How how)
     }
     // Of small scenes plain is compared with itself, by several threads.
     const Engine *next = &engines[made->scene.sphere_count > 1000];
-    Work right = {&made->scene, made->camera, &image, 1, NULL, NULL, false};
+    Work right = {&made->scene, made->camera, &image, 1, NULL, NULL};
     engines[0].cast(&right, &message);
     against_all(made->name, next, &right, threads, how);
     image_free(&image);
@@ -45,6 +45,10 @@ static void try_all_made(void)
     // Across the limit beyond which all is left to plain, and where lengths are extreme.
     for (unsigned i = 0; i < 60; i++) {
         made_far(&made, i, pow(10, 10 + i / 6.0), 1);
+        try_made(&made, some, IN_TURNS);
+    }
+    for (unsigned i = 0; i < 60; i++) {
+        made_edge(&made, i, pow(10, 6 + i % 6), pow(10, -0.7 * (i / 6)));
         try_made(&made, some, IN_TURNS);
     }
     static const double radii[] = {1e-250, 1e-100, 1e-59, 1e-30, 1e30, 1e50, 1e100, 1e150, 1e290};

@@ -27,7 +27,7 @@ static void try_scene(const char *name, const Scene *scene, Resolution size, dou
         against_fail(name, "no camera, or no image");
         return;
     }
-    Work right = {scene, camera, &image, (int)sysconf(_SC_NPROCESSORS_ONLN), NULL, NULL, false};
+    Work right = {scene, camera, &image, (int)sysconf(_SC_NPROCESSORS_ONLN), NULL, NULL};
     bool few = (double)size.width * size.height * scene->sphere_count <= most;
     const Engine *engine = few ? &engines[0] : engine_named("bvh");
     if (!engine->cast(&right, &message)) {

@@ -1,21 +1,21 @@
 // same_shading.c - shadows and mirrors through the hierarchy are chapter 07's, on scenes that are
 // awkward, and on random ones.
 //
-// Usage: same_shading [SCENES [FIRST]]: SCENES random scenes, from number FIRST on (100, 1). Of
-// each, the colour that every pixel's ray sees is compared to the last digit; and a picture of few
-// samples, with one thread and with three, to the byte. The last line counts.
+// Usage: same_shading [SCENES [FIRST [FAR]]]: SCENES random scenes, from number FIRST on (100, 1),
+// and FAR (100) whose numbers are far apart. Of each, the colour that every pixel's ray sees is
+// compared to the last digit; and a picture of few samples, with one thread and with three, to the
+// byte. Of the far ones also the flat picture of every engine. The last line counts.
 #include "chapters/08-fast/engines/engine.h"
-#include "chapters/08-fast/engines/light_paths.h"
+#include "chapters/08-fast/engines/light.h"
 #include "chapters/shared/scene_camera.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/07-shading.h"
+#include "tests/house/engines/compare_engines.h"
 #include "tests/house/engines/shading_scenes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int passed, failed;
 
 static void verdict(const char *name, const char *what, int different, int of)
 {
@@ -27,19 +27,18 @@ static void verdict(const char *name, const char *what, int different, int of)
     printf("not ok: %s: %s: %d of %d differ\n", name, what, different, of);
 }
 
-static int differ(LightPaths *paths, const Ray *rays, int first, int count)
+static int differ(LightPaths *all, const Ray *rays, const Color *right, int count)
 {
     int different = 0;
-    paths->paths->count = count;
+    all->paths.count = count;
     for (int i = 0; i < count; i++) {
-        set_vector(&paths->paths->origin, i, rays[first + i].origin);
-        set_vector(&paths->paths->direction, i, rays[first + i].direction);
+        set_vector(&all->paths.origin, i, rays[i].origin);
+        set_vector(&all->paths.direction, i, rays[i].direction);
     }
-    path_colors(paths, false);
+    path_colors(all, false);
     for (int i = 0; i < count; i++) {
-        Color all = trace_ray(&lit_scene, rays[first + i], lit_depth);
-        Color color = vector_of(paths->colors, i);
-        different += memcmp(&all, &color, 3 * sizeof(double)) != 0;
+        Color color = vector_of(all->colors, i);
+        different += memcmp(&right[i], &color, 3 * sizeof(double)) != 0;
     }
     return different;
 }
@@ -47,75 +46,136 @@ static int differ(LightPaths *paths, const Ray *rays, int first, int count)
 // By the lanes of each kind, and by the chapters' functions.
 static void compare_rays(const char *name, Camera camera)
 {
-    enum { MOST = 1024 };
+    enum { MOST = 1200 };
     static Ray rays[MOST];
+    static Color right[MOST];
+    static int columns[MOST], rows[MOST];
     Resolution screen = lit_scene.view.resolution;
-    LightWorld world;
-    if (!light_world_build(&world, &lit_scene, 1))
+    LightWorld world = {
+        .scene = &lit_scene, .camera = camera, .samples = screen, .depth = lit_depth};
+    if (!light_world_build(&world))
         exit(1);
     lanes_at_most = LANES_AVX512;
     const int count = screen.width * screen.height;
-    for (int i = 0; i < count && count <= MOST; i++)
-        rays[i] = pixel_ray(camera, screen, (Pixel){i % screen.width, i / screen.width});
-    Picture picture = {&lit_scene, world.materials, camera, screen};
+    for (int i = 0; i < count && count <= MOST; i++) {
+        columns[i] = i % screen.width;
+        rows[i] = i / screen.width;
+        rays[i] = pixel_ray(camera, screen, (Pixel){columns[i], rows[i]});
+        right[i] = trace_ray(&lit_scene, rays[i], lit_depth);
+    }
     const int best = (int)lanes_best();
     for (int kind = 0; kind <= best + 1; kind++) {
         lanes_at_most = kind > best ? LANES_AVX512 : (LanesKind)kind;
-        LightPaths paths;
-        if (!light_paths_begin(&paths, &world, lit_depth))
+        const LightSteps *steps = kind > best
+                                      ? &steps_by_chapters
+                                      : steps_for(&world, columns, rows, count <= MOST ? count : 0);
+        LightPaths *paths = light_paths_create(&world, steps);
+        if (paths == NULL)
             exit(1);
-        paths.picture = picture;
-        paths.steps = kind > best ? &steps_by_chapters : steps_for(&picture);
         char what[40];
         snprintf(what, sizeof what, "rays, %s", kind > best ? "chapters" : lanes_names[kind]);
         if (kind <= best)
-            verdict(name, "steps in lanes", paths.steps == &steps_by_chapters, 1);
+            verdict(name, "steps in lanes", steps == &steps_by_chapters, 1);
         int different = count > MOST;
         for (int first = 0; first < count; first += PATHS)
-            different += differ(&paths, rays, first, count - first < PATHS ? count - first : PATHS);
+            different += differ(paths, rays + first, right + first,
+                                count - first < PATHS ? count - first : PATHS);
         verdict(name, what, different, count);
-        light_paths_end(&paths);
+        free(paths);
     }
     light_world_free(&world);
 }
 
-static void compare_pictures(const char *name, Camera camera, Style style)
+static int different_bytes(const Image *right, const Image *image)
 {
-    Resolution small = {lit_scene.view.resolution.width / 2, lit_scene.view.resolution.height / 2};
+    int different = 0;
+    for (int i = 0; i < 3 * right->size.width * right->size.height; i++) {
+        different += image->rgb[i] != right->rgb[i];
+        image->rgb[i] = (uint8_t)~image->rgb[i];
+    }
+    return different;
+}
+
+// By 1 and by 3 threads, and with all kinds of lanes; by plain once.
+static void compare_pictures(const char *name, Camera camera, Style style, bool all_kinds)
+{
+    const int n = style.samples, best = (int)lanes_best(), first = all_kinds ? 0 : best;
+    Resolution small = {lit_scene.view.resolution.width / n, lit_scene.view.resolution.height / n};
     Message message;
     Image right, image;
     if (!image_create(&right, small, &message) || !image_create(&image, small, &message))
         exit(1);
     render(&lit_scene, camera, style, &right);
     for (const Engine *engine = engines; engine->name != NULL; engine++)
-        for (int threads = 1; threads <= 3 && engine->light != NULL; threads += 2) {
-            Work work = {&lit_scene, camera, &image, threads, NULL, NULL, false};
-            char what[60];
-            snprintf(what, sizeof what, "%s, %d threads, bytes", engine->name, threads);
-            int different = engine->light(&work, style, &message) ? 0 : 1;
-            for (int i = 0; i < 3 * small.width * small.height; i++) {
-                different += image.rgb[i] != right.rgb[i];
-                image.rgb[i] = (uint8_t)~image.rgb[i];
+        for (int kind = engine == &engines[0] ? best : first; kind <= best; kind++)
+            for (int threads = 1; threads <= 3 && engine->light != NULL; threads += 2) {
+                if (engine == &engines[0] && threads == 1)
+                    continue; // as chapter 07
+                lanes_at_most = (LanesKind)kind;
+                Work work = {&lit_scene, camera, &image, threads, NULL, NULL};
+                char what[60];
+                snprintf(what, sizeof what, "%s, %s, %d threads, bytes", engine->name,
+                         lanes_names[kind], threads);
+                bool done = engine->light(&work, style, &message);
+                verdict(name, what, done ? different_bytes(&right, &image) : 1,
+                        3 * small.width * small.height);
             }
-            verdict(name, what, different, 3 * small.width * small.height);
-        }
+    lanes_at_most = LANES_AVX512;
     image_free(&right);
     image_free(&image);
+}
+
+// The flat pictures of all engines.
+static void compare_flat(const char *name, Camera camera)
+{
+    static const int threads[] = {1, 3, 0};
+    Message message;
+    Image right;
+    if (!image_create(&right, lit_scene.view.resolution, &message))
+        exit(1);
+    Work flat = {&lit_scene, camera, &right, 1, NULL, NULL};
+    engines[0].cast(&flat, &message);
+    against_all(name, &engines[1], &flat, threads, IN_TURNS);
+    image_free(&right);
+}
+
+static bool looks(Camera *camera)
+{
+    return scene_camera(&lit_scene.view, lit_scene.view.resolution, camera) == CAMERA_OK;
 }
 
 static void try_scene(const char *name, bool pictures)
 {
     Camera camera;
-    if (scene_camera(&lit_scene.view, lit_scene.view.resolution, &camera) != CAMERA_OK)
+    if (!looks(&camera))
         return; // a random view along up
     compare_rays(name, camera);
     if (pictures)
-        compare_pictures(name, camera, (Style){.samples = 2, .depth = lit_depth, .gamma = 2.2});
+        compare_pictures(name, camera, (Style){.samples = 2, .depth = lit_depth, .gamma = 2.2},
+                         false);
+}
+
+static void try_far_scene(unsigned number)
+{
+    Camera camera;
+    char name[40];
+    snprintf(name, sizeof name, "far scene %u", number);
+    lit_far_apart(number);
+    if (!looks(&camera))
+        return;
+    Image size = {.size = lit_scene.view.resolution};
+    Work work = {.scene = &lit_scene, .camera = camera, .image = &size, .threads = 1};
+    if (!extreme_light(&work))
+        compare_rays(name, camera);
+    Style style = {.samples = 1 + (int)(number % 2), .depth = lit_depth, .gamma = 2.2};
+    compare_pictures(name, camera, style, true);
+    compare_flat(name, camera);
 }
 
 int main(int argc, char **argv)
 {
     int random = argc > 1 ? atoi(argv[1]) : 100, first = argc > 2 ? atoi(argv[2]) : 1;
+    int far = argc > 3 ? atoi(argv[3]) : 100;
     for (size_t i = 0; lit_awkward[i].name != NULL; i++)
         for (int k = 0; k < lit_awkward[i].times; k++) {
             lit_awkward[i].make();
@@ -127,6 +187,8 @@ int main(int argc, char **argv)
         lit_at_random((unsigned)i);
         try_scene(name, i % 4 == 0);
     }
-    printf("shading engines: %d passed, %d failed\n", passed, failed);
-    return failed > 0;
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    for (int i = first; i < first + far; i++)
+        try_far_scene((unsigned)i);
+    return against_end("shading engines");
 }

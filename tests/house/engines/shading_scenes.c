@@ -5,6 +5,7 @@
 #include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
+#include "tests/house/engines/test_scenes.h"
 
 #include <stddef.h>
 
@@ -16,20 +17,6 @@ static Surface surfaces[ROOM];
 static Light lights[LIGHTS];
 Scene lit_scene = {.spheres = spheres, .surfaces = surfaces, .lights = lights};
 int lit_depth;
-
-static unsigned long long state;
-
-static double uniform(double low, double high)
-{
-    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
-}
-
-static vec3 anywhere(double size)
-{
-    double x = uniform(-size, size), y = uniform(-size, size);
-    return vec3_of(x, y, uniform(-size, size));
-}
 
 // Every sphere has a colour of its own, so that one taken for another shows; two of three mirror.
 static void add(vec3 center, double radius)
@@ -61,7 +48,7 @@ static void look_from(vec3 from, vec3 at, double angle)
 static void heap(vec3 at, double size, int count, double radius)
 {
     for (int i = 0; i < count; i++)
-        add(at + anywhere(size), radius * uniform(0.3, 1));
+        add(at + within(size), radius * uniform(0.3, 1));
 }
 
 static const vec3 front = {0, 0, 5}, middle = {0, 0, 0}, above = {3, 9, 6};
@@ -105,7 +92,7 @@ static void coincident(void)
     vec3 there[12];
     for (int i = 0; i < 72; i++) {
         if (i < 12)
-            there[i] = anywhere(1.5);
+            there[i] = within(1.5);
         add(there[i % 12], 0.7);
     }
 }
@@ -125,6 +112,17 @@ static void light_in_a_sphere(void)
     add(vec3_of(0.5, 0.5, 0), 0.4);
     add(above, 30);
     heap(middle, 2, 30, 0.6);
+}
+// Spheres smaller than the steps between the numbers of their places, so a point on one is its
+// centre, and has no normal.
+static void smaller_than_rounding(void)
+{
+    vec3 there = vec3_of(1e5, -2e5, 1e5);
+    look_from(there + 1e-9 * front, there, 1);
+    light_up(there + 1e-6 * above, LIGHT_POINT);
+    light_up(above, LIGHT_DISTANT);
+    for (int i = 0; i < 60; i++)
+        add(there + within(5e-11), 3e-12);
 }
 
 // The ray that leaves the surface seen by a pixel; NaN if the pixel's ray meets nothing.
@@ -224,7 +222,7 @@ static void overlapping_boxes(void)
     light_up(vec3_of(3, 4, 5), LIGHT_POINT);
     add(vec3_of(0, 0, -25), 20);
     for (int i = 1; i < ROOM; i++)
-        add(anywhere(0.4), 2);
+        add(within(0.4), 2);
 }
 
 const LitScene lit_awkward[] = {{"nothing", nothing, 1},
@@ -236,6 +234,7 @@ const LitScene lit_awkward[] = {{"nothing", nothing, 1},
                                 {"a light in a sphere", light_in_a_sphere, 1},
                                 {"a light on a surface", light_on_a_surface, 1},
                                 {"far from the origin", far_from_the_origin, 1},
+                                {"smaller than rounding", smaller_than_rounding, 1},
                                 {"on a huge ground", on_huge_ground, 1},
                                 {"grazing the view", grazing_the_view, 10},
                                 {"grazing the light", grazing_the_light, 10},
@@ -244,13 +243,119 @@ const LitScene lit_awkward[] = {{"nothing", nothing, 1},
 
 void lit_at_random(unsigned number)
 {
-    state = number * 7919ULL + 1;
-    for (int i = 0; i < 8; i++)
-        uniform(0, 1);
-    look_from(anywhere(3), anywhere(1), uniform(20, 130));
+    random_begin(number * 7919ULL + 1);
+    look_from(within(3), within(1), uniform(20, 130));
     lit_scene.view.up = vec3_of(0.1, 1, 0.2);
     for (int i = (int)uniform(1, LIGHTS + 1); i > 0; i--)
-        light_up(anywhere(5), uniform(0, 1) < 0.5 ? LIGHT_POINT : LIGHT_DISTANT);
+        light_up(within(5), uniform(0, 1) < 0.5 ? LIGHT_POINT : LIGHT_DISTANT);
     heap(middle, 2, (int)pow(MOST, uniform(0, 1)), pow(10, uniform(-1.5, 0.3)));
     lit_depth = (int)uniform(0, 6);
+}
+
+// ---- numbers that are far apart --------------------------------------------------------------
+
+static vec3 some_way(void)
+{
+    return vec3_unit(within(1));
+}
+
+static void add_within_limits(vec3 center, double radius, double specular)
+{
+    int i = lit_scene.sphere_count;
+    add(center, fmin(fmax(radius, 1e-12), 1e14));
+    surfaces[i].specular = specular;
+}
+
+// A light near a heap of this size, on one of its surfaces, in the eye, far away, or distant.
+static void light_somewhere(vec3 heap, double size)
+{
+    const Sphere sphere = spheres[(int)uniform(0, lit_scene.sphere_count)];
+    const double far = fmin(size * power_of_ten(0, 15), 1e15);
+    switch ((int)uniform(0, 6)) {
+    case 0:
+        light_up(heap + 3 * size * some_way(), LIGHT_POINT);
+        break;
+    case 1:
+        light_up(sphere.center + sphere.radius * (1 + power_of_ten(-16, -1)) * some_way(),
+                 LIGHT_POINT);
+        break;
+    case 2:
+        light_up(sphere.center + sphere.radius * some_way(), LIGHT_POINT);
+        break;
+    case 3:
+        light_up(lit_scene.view.from, LIGHT_POINT);
+        break;
+    case 4:
+        light_up(heap + far * some_way(), LIGHT_POINT);
+        break;
+    default:
+        light_up(power_of_ten(-12, 12) * some_way(), LIGHT_DISTANT);
+    }
+}
+
+// Spheres that rays of the eye, of mirrors or to a light touch, near the end of the ray if it has
+// one, up to most of their radii from its start.
+static void graze_some(double most)
+{
+    const int lights_count = lit_scene.light_count;
+    Camera camera;
+    Resolution screen = lit_scene.view.resolution;
+    if (scene_camera(&lit_scene.view, screen, &camera) != CAMERA_OK)
+        return;
+    for (int i = (int)uniform(1, 30); i > 0; i--) {
+        Pixel pixel = {(int)uniform(0, screen.width), (int)uniform(0, screen.height)};
+        int way = (int)uniform(-1, lights_count + 1);
+        Ray ray = way < 0 ? pixel_ray(camera, screen, pixel) : leaves_at(pixel);
+        ray = way > 0 ? ray_to_light(ray.origin, lights[way - 1]) : ray;
+        bool ends = way < 0 || (way > 0 && lights[way - 1].kind == LIGHT_POINT);
+        double distance = ends ? vec3_length(ray.direction) * (1 - power_of_ten(-12, -0.1))
+                               : spheres[0].radius * power_of_ten(-2, log10(most));
+        graze(ray, distance, fmax(distance / power_of_ten(0, log10(most)), 1e-12));
+    }
+}
+
+void lit_far_apart(unsigned number)
+{
+    random_begin(number * 7919ULL + 5);
+    if (number % 20 == 1) { // four sizes at once; the light is in the eye
+        look_from(middle, vec3_of(0, 0, -1), 60);
+        light_up(middle, LIGHT_POINT);
+        for (int i = 0; i < 4; i++) {
+            double radius = power_of_ten(-0.7, 0) * (const double[]){1e-10, 1e2, 1e7, 1e14}[i];
+            double away = uniform(10, 24) * radius;
+            add(away * vec3_of(uniform(-0.4, 0.4), uniform(-0.3, 0.3), -1), radius);
+        }
+        return;
+    }
+    // A heap anywhere, seen from outside; or from among its spheres, and then often in mirrors.
+    // Lengths are up to most times as large as the heap: so far that plain casts the scene, or not.
+    const double most = once_in(6) ? 1e15 : once_in(2) ? power_of_ten(6, 9) : power_of_ten(0.5, 9);
+    const double size = once_in(2) ? 1 : power_of_ten(-9, 11), least = uniform(-1, -0.1);
+    const vec3 there =
+        once_in(3) ? fmin(size * power_of_ten(0, log10(most)), 1e15) * some_way() : middle;
+    const bool far = once_in(2), odd = once_in(2);
+    const double nearest = once_in(2) ? 0.5 : log10(most) - 1;
+    const double away = far ? fmin(size * power_of_ten(nearest, log10(most)), 1e15) : 3 * size;
+    const vec3 eye = there + away * (once_in(3) ? vec3_of(0, 0, 1) : some_way());
+    look_from(eye, there, far ? 2 * atan(1.5 * size / away) * 180 / PI : uniform(40, 130));
+    lit_scene.view.up = vec3_of(0.1, 1, 0.2);
+    lit_scene.view.resolution = (Resolution){40, 30};
+    for (int i = (int)uniform(1, 40); i > 0; i--)
+        add_within_limits(there + within(size), size * power_of_ten(least, 0), i % 3 / 3.0);
+    for (int i = odd && once_in(2) ? (int)uniform(1, 5) : 0; i > 0; i--) { // around the heap
+        double radius = size * fmin(power_of_ten(0.6, once_in(2) ? 4 : 14), most);
+        add_within_limits(there + radius * uniform(0, 0.5) * some_way(), radius, 0.7);
+    }
+    for (int i = odd && once_in(2) ? (int)uniform(1, 5) : 0; i > 0; i--) { // touching others
+        const Sphere sphere = spheres[(int)uniform(0, lit_scene.sphere_count)];
+        double many = power_of_ten(0, fmin(14, log10(most)));
+        double radius = once_in(2) ? sphere.radius / fmin(many, 1e10) : size * many;
+        double gap = once_in(2) ? 0 : uniform(-1, 1) * power_of_ten(-16, -8) * sphere.radius;
+        add_within_limits(sphere.center + (sphere.radius + radius + gap) * some_way(), radius, 0.4);
+    }
+    for (int i = (int)uniform(1, LIGHTS + 1); i > 0; i--)
+        light_somewhere(there, size);
+    lit_depth = (int)uniform(0, 6);
+    if (odd && once_in(2))
+        graze_some(fmin(most, 1e12));
 }

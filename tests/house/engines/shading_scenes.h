@@ -19,4 +19,7 @@ extern const LitScene lit_awkward[];
 
 void lit_at_random(unsigned number);
 
+// Eyes and lights up to 1e15 away, radii from 1e-12 to 1e14, the eye in mirrors.
+void lit_far_apart(unsigned number);
+
 #endif

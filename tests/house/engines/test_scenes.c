@@ -1,10 +1,32 @@
-// test_scenes.c - scenes for screens of all sizes, of many spheres, and random ones.
-#include "tests/house/engines/scene_parts.h"
+// test_scenes.c - scenes that are made to be difficult, for screens of all sizes, of many spheres,
+// extremely far away, and random ones.
+#include "tests/house/engines/test_scenes.h"
+
+#include "exercises/04-pixel-ray.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { MOST_AT_RANDOM = 400 };
+// ---- what scenes are made of ------------------------------------------------------------------
+
+enum { MOST = 12000, MOST_AT_RANDOM = 400 }; // spheres
+
+static Sphere spheres[MOST];
+static Surface surfaces[MOST];
+// The scene that is being made.
+static Made *now;
+static Frame frame_now;
+// The default eye, the point that it looks at, and roughly up.
+static const vec3 above = {0.1, 1, 0.2}, middle = {0, 0, 0}, front = {0, 0, 5};
+
+static unsigned long long state;
+
+void random_begin(unsigned long long seed)
+{
+    state = seed;
+    for (int i = 0; i < 8; i++)
+        uniform(0, 1);
+}
 
 static void begin(Made *made, const char *name)
 {
@@ -13,6 +35,344 @@ static void begin(Made *made, const char *name)
     state = 1;
     snprintf(made->name, sizeof made->name, "%s", name);
 }
+
+double uniform(double low, double high)
+{
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return low + (high - low) * (double)(state >> 11) * 0x1p-53;
+}
+
+double power_of_ten(double low, double high)
+{
+    return pow(10, uniform(low, high));
+}
+
+bool once_in(double times)
+{
+    return uniform(0, times) < 1;
+}
+
+vec3 within(double most)
+{
+    double x = uniform(-most, most), y = uniform(-most, most), z = uniform(-most, most);
+    return vec3_of(x, y, z);
+}
+
+static vec3 direction(void)
+{
+    return vec3_unit(within(1) + vec3_of(1e-9, 0, 0));
+}
+
+static Color color_number(int i)
+{
+    unsigned bits = (unsigned)(i + 1) * 0x9e3779b1U;
+    return vec3_of(bits >> 24 & 255, bits >> 16 & 255, bits >> 8 & 255) / 255;
+}
+
+// One sphere more, of a colour of its own, so that one taken for another shows.
+static void add(vec3 center, double radius)
+{
+    int i = now->scene.sphere_count;
+    if (i == MOST)
+        return;
+    surfaces[i].color = color_number(i);
+    spheres[i] = (Sphere){center, radius, i};
+    now->scene.sphere_count = now->scene.surface_count = i + 1;
+}
+
+// Nothing but a camera; the angle is in degrees, across the width.
+static void look(vec3 from, vec3 at, vec3 roughly_up, double angle, int width, int height)
+{
+    vec3 forward = vec3_unit(at - from), right = vec3_unit(vec3_cross(forward, roughly_up));
+    double distance = vec3_length(at - from), wide = 2 * distance * tan(angle * PI / 360);
+    Camera camera = {from,     right, vec3_cross(right, forward), forward,
+                     distance, wide,  wide * height / width};
+    if (frame_now == FRAME_MIRRORED)
+        camera.right = -right;
+    if (frame_now == FRAME_STRETCHED) {
+        camera.distance *= 0.01;
+        camera.width *= 0.01;
+        camera.height *= 0.027;
+    }
+    if (frame_now == FRAME_LEANING) {
+        camera.right = (1 + 5e-10) * right + 5e-10 * forward;
+        camera.up = (1 - 5e-10) * camera.up + 5e-10 * right;
+    }
+    now->camera = camera;
+    now->size = (Resolution){width, height};
+    now->scene = (Scene){.spheres = spheres, .surfaces = surfaces};
+}
+
+static void look_from(vec3 from, double angle, int width, int height)
+{
+    look(from, middle, above, angle, width, height);
+}
+
+static Ray ray_of_a_pixel(void)
+{
+    int column = (int)uniform(0, now->size.width), row = (int)uniform(0, now->size.height);
+    return pixel_ray(now->camera, now->size, (Pixel){column, row});
+}
+
+// One that the ray of a random pixel touches, so far away.
+static void add_tangent(double radius, double away)
+{
+    Ray ray = ray_of_a_pixel();
+    // As often as not where its outline is farthest left or right, above or below.
+    vec3 across = once_in(2) ? direction() : once_in(2) ? now->camera.up : now->camera.right;
+    vec3 ahead = vec3_unit(ray.direction), aside = vec3_unit(vec3_cross(ahead, across));
+    add(ray.origin + away * ahead + (once_in(2) ? radius : -radius) * aside, radius);
+}
+
+// Two that the ray of a random pixel meets in the same place; the second is that many times larger.
+static void add_meeting(double radius, double times, double away)
+{
+    Ray ray = ray_of_a_pixel();
+    vec3 ahead = vec3_unit(ray.direction);
+    for (int i = 0; i < 2; i++, radius *= times) {
+        // From head on to hardly at all.
+        vec3 aside = vec3_unit(vec3_cross(ahead, direction()));
+        double angle = PI / 2 * (1 - power_of_ten(-4, 0));
+        add(ray.origin + away * ahead + radius * (cos(angle) * ahead + sin(angle) * aside), radius);
+    }
+}
+
+// ---- difficult ones ---------------------------------------------------------------------------
+
+static void nothing(void)
+{
+    look_from(front, 60, 40, 30);
+}
+static void around_the_eye(void)
+{
+    look_from(front, 60, 40, 30);
+    add(front, 1);
+    add(middle, 1);
+    add(front, 30);
+    add(front + vec3_of(0.1, 0.2, -0.1), 0.5);
+}
+static void touching_the_eye(void)
+{
+    look_from(front, 90, 40, 30);
+    add(vec3_of(0, 0, 4), 1);
+    add(vec3_of(1, 0, 5), 1);
+    add(vec3_of(0, -2, 5), 2);
+    add(vec3_of(0, 0, 6), 1);
+    add(middle, 1);
+}
+static void nearly_touching_the_eye(void)
+{
+    look_from(front, 90, 40, 30);
+    for (int i = -14; i <= -3; i++) {
+        vec3 there = front + direction();
+        add(there, 1 + pow(10, i));
+        add(there, 1 - pow(10, i));
+    }
+    add(middle, 1);
+}
+static void beside_and_behind(void)
+{
+    look_from(front, 120, 40, 30);
+    add(vec3_of(3, 0, 5), 2.5);
+    add(vec3_of(-3, 0, 5.5), 2.9);
+    add(vec3_of(0, 0, 9), 3.9);
+    add(vec3_of(0, 4, 4), 3);
+}
+static void behind(void)
+{
+    look_from(front, 170, 40, 30);
+    for (int i = 0; i < 50; i++)
+        add(front + within(3) + vec3_of(0, 0, 4), uniform(0.1, 2));
+}
+static void tangent_to_rays(void)
+{
+    // Which also puts them beyond each edge and corner of the screen.
+    look_from(front, 60, 37, 31);
+    for (int i = 0; i < 60; i++)
+        add_tangent(power_of_ten(-2, 1), uniform(1, 9));
+}
+static void coincident(void)
+{
+    look_from(front, 60, 40, 30);
+    for (int i = 0; i < 8; i++)
+        add(middle, 1);
+    for (int i = 0; i < 8; i++)
+        add(vec3_of(1, 1, 0), 0.5 + 1e-9 * i);
+    for (int i = 0; i < 8; i++)
+        add(vec3_of(-1, -1, 1e-12 * i), 0.5);
+}
+static void the_same_far_and_near(void)
+{
+    // Of the same outline, one behind the other: nearer ones come later.
+    look_from(front, 60, 40, 30);
+    for (int i = 20; i > 0; i--)
+        add(front + vec3_of(0.1 * i, 0.05 * i, -i), 0.3 * i);
+}
+static void close_behind_one_another(void)
+{
+    // Many fronts within the precision of a float.
+    look_from(front, 40, 40, 30);
+    for (int i = 0; i < 60; i++)
+        add(vec3_of(0, 0, 1e-7 * uniform(-3, 3)) + 0.01 * within(1), 1);
+    for (int i = 0; i < 60; i++)
+        add(front + vec3_of(0, 0, -1e3 - uniform(0, 1e-4)), 300);
+}
+static void hardly_before_a_wall(void)
+{
+    look(front, middle, vec3_of(0, 1, 0), 4, 40, 30);
+    add(vec3_of(0, 0, -1e3), 1e3);
+    for (int i = 0; i < 60; i++)
+        add(vec3_of(uniform(-0.16, 0.16), uniform(-0.12, 0.12), -0.019), 0.02);
+}
+static void outlines_through_pixel_centres(void)
+{
+    look(vec3_of(0, 0, 8), middle, vec3_of(0, 1, 0), 90, 32, 32);
+    for (int i = 0; i < 16; i++)
+        add(vec3_of((i + 0.5) / 2, 0, 0), 0.25);
+    add(vec3_of(-2, -2, 0), 2);
+    add(vec3_of(-2, 2, 1), 1);
+}
+static void of_one_pixel_where_tiles_meet(void)
+{
+    static const int places[] = {0, 3, 4, 7, 15, 16, 31, 32, 39};
+    enum { PLACES = sizeof places / sizeof places[0] };
+    look_from(front, 60, 40, 40);
+    for (int i = 0; i < PLACES * PLACES; i++) {
+        Pixel pixel = {places[i % PLACES], places[i / PLACES]};
+        Ray ray = pixel_ray(now->camera, now->size, pixel);
+        add(ray.origin + uniform(1, 2) * ray.direction, 0.01);
+    }
+}
+static void meeting_on_rays(void)
+{
+    look_from(front, 60, 64, 48);
+    for (int i = 0; i < 60; i++)
+        add_meeting(0.05, uniform(1, 4), uniform(4, 6));
+}
+static void meeting_far_away(void)
+{
+    look_from(1e3 * front, 0.046, 64, 48);
+    for (int i = 0; i < 60; i++)
+        add_meeting(0.05, uniform(1, 4), 5e3 + uniform(-1, 1));
+}
+static void touching_at_their_outlines(void)
+{
+    // All touch one ray in one place, and go different ways from there.
+    look_from(front, 40, 40, 30);
+    Ray ray = pixel_ray(now->camera, now->size, (Pixel){20, 15});
+    vec3 place = ray.origin + 0.8 * ray.direction;
+    vec3 ahead = vec3_unit(ray.direction), aside = vec3_unit(vec3_cross(ahead, above));
+    for (int i = 0; i < 30; i++)
+        add(place + 0.1 * (i + 1) * aside + 1e-7 * direction(), 0.1 * (i + 1));
+}
+static void tangent_to_one_another(void)
+{
+    look(vec3_of(0, 0, 8), middle, vec3_of(0, 1, 0), 60, 45, 45);
+    for (int i = -3; i <= 3; i++)
+        for (int k = -3; k <= 3; k++)
+            add(vec3_of(i, k, (i + k) % 2), i % 2 == 0 ? 0.5 : 0.75);
+}
+static void tiny(void)
+{
+    look_from(front, 60, 40, 30);
+    for (int i = 0; i < 300; i++)
+        add(within(2), power_of_ten(-8, -1));
+    add(vec3_of(0, 0, 4.999), 1e-6);
+}
+static void huge(void)
+{
+    look_from(front, 60, 40, 30);
+    add(vec3_of(0, 0, -1e6), 9e5);
+    add(vec3_of(0, -1e9, 0), 1e9 - 2);
+    add(vec3_of(0, -1e9, 0), 1e9 - 2.00001);
+    add(vec3_of(-1e9, 0, 0), 1e9 - 1);
+    add(vec3_of(0, 1e6, 0), 1e6 - 3);
+    add(vec3_of(0, 0, -1e12), 1e10);
+    for (int i = 0; i < 20; i++)
+        add(vec3_of(uniform(-2, 2), -2 + uniform(0, 0.1), uniform(-2, 2)), 0.1);
+}
+static void of_another_size(void)
+{
+    look_from(1e-6 * front, 60, 40, 30);
+    for (int i = 0; i < 50; i++)
+        add(within(2e-6), 3e-7);
+}
+static void of_no_ordinary_size(void)
+{
+    look_from(1e16 * front, 60, 40, 30);
+    for (int i = 0; i < 20; i++)
+        add(within(2e16), 3e15);
+    add(1e16 * front, 1e-14);
+}
+static void far_from_the_origin(void)
+{
+    vec3 there = vec3_of(1e7, -3e7, 2e7);
+    look(there + front, there, above, 60, 40, 30);
+    for (int i = 0; i < 50; i++)
+        add(there + within(2), 0.4);
+}
+static void through_a_telescope(void)
+{
+    look_from(1e6 * front, 1e-5, 40, 30);
+    for (int i = 0; i < 100; i++)
+        add(vec3_of(uniform(-0.5, 0.5), uniform(-0.4, 0.4), uniform(-1e3, 1e3)), 0.1);
+}
+static void nearly_all_around(void)
+{
+    look_from(front, 179.9, 40, 30);
+    for (int i = 0; i < 100; i++)
+        add(front + uniform(1, 5) * direction(), 0.3);
+}
+static void in_one_another(void)
+{
+    look_from(front, 60, 61, 47);
+    for (int i = 0; i < 40; i++)
+        add(within(1), 1);
+}
+
+static const struct {
+    const char *name;
+    void (*make)(void);
+} difficult[] = {{"nothing", nothing},
+                 {"around the eye", around_the_eye},
+                 {"touching the eye", touching_the_eye},
+                 {"nearly touching the eye", nearly_touching_the_eye},
+                 {"beside and behind the eye", beside_and_behind},
+                 {"behind the eye", behind},
+                 {"tangent to rays", tangent_to_rays},
+                 {"coincident", coincident},
+                 {"the same, far and near", the_same_far_and_near},
+                 {"close behind one another", close_behind_one_another},
+                 {"hardly before a wall", hardly_before_a_wall},
+                 {"outlines through pixel centres", outlines_through_pixel_centres},
+                 {"of one pixel, where tiles meet", of_one_pixel_where_tiles_meet},
+                 {"meeting on rays", meeting_on_rays},
+                 {"meeting far away", meeting_far_away},
+                 {"touching at their outlines", touching_at_their_outlines},
+                 {"tangent to one another", tangent_to_one_another},
+                 {"tiny", tiny},
+                 {"huge", huge},
+                 {"of another size", of_another_size},
+                 {"of no ordinary size", of_no_ordinary_size},
+                 {"far from the origin", far_from_the_origin},
+                 {"through a telescope", through_a_telescope},
+                 {"nearly all around", nearly_all_around},
+                 {"in one another", in_one_another}};
+
+bool made_difficult(Made *made, int number, Frame frame)
+{
+    static const char *const frames[FRAMES] = {"", ", mirrored", ", stretched", ", leaning"};
+    if (number >= (int)(sizeof difficult / sizeof difficult[0]))
+        return false;
+    now = made;
+    frame_now = frame;
+    state = (unsigned long long)number + 1;
+    difficult[number].make();
+    snprintf(made->name, sizeof made->name, "%s%s", difficult[number].name, frames[frame]);
+    return true;
+}
+
+// ---- of any size ------------------------------------------------------------------------------
 
 void made_sized(Made *made, Resolution size)
 {
@@ -60,7 +420,7 @@ void made_hidden(Made *made)
         add(within(1.5), uniform(0.01, 0.05));
 }
 
-// ---- random ones ------------------------------------------------------------------------------
+// ---- random ones -----------------------------------------------------------------------------
 
 static void add_odd(vec3 at, double unit)
 {
@@ -109,9 +469,7 @@ void made_at_random(Made *made, unsigned number)
 {
     begin(made, "");
     snprintf(made->name, sizeof made->name, "random scene %u", number);
-    state = number * 7919ULL + 1;
-    for (int i = 0; i < 8; i++)
-        uniform(0, 1);
+    random_begin(number * 7919ULL + 1);
     frame_now = (Frame)uniform(0, FRAMES);
     const double unit = once_in(4) ? power_of_ten(-9, 9) : 1;
     const vec3 there = once_in(4) ? unit * within(power_of_ten(0, 6)) : middle;
@@ -131,7 +489,7 @@ void made_at_random(Made *made, unsigned number)
     }
 }
 
-// ---- very many --------------------------------------------------------------------------------
+// ---- very many -------------------------------------------------------------------------------
 
 bool made_uniform(Made *made, int count, double larger)
 {
@@ -141,7 +499,6 @@ bool made_uniform(Made *made, int count, double larger)
     Sphere *many = malloc((size_t)count * sizeof *many);
     if (many == NULL)
         return false;
-    Surface *surfaces = made->scene.surfaces;
     for (int i = 0; i < MOST; i++)
         surfaces[i].color = color_number(i);
     const double spacing = 2 / cbrt(count);
@@ -158,4 +515,44 @@ bool made_uniform(Made *made, int count, double larger)
 void made_uniform_free(Made *made)
 {
     free(made->scene.spheres);
+}
+
+// ---- far ones ---------------------------------------------------------------------------------
+
+// Spheres in a heap, that many of their radii away, which fills the screen; the eye is anywhere.
+void made_far(Made *made, unsigned number, double radii, double radius)
+{
+    begin(made, "");
+    random_begin(number * 104729ULL + 1);
+    snprintf(made->name, sizeof made->name, "scene %u, %g radii of %g away", number, radii, radius);
+    const double heap = once_in(2) ? 1.5 : 8;
+    vec3 there = once_in(3) ? radii * radius * direction() : middle;
+    vec3 eye = there + radii * radius * direction();
+    // Not by an angle: in degrees it would lose its digits.
+    look(eye, there, above, 1, (int)uniform(20, 50), (int)uniform(20, 50));
+    made->camera.width = 4 * heap * radius;
+    made->camera.height = made->camera.width * made->size.height / made->size.width;
+    if (once_in(2)) { // the plane is near, as another angle would have it
+        double nearer = 1 / radii;
+        made->camera.distance *= nearer;
+        made->camera.width *= nearer;
+        made->camera.height *= nearer;
+    }
+    for (int i = (int)uniform(2, 40); i > 0; i--)
+        add(there + heap * radius * within(1), radius * uniform(1, 1.5));
+}
+
+void made_edge(Made *made, unsigned number, double radii, double width)
+{
+    begin(made, "");
+    random_begin(number * 104729ULL + 2);
+    snprintf(made->name, sizeof made->name, "edge %u, %g radii away, %g wide", number, radii,
+             width);
+    look(radii * direction(), middle, above, 1, 40, 30);
+    vec3 edge = once_in(2) ? made->camera.right : made->camera.up;
+    made->camera.origin += once_in(2) ? edge : -edge;
+    made->camera.width = width;
+    made->camera.height = 0.75 * width;
+    add(middle, 1);
+    add(vec3_of(0.1, 0.1, 0.1), 0.3);
 }

@@ -37,10 +37,19 @@ void made_at_random(Made *made, unsigned number);
 
 // Spheres that are about that many of their radii away from the eye.
 void made_far(Made *made, unsigned number, double radii, double radius);
+// The edge of a sphere of radius 1, that far away, in a picture of this width there.
+void made_edge(Made *made, unsigned number, double radii, double width);
 
 // count small ones in a cube, as random_nff.c writes them but larger by that factor, in memory of
 // their own. False if there is no memory.
 bool made_uniform(Made *made, int count, double larger);
 void made_uniform_free(Made *made);
+
+// Random numbers: the same ones after the same beginning.
+void random_begin(unsigned long long seed);
+double uniform(double low, double high);
+double power_of_ten(double low, double high);
+bool once_in(double times);
+vec3 within(double most);
 
 #endif

@@ -47,7 +47,7 @@ class Browser:
 
     def message(self):
         while b"\0" not in self.rest:
-            if not select.select([self.back], [], [], 60)[0]:
+            if not select.select([self.back], [], [], 600)[0]:
                 raise AssertionError("the browser says nothing any more")
             part = os.read(self.back, 1 << 16)
             if not part:

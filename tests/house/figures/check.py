@@ -7,6 +7,24 @@ from figure import NUMBER, Figure
 NEAR = 0.1  # canvas units, that is, pixels of the SVG
 
 
+def luminance(color):
+    """Relative luminance of red, green and blue from 0 to 255, as WCAG 2 defines it."""
+    linear = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in (c / 255 for c in color)]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(a, b):
+    dark, light = sorted((luminance(a), luminance(b)))
+    return (light + 0.05) / (dark + 0.05)
+
+
+def color(text):
+    """#rrggbb, or rgb(r, g, b)"""
+    if text.startswith("#"):
+        return [int(text[i:i + 2], 16) for i in (1, 3, 5)]
+    return [int(n) for n in re.findall(r"\d+", text)]
+
+
 class Checks:
     """Counts; the last line is that of every test of the toolkit."""
 
@@ -35,6 +53,12 @@ class Checks:
         close = len(flat) == len(goal) and all(
             abs(a - b) <= within * max(1, abs(b)) for a, b in zip(flat, goal))
         self.that(what, close, f"data {flat}, expected {goal}")
+
+    def shows(self, figure, *texts):
+        """Labels say this, however many spaces they have."""
+        labels = [" ".join(words.split()) for words, _, _ in figure.labels()]
+        for text in texts:
+            self.that(f"a label says {text!r}", text in labels, str(labels))
 
     def end(self):
         print(f"{self.name}: {self.passed} passed, {self.failed} failed")

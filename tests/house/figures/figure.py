@@ -39,6 +39,18 @@ def times(factor, a):
     return tuple(factor * x for x in a)
 
 
+def length(v):
+    return math.sqrt(dot(v, v))
+
+
+def unit(v):
+    return times(1 / length(v), v)
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
 def widths_of_letters(path):
     """How wide each character is, in its size: read from the font itself (cmap of format 12, hmtx)."""
     with open(path, "rb") as file:

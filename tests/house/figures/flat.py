@@ -1,7 +1,4 @@
-"""flat.py - figures in two dimensions: where a place of a panel belongs; and what all figures say."""
-import os
-import subprocess
-import tempfile
+"""flat.py - figures in two dimensions: where a place of a panel belongs, and numbers as they show them."""
 
 
 class Panel:
@@ -34,14 +31,3 @@ def number(x):
 
 def pair(x, y):
     return f"({number(x)}, {number(y)})"
-
-
-def in_words(figure):
-    """The figure in words, its title in the first line."""
-    with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "figure.gp"), "w", encoding="utf-8") as file:
-            file.write(figure.script)
-        subprocess.run(["gnuplot", "-e", "format='txt'; output='figure'", "figure.gp"], cwd=folder,
-                       check=True, timeout=60)
-        with open(os.path.join(folder, "figure.txt"), encoding="utf-8") as file:
-            return file.read()

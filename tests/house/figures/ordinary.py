@@ -1,30 +1,25 @@
 """ordinary.py - labels of ordinary figures never collide: cameras, rays and scenes drawn at random.
 
 Ordinary: fields of view from 20 to 100 degrees, all aspects, any units, any hand.
-ordinary.py COUNT [NAME...] draws each figure, or those alone, that often, in both shapes. The figures of wrong
-answers, which the judge draws, have the names of the functions: wrong:upper_left. WRONG_FIGURE is the program
-that makes their scripts (tests/proof/wrong_figure.c).
+ordinary.py COUNT [NAME...] draws each figure whose labels are placed by the rule, or those alone, that often, in
+both shapes.
 """
 import glob
 import math
 import multiprocessing
 import os
 import random
-import subprocess
 import sys
 import tempfile
 
 from cameras import options_of, some_camera
 from check import Checks
-from collisions import collisions
-from figure import PROGRAMS, Figure, dot, plus, times
+from collisions import collisions, is_placed
+from figure import Figure, dot, plus, times
 
-WRONG = "wrong:"
 # Numbers of figures that once collided: they are drawn even if only a few are.
 HARD = {"screen-to-unit": (95, 221), "pixel-grid": (166, 327), "pixel-to-ray": (194, 958),
-        "camera-forms": (765,), "object-order": (584, 647), "nearest-hit": (314, 394),
-        "explain": (523, 988), "wrong:sphere_rectangle": (318,)}
-WRONG_FIGURE = os.environ.get("WRONG_FIGURE", "build/tests/proof/wrong_figure")
+        "camera-forms": (765,), "object-order": (584, 647), "nearest-hit": (314, 394), "explain": (523, 988)}
 
 
 def words(v):
@@ -133,77 +128,42 @@ def scene_options(dice, folder):
     return ["--pixel", pixel, path]
 
 
-def lit_options(dice, folder):
-    return [scene_file(dice, folder)[0]]
-
-
-def nothing(_):
-    return []
-
-
 OPTIONS = {"camera-frame": camera_options, "corner-vectors": camera_options, "point-30-10": place_options,
            "double-dwh": place_options, "yours-and-right": yours_options, "camera-forms": look_at_options,
            "screen-to-unit": point_options, "pixel-grid": pixel_options, "pixel-to-ray": chain_options,
            "ray-sphere": ray_options, "parabola": ray_options, "world-object": ray_options,
-           "discriminant": radius_options, "flat-and-shaded": lit_options, "self-hit": nothing}
+           "discriminant": radius_options}
 
 
-def options_for(name, program, dice, folder):
-    make = OPTIONS.get(name, scene_options if program == "06-ray-casting" else nothing)
-    return make(dice, folder) if make in (scene_options, lit_options) else make(dice)
-
-
-def script_of_wrong_answer(function, number, folder):
-    """None if no known mistake has a figure for this call."""
-    subprocess.run([WRONG_FIGURE, function, str(number), folder], check=True, timeout=60)
-    path = os.path.join(folder, f"{function}.gp")
-    if not os.path.exists(path):
-        return None
-    with open(path, encoding="utf-8") as file:
-        return file.read()
+def options_for(name, dice, folder):
+    return OPTIONS[name](dice) if name in OPTIONS else scene_options(dice, folder)
 
 
 def found_in(job):
-    """What collides in one figure, in both shapes, with its command; None if there is no figure."""
+    """What collides in one figure, in both shapes, with its command; None if its labels are placed by hand."""
     program, name, number = job
-    found, script = [], None
+    found = []
     with tempfile.TemporaryDirectory() as folder:
-        if program == WRONG_FIGURE:
-            options, script = [number], script_of_wrong_answer(name.removeprefix(WRONG), number, folder)
-            if script is None:
-                return name, None
-        else:
-            options = options_for(name, program, random.Random(f"{name} {number}"), folder)
+        options = options_for(name, random.Random(f"{name} {number}"), folder)
         for shape in ("16:9", "4:3"):
             try:
-                figure = Figure(program, name, *options, settings=f"shape='{shape}'", script=script)
+                figure = Figure(program, name, *options, settings=f"shape='{shape}'")
             except AssertionError as error:
                 return name, [str(error)]
-            script = figure.script
+            if not is_placed(figure):
+                return name, None
             if collided := collisions(figure):
                 found.append("\n    ".join([f"{shape}: {program} --figure {name} {' '.join(map(str, options))}",
                                             *collided]))
     return name, found
 
 
-def placed_figures(names):
-    """Program and name of each figure whose labels are placed by the rule."""
-    for function in subprocess.run([WRONG_FIGURE, "list"], capture_output=True, text=True, check=True,
-                                   timeout=60).stdout.split():
-        if not names or WRONG + function in names or WRONG + "all" in names:
-            yield WRONG_FIGURE, WRONG + function
-    for layout in sorted(glob.glob("chapters/*/figures/*.gp")):
-        program, name = layout.split("/")[1], os.path.basename(layout)[:-3]
-        if names and name not in names:
-            continue
-        script = subprocess.run([os.path.join(PROGRAMS, program), "--figure", name], capture_output=True, text=True,
-                                check=True, timeout=60).stdout
-        if "\ntext_size = " in script:
-            yield program, name
-
-
 def main():
-    count, figures = int(sys.argv[1]), list(placed_figures(sys.argv[2:]))
+    count, wanted = int(sys.argv[1]), sys.argv[2:]
+    # In chapter 07, pictures are the most of a figure, and its labels are always the same.
+    layouts = sorted(glob.glob("chapters/0[1-6]-*/figures/*.gp"))
+    figures = [(layout.split("/")[1], os.path.basename(layout)[:-3]) for layout in layouts]
+    figures = [(program, name) for program, name in figures if not wanted or name in wanted]
     checks = Checks("labels of ordinary figures")
     counts = {name: [0, 0] for _, name in figures}
     jobs = [(program, name, number) for program, name in figures

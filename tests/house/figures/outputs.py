@@ -2,35 +2,19 @@
 import os
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
-import zlib
+from pathlib import Path
 
-from check import Checks
+import png
+from check import Checks, color, contrast, luminance
 from figure import SVG
 
 checks = Checks("outputs of figures")
 folder, names = sys.argv[1], sys.argv[2:]
 HEIGHT = 540
 WIDTHS = {"": 960, "-4x3": 720}
-
-
-def luminance(color):
-    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in (x / 255 for x in color)]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
-
-
-def contrast(a, b):
-    low, high = sorted((luminance(a), luminance(b)))
-    return (high + 0.05) / (low + 0.05)
-
-
-def color(text):
-    if text.startswith("#"):
-        return [int(text[i:i + 2], 16) for i in (1, 3, 5)]
-    return [int(n) for n in re.findall(r"\d+", text)]
 
 
 def extra(name):
@@ -60,24 +44,9 @@ def svg(path, width, dark, words):
                             f"{contrast(ink, ground):.2f} of 4.5")
 
 
-def png(path, width, height):
-    with open(path, "rb") as file:
-        data = file.read()
-    at, body, shape = 8, b"", None
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        chunk = data[at + 8:at + 8 + length]
-        checks.that(f"{path}: {kind} is whole",
-                    zlib.crc32(kind + chunk) == struct.unpack(">I", data[at + 8 + length:at + 12 + length])[0])
-        if kind == b"IHDR":
-            shape = struct.unpack(">IIBBBBB", chunk)
-        if kind == b"IDAT":
-            body += chunk
-        at += 12 + length
-    channels = {0: 1, 2: 3, 3: 1, 4: 2, 6: 4}[shape[3]]
-    checks.that(f"{path}: is {width} x {height}", shape[:2] == (width, height), str(shape))
-    rows = (shape[0] * channels * shape[2] + 7) // 8 + 1
-    checks.that(f"{path}: can be decoded", data[:8] == b"\x89PNG\r\n\x1a\n" and len(zlib.decompress(body)) == rows * height)
+def png_file(path, width, height):
+    shape, _ = png.read(Path(path).read_bytes(), path)
+    checks.that(f"{path}: is {width} x {height}", shape == (width, height), str(shape))
 
 
 def pdf(path, width, height):
@@ -121,10 +90,10 @@ for name in names:
             for theme in ("", "-dark"):
                 path = os.path.join(folder, name, name + shape + step + theme)
                 svg(path + ".svg", width, theme == "-dark", words)
-                png(path + ".png", 2 * width, 2 * (HEIGHT + below))
+                png_file(path + ".png", 2 * width, 2 * (HEIGHT + below))
                 pdf(path + ".pdf", width, HEIGHT + below)
                 pdf(path + "-tex.pdf", width, HEIGHT + below)
                 tex(path + ".tex")
 if not shutil.which("pdfinfo"):
-    print("skipped: sizes and text of PDFs, which need poppler-utils ('make setup' installs it)")
+    print("skipped: sizes and text of PDFs, which need poppler-utils ('make setup FOR=contributor' installs it)")
 checks.end()

@@ -7,6 +7,8 @@ import math
 import re
 import sys
 
+from figure import cross, unit
+
 PARAMETERS = {
     "Transform": None, "Camera": "string", "Film": "string", "PixelFilter": "string",
     "Sampler": "string", "Integrator": "string", "WorldBegin": "", "AttributeBegin": "",
@@ -60,15 +62,6 @@ def nff(path):
             if word == "s":
                 spheres.append([float(n) for n in numbers])
     return view, spheres
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def unit(v):
-    length = math.sqrt(sum(x * x for x in v))
-    return [x / length for x in v]
 
 
 def near(a, b):

@@ -66,6 +66,10 @@ def figure_of(name, stem, *changes):
     for key in ("answer_text", "yours_text"):
         checks.that(f"{name}: {key} is in the words of the figure",
                     figure.text(key) in svg.split("</desc>")[0], figure.text(key))
+    # A vector may be called right: what is expected has another word.
+    labels = svg.replace("<title>right", "")
+    checks.that(f"{name}: nothing is labelled 'right'", ">right" not in labels and "expected: " in labels)
+    checks.that(f"{name}: 'dashed' is said if something is", ("dashed" in svg) == ("stroke-dasharray" in svg))
     figure.said = said
     return figure
 
@@ -167,7 +171,8 @@ def places(name, change, from_where, given, into, right, yours, words):
 
 SCREEN = ((0, 0), (640, 0), (640, -480), (0, -480))
 SQUARE = ((0, 0), (1, 0), (1, 1), (0, 1))
-places("screen_to_normalized", ("1 - point.y", "point.y"), SCREEN, (300, -400),
+# Of x only the rounding differs, which is not shown.
+places("screen_to_normalized", ("width, 1 - point.y", "width * (1 + 4e-16), point.y"), SCREEN, (300, -400),
        SQUARE, (0.46875, 1 / 6), (0.46875, 5 / 6),
        ("(0.46875, 0.166667)", "(0.46875, 0.833333)", "off by (0, 0.666667)", "y counts down"))
 places("normalized_to_screen", ("(1 - place.t)", "place.t"), SQUARE, (0.46875, 1 / 6),

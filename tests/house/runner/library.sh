@@ -3,6 +3,12 @@
 #     check 'a missing scene is refused' some_command with arguments
 #     finish NAME
 # shellcheck shell=sh
+# A script also runs alone, from the top of the tree, after 'make check' or 'make ready': sh tests/house/NAME.sh
+# These are then those of the ordinary build.
+: "${BUILD:=build}" "${ANSWERS:=solutions}" "${CC:=cc}" "${PROGRAMS:=$BUILD/$ANSWERS}"
+: "${COMPILER:=$CC -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I.}"
+[ -n "${KIT+set}" ] || [ ! -e "$BUILD/grading/commands" ] || KIT=$BUILD/grading
+export BUILD ANSWERS CC PROGRAMS COMPILER KIT="${KIT:-}"
 passed=0
 failed=0
 here=$(pwd)
@@ -58,6 +64,11 @@ says_not() {
     ! says "$1"
 }
 
+# same_picture ONE.png OTHER.png ...: as tests/house/figures/same_picture.py says
+same_picture() {
+    python3 "$here/tests/house/figures/same_picture.py" "$@"
+}
+
 # Runs another test, whose last line is that of 'finish', and adds what it has counted.
 counted() {
     "$@" >"$scratch/.counted" 2>&1
@@ -81,7 +92,7 @@ finish() {
 # A test that marks a class: needs_grading NAME 'what is not tested without it'
 needs_grading() {
     [ -n "${KIT:-}" ] ||
-        skip "$1" "$2: it needs Python, ld and libseccomp, and no sanitizers ('make setup' installs them)"
+        skip "$1" "$2: it needs libseccomp and ld ('make setup FOR=instructor' installs them), and no sanitizers"
 }
 # One that needs the programs named: needs NAME 'what is not tested without them' PROGRAM...
 needs() {

@@ -2,8 +2,8 @@
 //
 // If an exercise is lent, the linker puts lent_NAME in the place of its calls.
 #include "tests/judge/exercise.h"
+#include "tests/judge/message.h"
 #include "tests/judge/parameters.h"
-#include "tests/judge/transport.h"
 
 #include "tests/exercises.def" // the contracts
 

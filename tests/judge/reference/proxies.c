@@ -4,11 +4,10 @@
 #include "tests/judge/parameters.h"
 #include "tests/judge/reference/mistake_comparison.h"
 #include "tests/judge/suspects.h"
-#include "tests/judge/transport.h"
 
 #include "tests/exercises.def" // the contracts
 
-// The law of an exercise (tests/laws/laws.h), if it has one.
+// The law of an exercise (law.h), if it has one.
 typedef void LawCall(const void *yours, void *const *arguments);
 
 #define LAW_VALUE(result, name, parameters)                                                        \

@@ -1,8 +1,8 @@
 // right_answer.c - the right result for a call that was kept, by the reference.
-#include "tests/judge/right_answer.h"
+#include "tests/judge/figure.h"
 
 #include "tests/judge/message.h"
-#include "tests/judge/reference/corners.h"
+#include "tests/judge/reference/mistake_comparison.h"
 
 bool right_answer(const Record *record, Kept *kept, Wire *right)
 {

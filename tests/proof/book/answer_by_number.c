@@ -23,25 +23,28 @@ extern const char known_answer[];
     result referred_##name(DECLARED(parameters));
 #include "tests/exercises.def"
 
-static void choose(const char *stem, KnownAnswer *known)
+static const KnownAnswer *choose(const char *stem)
 {
     int number = -1;
-    if (sscanf(known_answer, "known answer %d", &number) != 1 ||
-        !known_answer_at(stem, number, known)) {
+    const KnownAnswer *known = NULL;
+    if (sscanf(known_answer, "known answer %d", &number) == 1)
+        known = known_answer_at(stem, number);
+    if (known == NULL) {
         fprintf(stderr, "there is no %s\n", known_answer);
         exit(2);
     }
+    return known;
 }
 
 static void answer(int exercise, AnyFunction *reference, void *result, void *const *arguments)
 {
-    static KnownAnswer known;
+    static const KnownAnswer *known;
     static int chosen = -1; // an exercise
-    if (known.exercise == NULL)
-        choose(exercises[exercise].stem, &known);
-    if (chosen < 0 && strcmp(exercises[exercise].name, known.exercise) == 0)
+    if (known == NULL)
+        known = choose(exercises[exercise].stem);
+    if (chosen < 0 && strcmp(exercises[exercise].name, known->exercise) == 0)
         chosen = exercise;
-    exercises[exercise].call(exercise == chosen ? known.answer : reference, result, arguments);
+    exercises[exercise].call(exercise == chosen ? known->answer : reference, result, arguments);
 }
 
 #define ANSWER_VALUE(result, name, parameters)                                                     \

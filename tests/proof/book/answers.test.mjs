@@ -57,6 +57,16 @@ test("without storage the page still knows the answers, and says that they will 
     assert.match(trouble[0], /does not save your answers/);
 });
 
+test("with a full storage the page has what was typed last, not what was saved before it was full", () => {
+    const { answers, trouble } = open(storageOf(200));
+    answers.save("05-quadratic", "short");
+    answers.save("05-quadratic", "x".repeat(500));
+    assert.equal(answers.text("05-quadratic"), "x".repeat(500));
+    assert.equal(answers.isKept("05-quadratic"), false);
+    answers.save("05-quadratic", "short again");
+    assert.deepEqual([answers.isKept("05-quadratic"), trouble.at(-1)], [true, ""]);
+});
+
 test("with a full storage the page says so, and keeps the text until it is closed", () => {
     const { answers, trouble } = open(storageOf(200));
     assert.equal(answers.save("01-corners", "short"), true);

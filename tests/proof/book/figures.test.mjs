@@ -1,8 +1,8 @@
-// figures.test.mjs - every figure that the lessons show is, drawn by the page's modules, the one that gnuplot draws in a
+// figures.test.mjs - every static figure of the page is, drawn by the page's modules, the one that gnuplot draws in a
 // terminal: byte for byte; pictures inside a figure pixel by pixel, because their compression differs. And what a drag
 // gives: the handle is where it was put, and a figure of many marks has fewer meanwhile.
 //
-// Usage: node figures.test.mjs, after make book-figures
+// Usage: node figures.test.mjs, after make book
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
@@ -11,7 +11,7 @@ import { loadFigures } from "../../../chapters/book/figure.js";
 
 const moduleOf = (bytes) => new WebAssembly.Module(bytes);
 const figures = await loadFigures({ gnuplot: moduleOf(execFileSync("xz", ["-dc", "build/book/figures/gnuplot.wasm.xz"], { maxBuffer: 1 << 24 })),
-    finish: moduleOf(readFileSync("build/book/programs/finish_figure.wasm")), files: JSON.parse(readFileSync("build/book/figures/files.json", "utf8")) });
+    files: JSON.parse(readFileSync("build/book/figures/files.json", "utf8")) });
 const programs = new Map();
 function programOf(stem) {
     if (!programs.has(stem))
@@ -63,7 +63,7 @@ function compare(drawn, shown, what) {
     });
     const [a, b] = [drawn, shown].map((svg) => svg.replace(IMAGE, "<image>").split("\n"));
     const at = a.findIndex((line, i) => line !== b[i]);
-    assert.ok(at < 0 && a.length === b.length, `${what}, line ${at + 1}: ${a[at]}\n  in the lesson: ${b[at]}`);
+    assert.ok(at < 0 && a.length === b.length, `${what}, line ${at + 1}: ${a[at]}\n  the static one: ${b[at]}`);
 }
 
 // ---- all figures --------------------------------------------------------------------------------
@@ -71,7 +71,7 @@ function compare(drawn, shown, what) {
 let count = 0;
 const names = new Set();
 for (const stem of readdirSync("chapters").filter((each) => /^0[1-7]-/.test(each))) {
-    const folder = `chapters/${stem}/figures`;
+    const folder = `build/book/chapters/${stem}/figures`;
     for (const file of readdirSync(folder).filter((each) => each.endsWith(".svg"))) {
         const [, name, narrow, step, dark] = /^(.+?)(-4x3)?(?:-step(\d+))?(-dark)?\.svg$/.exec(file);
         const drawn = figures.draw({ program: programOf(stem), stem, name, theme: dark ? "dark" : "light", shape: narrow ? "4:3" : "16:9", step: Number(step ?? 1000) });
@@ -111,4 +111,4 @@ for (const [u, v] of [[120, 100], [300, 400], [700, 250]])
         assert.ok(Math.hypot(now.u - u, now.v - v) < 3, `${now.words} was put at ${u}, ${v} and is at ${now.u}, ${now.v}`);
     }
 assert.throws(() => figures.draw({ ...ray, options: { radius: "-1" } }), /--radius: expected a number greater than 0/);
-console.log(`figures: ${count} as in the lessons; ${drags} handles dragged`);
+console.log(`figures: ${count} as the static ones; ${drags} handles dragged`);

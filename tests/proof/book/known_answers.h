@@ -1,5 +1,5 @@
-// known_answers.h - everything that is known about a chapter's answers: mistakes, variants and
-// wrong answers without a name, in one list.
+// known_answers.h - everything that is known about a chapter's answers: mistakes, right answers
+// and wrong ones without a name, in one list.
 //
 // The verdict on each of them is compared in the terminal and in the page (verdicts.mjs). An
 // answer's text is two lines, of which the second is
@@ -10,16 +10,9 @@
 #ifndef TESTS_PROOF_BOOK_KNOWN_ANSWERS_H
 #define TESTS_PROOF_BOOK_KNOWN_ANSWERS_H
 
-#include "tests/judge/exercise.h"
+#include "tests/judge/known.h"
 
-#include <stdbool.h>
-
-typedef struct {
-    const char *exercise, *what;
-    AnyFunction *answer;
-} KnownAnswer;
-
-// False if there are not so many. The first is 0.
-bool known_answer_at(const char *stem, int number, KnownAnswer *answer);
+// NULL if there are not so many. The first is 0.
+const KnownAnswer *known_answer_at(const char *stem, int number);
 
 #endif

@@ -5,8 +5,8 @@
 
 int main(int argc, char **argv)
 {
-    KnownAnswer answer;
-    for (int i = 0; argc == 2 && known_answer_at(argv[1], i, &answer); i++)
-        printf("%s\t%s\n", answer.exercise, answer.what);
+    const KnownAnswer *answer;
+    for (int i = 0; argc == 2 && (answer = known_answer_at(argv[1], i)) != NULL; i++)
+        printf("%s\t%s\n", answer->exercise, answer->id);
     return 0;
 }

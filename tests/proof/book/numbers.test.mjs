@@ -47,7 +47,7 @@ try {
         assert.deepEqual(lessonNumbers(program, "any", {}), {}, `${stem}: no options, no other number`);
         for (const options of examples.map((each) => optionsOf(stem, each))) {
             writeFileSync(join(scratch, "chapters/example.h"), headerOf(options));
-            execFileSync("cc", ["-std=c11", "-D_DEFAULT_SOURCE", "-ffp-contract=off", "-Wno-psabi", `-I${scratch}`, "-I.", "-o", join(scratch, "fill"), "common/example.c",
+            execFileSync("cc", ["-std=c11", "-D_DEFAULT_SOURCE", "-ffp-contract=off", "-Wno-psabi", `-I${scratch}`, "-I.", "-o", join(scratch, "fill"), "chapters/shared/example.c",
                 `build/chapters/lessons/${stem}.o`, "build/chapters/lessons/fill.o", "build/chapters/lessons/numbers.o", ...objectsOf(`chapters/${stem}`),
                 ...stems.map((each) => `build/solutions/${each}.o`), "build/chapters/shared.a", "build/common.a", "-lpng", "-lz", "-lm", "-pthread"]);
             const made = numbersIn(execFileSync(join(scratch, "fill"), files, { encoding: "utf8" })), followed = lessonNumbers(program, "any", options);

@@ -6,6 +6,7 @@ import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, normalize } from "node:path";
 import { gzipSync } from "node:zlib";
+import { missing, programOf } from "./browsers.mjs";
 
 const require = createRequire(new URL("../../../chapters/book/package.json", import.meta.url));
 const puppeteer = require("puppeteer-core");
@@ -71,11 +72,19 @@ export async function serve(folder, { compress = false, at = "/course/", rate = 
 
 export const browserName = process.env.BROWSER === "firefox" ? "firefox" : "chromium";
 
+/** Milliseconds: for what hangs. A test waits for what happens, however busy the machine is. */
+const HANGS = 900_000;
+const SILENT = 30_000; // after so many the page ends a Worker (page/helper.js); in tests, after HANGS
+
 export function launch(options = {}) {
-    return browserName === "firefox"
-        ? puppeteer.launch({ browser: "firefox", executablePath: process.env.FIREFOX ?? "/usr/bin/firefox-esr", headless: true, protocolTimeout: 240_000, ...options })
-        : puppeteer.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", headless: true, protocolTimeout: 240_000,
-            args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"], ...options });
+    const [without] = missing([browserName]);
+    if (without) {
+        console.error(without);
+        process.exit(1);
+    }
+    const given = { executablePath: programOf(browserName), headless: true, timeout: HANGS, protocolTimeout: HANGS, ...options };
+    return puppeteer.launch(browserName === "firefox" ? { browser: "firefox", ...given }
+        : { args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"], ...given });
 }
 
 /** A tab that notes what a page must not do: errors, messages of the policy, requests to another origin. */
@@ -88,6 +97,12 @@ export async function openTab(browser, site, { width = 1280, height = 800 } = {}
         if (!request.url().startsWith(new URL(site).origin) && !/^(data|blob|about):/.test(request.url()))
             tab.faults.push(`another origin: ${request.url()}`);
     });
+    tab.setDefaultTimeout(HANGS);
+    tab.setDefaultNavigationTimeout(HANGS);
+    await tab.evaluateOnNewDocument((silent, hangs) => {
+        const { setTimeout } = globalThis;
+        globalThis.setTimeout = (then, milliseconds, ...more) => setTimeout(then, milliseconds === silent ? hangs : milliseconds, ...more);
+    }, SILENT, HANGS);
     await tab.setViewport({ width, height });
     return tab;
 }
@@ -107,20 +122,20 @@ export async function seriousFindings(tab) {
 }
 
 /** Until then the page shows the text without an editor. */
-export const waitForEditor = (tab) => waitFor("an editor", 60, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
+export const waitForEditor = (tab) => waitFor("an editor", () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));
 
 /** The text of the editor, and typing over it. */
 export const editorText = (tab) => tab.$eval("#editor", (place) =>
     [...place.shadowRoot.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n"));
 
-export async function waitFor(what, seconds, probe) {
-    const end = Date.now() + seconds * 1000;
+export async function waitFor(what, probe) {
+    const end = Date.now() + HANGS;
     for (;;) {
         const value = await probe();
         if (value)
             return value;
         if (Date.now() > end)
-            throw new Error(`after ${seconds} s: not ${what}`);
+            throw new Error(`after ${HANGS / 1000} s: not ${what}`);
         await new Promise((resolve) => setTimeout(resolve, 50));
     }
 }

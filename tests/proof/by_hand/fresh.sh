@@ -1,11 +1,10 @@
 #!/bin/sh
 # fresh.sh - the README's two commands on machines on which nothing has been installed.
 #
-# For each suite of Debian: a bare system (debootstrap --variant=minbase) with git, make, gcc and libc6-dev,
-# a clone of the last commit in it, 'make setup all', 'make check'. FOR=lecturer: the commands of the
-# lecturer's page instead, 'make setup FOR=lecturer', 'make slides', 'make animations'; FOR=book: 'make setup FOR=book',
-# 'make book'. Needs root,
-# debootstrap and the network, 2 GB of disk and half an hour for each; for that reason no other test runs it.
+# For each suite of Debian: a bare system (debootstrap --variant=minbase) with git and make, a clone of the last
+# commit in it, 'make setup all', 'make check'. FOR=lecturer: the commands of the lecturer's page instead, 'make setup
+# FOR=lecturer', 'make slides', 'make animations'; FOR=book: 'make setup FOR=book', 'make book'.
+# Needs root, debootstrap and the network, 2 GB of disk and much time for each; for that reason no other test runs it.
 # The output is kept in build/fresh/SUITE.log. MIRROR: where the packages are from; CACHE: a folder that keeps
 # them for the next time.
 # shellcheck disable=SC2317 # the functions are called by step
@@ -82,7 +81,7 @@ system() {
     kept=${CACHE:-$work/cache}/$suite
     mkdir -p "$kept"
     alone debootstrap --variant=minbase --cache-dir="$(cd "$kept" && pwd)" \
-        --include=git,make,gcc,libc6-dev "$suite" "$root" "$MIRROR"
+        --include=git,make "$suite" "$root" "$MIRROR"
 }
 # The network of this machine, and the settings of apt and npm for it; the certificates that its owner added.
 AUTHORITIES=/usr/local/share/ca-certificates

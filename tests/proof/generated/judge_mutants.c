@@ -2,19 +2,17 @@
 //
 //   try_generated SEED REVIEWED|-v STEM...
 //
-// Each generated answer (mutate.c) is tested and diagnosed like a student's. Then another judge,
-// with its own questions (truth.h), decides whether it is wrong at all, and whether the name of its
-// mistake is true. A name is true if the mistake explains 19 of 20 questions that are answered
+// Each generated answer (mutate.py) is tested and diagnosed like a student's. Then another judge,
+// with its own questions (generated.h), decides whether it is wrong at all, and whether the name of
+// its mistake is true. A name is true if the mistake explains 19 of 20 questions that are answered
 // wrongly, and answers at most one in 20 of all questions differently. A hedged name is true if it
 // explains at least a third of the wrong answers, or of the wrong numbers in a picture, or of the
 // answers that are wrong by more than digits. If no question shows a known mistake, the tests know
 // more than that judge: an answer that was made from this mistake, or has its name, may fail.
 // REVIEWED is a file of reviewed cases, a line each: EXERCISE | WHAT | PART OF THE CHANGE | WHY.
 // Any other false verdict is a failure, and so is a stem of which less than 90% is named or
-// described. -v lists the answers without a name or description.
+// described. -v lists every answer with its verdict, and reviewed cases as well.
 #include "tests/proof/generated/generated.h"
-#include "tests/proof/generated/guard.h"
-#include "tests/proof/generated/truth.h"
 
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
@@ -34,6 +32,7 @@ enum { MOST_SECONDS = 5 };
 // The result of one, from the process that tried it.
 typedef struct {
     bool done, passed, broke; // broke: it crashed or timed out
+    bool noticed;             // by any test, an extra one also
     Truth truth;
     int question; // that it answered wrongly
     bool named, in_part, described, picture, unseen;
@@ -71,6 +70,8 @@ static void judge(const Generated *it)
     run_tests(it->exercise, NULL, ANSWERS_APART, &outcomes);
     const Outcome *failed = first_failed(&outcomes);
     trial->passed = failed == NULL;
+    for (int i = 0; i < outcomes.count; i++)
+        trial->noticed = trial->noticed || !outcomes.tests[i].passed;
     if (failed == NULL)
         return;
     snprintf(trial->test, sizeof trial->test, "%s", failed->name);
@@ -98,18 +99,18 @@ static void judge(const Generated *it)
         truth_words(trial->words, sizeof trial->words, it->answer, trial->likeness.question_apart);
 }
 
-// Whether it was made from a known mistake that answers all questions right.
+// Whether it was made from a known mistake that answers all questions right; or it calls one.
 static bool is_of_unseen(const Generated *it)
 {
-    const Mistake *const *mistakes = chosen_mistakes();
+    if (it->change[0] == '[')
+        return true;
     const char *id = strrchr(it->from, ':');
-    for (int table = 0; id != NULL && mistakes[table] != NULL; table++)
-        for (int i = 0; mistakes[table][i].id != NULL; i++) {
-            const Mistake *mistake = &mistakes[table][i];
-            int question;
-            if (strcmp(mistake->exercise, it->exercise) == 0 && strcmp(mistake->id, id + 2) == 0)
-                return truth_of(mistake->answer, &question) != WRONG;
-        }
+    const Mistake *mistake = id != NULL ? known_answers(WRONG_ANSWERS) : NULL;
+    for (; mistake != NULL; mistake = mistake->next) {
+        int question;
+        if (strcmp(mistake->exercise, it->exercise) == 0 && strcmp(mistake->id, id + 2) == 0)
+            return truth_of(mistake->answer, &question) != WRONG;
+    }
     return false;
 }
 
@@ -137,7 +138,7 @@ static void try_one(const Generated *it)
         exit(1);
     }
     if (!trial->done)
-        trial->broke = true;
+        trial->broke = trial->noticed = true;
 }
 
 // ---- counting -----------------------------------------------------------------------------------
@@ -164,6 +165,8 @@ static void show(const char *what, const Generated *it)
         printf("; failed %s", trial->test);
     if (trial->truth == WRONG && trial->passed)
         printf("; wrong question %d", trial->question);
+    if (trial->law[0] != '\0')
+        printf("; said: %s", trial->law);
     printf("%s%s\n", trial->words[0] != '\0' ? "; " : "", trial->words);
 }
 
@@ -172,28 +175,32 @@ static void show(const char *what, const Generated *it)
 enum { MOST_REVIEWS = 100 };
 
 static struct {
-    char exercise[64], what[64], part[300];
+    const char *exercise, *what, *part;
+    bool used;
 } reviews[MOST_REVIEWS];
 static int review_count;
 
 static void read_reviews(const char *path)
 {
-    char line[800];
+    char line[2000];
     FILE *file = fopen(path, "r");
     if (file == NULL) {
         perror(path);
         exit(1);
     }
-    while (fgets(line, sizeof line, file) != NULL && review_count < MOST_REVIEWS)
-        if (sscanf(line, "%63s | %63[^|] | %299[^|]", reviews[review_count].exercise,
-                   reviews[review_count].what, reviews[review_count].part) == 3 &&
-            line[0] != '#') {
-            char *const ends[] = {reviews[review_count].what, reviews[review_count].part};
-            for (int i = 0; i < 2; i++)
-                while (ends[i][0] != '\0' && ends[i][strlen(ends[i]) - 1] == ' ')
-                    ends[i][strlen(ends[i]) - 1] = '\0';
-            review_count++;
-        }
+    while (fgets(line, sizeof line, file) != NULL && review_count < MOST_REVIEWS) {
+        char *fields[4] = {line, NULL, NULL, NULL};
+        for (int i = 1; i < 4 && fields[i - 1] != NULL; i++)
+            if ((fields[i] = strstr(fields[i - 1], " | ")) != NULL) {
+                *fields[i] = '\0';
+                fields[i] += strlen(" | ");
+            }
+        if (line[0] == '#' || fields[3] == NULL)
+            continue;
+        reviews[review_count].exercise = strdup(fields[0]);
+        reviews[review_count].what = strdup(fields[1]);
+        reviews[review_count++].part = strdup(fields[2]);
+    }
     fclose(file);
 }
 
@@ -202,7 +209,7 @@ static bool is_reviewed(const char *what, const Generated *it)
     for (int i = 0; i < review_count; i++)
         if (strcmp(reviews[i].exercise, it->exercise) == 0 && strcmp(reviews[i].what, what) == 0 &&
             strstr(it->change, reviews[i].part) != NULL)
-            return true;
+            return reviews[i].used = true;
     return false;
 }
 
@@ -220,6 +227,10 @@ static void amiss(Count *count, int *of_these, const char *what, const Generated
 
 static void count_one(Count *count, const Generated *it, bool verbose)
 {
+    static const char *const truths[] = {
+        [RIGHT] = "a right one", [WRONG] = "a wrong one", [AT_THE_EDGE] = "one at an edge"};
+    if (verbose)
+        show(truths[trial->truth], it);
     count->tried++;
     count->right += trial->truth == RIGHT;
     count->edge += trial->truth == AT_THE_EDGE;
@@ -236,8 +247,6 @@ static void count_one(Count *count, const Generated *it, bool verbose)
         amiss(count, &count->false_names, "named falsely", it);
     count->named += wrong && trial->named;
     count->described += wrong && !trial->named && (trial->described || trial->broke);
-    if (verbose && wrong && !trial->named && !trial->described && !trial->broke)
-        show("  not described", it);
 }
 
 static void print_count(const char *what, const Count *c)
@@ -264,8 +273,44 @@ static void add(Count *total, const Count *c)
     total->reviewed += c->reviewed;
 }
 
+// ---- plain slips in a solution ------------------------------------------------------------------
+
+// A helper's slip is tried for each exercise that calls it: one must notice it. Prints how many do.
+static bool check_plain_slips(const Generated *all, const bool *unnoticed)
+{
+    static const char what[] = "no test fails";
+    int plain = 0, missed = 0, reviewed = 0, stale = 0;
+    for (int i = 0; all[i].exercise != NULL; i++) {
+        bool is_missed = all[i].is_plain, first = all[i].is_plain;
+        for (int k = 0; all[k].exercise != NULL && first; k++)
+            if (all[k].is_plain && strcmp(all[k].change, all[i].change) == 0) {
+                is_missed = is_missed && unnoticed[k];
+                first = k >= i;
+            }
+        plain += first;
+        if (!first || !is_missed)
+            continue;
+        bool is_known = is_reviewed(what, &all[i]);
+        *(is_known ? &reviewed : &missed) += 1;
+        if (!is_known)
+            printf("not ok: %s: %s: %s\n", what, all[i].exercise, all[i].change);
+    }
+    for (int i = 0; i < review_count; i++)
+        if (strcmp(reviews[i].what, what) == 0 && !reviews[i].used &&
+            exercise_number(reviews[i].exercise) >= 0 &&
+            strcmp(exercises[exercise_number(reviews[i].exercise)].stem, chosen_stem()->name) ==
+                0) {
+            printf("not ok: stale: %s: %s\n", reviews[i].exercise, reviews[i].part);
+            stale++;
+        }
+    printf("+ plain slips in %s: %d, of which no test notices %d, reviewed\n", chosen_stem()->name,
+           plain, reviewed);
+    return missed + stale == 0;
+}
+
 // False if a verdict is false and nobody has reviewed it.
-static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose, Count *total)
+static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose, Count *total,
+                         bool *unnoticed)
 {
     Count count = {0};
     if (!truth_begin(exercise->name, exercise->reference, seed)) {
@@ -277,6 +322,7 @@ static bool try_exercise(const Exercise *exercise, uint64_t seed, bool verbose, 
         if (strcmp(generated[i].exercise, exercise->name) != 0)
             continue;
         try_one(&generated[i]);
+        unnoticed[i] = !trial->noticed;
         count_one(&count, &generated[i], verbose);
     }
     print_count(exercise->name, &count);
@@ -294,13 +340,21 @@ static void try_stem(const char *stem, uint64_t seed, bool verbose)
     Count total = {0};
     const char *only = getenv("ONLY");
     choose_stem(stem);
+    const Generated *all = chosen_stem()->generated;
+    int count = 0;
+    while (all != NULL && all[count].exercise != NULL)
+        count++;
+    bool *unnoticed = calloc((size_t)count + 1, sizeof *unnoticed);
     guard_begin();
     switch_to_process(stem);
     for (int e = 0; exercises[e].name != NULL; e++)
         if (strcmp(exercises[e].stem, stem) == 0 &&
             (only == NULL || strcmp(only, exercises[e].name) == 0))
-            *(try_exercise(&exercises[e], seed, verbose, &total) ? &sum->passed : &sum->failed) +=
-                1;
+            *(try_exercise(&exercises[e], seed, verbose, &total, unnoticed) ? &sum->passed
+                                                                            : &sum->failed) += 1;
+    if (only == NULL && count > 0)
+        *(check_plain_slips(all, unnoticed) ? &sum->passed : &sum->failed) += 1;
+    free(unnoticed);
     print_count(stem, &total);
     add(&sum->of_all, &total);
     if (10 * (total.named + total.described) < 9 * total.failed) {

@@ -1,27 +1,113 @@
 // truth.c - whether an answer is right, independent of the tests.
-#include "tests/proof/generated/truth.h"
+#include "tests/proof/generated/generated.h"
 
-#include "tests/proof/generated/guard.h"
+#include "tests/judge/message.h"
+#include "tests/judge/runner.h"
 
+#include <setjmp.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/time.h>
 
 enum { MOST_QUESTIONS = 4000, DIGITS = 100000 };
+enum { MOST_MILLISECONDS = 200 }; // of work, for one call
 
 static const Subject *subject;
 static AnyFunction *reference;
 static Question *questions; // with the arrays of their scenes
 static Answer *right;
 
+// ---- calling what may crash or never come to an end --------------------------------------------
+
+// In the judge the answer is another process. Here it is a function of this one, so that thousands
+// can be tried: a crash or a timeout ends only the call, and the test gets the same message.
+static sigjmp_buf out;
+static Wire to_answer, from_answer;
+static AnyFunction *answering;
+static const char *broken; // how the answer ended; it is not called any more
+
+static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGVTALRM};
+
+static void leave(int signal)
+{
+    siglongjmp(out, signal);
+}
+
+void guard_begin(void)
+{
+    static char stack[1 << 16]; // the usual stack may have overflowed
+    sigaltstack(&(stack_t){.ss_sp = stack, .ss_size = sizeof stack}, NULL);
+    struct sigaction action = {.sa_handler = leave, .sa_flags = SA_ONSTACK | SA_NODEFER};
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++)
+        sigaction(signals[i], &action, NULL);
+}
+
+static void patience(int milliseconds)
+{
+    struct itimerval time = {.it_value = {.tv_usec = 1000 * milliseconds}};
+    setitimer(ITIMER_VIRTUAL, &time, NULL);
+}
+
+static Wire *begin(int exercise)
+{
+    (void)exercise;
+    if (broken != NULL)
+        record_how(HOW_CRASHED, broken);
+    wire_clear(&to_answer);
+    return &to_answer;
+}
+
+static void call(int exercise)
+{
+    int signal = sigsetjmp(out, 1);
+    if (signal == 0) {
+        patience(MOST_MILLISECONDS);
+        answer_here(exercise, answering, &to_answer, &from_answer);
+        patience(0);
+        if (from_answer.overran)
+            record_overran();
+        return;
+    }
+    patience(0);
+    broken = signal == SIGVTALRM ? "was still running: an endless loop?" : "crashed";
+    record_how(signal == SIGVTALRM ? HOW_TIMED_OUT : HOW_CRASHED, broken);
+}
+
+static Wire *receive(int exercise)
+{
+    (void)exercise;
+    return &from_answer;
+}
+
+void guard_answer_by(AnyFunction *by)
+{
+    static const Transport guarded = {begin, call, receive, NULL};
+    transport_use(&guarded);
+    answering = by;
+    broken = NULL;
+}
+
+static void guarded_ask(AnyFunction *by, Question *question, Answer *said)
+{
+    said->count = 0;
+    if (sigsetjmp(out, 1) == 0) {
+        patience(MOST_MILLISECONDS);
+        subject->ask(by, question, said);
+    } else {
+        said->count = 0;
+    }
+    patience(0);
+}
+
+// ---- right or wrong -----------------------------------------------------------------------------
+
 static const Subject *subject_of(const char *exercise)
 {
-    static const Subject *const tables[] = {screen_subjects, camera_subjects, sphere_subjects,
-                                            scene_subjects, light_subjects};
-    for (size_t table = 0; table < sizeof tables / sizeof tables[0]; table++)
-        for (int i = 0; tables[table][i].exercise != NULL; i++)
-            if (strcmp(tables[table][i].exercise, exercise) == 0)
-                return &tables[table][i];
+    for (int i = 0; subjects[i].exercise != NULL; i++)
+        if (strcmp(subjects[i].exercise, exercise) == 0)
+            return &subjects[i];
     return NULL;
 }
 
@@ -31,7 +117,7 @@ static void ask(AnyFunction *answer, const Question *question, Answer *said)
     static Question asked;
     asked = *question;
     point_into(&asked);
-    guarded_ask(subject, answer, &asked, said);
+    guarded_ask(answer, &asked, said);
 }
 
 bool truth_begin(const char *exercise, AnyFunction *answer, uint64_t seed)

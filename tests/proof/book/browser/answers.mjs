@@ -19,6 +19,17 @@ const open = async (name) => {
         await waitForEditor(tab);
     return tab;
 };
+/** The bytes of the file that a button saves, read where the page makes it. */
+async function downloaded(tab, button) {
+    await tab.evaluate(() => {
+        globalThis.makeAddress ??= URL.createObjectURL;
+        globalThis.saved = null;
+        URL.createObjectURL = (blob) => { globalThis.saved = blob.arrayBuffer().then((all) => [...new Uint8Array(all)]); return globalThis.makeAddress.call(URL, blob); };
+    });
+    await click(tab, button);
+    await waitFor("a file", () => tab.evaluate(() => globalThis.saved !== null));
+    return Uint8Array.from(await tab.evaluate(() => globalThis.saved));
+}
 const click = (tab, selector) => tab.$eval(selector, (each) => each.click());
 const textOf = (tab, selector) => tab.$eval(selector, (each) => each.textContent);
 let passed = 0;
@@ -39,7 +50,7 @@ try {
         assert.match(blank, /NOT_ANSWERED/);
         await typeAtEnd(tab, "// mine");
         await tab.reload({ waitUntil: "load" });
-        await waitFor("the saved text", 20, async () => (await editorText(tab).catch(() => "")).includes("// mine"));
+        await waitFor("the saved text", async () => (await editorText(tab).catch(() => "")).includes("// mine"));
     });
     await test("Tab indents; Escape and then Tab leaves the editor", async () => {
         await typeAtEnd(tab, "\t");
@@ -54,14 +65,14 @@ try {
         assert.equal(await editorText(tab), blank);
         await tab.reload({ waitUntil: "load" });
         await waitForEditor(tab);
-        await waitFor("a way back", 20, () => tab.$eval("#undo-reset", (each) => !each.hidden));
+        await waitFor("a way back", () => tab.$eval("#undo-reset", (each) => !each.hidden));
         await click(tab, "#undo-reset");
         assert.equal(await editorText(tab), mine);
     });
     await test("two tabs show the same text", async () => {
         const other = await open("03-screen.html");
         await typeAtEnd(other, "// from the other tab");
-        await waitFor("the text of the other tab", 10, async () => (await editorText(tab)).includes("// from the other tab"));
+        await waitFor("the text of the other tab", async () => (await editorText(tab)).includes("// from the other tab"));
         await other.close();
     });
     await test("the contract is one key away", async () => {
@@ -76,18 +87,12 @@ try {
 
     const start = await open("index.html");
     await test("the start page says what is begun", async () => {
-        await waitFor("'begun'", 10, async () => /begun|right/.test(await textOf(start, '.cards li[data-stem="03-screen"] .done')));
+        await waitFor("'begun'", async () => /begun|right/.test(await textOf(start, '.cards li[data-stem="03-screen"] .done')));
         assert.match(await textOf(start, "#begin"), /^Continue with chapter/);
     });
     let zip;
     await test("the archive has the answer as it is", async () => {
-        // The file that the page would save, read where the page makes it.
-        await start.evaluate(() => {
-            const make = URL.createObjectURL;
-            URL.createObjectURL = (blob) => { globalThis.saved = blob.arrayBuffer().then((all) => [...new Uint8Array(all)]); return make.call(URL, blob); };
-        });
-        await click(start, "#download");
-        zip = Uint8Array.from(await start.evaluate(() => globalThis.saved));
+        zip = await downloaded(start, "#download");
         const files = await readZip(zip);
         assert.deepEqual(files.map(({ name }) => name), ["03-screen.c"]);
         assert.equal(new TextDecoder().decode(files[0].bytes), mine);
@@ -96,38 +101,52 @@ try {
         writeFileSync(join(scratch, "submission.zip"), zip);
         await start.evaluate(() => localStorage.clear());
         await start.reload({ waitUntil: "load" });
-        await waitFor("the page", 10, () => start.$eval("#theme", (each) => !each.hidden));
+        await waitFor("the page", () => start.$eval("#theme", (each) => !each.hidden));
         const input = await start.$("#upload");
         await input.uploadFile(join(scratch, "submission.zip"));
-        await waitFor("'Loaded 03'", 10, async () => /Loaded 03/.test(await textOf(start, "#state")));
+        await waitFor("'Loaded 03'", async () => /Loaded 03/.test(await textOf(start, "#state")));
         assert.ok(await start.evaluate((text) => Object.values(localStorage).includes(text), mine));
+    });
+    await test("answers that are loaded are judged, and the start page counts what is right", async () => {
+        await (await start.$("#upload")).uploadFile("solutions/03-screen.c", "solutions/04-pixel-ray.c");
+        await waitFor("all to be judged", async () => /^Loaded 03, 04. Open a chapter/.test(await textOf(start, "#state")));
+        assert.match(await textOf(start, "#so-far"), /^4 of 37 functions are right\.$/);
+        assert.match(await textOf(start, '.cards li[data-stem="04-pixel-ray"] .done'), /done/);
     });
     await test("what is no archive changes nothing, and the page says so", async () => {
         writeFileSync(join(scratch, "photo.zip"), "not an archive at all, but long enough");
         await (await start.$("#upload")).uploadFile(join(scratch, "photo.zip"));
-        await waitFor("the words", 10, async () => /not a zip archive.*Nothing has changed/.test(await textOf(start, "#trouble")));
+        await waitFor("the words", async () => /not a zip archive.*Nothing has changed/.test(await textOf(start, "#trouble")));
     });
     await start.close();
 
-    await test("a browser that keeps nothing says so, and the page works", async () => {
-        const poor = await openTab(browser, host.address);
+    await test("a browser that keeps nothing says so, and the download of what was typed is beside these words", async () => {
+        const poor = await openTab(browser, host.address), asked = [];
         await poor.evaluateOnNewDocument(() => { Storage.prototype.setItem = () => { throw new DOMException("no", "SecurityError"); }; });
+        poor.on("dialog", async (dialog) => { asked.push(dialog.type()); await dialog.accept(); });
         await poor.goto(`${host.address}04-pixel-ray.html`, { waitUntil: "load" });
         await waitForEditor(poor);
         await typeAtEnd(poor, "// lost soon");
-        await waitFor("the warning", 5, async () => /does not save your answers/.test(await textOf(poor, "#trouble")));
+        await waitFor("the warning", async () => /does not save your answers/.test(await textOf(poor, "#unsaved")));
+        await waitFor("a verdict", async () => /not saved/.test(await textOf(poor, "#state")));
+        assert.equal(await poor.$eval("#unsaved", (each) => each.hidden), false, "a verdict does not take the warning away");
+        const files = await readZip(await downloaded(poor, "#unsaved button"));
+        assert.match(new TextDecoder().decode(files.find(({ name }) => name === "04-pixel-ray.c").bytes), /\/\/ lost soon/);
+        await typeAtEnd(poor, "// lost");
+        await poor.goto(`${host.address}index.html`, { waitUntil: "load" });
+        assert.deepEqual(asked, ["beforeunload"], "the browser asks before what was not downloaded is lost");
         await poor.close();
     });
     await test("a figure fills the screen, the arrows go on, Escape comes back", async () => {
         const figures = await openTab(browser, host.address);
         await figures.goto(`${host.address}figures.html`, { waitUntil: "load" });
-        await waitFor("a button", 10, () => figures.$("figcaption button"));
+        await waitFor("a button", () => figures.$("figcaption button"));
         await click(figures, "figcaption button");
         const status = () => textOf(figures, "dialog.full [role=status]");
-        const first = await waitFor("a figure", 20, status);
-        await waitFor("another step or figure", 20, async () => { await figures.keyboard.press("ArrowRight"); return await status() !== first; });
+        const first = await waitFor("a figure", status);
+        await waitFor("another step or figure", async () => { await figures.keyboard.press("ArrowRight"); return await status() !== first; });
         await figures.keyboard.press("Escape");
-        await waitFor("the page again", 5, () => figures.$eval("dialog.full", (each) => !each.open));
+        await waitFor("the page again", () => figures.$eval("dialog.full", (each) => !each.open));
         await figures.close();
     });
     console.log(`answers (${browserName}): ${passed} passed`);

@@ -16,11 +16,11 @@ try {
     await waitForEditor(tab);
     await replaceText(tab, source, { judge: true });
     const text = () => tab.$eval("#verdict", (place) => place.textContent);
-    await waitFor("a verdict", 120, async () => (await text()).includes(`${stem} is right.`));
-    await waitFor("a picture", 60, async () => (await text()).includes(`gallery/${stem}.png`));
+    await waitFor("a verdict", async () => (await text()).includes(`${stem} is right.`));
+    await waitFor("a picture", async () => (await text()).includes(`gallery/${stem}.png`));
     assert.match(await text(), isHandout ? /drawn by your own code/ : /Yours: hit_sphere\.\s+By\s+the\s+reference:\s+pixel_ray\./);
     const size = () => tab.$eval("#verdict-pictures img", (img) => [img.naturalWidth, img.naturalHeight]);
-    await waitFor("its pixels", 20, async () => (await size())[0] > 100);
+    await waitFor("its pixels", async () => (await size())[0] > 100);
     if (process.env.SCREENSHOT)
         await tab.screenshot({ path: process.env.SCREENSHOT, fullPage: false });
     assert.deepEqual(host.sent.requests.filter((path) => /whole/.test(path)), [], "the small compiler is enough");

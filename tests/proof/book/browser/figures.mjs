@@ -9,11 +9,15 @@ import { browserName, launch, openTab, seriousFindings, serve, waitFor } from ".
 
 const [folder, shots] = process.argv.slice(2);
 const host = await serve(folder), browser = await launch();
-const SECONDS = 60;
 
 const place = (name) => `.figure[data-figure="${name}"]`;
-const isLive = (tab, name) => waitFor(`${name} live`, SECONDS, () => tab.evaluate((at) => Boolean(document.querySelector(at)?.querySelector(".drawing > div")
-    ?.shadowRoot?.querySelector("svg")), place(name)));
+/** Waits until the figure is live. Figures above it may become taller meanwhile, so it is put into sight again. */
+const isLive = (tab, name) => waitFor(`${name} live`, () => tab.$eval(place(name), (figure) => {
+    if (figure.querySelector(".drawing > div")?.shadowRoot?.querySelector("svg"))
+        return true;
+    figure.scrollIntoView({ block: "center", behavior: "instant" });
+    return false;
+}));
 
 /** What a live figure shows: its numbers, by option, and its words. */
 const state = (tab, name) => tab.evaluate((at) => {
@@ -29,17 +33,24 @@ const state = (tab, name) => tab.evaluate((at) => {
 async function open(page, name, size) {
     const tab = await openTab(browser, host.address, size);
     await tab.goto(`${host.address}${page}.html`, { waitUntil: "load" });
-    await tab.$eval(place(name), (figure) => figure.scrollIntoView({ block: "center", behavior: "instant" }));
     await isLive(tab, name);
+    await tab.evaluate(() => document.fonts.ready);
     return tab;
 }
 
 /** Waits until the figure shows other numbers, and nothing is being drawn. */
-const changed = (tab, name, before) => waitFor(`${name} changed`, SECONDS, async () => {
+const changed = (tab, name, before) => waitFor(`${name} changed`, async () => {
     if (await tab.$eval(`${place(name)} .drawing`, (each) => each.getAttribute("aria-busy") !== "false"))
         return false;
     const now = await state(tab, name);
     return JSON.stringify(now.numbers) !== JSON.stringify(before.numbers) && now;
+});
+
+/** Where a handle is, when it is what the pointer would meet there: a page moves while it is laid out. */
+const handleOf = (tab, name, label) => waitFor(`the handle ${label}`, async () => {
+    const handle = (await state(tab, name)).handles.find((each) => each.label.startsWith(label));
+    return handle && await tab.evaluate((at, { x, y }) => document.querySelector(at).querySelector(".drawing > div").shadowRoot.elementFromPoint(x, y)
+        ?.classList.contains("handle"), place(name), handle) && handle;
 });
 
 async function drag(tab, { x, y }, dx, dy) {
@@ -67,7 +78,6 @@ try {
         await all.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
         await all.evaluate(() => document.querySelectorAll(".lesson details").forEach((each) => { each.open = true; }));
         for (const name of new Set(await all.$$eval(".figure", (figures) => figures.map((each) => each.dataset.figure)))) {
-            await all.$eval(place(name), (figure) => figure.scrollIntoView({ block: "center", behavior: "instant" }));
             await isLive(all, name);
             const now = await state(all, name);
             assert.ok(now.title.length > 5 && now.words.length > 20, `${name} has words`);
@@ -86,8 +96,7 @@ try {
     // The numbers of the example in the text of the lesson.
     const inText = () => tab.evaluate(() => Object.fromEntries([...document.querySelectorAll(".lesson [data-number]")].map((each) => [each.dataset.number, each.textContent])));
     const inLecture = await inText();
-    const centre = first.handles.find(({ label }) => label.startsWith("C,"));
-    await drag(tab, centre, 30, -20);
+    await drag(tab, await handleOf(tab, "ray-sphere", "C,"), 30, -20);
     const moved = await changed(tab, "ray-sphere", first), [x, y, z] = numbers(moved.numbers.center);
     assert.ok(x > 0 && y > 0 && z === 0 && Math.abs(x / y - 1.5) < 0.1, `the centre is at ${moved.numbers.center}`);
     assert.notEqual(moved.words, first.words);
@@ -109,13 +118,13 @@ try {
         await tab.keyboard.press("Enter");
     };
     await type("ray-sphere", "radius", "-1");
-    const wrong = await waitFor("a message", SECONDS, async () => (await state(tab, "ray-sphere")).wrong);
+    const wrong = await waitFor("a message", async () => (await state(tab, "ray-sphere")).wrong);
     assert.match(wrong, /--radius: expected a number greater than 0/);
     await type("ray-sphere", "radius", "0.25");
-    await waitFor("the typed radius", SECONDS, async () => { const now = await state(tab, "ray-sphere"); return now.numbers.radius === "0.25" && now.wrong === ""; });
+    await waitFor("the typed radius", async () => { const now = await state(tab, "ray-sphere"); return now.numbers.radius === "0.25" && now.wrong === ""; });
 
     // The numbers in the lesson are those of the figure: c is p.p - r^2. The small sphere is missed.
-    const follow = (what, wanted) => waitFor(`the numbers in the lesson ${what}`, SECONDS, async () => wanted(await inText()));
+    const follow = (what, wanted) => waitFor(`the numbers in the lesson ${what}`, async () => wanted(await inText()));
     await type("ray-sphere", "center", "0,0,0");
     await follow("follow", (its) => its.r === "0.25" && its.center === "(0, 0, 0)" && its.c === "16.9375" && its.t0 === "none");
     await type("ray-sphere", "origin", "-4,-2,0");
@@ -127,9 +136,9 @@ try {
     const press = (name, what) => tab.evaluate((at, which) => document.querySelector(at).querySelector(".drawing > div").shadowRoot.querySelector(which).click(), place(name), what);
     const step = (await state(tab, "ray-sphere")).step;
     await press("ray-sphere", ".back");
-    await waitFor("a step back", SECONDS, async () => (await state(tab, "ray-sphere")).step !== step);
+    await waitFor("a step back", async () => (await state(tab, "ray-sphere")).step !== step);
     await press("ray-sphere", ".reset");
-    await waitFor("the first numbers", SECONDS, async () => JSON.stringify((await state(tab, "ray-sphere")).numbers) === JSON.stringify(first.numbers));
+    await waitFor("the first numbers", async () => JSON.stringify((await state(tab, "ray-sphere")).numbers) === JSON.stringify(first.numbers));
     await follow("are the lecture's again", (its) => JSON.stringify(its) === JSON.stringify(inLecture));
     assert.deepEqual(tab.faults, []);
     await tab.close();
@@ -137,7 +146,7 @@ try {
     // By finger, on a telephone: a pixel. (WebDriver BiDi has no touch yet in this Firefox.)
     if (browserName === "chromium") {
         const phone = await open("06-ray-casting", "ray-casting", { width: 390, height: 844 }), before = await state(phone, "ray-casting");
-        await touch(phone, before.handles[0], 0, 12);
+        await touch(phone, await handleOf(phone, "ray-casting", before.handles[0].label), 0, 12);
         const after = await changed(phone, "ray-casting", before);
         assert.ok(numbers(after.numbers.pixel)[1] > numbers(before.numbers.pixel)[1], `the pixel is ${after.numbers.pixel}`);
         assert.deepEqual(phone.faults, []);

@@ -60,7 +60,7 @@ try {
             const text = wrong(solution, name);
             const wanted = await verdictHere(judge, stem, text), now = () => tab.$eval("#verdict", (each) => each.textContent);
             await replaceText(tab, text, { judge: true });
-            await waitFor(`a verdict on ${name}`, 120, () => tab.evaluate(() => document.querySelector("#verdict pre[data-result]") !== null &&
+            await waitFor(`a verdict on ${name}`, () => tab.evaluate(() => document.querySelector("#verdict pre[data-result]") !== null &&
                 !document.querySelector("#verdict").classList.contains("old") && /judged/.test(document.querySelector("#state").textContent))); // with its pictures
             assert.equal(await now(), wanted, `${stem}, ${name}`);
             compared++;

@@ -9,7 +9,7 @@ import { browserName, launch, openTab, replaceText, serve, waitFor, waitForEdito
 const [folder] = process.argv.slice(2), stem = "05-quadratic", right = readFileSync(`solutions/${stem}.c`, "utf8");
 const host = await serve(folder), browser = await launch();
 const textOf = (tab, selector) => tab.$eval(selector, (each) => each.textContent);
-const verdict = (tab, what, wanted) => waitFor(`the verdict: ${what}`, 120, async () =>
+const verdict = (tab, what, wanted) => waitFor(`the verdict: ${what}`, async () =>
     wanted.test(await textOf(tab, "#verdict")) && await tab.$eval("#progress", (each) => each.hidden));
 
 /** Macros whose expansion has 2^40 parts, none of which is left: the compiler takes no memory, and does not end. */
@@ -32,7 +32,7 @@ try {
         };
     });
     const release = host.hold(/\/page\.js$/), opening = tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
-    await waitFor("a button", 20, () => tab.$("#judge").catch(() => null));
+    await waitFor("a button", () => tab.$("#judge").catch(() => null));
     await tab.$eval("#judge", (each) => each.click());
     release();
     await opening;
@@ -50,7 +50,7 @@ try {
         globalThis.setTimeout = (then, milliseconds, ...more) => globalThis.realTimeout(then, milliseconds === 30_000 ? 3000 : milliseconds, ...more);
     });
     await replaceText(tab, `${right}\n${ENDLESS}`, { judge: true });
-    await waitFor("words about a compilation without an end", 60, async () => /ended and starts again.*Your answer is saved/.test(await textOf(tab, "#trouble")));
+    await waitFor("words about a compilation without an end", async () => /ended and starts again.*Your answer is saved/.test(await textOf(tab, "#trouble")));
     await tab.evaluate(() => { globalThis.setTimeout = globalThis.realTimeout; });
     await replaceText(tab, WRONG, { judge: true });
     await verdict(tab, "after a compilation without an end", IS_WRONG);

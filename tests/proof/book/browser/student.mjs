@@ -15,7 +15,7 @@ const tab = await openTab(browser, host.address);
 const textOf = (selector) => tab.$eval(selector, (each) => each.textContent);
 
 const write = (text) => replaceText(tab, text, { judge: true });
-const verdict = (what, wanted, seconds = 90) => waitFor(`the verdict: ${what}`, seconds, async () => {
+const verdict = (what, wanted) => waitFor(`the verdict: ${what}`, async () => {
     const trouble = await textOf("#trouble");
     assert.equal(trouble, "", what);
     return wanted.test(await textOf("#verdict")) && await tab.$eval("#progress", (each) => each.hidden);
@@ -54,24 +54,24 @@ try {
             await tab.$eval("#judge", (each) => each.click());
         await verdict(`${stem} is blank`, /is not answered yet/);
         await tab.$eval("#hint", (each) => each.click());
-        await waitFor("a hint", 30, async () => (await textOf("#hints")).length > 20);
+        await waitFor("a hint", async () => (await textOf("#hints")).length > 20);
         assert.equal((await textOf("#hints")).split("\n").filter((line) => line.startsWith("  ")).length, 1, "the panel wraps a hint, not its text");
         await write(right.replace(/;\n\s*\/\/ END SOLUTION/, "\n    // END SOLUTION"));
         await verdict(`${stem} lacks a semicolon`, /does not compile/);
         await tab.keyboard.press("F8"); // goes to the next error: lines that are not in sight are not in the page
-        await waitFor("a mark at the line", 10, () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot.querySelector(".cm-lint-marker-error"))));
+        await waitFor("a mark at the line", () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot.querySelector(".cm-lint-marker-error"))));
         await shot(`${stem}-semicolon`);
         if (stem === "01-corners") {
             await write(right.replaceAll("c.width / 2 * c.right", "c.width * c.right"));
             await verdict("the whole width", /the whole width/);
-            await waitFor("its figure", 30, () => tab.$eval("#verdict-pictures", (place) => place.querySelector("img")?.naturalWidth > 0));
+            await waitFor("its figure", () => tab.$eval("#verdict-pictures", (place) => place.querySelector("img")?.naturalWidth > 0));
             await shot(`${stem}-mistake`);
         }
         await write(right);
         await verdict(`${stem} is right`, new RegExp(`${stem} +done`));
-        await waitFor("a mark in the list of chapters", 10, async () => (await textOf(`.top nav a[data-stem="${stem}"]`)).includes("done"));
+        await waitFor("a mark in the list of chapters", async () => (await textOf(`.top nav a[data-stem="${stem}"]`)).includes("done"));
         if (stem < "08") {
-            await waitFor("the picture", 30, () => tab.$$eval("#verdict-pictures img", (all) => all.some((each) => each.naturalWidth > 0)));
+            await waitFor("the picture", () => tab.$$eval("#verdict-pictures img", (all) => all.some((each) => each.naturalWidth > 0)));
             await tab.$eval("#verdict-pictures", (each) => each.scrollIntoView());
         }
         await shot(`${stem}-right`);
@@ -79,13 +79,13 @@ try {
     if (stems.length > 1)
         assert.doesNotMatch(await textOf("#verdict"), /all chapters +(0|1|2|3|4|5|6) of/, "the verdict counts the other chapters");
     await tab.goto(`${host.address}index.html`, { waitUntil: "load" });
-    await waitFor("progress", 10, async () => /functions are right/.test(await textOf("#so-far")));
+    await waitFor("progress", async () => /functions are right/.test(await textOf("#so-far")));
     await shot("start");
     assert.deepEqual(tab.faults, []);
     assert.deepEqual(host.sent.requests.filter((path) => /whole/.test(path)), [], "the small compiler is enough");
 
     // All files are there after a while; then the host may go.
-    await waitFor("all files of the site", 120, () => tab.evaluate(async () => Boolean((await navigator.serviceWorker.getRegistration())?.active)));
+    await waitFor("all files of the site", () => tab.evaluate(async () => Boolean((await navigator.serviceWorker.getRegistration())?.active)));
     await open(stems[0]);
     const before = host.sent.requests.length;
     await open(stems[0]);

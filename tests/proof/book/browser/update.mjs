@@ -45,19 +45,19 @@ const open = async () => {
 };
 const reload = (tab) => tab.reload({ waitUntil: "load" }).catch(() => {}); // a page with a new version is loaded twice
 // Asks for no file before the new version has taken over: a browser waits until the old service worker has nothing to do.
-const isOf = (tab, version, what) => waitFor(`version ${version}: ${what}`, 60, async () =>
+const isOf = (tab, version, what) => waitFor(`version ${version}: ${what}`, async () =>
     !(await state(tab, "waiting").catch(() => true)) && (await versions(tab).catch(() => [])).join() === String(version));
 
 try {
     publish(1);
     const tab = await open();
-    await waitFor("the site kept", 60, () => state(tab, "active"));
+    await waitFor("the site kept", () => state(tab, "active"));
     await tab.reload({ waitUntil: "load" });
     assert.deepEqual(await versions(tab), ["1"], "the first version");
 
     publish(2);
     await reload(tab);
-    await waitFor("the second version kept", 60, () => state(tab, "waiting"));
+    await waitFor("the second version kept", () => state(tab, "waiting"));
     assert.deepEqual(await versions(tab), ["1"], "a page that was open has its own version to the end");
     const other = await open();
     await new Promise((resolve) => setTimeout(resolve, 1000)); // for a version that should not come
@@ -77,14 +77,14 @@ try {
     publish(3, ["page.js"]);
     const asked = host.sent.requests.length;
     await reload(tab);
-    await waitFor("the host asked for the third version", 60, () => host.sent.requests.slice(asked).some((path) => path.endsWith("/page.js")));
-    await waitFor("the third version given up", 60, async () => !(await state(tab, "installing")));
+    await waitFor("the host asked for the third version", () => host.sent.requests.slice(asked).some((path) => path.endsWith("/page.js")));
+    await waitFor("the third version given up", async () => !(await state(tab, "installing")));
     assert.equal(await state(tab, "waiting"), false);
     await reload(tab);
     assert.deepEqual(await versions(tab), ["2"], "half a version is none");
     publish(4);
     await reload(tab);
-    await waitFor("the fourth version kept", 60, () => state(tab, "waiting"));
+    await waitFor("the fourth version kept", () => state(tab, "waiting"));
     host.stopSending();
     await reload(tab);
     await isOf(tab, 4, "without a network");

@@ -1,0 +1,61 @@
+"""jobs.py - runs programs beside each other, as many as there are processors, and says how far it is."""
+import os
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
+
+_running = set()
+
+
+def end_with_programs():
+    """From now on a signal to end also ends what has been started. SystemExit is raised, so that 'with' tidies up."""
+    def end(*_):
+        for process in list(_running):
+            process.terminate()
+        sys.exit(1)
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, end)
+
+
+def run(command, folder=None):
+    """Runs a program: its exit status, and all that it printed, in bytes."""
+    with subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT) as process:
+        _running.add(process)
+        said = process.communicate()[0]
+        _running.discard(process)
+    return process.returncode, said
+
+
+def beside_each_other(what, work, jobs):
+    """Calls work(job) for each job, and yields (job, result) as soon as there is one. On a terminal a line about
+    'what' shows the progress after a second; a log gets a line after two seconds, and then one every ten."""
+    began, said = time.monotonic(), None
+    terminal = sys.stderr.isatty()
+    pool = ThreadPoolExecutor(os.cpu_count())
+    try:
+        futures = {pool.submit(work, job): job for job in jobs}
+        for done, future in enumerate(as_completed(futures), 1):
+            yield futures[future], future.result()
+            now = time.monotonic() - began
+            first, then = (1, 0.5) if terminal else (2, 10)
+            if now >= first if said is None else now - said >= then:
+                said = now
+                line = f"  {what:9} {100 * done // len(futures)} % ({done} of {len(futures)}), " \
+                       f"about {duration(now * (len(futures) - done) / done)} left"
+                print(f"\r{line}\033[K" if terminal else line, end="" if terminal else "\n", file=sys.stderr, flush=True)
+    finally:
+        pool.shutdown(cancel_futures=True)
+        if terminal and said is not None:
+            print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+
+def duration(seconds):
+    """In words: 34 ms, 5.6 s, 3 min 20 s, 2 h 5 min."""
+    if seconds < 59.95:
+        return f"{seconds:.3g} s" if seconds >= 0.9995 else f"{1000 * seconds:.3g} ms"
+    hours = seconds >= 3599.5
+    large, rest = divmod(round(seconds / 60) if hours else round(seconds), 60)
+    return f"{large} {'h' if hours else 'min'}" + (f" {rest} {'min' if hours else 's'}" if rest else "")

@@ -1,0 +1,602 @@
+// right.c - right answers to exercise 07, written in other ways.
+#include "exercises/05-quadratic.h"
+#include "exercises/06-ray-casting.h"
+#include "exercises/07-shading.h"
+
+#include "tests/judge/known.h"
+
+// ---- off_surface --------------------------------------------------------------------------------
+
+static double size_of(Sphere s)
+{
+    return s.radius + fmax(fabs(s.center[0]), fmax(fabs(s.center[1]), fabs(s.center[2])));
+}
+
+// ---- visibility ---------------------------------------------------------------------------------
+
+static double of_first(const Scene *scene, int count, Ray ray, double reach)
+{
+    if (count == 0)
+        return 1;
+    if (hit_sphere(ray, scene->spheres[count - 1]) < reach)
+        return 0;
+    return of_first(scene, count - 1, ray, reach);
+}
+
+// ---- shade --------------------------------------------------------------------------------------
+
+static vec3 facing(vec3 normal, vec3 direction)
+{
+    return vec3_dot(normal, direction) < 0 ? normal : -normal;
+}
+
+// The values at a place, and each light in its turn.
+typedef struct {
+    const Scene *scene;
+    const Surface *surface;
+    vec3 point, normal, start, to_eye;
+} Lit;
+
+static Color of_lights(const Lit *lit, int i)
+{
+    if (i == lit->scene->light_count)
+        return ambient_term(lit->surface->color, lit->surface->diffuse, lit->scene->ambient);
+    const Light *light = &lit->scene->lights[i];
+    const Surface *s = lit->surface;
+    Color rest = of_lights(lit, i + 1);
+    if (visibility(lit->scene, lit->start, *light) == 0)
+        return rest;
+    vec3 l = ray_to_light(lit->point, *light).direction;
+    return rest + diffuse_term(s->color, s->diffuse, light->color, lit->normal, l) +
+           phong_term(s->specular, s->shine, light->color, lit->normal, l, lit->to_eye);
+}
+
+// ---- trace_ray ----------------------------------------------------------------------------------
+
+static Color from_the_last_mirror_back(const Scene *scene, Ray ray, int depth)
+{
+    Hit hit = nearest_hit(ray, scene);
+    if (hit.t == NO_HIT)
+        return scene->background;
+    double ks = scene_surface(scene, hit.sphere)->specular;
+    Color seen = vec3_of(0, 0, 0);
+    if (depth != 0 && ks != 0) {
+        Sphere sphere = scene->spheres[hit.sphere];
+        vec3 point = ray.origin + hit.t * ray.direction;
+        vec3 normal = facing(surface_normal(sphere, point), ray.direction);
+        vec3 direction = mirror_direction(vec3_unit(ray.direction), normal);
+        Ray mirrored = {point + 0x1p-28 * size_of(sphere) * normal, direction};
+        seen = from_the_last_mirror_back(scene, mirrored, depth - 1);
+    }
+    return ks * seen + shade(scene, ray, hit);
+}
+
+static const Color black = {0, 0, 0};
+
+// ---- directions of light ------------------------------------------------------------------------
+
+// The gradient of |p - c|^2, whose length is twice the radius.
+static vec3 gradient(Sphere sphere, vec3 point)
+{
+    vec3 gradient = {0};
+    for (int i = 0; i < 3; i++)
+        gradient[i] = 2 * (point[i] - sphere.center[i]);
+    return vec3_unit(gradient);
+}
+
+// ---- highlights ---------------------------------------------------------------------------------
+
+static Color phong_by_the_formula(double ks, double shine, Color light, vec3 n, vec3 to_light,
+                                  vec3 to_eye)
+{
+    vec3 l = vec3_unit(to_light), e = vec3_unit(to_eye);
+    vec3 r = 2 * vec3_dot(n, l) * n - l;
+    if (vec3_dot(n, l) <= 0)
+        return black;
+    return light * (ks * pow(fmax(0, vec3_dot(r, e)), shine));
+}
+
+static Color halfway_by_the_mean(double ks, double shine, Color light, vec3 n, vec3 l, vec3 e)
+{
+    vec3 halfway = (vec3_unit(l) + vec3_unit(e)) / 2;
+    double cosine = vec3_dot(n, halfway) / vec3_length(halfway);
+    if (vec3_dot(n, l) <= 0)
+        return black;
+    return light * (ks * pow(fmax(0, cosine), shine));
+}
+
+// ---- for a display ------------------------------------------------------------------------------
+
+static double between_0_and_1(double x)
+{
+    return x > 1 ? 1 : x > 0 ? x : 0;
+}
+
+RIGHT_LINE(surface_normal, "divided by the radius", return (point - sphere.center) / sphere.radius)
+
+RIGHT(surface_normal, "inward, and reversed")
+{
+    vec3 inward = sphere.center - point;
+    return -inward / sqrt(vec3_dot(inward, inward));
+}
+
+RIGHT_LINE(surface_normal, "the gradient, normalised", return gradient(sphere, point))
+
+RIGHT(surface_normal, "long double")
+{
+    long double x = point[0] - sphere.center[0], y = point[1] - sphere.center[1];
+    long double z = point[2] - sphere.center[2], length = sqrtl(x * x + y * y + z * z);
+    return vec3_of((double)(x / length), (double)(y / length), (double)(z / length));
+}
+
+RIGHT(ray_to_light, "field by field")
+{
+    Ray ray;
+    bool near = light.kind == LIGHT_POINT;
+    ray.origin = from;
+    ray.direction = vec3_of(0, 0, 0);
+    for (int i = 0; i < 3; i++)
+        ray.direction[i] = near ? light.position[i] - from[i] : light.position[i];
+    return ray;
+}
+
+RIGHT(ray_to_light, "a switch")
+{
+    switch (light.kind) {
+    case LIGHT_POINT:
+        return (Ray){.origin = from, .direction = light.position - from};
+    case LIGHT_DISTANT:
+    default:
+        return (Ray){.origin = from, .direction = light.position};
+    }
+}
+
+RIGHT(ray_to_light, "changed for a point light")
+{
+    Ray ray = {from, light.position};
+    if (light.kind == LIGHT_POINT)
+        ray.direction -= from;
+    return ray;
+}
+
+RIGHT(mirror_direction, "the parts along and across the normal")
+{
+    vec3 along = vec3_dot(direction, normal) * normal, across = direction - along;
+    return across - along;
+}
+
+RIGHT(mirror_direction, "2 (n.-v) n + v")
+{
+    vec3 outward = -direction;
+    return 2 * vec3_dot(outward, normal) * normal - outward;
+}
+
+RIGHT(mirror_direction, "a unit direction, with its length restored")
+{
+    double length = vec3_length(direction);
+    vec3 unit = direction / length;
+    return length * (unit - normal * 2 * vec3_dot(normal, unit));
+}
+
+// Householder's matrix, row by row.
+RIGHT(mirror_direction, "Householder's matrix")
+{
+    vec3 mirrored = direction;
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            mirrored[i] -= 2 * normal[i] * normal[k] * direction[k];
+    return mirrored;
+}
+
+// Rotated by half a turn around the normal, and reversed.
+RIGHT(mirror_direction, "half a turn around the normal, and reversed")
+{
+    vec3 across = vec3_cross(vec3_cross(normal, direction), normal);
+    vec3 turned = vec3_dot(direction, normal) * normal - across;
+    return -turned;
+}
+
+// In a frame on the mirror.
+RIGHT(mirror_direction, "a frame on the mirror")
+{
+    int axis = fabs(normal[0]) < 0.6 ? 0 : fabs(normal[1]) < 0.6 ? 1 : 2;
+    vec3 other = {0};
+    other[axis] = 1;
+    vec3 u = vec3_unit(vec3_cross(normal, other)), w = vec3_cross(normal, u);
+    return vec3_dot(direction, u) * u + vec3_dot(direction, w) * w -
+           vec3_dot(direction, normal) * normal;
+}
+
+RIGHT(ambient_term, "the light times kd first")
+{
+    Color arrives = ambient * kd;
+    return arrives * surface;
+}
+
+RIGHT(ambient_term, "component by component")
+{
+    Color color = {0};
+    for (int i = 0; i < 3; i++)
+        color[i] = surface[i] * ambient[i] * kd;
+    return color;
+}
+
+RIGHT(diffuse_term, "n.l / |l|, component by component")
+{
+    double cosine = vec3_dot(normal, to_light) / vec3_length(to_light);
+    if (cosine <= 0)
+        return black;
+    double share = kd * cosine;
+    return vec3_of(share * surface[0] * light[0], share * surface[1] * light[1],
+                   share * surface[2] * light[2]);
+}
+
+RIGHT(diffuse_term, "the angle, with atan2")
+{
+    double aside = vec3_length(vec3_cross(normal, to_light)), up = vec3_dot(normal, to_light);
+    return up > 0 ? cos(atan2(aside, up)) * kd * surface * light : black;
+}
+
+RIGHT(diffuse_term, "(c + |c|) / 2")
+{
+    double cosine = vec3_dot(normal, vec3_unit(to_light));
+    return kd * (cosine + fabs(cosine)) / 2 * (light * surface);
+}
+
+RIGHT(diffuse_term, "the normal normalised as well")
+{
+    double cosine = vec3_dot(vec3_unit(to_light), vec3_unit(normal));
+    return ambient_term(surface, kd, light) * (cosine > 0 ? cosine : 0);
+}
+
+RIGHT_LINE(phong_term, "2 (n.l) n - l",
+           return phong_by_the_formula(ks, shine, light, normal, to_light, to_eye))
+
+RIGHT(phong_term, "normalised first, then mirrored")
+{
+    vec3 mirrored = mirror_direction(-vec3_unit(to_light), normal);
+    double cosine = vec3_dot(mirrored, to_eye) / sqrt(vec3_dot(to_eye, to_eye));
+    Color color = black;
+    if (cosine > 0)
+        if (vec3_dot(to_light, normal) > 0)
+            color += pow(cosine, shine) * (ks * light);
+    return color;
+}
+
+// Half a turn around the normal takes the light to its mirrored direction.
+RIGHT(phong_term, "half a turn around the normal")
+{
+    vec3 across = to_light - vec3_dot(to_light, normal) * normal, turned = to_light - 2 * across;
+    long double cosine =
+        vec3_dot(turned, to_eye) / sqrtl(vec3_dot(to_light, to_light)) / vec3_length(to_eye);
+    double power = cosine > 0 && vec3_dot(to_light, normal) > 0 ? (double)powl(cosine, shine) : 0;
+    return vec3_of(ks * light[0] * power, ks * light[1] * power, ks * light[2] * power);
+}
+
+// The eye mirrored, and compared with the light.
+RIGHT(phong_term, "the eye mirrored")
+{
+    vec3 mirrored = vec3_unit(mirror_direction(-to_eye, normal));
+    double cosine = vec3_dot(mirrored, vec3_unit(to_light));
+    if (cosine < 0 || vec3_dot(to_light, normal) < 0)
+        return black;
+    return ks * light * pow(cosine, shine);
+}
+
+RIGHT(phong_term, "of three dot products, with logarithms")
+{
+    double low = vec3_dot(normal, to_light), far = vec3_length(to_light) * vec3_length(to_eye);
+    double cosine = (2 * low * vec3_dot(normal, to_eye) - vec3_dot(to_light, to_eye)) / far;
+    return low > 0 && cosine > 0 ? ks * exp(shine * log(cosine)) * light : black;
+}
+
+// An eye behind the surface does not see it.
+RIGHT_LINE(phong_term, "nothing for an eye behind the surface",
+           return vec3_dot(normal, to_eye) <= 0
+                      ? black
+                      : phong_by_the_formula(ks, shine, light, normal, to_light, to_eye))
+RIGHT_LINE(halfway_term, "the mean, divided by its length",
+           return halfway_by_the_mean(ks, shine, light, normal, to_light, to_eye))
+
+// n.(l + e) / |l + e|, of three dot products of unit vectors.
+RIGHT(halfway_term, "of three dot products")
+{
+    to_light = vec3_unit(to_light);
+    to_eye = vec3_unit(to_eye);
+    double length = sqrt(2 + 2 * vec3_dot(to_light, to_eye));
+    double cosine = (vec3_dot(normal, to_light) + vec3_dot(normal, to_eye)) / length;
+    return vec3_dot(normal, to_light) > 0 && cosine > 0 ? ks * light * pow(cosine, shine) : black;
+}
+
+RIGHT(halfway_term, "long double, with logarithms")
+{
+    vec3 h = vec3_unit(to_light) + vec3_unit(to_eye);
+    long double cosine = vec3_dot(normal, h) / sqrtl(vec3_dot(h, h)), share = 0;
+    if (vec3_dot(normal, to_light) > 0 && cosine > 0)
+        share = ks * expl(shine * logl(cosine));
+    for (int i = 0; i < 3; i++)
+        light[i] *= (double)share;
+    return light;
+}
+
+// Each as long as the other.
+RIGHT(halfway_term, "both as long as each other first")
+{
+    vec3 halfway = vec3_unit(vec3_length(to_eye) * to_light + vec3_length(to_light) * to_eye);
+    double cosine = vec3_dot(halfway, normal);
+    bool seen = vec3_dot(to_light, normal) > 0 && cosine > 0;
+    return seen ? ks * exp(shine * log(cosine)) * light : black;
+}
+
+RIGHT_LINE(halfway_term, "nothing for an eye behind the surface",
+           return vec3_dot(normal, to_eye) <= 0
+                      ? black
+                      : halfway_by_the_mean(ks, shine, light, normal, to_light, to_eye))
+
+RIGHT(clamp_color, "conditions")
+{
+    for (int i = 0; i < 3; i++) {
+        if (color[i] < 0)
+            color[i] = 0;
+        else if (color[i] > 1)
+            color[i] = 1;
+    }
+    return color;
+}
+
+RIGHT(clamp_color, "conditions, from above first")
+{
+    Color most = {1, 1, 1};
+    for (int i = 0; i < 3; i++) {
+        color[i] = most[i] < color[i] ? most[i] : color[i];
+        color[i] = color[i] < black[i] ? black[i] : color[i];
+    }
+    return color;
+}
+
+RIGHT_LINE(clamp_color, "a helper function",
+           return vec3_of(between_0_and_1(color[0]), between_0_and_1(color[1]),
+                          between_0_and_1(color[2])))
+
+RIGHT(gamma_encode, "with logarithms")
+{
+    for (int i = 0; i < 3; i++)
+        color[i] = color[i] > 0 ? exp(log(color[i]) / gamma) : 0;
+    return color;
+}
+
+RIGHT(gamma_encode, "logarithms in base 2")
+{
+    for (int i = 0; i < 3; i++)
+        color[i] = color[i] <= 0 ? 0 : exp2(log2(color[i]) / gamma);
+    return color;
+}
+
+RIGHT(gamma_encode, "sqrt and cbrt, else powl")
+{
+    for (int i = 0; i < 3; i++)
+        color[i] = gamma == 1   ? color[i]
+                   : gamma == 2 ? sqrt(color[i])
+                   : gamma == 3 ? cbrt(color[i])
+                                : (double)powl(color[i], 1 / (long double)gamma);
+    return color;
+}
+
+RIGHT(gamma_encode, "clamped first")
+{
+    const double power = 1 / gamma;
+    color = clamp_color(color);
+    for (int i = 2; i >= 0; i--)
+        color[i] = pow(color[i], power);
+    return color;
+}
+
+RIGHT_LINE(off_surface, "1e-9 of the size", return point + 1e-9 * size_of(sphere) * normal)
+RIGHT_LINE(off_surface, "as little as the contract allows",
+           return point + 0x1p-32 * size_of(sphere) * normal)
+RIGHT_LINE(off_surface, "as far as the contract allows",
+           return point + 0x1p-28 * size_of(sphere) * normal)
+// At most the square root of 3 times the size.
+RIGHT_LINE(off_surface, "the length of the centre instead of its largest coordinate",
+           return point + 1e-9 * (sphere.radius + vec3_length(sphere.center)) * normal)
+
+RIGHT(off_surface, "coordinate by coordinate")
+{
+    double size = 0;
+    for (int i = 0; i < 3; i++)
+        if (fabs(sphere.center[i]) > size)
+            size = fabs(sphere.center[i]);
+    size += sphere.radius;
+    for (int i = 0; i < 3; i++)
+        point[i] += ldexp(size, -29) * normal[i];
+    return point;
+}
+
+RIGHT(visibility, "with nearest_hit")
+{
+    Hit hit = nearest_hit(ray_to_light(from, light), scene);
+    if (light.kind == LIGHT_DISTANT)
+        return hit.sphere < 0;
+    return hit.t >= 1;
+}
+
+RIGHT(visibility, "unit directions and lengths")
+{
+    vec3 way = light.kind == LIGHT_DISTANT ? light.position : light.position - from;
+    Ray ray = {from, vec3_unit(way)};
+    double most = light.kind == LIGHT_DISTANT ? INFINITY : vec3_length(way), visible = 1;
+    for (int i = 0; i < scene->sphere_count; i++)
+        visible *= hit_sphere(ray, scene->spheres[i]) < most ? 0 : 1;
+    return visible;
+}
+
+// The distance of each centre from the way; or one end inside, the other not.
+RIGHT(visibility, "the distance of each centre from the way")
+{
+    vec3 way = ray_to_light(from, light).direction;
+    for (const Sphere *s = scene->spheres; s < scene->spheres + scene->sphere_count; s++) {
+        vec3 center = s->center - from;
+        double foot = vec3_dot(center, way) / vec3_dot(way, way), r = s->radius;
+        bool point = light.kind == LIGHT_POINT, inside = vec3_length(center) < r;
+        bool light_inside = point && vec3_length(center - way) < r;
+        if (inside != light_inside)
+            return 0;
+        if (!inside && foot > 0 && (!point || foot < 1) && vec3_length(center - foot * way) < r)
+            return 0;
+    }
+    return 1;
+}
+
+RIGHT(visibility, "recursion")
+{
+    double reach = light.kind == LIGHT_POINT ? 1 : NO_HIT;
+    return of_first(scene, scene->sphere_count, ray_to_light(from, light), reach);
+}
+
+RIGHT(visibility, "the number of spheres that hide it")
+{
+    int hiding = 0;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        double t = hit_sphere(ray_to_light(from, light), scene->spheres[i]);
+        if (t == NO_HIT)
+            continue;
+        if (light.kind == LIGHT_DISTANT || t < 1)
+            hiding++;
+    }
+    return hiding == 0;
+}
+
+RIGHT(visibility, "the nearest, in long double")
+{
+    Ray ray = ray_to_light(from, light);
+    long double length = sqrtl(vec3_dot(ray.direction, ray.direction)), nearest = HUGE_VALL;
+    for (int i = scene->sphere_count - 1; i >= 0; i--)
+        nearest = fminl(nearest, hit_sphere(ray, scene->spheres[i]) * length);
+    return light.kind == LIGHT_POINT ? nearest >= length : isinf(nearest);
+}
+
+RIGHT(shade, "recursion over the lights")
+{
+    Sphere sphere = scene->spheres[hit.sphere];
+    vec3 point = ray.origin + hit.t * ray.direction;
+    vec3 normal = facing(surface_normal(sphere, point), ray.direction);
+    Lit lit = {scene,  scene_surface(scene, hit.sphere),   point,
+               normal, off_surface(sphere, point, normal), -vec3_unit(ray.direction)};
+    return of_lights(&lit, 0);
+}
+
+// Each of the three numbers by itself, in long double.
+RIGHT(shade, "colour by colour, in long double")
+{
+    Sphere sphere = scene->spheres[hit.sphere];
+    const Surface *s = scene_surface(scene, hit.sphere);
+    vec3 point = ray.origin + hit.t * ray.direction, color;
+    vec3 normal = facing((point - sphere.center) / sphere.radius, ray.direction);
+    vec3 eye = vec3_unit(-ray.direction);
+    for (int c = 0; c < 3; c++) {
+        long double sum = (long double)s->diffuse * s->color[c] * scene->ambient[c];
+        for (int i = 0; i < scene->light_count; i++) {
+            const Light *light = &scene->lights[i];
+            vec3 l = vec3_unit(ray_to_light(point, *light).direction);
+            long double low = vec3_dot(normal, l);
+            long double high = 2 * low * vec3_dot(normal, eye) - vec3_dot(l, eye);
+            if (low <= 0 || visibility(scene, off_surface(sphere, point, normal), *light) == 0)
+                continue;
+            sum += s->diffuse * low * s->color[c] * light->color[c];
+            if (high > 0)
+                sum += s->specular * powl(high, s->shine) * light->color[c];
+        }
+        color[c] = (double)sum;
+    }
+    color[3] = 0;
+    return color;
+}
+
+RIGHT(shade, "sums of their own, lights backward")
+{
+    const Sphere *sphere = &scene->spheres[hit.sphere];
+    const Surface *s = &scene->surfaces[sphere->surface];
+    vec3 point = ray.origin + hit.t * ray.direction, outward = (point - sphere->center);
+    vec3 normal = facing(outward / sphere->radius, ray.direction);
+    Color diffuse = vec3_of(0, 0, 0), specular = diffuse;
+    for (int i = scene->light_count; i-- > 0;) {
+        const Light *light = &scene->lights[i];
+        if (visibility(scene, off_surface(*sphere, point, normal), *light) == 0)
+            continue;
+        vec3 to_light = ray_to_light(point, *light).direction;
+        diffuse += diffuse_term(s->color, s->diffuse, light->color, normal, to_light);
+        specular +=
+            phong_term(s->specular, s->shine, light->color, normal, to_light, ray.origin - point);
+    }
+    return specular + (diffuse + ambient_term(s->color, s->diffuse, scene->ambient));
+}
+
+// All from the point that was moved, and all formulas in place.
+RIGHT(shade, "all formulas in place")
+{
+    Sphere sphere = scene->spheres[hit.sphere];
+    Surface s = *scene_surface(scene, hit.sphere);
+    vec3 eye = -vec3_unit(ray.direction), point = ray.origin + hit.t * ray.direction;
+    vec3 normal = vec3_unit(point - sphere.center);
+    if (vec3_dot(normal, eye) < 0)
+        normal = -normal;
+    vec3 start = point + 1e-9 * size_of(sphere) * normal;
+    Color sum = s.diffuse * s.color * scene->ambient;
+    for (int i = 0; i < scene->light_count; i++) {
+        vec3 l = vec3_unit(ray_to_light(point, scene->lights[i]).direction);
+        double cosine = vec3_dot(normal, l), shines = vec3_dot(2 * cosine * normal - l, eye);
+        if (cosine <= 0 || visibility(scene, start, scene->lights[i]) < 0.5)
+            continue;
+        double highlight = shines > 0 ? s.specular * pow(shines, s.shine) : 0;
+        sum += (s.diffuse * cosine * s.color + highlight) * scene->lights[i].color;
+    }
+    return sum;
+}
+
+RIGHT_LINE(trace_ray, "unit directions, as far off as allowed",
+           return from_the_last_mirror_back(scene, ray, depth))
+
+// The rays first, and their colours from the last one back.
+RIGHT(trace_ray, "a stack of colours")
+{
+    enum { MOST = 256 };
+    Color own[MOST], color = scene->background;
+    double ks[MOST];
+    int count = 0;
+    for (bool on = true; on && count < MOST; depth--) {
+        Hit hit = nearest_hit(ray, scene);
+        on = hit.sphere >= 0;
+        if (!on)
+            break;
+        const Surface *surface = scene_surface(scene, hit.sphere);
+        own[count] = shade(scene, ray, hit);
+        on = depth > 0 && surface->specular > 0;
+        ks[count++] = on ? surface->specular : 0;
+        Sphere sphere = scene->spheres[hit.sphere];
+        vec3 point = ray.origin + hit.t * ray.direction, normal = surface_normal(sphere, point);
+        if (vec3_dot(normal, ray.direction) > 0)
+            normal *= -1;
+        ray = (Ray){off_surface(sphere, point, normal), mirror_direction(ray.direction, normal)};
+    }
+    while (count-- > 0)
+        color = ks[count] > 0 ? own[count] + ks[count] * color : own[count];
+    return color;
+}
+
+RIGHT(trace_ray, "a loop, as little off as allowed")
+{
+    Color sum = vec3_of(0, 0, 0);
+    for (double share = 1; share != 0 && depth >= 0; depth--) {
+        Hit hit = nearest_hit(ray, scene);
+        if (hit.sphere == -1)
+            return sum + share * scene->background;
+        sum += share * shade(scene, ray, hit);
+        Sphere sphere = scene->spheres[hit.sphere];
+        vec3 point = ray.origin + hit.t * ray.direction;
+        vec3 normal = facing(surface_normal(sphere, point), ray.direction);
+        ray.direction = mirror_direction(ray.direction, normal);
+        ray.origin = point + 0x1p-32 * size_of(sphere) * normal;
+        share *= scene_surface(scene, hit.sphere)->specular;
+    }
+    return sum;
+}

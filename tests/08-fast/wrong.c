@@ -1,0 +1,466 @@
+// wrong.c - wrong answers to exercise 08.
+#include "exercises/03-screen.h"
+#include "exercises/08-fast.h"
+
+#include "tests/judge/known.h"
+
+#include <math.h>
+
+// ---- the right way, with places to go wrong -----------------------------------------------------
+
+// Places on a plane at distance 1: to the right, and up.
+typedef struct {
+    double left, right, low, high;
+} Outline;
+
+typedef struct {
+    double right, up, ahead, r;
+} View;
+
+static View view_of(Camera camera, Sphere sphere)
+{
+    vec3 c = sphere.center - camera.origin;
+    return (View){vec3_dot(c, camera.right), vec3_dot(c, camera.up), vec3_dot(c, camera.forward),
+                  sphere.radius};
+}
+
+static Outline outline_of(View v)
+{
+    double g = v.ahead * v.ahead - v.r * v.r;
+    double x = v.r * sqrt(v.right * v.right + g), y = v.r * sqrt(v.up * v.up + g);
+    return (Outline){(v.ahead * v.right - x) / g, (v.ahead * v.right + x) / g,
+                     (v.ahead * v.up - y) / g, (v.ahead * v.up + y) / g};
+}
+
+static const ScreenRectangle nothing = {0, 0, 0, 0};
+
+static ScreenRectangle whole(Resolution screen)
+{
+    return (ScreenRectangle){0, screen.width, 0, screen.height};
+}
+
+// On the screen, not cut off.
+static ScreenRectangle on_screen(Camera c, Resolution screen, Outline o)
+{
+    double x = screen.width * c.distance / c.width, y = screen.height * c.distance / c.height;
+    return (ScreenRectangle){screen.width / 2.0 + x * o.left, screen.width / 2.0 + x * o.right,
+                             screen.height / 2.0 - y * o.high, screen.height / 2.0 - y * o.low};
+}
+
+static double limited(double x, double most)
+{
+    return x < 0 ? 0 : x > most ? most : x;
+}
+
+static ScreenRectangle cut_off(ScreenRectangle s, Resolution screen)
+{
+    if (s.right <= 0 || s.left >= screen.width || s.bottom <= 0 || s.top >= screen.height)
+        return nothing;
+    return (ScreenRectangle){limited(s.left, screen.width), limited(s.right, screen.width),
+                             limited(s.top, screen.height), limited(s.bottom, screen.height)};
+}
+
+// All of it except the outline, which the mistake computes.
+static ScreenRectangle with_outline(Camera c, Resolution screen, Sphere sphere,
+                                    Outline (*outline)(View))
+{
+    View v = view_of(c, sphere);
+    if (v.ahead <= -v.r)
+        return nothing;
+    return v.ahead <= v.r ? whole(screen) : cut_off(on_screen(c, screen, outline(v)), screen);
+}
+
+// All of it with another view.
+static ScreenRectangle with_view(Camera c, Resolution screen, View v)
+{
+    if (v.ahead <= -v.r)
+        return nothing;
+    return v.ahead <= v.r ? whole(screen) : cut_off(on_screen(c, screen, outline_of(v)), screen);
+}
+
+#define OUTLINE_MISTAKE(id, formula, why, picture, outline)                                        \
+    WRONG(sphere_rectangle, id, formula, why, picture)                                             \
+    {                                                                                              \
+        return with_outline(camera, screen, sphere, outline);                                      \
+    }
+
+// ---- the tangents -------------------------------------------------------------------------------
+
+static Outline outline_radius_over_ahead(View v)
+{
+    double x = v.right / v.ahead, y = v.up / v.ahead, r = v.r / v.ahead;
+    return (Outline){x - r, x + r, y - r, y + r};
+}
+
+static Outline outline_box(View v)
+{
+    double near = v.ahead - v.r, far = v.ahead + v.r;
+    double l = v.right - v.r, r = v.right + v.r, b = v.up - v.r, t = v.up + v.r;
+    return (Outline){fmin(l / near, l / far), fmax(r / near, r / far), fmin(b / near, b / far),
+                     fmax(t / near, t / far)};
+}
+
+static Outline outline_near_side(View v)
+{
+    double near = v.ahead - v.r;
+    return (Outline){(v.right - v.r) / near, (v.right + v.r) / near, (v.up - v.r) / near,
+                     (v.up + v.r) / near};
+}
+
+static Outline outline_symmetric(View v)
+{
+    double x = v.right / v.ahead, y = v.up / v.ahead, g = v.ahead * v.ahead - v.r * v.r;
+    double half_x = v.r * sqrt(v.right * v.right + g) / g, half_y = v.r * sqrt(v.up * v.up + g) / g;
+    return (Outline){x - half_x, x + half_x, y - half_y, y + half_y};
+}
+
+static Outline outline_without_r(View v)
+{
+    double g = v.ahead * v.ahead - v.r * v.r;
+    double x = v.r * hypot(v.right, v.ahead), y = v.r * hypot(v.up, v.ahead);
+    return (Outline){(v.ahead * v.right - x) / g, (v.ahead * v.right + x) / g,
+                     (v.ahead * v.up - y) / g, (v.ahead * v.up + y) / g};
+}
+
+static Outline outline_g_plus(View v)
+{
+    double g = v.ahead * v.ahead + v.r * v.r;
+    double x = v.r * sqrt(v.right * v.right + g), y = v.r * sqrt(v.up * v.up + g);
+    return (Outline){(v.ahead * v.right - x) / g, (v.ahead * v.right + x) / g,
+                     (v.ahead * v.up - y) / g, (v.ahead * v.up + y) / g};
+}
+
+static Outline outline_over_ahead_squared(View v)
+{
+    Outline o = outline_of(v);
+    double g = (v.ahead * v.ahead - v.r * v.r) / (v.ahead * v.ahead);
+    return (Outline){o.left * g, o.right * g, o.low * g, o.high * g};
+}
+
+static Outline outline_not_divided(View v)
+{
+    Outline o = outline_of(v);
+    double g = v.ahead * v.ahead - v.r * v.r;
+    return (Outline){o.left * g, o.right * g, o.low * g, o.high * g};
+}
+
+static Outline outline_half(View v)
+{
+    Outline o = outline_of(v);
+    return (Outline){o.left / 2, o.right / 2, o.low / 2, o.high / 2};
+}
+
+static Outline outline_sign_of_b(View v)
+{
+    Outline o = outline_of(v);
+    return (Outline){-o.right, -o.left, -o.high, -o.low};
+}
+
+static Outline outline_diameter(View v)
+{
+    v.r *= 2;
+    return v.ahead > v.r ? outline_of(v) : (Outline){-INFINITY, INFINITY, -INFINITY, INFINITY};
+}
+
+static Outline outline_r_not_squared(View v)
+{
+    double g = v.ahead * v.ahead - v.r;
+    double x = v.r * sqrt(fmax(v.right * v.right + g, 0));
+    double y = v.r * sqrt(fmax(v.up * v.up + g, 0));
+    return (Outline){(v.ahead * v.right - x) / g, (v.ahead * v.right + x) / g,
+                     (v.ahead * v.up - y) / g, (v.ahead * v.up + y) / g};
+}
+
+// Angles in space, where each axis has an angle of its own.
+static Outline outline_space_angle(View v)
+{
+    double around = asin(v.r / sqrt(v.right * v.right + v.up * v.up + v.ahead * v.ahead));
+    double x = atan2(v.right, v.ahead), y = atan2(v.up, v.ahead);
+    return (Outline){tan(x - around), tan(x + around), tan(y - around), tan(y + around)};
+}
+
+static Outline outline_atan(View v)
+{
+    double across = atan(v.r / hypot(v.right, v.ahead)), up = atan(v.r / hypot(v.up, v.ahead));
+    double x = atan2(v.right, v.ahead), y = atan2(v.up, v.ahead);
+    return (Outline){tan(x - across), tan(x + across), tan(y - up), tan(y + up)};
+}
+
+static Outline outline_angles(View v)
+{
+    Outline o = outline_of(v);
+    return (Outline){atan(o.left), atan(o.right), atan(o.low), atan(o.high)};
+}
+
+// ---- the camera and the screen ------------------------------------------------------------------
+
+static ScreenRectangle right_of(Camera c, Resolution screen, Sphere sphere)
+{
+    return with_view(c, screen, view_of(c, sphere));
+}
+
+// ---- the cases ----------------------------------------------------------------------------------
+
+static ScreenRectangle not_cut_off(Camera c, Resolution screen, Sphere sphere)
+{
+    View v = view_of(c, sphere);
+    if (v.ahead <= -v.r)
+        return nothing;
+    return v.ahead <= v.r ? whole(screen) : on_screen(c, screen, outline_of(v));
+}
+
+OUTLINE_MISTAKE("R-flat", "x/z - r/z, x/z + r/z",
+                "the tangents touch the sphere nearer to the eye than its centre is, so the "
+                "outline is larger than a disc at the centre.",
+                "spheres whose edges are cut off, most of all near the eye",
+                outline_radius_over_ahead)
+OUTLINE_MISTAKE(
+    "R-box", "(x -+ r) / (z -+ r)",
+    "this is the rectangle of a cube around the sphere. The sphere does not reach its corners.",
+    "the right picture, but too many pixels are tested", outline_box)
+OUTLINE_MISTAKE("R-near", "(x -+ r) / (z - r)",
+                "only one point of the sphere is as near as z - r, and it is not on the outline.",
+                "large spheres are tested too often, and spheres at the side are cut off",
+                outline_near_side)
+OUTLINE_MISTAKE(
+    "R-middle", "x/z -+ r sqrt(x^2 + g) / g",
+    "the middle between the two tangents is x z / g. The centre of the sphere is at x / z.",
+    "spheres at the side are cut off on their outer side", outline_symmetric)
+OUTLINE_MISTAKE("R-root", "r sqrt(x^2 + z^2)",
+                "under the root is x^2 + z^2 - r^2, the square of the length of the tangent.",
+                "the right picture, but too many pixels are tested", outline_without_r)
+OUTLINE_MISTAKE("R-plus", "g = z^2 + r^2", "g is z^2 - r^2.", "spheres whose edges are cut off",
+                outline_g_plus)
+OUTLINE_MISTAKE("R-z2", "/ z^2 instead of / g",
+                "the quadratic begins with g m^2, so its roots are divided by g = z^2 - r^2.",
+                "spheres whose edges are cut off", outline_over_ahead_squared)
+OUTLINE_MISTAKE("R-divide", "x z -+ r sqrt(x^2 + g)",
+                "the roots of the quadratic are divided by its first coefficient, g.",
+                "nearly every sphere covers the whole screen", outline_not_divided)
+OUTLINE_MISTAKE(
+    "R-half", "/ (2 g)",
+    "the 2 of 2 x z m and the 2 of the formula cancel. Divided by 2 g, everything is halved.",
+    "only a part of each sphere, towards the middle of the picture", outline_half)
+OUTLINE_MISTAKE("R-sign", "-x z -+ r sqrt(x^2 + g)",
+                "the linear coefficient is -2 x z, and the formula has -b, so x z is positive.",
+                "only spheres in the middle, because the rectangles are on the opposite side",
+                outline_sign_of_b)
+OUTLINE_MISTAKE("R-diameter", "2 r instead of r",
+                "the radius is the distance from the centre to the surface.",
+                "the right picture, but four times as many pixels are tested", outline_diameter)
+OUTLINE_MISTAKE("R-square", "g = z^2 - r", "the radius is squared: r^2.",
+                "right if the radius is 1; if not, cut off or too large", outline_r_not_squared)
+OUTLINE_MISTAKE("R-space", "asin(r / |c|)",
+                "in this direction only x and z count. |c| includes how far up the sphere is.",
+                "spheres near the corners are cut off", outline_space_angle)
+OUTLINE_MISTAKE("R-atan", "atan(r / sqrt(x^2 + z^2))",
+                "eye, centre and the point that the tangent touches are a triangle with the right "
+                "angle at that point, so the ratio of r and the distance is a sine.",
+                "spheres whose edges are cut off", outline_atan)
+OUTLINE_MISTAKE(
+    "R-angles", "atan(m) instead of m",
+    "places on the plane are proportional to the tangent of the angle, not to the angle.",
+    "spheres near the edges of the picture are cut off", outline_angles)
+
+WRONG(sphere_rectangle, "R-world", "x, y, z of the world",
+      "to the side, up and ahead are measured along the camera's right, up and forward.",
+      "right until the camera turns")
+{
+    vec3 to = sphere.center - camera.origin;
+    return with_view(camera, screen, (View){to[0], to[1], to[2], sphere.radius});
+}
+
+// The rectangle of another view.
+#define WITH_VIEW(id, formula, why, picture, ...)                                                  \
+    WRONG(sphere_rectangle, id, formula, why, picture)                                             \
+    {                                                                                              \
+        __VA_ARGS__;                                                                               \
+        return with_view(camera, screen, view_of(camera, sphere));                                 \
+    }
+
+WITH_VIEW("R-eye", "c instead of c - p",
+          "the eye is not at the origin of the world. Seen from the eye, the centre is at c - p.",
+          "rectangles beside their spheres, so parts of the spheres are missing",
+          camera.origin = vec3_of(0, 0, 0))
+WITH_VIEW("R-back", "p - c instead of c - p",
+          "the vector from the eye to the centre is c - p. This one has the opposite direction.",
+          "nothing, because each sphere in front is now behind the eye",
+          sphere.center = 2 * camera.origin - sphere.center)
+
+// From the right view.
+#define OF_VIEW(id, formula, why, picture, ...)                                                    \
+    WRONG(sphere_rectangle, id, formula, why, picture)                                             \
+    {                                                                                              \
+        View v = view_of(camera, sphere);                                                          \
+        __VA_ARGS__;                                                                               \
+    }
+
+OF_VIEW("R-plane", "z - d instead of z",
+        "ahead is measured from the eye, not from the image plane.",
+        "spheres near the plane cover the whole screen, and others are tested too often",
+        v.ahead -= camera.distance;
+        return with_view(camera, screen, v))
+
+WRONG(sphere_rectangle, "R-far", "|c| instead of z",
+      "the distance ahead is measured along forward. |c| is the distance to the centre.",
+      "spheres at the side are cut off")
+{
+    View v = view_of(camera, sphere);
+    if (v.ahead <= -v.r)
+        return nothing;
+    if (v.ahead <= v.r)
+        return whole(screen);
+    v.ahead = sqrt(v.right * v.right + v.up * v.up + v.ahead * v.ahead);
+    return cut_off(on_screen(camera, screen, outline_of(v)), screen);
+}
+
+WITH_VIEW("R-distance", "m instead of d m",
+          "m is the distance to the side for each 1 ahead, and the image plane is d ahead.",
+          "right if d = 1; if not, each sphere is cut off", camera.distance = 1)
+WITH_VIEW("R-narrow", "w/2 instead of w, h/2 instead of h",
+          "the whole width of the plane is the whole width of the screen.",
+          "rectangles of twice the size, moved away from the middle", camera.width /= 2;
+          camera.height /= 2)
+WITH_VIEW("R-width", "w instead of h", "up is measured in heights of the plane, not in widths.",
+          "right for a square plane; for others, spheres are cut off at the top or at the bottom",
+          camera.height = camera.width)
+WITH_VIEW("R-aspect", "h = w H/W",
+          "the camera gives the height of its plane. Pixels need not be square.",
+          "right if they are square; if not, cut off or too large",
+          camera.height = camera.width * screen.height / screen.width)
+WITH_VIEW("R-upside", "H/2 + y instead of H/2 - y",
+          "y of the screen counts down, and up counts up.",
+          "only spheres at half the height, because the rectangles are upside down",
+          camera.up = -camera.up)
+WITH_VIEW("R-mirror", "W/2 - x instead of W/2 + x",
+          "x of the screen and right of the camera both grow to the right.",
+          "only spheres in the middle, because left and right are swapped",
+          camera.right = -camera.right)
+
+// From the right rectangle.
+#define OF_RECTANGLE(id, formula, why, picture, ...)                                               \
+    WRONG(sphere_rectangle, id, formula, why, picture)                                             \
+    {                                                                                              \
+        ScreenRectangle s = right_of(camera, screen, sphere);                                      \
+        __VA_ARGS__;                                                                               \
+    }
+
+OF_RECTANGLE("R-order", "top > bottom",
+             "the higher tangent is the top, and the top has the smaller y.",
+             "nothing: the loop over the rows ends before it begins",
+             return (ScreenRectangle){s.left, s.right, s.bottom, s.top})
+OF_RECTANGLE("R-below", "H - y", "y starts at the top of the screen.",
+             "nothing: the loop over the rows ends before it begins",
+             return (ScreenRectangle){s.left, s.right, screen.height - s.top,
+                                      screen.height - s.bottom})
+OF_RECTANGLE("R-normal", "s, t instead of x, y",
+             "these are shares of the screen, from 0 to 1. Screen points are in pixels.",
+             "one pixel in the upper left corner",
+             return (ScreenRectangle){s.left / screen.width, s.right / screen.width,
+                                      s.top / screen.height, s.bottom / screen.height})
+
+WRONG(sphere_rectangle, "R-corner", "x instead of W/2 + x",
+      "the origin of the screen is its upper left corner, and m = 0 is its middle.",
+      "the upper left quarter of what there should be")
+{
+    View v = view_of(camera, sphere);
+    if (v.ahead <= -v.r)
+        return nothing;
+    if (v.ahead <= v.r)
+        return whole(screen);
+    ScreenRectangle s = on_screen(camera, screen, outline_of(v));
+    double x = screen.width / 2.0, y = screen.height / 2.0;
+    return cut_off((ScreenRectangle){s.left - x, s.right - x, s.top - y, s.bottom - y}, screen);
+}
+
+WRONG(sphere_rectangle, "R-pixel", "x - 0.5, y - 0.5",
+      "screen points are continuous: the first pixel reaches from 0 to 1.",
+      "the last column and row of a sphere are missing here and there")
+{
+    View v = view_of(camera, sphere);
+    if (v.ahead <= -v.r)
+        return nothing;
+    if (v.ahead <= v.r)
+        return whole(screen);
+    ScreenRectangle s = on_screen(camera, screen, outline_of(v));
+    return cut_off((ScreenRectangle){s.left - 0.5, s.right - 0.5, s.top - 0.5, s.bottom - 0.5},
+                   screen);
+}
+
+OF_RECTANGLE("R-whole", "floor, ceil", "the rectangle is exact. Rounding to pixels comes after it.",
+             "the right picture",
+             return (ScreenRectangle){floor(s.left), ceil(s.right), floor(s.top), ceil(s.bottom)})
+OF_RECTANGLE("R-floor", "(int)", "the rectangle is exact, so its parts are not whole numbers.",
+             "the last column and row of each sphere are missing",
+             return (ScreenRectangle){floor(s.left), floor(s.right), floor(s.top), floor(s.bottom)})
+
+WRONG_BY(not_cut_off, sphere_rectangle, "R-cut", "not cut off",
+         "outside of the screen there are no pixels, so the rectangle ends at the screen's edges.",
+         "the program ends when it colours a pixel outside of the image")
+
+WRONG(sphere_rectangle, "R-strip", "limits alone",
+      "a sphere beside the screen keeps an empty strip at its edge. Test first whether the two "
+      "overlap.",
+      "the right picture")
+{
+    ScreenRectangle s = not_cut_off(camera, screen, sphere);
+    return (ScreenRectangle){limited(s.left, screen.width), limited(s.right, screen.width),
+                             limited(s.top, screen.height), limited(s.bottom, screen.height)};
+}
+
+OF_RECTANGLE("R-last", "W - 1, H - 1",
+             "the screen goes from 0 to W. W - 1 is where its last pixel begins.",
+             "the last column and the last row are missing",
+             return (ScreenRectangle){
+                 fmin(s.left, screen.width - 1), fmin(s.right, screen.width - 1),
+                 fmin(s.top, screen.height - 1), fmin(s.bottom, screen.height - 1)})
+
+WRONG(sphere_rectangle, "R-leave", "nothing beyond an edge",
+      "a sphere that is partly outside of the screen is partly seen.",
+      "spheres at the edges of the picture are missing")
+{
+    ScreenRectangle s = not_cut_off(camera, screen, sphere);
+    bool inside = s.left >= 0 && s.right <= screen.width && s.top >= 0 && s.bottom <= screen.height;
+    return inside ? s : nothing;
+}
+
+WRONG(sphere_rectangle, "R-behind", "no case for z <= -r",
+      "the lines go on behind the eye, and the formula does not know that. Test z first.",
+      "the right picture, but spheres behind the eye are tested as well")
+{
+    View v = view_of(camera, sphere);
+    if (fabs(v.ahead) <= v.r)
+        return whole(screen);
+    return cut_off(on_screen(camera, screen, outline_of(v)), screen);
+}
+
+OF_VIEW("R-behind-all", "the whole screen for z <= -r",
+        "a sphere that is completely behind the eye is not visible.",
+        "the right picture, but spheres behind the eye are tested as well",
+        return v.ahead <= v.r ? whole(screen) : right_of(camera, screen, sphere))
+
+WRONG_LINE(sphere_rectangle, "R-centre", "nothing for z <= 0",
+           "a sphere whose centre is behind the eye may reach in front of it. Compare z with -r.",
+           "no sphere around the eye as soon as its centre is behind the eye",
+           return view_of(camera, sphere).ahead <= 0 ? nothing : right_of(camera, screen, sphere))
+
+OF_VIEW("R-inside", "nothing for z <= r", "from inside a sphere every ray hits it.",
+        "no sphere around the eye or beside it",
+        return v.ahead <= v.r ? nothing : right_of(camera, screen, sphere))
+
+WRONG(sphere_rectangle, "R-beside", "nothing beside the eye",
+      "a sphere beside the eye that reaches ahead can be seen.", "no sphere beside the eye")
+{
+    vec3 to = sphere.center - camera.origin;
+    bool beside = vec3_length(to) > sphere.radius && vec3_dot(to, camera.forward) <= sphere.radius;
+    return beside ? nothing : right_of(camera, screen, sphere);
+}
+
+OF_VIEW("R-hither", "nothing nearer than z = d",
+        "rays start at the eye, and the image plane does not stop them.",
+        "no sphere between the eye and the plane",
+        return v.ahead + v.r <= camera.distance ? nothing : right_of(camera, screen, sphere))
+
+WRONG_LINE(sphere_rectangle, "R-all", "0, W, 0, H",
+           "this tests every pixel for every sphere. A sphere covers less.",
+           "the right picture, as slow as before", return whole(screen))

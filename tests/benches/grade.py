@@ -1,0 +1,65 @@
+"""grade.py - how many submissions a minute make grade marks, and what each step takes of them.
+
+Usage: grade.py KIT [COUNT], where make builds the kit. The class has COUNT (200) submissions of all chapters, no two the
+same: two thirds of the files are right, the others have a sign or a number changed, or are blank, as half a class's are.
+"""
+import json
+import os
+import random
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+
+def slipped(text, chance):
+    """One sign or number of one answer is another."""
+    start, end = chance.choice([match.span(1) for match in re.finditer(r"// BEGIN SOLUTION\n(.*?)// END SOLUTION", text, re.S)])
+    places = list(re.finditer(r"(?<= )[-+*](?= )|\b[0-9]+(?:\.[0-9]+)?\b", text[start:end]))
+    if not places:
+        return text
+    place = chance.choice(places)
+    new = {"-": "+", "+": "-", "*": "+"}.get(place[0]) or f"{float(place[0]) + 1:g}"
+    return text[:start + place.start()] + new + text[start + place.end():]
+
+
+def write_class(folder, count):
+    chance = random.Random(2015)
+    for number in range(count):
+        submission = folder / f"student-{number:04d}"
+        submission.mkdir(parents=True)
+        for path in sorted(Path("solutions").glob("*.c")):
+            text, kind = path.read_text(), chance.random()
+            if kind > 0.9:
+                text = Path("build/blanks", path.name).read_text()
+            elif kind > 0.67:
+                text = slipped(text, chance)
+            (submission / path.name).write_text(f"// {number}: {path.stem}\n{text}")
+
+
+def report(records, seconds):
+    files = sum(stem["file"] != "" for record in records for stem in record["stems"])
+    print(f"{len(records)} submissions, {files} files, {seconds:.1f} s on {len(os.sched_getaffinity(0))} processors, "
+          f"sandbox: {records[0]['sandbox']}")
+    print(f"  {60 * len(records) / seconds:.0f} submissions a minute")
+    each = {step: sum(record["steps"][step] for record in records) / len(records) for step in records[0]["steps"]}
+    each["the rest"] = sum(record["seconds"] for record in records) / len(records) - sum(each.values())
+    for step, mean in each.items():
+        print(f"  {step:9} {1000 * mean:6.1f} ms of each")
+
+
+def main(kit, count="200"):
+    with tempfile.TemporaryDirectory() as folder:
+        students, out = Path(folder, "class"), Path(folder, "out")
+        write_class(students, int(count))
+        began = time.monotonic()
+        done = subprocess.run([sys.executable, "-B", "tests/grade", kit, students, "--out", out], capture_output=True, text=True)
+        if done.returncode != 0:
+            sys.exit(done.stdout + done.stderr)
+        seconds = time.monotonic() - began
+        report([json.loads(path.read_text())["extra_data"]["record"] for path in out.glob("*/results.json")], seconds)
+
+
+main(*sys.argv[1:])

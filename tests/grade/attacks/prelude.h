@@ -1,0 +1,33 @@
+// prelude.h - inserted before each attack, after the contract of its exercise (cases.py).
+#include "common/answers.h"
+#include "common/failed_check.h"
+
+#include <fcntl.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/time.h>
+#include <time.h>
+#include <unistd.h>
+
+@WIRE@
+extern char __bss_start[], _end[];
+
+// Searches memory from *at on for a message of the judge.
+static inline bool find_call(char **at, WireHeader *found)
+{
+    for (; *at + sizeof *found < _end; *at += 8) {
+        memcpy(found, *at, sizeof *found);
+        if (found->magic == WIRE_MAGIC)
+            return true;
+    }
+    return false;
+}

@@ -1,1 +1,0 @@
-"""check - the tests of the grader. run_tests.py runs them."""

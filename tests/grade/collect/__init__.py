@@ -1,1 +1,0 @@
-"""collect - what is a submission, and the answers that are found in it."""

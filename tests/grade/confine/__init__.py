@@ -1,1 +1,0 @@
-"""confine - the sandbox between hostile code and this machine: the programs in C, and their callers."""

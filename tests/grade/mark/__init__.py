@@ -1,1 +1,0 @@
-"""mark - from a submission's texts to its record. __main__.py of grade starts it."""

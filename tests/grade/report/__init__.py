@@ -1,1 +1,0 @@
-"""report - everything that is written of marked submissions."""

@@ -1,0 +1,183 @@
+"""formats.py - the reports that programs read: grades.csv, junit.xml, grades.tap, and Gradescope's results.json."""
+import csv
+import io
+import json
+import re
+import xml.etree.ElementTree as ElementTree
+
+from grade.collect.answers import UNREADABLE
+from grade.visible import number
+from .figures import stems_of
+from .points import UNSAFE, any_unsafe, clean, clean_class, points
+
+# ---- grades.csv ---------------------------------------------------------------------------------
+
+
+RUNS = "=+-@\t\r\n" + "＝＋－＠"  # a Japanese Excel also takes the wide ones for signs
+MARK = "\ufeff"
+PLAIN = re.compile(r"[\w ./:-]*", re.ASCII)
+
+
+def cell(text: str) -> str:
+    return "'" + text if text.lstrip(" ")[:1] and text.lstrip(" ")[0] in RUNS else text
+
+
+def mark(score) -> str:
+    """An empty cell: a grade book reads it as a missing score, not as 0."""
+    return "" if score is None else number(score)
+
+
+def grades_csv(records: list) -> str:
+    """One row per submission, for the grade book. RFC 4180, lines end in CRLF. UTF-8 with a byte order mark, without
+    which Excel takes names with umlauts for another encoding. A spreadsheet runs a cell that begins with = + - or @,
+    so such a cell begins with an apostrophe instead; and because some split at semicolons, whatever is more than
+    letters, digits and a few signs is quoted."""
+    records = clean_class(records)
+    stems = stems_of(records)
+    rows = [["submission", "status", "score", "max"] + stems + ["reason"]]
+    for record in records:
+        marks = {stem["stem"]: stem["score"] for stem in record["stems"]}
+        status = record["status"] + (" (UNSAFE: no sandbox)" if record["unsafe"] else "")
+        none = None if record["score"] is None else 0
+        rows.append([record["submission"], status, mark(record["score"]), number(record["max"]),
+                     *(mark(marks.get(stem, none)) for stem in stems), record["words"]])
+    out = io.StringIO(newline="")
+    for row in rows:
+        row = [cell(text) for text in row]
+        plain = all(PLAIN.fullmatch(text) for text in row)
+        csv.writer(out, lineterminator="\r\n", quoting=csv.QUOTE_MINIMAL if plain else csv.QUOTE_ALL).writerow(row)
+    return MARK + out.getvalue()
+
+
+# ---- junit.xml and grades.tap -------------------------------------------------------------------
+
+
+def comment_text(point: dict) -> str:
+    return "\n".join(point["lines"]) or point["message"]
+
+
+def add_case(suite: ElementTree.Element, submission: str, point: dict, used: set) -> None:
+    # Readers drop a second test of one name, so the submission is in it.
+    name = f"{submission}: {point['name']}"
+    while name in used:
+        name += " again"
+    used.add(name)
+    case = ElementTree.SubElement(suite, "testcase", classname=f"{submission}.{point['stem'] or 'submission'}",
+                                  name=name, time="0")
+    if point["outcome"] == "skipped":
+        ElementTree.SubElement(case, "skipped", message=point["message"])
+    elif point["outcome"] != "passed":
+        trouble = ElementTree.SubElement(case, point["outcome"], message=point["message"], type=point["state"])
+        trouble.text = comment_text(point)
+
+
+def counted(name: str, cases: list, seconds: float) -> dict:
+    """The attributes of a suite."""
+    outcomes = [point["outcome"] for point in cases]
+    return {"name": name, "tests": str(len(outcomes)), "failures": str(outcomes.count("failure")),
+            "errors": str(outcomes.count("error")), "skipped": str(outcomes.count("skipped")), "time": f"{seconds:.3f}"}
+
+
+def junit_xml(records: list) -> bytes:
+    """A wrong or unanswered function fails; a crash, an endless loop or a file that does not compile is an error; a
+    file that was not handed in is skipped. The inputs and results are in the failure, never in <system-out>, because
+    GitLab obeys tags that it finds there."""
+    records = clean_class(records)
+    told = [points(record) for record in records]
+    root = ElementTree.Element("testsuites", counted(UNSAFE if any_unsafe(records) else "grades", sum(told, []),
+                                                     sum(record["seconds"] for record in records)))
+    used = set()
+    for record, cases in zip(records, told):
+        suite = ElementTree.SubElement(root, "testsuite", counted(record["submission"], cases, record["seconds"]))
+        properties = ElementTree.SubElement(suite, "properties")
+        for name, value in (("status", record["status"]), ("score", number(record["score"])),
+                            ("max", number(record["max"])), ("seed", str(record["seed"])),
+                            ("sandbox", UNSAFE if record["unsafe"] else record["sandbox"])):
+            ElementTree.SubElement(properties, "property", name=name, value=value)
+        for point in cases:
+            add_case(suite, record["submission"], point, used)
+    ElementTree.indent(root, " ")
+    return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
+
+
+def tap_text(text: str) -> str:
+    return text.replace("\\", "\\\\").replace("#", "\\#")
+
+
+def quoted(text: str) -> str:
+    """A YAML string in double quotes: JSON's is one."""
+    return json.dumps(text, ensure_ascii=False)
+
+
+def list_item(text: str) -> str:
+    """Perl's reader takes a first word with a colon after it for a key, even in quotes."""
+    return "    - " + re.sub(r"^(\S*\s*):(?=\s)", r"\1\\x3a", quoted(text))
+
+
+def grades_tap(records: list) -> str:
+    """Version 13, because Perl's 'prove' reads no newer one."""
+    records = clean_class(records)
+    told = [(record, point) for record in records for point in points(record)]
+    lines = ["TAP version 13", f"1..{len(told)}"]
+    if any_unsafe(records):
+        lines.append(f"# {UNSAFE}")
+    for place, (record, point) in enumerate(told, 1):
+        well = point["outcome"] in ("passed", "skipped")
+        line = f"{'ok' if well else 'not ok'} {place} - " + tap_text(f"{record['submission']}: {point['name']}")
+        if point["outcome"] == "skipped":
+            line += " # SKIP " + tap_text(point["message"])
+        lines.append(line)
+        if not well:
+            severity = "fail" if point["outcome"] == "failure" else "error"
+            lines += ["  ---", f"  message: {quoted(point['message'])}", f"  severity: {severity}", "  comment:",
+                      *map(list_item, comment_text(point).split("\n")), "  ..."]
+    return "\n".join(lines) + "\n"
+
+
+# ---- results.json -------------------------------------------------------------------------------
+
+
+def summary(record: dict) -> str:
+    """The text above all tests."""
+    score = "no score" if record["score"] is None else f"{number(record['score'])} of {number(record['max'])}"
+    lines = [UNSAFE] if record["unsafe"] else []
+    lines.append(f"{record['status']}: {score}")
+    lines += [line for line in (record["words"], record["late"]) if line]
+    if any(stem["functions"] for stem in record["stems"]):
+        lines.append("'make exercises' says the same of your files, but for the random inputs of this run.")
+    return "\n".join(lines)
+
+
+def test(point: dict) -> dict:
+    output = "\n".join(point["lines"])
+    score = {} if point["score"] is None else {"score": point["score"]}
+    return {
+        **score,
+        "max_score": point["max"],
+        "status": "passed" if point["outcome"] == "passed" else "failed",
+        "name": point["name"],
+        "number": point["number"],
+        "output": output or ("right" if point["outcome"] == "passed" else point["message"]),
+        "output_format": "text",
+    }
+
+
+def results_json(record: dict) -> str:
+    """Same record, same bytes. All tests are visible: one hidden test would hide the student's total. The whole record
+    lies in extra_data, and class reports are made from it."""
+    record = clean(record)
+    # Without a score and tests Gradescope says that the autograder failed, which is so, but not if the submission
+    # cannot be read: then only a score shows the student the reason.
+    score = 0 if record["status"] == UNREADABLE else record["score"]
+    marks = {"score": score, "tests": [test(point) for point in points(record)]}
+    results = {
+        **(marks if score is not None else {}),
+        "execution_time": record["seconds"],
+        "output": summary(record),
+        "output_format": "text",
+        "visibility": "visible",
+        "stdout_visibility": "hidden",
+        "extra_data": {"record": record},
+    }
+    # No NaN: it is no JSON, and a mark that is none should stop here and not in a grade book.
+    return json.dumps(results, ensure_ascii=True, allow_nan=False, indent=1) + "\n"

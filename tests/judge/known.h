@@ -1,0 +1,96 @@
+// known.h - answers that are known: wrong ones that people really give, with the sentences about
+// each, and right ones in other forms.
+//
+//     WRONG(upper_left, "C2", "its formula", why it is wrong, what its author would see)
+//     {
+//         return ...;
+//     }
+//
+// Each entry adds itself to what is known of its stem, in the order of the file: wrong.c, right.c
+// and verdicts.c of tests/NN-stem/. Its parameters have the names of tests/exercises.def. make
+// check proves that each mistake fails a test of its function and is named from its values alone,
+// that each test is failed by one, and that no right answer fails or is accused of a mistake.
+#ifndef TESTS_JUDGE_KNOWN_H
+#define TESTS_JUDGE_KNOWN_H
+
+#include "tests/judge/exercise.h"
+#include "tests/judge/stem.h"
+
+#include <stddef.h>
+
+typedef struct KnownAnswer {
+    const char *id;       // C2, as in the field's list of mistakes, or a name of our own; of an
+                          // answer that is no known mistake, how it differs, in a few words
+    const char *exercise; // the function that it answers
+    AnyFunction *answer;
+    const char *formula; // a mistake's formula, as the slide would write it
+    const char *why;     // why it is wrong, in terms of the picture; whole sentences
+    const char *picture; // what its author would see: 'everything at half its size'
+    const char *said;    // of a wrong answer without a name: ID, ID in part, ID and ID; or NOBODY
+                         // and how the words begin
+    int place;           // in its file
+    struct KnownAnswer *next;
+} KnownAnswer;
+
+typedef KnownAnswer Mistake;
+
+#define WRONG(exercise, id, formula, why, picture)                                                 \
+    KNOWN(WRONG_ANSWERS, __COUNTER__, FORM_##exercise, id, #exercise, formula, why, picture, NULL)
+// An answer in another form than the reference.
+#define RIGHT(exercise, what)                                                                      \
+    KNOWN(RIGHT_ANSWERS, __COUNTER__, FORM_##exercise, what, #exercise, NULL, NULL, NULL, NULL)
+// Two mistakes at once, or one on some inputs only, or an answer of another kind, and the verdict
+// that it must get. It is better to name nobody than somebody else.
+#define UNNAMED(exercise, said, what)                                                              \
+    KNOWN(UNNAMED_ANSWERS, __COUNTER__, FORM_##exercise, what, #exercise, NULL, NULL, NULL, said)
+#define NOBODY "but"
+
+// The same in one line, if the body is one statement, the last argument. An exercise has another
+// name here (build/reference.h), so it must not be passed on to another macro.
+#define WRONG_LINE(exercise, id, formula, why, picture, ...)                                       \
+    KNOWN(WRONG_ANSWERS, __COUNTER__, FORM_##exercise, id, #exercise, formula, why, picture, NULL) \
+    {                                                                                              \
+        __VA_ARGS__;                                                                               \
+    }
+#define RIGHT_LINE(exercise, what, ...)                                                            \
+    KNOWN(RIGHT_ANSWERS, __COUNTER__, FORM_##exercise, what, #exercise, NULL, NULL, NULL, NULL)    \
+    {                                                                                              \
+        __VA_ARGS__;                                                                               \
+    }
+#define UNNAMED_LINE(exercise, said, what, ...)                                                    \
+    KNOWN(UNNAMED_ANSWERS, __COUNTER__, FORM_##exercise, what, #exercise, NULL, NULL, NULL, said)  \
+    {                                                                                              \
+        __VA_ARGS__;                                                                               \
+    }
+// A mistake whose answer is a function by itself.
+#define WRONG_BY(function, exercise, id, formula, why, picture)                                    \
+    KNOWN_BY(WRONG_ANSWERS, __COUNTER__, function, id, #exercise, formula, why, picture, NULL)
+
+// What a contract leaves free, answers do in several styles: of several reasons to refuse a camera
+// they test one or another first, and a cosine is cut off by if or by fmax. A mistake is the same
+// in each: some are written for all of them, and answer in this one. The judge knows what 0 is;
+// what others are is in wrong.c. FREE is a right answer that has all styles.
+extern int answer_style;
+#define FREE(exercise)                                                                             \
+    KNOWN(FREE_ANSWERS, __COUNTER__, FORM_##exercise, "", #exercise, NULL, NULL, NULL, NULL)
+
+// build/reference.h defines FORM_upper_left(function) as vec3 function(Camera c).
+#define KNOWN(kind, number, form, ...) KNOWN_(kind, number, form, __VA_ARGS__)
+#define KNOWN_(kind, number, form, ...)                                                            \
+    static form(known_##number);                                                                   \
+    KNOWN_BY_(kind, number, known_##number, __VA_ARGS__)                                           \
+    static form(known_##number)
+#define KNOWN_BY(kind, number, ...) KNOWN_BY_(kind, number, __VA_ARGS__)
+#define KNOWN_BY_(kind, number, function, id, exercise, ...)                                       \
+    static KnownAnswer entry_##number = {id,          exercise, (AnyFunction *)(function),         \
+                                         __VA_ARGS__, number,   NULL};                             \
+    ADD_KNOWN(kind, number)
+#ifndef ADD_KNOWN // as nothing if only the functions of a file are wanted (MUTANTS in tests.mk)
+#define ADD_KNOWN(kind, number)                                                                    \
+    __attribute__((constructor)) static void add_##number(void)                                    \
+    {                                                                                              \
+        add_known(__FILE__, kind, &entry_##number);                                                \
+    }
+#endif
+
+#endif
