@@ -3,5 +3,5 @@
 # far all chapters are (answer_pictures.txt).
 # Builds only below its answers.
 . tests/house/runner/library.sh
-ordinary answer_pictures "the pictures of answers"
+once answer_pictures "the pictures of answers"
 exec python3 -B tests/house/runner/transcript.py tests/house/answer_pictures.txt

@@ -4,7 +4,7 @@
 # Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
-ordinary free_answers "answers that use their freedom"
+once free_answers "answers that use their freedom"
 
 answers=$scratch/free
 free=build$answers

@@ -2,7 +2,7 @@
 # handout.sh - the students' archive: what is in it, what is not, and that it is the same each time.
 set -u
 . tests/house/runner/library.sh
-ordinary handout "the students' archive"
+once handout "the students' archive"
 
 archive=build/handout.tar.gz
 make_handout() {

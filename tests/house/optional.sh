@@ -2,7 +2,7 @@
 # optional.sh - the optional tasks: each solution draws its picture, each blank does not, and make says so.
 set -u
 . tests/house/runner/library.sh
-ordinary optional "the optional tasks"
+once optional "the optional tasks"
 
 tasks=$(basename -s .c solutions/optional/*.c)
 optional() {

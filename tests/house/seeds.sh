@@ -6,6 +6,6 @@
 # Marks do not depend on it. (In check-all that test runs by itself, with more seeds.)
 [ -n "${LONG:-}" ] || check 'with other seeds right answers pass and mistakes are named' \
     env SEEDS=1 FIRST=4711 tests/proof/seeds.sh
-ordinary seeds "what a seed does to a report"
+once seeds "what a seed does to a report"
 counted python3 -B tests/house/runner/transcript.py tests/house/seeds.txt
 finish seeds

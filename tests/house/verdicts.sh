@@ -4,7 +4,7 @@
 # Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
-ordinary verdicts "verdicts and what was judged"
+once verdicts "verdicts and what was judged"
 
 answers=$scratch/answers
 export NO_COLOR=1

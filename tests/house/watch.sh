@@ -3,7 +3,7 @@
 # Builds only below its answers.
 set -u
 . tests/house/runner/library.sh
-ordinary watch "watching"
+once watch "watching"
 
 answers=$scratch/answers
 export NO_COLOR=1
