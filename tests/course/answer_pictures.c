@@ -34,10 +34,10 @@ static const struct AnswerPicture {
 typedef struct AnswerPicture AnswerPicture;
 enum { PICTURE_COUNT = sizeof pictures / sizeof pictures[0] };
 
-// One that only waits for another is right by itself.
-static bool is_right(const char *state)
+// One that only waits for another is right by itself, if the reference has shown that.
+static bool is_right(const JudgingPlan *plan, const char *state)
 {
-    return strcmp(state, "right") == 0 || strcmp(state, "waiting") == 0;
+    return strcmp(state, "right") == 0 || (plan->lend[0] != '\0' && strcmp(state, "waiting") == 0);
 }
 
 // NULL: it is not answered, or did not come back.
@@ -68,7 +68,7 @@ static void choose_answers(const JudgingPlan *plan, int chapter, const char *nee
         const char *state = there ? usable_state(&record, e->name) : NULL;
         char *list = state == NULL && !has_reference ? answerers->missing
                      : state == NULL                 ? answerers->reference
-                     : is_right(state)               ? answerers->yours
+                     : is_right(plan, state)         ? answerers->yours
                                                      : answerers->wrong;
         if (names_include(needs, e->name))
             names_add(list, MOST_ANSWERS, e->name);
@@ -236,7 +236,7 @@ void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter
         PlanPath mark = path_of(plan->verdict.s, picture->name, ".drawn");
         if (function == NULL)
             continue;
-        bool right = is_right(function_state(function));
+        bool right = is_right(plan, function_state(function));
         if (!right)
             unlink(mark.s);
         if (picture != wrong && !(right && access(mark.s, F_OK) != 0))

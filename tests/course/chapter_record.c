@@ -240,8 +240,6 @@ const char *function_state(const FunctionRecord *function)
     const char *state = function_value(function, "state");
     if (function_value(function, "waits")[0] != '\0')
         return "waiting";
-    if (function_value(function, "unsure")[0] != '\0')
-        return "unsure";
     return strcmp(state, "crashed") == 0 || strcmp(state, "timed out") == 0 ? "wrong" : state;
 }
 
@@ -269,25 +267,26 @@ const FunctionRecord *first_that_is(const ChapterRecord *record, const char *sta
 const char *function_because(const FunctionRecord *function)
 {
     const char *waits = function_value(function, "waits");
-    const char *unsure = function_value(function, "unsure");
-    return waits[0] != '\0'    ? waits
-           : unsure[0] != '\0' ? unsure
+    return waits[0] != '\0' ? waits
            : strcmp(function_value(function, "state"), "waiting") == 0
                ? function_value(function, "missing")
                : "";
 }
 
+// Wrong also if all that is wrong waits for an earlier chapter.
 const char *record_state(const ChapterRecord *record)
 {
     const char *state = record_value(record, "state");
+    bool is_wrong = first_that_is(record, "wrong") != NULL;
+    for (int i = 0; i < record->function_count; i++)
+        is_wrong = is_wrong || function_value(&record->functions[i], "waits")[0] != '\0';
     int right = functions_that_are(record, "right");
     if (strcmp(state, "judged") != 0)
         return state;
     return right == record->function_count && right > 0 ? "right"
-           : first_that_is(record, "wrong") != NULL || first_that_is(record, "unsure") != NULL
-               ? "wrong"
-           : right > 0 ? "begun"
-                       : "blank";
+           : is_wrong                                   ? "wrong"
+           : right > 0                                  ? "begun"
+                                                        : "blank";
 }
 
 FILE *record_begin(const char *folder, const char *stem)

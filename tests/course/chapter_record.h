@@ -14,8 +14,8 @@
 // - stands: STEM NAME..., answers of an earlier chapter that this one calls and that are not right;
 //   a line for each such chapter
 // - function: the judge's report on each exercise (tests/judge/judge.c), and after each
-//   - waits: NAME..., the function passes if the reference answers these instead
-//   - unsure: NAME..., the function calls these, which are not right; more is not known
+//   - waits: NAME..., the function is wrong, but passes if the reference answers these instead; in
+//     the students' archive, which has no reference: it calls these, which are not right
 //   - help: a line of help about a cause that only the code shows
 //   - comma: yes, it has a decimal comma, so that no other mistake is named
 // - end: the hash of all lines above
@@ -96,13 +96,13 @@ const char *function_value(const FunctionRecord *function, const char *key);
 const FunctionRecord *record_function(const ChapterRecord *record, const char *name); // or NULL
 
 // How an answer of the chapter is, in one word: right, wrong (also if it crashed or timed out),
-// unanswered, waiting, unsure.
+// unanswered, waiting.
 const char *function_state(const FunctionRecord *function);
 bool function_is(const FunctionRecord *function, const char *state);
 // Of a chapter: how many are in that state, and the first of them, or NULL.
 int functions_that_are(const ChapterRecord *record, const char *state);
 const FunctionRecord *first_that_is(const ChapterRecord *record, const char *state);
-// The names that it waits for, or is unsure because of; "" if there are none.
+// The names that it waits for; "" if there are none.
 const char *function_because(const FunctionRecord *function);
 
 // The chapter: right, wrong, begun (some are right, none wrong), blank; compiler, linker, stopped.

@@ -150,7 +150,6 @@ TEST(chapter_record, a_function_has_one_state)
     expect_text(state_with("state", "crashed"), "wrong");
     expect_text(state_with("state", "timed out"), "wrong");
     expect_text(state_with("waits", "g"), "waiting");
-    expect_text(state_with("unsure", "g h"), "unsure");
 }
 
 // ---- what judging is made of: the lock, the hashes, the call graph -----------------------------

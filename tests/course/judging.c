@@ -423,13 +423,11 @@ static void wait_for(const JudgingPlan *plan, int chapter, const ChapterRecord *
     command_free(&each);
 }
 
-// ---- unsure ------------------------------------------------------------------------------------
-
-// Without a reference: the answers that it calls and that are not right, in its chapter and in
-// earlier ones. Adds those of earlier ones to stands, by chapter.
-static void be_unsure(const JudgingPlan *plan, int chapter, const ChapterRecord *report,
-                      const FunctionRecord *function, char names[MOST_NAMES],
-                      char stands[][MOST_NAMES])
+// Without a reference nothing can be lent: it waits for the answers that it calls and that are not
+// right, in its chapter and in earlier ones. Adds those of earlier ones to stands, by chapter.
+static void wait_for_all(const JudgingPlan *plan, int chapter, const ChapterRecord *report,
+                         const FunctionRecord *function, char names[MOST_NAMES],
+                         char stands[][MOST_NAMES])
 {
     const char *calls = function_value(function, "calls");
     names_that_may_excuse(report, function, names);
@@ -496,7 +494,7 @@ static int write_record(const JudgingPlan *plan, int chapter, const char *hash)
         if (lends && strcmp(state, "wrong") == 0)
             wait_for(plan, chapter, &report, &report.functions[i], because[i]);
         else if (!lends && strcmp(state, "right") != 0 && strcmp(state, "unanswered") != 0)
-            be_unsure(plan, chapter, &report, &report.functions[i], because[i], stands);
+            wait_for_all(plan, chapter, &report, &report.functions[i], because[i], stands);
     }
     FILE *out = begin_record(plan, chapter, hash, "judged", "");
     for (int i = 0; out != NULL && i < chapter; i++) {
@@ -512,7 +510,7 @@ static int write_record(const JudgingPlan *plan, int chapter, const char *hash)
         for (int k = 0; k < function->count; k++)
             entry_put(out, function->entries[k].key, function->entries[k].value);
         if (is_wrong)
-            entry_put(out, lends ? "waits" : "unsure", because[i]);
+            entry_put(out, "waits", because[i]);
         if (is_wrong)
             put_slips(plan, chapter, &report, function, out);
     }

@@ -263,9 +263,7 @@ static void show_those(const Page *page, const Chapter *chapter, const char *lab
         if (!function_is(function, state))
             continue;
         put_names(others, sizeof others, function_because(function));
-        const char *format = strcmp(state, "waiting") == 0  ? "%s (for %s)"
-                             : strcmp(state, "unsure") == 0 ? "%s (it calls %s)"
-                                                            : "%s%s";
+        const char *format = strcmp(state, "waiting") == 0 ? "%s (for %s)" : "%s%s";
         append(list, sizeof list, ", ", format, function->name, others);
     }
     show_names(page, label, list);
@@ -308,7 +306,6 @@ static void show_progress(const Page *page, const JudgingPlan *plan, const Chapt
     if (is_next && !is_lost(plan, chapter)) {
         show_those(page, chapter, "wrong", "wrong");
         show_those(page, chapter, "waiting", "waiting");
-        show_those(page, chapter, "cannot be judged yet", "unsure");
         show_dependencies(page, chapter, stands_on);
         show_those(page, chapter, "not answered yet", "unanswered");
     }

@@ -108,7 +108,7 @@ watches_dependents() {
     start env -u MAKEFLAGS CC="$compiler" make -C "$tree" watch >"$scratch/watched" 2>&1
     wait_until grep -q Watching "$scratch/watched" || return 1
     spoil 03-screen 's|1 - point.y|point.y|'
-    wait_until grep -q '^unsure' "$tree/build/exercises/verdict/04-pixel-ray.record"
+    wait_until grep -q '^waits' "$tree/build/exercises/verdict/04-pixel-ray.record"
     status=$?
     end_started
     return $status
@@ -160,7 +160,7 @@ for compiler in gcc clang; do
             "$tree/build/exercises/figures/screen_to_normalized.txt"
     fi
     inside make exercises EX=04
-    check "$compiler: a chapter that depends on it is not called wrong" says 'cannot be judged yet: pixel_ray'
+    check "$compiler: a chapter that depends on it is not called wrong" says 'waiting: pixel_ray (for screen_to_normalized)'
     check "$compiler: with the chapter it depends on" says 'depends on your 03-screen, which is not right yet:'
     check "$compiler: and where to begin" says 'Next: exercises/03-screen.c'
     blank 03-screen
@@ -189,7 +189,7 @@ for compiler in gcc clang; do
     fi
     spoil 01-corners 's|(s - 0.5)|s|'
     inside make exercises EX=01
-    check "$compiler: a function of the same chapter that calls a wrong one is not judged" says 'cannot be judged yet: across_30_up_10'
+    check "$compiler: a function of the same chapter that calls a wrong one is not judged" says 'waiting: across_30_up_10 (for image_plane_vector)'
     answers
     check "$compiler: then all is right again" inside make status
 
