@@ -18,9 +18,10 @@ typedef struct {
     int result_count; // results that differ; the first is the right one
     Numbers *results;
     int mistake_count;
-    int *of_mistake;  // which of them each known mistake of the function gives
-    double tolerance; // of the test for numbers; absolute
-    int reasons; // the CameraFaults that are right, a bit each; of a test, those that it accepts
+    int *of_mistake; // which of them each known mistake of the function gives
+    double
+        tolerance; // of the test for numbers; absolute; infinite if it does not look at the depth
+    int reasons;   // the CameraFaults that are right, a bit each; of a test, those that it accepts
     int length_is_free; // whether it accepts the direction of a ray in any length
     double least, most; // the accepted lengths of a step, relative to the right one; or 0
     Numbers corners;    // of the image plane, from the eye, if a vector to it is asked for
