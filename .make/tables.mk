@@ -3,7 +3,7 @@
 
 # The judge asks what the table says.
 $(JUDGE): $(REPLAY) \
-		$(patsubst %,$(B)/tests/judge/%.o,process_transport process judge system_call) $(REPORTING) \
+		$(patsubst %,$(B)/tests/judge/%.o,process_transport process judge) $(REPORTING) \
 		$(DRAWING) $(B)/common.a | $(STEMS:%=$(TABLE)/%.table)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D) && rm -rf $@

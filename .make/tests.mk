@@ -72,4 +72,4 @@ TABLE_CHECK := $(B)/replay/check
 $(TABLE_CHECK): $(REPLAY) $(B)/tests/handout/replay/check.o $(B)/common.a | $(STEMS:%=$(TABLE)/%.table)
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D) && rm -rf $@
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(B)/common.a $(CHECK_LIBS) $(PNG_LIBS) -lm

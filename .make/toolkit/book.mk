@@ -71,8 +71,7 @@ $(call wasm_of,$(BESIDE_REFERENCE)): $(B)/reference.h
 $(call wasm_of,$(ALL_TESTS) $(call known,wrong) $(call known,laws)): WASM_OPTIMIZE = -Oz
 WASM_HEARING := $(call wasm_of,$(filter-out $(REFERENCES),$(HEARING))) $(WASM_REFERENCES)
 BOOK_JUDGE := $(BOOK)/programs/judge.wasm
-WASM_BY_REFERENCE = $(call wasm_of,$(ALL_TESTS) $(call known,wrong) $(TESTING) \
-	$(B)/tests/judge/reference/right_answer.o) $(WASM_HEARING)
+WASM_BY_REFERENCE = $(call wasm_of,$(ALL_TESTS) $(call known,wrong) $(TESTING)) $(WASM_HEARING)
 WASM_BY_TABLE = $(call wasm_of,$(REPLAY))
 $(WASM)/tests/handout/replay/table.o: WASM_EXTRA = '-DTABLES="tests/handout/replay"'
 $(BOOK_JUDGE): $(if $(FROM),$(WASM_BY_TABLE),$(WASM_BY_REFERENCE)) \

@@ -16,7 +16,7 @@ define link_program
 endef
 
 # The tests call proxies, which ask whoever answers. Mistakes and laws are beside the reference, which goes
-# by other names there; so do answers that are linked into a program (tests/judge/direct_answers.c).
+# by other names there; so do answers that are linked into a program (tests/judge/switchboard.c).
 renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tests/judge/names.def
 as_names = sed -n 's/^ *\# *define //p'
 $(B)/reference.h: tests/judge/names.def tests/judge/reference/forms.def tests/exercises.def
@@ -39,13 +39,13 @@ HEARING := $(patsubst %,$(B)/tests/judge/%.o,reference/mistake_comparison refere
 	switchboard suspects) \
 	$(B)/tests/judge/numbers.o $(CALLING) $(call known,laws) $(REFERENCES)
 # The code that calls an answering process.
-TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport process system_call)
+TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport process)
 # With the reference for the chapters before, one mistake costs once; and the judge lends.
 lent = $(B)/tests/judge/reference/lent_answers.o
 earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
 $(JUDGE): $(ALL_TESTS) $(call known,wrong) $(TESTING) \
 		$(HEARING) $(TO_PROCESS) $(DRAWING) \
-		$(REPORTING) $(patsubst %,$(B)/tests/judge/%.o,judge reference/right_answer) $(B)/common.a
+		$(REPORTING) $(B)/tests/judge/judge.o $(B)/common.a
 	$(link_program)
 
 # The tests alone, calling an answer in their own process, and the reference for all other stems.
@@ -58,7 +58,7 @@ $(STEMS:%=$(1)/direct/%.o): $(1)/direct/%.o: $(2)/%.o $(B)/answer_names/%
 	$$(Q)objcopy --redefine-syms=$(B)/answer_names/$$* $$< $$@
 endef
 $(foreach folder,$(sort $(BUILT) $(B)/solutions $(B)/blanks),$(eval $(call direct_answers,$(folder),$(folder))))
-DIRECT := $(ALL_TESTS) $(TESTING) $(HEARING) $(patsubst %,$(B)/tests/judge/%.o,test_main call_directly direct_answers)
+DIRECT := $(ALL_TESTS) $(TESTING) $(HEARING) $(patsubst %,$(B)/tests/judge/%.o,test_main call_directly)
 TESTS := $(BUILT)/tests
 $(TESTS): $(DIRECT) $(STEMS:%=$(BUILT)/direct/%.o) $(B)/common.a
 	$(link_program)
@@ -78,7 +78,8 @@ $(BLANK_TESTS): $(DIRECT) $(STEMS:%=$(B)/blanks/direct/%.o) $(B)/common.a
 # reference fills.
 MATRIX := $(B)/tests/matrix
 $(MATRIX): $(ALL_TESTS) $(foreach kind,wrong right verdicts,$(call known,$(kind))) \
-		$(TESTING) $(HEARING) $(B)/tests/proof/matrix.o $(B)/common.a
+		$(TESTING) $(HEARING) $(B)/tests/proof/matrix.o $(B)/tests/handout/make_table.o \
+		$(B)/tests/handout/replay/table.o $(B)/common.a
 	$(link_program)
 
 # The missing parts of a new chapter, as long as it cannot be linked.
@@ -161,19 +162,13 @@ $(MISTAKEN): $(B)/tests/mistaken/%: $(B)/tests/proof/mistaken_figures.o $$(call 
 
 # ---- recorded tables ----------------------------------------------------------------------------
 
-# The program that writes the tables; and other right answers, compared with them.
-TELL := $(B)/replay/tell
-$(TELL): $(ALL_TESTS) $(call known,wrong) $(TESTING) $(HEARING) $(B)/tests/handout/replay/table.o \
-		$(B)/tests/handout/make_table.o $(B)/common.a
-	$(link_program)
+# The matrix writes the tables. In the toolkit the right answers are compared with them as well.
 TABLES := $(STEMS:%=$(TABLE)/%.table)
-$(TABLES): $(TABLE)/%.table: $(TELL)
-	$(call say,tell,$@)
-	$(Q)env -u SEED $< $* $@
-TABLE_VARIANTS := $(B)/replay/variants
-$(TABLE_VARIANTS): $(filter-out $(HEARING),$(REPLAY)) $(call known,right) \
-		$(B)/tests/handout/variants.o $(HEARING) $(B)/common.a | $(TABLES)
-	$(link_program)
+$(TABLES): $(TABLE)/%.table: $(MATRIX)
+	$(call say,record,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)env -u SEED $< $* --table $@
+$(TABLE_CHECK): $(call known,right) $(REFERENCES)
 
 KIT := $(B)/grading
 CAN_GRADE := $(if $(JUDGES_ONLY),,$(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
@@ -184,7 +179,7 @@ GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(TYPES) $(ODD_QUESTIONS) $(ENGINES)
-OF_STEMS := $(TESTS) $(MATRIX) $(TABLE_CHECK) $(TABLE_VARIANTS)
+OF_STEMS := $(TESTS) $(MATRIX) $(TABLE_CHECK)
 with_arguments = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %')) 'tests/course/explained/check.py $(EXPLAIN)'
 FOR_CHECKS := $(EXPLAIN) $(LIST) $(BLANK_TESTS) $(PROGRAMS) $(GENERATED:%=$(B)/scenes/%.nff) $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands) $(if $(BRIEF),,$(MISTAKEN))
 # The scripts judge answers beside each other, each in a folder of its own, by the ordinary build: so all of that

@@ -3,7 +3,6 @@
 
 #include "common/text.h"
 #include "tests/judge/law.h"
-#include "tests/judge/reference/distinct_digits.h"
 
 #include <stdio.h>
 

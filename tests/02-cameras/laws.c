@@ -6,7 +6,6 @@
 
 #include "common/text.h"
 #include "tests/judge/law.h"
-#include "tests/judge/reference/distinct_digits.h"
 
 // Ten times what the contract allows.
 static const double enough = 1e-8;

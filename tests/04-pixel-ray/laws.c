@@ -3,7 +3,6 @@
 
 #include "common/text.h"
 #include "tests/judge/law.h"
-#include "tests/judge/reference/distinct_digits.h"
 
 // The point where the ray meets the plane, counted in pixels from an edge; its pixel must be there,
 // as far on one side as on the other. A pixel has this size in the world.

@@ -6,7 +6,6 @@
 
 #include "common/text.h"
 #include "tests/judge/law.h"
-#include "tests/judge/reference/distinct_digits.h"
 
 // 0, or of a size whose square stays in range.
 static bool tame(double x)

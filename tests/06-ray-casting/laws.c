@@ -6,7 +6,6 @@
 
 #include "common/text.h"
 #include "tests/judge/law.h"
-#include "tests/judge/reference/distinct_digits.h"
 
 #include <stdio.h>
 #include <string.h>

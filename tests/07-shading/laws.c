@@ -5,7 +5,6 @@
 #include "exercises/07-shading.h"
 
 #include "tests/judge/law.h"
-#include "tests/judge/reference/distinct_digits.h"
 
 // ---- laws of the directions of light: how long, and where to ------------------------------------
 

@@ -4,7 +4,6 @@
 
 #include "common/text.h"
 #include "tests/judge/law.h"
-#include "tests/judge/reference/distinct_digits.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,9 +1,5 @@
 // make_table.c - makes the table of a stem from its tests, the reference and the mistakes.
 //
-//   tell STEM FILE
-//   tell STEM --formulas    prints the formulas of the mistakes, a line each: a handout must not
-//                           contain them
-//
 // First each test runs as it is, and its calls are written down. Then it runs again and again with
 // one result changed a little, to find out which other results it accepts: the table is as strict
 // as the test, and each tolerance is written in one place.
@@ -364,27 +360,13 @@ static void add_mistake(const Mistake *mistake)
                       .digits = strncmp(mistake->id, "X-", 2) == 0};
 }
 
-static int say_formulas(void)
+bool table_make(const char *path)
 {
-    for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
-        puts(it->formula);
-    return 0;
-}
-
-int main(int argc, char **argv)
-{
-    if (argc != 3) {
-        fprintf(stderr, "Usage: %s STEM FILE|--formulas\n", argv[0]);
-        return 2;
-    }
-    const char *stem = argv[1];
-    choose_stem(stem);
-    if (strcmp(argv[2], "--formulas") == 0)
-        return say_formulas();
-    FILE *file = fopen(argv[2], "wb");
+    const char *stem = chosen_stem()->name;
+    FILE *file = fopen(path, "wb");
     if (file == NULL) {
-        perror(argv[2]);
-        return 2;
+        perror(path);
+        return false;
     }
     switch_to_process(stem);
     asked_begin();
@@ -399,9 +381,8 @@ int main(int argc, char **argv)
     for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
         add_mistake(it);
     bool written = told_write(file, &told);
-    if (fclose(file) != 0 || !written) {
-        perror(argv[2]);
-        return 1;
-    }
-    return 0;
+    written = fclose(file) == 0 && written;
+    if (!written)
+        perror(path);
+    return written;
 }

@@ -66,7 +66,7 @@ cat build/blanks/*.c common/*.[ch] common/figure/*.[ch] chapters/*/*.[ch] chapte
     awk 'FNR == NR { given = given "\n" $0; next } index(given, $0) == 0' - "$scratch/answers" >"$scratch/secret"
 check 'no line of a solution is in it' holds_none_of "$scratch/secret"
 for contract in exercises/*.h; do
-    build/replay/tell "$(basename "$contract" .h)" --formulas
+    build/tests/matrix "$(basename "$contract" .h)" --formulas
 done | grep '[-+*/^|=]' | awk 'length > 7' | sort -u >"$scratch/formulas"
 check 'no formula of a mistake is in it' holds_none_of "$scratch/formulas"
 # No function of it is an answer in another form: it calls what the reference of that answer calls, in a

@@ -46,12 +46,6 @@ enum {
     EXERCISE_COUNT
 };
 
-// Answers that are linked into this program (direct_answers.c), in the list's order; NULL: there is
-// none. The linker has renamed them: an answer's upper_left is answer_upper_left here, so that
-// upper_left is the proxy (reference/proxies.c). An answer calls the exercises of its own stem
-// directly, and those of other stems through the proxies.
-extern AnyFunction *const direct_answers[];
-
 // -1 if there is no exercise of this name.
 int exercise_number(const char *name);
 

@@ -54,7 +54,7 @@ void replace_all(char *text, size_t size, const char *old, const char *new);
 
 // ---- the right result for a call that was kept -------------------------------------------------
 
-// By the reference (reference/right_answer.c), or, if there is none, by a table
+// By the reference (reference/mistake_comparison.c), or, if there is none, by a table
 // (tests/handout/replay/replay.c).
 
 // The answer, as it would have crossed the pipe. False if it is not known.

@@ -49,7 +49,7 @@ bool patience_is_over(Patience *patience);
 int process_send(const void *bytes, size_t size, Patience *patience);
 int process_receive(void *bytes, size_t size, Patience *patience);
 
-// What a forbidden system call was for, in words (system_call.c): 'to open a file'. Of any number,
+// What a forbidden system call was for, in words: 'to open a file'. Of any number,
 // because it comes from hostile code.
 const char *system_call_purpose(int number);
 

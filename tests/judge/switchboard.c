@@ -6,6 +6,13 @@
 #include <stddef.h>
 #include <string.h>
 
+#define EXERCISE(stem, result, name, ...) AnyFunction answer_##name __attribute__((weak));
+#include "tests/exercises.def"
+#define EXERCISE(stem, result, name, ...) answer_##name,
+AnyFunction *const direct_answers[EXERCISE_COUNT] = {
+#include "tests/exercises.def"
+};
+
 static AnyFunction *answers[EXERCISE_COUNT];
 static bool all_by_process;
 

@@ -3,12 +3,15 @@
 //   matrix STEM
 //   matrix STEM --missing     what an exercise of the stem still lacks
 //   matrix STEM --verdicts    the verdict on every known answer, a line each (by_hand/record.py)
+//   matrix STEM --formulas    the formulas of the mistakes, a line each: an archive must not have
+//   them matrix STEM --table FILE  writes the table by which the archive judges
 //
 // Each mistake must fail a test of its function and be named from its values; each test must be
 // failed by a mistake, or it cannot fail and is worth nothing; no exercise may lack what it needs;
 // no right answer, however it is written, may fail or be accused. The verdict on a wrong answer
 // that is not a known mistake must not be false (verdicts.c). An answer in float is told so. A
 // table of the public inputs must fail with every SEED, and must not learn the hidden inputs.
+#include "tests/handout/replay/table.h"
 #include "tests/judge/message.h"
 #include "tests/judge/numbers.h"
 #include "tests/judge/runner.h"
@@ -592,10 +595,17 @@ static int print_verdicts(void)
 
 int main(int argc, char **argv)
 {
-    const char *stem = argc > 1 ? argv[1] : NULL, *option = argc == 3 ? argv[2] : "";
+    const char *stem = argc > 1 ? argv[1] : NULL, *option = argc >= 3 ? argv[2] : "";
     choose_stem(stem);
     if (strcmp(option, "--verdicts") == 0)
         return print_verdicts();
+    if (strcmp(option, "--table") == 0 && argc == 4)
+        return table_make(argv[3]) ? 0 : 1;
+    if (strcmp(option, "--formulas") == 0) {
+        for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
+            puts(it->formula);
+        return 0;
+    }
     check_reference();
     char words[500];
     bool lacks = something_is_missing(stem, words, sizeof words);

@@ -124,6 +124,13 @@ int process_receive(void *bytes, size_t size, Patience *patience)
     return 1;
 }
 
+// An instance makes no system calls.
+const char *system_call_purpose(int number)
+{
+    (void)number;
+    return "something of the operating system";
+}
+
 // judge.js calls this while an answer waits for an exercise that is lent.
 __attribute__((export_name("serve"))) bool serve(void);
 bool serve(void)

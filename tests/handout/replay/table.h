@@ -52,6 +52,9 @@ void told_load(const char *stem, Told *told);
 // False if the file cannot be written.
 bool told_write(FILE *file, Told *told);
 
+// Makes that of the stem that was chosen, where the tests are. False if it cannot be written.
+bool table_make(const char *path);
+
 // From malloc, one more of it; the new one is all zero.
 void *told_grow(void *items, int *count, size_t size);
 
