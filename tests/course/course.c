@@ -1,9 +1,8 @@
 // course.c - what 'make exercises', watch, hint, debug and reset do: judges answers and says so.
 //
 //   course judge PLAN STEM...      judges what has changed since it was judged last
-//   course show PLAN STEM...       shows the verdicts; draws pictures
-//   course exercises PLAN STEM...  both
-//   course watch PLAN STEM...      both, again whenever an answer is saved
+//   course exercises PLAN STEM...  and shows the verdicts; draws pictures
+//   course watch PLAN STEM...      again whenever an answer is saved
 //   course hint PLAN STEM...       one hint more, of the chapter that needs work first
 //   course debug PLAN STEM PROGRAM gdb at the call that failed
 //   course reset PLAN STEM         replaces the answer by the blank; keeps a copy
@@ -609,8 +608,6 @@ static int run(const char *what, const Course *course, const char *program)
         return reset(&course->plan, course->all.last);
     if (strcmp(what, "watch") == 0)
         return watch(course);
-    if (strcmp(what, "show") == 0)
-        return show(course, &course->all);
     if (strcmp(what, "status") == 0)
         return status(course);
     if (!judging_judge(&course->plan, course->all.chosen))
@@ -632,9 +629,9 @@ int main(int argc, char **argv)
     const char *what = argc > 3 ? argv[1] : "";
     bool is_debug = strcmp(what, "debug") == 0;
     if (argc < 4 || (is_debug && argc != 5) ||
-        strstr(" judge show exercises watch hint debug reset status faults note ", what) == NULL) {
+        strstr(" judge exercises watch hint debug reset status faults note ", what) == NULL) {
         fprintf(stderr,
-                "Usage: %s judge|show|exercises|watch|hint|reset|status|faults PLAN STEM...\n"
+                "Usage: %s judge|exercises|watch|hint|reset|status|faults PLAN STEM...\n"
                 "       %s debug PLAN STEM PROGRAM\n"
                 "       %s note PLAN NAME...\n",
                 argv[0], argv[0], argv[0]);

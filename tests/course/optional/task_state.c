@@ -1,12 +1,12 @@
 // task_state.c - how far an optional task is: its picture beside the committed one.
 //
-//   task_state check NAME FOLDER EXPECTED.png   compares FOLDER/NAME.png, and writes
-//   FOLDER/NAME.state;
-//                                               FOLDER/NAME.words is what the task's program
-//                                               printed
-//   task_state show NAME FOLDER                 prints that; exit status 1 if the picture is not
-//   right task_state list FOLDER SOURCE.c...          prints one line about each task, and its
-//   state
+//   task_state check NAME FOLDER EXPECTED.png
+//       compares FOLDER/NAME.png, and writes FOLDER/NAME.state; FOLDER/NAME.words is what the
+//       task's program printed
+//   task_state show NAME FOLDER
+//       prints that; exit status 1 if the picture is not right
+//   task_state list FOLDER SOURCE.c...
+//       prints one line about each task, and its state
 //
 // The first line of a state is the state in short. A picture is right if at most one pixel in 200
 // differs by more than 4 of 255: other ways to compute the same round differently.
