@@ -21,10 +21,9 @@ static vec3 without_z(vec3 v)
 
 // The right answer is steps(c, ahead, aside, above), of which a mistake uses what it likes.
 #define LENGTHS(to_the_right, upward)                                                              \
-    const double ahead = c.distance;                                                               \
-    const double aside = to_the_right;                                                             \
-    const double above = upward;                                                                   \
-    (void)ahead, (void)aside, (void)above;
+    LETTER(double, ahead) = c.distance;                                                            \
+    LETTER(double, aside) = to_the_right;                                                          \
+    LETTER(double, above) = upward;
 
 // One slip, two corners: side is -1 for the left corner and 1 for the right one.
 #define SIDES(id, left, right, why, picture, vector)                                               \

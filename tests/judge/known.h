@@ -62,6 +62,8 @@ typedef KnownAnswer Mistake;
     {                                                                                              \
         __VA_ARGS__;                                                                               \
     }
+// In a macro of a chapter, a name that its entries may use: LETTER(double, x) = point.x;
+#define LETTER(type, name) __attribute__((unused)) const type name
 // A mistake whose answer is a function by itself.
 #define WRONG_BY(function, exercise, id, formula, why, picture)                                    \
     KNOWN_BY(WRONG_ANSWERS, __COUNTER__, function, id, #exercise, formula, why, picture, NULL)
