@@ -8,7 +8,7 @@ set -u
 . tests/house/runner/library.sh
 once povray "the comparison with POV-Ray"
 
-few=60
+few=30
 mean=0.01
 if ! command -v povray >/dev/null; then
     skip povray 'the comparison with POV-Ray, which is not installed (make setup FOR=contributor)'
@@ -17,9 +17,9 @@ agrees() {
     name=$1
     scene=$2
     shift 2
-    "$PROGRAMS/07-shading" "$@" -s 640x480 -o "$scratch/ours.png" "$scene" &&
-        "$PROGRAMS/07-shading" "$@" -s 640x480 --export pov -o "$scratch/$name.pov" "$scene" &&
-        (cd "$scratch" && povray "+I$name.pov" +Otheirs.png +W640 +H480 -A -D >log 2>&1) || return 1
+    "$PROGRAMS/07-shading" "$@" -s 320x240 -o "$scratch/ours.png" "$scene" &&
+        "$PROGRAMS/07-shading" "$@" -s 320x240 --export pov -o "$scratch/$name.pov" "$scene" &&
+        (cd "$scratch" && povray "+I$name.pov" +Otheirs.png +W320 +H240 -A -D >log 2>&1) || return 1
     case $1 in
     --flat) same_picture "$scratch/ours.png" "$scratch/theirs.png" 5 ;;
     *) same_picture "$scratch/ours.png" "$scratch/theirs.png" $few $mean ;;
@@ -35,7 +35,7 @@ check 'also with a distant light' agrees three-spheres chapters/06-ray-casting/t
 # Not by luck: the mirror image is another picture.
 mirrored_is_another() {
     sed 's/right <15/right <-15/' "$scratch/three-spheres.pov" >"$scratch/mirrored.pov"
-    (cd "$scratch" && povray +Imirrored.pov +Omirrored.png +W640 +H480 -A -D >log 2>&1) &&
+    (cd "$scratch" && povray +Imirrored.pov +Omirrored.png +W320 +H240 -A -D >log 2>&1) &&
         ! same_picture "$scratch/ours.png" "$scratch/mirrored.png" $few $mean
 }
 check 'the mirror image is not taken for it' mirrored_is_another

@@ -7,6 +7,7 @@
 # Only reads the tree.
 set -u
 . tests/house/runner/library.sh
+once seeds "the matrix with other seeds"
 export BUILD="${BUILD:-build}" scratch
 seeds=${SEEDS:-50}
 first=${FIRST:-1}
