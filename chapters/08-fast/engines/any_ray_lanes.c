@@ -154,22 +154,17 @@ static inline Meeting meet_place(const WideHierarchy *wide, int place, const Sta
 
 // Usually a ray certainly misses the sphere that it leaves; or this hides the light from its own
 // back. Otherwise, the answer is still UNKNOWN.
-static void ask_own(const WideHierarchy *wide, const Rays *rays, Starts *starts, int *answers)
+static void ask_own(const Rays *rays, Starts *starts, int *answers)
 {
-    Vectors center;
-    double radius[PATHS], begin[PATHS], end[PATHS];
-    for (int i = 0; i < rays->count; i++) {
-        const double *own = wide->numbers + 4 * (size_t)most(rays->left[i], 0);
-        put(&center, i, vector_at(own));
-        radius[i] = own[3];
-    }
+    double begin[PATHS], end[PATHS];
     starts->origin = rays->origin;
 #pragma omp simd
     for (int i = 0; i < rays->count; i++) {
-        const Vector v = get(rays->direction, i), p = minus(get(&center, i), get(rays->origin, i));
+        const Vector v = get(rays->direction, i),
+                     p = minus(get(rays->center, i), get(rays->origin, i));
         const double length = sqrt(dot(v, v));
         const Vector u = times(1 / length, v);
-        const Meeting own = meet(p, radius[i], u);
+        const Meeting own = meet(p, rays->radius[i], u);
         put(&starts->direction, i, u);
         starts->reach[i] = rays->grid == NULL ? INFINITY : length;
         begin[i] = own.begin;
@@ -205,8 +200,10 @@ static void find_cells(const Bins *bins, const Rays *rays, int *cells)
 // Ray i asks a sphere, unless it certainly misses that.
 static inline int ask_place(const WideHierarchy *wide, int place, const Starts *starts, int i)
 {
+    if (place == starts->missed[i])
+        return NO_PLACE;
     const Meeting meeting = meet_place(wide, place, starts, i);
-    return place == starts->missed[i] ? NO_PLACE : hides(meeting, place, starts->reach[i]);
+    return hides(meeting, place, starts->reach[i]);
 }
 
 // The rays ask the giants, and the spheres of their cells as far as they are nearer to the light
@@ -405,7 +402,7 @@ void LANES(nearest_of_many)(const WideHierarchy *wide, const Rays *rays, int *pl
         places[i] = NO_PLACE;
     if (wide->nodes == NULL)
         return;
-    ask_own(wide, rays, &starts, places);
+    ask_own(rays, &starts, places);
     if (rays->grid != NULL && rays->grid->bins.items != NULL)
         ask_cells(wide, rays, &starts, places);
     for (int i = 0; i < WALKERS; i++)

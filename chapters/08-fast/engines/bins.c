@@ -374,7 +374,7 @@ long long bins_count(Bins *bins, int threads)
 {
     const size_t tiles = (size_t)bins->columns * (size_t)bins->rows;
     bins->share_count = bins->scene->sphere_count < FEW_SPHERES ? 1 : least(threads, MOST_SHARES);
-    bins->places = malloc((size_t)(bins->scene->sphere_count / PLACES + 1) * sizeof(Places));
+    bins->places = lanes_memory((size_t)(bins->scene->sphere_count / PLACES + 1) * sizeof(Places));
     uint32_t *numbers = calloc(2 * (size_t)bins->share_count * tiles, sizeof *numbers);
     bins->shares[0].begin = numbers;
     if (bins->places == NULL || numbers == NULL)
@@ -396,7 +396,7 @@ long long bins_count(Bins *bins, int threads)
 
 bool bins_fill(Bins *bins, long long count)
 {
-    bins->items = malloc(((size_t)count + 1) * sizeof *bins->items);
+    bins->items = lanes_memory(((size_t)count + 1) * sizeof *bins->items);
     if (bins->items == NULL)
         return false;
     bins->items[count] = 0; // the first item of an empty bin may be read

@@ -223,11 +223,11 @@ static void set_boxes(const Hierarchy *hierarchy)
 bool hierarchy_build(Hierarchy *hierarchy, const Scene *scene, int leaf)
 {
     const size_t count = (size_t)scene->sphere_count;
-    Builder builder = {hierarchy, malloc((count + 1) * sizeof *builder.items), leaf};
+    Builder builder = {hierarchy, lanes_memory((count + 1) * sizeof *builder.items), leaf};
     // There are fewer than twice as many nodes; what is not used takes no memory.
-    *hierarchy = (Hierarchy){.nodes = malloc((2 * count + 1) * sizeof *hierarchy->nodes),
-                             .order = malloc((count + 1) * sizeof *hierarchy->order),
-                             .numbers = malloc((count + 1) * 4 * sizeof(double))};
+    *hierarchy = (Hierarchy){.nodes = lanes_memory((2 * count + 1) * sizeof *hierarchy->nodes),
+                             .order = lanes_memory((count + 1) * sizeof *hierarchy->order),
+                             .numbers = lanes_memory((count + 1) * 4 * sizeof(double))};
     bool built = builder.items != NULL && hierarchy->nodes != NULL && hierarchy->order != NULL &&
                  hierarchy->numbers != NULL;
     if (built) {
@@ -381,7 +381,7 @@ bool wide_build(WideHierarchy *wide, const Hierarchy *hierarchy)
     widen(&count, 0);
     wide->nodes = lanes_memory((size_t)count.nodes * sizeof *wide->nodes);
     wide->leaves = lanes_memory((size_t)count.leaves * sizeof *wide->leaves);
-    wide->places = malloc((size_t)root->count * sizeof *wide->places);
+    wide->places = lanes_memory((size_t)root->count * sizeof *wide->places);
     if (wide->nodes == NULL || wide->leaves == NULL || wide->places == NULL) {
         wide_free(wide);
         return false;

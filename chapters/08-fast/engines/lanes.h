@@ -28,8 +28,9 @@ LanesKind lanes_best(void);
 // Tests and benchmarks may allow less than the best.
 extern LanesKind lanes_at_most;
 
-// Memory for this many bytes, aligned to a line of the cache, where vectors are read fastest. NULL
-// if there is not enough. Free it with free.
+// Memory for this many bytes, aligned to a line of the cache, where vectors are read fastest; in
+// large pages if it is large, because rays read it at random. NULL if there is not enough. Free it
+// with free.
 void *lanes_memory(size_t size);
 
 // The address of NAME_avx512, NAME_avx2 or NAME_baseline.

@@ -96,7 +96,10 @@ typedef struct {
     const LightGrid *grid; // of the light where they end; NULL: they go on forever
     bool any;              // any hit suffices, it need not be the nearest
     int count;
-    int left[PATHS]; // the place of the sphere that each ray leaves, or NO_PLACE
+    // The sphere that each ray leaves: its place, or NO_PLACE; and its numbers.
+    int left[PATHS];
+    const Vectors *center;
+    const double *radius;
 } Rays;
 
 // For each ray, the place in the hierarchy of the only sphere that may be the answer; or NO_PLACE

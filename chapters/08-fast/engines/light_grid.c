@@ -25,9 +25,12 @@ static bool look(LightGrid *grid, const WideHierarchy *wide, Light light, double
     const Scene *scene = bins->scene;
     vec3 middle;
     bins->largest = INFINITY;
-    for (int i = 0; i < MOST_GIANTS; i++) // without one giant, others stand out
-        bins->largest = fmin(bins->largest, extent_of(scene, bins->largest, &middle));
-    extent_of(scene, bins->largest, &middle);
+    for (int i = 0; i <= MOST_GIANTS; i++) { // without one giant, others stand out
+        double extent = extent_of(scene, bins->largest, &middle);
+        if (i == MOST_GIANTS || !(extent < bins->largest))
+            break;
+        bins->largest = extent;
+    }
     vec3 towards = middle - light.position;
     double distance = vec3_length(towards), radius = 0;
     for (int i = 0; i < scene->sphere_count; i++) {

@@ -142,7 +142,8 @@ static void find_spheres(LightPaths *all, bool mirrored)
 {
     Paths *paths = &all->paths;
     const LightWorld *world = all->world;
-    Rays rays = {&paths->origin, &paths->direction, NULL, false, paths->count, {0}};
+    Rays rays = {&paths->origin, &paths->direction, NULL, false, paths->count, {0},
+                 &paths->center, paths->radius};
     int places[PATHS];
     for (int i = 0; i < paths->count; i++)
         rays.left[i] = mirrored ? world->wide.places[paths->sphere[i]] : NO_PLACE;
@@ -162,7 +163,9 @@ static void keep(Paths *paths, const int *kept, int count)
     for (int i = 0; i < count; i++) {
         paths->number[i] = paths->number[kept[i]];
         paths->sphere[i] = paths->sphere[kept[i]];
+        paths->radius[i] = paths->radius[kept[i]];
     }
+    choose(&paths->center, kept, count, &paths->center);
     paths->count = count;
 }
 
@@ -225,7 +228,8 @@ static void find_light(LightPaths *all, int number)
     const Light light = world->scene->lights[number];
     const LightGrid *grid = light.kind == LIGHT_DISTANT ? NULL : &world->grids[number];
     double *lit = all->lit + number * PATHS;
-    Rays rays = {&paths->start, &all->directions, grid, true, paths->count, {0}};
+    Rays rays = {&paths->start, &all->directions, grid,         true, paths->count,
+                 {0},           &paths->center,   paths->radius};
     int places[PATHS];
     all->steps->to_light(paths, &light, &all->directions);
     for (int i = 0; i < paths->count; i++)

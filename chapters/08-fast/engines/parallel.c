@@ -9,6 +9,7 @@
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <sys/mman.h>
 
 enum { MOST_THREADS = 256, SHARES = 16 };
 
@@ -74,6 +75,14 @@ LanesKind lanes_best(void)
 
 void *lanes_memory(size_t size)
 {
-    const size_t line = 64;
-    return size > SIZE_MAX - line ? NULL : aligned_alloc(line, (size + line - 1) / line * line);
+    const size_t line = 64, page = (size_t)1 << 21, unit = size < page ? line : page;
+    if (size > SIZE_MAX - unit)
+        return NULL;
+    size = (size + unit - 1) / unit * unit;
+    void *memory = aligned_alloc(unit, size);
+#ifdef MADV_HUGEPAGE
+    if (memory != NULL && unit == page)
+        madvise(memory, size, MADV_HUGEPAGE);
+#endif
+    return memory;
 }

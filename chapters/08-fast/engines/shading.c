@@ -62,7 +62,7 @@ static void look(Lit *lit)
     Image size = {.size = samples};
     Work work = *lit->work;
     work.image = &size;
-    lit->seen = malloc((size_t)samples.width * (size_t)samples.height * sizeof *lit->seen);
+    lit->seen = lanes_memory((size_t)samples.width * (size_t)samples.height * sizeof *lit->seen);
     if (lit->seen != NULL && !bins_spheres(&work, lit->seen)) {
         free(lit->seen);
         lit->seen = NULL;
@@ -101,6 +101,19 @@ typedef struct {
     Vectors sums;
 } Block;
 
+// Whether any sample of the block sees a sphere, as far as it is known.
+static bool sees_spheres(const Block *block)
+{
+    const Lit *lit = block->lit;
+    const int n = lit->rendering.style.samples;
+    const size_t width = (size_t)lit->world.samples.width;
+    bool any = lit->seen == NULL;
+    for (int row = block->top * n; row < block->bottom * n && !any; row++)
+        for (int column = block->left * n; column < block->right * n; column++)
+            any |= lit->seen[(size_t)row * width + (size_t)column] >= 0;
+    return any;
+}
+
 // In squares of 4 x 4 pixels, because neighbours ask the same spheres.
 static Pixel pixel_of(const Block *block, int path)
 {
@@ -138,21 +151,45 @@ static void trace_sample(Block *block, int sample, Color background)
     all->steps->add_clamped(all->colors, places, count, &block->sums);
 }
 
+// The mean of a pixel's samples.
+static void set_mean(const Lit *lit, Pixel pixel, Color sum)
+{
+    const Style style = lit->rendering.style;
+    const Color mean = sum / (style.samples * style.samples);
+    set_pixel(lit->work->image, pixel, style.gamma == 1 ? mean : gamma_encode(mean, style.gamma));
+}
+
+// Nothing but background: one pixel, copied.
+static void fill_block(const Block *block, int samples, Color background)
+{
+    Image *image = block->lit->work->image;
+    uint8_t rgb[3];
+    Color sum = {0};
+    for (int i = 0; i < samples; i++)
+        sum += background;
+    set_mean(block->lit, (Pixel){block->left, block->top}, sum);
+    memcpy(rgb, image_bytes(image, (Pixel){block->left, block->top}), sizeof rgb);
+    for (int row = block->top; row < block->bottom; row++)
+        for (int column = block->left; column < block->right; column++)
+            memcpy(image_bytes(image, (Pixel){column, row}), rgb, sizeof rgb);
+}
+
 static void paint_block(Block *block)
 {
     const Lit *lit = block->lit;
-    const Style style = lit->rendering.style;
-    const int samples = style.samples * style.samples;
+    const int samples = lit->rendering.style.samples * lit->rendering.style.samples;
     Color background = clamp_color(lit->work->scene->background);
+    if (!sees_spheres(block)) {
+        fill_block(block, samples, background);
+        return;
+    }
     memset(&block->sums, 0, sizeof block->sums);
     for (int i = 0; i < samples; i++)
         trace_sample(block, i, background);
     for (int i = 0; i < PATHS; i++) {
         Pixel pixel = pixel_of(block, i);
-        Color mean = vector_of(&block->sums, i) / samples;
         if (pixel.column < block->right && pixel.row < block->bottom)
-            set_pixel(lit->work->image, pixel,
-                      style.gamma == 1 ? mean : gamma_encode(mean, style.gamma));
+            set_mean(lit, pixel, vector_of(&block->sums, i));
     }
 }
 

@@ -61,8 +61,8 @@ static Ray touching(Light to, const Sphere *sphere)
 // The number of rays, out of those that nearly touch a sphere, for which the grid is wrong.
 static int wrong(const LightWorld *world, Light light, const Sphere *sphere)
 {
-    static Vectors starts, ways;
-    Rays rays = {&starts, &ways, &world->grids[0], true, RAYS, {0}};
+    static Vectors starts, ways, none;
+    Rays rays = {&starts, &ways, &world->grids[0], true, RAYS, {0}, &none, none.x};
     int places[PATHS], different = 0;
     for (int i = 0; i < RAYS; i++) {
         Ray ray = touching(light, sphere);
