@@ -57,10 +57,6 @@ bool cast_bins(const Work *work, Message *message);
 // False if bins cannot find them.
 bool bins_spheres(const Work *work, int *spheres);
 
-// Does what the command line of chapter 08 says: which engine draws which scene (cast.c). Returns
-// the result of main.
-int cast_command(int argc, char **argv);
-
 // ---- threads ----------------------------------------------------------------------------------
 
 // Calls part(given, i) once for each i from 0 to parts - 1, in any order, by this number of threads
