@@ -24,12 +24,17 @@ static View view_of(Camera camera, Sphere sphere)
                   sphere.radius};
 }
 
+// One end of the outline along an axis: side is -1 or 1, and g is z^2 - r^2.
+static double tangent(double z, double x, double r, double g, double side)
+{
+    return (z * x + side * r * sqrt(fmax(x * x + g, 0))) / g;
+}
+
 static Outline outline_of(View v)
 {
-    double g = v.ahead * v.ahead - v.r * v.r;
-    double x = v.r * sqrt(v.right * v.right + g), y = v.r * sqrt(v.up * v.up + g);
-    return (Outline){(v.ahead * v.right - x) / g, (v.ahead * v.right + x) / g,
-                     (v.ahead * v.up - y) / g, (v.ahead * v.up + y) / g};
+    double z = v.ahead, r = v.r, g = z * z - r * r;
+    return (Outline){tangent(z, v.right, r, g, -1), tangent(z, v.right, r, g, 1),
+                     tangent(z, v.up, r, g, -1), tangent(z, v.up, r, g, 1)};
 }
 
 static const ScreenRectangle nothing = {0, 0, 0, 0};
@@ -60,207 +65,103 @@ static ScreenRectangle cut_off(ScreenRectangle s, Resolution screen)
                              limited(s.top, screen.height), limited(s.bottom, screen.height)};
 }
 
-// All of it except the outline, which the mistake computes.
-static ScreenRectangle with_outline(Camera c, Resolution screen, Sphere sphere,
-                                    Outline (*outline)(View))
+static ScreenRectangle not_cut_off(Camera c, Resolution screen, View v, Outline o)
 {
-    View v = view_of(c, sphere);
     if (v.ahead <= -v.r)
         return nothing;
-    return v.ahead <= v.r ? whole(screen) : cut_off(on_screen(c, screen, outline(v)), screen);
+    return v.ahead <= v.r ? whole(screen) : on_screen(c, screen, o);
+}
+
+static ScreenRectangle moved(ScreenRectangle s, double x, double y)
+{
+    return (ScreenRectangle){s.left + x, s.right + x, s.top + y, s.bottom + y};
 }
 
 // All of it with another view.
 static ScreenRectangle with_view(Camera c, Resolution screen, View v)
 {
-    if (v.ahead <= -v.r)
-        return nothing;
-    return v.ahead <= v.r ? whole(screen) : cut_off(on_screen(c, screen, outline_of(v)), screen);
+    return cut_off(not_cut_off(c, screen, v, outline_of(v)), screen);
 }
-
-#define OUTLINE_MISTAKE(id, formula, why, picture, outline)                                        \
-    WRONG(sphere_rectangle, id, formula, why, picture)                                             \
-    {                                                                                              \
-        return with_outline(camera, screen, sphere, outline);                                      \
-    }
-
-// ---- the tangents -------------------------------------------------------------------------------
-
-static Outline outline_radius_over_ahead(View v)
-{
-    double x = v.right / v.ahead, y = v.up / v.ahead, r = v.r / v.ahead;
-    return (Outline){x - r, x + r, y - r, y + r};
-}
-
-static Outline outline_box(View v)
-{
-    double near = v.ahead - v.r, far = v.ahead + v.r;
-    double l = v.right - v.r, r = v.right + v.r, b = v.up - v.r, t = v.up + v.r;
-    return (Outline){fmin(l / near, l / far), fmax(r / near, r / far), fmin(b / near, b / far),
-                     fmax(t / near, t / far)};
-}
-
-static Outline outline_near_side(View v)
-{
-    double near = v.ahead - v.r;
-    return (Outline){(v.right - v.r) / near, (v.right + v.r) / near, (v.up - v.r) / near,
-                     (v.up + v.r) / near};
-}
-
-static Outline outline_symmetric(View v)
-{
-    double x = v.right / v.ahead, y = v.up / v.ahead, g = v.ahead * v.ahead - v.r * v.r;
-    double half_x = v.r * sqrt(v.right * v.right + g) / g, half_y = v.r * sqrt(v.up * v.up + g) / g;
-    return (Outline){x - half_x, x + half_x, y - half_y, y + half_y};
-}
-
-static Outline outline_without_r(View v)
-{
-    double g = v.ahead * v.ahead - v.r * v.r;
-    double x = v.r * hypot(v.right, v.ahead), y = v.r * hypot(v.up, v.ahead);
-    return (Outline){(v.ahead * v.right - x) / g, (v.ahead * v.right + x) / g,
-                     (v.ahead * v.up - y) / g, (v.ahead * v.up + y) / g};
-}
-
-static Outline outline_g_plus(View v)
-{
-    double g = v.ahead * v.ahead + v.r * v.r;
-    double x = v.r * sqrt(v.right * v.right + g), y = v.r * sqrt(v.up * v.up + g);
-    return (Outline){(v.ahead * v.right - x) / g, (v.ahead * v.right + x) / g,
-                     (v.ahead * v.up - y) / g, (v.ahead * v.up + y) / g};
-}
-
-static Outline outline_over_ahead_squared(View v)
-{
-    Outline o = outline_of(v);
-    double g = (v.ahead * v.ahead - v.r * v.r) / (v.ahead * v.ahead);
-    return (Outline){o.left * g, o.right * g, o.low * g, o.high * g};
-}
-
-static Outline outline_not_divided(View v)
-{
-    Outline o = outline_of(v);
-    double g = v.ahead * v.ahead - v.r * v.r;
-    return (Outline){o.left * g, o.right * g, o.low * g, o.high * g};
-}
-
-static Outline outline_half(View v)
-{
-    Outline o = outline_of(v);
-    return (Outline){o.left / 2, o.right / 2, o.low / 2, o.high / 2};
-}
-
-static Outline outline_sign_of_b(View v)
-{
-    Outline o = outline_of(v);
-    return (Outline){-o.right, -o.left, -o.high, -o.low};
-}
-
-static Outline outline_diameter(View v)
-{
-    v.r *= 2;
-    return v.ahead > v.r ? outline_of(v) : (Outline){-INFINITY, INFINITY, -INFINITY, INFINITY};
-}
-
-static Outline outline_r_not_squared(View v)
-{
-    double g = v.ahead * v.ahead - v.r;
-    double x = v.r * sqrt(fmax(v.right * v.right + g, 0));
-    double y = v.r * sqrt(fmax(v.up * v.up + g, 0));
-    return (Outline){(v.ahead * v.right - x) / g, (v.ahead * v.right + x) / g,
-                     (v.ahead * v.up - y) / g, (v.ahead * v.up + y) / g};
-}
-
-// Angles in space, where each axis has an angle of its own.
-static Outline outline_space_angle(View v)
-{
-    double around = asin(v.r / sqrt(v.right * v.right + v.up * v.up + v.ahead * v.ahead));
-    double x = atan2(v.right, v.ahead), y = atan2(v.up, v.ahead);
-    return (Outline){tan(x - around), tan(x + around), tan(y - around), tan(y + around)};
-}
-
-static Outline outline_atan(View v)
-{
-    double across = atan(v.r / hypot(v.right, v.ahead)), up = atan(v.r / hypot(v.up, v.ahead));
-    double x = atan2(v.right, v.ahead), y = atan2(v.up, v.ahead);
-    return (Outline){tan(x - across), tan(x + across), tan(y - up), tan(y + up)};
-}
-
-static Outline outline_angles(View v)
-{
-    Outline o = outline_of(v);
-    return (Outline){atan(o.left), atan(o.right), atan(o.low), atan(o.high)};
-}
-
-// ---- the camera and the screen ------------------------------------------------------------------
 
 static ScreenRectangle right_of(Camera c, Resolution screen, Sphere sphere)
 {
     return with_view(c, screen, view_of(c, sphere));
 }
 
-// ---- the cases ----------------------------------------------------------------------------------
+// ---- the tangents -------------------------------------------------------------------------------
 
-static ScreenRectangle not_cut_off(Camera c, Resolution screen, Sphere sphere)
-{
-    View v = view_of(c, sphere);
-    if (v.ahead <= -v.r)
-        return nothing;
-    return v.ahead <= v.r ? whole(screen) : on_screen(c, screen, outline_of(v));
-}
+// One end of the outline along an axis, where the sphere is z ahead, x aside and away from the eye;
+// m is the right one.
+#define TANGENT(id, formula, why, picture, ...)                                                    \
+    WRONG(sphere_rectangle, id, formula, why, picture)                                             \
+    {                                                                                              \
+        View v = view_of(camera, sphere);                                                          \
+        double z = v.ahead, r = v.r, g = z * z - r * r, ends[4];                                   \
+        double away = sqrt(v.right * v.right + v.up * v.up + z * z);                               \
+        (void)away;                                                                                \
+        for (int i = 0; i < 4; i++) {                                                              \
+            double x = i < 2 ? v.right : v.up, side = i % 2 == 0 ? -1 : 1;                         \
+            double m = tangent(z, x, r, g, side);                                                  \
+            (void)m;                                                                               \
+            ends[i] = __VA_ARGS__;                                                                 \
+        }                                                                                          \
+        Outline o = {ends[0], ends[1], ends[2], ends[3]};                                          \
+        return cut_off(not_cut_off(camera, screen, v, o), screen);                                 \
+    }
 
-OUTLINE_MISTAKE("R-flat", "x/z - r/z, x/z + r/z",
-                "the tangents touch the sphere nearer to the eye than its centre is, so the "
-                "outline is larger than a disc at the centre.",
-                "spheres whose edges are cut off, most of all near the eye",
-                outline_radius_over_ahead)
-OUTLINE_MISTAKE(
-    "R-box", "(x -+ r) / (z -+ r)",
-    "this is the rectangle of a cube around the sphere. The sphere does not reach its corners.",
-    "the right picture, but too many pixels are tested", outline_box)
-OUTLINE_MISTAKE("R-near", "(x -+ r) / (z - r)",
-                "only one point of the sphere is as near as z - r, and it is not on the outline.",
-                "large spheres are tested too often, and spheres at the side are cut off",
-                outline_near_side)
-OUTLINE_MISTAKE(
-    "R-middle", "x/z -+ r sqrt(x^2 + g) / g",
-    "the middle between the two tangents is x z / g. The centre of the sphere is at x / z.",
-    "spheres at the side are cut off on their outer side", outline_symmetric)
-OUTLINE_MISTAKE("R-root", "r sqrt(x^2 + z^2)",
-                "under the root is x^2 + z^2 - r^2, the square of the length of the tangent.",
-                "the right picture, but too many pixels are tested", outline_without_r)
-OUTLINE_MISTAKE("R-plus", "g = z^2 + r^2", "g is z^2 - r^2.", "spheres whose edges are cut off",
-                outline_g_plus)
-OUTLINE_MISTAKE("R-z2", "/ z^2 instead of / g",
-                "the quadratic begins with g m^2, so its roots are divided by g = z^2 - r^2.",
-                "spheres whose edges are cut off", outline_over_ahead_squared)
-OUTLINE_MISTAKE("R-divide", "x z -+ r sqrt(x^2 + g)",
-                "the roots of the quadratic are divided by its first coefficient, g.",
-                "nearly every sphere covers the whole screen", outline_not_divided)
-OUTLINE_MISTAKE(
-    "R-half", "/ (2 g)",
-    "the 2 of 2 x z m and the 2 of the formula cancel. Divided by 2 g, everything is halved.",
-    "only a part of each sphere, towards the middle of the picture", outline_half)
-OUTLINE_MISTAKE("R-sign", "-x z -+ r sqrt(x^2 + g)",
-                "the linear coefficient is -2 x z, and the formula has -b, so x z is positive.",
-                "only spheres in the middle, because the rectangles are on the opposite side",
-                outline_sign_of_b)
-OUTLINE_MISTAKE("R-diameter", "2 r instead of r",
-                "the radius is the distance from the centre to the surface.",
-                "the right picture, but four times as many pixels are tested", outline_diameter)
-OUTLINE_MISTAKE("R-square", "g = z^2 - r", "the radius is squared: r^2.",
-                "right if the radius is 1; if not, cut off or too large", outline_r_not_squared)
-OUTLINE_MISTAKE("R-space", "asin(r / |c|)",
-                "in this direction only x and z count. |c| includes how far up the sphere is.",
-                "spheres near the corners are cut off", outline_space_angle)
-OUTLINE_MISTAKE("R-atan", "atan(r / sqrt(x^2 + z^2))",
-                "eye, centre and the point that the tangent touches are a triangle with the right "
-                "angle at that point, so the ratio of r and the distance is a sine.",
-                "spheres whose edges are cut off", outline_atan)
-OUTLINE_MISTAKE(
-    "R-angles", "atan(m) instead of m",
-    "places on the plane are proportional to the tangent of the angle, not to the angle.",
-    "spheres near the edges of the picture are cut off", outline_angles)
+TANGENT("R-flat", "x/z - r/z, x/z + r/z",
+        "the tangents touch the sphere nearer to the eye than its centre is, so the outline is "
+        "larger than a disc at the centre.",
+        "spheres whose edges are cut off, most of all near the eye", x / z + side * r / z)
+TANGENT("R-box", "(x -+ r) / (z -+ r)",
+        "this is the rectangle of a cube around the sphere. The sphere does not reach its corners.",
+        "the right picture, but too many pixels are tested",
+        side < 0 ? fmin((x - r) / (z - r), (x - r) / (z + r))
+                 : fmax((x + r) / (z - r), (x + r) / (z + r)))
+TANGENT("R-near", "(x -+ r) / (z - r)",
+        "only one point of the sphere is as near as z - r, and it is not on the outline.",
+        "large spheres are tested too often, and spheres at the side are cut off",
+        (x + side * r) / (z - r))
+TANGENT("R-middle", "x/z -+ r sqrt(x^2 + g) / g",
+        "the middle between the two tangents is x z / g. The centre of the sphere is at x / z.",
+        "spheres at the side are cut off on their outer side",
+        x / z + side * r * sqrt(x * x + g) / g)
+TANGENT("R-root", "r sqrt(x^2 + z^2)",
+        "under the root is x^2 + z^2 - r^2, the square of the length of the tangent.",
+        "the right picture, but too many pixels are tested", (z * x + side * r * hypot(x, z)) / g)
+TANGENT("R-plus", "g = z^2 + r^2", "g is z^2 - r^2.", "spheres whose edges are cut off",
+        tangent(z, x, r, (z * z + r * r), side))
+TANGENT("R-z2", "/ z^2 instead of / g",
+        "the quadratic begins with g m^2, so its roots are divided by g = z^2 - r^2.",
+        "spheres whose edges are cut off", (m * g / (z * z)))
+TANGENT("R-divide", "x z -+ r sqrt(x^2 + g)",
+        "the roots of the quadratic are divided by its first coefficient, g.",
+        "nearly every sphere covers the whole screen", (m * g))
+TANGENT("R-half", "/ (2 g)",
+        "the 2 of 2 x z m and the 2 of the formula cancel. Divided by 2 g, everything is halved.",
+        "only a part of each sphere, towards the middle of the picture", m / 2)
+TANGENT("R-sign", "-x z -+ r sqrt(x^2 + g)",
+        "the linear coefficient is -2 x z, and the formula has -b, so x z is positive.",
+        "only spheres in the middle, because the rectangles are on the opposite side",
+        -tangent(z, x, r, g, -side))
+TANGENT("R-diameter", "2 r instead of r",
+        "the radius is the distance from the centre to the surface.",
+        "the right picture, but four times as many pixels are tested",
+        z > 2 * r ? tangent(z, x, 2 * r, (z * z - 4 * r * r), side) : side * INFINITY)
+TANGENT("R-square", "g = z^2 - r", "the radius is squared: r^2.",
+        "right if the radius is 1; if not, cut off or too large",
+        tangent(z, x, r, (z * z - r), side))
+// Angles in space, where each axis has an angle of its own.
+TANGENT("R-space", "asin(r / |c|)",
+        "in this direction only x and z count. |c| includes how far up the sphere is.",
+        "spheres near the corners are cut off", tan(atan2(x, z) + side * asin(r / away)))
+TANGENT("R-atan", "atan(r / sqrt(x^2 + z^2))",
+        "eye, centre and the point that the tangent touches are a triangle with the right angle at "
+        "that point, so the ratio of r and the distance is a sine.",
+        "spheres whose edges are cut off", tan(atan2(x, z) + side * atan(r / hypot(x, z))))
+TANGENT("R-angles", "atan(m) instead of m",
+        "places on the plane are proportional to the tangent of the angle, not to the angle.",
+        "spheres near the edges of the picture are cut off", atan(m))
 
 WRONG(sphere_rectangle, "R-world", "x, y, z of the world",
       "to the side, up and ahead are measured along the camera's right, up and forward.",
@@ -301,18 +202,30 @@ OF_VIEW("R-plane", "z - d instead of z",
         v.ahead -= camera.distance;
         return with_view(camera, screen, v))
 
-WRONG(sphere_rectangle, "R-far", "|c| instead of z",
-      "the distance ahead is measured along forward. |c| is the distance to the centre.",
-      "spheres at the side are cut off")
-{
-    View v = view_of(camera, sphere);
-    if (v.ahead <= -v.r)
-        return nothing;
-    if (v.ahead <= v.r)
-        return whole(screen);
-    v.ahead = sqrt(v.right * v.right + v.up * v.up + v.ahead * v.ahead);
-    return cut_off(on_screen(camera, screen, outline_of(v)), screen);
-}
+// From the right outline, before it is cut off.
+#define OF_UNCUT(id, formula, why, picture, ...)                                                   \
+    WRONG(sphere_rectangle, id, formula, why, picture)                                             \
+    {                                                                                              \
+        View v = view_of(camera, sphere);                                                          \
+        if (v.ahead <= v.r)                                                                        \
+            return right_of(camera, screen, sphere);                                               \
+        ScreenRectangle s = on_screen(camera, screen, outline_of(v));                              \
+        __VA_ARGS__;                                                                               \
+        return cut_off(s, screen);                                                                 \
+    }
+
+OF_UNCUT("R-far", "|c| instead of z",
+         "the distance ahead is measured along forward. |c| is the distance to the centre.",
+         "spheres at the side are cut off",
+         v.ahead = sqrt(v.right * v.right + v.up * v.up + v.ahead * v.ahead);
+         s = on_screen(camera, screen, outline_of(v)))
+OF_UNCUT("R-corner", "x instead of W/2 + x",
+         "the origin of the screen is its upper left corner, and m = 0 is its middle.",
+         "the upper left quarter of what there should be",
+         s = moved(s, -screen.width / 2.0, -screen.height / 2.0))
+OF_UNCUT("R-pixel", "x - 0.5, y - 0.5",
+         "screen points are continuous: the first pixel reaches from 0 to 1.",
+         "the last column and row of a sphere are missing here and there", s = moved(s, -0.5, -0.5))
 
 WITH_VIEW("R-distance", "m instead of d m",
           "m is the distance to the side for each 1 ahead, and the image plane is d ahead.",
@@ -359,34 +272,6 @@ OF_RECTANGLE("R-normal", "s, t instead of x, y",
              return (ScreenRectangle){s.left / screen.width, s.right / screen.width,
                                       s.top / screen.height, s.bottom / screen.height})
 
-WRONG(sphere_rectangle, "R-corner", "x instead of W/2 + x",
-      "the origin of the screen is its upper left corner, and m = 0 is its middle.",
-      "the upper left quarter of what there should be")
-{
-    View v = view_of(camera, sphere);
-    if (v.ahead <= -v.r)
-        return nothing;
-    if (v.ahead <= v.r)
-        return whole(screen);
-    ScreenRectangle s = on_screen(camera, screen, outline_of(v));
-    double x = screen.width / 2.0, y = screen.height / 2.0;
-    return cut_off((ScreenRectangle){s.left - x, s.right - x, s.top - y, s.bottom - y}, screen);
-}
-
-WRONG(sphere_rectangle, "R-pixel", "x - 0.5, y - 0.5",
-      "screen points are continuous: the first pixel reaches from 0 to 1.",
-      "the last column and row of a sphere are missing here and there")
-{
-    View v = view_of(camera, sphere);
-    if (v.ahead <= -v.r)
-        return nothing;
-    if (v.ahead <= v.r)
-        return whole(screen);
-    ScreenRectangle s = on_screen(camera, screen, outline_of(v));
-    return cut_off((ScreenRectangle){s.left - 0.5, s.right - 0.5, s.top - 0.5, s.bottom - 0.5},
-                   screen);
-}
-
 OF_RECTANGLE("R-whole", "floor, ceil", "the rectangle is exact. Rounding to pixels comes after it.",
              "the right picture",
              return (ScreenRectangle){floor(s.left), ceil(s.right), floor(s.top), ceil(s.bottom)})
@@ -394,19 +279,31 @@ OF_RECTANGLE("R-floor", "(int)", "the rectangle is exact, so its parts are not w
              "the last column and row of each sphere are missing",
              return (ScreenRectangle){floor(s.left), floor(s.right), floor(s.top), floor(s.bottom)})
 
-WRONG_BY(not_cut_off, sphere_rectangle, "R-cut", "not cut off",
-         "outside of the screen there are no pixels, so the rectangle ends at the screen's edges.",
-         "the program ends when it colours a pixel outside of the image")
+// From the right rectangle, not cut off.
+#define OF_WHOLE_RECTANGLE(id, formula, why, picture, ...)                                         \
+    WRONG(sphere_rectangle, id, formula, why, picture)                                             \
+    {                                                                                              \
+        View v = view_of(camera, sphere);                                                          \
+        ScreenRectangle s = not_cut_off(camera, screen, v, outline_of(v));                         \
+        double w = screen.width, h = screen.height;                                                \
+        (void)w, (void)h;                                                                          \
+        return __VA_ARGS__;                                                                        \
+    }
 
-WRONG(sphere_rectangle, "R-strip", "limits alone",
-      "a sphere beside the screen keeps an empty strip at its edge. Test first whether the two "
-      "overlap.",
-      "the right picture")
-{
-    ScreenRectangle s = not_cut_off(camera, screen, sphere);
-    return (ScreenRectangle){limited(s.left, screen.width), limited(s.right, screen.width),
-                             limited(s.top, screen.height), limited(s.bottom, screen.height)};
-}
+OF_WHOLE_RECTANGLE(
+    "R-cut", "not cut off",
+    "outside of the screen there are no pixels, so the rectangle ends at the screen's edges.",
+    "the program ends when it colours a pixel outside of the image", s)
+OF_WHOLE_RECTANGLE("R-strip", "limits alone",
+                   "a sphere beside the screen keeps an empty strip at its edge. Test first "
+                   "whether the two overlap.",
+                   "the right picture",
+                   (ScreenRectangle){limited(s.left, w), limited(s.right, w), limited(s.top, h),
+                                     limited(s.bottom, h)})
+OF_WHOLE_RECTANGLE("R-leave", "nothing beyond an edge",
+                   "a sphere that is partly outside of the screen is partly seen.",
+                   "spheres at the edges of the picture are missing",
+                   s.left >= 0 && s.right <= w && s.top >= 0 && s.bottom <= h ? s : nothing)
 
 OF_RECTANGLE("R-last", "W - 1, H - 1",
              "the screen goes from 0 to W. W - 1 is where its last pixel begins.",
@@ -415,52 +312,30 @@ OF_RECTANGLE("R-last", "W - 1, H - 1",
                  fmin(s.left, screen.width - 1), fmin(s.right, screen.width - 1),
                  fmin(s.top, screen.height - 1), fmin(s.bottom, screen.height - 1)})
 
-WRONG(sphere_rectangle, "R-leave", "nothing beyond an edge",
-      "a sphere that is partly outside of the screen is partly seen.",
-      "spheres at the edges of the picture are missing")
-{
-    ScreenRectangle s = not_cut_off(camera, screen, sphere);
-    bool inside = s.left >= 0 && s.right <= screen.width && s.top >= 0 && s.bottom <= screen.height;
-    return inside ? s : nothing;
-}
-
-WRONG(sphere_rectangle, "R-behind", "no case for z <= -r",
-      "the lines go on behind the eye, and the formula does not know that. Test z first.",
-      "the right picture, but spheres behind the eye are tested as well")
-{
-    View v = view_of(camera, sphere);
-    if (fabs(v.ahead) <= v.r)
-        return whole(screen);
-    return cut_off(on_screen(camera, screen, outline_of(v)), screen);
-}
-
+OF_VIEW("R-behind", "no case for z <= -r",
+        "the lines go on behind the eye, and the formula does not know that. Test z first.",
+        "the right picture, but spheres behind the eye are tested as well",
+        ScreenRectangle s = on_screen(camera, screen, outline_of(v));
+        return fabs(v.ahead) <= v.r ? whole(screen) : cut_off(s, screen))
 OF_VIEW("R-behind-all", "the whole screen for z <= -r",
         "a sphere that is completely behind the eye is not visible.",
         "the right picture, but spheres behind the eye are tested as well",
         return v.ahead <= v.r ? whole(screen) : right_of(camera, screen, sphere))
-
-WRONG_LINE(sphere_rectangle, "R-centre", "nothing for z <= 0",
-           "a sphere whose centre is behind the eye may reach in front of it. Compare z with -r.",
-           "no sphere around the eye as soon as its centre is behind the eye",
-           return view_of(camera, sphere).ahead <= 0 ? nothing : right_of(camera, screen, sphere))
-
+OF_VIEW("R-centre", "nothing for z <= 0",
+        "a sphere whose centre is behind the eye may reach in front of it. Compare z with -r.",
+        "no sphere around the eye as soon as its centre is behind the eye",
+        return v.ahead <= 0 ? nothing : right_of(camera, screen, sphere))
 OF_VIEW("R-inside", "nothing for z <= r", "from inside a sphere every ray hits it.",
         "no sphere around the eye or beside it",
         return v.ahead <= v.r ? nothing : right_of(camera, screen, sphere))
-
-WRONG(sphere_rectangle, "R-beside", "nothing beside the eye",
-      "a sphere beside the eye that reaches ahead can be seen.", "no sphere beside the eye")
-{
-    vec3 to = sphere.center - camera.origin;
-    bool beside = vec3_length(to) > sphere.radius && vec3_dot(to, camera.forward) <= sphere.radius;
-    return beside ? nothing : right_of(camera, screen, sphere);
-}
-
+OF_VIEW("R-beside", "nothing beside the eye",
+        "a sphere beside the eye that reaches ahead can be seen.", "no sphere beside the eye",
+        bool outside = vec3_length(sphere.center - camera.origin) > v.r;
+        return outside && v.ahead <= v.r ? nothing : right_of(camera, screen, sphere))
 OF_VIEW("R-hither", "nothing nearer than z = d",
         "rays start at the eye, and the image plane does not stop them.",
         "no sphere between the eye and the plane",
         return v.ahead + v.r <= camera.distance ? nothing : right_of(camera, screen, sphere))
-
 WRONG_LINE(sphere_rectangle, "R-all", "0, W, 0, H",
            "this tests every pixel for every sphere. A sphere covers less.",
            "the right picture, as slow as before", return whole(screen))
