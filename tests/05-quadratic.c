@@ -41,20 +41,29 @@ static void given_ray_and_sphere(Ray ray, Sphere sphere)
 }
 
 // a, b, c are sums of products of two of the arguments; size is how large the arguments are.
-static void expect_quadratic_of_size(Quadratic yours, double a, double b, double c, double size)
+static void expect_quadratic(Quadratic yours, Quadratic expected, double size)
 {
     given("in order", "a, b, c");
-    expect_vec3(vec3_of(yours.a, yours.b, yours.c), vec3_of(a, b, c), TOLERANCE * size * size);
+    expect_vec3(vec3_of(yours.a, yours.b, yours.c), vec3_of(expected.a, expected.b, expected.c),
+                TOLERANCE * size * size);
 }
 
-static void expect_quadratic(Quadratic yours, double a, double b, double c)
+static void given_object_ray(Ray ray, double radius)
 {
-    expect_quadratic_of_size(yours, a, b, c, 1);
+    given_ray(ray);
+    given_number("radius", radius);
 }
 
-static void expect_no_roots(Roots yours)
+static void expect_object_quadratic(Ray ray, double radius, Quadratic expected, double size)
 {
-    expect_roots(yours, (Roots){0}, 0);
+    given_object_ray(ray, radius);
+    expect_quadratic(object_quadratic(ray, radius), expected, size);
+}
+
+static void expect_world_quadratic(Ray ray, Sphere sphere, Quadratic expected, double size)
+{
+    given_ray_and_sphere(ray, sphere);
+    expect_quadratic(world_quadratic(ray, sphere), expected, size);
 }
 
 static void expect_roots_of(Quadratic q, Roots expected, double within)
@@ -68,6 +77,8 @@ static void expect_meetings(Ray ray, Sphere sphere, Roots expected, double withi
     given_ray_and_sphere(ray, sphere);
     expect_roots(sphere_roots(ray, sphere), expected, within);
 }
+
+static const Roots no_roots = {0};
 
 static Roots two(double t, double u)
 {
@@ -165,20 +176,27 @@ TEST(to_object_coordinates, the_direction_stays_as_it_is)
     expect_vec3(to_object_coordinates(ray, sphere).direction, vec3_of(2, -3, 6), TOLERANCE);
 }
 
+// From a random place around a sphere, in a world of that size, along a direction of that length.
+static void expect_place_found(double world, double length)
+{
+    vec3 place = world * random_vec3(-9, 9);
+    Sphere sphere = random_sphere(9, 0.1, 5);
+    sphere.center *= world;
+    sphere.radius *= world;
+    Ray ray = {sphere.center + place, length * random_vec3(-2, 2)};
+    given_ray_and_sphere(ray, sphere);
+    given("looking at", "the origin");
+    Ray seen = to_object_coordinates(ray, sphere);
+    expect_vec3(seen.origin, place, TOLERANCE * world);
+    given_ray_and_sphere(ray, sphere);
+    given("looking at", "the direction");
+    expect_vec3(seen.direction, ray.direction, TOLERANCE * length);
+}
+
 TEST(to_object_coordinates, a_point_chosen_around_the_centre_is_found_again)
 {
-    for (int i = 0; i < 20; i++) {
-        vec3 place = random_vec3(-9, 9);
-        Sphere sphere = random_sphere(9, 0.1, 5);
-        Ray ray = {sphere.center + place, random_vec3(-2, 2)};
-        given_ray_and_sphere(ray, sphere);
-        given("looking at", "the origin");
-        Ray seen = to_object_coordinates(ray, sphere);
-        expect_vec3(seen.origin, place, TOLERANCE);
-        given_ray_and_sphere(ray, sphere);
-        given("looking at", "the direction");
-        expect_vec3(seen.direction, ray.direction, TOLERANCE);
-    }
+    for (int i = 0; i < 20; i++)
+        expect_place_found(1, 1);
 }
 
 TEST(to_object_coordinates, worlds_and_directions_may_be_of_any_size)
@@ -186,86 +204,70 @@ TEST(to_object_coordinates, worlds_and_directions_may_be_of_any_size)
     enum { COUNT = 13 };
     for (int i = 0; i < COUNT; i++) {
         double world = random_scale(i, COUNT), length = random_scale(COUNT - 1 - i, COUNT);
-        vec3 place = world * random_vec3(-9, 9);
-        Sphere sphere = random_sphere(9, 0.1, 5);
-        sphere.center *= world;
-        sphere.radius *= world;
-        Ray ray = {sphere.center + place, length * random_vec3(-2, 2)};
-        given_ray_and_sphere(ray, sphere);
-        given("looking at", "the origin");
-        Ray seen = to_object_coordinates(ray, sphere);
-        expect_vec3(seen.origin, place, TOLERANCE * world);
-        given_ray_and_sphere(ray, sphere);
-        given("looking at", "the direction");
-        expect_vec3(seen.direction, ray.direction, TOLERANCE * length);
+        expect_place_found(world, length);
     }
 }
 
 // ---- object_quadratic ---------------------------------------------------------------------------
-
-static void given_object_ray(Ray ray, double radius)
-{
-    given_ray(ray);
-    given_number("radius", radius);
-}
 
 // The numbers of the deck's arrow: 0.89^2 + 0.45^2, 2 (-4 * 0.89 - 0.45), 16 + 1 - 1.
 TEST(object_quadratic, the_equation_of_the_ray_of_the_example)
 {
     Ray ray = example_ray();
     Sphere sphere = example_sphere();
-    double a = 0, b = 0, c = -sphere.radius * sphere.radius, size = 1;
+    Quadratic q = {0, 0, -sphere.radius * sphere.radius};
+    double size = 1;
     for (int i = 0; i < 3; i++) {
         ray.origin[i] -= sphere.center[i];
-        a += ray.direction[i] * ray.direction[i];
-        b += 2 * ray.origin[i] * ray.direction[i];
-        c += ray.origin[i] * ray.origin[i];
+        q.a += ray.direction[i] * ray.direction[i];
+        q.b += 2 * ray.origin[i] * ray.direction[i];
+        q.c += ray.origin[i] * ray.origin[i];
         size = fmax(size, fmax(fabs(ray.origin[i]), fabs(ray.direction[i])));
     }
-    given_object_ray(ray, sphere.radius);
-    expect_quadratic_of_size(object_quadratic(ray, sphere.radius), a, b, c, size);
+    expect_object_quadratic(ray, sphere.radius, q, size);
 }
 
 // By hand: 1 + 1/4, 2 (-4 - 1/2), 16 + 1 - 1. The direction is not unit.
 TEST(object_quadratic, the_equation_of_the_ray_through_the_hits_drawn_in_the_deck)
 {
     Ray ray = ray_of_the_deck(1, 0.5);
-    given_object_ray(ray, 1);
-    expect_quadratic(object_quadratic(ray, 1), 1.25, -9, 16);
+    expect_object_quadratic(ray, 1, (Quadratic){1.25, -9, 16}, 1);
 }
 
 // By hand: 4 + 1 + 4, 2 (2 - 2 - 6), 1 + 4 + 9 - 9.
 TEST(object_quadratic, a_radius_of_3_and_a_direction_of_length_3)
 {
     Ray ray = {vec3_of(1, -2, 3), vec3_of(2, 1, -2)};
-    given_object_ray(ray, 3);
-    expect_quadratic(object_quadratic(ray, 3), 9, -12, 5);
+    expect_object_quadratic(ray, 3, (Quadratic){9, -12, 5}, 1);
 }
 
 // By hand: 1.0001^2, 2 * 0.5 * 1.0001, 0.25 - 1/16; and 0.9999^2. None of them is 1.
 TEST(object_quadratic, a_direction_of_almost_unit_length_is_not_unit)
 {
     Ray ray = {vec3_of(0.5, 0, 0), vec3_of(1.0001, 0, 0)};
-    given_object_ray(ray, 0.25);
-    expect_quadratic(object_quadratic(ray, 0.25), 1.00020001, 1.0001, 0.1875);
+    expect_object_quadratic(ray, 0.25, (Quadratic){1.00020001, 1.0001, 0.1875}, 1);
     ray = (Ray){vec3_of(0, -0.5, 0), vec3_of(0, 0.9999, 0)};
-    given_object_ray(ray, 0.25);
-    expect_quadratic(object_quadratic(ray, 0.25), 0.99980001, -0.9999, 0.1875);
+    expect_object_quadratic(ray, 0.25, (Quadratic){0.99980001, -0.9999, 0.1875}, 1);
 }
 
 TEST(object_quadratic, c_is_negative_for_a_ray_that_starts_inside)
 {
     Ray ray = {vec3_of(0, 0, 1), vec3_of(0, 0, 2)};
-    given_object_ray(ray, 4);
-    expect_quadratic(object_quadratic(ray, 4), 4, 4, -15);
+    expect_object_quadratic(ray, 4, (Quadratic){4, 4, -15}, 1);
 }
 
 // The meaning of the equation: at every t, the point's squared distance from the centre minus the
 // squared radius.
-static double distance_squared_less_radius_squared(Ray ray, vec3 center, double radius, double t)
+static void expect_value_at(double t, Quadratic q, Ray ray, Sphere sphere)
 {
-    double distance = vec3_length(ray.origin + t * ray.direction - center);
-    return (distance - radius) * (distance + radius);
+    double distance = vec3_length(ray.origin + t * ray.direction - sphere.center);
+    expect_number(q.a * t * t + q.b * t + q.c,
+                  (distance - sphere.radius) * (distance + sphere.radius), 1e-6);
+}
+
+static void looking_at_value(double t)
+{
+    given("looking at", "a t^2 + b t + c for t = %s", number_text_to(t, 10).s);
 }
 
 TEST(object_quadratic, at_every_t_it_is_the_squared_distance_minus_the_squared_radius)
@@ -274,10 +276,8 @@ TEST(object_quadratic, at_every_t_it_is_the_squared_distance_minus_the_squared_r
         Ray ray = random_ray(5, 2);
         double radius = random_number(0.1, 5), t = random_number(-3, 3);
         given_object_ray(ray, radius);
-        given("looking at", "a t^2 + b t + c for t = %s", number_text_to(t, 10).s);
-        Quadratic q = object_quadratic(ray, radius);
-        expect_number(q.a * t * t + q.b * t + q.c,
-                      distance_squared_less_radius_squared(ray, vec3_of(0, 0, 0), radius, t), 1e-6);
+        looking_at_value(t);
+        expect_value_at(t, object_quadratic(ray, radius), ray, sphere_at(0, 0, 0, radius));
     }
 }
 
@@ -308,9 +308,7 @@ TEST(object_quadratic, an_equation_may_be_of_any_size)
     enum { COUNT = 25 };
     for (int i = 0; i < COUNT; i++) {
         Angled it = random_angled(random_scale(i, COUNT));
-        given_object_ray(it.ray, it.radius);
-        expect_quadratic_of_size(object_quadratic(it.ray, it.radius), it.quadratic.a,
-                                 it.quadratic.b, it.quadratic.c, it.size);
+        expect_object_quadratic(it.ray, it.radius, it.quadratic, it.size);
     }
 }
 
@@ -319,8 +317,7 @@ TEST(object_quadratic, an_equation_may_be_of_any_size)
 TEST(world_quadratic, a_sphere_at_the_origin_of_the_world_gives_what_object_coordinates_give)
 {
     Ray ray = ray_of_the_deck(1, 0.5);
-    given_ray_and_sphere(ray, unit_sphere());
-    expect_quadratic(world_quadratic(ray, unit_sphere()), 1.25, -9, 16);
+    expect_world_quadratic(ray, unit_sphere(), (Quadratic){1.25, -9, 16}, 1);
 }
 
 // From the centre the origin is (1, -2, 3), as in the test of object coordinates.
@@ -328,8 +325,7 @@ TEST(world_quadratic, a_sphere_off_the_origin_of_the_world)
 {
     Ray ray = {vec3_of(1, 2, 3), vec3_of(2, 1, -2)};
     Sphere sphere = sphere_at(0, 4, 0, 3);
-    given_ray_and_sphere(ray, sphere);
-    expect_quadratic(world_quadratic(ray, sphere), 9, -12, 5);
+    expect_world_quadratic(ray, sphere, (Quadratic){9, -12, 5}, 1);
 }
 
 TEST(world_quadratic, moving_the_eye_and_the_sphere_together_changes_nothing)
@@ -338,8 +334,7 @@ TEST(world_quadratic, moving_the_eye_and_the_sphere_together_changes_nothing)
     for (int i = 0; i < 3; i++) {
         Ray ray = {vec3_of(-4, -1, 0) + moves[i], vec3_of(1, 0.5, 0)};
         Sphere sphere = {.center = moves[i], .radius = 1};
-        given_ray_and_sphere(ray, sphere);
-        expect_quadratic(world_quadratic(ray, sphere), 1.25, -9, 16);
+        expect_world_quadratic(ray, sphere, (Quadratic){1.25, -9, 16}, 1);
     }
 }
 
@@ -350,11 +345,8 @@ TEST(world_quadratic, in_the_world_it_is_also_the_squared_distance_minus_the_squ
         Sphere sphere = random_sphere(5, 0.1, 5);
         double t = random_number(-3, 3);
         given_ray_and_sphere(ray, sphere);
-        given("looking at", "a t^2 + b t + c for t = %s", number_text_to(t, 10).s);
-        Quadratic q = world_quadratic(ray, sphere);
-        expect_number(q.a * t * t + q.b * t + q.c,
-                      distance_squared_less_radius_squared(ray, sphere.center, sphere.radius, t),
-                      1e-6);
+        looking_at_value(t);
+        expect_value_at(t, world_quadratic(ray, sphere), ray, sphere);
     }
 }
 
@@ -366,9 +358,7 @@ TEST(world_quadratic, an_equation_of_the_world_may_be_of_any_size)
         Angled it = random_angled(world);
         Sphere sphere = {.center = world * random_vec3(-5, 5), .radius = it.radius};
         it.ray.origin += sphere.center;
-        given_ray_and_sphere(it.ray, sphere);
-        expect_quadratic_of_size(world_quadratic(it.ray, sphere), it.quadratic.a, it.quadratic.b,
-                                 it.quadratic.c, it.size + vec3_length(sphere.center));
+        expect_world_quadratic(it.ray, sphere, it.quadratic, it.size + vec3_length(sphere.center));
     }
 }
 
@@ -429,17 +419,14 @@ TEST(quadratic_roots, a_double_root_counts_as_two)
 TEST(quadratic_roots, a_parabola_that_stays_on_one_side_has_no_roots)
 {
     Quadratic none[] = {{1, 0, 1}, {2, -4, 9}, {1, 1, 0.5}, {-1, 2, -5}};
-    for (int i = 0; i < 4; i++) {
-        given_quadratic(none[i]);
-        expect_no_roots(quadratic_roots(none[i]));
-    }
+    for (int i = 0; i < 4; i++)
+        expect_roots_of(none[i], no_roots, 0);
     // a ((t - lowest)^2 + above^2)
     for (int i = 0; i < 10; i++) {
         double a = random_number(0.1, 5) * (i % 2 == 0 ? 1 : -1);
         double lowest = random_number(-9, 9), above = random_number(0.1, 3);
-        Quadratic q = {a, -2 * a * lowest, a * (lowest * lowest + above * above)};
-        given_quadratic(q);
-        expect_no_roots(quadratic_roots(q));
+        expect_roots_of((Quadratic){a, -2 * a * lowest, a * (lowest * lowest + above * above)},
+                        no_roots, 0);
     }
 }
 
@@ -469,10 +456,8 @@ TEST(quadratic_roots, if_a_is_0_it_is_a_line_with_one_root)
 TEST(quadratic_roots, if_a_and_b_are_0_there_are_no_roots)
 {
     double c[] = {5, -5, 0, 1, -1};
-    for (int i = 0; i < 5; i++) {
-        given_quadratic((Quadratic){0, 0, c[i]});
-        expect_no_roots(quadratic_roots((Quadratic){0, 0, c[i]}));
-    }
+    for (int i = 0; i < 5; i++)
+        expect_roots_of((Quadratic){0, 0, c[i]}, no_roots, 0);
 }
 
 // The law of scale: if a, b and c are all multiplied by one number, the roots stay; and with b and
@@ -487,13 +472,11 @@ TEST(quadratic_roots, coefficients_and_roots_may_be_large_or_small)
         double t = size * random_number(-9, 9), gap = size * random_number(0.1, 9);
         if (i % 5 == 4)
             a = -a;
-        if (i % 3 < 2) {
+        Quadratic above = {a, -2 * a * t, a * (t * t + gap * gap)}; // a ((x - t)^2 + gap^2)
+        if (i % 3 < 2)
             expect_roots_of(with_roots(a, t, t + gap), two(t, t + gap), TOLERANCE * size);
-            continue;
-        }
-        Quadratic q = {a, -2 * a * t, a * (t * t + gap * gap)}; // a ((x - t)^2 + gap^2)
-        given_quadratic(q);
-        expect_no_roots(quadratic_roots(q));
+        else
+            expect_roots_of(above, no_roots, 0);
     }
 }
 
@@ -503,8 +486,7 @@ TEST(quadratic_roots, a_discriminant_may_be_of_any_size)
     for (int power = -16; power <= 16; power++) {
         double root = pow(10, power);
         expect_roots_of((Quadratic){1, 0, -root * root}, two(-root, root), TOLERANCE * root);
-        given_quadratic((Quadratic){1, 0, root * root});
-        expect_no_roots(quadratic_roots((Quadratic){1, 0, root * root}));
+        expect_roots_of((Quadratic){1, 0, root * root}, no_roots, 0);
     }
 }
 
@@ -582,15 +564,12 @@ TEST(sphere_roots, a_line_that_touches_a_sphere_at_its_start_meets_it_at_0)
 TEST(sphere_roots, a_line_that_passes_beside_a_sphere_does_not_meet_it)
 {
     Ray ray = {vec3_of(-4, 1.25, 0), vec3_of(1, 0, 0)};
-    given_ray_and_sphere(ray, unit_sphere());
-    expect_no_roots(sphere_roots(ray, unit_sphere()));
+    expect_meetings(ray, unit_sphere(), no_roots, 0);
     ray = ray_of_the_deck(1, -0.5);
-    given_ray_and_sphere(ray, unit_sphere());
-    expect_no_roots(sphere_roots(ray, unit_sphere()));
+    expect_meetings(ray, unit_sphere(), no_roots, 0);
     for (int i = 0; i < 10; i++) {
         Aimed past = random_beside();
-        given_ray_and_sphere(past.ray, past.sphere);
-        expect_no_roots(sphere_roots(past.ray, past.sphere));
+        expect_meetings(past.ray, past.sphere, no_roots, 0);
     }
 }
 
@@ -612,23 +591,27 @@ TEST(sphere_roots, both_t_may_be_of_any_size)
     }
 }
 
+// First a tiny world and a long direction, last the reverse: from outside, from inside, with the
+// sphere behind, and past it.
+static Aimed in_any_world(int i, int count)
+{
+    Aimed aimed = i % 4 == 0   ? random_aimed(random_number(1, 10))
+                  : i % 4 == 1 ? random_inside()
+                  : i % 4 == 2 ? random_behind()
+                               : random_beside();
+    double world = pow(random_scale(i, count), 1.5);
+    return scaled(aimed, world, random_scale(i % 2 == 0 ? count - 1 - i : i, count));
+}
+
 TEST(sphere_roots, spheres_are_met_at_the_right_t_in_any_world_and_along_any_direction)
 {
     enum { COUNT = 25 };
     for (int i = 0; i < COUNT; i++) {
-        Aimed aimed = i % 4 == 0   ? random_aimed(random_number(1, 10))
-                      : i % 4 == 1 ? random_inside()
-                      : i % 4 == 2 ? random_behind()
-                                   : random_beside();
-        double world = pow(random_scale(i, COUNT), 1.5);
-        double length = random_scale(i % 2 == 0 ? COUNT - 1 - i : i, COUNT);
-        aimed = scaled(aimed, world, length);
-        if (i % 4 < 3) {
+        Aimed aimed = in_any_world(i, COUNT);
+        if (i % 4 < 3)
             expect_aimed(aimed);
-            continue;
-        }
-        given_ray_and_sphere(aimed.ray, aimed.sphere);
-        expect_no_roots(sphere_roots(aimed.ray, aimed.sphere));
+        else
+            expect_meetings(aimed.ray, aimed.sphere, no_roots, 0);
     }
 }
 
@@ -768,18 +751,12 @@ TEST(hit_sphere, a_sphere_in_front_of_the_image_plane_is_hit)
 }
 
 // The law of scale: with the world k times as large t is k times as large, and with the direction k
-// times as long it is 1/k of that. First a tiny world and a long direction, last the reverse.
+// times as long it is 1/k of that.
 TEST(hit_sphere, spheres_are_hit_at_the_right_t_in_any_world_and_along_any_direction)
 {
     enum { COUNT = 25 };
     for (int i = 0; i < COUNT; i++) {
-        Aimed aimed = i % 4 == 0   ? random_aimed(random_number(1, 10))
-                      : i % 4 == 1 ? random_inside()
-                      : i % 4 == 2 ? random_behind()
-                                   : random_beside();
-        double world = pow(random_scale(i, COUNT), 1.5);
-        double length = random_scale(i % 2 == 0 ? COUNT - 1 - i : i, COUNT);
-        aimed = scaled(aimed, world, length);
+        Aimed aimed = in_any_world(i, COUNT);
         expect_hit(aimed.ray, aimed.sphere,
                    i % 4 == 0   ? aimed.near
                    : i % 4 == 1 ? aimed.far
@@ -809,29 +786,20 @@ EXTRA_TEST(quadratic_roots, a_small_root_beside_a_large_one_keeps_its_digits)
     expect_number(quadratic_roots((Quadratic){1, 1e8, 1}).t[1], -1e-8, 1e-17);
 }
 
-// Kahan's example: a + b + c is exactly 0, so 1 is a root, and the other is c / a.
+// Kahan's example: a + b + c is exactly 0, so 1 is a root, and the other is c / a. Then the same
+// with t counted in two thirds, so that a and c are far apart.
 EXTRA_TEST(quadratic_roots, roots_that_are_nearly_equal_keep_their_digits)
 {
-    Quadratic q = {94906265.625, -189812534, 94906268.375};
-    expect_roots_of(q, two(1, 94906268.375 / 94906265.625), 1e-12);
+    const double a = 94906265.625, b = -189812534, c = 94906268.375;
+    expect_roots_of((Quadratic){a, b, c}, two(1, c / a), 1e-12);
+    expect_roots_of((Quadratic){2.25 * a, 1.5 * b, c}, two(1 / 1.5, c / a / 1.5), 1e-12);
 }
 
-EXTRA_TEST(quadratic_roots, enormous_and_tiny_coefficients_neither_overflow_nor_vanish)
+// Last 1.25 (t - 1.5)(t - 3), times a power of two, for t times a power of two.
+EXTRA_TEST(quadratic_roots, coefficients_and_roots_may_be_of_any_size)
 {
     expect_roots_of((Quadratic){1e200, -3e200, 2e200}, two(1, 2), TOLERANCE);
     expect_roots_of((Quadratic){1e-200, -3e-200, 2e-200}, two(1, 2), TOLERANCE);
-}
-
-// The same, with t counted in two thirds: then a and c are far apart.
-EXTRA_TEST(quadratic_roots, nearly_equal_roots_keep_their_digits_if_a_and_c_differ)
-{
-    Quadratic q = {2.25 * 94906265.625, 1.5 * -189812534, 94906268.375};
-    expect_roots_of(q, two(1 / 1.5, 94906268.375 / 94906265.625 / 1.5), 1e-12);
-}
-
-// 1.25 (t - 1.5)(t - 3), times a power of two, for t times a power of two.
-EXTRA_TEST(quadratic_roots, coefficients_and_roots_may_be_of_any_size)
-{
     for (int size = -900; size <= 900; size += 300)
         for (int t = -400; t <= 400; t += 100)
             if (abs(size + 2 * t) < 1000)
@@ -847,8 +815,7 @@ EXTRA_TEST(quadratic_roots, if_b_is_0_or_almost_0_coefficients_may_be_of_any_siz
     expect_roots_of((Quadratic){0x1p600, 0x1p-1000, -0x1p-600}, two(-0x1p-600, 0x1p-600), 0x1p-640);
     expect_roots_of((Quadratic){0x1p600, 0, -0x1p600}, two(-1, 1), 1e-12);
     expect_roots_of((Quadratic){0x1p-600, 0, -0x1p-600}, two(-1, 1), 1e-12);
-    given_quadratic((Quadratic){0x1p-600, 0, 0x1p-600});
-    expect_no_roots(quadratic_roots((Quadratic){0x1p-600, 0, 0x1p-600}));
+    expect_roots_of((Quadratic){0x1p-600, 0, 0x1p-600}, no_roots, 0);
 }
 
 EXTRA_TEST(quadratic_roots, if_c_is_0_coefficients_may_be_of_any_size)
@@ -877,8 +844,7 @@ EXTRA_TEST(quadratic_roots, nan_has_no_roots)
     for (int i = 0; i < 9; i++) {
         double q[] = {1, -3, 2};
         q[i / 3] = none[i % 3];
-        given_quadratic((Quadratic){q[0], q[1], q[2]});
-        expect_no_roots(quadratic_roots((Quadratic){q[0], q[1], q[2]}));
+        expect_roots_of((Quadratic){q[0], q[1], q[2]}, no_roots, 0);
     }
 }
 
@@ -913,8 +879,7 @@ EXTRA_TEST(sphere_roots, a_small_sphere_far_away_is_hit_or_missed_by_a_ten_milli
 {
     double ahead[] = {1234567, 2345677, 3456789, 7654321, 9876543};
     for (int i = 0; i < 5; i++) {
-        given_ray_and_sphere(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 - 1e-7)));
-        expect_no_roots(sphere_roots(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 - 1e-7))));
+        expect_meetings(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 - 1e-7)), no_roots, 0);
         given_ray_and_sphere(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 + 1e-7)));
         given("looking at", "the number of roots");
         expect_int(sphere_roots(whole_ray(), whole_sphere(ahead[i], 5, 5 * (1 + 1e-7))).count, 2);
@@ -972,16 +937,18 @@ EXTRA_TEST(sphere_roots, a_long_direction_from_near_the_origin_of_the_world)
     expect_meetings(ray, whole_sphere(10, 3, 5), two(6e-200, 14e-200), 1e-209);
 }
 
-// Each alone would be fine; together their squares leave the range of a double.
+// The world's size and the direction's: each of the first two would be fine alone; together their
+// squares leave the range of a double.
 EXTRA_TEST(sphere_roots, world_and_direction_may_both_be_large_or_small)
 {
-    double size[] = {1e100, 1e-100};
-    for (int i = 0; i < 2; i++) {
-        Ray ray = {vec3_of(0, 0, 0), size[i] * vec3_of(2, 3, 6)};
+    const double sizes[][2] = {{1e100, 1e100}, {1e-100, 1e-100}, {1e200, 1}, {1e-200, 1}};
+    for (int i = 0; i < 4; i++) {
+        double world = sizes[i][0], length = sizes[i][1], t = world / length;
+        Ray ray = {vec3_of(0, 0, 0), length * vec3_of(2, 3, 6)};
         Sphere sphere = whole_sphere(10, 3, 5);
-        sphere.center = sphere.center * size[i];
-        sphere.radius *= size[i];
-        expect_meetings(ray, sphere, two(6, 14), TOLERANCE);
+        sphere.center = sphere.center * world;
+        sphere.radius *= world;
+        expect_meetings(ray, sphere, two(6 * t, 14 * t), TOLERANCE * t);
     }
 }
 
@@ -1005,19 +972,7 @@ EXTRA_TEST(sphere_roots, nan_meets_nothing)
         Sphere sphere = unit_sphere();
         vec3 *part[] = {&ray.origin, &ray.direction, &sphere.center};
         (*part[i / 3])[i % 2] = none[i % 3];
-        given_ray_and_sphere(ray, sphere);
-        expect_no_roots(sphere_roots(ray, sphere));
-    }
-}
-
-EXTRA_TEST(sphere_roots, scenes_may_be_enormous_or_tiny)
-{
-    double size[] = {1e200, 1e-200};
-    for (int i = 0; i < 2; i++) {
-        Sphere sphere = whole_sphere(10, 3, 5);
-        sphere.center = sphere.center * size[i];
-        sphere.radius *= size[i];
-        expect_meetings(whole_ray(), sphere, two(6 * size[i], 14 * size[i]), TOLERANCE * size[i]);
+        expect_meetings(ray, sphere, no_roots, 0);
     }
 }
 
