@@ -17,7 +17,6 @@ from figure import Figure, PROGRAMS, cross, dot, length, plus, times
 PROGRAM = "06-ray-casting"
 checks = Checks("figures of 06-ray-casting")
 folder = tempfile.TemporaryDirectory()
-ROOM = (0.04, 0.96, 0.16, 0.93)
 DECK = {"from": (2, 2, 4), "at": (2, 2, 0), "up": (0, 1, 0), "angle": math.degrees(2 * math.atan(0.25)),
         "size": (8, 8), "background": (0, 0, 0)}
 ONE = {**DECK, "spheres": [((2.5, 2.5, -4), 0.9, (0.85, 0.42, 0.13))]}
@@ -132,7 +131,7 @@ def telling_pixel(world, dice):
 
 # ---- shared by the figures in space -----------------------------------------------------------------
 
-def see(figure, world, room):
+def see(figure, world):
     figure.see(world.r, world.u, world.f)
     nearer = figure.number("plane_t")
     ahead = [gap for gap in (dot(plus(tuple(row[1:4]), world.eye, -1), world.f) - row[4]
@@ -166,7 +165,7 @@ def plane_where_it_is_seen():
                     unseen.number("balls") == 1 and max(across) - min(across) > 40, str(across))
         wide = {**far, "at": (0, 0, -10), "angle": 170, "spheres": [((16, -14, -20), 14, (0.8, 0.3, 0.2))]}
         figure, world = Figure(PROGRAM, name, *scene_options(wide, (4, 4))), World(wide)
-        see(figure, world, ROOM)
+        see(figure, world)
         checks.that(f"{name}: so can a sphere, at a wide angle", figure.scale * 14 > 40, str(figure.scale))
         middle = figure.place((16, -14, -20))
         for x, y in [] if name == "object-order" else figure.dots("closest hit"):
@@ -209,10 +208,8 @@ def cells(figure, world, nearer, expected):
         corner = min(drawn_at(figure, world, nearer), key=lambda c: math.hypot(
             c[1][0] - shape[0][0], c[1][1] - shape[0][1]))
         drawn[corner[0]] = shape
-    for column, row in expected:
-        corners = [figure.place(plus(world.eye, world.vector(column + x, row + y), nearer))
-                   for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
-        checks.near("a pixel's place", drawn.get((column, row), [])[:4], corners)
+    for place in expected:
+        checks.near("a pixel's place", drawn.get(place, [])[:4], rectangle(figure, world, nearer, place))
 
 
 def drawn_at(figure, world, nearer):
@@ -275,21 +272,30 @@ def scene_options(scene, pixel):
     return [write(scene), "--pixel", f"{pixel[0]},{pixel[1]}"]
 
 
+def drawn_for(name, scene, pixel, options):
+    """The figure, by these options or the scene's; and the world, the pixel's ray and its hits."""
+    world = World(scene)
+    v = world.pixel(*pixel)
+    return Figure(PROGRAM, name, *(scene_options(scene, pixel) if options is None else options)), world, v, world.hits(v)
+
+
+def rectangle(figure, world, nearer, upper_left, size=(1, 1)):
+    """The corners of a rectangle of the screen, on the image plane."""
+    return [figure.place(plus(world.eye, world.vector(upper_left[0] + x * size[0], upper_left[1] + y * size[1]), nearer))
+            for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+
+
 # ---- the figures --------------------------------------------------------------------------------------
 
 def ray_casting(scene, pixel, options=None):
-    world = World(scene)
-    figure = Figure(PROGRAM, "ray-casting", *(scene_options(scene, pixel) if options is None else options))
-    nearer = see(figure, world, (0.04, 0.96, 0.24, 0.93))
-    v = world.pixel(*pixel)
-    hits = world.hits(v)
+    figure, world, v, hits = drawn_for("ray-casting", scene, pixel, options)
+    nearer = see(figure, world)
     shown_spheres(figure, world, seen_spheres(world, pixel))
     patches(figure, world, hits)
     cells(figure, world, nearer, cast(world))
     checks.near("the eye", figure.dots("eye"), figure.place(world.eye))
-    outline = [figure.place(plus(world.eye, world.vector(x * world.columns, y * world.rows), nearer))
-               for x, y in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
-    checks.near("the outline of the plane", figure.lines("plane")[0], outline)
+    outline = rectangle(figure, world, nearer, (0, 0), scene["size"])
+    checks.near("the outline of the plane", figure.lines("plane")[0], outline + outline[:1])
     checks.that("the number of hits", figure.number("all_hits") == len(hits))
     along = figure.lines("ray, all of it")[0]
     checks.near("the ray starts at the eye", along[:1], [figure.place(world.eye)])
@@ -313,21 +319,17 @@ def ray_casting(scene, pixel, options=None):
 
 
 def image_order(scene, pixel, options=None):
-    world = World(scene)
-    figure = Figure(PROGRAM, "image-order", *(scene_options(scene, pixel) if options is None else options))
-    nearer = see(figure, world, ROOM)
-    hits = world.hits(world.pixel(*pixel))
+    figure, world, v, hits = drawn_for("image-order", scene, pixel, options)
+    nearer = see(figure, world)
     shown_spheres(figure, world, seen_spheres(world, pixel))
     patches(figure, world, hits)
     cells(figure, world, nearer, cast(world))
     centers = [figure.place(plus(world.eye, world.pixel(column, row), nearer))
                for row in range(world.rows) for column in range(world.columns)]
     checks.near("the centres of the pixels", figure.dots("centres"), centers)
-    outline = [figure.place(plus(world.eye, world.vector(pixel[0] + x, pixel[1] + y), nearer))
-               for x, y in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))]
-    checks.near("the pixel", figure.lines("outline of the pixel")[0], outline)
-    checks.near("the hit", figure.dots("closest hit"),
-                [figure.place(plus(world.eye, world.pixel(*pixel), t)) for t, _ in hits[:1]])
+    outline = rectangle(figure, world, nearer, pixel)
+    checks.near("the pixel", figure.lines("outline of the pixel")[0], outline + outline[:1])
+    checks.near("the hit", figure.dots("closest hit"), [figure.place(plus(world.eye, v, t)) for t, _ in hits[:1]])
     if figure.number("misses"):
         end = figure.block("miss")[-1][:3]
         checks.that("the ray that misses misses", not world.hits(plus(tuple(end), world.eye, -1)))
@@ -341,8 +343,8 @@ def object_order(scene, pixel, options=None):
     if not hits or not drawable(world, hits[0][1]):
         return
     number = hits[0][1]
-    figure = Figure(PROGRAM, "object-order", *(scene_options(scene, pixel) if options is None else options))
-    nearer = see(figure, world, ROOM)
+    figure = drawn_for("object-order", scene, pixel, options)[0]
+    nearer = see(figure, world)
     shown_spheres(figure, world, [number])
     center, radius, color = world.spheres[number]
     alone = World({**scene, "spheres": [world.spheres[number]]})
@@ -407,10 +409,7 @@ def asks_before_it_answers():
 
 
 def nearest_hit(scene, pixel, options=None):
-    world = World(scene)
-    figure = Figure(PROGRAM, "nearest-hit", *(scene_options(scene, pixel) if options is None else options))
-    v = world.pixel(*pixel)
-    hits = world.hits(v)
+    figure, world, v, hits = drawn_for("nearest-hit", scene, pixel, options)
     circles = {}
     for number, (center, radius, color) in enumerate(world.spheres):
         p = plus(center, world.eye, -1)
@@ -465,11 +464,8 @@ def nearest_hit(scene, pixel, options=None):
 
 
 def explain_figure(scene, pixel, options=None):
-    world = World(scene)
-    figure = Figure(PROGRAM, "explain", *(scene_options(scene, pixel) if options is None else options))
-    nearer = see(figure, world, ROOM)
-    v = world.pixel(*pixel)
-    hits = world.hits(v)
+    figure, world, v, hits = drawn_for("explain", scene, pixel, options)
+    nearer = see(figure, world)
     checks.same("s and t", [figure.number("s"), figure.number("t")],
                 [(pixel[0] + 0.5) / world.columns, 1 - (pixel[1] + 0.5) / world.rows])
     checks.same("the vector from the eye", figure.block("vector_v")[0], [*world.eye, *v])
