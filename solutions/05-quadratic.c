@@ -82,6 +82,8 @@ Roots quadratic_roots(Quadratic q)
 {
     // BEGIN SOLUTION
     //~ return NOT_ANSWERED(Roots);
+    // On the slide: t = (-b -+ sqrt(D)) / (2a) with D = b^2 - 4ac. These are the same roots, with
+    // all their digits: 'Losing digits' in the lesson.
     if (!isfinite(q.a) || !isfinite(q.b) || !isfinite(q.c))
         return (Roots){0};
     if (q.a == 0)
