@@ -61,11 +61,19 @@ earlier = $(strip $(call before,$(STEMS),$(1)))
 
 # The questions of the tests and the right results, as a table from which nobody can read a test or an
 # answer (tests/handout/replay/). It is made here from the tests; a handout judges by it alone.
+# The laws go with it; as beside the reference (tests/judge/law.h), an exercise has another name in them.
+renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tests/judge/names.def
+$(B)/reference.h: tests/judge/names.def tests/judge/forms.def tests/exercises.def
+	$(Q){ $(call renamed,0,reference_); $(CC) -E -P -x c -I. tests/judge/forms.def; } > $@
+AS_KNOWN = -include $(B)/reference.h -Wno-unused-parameter
+LAWS := $(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*/laws.c))
+$(LAWS): EXTRA = $(AS_KNOWN)
+$(LAWS): $(B)/reference.h
 TABLE := $(if $(wildcard tests/handout/replay/*.table),tests/handout/replay,$(B)/replay)
 $(B)/tests/handout/replay/table.o: EXTRA = '-DTABLES="$(TABLE)"'
 TOLD := $(B)/tests/handout/replay/table.o $(B)/tests/judge/numbers.o $(CALLING)
-REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard suspects) $(TOLD) \
-	$(B)/tests/handout/replay/replay.o
+REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard suspects laws) $(TOLD) \
+	$(B)/tests/handout/replay/replay.o $(LAWS)
 
 # A table by itself: what is right passes, and each mistake's values are failed and named.
 TABLE_CHECK := $(B)/replay/check

@@ -17,17 +17,13 @@ endef
 
 # The tests call proxies, which ask whoever answers. Mistakes and laws are beside the reference, which goes
 # by other names there; so do answers that are linked into a program (tests/judge/switchboard.c).
-renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tests/judge/names.def
 as_names = sed -n 's/^ *\# *define //p'
-$(B)/reference.h: tests/judge/names.def tests/judge/reference/forms.def tests/exercises.def
-	$(Q){ $(call renamed,0,reference_); $(CC) -E -P -x c -I. tests/judge/reference/forms.def; } > $@
 $(B)/reference.names: tests/judge/names.def tests/exercises.def
 	$(Q)mkdir -p $(@D)
 	$(Q)$(call renamed,0,reference_) | $(as_names) > $@
 # What is known of the stems: an entry need not use every parameter of its function (tests/judge/known.h).
 KNOWN_ANSWERS := $(foreach kind,wrong right verdicts,$(call known,$(kind)))
 BESIDE_REFERENCE := $(KNOWN_ANSWERS) $(call known,laws)
-AS_KNOWN = -include $(B)/reference.h -Wno-unused-parameter
 $(BESIDE_REFERENCE): EXTRA = $(AS_KNOWN)
 $(BESIDE_REFERENCE): $(B)/reference.h
 REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
@@ -37,7 +33,7 @@ $(REFERENCES): $(B)/tests/reference/%.o: $(B)/solutions/%.o $(B)/reference.names
 # The comparison of answers with the known mistakes.
 HEARING := $(patsubst %,$(B)/tests/judge/%.o,reference/mistake_comparison reference/proxies \
 	switchboard suspects) \
-	$(B)/tests/judge/numbers.o $(CALLING) $(call known,laws) $(REFERENCES)
+	$(B)/tests/judge/numbers.o $(B)/tests/judge/laws.o $(CALLING) $(call known,laws) $(REFERENCES)
 # The code that calls an answering process.
 TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport process)
 # With the reference for the chapters before, one mistake costs once; and the judge lends.
@@ -143,8 +139,7 @@ $(ODD_QUESTIONS): $(ODD_QUESTIONS).o $(CALLING) $(REFERENCES) $(B)/common.a
 
 # The code that follows from the entry of a type.
 TYPES := $(B)/tests/proof/check_types
-$(TYPES): $(TYPES).o $(B)/tests/judge/test_main.o $(TESTING) $(CALLING) $(B)/tests/judge/numbers.o \
-		$(B)/common.a
+$(TYPES): $(TYPES).o $(B)/tests/judge/test_main.o $(TESTING) $(CALLING) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
 

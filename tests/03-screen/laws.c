@@ -22,14 +22,14 @@ LAW(screen_to_normalized)
 {
     if (not_finite(yours.s, yours.t))
         return;
-    double right = yours.s * screen.width, up = yours.t * screen.height;
-    double above = screen.height - point.y;
-    if (far_from(right, point.x, screen.width)) {
-        Apart a = apart(right, point.x);
+    double across = yours.s * screen.width, from_left = right.s * screen.width;
+    double up = yours.t * screen.height, from_bottom = right.t * screen.height;
+    if (far_from(across, from_left, screen.width)) {
+        Apart a = apart(across, from_left);
         law_broken("your s, of a width of %d pixels, is %s; the point is %s from the left edge",
                    screen.width, a.yours.s, a.right.s);
-    } else if (far_from(up, above, screen.height)) {
-        Apart a = apart(up, above);
+    } else if (far_from(up, from_bottom, screen.height)) {
+        Apart a = apart(up, from_bottom);
         law_broken("your t, of a height of %d pixels, is %s; the point is %s above the bottom edge",
                    screen.height, a.yours.s, a.right.s);
     }
@@ -39,10 +39,9 @@ LAW(normalized_to_screen)
 {
     if (not_finite(yours.x, yours.y))
         return;
-    double right = place.s * screen.width, up = place.t * screen.height;
-    double above = screen.height - yours.y;
-    if (far_from(yours.x, right, screen.width)) {
-        Apart a = apart(yours.x, right);
+    double above = screen.height - yours.y, up = screen.height - right.y;
+    if (far_from(yours.x, right.x, screen.width)) {
+        Apart a = apart(yours.x, right.x);
         law_broken("your point is %s from the left edge; s = %s of a width of %d pixels is %s",
                    a.yours.s, number_text(place.s).s, screen.width, a.right.s);
     } else if (far_from(above, up, screen.height)) {

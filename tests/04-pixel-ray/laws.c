@@ -4,15 +4,21 @@
 #include "common/text.h"
 #include "tests/judge/law.h"
 
-// The point where the ray meets the plane, counted in pixels from an edge; its pixel must be there,
-// as far on one side as on the other. A pixel has this size in the world.
-static bool beside_its_pixel(double place, int number, double size, double tolerance,
+// The point where a ray meets the plane, as far from the eye along a direction of the camera.
+static double place_along(Ray ray, vec3 direction, Camera camera)
+{
+    vec3 v = camera.distance / vec3_dot(ray.direction, camera.forward) * ray.direction;
+    return vec3_dot(v, direction);
+}
+
+// The same from an edge, counted in pixels of this size in the world; the middle of the pixel is
+// where the right ray meets the plane.
+static bool beside_its_pixel(double place, double right, int number, double size, double tolerance,
                              const char *edge, const char *kind)
 {
-    double pixels = without_noise(place / size, 1e-9), center = number + 0.5;
-    if (fabs(place - center * size) <= tolerance)
+    if (fabs(place - right) <= tolerance)
         return false;
-    Apart a = apart(pixels, center);
+    Apart a = apart(without_noise(place / size, 1e-9), right / size);
     law_broken("your ray meets the plane %s pixels from its %s edge; the middle of %s %d is %s "
                "from there",
                a.yours.s, edge, kind, number, a.right.s);
@@ -30,8 +36,8 @@ LAW(pixel_ray)
         law_broken("a part of it is not a finite number");
         return;
     }
-    if (!(vec3_length(yours.origin - camera.origin) <= 1e-8 * size)) {
-        Apart a = apart_vec3(yours.origin, camera.origin);
+    if (!(vec3_length(yours.origin - right.origin) <= 1e-8 * size)) {
+        Apart a = apart_vec3(yours.origin, right.origin);
         law_broken("your ray starts at %s; the eye is at %s", a.yours.s, a.right.s);
         return;
     }
@@ -41,11 +47,11 @@ LAW(pixel_ray)
                    number_text(ahead).s, number_text(camera.distance).s);
         return;
     }
-    v = camera.distance / ahead * v;
-    double from_left = camera.width / 2 + vec3_dot(v, camera.right);
-    double from_top = camera.height / 2 - vec3_dot(v, camera.up);
-    if (beside_its_pixel(from_left, pixel.column, camera.width / screen.width, tolerance, "left",
-                         "column"))
-        return;
-    beside_its_pixel(from_top, pixel.row, camera.height / screen.height, tolerance, "top", "row");
+    double left = -camera.width / 2, top = camera.height / 2; // from the middle
+    if (!beside_its_pixel(place_along(yours, camera.right, camera) - left,
+                          place_along(right, camera.right, camera) - left, pixel.column,
+                          camera.width / screen.width, tolerance, "left", "column"))
+        beside_its_pixel(top - place_along(yours, camera.up, camera),
+                         top - place_along(right, camera.up, camera), pixel.row,
+                         camera.height / screen.height, tolerance, "top", "row");
 }

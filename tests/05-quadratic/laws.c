@@ -25,18 +25,18 @@ LAW(to_object_coordinates)
     if (!tame_vec3(ray.origin) || !tame_vec3(ray.direction) || !tame_vec3(sphere.center))
         return;
     double size = vec3_length(ray.origin) + vec3_length(sphere.center);
-    double mine = vec3_length(ray.origin - sphere.center);
-    if (!(vec3_length(yours.direction - ray.direction) <= 1e-9 * vec3_length(ray.direction))) {
-        Apart its = apart_vec3(yours.direction, ray.direction);
+    double away = vec3_length(right.origin);
+    if (!(vec3_length(yours.direction - right.direction) <= 1e-9 * vec3_length(right.direction))) {
+        Apart its = apart_vec3(yours.direction, right.direction);
         law_broken("your direction is %s, the given one is %s: a direction is the same seen from "
                    "any point",
                    its.yours.s, its.right.s);
-    } else if (!(fabs(vec3_length(yours.origin) - mine) <= 1e-9 * size)) {
-        Apart its = apart(vec3_length(yours.origin), mine);
+    } else if (!(fabs(vec3_length(yours.origin) - away) <= 1e-9 * size)) {
+        Apart its = apart(vec3_length(yours.origin), away);
         law_broken("your origin is %s away from the centre, which is now at (0, 0, 0); in the "
                    "world the eye is %s away from it",
                    its.yours.s, its.right.s);
-    } else if (!(vec3_length(yours.origin - (ray.origin - sphere.center)) <= 1e-9 * size)) {
+    } else if (!(vec3_length(yours.origin - right.origin) <= 1e-9 * size)) {
         Apart its = apart_vec3(sphere.center + yours.origin, ray.origin);
         law_broken("your origin is as far from the centre as it should be, but in another "
                    "direction: centre plus origin is %s, and the eye is at %s",
@@ -44,25 +44,26 @@ LAW(to_object_coordinates)
     }
 }
 
-// p is the eye seen from the centre; size is the size of the arguments. One at a time: only c
+// The eye is so far from the centre; size is the size of the arguments. One at a time: only c
 // counts at t = 0, then a and b by how they change the parabola.
-static void law_of_coefficients(Quadratic yours, vec3 p, vec3 v, double r, double size)
+static void law_of_coefficients(Quadratic yours, Quadratic right, double distance, vec3 v, double r,
+                                double size)
 {
-    double a = vec3_dot(v, v), b = 2 * vec3_dot(p, v), c = vec3_dot(p, p) - r * r;
     double speed = vec3_length(v), tolerance = 1e-9 * (size + speed) * (size + speed);
-    if (!tame_vec3(p) || !tame_vec3(v) || !tame(r) || !tame(size) || speed == 0)
+    if (!tame(distance) || !tame_vec3(v) || !tame(r) || !tame(size) || speed == 0)
         return;
-    if (!(fabs(yours.c - c) <= tolerance)) {
-        Apart its = apart(yours.c, c);
+    if (!(fabs(yours.c - right.c) <= tolerance)) {
+        Apart its = apart(yours.c, right.c);
         law_broken("at t = 0, where the ray starts, your a t^2 + b t + c is %s; the eye is %s from "
                    "the centre and r is %s: the difference of their squares is %s",
-                   its.yours.s, number_text(vec3_length(p)).s, number_text(r).s, its.right.s);
-    } else if (!(fabs(yours.a - a) <= tolerance)) {
+                   its.yours.s, number_text(distance).s, number_text(r).s, its.right.s);
+    } else if (!(fabs(yours.a - right.a) <= tolerance)) {
         law_broken("with p and r 0 only a t^2 is left, the squared distance from the centre: at "
                    "t = 1 yours is %s, but v is %s long, and its square is %s",
-                   apart(yours.a, a).yours.s, number_text(speed).s, apart(yours.a, a).right.s);
-    } else if (!(fabs(yours.b - b) <= tolerance)) {
-        Apart its = apart(-yours.b / (2 * yours.a), -b / (2 * a));
+                   apart(yours.a, right.a).yours.s, number_text(speed).s,
+                   apart(yours.a, right.a).right.s);
+    } else if (!(fabs(yours.b - right.b) <= tolerance)) {
+        Apart its = apart(-yours.b / (2 * yours.a), -right.b / (2 * right.a));
         law_broken("your a t^2 + b t + c is smallest at t = %s, but the ray is closest to the "
                    "centre at t = %s",
                    its.yours.s, its.right.s);
@@ -71,13 +72,14 @@ static void law_of_coefficients(Quadratic yours, vec3 p, vec3 v, double r, doubl
 
 LAW(object_quadratic)
 {
-    law_of_coefficients(yours, object_ray.origin, object_ray.direction, radius,
-                        vec3_length(object_ray.origin) + radius);
+    double distance = vec3_length(object_ray.origin);
+    law_of_coefficients(yours, right, distance, object_ray.direction, radius, distance + radius);
 }
 
 LAW(world_quadratic)
 {
-    law_of_coefficients(yours, ray.origin - sphere.center, ray.direction, sphere.radius,
+    law_of_coefficients(yours, right, vec3_length(ray.origin - sphere.center), ray.direction,
+                        sphere.radius,
                         vec3_length(ray.origin) + vec3_length(sphere.center) + sphere.radius);
 }
 
@@ -148,9 +150,10 @@ LAW(quadratic_roots)
 // The ray seen from the centre, and the point where it comes closest to it.
 typedef struct {
     vec3 p, v;
-    double r, speed, distance;
-    double foot, l, half; // t and distance of the closest point; half the chord, in t
+    double r, speed;
+    double foot, l;       // t and distance of the closest point
     bool beside, through; // clearly; a ray that only grazes does neither
+    bool outside, inside; // is the eye; clearly
 } Sight;
 
 // False if the plain formula has too few digits left to be judged: for extreme numbers, and for
@@ -167,12 +170,11 @@ static bool look(Ray ray, Sphere sphere, Sight *sight)
                      .v = v,
                      .r = r,
                      .speed = sqrt(a),
-                     .distance = vec3_length(p),
                      .foot = foot,
                      .l = l,
-                     .half = l < r ? sqrt((r - l) * (r + l) / a) : 0,
                      .beside = l > r * (1 + 1e-6),
-                     .through = l < r * (1 - 1e-6)};
+                     .through = l<r *(1 - 1e-6), .outside = vec3_length(p)> r * (1 + 1e-6),
+                     .inside = vec3_length(p) < r * (1 - 1e-6)};
     return a > 0 && vec3_length(ray.origin) + vec3_length(sphere.center) < 3000 * r;
 }
 
@@ -209,11 +211,12 @@ LAW(sphere_roots)
     if (yours.count == 2 && yours.t[0] > yours.t[1])
         law_broken("your places are not ascending: t = %s comes before t = %s",
                    number_text(yours.t[0]).s, number_text(yours.t[1]).s);
-    if (sight.through && yours.count == 2 && yours.t[1] - yours.t[0] < sight.half)
+    double chord = right.t[1] - right.t[0];
+    if (sight.through && yours.count == 2 && yours.t[1] - yours.t[0] < chord / 2)
         law_broken("between your places the ray goes %s, but the chord inside the sphere is %s "
                    "long",
                    number_text((yours.t[1] - yours.t[0]) * sight.speed).s,
-                   number_text(2 * sight.half * sight.speed).s);
+                   number_text(chord * sight.speed).s);
 }
 
 LAW(hit_sphere)
@@ -221,13 +224,13 @@ LAW(hit_sphere)
     Sight sight;
     if (!look(ray, sphere, &sight))
         return;
-    double margin = 1e-6 * sight.r / sight.speed;
-    double near = sight.foot - sight.half, far = sight.foot + sight.half;
     if (yours == NO_HIT) {
-        if (sight.through && far > margin)
+        if (sight.through && right < NO_HIT && right * sight.speed > 1e-6 * sight.r)
             law_broken("the ray %s and passes %s from the centre, r is %s: it hits ahead of the "
                        "eye, but you return NO_HIT",
-                       near < 0 ? "starts inside the sphere" : "comes from outside",
+                       sight.inside    ? "starts inside the sphere"
+                       : sight.outside ? "comes from outside"
+                                       : "starts on the sphere",
                        number_text(sight.l).s, number_text(sight.r).s);
         return;
     }
@@ -235,7 +238,7 @@ LAW(hit_sphere)
         law_broken("the line passes %s from the centre and r is %s: it misses, so t is NO_HIT, "
                    "not %s",
                    number_text(sight.l).s, number_text(sight.r).s, number_text(yours).s);
-    else if (sight.through && far < -margin)
+    else if (sight.through && sight.outside && right == NO_HIT)
         law_broken("the whole sphere is behind the eye, so t is NO_HIT, not %s",
                    number_text(yours).s);
     else if (!(yours > 0))
@@ -243,7 +246,7 @@ LAW(hit_sphere)
     else if (!(fabs(off_the_sphere(&sight, yours)) <= 1e-4 * sight.r))
         law_broken("the point at your t = %s is not on the sphere: |p + tv - c| - r = %s",
                    number_text(yours).s, number_text(off_the_sphere(&sight, yours)).s);
-    else if (sight.through && near > margin && yours > sight.foot)
+    else if (sight.through && sight.outside && yours > sight.foot)
         law_broken(
             "at your t = %s the ray leaves the sphere, but it has entered it ahead of the eye",
             number_text(yours).s);

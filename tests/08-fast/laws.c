@@ -57,9 +57,9 @@ LAW(sphere_rectangle)
     if (!in_order("left", yours.left, "right", yours.right, "width", screen.width) ||
         !in_order("top", yours.top, "bottom", yours.bottom, "height", screen.height))
         return;
-    vec3 c = sphere.center - camera.origin;
-    double ahead = vec3_dot(c, camera.forward), x = vec3_dot(c, camera.right);
-    double y = vec3_dot(c, camera.up);
+    vec3 to = sphere.center - camera.origin;
+    double ahead = vec3_dot(to, camera.forward), x = vec3_dot(to, camera.right);
+    double y = vec3_dot(to, camera.up);
     bool empty = yours.right <= noise && yours.bottom <= noise;
     bool all = yours.left <= noise && yours.right >= w - noise && yours.top <= noise &&
                yours.bottom >= h - noise;

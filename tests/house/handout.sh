@@ -49,7 +49,8 @@ check 'all of it is in one folder' in_one_folder
 check 'nobody owns it, and all of it has one date' nobody_s
 
 check 'there are no solutions in it' none_of_these 'solutions'
-check 'nor tests of the chapters, mistakes, variants, laws' none_of_these '/tests/([0-9][0-9]-|proof)'
+check 'nor tests of the chapters, mistakes, variants, laws by the reference' \
+    none_of_these '/tests/([0-9][0-9]-[^/]*(\.c$|/(wrong|right|free|verdicts|laws_by_reference|figures))|proof)'
 check 'nor what makes the tables' none_of_these '/tests/handout/([^r]|[^/]+$)|/judge/reference|/\.make/toolkit'
 check 'nor graders, benches and the like' none_of_these \
     '/tests/(house/([^/]+\.sh|engines|figures)|benches|grade)|\.git/|\.ci/|CONTRIBUTING'

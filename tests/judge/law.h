@@ -6,9 +6,14 @@
 //
 //     LAW(image_plane_vector) { ... }
 //
-// is called after each call of this exercise, with its result, yours, and its parameters, which
-// have the names of tests/exercises.def (and the results behind pointers). It must never complain
-// about a right answer, within the contract's tolerance.
+// is called after each call of this exercise, with its result, yours, the right one, if the
+// function only returns it, and its parameters, which have the names of tests/exercises.def (and
+// the results behind pointers). It must never complain about a right answer, within the contract's
+// tolerance.
+//
+// laws.c is in the students' archive, so it is no second solution: it measures both results, and
+// computes neither. A law that needs the reference, or the answer's own steps, is in
+// laws_by_reference.c, which is not.
 #ifndef TESTS_JUDGE_LAW_H
 #define TESTS_JUDGE_LAW_H
 
@@ -16,7 +21,7 @@
 
 #include <string.h>
 
-// build/reference.h defines LAW_upper_left(law) as void law(vec3 yours, Camera c).
+// build/reference.h defines LAW_upper_left(law) as void law(vec3 yours, vec3 right, Camera c).
 #define LAW(exercise)                                                                              \
     LAW_##exercise(law_##exercise);                                                                \
     LAW_##exercise(law_##exercise)

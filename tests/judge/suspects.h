@@ -55,7 +55,11 @@ typedef struct {
 bool suspects_listen(int exercise);
 void suspects_hear(int exercise, const Heard *heard);
 
-// Whether to check the laws of this exercise.
-bool law_begin(int exercise);
+// Checks the law of this exercise (law.h) for a call, if it is wanted: with the right result of the
+// reference, or with that of a table.
+bool law_begin(int exercise); // is it?
+void law_check(int exercise, const void *yours, void *const *arguments);
+void law_check_recorded(int exercise, const Numbers *arguments, const Numbers *yours,
+                        const Numbers *right);
 
 #endif

@@ -269,6 +269,7 @@ static void make_call(int exercise, const ToldCall *call)
     transport_finish(exercise);
     if (suspects_listen(exercise))
         suspects_hear(exercise, &(Heard){&call->arguments, &yours, by_table, once_more});
+    law_check_recorded(exercise, &call->arguments, &yours, &call->results[0]);
     if (record_now()->probe)
         return;
     told_expect(exercises[exercise].results, call, &yours, size);

@@ -7,27 +7,7 @@
 
 #include "tests/exercises.def" // the contracts
 
-// The law of an exercise (law.h), if it has one.
-typedef void LawCall(const void *yours, void *const *arguments);
-
-#define LAW_VALUE(result, name, parameters)                                                        \
-    void law_##name(result yours, DECLARED(parameters)) __attribute__((weak));                     \
-    static void obey_##name(const void *yours, void *const *arguments)                             \
-    {                                                                                              \
-        law_##name(*(const result *)yours, ARGUMENTS(parameters));                                 \
-    }
-#define LAW_VOID(result, name, parameters)                                                         \
-    void law_##name(DECLARED(parameters)) __attribute__((weak));                                   \
-    static void obey_##name(const void *yours, void *const *arguments)                             \
-    {                                                                                              \
-        (void)yours;                                                                               \
-        law_##name(ARGUMENTS(parameters));                                                         \
-    }
-#define EXERCISE(stem, result, name, parameters, ...)                                              \
-    IF_VOID(result, LAW_VOID, LAW_VALUE)(result, name, parameters)
-#include "tests/exercises.def"
-
-static void ask(int exercise, void *yours, void *const *arguments, LawCall *law)
+static void ask(int exercise, void *yours, void *const *arguments)
 {
     Wire *heard = hear_question(exercise);
     if (heard != NULL)
@@ -42,23 +22,20 @@ static void ask(int exercise, void *yours, void *const *arguments, LawCall *law)
         put_results(heard, exercise, yours, arguments);
         hear(exercise);
     }
-    if (law != NULL && law_begin(exercise))
-        law(yours, arguments);
+    law_check(exercise, yours, arguments);
 }
 
 #define PROXY_VALUE(result, name, parameters)                                                      \
     result name(DECLARED(parameters))                                                              \
     {                                                                                              \
         result yours;                                                                              \
-        ask(NUMBER_##name, &yours, (void *[]){ADDRESSES(parameters)},                              \
-            law_##name == NULL ? NULL : obey_##name);                                              \
+        ask(NUMBER_##name, &yours, (void *[]){ADDRESSES(parameters)});                             \
         return yours;                                                                              \
     }
 #define PROXY_VOID(result, name, parameters)                                                       \
     result name(DECLARED(parameters))                                                              \
     {                                                                                              \
-        ask(NUMBER_##name, NULL, (void *[]){ADDRESSES(parameters)},                                \
-            law_##name == NULL ? NULL : obey_##name);                                              \
+        ask(NUMBER_##name, NULL, (void *[]){ADDRESSES(parameters)});                               \
     }
 #define EXERCISE(stem, result, name, parameters, ...)                                              \
     IF_VOID(result, PROXY_VOID, PROXY_VALUE)(result, name, parameters)

@@ -1,5 +1,5 @@
-// laws.c - the laws of exercise 02: a camera is given if there is one; it is a valid camera; and it
-// is the camera of the arguments.
+// laws_by_reference.c - the laws of exercise 02: a camera is given if there is one; it is a valid
+// camera; and it is the camera of the arguments.
 //
 // Close to the border between valid and refused these laws are silent: rounding may go either way.
 #include "exercises/02-cameras.h"
