@@ -348,18 +348,6 @@ void names_that_may_excuse(const ChapterRecord *record, const FunctionRecord *wr
     }
 }
 
-void names_not_right(const ChapterRecord *earlier, const char *calls, const char *const *exercises,
-                     char names[MOST_NAMES])
-{
-    names[0] = '\0';
-    for (; *exercises != NULL; exercises++) {
-        const FunctionRecord *function = record_function(earlier, *exercises);
-        if ((function == NULL || !function_is(function, "right")) &&
-            names_include(calls, *exercises))
-            names_add(names, MOST_NAMES, *exercises);
-    }
-}
-
 void put_names(char *list, size_t size, const char *names)
 {
     size_t length = 0;

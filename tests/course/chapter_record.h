@@ -125,9 +125,4 @@ enum { MOST_NAMES = 4000 };
 void names_that_may_excuse(const ChapterRecord *record, const FunctionRecord *wrong,
                            char names[MOST_NAMES]);
 
-// For any answer: those of an earlier chapter that it entered and that are not right; all, if that
-// chapter has no verdict. calls: what the answer entered.
-void names_not_right(const ChapterRecord *earlier, const char *calls, const char *const *exercises,
-                     char names[MOST_NAMES]);
-
 #endif

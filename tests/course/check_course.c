@@ -250,15 +250,6 @@ TEST(judging, only_what_it_calls_and_is_not_right_excuses)
     expect_excuses((const char *[]){"wrong", "g", "wrong", "f", "wrong", ""}, "");
 }
 
-TEST(judging, a_chapter_without_a_verdict_has_nothing_right)
-{
-    char names[MOST_NAMES];
-    ChapterRecord none = {.function_count = 0};
-    given("calls", "g h");
-    names_not_right(&none, "g h", (const char *[]){"f", "g", "h", NULL}, names);
-    expect_text(names, "g h");
-}
-
 // ---- a page: wrapping, colours, a program's output ---------------------------------------------
 
 static char *written;

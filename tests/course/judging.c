@@ -432,26 +432,20 @@ static void wait_for_all(const JudgingPlan *plan, int chapter, const ChapterReco
     const char *calls = function_value(function, "calls");
     names_that_may_excuse(report, function, names);
     for (int i = 0; i < chapter; i++) {
-        const char *of_stem[MOST_FUNCTIONS + 1] = {NULL};
-        int count = 0;
-        for (int k = 0; exercises[k].name != NULL; k++)
-            if (strcmp(exercises[k].stem, plan->chapters[i].stem) == 0 && count < MOST_FUNCTIONS)
-                of_stem[count++] = exercises[k].name;
         ChapterRecord earlier;
-        char others[MOST_NAMES];
         if (!plan_depends_on(plan, chapter, i))
             continue;
         record_read(plan_beside(plan, i, ".record").s, &earlier);
-        names_not_right(&earlier, calls, of_stem, others);
+        for (const Exercise *e = exercises; e->name != NULL; e++) {
+            const FunctionRecord *other = record_function(&earlier, e->name);
+            if (strcmp(e->stem, plan->chapters[i].stem) != 0 || !names_include(calls, e->name) ||
+                (other != NULL && function_is(other, "right")))
+                continue;
+            names_add(names, MOST_NAMES, e->name);
+            if (!names_include(stands[i], e->name))
+                names_add(stands[i], MOST_NAMES, e->name);
+        }
         chapter_record_free(&earlier);
-        Command words = {.count = 0};
-        command_words(&words, others);
-        for (int k = 0; k < words.count; k++)
-            if (!names_include(stands[i], words.words[k]))
-                names_add(stands[i], MOST_NAMES, words.words[k]);
-        command_free(&words);
-        if (others[0] != '\0')
-            names_add(names, MOST_NAMES, others);
     }
 }
 

@@ -61,22 +61,6 @@ void set_reasons(Numbers *numbers, int reasons)
     numbers->at[0] = reasons == 1 << first ? first : reasons + 0.5;
 }
 
-static void add_number(void *context, const char *name, void *at, size_t size, bool is_double)
-{
-    int whole = 0;
-    (void)name;
-    if (!is_double)
-        whole = size == sizeof(char) ? *(char *)at : *(int *)at;
-    numbers_add(context, is_double ? *(double *)at : whole);
-}
-
-void numbers_of_value(const Type *type, const void *value, Numbers *numbers)
-{
-    _Alignas(32) unsigned char bytes[TYPE_MOST_BYTES];
-    memcpy(bytes, value, type->size);
-    type_visit(type, "", bytes, add_number, numbers);
-}
-
 // One way or the other through a message and its numbers.
 typedef struct {
     Wire *wire;

@@ -18,8 +18,6 @@ typedef struct {
 void numbers_add(Numbers *numbers, double x);
 void numbers_free(Numbers *numbers);
 Numbers numbers_copy(const Numbers *numbers);
-void numbers_of_value(const Type *type, const void *value,
-                      Numbers *numbers); // of a flat type, adds
 
 // Whether the result is a point of a sphere, moved; that point begins at this argument.
 enum { STEP_FROM = 5 };

@@ -269,7 +269,7 @@ void given_vec3(const char *name, vec3 v)
     given(name, "%s", vec3_text_to(v, 10).s);
 }
 
-void given_value(const char *name, const Type *type, const void *value, int digits)
+static void given_value(const char *name, const Type *type, const void *value, int digits)
 {
     char words[CAMERA_WORDS];
     type_words(type, value, digits, words, sizeof words);

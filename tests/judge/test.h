@@ -57,7 +57,6 @@ void test(const TTest *test);
 void given(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void given_number(const char *name, double x);
 void given_vec3(const char *name, vec3 v);
-void given_value(const char *name, const Type *type, const void *value, int digits);
 void given_camera(Camera camera);
 void given_ray(Ray ray);
 void given_sphere(Sphere sphere);
