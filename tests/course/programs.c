@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,8 +27,11 @@ static void end_all(int number)
     for (int i = 0; i < MOST_AT_A_TIME; i++)
         if (started[i] > 0)
             kill(started[i], SIGTERM);
-    if (number == SIGINT && interrupt_is_usual)
+    if (number == SIGINT && interrupt_is_usual) {
+        // make gets this signal too, and says 'wait: No child processes' if we end before that.
+        poll(NULL, 0, 300);
         _exit(0);
+    }
     signal(number, SIG_DFL);
     raise(number);
 }
