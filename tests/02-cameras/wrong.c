@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-// ---- wrong answers to eye and four vectors: the numbers of the camera ---------------------------
+// ---- answers in parts, which mistakes change ----------------------------------------------------
 
 // Without a check of the result.
 static CameraFault store(CameraFault fault, Camera found, Camera *camera)
@@ -37,8 +37,6 @@ static CameraFault give(CameraFault fault, Camera found, Camera *camera)
 {
     return store(fault != CAMERA_OK ? fault : camera_check(found), found, camera);
 }
-
-// ---- rectangles -------------------------------------------------------------------------------
 
 static Corners moved(Corners corners, vec3 by)
 {
@@ -132,12 +130,18 @@ static CameraFault reason(vec3 eye, Corners v)
     return reason_but(CAMERA_OK, eye, v);
 }
 
-static CameraFault forgetting(CameraFault forgotten, vec3 eye, Corners v, Camera *camera)
+// The right reason, except that one is overlooked if this holds.
+static CameraFault overlooking(CameraFault overlooked, bool holds, vec3 eye, Corners v)
 {
-    return store(reason_but(forgotten, eye, v), frame(eye, v), camera);
+    bool is_overlooked = holds && reason(eye, v) == overlooked;
+    return reason_but(is_overlooked ? overlooked : CAMERA_OK, eye, v);
 }
 
-// ---- look-at ----------------------------------------------------------------------------------
+// What is refused for another reason, and also for this one if that holds.
+static CameraFault also(CameraFault fault, CameraFault another, bool holds)
+{
+    return fault == CAMERA_OK && holds ? another : fault;
+}
 
 // The camera of a look-at, whatever it is.
 static Camera seen(LookAt view, Handedness world)
@@ -256,442 +260,314 @@ static CameraFault from_look_at(LookAt view, Handedness world, Camera *camera)
     return fault != CAMERA_OK && is_also_faulty_view(first, view) ? first : fault;
 }
 
-// The right camera, with a change.
-#define FRAME(id, formula, why, picture, ...)                                                      \
+// The usual order of reasons, and six with another reason first.
+static const int styles = 7;
+
+OF_STEM(styles)
+
+FREE(camera_from_vectors)
+{
+    return from_vectors(eye, vectors, camera);
+}
+
+FREE(camera_from_points)
+{
+    return from_points(eye, points, camera);
+}
+
+FREE(camera_from_corner)
+{
+    return from_vectors(eye, spanned(lower_left - eye, across, up), camera);
+}
+
+FREE(camera_from_look_at)
+{
+    return from_look_at(view, world, camera);
+}
+
+// ---- rectangles: the macros ---------------------------------------------------------------------
+
+// Of the four vectors v the right answer finds the camera c, unless it finds a fault. A mistake
+// changes these. finish: give, or store, without a check of the result.
+#define RECTANGLE(finish, ...)                                                                     \
+    Camera c = frame(eye, v);                                                                      \
+    CameraFault fault = reason(eye, v);                                                            \
+    __VA_ARGS__;                                                                                   \
+    return finish(fault, c, camera);
+#define VECTORS(finish, id, formula, why, picture, ...)                                            \
     WRONG(camera_from_vectors, id, formula, why, picture)                                          \
     {                                                                                              \
-        Camera c = frame(eye, vectors);                                                            \
-        __VA_ARGS__;                                                                               \
-        return give(reason(eye, vectors), c, camera);                                              \
+        Corners v = vectors;                                                                       \
+        RECTANGLE(finish, __VA_ARGS__)                                                             \
     }
-
-FRAME("V-mirror", "w r = upper left - upper right",
-      "this edge runs from right to left, but r points to the right.",
-      "mirrored: left and right swapped", c.right = -c.right)
-FRAME("V-down", "h u = lower left - upper left", "this edge runs down, but u points up.",
-      "upside down", c.up = -c.up)
-FRAME("V-behind", "d f = -mean", "the vectors lead from the eye to the plane, and so does f.",
-      "the scene behind the eye, or nothing", c.forward = -c.forward)
-
-WRONG(camera_from_vectors, "V-swap",
-      "w r = upper left - lower left, h u = upper right - upper left",
-      "right runs along the upper edge, up along the left one.", "transposed: rows become columns")
-{
-    Camera c = frame(eye, vectors), swapped = c;
-    swapped.right = c.up;
-    swapped.up = c.right;
-    swapped.width = c.height;
-    swapped.height = c.width;
-    return give(reason(eye, vectors), swapped, camera);
-}
-
-WRONG(camera_from_vectors, "V-sizes",
-      "w = |upper left - lower left|, h = |upper right - upper left|",
-      "this edge runs up the picture, so its length is the height of the picture.",
-      "squashed: the picture's sides swapped")
-{
-    Camera c = frame(eye, vectors), swapped = c;
-    swapped.width = c.height;
-    swapped.height = c.width;
-    return give(reason(eye, vectors), swapped, camera);
-}
-
-FRAME("V-right-handed", "r = f x u",
-      "this makes every frame right-handed. The rectangle itself says where right is, and it may "
-      "have either handedness.",
-      "every left-handed camera mirrored, including the deck's",
-      c.right = vec3_cross(c.forward, c.up))
-FRAME("V-left-handed", "r = u x f",
-      "this makes every frame left-handed. The rectangle itself says where right is, and it may "
-      "have either handedness.",
-      "every right-handed camera mirrored", c.right = vec3_cross(c.up, c.forward))
-FRAME("V-unit", "f = mean, r and u = edges",
-      "the frame gives only directions, so each of its vectors has length 1. d, w and h hold the "
-      "lengths.",
-      "no picture: every camera is refused as not unit", c.forward *= c.distance)
-
-// The same, without a check of the result.
-#define FRAME_STORED(id, formula, why, picture, ...)                                               \
-    WRONG(camera_from_vectors, id, formula, why, picture)                                          \
+#define POINTS(finish, id, formula, why, picture, ...)                                             \
+    WRONG(camera_from_points, id, formula, why, picture)                                           \
     {                                                                                              \
-        Camera c = frame(eye, vectors);                                                            \
-        __VA_ARGS__;                                                                               \
-        return store(reason(eye, vectors), c, camera);                                             \
+        Corners v = moved(points, -eye);                                                           \
+        RECTANGLE(finish, __VA_ARGS__)                                                             \
     }
+#define CORNER(finish, id, formula, why, picture, ...)                                             \
+    WRONG(camera_from_corner, id, formula, why, picture)                                           \
+    {                                                                                              \
+        Corners v = spanned(lower_left - eye, across, up);                                         \
+        RECTANGLE(finish, __VA_ARGS__)                                                             \
+    }
+// The same mistake in the three: V-store, F-store, K-store.
+#define ALL_THREE(finish, name, formula, why, picture, ...)                                        \
+    VECTORS(finish, "V-" name, formula, why, picture, __VA_ARGS__)                                 \
+    POINTS(finish, "F-" name, formula, why, picture, __VA_ARGS__)                                  \
+    CORNER(finish, "K-" name, formula, why, picture, __VA_ARGS__)
 
-FRAME_STORED("V-edges", "r = upper right - upper left, u = upper left - lower left",
-             "these are as long as the picture is wide and high, so w and h would count twice.",
-             "too much: right only if w and h are 1", c.right *= c.width;
-             c.up *= c.height)
-FRAME_STORED("V-forward", "f = mean", "this already reaches the plane, so d would count twice.",
-             "too little: everything d times as big", c.forward *= c.distance)
-FRAME("V-half", "w = |upper right - upper left| / 2, h likewise",
-      "w and h run from edge to edge. Half of them is what you need from the middle.",
-      "half of the width and height: everything twice as big", c.width /= 2;
-      c.height /= 2)
-FRAME("V-x-y", "w = difference of x, h = difference of y",
-      "an edge may have any direction in space: its length depends on x, y and z.",
-      "right only if r is along x and u along y",
-      c.width = vectors.upper_right[0] - vectors.upper_left[0];
-      c.height = vectors.upper_left[1] - vectors.lower_left[1])
-FRAME("V-sum", "d f = upper left + upper right + lower left + lower right",
-      "each of the four goes as far ahead as the plane is, so their sum goes four times as far.",
-      "everything four times as big", c.distance *= 4)
-FRAME("V-far", "d = |upper left|", "a corner is farther away than the middle of the plane is.",
-      "everything a little too big", c.distance = vec3_length(vectors.upper_left))
-FRAME("V-corner", "f along upper left",
-      "straight ahead is the middle of the plane. The vector to a corner is not perpendicular to "
-      "the edges.",
-      "no picture: every camera is refused as not at right angles",
-      c.forward = vec3_unit(vectors.upper_left))
-FRAME("V-1", "d = 1", "f has length 1, but the plane is where the vectors end.",
-      "too much: everything small, right only if d is 1", c.distance = 1)
-FRAME("V-1-all", "d = 1, w / d, h / d",
-      "the rays are right, but this is not the plane whose corners were given.",
-      "no difference: the same picture with another plane", c.width /= c.distance;
-      c.height /= c.distance; c.distance = 1)
-FRAME("V-eye", "p = (0, 0, 0)", "the vectors start at the eye, and they do not say where it is.",
-      "the scene seen from another place", c.origin = vec3_of(0, 0, 0))
+// ---- eye and four vectors: the numbers of the camera --------------------------------------------
 
-WRONG_LINE(camera_from_vectors, "V-points", "each vector - p",
-           "these vectors start at the eye already. Only from points is the eye subtracted.",
-           "no picture, unless the eye is at the origin: the camera is refused",
-           return from_points(eye, vectors, camera))
+VECTORS(give, "V-mirror", "w r = upper left - upper right",
+        "this edge runs from right to left, but r points to the right.",
+        "mirrored: left and right swapped", c.right = -c.right)
+VECTORS(give, "V-down", "h u = lower left - upper left", "this edge runs down, but u points up.",
+        "upside down", c.up = -c.up)
+VECTORS(give, "V-behind", "d f = -mean",
+        "the vectors lead from the eye to the plane, and so does f.",
+        "the scene behind the eye, or nothing", c.forward = -c.forward)
+VECTORS(give, "V-swap", "w r = upper left - lower left, h u = upper right - upper left",
+        "right runs along the upper edge, up along the left one.",
+        "transposed: rows become columns",
+        c = (Camera){eye, c.up, c.right, c.forward, c.distance, c.height, c.width})
+VECTORS(give, "V-sizes", "w = |upper left - lower left|, h = |upper right - upper left|",
+        "this edge runs up the picture, so its length is the height of the picture.",
+        "squashed: the picture's sides swapped",
+        c = (Camera){eye, c.right, c.up, c.forward, c.distance, c.height, c.width})
+VECTORS(give, "V-right-handed", "r = f x u",
+        "this makes every frame right-handed. The rectangle itself says where right is, and it may "
+        "have either handedness.",
+        "every left-handed camera mirrored, including the deck's",
+        c.right = vec3_cross(c.forward, c.up))
+VECTORS(give, "V-left-handed", "r = u x f",
+        "this makes every frame left-handed. The rectangle itself says where right is, and it may "
+        "have either handedness.",
+        "every right-handed camera mirrored", c.right = vec3_cross(c.up, c.forward))
+VECTORS(give, "V-unit", "f = mean, r and u = edges",
+        "the frame gives only directions, so each of its vectors has length 1. d, w and h hold the "
+        "lengths.",
+        "no picture: every camera is refused as not unit", c.forward *= c.distance)
+#define EDGES "r = upper right - upper left, u = upper left - lower left"
+#define TWICE "these are as long as the picture is wide and high, so w and h would count twice."
+#define ONLY_IF_1 "too much: right only if w and h are 1"
+VECTORS(store, "V-edges", EDGES, TWICE, ONLY_IF_1, c.right *= c.width, c.up *= c.height)
+VECTORS(store, "V-edges-store", EDGES, TWICE, ONLY_IF_1, c.right *= c.width, c.up *= c.height,
+        fault = CAMERA_OK)
+VECTORS(give, "V-edges-check", EDGES,
+        "the frame gives only directions, so each of its vectors has length 1. w and h hold the "
+        "lengths.",
+        "no picture: every camera is refused as not unit", c.right *= c.width, c.up *= c.height,
+        fault = CAMERA_OK)
+VECTORS(store, "V-forward", "f = mean", "this already reaches the plane, so d would count twice.",
+        "too little: everything d times as big", c.forward *= c.distance)
+VECTORS(give, "V-half", "w = |upper right - upper left| / 2, h likewise",
+        "w and h run from edge to edge. Half of them is what you need from the middle.",
+        "half of the width and height: everything twice as big", c.width /= 2, c.height /= 2)
+VECTORS(give, "V-x-y", "w = difference of x, h = difference of y",
+        "an edge may have any direction in space: its length depends on x, y and z.",
+        "right only if r is along x and u along y", c.width = v.upper_right[0] - v.upper_left[0],
+        c.height = v.upper_left[1] - v.lower_left[1])
+// As it is; by authors who have not written the refusals yet and leave the checking to
+// camera_check; and by those who check nothing.
+#define SUM(finish, id, ...)                                                                       \
+    VECTORS(finish, id, "d f = upper left + upper right + lower left + lower right",               \
+            "each of the four goes as far ahead as the plane is, so their sum goes four times as " \
+            "far.",                                                                                \
+            "everything four times as big", c.distance *= 4, __VA_ARGS__)
+SUM(give, "V-sum", (void)0)
+SUM(give, "V-sum-check", fault = CAMERA_OK)
+SUM(store, "V-sum-store", fault = CAMERA_OK)
+VECTORS(give, "V-far", "d = |upper left|",
+        "a corner is farther away than the middle of the plane is.", "everything a little too big",
+        c.distance = vec3_length(v.upper_left))
+VECTORS(give, "V-corner", "f along upper left",
+        "straight ahead is the middle of the plane. The vector to a corner is not perpendicular to "
+        "the edges.",
+        "no picture: every camera is refused as not at right angles",
+        c.forward = vec3_unit(v.upper_left))
+VECTORS(give, "V-1", "d = 1", "f has length 1, but the plane is where the vectors end.",
+        "too much: everything small, right only if d is 1", c.distance = 1)
+VECTORS(give, "V-1-all", "d = 1, w / d, h / d",
+        "the rays are right, but this is not the plane whose corners were given.",
+        "no difference: the same picture with another plane", c.width /= c.distance,
+        c.height /= c.distance, c.distance = 1)
+VECTORS(give, "V-eye", "p = (0, 0, 0)",
+        "the vectors start at the eye, and they do not say where it is.",
+        "the scene seen from another place", c.origin = vec3_of(0, 0, 0))
+VECTORS(store, "V-half-w", "w = |upper right - upper left| / 2",
+        "the width goes from edge to edge. Your height already does.", "everything twice as wide",
+        c.width /= 2)
+VECTORS(store, "V-half-h", "h = |upper left - lower left| / 2",
+        "the height goes from edge to edge. Your width already does.", "everything twice as high",
+        c.height /= 2)
+VECTORS(store, "V-both", "h = w",
+        "the height of the plane is the length of the left edge, from upper left to lower left.",
+        "right if the plane is a square; if not, squashed or stretched", c.height = c.width)
+VECTORS(store, "V-unit-r", "r = upper right - upper left",
+        "the frame gives only directions, so each of its vectors has length 1. Your up and forward "
+        "have.",
+        "everything squeezed, or no picture", c.right *= c.width)
+VECTORS(store, "V-unit-u", "u = upper left - lower left",
+        "the frame gives only directions, so each of its vectors has length 1. Your right and "
+        "forward have.",
+        "everything squeezed, or no picture", c.up *= c.height)
+VECTORS(give, "V-points", "each vector - p",
+        "these vectors start at the eye already. Only from points is the eye subtracted.",
+        "no picture, unless the eye is at the origin: the camera is refused",
+        return from_points(eye, v, camera))
 
-// Wrong answers to eye and four vectors: which arguments are refused, and with which reason.
+// ---- eye and four vectors: which arguments are refused, and with which reason -------------------
 
-WRONG_LINE(camera_from_vectors, "V-ok", "CAMERA_OK, always",
-           "any four vectors have a mean and edges, but their ends are not always the corners of a "
-           "rectangle straight ahead.",
-           "a skewed picture of four corners that no camera has",
-           return store(CAMERA_OK, frame(eye, vectors), camera))
-WRONG_LINE(camera_from_vectors, "V-check", "only the checks of camera_check",
-           "it sees only your frame, never the four corners: it cannot know that the fourth is "
-           "wrong, nor that the shape or its place is wrong.",
-           "some refused, but for another reason; some accepted",
-           return give(CAMERA_OK, frame(eye, vectors), camera))
-WRONG_LINE(camera_from_vectors, "V-nan", "NaN and infinity are accepted",
-           "every comparison with NaN is false, so a test for 'too big' does not catch it.",
-           "a black picture: a number of the camera is NaN",
-           return forgetting(CAMERA_NOT_FINITE, eye, vectors, camera))
-WRONG_LINE(camera_from_vectors, "V-any", "any four corners are accepted",
-           "a trapezoid or a parallelogram also has edges, but not the w and h of a camera.",
-           "a picture, though no camera has these corners",
-           return forgetting(CAMERA_NO_RECTANGLE, eye, vectors, camera))
+VECTORS(store, "V-ok", "CAMERA_OK, always",
+        "any four vectors have a mean and edges, but their ends are not always the corners of a "
+        "rectangle straight ahead.",
+        "a skewed picture of four corners that no camera has", fault = CAMERA_OK)
+VECTORS(store, "V-nan", "NaN and infinity are accepted",
+        "every comparison with NaN is false, so a test for 'too big' does not catch it.",
+        "a black picture: a number of the camera is NaN",
+        fault = reason_but(CAMERA_NOT_FINITE, eye, v))
+VECTORS(store, "V-any", "any four corners are accepted",
+        "a trapezoid or a parallelogram also has edges, but not the w and h of a camera.",
+        "a picture, though no camera has these corners",
+        fault = reason_but(CAMERA_NO_RECTANGLE, eye, v))
+VECTORS(store, "V-lean", "a parallelogram is accepted",
+        "its opposite edges are equal, but they are not at right angles.",
+        "sheared, as if through a leaning window",
+        fault = overlooking(CAMERA_NO_RECTANGLE, !is_off(gap_of(v)), eye, v))
+VECTORS(give, "V-three", "three corners, never the lower right",
+        "three corners make a rectangle whatever the fourth is, so the fourth may be anywhere.",
+        "a picture, though one corner is not where it should be",
+        v.lower_right = v.lower_left + v.upper_right - v.upper_left, c = frame(eye, v),
+        fault = reason(eye, v))
 
-WRONG(camera_from_vectors, "V-lean", "a parallelogram is accepted",
-      "its opposite edges are equal, but they are not at right angles.",
-      "sheared, as if through a leaning window")
+// The length of a side or a diagonal compared with that of its opposite, for their size.
+static bool is_as_long(vec3 one, vec3 other, double size)
 {
-    CameraFault fault = reason(eye, vectors);
-    if (fault == CAMERA_NO_RECTANGLE && !is_off(gap_of(vectors)))
-        fault = reason_but(CAMERA_NO_RECTANGLE, eye, vectors);
-    return store(fault, frame(eye, vectors), camera);
+    return !is_off((vec3_length(one) - vec3_length(other)) / size);
 }
 
-WRONG(camera_from_vectors, "V-three", "three corners, never the lower right",
-      "three corners make a rectangle whatever the fourth is, so the fourth may be anywhere.",
-      "a picture, though one corner is not where it should be")
+static bool has_equal_lengths(Corners v)
 {
-    vectors.lower_right = vectors.lower_left + vectors.upper_right - vectors.upper_left;
-    return give(reason(eye, vectors), frame(eye, vectors), camera);
+    vec3 top = v.upper_right - v.upper_left, left = v.upper_left - v.lower_left;
+    double size = vec3_length(top) + vec3_length(left);
+    return is_as_long(top, v.lower_right - v.lower_left, size) &&
+           is_as_long(left, v.upper_right - v.lower_right, size) &&
+           is_as_long(v.lower_right - v.upper_left, v.upper_right - v.lower_left, size);
 }
 
-WRONG(camera_from_vectors, "V-lengths", "edges and diagonals compared by length",
-      "a saddle has equal edges and diagonals as well, and it is not even flat.",
-      "a picture, though the corners are not in one plane")
+VECTORS(store, "V-lengths", "edges and diagonals compared by length",
+        "a saddle has equal edges and diagonals as well, and it is not even flat.",
+        "a picture, though the corners are not in one plane",
+        fault = overlooking(CAMERA_NO_RECTANGLE, has_equal_lengths(v), eye, v))
+VECTORS(store, "V-axis-u", "r . f checked, u . f not",
+        "the rectangle may be too high or too low, or lean back.", "skewed from top to bottom",
+        fault = overlooking(CAMERA_OFF_AXIS, !is_off(vec3_dot(c.right, c.forward)), eye, v))
+VECTORS(store, "V-axis-r", "u . f checked, r . f not",
+        "the rectangle may be too far left or right, or turned to the side.",
+        "skewed from left to right",
+        fault = overlooking(CAMERA_OFF_AXIS, !is_off(vec3_dot(c.up, c.forward)), eye, v))
+
+static bool is_hardly_off(Corners v, Camera c)
 {
-    double top = vec3_length(vectors.upper_right - vectors.upper_left);
-    double bottom = vec3_length(vectors.lower_right - vectors.lower_left);
-    double left = vec3_length(vectors.upper_left - vectors.lower_left);
-    double right = vec3_length(vectors.upper_right - vectors.lower_right);
-    double falling = vec3_length(vectors.lower_right - vectors.upper_left);
-    double rising = vec3_length(vectors.upper_right - vectors.lower_left);
-    CameraFault fault = reason(eye, vectors);
-    double size = top + left;
-    if (fault == CAMERA_NO_RECTANGLE && !is_off((top - bottom) / size) &&
-        !is_off((left - right) / size) && !is_off((falling - rising) / size))
-        fault = reason_but(CAMERA_NO_RECTANGLE, eye, vectors);
-    return store(fault, frame(eye, vectors), camera);
+    double most = fmax(fabs(vec3_dot(c.right, c.up)), fabs(vec3_dot(c.right, c.forward)));
+    return gap_of(v) < 0.01 && fmax(most, fabs(vec3_dot(c.up, c.forward))) < 0.01;
 }
 
-WRONG_LINE(camera_from_vectors, "V-axis", "a rectangle anywhere is accepted",
-           "f leads to its middle, but may not be perpendicular to it there.",
-           "a skewed picture, as of a plane seen from the side",
-           return forgetting(CAMERA_OFF_AXIS, eye, vectors, camera))
+VECTORS(store, "V-loose", "right angles to 1%",
+        "the contract allows only for rounding: one part in 1e9.",
+        "hardly skewed, but the corners are not the given ones",
+        bool loose = fault == CAMERA_NO_RECTANGLE || fault == CAMERA_OFF_AXIS;
+        if (loose && is_hardly_off(v, c)) fault = CAMERA_OK)
 
-WRONG(camera_from_vectors, "V-axis-u", "r . f checked, u . f not",
-      "the rectangle may be too high or too low, or lean back.", "skewed from top to bottom")
-{
-    Camera c = frame(eye, vectors);
-    CameraFault fault = reason(eye, vectors);
-    if (fault == CAMERA_OFF_AXIS && !is_off(vec3_dot(c.right, c.forward)))
-        fault = reason_but(CAMERA_OFF_AXIS, eye, vectors);
-    return store(fault, c, camera);
-}
-
-WRONG(camera_from_vectors, "V-axis-r", "u . f checked, r . f not",
-      "the rectangle may be too far left or right, or turned to the side.",
-      "skewed from left to right")
-{
-    Camera c = frame(eye, vectors);
-    CameraFault fault = reason(eye, vectors);
-    if (fault == CAMERA_OFF_AXIS && !is_off(vec3_dot(c.up, c.forward)))
-        fault = reason_but(CAMERA_OFF_AXIS, eye, vectors);
-    return store(fault, c, camera);
-}
-
-WRONG(camera_from_vectors, "V-loose", "right angles to 1%",
-      "the contract allows only for rounding: one part in 1e9.",
-      "hardly skewed, but the corners are not the given ones")
-{
-    Camera c = frame(eye, vectors);
-    CameraFault fault = reason(eye, vectors);
-    if ((fault == CAMERA_NO_RECTANGLE || fault == CAMERA_OFF_AXIS) && gap_of(vectors) < 0.01 &&
-        fabs(vec3_dot(c.right, c.up)) < 0.01 && fabs(vec3_dot(c.right, c.forward)) < 0.01 &&
-        fabs(vec3_dot(c.up, c.forward)) < 0.01)
-        fault = CAMERA_OK;
-    return store(fault, c, camera);
-}
-
-WRONG(camera_from_vectors, "V-exact", "upper edge == lower edge and r . u == 0, exactly",
-      "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may leave.",
-      "no picture if the numbers are not round: the camera is refused")
-{
-    Camera c = frame(eye, vectors);
-    CameraFault fault = reason(eye, vectors);
-    if (fault == CAMERA_OK && !is_exact_rectangle(vectors, c))
-        fault = CAMERA_NO_RECTANGLE;
-    return give(fault, c, camera);
-}
-
-WRONG(camera_from_vectors, "V-exact-axis", "r . f == 0 and u . f == 0, exactly",
-      "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may leave.",
-      "no picture if the numbers are not round: the camera is refused")
-{
-    Camera c = frame(eye, vectors);
-    CameraFault fault = reason(eye, vectors);
-    if (fault == CAMERA_OK && !is_exactly_ahead(c))
-        fault = CAMERA_OFF_AXIS;
-    return give(fault, c, camera);
-}
-
+#define ROUNDING                                                                                   \
+    "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may leave."
+#define NOT_ROUND "no picture if the numbers are not round: the camera is refused"
+VECTORS(give, "V-exact", "upper edge == lower edge and r . u == 0, exactly", ROUNDING, NOT_ROUND,
+        fault = also(fault, CAMERA_NO_RECTANGLE, !is_exact_rectangle(v, c)))
 // And NaN != 0 is true.
-WRONG(camera_from_vectors, "V-exact-all", "!= 0 in every comparison",
-      "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may leave.",
-      "no picture if the numbers are not round: the camera is refused")
+VECTORS(give, "V-exact-all", "!= 0 in every comparison", ROUNDING, NOT_ROUND,
+        fault = reason_but(CAMERA_NOT_FINITE, eye, v),
+        fault = also(fault, CAMERA_NO_RECTANGLE, !is_exact_rectangle(v, c)),
+        fault = also(fault, CAMERA_OFF_AXIS, !is_exactly_ahead(c)))
+VECTORS(store, "V-d", "d = 0 is not noticed",
+        "an eye in the middle of its own image plane looks nowhere, and normalising (0, 0, 0) "
+        "gives NaN.",
+        "a black picture: forward is NaN", fault = reason_but(CAMERA_NO_DISTANCE, eye, v))
+VECTORS(store, "V-w", "w = 0 is not noticed",
+        "an edge of length 0 has no direction, and normalising it gives NaN.",
+        "a black picture: right is NaN", fault = reason_but(CAMERA_NO_WIDTH, eye, v))
+VECTORS(store, "V-h", "h = 0 is not noticed",
+        "an edge of length 0 has no direction, and normalising it gives NaN.",
+        "a black picture: up is NaN", fault = reason_but(CAMERA_NO_HEIGHT, eye, v))
+VECTORS(give, "V-reason", "CAMERA_NO_RECTANGLE for every fault",
+        "a rectangle that is only in the wrong place is still a rectangle, and the caller wants to "
+        "know what to correct.",
+        "refused, but for another reason",
+        fault = fault == CAMERA_OK ? CAMERA_OK : CAMERA_NO_RECTANGLE)
+VECTORS(store, "V-never", "*camera never stored",
+        "CAMERA_OK promises that *camera holds the camera.",
+        "the picture of whatever camera was there before", return fault)
+
+// Right, except for how the gap or the angle is compared with CAMERA_TOLERANCE.
+VECTORS(store, "V-gap", "gap between the edges > 1e-9",
+        "how far the edges may differ depends on their length. In a large world rounding leaves "
+        "more than that, and in a tiny one every shape passes.",
+        "no picture of large worlds, and a wrong one of tiny ones",
+        bool gapes = is_off(vec3_length(v.upper_right - v.upper_left -
+                                        (v.lower_right - v.lower_left)));
+        fault = also(overlooking(CAMERA_NO_RECTANGLE, !gapes && !is_off(vec3_dot(c.right, c.up)),
+                                 eye, v),
+                     CAMERA_NO_RECTANGLE, gapes))
+VECTORS(store, "V-dot", "|across . up| > 1e-9, with edges of any length",
+        "a dot product grows with both lengths. Normalise the edges, or divide by the lengths: "
+        "then only the angle is left.",
+        "no picture of large worlds, and a wrong one of tiny ones",
+        bool leans = is_off(c.width * c.height * vec3_dot(c.right, c.up));
+        fault = also(overlooking(CAMERA_NO_RECTANGLE, !leans && !is_off(gap_of(v)), eye, v),
+                     CAMERA_NO_RECTANGLE, leans))
+
+// ---- the same mistake in two of the forms, or in all --------------------------------------------
+
+#define VECTORS_AND_POINTS(finish, name, formula, why, picture, ...)                               \
+    VECTORS(finish, "V-" name, formula, why, picture, __VA_ARGS__)                                 \
+    POINTS(finish, "F-" name, formula, why, picture, __VA_ARGS__)
+#define VECTORS_AND_CORNER(finish, name, formula, why, picture, ...)                               \
+    VECTORS(finish, "V-" name, formula, why, picture, __VA_ARGS__)                                 \
+    CORNER(finish, "K-" name, formula, why, picture, __VA_ARGS__)
+VECTORS_AND_POINTS(give, "check", "only the checks of camera_check",
+                   "it sees only your frame, never the four corners: it cannot know that the "
+                   "fourth is wrong, nor that the shape or its place is wrong.",
+                   "some refused, but for another reason; some accepted", fault = CAMERA_OK)
+VECTORS_AND_CORNER(store, "axis", "a rectangle anywhere is accepted",
+                   "f leads to its middle, but may not be perpendicular to it there.",
+                   "a skewed picture, as of a plane seen from the side",
+                   fault = reason_but(CAMERA_OFF_AXIS, eye, v))
+VECTORS_AND_CORNER(give, "exact-axis", "r . f == 0 and u . f == 0, exactly", ROUNDING, NOT_ROUND,
+                   fault = also(fault, CAMERA_OFF_AXIS, !is_exactly_ahead(c)))
+ALL_THREE(store, "store", "stored, then checked",
+          "if the camera is refused, *camera must stay as it was, but this overwrites it.",
+          "the previous camera is lost", *camera = c)
+
+static const double tiny = 1e-6;
+
+static CameraFault too_small(Camera c)
 {
-    Camera c = frame(eye, vectors);
-    CameraFault fault = reason_but(CAMERA_NOT_FINITE, eye, vectors);
-    if (fault == CAMERA_OK && !is_exact_rectangle(vectors, c))
-        fault = CAMERA_NO_RECTANGLE;
-    if (fault == CAMERA_OK && !is_exactly_ahead(c))
-        fault = CAMERA_OFF_AXIS;
-    return give(fault, c, camera);
+    return c.distance < tiny ? CAMERA_NO_DISTANCE
+           : c.width < tiny  ? CAMERA_NO_WIDTH
+           : c.height < tiny ? CAMERA_NO_HEIGHT
+                             : CAMERA_OK;
 }
 
-WRONG_LINE(camera_from_vectors, "V-d", "d = 0 is not noticed",
-           "an eye in the middle of its own image plane looks nowhere, and normalising (0, 0, 0) "
-           "gives NaN.",
-           "a black picture: forward is NaN",
-           return forgetting(CAMERA_NO_DISTANCE, eye, vectors, camera))
-WRONG_LINE(camera_from_vectors, "V-w", "w = 0 is not noticed",
-           "an edge of length 0 has no direction, and normalising it gives NaN.",
-           "a black picture: right is NaN",
-           return forgetting(CAMERA_NO_WIDTH, eye, vectors, camera))
-WRONG_LINE(camera_from_vectors, "V-h", "h = 0 is not noticed",
-           "an edge of length 0 has no direction, and normalising it gives NaN.",
-           "a black picture: up is NaN", return forgetting(CAMERA_NO_HEIGHT, eye, vectors, camera))
+#define SMALL_WORLDS                                                                               \
+    "a length is not small in itself, only compared with another one: a whole world can be "       \
+    "smaller than that."
 
-WRONG(camera_from_vectors, "V-reason", "CAMERA_NO_RECTANGLE for every fault",
-      "a rectangle that is only in the wrong place is still a rectangle, and the caller wants to "
-      "know what to correct.",
-      "refused, but for another reason")
-{
-    CameraFault fault = reason(eye, vectors);
-    return give(fault == CAMERA_OK ? CAMERA_OK : CAMERA_NO_RECTANGLE, frame(eye, vectors), camera);
-}
+ALL_THREE(store, "tiny", "refused if d, w or h < 1e-6", SMALL_WORLDS, "no picture of tiny worlds",
+          fault = fault == CAMERA_OK ? too_small(c) : fault)
 
-WRONG(camera_from_vectors, "V-store", "stored, then checked",
-      "if the camera is refused, *camera must stay as it was, but this overwrites it.",
-      "the previous camera is lost")
-{
-    *camera = frame(eye, vectors);
-    return reason(eye, vectors);
-}
-
-WRONG_LINE(camera_from_vectors, "V-never", "*camera never stored",
-           "CAMERA_OK promises that *camera holds the camera.",
-           "the picture of whatever camera was there before", return reason(eye, vectors))
-
-// The most common slips again, of authors who have not written the refusals yet: they leave the
-// checking to camera_check, or return the camera unchecked.
-
-// From slip(arguments), the camera as it is found.
-#define VECTORS_UNCHECKED(slip)                                                                    \
-    static CameraFault slip##_checked(vec3 eye, Corners v, Camera *camera)                         \
-    {                                                                                              \
-        return give(CAMERA_OK, slip(eye, v), camera);                                              \
-    }                                                                                              \
-    static CameraFault slip##_stored(vec3 eye, Corners v, Camera *camera)                          \
-    {                                                                                              \
-        return store(CAMERA_OK, slip(eye, v), camera);                                             \
-    }
-
-#define VIEW_CHECKED(slip)                                                                         \
-    static CameraFault slip##_checked(LookAt view, Handedness world, Camera *camera)               \
-    {                                                                                              \
-        return give(CAMERA_OK, slip(view, world), camera);                                         \
-    }
-
-#define VIEW_STORED(slip)                                                                          \
-    static CameraFault slip##_stored(LookAt view, Handedness world, Camera *camera)                \
-    {                                                                                              \
-        return store(CAMERA_OK, slip(view, world), camera);                                        \
-    }
-
-// ---- eye and four vectors -----------------------------------------------------------------------
-
-static Camera sum_of_four(vec3 eye, Corners v)
-{
-    Camera c = frame(eye, v);
-    c.distance *= 4;
-    return c;
-}
-
-static Camera edges_not_unit(vec3 eye, Corners v)
-{
-    Camera c = frame(eye, v);
-    c.right *= c.width;
-    c.up *= c.height;
-    return c;
-}
-
-VECTORS_UNCHECKED(sum_of_four)
-VECTORS_UNCHECKED(edges_not_unit)
-
-// ---- look-at ------------------------------------------------------------------------------------
-
-static Camera forward_to_the_eye(LookAt view, Handedness world)
-{
-    Camera c = seen(view, world);
-    c.forward = -c.forward;
-    c.right = -c.right; // it follows from the cross product
-    return c;
-}
-
-static Camera hands_mixed_up(LookAt view, Handedness world)
-{
-    return seen(view, world == RIGHT_HANDED ? LEFT_HANDED : RIGHT_HANDED);
-}
-
-static Camera always_right_handed(LookAt view, Handedness world)
-{
-    (void)world;
-    return seen(view, RIGHT_HANDED);
-}
-
-static Camera always_left_handed(LookAt view, Handedness world)
-{
-    (void)world;
-    return seen(view, LEFT_HANDED);
-}
-
-static Camera up_as_given(LookAt view, Handedness world)
-{
-    Camera c = seen(view, world);
-    c.up = view.up;
-    return c;
-}
-
-static Camera aspect_upside_down(LookAt view, Handedness world)
-{
-    Camera c = seen(view, world);
-    c.height = view.width * view.aspect;
-    return c;
-}
-
-// As the cross product leaves it, and up as well.
-static Camera cross_not_unit(LookAt view, Handedness world)
-{
-    Camera c = seen(view, world);
-    double length = vec3_length(vec3_cross(c.forward, view.up));
-    c.right *= length;
-    c.up *= length;
-    return c;
-}
-
-static Camera product_for_cross(LookAt view, Handedness world)
-{
-    Camera c = seen(view, world);
-    c.right = vec3_unit(c.forward * view.up);
-    c.up = c.right * c.forward;
-    return c;
-}
-
-VIEW_CHECKED(forward_to_the_eye)
-VIEW_CHECKED(hands_mixed_up)
-VIEW_CHECKED(always_right_handed)
-VIEW_CHECKED(always_left_handed)
-VIEW_CHECKED(up_as_given)
-VIEW_CHECKED(aspect_upside_down)
-
-VIEW_STORED(aspect_upside_down)
-
-VIEW_CHECKED(cross_not_unit)
-
-VIEW_STORED(cross_not_unit)
-
-VIEW_CHECKED(product_for_cross)
-
-VIEW_STORED(product_for_cross)
-
-static CameraFault cross_not_unit_refused(LookAt view, Handedness world, Camera *camera)
-{
-    return store(view_reason(view), cross_not_unit(view, world), camera);
-}
-
-static CameraFault product_for_cross_refused(LookAt view, Handedness world, Camera *camera)
-{
-    CameraFault fault = view_reason_but(CAMERA_UP_ALONG_VIEW, view);
-    double length = vec3_length(vec3_unit(view.at - view.eye) * view.up);
-    if (fault == CAMERA_OK && length <= CAMERA_TOLERANCE * vec3_length(view.up))
-        fault = CAMERA_UP_ALONG_VIEW;
-    return give(fault, product_for_cross(view, world), camera);
-}
-
-#define NOT_UNIT(id, answer, picture)                                                              \
-    WRONG_BY(answer, camera_from_look_at, id,                                                      \
-             "r = the cross product, not normalised, and u from it",                               \
-             "the length of a cross product is the area between its vectors, and that shrinks if " \
-             "up leans.",                                                                          \
-             picture)
-
-#define PRODUCT(id, answer)                                                                        \
-    WRONG_BY(answer, camera_from_look_at, id, "r = f * up, normalised",                            \
-             "v * w multiplies component by component, and the result is perpendicular to "        \
-             "neither. The cross product is vec3_cross.",                                          \
-             "no picture, or one skewed beyond recognition")
-
-WRONG_BY(sum_of_four_checked, camera_from_vectors, "V-sum-check",
-         "d f = upper left + upper right + lower left + lower right",
-         "each of the four goes as far ahead as the plane is, so their sum goes four times as far.",
-         "everything four times as big")
-WRONG_BY(sum_of_four_stored, camera_from_vectors, "V-sum-store",
-         "d f = upper left + upper right + lower left + lower right",
-         "each of the four goes as far ahead as the plane is, so their sum goes four times as far.",
-         "everything four times as big")
-WRONG_BY(edges_not_unit_checked, camera_from_vectors, "V-edges-check",
-         "r = upper right - upper left, u = upper left - lower left",
-         "the frame gives only directions, so each of its vectors has length 1. w and h hold the "
-         "lengths.",
-         "no picture: every camera is refused as not unit")
-WRONG_BY(edges_not_unit_stored, camera_from_vectors, "V-edges-store",
-         "r = upper right - upper left, u = upper left - lower left",
-         "these are as long as the picture is wide and high, so w and h would count twice.",
-         "too much: right only if w and h are 1")
-
-// ---- wrong answers to eye and four points -------------------------------------------------------
+// ---- eye and four points ------------------------------------------------------------------------
 
 WRONG_LINE(camera_from_points, "F-vectors", "the points as vectors",
            "points are counted from the origin, and vectors from the eye.",
@@ -701,73 +577,47 @@ WRONG_LINE(camera_from_points, "F-plus", "point + p",
            "point + p goes from the eye back to the origin, and then on to the point.",
            "no picture, unless the eye is at the origin: the camera is refused",
            return from_vectors(eye, moved(points, eye), camera))
-
-// By other vectors.
-#define OF_VECTORS(id, formula, why, picture, ...)                                                 \
-    WRONG(camera_from_points, id, formula, why, picture)                                           \
-    {                                                                                              \
-        __VA_ARGS__;                                                                               \
-        return from_vectors(eye, v, camera);                                                       \
-    }
-
-OF_VECTORS("F-from", "p - point",
+WRONG_LINE(camera_from_points, "F-from", "p - point",
            "these vectors lead from the plane back to the eye, so the whole frame is reversed.",
            "the scene behind the eye, upside down",
-           Corners v = {eye - points.upper_left, eye - points.upper_right, eye - points.lower_left,
-                        eye - points.lower_right})
-
+           return from_vectors(eye,
+                               (Corners){eye - points.upper_left, eye - points.upper_right,
+                                         eye - points.lower_left, eye - points.lower_right},
+                               camera))
 WRONG_LINE(camera_from_points, "F-eye", "p = (0, 0, 0)",
            "the camera is where the eye is, and the vectors alone do not say where that is.",
            "the scene seen from another place",
            return from_vectors(vec3_of(0, 0, 0), moved(points, -eye), camera))
-
-OF_VECTORS("F-circle", "the corners taken in a circle",
+WRONG_LINE(camera_from_points, "F-circle", "the corners taken in a circle",
            "they come row by row, in reading order: after the upper right comes the lower left.",
            "no picture: every camera is refused",
-           Corners v = moved((Corners){points.upper_left, points.upper_right, points.lower_right,
-                                       points.lower_left},
-                             -eye))
-OF_VECTORS("F-lower", "the lower corners first",
+           return from_points(eye,
+                              (Corners){points.upper_left, points.upper_right, points.lower_right,
+                                        points.lower_left},
+                              camera))
+WRONG_LINE(camera_from_points, "F-lower", "the lower corners first",
            "they come in reading order: the upper row first. Your up points down.", "upside down",
-           Corners v = moved((Corners){points.lower_left, points.lower_right, points.upper_left,
-                                       points.upper_right},
-                             -eye))
-OF_VECTORS("F-right", "the right corners first",
+           return from_points(eye,
+                              (Corners){points.lower_left, points.lower_right, points.upper_left,
+                                        points.upper_right},
+                              camera))
+WRONG_LINE(camera_from_points, "F-right", "the right corners first",
            "they come in reading order: in each row, left before right. Your right points left.",
            "mirrored: left and right swapped",
-           Corners v = moved((Corners){points.upper_right, points.upper_left, points.lower_right,
-                                       points.lower_left},
-                             -eye))
+           return from_points(eye,
+                              (Corners){points.upper_right, points.upper_left, points.lower_right,
+                                        points.lower_left},
+                              camera))
+POINTS(store, "F-ok", "CAMERA_OK, always",
+       "any four points have a mean and edges, but they are not always the corners of a rectangle "
+       "straight ahead.",
+       "a skewed picture of four points that no camera has", fault = CAMERA_OK)
+POINTS(store, "F-dropped", "the reason is not returned",
+       "camera_from_vectors refused the camera, but you return CAMERA_OK.",
+       "the picture of whatever camera was there before", from_vectors(eye, v, camera);
+       return CAMERA_OK)
 
-WRONG_LINE(camera_from_points, "F-ok", "CAMERA_OK, always",
-           "any four points have a mean and edges, but they are not always the corners of a "
-           "rectangle straight ahead.",
-           "a skewed picture of four points that no camera has",
-           return store(CAMERA_OK, frame(eye, moved(points, -eye)), camera))
-WRONG_LINE(camera_from_points, "F-check", "only the checks of camera_check",
-           "it sees only your frame, never the four corners: it cannot know that the fourth is "
-           "wrong, nor that the shape or its place is wrong.",
-           "some refused, but for another reason; some accepted",
-           return give(CAMERA_OK, frame(eye, moved(points, -eye)), camera))
-
-WRONG(camera_from_points, "F-store", "stored, then checked",
-      "if the camera is refused, *camera must stay as it was, but this overwrites it.",
-      "the previous camera is lost")
-{
-    Corners v = moved(points, -eye);
-    *camera = frame(eye, v);
-    return reason(eye, v);
-}
-
-WRONG(camera_from_points, "F-dropped", "the reason is not returned",
-      "camera_from_vectors refused the camera, but you return CAMERA_OK.",
-      "the picture of whatever camera was there before")
-{
-    from_vectors(eye, moved(points, -eye), camera);
-    return CAMERA_OK;
-}
-
-// ---- wrong answers to camera_from_corner_vectors: eye, lower left corner and two vectors --------
+// ---- eye, lower left corner and two vectors -----------------------------------------------------
 
 WRONG_LINE(camera_from_corner, "K-vector", "the lower left corner as a vector",
            "it is a point, counted from the origin, and the vectors of a camera start at the eye.",
@@ -789,612 +639,322 @@ WRONG_LINE(camera_from_corner, "K-corners", "w r = across - the corner, h u = up
            "no picture: every camera is refused",
            return from_points(eye, spanned(lower_left, across - lower_left, up - lower_left),
                               camera))
-
-WRONG(camera_from_corner, "K-unit", "r = across, u = up",
-      "the frame gives only directions, so each of its vectors has length 1. w and h hold the "
-      "lengths.",
-      "no picture: every camera is refused as not unit")
-{
-    Corners v = spanned(lower_left - eye, across, up);
-    Camera c = frame(eye, v);
-    c.right = across;
-    c.up = up;
-    return give(reason(eye, v), c, camera);
-}
-
+CORNER(give, "K-unit", "r = across, u = up",
+       "the frame gives only directions, so each of its vectors has length 1. w and h hold the "
+       "lengths.",
+       "no picture: every camera is refused as not unit", c.right = across, c.up = up)
 // From forward and up, as in a look-at, and for one handedness.
-WRONG(camera_from_corner, "K-hand", "r = u x f",
-      "this makes every frame left-handed. The lower edge says where right is, and the camera may "
-      "have either handedness.",
-      "every right-handed camera mirrored")
-{
-    Corners v = spanned(lower_left - eye, across, up);
-    Camera c = frame(eye, v);
-    c.right = vec3_cross(c.up, c.forward);
-    return give(reason(eye, v), c, camera);
-}
-
-WRONG(camera_from_corner, "K-square", "h = |across|",
-      "this is the width. They are equal only if the plane is a square.", "stretched in height")
-{
-    Corners v = spanned(lower_left - eye, across, up);
-    Camera c = frame(eye, v);
-    c.height = c.width;
-    return give(reason(eye, v), c, camera);
-}
-
-WRONG(camera_from_corner, "K-straight", "up made perpendicular to across",
-      "that is for the up of a look-at, which may lean. Here up is an edge of the plane, and an "
-      "edge that leans does not make a rectangle.",
-      "a picture, but its upper corners are not where you put them")
-{
-    Corners v = spanned(lower_left - eye, across, up);
-    Camera c = frame(eye, v);
-    c.up = vec3_unit(c.up - vec3_dot(c.up, c.right) * c.right);
-    return give(reason_but(CAMERA_NO_RECTANGLE, eye, v), c, camera);
-}
-
-WRONG_LINE(camera_from_corner, "K-check", "only the checks of camera_check",
-           "it sees only your frame, never the corner and the edges: it cannot know that the angle "
-           "between them or their place is wrong.",
-           "refused, but for another reason",
-           return give(CAMERA_OK, frame(eye, spanned(lower_left - eye, across, up)), camera))
-WRONG_LINE(
-    camera_from_corner, "K-ok", "CAMERA_OK, always",
-    "any corner and two vectors make four corners, but not always a rectangle straight ahead.",
-    "a skewed picture of corners that no camera has",
-    return store(CAMERA_OK, frame(eye, spanned(lower_left - eye, across, up)), camera))
-WRONG_LINE(
-    camera_from_corner, "K-lean", "any two vectors are accepted",
+CORNER(give, "K-hand", "r = u x f",
+       "this makes every frame left-handed. The lower edge says where right is, and the camera may "
+       "have either handedness.",
+       "every right-handed camera mirrored", c.right = vec3_cross(c.up, c.forward))
+CORNER(give, "K-square", "h = |across|",
+       "this is the width. They are equal only if the plane is a square.", "stretched in height",
+       c.height = c.width)
+CORNER(give, "K-straight", "up made perpendicular to across",
+       "that is for the up of a look-at, which may lean. Here up is an edge of the plane, and an "
+       "edge that leans does not make a rectangle.",
+       "a picture, but its upper corners are not where you put them",
+       c.up = vec3_unit(c.up - vec3_dot(c.up, c.right) * c.right),
+       fault = reason_but(CAMERA_NO_RECTANGLE, eye, v))
+CORNER(give, "K-check", "only the checks of camera_check",
+       "it sees only your frame, never the corner and the edges: it cannot know that the angle "
+       "between them or their place is wrong.",
+       "refused, but for another reason", fault = CAMERA_OK)
+CORNER(store, "K-ok", "CAMERA_OK, always",
+       "any corner and two vectors make four corners, but not always a rectangle straight ahead.",
+       "a skewed picture of corners that no camera has", fault = CAMERA_OK)
+CORNER(
+    store, "K-lean", "any two vectors are accepted",
     "if they are not at right angles they span a parallelogram, and an image plane is a rectangle.",
-    "sheared, as if through a leaning window",
-    return forgetting(CAMERA_NO_RECTANGLE, eye, spanned(lower_left - eye, across, up), camera))
-WRONG_LINE(camera_from_corner, "K-axis", "a rectangle anywhere is accepted",
-           "f leads to its middle, but may not be perpendicular to it there.",
-           "a skewed picture, as of a plane seen from the side",
-           return forgetting(CAMERA_OFF_AXIS, eye, spanned(lower_left - eye, across, up), camera))
-
-WRONG(camera_from_corner, "K-exact", "across . up == 0, exactly",
-      "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may leave.",
-      "no picture if the numbers are not round: the camera is refused")
-{
-    Corners v = spanned(lower_left - eye, across, up);
-    CameraFault fault = reason(eye, v);
-    if (fault == CAMERA_OK && vec3_dot(across, up) != 0)
-        fault = CAMERA_NO_RECTANGLE;
-    return give(fault, frame(eye, v), camera);
-}
-
-WRONG(camera_from_corner, "K-exact-axis", "r . f == 0 and u . f == 0, exactly",
-      "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may leave.",
-      "no picture if the numbers are not round: the camera is refused")
-{
-    Corners v = spanned(lower_left - eye, across, up);
-    Camera c = frame(eye, v);
-    CameraFault fault = reason(eye, v);
-    if (fault == CAMERA_OK && !is_exactly_ahead(c))
-        fault = CAMERA_OFF_AXIS;
-    return give(fault, c, camera);
-}
-
+    "sheared, as if through a leaning window", fault = reason_but(CAMERA_NO_RECTANGLE, eye, v))
+CORNER(give, "K-exact", "across . up == 0, exactly", ROUNDING, NOT_ROUND,
+       fault = also(fault, CAMERA_NO_RECTANGLE, vec3_dot(across, up) != 0))
 // And NaN != 0 is true.
-WRONG(camera_from_corner, "K-exact-all", "!= 0 in every comparison",
-      "rounding leaves about 1e-17 instead of 0. CAMERA_TOLERANCE is how much rounding may leave.",
-      "no picture if the numbers are not round: the camera is refused")
-{
-    Corners v = spanned(lower_left - eye, across, up);
-    Camera c = frame(eye, v);
-    CameraFault fault = reason_but(CAMERA_NOT_FINITE, eye, v);
-    if (fault == CAMERA_OK && vec3_dot(across, up) != 0)
-        fault = CAMERA_NO_RECTANGLE;
-    if (fault == CAMERA_OK && !is_exactly_ahead(c))
-        fault = CAMERA_OFF_AXIS;
-    return give(fault, c, camera);
-}
+CORNER(give, "K-exact-all", "!= 0 in every comparison", ROUNDING, NOT_ROUND,
+       fault = reason_but(CAMERA_NOT_FINITE, eye, v),
+       fault = also(fault, CAMERA_NO_RECTANGLE, vec3_dot(across, up) != 0),
+       fault = also(fault, CAMERA_OFF_AXIS, !is_exactly_ahead(c)))
 
-WRONG(camera_from_corner, "K-store", "stored, then checked",
-      "if the camera is refused, *camera must stay as it was, but this overwrites it.",
-      "the previous camera is lost")
-{
-    Corners v = spanned(lower_left - eye, across, up);
-    *camera = frame(eye, v);
-    return reason(eye, v);
-}
+// ---- look-at: the numbers of the camera ---------------------------------------------------------
 
-// ---- wrong answers to the look-at: the numbers of the camera ------------------------------------
-
-// As the cross product leaves it.
-static Camera right_as_it_comes(LookAt view, Handedness world)
-{
-    Camera c = seen(view, world);
-    c.right *= vec3_length(vec3_cross(c.forward, view.up));
-    return c;
-}
-
-WRONG(camera_from_look_at, "L1", "d f = eye - at",
-      "this leads from the point looked at back to the eye. You look in the opposite direction.",
-      "nothing, or the scene behind you")
-{
-    Camera c = seen(view, world);
-    c.forward = -c.forward;
-    c.right = -c.right; // it follows from the cross product
-    return give(view_reason(view), c, camera);
-}
-
-// The right camera, with a change.
-#define SEEN(id, formula, why, picture, ...)                                                       \
+// The same of a view.
+#define LOOK(finish, id, formula, why, picture, ...)                                               \
     WRONG(camera_from_look_at, id, formula, why, picture)                                          \
     {                                                                                              \
         Camera c = seen(view, world);                                                              \
+        CameraFault fault = view_reason(view);                                                     \
         __VA_ARGS__;                                                                               \
-        return give(view_reason(view), c, camera);                                                 \
+        return finish(fault, c, camera);                                                           \
     }
+// And again of authors who have not written the refusals yet: they leave the checking to
+// camera_check, or in L10-store return the camera unchecked.
+#define LOOK_CHECKED(id, formula, why, picture, ...)                                               \
+    LOOK(give, id, formula, why, picture, __VA_ARGS__)                                             \
+    LOOK(give, id "-check", formula, why, picture, __VA_ARGS__, fault = CAMERA_OK)
+// As the reference in another world.
+#define IN_WORLD(id, formula, why, picture, another)                                               \
+    WRONG(camera_from_look_at, id, formula, why, picture)                                          \
+    {                                                                                              \
+        return from_look_at(view, another, camera);                                                \
+    }                                                                                              \
+    LOOK(give, id "-check", formula, why, picture, c = seen(view, another), fault = CAMERA_OK)
 
-SEEN("L1-only", "f = -f at the end",
+LOOK_CHECKED(
+    "L1", "d f = eye - at",
+    "this leads from the point looked at back to the eye. You look in the opposite direction.",
+    "nothing, or the scene behind you", c.forward = -c.forward,
+    c.right = -c.right /* it follows from the cross product */)
+LOOK(give, "L1-only", "f = -f at the end",
      "r and u are right, but f leads away from the point looked at. (In OpenGL the z axis is -f; "
      "here f points ahead.)",
      "the scene behind you, mirrored", c.forward = -c.forward)
-
-WRONG_LINE(camera_from_look_at, "L2", "both cross products in the other order",
-           "this is the camera of a world of the other handedness: its right is your left.",
-           "mirrored: left and right swapped",
-           return from_look_at(view, world == RIGHT_HANDED ? LEFT_HANDED : RIGHT_HANDED, camera))
-
-WRONG(camera_from_look_at, "L2-turned", "the cross product for r in the other order",
-      "r then points to the left; and u, made from r, points down.", "turned by 180 degrees")
-{
-    Camera c = seen(view, world);
-    c.right = -c.right;
-    c.up = -c.up; // it follows from the cross product
-    return give(view_reason(view), c, camera);
-}
-
-WRONG_LINE(
-    camera_from_look_at, "L2-right", "r = f x up in either world",
+IN_WORLD("L2", "both cross products in the other order",
+         "this is the camera of a world of the other handedness: its right is your left.",
+         "mirrored: left and right swapped", world == RIGHT_HANDED ? LEFT_HANDED : RIGHT_HANDED)
+LOOK(give, "L2-turned", "the cross product for r in the other order",
+     "r then points to the left; and u, made from r, points down.", "turned by 180 degrees",
+     c.right = -c.right, c.up = -c.up /* it follows from the cross product */)
+IN_WORLD(
+    "L2-right", "r = f x up in either world",
     "this is right in a right-handed world. In a left-handed one, r must point to the other side.",
-    "mirrored in a left-handed world, as the deck's is",
-    return from_look_at(view, RIGHT_HANDED, camera))
-WRONG_LINE(
-    camera_from_look_at, "L2-left", "r = up x f in either world",
+    "mirrored in a left-handed world, as the deck's is", RIGHT_HANDED)
+IN_WORLD(
+    "L2-left", "r = up x f in either world",
     "this is right in a left-handed world. In a right-handed one, r must point to the other side.",
-    "mirrored in a right-handed world", return from_look_at(view, LEFT_HANDED, camera))
-
-SEEN("L2-down", "the cross product for u in the other order",
+    "mirrored in a right-handed world", LEFT_HANDED)
+LOOK(give, "L2-down", "the cross product for u in the other order",
      "u then points away from the given up.", "upside down", c.up = -c.up)
-SEEN("L2-up", "u = r x f in either world",
+LOOK(give, "L2-up", "u = r x f in either world",
      "r was reversed for the left-handed world, and this reverses u as well.",
      "upside down in a left-handed world", c.up = vec3_cross(c.right, c.forward))
-SEEN("L3", "u = up, unchanged",
-     "up may have any length, and may lean towards the view. The frame's own up has length 1 and "
-     "is perpendicular to f.",
-     "no picture, unless up fits by luck: the camera is refused", c.up = view.up)
-
-WRONG(camera_from_look_at, "L3-stored", "u = up, unchanged and unchecked",
-      "up may have any length, and may lean towards the view. The frame's own up has length 1 and "
-      "is perpendicular to f.",
-      "stretched or squashed in height, and skewed if the camera looks up or down")
-{
-    Camera c = seen(view, world);
-    c.up = view.up;
-    return store(view_reason(view), c, camera);
-}
-
-SEEN("L3-unit", "u = up / |up|",
-     "if the camera looks up or down, the given up leans towards the view: it is not "
-     "perpendicular to f.",
+#define UP_UNCHANGED                                                                               \
+    "up may have any length, and may lean towards the view. The frame's own up has length 1 and "  \
+    "is perpendicular to f."
+LOOK_CHECKED("L3", "u = up, unchanged", UP_UNCHANGED,
+             "no picture, unless up fits by luck: the camera is refused", c.up = view.up)
+LOOK(store, "L3-stored", "u = up, unchanged and unchecked", UP_UNCHANGED,
+     "stretched or squashed in height, and skewed if the camera looks up or down", c.up = view.up)
+LOOK(give, "L3-unit", "u = up / |up|",
+     "if the camera looks up or down, the given up leans towards the view: it is not perpendicular "
+     "to f.",
      "no picture if the camera looks up or down: the camera is refused", c.up = vec3_unit(view.up))
 
-WRONG_LINE(
-    camera_from_look_at, "L4", "r = the cross product, not normalised",
-    "the length of a cross product is the area between its vectors, and that shrinks if up leans.",
-    "no picture, unless up fits by luck: it is refused as not unit",
-    return give(view_reason(view), right_as_it_comes(view, world), camera))
-WRONG_LINE(
-    camera_from_look_at, "L4-stored", "r = the cross product, neither normalised nor checked",
-    "the length of a cross product is the area between its vectors, and that shrinks if up leans.",
-    "stretched sideways if up leans, squashed if it is long",
-    return store(view_reason(view), right_as_it_comes(view, world), camera))
+static double length_of_cross(LookAt view, Camera c)
+{
+    return vec3_length(vec3_cross(c.forward, view.up));
+}
 
-SEEN("L4-forward", "f = at - eye",
+#define AREA                                                                                       \
+    "the length of a cross product is the area between its vectors, and that shrinks if up leans."
+#define NOT_UNIT "no picture, unless up fits by luck: it is refused as not unit"
+LOOK(give, "L4", "r = the cross product, not normalised", AREA, NOT_UNIT,
+     c.right *= length_of_cross(view, c))
+LOOK(store, "L4-stored", "r = the cross product, neither normalised nor checked", AREA,
+     "stretched sideways if up leans, squashed if it is long", c.right *= length_of_cross(view, c))
+#define BOTH_NOT_UNIT(finish, id, picture, ...)                                                    \
+    LOOK(finish, id, "r = the cross product, not normalised, and u from it", AREA, picture,        \
+         c.right *= length_of_cross(view, c), c.up *= length_of_cross(view, c), __VA_ARGS__)
+#define STRETCHED "stretched or squashed if up leans or is long"
+BOTH_NOT_UNIT(give, "L4-check", NOT_UNIT, fault = CAMERA_OK)
+BOTH_NOT_UNIT(store, "L4-store", STRETCHED, fault = CAMERA_OK)
+BOTH_NOT_UNIT(store, "L4-both", STRETCHED, (void)0)
+LOOK(give, "L4-forward", "f = at - eye",
      "this is d f. The frame gives only directions, so f has length 1.",
      "no picture, unless d is 1: it is refused as not unit", c.forward = view.at - view.eye)
-SEEN("L10", "h = w aspect",
-     "a picture of aspect 2 is wider than high, but this makes it higher than wide.",
-     "circles become ellipses", c.height = view.width * view.aspect)
-SEEN("L11", "h = w", "a picture is as high as it is wide only if its aspect is 1.",
-     "circles become ellipses", c.height = view.width)
-
-WRONG(camera_from_look_at, "L11-width", "w = width aspect, h = width",
-      "the aspect is right, but the given width is the width, not the height.",
-      "everything at the wrong size")
-{
-    view.width *= view.aspect;
-    return give(view_reason(view), seen(view, world), camera);
-}
-
-SEEN("L-1", "d = 1",
+#define TURNED_ROUND "a picture of aspect 2 is wider than high, but this makes it higher than wide."
+#define ELLIPSES "circles become ellipses"
+LOOK_CHECKED("L10", "h = w aspect", TURNED_ROUND, ELLIPSES, c.height = view.width * view.aspect)
+LOOK(store, "L10-store", "h = w aspect", TURNED_ROUND, ELLIPSES,
+     c.height = view.width * view.aspect, fault = CAMERA_OK)
+LOOK(give, "L11", "h = w", "a picture is as high as it is wide only if its aspect is 1.", ELLIPSES,
+     c.height = view.width)
+LOOK(give, "L11-width", "w = width aspect, h = width",
+     "the aspect is right, but the given width is the width, not the height.",
+     "everything at the wrong size", view.width *= view.aspect, c = seen(view, world),
+     fault = view_reason(view))
+LOOK(give, "L-1", "d = 1",
      "the image plane passes through the point looked at, so d is the distance to that point.",
      "too much: everything small, right only if d is 1", c.distance = 1)
-SEEN("L-squared", "d = (at - eye) . (at - eye)", "this is the square of the length.",
+LOOK(give, "L-squared", "d = (at - eye) . (at - eye)", "this is the square of the length.",
      "too little: everything d times as big", c.distance *= c.distance)
+LOOK(give, "L-direction", "d f = at",
+     "at is a point, counted from the origin; the view starts at the eye.",
+     "another part of the scene, unless the eye is at the origin", view.at += view.eye;
+     return from_look_at(view, world, camera))
 
-WRONG(camera_from_look_at, "L-direction", "d f = at",
-      "at is a point, counted from the origin; the view starts at the eye.",
-      "another part of the scene, unless the eye is at the origin")
+// Component by component, in place of the cross products.
+static Camera of_products(LookAt view, Camera c)
 {
-    view.at += view.eye;
-    return from_look_at(view, world, camera);
+    c.right = vec3_unit(c.forward * view.up);
+    c.up = c.right * c.forward;
+    return c;
 }
 
-// ---- wrong answers to the look-at: which arguments are refused, and with which reason -----------
-
-WRONG_LINE(camera_from_look_at, "L-ok", "CAMERA_OK, always",
-           "the arguments may have no direction of view, an unusable up, or a width below 0.",
-           "a black picture: every number is NaN",
-           return store(CAMERA_OK, seen(view, world), camera))
-WRONG_LINE(camera_from_look_at, "L-check", "only the checks of camera_check",
-           "it sees your frame after a division by 0 has made NaN of it, and can no longer find "
-           "the reason.",
-           "refused, but for another reason", return give(CAMERA_OK, seen(view, world), camera))
-WRONG_LINE(camera_from_look_at, "L12", "up along the view is not noticed",
-           "the cross product is then 0 and has no direction, and normalising it gives NaN.",
-           "a black picture: right and up are NaN",
-           return store(view_reason_but(CAMERA_UP_ALONG_VIEW, view), seen(view, world), camera))
-WRONG_LINE(camera_from_look_at, "L12-nan",
-           "up along the view reported as not finite, or not noticed",
-           "the arguments were finite. The cross product is 0, or close to 0 after rounding: look "
-           "at its length before you divide.",
-           "refused, but for another reason; or rolled at random",
-           return give(view_reason_but(CAMERA_UP_ALONG_VIEW, view), seen(view, world), camera))
-
-WRONG(camera_from_look_at, "L12-zero", "up = (0, 0, 0) is not noticed",
-      "it points nowhere, so the camera could be rolled by any angle.",
-      "a black picture: right and up are NaN")
+static bool is_product_short(LookAt view)
 {
-    CameraFault fault = view_reason(view);
-    return store(vec3_length(view.up) == 0 ? CAMERA_OK : fault, seen(view, world), camera);
+    double length = vec3_length(vec3_unit(view.at - view.eye) * view.up);
+    return length <= CAMERA_TOLERANCE * vec3_length(view.up);
 }
 
-WRONG(camera_from_look_at, "L12-against", "up against the view is not noticed",
-      "straight back is along the view as well: no part of up is perpendicular to the view.",
-      "a black picture: right and up are NaN")
-{
-    Camera c = seen(view, world);
-    CameraFault fault = view_reason(view);
-    if (fault == CAMERA_UP_ALONG_VIEW && vec3_dot(view.up, c.forward) < 0)
-        fault = view_reason_but(CAMERA_UP_ALONG_VIEW, view);
-    return store(fault, c, camera);
-}
+#define PRODUCT(finish, id, ...)                                                                   \
+    LOOK(finish, id, "r = f * up, normalised",                                                     \
+         "v * w multiplies component by component, and the result is perpendicular to "            \
+         "neither. The cross product is vec3_cross.",                                              \
+         "no picture, or one skewed beyond recognition", c = of_products(view, c), __VA_ARGS__)
+PRODUCT(give, "L-product", fault = view_reason_but(CAMERA_UP_ALONG_VIEW, view),
+        fault = also(fault, CAMERA_UP_ALONG_VIEW, is_product_short(view)))
+PRODUCT(give, "L-product-check", fault = CAMERA_OK)
+PRODUCT(store, "L-product-store", fault = CAMERA_OK)
 
-WRONG(camera_from_look_at, "L12-exact", "|f x up| == 0",
-      "rounding leaves about 1e-17 instead of 0, and that points in a random direction.",
-      "rolled at random around the view")
-{
-    Camera c = seen(view, world);
-    CameraFault fault = view_reason_but(CAMERA_UP_ALONG_VIEW, view);
-    if (fault == CAMERA_OK && vec3_length(vec3_cross(c.forward, view.up)) == 0)
-        fault = CAMERA_UP_ALONG_VIEW;
-    return give(fault, c, camera);
-}
+// ---- look-at: which arguments are refused, and with which reason --------------------------------
 
-WRONG(camera_from_look_at, "L12-exact-only", "|f x up| == 0, and no other check",
-      "rounding leaves about 1e-17 instead of 0, and that points in a random direction. And if at "
-      "is the eye, f is NaN.",
-      "rolled at random around the view, or black")
-{
-    Camera c = seen(view, world);
-    bool along = vec3_length(vec3_cross(c.forward, view.up)) == 0;
-    return give(along ? CAMERA_UP_ALONG_VIEW : CAMERA_OK, c, camera);
-}
+LOOK(store, "L-ok", "CAMERA_OK, always",
+     "the arguments may have no direction of view, an unusable up, or a width below 0.",
+     "a black picture: every number is NaN", fault = CAMERA_OK)
+LOOK(give, "L-check", "only the checks of camera_check",
+     "it sees your frame after a division by 0 has made NaN of it, and can no longer find the "
+     "reason.",
+     "refused, but for another reason", fault = CAMERA_OK)
+LOOK(store, "L12", "up along the view is not noticed",
+     "the cross product is then 0 and has no direction, and normalising it gives NaN.",
+     "a black picture: right and up are NaN", fault = view_reason_but(CAMERA_UP_ALONG_VIEW, view))
+LOOK(give, "L12-nan", "up along the view reported as not finite, or not noticed",
+     "the arguments were finite. The cross product is 0, or close to 0 after rounding: look at its "
+     "length before you divide.",
+     "refused, but for another reason; or rolled at random",
+     fault = view_reason_but(CAMERA_UP_ALONG_VIEW, view))
+LOOK(store, "L12-zero", "up = (0, 0, 0) is not noticed",
+     "it points nowhere, so the camera could be rolled by any angle.",
+     "a black picture: right and up are NaN", fault = vec3_length(view.up) == 0 ? CAMERA_OK : fault)
+LOOK(store, "L12-against", "up against the view is not noticed",
+     "straight back is along the view as well: no part of up is perpendicular to the view.",
+     "a black picture: right and up are NaN",
+     bool against = fault == CAMERA_UP_ALONG_VIEW && vec3_dot(view.up, c.forward) < 0;
+     fault = view_reason_but(against ? CAMERA_UP_ALONG_VIEW : CAMERA_OK, view))
+LOOK(give, "L12-exact", "|f x up| == 0",
+     "rounding leaves about 1e-17 instead of 0, and that points in a random direction.",
+     "rolled at random around the view", fault = view_reason_but(CAMERA_UP_ALONG_VIEW, view),
+     fault = also(fault, CAMERA_UP_ALONG_VIEW, length_of_cross(view, c) == 0))
+LOOK(give, "L12-exact-only", "|f x up| == 0, and no other check",
+     "rounding leaves about 1e-17 instead of 0, and that points in a random direction. And if at "
+     "is the eye, f is NaN.",
+     "rolled at random around the view, or black",
+     fault = also(CAMERA_OK, CAMERA_UP_ALONG_VIEW, length_of_cross(view, c) == 0))
+LOOK(give, "L12-short", "|f x up| <= 1e-9, however short up is",
+     "up may have any length. It is along the view if the cross product is short compared with up "
+     "itself.",
+     "no picture if up is short: the camera is refused",
+     fault = also(fault, CAMERA_UP_ALONG_VIEW, length_of_cross(view, c) <= CAMERA_TOLERANCE))
+LOOK(give, "L12-lean", "f . up > 0.99 is refused",
+     "an up that leans far still says which way is up, unless it is along the view to within 1e-9.",
+     "no picture if the camera looks steeply up or down",
+     fault = also(fault, CAMERA_UP_ALONG_VIEW,
+                  fabs(vec3_dot(vec3_unit(view.up), c.forward)) > 0.99))
+LOOK(store, "L-eye", "at = eye is not noticed",
+     "the eye then looks nowhere, and normalising (0, 0, 0) gives NaN.",
+     "a black picture: every number is NaN",
+     fault = fault == CAMERA_NO_DIRECTION ? CAMERA_OK : fault)
+LOOK(give, "L-eye-up", "at = eye reported as an up along the view",
+     "without a direction of view every cross product is 0, but up is not the reason.",
+     "refused, but for another reason", fault = view_reason_but(CAMERA_NO_DIRECTION, view))
+LOOK(store, "L-w", "width <= 0 is not noticed",
+     "a plane of width 0 shows nothing, and one of width -2 is reversed.",
+     "nothing, or turned by 180 degrees", fault = view_reason_but(CAMERA_NO_WIDTH, view))
+LOOK(store, "L-h", "aspect <= 0 is not noticed",
+     "the height is then infinite, or negative and runs down.", "upside down, or nothing",
+     fault = view_reason_but(CAMERA_NO_HEIGHT, view))
+LOOK(store, "L-nan", "NaN and infinity are accepted",
+     "every comparison with NaN is false, so a test for 'too small' does not catch it.",
+     "a black picture: a number of the camera is NaN",
+     fault = view_reason_but(CAMERA_NOT_FINITE, view))
+LOOK(store, "L-nan-size", "NaN in width and aspect is accepted",
+     "NaN <= 0 is false, so a test for 'not positive' does not catch it.",
+     "a black picture: w and h are NaN",
+     fault = isfinite(view.width) && isfinite(view.aspect) ? fault : CAMERA_OK)
+LOOK(store, "L-store", "stored, then checked",
+     "if the camera is refused, *camera must stay as it was, but this overwrites it.",
+     "the previous camera is lost", *camera = c)
 
-WRONG(camera_from_look_at, "L12-short", "|f x up| <= 1e-9, however short up is",
-      "up may have any length. It is along the view if the cross product is short compared with up "
-      "itself.",
-      "no picture if up is short: the camera is refused")
-{
-    Camera c = seen(view, world);
-    CameraFault fault = view_reason(view);
-    if (fault == CAMERA_OK && vec3_length(vec3_cross(c.forward, view.up)) <= CAMERA_TOLERANCE)
-        fault = CAMERA_UP_ALONG_VIEW;
-    return give(fault, c, camera);
-}
+// A limit that the author added: what is below it is refused, and all else is right.
+#define LIMIT(id, formula, why, picture, reason, small)                                            \
+    WRONG(camera_from_look_at, id, formula, why, picture)                                          \
+    {                                                                                              \
+        bool refused = view_reason(view) == CAMERA_OK && (small);                                  \
+        return refused ? reason : from_look_at(view, world, camera);                               \
+    }
 
-WRONG(
-    camera_from_look_at, "L12-lean", "f . up > 0.99 is refused",
-    "an up that leans far still says which way is up, unless it is along the view to within 1e-9.",
-    "no picture if the camera looks steeply up or down")
-{
-    Camera c = seen(view, world);
-    CameraFault fault = view_reason(view);
-    if (fault == CAMERA_OK && fabs(vec3_dot(vec3_unit(view.up), c.forward)) > 0.99)
-        fault = CAMERA_UP_ALONG_VIEW;
-    return give(fault, c, camera);
-}
-
-WRONG(camera_from_look_at, "L-eye", "at = eye is not noticed",
-      "the eye then looks nowhere, and normalising (0, 0, 0) gives NaN.",
-      "a black picture: every number is NaN")
-{
-    CameraFault fault = view_reason(view);
-    return store(fault == CAMERA_NO_DIRECTION ? CAMERA_OK : fault, seen(view, world), camera);
-}
-
-WRONG_LINE(camera_from_look_at, "L-eye-up", "at = eye reported as an up along the view",
-           "without a direction of view every cross product is 0, but up is not the reason.",
-           "refused, but for another reason",
-           return give(view_reason_but(CAMERA_NO_DIRECTION, view), seen(view, world), camera))
-WRONG_LINE(camera_from_look_at, "L-w", "width <= 0 is not noticed",
-           "a plane of width 0 shows nothing, and one of width -2 is reversed.",
-           "nothing, or turned by 180 degrees",
-           return store(view_reason_but(CAMERA_NO_WIDTH, view), seen(view, world), camera))
-WRONG_LINE(camera_from_look_at, "L-h", "aspect <= 0 is not noticed",
-           "the height is then infinite, or negative and runs down.", "upside down, or nothing",
-           return store(view_reason_but(CAMERA_NO_HEIGHT, view), seen(view, world), camera))
-WRONG_LINE(camera_from_look_at, "L-nan", "NaN and infinity are accepted",
-           "every comparison with NaN is false, so a test for 'too small' does not catch it.",
-           "a black picture: a number of the camera is NaN",
-           return store(view_reason_but(CAMERA_NOT_FINITE, view), seen(view, world), camera))
-
-WRONG(camera_from_look_at, "L-nan-size", "NaN in width and aspect is accepted",
-      "NaN <= 0 is false, so a test for 'not positive' does not catch it.",
-      "a black picture: w and h are NaN")
-{
-    CameraFault fault = view_reason(view);
-    if (!isfinite(view.width) || !isfinite(view.aspect))
-        fault = CAMERA_OK;
-    return store(fault, seen(view, world), camera);
-}
-
-WRONG(camera_from_look_at, "L-store", "stored, then checked",
-      "if the camera is refused, *camera must stay as it was, but this overwrites it.",
-      "the previous camera is lost")
-{
-    *camera = seen(view, world);
-    return view_reason(view);
-}
-
-WRONG_BY(forward_to_the_eye_checked, camera_from_look_at, "L1-check", "d f = eye - at",
-         "this leads from the point looked at back to the eye. You look in the opposite direction.",
-         "nothing, or the scene behind you")
-WRONG_BY(hands_mixed_up_checked, camera_from_look_at, "L2-check",
-         "both cross products in the other order",
-         "this is the camera of a world of the other handedness: its right is your left.",
-         "mirrored: left and right swapped")
-WRONG_BY(
-    always_right_handed_checked, camera_from_look_at, "L2-right-check",
-    "r = f x up in either world",
-    "this is right in a right-handed world. In a left-handed one, r must point to the other side.",
-    "mirrored in a left-handed world, as the deck's is")
-WRONG_BY(
-    always_left_handed_checked, camera_from_look_at, "L2-left-check", "r = up x f in either world",
-    "this is right in a left-handed world. In a right-handed one, r must point to the other side.",
-    "mirrored in a right-handed world")
-WRONG_BY(up_as_given_checked, camera_from_look_at, "L3-check", "u = up, unchanged",
-         "up may have any length, and may lean towards the view. The frame's own up has length 1 "
-         "and is perpendicular to f.",
-         "no picture, unless up fits by luck: the camera is refused")
-WRONG_BY(aspect_upside_down_checked, camera_from_look_at, "L10-check", "h = w aspect",
-         "a picture of aspect 2 is wider than high, but this makes it higher than wide.",
-         "circles become ellipses")
-WRONG_BY(aspect_upside_down_stored, camera_from_look_at, "L10-store", "h = w aspect",
-         "a picture of aspect 2 is wider than high, but this makes it higher than wide.",
-         "circles become ellipses")
-NOT_UNIT("L4-check", cross_not_unit_checked,
-         "no picture, unless up fits by luck: it is refused as not unit")
-NOT_UNIT("L4-store", cross_not_unit_stored, "stretched or squashed if up leans or is long")
-NOT_UNIT("L4-both", cross_not_unit_refused, "stretched or squashed if up leans or is long")
-PRODUCT("L-product", product_for_cross_refused)
-PRODUCT("L-product-check", product_for_cross_checked)
-PRODUCT("L-product-store", product_for_cross_stored)
-
-// Wrong answers to exercise 02: those to the width from an angle, and the list of all tables.
-
-// The usual order of reasons, and six with another reason first.
-static const int styles = 7;
-
-OF_STEM(styles)
-
-WRONG_LINE(width_from_angle, "L6", "w = 2 d tan(angle)",
-           "the view direction cuts the angle in two, and each of the two right triangles has only "
-           "half of it at the eye.",
-           "far too much: everything small (and nothing at all from 90 degrees on)",
-           return 2 * distance * tan(degrees * PI / 180))
-WRONG_LINE(width_from_angle, "L7", "w = 2 d tan(angle / 2), in degrees",
-           "tan expects radians, so 90 is many times round the circle.",
-           "a wild width, sometimes negative", return 2 * distance * tan(degrees / 2))
-WRONG_LINE(
-    width_from_angle, "L7-back", "w = 2 d tan(angle / 2 * 180 / pi)",
-    "half a turn is pi radians, and tan expects radians. This multiplies instead of dividing.",
-    "a wild width, sometimes negative", return 2 * distance * tan(degrees / 2 * 180 / PI))
-WRONG_LINE(width_from_angle, "L7-behind", "w = 2 d tan(angle / 2) * pi / 180",
-           "convert the angle to radians before tan, not the tangent after it.",
-           "a wild width, mostly tiny", return 2 * distance * tan(degrees / 2) * PI / 180)
-WRONG_LINE(width_from_angle, "L6-half", "w = d tan(angle / 2)",
-           "this is the width from the middle of the plane to one edge, not from edge to edge.",
-           "half of the width: everything twice as big", return distance * tan(degrees * PI / 360))
-WRONG_LINE(width_from_angle, "L6-once", "w = d tan(angle)",
-           "the triangle of eye, left edge and right edge has no right angle, so the tangent of "
-           "its whole angle does not help. Cut it in two first.",
-           "too much, and nothing at all from 90 degrees on",
-           return distance * tan(degrees * PI / 180))
-WRONG_LINE(width_from_angle, "A-distance", "w = 2 tan(angle / 2)",
-           "twice as far away, the same angle spans twice the width.", "right only if d = 1",
-           return 2 * tan(degrees * PI / 360))
-WRONG_LINE(width_from_angle, "A-divided", "w = 2 tan(angle / 2) / d",
-           "the farther the plane, the wider it must be to fill the same angle.",
-           "right only if d = 1", return 2 * tan(degrees * PI / 360) / distance)
-WRONG_LINE(width_from_angle, "A-arc", "w = d angle",
-           "this is the length of an arc around the eye. The image plane is flat, and cuts the "
-           "sides of the angle farther out.",
-           "a little too narrow, more so for wide angles", return distance * degrees * PI / 180)
-WRONG_LINE(
-    width_from_angle, "A-chord", "w = 2 d sin(angle / 2)",
-    "d leads to the middle of the plane, so it is a leg of the right triangle, not the hypotenuse.",
-    "a little too narrow, more so for wide angles", return 2 * distance * sin(degrees * PI / 360))
-WRONG_LINE(width_from_angle, "A-cotangent", "w = 2 d / tan(angle / 2)",
-           "this swaps the triangle's legs: a wider angle would see less.",
-           "right only at 90 degrees", return 2 * distance / tan(degrees * PI / 360))
-WRONG_LINE(width_from_angle, "A-pi", "w = 2 d tan(angle / 2), with 3.14 as pi",
-           "three digits of pi give three digits of the width. common/vec3.h has PI.",
-           "no visible difference, but the fourth digit is wrong",
-           return 2 * distance * tan(degrees * 3.14 / 360))
-WRONG_LINE(width_from_angle, "A-int", "w = 2 d tan(angle * (1 / 2)), in integers",
-           "in C, 1 / 2 is an integer division with the result 0, so this is the tangent of 0. Use "
-           "0.5, or / 2.",
-           "nothing: the image plane has width 0",
-           return 2 * distance * tan(degrees * (1 / 2) * PI / 180))
-WRONG_LINE(width_from_angle, "A-whole", "w = 2 d tan(angle / 2), in whole degrees",
-           "in integers 45 / 2 is 22: the digits after the decimal point are lost.",
-           "a little too narrow at odd angles",
-           return 2 * distance * tan((int)degrees / 2 * PI / 180))
-
-// Right in part: cameras that are refused, or accepted, by a limit that the author added, or
-// because a length is compared with a fixed number instead of another length; and slips in one of
-// two sizes.
-
-static const double tiny = 1e-6;
-
-// ---- rectangles ---------------------------------------------------------------------------------
-
-static CameraFault small_planes_refused(vec3 eye, Corners v, Camera *camera)
-{
-    Camera c = frame(eye, v);
-    CameraFault fault = reason(eye, v);
-    if (fault == CAMERA_OK && c.distance < tiny)
-        fault = CAMERA_NO_DISTANCE;
-    else if (fault == CAMERA_OK && (c.width < tiny || c.height < tiny))
-        fault = c.width < tiny ? CAMERA_NO_WIDTH : CAMERA_NO_HEIGHT;
-    return store(fault, c, camera);
-}
-
-static vec3 gap_between_the_edges(Corners v)
-{
-    return v.upper_right - v.upper_left - (v.lower_right - v.lower_left);
-}
-
-// ---- width from angle ---------------------------------------------------------------------------
-
-#define SMALL_WORLDS                                                                               \
-    "a length is not small in itself, only compared with another one: a whole world can be "       \
-    "smaller than that."
-
-WRONG_BY(small_planes_refused, camera_from_vectors, "V-tiny", "refused if d, w or h < 1e-6",
-         SMALL_WORLDS, "no picture of tiny worlds")
-
-// Right, except for how the gap is compared with CAMERA_TOLERANCE.
-WRONG(camera_from_vectors, "V-gap", "gap between the edges > 1e-9",
-      "how far the edges may differ depends on their length. In a large world rounding leaves more "
-      "than that, and in a tiny one every shape passes.",
-      "no picture of large worlds, and a wrong one of tiny ones")
-{
-    Camera c = frame(eye, vectors);
-    CameraFault fault = reason(eye, vectors);
-    bool gapes = is_off(vec3_length(gap_between_the_edges(vectors)));
-    if (fault == CAMERA_OK && gapes)
-        fault = CAMERA_NO_RECTANGLE;
-    if (fault == CAMERA_NO_RECTANGLE && !gapes && !is_off(vec3_dot(c.right, c.up)))
-        fault = reason_but(CAMERA_NO_RECTANGLE, eye, vectors);
-    return store(fault, c, camera);
-}
-
-WRONG(camera_from_vectors, "V-dot", "|across . up| > 1e-9, with edges of any length",
-      "a dot product grows with both lengths. Normalise the edges, or divide by the lengths: then "
-      "only the angle is left.",
-      "no picture of large worlds, and a wrong one of tiny ones")
-{
-    Camera c = frame(eye, vectors);
-    CameraFault fault = reason(eye, vectors);
-    bool leans = is_off(c.width * c.height * vec3_dot(c.right, c.up));
-    if (fault == CAMERA_OK && leans)
-        fault = CAMERA_NO_RECTANGLE;
-    if (fault == CAMERA_NO_RECTANGLE && !leans && !is_off(gap_of(vectors)))
-        fault = reason_but(CAMERA_NO_RECTANGLE, eye, vectors);
-    return store(fault, c, camera);
-}
-
-FRAME_STORED("V-half-w", "w = |upper right - upper left| / 2",
-             "the width goes from edge to edge. Your height already does.",
-             "everything twice as wide", c.width /= 2)
-FRAME_STORED("V-half-h", "h = |upper left - lower left| / 2",
-             "the height goes from edge to edge. Your width already does.",
-             "everything twice as high", c.height /= 2)
-FRAME_STORED(
-    "V-both", "h = w",
-    "the height of the plane is the length of the left edge, from upper left to lower left.",
-    "right if the plane is a square; if not, squashed or stretched", c.height = c.width)
-FRAME_STORED(
-    "V-unit-r", "r = upper right - upper left",
-    "the frame gives only directions, so each of its vectors has length 1. Your up and forward "
-    "have.",
-    "everything squeezed, or no picture", c.right *= c.width)
-FRAME_STORED("V-unit-u", "u = upper left - lower left",
-             "the frame gives only directions, so each of its vectors has length 1. Your right and "
-             "forward have.",
-             "everything squeezed, or no picture", c.up *= c.height)
-
-WRONG_LINE(camera_from_points, "F-tiny", "refused if d, w or h < 1e-6", SMALL_WORLDS,
-           "no picture of tiny worlds",
-           return small_planes_refused(eye, moved(points, -eye), camera))
-WRONG_LINE(camera_from_corner, "K-tiny", "refused if d, w or h < 1e-6", SMALL_WORLDS,
-           "no picture of tiny worlds",
-           return small_planes_refused(eye, spanned(lower_left - eye, across, up), camera))
-
-WRONG(camera_from_look_at, "L-tiny", "refused if |at - eye| < 1e-6", SMALL_WORLDS,
-      "no picture of tiny worlds")
-{
-    if (view_reason(view) == CAMERA_OK && vec3_length(view.at - view.eye) < tiny)
-        return CAMERA_NO_DIRECTION;
-    return from_look_at(view, world, camera);
-}
-
-WRONG(camera_from_look_at, "L-w-tiny", "refused if w < 1e-6", SMALL_WORLDS,
-      "no picture of tiny worlds")
-{
-    if (view_reason(view) == CAMERA_OK && view.width < tiny)
-        return CAMERA_NO_WIDTH;
-    return from_look_at(view, world, camera);
-}
-
-WRONG(camera_from_look_at, "L12-tiny", "refused if |(at - eye) x up| < 1e-6",
+LIMIT("L-tiny", "refused if |at - eye| < 1e-6", SMALL_WORLDS, "no picture of tiny worlds",
+      CAMERA_NO_DIRECTION, vec3_length(view.at - view.eye) < tiny)
+LIMIT("L-w-tiny", "refused if w < 1e-6", SMALL_WORLDS, "no picture of tiny worlds", CAMERA_NO_WIDTH,
+      view.width < tiny)
+LIMIT("L12-tiny", "refused if |(at - eye) x up| < 1e-6",
       "a cross product is short if its vectors are short. Normalise them first, or divide by their "
       "lengths: then only the sine of the angle is left.",
-      "no picture of tiny worlds, or if up is short")
-{
-    vec3 sideways = vec3_cross(view.at - view.eye, view.up);
-    if (view_reason(view) == CAMERA_OK && vec3_length(sideways) < tiny)
-        return CAMERA_UP_ALONG_VIEW;
-    return from_look_at(view, world, camera);
-}
+      "no picture of tiny worlds, or if up is short", CAMERA_UP_ALONG_VIEW,
+      vec3_length(vec3_cross(view.at - view.eye, view.up)) < tiny)
 
-WRONG_LINE(width_from_angle, "A-float", "in float",
-           "a float has 7 digits, and the width needs 9. Use double.", "no visible difference",
-           return 2 * (float)distance * tanf((float)degrees / 2 * (float)PI / 180))
+// ---- width from angle -------------------------------------------------------------------------
 
-WRONG(width_from_angle, "A-small", "the arc if the angle is below 1",
+#define WIDTH(id, formula, why, picture, width)                                                    \
+    WRONG(width_from_angle, id, formula, why, picture)                                             \
+    {                                                                                              \
+        return width;                                                                              \
+    }
+
+WIDTH("L6", "w = 2 d tan(angle)",
+      "the view direction cuts the angle in two, and each of the two right triangles has only half "
+      "of it at the eye.",
+      "far too much: everything small (and nothing at all from 90 degrees on)",
+      2 * distance * tan(degrees * PI / 180))
+WIDTH("L7", "w = 2 d tan(angle / 2), in degrees",
+      "tan expects radians, so 90 is many times round the circle.",
+      "a wild width, sometimes negative", 2 * distance * tan(degrees / 2))
+WIDTH("L7-back", "w = 2 d tan(angle / 2 * 180 / pi)",
+      "half a turn is pi radians, and tan expects radians. This multiplies instead of dividing.",
+      "a wild width, sometimes negative", 2 * distance * tan(degrees / 2 * 180 / PI))
+WIDTH("L7-behind", "w = 2 d tan(angle / 2) * pi / 180",
+      "convert the angle to radians before tan, not the tangent after it.",
+      "a wild width, mostly tiny", 2 * distance * tan(degrees / 2) * PI / 180)
+WIDTH("L6-half", "w = d tan(angle / 2)",
+      "this is the width from the middle of the plane to one edge, not from edge to edge.",
+      "half of the width: everything twice as big", tan(degrees *PI / 360) * distance)
+WIDTH("L6-once", "w = d tan(angle)",
+      "the triangle of eye, left edge and right edge has no right angle, so the tangent of its "
+      "whole angle does not help. Cut it in two first.",
+      "too much, and nothing at all from 90 degrees on", tan(degrees *PI / 180) * distance)
+WIDTH("A-distance", "w = 2 tan(angle / 2)",
+      "twice as far away, the same angle spans twice the width.", "right only if d = 1",
+      2 * tan(degrees * PI / 360))
+WIDTH("A-divided", "w = 2 tan(angle / 2) / d",
+      "the farther the plane, the wider it must be to fill the same angle.", "right only if d = 1",
+      2 * tan(degrees * PI / 360) / distance)
+WIDTH("A-arc", "w = d angle",
+      "this is the length of an arc around the eye. The image plane is flat, and cuts the sides of "
+      "the angle farther out.",
+      "a little too narrow, more so for wide angles", PI / 180 * degrees * distance)
+WIDTH(
+    "A-chord", "w = 2 d sin(angle / 2)",
+    "d leads to the middle of the plane, so it is a leg of the right triangle, not the hypotenuse.",
+    "a little too narrow, more so for wide angles", 2 * distance * sin(degrees * PI / 360))
+WIDTH("A-cotangent", "w = 2 d / tan(angle / 2)",
+      "this swaps the triangle's legs: a wider angle would see less.", "right only at 90 degrees",
+      2 * distance / tan(degrees * PI / 360))
+WIDTH("A-pi", "w = 2 d tan(angle / 2), with 3.14 as pi",
+      "three digits of pi give three digits of the width. common/vec3.h has PI.",
+      "no visible difference, but the fourth digit is wrong",
+      2 * distance * tan(degrees * 3.14 / 360))
+WIDTH("A-int", "w = 2 d tan(angle * (1 / 2)), in integers",
+      "in C, 1 / 2 is an integer division with the result 0, so this is the tangent of 0. Use 0.5, "
+      "or / 2.",
+      "nothing: the image plane has width 0", 2 * distance * tan(degrees * (1 / 2) * PI / 180))
+WIDTH("A-whole", "w = 2 d tan(angle / 2), in whole degrees",
+      "in integers 45 / 2 is 22: the digits after the decimal point are lost.",
+      "a little too narrow at odd angles", 2 * distance * tan((int)degrees / 2 * PI / 180))
+WIDTH("A-float", "in float", "a float has 7 digits, and the width needs 9. Use double.",
+      "no visible difference", 2 * (float)distance * tanf((float)degrees / 2 * (float)PI / 180))
+WIDTH("A-small", "the arc if the angle is below 1",
       "for a small angle arc and tangent are nearly the same, but not to 9 digits. No angle needs "
       "a special case.",
-      "no visible difference")
-{
-    double angle = degrees * PI / 180;
-    return degrees < 1 ? distance * angle : 2 * distance * tan(angle / 2);
-}
-
-FREE(camera_from_vectors)
-{
-    return from_vectors(eye, vectors, camera);
-}
-
-FREE(camera_from_points)
-{
-    return from_points(eye, points, camera);
-}
-
-FREE(camera_from_corner)
-{
-    return from_vectors(eye, spanned(lower_left - eye, across, up), camera);
-}
-
-FREE(camera_from_look_at)
-{
-    return from_look_at(view, world, camera);
-}
+      "no visible difference",
+      degrees < 1 ? distance * degrees * PI / 180 : 2 * distance * tan(degrees * PI / 360))
