@@ -13,18 +13,10 @@ UNNAMED(with_unit_distance, NOBODY " origin, right, up, forward are 0 in every c
 UNNAMED_LINE(upper_left, NOBODY, "(int)d",
              return (int)c.distance * c.forward - c.width / 2 * c.right + c.height / 2 * c.up)
 
-UNNAMED(upper_left, NOBODY, "the larger side for both")
-{
-    double side = fmax(c.width, c.height);
-    return c.distance * c.forward - side / 2 * c.right + side / 2 * c.up;
-}
-
-UNNAMED(upper_left, NOBODY, "the smaller side for both")
-{
-    double side = fmin(c.width, c.height);
-    return c.distance * c.forward - side / 2 * c.right + side / 2 * c.up;
-}
-
+UNNAMED_LINE(upper_left, NOBODY, "the larger side for both",
+             return c.distance * c.forward + fmax(c.width, c.height) / 2 * (c.up - c.right))
+UNNAMED_LINE(upper_left, NOBODY, "the smaller side for both",
+             return c.distance * c.forward + fmin(c.width, c.height) / 2 * (c.up - c.right))
 // 'return d * f - w * 0,5 * r + h * 0,5 * u' returns what follows the last comma.
 UNNAMED_LINE(upper_left, NOBODY, "0,5 for 0.5", return 5 * c.up)
 UNNAMED_LINE(upper_left, NOBODY " your function returns the same", "always 0",

@@ -67,15 +67,13 @@ static CameraFault halfway_from_the_corner(vec3 eye, vec3 lower_left, vec3 acros
                                            Camera *camera)
 {
     vec3 middle = lower_left + 0.5 * across + 0.5 * up - eye;
-    Camera c = {eye,
-                vec3_unit(across),
-                vec3_unit(up),
-                vec3_unit(middle),
-                vec3_length(middle),
-                vec3_length(across),
-                vec3_length(up)};
-    if (!vec3_is_finite(middle) || !vec3_is_finite(across) || !vec3_is_finite(up) ||
-        !vec3_is_finite(eye))
+    Camera c = {.origin = eye, .distance = vec3_length(middle)};
+    c.right = vec3_unit(across);
+    c.up = vec3_unit(up);
+    c.forward = vec3_unit(middle);
+    c.width = vec3_length(across);
+    c.height = vec3_length(up);
+    if (!vec3_is_finite(middle + across + up + eye))
         return CAMERA_NOT_FINITE;
     if (c.distance == 0)
         return CAMERA_NO_DISTANCE;
@@ -165,12 +163,10 @@ RIGHT(camera_from_vectors, "turned into points, and back")
 // Forward is the normal, and d how far the plane is along it: this needs no mean.
 RIGHT(camera_from_vectors, "forward and d along the normal; four angles")
 {
-    vec3 top = vectors.upper_right - vectors.upper_left,
-         right = vectors.upper_right - vectors.lower_right;
-    vec3 bottom = vectors.lower_right - vectors.lower_left,
-         left = vectors.upper_left - vectors.lower_left;
-    if (!vec3_is_finite(eye) || !isfinite(vec3_length(top) + vec3_length(bottom)) ||
-        !isfinite(vec3_length(vectors.upper_left)))
+    Corners v = vectors;
+    vec3 top = v.upper_right - v.upper_left, right = v.upper_right - v.lower_right;
+    vec3 bottom = v.lower_right - v.lower_left, left = v.upper_left - v.lower_left;
+    if (!vec3_is_finite(eye + v.upper_left) || !isfinite(vec3_length(top) + vec3_length(bottom)))
         return CAMERA_NOT_FINITE;
     if (vec3_length(top) == 0 || vec3_length(bottom) == 0)
         return CAMERA_NO_WIDTH;
@@ -181,10 +177,10 @@ RIGHT(camera_from_vectors, "forward and d along the normal; four angles")
         !at_right_angles(bottom, left) || !at_right_angles(bottom, right))
         return CAMERA_NO_RECTANGLE;
     vec3 normal = vec3_unit(vec3_cross(top, left));
-    double distance = vec3_dot(normal, vectors.lower_left);
-    if (fabs(distance) <= 1e-15 * vec3_length(vectors.lower_left))
+    double distance = vec3_dot(normal, v.lower_left);
+    if (fabs(distance) <= 1e-15 * vec3_length(v.lower_left))
         return CAMERA_NO_DISTANCE;
-    vec3 foot = distance * normal, middle = (vectors.lower_left + vectors.upper_right) / 2;
+    vec3 foot = distance * normal, middle = (v.lower_left + v.upper_right) / 2;
     if (vec3_length(middle - foot) > CAMERA_TOLERANCE * vec3_length(foot))
         return CAMERA_OFF_AXIS;
     return give((Camera){eye, vec3_unit(top), vec3_unit(left), foot / fabs(distance),
@@ -289,13 +285,11 @@ RIGHT(width_from_angle, "from the whole angle")
 // A parallelogram is one whose diagonals cross in their middles; a rectangle, if they are equal.
 RIGHT(camera_from_vectors, "diagonals that are equal and halve each other")
 {
-    vec3 falling = vectors.lower_right - vectors.upper_left,
-         rising = vectors.upper_right - vectors.lower_left;
-    vec3 apart = (vectors.upper_left + vectors.lower_right) / 2 -
-                 (vectors.upper_right + vectors.lower_left) / 2;
-    vec3 right = vectors.upper_right - vectors.upper_left,
-         up = vectors.upper_left - vectors.lower_left;
-    vec3 middle = vectors.upper_left + falling / 2;
+    Corners v = vectors;
+    vec3 falling = v.lower_right - v.upper_left, rising = v.upper_right - v.lower_left;
+    vec3 apart = (v.upper_left + v.lower_right) / 2 - (v.upper_right + v.lower_left) / 2;
+    vec3 right = v.upper_right - v.upper_left, up = v.upper_left - v.lower_left;
+    vec3 middle = v.upper_left + falling / 2;
     double size = vec3_length(falling), d = vec3_length(middle);
     double w = vec3_length(right), h = vec3_length(up);
     if (!vec3_is_finite(eye) || !isfinite(size + vec3_length(rising) + d))

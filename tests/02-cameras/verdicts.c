@@ -5,11 +5,6 @@
 
 // ---- rounding -----------------------------------------------------------------------------------
 
-static CameraFault without_edges_that(bool differ, vec3 eye, Corners v, Camera *camera)
-{
-    return differ ? CAMERA_NO_RECTANGLE : camera_from_vectors(eye, v, camera);
-}
-
 static bool differ(vec3 a, vec3 b)
 {
     return a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
@@ -40,10 +35,30 @@ UNNAMED(camera_from_look_at, "L10", "reasons in another order")
     return CAMERA_OK;
 }
 
-UNNAMED_LINE(camera_from_vectors, REFUSES_ROUNDING, "edges that are != each other",
-             return without_edges_that(differ(vectors.upper_right - vectors.upper_left,
-                                              vectors.lower_right - vectors.lower_left),
-                                       eye, vectors, camera))
+// Of vectors v that differ by rounding at most, if this holds.
+#define REFUSES_IF(what, fault, holds)                                                             \
+    UNNAMED(camera_from_vectors, REFUSES_ROUNDING, what)                                           \
+    {                                                                                              \
+        Corners v = vectors;                                                                       \
+        return (holds) ? fault : camera_from_vectors(eye, v, camera);                              \
+    }
+
+REFUSES_IF("edges that are != each other", CAMERA_NO_RECTANGLE,
+           differ(v.upper_right - v.upper_left, v.lower_right - v.lower_left))
+REFUSES_IF("lengths of edges, by !=", CAMERA_NO_RECTANGLE,
+           vec3_length(v.upper_right - v.upper_left) != vec3_length(v.lower_right - v.lower_left))
+REFUSES_IF("diagonals, by !=", CAMERA_NO_RECTANGLE,
+           vec3_length(v.upper_right - v.lower_left) != vec3_length(v.lower_right - v.upper_left))
+REFUSES_IF("r . u != 0", CAMERA_NO_RECTANGLE,
+           vec3_dot(vec3_unit(v.upper_right - v.upper_left),
+                    vec3_unit(v.upper_left - v.lower_left)) != 0)
+REFUSES_IF("gap above 1e-12", CAMERA_NO_RECTANGLE,
+           vec3_length(v.upper_right - v.upper_left - (v.lower_right - v.lower_left)) > 1e-12)
+REFUSES_IF("corner distances, by !=", CAMERA_OFF_AXIS,
+           vec3_length(v.upper_left) != vec3_length(v.lower_right))
+REFUSES_IF("dot above 1e-12", CAMERA_OFF_AXIS,
+           fabs(vec3_dot(v.upper_left + v.upper_right + v.lower_left + v.lower_right,
+                         v.upper_right - v.upper_left)) > 1e-12)
 
 UNNAMED(camera_from_points, REFUSES_ROUNDING, "edges that are != each other")
 {
@@ -52,54 +67,11 @@ UNNAMED(camera_from_points, REFUSES_ROUNDING, "edges that are != each other")
     return camera_from_points(eye, points, camera);
 }
 
-UNNAMED(camera_from_vectors, REFUSES_ROUNDING, "lengths of edges, by !=")
-{
-    double top = vec3_length(vectors.upper_right - vectors.upper_left);
-    return without_edges_that(top != vec3_length(vectors.lower_right - vectors.lower_left), eye,
-                              vectors, camera);
-}
-
-UNNAMED(camera_from_vectors, REFUSES_ROUNDING, "diagonals, by !=")
-{
-    double one = vec3_length(vectors.upper_right - vectors.lower_left);
-    return without_edges_that(one != vec3_length(vectors.lower_right - vectors.upper_left), eye,
-                              vectors, camera);
-}
-
-UNNAMED(camera_from_vectors, REFUSES_ROUNDING, "r . u != 0")
-{
-    vec3 across = vec3_unit(vectors.upper_right - vectors.upper_left);
-    vec3 up = vec3_unit(vectors.upper_left - vectors.lower_left);
-    return without_edges_that(vec3_dot(across, up) != 0, eye, vectors, camera);
-}
-
-UNNAMED(camera_from_vectors, REFUSES_ROUNDING, "gap above 1e-12")
-{
-    vec3 gap =
-        vectors.upper_right - vectors.upper_left - (vectors.lower_right - vectors.lower_left);
-    return without_edges_that(vec3_length(gap) > 1e-12, eye, vectors, camera);
-}
-
 UNNAMED(camera_from_corner, REFUSES_ROUNDING, "across . up above 1e-12")
 {
     if (fabs(vec3_dot(across, up)) > 1e-12)
         return CAMERA_NO_RECTANGLE;
     return camera_from_corner(eye, lower_left, across, up, camera);
-}
-
-UNNAMED(camera_from_vectors, REFUSES_ROUNDING, "corner distances, by !=")
-{
-    double first = vec3_length(vectors.upper_left), last = vec3_length(vectors.lower_right);
-    return first != last ? CAMERA_OFF_AXIS : camera_from_vectors(eye, vectors, camera);
-}
-
-UNNAMED(camera_from_vectors, REFUSES_ROUNDING, "dot above 1e-12")
-{
-    vec3 middle =
-        vectors.upper_left + vectors.upper_right + vectors.lower_left + vectors.lower_right;
-    if (fabs(vec3_dot(middle, vectors.upper_right - vectors.upper_left)) > 1e-12)
-        return CAMERA_OFF_AXIS;
-    return camera_from_vectors(eye, vectors, camera);
 }
 
 UNNAMED(camera_from_look_at, NOBODY, "up == f or up == -f")
@@ -119,27 +91,17 @@ UNNAMED(camera_from_look_at, NOBODY, "up == f or up == -f")
 UNNAMED(camera_from_vectors, NOBODY " CAMERA_NOT_PERPENDICULAR is not a reason of this contract",
         "equal diagonals, and camera_check")
 {
-    vec3 across = vectors.upper_right - vectors.upper_left,
-         up = vectors.upper_left - vectors.lower_left;
-    double one = vec3_length(vectors.upper_right - vectors.lower_left);
-    double other = vec3_length(vectors.lower_right - vectors.upper_left);
-    vec3 middle =
-        (vectors.upper_left + vectors.upper_right + vectors.lower_left + vectors.lower_right) / 4;
+    Corners v = vectors;
+    vec3 across = v.upper_right - v.upper_left, up = v.upper_left - v.lower_left;
+    vec3 middle = (v.upper_left + v.upper_right + v.lower_left + v.lower_right) / 4;
+    double one = vec3_length(v.upper_right - v.lower_left);
+    double other = vec3_length(v.lower_right - v.upper_left);
     if (fabs(one - other) > 1e-9 * (one + other))
         return CAMERA_NO_RECTANGLE;
-    if (vec3_length(middle) == 0)
-        return CAMERA_NO_DISTANCE;
-    if (vec3_length(across) == 0)
-        return CAMERA_NO_WIDTH;
-    if (vec3_length(up) == 0)
-        return CAMERA_NO_HEIGHT;
-    Camera found = {eye,
-                    vec3_unit(across),
-                    vec3_unit(up),
-                    vec3_unit(middle),
-                    vec3_length(middle),
-                    vec3_length(across),
-                    vec3_length(up)};
+    double d = vec3_length(middle), w = vec3_length(across), h = vec3_length(up);
+    if (d == 0 || w == 0 || h == 0)
+        return d == 0 ? CAMERA_NO_DISTANCE : w == 0 ? CAMERA_NO_WIDTH : CAMERA_NO_HEIGHT;
+    Camera found = {eye, across / w, up / h, middle / d, d, w, h};
     CameraFault fault = camera_check(found);
     if (fault == CAMERA_OK)
         *camera = found;
