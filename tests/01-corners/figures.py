@@ -1,25 +1,14 @@
 """figures.py - the figures of chapter 01 are right."""
 import os
 import random
-import tempfile
 
-from cameras import DECK, corners, label, label_of, legs, options_of, some_camera
-from check import Checks, holds_for_every, on_the_canvas, told_in_words
+from cameras import DECK, beside_right, corners, drawn, label, label_of, legs, options_of, some_camera
+from check import Checks, holds_for_every, on_the_canvas
 from collisions import nothing_collides
 from figure import Figure, plus, times
 
 checks = Checks("figures of 01-corners")
 SHAPES = {"16:9": 960, "4:3": 720}
-LETTER = 0.6 * 17
-
-
-def drawn(name, options, shape):
-    figure = Figure("01-corners", name, *options, settings=f"shape='{shape}'")
-    named = f"{name} {' '.join(map(str, options))}"
-    on_the_canvas(checks, named, figure)
-    told_in_words(checks, named, figure)
-    nothing_collides(checks, named, figure)
-    return figure
 
 
 def place_of(c, s, t):
@@ -30,9 +19,7 @@ def place_of(c, s, t):
 def arrow(figure, title, start, end, aside=(0, 0)):
     """An arrow or a line between two points of the world, moved to the side on the canvas."""
     at = [tuple(x + d for x, d in zip(figure.place(p), aside)) for p in (start, end)]
-    stroke, tips = figure.strokes(title)[0], figure.tips(title)
-    ends = tips[::-1] if len(tips) == 2 else [stroke[0], *(tips or stroke[-1:])]
-    checks.near(f"{title}, from one end to the other", ends, at)
+    checks.near(f"{title}, from one end to the other", figure.ends(title), at)
 
 
 def outline(figure, title, c, points=None):
@@ -45,7 +32,7 @@ def eye(figure, c):
 
 
 def camera_frame(c, options, shape):
-    figure = drawn("camera-frame", options, shape)
+    figure = drawn(checks, "01-corners", "camera-frame", options, shape)
     figure.see(c["r"], c["u"], c["f"], azimuth=32)
     eye(figure, c)
     outline(figure, "plane", c)
@@ -83,8 +70,7 @@ def axes(figure, c, middle):
 
 
 def corner_vectors(c, options, shape):
-    figure = drawn("corner-vectors", options, shape)
-    words = len("d f + (w/2) r + (h/2) u")
+    figure = drawn(checks, "01-corners", "corner-vectors", options, shape)
     figure.see(c["r"], c["u"], c["f"], azimuth=34)
     left, right = legs(c, -1, 1), legs(c, 1, 1)
     checks.same("the upper left corner's data", figure.block("upper_left")[0], [*c["p"], *left])
@@ -103,7 +89,7 @@ def corner_vectors(c, options, shape):
 
 
 def point_30_10(c, options, shape, s=0.3, t=0.1):
-    figure = drawn("point-30-10", options, shape)
+    figure = drawn(checks, "01-corners", "point-30-10", options, shape)
     figure.see(c["r"], c["u"], c["f"], azimuth=42)
     vector, point = legs(c, 2 * s - 1, 2 * t - 1), place_of(c, s, t)
     checks.same("the point's data", figure.block("vector")[0], [*c["p"], *vector])
@@ -124,7 +110,7 @@ def point_30_10(c, options, shape, s=0.3, t=0.1):
 
 
 def double_dwh(c, options, shape, s=0.3, t=0.1):
-    figure = drawn("double-dwh", options, shape)
+    figure = drawn(checks, "01-corners", "double-dwh", options, shape)
     figure.see(c["r"], c["u"], c["f"], azimuth=32)
     eye(figure, c)
     # Seen from the eye, everything of another camera is multiplied by one factor.
@@ -156,13 +142,7 @@ def double_dwh(c, options, shape, s=0.3, t=0.1):
 def yours_beside_right():
     """Another camera instead of a wrong answer: both are drawn, the other one dashed."""
     wrong = dict(DECK, w=3)
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "right.gp")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(Figure("01-corners", "corner-vectors", *options_of(DECK)).script)
-        figure = Figure("01-corners", "corner-vectors", *options_of(wrong), "--beside", path)
-        same = Figure("01-corners", "corner-vectors", *options_of(DECK), "--beside", path)
-    words = len("d f + (w/2) r + (h/2) u")
+    figure, same = beside_right("01-corners", "corner-vectors", wrong, DECK)
     figure.see(DECK["r"], DECK["u"], DECK["f"], azimuth=34)
     ends = [plus(c["p"], legs(c, 1, 1)) for c in (DECK, wrong)]
     checks.near("right and yours", figure.tips("upper right"), [figure.place(p) for p in ends])

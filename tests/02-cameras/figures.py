@@ -1,12 +1,11 @@
 """figures.py - the figure of chapter 02 is right: four forms, and one camera from each."""
 import os
 import random
-import tempfile
 
-from cameras import DECK, corners, label, label_of, options_of, some_camera
-from check import Checks, holds_for_every, on_the_canvas, told_in_words
+from cameras import DECK, beside_right, corners, drawn, label, label_of, options_of, some_camera
+from check import Checks, holds_for_every
 from collisions import nothing_collides
-from figure import Figure, cross, dot, plus, times, unit
+from figure import cross, dot, plus, times, unit
 
 checks = Checks("figures of 02-cameras")
 SHAPES = {"16:9": 960, "4:3": 720}
@@ -18,19 +17,9 @@ def in_panel(drawn, panel):
     return drawn[panel:panel + 1]
 
 
-def ends_of(figure, title):
-    """The start and the end of an arrow or a line."""
-    stroke, tips = figure.strokes(title)[0], figure.tips(title)
-    return tips[::-1] if len(tips) == 2 else [stroke[0], *(tips or stroke[-1:])]
-
-
 def camera_forms(c, options, shape, up=None):
     up = up or c["u"]
-    figure = Figure("02-cameras", "camera-forms", *options, settings=f"shape='{shape}'")
-    named = f"camera-forms {' '.join(map(str, options))}"
-    on_the_canvas(checks, named, figure)
-    told_in_words(checks, named, figure)
-    nothing_collides(checks, named, figure)
+    figure = drawn(checks, "02-cameras", "camera-forms", options, shape)
     figure.see(c["r"], c["u"], c["f"], azimuth=34)
 
     def place(form, point):
@@ -52,16 +41,16 @@ def camera_forms(c, options, shape, up=None):
                         [place(form, middle), place(form, plus(middle, c[name], size))])
 
     checks.near("the point looked at", figure.dots("at"), place("look-at", middle))
-    checks.near("the arrow to it", ends_of(figure, "view"), [place("look-at", p) for p in (c["p"], middle)])
+    checks.near("the arrow to it", figure.ends("view"), [place("look-at", p) for p in (c["p"], middle)])
     checks.near("up", figure.tips("up"), place("look-at", plus(c["p"], unit(up), c["d"] / 4)))
     checks.near("the four points", figure.dots("points"),
                 [place("points", p) for p in (upper_left, upper_right, lower_left, lower_right)])
     checks.near("the lower left corner", figure.dots("lower left"), place("corner", lower_left))
-    checks.near("across", ends_of(figure, "across"), [place("corner", p) for p in (lower_left, lower_right)])
-    checks.near("up the left edge", ends_of(figure, "upward"), [place("corner", p) for p in (lower_left, upper_left)])
+    checks.near("across", figure.ends("across"), [place("corner", p) for p in (lower_left, lower_right)])
+    checks.near("up the left edge", figure.ends("upward"), [place("corner", p) for p in (lower_left, upper_left)])
     checks.near("the four vectors", figure.tips("vectors"),
                 [place("vectors", p) for p in (upper_left, upper_right, lower_left, lower_right)])
-    checks.near("the width", ends_of(figure, "w"),
+    checks.near("the width", figure.ends("w"),
                 [plus(place("look-at", p), (0, 12)) for p in (upper_left, upper_right)])
 
     labels = [words for words, _, _ in figure.labels()]
@@ -97,11 +86,7 @@ def looking(dice):
 
 def yours_beside_right():
     """Another camera instead of a wrong answer: labels name the places of the right one."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "right.gp")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(Figure("02-cameras", "camera-forms", *options_of(DECK)).script)
-        figure = Figure("02-cameras", "camera-forms", *options_of(dict(DECK, w=3)), "--beside", path)
+    figure, = beside_right("02-cameras", "camera-forms", dict(DECK, w=3))
     nothing_collides(checks, "yours beside right", figure)
     labels = [words for words, _, _ in figure.labels()]
     checks.that("yours is below the right one", "yours, look-at: d = 4, w = 3, h = 2" in labels, str(labels))

@@ -1,5 +1,10 @@
 """cameras.py - the deck's camera, any camera, and places on its image plane, for the tests of figures."""
-from figure import plus, times
+import os
+import tempfile
+
+from check import on_the_canvas, told_in_words
+from collisions import nothing_collides
+from figure import Figure, plus, times
 
 DECK = {"p": (2, 2, -4), "r": (1, 0, 0), "u": (0, 1, 0), "f": (0, 0, 1), "d": 4, "w": 2, "h": 2}
 
@@ -47,3 +52,20 @@ def label(x):
 
 def label_of(v):
     return "(" + ", ".join(label(x) for x in v) + ")"
+
+
+def drawn(checks, program, name, options, shape):
+    """A figure in this shape: nothing is cut off or collides, and its words name its numbers."""
+    figure = Figure(program, name, *options, settings=f"shape='{shape}'")
+    for look_at in (on_the_canvas, told_in_words, nothing_collides):
+        look_at(checks, f"{name} {' '.join(map(str, options))}", figure)
+    return figure
+
+
+def beside_right(program, name, *cameras):
+    """The figures of these cameras, each as a wrong answer is drawn: beside the deck's, the right one."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "right.gp")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(Figure(program, name, *options_of(DECK)).script)
+        return [Figure(program, name, *options_of(c), "--beside", path) for c in cameras]

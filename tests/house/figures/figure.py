@@ -205,6 +205,11 @@ class Figure:
                 found.append(self.up(flat[4], flat[5]))
         return found
 
+    def ends(self, title):
+        """The start and the end of the first arrow or line."""
+        stroke, tips = self.strokes(title)[0], self.tips(title)
+        return tips[::-1] if len(tips) == 2 else [stroke[0], *(tips or stroke[-1:])]
+
     def lines(self, title):
         """The places on lines, one list a path."""
         found = []
