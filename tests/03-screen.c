@@ -119,19 +119,11 @@ TEST(screen_to_normalized, a_screen_of_a_single_column_or_row_is_a_screen)
     expect_normalized((ScreenPoint){6, 0.5}, (Resolution){8, 1}, 0.75, 0.5);
 }
 
-// A single column or row, portrait and landscape, up to a million pixels.
-static Resolution screen_of_any_shape(int i)
-{
-    int shorter = (int)random_number(2, 100), longer = (int)random_number(100, 1000000);
-    const Resolution shapes[] = {{1, longer}, {longer, 1}, {shorter, longer}, {longer, shorter}};
-    return shapes[i % 4];
-}
-
 // The law of scale: on a screen of k times as many pixels the shares are the same.
 TEST(screen_to_normalized, a_point_of_screens_of_any_shape_is_its_share_of_them)
 {
     for (int i = 0; i < 20; i++) {
-        Resolution screen = screen_of_any_shape(i);
+        Resolution screen = random_shape(i, 100, 1000000);
         double s = random_number(-1, 2), t = random_number(-1, 2);
         expect_normalized((ScreenPoint){s * screen.width, (1 - t) * screen.height}, screen, s, t);
     }
@@ -176,7 +168,7 @@ TEST(normalized_to_screen, a_place_on_a_single_column_or_row)
 TEST(normalized_to_screen, a_share_of_a_screen_of_any_shape_is_that_share_of_its_pixels)
 {
     for (int i = 0; i < 20; i++) {
-        Resolution screen = screen_of_any_shape(i);
+        Resolution screen = random_shape(i, 100, 1000000);
         double x = random_number(0, 1) * screen.width;
         double below = random_number(0, 1) * screen.height; // the bottom edge is
         expect_point((Normalized){x / screen.width, below / screen.height}, screen, x,
@@ -217,10 +209,8 @@ TEST(normalized_to_screen, to_the_screen_and_back_is_the_same_place)
     }
 }
 
-TEST(pixel_center, the_first_pixel_is_half_a_pixel_right_of_and_below_the_corner)
-{
-    expect_center(0, 0, 0.5, 0.5);
-}
+TEST_LINE(pixel_center, the_first_pixel_is_half_a_pixel_right_of_and_below_the_corner,
+          expect_center(0, 0, 0.5, 0.5))
 
 TEST(pixel_center, column_is_x_and_row_is_y)
 {
@@ -229,10 +219,8 @@ TEST(pixel_center, column_is_x_and_row_is_y)
 }
 
 // The last pixel of 640 x 480 is as far from the lower right corner as the first from its own.
-TEST(pixel_center, the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner)
-{
-    expect_center(639, 479, 640 - 0.5, 480 - 0.5);
-}
+TEST_LINE(pixel_center, the_last_pixel_is_half_a_pixel_left_of_and_above_the_corner,
+          expect_center(639, 479, 640 - 0.5, 480 - 0.5))
 
 // Beyond 16777216 a float cannot represent half a pixel.
 TEST(pixel_center, the_centre_of_a_pixel_far_out_is_half_a_pixel_on)

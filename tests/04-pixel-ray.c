@@ -7,18 +7,6 @@
 
 static const double tolerance = 1e-9;
 
-// The camera of the tests of exercise 01: no two numbers are equal, none is 0 or 1.
-static Camera oblique_camera(void)
-{
-    return (Camera){.origin = vec3_of(3, -5, 7),
-                    .right = vec3_of(2, -2, 1) / 3,
-                    .up = vec3_of(2, 1, -2) / 3,
-                    .forward = vec3_of(1, 2, 2) / 3,
-                    .distance = 6,
-                    .width = 9,
-                    .height = 3};
-}
-
 static void given_pixel(Camera camera, Resolution screen, Pixel pixel)
 {
     given_camera(camera);
@@ -92,13 +80,13 @@ TEST(pixel_ray, a_screen_of_2_by_4_seen_by_a_right_handed_camera)
 TEST(pixel_ray, a_single_pixel_looks_straight_ahead)
 {
     expect_direction(camera_of_the_deck(), (Resolution){1, 1}, (Pixel){0, 0}, vec3_of(0, 0, 4));
-    expect_direction(oblique_camera(), (Resolution){1, 1}, (Pixel){0, 0}, vec3_of(2, 4, 4));
+    expect_direction(tilted_camera(), (Resolution){1, 1}, (Pixel){0, 0}, vec3_of(2, 4, 4));
 }
 
 // By hand: 6 f = (2, 4, 4); a third of 9 r is (2, -2, 1); a quarter of 3 u is (0.5, 0.25, -0.5).
 TEST(pixel_ray, the_pixels_of_an_oblique_camera_away_from_the_origin)
 {
-    Camera c = oblique_camera();
+    Camera c = tilted_camera();
     Resolution screen = {3, 2};
     expect_direction(c, screen, (Pixel){0, 0}, vec3_of(0.5, 6.25, 2.5));
     expect_direction(c, screen, (Pixel){1, 0}, vec3_of(2.5, 4.25, 3.5));
@@ -158,14 +146,6 @@ TEST(pixel_ray, every_ray_meets_the_plane_in_the_middle_of_its_pixel)
     }
 }
 
-// A single column or row, portrait and landscape, small and large.
-static Resolution screen_of_any_shape(int i)
-{
-    int shorter = (int)random_number(2, 40), longer = (int)random_number(40, 4000);
-    const Resolution shapes[] = {{1, longer}, {longer, 1}, {shorter, longer}, {longer, shorter}};
-    return shapes[i % 4];
-}
-
 // The law of scale: in a world that is k times as large the ray starts k times as far out, and its
 // direction is the same; its length is free anyway.
 TEST(pixel_ray, screens_of_any_shape_in_worlds_of_any_size)
@@ -178,7 +158,7 @@ TEST(pixel_ray, screens_of_any_shape_in_worlds_of_any_size)
         c.distance *= world;
         c.width *= world;
         c.height *= world;
-        Resolution screen = screen_of_any_shape(i);
+        Resolution screen = random_shape(i, 40, 4000);
         Pixel pixel = random_pixel(screen);
         double right = ((2 * pixel.column + 1) / (2.0 * screen.width) - 0.5) * c.width;
         double up = (0.5 - (2 * pixel.row + 1) / (2.0 * screen.height)) * c.height;

@@ -410,6 +410,17 @@ vec3 random_unit(void)
     }
 }
 
+Camera tilted_camera(void)
+{
+    return (Camera){.origin = vec3_of(3, -5, 7),
+                    .right = vec3_of(2, -2, 1) / 3,
+                    .up = vec3_of(2, 1, -2) / 3,
+                    .forward = vec3_of(1, 2, 2) / 3,
+                    .distance = 6,
+                    .width = 9,
+                    .height = 3};
+}
+
 Camera random_camera(void)
 {
     vec3 forward = random_unit();
@@ -445,6 +456,13 @@ Resolution random_screen(int low, int below)
 {
     int width = (int)random_number(low, below);
     return (Resolution){width, (int)random_number(low, below)};
+}
+
+Resolution random_shape(int i, int middle, int most)
+{
+    int shorter = (int)random_number(2, middle), longer = (int)random_number(middle, most);
+    const Resolution shapes[] = {{1, longer}, {longer, 1}, {shorter, longer}, {longer, shorter}};
+    return shapes[i % 4];
 }
 
 Pixel random_pixel(Resolution screen)

@@ -29,6 +29,17 @@
 #define TEST(function, name) LISTED_TEST(#function, name, false, false)
 #define EXTRA_TEST(function, name) LISTED_TEST(#function, name, true, false)
 #define PROBE(function, name) LISTED_TEST(#function, name, false, true)
+// If the body is one statement.
+#define TEST_LINE(function, name, ...)                                                             \
+    TEST(function, name)                                                                           \
+    {                                                                                              \
+        __VA_ARGS__;                                                                               \
+    }
+#define PROBE_LINE(function, name, ...)                                                            \
+    PROBE(function, name)                                                                          \
+    {                                                                                              \
+        __VA_ARGS__;                                                                               \
+    }
 #define LISTED_TEST(function, name, is_extra, is_probe)                                            \
     static const TTest *name;                                                                      \
     __attribute__((constructor)) static void add_##name(void)                                      \
@@ -94,11 +105,16 @@ vec3 random_vec3(double low, double high);
 vec3 random_unit(void);
 // The deck's own camera, also if the lecture has another one (chapters/shared/example.h).
 Camera camera_of_the_deck(void);
+// A left-handed camera in which no two numbers are equal and none is 0 or 1.
+Camera tilted_camera(void);
 Camera random_camera(void); // far from special: every number counts
 // Each number of origin, direction and center is between minus that and that.
 Ray random_ray(double origin, double direction);
 Sphere random_sphere(double center, double low, double high); // radius: low to high
 Resolution random_screen(int low, int below);
+// The i-th of a series: a single column, a single row, portrait, landscape; the shorter side is
+// below middle, and the longer one from there on.
+Resolution random_shape(int i, int middle, int most);
 Pixel random_pixel(Resolution screen);
 
 // Where gdb stops: the case of this number begins (the first is 1).
