@@ -819,18 +819,6 @@ TEST(width_from_angle, at_30_45_and_120_degrees_the_tangents_are_known)
     expect_width(120, 1, 2 * sqrt(3));
 }
 
-TEST(width_from_angle, twice_as_far_away_is_twice_as_wide)
-{
-    double degrees[] = {20, 50, 100};
-    for (int i = 0; i < 3; i++) {
-        given_number("degrees", degrees[i]);
-        given("distance", "6 and 3");
-        given("seen", "the width at 6, from the width at 3");
-        expect_number(width_from_angle(degrees[i], 6) / width_from_angle(degrees[i], 3), 2,
-                      TOLERANCE);
-    }
-}
-
 // At such angles an arc and its tangent are equal to 20 digits.
 TEST(width_from_angle, at_a_very_small_angle_the_width_is_the_length_of_the_arc)
 {

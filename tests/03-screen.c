@@ -85,23 +85,6 @@ TEST(screen_to_normalized, beyond_the_screen_is_beyond_0_to_1)
     expect_normalized((ScreenPoint){1280, -480}, (Resolution){640, 480}, 2, 2);
 }
 
-// Equal steps on the screen are equal steps in the square, wherever they start.
-TEST(screen_to_normalized,
-     a_tenth_of_the_screen_right_and_down_is_a_tenth_more_s_and_a_tenth_less_t)
-{
-    for (int i = 0; i < 20; i++) {
-        Resolution screen = random_screen(1, 2000);
-        double x = quarters(-screen.width, screen.width);
-        ScreenPoint from = {x, quarters(-screen.height, screen.height)};
-        ScreenPoint to = {from.x + screen.width * 0.1, from.y + screen.height * 0.1};
-        given_screen(screen);
-        given("points", "%s, %s", pair_text(from.x, from.y).s, pair_text(to.x, to.y).s);
-        given("seen", "how far s and t move");
-        Normalized a = screen_to_normalized(from, screen), b = screen_to_normalized(to, screen);
-        expect_pair(b.s - a.s, b.t - a.t, 0.1, -0.1, tolerance);
-    }
-}
-
 TEST(screen_to_normalized, a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom)
 {
     for (int i = 0; i < 20; i++) {

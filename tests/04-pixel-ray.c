@@ -114,21 +114,6 @@ TEST(pixel_ray, every_ray_starts_at_the_eye)
     }
 }
 
-TEST(pixel_ray, opposite_pixels_have_rays_on_opposite_sides_of_straight_ahead)
-{
-    for (int i = 0; i < 20; i++) {
-        Camera c = random_camera();
-        Resolution screen = random_screen(2, 50);
-        Pixel pixel = random_pixel(screen);
-        Pixel opposite = {screen.width - 1 - pixel.column, screen.height - 1 - pixel.row};
-        given_pixel(c, screen, pixel);
-        given("and pixel", "column %d, row %d", opposite.column, opposite.row);
-        given("seen", "where their rays meet the plane: the sum of both, from its middle");
-        vec3 sum = place_on_plane(c, screen, pixel) + place_on_plane(c, screen, opposite);
-        expect_pair(sum[0], sum[1], 0, 0, tolerance);
-    }
-}
-
 // Twice the distance from the left edge is an odd number of pixels, and so is that from the top.
 TEST(pixel_ray, every_ray_meets_the_plane_in_the_middle_of_its_pixel)
 {
