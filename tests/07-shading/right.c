@@ -5,112 +5,9 @@
 
 #include "tests/judge/known.h"
 
-// ---- off_surface --------------------------------------------------------------------------------
-
-static double size_of(Sphere s)
-{
-    return s.radius + fmax(fabs(s.center[0]), fmax(fabs(s.center[1]), fabs(s.center[2])));
-}
-
-// ---- visibility ---------------------------------------------------------------------------------
-
-static double of_first(const Scene *scene, int count, Ray ray, double reach)
-{
-    if (count == 0)
-        return 1;
-    if (hit_sphere(ray, scene->spheres[count - 1]) < reach)
-        return 0;
-    return of_first(scene, count - 1, ray, reach);
-}
-
-// ---- shade --------------------------------------------------------------------------------------
-
-static vec3 facing(vec3 normal, vec3 direction)
-{
-    return vec3_dot(normal, direction) < 0 ? normal : -normal;
-}
-
-// The values at a place, and each light in its turn.
-typedef struct {
-    const Scene *scene;
-    const Surface *surface;
-    vec3 point, normal, start, to_eye;
-} Lit;
-
-static Color of_lights(const Lit *lit, int i)
-{
-    if (i == lit->scene->light_count)
-        return ambient_term(lit->surface->color, lit->surface->diffuse, lit->scene->ambient);
-    const Light *light = &lit->scene->lights[i];
-    const Surface *s = lit->surface;
-    Color rest = of_lights(lit, i + 1);
-    if (visibility(lit->scene, lit->start, *light) == 0)
-        return rest;
-    vec3 l = ray_to_light(lit->point, *light).direction;
-    return rest + diffuse_term(s->color, s->diffuse, light->color, lit->normal, l) +
-           phong_term(s->specular, s->shine, light->color, lit->normal, l, lit->to_eye);
-}
-
-// ---- trace_ray ----------------------------------------------------------------------------------
-
-static Color from_the_last_mirror_back(const Scene *scene, Ray ray, int depth)
-{
-    Hit hit = nearest_hit(ray, scene);
-    if (hit.t == NO_HIT)
-        return scene->background;
-    double ks = scene_surface(scene, hit.sphere)->specular;
-    Color seen = vec3_of(0, 0, 0);
-    if (depth != 0 && ks != 0) {
-        Sphere sphere = scene->spheres[hit.sphere];
-        vec3 point = ray.origin + hit.t * ray.direction;
-        vec3 normal = facing(surface_normal(sphere, point), ray.direction);
-        vec3 direction = mirror_direction(vec3_unit(ray.direction), normal);
-        Ray mirrored = {point + 0x1p-28 * size_of(sphere) * normal, direction};
-        seen = from_the_last_mirror_back(scene, mirrored, depth - 1);
-    }
-    return ks * seen + shade(scene, ray, hit);
-}
-
 static const Color black = {0, 0, 0};
 
-// ---- directions of light ------------------------------------------------------------------------
-
-// The gradient of |p - c|^2, whose length is twice the radius.
-static vec3 gradient(Sphere sphere, vec3 point)
-{
-    vec3 gradient = {0};
-    for (int i = 0; i < 3; i++)
-        gradient[i] = 2 * (point[i] - sphere.center[i]);
-    return vec3_unit(gradient);
-}
-
-// ---- highlights ---------------------------------------------------------------------------------
-
-static Color phong_by_the_formula(double ks, double shine, Color light, vec3 n, vec3 to_light,
-                                  vec3 to_eye)
-{
-    vec3 l = vec3_unit(to_light), e = vec3_unit(to_eye);
-    vec3 r = 2 * vec3_dot(n, l) * n - l;
-    if (vec3_dot(n, l) <= 0)
-        return black;
-    return light * (ks * pow(fmax(0, vec3_dot(r, e)), shine));
-}
-
-static Color halfway_by_the_mean(double ks, double shine, Color light, vec3 n, vec3 l, vec3 e)
-{
-    vec3 halfway = (vec3_unit(l) + vec3_unit(e)) / 2;
-    double cosine = vec3_dot(n, halfway) / vec3_length(halfway);
-    if (vec3_dot(n, l) <= 0)
-        return black;
-    return light * (ks * pow(fmax(0, cosine), shine));
-}
-
-// ---- for a display ------------------------------------------------------------------------------
-
-static double between_0_and_1(double x)
-{
-    return x > 1 ? 1 : x > 0 ? x : 0;
-}
+// ---- directions ---------------------------------------------------------------------------------
 
 RIGHT_LINE(surface_normal, "divided by the radius", return (point - sphere.center) / sphere.radius)
 
@@ -120,7 +17,14 @@ RIGHT(surface_normal, "inward, and reversed")
     return -inward / sqrt(vec3_dot(inward, inward));
 }
 
-RIGHT_LINE(surface_normal, "the gradient, normalised", return gradient(sphere, point))
+// The gradient of |p - c|^2, whose length is twice the radius.
+RIGHT(surface_normal, "the gradient, normalised")
+{
+    vec3 gradient = {0};
+    for (int i = 0; i < 3; i++)
+        gradient[i] = 2 * (point[i] - sphere.center[i]);
+    return vec3_unit(gradient);
+}
 
 RIGHT(surface_normal, "long double")
 {
@@ -207,6 +111,8 @@ RIGHT(mirror_direction, "a frame on the mirror")
            vec3_dot(direction, normal) * normal;
 }
 
+// ---- terms --------------------------------------------------------------------------------------
+
 RIGHT(ambient_term, "the light times kd first")
 {
     Color arrives = ambient * kd;
@@ -247,6 +153,27 @@ RIGHT(diffuse_term, "the normal normalised as well")
 {
     double cosine = vec3_dot(vec3_unit(to_light), vec3_unit(normal));
     return ambient_term(surface, kd, light) * (cosine > 0 ? cosine : 0);
+}
+
+// ---- highlights ---------------------------------------------------------------------------------
+
+static Color phong_by_the_formula(double ks, double shine, Color light, vec3 n, vec3 to_light,
+                                  vec3 to_eye)
+{
+    vec3 l = vec3_unit(to_light), e = vec3_unit(to_eye);
+    vec3 r = 2 * vec3_dot(n, l) * n - l;
+    if (vec3_dot(n, l) <= 0)
+        return black;
+    return light * (ks * pow(fmax(0, vec3_dot(r, e)), shine));
+}
+
+static Color halfway_by_the_mean(double ks, double shine, Color light, vec3 n, vec3 l, vec3 e)
+{
+    vec3 halfway = (vec3_unit(l) + vec3_unit(e)) / 2;
+    double cosine = vec3_dot(n, halfway) / vec3_length(halfway);
+    if (vec3_dot(n, l) <= 0)
+        return black;
+    return light * (ks * pow(fmax(0, cosine), shine));
 }
 
 RIGHT_LINE(phong_term, "2 (n.l) n - l",
@@ -333,6 +260,13 @@ RIGHT_LINE(halfway_term, "nothing for an eye behind the surface",
                       ? black
                       : halfway_by_the_mean(ks, shine, light, normal, to_light, to_eye))
 
+// ---- for a display ------------------------------------------------------------------------------
+
+static double between_0_and_1(double x)
+{
+    return x > 1 ? 1 : x > 0 ? x : 0;
+}
+
 RIGHT(clamp_color, "conditions")
 {
     for (int i = 0; i < 3; i++) {
@@ -391,6 +325,13 @@ RIGHT(gamma_encode, "clamped first")
     return color;
 }
 
+// ---- off_surface --------------------------------------------------------------------------------
+
+static double size_of(Sphere s)
+{
+    return s.radius + fmax(fabs(s.center[0]), fmax(fabs(s.center[1]), fabs(s.center[2])));
+}
+
 RIGHT_LINE(off_surface, "1e-9 of the size", return point + 1e-9 * size_of(sphere) * normal)
 RIGHT_LINE(off_surface, "as little as the contract allows",
            return point + 0x1p-32 * size_of(sphere) * normal)
@@ -410,6 +351,17 @@ RIGHT(off_surface, "coordinate by coordinate")
     for (int i = 0; i < 3; i++)
         point[i] += ldexp(size, -29) * normal[i];
     return point;
+}
+
+// ---- visibility ---------------------------------------------------------------------------------
+
+static double of_first(const Scene *scene, int count, Ray ray, double reach)
+{
+    if (count == 0)
+        return 1;
+    if (hit_sphere(ray, scene->spheres[count - 1]) < reach)
+        return 0;
+    return of_first(scene, count - 1, ray, reach);
 }
 
 RIGHT(visibility, "with nearest_hit")
@@ -473,6 +425,34 @@ RIGHT(visibility, "the nearest, in long double")
     for (int i = scene->sphere_count - 1; i >= 0; i--)
         nearest = fminl(nearest, hit_sphere(ray, scene->spheres[i]) * length);
     return light.kind == LIGHT_POINT ? nearest >= length : isinf(nearest);
+}
+
+// ---- shade --------------------------------------------------------------------------------------
+
+static vec3 facing(vec3 normal, vec3 direction)
+{
+    return vec3_dot(normal, direction) < 0 ? normal : -normal;
+}
+
+// The values at a place, and each light in its turn.
+typedef struct {
+    const Scene *scene;
+    const Surface *surface;
+    vec3 point, normal, start, to_eye;
+} Lit;
+
+static Color of_lights(const Lit *lit, int i)
+{
+    if (i == lit->scene->light_count)
+        return ambient_term(lit->surface->color, lit->surface->diffuse, lit->scene->ambient);
+    const Light *light = &lit->scene->lights[i];
+    const Surface *s = lit->surface;
+    Color rest = of_lights(lit, i + 1);
+    if (visibility(lit->scene, lit->start, *light) == 0)
+        return rest;
+    vec3 l = ray_to_light(lit->point, *light).direction;
+    return rest + diffuse_term(s->color, s->diffuse, light->color, lit->normal, l) +
+           phong_term(s->specular, s->shine, light->color, lit->normal, l, lit->to_eye);
 }
 
 RIGHT(shade, "recursion over the lights")
@@ -553,6 +533,32 @@ RIGHT(shade, "all formulas in place")
     return sum;
 }
 
+// ---- trace_ray ----------------------------------------------------------------------------------
+
+// By a step of that part of the size off the surface.
+static Ray mirrored_ray(const Scene *scene, Ray ray, Hit hit, double step)
+{
+    Sphere sphere = scene->spheres[hit.sphere];
+    vec3 point = ray.origin + hit.t * ray.direction;
+    vec3 normal = facing(surface_normal(sphere, point), ray.direction);
+    return (Ray){point + step * size_of(sphere) * normal, mirror_direction(ray.direction, normal)};
+}
+
+static Color from_the_last_mirror_back(const Scene *scene, Ray ray, int depth)
+{
+    Hit hit = nearest_hit(ray, scene);
+    if (hit.t == NO_HIT)
+        return scene->background;
+    double ks = scene_surface(scene, hit.sphere)->specular;
+    Color seen = black;
+    if (depth != 0 && ks != 0) {
+        Ray mirrored = mirrored_ray(scene, ray, hit, 0x1p-28);
+        mirrored.direction = vec3_unit(mirrored.direction);
+        seen = from_the_last_mirror_back(scene, mirrored, depth - 1);
+    }
+    return ks * seen + shade(scene, ray, hit);
+}
+
 RIGHT_LINE(trace_ray, "unit directions, as far off as allowed",
            return from_the_last_mirror_back(scene, ray, depth))
 
@@ -572,11 +578,7 @@ RIGHT(trace_ray, "a stack of colours")
         own[count] = shade(scene, ray, hit);
         on = depth > 0 && surface->specular > 0;
         ks[count++] = on ? surface->specular : 0;
-        Sphere sphere = scene->spheres[hit.sphere];
-        vec3 point = ray.origin + hit.t * ray.direction, normal = surface_normal(sphere, point);
-        if (vec3_dot(normal, ray.direction) > 0)
-            normal *= -1;
-        ray = (Ray){off_surface(sphere, point, normal), mirror_direction(ray.direction, normal)};
+        ray = mirrored_ray(scene, ray, hit, 0x1p-30);
     }
     while (count-- > 0)
         color = ks[count] > 0 ? own[count] + ks[count] * color : own[count];
@@ -591,11 +593,7 @@ RIGHT(trace_ray, "a loop, as little off as allowed")
         if (hit.sphere == -1)
             return sum + share * scene->background;
         sum += share * shade(scene, ray, hit);
-        Sphere sphere = scene->spheres[hit.sphere];
-        vec3 point = ray.origin + hit.t * ray.direction;
-        vec3 normal = facing(surface_normal(sphere, point), ray.direction);
-        ray.direction = mirror_direction(ray.direction, normal);
-        ray.origin = point + 0x1p-32 * size_of(sphere) * normal;
+        ray = mirrored_ray(scene, ray, hit, 0x1p-32);
         share *= scene_surface(scene, hit.sphere)->specular;
     }
     return sum;
