@@ -3,7 +3,7 @@
 
 # The messages of the compiler and the linker, as a student reads them.
 EXPLAIN := $(B)/explain
-EXPLAIN_OBJECTS := $(patsubst %.c,$(B)/%.o,$(wildcard tests/course/explain*.c))
+EXPLAIN_OBJECTS := $(patsubst %.c,$(B)/%.o,$(wildcard tests/explain/*.c))
 $(EXPLAIN): $(EXPLAIN_OBJECTS)
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^
@@ -12,8 +12,8 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 TESTING := $(patsubst %,$(B)/tests/judge/%.o,test runner stem types) $(B)/tests/course/page.o $(B)/chapters/shared/example.o
 COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/course/check_*.c))
 # The parts of the program that judges answers (tests/course/course.c).
-COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c %/explain_main.c tests/course/check_%, \
-	$(wildcard tests/course/*.c))) $(patsubst %,$(B)/tests/judge/%.o,exercise types)
+COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c tests/course/check_%, \
+	$(wildcard tests/course/*.c))) $(filter-out %/main.o,$(EXPLAIN_OBJECTS)) $(patsubst %,$(B)/tests/judge/%.o,exercise types)
 $(filter $(B)/tests/course/%,$(COMMON_TESTS)): $(filter-out %/page.o,$(COURSE_PARTS))
 $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/test_main.o $(B)/common.a
 	$(call say,link,$@)

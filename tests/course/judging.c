@@ -6,7 +6,7 @@
 #include "tests/course/judging.h"
 
 #include "tests/course/chapter_record.h"
-#include "tests/course/explain.h"
+#include "tests/explain/explain.h"
 #include "tests/judge/exercise.h"
 
 #include <errno.h>

@@ -232,7 +232,7 @@ def explained(record):
         (room / name).symlink_to(record.tree / name)
     if not record.make("build/explain"):
         return
-    for path in sorted(record.tree.glob("tests/*/explained/*.txt")):
+    for path in sorted(record.tree.glob("tests/explain/cases/*.txt")):
         for case in path.read_text(encoding="utf-8", errors="surrogateescape").split("\n== ")[0:]:
             name, *parts = re.split(r"^-- (.*)\n", case, flags=re.M)
             name, source = name.strip().removeprefix("== "), None

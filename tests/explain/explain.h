@@ -3,8 +3,8 @@
 // All of them read the answer from the path that the compiler was given, and the headers in
 // exercises/ and common/ of the current folder. Nothing else is read, and what they read may be
 // hostile.
-#ifndef TESTS_COURSE_EXPLAIN_H
-#define TESTS_COURSE_EXPLAIN_H
+#ifndef TESTS_EXPLAIN_EXPLAIN_H
+#define TESTS_EXPLAIN_EXPLAIN_H
 
 #include <stdbool.h>
 #include <stddef.h>
