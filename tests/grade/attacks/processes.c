@@ -158,8 +158,8 @@ vec3 upper_left(Camera c)
     return c.distance * c.forward - c.width / 2 * c.right + c.height / 2 * c.up;
 }
 
-// ---- memory-bomb: takes memory and writes to all of it, a gigabyte at most.
-// -> crashed; earns upper_right; says memory | killed | crashed | by itself
+// ---- memory-bomb: takes memory and writes to all of it, a gigabyte at most. On a slow machine its time ends first.
+// -> crashed | timed out; earns upper_right; says memory | killed | crashed | by itself | still running
 vec3 upper_left(Camera c)
 {
     for (int i = 0; i < 64; i++)
