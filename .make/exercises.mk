@@ -66,7 +66,7 @@ PLAN := $(VERDICT)/plan
 plan_lines = $(foreach s,$(STEMS),'chapter	$(s)' 'objects	$(call answering,$(s))' \
 	$(if $(value stands_on),'stands on	$(call stands_on,$(s))') $(if $(HAS_REFERENCE),'right	$(call right_of,$(s))') \
 	'program	$(NOT_FILLED) $(call drawing_of,$(s))')
-$(PLAN): $(COURSE) $(JUDGE) $(B)/weak.h $(B)/flags.mk $(JUDGES_LAYOUTS) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) \
+$(PLAN): $(COURSE) $(JUDGE) $(TABLES) $(B)/weak.h $(B)/flags.mk $(JUDGES_LAYOUTS) Makefile $(wildcard .make/*.mk .make/toolkit/*.mk) \
 		$(foreach s,$(STEMS),$(filter-out $(VERDICT)/%,$(call answering,$(s))))
 	@mkdir -p $(@D)
 	@printf '%s\n' 'answers	$(EXERCISES)' 'built	$(B)/$(EXERCISES:/%=%)' \

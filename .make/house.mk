@@ -19,7 +19,7 @@ tidy: $(B)/compile_commands.json ## look for bugs (clang-tidy)
 
 # For tidy and for editors: what is known of the exercises as beside the reference; and the students' answers, with
 # the warnings that they get.
-KNOWN_SOURCES = $(filter %/wrong.c %/right.c %/verdicts.c %/laws.c %/laws_by_reference.c,$(C_SOURCES))
+KNOWN_SOURCES = $(filter %/wrong.c %/right.c %/verdicts.c %/laws.c %/facts.c,$(C_SOURCES))
 STUDENTS_SOURCES = $(STEMS:%=exercises/%.c) $(wildcard exercises/optional/*.c)
 commands_of = for f in $(1); do printf '{"directory": "%s", "file": "%s", "command": "%s -c %s"},\n' \
 	'$(CURDIR)' "$$f" '$(CC) $(LANGUAGE) $(2)' "$$f"; done

@@ -1,13 +1,10 @@
 # A handout has these instead of tests, solutions and references: tables of right results (tests/handout/replay/),
 # and the student's own earlier answers. Included by the handout's Makefile.
 
-# The judge asks what the table says.
-$(JUDGE): $(REPLAY) \
-		$(patsubst %,$(B)/tests/judge/%.o,process_transport process judge) $(REPORTING) \
-		$(DRAWING) $(B)/common.a | $(STEMS:%=$(TABLE)/%.table)
-	$(call say,link,$@)
-	$(Q)mkdir -p $(@D) && rm -rf $@
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
+# A table by itself: what is right passes, and each mistake's values are failed and named.
+TABLE_CHECK := $(B)/tests/handout/replay/check
+$(TABLE_CHECK): $(JUDGING) $(TABLE_CHECK).o $(B)/common.a | $(TABLES)
+	$(link_program)
 
 # The toolkit itself, whatever the contents of exercises/.
 CHECKS := $(COMMON_TESTS)
@@ -20,6 +17,6 @@ earlier_answers = $(patsubst %,$(VERDICT)/%/answer.o,$(call earlier,$(1)))
 stands_on = $(call earlier,$(1))
 
 # The calls of a table, made directly.
-for_debug = $(B)/tests/handout/replay/debug.o $(TOLD) \
+for_debug = $(B)/tests/handout/replay/debug.o $(READING) \
 	$(B)/dispatch/$(1).o \
 	$(call earlier_answers,$(1)) $(B)/common.a

@@ -21,7 +21,7 @@ $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/test_main.o $(B)/common.a
 
 # Compiling what is known of the stems takes longer than running it: not optimised. But every call goes
 # through its message.
-FOR_EACH_CALL := $(patsubst %,$(B)/tests/judge/%.o,types wire numbers message suspects answers_called)
+FOR_EACH_CALL := $(patsubst %,$(B)/tests/judge/%.o,types wire numbers message table questions suspects answers_called)
 $(filter-out $(FOR_EACH_CALL),$(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*.c tests/[0-9]*/*.c tests/judge/*.c))): OPTIMIZE = -O0
 
 # The program that runs the tests: T=word, only those that have it in their name.
@@ -57,10 +57,10 @@ DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,sp
 before = $(if $(filter-out $(2),$(firstword $(1))),$(firstword $(1)) $(call before,$(wordlist 2,99,$(1)),$(2)))
 earlier = $(strip $(call before,$(STEMS),$(1)))
 
-# ---- tests without the tests ------------------------------------------------------------------
+# ---- the judge --------------------------------------------------------------------------------
 
-# The questions of the tests and the right results, as a table from which nobody can read a test or an
-# answer (tests/handout/replay/). It is made here from the tests; a handout judges by it alone.
+# It asks what the tables say: the questions of the tests, the right results and those of known mistakes, from
+# which nobody can read a test or an answer (tests/judge/table.h). They are made from the tests; a handout has them.
 # The laws go with it; as beside the reference (tests/judge/law.h), an exercise has another name in them.
 renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tests/judge/names.def
 $(B)/reference.h: tests/judge/names.def tests/judge/forms.def tests/exercises.def
@@ -69,15 +69,18 @@ AS_KNOWN = -include $(B)/reference.h -Wno-unused-parameter
 LAWS := $(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*/laws.c))
 $(LAWS): EXTRA = $(AS_KNOWN)
 $(LAWS): $(B)/reference.h
-TABLE := $(if $(wildcard tests/handout/replay/*.table),tests/handout/replay,$(B)/replay)
-$(B)/tests/handout/replay/table.o: EXTRA = '-DTABLES="$(TABLE)"'
-TOLD := $(B)/tests/handout/replay/table.o $(B)/tests/judge/numbers.o $(CALLING)
-REPLAY := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,switchboard suspects laws) $(TOLD) \
-	$(B)/tests/handout/replay/replay.o $(LAWS)
-
-# A table by itself: what is right passes, and each mistake's values are failed and named.
-TABLE_CHECK := $(B)/replay/check
-$(TABLE_CHECK): $(REPLAY) $(B)/tests/handout/replay/check.o $(B)/common.a | $(STEMS:%=$(TABLE)/%.table)
+TABLE := $(or $(patsubst %/,%,$(dir $(firstword $(wildcard tests/handout/replay/*.table)))),$(B)/tables)
+TABLES := $(STEMS:%=$(TABLE)/%.table)
+$(B)/tests/judge/table.o: EXTRA = '-DTABLES="$(TABLE)"'
+READING := $(patsubst %,$(B)/tests/judge/%.o,table numbers) $(CALLING)
+JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,questions suspects laws) $(READING) $(LAWS)
+# The code that calls an answering process; and what the judge lends to it, where the solutions are.
+TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport process)
+REFERENCES := $(if $(wildcard solutions/.),$(STEMS:%=$(B)/tests/reference/%.o))
+define link_program
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D) && rm -rf $@
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(B)/common.a $(CHECK_LIBS) $(PNG_LIBS) -lm
+endef
+$(JUDGE): $(JUDGING) $(TO_PROCESS) $(DRAWING) $(REPORTING) $(REFERENCES) $(B)/tests/judge/judge.o $(B)/common.a | $(TABLES)
+	$(link_program)

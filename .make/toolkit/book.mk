@@ -66,15 +66,12 @@ $(WASM_REFERENCES): $(WASM)/tests/reference/%.o: solutions/%.c $(B)/reference.h
 	$(call say,wasm,$< for the judge)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -include $(B)/reference.h -o $@ $<
-$(call wasm_of,$(BESIDE_REFERENCE)): WASM_EXTRA = $(AS_KNOWN)
-$(call wasm_of,$(BESIDE_REFERENCE)): $(B)/reference.h
-$(call wasm_of,$(ALL_TESTS) $(call known,wrong) $(call known,laws)): WASM_OPTIMIZE = -Oz
-WASM_HEARING := $(call wasm_of,$(filter-out $(REFERENCES),$(HEARING))) $(WASM_REFERENCES)
+$(call wasm_of,$(LAWS)): WASM_EXTRA = $(AS_KNOWN)
+$(call wasm_of,$(LAWS)): $(B)/reference.h
+$(call wasm_of,$(LAWS)): WASM_OPTIMIZE = -Oz
 BOOK_JUDGE := $(BOOK)/programs/judge.wasm
-WASM_BY_REFERENCE = $(call wasm_of,$(ALL_TESTS) $(call known,wrong) $(TESTING)) $(WASM_HEARING)
-WASM_BY_TABLE = $(call wasm_of,$(REPLAY))
-$(WASM)/tests/handout/replay/table.o: WASM_EXTRA = '-DTABLES="tests/handout/replay"'
-$(BOOK_JUDGE): $(if $(FROM),$(WASM_BY_TABLE),$(WASM_BY_REFERENCE)) \
+$(WASM)/tests/judge/table.o: WASM_EXTRA = '-DTABLES="tables"'
+$(BOOK_JUDGE): $(call wasm_of,$(JUDGING)) $(if $(FROM),,$(WASM_REFERENCES)) \
 		$(call wasm_of,$(TO_PROCESS) $(DRAWING) $(REPORTING) $(B)/tests/judge/judge.o) \
 		$(patsubst %,$(WASM)/$(INSTEAD)/%.o,check no_processes) $(WASM)/common.a
 	$(wasm_link)

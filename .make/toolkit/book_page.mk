@@ -41,8 +41,8 @@ $(BOOK_JUDGED): $(wildcard common/*.h exercises/*.h exercises/*.hints common/fig
 		chapters/[0-9]*/figures/yours-and-right.gp) $(BLANKS) $(if $(FROM),$(B)/exercises.names) $(BOOK_PLAN) $(BOOK_SOURCES)/site/pack_texts.mjs
 	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs $(BOOK_PLAN),$^) plan=$(BOOK_PLAN) > $@
 
-BOOK_TABLES := $(if $(FROM),$(STEMS:%=$(BOOK)/tables/%.table.gz))
-$(BOOK_TABLES): $(BOOK)/tables/%.gz: $(TABLE)/%
+BOOK_TABLES := $(STEMS:%=$(BOOK)/tables/%.table.gz)
+$(BOOK_TABLES): $(BOOK)/tables/%.gz: $(if $(FROM),$(ARCHIVED),$(TABLE))/%
 	$(Q)mkdir -p $(@D)
 	$(Q)gzip -9nc $< > $@
 

@@ -57,7 +57,7 @@ KIT_LINKS += $(KIT)/link/all.o
 PICTURE := $(KIT)/picture
 DRAW := $(PICTURE)/draw
 $(DRAW): $(B)/tests/grade/mark/picture.o $(STEMS:%=$(B)/solutions/direct/%.o) \
-		$(B)/chapters/shared/scene_camera.o $(TESTING) $(HEARING) $(TO_PROCESS) $(B)/common.a
+		$(B)/chapters/shared/scene_camera.o $(TESTING) $(CALLED) $(TO_PROCESS) $(B)/common.a
 	$(link_program)
 SCENE_TO_DRAW := $(wildcard chapters/*/three-spheres.nff)
 $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
@@ -66,11 +66,11 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
 $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
-		$(B)/common.a $(KIT)/expected.png $(LIST) \
+		$(B)/common.a $(KIT)/expected.png $(LIST) $(JUDGE) $(RECORD) \
 		$(if $(findstring =$(abspath $(PICTURE)),$(file <$(KIT)/commands)),,FORCE) # paths: the tree may have been moved
 	$(Q)mkdir -p $(KIT)/blanks && cp $(STEMS:%=build/blanks/%.c) $(KIT)/blanks/
 	$(Q)cp $(B)/common.a $(KIT)/link/ && cp $(SCENE_TO_DRAW) $(PICTURE)/scene.nff
-	$(Q)printf '%s\n' 'JUDGE=$(abspath $(JUDGE))' 'PICTURE=$(abspath $(PICTURE))' \
+	$(Q)printf '%s\n' 'JUDGE=$(abspath $(JUDGE))' 'RECORD=$(abspath $(RECORD))' 'PICTURE=$(abspath $(PICTURE))' \
 		'COMPILE=$(CC) $(ANSWER_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \
 		'PARTS=$(if $(IS_CLANG),,-pass-exit-codes -wrapper)' \
 		'LINK=ld -static -s -z noexecstack -e graded_start' \
@@ -81,7 +81,7 @@ $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONF
 grade: export SUBMISSIONS := $(SUBMISSIONS)
 grade: export OUT := $(or $(OUT),build/grades)
 grade: export POLICY := $(POLICY)
-grade: $(KIT)/commands $(JUDGE) ## mark a class: SUBMISSIONS=dir OUT=build/grades
+grade: $(KIT)/commands ## mark a class: SUBMISSIONS=dir OUT=build/grades
 	@python3 -B tests/grade $(KIT)
 
 gradescope: ## build/gradescope.zip, an autograder for Gradescope

@@ -9,12 +9,6 @@ parts = $(patsubst %.c,$(B)/%.o,$(wildcard $(1)*.c))
 tests_of = $(call parts,tests/$(1))
 known = $(call parts,tests/[0-9]*/$(1))
 ALL_TESTS := $(call parts,tests/[0-9])
-define link_program
-	$(call say,link,$@)
-	$(Q)mkdir -p $(@D) && rm -rf $@
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
-endef
-
 # The tests call proxies, which ask whoever answers. Mistakes and laws are beside the reference, which goes
 # by other names there; so do answers that are linked into a program (tests/judge/switchboard.c).
 as_names = sed -n 's/^ *\# *define //p'
@@ -23,26 +17,29 @@ $(B)/reference.names: tests/judge/names.def tests/exercises.def
 	$(Q)$(call renamed,0,reference_) | $(as_names) > $@
 # What is known of the stems: an entry need not use every parameter of its function (tests/judge/known.h).
 KNOWN_ANSWERS := $(foreach kind,wrong right verdicts,$(call known,$(kind)))
-BESIDE_REFERENCE := $(KNOWN_ANSWERS) $(call known,laws)
+FACTS := $(call known,facts)
+BESIDE_REFERENCE := $(KNOWN_ANSWERS) $(FACTS)
 $(BESIDE_REFERENCE): EXTRA = $(AS_KNOWN)
 $(BESIDE_REFERENCE): $(B)/reference.h
-REFERENCES := $(STEMS:%=$(B)/tests/reference/%.o)
 $(REFERENCES): $(B)/tests/reference/%.o: $(B)/solutions/%.o $(B)/reference.names
 	$(Q)mkdir -p $(@D)
 	$(Q)objcopy --redefine-syms=$(B)/reference.names $< $@
-# The comparison of answers with the known mistakes.
-HEARING := $(patsubst %,$(B)/tests/judge/%.o,reference/mistake_comparison reference/proxies \
-	switchboard suspects) \
-	$(B)/tests/judge/numbers.o $(B)/tests/judge/laws.o $(CALLING) $(call known,laws) $(REFERENCES)
-# The code that calls an answering process.
-TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport process)
+# What the tests call.
+CALLED := $(patsubst %,$(B)/tests/judge/%.o,reference/proxies switchboard) $(CALLING) $(REFERENCES)
 # With the reference for the chapters before, one mistake costs once; and the judge lends.
 lent = $(B)/tests/judge/reference/lent_answers.o
 earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
-$(JUDGE): $(ALL_TESTS) $(call known,wrong) $(TESTING) \
-		$(HEARING) $(TO_PROCESS) $(DRAWING) \
-		$(REPORTING) $(B)/tests/judge/judge.o $(B)/common.a
+
+# The program that makes the tables of the tests and of all that is known. A table is made again if something of its
+# stem changes.
+RECORD := $(B)/tests/record
+RECORDING := $(TESTING) $(CALLED) $(patsubst %,$(B)/tests/judge/%.o,laws table numbers reference/record)
+$(RECORD): $(ALL_TESTS) $(call known,wrong) $(FACTS) $(RECORDING) $(B)/common.a
 	$(link_program)
+$(TABLES): $(TABLE)/%.table: $$(call parts,tests/$$*) $$(call parts,tests/$$*/wrong) $$(call parts,tests/$$*/facts) $(RECORDING) $(B)/common.a | $(RECORD)
+	$(call say,record,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)env -u SEED $(RECORD) $* $@
 
 # The tests alone, calling an answer in their own process, and the reference for all other stems.
 $(STEMS:%=$(B)/answer_names/%): $(B)/answer_names/%: tests/judge/names.def tests/exercises.def
@@ -54,7 +51,7 @@ $(STEMS:%=$(1)/direct/%.o): $(1)/direct/%.o: $(2)/%.o $(B)/answer_names/%
 	$$(Q)objcopy --redefine-syms=$(B)/answer_names/$$* $$< $$@
 endef
 $(foreach folder,$(sort $(BUILT) $(B)/solutions $(B)/blanks),$(eval $(call direct_answers,$(folder),$(folder))))
-DIRECT := $(ALL_TESTS) $(TESTING) $(HEARING) $(patsubst %,$(B)/tests/judge/%.o,test_main call_directly)
+DIRECT := $(ALL_TESTS) $(TESTING) $(CALLED) $(patsubst %,$(B)/tests/judge/%.o,test_main call_directly)
 TESTS := $(BUILT)/tests
 $(TESTS): $(DIRECT) $(STEMS:%=$(BUILT)/direct/%.o) $(B)/common.a
 	$(link_program)
@@ -70,12 +67,9 @@ $(STEMS:%=$(B)/blanks/%.o): $(B)/blanks/%.o: build/blanks/%.c $(B)/flags.mk
 $(BLANK_TESTS): $(DIRECT) $(STEMS:%=$(B)/blanks/direct/%.o) $(B)/common.a
 	$(link_program)
 
-# The matrix: the tests and all that is known, and in the place of the answering process a table that the
-# reference fills.
+# The matrix: all that is known, and in the place of the answering process a function of this one.
 MATRIX := $(B)/tests/matrix
-$(MATRIX): $(ALL_TESTS) $(foreach kind,wrong right verdicts,$(call known,$(kind))) \
-		$(TESTING) $(HEARING) $(B)/tests/proof/matrix.o $(B)/tests/handout/make_table.o \
-		$(B)/tests/handout/replay/table.o $(B)/common.a
+$(MATRIX): $(KNOWN_ANSWERS) $(JUDGING) $(REFERENCES) $(B)/tests/proof/matrix.o $(B)/common.a | $(TABLES)
 	$(link_program)
 
 # The missing parts of a new chapter, as long as it cannot be linked.
@@ -113,8 +107,8 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 mutants_of = python3 $(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(1) $(@D)/$*/*.i > $(@D)/$*.c
 ALL_ERRORS = $(if $(findstring clang,$(CC)),-ferror-limit=0 -fno-caret-diagnostics,-fno-diagnostics-show-caret)
 TRIALS := $(B)/tests/try_generated
-$(TRIALS): $(ALL_TESTS) $(call known,wrong) $(TESTING) $(HEARING) $(MUTANTS) \
-		$(patsubst %,$(B)/tests/proof/generated/%.o,judge_mutants truth questions) $(B)/common.a
+$(TRIALS): $(call known,wrong) $(JUDGING) $(REFERENCES) $(MUTANTS) \
+		$(patsubst %,$(B)/tests/proof/generated/%.o,judge_mutants truth questions) $(B)/common.a | $(TABLES)
 	$(link_program)
 
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
@@ -150,20 +144,10 @@ $(SWITCHED): $(B)/tests/switched/%.o: tests/proof/switched.c solutions/%.c $(B)/
 	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -include $(B)/weak.h -include solutions/$*.c -o $@ $<
 MISTAKEN := $(patsubst %,$(B)/tests/mistaken/%,$(sort $(foreach figure,$(FIGURE_NAMES),$(call stem_of,$(figure)))))
 $(MISTAKEN): $(B)/tests/mistaken/%: $(B)/tests/proof/mistaken_figures.o $$(call chapter_objects,$$*) $(call known,wrong) \
-		$(TESTING) $(filter-out $(REFERENCES),$(HEARING)) $(SWITCHED) $(B)/tests/judge/answers_called.o $(B)/chapters/shared.a $(B)/common.a
+		$(TESTING) $(filter-out $(REFERENCES),$(CALLED)) $(SWITCHED) $(B)/tests/judge/answers_called.o $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -Wl,--wrap=main $$(sed 's/^/-Wl,--wrap=/' $(B)/exercises.names) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm -pthread
-
-# ---- recorded tables ----------------------------------------------------------------------------
-
-# The matrix writes the tables. In the toolkit the right answers are compared with them as well.
-TABLES := $(STEMS:%=$(TABLE)/%.table)
-$(TABLES): $(TABLE)/%.table: $(MATRIX)
-	$(call say,record,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)env -u SEED $< $* --table $@
-$(TABLE_CHECK): $(call known,right) $(REFERENCES)
 
 KIT := $(B)/grading
 CAN_GRADE := $(if $(JUDGES_ONLY),,$(shell pkg-config --exists libseccomp 2>/dev/null && command -v python3 && \
@@ -174,7 +158,7 @@ GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(TYPES) $(ODD_QUESTIONS) $(ENGINES)
-OF_STEMS := $(TESTS) $(MATRIX) $(TABLE_CHECK)
+OF_STEMS := $(TESTS) $(MATRIX)
 with_arguments = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %')) 'tests/explain/cases/check.py $(EXPLAIN)'
 FOR_CHECKS := $(EXPLAIN) $(LIST) $(BLANK_TESTS) $(PROGRAMS) $(GENERATED:%=$(B)/scenes/%.nff) $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands) $(if $(BRIEF),,$(MISTAKEN))
 # The scripts judge answers beside each other, each in a folder of its own, by the ordinary build: so all of that

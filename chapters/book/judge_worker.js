@@ -33,11 +33,12 @@ const pictures = once(async () => {
             objects.set(path, bytes);
 });
 
-/** A handout judges a chapter, and those before it, by tables. */
+/** A chapter is judged by its table; a handout judges those before it as well. */
 const table = once(async (stem) => new Uint8Array(await unzipped(`tables/${stem}.table.gz`)));
 async function fetchTables(judge, stem, sources) {
     const stems = [...judge.files.text("plan").matchAll(/^chapter\t(.*)$/mg)].map(([, each]) => each);
-    await Promise.all(stems.filter((each) => each <= stem || each in sources).map(async (each) => judge.files.put(`tests/handout/replay/${each}.table`, await table(each))));
+    const isAsked = (each) => each === stem || isHandout && (each < stem || each in sources);
+    await Promise.all(stems.filter(isAsked).map(async (each) => judge.files.put(`tables/${each}.table`, await table(each))));
 }
 
 /** What the judge says; once more if it needs the whole compiler for that. */
@@ -91,8 +92,7 @@ answerQuestions({
     },
     async judge({ stem, sources, records, columns, isDrawn = true }) {
         const [{ judge: before }, first] = await Promise.all([judging(), compile(stem, sources[stem])]);
-        if (isHandout)
-            await fetchTables(before, stem, sources);
+        await fetchTables(before, stem, sources);
         // What was judged on other pages: the verdict counts the functions of all chapters.
         for (const [other, record] of Object.entries(records))
             if (!before.files.get(recordOf(other)))
@@ -113,8 +113,7 @@ answerQuestions({
     },
     async hint({ stem, sources, state }) {
         const { judge: before } = await judging();
-        if (isHandout)
-            await fetchTables(before, stem, sources);
+        await fetchTables(before, stem, sources);
         const path = `build/exercises/verdict/${stem}.hint`, result = isHandout ? {} : { [stem]: await compile(stem, sources[stem]) };
         const { text, errors, kept } = await judged((judge) => {
             if (state && !judge.files.get(path))

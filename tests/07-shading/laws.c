@@ -1,5 +1,5 @@
-// laws.c - the laws of exercise 07: directions and lengths of vectors, a step off a surface, and
-// colours for a display.
+// laws.c - the laws of exercise 07: directions and lengths of vectors, a step off a surface,
+// colours for a display, shares of light, and what is lit.
 #include "exercises/07-shading.h"
 
 #include "tests/judge/law.h"
@@ -169,4 +169,205 @@ LAW(gamma_encode)
                        names[i], number_text(yours[i]).s, a.yours.s, a.right.s);
         return;
     }
+}
+
+// ---- laws of the terms: the share of each light that comes back, colour by colour ---------------
+
+static bool color_not_finite(Color color)
+{
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(color[i])) {
+            law_broken("your %s is not a finite number", names[i]);
+            return true;
+        }
+    return false;
+}
+
+// The share, in each colour; 'of' names the whole.
+static void is_share(Color yours, double share, const char *why, Color of, const char *of_what)
+{
+    for (int i = 0; i < 3; i++) {
+        if (fabs(yours[i] - share * of[i]) <= enough * (1 + fabs(share * of[i])))
+            continue;
+        Apart a = apart(yours[i] / of[i], share);
+        if (of[i] == 0)
+            law_broken("your %s is %s, but %s has no %s", names[i], number_text(yours[i]).s,
+                       of_what, names[i]);
+        else
+            law_broken("your %s is %s times %s; %s is %s", names[i], a.yours.s, of_what, why,
+                       a.right.s);
+        return;
+    }
+}
+
+static bool is_black(Color yours, const char *why)
+{
+    for (int i = 0; i < 3; i++)
+        if (!(fabs(yours[i]) <= enough)) {
+            law_broken("%s, so nothing comes back; your %s is %s", why, names[i],
+                       number_text(yours[i]).s);
+            return false;
+        }
+    return true;
+}
+
+LAW(ambient_term)
+{
+    if (!color_not_finite(yours))
+        is_share(yours, kd, "kd", ambient * surface, "the surface's times the light's");
+}
+
+LAW(diffuse_term)
+{
+    double cosine = law_facts()[0];
+    if (color_not_finite(yours))
+        return;
+    if (cosine < 0) {
+        is_black(yours, "the light is behind the surface");
+        return;
+    }
+    char what[240];
+    snprintf(what, sizeof what, "kd times the cosine of %s degrees",
+             number_text_to(acos(fmin(1, cosine)) * 180 / PI, 4).s);
+    is_share(yours, kd * cosine, what, surface * light, "the surface's times the light's");
+}
+
+// The part that both highlights share; name is that of the cosine. An eye behind the surface does
+// not see a highlight, and an answer that says so is also right.
+static void law_of_highlight(Color yours, double ks, double shine, Color light, const char *name)
+{
+    double low = law_facts()[0], high = law_facts()[1], cosine = law_facts()[2];
+    char what[480];
+    if (color_not_finite(yours) || fabs(low) < enough || fabs(cosine) < enough || high < enough)
+        return;
+    if (low < 0) {
+        is_black(yours, "the light is behind the surface");
+    } else if (cosine < 0) {
+        snprintf(what, sizeof what, "the cosine of %s is negative, %s", name,
+                 number_text_to(cosine, 4).s);
+        is_black(yours, what);
+    } else {
+        snprintf(what, sizeof what, "ks times %s, the cosine of %s, to the power of %s",
+                 number_text_to(cosine, 6).s, name, number_text_to(shine, 6).s);
+        is_share(yours, ks * pow(cosine, shine), what, light, "the light's");
+    }
+}
+
+LAW(phong_term)
+{
+    law_of_highlight(yours, ks, shine, light, "mirrored light and eye");
+}
+
+LAW(halfway_term)
+{
+    law_of_highlight(yours, ks, shine, light, "normal and half-way vector");
+}
+
+// Laws of light in a scene: what hides it, and how it adds up. They judge an answer by the right
+// answers to its parts, and are silent if rounding, or how far a right answer goes off its surface,
+// may decide.
+
+// ---- visibility ---------------------------------------------------------------------------------
+
+// Whether rounding may decide if there is a hit at t: at either end of the way, or at the edge.
+static bool is_doubtful(Ray ray, double reach, Sphere sphere, double t)
+{
+    vec3 away = ray.origin - sphere.center;
+    double foot = -vec3_dot(away, ray.direction) / vec3_dot(ray.direction, ray.direction);
+    double close = 1e-6 * sphere.radius;
+    double margin = close / vec3_length(ray.direction);
+    return fabs(vec3_length(away + foot * ray.direction) - sphere.radius) < close ||
+           fabs(vec3_length(away) - sphere.radius) < 1e-9 * sphere.radius ||
+           (t < NO_HIT && fabs(t - reach) < margin);
+}
+
+LAW(visibility)
+{
+    const double *to_light = law_facts(), *hits = to_light + 3;
+    Ray ray = {from, vec3_of(to_light[0], to_light[1], to_light[2])};
+    double reach = light.kind == LIGHT_POINT ? 1 : NO_HIT;
+    if (yours != 0 && yours != 1) {
+        law_broken("you return %s: a light arrives or does not, 1 or 0", number_text(yours).s);
+        return;
+    }
+    bool doubtful = false;
+    for (int i = 0; i < scene->sphere_count; i++) {
+        if (is_doubtful(ray, reach, scene->spheres[i], hits[i])) {
+            doubtful = true;
+        } else if (hits[i] < reach) {
+            if (yours != 0)
+                law_broken("you return 1, but on the way to the light sphere %d is hit at t = %s%s",
+                           i, number_text(hits[i]).s,
+                           light.kind == LIGHT_POINT ? "; the light is at t = 1" : "");
+            return;
+        }
+    }
+    if (yours == 0 && !doubtful)
+        law_broken("you return 0, but none of the %d spheres is between the point and the light",
+                   scene->sphere_count);
+}
+
+// ---- shade, trace_ray ---------------------------------------------------------------------------
+
+static bool close_to(Color yours, Color right, double tolerance)
+{
+    bool close = true;
+    for (int i = 0; i < 3; i++)
+        close = close && fabs(yours[i] - right[i]) <= tolerance * (1 + fabs(right[i]));
+    return close;
+}
+
+static Color color_fact(int i)
+{
+    const double *facts = law_facts() + i;
+    return vec3_of(facts[0], facts[1], facts[2]);
+}
+
+LAW(shade)
+{
+    const double tolerance = 1e-8;
+    Color ambient = color_fact(0);
+    if (close_to(yours, right, tolerance))
+        return;
+    for (int i = 0, count = scene->light_count; i < count; i++) {
+        Color gives = color_fact(3 + 3 * i);
+        if (close_to(gives, vec3_of(0, 0, 0), tolerance))
+            continue;
+        if (close_to(yours, right - gives, tolerance))
+            law_broken("in your colour light %d is missing: it arrives, and adds %s", i,
+                       vec3_text(gives).s);
+        else if (close_to(yours, right + gives, tolerance))
+            law_broken("in your colour light %d is counted twice", i);
+    }
+    Apart both = apart_vec3(yours, right);
+    if (close_to(yours, right - ambient, tolerance))
+        law_broken("in your colour the ambient light is missing: it adds %s", vec3_text(ambient).s);
+    else
+        law_broken("your colour is %s. Ambient light adds %s, and the lights that arrive %s",
+                   both.yours.s, vec3_text(ambient).s, vec3_text(right - ambient).s);
+}
+
+LAW(trace_ray)
+{
+    // The colour in a mirror depends on how far off its surface a ray starts.
+    const double tolerance = 1e-5;
+    Color own = color_fact(0);
+    int sphere = (int)law_facts()[3];
+    if (close_to(yours, right, tolerance))
+        return;
+    if (sphere < 0) {
+        law_broken("the ray hits nothing, so its colour is the background's, %s; yours is %s",
+                   vec3_text(scene->background).s, vec3_text(yours).s);
+        return;
+    }
+    double ks = scene_surface(scene, sphere)->specular;
+    if (depth <= 0 || ks == 0)
+        law_broken("the ray hits sphere %d, %s: so its colour is that of shade, %s; yours is %s",
+                   sphere, ks == 0 ? "which is not a mirror" : "and depth is 0", vec3_text(own).s,
+                   vec3_text(yours).s);
+    else
+        law_broken("the ray hits sphere %d. shade returns %s, the mirrored ray sees %s, and ks is "
+                   "%s; your colour is %s",
+                   sphere, vec3_text(own).s, vec3_text((right - own) / ks).s, number_text(ks).s,
+                   vec3_text(yours).s);
 }

@@ -61,6 +61,7 @@ def grade() -> int:
     except OSError as error:
         stop(f"OUT={given.out} cannot be written: {why(error)}")
     try:
+        grader.make_tables()
         grader.prove()
         failed = mark_all(grader, todo, given.jobs)
     finally:

@@ -29,7 +29,7 @@ elsewhere() {
             exercises tests "$scratch/copy" &&
         echo '// my answer' >>"$scratch/copy/exercises/01-corners.c" &&
         SOURCE_DATE_EPOCH=$(date -r "$scratch/tree/ray-casting/Makefile" +%s) && export SOURCE_DATE_EPOCH &&
-        (cd "$scratch/copy" && tests/handout/pack "$scratch/out" "$here/build/replay" "$here/build/blanks" \
+        (cd "$scratch/copy" && tests/handout/pack "$scratch/out" "$here/build/tables/handout" "$here/build/blanks" \
             "$here/build/solutions/figures") &&
         cmp "$archive" "$scratch/out/handout.tar.gz"
 }
@@ -49,8 +49,8 @@ check 'all of it is in one folder' in_one_folder
 check 'nobody owns it, and all of it has one date' nobody_s
 
 check 'there are no solutions in it' none_of_these 'solutions'
-check 'nor tests of the chapters, mistakes, variants, laws by the reference' \
-    none_of_these '/tests/([0-9][0-9]-[^/]*(\.c$|/(wrong|right|free|verdicts|laws_by_reference|figures))|proof)'
+check 'nor tests of the chapters, mistakes, variants, facts by the reference' \
+    none_of_these '/tests/([0-9][0-9]-[^/]*(\.c$|/(wrong|right|free|verdicts|facts|figures))|proof)'
 check 'nor what makes the tables' none_of_these '/tests/handout/([^r]|[^/]+$)|/judge/reference|/\.make/toolkit'
 check 'nor graders, benches and the like' none_of_these \
     '/tests/(house/([^/]+\.sh|engines|figures)|benches|grade)|\.git/|\.ci/|CONTRIBUTING'

@@ -20,7 +20,7 @@ always() {
     grep -q "wrong: $2\$" words || return
     for run in 1 2 3 4 5; do
         rm -rf verdict && mkdir verdict
-        "$HERE/build/judge" "$1" "$built/verdict/$1/answering" verdict >words 2>&1
+        JUDGE_TABLES=$HERE/build/tables "$HERE/build/judge" "$1" "$built/verdict/$1/answering" verdict >words 2>&1
         grep -B 1 '^state	[wc]r' verdict/report | head -n 1 | grep -q "	$2\$" || echo "run $run: another verdict"
     done
 }

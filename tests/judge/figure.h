@@ -52,10 +52,7 @@ bool range_try(Range *range, double x); // false: left out
 // In the text, as often as there is room.
 void replace_all(char *text, size_t size, const char *old, const char *new);
 
-// ---- the right result for a call that was kept -------------------------------------------------
-
-// By the reference (reference/mistake_comparison.c), or, if there is none, by a table
-// (tests/handout/replay/replay.c).
+// ---- the right result for a call that was kept (questions.c) -----------------------------------
 
 // The answer, as it would have crossed the pipe. False if it is not known.
 bool right_answer(const Record *record, Kept *kept, Wire *right);

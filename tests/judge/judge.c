@@ -1,4 +1,4 @@
-// judge.c - the tests of a stem against an answering process: the verdict.
+// judge.c - the questions of a stem's table, asked of an answering process: the verdict.
 //
 //   judge STEM ANSWERS FOLDER [FIGURES]
 //                                    all tests. FOLDER/report says how each function is, and why
@@ -7,9 +7,6 @@
 //   judge STEM ANSWERS --only NAME LENT...   exit status 0 where NAME passes all its graded tests
 //                                    while the reference answers those that are lent; prints which
 //                                    of them NAME asked for
-//
-// The functions of STEM are called in the process ANSWERS, those of all other stems are answered by
-// the reference (switchboard.h).
 //
 // The student's code is in the process ANSWERS. This one never loads, parses or runs any of it.
 #include "tests/course/chapter_record.h"
@@ -231,7 +228,6 @@ int main(int argc, char **argv)
         perror("cannot make a file for the output of the answers");
         return 2;
     }
-    switch_to_process(argv[1]);
     call_answers_from(argv[2], fileno(printed));
     records_catch_printed(fileno(printed));
     if (only)

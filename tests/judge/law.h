@@ -12,8 +12,9 @@
 // tolerance.
 //
 // laws.c is in the students' archive, so it is no second solution: it measures both results, and
-// computes neither. A law that needs the reference, or the answer's own steps, is in
-// laws_by_reference.c, which is not.
+// computes neither. What only the reference can say, the recorder asks it in tests/NN-stem/facts.c:
+// FACTS(image_plane_vector) { fact(...); } is called once for each question, with the right result,
+// and the law finds these numbers in law_facts().
 #ifndef TESTS_JUDGE_LAW_H
 #define TESTS_JUDGE_LAW_H
 
@@ -25,6 +26,14 @@
 #define LAW(exercise)                                                                              \
     LAW_##exercise(law_##exercise);                                                                \
     LAW_##exercise(law_##exercise)
+
+// In a program with facts.c there are no laws.
+#define FACTS LAW
+void fact(double x);
+const double *law_facts(void);
+
+// All numbers of the right result (numbers.h), for one that is not returned.
+const double *law_right(void);
 
 // In a sentence with the numbers. Only the first of an exercise is kept.
 void law_broken(const char *format, ...) __attribute__((format(printf, 1, 2)));

@@ -4,25 +4,56 @@
 #include "tests/judge/message.h"
 #include "tests/judge/parameters.h"
 #include "tests/judge/suspects.h"
+#include "tests/judge/table.h"
 
 #include "tests/exercises.def" // the contracts
 
-// Of the call: obey_NAME has the type of the exercise, so that it is called as an answer is.
-static const void *your_result, *right_result;
+// Of the question: obey_NAME has the type of the exercise, so that it is called as an answer is.
+static const Question *asked;
+static Wire your_results;
+static Resolution size;
+
+const double *law_facts(void)
+{
+    return asked->facts.at;
+}
+
+const double *law_right(void)
+{
+    return asked->results[0].at;
+}
+
+// The results of the question.
+static void get_your_results(int exercise, void *yours, void *const *arguments)
+{
+    your_results.read = 0;
+    get_results(&your_results, exercise, yours, arguments);
+}
+
+static void get_right(int exercise, void *right)
+{
+    static Wire wire;
+    wire_clear(&wire);
+    layout_write(exercises[exercise].results, &asked->results[0], &size, &wire);
+    wire_get_value(&wire, exercises[exercise].result, right);
+}
 
 #define LAW_VALUE(result, name, parameters)                                                        \
     void law_##name(result yours, result right, DECLARED(parameters)) __attribute__((weak));       \
     static result obey_##name(DECLARED(parameters))                                                \
     {                                                                                              \
-        const result *yours = your_result, *right = right_result;                                  \
+        result yours, right;                                                                       \
+        get_right(NUMBER_##name, &right);                                                          \
+        get_your_results(NUMBER_##name, &yours, (void *[]){ADDRESSES(parameters)});                \
         if (law_##name != NULL)                                                                    \
-            law_##name(*yours, *right, NAMES(parameters));                                         \
-        return *yours;                                                                             \
+            law_##name(yours, right, NAMES(parameters));                                           \
+        return yours;                                                                              \
     }
 #define LAW_VOID(result, name, parameters)                                                         \
     void law_##name(DECLARED(parameters)) __attribute__((weak));                                   \
     static void obey_##name(DECLARED(parameters))                                                  \
     {                                                                                              \
+        get_your_results(NUMBER_##name, NULL, (void *[]){ADDRESSES(parameters)});                  \
         if (law_##name != NULL)                                                                    \
             law_##name(NAMES(parameters));                                                         \
     }
@@ -35,48 +66,16 @@ static AnyFunction *const laws[EXERCISE_COUNT] = {
 #include "tests/exercises.def"
 };
 
-typedef struct {
-    _Alignas(vec3) unsigned char bytes[TYPE_MOST_BYTES];
-} Result;
-
-void law_check(int exercise, const void *yours, void *const *arguments)
-{
-    const Exercise *it = &exercises[exercise];
-    Result right, ignored;
-    bool only_returns = true;
-    if (!law_begin(exercise))
-        return;
-    for (int i = 0; i < it->parameter_count; i++)
-        only_returns = only_returns && it->parameters[i].passing < PASSED_POINTER;
-    if (only_returns)
-        it->call(it->reference, &right, arguments);
-    your_result = yours;
-    right_result = only_returns ? &right : yours;
-    it->call(laws[exercise], &ignored, arguments);
-}
-
-static void get_result(int exercise, const Numbers *numbers, Resolution *size, Result *result)
-{
-    static Wire wire;
-    wire_clear(&wire);
-    layout_write(exercises[exercise].results, numbers, size, &wire);
-    wire_get_value(&wire, exercises[exercise].result, result);
-}
-
-void law_check_recorded(int exercise, const Numbers *arguments, const Numbers *yours,
-                        const Numbers *right)
+void law_check(int exercise, const Question *question, const Numbers *yours)
 {
     static Wire in, ignored;
-    Resolution size = {0, 0};
-    Result your_value, right_value;
-    if (yours->count != right->count || !law_begin(exercise))
+    asked = question;
+    if (yours->count != question->results[0].count || !law_begin())
         return;
     wire_clear(&in);
     wire_clear(&ignored);
-    layout_write(exercises[exercise].arguments, arguments, &size, &in);
-    get_result(exercise, yours, &size, &your_value);
-    get_result(exercise, right, &size, &right_value);
-    your_result = &your_value;
-    right_result = &right_value;
+    wire_clear(&your_results);
+    layout_write(exercises[exercise].arguments, &question->arguments, &size, &in);
+    layout_write(exercises[exercise].results, yours, &size, &your_results);
     apply(exercise, laws[exercise], &in, &ignored);
 }

@@ -26,9 +26,12 @@ void numbers_free(Numbers *numbers)
 
 Numbers numbers_copy(const Numbers *numbers)
 {
-    Numbers copy = {0};
-    for (int i = 0; i < numbers->count; i++)
-        numbers_add(&copy, numbers->at[i]);
+    size_t bytes = (size_t)numbers->count * sizeof *numbers->at;
+    Numbers copy = {numbers->count, numbers->count, malloc(bytes + 1)};
+    if (copy.at == NULL)
+        abort();
+    if (bytes > 0)
+        memcpy(copy.at, numbers->at, bytes);
     return copy;
 }
 

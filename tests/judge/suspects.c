@@ -3,8 +3,9 @@
 
 #include "tests/judge/law.h"
 #include "tests/judge/message.h"
-#include "tests/judge/numbers.h"
+#include "tests/judge/questions.h"
 #include "tests/judge/runner.h"
+#include "tests/judge/stem.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -163,25 +164,24 @@ static void forget_if_long(Numbers *numbers)
         numbers_free(numbers);
 }
 
-static Numbers called_again(const Evidence *evidence, const Heard *heard, int paint)
+static Numbers called_again(const Evidence *evidence, const Numbers *arguments, int paint)
 {
     paint_calls(paint);
-    Numbers numbers =
-        settled(evidence->exercise, heard->arguments, heard->again(evidence->exercise));
+    Numbers numbers = settled(evidence->exercise, arguments, ask_again(evidence->exercise));
     paint_calls(PAINT);
     return numbers;
 }
 
-static bool is_repeated(const Evidence *evidence, const Heard *heard, const EvidenceCall *call,
-                        int paint)
+static bool is_repeated(const Evidence *evidence, const EvidenceCall *call, int paint)
 {
-    Numbers again = called_again(evidence, heard, paint);
+    Numbers again = called_again(evidence, &call->arguments, paint);
     bool same = numbers_same(&again, &call->yours);
     numbers_free(&again);
     return same;
 }
 
-static void evidence_hear(Evidence *evidence, const Heard *heard, const int *nth)
+static void evidence_hear(Evidence *evidence, const Numbers *given, const Numbers *yours,
+                          const int *nth)
 {
     int exercise = evidence->exercise;
     evidence->calls =
@@ -190,12 +190,11 @@ static void evidence_hear(Evidence *evidence, const Heard *heard, const int *nth
     if (evidence->calls == NULL || theirs == NULL)
         abort();
     EvidenceCall *call = &evidence->calls[evidence->call_count++];
-    const Numbers *given = heard->arguments;
-    Numbers right = settled(exercise, given, heard->by(exercise, NULL, -1));
+    Numbers right = settled(exercise, given, known_result(exercise, -1));
     *call = (EvidenceCall){.test = record_number(),
                            .probe = record_now()->probe,
                            .arguments = numbers_copy(given),
-                           .yours = settled(exercise, given, heard->yours),
+                           .yours = settled(exercise, given, yours),
                            .right = numbers_copy(&right),
                            .theirs = theirs};
     call->is_right = results_agree(exercise, given, &call->yours, &right);
@@ -203,7 +202,7 @@ static void evidence_hear(Evidence *evidence, const Heard *heard, const int *nth
     call->is_common = is_same_as_before(evidence, call);
     for (int i = 0; i < evidence->mistake_count; i++) {
         Numbers *numbers = &theirs[i].numbers;
-        *numbers = settled(exercise, given, heard->by(exercise, evidence->mistakes[i], nth[i]));
+        *numbers = settled(exercise, given, known_result(exercise, nth[i]));
         theirs[i].is_yours = may_be_mistake(exercise, given, &call->yours, numbers, &right);
         theirs[i].is_right = results_agree(exercise, given, numbers, &right);
         settle_reason(exercise, numbers, &call->right);
@@ -211,13 +210,12 @@ static void evidence_hear(Evidence *evidence, const Heard *heard, const int *nth
         forget_if_long(numbers);
     }
     numbers_free(&right);
-    call->again = called_again(evidence, heard, OTHER_PAINT);
-    bool is_same_if_0 = is_repeated(evidence, heard, call, EMPTY_STACK);
+    call->again = called_again(evidence, given, OTHER_PAINT);
+    bool is_same_if_0 = is_repeated(evidence, call, EMPTY_STACK);
     call->changes = !numbers_same(&call->again, &call->yours) || !is_same_if_0;
-    call->repeats = is_repeated(evidence, heard, call, PAINT);
-    call->is_padded =
-        !is_repeated(evidence, heard, call, PAINT | EMPTY_PADDING) ||
-        (!is_same_if_0 && is_repeated(evidence, heard, call, EMPTY_STACK | EMPTY_PADDING));
+    call->repeats = is_repeated(evidence, call, PAINT);
+    call->is_padded = !is_repeated(evidence, call, PAINT | EMPTY_PADDING) ||
+                      (!is_same_if_0 && is_repeated(evidence, call, EMPTY_STACK | EMPTY_PADDING));
 }
 
 // frees its contents
@@ -787,14 +785,9 @@ void suspects_begin(void)
     memset(cases, 0, sizeof cases);
     memset(laws, 0, sizeof laws);
     is_listening = true;
+    questions_of_mistakes();
     for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
         add_suspect(it);
-}
-
-// In the tests of other exercises the reference answers.
-static bool is_tested(int exercise)
-{
-    return strcmp(record_now()->function, exercises[exercise].name) == 0;
 }
 
 // Only the last digits differ: only extra tests can distinguish it from right.
@@ -803,17 +796,11 @@ static bool is_of_digits(const Mistake *mistake)
     return strncmp(mistake->id, "X-", 2) == 0;
 }
 
-bool suspects_listen(int exercise)
-{
-    return is_listening && is_tested(exercise) && (evidence == NULL || !record_now()->extra);
-}
-
-static bool may_be(int exercise, int nth, const Heard *heard, const Numbers *yours,
+static bool may_be(int exercise, int nth, const Numbers *arguments, const Numbers *yours,
                    const Numbers *right)
 {
-    Numbers theirs = settled(exercise, heard->arguments,
-                             heard->by(exercise, cases[exercise].suspects[nth].mistake, nth));
-    bool may = may_be_mistake(exercise, heard->arguments, yours, &theirs, right);
+    Numbers theirs = settled(exercise, arguments, known_result(exercise, nth));
+    bool may = may_be_mistake(exercise, arguments, yours, &theirs, right);
     numbers_free(&theirs);
     return may;
 }
@@ -831,20 +818,20 @@ static void watch_refusals(int exercise, const Numbers *yours)
 
 // On the extreme inputs of extra tests every way to arrange a formula has its own digits, so they
 // rule out only mistakes about digits.
-static void rule_out(int exercise, const Heard *heard)
+static void rule_out(int exercise, const Numbers *arguments, const Numbers *answered)
 {
     bool extra = record_now()->extra;
-    Numbers yours = settled(exercise, heard->arguments, heard->yours);
-    Numbers right = settled(exercise, heard->arguments, heard->by(exercise, NULL, -1));
+    Numbers yours = settled(exercise, arguments, answered);
+    Numbers right = settled(exercise, arguments, known_result(exercise, -1));
     cases[exercise].called = true;
-    watch_refusals(exercise, heard->yours);
+    watch_refusals(exercise, answered);
     if (!extra && cases[exercise].differs == NULL &&
-        !results_agree(exercise, heard->arguments, &yours, &right))
+        !results_agree(exercise, arguments, &yours, &right))
         cases[exercise].differs = record_now()->name;
     for (int i = 0; i < cases[exercise].count; i++)
         if (!cases[exercise].suspects[i].ruled_out &&
             (!extra || is_of_digits(cases[exercise].suspects[i].mistake)))
-            cases[exercise].suspects[i].ruled_out = !may_be(exercise, i, heard, &yours, &right);
+            cases[exercise].suspects[i].ruled_out = !may_be(exercise, i, arguments, &yours, &right);
     numbers_free(&yours);
     numbers_free(&right);
 }
@@ -854,17 +841,19 @@ const char *suspect_differs(int exercise)
     return cases[exercise].differs;
 }
 
-void suspects_hear(int exercise, const Heard *heard)
+void suspects_hear(int exercise, const Numbers *arguments, const Numbers *yours)
 {
+    if (!is_listening || (evidence != NULL && record_now()->extra))
+        return;
     if (evidence == NULL) {
-        rule_out(exercise, heard);
+        rule_out(exercise, arguments, yours);
         return;
     }
     int nth[MOST_MISTAKES], count = 0;
     for (int i = 0; i < cases[exercise].count; i++)
         if (!is_of_digits(cases[exercise].suspects[i].mistake))
             nth[count++] = i;
-    evidence_hear(evidence, heard, nth);
+    evidence_hear(evidence, arguments, yours, nth);
 }
 
 const Mistake *suspect(int exercise, int nth, bool extra)
@@ -880,10 +869,10 @@ const Mistake *suspect(int exercise, int nth, bool extra)
 
 // ---- laws --------------------------------------------------------------------------------------
 
-bool law_begin(int exercise)
+bool law_begin(void)
 {
-    bool wanted = is_listening && is_tested(exercise) && !record_now()->extra &&
-                  !record_now()->probe && record_number() < MOST_TESTS;
+    bool wanted = is_listening && !record_now()->extra && !record_now()->probe &&
+                  record_number() < MOST_TESTS;
     if (wanted)
         laws[record_number()].calls++;
     return wanted;

@@ -8,7 +8,6 @@
 #include "tests/judge/known.h"
 #include "tests/judge/numbers.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/switchboard.h"
 
 #include <stdbool.h>
 
@@ -43,23 +42,14 @@ Diagnosis diagnose(int exercise, bool hidden); // hidden: the first test that fa
 // broken only in hidden tests; the words contain their numbers.
 const char *suspect_broke_law(int exercise, bool hidden);
 
-// A call of an exercise, for code that knows the right result: numbers as numbers.h has them.
-// mistake: NULL for the right one; nth: its place among the mistakes of the exercise.
-typedef const Numbers *KnownValue(int exercise, const Mistake *mistake, int nth);
-typedef const Numbers *OnceMore(int exercise);
-typedef struct {
-    const Numbers *arguments, *yours;
-    KnownValue *by;
-    OnceMore *again; // calls the answer again
-} Heard;
-bool suspects_listen(int exercise);
-void suspects_hear(int exercise, const Heard *heard);
+// A question was answered (questions.h).
+void suspects_hear(int exercise, const Numbers *arguments, const Numbers *yours);
 
-// Checks the law of this exercise (law.h) for a call, if it is wanted: with the right result of the
-// reference, or with that of a table.
-bool law_begin(int exercise); // is it?
-void law_check(int exercise, const void *yours, void *const *arguments);
-void law_check_recorded(int exercise, const Numbers *arguments, const Numbers *yours,
-                        const Numbers *right);
+// Whether the laws are wanted in this test, and a law that is broken (law.h) is of its next call.
+bool law_begin(void);
+
+// Checks the law of the exercise, with the right result and the facts of the question.
+struct Question;
+void law_check(int exercise, const struct Question *question, const Numbers *yours);
 
 #endif

@@ -4,16 +4,20 @@
 //   matrix STEM --missing     what an exercise of the stem still lacks
 //   matrix STEM --verdicts    the verdict on every known answer, a line each (by_hand/record.py)
 //   matrix STEM --formulas    the formulas of the mistakes, a line each: an archive must not have
-//   them matrix STEM --table FILE  writes the table by which the archive judges
+//                             them
+//   matrix STEM --by-heart F  answers that know the tables in the folder F, and nothing else
 //
 // Each mistake must fail a test of its function and be named from its values; each test must be
 // failed by a mistake, or it cannot fail and is worth nothing; no exercise may lack what it needs;
 // no right answer, however it is written, may fail or be accused. The verdict on a wrong answer
-// that is not a known mistake must not be false (verdicts.c). An answer in float is told so. A
-// table of the public inputs must fail with every SEED, and must not learn the hidden inputs.
-#include "tests/handout/replay/table.h"
+// that is not a known mistake must not be false (verdicts.c). An answer in float is told so. An
+// answer that knows the public inputs by heart must fail with every SEED, and must not learn the
+// hidden ones.
+//
+// JUDGE_TABLES is the folder of the tables that are asked (table.h).
 #include "tests/judge/message.h"
 #include "tests/judge/numbers.h"
+#include "tests/judge/questions.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
@@ -88,10 +92,70 @@ static void check_law(const char *what, const char *name, int exercise)
     settle(law == NULL, what, name, law == NULL ? "" : law);
 }
 
+// ---- who answers -------------------------------------------------------------------------------
+
+// How the question on the wire becomes the answer.
+static void (*answer_on_wire)(int exercise);
+static Wire wire;
+
+static Wire *clear_wire(int exercise)
+{
+    (void)exercise;
+    wire_clear(&wire);
+    return &wire;
+}
+
+static void send_wire(int exercise)
+{
+    answer_on_wire(exercise);
+    wire.read = 0;
+}
+
+static Wire *wire_again(int exercise)
+{
+    (void)exercise;
+    return &wire;
+}
+
+static void must_be_read(int exercise)
+{
+    if (!wire_is_read(&wire)) {
+        fprintf(stderr, "exercise %d: an answer that cannot be read\n", exercise);
+        abort();
+    }
+}
+
+static void process_answers_by(void (*by)(int exercise))
+{
+    static const Transport transport = {clear_wire, send_wire, wire_again, must_be_read};
+    answer_on_wire = by;
+    transport_use(&transport);
+}
+
+// The answer of a function replaces the question.
+static void apply_to_wire(int exercise, AnyFunction *answer)
+{
+    Wire said = {0};
+    wire.read = 0;
+    if (!apply(exercise, answer, &wire, &said)) {
+        fprintf(stderr, "a question that cannot be read\n");
+        abort();
+    }
+    wire_free(&wire);
+    wire = said;
+}
+
+static void answer_right(int exercise)
+{
+    apply_to_wire(exercise, exercises[exercise].reference);
+}
+
+// ---- what must hold ----------------------------------------------------------------------------
+
 // With the reference everything must pass, or failing means nothing.
 static void check_reference(void)
 {
-    switch_to_reference();
+    process_answers_by(answer_right);
     settle(run(NULL, &all, true) == 0 && all.count > 0, "the reference", "",
            "does not pass all tests");
     for (int i = 0; exercises[i].name != NULL; i++)
@@ -111,8 +175,7 @@ static int count_of(const char *exercise)
 static void check_mistake(const Mistake *mistake)
 {
     bool extra = strncmp(mistake->id, "X-", 2) == 0;
-    switch_to_reference();
-    switch_one(mistake->exercise, mistake->answer);
+    answer_here_by(mistake->answer);
     int exercise = exercise_number(mistake->exercise);
     int caught = run(mistake->exercise, &some, extra);
     settle(caught > 0, "mistake fails no test:", mistake->id, mistake->formula);
@@ -183,8 +246,7 @@ static bool something_is_missing(const char *stem, char *words, size_t size)
 
 static void check_variant(const KnownAnswer *variant)
 {
-    switch_to_reference();
-    switch_one(variant->exercise, variant->answer);
+    answer_here_by(variant->answer);
     int exercise = exercise_number(variant->exercise);
     settle(run(variant->exercise, &some, false) == 0, "right answer fails:", variant->exercise,
            variant->id);
@@ -219,8 +281,7 @@ static void say(char *words, size_t size, Diagnosis it)
 static void check_unknown(const KnownAnswer *unknown)
 {
     char words[500];
-    switch_to_reference();
-    switch_one(unknown->exercise, unknown->answer);
+    answer_here_by(unknown->answer);
     run_tests(unknown->exercise, NULL, ANSWERS_APART, &some);
     settle(first_failed(&some) != NULL, "wrong answer fails no test:", unknown->exercise,
            unknown->id);
@@ -230,59 +291,6 @@ static void check_unknown(const KnownAnswer *unknown)
     settle(is_named ? strcmp(words, unknown->said) == 0
                     : strncmp(words, unknown->said, strlen(unknown->said)) == 0,
            unknown->exercise, unknown->id, words);
-}
-
-// ---- transports: other answers to the process's calls -------------------------------------------
-
-// How the question on the wire becomes the answer.
-static void (*answer_on_wire)(int exercise);
-static Wire wire;
-
-static Wire *clear_wire(int exercise)
-{
-    (void)exercise;
-    wire_clear(&wire);
-    return &wire;
-}
-
-static void send_wire(int exercise)
-{
-    answer_on_wire(exercise);
-    wire.read = 0;
-}
-
-static Wire *wire_again(int exercise)
-{
-    (void)exercise;
-    return &wire;
-}
-
-static void must_be_read(int exercise)
-{
-    if (!wire_is_read(&wire)) {
-        fprintf(stderr, "exercise %d: an answer that cannot be read\n", exercise);
-        abort();
-    }
-}
-
-static void process_answers_by(void (*by)(int exercise))
-{
-    static const Transport transport = {clear_wire, send_wire, wire_again, must_be_read};
-    answer_on_wire = by;
-    transport_use(&transport);
-}
-
-// The answer of a function replaces the question.
-static void apply_to_wire(int exercise, AnyFunction *answer)
-{
-    Wire said = {0};
-    wire.read = 0;
-    if (!apply(exercise, answer, &wire, &said)) {
-        fprintf(stderr, "a question that cannot be read\n");
-        abort();
-    }
-    wire_free(&wire);
-    wire = said;
 }
 
 // The reference, rounded to float: the arguments before, or the results after.
@@ -317,7 +325,7 @@ static void answer_rounded(int exercise)
         round_wire(exercises[exercise].arguments, &size);
     else
         read_wire(exercises[exercise].arguments, &size, &ignored);
-    apply_to_wire(exercise, exercises[exercise].reference);
+    answer_right(exercise);
     if (!rounds_arguments)
         round_wire(exercises[exercise].results, &size);
 }
@@ -351,57 +359,11 @@ static void answer_stretched(int exercise)
     write_wire(exercises[exercise].results, &result, &size);
 }
 
-// A table of the earlier questions, and nothing else: while it learns, the reference tells it what
-// to say; then it says what it has learned, and garbage to any other question.
-typedef struct Line {
-    struct Line *next;
-    int exercise;
-    Wire question, answer;
-} Line;
-
-static Line *lines;
-static bool learning;
-static int garbage; // each byte of the answer to any other question
-
-static void answer_from_table(int exercise)
-{
-    Line *line = lines;
-    while (line != NULL && (line->exercise != exercise || line->question.size != wire.size ||
-                            memcmp(line->question.bytes, wire.bytes, wire.size) != 0))
-        line = line->next;
-    Line *new = learning &&line == NULL ? calloc(1, sizeof *new) : NULL;
-    if (new != NULL)
-        wire_put(&new->question, wire.bytes, wire.size);
-    apply_to_wire(exercise, exercises[exercise].reference);
-    if (new != NULL) {
-        wire_put(&new->answer, wire.bytes, wire.size);
-        new->exercise = exercise;
-        new->next = lines;
-        lines = new;
-    } else if (line != NULL) {
-        memcpy(wire.bytes, line->answer.bytes, wire.size);
-    } else {
-        memset(wire.bytes, garbage, wire.size);
-    }
-}
-
-static void forget_table(void)
-{
-    while (lines != NULL) {
-        Line *line = lines;
-        lines = line->next;
-        wire_free(&line->question);
-        wire_free(&line->answer);
-        free(line);
-    }
-}
-
 // ---- mistakes in other styles ------------------------------------------------------------------
 
 static void check_free_answer(const KnownAnswer *free)
 {
-    switch_to_reference();
-    switch_one(free->exercise, free->answer);
+    answer_here_by(free->answer);
     for (answer_style = 0; answer_style < chosen_stem()->styles; answer_style++) {
         run(free->exercise, &some, false);
         const char *test = first_failed(&some);
@@ -415,8 +377,7 @@ static void check_free_answer(const KnownAnswer *free)
 static void check_styles(const Mistake *mistake)
 {
     int exercise = exercise_number(mistake->exercise);
-    switch_to_reference();
-    switch_one(mistake->exercise, mistake->answer);
+    answer_here_by(mistake->answer);
     for (answer_style = 1; answer_style < chosen_stem()->styles; answer_style++) {
         if (run(mistake->exercise, &some, false) == 0)
             continue;
@@ -432,12 +393,11 @@ static void check_styles(const Mistake *mistake)
 }
 
 // Nor does the name depend on a length that is free.
-static void check_lengths(const char *stem, const Mistake *mistake)
+static void check_lengths(const Mistake *mistake)
 {
     int exercise = exercise_number(mistake->exercise);
     if (strcmp(mistake->exercise, "pixel_ray") != 0 && !layout_is_step(&exercises[exercise]))
         return;
-    switch_to_process(stem);
     stretched = mistake->answer;
     process_answers_by(answer_stretched);
     if (run(mistake->exercise, &some, false) == 0)
@@ -449,40 +409,41 @@ static void check_lengths(const char *stem, const Mistake *mistake)
 
 // ---- hard-coded answers ------------------------------------------------------------------------
 
-static void check_by_heart(const char *function, const char *seed)
+static Table by_heart;
+static int garbage; // each byte of the answer to any other question
+
+static const Question *known_by_heart(const char *function, const Numbers *arguments)
 {
-    setenv("SEED", seed, 1);
-    for (garbage = 0; garbage <= 0xff; garbage += 0xff) {
-        settle(run(function, &some, false) > 0, "a table of the public inputs is enough for",
-               function, seed);
-        settle(!told, "hidden inputs may be shown:", function, seed);
-    }
+    for (int i = 0; i < by_heart.test_count; i++)
+        for (int k = 0; k < by_heart.tests[i].question_count; k++)
+            if (strcmp(by_heart.tests[i].function, function) == 0 &&
+                numbers_same(&by_heart.tests[i].questions[k].arguments, arguments))
+                return &by_heart.tests[i].questions[k];
+    return NULL;
 }
 
-static void check_table(const char *stem)
+static void answer_by_heart(int exercise)
 {
-    char *seed = getenv("SEED");
-    seed = seed == NULL ? NULL : strdup(seed);
-    switch_to_process(stem);
-    for (int i = 0; exercises[i].name != NULL; i++) {
-        const char *function = exercises[i].name;
-        if (strcmp(exercises[i].stem, stem) != 0)
-            continue;
-        unsetenv("SEED");
-        forget_table();
-        process_answers_by(answer_from_table);
-        learning = true;
-        run(function, &some, true);
-        learning = false;
-        garbage = 0xff;
-        settle(run(function, &some, true) == 0,
-               "a table fails, although no input is new:", function, "");
-        for (int k = 0; seed == NULL && k < 3; k++)
-            check_by_heart(function, (const char *[]){"1", "20150921", "9223372036854775807"}[k]);
-        if (seed != NULL)
-            check_by_heart(function, seed);
-    }
-    free(seed);
+    const Question *question = known_by_heart(exercises[exercise].name, &question_now()->arguments);
+    answer_right(exercise);
+    if (question == NULL)
+        memset(wire.bytes, garbage, wire.size);
+}
+
+static int check_by_heart(const char *stem, const char *folder)
+{
+    setenv("JUDGE_TABLES", folder, 1);
+    table_load(stem, &by_heart);
+    process_answers_by(answer_by_heart);
+    for (int i = 0; exercises[i].name != NULL; i++)
+        for (garbage = 0; garbage <= 0xff && strcmp(exercises[i].stem, stem) == 0;
+             garbage += 0xff) {
+            settle(run(exercises[i].name, &some, false) > 0,
+                   "a table of the public inputs is enough for", exercises[i].name, "");
+            settle(!told, "hidden inputs may be shown:", exercises[i].name, "");
+        }
+    printf("by heart, %s: %d passed, %d failed\n", stem, passed, failed);
+    return failed == 0 ? 0 : 1;
 }
 
 // ---- float -------------------------------------------------------------------------------------
@@ -537,7 +498,6 @@ static bool check_float(const char *function, bool arguments)
 
 static void check_floats(const char *stem)
 {
-    switch_to_process(stem);
     for (int i = 0; exercises[i].name != NULL; i++)
         if (strcmp(exercises[i].stem, stem) == 0 && !check_float(exercises[i].name, false))
             check_float(exercises[i].name, true);
@@ -557,8 +517,7 @@ static void print_verdict(const char *kind, const KnownAnswer *answer)
 {
     const Outcome *first = NULL;
     char words[500];
-    switch_to_reference();
-    switch_one(answer->exercise, answer->answer);
+    answer_here_by(answer->answer);
     run_tests(answer->exercise, NULL, ANSWERS_APART, &some);
     for (int i = some.count - 1; i >= 0; i--)
         if (!some.tests[i].passed && (first == NULL || !some.tests[i].extra))
@@ -599,8 +558,8 @@ int main(int argc, char **argv)
     choose_stem(stem);
     if (strcmp(option, "--verdicts") == 0)
         return print_verdicts();
-    if (strcmp(option, "--table") == 0 && argc == 4)
-        return table_make(argv[3]) ? 0 : 1;
+    if (strcmp(option, "--by-heart") == 0 && argc == 4)
+        return check_by_heart(stem, argv[3]);
     if (strcmp(option, "--formulas") == 0) {
         for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
             puts(it->formula);
@@ -624,7 +583,7 @@ int main(int argc, char **argv)
     for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next) {
         check_mistake(it);
         check_styles(it);
-        check_lengths(stem, it);
+        check_lengths(it);
         mistake_count++;
     }
     for (const KnownAnswer *it = known_answers(FREE_ANSWERS); it != NULL; it = it->next)
@@ -640,7 +599,6 @@ int main(int argc, char **argv)
         unknown_count++;
     }
     check_floats(stem);
-    check_table(stem);
     printf("+ %d known mistakes\n+ %d pairs of them told apart\n+ %d tests\n+ %d right "
            "answers\n+ %d unknown mistakes\n+ %d answers in float\n+ %d mistakes in another "
            "style\n",

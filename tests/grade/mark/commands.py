@@ -50,6 +50,7 @@ class Command:
 class Kit:
     folder: Path
     judge_program: str
+    record_program: str             # what makes the judge's tables
     picture: Path                   # the folder of what draws a picture
     compiler: list[str]
     parts_of_compiler: list[str]    # what makes a compiler of several programs run each by another one
@@ -125,5 +126,5 @@ class Kit:
 def read_kit(folder: Path) -> Kit:
     lines = (folder / "commands").read_text().splitlines()
     commands = {key: words.split() for key, words in (line.split("=", 1) for line in lines)}
-    return Kit(folder, *commands["JUDGE"], Path(*commands["PICTURE"]), commands["COMPILE"], commands["PARTS"],
-               commands["LINK"], commands["LIBRARIES"])
+    return Kit(folder, *commands["JUDGE"], *commands["RECORD"], Path(*commands["PICTURE"]), commands["COMPILE"],
+               commands["PARTS"], commands["LINK"], commands["LIBRARIES"])

@@ -11,6 +11,7 @@ import hashlib
 import os
 import resource
 import shutil
+import subprocess
 import time
 from contextlib import contextmanager
 from pathlib import Path
@@ -76,8 +77,9 @@ class Grader:
         self.called: dict[str, set[str]] = {}
         part, parts = given.shard or (1, 1)
         self.work = self.out / ".work" / f"{part}-of-{parts}"
+        self.tables = self.work / ".tables"
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
-        self.tests = sum_of_files([exercises.LIST, *GRADER, Path(self.kit.judge_program),
+        self.tests = sum_of_files([exercises.LIST, *GRADER, Path(self.kit.judge_program), Path(self.kit.record_program),
                                    *sorted((self.kit.folder / "link").iterdir()),
                                    *(self.kit.folder / name for name in ("commands", "parts", "explain")), *confine])
 
@@ -128,7 +130,7 @@ class Grader:
             if priced != old:
                 files.write_submission(priced, str(self.place(submission)))
             return KEPT
-        bench = Workbench(self.kit, self.sandbox, self.work / submission.folder, self.seed, self.right)
+        bench = Workbench(self.kit, self.sandbox, self.work / submission.folder, self.tables, self.seed, self.right)
         record = self.priced(mark(bench, collected, self.exercises, self.called), when)
         record.update(key=key, submission=submission.name, folder=submission.folder,
                       seconds=round(time.monotonic() - began, 2),
@@ -176,10 +178,22 @@ class Grader:
             pass    # the disk may be full; then it is in the reports of the class alone
         return record
 
+    def make_tables(self) -> None:
+        """The judge's tables, with the hidden inputs of this seed. SystemExit if they cannot be made."""
+        self.tables.mkdir(parents=True, exist_ok=True)
+        environment = {**os.environ, "SEED": str(self.seed)}
+        running = [(stem, subprocess.Popen([self.kit.record_program, stem, self.tables / f"{stem}.table"], env=environment,
+                                           stderr=subprocess.PIPE, text=True)) for stem in self.stems]
+        for stem, recording in running:
+            _, words = recording.communicate()
+            if recording.returncode:
+                raise SystemExit(f"grade: nothing is graded, because the questions of {stem} cannot be made: "
+                                 f"{words.strip() or recording.returncode}")
+
     def prove(self) -> None:
         """Marks the reference, which has all marks on a machine that can grade. SystemExit if it has not."""
         found = submissions.Submission(os.fsencode(SOLUTIONS), "the reference", ".reference", "folder")
-        bench = Workbench(self.kit, self.sandbox, self.work / found.folder, self.seed, {})
+        bench = Workbench(self.kit, self.sandbox, self.work / found.folder, self.tables, self.seed, {})
         try:
             stems = mark(bench, submissions.collect(found, self.stems), self.exercises, {})["stems"]
             self.called = calls_of(bench, self.exercises)

@@ -44,6 +44,7 @@ class Workbench:
     kit: Kit
     sandbox: Sandbox
     folder: Path
+    tables: Path                # what the judge asks (tests/judge/table.h)
     seed: int
     right: dict[str, bytes]     # STEM -> the reference's object file
     seconds: dict[str, float] = field(default_factory=lambda: dict.fromkeys(STEPS, 0.0))
@@ -59,10 +60,10 @@ class Workbench:
         return self._run(step, commands, lambda words: self.sandbox.compiler(self.folder, readable, words), {})
 
     def judge(self, commands: list[Command]) -> dict[str, int]:
-        environment = {"SEED": str(self.seed)}
+        environment = {"JUDGE_TABLES": str(self.tables)}
         if self.sandbox.confine:
             environment["CONFINE"] = self.sandbox.confine
-        readable = [self.kit.parts, self.kit.judge_program, str(self.kit.picture)]
+        readable = [self.kit.parts, self.kit.judge_program, str(self.kit.picture), str(self.tables)]
         return self._run("judge", commands, lambda words: self.sandbox.judge(self.folder, readable, words), environment)
 
     def sandwich(self, step: Callable, right: Command, doubtful: Command) -> int:

@@ -3,11 +3,10 @@
 //   check STEM
 //
 // The right values must pass without naming a mistake; the values of each known mistake must fail,
-// and name it. The other end of the pipe gives what the table has. In the toolkit, which has right
-// answers in other forms (right.c), each of them passes as well, and is accused of nothing.
-#include "tests/handout/replay/table.h"
+// and name it. The other end of the pipe gives what the table has.
 
 #include "tests/judge/message.h"
+#include "tests/judge/questions.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
@@ -28,12 +27,13 @@ static Wire *begin(int exercise)
     return &wire;
 }
 
-static Numbers result_of(int exercise, const ToldCall *call)
+static Numbers result_of(int exercise, const Question *question)
 {
-    Numbers result = numbers_copy(&call->results[gives < 0 ? 0 : call->of_mistake[gives]]);
+    Numbers result =
+        numbers_copy(question_result(question, gives < 0 ? 0 : question->of_mistake[gives]));
     if (!has_reasons(exercise) || result.at[0] == CAMERA_OK)
         return result;
-    int reasons = gives < 0 ? call->reasons : reasons_in(&result), first = reasons & -reasons;
+    int reasons = gives < 0 ? question->reasons : reasons_in(&result), first = reasons & -reasons;
     while (gives_last && reasons != first) {
         reasons -= first;
         first = reasons & -reasons;
@@ -47,12 +47,12 @@ static void look_up(int exercise)
     static Wire in;
     static Numbers ignored;
     Resolution size;
-    const ToldCall *call = told_now();
+    const Question *question = question_now();
     wire_clear(&in);
-    layout_write(exercises[exercise].arguments, &call->arguments, &size, &in);
+    layout_write(exercises[exercise].arguments, &question->arguments, &size, &in);
     layout_read(exercises[exercise].arguments, &in, &size, &ignored);
     wire_clear(&answer);
-    Numbers result = result_of(exercise, call);
+    Numbers result = result_of(exercise, question);
     layout_write(exercises[exercise].results, &result, &size, &answer);
     numbers_free(&result);
 }
@@ -90,7 +90,7 @@ static void settle(bool good, const char *what, const char *function, const char
     *(good ? &passed : &failed) += 1;
 }
 
-static void check_mistake(const ToldMistake *mistake)
+static void check_mistake(const TableMistake *mistake)
 {
     int exercise = exercise_number(mistake->function);
     int count = run(mistake->function, mistake->digits);
@@ -100,44 +100,33 @@ static void check_mistake(const ToldMistake *mistake)
            "mistake is not named:", mistake->function, mistake->why);
 }
 
-static void check_all(const Told *told)
+static void check_all(const Table *table)
 {
     gives = -1;
     settle(run(NULL, true) == 0 && outcomes.count > 0, "what is right", "", "does not pass");
-    for (int i = 0; i < told->mistake_count; i++)
-        settle(suspect(exercise_number(told->mistakes[i].function), 0, true) == NULL,
-               "what is right is accused:", told->mistakes[i].function, told->mistakes[i].why);
-    for (int i = 0; i < told->mistake_count; i++) {
+    for (int i = 0; i < table->mistake_count; i++)
+        settle(suspect(exercise_number(table->mistakes[i].function), 0, true) == NULL,
+               "what is right is accused:", table->mistakes[i].function, table->mistakes[i].why);
+    for (int i = 0; i < table->mistake_count; i++) {
         // Mistakes of a function are counted in the order of the list, wherever they are in it.
         gives = 0;
         for (int k = 0; k < i; k++)
-            gives += strcmp(told->mistakes[k].function, told->mistakes[i].function) == 0;
-        check_mistake(&told->mistakes[i]);
+            gives += strcmp(table->mistakes[k].function, table->mistakes[i].function) == 0;
+        check_mistake(&table->mistakes[i]);
     }
-}
-
-static void check_right(const KnownAnswer *right)
-{
-    answer_here_by(right->answer);
-    settle(run(right->exercise, false) == 0, "right answer fails:", right->exercise, right->id);
-    settle(suspect(exercise_number(right->exercise), 0, false) == NULL,
-           "right answer is accused:", right->exercise, right->id);
 }
 
 int main(int argc, char **argv)
 {
     const char *stem = argc > 1 ? argv[1] : NULL;
     choose_stem(stem);
-    const Told *told = told_table();
-    switch_to_process(stem);
+    const Table *table = table_now();
     transport_use(&recorded);
     for (int last = 0; last < 2; last++) {
         gives_last = last == 1;
-        check_all(told);
+        check_all(table);
     }
-    for (const KnownAnswer *it = known_answers(RIGHT_ANSWERS); it != NULL; it = it->next)
-        check_right(it);
-    printf("table of %s (%d mistakes, %d tests): %d passed, %d failed\n", stem, told->mistake_count,
-           told->test_count, passed, failed);
+    printf("table of %s (%d mistakes, %d tests): %d passed, %d failed\n", stem,
+           table->mistake_count, table->test_count, passed, failed);
     return failed == 0 ? 0 : 1;
 }

@@ -1,7 +1,7 @@
 // debug.c - the calls of one test of a table, made directly: for gdb (tests/course/course.c).
 //
 //   PROGRAM STEM --test NAME
-#include "tests/handout/replay/table.h"
+#include "tests/judge/table.h"
 
 #include "tests/judge/exercise.h"
 #include "tests/judge/message.h"
@@ -16,14 +16,14 @@ __attribute__((noinline)) void case_begins(int number)
     __asm__ volatile("" ::"r"(number));
 }
 
-static void make_calls(int exercise, const ToldTest *test)
+static void make_calls(int exercise, const TableTest *test)
 {
     static Wire in, out;
     Resolution size;
-    for (int i = 0; i < test->call_count; i++) {
+    for (int i = 0; i < test->question_count; i++) {
         wire_clear(&in);
         wire_clear(&out);
-        layout_write(exercises[exercise].arguments, &test->calls[i].arguments, &size, &in);
+        layout_write(exercises[exercise].arguments, &test->questions[i].arguments, &size, &in);
         case_begins(i + 1);
         dispatch(exercise, &in, &out);
     }
@@ -31,15 +31,15 @@ static void make_calls(int exercise, const ToldTest *test)
 
 int main(int argc, char **argv)
 {
-    static Told told;
+    static Table table;
     if (argc != 4) {
         fprintf(stderr, "Usage: %s STEM --test NAME\n", argv[0]);
         return 2;
     }
-    told_load(argv[1], &told);
-    for (int i = 0; i < told.test_count; i++)
-        for (int k = 0; strcmp(told.tests[i].name, argv[3]) == 0 && exercises[k].name != NULL; k++)
-            if (strcmp(exercises[k].name, told.tests[i].function) == 0)
-                make_calls(k, &told.tests[i]);
+    table_load(argv[1], &table);
+    for (int i = 0; i < table.test_count; i++)
+        for (int k = 0; strcmp(table.tests[i].name, argv[3]) == 0 && exercises[k].name != NULL; k++)
+            if (strcmp(exercises[k].name, table.tests[i].function) == 0)
+                make_calls(k, &table.tests[i]);
     return 0;
 }

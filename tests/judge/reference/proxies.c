@@ -1,28 +1,18 @@
 // proxies.c - each exercise under its contract name, for the tests: the chosen one answers
-// (switchboard.h), and the results are compared with the known mistakes and the laws.
+// (switchboard.h).
 #include "tests/judge/message.h"
 #include "tests/judge/parameters.h"
-#include "tests/judge/reference/mistake_comparison.h"
-#include "tests/judge/suspects.h"
+#include "tests/judge/switchboard.h"
 
 #include "tests/exercises.def" // the contracts
 
 static void ask(int exercise, void *yours, void *const *arguments)
 {
-    Wire *heard = hear_question(exercise);
-    if (heard != NULL)
-        put_arguments(heard, exercise, arguments);
     AnyFunction *local = local_answer(exercise);
     if (local != NULL)
         exercises[exercise].call(local, yours, arguments);
     else
         transport_call(exercise, yours, arguments);
-    heard = hear_answer(exercise);
-    if (heard != NULL) {
-        put_results(heard, exercise, yours, arguments);
-        hear(exercise);
-    }
-    law_check(exercise, yours, arguments);
 }
 
 #define PROXY_VALUE(result, name, parameters)                                                      \

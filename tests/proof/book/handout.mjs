@@ -70,7 +70,7 @@ const pictures = unpack(opened(join(site, 'pictures.pack.gz'))), tools = toolsOf
 const texts = JSON.parse(readFileSync(join(site, 'tree/files.json'), 'utf8'));
 const program = name => new WebAssembly.Module(readFileSync(join(site, `programs/${name}.wasm`)));
 const modules = {course: program('course'), judge: program('judge')};
-const tables = readdirSync(join(site, 'tables')).map(name => [`tests/handout/replay/${name.slice(0, -3)}`, opened(join(site, 'tables', name))]);
+const tables = readdirSync(join(site, 'tables')).map(name => [`tables/${name.slice(0, -3)}`, opened(join(site, 'tables', name))]);
 const files = new Map([...Object.entries(texts), ...Object.entries(JSON.parse(readFileSync(join(site, 'figures/files.json'), 'utf8'))),
   ...[...pictures].filter(([path]) => /\.(png|nff)$/.test(path)), ...tables]);
 

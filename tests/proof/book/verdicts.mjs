@@ -73,6 +73,7 @@ const modules = {course: load('course'), judge: load('judge')};
 const tree = new Map([['plan', readFileSync(`${book}/tree/plan`)], ['link/spheres.png', readFileSync(`${wasm}/link/spheres.png`)]]);
 for (const path of execFileSync('git', ['ls-files', 'common', 'exercises', 'chapters', 'tests/judge/layouts', 'tests/course/pictures'], {encoding: 'utf8'}).split('\n'))
   if (/\.(gp|nff|h|hints)$/.test(path)) tree.set(path, readFileSync(path));
+for (const stem of stems) tree.set(`tables/${stem}.table`, readFileSync(`${build}/tables/${stem}.table`));
 for (const name of readdirSync('build/blanks').filter(name => name.endsWith('.c'))) tree.set(`build/blanks/${name}`, readFileSync(`build/blanks/${name}`));
 
 const target = ['--target=wasm32-wasi', '-mmutable-globals'];

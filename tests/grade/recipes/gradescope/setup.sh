@@ -11,4 +11,4 @@ if ! command -v gcc || ! command -v make; then
     apt-get install -y --no-install-recommends gcc make libc6-dev
 fi
 make setup FOR=instructor
-make build/grading/commands build/judge
+make build/grading/commands

@@ -1,4 +1,4 @@
-// laws_by_reference.c - the laws of exercise 02: a camera is given if there is one; it is a valid
+// laws.c - the laws of exercise 02: a camera is given if there is one; it is a valid
 // camera; and it is the camera of the arguments.
 //
 // Close to the border between valid and refused these laws are silent: rounding may go either way.
@@ -62,12 +62,6 @@ static void frame_from(vec3 eye, Camera c)
 
 // ---- is there a camera? -----------------------------------------------------------------------
 
-// Reasons, a bit for each.
-static int bit(CameraFault fault, bool holds)
-{
-    return holds ? 1 << fault : 0;
-}
-
 // A contract: the camera that it describes, and the reasons that it lists, the more frequent first.
 typedef struct {
     const char *what_it_is, *reasons;
@@ -81,11 +75,11 @@ static const Contract of_look_at = {
     "CAMERA_NO_DIRECTION, _UP_ALONG_VIEW, _NO_WIDTH, _NO_HEIGHT, _NOT_FINITE"};
 
 // Whether the camera must be refused; if so, no other law is named. Sure are the reasons that hold
-// without a doubt; those that may be given are more. All reasons of the contract are listed
-// together, so that nobody learns of them one at a time.
-static bool is_settled(CameraFault yours, int sure, int may, Contract contract)
+// without a doubt, a bit each; those that may be given are more (facts.c). All reasons of the
+// contract are listed together, so that nobody learns of them one at a time.
+static bool is_settled(CameraFault yours, Contract contract)
 {
-    int first = 0;
+    int sure = (int)law_facts()[0], may = (int)law_facts()[1], first = 0;
     while (first < CAMERA_FAULTS && (sure >> first & 1) == 0)
         first++;
     const char *true_reason = camera_fault_text((CameraFault)first);
@@ -122,32 +116,6 @@ static double cosine(vec3 v, vec3 w)
     return fabs(vec3_dot(v, w)) / (vec3_length(v) * vec3_length(w)); // NaN if one is 0
 }
 
-// The reasons for four vectors: angles off by more than slack, lengths of at most tiny.
-static int reasons_of(vec3 eye, Corners v, double slack, double tiny)
-{
-    vec3 top = v.upper_right - v.upper_left, bottom = v.lower_right - v.lower_left;
-    vec3 left = v.upper_left - v.lower_left, right = v.upper_right - v.lower_right;
-    vec3 middle = (v.upper_left + v.upper_right + v.lower_left + v.lower_right) / 4;
-    vec3 normal = vec3_cross(top, left);
-    bool finite = vec3_is_finite(top) && vec3_is_finite(bottom) && vec3_is_finite(middle);
-    if (!finite || !vec3_is_finite(eye))
-        return bit(CAMERA_NOT_FINITE, true) | bit(CAMERA_NO_RECTANGLE, !finite) |
-               bit(CAMERA_OFF_AXIS, !finite);
-
-    double gap = vec3_length(top - bottom) / (vec3_length(top) + vec3_length(left));
-    bool no_middle = vec3_length(middle) <= tiny;
-    bool no_width = fmin(vec3_length(top), vec3_length(bottom)) <= tiny;
-    bool no_height = fmin(vec3_length(left), vec3_length(right)) <= tiny;
-    bool beside = fabs(vec3_dot(middle, normal)) <= tiny * vec3_length(normal);
-    return bit(CAMERA_NO_DISTANCE, no_middle || (beside && vec3_length(normal) > 0)) |
-           bit(CAMERA_NO_WIDTH, no_width) | bit(CAMERA_NO_HEIGHT, no_height) |
-           bit(CAMERA_NO_RECTANGLE,
-               no_width || no_height || gap > slack || cosine(top, left) > slack) |
-           bit(CAMERA_OFF_AXIS, no_middle ||
-                                    fmax(cosine(top, middle), cosine(bottom, middle)) > slack ||
-                                    fmax(cosine(left, middle), cosine(right, middle)) > slack);
-}
-
 #define COMPARE                                                                                    \
     "Compare a difference with CAMERA_TOLERANCE x the edges and a cosine with CAMERA_TOLERANCE, "  \
     "not with 0 or a fixed length, and use no float"
@@ -181,18 +149,19 @@ static bool is_refused_for_rounding(CameraFault yours, Corners v)
     return is_gap || is_beside;
 }
 
-// Corners are shown as they were given: counted from the eye, or from the origin.
-static void rectangle(CameraFault yours, vec3 eye, Corners v, const Camera *camera, vec3 from)
+// The corners are counted from a place: from the eye, or from the origin.
+static void rectangle(CameraFault yours, vec3 eye, Corners given, vec3 from, const Camera *camera)
 {
+    Corners v = {given.upper_left - from, given.upper_right - from, given.lower_left - from,
+                 given.lower_right - from};
     vec3 top = v.upper_right - v.upper_left, left = v.upper_left - v.lower_left;
     vec3 middle = (v.upper_left + v.upper_right + v.lower_left + v.lower_right) / 4;
     double size = vec3_length(top) + vec3_length(left) + vec3_length(middle);
     double far = size + vec3_length(eye);
     if (far > 1e100)
         return; // squares leave the range of a double
-    int sure = reasons_of(eye, v, 1e-7, 0), may = reasons_of(eye, v, 1e-10, 1e-7 * far);
-    if ((may == 0 && is_refused_for_rounding(yours, v)) ||
-        is_settled(yours, sure, may, of_rectangles))
+    if ((law_facts()[1] == 0 && is_refused_for_rounding(yours, v)) ||
+        is_settled(yours, of_rectangles))
         return;
 
     Camera c = *camera;
@@ -203,74 +172,49 @@ static void rectangle(CameraFault yours, vec3 eye, Corners v, const Camera *came
     same_number("your h is", c.height, "and the length of the left edge is", vec3_length(left));
     vec3 ahead = c.distance * c.forward, across = c.width / 2 * c.right, up = c.height / 2 * c.up;
     same_vector("your camera's upper left corner is at", from + ahead - across + up,
-                "and the given one is at", from + v.upper_left, far);
+                "and the given one is at", given.upper_left, far);
     same_vector("your camera's upper right corner is at", from + ahead + across + up,
-                "and the given one is at", from + v.upper_right, far);
+                "and the given one is at", given.upper_right, far);
     same_vector("your camera's lower left corner is at", from + ahead - across - up,
-                "and the given one is at", from + v.lower_left, far);
+                "and the given one is at", given.lower_left, far);
 }
 
 LAW(camera_from_vectors)
 {
-    rectangle(yours, eye, vectors, camera, vec3_of(0, 0, 0));
+    rectangle(yours, eye, vectors, vec3_of(0, 0, 0), camera);
 }
 
 LAW(camera_from_points)
 {
-    Corners vectors = {points.upper_left - eye, points.upper_right - eye, points.lower_left - eye,
-                       points.lower_right - eye};
-    rectangle(yours, eye, vectors, camera, eye);
+    rectangle(yours, eye, points, eye, camera);
 }
 
 LAW(camera_from_corner)
 {
-    vec3 corner = lower_left - eye;
-    Corners vectors = {corner + up, corner + up + across, corner, corner + across};
-    rectangle(yours, eye, vectors, camera, eye);
+    vec3 above = lower_left + up;
+    Corners corners = {above, above + across, lower_left, lower_left + across};
+    rectangle(yours, eye, corners, eye, camera);
 }
 
 // ---- look-at ----------------------------------------------------------------------------------
 
-// The reasons for a look-at: sines of at most slack between up and the view.
-static int reasons_of_view(LookAt view, double slack)
-{
-    vec3 ahead = view.at - view.eye;
-    double area = vec3_length(vec3_cross(ahead, view.up));
-    bool no_width = !(view.width > 0) || isinf(view.width);
-    bool no_height = !(view.width / view.aspect > 0);
-    bool finite = vec3_is_finite(view.eye) && vec3_is_finite(ahead) && vec3_is_finite(view.up);
-    bool no_direction = vec3_length(ahead) == 0;
-    return bit(CAMERA_NOT_FINITE, !finite || !isfinite(view.width) || !isfinite(view.aspect)) |
-           bit(CAMERA_NO_WIDTH, no_width) |
-           bit(CAMERA_NO_HEIGHT, no_width || no_height || !(view.aspect > 0)) |
-           bit(CAMERA_NO_DIRECTION, no_direction) |
-           bit(CAMERA_UP_ALONG_VIEW,
-               !no_direction && area <= slack * vec3_length(ahead) * vec3_length(view.up));
-}
-
 LAW(camera_from_look_at)
 {
-    vec3 ahead = view.at - view.eye;
-    double distance = vec3_length(ahead), up_length = vec3_length(view.up);
+    vec3 to_point = view.at - view.eye;
+    double distance = vec3_length(to_point), up_length = vec3_length(view.up);
     if (distance > 1e50 || up_length > 1e50 || (up_length > 0 && up_length < 1e-50))
         return; // squares leave the range of a double
-    int sure = reasons_of_view(view, 1e-12), may = reasons_of_view(view, 1e-6);
-    if ((may >> CAMERA_UP_ALONG_VIEW & 1) == 1 && (sure >> CAMERA_UP_ALONG_VIEW & 1) == 0)
-        may |= bit(CAMERA_NOT_PERPENDICULAR, true); // as large as rounding may leave it
-    // Also true, though not the first reason one would give.
-    may |= bit(CAMERA_NO_DISTANCE, distance == 0) |
-           bit(CAMERA_NOT_FINITE, !isfinite(view.width / view.aspect));
-    double sine = vec3_length(vec3_cross(ahead, view.up)) / distance / up_length;
-    if (yours == CAMERA_OK && sure == bit(CAMERA_UP_ALONG_VIEW, true) && sine > 0)
+    double sine = vec3_length(vec3_cross(to_point, view.up)) / distance / up_length;
+    if (yours == CAMERA_OK && law_facts()[0] == 1 << CAMERA_UP_ALONG_VIEW && sine > 0)
         law_broken("you gave a camera although up is along the view: the sine of the angle between "
                    "them is %s, and that is rounding. Compare it with CAMERA_TOLERANCE, not with 0",
                    number_text_to(sine, 2).s);
-    if (is_settled(yours, sure, may, of_look_at))
+    if (is_settled(yours, of_look_at))
         return;
 
     Camera c = *camera;
     frame_from(view.eye, c);
-    if (vec3_dot(c.forward, ahead) < 0)
+    if (vec3_dot(c.forward, to_point) < 0)
         law_broken("your forward leads away from the point looked at");
     same_vector("your image plane has its middle at", c.origin + c.distance * c.forward,
                 "and the point looked at is", view.at, distance + vec3_length(view.eye));

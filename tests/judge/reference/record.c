@@ -1,22 +1,27 @@
-// make_table.c - makes the table of a stem from its tests, the reference and the mistakes.
+// record.c - makes the table of a stem (table.h) from its tests, the reference and the mistakes.
+//
+//   record STEM FILE [--without-formulas]    for those who must not read how others are wrong
 //
 // First each test runs as it is, and its calls are written down. Then it runs again and again with
 // one result changed a little, to find out which other results it accepts: the table is as strict
-// as the test, and each tolerance is written in one place.
+// as the test, and each tolerance is written in one place. With a SEED in the environment the
+// random numbers of the tests are others, and hidden (test.h).
 #include "common/camera.h"
-#include "tests/handout/replay/table.h"
+#include "tests/judge/known.h"
+#include "tests/judge/law.h"
 #include "tests/judge/message.h"
-#include "tests/judge/reference/mistake_comparison.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
+#include "tests/judge/switchboard.h"
+#include "tests/judge/table.h"
 
 #include <math.h>
 #include <string.h>
 
 // ---- the calls of a test, and the test again with other results --------------------------------
 
-static ToldTest *writing; // the test whose calls are written down; NULL while one is changed
+static TableTest *writing; // the test whose calls are written down; NULL while one is changed
 static Wire arguments, answer;
 static Resolution size; // of the image of the call
 
@@ -39,33 +44,87 @@ static bool are_equal(const Numbers *a, const Numbers *b)
            (a->count == 0 || memcmp(a->at, b->at, (size_t)a->count * sizeof *a->at) == 0);
 }
 
-static int which_result(ToldCall *call, Numbers *result)
+static int which_result(Question *call, Numbers *result)
 {
     for (int i = 0; i < call->result_count; i++)
         if (are_equal(&call->results[i], result)) {
             numbers_free(result);
             return i;
         }
-    call->results = told_grow(call->results, &call->result_count, sizeof *call->results);
+    call->results = table_grow(call->results, &call->result_count, sizeof *call->results);
     call->results[call->result_count - 1] = *result;
     return call->result_count - 1;
 }
 
-static int result_of(ToldCall *call, int exercise, AnyFunction *function)
+// A camera that is refused is so for all the reasons that the function has in one style or another
+// (known.h).
+static Numbers result_of(int exercise, AnyFunction *function)
 {
-    Numbers result = {0};
-    if (!known_result(exercise, function, &arguments, &size, &result))
-        fail("a result that tests/judge/numbers.c cannot read");
+    static Wire wire;
+    Numbers result = {0}, other = {0};
+    int reasons = 0;
+    bool refused = true;
+    for (answer_style = 0; answer_style == 0 || (refused && answer_style < chosen_stem()->styles);
+         answer_style++) {
+        Numbers *numbers = answer_style == 0 ? &result : &other;
+        arguments.read = 0;
+        wire_clear(&wire);
+        numbers->count = 0;
+        if (!apply(exercise, function, &arguments, &wire) ||
+            !layout_read(exercises[exercise].results, &wire, &size, numbers))
+            fail("a result that tests/judge/numbers.c cannot read");
+        reasons |= reasons_in(numbers);
+        refused = has_reasons(exercise) && result.at[0] != CAMERA_OK;
+    }
+    answer_style = 0;
+    if (refused)
+        set_reasons(&result, reasons & ~(1 << CAMERA_OK));
+    numbers_free(&other);
+    return result;
+}
+
+static int number_of_result(Question *call, int exercise, AnyFunction *function)
+{
+    Numbers result = result_of(exercise, function);
     return which_result(call, &result);
+}
+
+// That returns every right result, in one style or another.
+static AnyFunction *right_function(int exercise)
+{
+    for (const KnownAnswer *it = known_answers(FREE_ANSWERS); it != NULL; it = it->next)
+        if (strcmp(it->exercise, exercises[exercise].name) == 0)
+            return it->answer;
+    return exercises[exercise].reference;
 }
 
 static int right_reasons(int exercise)
 {
-    Numbers right = {0};
-    known_result(exercise, right_function(exercise), &arguments, &size, &right);
+    Numbers right = result_of(exercise, right_function(exercise));
     int reasons = reasons_in(&right);
     numbers_free(&right);
     return reasons;
+}
+
+// ---- what the laws need to know: tests/NN-stem/facts.c, in the place of the laws ---------------
+
+static Question *telling;
+
+void fact(double x)
+{
+    numbers_add(&telling->facts, x);
+}
+
+bool law_begin(void)
+{
+    return true;
+}
+
+static void add_facts(int exercise, Question *question)
+{
+    telling = question;
+    if (!writing->probe && !writing->extra)
+        law_check(exercise, question, &question->results[0]);
 }
 
 // The arguments that a student needs to know. Lines about the results that the test looks at are
@@ -88,40 +147,45 @@ static char *given_lines(void)
     return lines;
 }
 
+typedef vec3 PlaneVector(Camera camera, double s, double t);
+
 // A figure of a vector or a ray from the eye shows the image plane.
-static void add_corners(ToldCall *call, const Exercise *exercise)
+static void add_corners(Question *call, const Exercise *exercise)
 {
+    static const double places[4][2] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
     Camera camera;
-    vec3 corners[4];
     if (strncmp(exercise->arguments, "Camera", 6) != 0 ||
         (strcmp(exercise->results, "vec3") != 0 && strcmp(exercise->results, "Ray") != 0))
         return;
     arguments.read = 0;
     wire_get_value(&arguments, &type_Camera, &camera);
-    reference_corners(camera, corners);
+    PlaneVector *vector = (PlaneVector *)exercises[exercise_number("image_plane_vector")].reference;
     for (int i = 0; i < 12; i++)
-        numbers_add(&call->corners, corners[i / 3][i % 3]);
+        numbers_add(&call->corners, vector(camera, places[i / 3][0], places[i / 3][1])[i % 3]);
 }
 
 static void write_down(int exercise)
 {
-    writing->calls = told_grow(writing->calls, &writing->call_count, sizeof *writing->calls);
-    ToldCall *call = &writing->calls[writing->call_count - 1];
+    writing->questions =
+        table_grow(writing->questions, &writing->question_count, sizeof *writing->questions);
+    Question *call = &writing->questions[writing->question_count - 1];
     call->given = given_lines();
+    call->hidden = record_now()->hidden;
     if (call->given == NULL || (call->given[0] == '\0' && !writing->probe))
         fail("it calls the function before it names the arguments: nobody would see them");
     if (!layout_read(exercises[exercise].arguments, &arguments, &size, &call->arguments))
         fail("arguments that tests/judge/numbers.c cannot read");
     add_corners(call, &exercises[exercise]);
-    result_of(call, exercise, exercises[exercise].reference);
+    number_of_result(call, exercise, exercises[exercise].reference);
+    add_facts(exercise, call);
     if (has_reasons(exercise))
         call->reasons = right_reasons(exercise);
     for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next) {
         if (exercise_number(it->exercise) != exercise)
             continue;
-        int which = result_of(call, exercise, it->answer);
+        int which = number_of_result(call, exercise, it->answer);
         call->of_mistake =
-            told_grow(call->of_mistake, &call->mistake_count, sizeof *call->of_mistake);
+            table_grow(call->of_mistake, &call->mistake_count, sizeof *call->of_mistake);
         call->of_mistake[call->mistake_count - 1] = which;
     }
 }
@@ -161,7 +225,7 @@ static void asked_begin(void)
     transport_use(&asked);
 }
 
-static bool passes(const ToldTest *test)
+static bool passes(const TableTest *test)
 {
     static Outcomes one;
     if (test->probe)
@@ -175,7 +239,7 @@ static bool passes(const ToldTest *test)
 
 // Runs the test, and records its calls: the arguments, and the results of the reference and of each
 // mistake. False if the reference does not pass.
-static bool asked_of(ToldTest *test)
+static bool asked_of(TableTest *test)
 {
     writing = test;
     bool passed = passes(test);
@@ -184,7 +248,7 @@ static bool asked_of(ToldTest *test)
 }
 
 // Runs it again with another result of one of its calls. True if it passes.
-static bool asked_again(const ToldTest *test, int call, const Numbers *result)
+static bool asked_again(const TableTest *test, int call, const Numbers *result)
 {
     call_number = 0;
     change.call = call;
@@ -195,9 +259,9 @@ static bool asked_again(const ToldTest *test, int call, const Numbers *result)
 // ---- which other results a test accepts --------------------------------------------------------
 
 // All numbers off by as much, every other one to the other side.
-static bool accepts_off_by(const ToldTest *test, int call, double off)
+static bool accepts_off_by(const TableTest *test, int call, double off)
 {
-    Numbers result = numbers_copy(&test->calls[call].results[0]);
+    Numbers result = numbers_copy(&test->questions[call].results[0]);
     for (int i = 0; i < result.count; i++)
         result.at[i] += i % 2 == 0 ? off : -off;
     bool accepted = asked_again(test, call, &result);
@@ -208,10 +272,10 @@ static bool accepts_off_by(const ToldTest *test, int call, double off)
 // From 1e-5 of the largest number down by halves. Never less than the difference between two ways
 // to compute the same thing: a test may compare with this very answer (its own ray, for example),
 // but the table compares with the reference's.
-static double tolerance_of(const ToldTest *test, int call)
+static double tolerance_of(const TableTest *test, int call)
 {
     enum { HALVES = 23 };
-    const Numbers *result = &test->calls[call].results[0];
+    const Numbers *result = &test->questions[call].results[0];
     double largest = 0;
     for (int i = 0; i < result->count; i++)
         if (isfinite(result->at[i]))
@@ -229,21 +293,21 @@ static double tolerance_of(const ToldTest *test, int call)
     return ldexp(most, -low);
 }
 
-static int reasons_of(const ToldTest *test, int call)
+static int reasons_of(const TableTest *test, int call)
 {
-    Numbers result = numbers_copy(&test->calls[call].results[0]);
+    Numbers result = numbers_copy(&test->questions[call].results[0]);
     int reasons = 0;
     for (int fault = 0; result.count > 0 && fault < CAMERA_FAULTS; fault++) {
         result.at[0] = fault;
         reasons |= asked_again(test, call, &result) ? 1 << fault : 0;
     }
     numbers_free(&result);
-    return reasons | 1 << (int)test->calls[call].results[0].at[0];
+    return reasons | 1 << (int)test->questions[call].results[0].at[0];
 }
 
-static bool length_is_free(const ToldTest *test, int call)
+static bool length_is_free(const TableTest *test, int call)
 {
-    Numbers result = numbers_copy(&test->calls[call].results[0]);
+    Numbers result = numbers_copy(&test->questions[call].results[0]);
     bool free = true;
     for (int i = 0; free && i < 2; i++) {
         for (int k = 3; k < result.count; k++)
@@ -254,10 +318,10 @@ static bool length_is_free(const ToldTest *test, int call)
     return free;
 }
 
-static bool accepts_step(const ToldTest *test, int call, double times)
+static bool accepts_step(const TableTest *test, int call, double times)
 {
-    Numbers result = numbers_copy(&test->calls[call].results[0]);
-    const double *from = test->calls[call].arguments.at + STEP_FROM;
+    Numbers result = numbers_copy(&test->questions[call].results[0]);
+    const double *from = test->questions[call].arguments.at + STEP_FROM;
     for (int i = 0; i < result.count; i++)
         result.at[i] = from[i] + times * (result.at[i] - from[i]);
     bool accepted = asked_again(test, call, &result);
@@ -266,11 +330,11 @@ static bool accepts_step(const ToldTest *test, int call, double times)
 }
 
 // A test of the picture alone does not look at the depth.
-static bool accepts_any_depth(const ToldTest *test, int call, const char *results)
+static bool accepts_any_depth(const TableTest *test, int call, const char *results)
 {
     if (strcmp(results, "Pixels Doubles") != 0)
         return false;
-    Numbers result = numbers_copy(&test->calls[call].results[0]);
+    Numbers result = numbers_copy(&test->questions[call].results[0]);
     for (int i = 3 * result.count / 4; i < result.count; i++)
         result.at[i] = -1;
     bool accepted = asked_again(test, call, &result);
@@ -279,7 +343,7 @@ static bool accepts_any_depth(const ToldTest *test, int call, const char *result
 }
 
 // By powers of 2, as in the contract.
-static void steps_of(const ToldTest *test, int call, double *least, double *most)
+static void steps_of(const TableTest *test, int call, double *least, double *most)
 {
     const double end = 256;
     *least = *most = 1;
@@ -290,12 +354,12 @@ static void steps_of(const ToldTest *test, int call, double *least, double *most
 }
 
 // Asks it again and again with one result changed a little: tolerance, reasons, free length.
-static void takes_for_right(ToldTest *test)
+static void takes_for_right(TableTest *test)
 {
     const Exercise *exercise = &exercises[exercise_number(test->function)];
     const char *results = exercise->results;
-    for (int i = 0; i < test->call_count; i++) {
-        ToldCall *call = &test->calls[i];
+    for (int i = 0; i < test->question_count; i++) {
+        Question *call = &test->questions[i];
         if (strcmp(results, "Ray") == 0)
             call->length_is_free = length_is_free(test, i);
         if (layout_is_step(exercise))
@@ -310,35 +374,36 @@ static void takes_for_right(ToldTest *test)
 
 // If one test of a function requires the exact length of a direction, the others must require it as
 // well.
-static void agree_on_lengths(Told *told)
+static void agree_on_lengths(Table *table)
 {
-    for (int i = 0; i < told->test_count; i++)
-        for (int k = 0; k < told->tests[i].call_count; k++)
-            for (int j = 0; !told->tests[i].calls[k].length_is_free && j < told->test_count; j++)
-                for (int l = 0; l < told->tests[j].call_count; l++)
-                    if (strcmp(told->tests[i].function, told->tests[j].function) == 0)
-                        told->tests[j].calls[l].length_is_free = 0;
+    for (int i = 0; i < table->test_count; i++)
+        for (int k = 0; k < table->tests[i].question_count; k++)
+            for (int j = 0; !table->tests[i].questions[k].length_is_free && j < table->test_count;
+                 j++)
+                for (int l = 0; l < table->tests[j].question_count; l++)
+                    if (strcmp(table->tests[i].function, table->tests[j].function) == 0)
+                        table->tests[j].questions[l].length_is_free = 0;
 }
 
-static Told told;
+static Table table;
 static Outcomes all;
 
-static void add_test(const Outcome *outcome, bool probe)
+static void record_test(const Outcome *outcome, bool probe)
 {
-    ToldTest test = {.function = (char *)outcome->function,
-                     .name = (char *)outcome->name,
-                     .extra = outcome->extra,
-                     .probe = probe};
+    TableTest test = {.function = (char *)outcome->function,
+                      .name = (char *)outcome->name,
+                      .extra = outcome->extra,
+                      .probe = probe};
     bool passed = asked_of(&test);
-    if (!passed || test.call_count == 0) {
+    if (!passed || test.question_count == 0) {
         fprintf(stderr, "%s: %s\n", test.name,
                 passed ? "asks nothing" : "the reference does not pass");
         exit(1);
     }
     if (!probe)
         takes_for_right(&test);
-    told.tests = told_grow(told.tests, &told.test_count, sizeof *told.tests);
-    told.tests[told.test_count - 1] = test;
+    table.tests = table_grow(table.tests, &table.test_count, sizeof *table.tests);
+    table.tests[table.test_count - 1] = test;
 }
 
 static void add_probes(int exercise)
@@ -347,42 +412,39 @@ static void add_probes(int exercise)
     run_probes(exercises[exercise].name, NULL, &probes);
     records_end();
     for (int i = 0; i < probes.count; i++)
-        add_test(&probes.tests[i], true);
+        record_test(&probes.tests[i], true);
 }
 
-static void add_mistake(const Mistake *mistake)
+static void add_mistake(const Mistake *mistake, bool with_formula)
 {
-    told.mistakes = told_grow(told.mistakes, &told.mistake_count, sizeof *told.mistakes);
-    told.mistakes[told.mistake_count - 1] =
-        (ToldMistake){.function = (char *)mistake->exercise,
-                      .why = (char *)mistake->why,
-                      .picture = (char *)mistake->picture,
-                      .digits = strncmp(mistake->id, "X-", 2) == 0};
+    table.mistakes = table_grow(table.mistakes, &table.mistake_count, sizeof *table.mistakes);
+    table.mistakes[table.mistake_count - 1] =
+        (TableMistake){.function = (char *)mistake->exercise,
+                       .id = (char *)mistake->id,
+                       .formula = with_formula ? (char *)mistake->formula : "",
+                       .why = (char *)mistake->why,
+                       .picture = (char *)mistake->picture};
 }
 
-bool table_make(const char *path)
+int main(int argc, char **argv)
 {
-    const char *stem = chosen_stem()->name;
-    FILE *file = fopen(path, "wb");
-    if (file == NULL) {
-        perror(path);
-        return false;
+    bool with_formulas = argc == 3;
+    if (argc != 3 && (argc != 4 || strcmp(argv[3], "--without-formulas") != 0)) {
+        fprintf(stderr, "Usage: %s STEM FILE [--without-formulas]\n", argv[0]);
+        return 2;
     }
-    switch_to_process(stem);
+    choose_stem(argv[1]);
+    switch_to_process(argv[1]);
     asked_begin();
     run_tests(NULL, NULL, ANSWERS_APART, &all);
     records_end();
     for (int i = 0; i < all.count; i++)
-        add_test(&all.tests[i], false);
-    agree_on_lengths(&told);
+        record_test(&all.tests[i], false);
+    agree_on_lengths(&table);
     for (int i = 0; exercises[i].name != NULL; i++)
-        if (strcmp(exercises[i].stem, stem) == 0)
+        if (strcmp(exercises[i].stem, argv[1]) == 0)
             add_probes(i);
     for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
-        add_mistake(it);
-    bool written = told_write(file, &told);
-    written = fclose(file) == 0 && written;
-    if (!written)
-        perror(path);
-    return written;
+        add_mistake(it, with_formulas);
+    return table_write(argv[2], &table) ? 0 : 1;
 }

@@ -1,10 +1,10 @@
-// replay.c - the tests of a table: the same list and the same calls as in the tests from which it
-// was made.
+// questions.c - the tests of a table ask its questions, and compare the answers with what is right.
 //
 // Known mistakes are recognised by their values in the table, not by running them.
-#include "tests/handout/replay/table.h"
+#include "tests/judge/questions.h"
 
 #include "tests/judge/figure.h"
+#include "tests/judge/known.h"
 #include "tests/judge/message.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
@@ -13,35 +13,17 @@
 
 #include <string.h>
 
-enum { MOST_MISTAKES = 1000 };
+static Table table;
+static const Question *now;
 
-static Told told;
-static const ToldCall *now;
-static Mistake known[MOST_MISTAKES];
-
-const Told *told_table(void)
+const Table *table_now(void)
 {
-    return &told;
+    return &table;
 }
 
-const ToldCall *told_now(void)
+const Question *question_now(void)
 {
     return now;
-}
-
-static void load_table(void)
-{
-    told_load(chosen_stem()->name, &told);
-    if (told.mistake_count > MOST_MISTAKES) {
-        fprintf(stderr, "%s: more than %d mistakes\n", chosen_stem()->name, MOST_MISTAKES);
-        exit(2);
-    }
-    for (int i = 0; i < told.mistake_count; i++)
-        known[i] = (Mistake){.id = told.mistakes[i].digits ? "X-" : "",
-                             .exercise = told.mistakes[i].function,
-                             .why = told.mistakes[i].why,
-                             .picture = told.mistakes[i].picture,
-                             .next = i + 1 < told.mistake_count ? &known[i + 1] : NULL};
 }
 
 // ---- expect ------------------------------------------------------------------------------------
@@ -67,12 +49,13 @@ static void get_value(const Type *type, const Numbers *numbers, int from, void *
     wire_get_value(&wire, type, value);
 }
 
-static void expect_value_at(const Type *type, const Numbers *yours, const ToldCall *call, int from)
+static void expect_value_at(const Type *type, const Numbers *yours, const Question *question,
+                            int from)
 {
     _Alignas(vec3) unsigned char y[TYPE_MOST_BYTES], e[TYPE_MOST_BYTES];
     get_value(type, yours, from, y);
-    get_value(type, &call->results[0], from, e);
-    expect_value(type, y, e, call->tolerance, 1);
+    get_value(type, &question->results[0], from, e);
+    expect_value(type, y, e, question->tolerance, 1);
 }
 
 static Roots roots_of(const Numbers *numbers)
@@ -99,10 +82,10 @@ static bool near(double yours, double expected, double tolerance)
     return yours == expected || fabs(yours - expected) <= tolerance;
 }
 
-static void expect_ray(Ray yours, Ray expected, const ToldCall *call)
+static void expect_ray(Ray yours, Ray expected, const Question *question)
 {
-    double tolerance = call->tolerance;
-    if (call->length_is_free) {
+    double tolerance = question->tolerance;
+    if (question->length_is_free) {
         expect_same_ray(yours, expected, tolerance);
         return;
     }
@@ -116,31 +99,32 @@ static void expect_ray(Ray yours, Ray expected, const ToldCall *call)
 }
 
 // The right step, which is along the normal, or a multiple of it within the accepted limits.
-static void expect_step(vec3 yours, vec3 expected, const ToldCall *call)
+static void expect_step(vec3 yours, vec3 expected, const Question *question)
 {
-    vec3 from = vec3_at(&call->arguments, STEP_FROM);
-    vec3 normal = vec3_at(&call->arguments, STEP_FROM + 3), moved = yours - from;
+    vec3 from = vec3_at(&question->arguments, STEP_FROM);
+    vec3 normal = vec3_at(&question->arguments, STEP_FROM + 3), moved = yours - from;
     double along = vec3_dot(moved, normal), aside = vec3_length(moved - along * normal);
-    double step = vec3_length(expected - from), tolerance = call->tolerance;
+    double step = vec3_length(expected - from), tolerance = question->tolerance;
     char words[200];
     snprintf(words, sizeof words, "moved by %.24s to %.24s along the normal, and not to the side",
-             number_text_to(call->least * step, 3).s, number_text_to(call->most * step, 3).s);
-    expect_law(along >= call->least * step - tolerance && along <= call->most * step + tolerance &&
-                   aside <= tolerance,
+             number_text_to(question->least * step, 3).s,
+             number_text_to(question->most * step, 3).s);
+    expect_law(along >= question->least * step - tolerance &&
+                   along <= question->most * step + tolerance && aside <= tolerance,
                words, "moved by %.40s along the normal, by %.40s to the side",
                number_text_to(along, 3).s, number_text_to(aside, 3).s);
 }
 
 // Any reason that the test accepts; then the camera, which must be unchanged if it is refused.
-static void expect_fault_and_camera(const Numbers *yours, const ToldCall *call)
+static void expect_fault_and_camera(const Numbers *yours, const Question *question)
 {
-    const Numbers *expected = &call->results[0];
+    const Numbers *expected = &question->results[0];
     int fault = (int)yours->at[0];
-    if (fault < 0 || fault >= CAMERA_FAULTS || (call->reasons >> fault & 1) == 0)
+    if (fault < 0 || fault >= CAMERA_FAULTS || (question->reasons >> fault & 1) == 0)
         expect_fault((CameraFault)fault, (CameraFault)expected->at[0]);
     if (fault != CAMERA_OK)
         looking_at("*camera, which stays as it was");
-    expect_value_at(&type_Camera, yours, call, 1);
+    expect_value_at(&type_Camera, yours, question, 1);
 }
 
 static Image image_of(const Numbers *numbers, Resolution size)
@@ -155,33 +139,34 @@ static Image image_of(const Numbers *numbers, Resolution size)
 }
 
 // The picture; then its depth, if it has one and the test looks at it.
-static void expect_picture(const Numbers *yours, const ToldCall *call, Resolution size)
+static void expect_picture(const Numbers *yours, const Question *question, Resolution size)
 {
     static Image theirs, right; // freed by the next: a test that fails leaves by a jump
     image_free(&theirs);
     image_free(&right);
     theirs = image_of(yours, size);
-    right = image_of(&call->results[0], size);
+    right = image_of(&question->results[0], size);
     expect_same_image(&theirs, &right);
-    for (int i = 3 * size.width * size.height; i < yours->count && isfinite(call->tolerance); i++) {
-        double expected = call->results[0].at[i];
+    for (int i = 3 * size.width * size.height; i < yours->count && isfinite(question->tolerance);
+         i++) {
+        double expected = question->results[0].at[i];
         int pixel = i - 3 * size.width * size.height;
-        if (near(yours->at[i], expected, call->tolerance))
+        if (near(yours->at[i], expected, question->tolerance))
             continue;
         char place[60];
         snprintf(place, sizeof place, "the depth of column %d, row %d", pixel % size.width,
                  pixel / size.width);
         looking_at(place);
-        expect_number(yours->at[i], expected, call->tolerance);
+        expect_number(yours->at[i], expected, question->tolerance);
     }
 }
 
-static void expect_hit(const Numbers *yours, const ToldCall *call)
+static void expect_hit(const Numbers *yours, const Question *question)
 {
-    const Numbers *expected = &call->results[0];
-    if (!near(yours->at[0], expected->at[0], call->tolerance)) {
+    const Numbers *expected = &question->results[0];
+    if (!near(yours->at[0], expected->at[0], question->tolerance)) {
         looking_at("t");
-        expect_number(yours->at[0], expected->at[0], call->tolerance);
+        expect_number(yours->at[0], expected->at[0], question->tolerance);
     }
     looking_at("the index of the sphere");
     expect_int((long)yours->at[1], (long)expected->at[1]);
@@ -189,21 +174,21 @@ static void expect_hit(const Numbers *yours, const ToldCall *call)
 
 // A result must agree with the table, within the tolerance of its test. If it does not, both values
 // are kept as text and the test ends. results: the types of the result; size: of the call's image.
-static void told_expect(const char *results, const ToldCall *call, const Numbers *yours,
-                        Resolution size)
+static void expect_result(const char *results, const Question *question, const Numbers *yours,
+                          Resolution size)
 {
-    const Numbers *expected = &call->results[0];
-    double tolerance = call->tolerance;
+    const Numbers *expected = &question->results[0];
+    double tolerance = question->tolerance;
     if (yours->count != expected->count)
         record_how(HOW_CRASHED, "sent an invalid answer");
     if (strcmp(results, "double") == 0) {
         expect_number(yours->at[0], expected->at[0], tolerance);
-    } else if (call->most > 0) {
-        expect_step(vec3_at(yours, 0), vec3_at(expected, 0), call);
+    } else if (question->most > 0) {
+        expect_step(vec3_at(yours, 0), vec3_at(expected, 0), question);
     } else if (strcmp(results, "vec3") == 0) {
         expect_vec3(vec3_at(yours, 0), vec3_at(expected, 0), tolerance);
     } else if (strcmp(results, "CameraFault Camera") == 0) {
-        expect_fault_and_camera(yours, call);
+        expect_fault_and_camera(yours, question);
     } else if (strcmp(results, "Normalized") == 0 || strcmp(results, "ScreenPoint") == 0) {
         expect_pair(yours->at[0], yours->at[1], expected->at[0], expected->at[1], tolerance);
     } else if (strcmp(results, "ScreenRectangle") == 0) {
@@ -212,31 +197,36 @@ static void told_expect(const char *results, const ToldCall *call, const Numbers
         looking_at("top and bottom");
         expect_pair(yours->at[2], yours->at[3], expected->at[2], expected->at[3], tolerance);
     } else if (strcmp(results, "Ray") == 0) {
-        expect_ray(ray_of(yours), ray_of(expected), call);
+        expect_ray(ray_of(yours), ray_of(expected), question);
     } else if (strcmp(results, "Quadratic") == 0) {
         seen_as("in order", "a, b, c");
         expect_vec3(vec3_at(yours, 0), vec3_at(expected, 0), tolerance);
     } else if (strcmp(results, "Roots") == 0) {
         expect_roots(roots_of(yours), roots_of(expected), tolerance);
     } else if (strcmp(results, "Hit") == 0) {
-        expect_hit(yours, call);
+        expect_hit(yours, question);
     } else if (strncmp(results, "Pixels", 6) == 0) {
-        expect_picture(yours, call, size);
+        expect_picture(yours, question, size);
     } else if (type_named(results) != NULL && type_is_flat(type_named(results))) {
-        expect_value_at(type_named(results), yours, call, 0);
+        expect_value_at(type_named(results), yours, question, 0);
     } else {
-        fprintf(stderr, "tests/handout/replay/replay.c does not know the results '%s'\n", results);
+        fprintf(stderr, "tests/judge/questions.c does not know the results '%s'\n", results);
         exit(2);
     }
 }
 
-// ---- the calls ---------------------------------------------------------------------------------
+// ---- the questions -----------------------------------------------------------------------------
 
-static const Numbers *by_table(int exercise, const Mistake *mistake, int nth)
+void questions_of_mistakes(void)
+{
+    table_load_mistakes(&table);
+}
+
+const Numbers *known_result(int exercise, int nth)
 {
     static Numbers right;
-    if (mistake != NULL)
-        return &now->results[now->of_mistake[nth]];
+    if (nth >= 0)
+        return question_result(now, now->of_mistake[nth]);
     if (!has_reasons(exercise) || now->results[0].at[0] == CAMERA_OK)
         return &now->results[0];
     numbers_free(&right);
@@ -245,131 +235,141 @@ static const Numbers *by_table(int exercise, const Mistake *mistake, int nth)
     return &right;
 }
 
-static const Numbers *once_more(int exercise)
+// size: of the image of the call.
+static void ask(int exercise, Resolution *size, Numbers *yours)
+{
+    Wire *wire = transport_begin(exercise);
+    layout_write(exercises[exercise].arguments, &now->arguments, size, wire);
+    wire = transport_answer(exercise);
+    layout_read(exercises[exercise].results, wire, size, yours);
+    transport_finish(exercise);
+}
+
+const Numbers *ask_again(int exercise)
 {
     static Numbers yours;
     Resolution size;
-    Wire *wire = transport_begin(exercise);
-    layout_write(exercises[exercise].arguments, &now->arguments, &size, wire);
-    wire = transport_answer(exercise);
-    layout_read(exercises[exercise].results, wire, &size, &yours);
-    transport_finish(exercise);
+    ask(exercise, &size, &yours);
     return &yours;
 }
 
-static void make_call(int exercise, const ToldCall *call)
+static void ask_and_judge(int exercise, const Question *question)
 {
     static Numbers yours;
     Resolution size;
-    now = call;
-    Wire *wire = transport_begin(exercise);
-    layout_write(exercises[exercise].arguments, &call->arguments, &size, wire);
-    wire = transport_answer(exercise);
-    layout_read(exercises[exercise].results, wire, &size, &yours);
-    transport_finish(exercise);
-    if (suspects_listen(exercise))
-        suspects_hear(exercise, &(Heard){&call->arguments, &yours, by_table, once_more});
-    law_check_recorded(exercise, &call->arguments, &yours, &call->results[0]);
-    if (record_now()->probe)
-        return;
-    told_expect(exercises[exercise].results, call, &yours, size);
+    now = question;
+    ask(exercise, &size, &yours);
+    suspects_hear(exercise, &question->arguments, &yours);
+    law_check(exercise, question, &yours);
+    if (!record_now()->probe)
+        expect_result(exercises[exercise].results, question, &yours, size);
 }
 
-static void replay(int unused)
+static void ask_all(int unused)
 {
     (void)unused;
     Record *record = record_now();
-    for (int i = 0; i < told.test_count; i++) {
-        const ToldTest *test = &told.tests[i];
+    for (int i = 0; i < table.test_count; i++) {
+        const TableTest *test = &table.tests[i];
         if (strcmp(test->function, record->function) != 0 || strcmp(test->name, record->name) != 0)
             continue;
-        for (int k = 0; k < test->call_count; k++) {
+        for (int k = 0; k < test->question_count; k++) {
             case_begins(k + 1);
-            snprintf(record->given, sizeof record->given, "%s", test->calls[k].given);
-            make_call(exercise_number(test->function), &test->calls[k]);
+            record->hidden = test->questions[k].hidden;
+            snprintf(record->given, sizeof record->given, "%s", test->questions[k].given);
+            ask_and_judge(exercise_number(test->function), &test->questions[k]);
         }
         return;
     }
 }
 
-static void list(bool probes)
+static void list_tests(Stem *stem)
 {
-    static TTest *tests;
-    const char *function = "";
-    bool extra = false;
-    if (tests == NULL)
-        tests = calloc((size_t)told.test_count, sizeof *tests);
-    for (int i = 0; tests != NULL && i < told.test_count; i++) {
-        const ToldTest *it = &told.tests[i];
-        if ((it->probe != 0) != probes)
-            continue;
-        tests[i] = (TTest){it->name, replay, __FILE__, 1};
-        if (extra != (it->extra != 0) || strcmp(function, it->function) != 0)
-            it->extra ? tests_of_extra(it->function) : tests_of(it->function);
-        function = it->function;
-        extra = it->extra != 0;
-        test(&tests[i]);
+    ListedTest **tests = &stem->tests, **probes = &stem->probes;
+    ListedTest *listed = calloc((size_t)table.test_count, sizeof *listed);
+    TTest *asking = calloc((size_t)table.test_count, sizeof *asking);
+    for (int i = 0; listed != NULL && asking != NULL && i < table.test_count; i++) {
+        const TableTest *it = &table.tests[i];
+        ListedTest ***list = it->probe ? &probes : &tests;
+        asking[i] = (TTest){it->name, ask_all, __FILE__, 1};
+        listed[i] = (ListedTest){it->function, &asking[i], it->extra, i, NULL};
+        **list = &listed[i];
+        *list = &listed[i].next;
     }
 }
 
-static void list_tests(void)
+// A program that has the mistakes themselves (wrong.c) has those of the table.
+static void list_mistakes(Stem *stem)
 {
-    list(false);
-}
-
-static void list_probes(void)
-{
-    list(true);
-}
-
-__attribute__((constructor)) static void add_all_stems(void)
-{
-    for (int i = 0; exercises[i].name != NULL; i++) {
-        Stem *stem = stem_named(exercises[i].stem);
-        stem->load = load_table;
-        stem->list_tests = list_tests;
-        stem->list_probes = list_probes;
-        stem->known[WRONG_ANSWERS] = known;
+    if (stem->known[WRONG_ANSWERS] != NULL)
+        return;
+    Mistake *known = calloc((size_t)table.mistake_count + 1, sizeof *known);
+    if (known == NULL)
+        abort();
+    for (int i = 0; i < table.mistake_count; i++) {
+        const TableMistake *it = &table.mistakes[i];
+        known[i] = (Mistake){.id = it->id,
+                             .exercise = it->function,
+                             .formula = it->formula,
+                             .why = it->why,
+                             .picture = it->picture,
+                             .next = i + 1 < table.mistake_count ? &known[i + 1] : NULL};
     }
+    stem->known[WRONG_ANSWERS] = known;
 }
 
-// ---- the right result of a recorded call, from the table ---------------------------------------
-
-// The call at which the test stopped.
-static const ToldCall *call_of(const Record *record)
+static void load(void)
 {
-    for (int i = 0; i < told.test_count; i++) {
-        const ToldTest *test = &told.tests[i];
+    Stem *stem = stem_named(chosen_stem()->name);
+    table_load(stem->name, &table);
+    list_tests(stem);
+    list_mistakes(stem);
+}
+
+__attribute__((constructor)) static void load_when_chosen(void)
+{
+    for (int i = 0; exercises[i].name != NULL; i++)
+        stem_named(exercises[i].stem)->load = load;
+}
+
+// ---- the right result of a question ------------------------------------------------------------
+
+// That at which the test stopped.
+static const Question *question_of(const Record *record)
+{
+    for (int i = 0; i < table.test_count; i++) {
+        const TableTest *test = &table.tests[i];
         if (strcmp(test->function, record->function) == 0 &&
             strcmp(test->name, record->name) == 0 && record->cases >= 1 &&
-            record->cases <= test->call_count)
-            return &test->calls[record->cases - 1];
+            record->cases <= test->question_count)
+            return &test->questions[record->cases - 1];
     }
     return NULL;
 }
 
 bool right_answer(const Record *record, Kept *kept, Wire *right)
 {
-    const ToldCall *call = call_of(record);
+    const Question *question = question_of(record);
     Resolution size = {0, 0};
     Numbers arguments = {0};
-    if (call == NULL)
+    if (question == NULL)
         return false;
     // The image's size is among the arguments.
     kept->question.read = 0;
     layout_read(exercises[kept->exercise].arguments, &kept->question, &size, &arguments);
     numbers_free(&arguments);
     wire_clear(right);
-    return layout_write(exercises[kept->exercise].results, &call->results[0], &size, right);
+    return layout_write(exercises[kept->exercise].results, &question->results[0], &size, right);
 }
 
 bool right_corners(const Record *record, Camera camera, vec3 corners[4])
 {
-    const ToldCall *call = call_of(record);
+    table_load_mistakes(&table);
+    const Question *question = question_of(record);
     (void)camera;
-    if (call == NULL || call->corners.count != 12)
+    if (question == NULL || question->corners.count != 12)
         return false;
-    const double *at = call->corners.at;
+    const double *at = question->corners.at;
     for (int i = 0; i < 4; i++)
         corners[i] = vec3_of(at[3 * i], at[3 * i + 1], at[3 * i + 2]);
     return true;

@@ -1,0 +1,69 @@
+// table.h - the table of a stem: the questions of its tests, the right results, and those of known
+// mistakes.
+//
+// reference/record.c makes it from the tests, the reference and the mistakes, none of which it
+// holds: only inputs, values, and the sentences that a student may read. The judge asks the
+// questions of an answer (questions.h), in the toolkit and in the students' archive.
+#ifndef TESTS_JUDGE_TABLE_H
+#define TESTS_JUDGE_TABLE_H
+
+#include "tests/judge/numbers.h"
+
+#include <stdio.h>
+
+// One call of the function that a test is about.
+typedef struct Question {
+    char *given; // lines: name, tab, value
+    int hidden;  // it has random numbers of a SEED, which must not be shown
+    Numbers arguments;
+    Numbers *results; // the first is the right one; of the others question_result
+    double
+        tolerance; // of the test for numbers; absolute; infinite if it does not look at the depth
+    int reasons;   // the CameraFaults that are right, a bit each; of a test, those that it accepts
+    int length_is_free; // whether it accepts the direction of a ray in any length
+    double least, most; // the accepted lengths of a step, relative to the right one; or 0
+
+    // Of wrong answers: read by table_load_mistakes.
+    int result_count, mistake_count;
+    int *of_mistake; // which of the results each known mistake of the function gives
+    const unsigned char **differences; // of each result from the right one
+    Numbers corners; // of the image plane, from the eye, if a vector to it is asked for
+    Numbers facts;   // what the law of the function needs to know (law.h)
+} Question;
+
+typedef struct {
+    char *function, *name; // the sentence
+    int extra;             // costs no marks
+    int probe;             // nothing is expected
+    int question_count;
+    Question *questions;
+} TableTest;
+
+typedef struct {
+    char *function, *id, *formula, *why, *picture; // known.h; no formulas in an archive
+} TableMistake;
+
+typedef struct {
+    int test_count, mistake_count;
+    TableTest *tests;
+    TableMistake *mistakes;
+    const char *stem;
+    const unsigned char *bytes; // what is not read yet, in memory
+    size_t size;
+} Table;
+
+// From the folder JUDGE_TABLES of the environment, or where make puts them. Exits with 2, and a
+// message, if the stem has no table or it cannot be read.
+void table_load(const char *stem, Table *table);
+
+// The part that right answers do not need. Then the results of mistakes are there.
+void table_load_mistakes(Table *table);
+const Numbers *question_result(const Question *question, int i);
+
+// False if the file cannot be written.
+bool table_write(const char *path, Table *table);
+
+// From malloc, one more of it; the new one is all zero.
+void *table_grow(void *items, int *count, size_t size);
+
+#endif
