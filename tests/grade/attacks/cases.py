@@ -1,10 +1,12 @@
-"""cases.py - reads the attacks in *.c: what each tries, and what must come of it.
+"""cases.py - reads the attacks in *.txt: what each tries, and what must come of it.
 
 A file holds the attacks of one family. Each is a section, which is one submission of one file:
 
-    // ---- name: what it tries, on as many lines as that takes.
-    // -> crashed | graded; earns upper_right; says killed | by itself
-    vec3 upper_left(Camera c) ...
+    ---- name: what it tries, on as many lines as that takes.
+    -> crashed | graded; earns upper_right; says killed | by itself
+    static int one(void): return 1;
+    upper_left:
+        c.distance = one();
 
 After the arrow are the statuses that it may get, then, each only if it is so:
 
@@ -17,6 +19,9 @@ After the arrow are the statuses that it may get, then, each only if it is so:
     bare                handed in as it is; else the contract and prelude.h come before it, and after it such
                         answers for the functions named here that it does not have, and blanks for the others
     needs WHAT          without it, the attack is left out
+
+Then comes C, in which a function is its head, a colon, and its body, on the same line or indented below it. An
+exercise's function goes by its name alone, and one that returns a vector returns c.up at the end.
 
 A text that includes its contract itself gets no prelude. @TREE@ and the like are replaced by places of this run: an
 attacker is taken to have guessed them.
@@ -32,7 +37,9 @@ from grade.exercises import Exercise
 FOLDER = Path(__file__).resolve().parent
 STATUSES = {"graded", "does not compile", "empty", "timed out", "crashed", "cannot be read", "partly read"}
 KEYS = {"earns", "perhaps", "also", "wrong", "says", "of", "bare", "needs"}
-SECTION = "// ---- "
+SECTION = "---- "
+# A function: its name or head, and its body.
+FUNCTION = re.compile(r'^(\w+|[^\n"#;]*\)):(?: (.+))?\n((?: {4}.*\n)*)', re.M)
 
 
 @dataclass
@@ -65,21 +72,20 @@ def by_stem(exercises: list[Exercise]) -> dict[str, dict[str, str]]:
 
 
 def case_of(section: str, file: str) -> Case:
-    comment = re.match(r"(.*\n(?:// .*\n)*)", section)[1]
-    match = re.fullmatch(r"([a-z0-9-]+): \S.*? -> (.+)", comment.strip().replace("\n// ", " "))
+    match = re.match(r"([a-z0-9-]+): (?:.*\n)+?-> (.+)\n", section)
     if not match:
-        raise ValueError(f"{file}: {comment!r}: expected '{SECTION}name: what it tries', and after '-> ' what it gets")
+        raise ValueError(f"{file}: {section[:99]!r}: expected '{SECTION}name: what it tries', and after '-> ' what it gets")
     statuses, *rest = match[2].split("; ")
     head = {key: words for key, _, words in (part.partition(" ") for part in rest)}
     if not set(statuses.split(" | ")) <= STATUSES or not head.keys() <= KEYS:
         raise ValueError(f"{file}: {match[2]}: expected some of {sorted(STATUSES)}, then of {sorted(KEYS)}")
-    return Case(match[1], set(statuses.split(" | ")), head, section[len(comment):])
+    return Case(match[1], set(statuses.split(" | ")), head, section[match.end():])
 
 
 def read(folder: Path = FOLDER) -> dict[str, Case]:
     """All of them: name -> Case."""
     found: dict[str, Case] = {}
-    for path in sorted(folder.glob("*.c")):
+    for path in sorted(folder.glob("*.txt")):
         for section in ("\n" + path.read_text(encoding="utf-8")).split(f"\n{SECTION}")[1:]:
             case = case_of(section, path.name)
             if case.name in found:
@@ -104,6 +110,16 @@ def blank(prototype: str) -> str:
     result = re.match(r"(.*?)\w+\(", prototype)[1].strip()
     body = "NOT_ANSWERED_YET();" if result == "void" else f"return NOT_ANSWERED({result});"
     return f"\n{prototype}\n{{\n    {body}\n}}\n"
+
+
+def spelled_out(text: str, functions: dict) -> str:
+    """The same as C."""
+    def definition(match: re.Match) -> str:
+        head, body = functions.get(match[1], match[1]), match[3] if match[2] is None else f"    {match[2]}\n{match[3]}"
+        if head is not match[1] and "Camera c" in head and head.startswith("vec3 "):
+            body += "    return c.up;\n"
+        return f"{head}\n{{\n{body}}}\n"
+    return FUNCTION.sub(definition, text)
 
 
 def completed(text: str, functions: dict, given: dict | None = None) -> str:
@@ -131,7 +147,7 @@ def prelude() -> str:
 
 
 def handed_in(case: Case, functions: dict, reference: str, places: dict) -> bytes:
-    text, contract = case.text, f'#include "exercises/{case.stem}.h"\n'
+    text, contract = spelled_out(case.text, functions), f'#include "exercises/{case.stem}.h"\n'
     if "bare" not in case.head:
         if contract not in text:
             text = contract + prelude() + text

@@ -14,12 +14,12 @@ import socket
 import struct
 import tarfile
 import zipfile
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from grade.check.fixtures import member, tarred, zipped
 
-from .cases import Expected, blank, completed, read
+from .cases import Expected, blank, handed_in, read
 
 CORNERS, SCREEN = "01-corners.c", "03-screen.c"
 NOTHING_THERE = {"empty", "cannot be read", "partly read", "graded", "does not compile"}
@@ -179,19 +179,22 @@ def builds_itself(room: Room):
     return room.right_screen()
 
 
+def everywhere(room: Room, name: str, attack: str) -> None:
+    """Hands in the same attack for every chapter."""
+    path, case = room.folder(name), read()[attack]
+    for stem, functions in room.prototypes.items():
+        (path / f"{stem}.c").write_bytes(handed_in(replace(case, head={**case.head, "of": stem}), functions, "", {}))
+
+
 def loops_everywhere(room: Room):
     """Every process of every chapter runs for ever, before it is asked anything."""
-    path, loop = room.folder("loops-everywhere"), read()["loop-before-main"].text
-    for stem, functions in room.prototypes.items():
-        (path / f"{stem}.c").write_text(completed(f'#include "exercises/{stem}.h"\n{loop}', functions))
+    everywhere(room, "loops-everywhere", "loop-before-main")
     return Expected({"timed out"}, says=["still running"])
 
 
 def bombs_everywhere(room: Room):
     """Every chapter takes the compiler as long as it may."""
-    path = room.folder("bombs-everywhere")
-    for stem in room.prototypes:
-        (path / f"{stem}.c").write_text(read()["bomb-braces"].text)
+    everywhere(room, "bombs-everywhere", "bomb-braces")
     return Expected({"does not compile", "timed out"})
 
 
