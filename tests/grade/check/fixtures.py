@@ -5,6 +5,7 @@ import gzip
 import io
 import os
 import pickle
+import re
 import resource
 import struct
 import subprocess
@@ -34,6 +35,8 @@ class Sentences(unittest.TestCase):
 
 
 STEMS = ["01-corners", "05-quadratic"]
+ONE, FIVE = "01-corners.c", "05-quadratic.c"
+MB = 1024 * 1024
 
 
 class Scratch(unittest.TestCase):
@@ -42,6 +45,27 @@ class Scratch(unittest.TestCase):
         self.addCleanup(subprocess.run, ["rm", "-rf", str(self.top)], check=True)
         self.room = self.top / "class"
         self.room.mkdir()
+
+    def clear(self):
+        for path in self.room.iterdir():
+            subprocess.run(["rm", "-rf", "--", path], check=True)
+
+    def lay(self, files: dict):
+        """path in the class's folder -> bytes; a path that ends in / is a folder."""
+        for name, content in files.items():
+            path = self.room / name
+            if name.endswith("/"):
+                path.mkdir(parents=True)
+                continue
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+
+    def secret(self, name) -> Path:
+        """A file outside the class's folder."""
+        path = self.top / "secrets" / name
+        path.parent.mkdir(exist_ok=True)
+        path.write_bytes(b"secret")
+        return path
 
     def put(self, name, content=b"int a;\n", who="anna"):
         path = os.path.join(os.fsencode(self.room / who), os.fsencode(name))
@@ -57,10 +81,6 @@ class Scratch(unittest.TestCase):
 
     def answer(self, stem="05-quadratic"):
         return self.collect().answers[stem]
-
-
-FIVE = "05-quadratic.c"
-MB = 1024 * 1024
 
 
 def zipped(*members, method=zipfile.ZIP_DEFLATED) -> bytes:
@@ -106,6 +126,11 @@ def central(raw: bytes, **changes) -> bytes:
     return bytes(raw)
 
 
+def locked(raw: bytes) -> bytes:
+    """A zip whose members all say that they are encrypted."""
+    return re.sub(b"(PK\\x01\\x02.{4}).", lambda match: match[1] + b"\1", raw, flags=re.S)
+
+
 def end_of_zip(size: int, offset: int) -> bytes:
     """The last record of a zip, for a table of that size."""
     return struct.pack("<4s4H2LH", b"PK\5\6", 0, 0, 9, 9, size, offset, 0)
@@ -122,10 +147,6 @@ class Archive(Scratch):
     def archive(self, name, content):
         (self.room / name).write_bytes(content)
         return self.room / name
-
-    def clear(self):
-        for path in self.room.iterdir():
-            path.unlink()
 
     def zip(self, *members, **options):
         self.archive("anna.zip", zipped(*members, **options))

@@ -19,25 +19,147 @@ from unittest import mock
 
 from grade.collect import archives, streams, submissions
 from grade.confine.machine import GraderFailed
-from .fixtures import FIVE, MB, STEMS, Archive, central, header, member, tarred, zipped
+from .fixtures import FIVE, MB, ONE, STEMS, Archive, central, header, member, tarred, zipped
+
+
+def renamed(name: str) -> zipfile.ZipInfo:
+    """With a name that zipfile itself would change."""
+    info = zipfile.ZipInfo("x")
+    info.filename = name
+    return info
+
+
+def zip64(name: str, content: bytes) -> bytes:
+    memory = io.BytesIO()
+    with zipfile.ZipFile(memory, "w") as archive, archive.open(name, "w", force_zip64=True) as file:
+        file.write(content)
+    return memory.getvalue()
+
+
+def gz(*members, **options) -> bytes:
+    return gzip.compress(tarred(*members, **options))
+
+
+def nested(depth: int, content: bytes = b"x") -> bytes:
+    raw = zipped((FIVE, content))
+    for _ in range(depth):
+        raw = zipped(("inner.zip", raw))
+    return raw
+
+
+X, LONG = (FIVE, b"x"), "long/" * 19 + FIVE
+XZ = lzma.compress(tarred(X))
+OF_A_MAC = [(name + FIVE, b"x") for name in ("__MACOSX/", "__MACOSX/._", "._")]
+# A sentence, an archive, and of the answer in it to 05: its state, its file and its text.
+ARCHIVES = [
+    *[("a zip and a tar are read at any depth", name, pack(("week 3/é/" + FIVE, b"int a;\r\n"), (ONE, b"int b;\n")),
+       "found", "week 3/é/" + FIVE, b"int a;\n") for name, pack in (("anna.zip", zipped), ("anna.tar.gz", gz))],
+    *[("every kind of tar is read", name, pack(tarred((LONG, b"x"), format=form)), "found", LONG, b"x")
+      for form in (tarfile.USTAR_FORMAT, tarfile.GNU_FORMAT, tarfile.PAX_FORMAT)
+      for name, pack in (("a.tar", bytes), ("a.tgz", gzip.compress), ("a.TAR.GZ", gzip.compress))],
+    ("a stored zip is read", "anna.zip", zipped(X, method=zipfile.ZIP_STORED), "found", FIVE, b"x"),
+    ("a zip64 is read", "anna.zip", zip64(*X), "found", FIVE, b"x"),
+    ("Windows separators are separators", "anna.zip", zipped((renamed("week\\" + FIVE), b"x")), "found", "week/" + FIVE, b"x"),
+    ("the contents count, not the name", "anna.tar.gz", zipped(X), "found", FIVE, b"x"),
+    ("the contents count, not the name", "anna.zip", gz(X), "found", FIVE, b"x"),
+    ("the contents count, not the name", "anna.zip", tarred(X), "found", FIVE, b"x"),
+    *[("a tar may begin like another kind", "anna.tar.gz", tarred((f"{folder}/{FIVE}", b"x")), "found", f"{shown}/{FIVE}", b"x")
+      for folder, shown in (("PK\3\4", r"PK\x03\x04"), ("BZhang", "BZhang"), ("Rar!", "Rar!"))],
+    *[("files added by a Mac are not answers", name, pack(*OF_A_MAC), "missing", "", b"")
+      for name, pack in (("anna.zip", zipped), ("anna.tar.gz", gz))],
+    ("a folder is not an answer", "anna.zip", zipped((FIVE + "/", b"")), "missing", "", b""),
+    ("a folder is not an answer", "anna.tar.gz", gz((member(FIVE, tarfile.DIRTYPE), b"")), "missing", "", b""),
+    *[("two that differ are not guessed between", name, pack(("a/" + FIVE, b"x"), ("b/" + FIVE, b"y")), "twice", "", b"")
+      for name, pack in (("anna.zip", zipped), ("anna.tar.gz", gz))],
+    *[("two that are the same count as one", name, pack(("a/" + FIVE, b"x"), ("b/" + FIVE, b"x")), "found", "a/" + FIVE, b"x")
+      for name, pack in (("anna.zip", zipped), ("anna.tar.gz", gz))],
+    *[("xz and bzip2 are read", name, pack(tarred(("a/" + FIVE, b"x"))), "found", "a/" + FIVE, b"x")
+      for name, pack in (("anna.tar.xz", lzma.compress), ("anna.txz", lambda tar: lzma.compress(tar) + bytes(8)),
+                         ("anna.tar.bz2", bz2.compress),
+                         ("anna.tbz2", lambda tar: bz2.compress(tar[:700]) + bz2.compress(tar[700:])),
+                         ("anna.zip", lambda tar: lzma.compress(tar[:700]) + bytes(4) + lzma.compress(tar[700:])))],
+    *[("an archive in an archive is read to depth 2", "anna.zip", nested(depth), "found", "inner.zip/" * depth + FIVE, b"x")
+      for depth in range(3)],
+    *[("every kind is read in every other", outer, pack((f"mine/{name}", raw)), "found", f"mine/{name}/{FIVE}", b"x")
+      for name, raw in (("a.zip", zipped(X)), ("a.tar", tarred(X)), ("a.tar.gz", gz(X)), ("a.tgz", gz(X)), ("a.tar.xz", XZ),
+                        ("a.tar.bz2", bz2.compress(tarred(X))))
+      for outer, pack in (("anna.zip", zipped), ("anna.tar", tarred))],
+]
+
+
+def link_in_zip() -> zipfile.ZipInfo:
+    info = zipfile.ZipInfo(FIVE)
+    info.external_attr = (stat.S_IFLNK | 0o777) << 16
+    return info
+
+
+def with_a_bad_member() -> bytes:
+    raw = zipped(("bad.zip", nested(0)), ("good.zip", nested(0)))
+    at = zipfile.ZipFile(io.BytesIO(raw)).infolist()[0].header_offset + 30 + len("bad.zip") + 4
+    return raw[:at] + bytes([raw[at] ^ 0xff]) + raw[at + 1:]
+
+
+TEXT = b"int a;\n" * 100
+# A sentence, what is handed in, the state of its answer to 05, and what is said of it.
+SAID = [
+    *[("a link or a device in a tar is not followed", {"anna.tar.gz": gz(("x.c", b"secret"), (member(FIVE, kind, link), b""))},
+       "missing", f"{FIVE} is ")
+      for kind, link in ((tarfile.SYMTYPE, "/etc/passwd"), (tarfile.LNKTYPE, "x.c"), (tarfile.CHRTYPE, ""),
+                         (tarfile.FIFOTYPE, ""))],
+    ("a link in a zip is not followed", {"anna.zip": zipped((link_in_zip(), b"/etc/passwd"))}, "missing", "not followed"),
+    ("an encrypted member is said", {"anna.zip": central(zipped(X), flags=1)}, "unreadable", "it is encrypted"),
+    *[("a method that nobody reads is said", {"anna.zip": zipped(X, method=method)}, "unreadable", "expected deflate")
+      for method in (zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA)],
+    ("a method that does not exist is said", {"anna.zip": central(zipped(X), method=99)}, "unreadable", ""),
+    *[("a size, a sum or a place that lies is said", {"anna.zip": central(zipped((FIVE, TEXT)), **lie)}, "unreadable",
+       "cannot be read")
+      for lie in ({"size": 7, "sum": zlib.crc32(b"int a;\n")}, {"size": 701}, {"size": 0}, {"sum": 1}, {"packed": 3},
+                  {"offset": 7}, {"offset": 1 << 31})],
+    ("a size of 2 GB that lies is said", {"anna.zip": central(zipped((FIVE, TEXT)), size=1 << 31)}, "unreadable",
+     "is larger than 256 KB"),
+    ("a broken archive inside costs nothing else", {"anna/broken.zip": b"no archive", "anna/good.zip": zipped(X)}, "found",
+     "broken.zip: the archive is broken"),
+    ("a member of a zip that cannot be read costs nothing else", {"anna.zip": with_a_bad_member()}, "found",
+     "bad.zip cannot be read"),
+    ("two archives that differ are not guessed between", {"anna/a.zip": zipped(X), "anna/b.zip": zipped((FIVE, b"y"))},
+     "twice", "2 files are called"),
+    ("a broken header in the middle of a tar is said",
+     {"anna.tar": tarred(X)[:1024] + b"y" * 512 + tarred((ONE, b"x"))}, "found", "the archive is broken after 1 members"),
+    ("why the search ended comes before what is odd",
+     {"anna.tar": tarred(*((f"../{i}", b"x") for i in range(20)))[:20 * 1024] + b"y" * 512}, "missing",
+     "the archive is broken after 20 members; a member's path leads out"),
+    ("a file outside counts before one inside", {"anna/old.zip": zipped((FIVE, b"old"), (ONE, b"one")), f"anna/{FIVE}": b"new"},
+     "found", "in an archive beside it there is another, which does not count: old.zip/" + FIVE),
+    ("an archive 3 deep in others is not read", {"anna.zip": nested(3)}, "missing",
+     "an archive 3 deep in others is not opened: inner.zip/inner.zip/inner.zip"),
+]
 
 
 class WellMade(Archive):
-    def test_a_zip_and_a_tar_are_read_at_any_depth(self):
+    def test_each_archive_has_its_answer(self):
+        for sentence, name, raw, *wanted in ARCHIVES:
+            with self.subTest(sentence):
+                self.clear()
+                self.archive(name, raw)
+                self.assertEqual([*self.five(self.collect())], wanted, name)
+
+    def test_there_is_nothing_to_say_of_a_good_one(self):
         for how in (self.zip, self.tar):
-            collected = how(("week 3/é/" + FIVE, b"int a;\r\n"), ("01-corners.c", b"int b;\n"))
-            self.assertEqual(self.five(collected), ("found", "week 3/é/" + FIVE, b"int a;\n"))
-            self.assertEqual(collected.answers["01-corners"].text, b"int b;\n")
-            self.assertEqual((collected.words, collected.empty), ("", False))
+            collected = how(("week 3/é/" + FIVE, b"int a;\r\n"), (ONE, b"int b;\n"))
+            self.assertEqual((collected.answers["01-corners"].text, collected.words, collected.empty), (b"int b;\n", "", False))
             self.clear()
 
-    def test_every_kind_of_tar_is_read(self):
-        for form in (tarfile.USTAR_FORMAT, tarfile.GNU_FORMAT, tarfile.PAX_FORMAT):
-            for name, pack in (("a.tar", bytes), ("a.tgz", gzip.compress),
-                               ("a.TAR.GZ", gzip.compress)):
-                path = self.archive(name, pack(tarred(("long/" * 19 + FIVE, b"x"), format=form)))
-                self.assertEqual(self.five(self.collect())[::2], ("found", b"x"))
-                path.unlink()
+    def test_what_is_wrong_is_said(self):
+        for sentence, files, state, words in SAID:
+            with self.subTest(sentence):
+                self.clear()
+                self.lay(files)
+                collected = self.collect()
+                answer = collected.answers["05-quadratic"]
+                said = f"{collected.words}; {answer.words}"
+                self.assertEqual(answer.state, state, said)
+                self.assertTrue(words in said and len(said) > 2 and said.isprintable(), said)
+                self.assertIn(answer.text, (b"", b"x", b"new"))
 
     def test_an_answer_of_256_KB_is_read_and_no_more(self):
         for how in (self.zip, self.tar):
@@ -46,49 +168,6 @@ class WellMade(Archive):
                 answer = how((FIVE, b"/" * (256 * 1024 + more))).answers["05-quadratic"]
                 self.assertEqual((answer.state, answer.words),
                                  ("unreadable" if more else "found", words))
-            self.clear()
-
-    def test_a_stored_zip_is_read(self):
-        self.assertEqual(self.five(self.zip((FIVE, b"x"), method=zipfile.ZIP_STORED))[0], "found")
-
-    def test_a_zip64_is_read(self):
-        memory = io.BytesIO()
-        with zipfile.ZipFile(memory, "w") as archive:
-            with archive.open(FIVE, "w", force_zip64=True) as file:
-                file.write(b"x")
-        self.archive("anna.zip", memory.getvalue())
-        self.assertEqual(self.five(self.collect()), ("found", FIVE, b"x"))
-
-    def test_windows_separators_are_separators(self):
-        info = zipfile.ZipInfo("x")
-        info.filename = "week\\" + FIVE
-        self.assertEqual(self.five(self.zip((info, b"x"))), ("found", "week/" + FIVE, b"x"))
-
-    def test_what_an_archive_is_counts_not_what_it_is_called(self):
-        self.archive("anna.tar.gz", zipped((FIVE, b"x")))
-        self.assertEqual(self.five(self.collect())[0], "found")
-        for folder in ("PK\3\4", "BZhang", "Rar!"):
-            self.archive("anna.tar.gz", tarred((f"{folder}/{FIVE}", b"x")))
-            self.assertEqual(self.five(self.collect())[0], "found")
-        self.clear()
-        self.archive("anna.zip", gzip.compress(tarred((FIVE, b"x"))))
-        self.assertEqual(self.five(self.collect())[0], "found")
-        self.archive("anna.zip", tarred((FIVE, b"x")))
-        self.assertEqual(self.five(self.collect())[0], "found")
-
-    def test_folders_and_files_added_by_a_mac_are_not_answers(self):
-        for how in (self.zip, self.tar):
-            collected = how(*((name + FIVE, b"x") for name in ("__MACOSX/", "__MACOSX/._", "._")))
-            self.assertTrue(collected.empty)
-            self.clear()
-        self.assertTrue(self.zip((FIVE + "/", b"")).empty)
-        self.clear()
-        self.assertTrue(self.tar((member(FIVE, tarfile.DIRTYPE), b"")).empty)
-
-    def test_two_that_differ_are_not_guessed_between(self):
-        for how in (self.zip, self.tar):
-            self.assertEqual(self.five(how(("a/" + FIVE, b"x"), ("b/" + FIVE, b"y")))[0], "twice")
-            self.assertEqual(self.five(how(("a/" + FIVE, b"x"), ("b/" + FIVE, b"x")))[0], "found")
             self.clear()
 
     def test_the_time_is_that_of_the_archive(self):
@@ -101,30 +180,12 @@ class Escapes(Archive):
         names = ["../../" + FIVE, "/etc/" + FIVE, "a/../../" + FIVE, "..//" + FIVE]
         for how, extra in ((self.zip, ["..\\" + FIVE, "C:\\" + FIVE]), (self.tar, [])):
             for name in names + extra:
-                info = name if how == self.tar else zipfile.ZipInfo("x")
-                if how == self.zip:
-                    info.filename = name
                 before = sorted(self.top.rglob("*"))
-                collected = how((info, b"x"))
+                collected = how((renamed(name) if how == self.zip else name, b"x"))
                 self.assertTrue(collected.empty)
                 self.assertIn("leads out of the archive", collected.words)
                 self.assertLessEqual(len(sorted(self.top.rglob("*"))), len(before) + 1)
             self.clear()
-
-    def test_links_and_devices_in_a_tar_are_not_followed(self):
-        (self.top / "secret").write_bytes(b"secret")
-        for kind, link in ((tarfile.SYMTYPE, str(self.top / "secret")), (tarfile.LNKTYPE, "x.c"),
-                           (tarfile.CHRTYPE, ""), (tarfile.FIFOTYPE, "")):
-            collected = self.tar(("x.c", b"secret"), (member(FIVE, kind, link), b""))
-            self.assertEqual(self.five(collected), ("missing", "", b""))
-            self.assertIn(f"{FIVE} is ", collected.answers["05-quadratic"].words)
-
-    def test_a_link_in_a_zip_is_not_followed(self):
-        info = zipfile.ZipInfo(FIVE)
-        info.external_attr = (stat.S_IFLNK | 0o777) << 16
-        collected = self.zip((info, b"/etc/passwd"))
-        self.assertEqual(self.five(collected), ("missing", "", b""))
-        self.assertIn("not followed", collected.answers["05-quadratic"].words)
 
     def test_an_archive_that_became_a_link_or_a_fifo_is_not_opened(self):
         self.archive("anna.zip", zipped((FIVE, b"x")))
@@ -136,9 +197,6 @@ class Escapes(Archive):
         os.mkfifo(self.room / "anna.zip")
         self.assertEqual(submissions.collect(found[0], STEMS).words,
                          "cannot be read: it is not a file")
-
-
-ONE = "01-corners.c"
 
 
 def rar(name: str, content: bytes) -> bytes:
@@ -157,35 +215,7 @@ def by_bsdtar(form: str, tar: bytes) -> bytes:
                           stdout=subprocess.PIPE).stdout
 
 
-def nested(depth: int, content: bytes = b"x") -> bytes:
-    raw = zipped((FIVE, content))
-    for _ in range(depth):
-        raw = zipped(("inner.zip", raw))
-    return raw
-
-
 class Kinds(Archive):
-    def test_xz_and_bzip2_are_read(self):
-        tar = tarred(("a/" + FIVE, b"int a;\r\n"))
-        for name, raw in (("anna.tar.xz", lzma.compress(tar)), ("anna.txz", lzma.compress(tar) + bytes(8)),
-                          ("anna.tar.bz2", bz2.compress(tar)),
-                          ("anna.tbz2", bz2.compress(tar[:700]) + bz2.compress(tar[700:])),
-                          ("anna.zip", lzma.compress(tar[:700]) + bytes(4) + lzma.compress(tar[700:]))):
-            path = self.archive(name, raw)
-            self.assertEqual(self.five(self.collect()), ("found", "a/" + FIVE, b"int a;\n"), name)
-            path.unlink()
-
-    def test_those_that_are_cut_off_or_damaged_have_words(self):
-        # A text that cannot be made smaller: a byte that is missing is missing in it.
-        text = b"".join(b"%x\n" % (i * i * 7919) for i in range(4000))
-        for pack in (lzma.compress, bz2.compress):
-            whole = pack(tarred((FIVE, text)))
-            for length in range(1, len(whole) - 1, len(whole) // 23):
-                self.archive("anna.tar.xz", whole[:length])
-                collected = self.collect()
-                self.assertIn(self.five(collected)[::2], (("found", text), ("missing", b""), ("unreadable", b"")))
-                self.assertTrue(self.five(collected)[0] == "found" or collected.words, length)
-
     def test_bombs_of_xz_and_bzip2_are_refused(self):
         start = tarred((ONE, b"x"))[:1024] + header(FIVE, 1 << 30)
         for pack in (lzma.compress, bz2.compress):
@@ -227,25 +257,15 @@ class ByProgram(Archive):
         self.assertEqual(self.five(collected), ("found", "all.rar/" + FIVE, b"x"))
         self.assertEqual(collected.answers["01-corners"].file, "all.7z/" + ONE)
 
-    def test_what_is_damaged_has_words(self):
-        for whole in (by_bsdtar("7zip", tarred((FIVE, b"int a;\n" * 50))), rar(FIVE, b"int a;\n" * 50)):
-            for at in (4, len(whole) // 3, len(whole) // 2, len(whole) - 3):
-                self.archive("anna.7z", whole[:at])
-                collected = self.collect()
-                self.assertTrue(collected.words or self.five(collected)[2] == b"int a;\n" * 50, at)
-
     def test_a_bomb_is_refused(self):
         self.archive("anna.7z", by_bsdtar("7zip", tarred(("zeros", bytes(40 * MB)), (FIVE, b"x"))))
         with mock.patch.object(archives, "STREAM", 32 * MB):
             self.assertEqual(self.collect().words, "decompresses to more than 32 MB; no more was read")
 
     def test_links_in_it_lead_nowhere(self):
-        (self.top / "secret").write_bytes(b"secret")
         (self.top / "in").mkdir()
-        (self.top / "in" / FIVE).symlink_to(self.top / "secret")
-        subprocess.run(["bsdtar", "-c", "-f", str(self.room / "anna.7z"), "--format=7zip", "-C", str(self.top / "in"),
-                        FIVE],
-                       check=True)
+        (self.top / "in" / FIVE).symlink_to(self.secret("secret"))
+        subprocess.run(["bsdtar", "-c", "-f", self.room / "anna.7z", "--format=7zip", "-C", self.top / "in", FIVE], check=True)
         collected = self.collect()
         self.assertEqual(self.five(collected), ("missing", "", b""))
         self.assertIn("a link, not followed", collected.answers["05-quadratic"].words)
@@ -300,69 +320,17 @@ class WithoutProgram(Archive):
 
 
 class Inside(Archive):
-    def test_an_archive_in_an_archive_is_read_to_depth_2(self):
-        for depth in range(4):
-            self.archive("anna.zip", nested(depth))
-            collected = self.collect()
-            if depth <= 2:
-                self.assertEqual(self.five(collected), ("found", "inner.zip/" * depth + FIVE, b"x"))
-                self.assertEqual(collected.words, "")
-            else:
-                self.assertEqual((collected.empty, collected.words),
-                                 (True, "an archive 3 deep in others is not opened: inner.zip/inner.zip/inner.zip"))
-
-    def test_every_kind_in_every_other(self):
-        tar = tarred((FIVE, b"x"))
-        inside = {"a.zip": zipped((FIVE, b"x")), "a.tar": tar, "a.tar.gz": gzip.compress(tar),
-                  "a.tgz": gzip.compress(tar),
-                  "a.tar.xz": lzma.compress(tar), "a.tar.bz2": bz2.compress(tar)}
-        for name, raw in inside.items():
-            for outer, pack in (("anna.zip", zipped), ("anna.tar", tarred)):
-                path = self.archive(outer, pack(("mine/" + name, raw)))
-                self.assertEqual(self.five(self.collect()), ("found", f"mine/{name}/{FIVE}", b"x"), (outer, name))
-                path.unlink()
-
     def test_a_folder_with_archives_is_read(self):
         self.put("week 1/one.zip", zipped((ONE, b"x")))
-        self.put("week 2/five.tar.gz", gzip.compress(tarred((FIVE, b"y"))))
+        self.put("week 2/five.tar.gz", gz((FIVE, b"y")))
         collected = self.collect()
         self.assertEqual([(a.file, a.text) for a in collected.answers.values()],
                          [("week 1/one.zip/" + ONE, b"x"), ("week 2/five.tar.gz/" + FIVE, b"y")])
 
-    def test_a_file_outside_counts_before_one_inside(self):
-        self.put("old.zip", zipped((FIVE, b"old"), (ONE, b"one")))
-        self.put(FIVE, b"new")
-        collected = self.collect()
-        self.assertEqual(self.five(collected), ("found", FIVE, b"new"))
-        self.assertEqual(collected.answers["05-quadratic"].words,
-                         "in an archive beside it there is another, which does not count: old.zip/" + FIVE)
-        self.assertEqual(collected.answers["01-corners"].text, b"one")
-
-    def test_two_archives_that_differ_are_not_guessed_between(self):
-        self.put("a.zip", zipped((FIVE, b"x")))
-        self.put("b.zip", zipped((FIVE, b"y")))
-        self.assertEqual(self.five(self.collect())[0], "twice")
-
-    def test_a_broken_one_inside_is_said_and_costs_nothing_else(self):
-        self.put("broken.zip", b"no archive")
-        self.put("good.zip", zipped((FIVE, b"x")))
-        collected = self.collect()
-        self.assertEqual(self.five(collected)[0], "found")
-        self.assertIn("broken.zip: the archive is broken", collected.words)
-
-    def test_a_member_that_cannot_be_read_inside_a_zip_is_said(self):
-        raw = zipped(("bad.zip", nested(0)), ("good.zip", nested(0)))
-        info = zipfile.ZipFile(io.BytesIO(raw)).infolist()[0]
-        at = info.header_offset + 30 + len("bad.zip") + 4
-        self.archive("anna.zip", raw[:at] + bytes([raw[at] ^ 0xff]) + raw[at + 1:])
-        collected = self.collect()
-        self.assertEqual(self.five(collected), ("found", "good.zip/" + FIVE, b"x"))
-        self.assertIn("bad.zip cannot be read", collected.words)
-
     def test_links_that_are_called_like_archives_are_not_followed(self):
-        (self.top / "secret.zip").write_bytes(nested(0))
         self.put("x.txt")
-        (self.room / "anna" / "all.zip").symlink_to(self.top / "secret.zip")
+        self.secret("all.zip").write_bytes(nested(0))
+        (self.room / "anna" / "all.zip").symlink_to(self.top / "secrets" / "all.zip")
         self.assertTrue(self.collect().empty)
 
     def test_an_archive_of_itself_ends(self):
@@ -392,44 +360,21 @@ class Inside(Archive):
 
 
 class Broken(Archive):
-    def test_an_encrypted_member_is_said(self):
-        self.archive("anna.zip", central(zipped((FIVE, b"x")), flags=1))
-        collected = self.collect()
-        self.assertEqual(self.five(collected)[0], "unreadable")
-        self.assertIn("it is encrypted", collected.answers["05-quadratic"].words)
-
-    def test_a_method_that_nobody_reads_is_said(self):
-        for method in (zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA):
-            collected = self.zip((FIVE, b"x"), method=method)
-            self.assertIn("expected deflate", collected.answers["05-quadratic"].words)
-        self.archive("anna.zip", central(zipped((FIVE, b"x")), method=99))
-        self.assertEqual(self.five(self.collect())[0], "unreadable")
-
-    def test_lying_sizes_and_sums_are_said(self):
-        whole = zipped((FIVE, b"int a;\n" * 100))
-        for lie in ({"size": 7, "sum": zlib.crc32(b"int a;\n")}, {"size": 701}, {"size": 1 << 31},
-                    {"sum": 1}, {"packed": 3}, {"offset": 7},
-                    {"offset": 1 << 31}, {"size": 0}):
-            self.archive("anna.zip", central(whole, **lie))
-            collected = self.collect()
-            self.assertIn(self.five(collected)[0], ("unreadable", "missing"), lie)
-            self.assertNotEqual(collected.words + collected.answers["05-quadratic"].words, "", lie)
-
     def test_every_truncated_archive_has_words_and_no_half_answer(self):
-        text = os.urandom(3000).replace(b"\0", b"x").replace(b"\r", b"x")
-        text = b"x" + text
-        for name, whole in (("a.zip", zipped((FIVE, text))),
-                            ("a.tar.gz", gzip.compress(tarred((FIVE, text)))),
-                            ("a.tar", tarred((FIVE, text)))):
-            for length in range(0, len(whole) - 1, 97):
-                path = self.archive(name, whole[:length])
+        # A text that cannot be made smaller: a byte that is missing is missing in it.
+        text = b"".join(b"%x\n" % (i * i * 7919) for i in range(1000))
+        wholes = {"a.zip": zipped((FIVE, text)), "a.tar.gz": gz((FIVE, text)), "a.tar": tarred((FIVE, text)),
+                  "a.tar.xz": lzma.compress(tarred((FIVE, text))), "a.tar.bz2": bz2.compress(tarred((FIVE, text)))}
+        if shutil.which("bsdtar"):
+            wholes |= {"a.7z": by_bsdtar("7zip", tarred((FIVE, text))), "a.rar": rar(FIVE, text)}
+        for name, whole in wholes.items():
+            for length in range(4, len(whole) - 1, len(whole) // (23 if name[-2:] not in ("7z", "ar") else 4)):
+                self.archive(name, whole[:length])
                 collected = self.collect()
                 state, _, held = self.five(collected)
-                self.assertIn((state, held),
-                              (("found", text), ("missing", b""), ("unreadable", b"")))
-                if state != "found":
-                    self.assertNotEqual(collected.words, "", (name, length))
-            path.unlink()
+                self.assertIn((state, held), (("found", text), ("missing", b""), ("unreadable", b"")))
+                self.assertTrue(state == "found" or collected.words, (name, length))
+            self.clear()
 
     def test_archives_with_any_byte_wrong_stop_nobody(self):
         for name, whole in (("a.zip", zipped((FIVE, b"int a;"), ("b/" + FIVE, b"int a;"))),
@@ -439,18 +384,6 @@ class Broken(Archive):
                 path = self.archive(name, whole[:at] + bytes([whole[at] ^ 0x81]) + whole[at + 1:])
                 self.collect()
             path.unlink()
-
-    def test_a_tar_with_a_broken_header_in_the_middle_says_so(self):
-        self.archive("anna.tar", tarred((FIVE, b"x"))[:1024] + b"y" * 512 +
-                     tarred(("01-corners.c", b"x")))
-        collected = self.collect()
-        self.assertEqual(self.five(collected)[0], "found")
-        self.assertEqual(collected.words, "the archive is broken after 1 members")
-
-    def test_why_the_search_ended_comes_before_what_is_odd(self):
-        whole = tarred(*((f"../{i}", b"x") for i in range(20)))
-        self.archive("anna.tar", whole[:20 * 1024] + b"y" * 512)
-        self.assertTrue(self.collect().words.startswith("the archive is broken after 20 members"))
 
     def test_sizes_below_zero_end(self):
         # Python's own tarfile once walked in circles here.
