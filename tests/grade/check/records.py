@@ -1,20 +1,12 @@
-"""records.py - records by hand, for the tests of the reports: an ordinary class, drawn from the real exercises and the
-real mistakes, always the same way; and one in which every string that quotes a student is an attack.
-
-To look at the reports: PYTHONPATH=tests python3 -B -m grade.check.records build/sample
+"""records.py - records by hand, for the tests of the reports: an ordinary class, drawn from the real exercises, always
+the same way; and one in which every string that quotes a student is an attack.
 """
-import functools
 import os
-import pathlib
 import random
-import re
 import struct
-import sys
 import zlib
 
 from grade.exercises import read
-from grade.report.files import write_class, write_submission
-from grade.report.text import closing
 
 
 def function(name, slide="", prompt="", state="right", most=4.0, **more) -> dict:
@@ -39,20 +31,11 @@ def record(name, stems, status="graded", **more) -> dict:
 
 def png(columns, rows, shade) -> bytes:
     """A small picture: shade(x, y) gives three bytes, x and y from -1 to 1."""
-    lines = b"".join(
-        b"\0" + b"".join(bytes(shade(2 * (x + 0.5) / columns - 1, 2 * (y + 0.5) / rows - 1)) for x in range(columns))
-        for y in range(rows)
-    )
-
-    def chunk(kind, data):
-        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-    return (
-        b"\x89PNG\r\n\x1a\n"
-        + chunk(b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 2, 0, 0, 0))
-        + chunk(b"IDAT", zlib.compress(lines))
-        + chunk(b"IEND", b"")
-    )
+    lines = b"".join(b"\0" + b"".join(bytes(shade(2 * (x + 0.5) / columns - 1, 2 * (y + 0.5) / rows - 1))
+                                      for x in range(columns)) for y in range(rows))
+    chunks = ((b"IHDR", struct.pack(">IIBBBBB", columns, rows, 8, 2, 0, 0, 0)), (b"IDAT", zlib.compress(lines)), (b"IEND", b""))
+    return b"\x89PNG\r\n\x1a\n" + b"".join(struct.pack(">I", len(data)) + kind + data
+                                            + struct.pack(">I", zlib.crc32(kind + data)) for kind, data in chunks)
 
 
 def ball(radius: float) -> bytes:
@@ -123,23 +106,15 @@ HOSTILE = [
 
 def hostile_record(text: str, place: int) -> dict:
     """Every string that might quote a student is the same hostile one. Ten points, always."""
-    trap = {
-        "test": text,
-        "how": "",
-        "law": text,
-        "expected": text,
-        "yours": text,
-        "given": [[text, text], ["ray", text]],
-        "mistake": None,
-    }
+    trap = {"test": text, "law": text, "expected": text, "yours": text, "given": [[text, text], ["ray", text]]}
     known = {"id": text, "formula": text, "why": text, "picture": text}
     quadratic = [
         function("to_object_coordinates"),
         function("object_quadratic", text, text, "wrong", **trap),
-        function("world_quadratic", text, text, "wrong", **{**trap, "mistake": known}),
+        function("world_quadratic", text, text, "wrong", **trap, mistake=known),
         function("quadratic_roots", text, text, "unanswered", **trap),
         function("sphere_roots", text, text, "waiting", waiting_for=[text, text]),
-        function("hit_sphere", text, text, "crashed", **{**trap, "how": text}),
+        function("hit_sphere", text, text, "crashed", **trap, how=text),
     ]
     stems = [
         stem("01-corners", state="missing", most=20.0, words=text),
@@ -148,9 +123,8 @@ def hostile_record(text: str, place: int) -> dict:
         stem("04-pixel-ray", state="not judged", most=4.0, words=text, file=text),
         stem("05-quadratic", quadratic, file=text),
     ]
-    return record(
-        text, stems, "crashed", words=text, late=text, folder=f"h{place:02}", pictures={"expected": text, "yours": text}
-    )
+    return record(text, stems, "crashed", words=text, late=text, folder=f"h{place:02}",
+                  pictures={"expected": text, "yours": text})
 
 
 def hostile_class() -> list:
@@ -158,9 +132,6 @@ def hostile_class() -> list:
 
 
 # ---- ordinary -----------------------------------------------------------------------------------
-
-
-TESTS = pathlib.Path(__file__).resolve().parents[2]
 
 
 def exercises() -> dict:
@@ -171,42 +142,11 @@ def exercises() -> dict:
     return found
 
 
-@functools.lru_cache(maxsize=None)
-def mistakes() -> dict:
-    """function -> list of mistakes, from the C that knows them."""
-    found = {}
-    string = r'((?:"(?:[^"\\]|\\.)*"\s*)+)'
-    for path in sorted(TESTS.glob("[0-9]*/wrong.c")):
-        for each in re.finditer(rf"WRONG(?:_LINE)?\((\w+),\s*{string},\s*{string},\s*{string},\s*{string}[,)]",
-                                path.read_text(encoding="utf-8")):
-            function, name, *words = each.groups()
-            name, formula, why, picture = ["".join(re.findall(r'"((?:[^"\\]|\\.)*)"', part)) for part in [name] + words]
-            found.setdefault(function, []).append({"id": name, "formula": formula, "why": why, "picture": picture})
-    return found
-
-
-def wrong(name, slide, prompt, chance) -> dict:
-    known = mistakes().get(name, [])
-    how = {}
-    kind = chance.random()
-    if kind < 0.6 and known:
-        how = {"mistake": known[chance.randrange(min(3, len(known)))], "partly": kind < 0.1}
-    elif kind < 0.7:
-        how = {"hidden": True, "law": "your root is at t = 8.1234, and that is not on the sphere"}
-    else:
-        how = {"law": "your direction has length 2, and one was asked for"}
-    if not how.get("hidden"):
-        how |= {
-            "expected": "(-1, 1, 4)",
-            "yours": "(-2, 2, 4)",
-            "given": [
-                ["camera", "eye (2, 2, -4), right (1, 0, 0), up (0, 1, 0), forward (0, 0, 1), " "d~4, w~2, h~2"],
-                ["ray", "origin (1, 2, 3), direction (0, 0, 1)"],
-            ],
-        }
-    return function(name, slide, prompt, "wrong", test="the_example_of_the_deck_comes_out", **how)
-
-
+MISTAKE = {"id": "C1", "formula": "d f + w r + h u", "picture": "everything at half its size",
+           "why": "The whole width and height. f reaches the middle of the plane, and each edge is only half as far from "
+                  "there."}
+GIVEN = [["camera", "eye~(2, 2, -4), right~(1, 0, 0), up~(0, 1, 0), forward~(0, 0, 1), d~4, w~2, h~2"],
+         ["ray", "origin (1, 2, 3), direction (0, 0, 1)"]]
 COMPILER = """05-quadratic.c:31:12: error: expected ';' before 'return'
    31 |     double a = dot(ray.direction, ray.direction)
       |                                                 ^
@@ -214,63 +154,39 @@ COMPILER = """05-quadratic.c:31:12: error: expected ';' before 'return'
   help: a statement ends with a semicolon; this one does not."""
 
 
+def drawn(asked: tuple, skill: float, chance) -> dict:
+    """A function as somebody of this skill answers it."""
+    told = {"test": "the_example_of_the_deck_comes_out", "expected": "(-1, 1, 4)", "yours": "(-2, 2, 4)", "given": GIVEN}
+    kinds = [{"mistake": MISTAKE}, {"mistake": MISTAKE, "partly": True}, {"law": "your direction has length 2"},
+             {"hidden": True, "given": [], "law": "your root is at t = 8.1234, and that is not on the sphere"},
+             {"state": "unanswered"}, {"state": "timed out", "how": "was still running after 1 s (an endless loop?)"}]
+    if chance.random() < skill:
+        return function(*asked)
+    return function(*asked, **{"state": "wrong", **told, **chance.choice(kinds)})
+
+
 def ordinary_class(size=12, seed=4) -> list:
     chance = random.Random(seed)
     them = []
     for place in range(size):
-        skill, stems = chance.uniform(0.5, 1.05), []
-        for name, asked in exercises().items():
-            if chance.random() < 0.03:
-                stems.append(stem(name, state="missing", most=4.0 * len(asked)))
-                continue
-            functions = []
-            for each in asked:
-                if chance.random() < skill:
-                    functions.append(function(*each))
-                elif chance.random() < 0.2:
-                    functions.append(function(*each, state="unanswered"))
-                elif chance.random() < 0.1:
-                    functions.append(function(*each, state="timed out", test="a_ray_that_misses",
-                                              how="was still running after 1 s (an endless loop?)"))
-                else:
-                    functions.append(wrong(*each, chance))
-            stems.append(stem(name, functions))
+        skill = chance.uniform(0.5, 1.05)
+        stems = [stem(name, state="missing", most=4.0 * len(asked)) if chance.random() < 0.03
+                 else stem(name, [drawn(each, skill, chance) for each in asked]) for name, asked in exercises().items()]
         them.append(record(f"group {place + 1:02}", stems, pictures={"expected": "expected.png", "yours": "yours.png"}))
     if size < 12:
         return them
-    all_stems = list(exercises().items())
     them[2]["late"] = "2 days late: 10 of 100 marks less for each"
-    them[2]["score"] -= 20
-    missing = [stem(name, state="missing", most=4.0 * len(asked)) for name, asked in all_stems]
+    missing = [stem(name, state="missing", most=4.0 * len(asked)) for name, asked in exercises().items()]
     them[3].update(record("group 04 (empty).zip", missing, "empty", words="no NN-stem.c in it"))
     them[6]["stems"][4] = stem("05-quadratic", state="does not compile", most=24.0, words=COMPILER)
     them[6].update(status="does not compile", words="05-quadratic.c does not compile")
     them[7]["stems"][1] = stem("02-cameras", state="twice", most=20.0, words="week 3/02-cameras.c\nweek 4/02-cameras.c")
-    them[8]["stems"][4]["functions"][4:] = [
-        function(
-            "sphere_roots", "Intersecting a ray and a sphere", "Where?", "waiting", waiting_for=["quadratic_roots"]
-        ),
-        function("hit_sphere", "Ray casting process", "Find the closest.", "crashed",
-                 test="a_tangent_ray_hits", how="crashed (segmentation fault)"),
-    ]
+    them[8]["stems"][4] = stem("05-quadratic", [
+        *[function(*each) for each in exercises()["05-quadratic"][:4]],
+        function("sphere_roots", "Intersecting a ray and a sphere", "Where?", "waiting", waiting_for=["quadratic_roots"]),
+        function("hit_sphere", "Ray casting process", "Find the closest.", "crashed", test="a_tangent_ray_hits",
+                 how="crashed (segmentation fault)")])
     them[9].update(submission="группа 10, 第十組, a name much longer than any column has room for")
     for one in them:
         one["score"] = sum(each["score"] for each in one["stems"]) - (20 if one["late"] else 0)
     return them
-
-
-def write_sample(out: str) -> None:
-    them = ordinary_class()
-    for place, one in enumerate(them):
-        folder = pathlib.Path(out, one["folder"])
-        folder.mkdir(parents=True, exist_ok=True)
-        if one["pictures"]:
-            (folder / "expected.png").write_bytes(ball(0.8))
-            (folder / "yours.png").write_bytes(ball(0.8 if place % 3 else 0.4))
-        write_submission(one, str(folder))
-    write_class(them, out)
-
-
-if __name__ == "__main__":
-    write_sample(sys.argv[1])
-    sys.stdout.write(closing(ordinary_class()))

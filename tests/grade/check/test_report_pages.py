@@ -15,40 +15,28 @@ from grade.report.html import class_page, submission_page
 from grade.visible import number, visible
 from .fixtures import Sentences
 from .read_back import Page
-from .records import HOSTILE, ball, function, hostile_class, ordinary_class, record, stem
+from .records import GIVEN, HOSTILE, MISTAKE, ball, function, hostile_class, ordinary_class, record, stem
 
 GRADING = pathlib.Path(__file__).resolve().parents[1]
 HOSTILES, ORDINARY = hostile_class(), ordinary_class()
-TAGS = set(
-    """html head meta title style body header main footer section article div h1 h2 h3 p a b bdi
-    span strong code pre dl dt dd ul ol li table caption thead tbody tr th td abbr figure figcaption
-    img svg line rect text details summary""".split()
-)
-ATTRIBUTES = set(
-    """charset http-equiv content name lang class href id scope aria-label role tabindex title
-    src alt loading x y x1 x2 y1 y2 width height text-anchor viewbox""".split()
-)
+TAGS = set("html head meta title style body header main footer section article div h1 h2 h3 p a b bdi span strong code pre "
+           "dl dt dd ul ol li table caption thead tbody tr th td abbr figure figcaption img svg line rect text details "
+           "summary".split())
+ATTRIBUTES = set("charset http-equiv content name lang class href id scope aria-label role tabindex title src alt loading "
+                 "x y x1 x2 y1 y2 width height text-anchor viewbox".split())
 POLICY = "default-src 'none'; img-src data: 'self'; style-src 'unsafe-inline'"
 BESIDE = re.compile(r"\./[A-Za-z0-9._~%/-]+")  # nothing but a relative path, however odd a name
 
 
 def urls_are_ours(page: Page) -> bool:
-    return all(
-        BESIDE.fullmatch(url)
-        or (key == "href" and re.fullmatch(r"#\d\d-[a-z-]+", url))
-        or (key == "src" and re.fullmatch(r"data:image/png;base64,[A-Za-z0-9+/=]+", url))
-        for key, url in page.urls
-    )
+    return all(BESIDE.fullmatch(url) or (key == "href" and re.fullmatch(r"#\d\d-[a-z-]+", url))
+               or (key == "src" and re.fullmatch(r"data:image/png;base64,[A-Za-z0-9+/=]+", url))
+               for key, url in page.urls)
 
 
 def is_ours(page: Page) -> bool:
-    return (
-        set(page.tags) <= TAGS
-        and page.attributes <= ATTRIBUTES
-        and not page.other
-        and not page.open
-        and urls_are_ours(page)
-    )
+    return (set(page.tags) <= TAGS and page.attributes <= ATTRIBUTES and not page.other and not page.open
+            and urls_are_ours(page))
 
 
 def words(page: Page) -> str:
@@ -109,16 +97,13 @@ class ReportPages(Sentences):
             yours.write_bytes(ball(0.4))
             self.check("pictures are in the page, expected beside yours", sources()
                        == ["data:image/png;base64," + base64.b64encode(png).decode() for png in (ball(0.8), ball(0.4))])
-            yours.write_bytes(b"<svg onload='alert(1)'>")
-            self.check("what is no PNG is not shown", sources() == [])
-            yours.unlink()
             secret = pathlib.Path(folder, "secret.png")
             secret.write_bytes(ball(0.4))
-            yours.symlink_to(secret)
-            self.check("a link in a picture's place is not followed", sources() == [])
-            yours.unlink()
-            os.mkfifo(yours)
-            self.check("nor a pipe waited for", sources() == [])
+            for what, put in (("no PNG", lambda: yours.write_bytes(b"<svg onload='alert(1)'>")),
+                              ("a link", lambda: yours.symlink_to(secret)), ("a pipe", lambda: os.mkfifo(yours))):
+                yours.unlink()
+                put()
+                self.check(f"{what} in a picture's place is not shown", sources() == [])
             one["pictures"]["yours"] = "../" + os.path.basename(folder) + "/secret.png"
             self.check("a picture lies beside its page and nowhere else", sources() == [])
 
@@ -141,26 +126,20 @@ class ReportPages(Sentences):
         self.check("the class's page says seed and sandbox",
                    "123456" in told and "bubblewrap, Landlock, seccomp" in told)
         self.check("the class's page is the same in any order", class_page(ORDINARY[::-1]) == class_page(ORDINARY))
-        for what, safe, unsafe in (
-            ("class", class_page(ORDINARY), class_page([{**ORDINARY[0], "unsafe": True}])),
-            ("submission", submission_page(ORDINARY[0], "."), submission_page({**ORDINARY[0], "unsafe": True}, ".")),
-        ):
-            self.check(f"the page of a {what} says when marks are unsafe", "UNSAFE" in unsafe and "UNSAFE" not in safe)
+        for page in (lambda one: class_page([one]), lambda one: submission_page(one, ".")):
+            self.check("a page says when marks are unsafe", "UNSAFE" in page({**ORDINARY[0], "unsafe": True})
+                       and "UNSAFE" not in page(ORDINARY[0]))
 
     def test_style(self):
         css = (GRADING / "report/report.css").read_text(encoding="utf-8")
         found = [dict(re.findall(r"--([a-z-]+): (#[0-9a-f]{6});", block)) for block in css.split(":root {")[1:]]
         schemes = {"light": found[0], "dark": {**found[0], **found[1]}}
         self.check("black on white is 21 to 1", round(contrast("#000000", "#ffffff"), 3) == 21)
+        pairs = [(ink, ground, 4.5) for ink in ("ink", "quiet", "link", "good", "bad", "warn") for ground in ("paper", "box")]
         for name, colors in schemes.items():
-            for ink in ("ink", "quiet", "link", "good", "bad", "warn"):
-                self.check(
-                    f"{ink} is legible in the {name} scheme",
-                    contrast(colors[ink], colors["paper"]) >= 4.5 and contrast(colors[ink], colors["box"]) >= 4.5,
-                )
-            self.check(f"the alarm is legible in the {name} scheme",
-                       contrast(colors["alarm-ink"], colors["alarm"]) >= 4.5)
-            self.check(f"bars are visible on the {name} paper", contrast(colors["bar"], colors["paper"]) >= 3)
+            for ink, ground, least in [*pairs, ("alarm-ink", "alarm", 4.5), ("bar", "paper", 3)]:
+                self.check(f"{ink} is legible on {ground} in the {name} scheme",
+                           contrast(colors[ink], colors[ground]) >= least)
         rules = css.split("* { box-sizing", 1)[1]
         self.check("no colour is outside the schemes", not re.search(r"#[0-9a-f]{3,6}\b|rgb|url\(", rules))
 
@@ -169,45 +148,22 @@ class ReportPages(Sentences):
 
 
 README = pathlib.Path(__file__).resolve().parents[3] / "exercises/README.md"
-CANARIES = ("8.12345", "CANARY")
-
-MISTAKE = {
-    "id": "C1",
-    "formula": "d f + w r + h u",
-    "picture": "everything at half its size",
-    "why": "The whole width and height. f reaches the middle of the plane, and each edge is only "
-    "half as far from there.",
-}
-UPPER_RIGHT = function(
-    "upper_right",
-    "Finding vectors from the eye",
-    "Give an expression.",
-    "wrong",
-    mistake=MISTAKE,
-    test="the_upper_right_corner_of_the_example",
-    expected="(1, 1, 4)",
-    yours="(2, 2, 4)",
-    given=[["camera", "eye~(2, 2, -4), right~(1, 0, 0), up~(0, 1, 0), forward~(0, 0, 1), d~4, w~2, h~2"]],
-)
+UPPER_RIGHT = function("upper_right", "Finding vectors from the eye", "Give an expression.", "wrong", mistake=MISTAKE,
+                       test="the_upper_right_corner_of_the_example", expected="(1, 1, 4)", yours="(2, 2, 4)", given=GIVEN[:1])
 
 
 class Comment(Sentences):
     def test_visible(self):
-        raw = (
-            "a\0\x1b[2J\n\t\r\x7f\x85"
-            + os.fsdecode(b"\xff")
-            + "\ud800\u2028\u202e\ufeff\uffff\U000e0041 \u00e9\u5b57\\n"
-        )
+        raw = ("a\0\x1b[2J\n\t\r\x7f\x85" + os.fsdecode(b"\xff")
+               + "\ud800\u2028\u202e\ufeff\uffff\U000e0041 \u00e9\u5b57\\n")
         self.check("what acts is shown and does not act", visible(raw)
                    == (r"a\x00\x1b[2J\n\t\r\x7f\x85\xff\ud800\u2028\u202e\ufeff\uffff\U000e0041 " + "\u00e9\u5b57\\n"))
         self.check("lines stay where they are wanted", visible("a\r\nb\x07\n\tc", lines=True) == "a\nb\\x07\n        c")
         self.check("what is too long is cut, and says so", visible("x" * 10_001) == "x" * 10_000 + " ... (cut)")
         self.check("columns are counted as a terminal does",
                    [width(text) for text in ("ab", "\u5b57", "e\u0301")] == [2, 2, 1])
-        self.check(
-            "a name that is too long ends in two dots",
-            fitted("abcdef", 5) == "abc.." and fitted("\u5b57" * 3, 5) == "\u5b57.. " and fitted("ab", 5) == "ab   ",
-        )
+        self.check("a name that is too long ends in two dots",
+                   [fitted(text, 5) for text in ("abcdef", "\u5b57" * 3, "ab")] == ["abc..", "\u5b57.. ", "ab   "])
         self.check("marks are written as people write them",
                    [number(x) for x in (74.0, 18.5, 1 / 3, 0.0, -0.0, 100)] == ["74", "18.5", "0.33", "0", "0", "100"])
 
@@ -238,13 +194,8 @@ class Comment(Sentences):
         law = {**UPPER_RIGHT, "mistake": None, "law": "it is not in the plane"}
         self.check("without a known mistake the comment names the broken law",
                    ("but", "it is not in the plane") in fields("01-corners", law))
-        self.check(
-            "a long vector is not broken",
-            "             right (1, 0, 0)"
-            in function_lines(
-                "01-corners", {**UPPER_RIGHT, "given": [["camera", "eye~(" + "2" * 45 + ", 2), right~(1, 0, 0)"]]}
-            ),
-        )
+        long = {**UPPER_RIGHT, "given": [["camera", "eye~(" + "2" * 45 + ", 2), right~(1, 0, 0)"]]}
+        self.check("a long vector is not broken", "             right (1, 0, 0)" in function_lines("01-corners", long))
 
     def test_stems(self):
         twice = stem("02-cameras", state="twice", words="a/02-cameras.c\nb/02-cameras.c\n")
@@ -257,28 +208,16 @@ class Comment(Sentences):
 
     def test_hidden(self):
         # Though the record holds what it should not.
-        hidden = {
-            **UPPER_RIGHT,
-            "hidden": True,
-            "expected": "CANARY",
-            "yours": "8.12345",
-            "law": "8.12345",
-            "given": [["camera", "CANARY"]],
-        }
+        hidden = {**UPPER_RIGHT, "hidden": True, "expected": "CANARY", "yours": "8.12345", "law": "8.12345",
+                  "given": [["camera", "CANARY"]]}
         bare = {**hidden, "mistake": None}
         one = record("a", [stem("01-corners", [hidden, {**bare, "name": "upper_left"}])])
         results = json.loads(results_json(one))
         del results["extra_data"]
-        told = {
-            "index.html": submission_page(one, "."),
-            "results.json": json.dumps(results),
-            "junit.xml": junit_xml([one]).decode(),
-            "grades.tap": grades_tap([one]),
-        }
+        told = {"index.html": submission_page(one, "."), "results.json": json.dumps(results),
+                "junit.xml": junit_xml([one]).decode(), "grades.tap": grades_tap([one])}
         for name, text in told.items():
-            self.check(f"{name} prints no hidden input", not any(canary in text for canary in CANARIES))
-            self.check(
-                f"{name} describes it",
-                "inputs drawn at random for this run" in text and "the upper right corner of the example" in text,
-            )
+            self.check(f"{name} describes a hidden input and does not print it",
+                       not any(canary in text for canary in ("8.12345", "CANARY"))
+                       and "inputs drawn at random for this run" in text and "the upper right corner of the example" in text)
         self.check("a mistake is named all the same", fields("01-corners", hidden)[2][0] == "looks like")
