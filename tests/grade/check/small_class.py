@@ -4,14 +4,20 @@ Run from the top of the tree; KIT is in the environment.
 """
 from __future__ import annotations
 
+import contextlib
 import csv
 import json
 import os
 import re
 import subprocess
 import sys
+import time
 import zipfile
+from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
+
+from .fixtures import locked
 
 KIT = os.environ.get("KIT", "build/grading")
 SEED = "20150929"
@@ -20,14 +26,52 @@ UPSIDE_DOWN = "return c.distance * c.forward - c.width / 2 * c.right - c.height 
 MIRRORED = "return c.distance * c.forward + (s - 0.5) * c.width * c.right - (t - 0.5) * c.height * c.up;"
 
 
-def command(folder: Path, out: Path) -> list[str]:
-    return [sys.executable, "-B", "tests/grade", KIT, str(folder), "--out", str(out)]
+def command(folder: Path, out: Path, kit: Path | str = KIT) -> list[str]:
+    return [sys.executable, "-B", "tests/grade", str(kit), str(folder), "--out", str(out)]
 
 
-def grade(folder: Path, out: Path, **settings: str) -> subprocess.CompletedProcess:
-    environment = {**os.environ, "SEED": SEED, **settings}
-    return subprocess.run(command(folder, out), env=environment, capture_output=True, text=True,
-                          errors="replace")
+def grade(folder: Path, out: Path, *before: str, kit: Path | str = KIT, **settings: str) -> subprocess.CompletedProcess:
+    """before: a command that runs the grader."""
+    return subprocess.run([*before, *command(folder, out, kit)], env={**os.environ, "SEED": SEED, **settings},
+                          capture_output=True, text=True, errors="replace")
+
+
+def started(folder: Path, out: Path, kit: Path | str = KIT, **settings: str) -> subprocess.Popen:
+    return subprocess.Popen(command(folder, out, kit), env={**os.environ, "SEED": SEED, **settings},
+                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+
+
+@dataclass(frozen=True)
+class Process:
+    number: int
+    words: list[str]
+    folder: str
+
+    def status(self) -> dict[str, str]:
+        """As the kernel lists it."""
+        lines = Path(f"/proc/{self.number}/status").read_text().splitlines()
+        return dict(line.split(":\t", 1) for line in lines if ":\t" in line)
+
+
+def processes() -> Iterator[Process]:
+    for place in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):      # it may have ended
+            words = (place / "cmdline").read_bytes().decode(errors="replace").split("\0")
+            yield Process(int(place.name), words, os.readlink(place / "cwd"))
+
+
+def at_work_in(folder: Path) -> list[str]:
+    """The processes that have to do with this folder."""
+    return [" ".join(one.words) for one in processes()
+            if str(folder) in " ".join(one.words) or one.folder.startswith(str(folder))]
+
+
+def gone(out: Path) -> bool:
+    """A killed process takes a moment to go; one that survives would stay for a quarter of an hour."""
+    until = time.monotonic() + 60
+    while at_work_in(out) and time.monotonic() < until:
+        time.sleep(0.02)
+    return not at_work_in(out)
 
 
 def records(out: Path) -> dict[str, dict]:
@@ -111,7 +155,5 @@ def build_class(folder: Path) -> None:
                           ("zoe_LATE_506_9040_submission-1.zip", right("01-corners"))):
         with zipfile.ZipFile(folder / name, "w") as archive:
             archive.writestr("01-corners.c", answers)
-    with_password = bytearray((folder / "zoe_506_9039_submission.zip").read_bytes())
-    with_password[with_password.index(b"PK\1\2") + 8] |= 1
-    (folder / "xaver.zip").write_bytes(with_password)
+    (folder / "xaver.zip").write_bytes(locked((folder / "zoe_506_9039_submission.zip").read_bytes()))
     (folder / "read me.txt").write_text("for the instructor\n")

@@ -6,13 +6,11 @@ disk, and a submission that fills it.
 from __future__ import annotations
 
 import contextlib
-import csv
 import json
 import os
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 import threading
 import time
@@ -22,8 +20,8 @@ from grade.confine.machine import DISK
 from grade.confine.sandbox import choose
 
 from .fixtures import Sentences
-from .small_class import KIT, SEED, STEMS, UPSIDE_DOWN, but, grade, records, right
-from .test_regrade import at_work_in
+from .small_class import (KIT, STEMS, UPSIDE_DOWN, at_work_in, but, gone, grade, processes, records, right, rows,
+                          started)
 
 HERE = Path(__file__).parent
 FAULTY = HERE / "faulty.sh"
@@ -59,11 +57,6 @@ def faulty_kit(work: Path, always: str = "") -> Path:
     return kit
 
 
-def run(kit: Path | str, folder: Path, out: Path, *before: str, **settings: str) -> subprocess.CompletedProcess:
-    words = [*before, sys.executable, "-B", "tests/grade", str(kit), str(folder), "--out", str(out)]
-    return subprocess.run(words, env={**os.environ, "SEED": SEED, **settings}, capture_output=True, text=True)
-
-
 def put(folder: Path, name: str, text: str, stem: str = "01-corners") -> None:
     (folder / name).mkdir(parents=True, exist_ok=True)
     (folder / name / f"{stem}.c").write_text(text)
@@ -84,27 +77,19 @@ def is_scored_whole_or_not(found: dict, most: float) -> bool:
     return all(record["score"] in (None, most) for record in found.values())
 
 
-def gone(out: Path) -> bool:
-    """A killed process takes a moment to go; one that survives would stay for a quarter of an hour."""
-    until = time.monotonic() + 30
-    while at_work_in(out) and time.monotonic() < until:
-        time.sleep(0.01)
-    return not at_work_in(out)
-
-
 def signalled(at_work: Path, kind: str, number: str) -> bool:
     """Sends the signal to the process of this kind that works in this folder. False if there is none."""
-    for process in Path("/proc").glob("[0-9]*"):
+    for process in processes():
+        program = Path(process.words[0]).name
+        if process.folder != str(at_work):
+            continue
+        if program == "confine" and process.words[1] == "watch" and kind in ("watch", "grader"):
+            one = process.number if kind == "watch" else int(process.status()["PPid"])
+        elif kind == program:
+            one = process.number
+        else:
+            continue
         with contextlib.suppress(OSError):
-            if os.readlink(process / "cwd") != str(at_work):
-                continue
-            words = (process / "cmdline").read_bytes().decode(errors="replace").split("\0")
-            programs = [Path(word).name for word in words]
-            one = int(process.name)
-            if programs[0] == "confine" and words[1] == "watch" and kind in ("watch", "grader"):
-                one = one if kind == "watch" else int((process / "stat").read_text().rpartition(")")[2].split()[1])
-            elif kind != programs[0]:
-                continue
             os.kill(one, signal.Signals[f"SIG{number}"])
             return True
     return False
@@ -128,7 +113,7 @@ class Faults(Sentences):
         shutil.copytree(out, work / "again")
         for place in out.glob("*/results.json"):    # as if these were handed in before, and other ones now
             place.write_text(place.read_text().replace('"key": "', '"key": "other '))
-        done = run(faulty_kit(work), folder, out)
+        done = grade(folder, out, kit=faulty_kit(work))
         found = records(out)
         for fault in FAULTS:
             record = found[fault]
@@ -146,9 +131,7 @@ class Faults(Sentences):
                    done.returncode == 0 and records(out) == first, done.stderr[-500:])
 
     def reports_say_it(self, out: Path) -> None:
-        with open(out / "grades.csv", encoding="utf-8-sig", newline="") as file:
-            rows = {row["submission"]: row for row in csv.DictReader(file)}
-        row = rows[FAULTS[0]]
+        row = rows(out)[FAULTS[0]]
         self.check("grades.csv: an empty score, not 0", row["status"] == "grader failed" and row["score"] == ""
                    and row["01-corners"] == "", row)
         results = json.loads((out / FAULTS[0] / "results.json").read_text())
@@ -163,7 +146,7 @@ class Faults(Sentences):
                 ("no-judge", "the judge gives up", "the grader fails on the reference"),
                 ("a-wrong-verdict", "every verdict is wrong", "the reference (solutions/) does not get all marks")):
             (work / name).mkdir()
-            done = run(faulty_kit(work / name, always), work / "class", work / name / "out")
+            done = grade(work / "class", work / name / "out", kit=faulty_kit(work / name, always))
             self.check(f"{name}: nothing is graded, in words", done.returncode != 0 and words in done.stderr
                        and not list((work / name / "out").glob("*/results.json")), done.stderr[-500:])
 
@@ -201,7 +184,7 @@ class Faults(Sentences):
             kept = work / f"kept {size}"
             disk = (f'mount -t tmpfs -o size={size} none "$0" || exit 1; "$@"; status=$?; '
                     f'cp -r "$0" "{kept}"; exit $status')
-            done = run(KIT, work / "class", out, *namespace, "sh", "-c", disk, str(out))
+            done = grade(work / "class", out, *namespace, "sh", "-c", disk, str(out))
             found = records(kept)
             self.check(f"a disk of {size}: all marks or none given",
                        is_scored_whole_or_not(found, NUMBER_OF_FULL) and len(found) == (3 if whole else 0)
@@ -214,9 +197,7 @@ class Faults(Sentences):
                                                  ("the compiler sleeps", 0.3), ("the judge sleeps", 0.3)]):
             folder, out = work / f"class{number}", work / f"out{number}"
             put(folder, "anna", f"// fault: {fault}\n{right('01-corners')}")
-            words = [sys.executable, "-B", "tests/grade", str(kit), str(folder), "--out", str(out)]
-            grader = subprocess.Popen(words, env={**os.environ, "SEED": SEED, "SANDBOX": sandbox},
-                                      stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            grader = started(folder, out, kit, SANDBOX=sandbox)
             until = time.monotonic() + 60
             at_work = out / ".work" / "1-of-1" / "anna"
             while not at_work.exists() and grader.poll() is None and time.monotonic() < until:
@@ -224,7 +205,7 @@ class Faults(Sentences):
             time.sleep(delay)
             was_at_work = grader.poll() is None
             grader.kill()
-            grader.wait()
+            grader.communicate()
             self.check(f"{sandbox}, {fault}, killed after {delay} s: nothing is left", was_at_work and gone(out),
                        at_work_in(out))
 
@@ -251,9 +232,7 @@ class Faults(Sentences):
             name = f"SIG{number} to answering"
             put(folder, name, but("01-corners", upper_left="for (;;) { }", upper_right="for (;;) { }"))
             wanted[name] = ("answering", number)
-        words = [sys.executable, "-B", "tests/grade", str(kit), str(folder), "--out", str(out)]
-        grader = subprocess.Popen(words, env={**os.environ, "SEED": SEED, "JOBS": "64"}, stdout=subprocess.DEVNULL,
-                                  stderr=subprocess.PIPE, text=True)
+        grader = started(folder, out, kit, JOBS="64")
         until = time.monotonic() + 120
         ended = set()
         while grader.poll() is None and time.monotonic() < until:

@@ -9,11 +9,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from datetime import datetime, timedelta, timezone
 from pathlib import Path
 from xml.etree import ElementTree
 
 from .fixtures import Sentences
-from .small_class import KIT, STEMS, UPSIDE_DOWN, build_class, but, command, grade, records, right, rows
+from .small_class import KIT, STEMS, build_class, command, grade, records, right, rows
 
 
 def function(record: dict, name: str) -> dict:
@@ -107,6 +108,29 @@ class Grade(Sentences):
         self.check("values of hidden inputs are in no record",
                    not any(f["given"] or f["expected"] or f["yours"] for f in hidden))
 
+    def counts_a_new_policy(self, folder: Path, out: Path) -> None:
+        """Points, lateness and waiting change, and nothing is marked again."""
+        first = {path: path.read_bytes() for path in out.glob("*/results.json")}
+        due = datetime.now(timezone.utc) - timedelta(hours=10)      # begun days count: one of them, a quarter
+        policy = out.with_name("policy")
+        policy.write_text("points others 0\npoints 01-corners 10\npoints 03-screen 20\nwaiting none\n"
+                          f"due {due:%Y-%m-%dT%H:%MZ}\nlate 25% per day, at most 50%\n")
+        done = grade(folder, out, POLICY=str(policy))
+        kept = len([path for path in first if path.parent.name not in ("broken", "xaver", "=1+1<b>.pdf")])
+        self.check("a change of the policy marks nothing again", (done.returncode, done.stderr.count("(kept)")) == (0, kept),
+                   done.stderr)
+        marks = {name: (row["score"], row["max"]) for name, row in rows(out).items()}
+        self.check("it counts", marks["no text"] == ("15", "30") and marks["crash"] == ("6", "30"), marks)
+        self.check("the student's page has the new marks",
+                   "15 of 30" in (out / "no text" / "index.html").read_text(encoding="utf-8"))
+        waits = function(records(out)["waits"], "upper_right")
+        failed = [case.get("name") for case in ElementTree.parse(out / "junit.xml").iter("testcase")
+                  if case.find("failure") is not None]
+        self.check("with 'waiting none' what waits has no marks, and does not pass", (waits["state"], waits["score"])
+                   == ("waiting", 0) and "waits: 01-corners: upper_right" in failed, waits)
+        grade(folder, out)
+        self.check("and back again, with the same bytes", all(path.read_bytes() == told for path, told in first.items()))
+
     def test_class(self) -> None:
         with tempfile.TemporaryDirectory() as work:
             folder, out = Path(work, "class"), Path(work, "out")
@@ -114,82 +138,14 @@ class Grade(Sentences):
             done = grade(folder, out)
             found = records(out)
             table, page = rows(out), (out / "index.html").read_text(encoding="utf-8")
+            self.counts_a_new_policy(folder, out)
         self.check("every submission has one result", done.returncode == 0 and len(found) == 21, done.stderr[-600:])
         self.check("a file that is not a submission is mentioned", "read me.txt" in done.stderr)
         self.check("nothing acts on the terminal", "\x1b" not in done.stdout + done.stderr)
         for tested in (self.says_what_is_right, self.says_what_is_wrong, self.knows_who_waits,
-                       self.has_a_result_for_the_odd,
-                       self.keeps_hidden_inputs):
+                       self.has_a_result_for_the_odd, self.keeps_hidden_inputs):
             tested(found)
         self.says_what_cannot_be_read(table, page, done.stdout)
-
-
-# ---- a change of the policy ---------------------------------------------------------------------
-
-
-JUNE = 1748779200  # 2025-06-01 12:00 UTC
-
-
-def scores(out: Path) -> dict[str, tuple[str, str]]:
-    return {name: (row["score"], row["max"]) for name, row in rows(out).items()}
-
-
-def upper_right_of(out: Path) -> tuple[str, float, bool]:
-    """The state and score of what waits, and whether JUnit calls it failed."""
-    functions = records(out)["carla"]["stems"][0]["functions"]
-    found = next(one for one in functions if one["name"] == "upper_right")
-    suite = ElementTree.parse(out / "junit.xml")
-    failed = [case.get("name") for case in suite.iter("testcase") if case.find("failure") is not None]
-    return found["state"], found["score"], any("upper_right" in name for name in failed)
-
-
-class PolicyChange(Sentences):
-    def test_policy_change(self) -> None:
-        with tempfile.TemporaryDirectory() as work:
-            folder, out, policy = Path(work, "class"), Path(work, "out"), Path(work, "policy")
-            for name, text in (("anna", right("03-screen")), ("ben", "int x = ;\n")):
-                (folder / name).mkdir(parents=True)
-                (folder / name / "03-screen.c").write_text(text)
-                os.utime(folder / name / "03-screen.c", (JUNE, JUNE))
-
-            def marked(*lines: str) -> tuple[int, dict]:
-                policy.write_text("".join(f"{line}\n" for line in lines))
-                done = grade(folder, out, POLICY=str(policy))
-                self.check(f"{lines} is graded", done.returncode == 0, done.stderr)
-                return done.stderr.count("(kept)"), scores(out)
-
-            first = ("points others 0", "points 03-screen 8")
-            self.check("each is marked once", marked(*first) == (0, {"anna": ("8", "8"), "ben": ("0", "8")}))
-            told = (out / "anna" / "results.json").read_bytes()
-            self.check("a change of points marks nothing again, and counts",
-                       marked("points others 0", "points 03-screen 20") == (2,
-                                                                            {"anna": ("20", "20"), "ben": ("0", "20")}))
-            self.check("the student's page has the new marks",
-                       b"20 of 20" in (out / "anna" / "index.html").read_bytes())
-            # Ten hours late, begun days count: one of them, a quarter.
-            self.check("so does lateness", marked("points others 0", "points 03-screen 20", "due 2025-06-01T02:00Z",
-                                                  "late 25% per day, at most 50%")
-                       == (2, {"anna": ("15", "20"), "ben": ("0", "20")}))
-            self.check("and back again", marked(*first) == (2, {"anna": ("8", "8"), "ben": ("0", "8")}))
-            self.check("with the same bytes", (out / "anna" / "results.json").read_bytes() == told)
-
-    def test_waiting_is_switched_off(self) -> None:
-        with tempfile.TemporaryDirectory() as work:
-            folder, out, policy = Path(work, "class"), Path(work, "out"), Path(work, "policy")
-            (folder / "carla").mkdir(parents=True)
-            (folder / "carla" / "01-corners.c").write_text(
-                but("01-corners", upper_left=UPSIDE_DOWN, upper_right="return upper_left(c) + c.width * c.right;"))
-
-            def marked(line: str) -> tuple[str, float, bool]:
-                policy.write_text(f"points others 0\npoints 01-corners 10\n{line}\n")
-                done = grade(folder, out, POLICY=str(policy))
-                self.check(f"'{line}' is graded", done.returncode == 0, done.stderr)
-                return upper_right_of(out)
-
-            full = marked("waiting full")
-            self.check("what waits has its marks", full == ("waiting", 2, False), full)
-            none = marked("waiting none")
-            self.check("with 'waiting none' it has none, and does not pass", none == ("waiting", 0, True), none)
 
 
 # ---- the machine --------------------------------------------------------------------------------
@@ -200,10 +156,6 @@ def said(words: list[str], **settings) -> tuple[int, str]:
     done = subprocess.run(words, env={**os.environ, "SEED": "1", **settings}, stdin=subprocess.DEVNULL, stdout=stdout,
                           stderr=subprocess.PIPE, text=True, check=False)
     return done.returncode, done.stderr
-
-
-def with_kit(words: list[str], kit: Path) -> list[str]:
-    return [str(kit) if word == KIT else word for word in words]
 
 
 class Environment(Sentences):
@@ -220,18 +172,20 @@ class Environment(Sentences):
             (folder / "anna").mkdir(parents=True)
             (folder / "anna" / "03-screen.c").write_text(right("03-screen"))
             file.write_text("x")
-            for name, out in {"an OUT that is a file": file, "an OUT in a file": file / "out",
-                              "an OUT where nothing can be made": Path("/proc/out")}.items():
-                self.is_one_sentence(name, f"OUT={out} cannot be written: ", command(folder, out))
             shut = work / "shut"
             shut.mkdir()
             (shut / ".seed").write_bytes(b"\xff")
-            self.is_one_sentence("a seed that is noise", "", command(folder, shut))
-            for name, kit in {"no kit": work / "none", "a kit that is a file": file}.items():
-                self.is_one_sentence(name, str(kit), with_kit(command(folder, work / "out"), kit))
-            self.is_one_sentence("a policy that is a folder", "cannot be read", command(folder, work / "out"),
-                                 POLICY=str(work))
-            self.is_one_sentence("a class that is a file", "is a file", command(file, work / "out"))
+            nowhere = Path("/proc/out")
+            for name, wanted, words, settings in (
+                    ("an OUT that is a file", f"OUT={file} cannot be written: ", command(folder, file), {}),
+                    ("an OUT in a file", f"OUT={file}/out cannot be written: ", command(folder, file / "out"), {}),
+                    ("an OUT where nothing can be made", f"OUT={nowhere} cannot be written: ", command(folder, nowhere), {}),
+                    ("a seed that is noise", "", command(folder, shut), {}),
+                    ("no kit", str(work / "none"), command(folder, work / "out", work / "none"), {}),
+                    ("a kit that is a file", str(file), command(folder, work / "out", file), {}),
+                    ("a policy that is a folder", "cannot be read", command(folder, work / "out"), {"POLICY": str(work)}),
+                    ("a class that is a file", "is a file", command(file, work / "out"), {})):
+                self.is_one_sentence(name, wanted, words, **settings)
             with open("/dev/full", "w") as full:
                 self.is_one_sentence("a full terminal", "its output: No space left", command(folder, work / "out"),
                                      stdout=full)

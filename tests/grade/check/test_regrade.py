@@ -12,38 +12,13 @@ import time
 from pathlib import Path
 
 from .fixtures import Sentences
-from .small_class import SEED, build_class, command, grade, records, right
+from .small_class import (SEED, at_work_in, build_class, command, gone, grade, processes, records, right,
+                          started)
 
 
 def kept(done: subprocess.CompletedProcess) -> int:
     """How many were not marked again."""
     return done.stderr.count("(kept)")
-
-
-def at_work_in(folder: Path) -> list[str]:
-    """The processes that have to do with this folder."""
-    found = []
-    for process in Path("/proc").glob("[0-9]*"):
-        try:
-            words = (process / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
-            if str(folder) in words or os.readlink(process / "cwd").startswith(str(folder)):
-                found.append(words)
-        except OSError:
-            pass  # it has ended
-    return found
-
-
-def capabilities(folder: Path, program: str) -> list[str]:
-    """Of the processes of this name that work in this folder, as the kernel lists them."""
-    found = []
-    for process in Path("/proc").glob("[0-9]*"):
-        try:
-            name = os.path.basename((process / "cmdline").read_bytes().split(b"\0")[0]).decode()
-            if name == program and os.readlink(process / "cwd").startswith(str(folder)):
-                found += re.findall(r"Cap(?:Inh|Prm|Eff|Amb):\s*(\w+)", (process / "status").read_text())
-        except OSError:
-            pass
-    return found
 
 
 class Regrade(Sentences):
@@ -61,28 +36,24 @@ class Regrade(Sentences):
         endless = work / f"endless {sandbox}"
         (endless / "a").mkdir(parents=True)
         shutil.copy(folder / "endless" / "01-corners.c", endless / "a")
-        grader = subprocess.Popen(command(endless, out), env={**os.environ, "SEED": SEED, "SANDBOX": sandbox},
-                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        grader = started(endless, out, SANDBOX=sandbox)
         until = time.monotonic() + 60
-        while not (found := capabilities(out, "answering")) and time.monotonic() < until:
+        while not (found := [one for one in processes() if one.folder.startswith(str(out))
+                             and Path(one.words[0]).name == "answering"]) and time.monotonic() < until:
             time.sleep(0.02)
-        self.check(f"an endless answer is at work under {sandbox}", time.monotonic() < until)
+        self.check(f"an endless answer is at work under {sandbox}", found)
+        rights = [value for one in found for name, value in one.status().items() if re.match("Cap(Inh|Prm|Eff|Amb)", name)]
         self.check(f"under {sandbox} it has no capabilities, also if root grades",
-                   not any(int(one, 16) for one in found), found)
+                   not any(int(value, 16) for value in rights), rights)
         grader.kill()
-        grader.wait()
-        # Processes end one after the other, on a busy machine later: the limit is for those that do not.
-        until = time.monotonic() + 60
-        while at_work_in(out) and time.monotonic() < until:
-            time.sleep(0.02)
-        self.check(f"a kill under {sandbox} also ends it", at_work_in(out) == [], at_work_in(out))
+        grader.communicate()
+        self.check(f"a kill under {sandbox} also ends it", gone(out), at_work_in(out))
 
     def killed_and_started_again(self, folder: Path, work: Path, found: dict[str, dict]) -> None:
         chance = random.Random(7)
         out = work / "killed"
         for kill in ("SIGKILL", "SIGINT", "SIGTERM", "SIGKILL", "SIGKILL", "SIGKILL"):
-            grader = subprocess.Popen(command(folder, out), env={**os.environ, "SEED": SEED, "JOBS": "2"},
-                                      stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            grader = started(folder, out, JOBS="2")
             time.sleep(chance.uniform(0.2, 1.6))
             grader.send_signal(signal.Signals[kill])
             grader.communicate()
