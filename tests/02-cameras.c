@@ -104,6 +104,7 @@ static void expect_refused(CameraFault fault, Camera after, int reasons, int als
 {
     bool is_reason =
         fault > CAMERA_OK && fault < CAMERA_FAULTS && ((reasons | also) >> fault & 1) == 1;
+    expects((Expectation){.reasons = reasons | also});
     if (!is_reason)
         expect_fault(fault, first_of(reasons));
     given("refused", "and *camera stays as it was");

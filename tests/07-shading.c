@@ -1176,6 +1176,7 @@ static void expect_off(Sphere sphere, vec3 point, vec3 normal, double size)
     snprintf(expected, sizeof expected,
              "moved by %.24s to %.24s along the normal, and not to the side",
              number_text_to(0x1p-32 * size, 3).s, number_text_to(0x1p-28 * size, 3).s);
+    expects((Expectation){.tolerance = rounding, .least = 0x1p-32 * size, .most = 0x1p-28 * size});
     expect_law(along >= 0x1p-32 * size - rounding && along <= 0x1p-28 * size + rounding &&
                    aside <= rounding,
                expected, "moved by %.40s along the normal, by %.40s to the side",

@@ -161,11 +161,16 @@ static void carry_question(Stream *stream, Question *question)
     if (question->results == NULL)
         abort();
     carry_numbers(stream, &question->results[0]);
+    if (stream->reading)
+        question->expected = numbers_copy(&question->results[0]);
+    carry_differences(stream, &question->expected, &question->results[0]);
     carry_number(stream, &question->tolerance);
+    carry_numbers(stream, &question->within);
     carry_count(stream, &question->reasons);
     carry_count(stream, &question->length_is_free);
     carry_number(stream, &question->least);
     carry_number(stream, &question->most);
+    carry_count(stream, &question->is_seen_along_axes);
 }
 
 // What a wrong one needs as well.

@@ -17,11 +17,15 @@ typedef struct Question {
     int hidden;  // it has random numbers of a SEED, which must not be shown
     Numbers arguments;
     Numbers *results; // the first is the right one; of the others question_result
-    double
-        tolerance; // of the test for numbers; absolute; infinite if it does not look at the depth
-    int reasons;   // the CameraFaults that are right, a bit each; of a test, those that it accepts
-    int length_is_free; // whether it accepts the direction of a ray in any length
-    double least, most; // the accepted lengths of a step, relative to the right one; or 0
+
+    // What a test accepts.
+    Numbers expected;       // the right result, with the numbers that the test says
+    Numbers within;         // the tolerance of each; none of a picture
+    double tolerance;       // the least of them; of a picture's depth: infinite if any is right
+    int reasons;            // the CameraFaults that are right, a bit each
+    int length_is_free;     // whether the direction of a ray may have any length
+    double least, most;     // the lengths of a step, or 0
+    int is_seen_along_axes; // whether a vector is shown along forward, right and up of the camera
 
     // Of wrong answers: read by table_load_mistakes.
     int result_count, mistake_count;

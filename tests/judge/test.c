@@ -29,6 +29,14 @@ static void settle(bool met, const char *yours, const char *expected)
     ck_abort_msg("not as expected");
 }
 
+void (*expectation_listener)(const Expectation *expectation);
+
+void expects(Expectation expectation)
+{
+    if (expectation_listener != NULL)
+        expectation_listener(&expectation);
+}
+
 static bool near(double yours, double expected, double tolerance)
 {
     return yours == expected || fabs(yours - expected) <= tolerance;
@@ -57,6 +65,7 @@ static int digits_that_tell(const double *yours, const double *expected, int cou
 static void settle_numbers(const double *yours, const double *expected, int count, double tolerance)
 {
     bool met = true;
+    expects((Expectation){count, yours, expected, tolerance, 0, false, 0, 0});
     for (int i = 0; i < count; i++)
         met = met && near(yours[i], expected[i], tolerance);
     char y[400] = "", e[400] = "";
@@ -120,12 +129,26 @@ static Doubles doubles_of(const Type *type, const void *value)
     return doubles;
 }
 
+static void expect_parts(const Type *type, const char *yours, const char *expected,
+                         double tolerance, double tolerance_of_lengths)
+{
+    if (type->kind == TYPE_OF_NUMBERS)
+        expects((Expectation){type->count, (const double *)yours, (const double *)expected,
+                              tolerance, 0, false, 0, 0});
+    for (int i = 0; type->kind == TYPE_OF_FIELDS && i < type->count; i++) {
+        const Field *field = &type->fields[i];
+        expect_parts(field->type, yours + field->offset, expected + field->offset,
+                     field->is_length ? tolerance_of_lengths : tolerance, tolerance_of_lengths);
+    }
+}
+
 void expect_value(const Type *type, const void *yours, const void *expected, double tolerance,
                   double size)
 {
     bool met = type_near(type, yours, expected, tolerance, tolerance * size);
     char y[CAMERA_WORDS] = "", e[CAMERA_WORDS] = "";
     Doubles its = doubles_of(type, yours), right = doubles_of(type, expected);
+    expect_parts(type, yours, expected, tolerance, tolerance * size);
     int digits = digits_that_tell(its.at, right.at, its.count, tolerance);
     while (!met && strcmp(y, e) == 0 && digits <= 17) {
         type_words(type, yours, digits, y, sizeof y);
@@ -174,6 +197,7 @@ void expect_same_ray(Ray yours, Ray expected, double tolerance)
     Doubles right = doubles_of(&type_Ray, &expected);
     int digits = digits_that_tell(its.at, right.at, its.count, tolerance);
     digits = digits < 9 ? 9 : digits;
+    expects((Expectation){6, its.at, right.at, tolerance, 0, true, 0, 0});
     snprintf(y, sizeof y, "origin %s, direction %s", vec3_text_to(yours.origin, digits).s,
              vec3_text_to(yours.direction, digits).s);
     snprintf(e, sizeof e, "origin %s, direction %s (or any positive multiple)",
@@ -320,8 +344,10 @@ static Text roots_text(Roots roots, int digits)
 void expect_roots(Roots yours, Roots expected, double within)
 {
     bool same = yours.count == expected.count;
-    for (int i = 0; same && i < expected.count; i++)
-        same = fabs(yours.t[i] - expected.t[i]) <= within;
+    for (int i = 0; i < expected.count; i++) {
+        expects((Expectation){1, &yours.t[i], &expected.t[i], within, 0, false, 0, 0});
+        same = same && near(yours.t[i], expected.t[i], within);
+    }
     int digits = 6;
     while (digits < 17 && !same &&
            strcmp(roots_text(yours, digits).s, roots_text(expected, digits).s) == 0)

@@ -93,6 +93,20 @@ void expect_same_ray(Ray yours, Ray expected, double tolerance);
 void expect_law(bool holds, const char *expected, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+// What was expected in a case: numbers that were compared (none if count is 0), and what else is
+// right. All but tests say so by themselves; a program that writes it down listens
+// (reference/record.c).
+typedef struct {
+    int count;
+    const double *yours, *expected;
+    double tolerance;
+    int reasons;        // to refuse a camera, a bit each: any of them
+    bool any_length;    // of a direction
+    double least, most; // of a step off a surface, along the normal
+} Expectation;
+extern void (*expectation_listener)(const Expectation *expectation);
+void expects(Expectation expectation);
+
 // Numbers that look random, uniform from low to high: the same in every run and in each test, or,
 // if the environment has SEED, others for each seed and test.
 void random_take_seed(void); // from the environment; exits with 2 if it is not a seed

@@ -2,10 +2,9 @@
 //
 //   record STEM FILE [--without-formulas]    for those who must not read how others are wrong
 //
-// First each test runs as it is, and its calls are written down. Then it runs again and again with
-// one result changed a little, to find out which other results it accepts: the table is as strict
-// as the test, and each tolerance is written in one place. With a SEED in the environment the
-// random numbers of the tests are others, and hidden (test.h).
+// Each test runs once. Its calls are written down, and what it expects of them, so that the table
+// accepts what the test accepts. With a SEED in the environment the random numbers of the tests are
+// others, and hidden (test.h).
 #include "common/camera.h"
 #include "tests/judge/known.h"
 #include "tests/judge/law.h"
@@ -15,23 +14,18 @@
 #include "tests/judge/suspects.h"
 #include "tests/judge/switchboard.h"
 #include "tests/judge/table.h"
+#include "tests/judge/test.h"
 
 #include <math.h>
 #include <string.h>
 
-// ---- the calls of a test, and the test again with other results --------------------------------
+// ---- the calls of a test -----------------------------------------------------------------------
 
-static TableTest *writing; // the test whose calls are written down; NULL while one is changed
+static TableTest *writing; // the test whose calls are written down
 static Wire arguments, answer;
 static Resolution size; // of the image of the call
 
-static struct {
-    int call; // this one is changed; the others are as they were
-    const Numbers *result;
-} change = {.call = -1};
-static int call_number;
-
-static void fail(const char *why)
+static void refuse(const char *why)
 {
     fprintf(stderr, "%s: %s, %s\n", record_now()->function, record_now()->name, why);
     exit(1);
@@ -72,7 +66,7 @@ static Numbers result_of(int exercise, AnyFunction *function)
         numbers->count = 0;
         if (!apply(exercise, function, &arguments, &wire) ||
             !layout_read(exercises[exercise].results, &wire, &size, numbers))
-            fail("a result that tests/judge/numbers.c cannot read");
+            refuse("a result that tests/judge/numbers.c cannot read");
         reasons |= reasons_in(numbers);
         refused = has_reasons(exercise) && result.at[0] != CAMERA_OK;
     }
@@ -164,6 +158,128 @@ static void add_corners(Question *call, const Exercise *exercise)
         numbers_add(&call->corners, vector(camera, places[i / 3][0], places[i / 3][1])[i % 3]);
 }
 
+// ---- what is expected of them ------------------------------------------------------------------
+
+// Of two ways to compute the same thing, relative to the number; and what is expected of a number
+// that a test does not look at.
+static const double rounding = 1.2e-12, unseen = 1e-5;
+
+static struct {
+    int count;
+    int *case_of;     // each question of the test
+    double *fallback; // the tolerance for its numbers that were not compared as they are
+} open;
+
+static void open_question(Question *question)
+{
+    int count = open.count;
+    open.case_of = table_grow(open.case_of, &count, sizeof *open.case_of);
+    open.fallback = table_grow(open.fallback, &open.count, sizeof *open.fallback);
+    open.case_of[count - 1] = record_now()->cases;
+    open.fallback[count - 1] = NAN;
+    question->expected = numbers_copy(&question->results[0]);
+    for (int i = 0; i < question->expected.count; i++)
+        numbers_add(&question->within, NAN);
+    question->tolerance = NAN;
+}
+
+// Where the numbers that were compared are in the result, if possible where none was compared yet.
+static int place_in(const Question *question, const Expectation *it)
+{
+    const Numbers *right = &question->results[0];
+    int first = -1;
+    for (int i = 0; i + it->count <= right->count; i++) {
+        if (memcmp(right->at + i, it->yours, (size_t)it->count * sizeof *right->at) != 0)
+            continue;
+        if (isnan(question->within.at[i]))
+            return i;
+        first = first < 0 ? i : first;
+    }
+    return first;
+}
+
+static double largest_of(const Numbers *numbers)
+{
+    double largest = 0;
+    for (int i = 0; i < numbers->count; i++)
+        if (isfinite(numbers->at[i]))
+            largest = fmax(largest, fabs(numbers->at[i]));
+    return largest;
+}
+
+static void expect_numbers(Question *question, int place, const Expectation *it)
+{
+    double largest = largest_of(&(Numbers){it->count, 0, (double *)it->expected});
+    for (int i = 0; i < it->count; i++) {
+        double *within = &question->within.at[place + i];
+        *within = fmin(*within, fmax(it->tolerance, rounding * largest));
+        question->expected.at[place + i] = it->expected[i];
+    }
+}
+
+static void expect_of_case(const Expectation *it)
+{
+    bool placed = it->count == 0;
+    if (writing == NULL || open.count == 0)
+        return;
+    int last = open.case_of[open.count - 1];
+    for (int i = open.count - 1; i >= 0 && open.case_of[i] == last; i--) {
+        Question *question = &writing->questions[i];
+        int place = placed ? -1 : place_in(question, it);
+        if (place >= 0)
+            expect_numbers(question, place, it);
+        else if (it->count > 0 || it->tolerance > 0)
+            open.fallback[i] = fmin(open.fallback[i], it->tolerance);
+        placed = placed || place >= 0;
+        question->reasons = it->reasons != 0 ? it->reasons : question->reasons;
+        question->length_is_free = question->length_is_free || it->any_length;
+        question->least = fmax(question->least, it->least);
+        question->most = fmax(question->most, it->most);
+        question->is_seen_along_axes = strstr(record_now()->given, "seen along\t") != NULL;
+    }
+}
+
+// One tolerance is enough for a picture. A test that does not look at the depth takes any.
+static void close_question(Question *question, double fallback, const char *results)
+{
+    const Numbers *expected = &question->expected;
+    double largest = largest_of(expected);
+    bool is_seen = !isnan(fallback);
+    for (int i = 0; i < expected->count; i++) {
+        double *within = &question->within.at[i];
+        question->tolerance = fmin(question->tolerance, *within);
+        if (isnan(*within))
+            *within = is_seen ? fmax(fallback, rounding * largest) : unseen * fabs(expected->at[i]);
+    }
+    if (isnan(question->tolerance))
+        question->tolerance = is_seen ? fmax(fallback, rounding * largest) : unseen * largest;
+    if (strcmp(results, "Pixels Doubles") == 0)
+        question->tolerance = is_seen && fallback > 0 ? fallback : INFINITY;
+    if (strncmp(results, "Pixels", 6) == 0)
+        numbers_free(&question->within);
+}
+
+static void close_questions(TableTest *test)
+{
+    const char *results = exercises[exercise_number(test->function)].results;
+    for (int i = 0; i < open.count; i++)
+        close_question(&test->questions[i], open.fallback[i], results);
+    open.count = 0;
+}
+
+// A freedom of the contract, which a test need not use.
+static void agree_on_lengths(Table *it)
+{
+    for (int i = 0; i < it->test_count; i++)
+        for (int k = 0; k < it->tests[i].question_count; k++)
+            for (int j = 0; it->tests[i].questions[k].length_is_free && j < it->test_count; j++)
+                for (int l = 0; l < it->tests[j].question_count; l++)
+                    if (strcmp(it->tests[i].function, it->tests[j].function) == 0)
+                        it->tests[j].questions[l].length_is_free = 1;
+}
+
+// ---- running the tests -------------------------------------------------------------------------
+
 static void write_down(int exercise)
 {
     writing->questions =
@@ -172,12 +288,13 @@ static void write_down(int exercise)
     call->given = given_lines();
     call->hidden = record_now()->hidden;
     if (call->given == NULL || (call->given[0] == '\0' && !writing->probe))
-        fail("it calls the function before it names the arguments: nobody would see them");
+        refuse("it calls the function before it names the arguments: nobody would see them");
     if (!layout_read(exercises[exercise].arguments, &arguments, &size, &call->arguments))
-        fail("arguments that tests/judge/numbers.c cannot read");
+        refuse("arguments that tests/judge/numbers.c cannot read");
     add_corners(call, &exercises[exercise]);
     number_of_result(call, exercise, exercises[exercise].reference);
     add_facts(exercise, call);
+    open_question(call);
     if (has_reasons(exercise))
         call->reasons = right_reasons(exercise);
     for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next) {
@@ -201,15 +318,7 @@ static void write_down_and_answer(int exercise)
 {
     if (writing != NULL)
         write_down(exercise);
-    // The image's size is among the arguments.
-    static Numbers ignored;
-    arguments.read = 0;
-    layout_read(exercises[exercise].arguments, &arguments, &size, &ignored);
     answer_here(exercise, exercises[exercise].reference, &arguments, &answer);
-    if (writing == NULL && call_number++ == change.call) {
-        wire_clear(&answer);
-        layout_write(exercises[exercise].results, change.result, &size, &answer);
-    }
 }
 
 static Wire *receive(int exercise)
@@ -219,170 +328,28 @@ static Wire *receive(int exercise)
 }
 
 // From now on the reference answers, and its calls are recorded.
-static void asked_begin(void)
+static void begin_to_listen(void)
 {
     static const Transport asked = {begin, write_down_and_answer, receive, NULL};
     transport_use(&asked);
-}
-
-static bool passes(const TableTest *test)
-{
-    static Outcomes one;
-    if (test->probe)
-        run_probes(test->function, test->name, &one);
-    else
-        run_tests(test->function, test->name, ANSWERS_APART, &one);
-    bool passed = one.count == 1 && one.tests[0].passed;
-    records_end();
-    return passed;
+    expectation_listener = expect_of_case;
 }
 
 // Runs the test, and records its calls: the arguments, and the results of the reference and of each
 // mistake. False if the reference does not pass.
-static bool asked_of(TableTest *test)
+static bool passes(TableTest *test)
 {
+    static Outcomes one;
     writing = test;
-    bool passed = passes(test);
+    if (test->probe)
+        run_probes(test->function, test->name, &one);
+    else
+        run_tests(test->function, test->name, ANSWERS_APART, &one);
+    close_questions(test);
     writing = NULL;
+    bool passed = one.count == 1 && one.tests[0].passed;
+    records_end();
     return passed;
-}
-
-// Runs it again with another result of one of its calls. True if it passes.
-static bool asked_again(const TableTest *test, int call, const Numbers *result)
-{
-    call_number = 0;
-    change.call = call;
-    change.result = result;
-    return passes(test);
-}
-
-// ---- which other results a test accepts --------------------------------------------------------
-
-// All numbers off by as much, every other one to the other side.
-static bool accepts_off_by(const TableTest *test, int call, double off)
-{
-    Numbers result = numbers_copy(&test->questions[call].results[0]);
-    for (int i = 0; i < result.count; i++)
-        result.at[i] += i % 2 == 0 ? off : -off;
-    bool accepted = asked_again(test, call, &result);
-    numbers_free(&result);
-    return accepted;
-}
-
-// From 1e-5 of the largest number down by halves. Never less than the difference between two ways
-// to compute the same thing: a test may compare with this very answer (its own ray, for example),
-// but the table compares with the reference's.
-static double tolerance_of(const TableTest *test, int call)
-{
-    enum { HALVES = 23 };
-    const Numbers *result = &test->questions[call].results[0];
-    double largest = 0;
-    for (int i = 0; i < result->count; i++)
-        if (isfinite(result->at[i]))
-            largest = fmax(largest, fabs(result->at[i]));
-    double most = 1e-5 * (largest > 0 ? largest : 1);
-    int low = 0, high = HALVES;
-    while (low < high) {
-        int half = (low + high) / 2;
-        double off = ldexp(most, -half);
-        if (accepts_off_by(test, call, off) && accepts_off_by(test, call, -off))
-            high = half;
-        else
-            low = half + 1;
-    }
-    return ldexp(most, -low);
-}
-
-static int reasons_of(const TableTest *test, int call)
-{
-    Numbers result = numbers_copy(&test->questions[call].results[0]);
-    int reasons = 0;
-    for (int fault = 0; result.count > 0 && fault < CAMERA_FAULTS; fault++) {
-        result.at[0] = fault;
-        reasons |= asked_again(test, call, &result) ? 1 << fault : 0;
-    }
-    numbers_free(&result);
-    return reasons | 1 << (int)test->questions[call].results[0].at[0];
-}
-
-static bool length_is_free(const TableTest *test, int call)
-{
-    Numbers result = numbers_copy(&test->questions[call].results[0]);
-    bool free = true;
-    for (int i = 0; free && i < 2; i++) {
-        for (int k = 3; k < result.count; k++)
-            result.at[k] *= i == 0 ? 2 : 0.125;
-        free = asked_again(test, call, &result);
-    }
-    numbers_free(&result);
-    return free;
-}
-
-static bool accepts_step(const TableTest *test, int call, double times)
-{
-    Numbers result = numbers_copy(&test->questions[call].results[0]);
-    const double *from = test->questions[call].arguments.at + STEP_FROM;
-    for (int i = 0; i < result.count; i++)
-        result.at[i] = from[i] + times * (result.at[i] - from[i]);
-    bool accepted = asked_again(test, call, &result);
-    numbers_free(&result);
-    return accepted;
-}
-
-// A test of the picture alone does not look at the depth.
-static bool accepts_any_depth(const TableTest *test, int call, const char *results)
-{
-    if (strcmp(results, "Pixels Doubles") != 0)
-        return false;
-    Numbers result = numbers_copy(&test->questions[call].results[0]);
-    for (int i = 3 * result.count / 4; i < result.count; i++)
-        result.at[i] = -1;
-    bool accepted = asked_again(test, call, &result);
-    numbers_free(&result);
-    return accepted;
-}
-
-// By powers of 2, as in the contract.
-static void steps_of(const TableTest *test, int call, double *least, double *most)
-{
-    const double end = 256;
-    *least = *most = 1;
-    while (*least > 1 / end && accepts_step(test, call, *least / 2))
-        *least /= 2;
-    while (*most < end && accepts_step(test, call, *most * 2))
-        *most *= 2;
-}
-
-// Asks it again and again with one result changed a little: tolerance, reasons, free length.
-static void takes_for_right(TableTest *test)
-{
-    const Exercise *exercise = &exercises[exercise_number(test->function)];
-    const char *results = exercise->results;
-    for (int i = 0; i < test->question_count; i++) {
-        Question *call = &test->questions[i];
-        if (strcmp(results, "Ray") == 0)
-            call->length_is_free = length_is_free(test, i);
-        if (layout_is_step(exercise))
-            steps_of(test, i, &call->least, &call->most);
-        if (strncmp(results, "CameraFault", 11) == 0)
-            call->reasons = reasons_of(test, i);
-        if (strcmp(results, "Pixels") != 0 && strcmp(results, "CameraFault") != 0)
-            call->tolerance =
-                accepts_any_depth(test, i, results) ? INFINITY : tolerance_of(test, i);
-    }
-}
-
-// If one test of a function requires the exact length of a direction, the others must require it as
-// well.
-static void agree_on_lengths(Table *table)
-{
-    for (int i = 0; i < table->test_count; i++)
-        for (int k = 0; k < table->tests[i].question_count; k++)
-            for (int j = 0; !table->tests[i].questions[k].length_is_free && j < table->test_count;
-                 j++)
-                for (int l = 0; l < table->tests[j].question_count; l++)
-                    if (strcmp(table->tests[i].function, table->tests[j].function) == 0)
-                        table->tests[j].questions[l].length_is_free = 0;
 }
 
 static Table table;
@@ -394,14 +361,12 @@ static void record_test(const Outcome *outcome, bool probe)
                       .name = (char *)outcome->name,
                       .extra = outcome->extra,
                       .probe = probe};
-    bool passed = asked_of(&test);
+    bool passed = passes(&test);
     if (!passed || test.question_count == 0) {
         fprintf(stderr, "%s: %s\n", test.name,
                 passed ? "asks nothing" : "the reference does not pass");
         exit(1);
     }
-    if (!probe)
-        takes_for_right(&test);
     table.tests = table_grow(table.tests, &table.test_count, sizeof *table.tests);
     table.tests[table.test_count - 1] = test;
 }
@@ -435,7 +400,7 @@ int main(int argc, char **argv)
     }
     choose_stem(argv[1]);
     switch_to_process(argv[1]);
-    asked_begin();
+    begin_to_listen();
     run_tests(NULL, NULL, ANSWERS_APART, &all);
     records_end();
     for (int i = 0; i < all.count; i++)
