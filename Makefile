@@ -149,9 +149,9 @@ BLANKS := $(STEMS:%=build/blanks/%.c)
 build/blanks/%.c: solutions/%.c solutions/make_blank
 	$(Q)mkdir -p $(@D)
 	$(Q)solutions/make_blank $< > $@
-build/blanks/%.c: tests/handout/replay/blanks/%.c
+build/blanks/%.c: tests/tables/blanks.tar
 	$(Q)mkdir -p $(@D)
-	$(Q)cp $< $@
+	$(Q)tar xOf $< $*.c > $@
 
 # Students' answers: friendly warnings, and every exercise 'weak', so that a test can put the
 # reference in the place of one of them (tests/course/judging.c).

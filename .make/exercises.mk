@@ -57,6 +57,9 @@ drawing_of = $(if $(wildcard chapters/$(1)/*_lanes.c chapters/$(1)/*/*_lanes.c),
 FOR_PICTURES = $(DRAWING_ANSWERS) $(NOT_FILLED) $(B)/tests/judge/calls_traced.o $(RECORDED) $(B)/common.a \
 	$(foreach s,$(STEMS),$(call right_of,$(s))) $(foreach s,$(1),$(call drawing_of,$(s)))
 
+# The calls of a test, made directly, for gdb.
+for_debug = $(B)/tests/judge/debug.o $(READING) $(B)/dispatch/$(1).o $(earlier_answers) $(B)/common.a
+
 # The program that judges answers and prints verdicts (tests/course/course.c), and its plan.
 COURSE := $(B)/course
 $(COURSE): $(B)/tests/course/course.o $(COURSE_PARTS) $(B)/common.a

@@ -20,10 +20,10 @@ figure_files = $(call layout_of,$(1)) $(wildcard common/figure/*.gp \
 	$(foreach f,*.nff figures/*.nff,chapters/$(call stem_of,$(1))/$(f)))
 # Beside another's answers, what is right, by the solutions or as a handout has recorded it, and what the
 # judge says is wrong.
-RIGHT := $(if $(wildcard solutions/.),$(if $(filter-out solutions,$(A)),$(B)/solutions/figures),tests/handout/replay/figures)
+RIGHT := $(if $(wildcard solutions/.),$(if $(filter-out solutions,$(A)),$(B)/solutions/figures),build/right-figures)
 # A handout has only the numbers, so its scripts need no folders.
 right_script_of = $(RIGHT)/$(if $(RIGHT_SCRIPTS),$(1)/)$(1).gp
-ifneq ($(filter $(B)/%,$(RIGHT)),)
+ifneq ($(filter $(B)/solutions/%,$(RIGHT)),)
 RIGHT_PROGRAMS := $(STEMS:%=$(B)/solutions/%)
 $(RIGHT_PROGRAMS): $(B)/solutions/%: $$(call chapter_objects,$$*) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a

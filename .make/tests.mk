@@ -69,7 +69,7 @@ AS_KNOWN = -include $(B)/reference.h -Wno-unused-parameter
 LAWS := $(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*/laws.c))
 $(LAWS): EXTRA = $(AS_KNOWN)
 $(LAWS): $(B)/reference.h
-TABLE := $(or $(patsubst %/,%,$(dir $(firstword $(wildcard tests/handout/replay/*.table)))),$(B)/tables)
+TABLE := $(or $(wildcard tests/tables),$(B)/tables)
 TABLES := $(STEMS:%=$(TABLE)/%.table)
 $(B)/tests/judge/table.o: EXTRA = '-DTABLES="$(TABLE)"'
 READING := $(patsubst %,$(B)/tests/judge/%.o,table numbers) $(CALLING)

@@ -24,7 +24,7 @@ $(UNPACKED): build/handout.tar.gz
 	$(Q)tar xf $< -C $(@D)
 	@touch $@
 BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapters/[0-9]*/*.svg exercises/*.[ch] exercises/*.hints \
-	exercises/optional/README.md exercises/optional/pictures/*.png common/*.h tests/handout/replay/blanks/*.c)
+	exercises/optional/README.md exercises/optional/pictures/*.png common/*.h)
 BOOK_SCRIPTS := $(wildcard $(BOOK_SOURCES)/*.js $(BOOK_SOURCES)/*/*.js $(BOOK_SOURCES)/*/*.mjs $(BOOK_SOURCES)/page/*)
 $(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) $(DRAWN) $(LIST) .make/toolkit/book_page.mk $(if $(FROM),$(UNPACKED))
 	$(call say,pages,$(BOOK))

@@ -55,8 +55,6 @@ DIRECT := $(ALL_TESTS) $(TESTING) $(CALLED) $(patsubst %,$(B)/tests/judge/%.o,te
 TESTS := $(BUILT)/tests
 $(TESTS): $(DIRECT) $(STEMS:%=$(BUILT)/direct/%.o) $(B)/common.a
 	$(link_program)
-# For a debugger an answer keeps its names: the tests of its stem, and nobody in between.
-for_debug = $(call tests_of,$(1)) $(TESTING) $(B)/tests/judge/test_main.o $(call earlier_answers,$(1)) $(B)/common.a
 # Blanks are made afresh, whatever is in exercises/, and must pass nothing.
 BLANK_TESTS := $(B)/tests/blanks
 $(STEMS:%=$(B)/blanks/%.o): WARNINGS = $(FOR_STUDENTS)

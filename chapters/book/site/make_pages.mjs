@@ -93,7 +93,7 @@ function write(name, text) {
 // ---- a chapter ----------------------------------------------------------------------------------
 
 /** The exercise as it is at the beginning: a handout's student has changed the other file. */
-const blankOf = (stem) => [`tests/handout/replay/blanks/${stem}.c`, `exercises/${stem}.c`].find((path) => existsSync(join(root, path)));
+const blankOf = (stem) => [`build/blanks/${stem}.c`, `exercises/${stem}.c`].find((path) => existsSync(join(root, path)));
 
 // What the browser refuses to keep is downloaded from the page that has it (page/page.js).
 const unsaved = '<p class="note" id="unsaved" role="alert" hidden><span></span> <button type="button">Download submission.zip</button></p>';

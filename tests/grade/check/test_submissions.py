@@ -287,7 +287,7 @@ EXPORTS = [
 ]
 
 # A copy of the toolkit or of the handout, of which exercises/ counts.
-ELSEWHERE = ["solutions", "tests/handout/replay/blanks", "tests/05-quadratic", "tests", "build/blanks", "build/x/y", "chapters",
+ELSEWHERE = ["solutions", "tests/blanks", "tests/05-quadratic", "tests", "build/blanks", "build/x/y", "chapters",
              ".make", "common"]
 
 

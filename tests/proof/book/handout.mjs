@@ -97,7 +97,7 @@ function inTerminal(stem, sources) {
   return ran.stdout;
 }
 const stems = solutions.map(name => name.slice(0, -2));
-const blanks = Object.fromEntries(stems.map(stem => [stem, readFileSync(join(handout, `tests/handout/replay/blanks/${stem}.c`), 'utf8')]));
+const blanks = Object.fromEntries(stems.map(stem => [stem, readFileSync(`build/blanks/${stem}.c`, 'utf8')]));
 const right = Object.fromEntries(stems.map(stem => [stem, readFileSync(`solutions/${stem}.c`, 'utf8')]));
 
 /** COUNT wrong answers: in each, another operator of the right answer is the opposite one. */
