@@ -101,14 +101,6 @@ def check_records(kind: str, out: Path, wanted: dict, odd: int, prototypes: dict
           [] if len(results) == odd else [f"{len(results)} results of {odd}"])
 
 
-def only(parts: list, submissions: Path, wanted: dict, keep: set) -> dict:
-    """Takes away what is not asked for."""
-    for name in [name for name in wanted if name not in keep and not any(part in name for part in parts)]:
-        del wanted[name]
-        subprocess.run(["rm", "-rf", "--", str(submissions / name)], check=True)
-    return wanted
-
-
 def left_behind(scratch: Path) -> list:
     """The attacks use one name for every file that they should not be able to write."""
     return [path for place in ("/tmp", "/var/tmp", "/dev/shm", scratch)
@@ -135,7 +127,11 @@ def check_kind(kind: str, places: dict, honest: dict, prototypes: dict, secrets:
     submissions.mkdir()
     if parts:
         grade(places, kind, secrets["the environment"])     # there is nobody yet: only builds what is not built
-    wanted = odd_files.build_honest(submissions, honest, prototypes, secrets["a classmate's file"])
+
+    def is_wanted(name: str) -> bool:
+        return not parts or name == "honest" or any(part in name for part in parts)
+
+    wanted = odd_files.build_honest(submissions, honest, prototypes, secrets["a classmate's file"], is_wanted)
     alone = {}
     if not parts:
         done = grade(places, kind, secrets["the environment"])
@@ -146,11 +142,9 @@ def check_kind(kind: str, places: dict, honest: dict, prototypes: dict, secrets:
         check_records(f"{kind}, honest alone", out, wanted, 0, prototypes)
         alone = records_without_times(out)
 
-    wanted.update(cases.build(submissions, honest, prototypes, places, has_namespace=os.getpid() == 1))
-    wanted.update(odd_files.build(odd_files.Room(submissions, honest, prototypes, places)))
-    if parts:
-        wanted = only(parts, submissions, wanted, {"honest"})
-    else:
+    wanted.update(cases.build(submissions, honest, prototypes, places, is_wanted))
+    wanted.update(odd_files.build(submissions, honest, prototypes, places, is_wanted))
+    if not parts:
         odd_files.build_odd_names(submissions, honest)
     # In the tree itself other tests build meanwhile, but not what grading uses.
     busy = TREE / "build" if places["TREE"] == TREE else None

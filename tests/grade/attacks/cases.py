@@ -28,7 +28,9 @@ attacker is taken to have guessed them.
 """
 from __future__ import annotations
 
+import os
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -157,11 +159,11 @@ def handed_in(case: Case, functions: dict, reference: str, places: dict) -> byte
     return text.encode()
 
 
-def build(submissions: Path, honest: dict, prototypes: dict, places: dict, has_namespace: bool) -> dict[str, Expected]:
+def build(submissions: Path, honest: dict, prototypes: dict, places: dict, is_wanted: Callable) -> dict[str, Expected]:
     """A folder for every case: name -> Expected. honest: stem -> the reference."""
     built = {}
-    for case in read().values():
-        if "needs" in case.head and not has_namespace:
+    for case in filter(lambda case: is_wanted(case.name), read().values()):
+        if "needs" in case.head and os.getpid() != 1:
             print(f"skipped {case.name}: it needs {case.head['needs']}")
             continue
         functions = prototypes[case.stem]

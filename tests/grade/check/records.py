@@ -1,6 +1,7 @@
 """records.py - records by hand, for the tests of the reports: an ordinary class, drawn from the real exercises, always
 the same way; and one in which every string that quotes a student is an attack.
 """
+import functools
 import os
 import random
 import struct
@@ -134,6 +135,7 @@ def hostile_class() -> list:
 # ---- ordinary -----------------------------------------------------------------------------------
 
 
+@functools.lru_cache(maxsize=None)
 def exercises() -> dict:
     """stem -> list of (function, slide, prompt)."""
     found = {}
