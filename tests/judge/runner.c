@@ -160,50 +160,35 @@ static void record_teardown(void)
 
 static struct {
     const char *function_wanted, *name_wanted; // NULL: all
-    Suite *suite;
-    TCase *tcase;
-    const char *function;
-    bool extra;
     Outcomes *outcomes;
 } listing;
 
-static void begin_function(const char *function, bool extra)
+static TCase *case_of(Suite *suite, const char *function)
 {
-    listing.function = function;
-    listing.extra = extra;
-    listing.tcase = tcase_create(function);
-    tcase_add_checked_fixture(listing.tcase, record_setup, record_teardown);
-    suite_add_tcase(listing.suite, listing.tcase);
+    TCase *tcase = tcase_create(function);
+    tcase_add_checked_fixture(tcase, record_setup, record_teardown);
+    suite_add_tcase(suite, tcase);
+    return tcase;
 }
 
-void tests_of(const char *function)
-{
-    begin_function(function, false);
-}
-
-void tests_of_extra(const char *function)
-{
-    begin_function(function, true);
-}
-
-void test(const TTest *test)
+static void list_test(TCase *tcase, const ListedTest *test)
 {
     // Check's own choice of functions: the others are not on the list, or they would not have been
     // run.
     const char *chosen = getenv("CK_RUN_CASE");
-    if (listing.function_wanted != NULL && strcmp(listing.function, listing.function_wanted) != 0)
+    if (listing.function_wanted != NULL && strcmp(test->function, listing.function_wanted) != 0)
         return;
-    if (chosen != NULL && strcmp(listing.function, chosen) != 0)
+    if (chosen != NULL && strcmp(test->function, chosen) != 0)
         return;
-    if (listing.name_wanted != NULL && strcmp(test->name, listing.name_wanted) != 0)
+    if (listing.name_wanted != NULL && strcmp(test->test->name, listing.name_wanted) != 0)
         return;
     if (listing.outcomes->count == MOST_TESTS) {
         fprintf(stderr, "more than %d tests in one list\n", MOST_TESTS);
         exit(1);
     }
     listing.outcomes->tests[listing.outcomes->count++] =
-        (Outcome){.name = test->name, .function = listing.function, .extra = listing.extra};
-    tcase_add_test(listing.tcase, test);
+        (Outcome){.name = test->test->name, .function = test->function, .extra = test->extra};
+    tcase_add_test(tcase, test->test);
 }
 
 // Compilers write the tests of a file in an order of their own.
@@ -222,7 +207,7 @@ static bool are_together(const ListedTest *one, const ListedTest *two)
     return one->extra == two->extra && strcmp(one->function, two->function) == 0;
 }
 
-static void list_in_order(const ListedTest *first)
+static void list_in_order(Suite *suite, const ListedTest *first)
 {
     for (const ListedTest *it = first; it != NULL; it = it->next) {
         const ListedTest *before = first;
@@ -230,10 +215,10 @@ static void list_in_order(const ListedTest *first)
             before = before->next;
         if (before != it)
             continue;
-        begin_function(it->function, it->extra);
+        TCase *tcase = case_of(suite, it->function);
         for (; before != NULL; before = before->next)
             if (are_together(before, it))
-                test(before->test);
+                list_test(tcase, before);
     }
 }
 
@@ -287,7 +272,6 @@ static void run(bool probes, WhereAnswersAre where)
 {
     Outcomes *outcomes = listing.outcomes;
     const Stem *stem = chosen_stem();
-    void (*list)(void) = probes ? stem->list_probes : stem->list_tests;
     random_take_seed();
     if (where == ANSWERS_APART) {
         unsetenv("CK_RUN_CASE"); // a verdict is about all of them
@@ -295,11 +279,9 @@ static void run(bool probes, WhereAnswersAre where)
         keep_files_in_memory();
     }
     outcomes->count = 0;
-    listing.suite = suite_create("tests");
-    SRunner *runner = srunner_create(listing.suite);
-    if (list != NULL)
-        list();
-    list_in_order(probes ? stem->probes : stem->tests);
+    Suite *suite = suite_create("tests");
+    SRunner *runner = srunner_create(suite);
+    list_in_order(suite, probes ? stem->probes : stem->tests);
     if (probes && outcomes->count == 0) {
         srunner_free(runner);
         return;

@@ -21,10 +21,8 @@ typedef enum {
 
 typedef struct {
     char name[64];
-    void (*load)(void);                // called when the stem is chosen; may be NULL
-    struct ListedTest *tests, *probes; // tests/judge/test.h
-    void (*list_tests)(void);          // or these
-    void (*list_probes)(void);
+    void (*load)(void);                          // called when the stem is chosen; may be NULL
+    struct ListedTest *tests, *probes;           // tests/judge/test.h
     struct KnownAnswer *known[KINDS_OF_ANSWERS]; // tests/judge/known.h
     int styles;                                  // of the mistakes (known.h); 0 is one
     const struct Generated *generated;           // tests/proof/generated/generated.h

@@ -58,12 +58,6 @@ typedef struct ListedTest {
 } ListedTest;
 void add_test(const char *file, bool is_probe, ListedTest *test);
 
-// What is not about exercises, or is known only when the program runs, has OF_STEM(list_tests): a
-// function that calls tests_of, then test for each.
-void tests_of(const char *function);
-void tests_of_extra(const char *function); // that cost no marks
-void test(const TTest *test);
-
 // The arguments. The first after an expectation begins a new case.
 void given(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void given_number(const char *name, double x);

@@ -40,7 +40,7 @@ static bool is_in(size_t at, size_t from, size_t size)
     return at >= from && at < from + size;
 }
 
-START_TEST(the_padding_of_a_plane_crosses_as_zeros)
+TEST(types, the_padding_of_a_plane_crosses_as_zeros)
 {
     Wire wire = {0};
     Plane plane = secret_plane(1, 'p');
@@ -57,7 +57,7 @@ START_TEST(the_padding_of_a_plane_crosses_as_zeros)
 }
 END_TEST
 
-START_TEST(what_is_received_has_no_padding_of_the_other_side)
+TEST(types, what_is_received_has_no_padding_of_the_other_side)
 {
     Wire wire = {0};
     Plane plane = secret_plane(1, 'p'), got;
@@ -73,7 +73,7 @@ START_TEST(what_is_received_has_no_padding_of_the_other_side)
 }
 END_TEST
 
-START_TEST(a_list_of_planes_comes_back_and_has_no_secrets)
+TEST(types, a_list_of_planes_comes_back_and_has_no_secrets)
 {
     Wire wire = {0};
     Plane planes[] = {secret_plane(1, 'a'), secret_plane(5, 'b')};
@@ -99,7 +99,7 @@ static void add_bytes(void *context, const char *name, void *number, size_t size
 }
 
 // Of all bytes set, as many arrive as the numbers of the type have.
-START_TEST(no_type_sends_more_bytes_than_its_numbers_have)
+TEST(types, no_type_sends_more_bytes_than_its_numbers_have)
 {
 #undef NUMBERS
 #undef WHOLE
@@ -132,7 +132,7 @@ START_TEST(no_type_sends_more_bytes_than_its_numbers_have)
 }
 END_TEST
 
-START_TEST(a_plane_is_told_in_the_words_of_its_entry)
+TEST(types, a_plane_is_told_in_the_words_of_its_entry)
 {
     char words[200];
     Plane plane = secret_plane(1, 7);
@@ -146,7 +146,7 @@ START_TEST(a_plane_is_told_in_the_words_of_its_entry)
 }
 END_TEST
 
-START_TEST(planes_are_equal_within_the_tolerances_of_their_fields)
+TEST(types, planes_are_equal_within_the_tolerances_of_their_fields)
 {
     const double number = 1e-9, length = 1e-3;
     Plane plane = secret_plane(1, 'p'), other = plane;
@@ -166,16 +166,3 @@ START_TEST(planes_are_equal_within_the_tolerances_of_their_fields)
     expect_int(type_near(&type_Plane, &none, &plane, number, length), 0);
 }
 END_TEST
-
-static void list_tests(void)
-{
-    tests_of("types");
-    test(the_padding_of_a_plane_crosses_as_zeros);
-    test(what_is_received_has_no_padding_of_the_other_side);
-    test(a_list_of_planes_comes_back_and_has_no_secrets);
-    test(no_type_sends_more_bytes_than_its_numbers_have);
-    test(a_plane_is_told_in_the_words_of_its_entry);
-    test(planes_are_equal_within_the_tolerances_of_their_fields);
-}
-
-OF_STEM(list_tests)

@@ -24,7 +24,7 @@ static Scene scene;
 static const char *output;
 
 // A call that gets no answer ends a test, so the picture is one.
-START_TEST(the_picture)
+TEST(cast_image_order, the_picture)
 {
     Camera camera;
     Image image;
@@ -37,14 +37,6 @@ START_TEST(the_picture)
     image_free(&image);
 }
 END_TEST
-
-static void list_tests(void)
-{
-    tests_of("cast_image_order");
-    test(the_picture);
-}
-
-OF_STEM(list_tests)
 
 static bool is_among(const char *stem, char **stems)
 {
