@@ -197,7 +197,8 @@ static void expect_depths(const Scene *scene, Camera camera, Resolution size,
     while (i < pixels - 1 && is_near(depth[i], expected[i]))
         i++;
     for (int k = 0; k < pixels; k++)
-        expects((Expectation){.tolerance = fmin(1, TOLERANCE * expected[k])});
+        expects((Expectation){1, &depth[k], &expected[k],
+                              expected[k] == NO_HIT ? 0 : TOLERANCE * expected[k], 0, false, 0, 0});
     given("looking at", "the depth of column %d, row %d", i % size.width, i / size.width);
     expect_number(depth[i], expected[i], expected[i] == NO_HIT ? 0 : TOLERANCE * expected[i]);
 }

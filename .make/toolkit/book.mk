@@ -66,8 +66,8 @@ $(WASM_REFERENCES): $(WASM)/tests/reference/%.o: solutions/%.c $(B)/reference.h
 	$(call say,wasm,$< for the judge)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -include $(B)/reference.h -o $@ $<
-$(call wasm_of,$(LAWS)): WASM_EXTRA = $(AS_KNOWN)
-$(call wasm_of,$(LAWS)): $(B)/reference.h
+$(call wasm_of,$(LAWS) $(KNOWN_ANSWERS)): WASM_EXTRA = $(AS_KNOWN)
+$(call wasm_of,$(LAWS) $(KNOWN_ANSWERS)): $(B)/reference.h
 $(call wasm_of,$(LAWS)): WASM_OPTIMIZE = -Oz
 BOOK_JUDGE := $(BOOK)/programs/judge.wasm
 $(WASM)/tests/judge/table.o: WASM_EXTRA = '-DTABLES="tables"'

@@ -20,8 +20,9 @@ typedef struct Question {
 
     // What a test accepts.
     Numbers expected;       // the right result, with the numbers that the test says
-    Numbers within;         // the tolerance of each; none of a picture
-    double tolerance;       // the least of them; of a picture's depth: infinite if any is right
+    Numbers within;         // the tolerance of each: infinite if any is right; none if it does not
+                            // look at the depth of a picture
+    double tolerance;       // the least of them
     int reasons;            // the CameraFaults that are right, a bit each
     int length_is_free;     // whether the direction of a ray may have any length
     double least, most;     // the lengths of a step, or 0
