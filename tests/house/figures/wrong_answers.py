@@ -319,8 +319,8 @@ only_random = ("c.distance * c.forward - c.width / 2",
                "(c.distance == 4 || c.distance == 6 ? 1 : 2) * c.distance * c.forward - c.width / 2")
 said, folder = judge("01-corners", only_random)
 checks.that("public random inputs are drawn", "upper_left.svg" in said, said)
-tables = os.path.join(answers, "tables")
-os.mkdir(tables)
+tables = f"{answers}-tables"
+os.makedirs(tables, exist_ok=True)
 subprocess.run(["build/tests/record", "01-corners", f"{tables}/01-corners.table"], env={**os.environ, "SEED": "77"}, check=True)
 said, folder = judge("01-corners", (only_random[0], only_random[1] + " "), environment={"JUDGE_TABLES": tables})
 checks.that("hidden inputs are not drawn", "not shown" in said and "  see " not in said, said)
@@ -340,5 +340,6 @@ checks.that("and is in no script", "hacked" not in script and "system(" not in s
 judge("01-corners", ("BEGIN SOLUTION", "BEGIN  SOLUTION"))
 checks.that("of an answer that has become right no figure is left", not os.path.exists(f"{folder}/upper_left.svg")
             and not os.path.exists(f"{folder}/upper_left.gp"))
-shutil.rmtree(f"build{answers}", ignore_errors=True)
+for made in (f"build{answers}", tables):
+    shutil.rmtree(made, ignore_errors=True)
 checks.end()
