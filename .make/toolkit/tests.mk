@@ -173,9 +173,11 @@ check: $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (T=word: only those t
 # The tests that need longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
 FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
+# PROOFS='exact seeds': only these of tests/proof/.
+PROOF_SCRIPTS := $(if $(PROOFS),$(PROOFS:%=tests/proof/%.sh),$(wildcard tests/proof/*.sh))
 .PHONY: check-all check-long
 check-all: $(CHECKS) $(FOR_LONG) $$(READY_HERE) ## all tests, also those that need longer
-	@$(READY_FIRST) $(FOR_TESTS) LONG=yes $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(wildcard tests/house/*.sh tests/proof/*.sh)
+	@$(READY_FIRST) $(FOR_TESTS) LONG=yes $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(wildcard tests/house/*.sh) $(PROOF_SCRIPTS)
 
-check-long: $(FOR_LONG) ## only those that need longer
-	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(wildcard tests/proof/*.sh)
+check-long: $(FOR_LONG) ## only those that need longer (PROOFS='seeds exact': only these)
+	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(PROOF_SCRIPTS)

@@ -1,7 +1,11 @@
 #!/bin/sh
 # explained.sh - what a student reads where an answer does not compile, by any compiler, $CC (explained.txt).
 # Only reads the tree.
-[ -n "${TRANSCRIPT:-}" ] || exec python3 -B tests/house/runner/transcript.py tests/house/explained.txt
+if [ -z "${TRANSCRIPT:-}" ]; then
+    . tests/house/runner/library.sh
+    ordinary explained "the compiler's words"
+    exec python3 -B tests/house/runner/transcript.py tests/house/explained.txt
+fi
 
 # The functions of the text.
 cc=${CC:-cc}
