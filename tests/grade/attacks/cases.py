@@ -1,6 +1,6 @@
 """cases.py - reads the attacks in *.txt: what each tries, and what must come of it.
 
-A file holds the attacks of one family. Each is a section, which is one submission of one file:
+A line that begins with ==== heads a family. Each attack is a section, which is one submission of one file:
 
     ---- name: what it tries, on as many lines as that takes.
     -> crashed | graded; earns upper_right; says killed | by itself
@@ -88,7 +88,8 @@ def read(folder: Path = FOLDER) -> dict[str, Case]:
     """All of them: name -> Case."""
     found: dict[str, Case] = {}
     for path in sorted(folder.glob("*.txt")):
-        for section in ("\n" + path.read_text(encoding="utf-8")).split(f"\n{SECTION}")[1:]:
+        text = re.sub("^==== .*\n", "", path.read_text(encoding="utf-8"), flags=re.M)
+        for section in text.split(f"\n{SECTION}")[1:]:
             case = case_of(section, path.name)
             if case.name in found:
                 raise ValueError(f"{path.name}: {case.name} is there twice")

@@ -203,6 +203,13 @@ def hostile(honest: dict, prototypes: dict, places: dict) -> dict:
         # A quarter of a megabyte: a line with an error at its end, and conditionals, none of which ends.
         "long-line": ({CORNERS: b"int a[] = {" + b"1," * 120_000 + b"x \"};\n"}, refused),
         "deep-comment": ({CORNERS: b"#if 1\n" * 40_000}, refused_or_late),
+    }
+
+
+def hostile_archives(places: dict) -> dict:
+    """The same, of those that are archives."""
+    solutions, scratch = f"{places['TREE']}/solutions", places["SCRATCH"]
+    return {
         # Members whose paths lead out of where they are unpacked; in a tar also through a link that it brings along.
         "zip-that-escapes.zip": (zipped(*outside(places)),),
         "tar-that-escapes.tar.gz": (gzip.compress(tarred(
@@ -224,7 +231,7 @@ def hostile(honest: dict, prototypes: dict, places: dict) -> dict:
 def build(submissions: Path, honest: dict, prototypes: dict, places: dict, is_wanted: Callable) -> dict:
     """The hostile ones: name -> Expected."""
     built = {}
-    for name, (what, *wanted) in hostile(honest, prototypes, places).items():
+    for name, (what, *wanted) in {**hostile(honest, prototypes, places), **hostile_archives(places)}.items():
         if is_wanted(name):
             lay(submissions / name, what)
             built[name] = wanted[0] if wanted else NOTHING_THERE
