@@ -33,7 +33,8 @@ for source in chapters/lessons/*.md; do
     check "the lesson of $stem is what 'make lessons' writes" \
         diff "$BUILD/lessons/$stem.md" "chapters/$stem/README.md"
 done
-for page in README.md chapters/README.md chapters/book/README.md exercises/README.md .github/CONTRIBUTING.md; do
+for page in README.md chapters/README.md chapters/book/README.md exercises/README.md tests/grade/README.md \
+    tests/grade/recipes/README.md .github/CONTRIBUTING.md; do
     check "the links of $page lead somewhere" links_lead_somewhere "$page"
 done
 
