@@ -71,3 +71,8 @@ def number(marks: float | None) -> str:
         return "-"
     text = f"{marks:.2f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
+
+
+def score(part: dict) -> str:
+    """Of whatever has marks: 18.5 of 20."""
+    return "no score" if part["score"] is None else f"{number(part['score'])} of {number(part['max'])}"

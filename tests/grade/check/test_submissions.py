@@ -120,7 +120,8 @@ class Find(Scratch):
             raise OSError(5, "Input/output error")
         words = "cannot be read: Input/output error"
         self.assertEqual(submissions.kind_of(SimpleNamespace(is_symlink=fails)), ("unreadable", words))
-        collected = submissions.collect(submissions.Submission(b"/nowhere", "anna", "anna", "unreadable", words), STEMS)
+        collected = submissions.collect(submissions.Submission(
+            "anna", "anna", (submissions.Part(b"/nowhere", "unreadable", words=words),)), STEMS)
         self.assertEqual((collected.empty, collected.words), (True, words))
 
     def test_a_link_is_empty_and_not_followed(self):

@@ -13,7 +13,7 @@ import tarfile
 import zlib
 from contextlib import contextmanager
 
-from grade.confine.machine import CRASHES, LIMITS, GraderFailed, must_be_its_own, statuses_of
+from grade.confine.machine import CRASHES, LIMITS, GraderFailed, limit, must_be_its_own, statuses_of
 from grade.visible import visible, why
 
 # Should it have become a fifo since it was looked at, opening it must not wait.
@@ -131,8 +131,7 @@ def engine_of(kind: str):
 
 def limited() -> None:
     for what, most in ((resource.RLIMIT_CPU, SECONDS), (resource.RLIMIT_AS, MEMORY), (resource.RLIMIT_CORE, 0)):
-        hard = resource.getrlimit(what)[1]
-        resource.setrlimit(what, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
+        limit(what, most)
 
 
 def as_file(file):

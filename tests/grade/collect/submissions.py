@@ -156,12 +156,13 @@ NO_ANSWER = "a loose file, and neither a folder nor an archive"
 
 @dataclass(frozen=True)
 class Submission:
-    path: bytes     # of its first part
     name: str       # as people read it; no two are the same
     folder: str     # the folder of its reports; no two are the same, on any file system
-    kind: str       # of its first part: folder, archive, file, link, unreadable
-    words: str = ""  # why there is nothing to look at
-    parts: tuple = ()
+    parts: tuple
+
+    @property
+    def kind(self) -> str:
+        return self.parts[0].kind
 
 
 def kind_of(entry) -> tuple:
@@ -205,8 +206,7 @@ def find(directory, stems: Iterable[str] = ()) -> tuple:
     owners = list(titled(grouped(entries), directory))
     shown = names.shown([owner.title.encode("utf-8", "surrogateescape") for owner in owners])
     stored = names.folders([(owner.raw, suffix_of(owner)) for owner in owners])
-    return ([Submission(owner.parts[0].path, name, folder, owner.parts[0].kind, owner.parts[0].words, owner.parts)
-             for owner, name, folder in zip(owners, shown, stored)],
+    return ([Submission(name, folder, owner.parts) for owner, name, folder in zip(owners, shown, stored)],
             names.shown(others))
 
 
@@ -238,8 +238,7 @@ def look_at(search, part: Part, opener) -> None:
 
 def searched(submission: Submission, stems: list, opener) -> answers.Search:
     search = answers.search_for(stems)
-    parts = submission.parts or (Part(submission.path, submission.kind, "", submission.words),)
-    for part in parts:
+    for part in submission.parts:
         search.upload = part.upload
         try:
             look_at(search, part, opener)

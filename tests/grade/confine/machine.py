@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import errno
 import os
+import resource
 import signal
 import subprocess
 from pathlib import Path
@@ -59,6 +60,12 @@ def believed(first: dict, is_doubtful: Callable, again: Callable) -> dict:
 def statuses_of(signals: set) -> set[int]:
     """The exit statuses of a program that another one has run, if these signals ended it."""
     return {128 + number for number in signals}
+
+
+def limit(what: int, most: int) -> None:
+    """A soft limit; the hard one may be lower already."""
+    hard = resource.getrlimit(what)[1]
+    resource.setrlimit(what, (most if hard == resource.RLIM_INFINITY else min(most, hard), hard))
 
 
 def megabytes(size: int) -> str:

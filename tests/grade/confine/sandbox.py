@@ -118,7 +118,8 @@ def end_all(process: subprocess.Popen) -> None:
 
 
 def ending(code: int) -> str:
-    return f"exit status {code}" if code >= 0 else f"signal {-code}"
+    """As Python counts, or as a shell does."""
+    return f"signal {-code}" if code < 0 else f"signal {code - 128}" if code > 128 else f"exit status {code}"
 
 
 def complaint(words: str) -> str:

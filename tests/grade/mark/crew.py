@@ -20,6 +20,7 @@ from pathlib import Path
 from grade.confine.machine import GraderFailed
 from grade.confine.sandbox import ending
 from grade.settings import stop
+from grade.visible import score
 
 from .grader import DONE, KEPT, Grader
 
@@ -39,9 +40,7 @@ class Progress:
         self.marked += not kept
         name, words = "", "no result"
         if record is not None:
-            name = record["submission"]
-            score = "no score" if record["score"] is None else f"{record['score']:g} of {record['max']:g}"
-            words = f"{record['status']}, {score}"
+            name, words = record["submission"], f"{record['status']}, {score(record)}"
         if self.terminal:
             each = (time.monotonic() - self.began) / max(self.marked, 1)
             left = int(each * (self.total - self.done) + 0.5)

@@ -21,7 +21,7 @@ from grade import policy as policies
 from grade.collect import submissions
 from grade.collect.answers import UNREADABLE, Collected
 from grade.collect.submissions import Submission
-from grade.confine.machine import GraderFailed
+from grade.confine.machine import GraderFailed, limit
 from grade.confine.sandbox import choose
 from grade.report import files
 from grade.settings import seed_of_class
@@ -52,14 +52,12 @@ def sum_of_files(paths: list[Path]) -> str:
 def limited(limits: dict[int, int]):
     before = {what: resource.getrlimit(what) for what in limits}
     for what, most in limits.items():
-        hard = before[what][1]
-        soft = most if hard == resource.RLIM_INFINITY else min(most, hard)
-        resource.setrlimit(what, (soft, hard))
+        limit(what, most)
     try:
         yield
     finally:
-        for what, limit in before.items():
-            resource.setrlimit(what, limit)
+        for what, both in before.items():
+            resource.setrlimit(what, both)
 
 
 class Grader:
@@ -192,7 +190,8 @@ class Grader:
 
     def prove(self) -> None:
         """Marks the reference, which has all marks on a machine that can grade. SystemExit if it has not."""
-        found = submissions.Submission(os.fsencode(SOLUTIONS), "the reference", ".reference", "folder")
+        found = submissions.Submission("the reference", ".reference",
+                                       (submissions.Part(os.fsencode(SOLUTIONS), "folder"),))
         bench = Workbench(self.kit, self.sandbox, self.work / found.folder, self.tables, self.seed, {})
         try:
             stems = mark(bench, submissions.collect(found, self.stems), self.exercises, {})["stems"]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Callable
 
 from grade.confine.machine import GraderFailed, check_room
-from grade.confine.sandbox import Sandbox, complaint
+from grade.confine.sandbox import Sandbox, complaint, ending
 
 from .commands import HEADERS, LINKED, Command, Kit
 
@@ -71,7 +71,7 @@ class Workbench:
         ended = step([replace(right, name="before"), doubtful, replace(right, name="after")])
         if ended["before"] or ended["after"]:
             raise GraderFailed(f"{STEPS[step.__name__]} something right also fails "
-                               f"({spelled_status(ended['before'] or ended['after'])})")
+                               f"({ending(ended['before'] or ended['after'])})")
         return ended[doubtful.name]
 
     def report(self, stem: str, names: list[str]) -> dict[str, dict[str, str]]:
@@ -96,10 +96,6 @@ class Workbench:
             raise GraderFailed(f"{STEPS[step]} ended early{complaint(complaints)}")
         for command, (name, status) in zip(commands, ended):
             if int(status) not in command.expected:
-                raise GraderFailed(f"{STEPS[step]} {name} ended with {spelled_status(int(status))}"
+                raise GraderFailed(f"{STEPS[step]} {name} ended with {ending(int(status))}"
                                    f"{complaint(complaints)}")
         return {name: int(status) for name, status in ended}
-
-
-def spelled_status(status: int) -> str:
-    return f"signal {status - 128}" if status > 128 else f"exit status {status}"

@@ -6,7 +6,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 from grade.collect.answers import UNREADABLE
-from grade.visible import number
+from grade.visible import number, score
 from .figures import stems_of
 from .points import UNSAFE, any_unsafe, clean, clean_class, points
 
@@ -139,9 +139,8 @@ def grades_tap(records: list) -> str:
 
 def summary(record: dict) -> str:
     """The text above all tests."""
-    score = "no score" if record["score"] is None else f"{number(record['score'])} of {number(record['max'])}"
     lines = [UNSAFE] if record["unsafe"] else []
-    lines.append(f"{record['status']}: {score}")
+    lines.append(f"{record['status']}: {score(record)}")
     lines += [line for line in (record["words"], record["late"]) if line]
     if any(stem["functions"] for stem in record["stems"]):
         lines.append("'make exercises' says the same of your files, but for the random inputs of this run.")
@@ -150,9 +149,8 @@ def summary(record: dict) -> str:
 
 def test(point: dict) -> dict:
     output = "\n".join(point["lines"])
-    score = {} if point["score"] is None else {"score": point["score"]}
     return {
-        **score,
+        **({} if point["score"] is None else {"score": point["score"]}),
         "max_score": point["max"],
         "status": "passed" if point["outcome"] == "passed" else "failed",
         "name": point["name"],
@@ -168,10 +166,10 @@ def results_json(record: dict) -> str:
     record = clean(record)
     # Without a score and tests Gradescope says that the autograder failed, which is so, but not if the submission
     # cannot be read: then only a score shows the student the reason.
-    score = 0 if record["status"] == UNREADABLE else record["score"]
-    marks = {"score": score, "tests": [test(point) for point in points(record)]}
+    earned = 0 if record["status"] == UNREADABLE else record["score"]
+    marks = {"score": earned, "tests": [test(point) for point in points(record)]}
     results = {
-        **(marks if score is not None else {}),
+        **(marks if earned is not None else {}),
         "execution_time": record["seconds"],
         "output": summary(record),
         "output_format": "text",

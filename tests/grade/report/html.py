@@ -11,7 +11,7 @@ import stat
 import xml.etree.ElementTree as ElementTree
 from urllib.parse import quote
 
-from grade.visible import number
+from grade.visible import number, score
 from .comment import fields, stem_lines
 from .figures import bins, circumstances, most_made, not_answered, quartiles, stems_of
 from .points import UNSAFE, any_unsafe, clean, clean_class
@@ -90,17 +90,14 @@ def data_url(png: bytes) -> str:
 # ---- one submission -----------------------------------------------------------------------------
 
 
-def of(part: dict) -> str:
-    return "no score" if part["score"] is None else f"{number(part['score'])} of {number(part['max'])}"
-
-
 def kind(state: str) -> str:
     """The state as a class of the stylesheet."""
     return state.replace(" ", "-")
 
 
-def share(score: float, most: float) -> str:
-    return "unasked" if not most else "full" if score >= most else "none" if score <= 0 else "some"
+def share(part: dict) -> str:
+    earned, most = part["score"], part["max"]
+    return "unasked" if not most else "full" if earned >= most else "none" if earned <= 0 else "some"
 
 
 def marks(record: dict):
@@ -110,7 +107,7 @@ def marks(record: dict):
         rows.append(tag("tr",
                         tag("td", tag("a", stem["stem"], href="#" + stem["stem"])),
                         tag("td", odd if stem["max"] else "counts nothing", class_="warn" if odd else None),
-                        tag("td", of(stem), class_=share(stem["score"], stem["max"]))))
+                        tag("td", score(stem), class_=share(stem))))
     heads = [tag("th", "chapter", scope="col"), tag("th", scope="col", aria_label="state"),
              tag("th", "marks", scope="col")]
     return tag("table", tag("caption", "Marks by chapter"), tag("thead", tag("tr", *heads)), tag("tbody", *rows))
@@ -130,7 +127,7 @@ def told(stem: dict, function: dict):
     state = tag("span", function["state"], class_=kind(function["state"]))
     return tag("article",
                tag("div", tag("h3", tag("code", function["name"]), " ", state),
-                   tag("span", of(function), class_="marks"), class_="head"),
+                   tag("span", score(function), class_="marks"), class_="head"),
                tag("p", "Slide: " + function["slide"], class_="quiet") if function["slide"] else None,
                *lines,
                tag("dl", *rows) if rows else None,
@@ -157,7 +154,7 @@ def chapter(stem: dict):
         inside.append(tag("p", first[:1].upper() + first[1:].rstrip(":") + ("." if not rest else ":"), class_="warn"))
         if rest:
             inside.append(tag("pre", "\n".join(rest), tabindex="0", aria_label="the message"))
-    head = tag("h2", tag("span", stem["stem"]), tag("span", of(stem), class_="marks"), class_="head")
+    head = tag("h2", tag("span", stem["stem"]), tag("span", score(stem), class_="marks"), class_="head")
     return tag("section", head, *inside, id=stem["stem"])
 
 
@@ -177,14 +174,14 @@ def submission_page(record: dict, folder: str) -> str:
     head = tag("header",
                banner([record]),
                tag("h1", tag("bdi", record["submission"])),
-               tag("p", tag("strong", record["status"]), f": {of(record)}", class_="score"),
+               tag("p", tag("strong", record["status"]), f": {score(record)}", class_="score"),
                *[tag("p", words, class_="warn") for words in (record["words"], record["late"]) if words])
     chapters = [chapter(stem) for stem in record["stems"]]
     main = tag("main", marks(record) if chapters else None, pictures(record, folder), *chapters)
     foot = tag("p", "The same verdicts come from ", tag("code", "make exercises"),
                " in your own copy; what was drawn at random here is not in it, so look for the idea,"
                " not for the numbers.", class_="quiet")
-    return page(f"{record['submission']}: {of(record)}", head, main, tag("footer", foot))
+    return page(f"{record['submission']}: {score(record)}", head, main, tag("footer", foot))
 
 
 # ---- the class ----------------------------------------------------------------------------------
@@ -241,7 +238,7 @@ def row(record: dict, stems: list):
     if record["status"] != "graded":
         name.append(tag("div", record["status"], class_="warn"))
     name += [tag("div", words, class_="quiet") for words in (record["words"], record["late"]) if words]
-    cells = [tag("td", number(found[stem]["score"]), class_=share(found[stem]["score"], found[stem]["max"]))
+    cells = [tag("td", number(found[stem]["score"]), class_=share(found[stem]))
              if stem in found else tag("td", "") for stem in stems]
     return tag("tr", tag("td", *name), tag("td", tag("b", number(record["score"]))), *cells)
 
