@@ -16,11 +16,6 @@
 static Table table;
 static const Question *now;
 
-const Table *table_now(void)
-{
-    return &table;
-}
-
 const Question *question_now(void)
 {
     return now;

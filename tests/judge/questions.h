@@ -5,9 +5,6 @@
 
 #include "tests/judge/table.h"
 
-// Of the stem that was chosen.
-const Table *table_now(void);
-
 // The one that is being asked.
 const Question *question_now(void);
 

@@ -77,12 +77,15 @@ const Stem *chosen_stem(void)
     return chosen;
 }
 
-// Compilers write the entries of a file in an order of their own.
+// Compilers write the entries of a file in an order of their own. A program in a page may begin
+// twice.
 void add_known(const char *file, KindOfAnswer kind, KnownAnswer *answer)
 {
     KnownAnswer **at = &stem_of_file(file)->known[kind];
-    while (*at != NULL && (*at)->place < answer->place)
+    while (*at != NULL && *at != answer && (*at)->place < answer->place)
         at = &(*at)->next;
+    if (*at == answer)
+        return;
     answer->next = *at;
     *at = answer;
 }
