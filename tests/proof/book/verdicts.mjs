@@ -169,6 +169,7 @@ function compareKnown(stem, number, what) {
   compare(stem, number, what, `const char known_answer[] = "${ANY}";\n`, plan(stem));
 }
 function compare(stem, number, what, source, how) {
+  for (const other of stems) rmSync(join(terminal, 'exercises', `${other}.c`), {force: true}); // the page has this answer alone
   writeFileSync(join(terminal, 'exercises', `${stem}.c`), source);
   const ours = inTerminal(stem, how, number), theirs = inPage(stem, source, number);
   marks = ours.marks;
