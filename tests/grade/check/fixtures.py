@@ -19,7 +19,14 @@ from pathlib import Path
 from grade.collect import submissions
 
 
-class Sentences(unittest.TestCase):
+class WithFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.work = Path(folder.name).resolve()
+
+
+class Sentences(WithFolder):
     """A test that asserts several things of one run, each in a sentence of its own. One that does not hold is a
     failure by that name, and the others are still looked at."""
     maxDiff = None

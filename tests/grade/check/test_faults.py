@@ -96,11 +96,6 @@ def signalled(at_work: Path, kind: str, number: str) -> bool:
 
 
 class Faults(Sentences):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.work = Path(folder.name).resolve()
-
     def test_a_step_that_fails_is_no_mark(self) -> None:
         work = self.work
         folder, out = work / "class", work / "out"

@@ -127,13 +127,12 @@ class Grade(Sentences):
                    == ("waiting", 0) and "waits: 01-corners: upper_right" in failed, waits)
 
     def test_class(self) -> None:
-        with tempfile.TemporaryDirectory() as work:
-            folder, out = Path(work, "class"), Path(work, "out")
-            build_class(folder)
-            self.counts_by_another_policy(folder, out)
-            done = grade(folder, out)
-            found = records(out)
-            table, page = rows(out), (out / "index.html").read_text(encoding="utf-8")
+        folder, out = self.work / "class", self.work / "out"
+        build_class(folder)
+        self.counts_by_another_policy(folder, out)
+        done = grade(folder, out)
+        found = records(out)
+        table, page = rows(out), (out / "index.html").read_text(encoding="utf-8")
         self.check("every submission has one result", done.returncode == 0 and len(found) == 21, done.stderr[-600:])
         kept = set(found) - {"broken", "xaver", "=1+1<b>.pdf"}      # which have no verdicts to keep
         self.check("a change of the policy marks nothing again", done.stderr.count("(kept)") == len(kept), done.stderr)

@@ -1,6 +1,5 @@
 """test_policy.py - what an answer is worth, and what a late one loses."""
 import os
-import tempfile
 import time
 import unittest
 from datetime import datetime, timezone
@@ -9,6 +8,7 @@ from types import SimpleNamespace
 
 from grade import exercises
 from grade import policy
+from .fixtures import WithFolder
 
 CONTRACTS = Path(__file__).resolve().parents[3] / "exercises"
 DUE = int(datetime(2025, 11, 14, 22, 59, tzinfo=timezone.utc).timestamp())
@@ -24,11 +24,10 @@ def made(stem, count):
 KNOWN = made("01-one", 3) + made("02-two", 1) + made("12-new", 4)
 
 
-class Scratch(unittest.TestCase):
+class Written(WithFolder):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.file = Path(folder.name) / "policy"
+        super().setUp()
+        self.file = self.work / "policy"
 
     def load(self, text):
         self.file.write_text(text, encoding="utf-8")
@@ -58,7 +57,7 @@ class TheList(unittest.TestCase):
         self.assertEqual(known[-1].name, "sphere_rectangle")
 
 
-class Points(Scratch):
+class Points(Written):
     def test_the_policy_of_the_house_is_a_hundred_points(self):
         known = exercises.read()
         ours = policy.load(policy.DEFAULT, known)
@@ -89,7 +88,7 @@ class Points(Scratch):
         self.refused("points 02-two a_02 6", 1, "6 points", "10")
 
 
-class Strict(Scratch):
+class Strict(Written):
     def test_what_is_not_understood_is_an_error_with_its_line(self):
         for line, part in (
                 ("weight 01-one 3", "weight is not a setting"), ("points", "CHAPTER"),
@@ -123,7 +122,7 @@ class Strict(Scratch):
         self.assertRaises(policy.PolicyError, policy.load, self.file, KNOWN)
 
 
-class Late(Scratch):
+class Late(Written):
     HEAD = "due 2025-11-14T23:59+01:00\ngrace 15\n"
 
     def late(self, after, score=80.0, how=DAILY):
@@ -179,7 +178,7 @@ class Late(Scratch):
             self.assertEqual(self.load("due " + text).due.timestamp(), DUE)
 
 
-class CameIn(Scratch):
+class CameIn(Written):
     def came_in(self, text, name="a\\nb", folder="a\nb"):
         (self.file.parent / "came in.csv").write_text(text, encoding="utf-8")
         ours = self.load("times came in.csv")

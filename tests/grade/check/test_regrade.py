@@ -7,7 +7,6 @@ import re
 import shutil
 import signal
 import subprocess
-import tempfile
 import time
 from pathlib import Path
 
@@ -110,17 +109,15 @@ class Regrade(Sentences):
         self.check("and the class's reports are there", (out / "grades.csv").exists())
 
     def test_again(self) -> None:
-        with tempfile.TemporaryDirectory() as temporary:
-            work = Path(temporary)
-            folder = work / "class"
-            build_class(folder)
-            grade(folder, work / "out", JOBS="4")
-            found = records(work / "out")
-            self.check("every submission has one result", len(found) == 21, list(found))
-            self.same_marks(folder, work, found)
-            for sandbox in ("bubblewrap", "landlock"):
-                if sandbox in next(iter(found.values()))["sandbox"].lower():
-                    self.nothing_is_left_of_a_kill(folder, work, sandbox)
-            self.killed_and_started_again(folder, work, found)
-            self.what_has_changed_is_marked_again(folder, work, found)
-            self.shards_share_the_work(folder, work, found)
+        work, folder = self.work, self.work / "class"
+        build_class(folder)
+        grade(folder, work / "out", JOBS="4")
+        found = records(work / "out")
+        self.check("every submission has one result", len(found) == 21, list(found))
+        self.same_marks(folder, work, found)
+        for sandbox in ("bubblewrap", "landlock"):
+            if sandbox in next(iter(found.values()))["sandbox"].lower():
+                self.nothing_is_left_of_a_kill(folder, work, sandbox)
+        self.killed_and_started_again(folder, work, found)
+        self.what_has_changed_is_marked_again(folder, work, found)
+        self.shards_share_the_work(folder, work, found)

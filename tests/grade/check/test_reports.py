@@ -463,26 +463,21 @@ def contents(folder: Path) -> dict:
 
 
 class ReportFiles(Sentences):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.out = Path(folder.name)
-
     def test_round_trip(self):
         them = hostile_class() + ordinary_class()
         for one in them:
-            files.write_submission(one, str(self.out / one["folder"]))
-        read = [files.read_record(str(self.out / one["folder"] / "results.json")) for one in them]
+            files.write_submission(one, str(self.work / one["folder"]))
+        read = [files.read_record(str(self.work / one["folder"] / "results.json")) for one in them]
         self.check("a record that was written is read as it was", read == [clean(one) for one in them])
-        files.write_class(them, str(self.out))
-        before = contents(self.out)
-        files.write_class(read[::-1], str(self.out))
-        self.check("class reports from what was read, in another order, are the same bytes", before == contents(self.out))
+        files.write_class(them, str(self.work))
+        before = contents(self.work)
+        files.write_class(read[::-1], str(self.work))
+        self.check("class reports from what was read, in another order, are the same bytes", before == contents(self.work))
         self.check("a submission has its two files, the class its reports, and nothing else is left", set(before) == CLASS | {
             f"{one['folder']}/{name}" for one in them for name in ("index.html", "results.json")}, list(before))
-        os.rename(self.out / "h00", self.out / "moved")
+        os.rename(self.work / "h00", self.work / "moved")
         self.check("a folder that was renamed is found again",
-                   files.read_record(str(self.out / "moved" / "results.json"))["folder"] == "moved")
+                   files.read_record(str(self.work / "moved" / "results.json"))["folder"] == "moved")
 
     def test_hash_seeds(self):
         # Python's sets and hashes differ from run to run; what is written must not.
@@ -491,25 +486,25 @@ class ReportFiles(Sentences):
                    "files.write_submission(records.hostile_class()[9], sys.argv[1] + '/one');")
         written = []
         for seed in ("1", "2"):
-            subprocess.run([sys.executable, "-B", "-c", program, self.out / seed], check=True, cwd=PACKAGES,
+            subprocess.run([sys.executable, "-B", "-c", program, self.work / seed], check=True, cwd=PACKAGES,
                            env={**os.environ, "PYTHONHASHSEED": seed, "LC_ALL": "C"})
-            written.append(contents(self.out / seed))
+            written.append(contents(self.work / seed))
         self.check("two runs write the same bytes, whatever the locale", written[0] == written[1] and len(written[0]) == 6)
 
     def test_whole_or_not(self):
-        one, out = ordinary_class()[0], str(self.out)
+        one, out = ordinary_class()[0], str(self.work)
         files.write_submission(one, out)
-        before = contents(self.out)
+        before = contents(self.work)
         with self.assertRaises(ValueError):     # a mark that is none
             files.write_submission({**one, "submission": "b", "score": float("inf")}, out)
         with self.assertRaises(OSError), mock.patch("os.replace", side_effect=OSError("disk full")):
             files.write_submission({**one, "submission": "b"}, out)
-        self.check("if it fails, the older files stay, alone", before == contents(self.out))
+        self.check("if it fails, the older files stay, alone", before == contents(self.work))
         with mock.patch("os.replace", side_effect=os.replace) as replaced:
             files.write_submission(one, out)
         self.check("results.json comes last", [os.path.basename(call.args[1]) for call in replaced.call_args_list]
                    == ["index.html", "results.json"])
-        fresh, old = self.out / ".index.html.1.new", self.out / ".index.html.2.new"
+        fresh, old = self.work / ".index.html.1.new", self.work / ".index.html.2.new"
         fresh.touch()
         old.touch()
         os.utime(old, (time.time() - 7200,) * 2)
@@ -517,7 +512,7 @@ class ReportFiles(Sentences):
         self.check("what a killed grader left is cleared away, another's work is not", fresh.exists() and not old.exists())
 
     def test_no_record(self):
-        path = self.out / "results.json"
+        path = self.work / "results.json"
         for words in ("", "{", "[]", "null", "{}", '{"extra_data": 1}', '{"extra_data": {"record": []}}', "\x00"):
             path.write_text(words, encoding="utf-8")
             with self.subTest(f"no record is found in {words!r}"), self.assertRaises(ValueError):
@@ -533,20 +528,20 @@ class ReportFiles(Sentences):
                 try:
                     while True:
                         for them in classes:
-                            files.write_class(them, str(self.out))
-                            files.write_submission(them[1], str(self.out / "group 02"))
+                            files.write_class(them, str(self.work))
+                            files.write_submission(them[1], str(self.work / "group 02"))
                 finally:
                     os._exit(1)
             # The first may take its time until there is something to be seen.
             until = time.monotonic() + 60
-            while not (self.out / "grades.csv").exists() and time.monotonic() < until:
+            while not (self.work / "grades.csv").exists() and time.monotonic() < until:
                 time.sleep(0.01)
             time.sleep(chance.uniform(0.02, 0.12))
             os.kill(child, signal.SIGKILL)
             os.waitpid(child, 0)
             for name, read in READERS.items():
-                if (self.out / name).exists():
-                    found = read((self.out / name).read_bytes())    # which fails on half a file
+                if (self.work / name).exists():
+                    found = read((self.work / name).read_bytes())    # which fails on half a file
                     if name == "grades.csv":
                         sizes.add(len(found))
         self.check("whenever its writer is killed, each file is one of those that were written", sizes and sizes <= {6, 13})
