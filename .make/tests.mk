@@ -10,11 +10,12 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 
 # The common parts of all test programs: the list of tests, the words for given and expected, the lecture's example.
 TESTING := $(patsubst %,$(B)/tests/judge/%.o,test runner stem types) $(B)/tests/course/page.o $(B)/chapters/shared/example.o
-COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/course/check_*.c))
+COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/house/judge/*.c tests/course/check_*.c))
 # The parts of the program that judges answers (tests/course/course.c).
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c tests/course/check_%, \
 	$(wildcard tests/course/*.c))) $(filter-out %/main.o,$(EXPLAIN_OBJECTS)) $(patsubst %,$(B)/tests/judge/%.o,exercise types)
 $(filter $(B)/tests/course/%,$(COMMON_TESTS)): $(filter-out %/page.o,$(COURSE_PARTS))
+$(filter $(B)/tests/house/judge/%,$(COMMON_TESTS)): $$(CALLING) $$(REFERENCES)
 $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/test_main.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(B)/common.a $(CHECK_LIBS) $(PNG_LIBS) -lm

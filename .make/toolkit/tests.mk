@@ -123,18 +123,6 @@ $(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,
 $(B)/tests/house/engines/other_answers: WRAPPED = pixel_ray hit_sphere surface_normal off_surface mirror_direction \
 	ray_to_light shade clamp_color
 
-# Questions that a hostile answer may ask while the reference is lent.
-ODD_QUESTIONS := $(B)/tests/proof/odd_questions
-$(ODD_QUESTIONS): $(ODD_QUESTIONS).o $(CALLING) $(REFERENCES) $(B)/common.a
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ -lm
-
-# The code that follows from the entry of a type.
-TYPES := $(B)/tests/proof/check_types
-$(TYPES): $(TYPES).o $(B)/tests/judge/test_main.o $(TESTING) $(CALLING) $(B)/common.a
-	$(call say,link,$@)
-	$(Q)$(LINK) -o $@ $^ $(CHECK_LIBS) $(PNG_LIBS) -lm
-
 # The deck's figures by known mistakes: a program for each chapter that has figures.
 SWITCHED := $(STEMS:%=$(B)/tests/switched/%.o)
 $(SWITCHED): $(B)/tests/switched/%.o: tests/proof/switched.c solutions/%.c $(B)/weak.h $(B)/flags.mk
@@ -155,7 +143,7 @@ CAN_GRADE := $(if $(JUDGES_ONLY),,$(shell pkg-config --exists libseccomp 2>/dev/
 GRADABLE := $(if $(SANITIZE),,$(if $(CAN_GRADE),$(KIT)))
 FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUILT)' BUILD='$(B)' ANSWERS='$(A)' CC='$(CC)' MAKEFLAGS= SANITIZE= \
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
-CHECKS := $(COMMON_TESTS) $(TYPES) $(ODD_QUESTIONS) $(ENGINES)
+CHECKS := $(COMMON_TESTS) $(ENGINES)
 OF_STEMS := $(TESTS) $(MATRIX)
 with_arguments = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %')) 'tests/explain/cases/check.py $(EXPLAIN)'
 FOR_CHECKS := $(EXPLAIN) $(LIST) $(BLANK_TESTS) $(PROGRAMS) $(GENERATED:%=$(B)/scenes/%.nff) $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands) $(if $(BRIEF),,$(MISTAKEN))

@@ -1,4 +1,4 @@
-// check_types.c - what a type's entry brings (types.def): here for a Plane, which is this test's
+// types.c - what a type's entry brings (types.def): here for a Plane, which is this test's
 // own, and for every type that there is.
 #include "tests/judge/define_types.h"
 #include "tests/judge/test.h"

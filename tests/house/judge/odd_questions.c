@@ -1,9 +1,8 @@
 // odd_questions.c - questions that a hostile answer asks the judge for what is lent: each argument
 // of each exercise with numbers that nobody asks for. The reference must come back from all of
 // them.
-//
-//   odd_questions       says 'odd questions: N passed, N failed'; a crash is the failure
 #include "tests/judge/message.h"
+#include "tests/judge/test.h"
 
 #include <float.h>
 #include <limits.h>
@@ -91,34 +90,32 @@ static void put(Wire *wire, const char *name, size_t *pixels)
             put_type(wire, &type_double);
 }
 
-int main(void)
+static void ask(int exercise, Wire *question)
+{
+    char name[40];
+    int used;
+    size_t pixels = 0;
+    wire_clear(question);
+    for (const char *types = exercises[exercise].arguments;
+         sscanf(types, " %39s%n", name, &used) == 1; types += used)
+        put(question, name, &pixels);
+    question->is_hostile = true;
+}
+
+TEST(apply, the_reference_comes_back_from_any_question)
 {
     Wire question = {0}, answer = {0};
-    int asked = 0, answered = 0, failed = 0;
     for (int i = 0; exercises[i].name != NULL; i++) {
         int answers = 0;
+        given("function", "%s", exercises[i].name);
         for (int n = 0; n < QUESTIONS; n++) {
-            wire_clear(&question);
+            ask(i, &question);
             wire_clear(&answer);
-            size_t pixels = 0;
-            char name[40];
-            int used;
-            for (const char *types = exercises[i].arguments;
-                 sscanf(types, " %39s%n", name, &used) == 1; types += used)
-                put(&question, name, &pixels);
-            question.is_hostile = true;
-            asked++;
             answers += apply(i, exercises[i].reference, &question, &answer);
         }
-        if (answers == 0) {
-            printf("not ok: %s answers none of these questions\n", exercises[i].name);
-            failed++;
-        }
-        answered += answers > 0;
+        expect_law(answers > 0, "some of these questions have an answer", "none has");
     }
     wire_free(&question);
     wire_free(&answer);
-    printf("odd questions: asked %d\n", asked);
-    printf("odd questions: %d passed, %d failed\n", answered, failed);
-    return failed == 0 ? 0 : 1;
 }
+END_TEST
