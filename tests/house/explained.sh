@@ -11,6 +11,7 @@ fi
 cc=${CC:-cc}
 work=$(mktemp -d) || exit
 trap 'rm -rf "$work"' EXIT
+# shellcheck disable=SC2153 # transcript.py sets HERE
 flags="-std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I.
     $(sed -n '/^FOR_STUDENTS := /,/[^\]$/{ s/^FOR_STUDENTS := //; s/\\$//; p; }' "$HERE/Makefile")"
 # What is said of a chapter's answer, which is in standard input. Fails if it is not about the answer alone, or is wider
