@@ -109,8 +109,8 @@ watches_dependents() {
     return $status
 }
 
-for compiler in gcc clang; do
-    command -v $compiler >/dev/null || continue
+for compiler in ${HANDOUT_COMPILERS:-gcc clang}; do
+    command -v "$compiler" >/dev/null || continue
     tree=$scratch/my-course-$compiler
     mkdir "$scratch/unpacked" && tar xzf $archive -C "$scratch/unpacked" &&
         mv "$scratch/unpacked/ray-casting" "$tree" && rmdir "$scratch/unpacked"
