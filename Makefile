@@ -163,6 +163,15 @@ $(B)/exercises.names: $(B)/weak.h
 	$(Q)sed -n 's/^ *# *pragma weak //p' $< > $@
 HIDE_HELPERS = objcopy --keep-global-symbols=$(B)/exercises.names
 
+# The judge, the programs and the engines have right answers with all their digits where the slide's formulas, which
+# are the solution, lose some.
+exact_of = $(or $(wildcard tests/$(1)/exact.c),solutions/$(1).c)
+EXACT := $(patsubst tests/%/exact.c,%,$(wildcard tests/*/exact.c))
+$(EXACT:%=$(B)/solutions/%.o): $(B)/solutions/%.o: tests/%/exact.c $(B)/flags.mk
+	$(call say,compile,$<)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(COMPILE) -o $@ $<
+
 # An answer counts as changed when its text has changed: dates deceive where files are moved back.
 answer_in = $(or $(wildcard $(1)/$(2).c),build/blanks/$(2).c)
 ANSWER_OBJECTS := $(STEMS:%=$(BUILT)/%.o)

@@ -45,7 +45,7 @@ $(WASM)/common.a $(WASM)/shared.a:
 BOOK_STEMS := $(filter-out 08-%,$(STEMS))
 BOOK_PROGRAMS := $(if $(FROM),,$(BOOK_STEMS:%=$(BOOK)/programs/%.wasm))
 wasm_program = $(call wasm_objects,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c chapters/$(1)/*/*.c)))
-$(BOOK_STEMS:%=$(BOOK)/programs/%.wasm): $(BOOK)/programs/%.wasm: $$(call wasm_program,$$*) $(call wasm_objects,$(BOOK_STEMS:%=solutions/%.c)) \
+$(BOOK_STEMS:%=$(BOOK)/programs/%.wasm): $(BOOK)/programs/%.wasm: $$(call wasm_program,$$*) $(call wasm_objects,$(foreach s,$(BOOK_STEMS),$(call exact_of,$(s)))) \
 		$(WASM)/shared.a $(WASM)/common.a
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
@@ -62,7 +62,7 @@ endef
 
 # The judge: what is known about the exercises is called once in a call, so it is small rather than quick.
 WASM_REFERENCES := $(STEMS:%=$(WASM)/tests/reference/%.o)
-$(WASM_REFERENCES): $(WASM)/tests/reference/%.o: solutions/%.c $(B)/reference.h
+$(WASM_REFERENCES): $(WASM)/tests/reference/%.o: $$(call exact_of,$$*) $(B)/reference.h
 	$(call say,wasm,$< for the judge)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -include $(B)/reference.h -o $@ $<
@@ -98,7 +98,7 @@ $(WASM_DISPATCHES): $(WASM)/dispatch/%.o: tests/judge/dispatch.c .make/toolkit/b
 	$(wasm_for_chapter)
 $(ANSWERING_LINKS): $(WASM)/link/%.o: $(WASM)/wraps/%.o $(WASM)/dispatch/%.o $(call wasm_of,$(CALLING) $(if $(FROM),,$(lent))) \
 		$(patsubst %,$(WASM)/%.o,$(INSTEAD)/answering $(INSTEAD)/steps tests/judge/answer_calls) \
-		$$(if $$(FROM),,$$(addsuffix .o,$$(addprefix $(WASM)/solutions/,$$(call earlier,$$*))))
+		$$(if $$(FROM),,$$(call wasm_objects,$$(foreach s,$$(call earlier,$$*),$$(call exact_of,$$(s)))))
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)wasm-ld -r -o $@ $^
@@ -124,7 +124,7 @@ $(WASM)/link/drawing.o $(BOOK_STEMS:%=$(WASM)/link/%-program.o):
 $(BOOK_STEMS:%=$(WASM)/right/%.h): $(WASM)/right/%.h: tests/judge/names.def tests/exercises.def
 	$(Q)mkdir -p $(@D)
 	$(Q)$(call renamed,$(call answered,$*),answer_) > $@
-$(BOOK_STEMS:%=$(WASM)/link/%-right.o): $(WASM)/link/%-right.o: solutions/%.c $(WASM)/right/%.h
+$(BOOK_STEMS:%=$(WASM)/link/%-right.o): $(WASM)/link/%-right.o: $$(call exact_of,$$*) $(WASM)/right/%.h
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -MF $(WASM)/right/$*.d -include $(WASM)/right/$*.h -o $@ $<

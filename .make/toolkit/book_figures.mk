@@ -17,7 +17,7 @@ wasm_parts = $(filter-out %/main.o,$(call wasm_program,$(1)))
 EXAMPLE_WRAPS := $(foreach of,camera place point pixel ray sphere,-Wl,--wrap=example_$(of))
 $(LESSON_NUMBERS): $(BOOK)/programs/%-numbers.wasm: $(WASM)/chapters/lessons/%.o $(WASM)/chapters/lessons/numbers.o \
 		$(WASM)/$(INSTEAD)/lesson_example.o $$(call wasm_parts,$$*) \
-		$(call wasm_objects,$(BOOK_STEMS:%=solutions/%.c)) $(WASM)/shared.a $(WASM)/common.a
+		$(call wasm_objects,$(foreach s,$(BOOK_STEMS),$(call exact_of,$(s)))) $(WASM)/shared.a $(WASM)/common.a
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_LINK) -Wl,--strip-all $(EXAMPLE_WRAPS) -o $@ $^ $(WASM_LIBS)

@@ -6,7 +6,7 @@
 KNOWN := $(B)/known
 WASM_KNOWN := $(WASM)/known
 KNOWN_PARTS := $(patsubst %,$(B)/tests/%.o,proof/book/known_answers judge/stem)
-by_number = -DANSWERED=$(call answered,$(1)) '-DSOLUTION="solutions/$(1).c"' -include $(B)/weak.h
+by_number = -DANSWERED=$(call answered,$(1)) '-DSOLUTION="$(call exact_of,$(1))"' -include $(B)/weak.h
 KNOWN_TWO := tests/proof/book/answer_by_number.c tests/proof/book/reference_answers.c
 $(BOOK_STEMS:%=$(KNOWN)/%.o): $(KNOWN)/%.o: $(KNOWN_TWO) $(B)/weak.h $(KNOWN_PARTS) $(B)/$(INSTEAD)/tanf.o $(REFERENCES) \
 		$$(foreach kind,wrong right verdicts,$$(call parts,tests/$$*/$$(kind)))

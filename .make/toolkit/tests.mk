@@ -85,7 +85,7 @@ GENERATED_SEED ?= 2015
 GENERATED_MOST ?= 200
 MUTATE := tests/proof/generated/mutate.py
 MUTANTS := $(STEMS:%=$(B)/generated/%.o)
-answers_of = $(wildcard solutions/$(1).c tests/$(1)/wrong.c tests/$(1)/right.c)
+answers_of = $(wildcard $(call exact_of,$(1)) tests/$(1)/wrong.c tests/$(1)/right.c)
 AS_REFERENCE = $(CC) $(LANGUAGE) -w -DWITHOUT_LINES_OF_CALLS -include $(B)/reference.h
 $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference.h $(B)/flags.mk tests/judge/stem.h tests/judge/known.h
 	$(call say,mutate,$*)
@@ -125,9 +125,9 @@ $(B)/tests/house/engines/other_answers: WRAPPED = pixel_ray hit_sphere surface_n
 
 # The deck's figures by known mistakes: a program for each chapter that has figures.
 SWITCHED := $(STEMS:%=$(B)/tests/switched/%.o)
-$(SWITCHED): $(B)/tests/switched/%.o: tests/proof/switched.c solutions/%.c $(B)/weak.h $(B)/flags.mk
+$(SWITCHED): $(B)/tests/switched/%.o: tests/proof/switched.c $$(call exact_of,$$*) $(B)/weak.h $(B)/flags.mk
 	$(Q)mkdir -p $(@D)
-	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -include $(B)/weak.h -include solutions/$*.c -o $@ $<
+	$(Q)$(COMPILE) -DANSWERED=$(call answered,$*) -include $(B)/weak.h -include $(call exact_of,$*) -o $@ $<
 MISTAKEN := $(patsubst %,$(B)/tests/mistaken/%,$(sort $(foreach figure,$(FIGURE_NAMES),$(call stem_of,$(figure)))))
 $(MISTAKEN): $(B)/tests/mistaken/%: $(B)/tests/proof/mistaken_figures.o $$(call chapter_objects,$$*) $(call known,wrong) \
 		$(TESTING) $(filter-out $(REFERENCES),$(CALLED)) $(SWITCHED) $(B)/tests/judge/answers_called.o $(B)/chapters/shared.a $(B)/common.a

@@ -1,6 +1,6 @@
 """exact.py - the reference against exact arithmetic: random rays and spheres.
 
-    exact.py PROGRAM    PROGRAM is exact.c, which answers them by solutions/05-quadratic.c
+    exact.py PROGRAM    PROGRAM is exact.c, which answers them by tests/05-quadratic/exact.c
 
 Doubles are whole numbers times a power of two, so Python's whole numbers give the discriminant without any error. The
 claim: the reference never disagrees on whether the line meets the sphere, nor on whether the ray hits it, except if

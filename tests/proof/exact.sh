@@ -6,5 +6,5 @@ set -u
 once exact 'exact arithmetic'
 needs exact 'exact arithmetic' python3
 # shellcheck disable=SC2086 # the compiler's flags are words
-$COMPILER -o "$scratch/exact" tests/proof/exact.c solutions/05-quadratic.c common/answers.c -lm || exit 1
+$COMPILER -o "$scratch/exact" tests/proof/exact.c tests/05-quadratic/exact.c -lm || exit 1
 python3 tests/proof/exact.py "$scratch/exact"

@@ -14,7 +14,7 @@ import sys
 
 TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|[A-Za-z_]\w*|\.?\d(?:[eEpP][+-]|[\w.])*|\.\.\.|<<=|>>='
                    r'|->|\+\+|--|[-+*/%&|^<>=!]=|<<|>>|&&|\|\||\S')
-ANSWERS = re.compile(r"(?:\./)?(solutions/.*|tests/\d[^/]*/(?:wrong|right)\.c)$")
+ANSWERS = re.compile(r"(?:\./)?(solutions/.*|tests/\d[^/]*/(?:exact|wrong|right)\.c)$")
 REFERENCE = "reference_"
 SOLUTION, RIGHT = "the solution", "a right answer"  # labels; others are the names of mistakes
 HEADS = """// Made by tests/proof/generated/mutate.py.
