@@ -265,7 +265,7 @@ static void close_question(Question *question, double fallback)
         double *within = &question->within.at[i];
         question->tolerance = fmin(question->tolerance, *within);
         if (isnan(*within))
-            *within = is_seen ? fmax(fallback, rounding * largest) : unseen * fabs(expected->at[i]);
+            *within = fmax(is_seen ? fallback : unseen * fabs(expected->at[i]), rounding * largest);
     }
     if (isnan(question->tolerance))
         question->tolerance = is_seen ? fmax(fallback, rounding * largest) : unseen * largest;
