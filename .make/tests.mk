@@ -22,7 +22,7 @@ $(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/test_main.o $(B)/common.a
 
 # Compiling what is known of the stems takes longer than running it: not optimised. But every call goes
 # through its message.
-FOR_EACH_CALL := $(patsubst %,$(B)/tests/judge/%.o,types wire numbers message table questions suspects answers_called)
+FOR_EACH_CALL := $(patsubst %,$(B)/tests/judge/%.o,types numbers message table questions suspects answers_called)
 $(filter-out $(FOR_EACH_CALL),$(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*.c tests/[0-9]*/*.c tests/judge/*.c))): OPTIMIZE = -O0
 
 # The program that runs the tests: T=word, only those that have it in their name.
@@ -41,7 +41,7 @@ $(LIST): $(patsubst %,tests/judge/%.c,list_exercises exercise types) tests/exerc
 	$(Q)$(CC) $(LANGUAGE) -o $@ $(filter %.c,$^)
 
 # One call of one exercise, as a message.
-CALLING := $(patsubst %,$(B)/tests/judge/%.o,message wire exercise types)
+CALLING := $(patsubst %,$(B)/tests/judge/%.o,message numbers exercise types)
 # The answering process, for each stem: its number without zeros; 0 is all of them.
 answered = $(if $(filter all,$(1)),0,$(patsubst 0%,%,$(firstword $(subst -, ,$(1)))))
 DISPATCHES := $(patsubst %,$(B)/dispatch/%.o,$(STEMS) all)
@@ -73,7 +73,7 @@ $(LAWS): $(B)/reference.h
 TABLE := $(or $(wildcard tests/tables),$(B)/tables)
 TABLES := $(STEMS:%=$(TABLE)/%.table)
 $(B)/tests/judge/table.o: EXTRA = '-DTABLES="$(TABLE)"'
-READING := $(patsubst %,$(B)/tests/judge/%.o,table numbers) $(CALLING)
+READING := $(B)/tests/judge/table.o $(CALLING)
 JUDGING := $(TESTING) $(patsubst %,$(B)/tests/judge/%.o,questions suspects laws) $(READING) $(LAWS)
 # The code that calls an answering process; and what the judge lends to it, where the solutions are.
 TO_PROCESS := $(patsubst %,$(B)/tests/judge/%.o,process_transport process)

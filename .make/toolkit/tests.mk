@@ -33,7 +33,7 @@ earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))
 # The program that makes the tables of the tests and of all that is known. A table is made again if something of its
 # stem changes.
 RECORD := $(B)/tests/record
-RECORDING := $(TESTING) $(CALLED) $(patsubst %,$(B)/tests/judge/%.o,laws table numbers reference/record)
+RECORDING := $(TESTING) $(CALLED) $(patsubst %,$(B)/tests/judge/%.o,laws table reference/record)
 $(RECORD): $(ALL_TESTS) $(call known,wrong) $(FACTS) $(RECORDING) $(B)/common.a
 	$(link_program)
 $(TABLES): $(TABLE)/%.table: $$(call parts,tests/$$*) $$(call parts,tests/$$*/wrong) $$(call parts,tests/$$*/facts) $(RECORDING) $(B)/common.a | $(RECORD)

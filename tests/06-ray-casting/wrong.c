@@ -5,7 +5,7 @@
 #include "exercises/06-ray-casting.h"
 
 #include "tests/judge/known.h"
-#include "tests/judge/wire.h"
+#include "tests/judge/numbers.h"
 
 #include <float.h>
 #include <stdlib.h>

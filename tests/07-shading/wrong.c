@@ -7,7 +7,7 @@
 #include "exercises/07-shading.h"
 
 #include "tests/judge/known.h"
-#include "tests/judge/wire.h"
+#include "tests/judge/numbers.h"
 
 // All three alike.
 static vec3 grey(double x)

@@ -15,7 +15,7 @@ mkdir "$folder"
 lies() {
     cat >"$scratch/liar.c" <<EOF
 #include "tests/judge/process.h"
-#include "tests/judge/wire.h"
+#include "tests/judge/message.h"
 
 #include <string.h>
 #include <unistd.h>
@@ -23,16 +23,16 @@ lies() {
 int main(void)
 {
     static char bytes[1 << 20];
-    WireHeader header;
-    WireCrash crash = {.signal = 11, .access = 1};
+    MessageHeader header;
+    Crash crash = {.signal = 11, .access = 1};
     while (read(CALLS_IN, &header, sizeof header) == sizeof header) {
         for (size_t left = header.size; left > 0;)
             left -= (size_t)read(CALLS_IN, bytes, left);
-        header.kind = WIRE_ANSWER;
-        header.size = sizeof(vec3);
+        header.kind = MESSAGE_ANSWER;
+        header.size = 3 * sizeof(double);
         memset(bytes, 0, sizeof bytes);
         $1
-        if (header.kind == WIRE_CRASH)
+        if (header.kind == MESSAGE_CRASH)
             memcpy(bytes, &crash, sizeof crash);
         if (write(ANSWERS_OUT, &header, sizeof header) < 0 ||
             write(ANSWERS_OUT, bytes, header.size) < 0)
@@ -58,7 +58,7 @@ check 'a blank may say its name' ends_as 'state	unanswered' 'strcpy(header.missi
 check 'a name that is none is not an answer' ends_as "$no_answer" 'strcpy(header.missing, "\033[2Jright");'
 check 'nor is a name and more' ends_as "$no_answer" 'strcpy(header.missing, "upper_left right");'
 check 'nor a name without an end' ends_as "$no_answer" 'memset(header.missing, 97, sizeof header.missing);'
-crash='header.kind = WIRE_CRASH; header.size = sizeof crash;'
+crash='header.kind = MESSAGE_CRASH; header.size = sizeof crash;'
 check 'a crash is told' ends_as 'how	crashed: write to address 0x1000' "$crash crash.address = 4096;"
 check 'one by no signal is not an answer' ends_as "$no_answer" "$crash crash.signal = 123456789;"
 check 'nor is one by a negative signal' ends_as "$no_answer" "$crash crash.signal = -1;"

@@ -10,65 +10,61 @@
 #include <stdio.h>
 #include <string.h>
 
-static WireHeader current; // the call that is being answered
+static MessageHeader current; // the call that is being answered
 
-static bool send(const WireHeader *header, Wire *message)
+static bool send(MessageHeader header, const Numbers *numbers)
 {
     size_t size;
-    const void *block = wire_block(message, header, &size);
-    return block != NULL && answer_write(block, size);
+    const void *block = message_block(header, numbers, &size);
+    return answer_write(block, size);
 }
 
-void answer_crashed(const WireCrash *crash)
+void answer_crashed(const Crash *crash)
 {
-    WireHeader header = current;
-    header.kind = WIRE_CRASH;
+    MessageHeader header = current;
+    header.kind = MESSAGE_CRASH;
     header.size = sizeof *crash;
     answer_write(&header, sizeof header);
     answer_write(crash, sizeof *crash);
 }
 
-// Reads a message into the wire. False if there is none.
-static bool receive(WireHeader *header, Wire *wire)
+// Reads a message. False if there is none.
+static bool receive(MessageHeader *header, Numbers *numbers)
 {
-    wire_clear(wire);
-    if (!answer_read(header, sizeof *header) || header->magic != WIRE_MAGIC ||
-        !wire_make_room(wire, header->size))
-        return false;
-    wire->size = (size_t)header->size;
-    return answer_read(wire->bytes, wire->size);
+    return answer_read(header, sizeof *header) && message_make_room(header, numbers) &&
+           answer_read(numbers->at, (size_t)header->size);
 }
 
 // If an exercise of this chapter is lent, its calls come here (lent_answers.c) and the judge
 // answers them: this process never holds the reference of the chapter that is judged.
-static Wire lent;
+static Numbers lent;
 
-static Wire *begin_asking(int exercise)
+static Numbers *begin_asking(int exercise)
 {
     (void)exercise;
-    wire_clear(&lent);
+    numbers_clear(&lent);
     return &lent;
 }
 
 static void ask_judge(int exercise)
 {
-    WireHeader ask = {WIRE_MAGIC, exercise, current.nonce, lent.size, WIRE_ASK, 0, 0, ""};
-    if (!send(&ask, &lent))
+    MessageHeader ask = {MESSAGE_MAGIC, exercise, current.nonce, 0, MESSAGE_ASK, 0, 0, ""};
+    if (!send(ask, &lent))
         answer_end();
 }
 
-static Wire *receive_lent(int exercise)
+static Numbers *receive_lent(int exercise)
 {
-    WireHeader answer;
+    MessageHeader answer;
     (void)exercise;
-    if (!receive(&answer, &lent) || answer.kind != WIRE_LENT)
+    if (!receive(&answer, &lent) || answer.kind != MESSAGE_LENT)
         answer_end();
     return &lent;
 }
 
 static void say_entered(int exercise)
 {
-    WireHeader header = {WIRE_MAGIC, exercise, current.nonce, 0, WIRE_ENTERED, 0, 0, ""};
+    MessageHeader header = {MESSAGE_MAGIC, exercise, current.nonce, 0, MESSAGE_ENTERED, 0, 0, ""};
     if (!answer_write(&header, sizeof header))
         answer_end();
 }
@@ -91,7 +87,7 @@ static int padding_of_call(void)
 static void say_failed_check(const FailedCheck *failed)
 {
     fflush(NULL);
-    answer_crashed(&(WireCrash){.signal = SIGABRT, .access = -1, .failed_check = *failed});
+    answer_crashed(&(Crash){.signal = SIGABRT, .access = -1, .failed_check = *failed});
     answer_end();
 }
 
@@ -106,25 +102,24 @@ void answer_begin(void)
 
 bool answer_call(void)
 {
-    static Wire in, out;
+    static Numbers in, out;
     if (!receive(&current, &in))
         return false;
-    wire_clear(&out);
-    wire_fill_padding_with(padding_of_call());
+    numbers_clear(&out);
+    numbers_fill_padding_with(padding_of_call());
     errno = 0;
     trace_calls_of(current.exercise, say_entered);
     if (!dispatch(current.exercise, &in, &out))
         answer_end();
     trace_end();
     fflush(NULL); // the printed text is there before the answer
-    WireHeader header = current;
-    header.kind = WIRE_ANSWER;
-    header.size = out.size;
+    MessageHeader header = current;
+    header.kind = MESSAGE_ANSWER;
     header.overran = out.overran;
     if (answers_missing() > 0)
         snprintf(header.missing, sizeof header.missing, "%s", answer_missing(0));
     answers_forget();
-    if (!send(&header, &out))
+    if (!send(header, &out))
         answer_end();
     return true;
 }

@@ -4,7 +4,7 @@
 #ifndef TESTS_JUDGE_ANSWER_CALLS_H
 #define TESTS_JUDGE_ANSWER_CALLS_H
 
-#include "tests/judge/wire.h"
+#include "tests/judge/message.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -19,6 +19,6 @@ void answer_begin(void);
 // Waits for a call and answers it. False if there is none, or it is not one of this chapter.
 bool answer_call(void);
 // Reports that the call that is being answered has crashed.
-void answer_crashed(const WireCrash *crash);
+void answer_crashed(const Crash *crash);
 
 #endif

@@ -63,7 +63,7 @@ static bool is_abort(int system_call, const void *context)
 static void say_crash(int number, siginfo_t *info, void *context)
 {
     bool no_memory = errno == ENOMEM; // malloc's last word, if that is what it was
-    WireCrash crash = {.signal = number, .access = -1};
+    Crash crash = {.signal = number, .access = -1};
     if (number == SIGSEGV || number == SIGBUS) {
         crash.address = (uint64_t)(uintptr_t)info->si_addr;
         crash.no_address = info->si_code == SI_KERNEL;

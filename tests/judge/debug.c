@@ -18,14 +18,11 @@ __attribute__((noinline)) void case_begins(int number)
 
 static void make_calls(int exercise, const TableTest *test)
 {
-    static Wire in, out;
-    Resolution size;
+    static Numbers ignored;
     for (int i = 0; i < test->question_count; i++) {
-        wire_clear(&in);
-        wire_clear(&out);
-        layout_write(exercises[exercise].arguments, &test->questions[i].arguments, &size, &in);
+        numbers_clear(&ignored);
         case_begins(i + 1);
-        dispatch(exercise, &in, &out);
+        dispatch(exercise, &test->questions[i].arguments, &ignored);
     }
 }
 

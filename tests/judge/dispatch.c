@@ -11,7 +11,7 @@ static AnyFunction *const answers[EXERCISE_COUNT] = {
 #include "tests/exercises.def"
 };
 
-bool dispatch(int exercise, Wire *in, Wire *out)
+bool dispatch(int exercise, Numbers *in, Numbers *out)
 {
     return exercise >= 0 && exercise < EXERCISE_COUNT && answers[exercise] != NULL &&
            apply(exercise, answers[exercise], in, out);

@@ -76,14 +76,14 @@ static bool write_pictures(Wrong *wrong, const char *path)
     Camera camera;
     Image yours, right = {0};
     Message message;
-    wire_get_value(wrong->question, &type_Scene, &scene);
-    wire_free_value(&type_Scene, &scene);
-    WIRE_GET(wrong->question, Camera, camera);
-    wire_get_value(wrong->question, &type_Image, &yours);
+    numbers_get(wrong->question, &type_Scene, &scene);
+    numbers_free_value(&type_Scene, &scene);
+    NUMBERS_GET(wrong->question, Camera, camera);
+    numbers_get(wrong->question, &type_Image, &yours);
     bool good = !wrong->question->bad && image_create(&right, yours.size, &message);
     if (good) {
-        wire_get_pixels(wrong->yours, &yours);
-        wire_get_pixels(wrong->right, &right);
+        numbers_get_pixels(wrong->yours, &yours);
+        numbers_get_pixels(wrong->right, &right);
         size_t bytes = 3 * (size_t)right.size.width * (size_t)right.size.height;
         good = !wrong->yours->bad && !wrong->right->bad &&
                memcmp(yours.rgb, right.rgb, bytes) != 0 &&
@@ -120,18 +120,19 @@ static void why_of(char *why, size_t size, Diagnosis diagnosis)
 
 void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosis diagnosis)
 {
-    static Wire right;
     char path[4096], why[1000];
     const char *function = record->function;
+    const Numbers *answer = right_answer(record);
     if (record->hidden || record->missing[0] != '\0' || kept == NULL ||
-        exercise_number(function) != kept->exercise || !right_answer(record, kept, &right))
+        exercise_number(function) != kept->exercise || answer == NULL)
         return;
+    Numbers right = {.count = answer->count, .at = answer->at};
     why_of(why, sizeof why, diagnosis);
     Wrong wrong = {function, record, kept, &kept->question, &right, &kept->answer, why};
     bool is_picture = strncmp(exercises[kept->exercise].results, "Pixels", 6) == 0;
     if (!path_of(path, sizeof path, folder, function, is_picture ? ".png" : ".gp"))
         return;
-    kept->question.read = kept->answer.read = right.read = 0;
+    kept->question.read = kept->answer.read = 0;
     if (is_picture)
         write_pictures(&wrong, path);
     else

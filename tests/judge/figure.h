@@ -19,12 +19,12 @@ void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosi
 
 // ---- kinds of answers --------------------------------------------------------------------------
 
-// One call. The wires are read from their beginning.
+// One call. The numbers are read from their beginning.
 typedef struct {
     const char *function;
     const Record *record;
     Kept *kept;
-    Wire *question, *right, *yours;
+    Numbers *question, *right, *yours;
     const char *why; // the mistake's sentence; empty if there is none
 } Wrong;
 
@@ -39,9 +39,6 @@ FigureWriter write_vector, write_ray, write_camera, write_place, write_section, 
 
 // ---- for those ---------------------------------------------------------------------------------
 
-// The next value of the message.
-#define WIRE_GET(wire, type, value) wire_get_value(wire, &type_##type, &(value))
-
 // From low to high. A number that would make it many times as wide is left out.
 typedef struct {
     double low, high;
@@ -54,8 +51,8 @@ void replace_all(char *text, size_t size, const char *old, const char *new);
 
 // ---- the right result for a call that was kept (questions.c) -----------------------------------
 
-// The answer, as it would have crossed the pipe. False if it is not known.
-bool right_answer(const Record *record, Kept *kept, Wire *right);
+// NULL if it is not known.
+const Numbers *right_answer(const Record *record);
 
 // Of the camera in the arguments: from the eye to the upper left, upper right, lower right and
 // lower left corner of the image plane.

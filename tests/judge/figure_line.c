@@ -117,34 +117,34 @@ static struct {
     bool are_roots, has_index;
 } section;
 
-static void read_spheres(Wire *question, bool whole_scene)
+static void read_spheres(Numbers *question, bool whole_scene)
 {
     Scene scene;
     section.count = 1;
     if (!whole_scene) {
-        WIRE_GET(question, Sphere, section.spheres[0]);
+        NUMBERS_GET(question, Sphere, section.spheres[0]);
         return;
     }
-    wire_get_value(question, &type_Scene, &scene);
+    numbers_get(question, &type_Scene, &scene);
     section.count = scene.sphere_count < MOST_SPHERES ? scene.sphere_count : MOST_SPHERES;
     for (int i = 0; i < section.count; i++)
         section.spheres[i] = scene.spheres[i];
-    wire_free_value(&type_Scene, &scene);
+    numbers_free_value(&type_Scene, &scene);
 }
 
-static Places read_places(Wire *wire, const char *results)
+static Places read_places(Numbers *numbers, const char *results)
 {
     Places places = {0, -1, {NO_HIT, NO_HIT}};
     Roots roots = {0};
     Hit hit = {0};
     if (strcmp(results, "Roots") == 0) {
-        WIRE_GET(wire, Roots, roots);
+        NUMBERS_GET(numbers, Roots, roots);
         places = (Places){roots.count, -1, {roots.t[0], roots.t[1]}};
     } else if (strcmp(results, "Hit") == 0) {
-        WIRE_GET(wire, Hit, hit);
+        NUMBERS_GET(numbers, Hit, hit);
         places = (Places){hit.t != NO_HIT, hit.sphere, {hit.t, NO_HIT}};
     } else {
-        WIRE_GET(wire, double, places.t[0]);
+        NUMBERS_GET(numbers, double, places.t[0]);
         places.count = places.t[0] != NO_HIT;
     }
     return places;
@@ -163,7 +163,7 @@ bool read_section(Wrong *wrong)
     const Exercise *types = &exercises[wrong->kept->exercise];
     section.has_index = strcmp(types->results, "Hit") == 0;
     section.are_roots = strcmp(types->results, "Roots") == 0;
-    WIRE_GET(wrong->question, Ray, section.ray);
+    NUMBERS_GET(wrong->question, Ray, section.ray);
     read_spheres(wrong->question, section.has_index);
     section.right = read_places(wrong->right, types->results);
     section.yours = read_places(wrong->yours, types->results);
@@ -302,15 +302,15 @@ bool read_equation(Wrong *wrong)
     equation.are_roots = strcmp(exercises[wrong->kept->exercise].results, "Roots") == 0;
     equation.right_roots = equation.your_roots = (Roots){0};
     if (equation.are_roots) {
-        WIRE_GET(wrong->question, Quadratic, equation.right);
+        NUMBERS_GET(wrong->question, Quadratic, equation.right);
         equation.yours = equation.right;
-        WIRE_GET(wrong->right, Roots, equation.right_roots);
-        WIRE_GET(wrong->yours, Roots, equation.your_roots);
+        NUMBERS_GET(wrong->right, Roots, equation.right_roots);
+        NUMBERS_GET(wrong->yours, Roots, equation.your_roots);
         return are_finite(equation.your_roots) && is_finite(equation.right) &&
                (equation.right.a != 0 || equation.right.b != 0);
     }
-    WIRE_GET(wrong->right, Quadratic, equation.right);
-    WIRE_GET(wrong->yours, Quadratic, equation.yours);
+    NUMBERS_GET(wrong->right, Quadratic, equation.right);
+    NUMBERS_GET(wrong->yours, Quadratic, equation.yours);
     return is_finite(equation.yours) && equation.right.a != 0;
 }
 

@@ -30,10 +30,10 @@ static Panel whole_screen(Resolution screen)
     return (Panel){0, 0, screen.width, screen.height, true};
 }
 
-static void get_pair(Wire *wire, double pair[2])
+static void get_pair(Numbers *numbers, double pair[2])
 {
-    WIRE_GET(wire, double, pair[0]);
-    WIRE_GET(wire, double, pair[1]);
+    NUMBERS_GET(numbers, double, pair[0]);
+    NUMBERS_GET(numbers, double, pair[1]);
 }
 
 bool read_place(Wrong *wrong)
@@ -44,12 +44,12 @@ bool read_place(Wrong *wrong)
     places.has_given = strcmp(types->arguments, "Pixel") != 0;
     if (places.has_given) {
         get_pair(wrong->question, places.given);
-        WIRE_GET(wrong->question, Resolution, screen);
+        NUMBERS_GET(wrong->question, Resolution, screen);
         bool to_screen = strcmp(types->results, "ScreenPoint") == 0;
         places.from = to_screen ? unit_square() : whole_screen(screen);
         places.into = to_screen ? whole_screen(screen) : unit_square();
     } else {
-        WIRE_GET(wrong->question, Pixel, pixel);
+        NUMBERS_GET(wrong->question, Pixel, pixel);
         places.from = places.into = (Panel){pixel.column, pixel.row, 1, 1, true};
         memcpy(places.given, (const double[]){pixel.column, pixel.row}, sizeof places.given);
     }
@@ -142,11 +142,11 @@ static struct {
 
 bool read_rectangle(Wrong *wrong)
 {
-    WIRE_GET(wrong->question, Camera, asked.camera);
-    WIRE_GET(wrong->question, Resolution, asked.screen);
-    WIRE_GET(wrong->question, Sphere, asked.sphere);
-    WIRE_GET(wrong->right, ScreenRectangle, asked.right);
-    WIRE_GET(wrong->yours, ScreenRectangle, asked.yours);
+    NUMBERS_GET(wrong->question, Camera, asked.camera);
+    NUMBERS_GET(wrong->question, Resolution, asked.screen);
+    NUMBERS_GET(wrong->question, Sphere, asked.sphere);
+    NUMBERS_GET(wrong->right, ScreenRectangle, asked.right);
+    NUMBERS_GET(wrong->yours, ScreenRectangle, asked.yours);
     Range x = {0, asked.screen.width}, y = {0, asked.screen.height};
     return range_try(&x, asked.yours.left) && range_try(&x, asked.yours.right) &&
            range_try(&y, asked.yours.top) && range_try(&y, asked.yours.bottom);

@@ -43,16 +43,16 @@ static struct {
 bool read_vector(Wrong *wrong)
 {
     Camera c;
-    WIRE_GET(wrong->question, Camera, c);
+    NUMBERS_GET(wrong->question, Camera, c);
     view.camera = c;
     view.is_ray = strcmp(exercises[wrong->kept->exercise].results, "Ray") == 0;
     view.right.origin = view.yours.origin = c.origin;
     if (view.is_ray) {
-        WIRE_GET(wrong->right, Ray, view.right);
-        WIRE_GET(wrong->yours, Ray, view.yours);
+        NUMBERS_GET(wrong->right, Ray, view.right);
+        NUMBERS_GET(wrong->yours, Ray, view.yours);
     } else {
-        WIRE_GET(wrong->right, vec3, view.right.direction);
-        WIRE_GET(wrong->yours, vec3, view.yours.direction);
+        NUMBERS_GET(wrong->right, vec3, view.right.direction);
+        NUMBERS_GET(wrong->yours, vec3, view.yours.direction);
     }
     double size = vec3_length(view.right.direction), length = vec3_length(view.yours.direction);
     return right_corners(wrong->record, c, view.corners) && (!view.is_ray || length > 0) &&
@@ -158,10 +158,10 @@ bool read_ray(Wrong *wrong)
 {
     Ray ray;
     Sphere sphere;
-    WIRE_GET(wrong->question, Ray, ray);
-    WIRE_GET(wrong->question, Sphere, sphere);
-    WIRE_GET(wrong->right, Ray, view.right);
-    WIRE_GET(wrong->yours, Ray, view.yours);
+    NUMBERS_GET(wrong->question, Ray, ray);
+    NUMBERS_GET(wrong->question, Sphere, sphere);
+    NUMBERS_GET(wrong->right, Ray, view.right);
+    NUMBERS_GET(wrong->yours, Ray, view.yours);
     radius = sphere.radius;
     double size = radius + vec3_length(view.right.origin) + vec3_length(view.right.direction);
     return is_near(view.yours.origin, view.right.origin, size) &&
@@ -212,11 +212,11 @@ bool read_camera(Wrong *wrong)
 {
     CameraFault right = CAMERA_OK, yours = CAMERA_OK;
     if (strcmp(exercises[wrong->kept->exercise].results, "Camera") != 0) {
-        WIRE_GET(wrong->right, CameraFault, right);
-        WIRE_GET(wrong->yours, CameraFault, yours);
+        NUMBERS_GET(wrong->right, CameraFault, right);
+        NUMBERS_GET(wrong->yours, CameraFault, yours);
     }
-    WIRE_GET(wrong->right, Camera, cameras.right);
-    WIRE_GET(wrong->yours, Camera, cameras.yours);
+    NUMBERS_GET(wrong->right, Camera, cameras.right);
+    NUMBERS_GET(wrong->yours, Camera, cameras.yours);
     Camera c = cameras.right;
     double size = c.distance + c.width + c.height;
     return right == CAMERA_OK && yours == CAMERA_OK && is_drawable(cameras.yours, size) &&

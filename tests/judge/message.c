@@ -6,6 +6,36 @@
 
 void (*before_call)(void *result, size_t size);
 
+const void *message_block(MessageHeader header, const Numbers *numbers, size_t *size)
+{
+    static struct {
+        size_t room;
+        unsigned char *bytes;
+    } block;
+    header.size = (uint64_t)numbers->count * sizeof *numbers->at;
+    *size = sizeof header + (size_t)header.size;
+    if (*size > block.room) {
+        free(block.bytes);
+        block.room = 2 * *size;
+        block.bytes = malloc(block.room);
+        if (block.bytes == NULL)
+            abort();
+    }
+    memcpy(block.bytes, &header, sizeof header);
+    if (numbers->count > 0)
+        memcpy(block.bytes + sizeof header, numbers->at, (size_t)header.size);
+    return block.bytes;
+}
+
+bool message_make_room(const MessageHeader *header, Numbers *numbers)
+{
+    numbers_clear(numbers);
+    bool good = header->magic == MESSAGE_MAGIC && header->size % sizeof *numbers->at == 0 &&
+                numbers_make_room(numbers, header->size / sizeof *numbers->at);
+    numbers->count = good ? (int)(header->size / sizeof *numbers->at) : 0;
+    return good;
+}
+
 // The image of a call, whose size gives the number of pixels.
 static Image *image_of(const Exercise *exercise, void *const *arguments)
 {
@@ -15,57 +45,80 @@ static Image *image_of(const Exercise *exercise, void *const *arguments)
     return NULL;
 }
 
-void put_arguments(Wire *wire, int number, void *const *arguments)
+void put_arguments(Numbers *numbers, int number, void *const *arguments)
 {
     const Exercise *exercise = &exercises[number];
     const Image *image = image_of(exercise, arguments);
     for (int i = 0; i < exercise->parameter_count; i++) {
         if (exercise->parameters[i].passing == PASSED_PIXELS)
-            wire_put_doubles(wire, arguments[i], image);
+            numbers_put_doubles(numbers, arguments[i], image);
         else
-            wire_put_value(wire, exercise->parameters[i].type, arguments[i]);
+            numbers_put(numbers, exercise->parameters[i].type, arguments[i]);
     }
 }
 
-void put_results(Wire *wire, int number, const void *result, void *const *arguments)
+void put_results(Numbers *numbers, int number, const void *result, void *const *arguments)
 {
     const Exercise *exercise = &exercises[number];
     const Image *image = image_of(exercise, arguments);
-    wire_put_value(wire, exercise->result, result);
+    int first = numbers->count;
+    numbers_put(numbers, exercise->result, result);
+    // If there are fewer roots, the values of the unused t do not matter.
+    for (int i = 0; exercise->result == &type_Roots && i < 2; i++)
+        if (!(i < numbers->at[first]))
+            numbers->at[first + 1 + i] = 0;
     for (int i = 0; i < exercise->parameter_count; i++) {
         Passing passing = exercise->parameters[i].passing;
         if (passing == PASSED_POINTER)
-            wire_put_value(wire, exercise->parameters[i].type, arguments[i]);
+            numbers_put(numbers, exercise->parameters[i].type, arguments[i]);
         if (passing == PASSED_IMAGE)
-            wire_put_pixels(wire, image);
+            numbers_put_pixels(numbers, image);
         if (passing == PASSED_PIXELS)
-            wire_put_doubles(wire, arguments[i], image);
+            numbers_put_doubles(numbers, arguments[i], image);
     }
 }
 
-void get_results(Wire *wire, int number, void *result, void *const *arguments)
+void get_results(Numbers *numbers, int number, void *result, void *const *arguments)
 {
     const Exercise *exercise = &exercises[number];
     Image *image = image_of(exercise, arguments);
-    wire_get_value(wire, exercise->result, result);
+    numbers_get(numbers, exercise->result, result);
     for (int i = 0; i < exercise->parameter_count; i++) {
         Passing passing = exercise->parameters[i].passing;
         if (passing == PASSED_POINTER)
-            wire_get_value(wire, exercise->parameters[i].type, arguments[i]);
+            numbers_get(numbers, exercise->parameters[i].type, arguments[i]);
         if (passing == PASSED_IMAGE)
-            wire_get_pixels(wire, image);
+            numbers_get_pixels(numbers, image);
         if (passing == PASSED_PIXELS)
-            wire_get_into_doubles(wire, arguments[i], image);
+            numbers_get_into_doubles(numbers, arguments[i], image);
     }
 }
 
+Resolution image_size(int number, const Numbers *arguments)
+{
+    const Exercise *exercise = &exercises[number];
+    Numbers rest = {.count = arguments->count, .at = arguments->at};
+    Resolution size = {0, 0};
+    for (int i = 0; i < exercise->parameter_count; i++) {
+        _Alignas(32) unsigned char value[TYPE_MOST_BYTES];
+        const Type *type = exercise->parameters[i].type;
+        if (exercise->parameters[i].passing == PASSED_IMAGE) {
+            NUMBERS_GET(&rest, Resolution, size);
+            break;
+        }
+        numbers_get(&rest, type, value);
+        numbers_free_value(type, value);
+    }
+    return size;
+}
+
 // The conditions that the reference relies on, if a student's process calls it.
-static bool are_allowed(const Wire *wire, const Exercise *exercise, void *const *arguments)
+static bool are_allowed(const Numbers *numbers, const Exercise *exercise, void *const *arguments)
 {
     enum { MOST_DEPTH = 100 };
     bool allowed = true;
     const Scene *scene = NULL;
-    for (int i = 0; wire->is_hostile && i < exercise->parameter_count; i++) {
+    for (int i = 0; numbers->is_hostile && i < exercise->parameter_count; i++) {
         const Type *type = exercise->parameters[i].type;
         const void *value = arguments[i];
         if (type == &type_Scene)
@@ -92,8 +145,8 @@ static bool have_overrun(const Exercise *exercise, void *const *arguments)
     const Image *image = image_of(exercise, arguments);
     for (int i = 0; i < exercise->parameter_count; i++) {
         Passing passing = exercise->parameters[i].passing;
-        if ((passing == PASSED_IMAGE && wire_pixels_overran(image)) ||
-            (passing == PASSED_PIXELS && wire_doubles_overran(arguments[i], image)))
+        if ((passing == PASSED_IMAGE && pixels_overran(image)) ||
+            (passing == PASSED_PIXELS && doubles_overran(arguments[i], image)))
             return true;
     }
     return false;
@@ -107,9 +160,9 @@ static void free_arguments(const Exercise *exercise, Value *values, void *const 
 {
     for (int i = 0; i < exercise->parameter_count; i++)
         if (exercise->parameters[i].passing == PASSED_PIXELS)
-            wire_free_doubles(arguments[i]);
+            numbers_free_doubles(arguments[i]);
         else
-            wire_free_value(exercise->parameters[i].type, &values[i]);
+            numbers_free_value(exercise->parameters[i].type, &values[i]);
 }
 
 // A result that is returned in memory may be built in the frame of the function that makes the
@@ -124,7 +177,7 @@ static __attribute__((noinline)) void call_below(const Exercise *exercise, AnyFu
 
 // The function may change everything in an image, so its results are read with the image of the
 // arguments.
-bool apply(int number, AnyFunction *function, Wire *in, Wire *out)
+bool apply(int number, AnyFunction *function, Numbers *in, Numbers *out)
 {
     const Exercise *exercise = &exercises[number];
     Value values[MOST_PARAMETERS], given[MOST_PARAMETERS], result;
@@ -133,16 +186,16 @@ bool apply(int number, AnyFunction *function, Wire *in, Wire *out)
         const Parameter *parameter = &exercise->parameters[i];
         arguments[i] = results[i] = &values[i];
         if (parameter->passing == PASSED_PIXELS) {
-            arguments[i] = results[i] = wire_get_doubles(in, image_of(exercise, arguments));
+            arguments[i] = results[i] = numbers_get_doubles(in, image_of(exercise, arguments));
             continue;
         }
-        wire_get_value(in, parameter->type, &values[i]);
+        numbers_get(in, parameter->type, &values[i]);
         if (!type_is_flat(parameter->type)) {
             given[i] = values[i];
             results[i] = &given[i];
         }
     }
-    bool good = wire_is_read(in) && are_allowed(in, exercise, arguments);
+    bool good = numbers_are_read(in) && are_allowed(in, exercise, arguments);
     if (good) {
         if (before_call != NULL)
             before_call(&result, sizeof result);
@@ -163,12 +216,12 @@ void transport_use(const Transport *wanted)
     transport = wanted;
 }
 
-Wire *transport_begin(int exercise)
+Numbers *transport_begin(int exercise)
 {
     return transport->begin(exercise);
 }
 
-Wire *transport_answer(int exercise)
+Numbers *transport_answer(int exercise)
 {
     transport->send(exercise);
     return transport->receive(exercise);
@@ -189,12 +242,12 @@ void transport_call(int exercise, void *result, void *const *arguments)
 
 // To a function of this process.
 static AnyFunction *answering;
-static Wire question, answer;
+static Numbers question, answer;
 
-static Wire *begin_here(int exercise)
+static Numbers *begin_here(int exercise)
 {
     (void)exercise;
-    wire_clear(&question);
+    numbers_clear(&question);
     return &question;
 }
 
@@ -203,7 +256,7 @@ static void send_here(int exercise)
     answer_here(exercise, answering, &question, &answer);
 }
 
-static Wire *receive_here(int exercise)
+static Numbers *receive_here(int exercise)
 {
     (void)exercise;
     return &answer;
@@ -216,10 +269,10 @@ void answer_here_by(AnyFunction *function)
     answering = function;
 }
 
-void answer_here(int exercise, AnyFunction *function, Wire *in, Wire *out)
+void answer_here(int exercise, AnyFunction *function, Numbers *in, Numbers *out)
 {
     in->read = 0;
-    wire_clear(out);
+    numbers_clear(out);
     if (!apply(exercise, function, in, out))
         fprintf(stderr, "%s: its arguments are not a valid message\n", exercises[exercise].name);
 }

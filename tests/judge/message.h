@@ -1,26 +1,73 @@
 // message.h - one call of an exercise as a message: its arguments there, its results back.
+//
+// Both ends are of one build on one machine. A message is a header and the numbers of a call, or
+// how it crashed.
 #ifndef TESTS_JUDGE_MESSAGE_H
 #define TESTS_JUDGE_MESSAGE_H
 
-#include "tests/judge/exercise.h"
-#include "tests/judge/wire.h"
+#include "common/failed_check.h"
+#include "tests/judge/numbers.h"
 
 #include <stdbool.h>
 
+typedef struct {
+    uint32_t magic;
+    int32_t exercise;
+    uint64_t nonce; // new for every call; the answer must bring it back
+    uint64_t size;  // in bytes, of what follows
+    int32_t kind;
+    int32_t paint;    // of a call: what memory is filled with that nobody has set (below)
+    int32_t overran;  // in an answer: it wrote past the end of the image or of depth
+    char missing[60]; // in an answer: the first blank that was called; empty if none was
+} MessageHeader;
+
+enum { MESSAGE_MAGIC = 0x52617943 };
+// The judge calls and lends; the answering process answers, calls a lent exercise, or crashes; and
+// it reports which other exercises it enters meanwhile (calls_traced.h).
+enum {
+    MESSAGE_CALL,
+    MESSAGE_ANSWER,
+    MESSAGE_CRASH,
+    MESSAGE_ASK,
+    MESSAGE_LENT,
+    MESSAGE_ENTERED
+};
+
+// What follows the header of a crash.
+typedef struct {
+    int32_t signal;
+    int32_t access; // of memory: 0 a read, 1 a write, -1 not known
+    uint64_t address;
+    int32_t stack_overflow;
+    int32_t out_of_memory; // an allocation had failed before
+    int32_t no_address;    // the pointer is none: the machine has no such address
+    int32_t system_call;   // of SIGSYS: which one is forbidden
+    FailedCheck failed_check;
+} Crash;
+
+// The header, with the size of the numbers behind it, as one block of bytes: written at once, it
+// wakes the other end once.
+const void *message_block(MessageHeader header, const Numbers *numbers, size_t *size);
+// Room for what follows this header. False if it cannot be a message.
+bool message_make_room(const MessageHeader *header, Numbers *numbers);
+
 // arguments: the address of each, or the pointer itself (exercise.h). result: of the return value.
-void put_arguments(Wire *wire, int exercise, void *const *arguments);
-void put_results(Wire *wire, int exercise, const void *result, void *const *arguments);
-void get_results(Wire *wire, int exercise, void *result, void *const *arguments);
+void put_arguments(Numbers *numbers, int exercise, void *const *arguments);
+void put_results(Numbers *numbers, int exercise, const void *result, void *const *arguments);
+void get_results(Numbers *numbers, int exercise, void *result, void *const *arguments);
+
+// The size of the image among the arguments of a call.
+Resolution image_size(int exercise, const Numbers *arguments);
 
 // Gets the arguments, calls this function, puts the results. False if the message is bad.
-bool apply(int exercise, AnyFunction *function, Wire *in, Wire *out);
+bool apply(int exercise, AnyFunction *function, Numbers *in, Numbers *out);
 
 // Called just before such a function is, if it is not NULL, with the memory for its result.
 extern void (*before_call)(void *result, size_t size);
 
 // Gets the arguments, calls the answer, puts the results. False if the message is bad or the
 // exercise is of another chapter.
-bool dispatch(int exercise, Wire *in, Wire *out);
+bool dispatch(int exercise, Numbers *in, Numbers *out);
 
 // ---- how a call reaches its answer -------------------------------------------------------------
 
@@ -29,9 +76,9 @@ bool dispatch(int exercise, Wire *in, Wire *out);
 // this process, or anything else that has these functions.
 
 typedef struct {
-    Wire *(*begin)(int exercise);   // an empty message, for the arguments
+    Numbers *(*begin)(int exercise);   // an empty message, for the arguments
     void (*send)(int exercise);     // they are all in it
-    Wire *(*receive)(int exercise); // waits for the results
+    Numbers *(*receive)(int exercise); // waits for the results
     void (*finish)(int exercise);   // all of them were read; may be NULL
 } Transport;
 
@@ -39,8 +86,8 @@ typedef struct {
 void transport_use(const Transport *transport);
 
 // One call: put the arguments into the message that begins it, read the results from the answer.
-Wire *transport_begin(int exercise);
-Wire *transport_answer(int exercise);
+Numbers *transport_begin(int exercise);
+Numbers *transport_answer(int exercise);
 void transport_finish(int exercise);
 
 // The same with the values of a call.
@@ -49,7 +96,7 @@ void transport_call(int exercise, void *result, void *const *arguments);
 // Another way: from now on this function of this process answers, as if the call had crossed the
 // pipe. And one call of it.
 void answer_here_by(AnyFunction *answer);
-void answer_here(int exercise, AnyFunction *answer, Wire *in, Wire *out);
+void answer_here(int exercise, AnyFunction *answer, Numbers *in, Numbers *out);
 
 // ---- the memory that nobody has set ------------------------------------------------------------
 

@@ -1,21 +1,50 @@
-// numbers.c - a message, as a list of numbers.
+// numbers.c - the numbers of a call.
 #include "tests/judge/numbers.h"
 
 #include "common/camera.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+enum { MOST_NUMBERS = 8 << 20 };
+
+bool numbers_make_room(Numbers *numbers, uint64_t count)
+{
+    if (count > MOST_NUMBERS)
+        return false;
+    if (count <= (uint64_t)numbers->room && numbers->at != NULL)
+        return true;
+    int room = 2 * (int)count + 16;
+    double *at = realloc(numbers->at, (size_t)room * sizeof *at);
+    if (at == NULL)
+        return false;
+    numbers->at = at;
+    numbers->room = room;
+    return true;
+}
+
 void numbers_add(Numbers *numbers, double x)
 {
-    if (numbers->count == numbers->room) {
-        numbers->room = 2 * numbers->room + 16;
-        numbers->at = realloc(numbers->at, (size_t)numbers->room * sizeof *numbers->at);
-        if (numbers->at == NULL)
-            abort();
-    }
+    if (!numbers_make_room(numbers, (uint64_t)numbers->count + 1))
+        abort();
     numbers->at[numbers->count++] = x;
+}
+
+void numbers_add_all(Numbers *numbers, const Numbers *others)
+{
+    if (!numbers_make_room(numbers, (uint64_t)numbers->count + (uint64_t)others->count))
+        abort();
+    if (others->count > 0)
+        memcpy(numbers->at + numbers->count, others->at, (size_t)others->count * sizeof(double));
+    numbers->count += others->count;
+}
+
+void numbers_clear(Numbers *numbers)
+{
+    numbers->count = numbers->read = 0;
+    numbers->bad = numbers->is_hostile = numbers->overran = false;
 }
 
 void numbers_free(Numbers *numbers)
@@ -26,155 +55,310 @@ void numbers_free(Numbers *numbers)
 
 Numbers numbers_copy(const Numbers *numbers)
 {
-    size_t bytes = (size_t)numbers->count * sizeof *numbers->at;
-    Numbers copy = {numbers->count, numbers->count, malloc(bytes + 1)};
-    if (copy.at == NULL)
-        abort();
-    if (bytes > 0)
-        memcpy(copy.at, numbers->at, bytes);
+    Numbers copy = {0};
+    numbers_add_all(&copy, numbers);
     return copy;
 }
 
-bool numbers_same(const Numbers *a, const Numbers *b)
+bool numbers_are_read(const Numbers *numbers)
 {
-    bool same = a->count == b->count;
-    for (int i = 0; same && i < a->count; i++)
-        same = same_double(a->at[i], b->at[i]);
-    return same;
+    return !numbers->bad && numbers->read == numbers->count;
 }
 
-bool has_reasons(int exercise)
+// ---- values ------------------------------------------------------------------------------------
+
+static size_t pixels_of(const Image *image)
 {
-    return strcmp(exercises[exercise].results, "CameraFault Camera") == 0;
+    return (size_t)image->size.width * (size_t)image->size.height;
 }
 
-int reasons_in(const Numbers *numbers)
+// Of a field that has several.
+static char *items_of(const Field *field, const void *value)
 {
-    double fault = numbers->count > 0 ? numbers->at[0] : -1;
-    if (fault != floor(fault))
-        return (int)fault;
-    return fault >= 0 && fault < CAMERA_FAULTS ? 1 << (int)fault : 0;
+    char *items;
+    memcpy(&items, (const char *)value + field->offset, sizeof items);
+    return items;
 }
 
-void set_reasons(Numbers *numbers, int reasons)
+static void put_number(void *numbers, const char *name, void *at, size_t size, bool is_double)
 {
-    int first = 0;
-    while ((reasons >> first & 1) == 0)
-        first++;
-    numbers->at[0] = reasons == 1 << first ? first : reasons + 0.5;
-}
-
-// One way or the other through a message and its numbers.
-typedef struct {
-    Wire *wire;
-    bool writing; // the message, from numbers
-    Numbers *into;
-    const Numbers *from;
-    int next;
-    Resolution *size;
-    bool bad;
-} Walk;
-
-static double walk_number(Walk *walk, double x)
-{
-    if (!walk->writing) {
-        numbers_add(walk->into, x);
-        return x;
-    }
-    if (walk->next >= walk->from->count) {
-        walk->bad = true;
-        return 0;
-    }
-    return walk->from->at[walk->next++];
-}
-
-static void walk_value(void *context, const char *name, void *at, size_t size, bool is_double)
-{
-    Walk *walk = context;
     double x;
+    int i;
+    (void)name;
+    if (is_double)
+        memcpy(&x, at, sizeof x);
+    else if (size == sizeof(char))
+        x = *(char *)at;
+    else
+        x = *(int *)memcpy(&i, at, sizeof i);
+    numbers_add(numbers, x);
+}
+
+void numbers_put(Numbers *numbers, const Type *type, const void *value)
+{
+    if (type_is_flat(type)) {
+        type_visit(type, "", (void *)value, put_number, numbers);
+        return;
+    }
+    for (const Field *field = type->fields; field < type->fields + type->count; field++) {
+        if (field->kind == FIELD_OF_ONE)
+            numbers_put(numbers, field->type, (const char *)value + field->offset);
+        if (field->kind == FIELD_OF_PIXELS)
+            numbers_put_pixels(numbers, value);
+        if (field->kind == FIELD_OF_LIST) {
+            int count;
+            memcpy(&count, (const char *)value + field->count_at, sizeof count);
+            numbers_add(numbers, count);
+            for (int i = 0; i < count; i++)
+                numbers_put(numbers, field->type,
+                            items_of(field, value) + (size_t)i * field->type->size);
+        }
+    }
+}
+
+// If there is none: the impossible, as of a blank.
+static double get_number(Numbers *numbers)
+{
+    numbers->bad = numbers->bad || numbers->read >= numbers->count;
+    return numbers->bad ? NAN : numbers->at[numbers->read++];
+}
+
+static int get_whole(Numbers *numbers, int low, int high)
+{
+    double x = get_number(numbers);
+    if (x >= low && x <= high && x == floor(x))
+        return (int)x;
+    numbers->bad = true;
+    return -1;
+}
+
+static void get_one(void *numbers, const char *name, void *at, size_t size, bool is_double)
+{
     (void)name;
     if (is_double) {
-        memcpy(&x, at, sizeof x);
-        x = walk_number(walk, x);
+        double x = get_number(numbers);
         memcpy(at, &x, sizeof x);
     } else if (size == sizeof(char)) {
-        *(char *)at = (char)lrint(walk_number(walk, *(char *)at));
+        *(char *)at = (char)get_whole(numbers, CHAR_MIN, CHAR_MAX);
     } else {
-        int i;
-        memcpy(&i, at, sizeof i);
-        i = (int)lrint(walk_number(walk, i));
+        int i = get_whole(numbers, INT_MIN, INT_MAX);
         memcpy(at, &i, sizeof i);
     }
 }
 
-static void walk_flat(Walk *walk, const Type *type, void *value)
+static const void *guard_of(const Type *type)
 {
-    memset(value, 0, type->size);
-    if (!walk->writing)
-        wire_get_value(walk->wire, type, value);
-    type_visit(type, "", value, walk_value, walk);
-    if (walk->writing)
-        wire_put_value(walk->wire, type, value);
+    static Sphere sphere;
+    static Light light;
+    static const Surface surface = {{0.93, 0.07, 0.91}, 0.5, 0.5, 10, 0, 1};
+    static const unsigned char zeros[TYPE_MOST_BYTES];
+    sphere = GUARD_SPHERE;
+    light = GUARD_LIGHT;
+    return type == &type_Sphere    ? (const void *)&sphere
+           : type == &type_Light   ? (const void *)&light
+           : type == &type_Surface ? (const void *)&surface
+                                   : zeros;
 }
 
-static void walk_pixels(Walk *walk)
+static void get_list(Numbers *numbers, const Field *field, void *value)
 {
-    for (size_t i = 3 * (size_t)walk->size->width * (size_t)walk->size->height; i > 0; i--) {
-        uint8_t byte = 0;
-        if (!walk->writing)
-            wire_get(walk->wire, &byte, 1);
-        byte = (uint8_t)lrint(walk_number(walk, byte));
-        if (walk->writing)
-            wire_put(walk->wire, &byte, 1);
+    // Each item has one number at least.
+    int count = get_whole(numbers, 0, numbers->count - numbers->read);
+    size_t size = field->type->size;
+    char *items = count >= 0 ? malloc(((size_t)count + 2) * size) : NULL;
+    if (items == NULL) {
+        numbers->bad = true;
+        count = 0;
+    } else {
+        memcpy(items, guard_of(field->type), size);
+        items += size;
     }
+    memcpy((char *)value + field->offset, &items, sizeof items);
+    memcpy((char *)value + field->count_at, &count, sizeof count);
+    for (int i = 0; i < count; i++)
+        numbers_get(numbers, field->type, items + (size_t)i * size);
+    if (items != NULL)
+        memcpy(items + (size_t)count * size, guard_of(field->type), size);
 }
 
-// The items are not kept, only the value that is flat.
-static void walk_type(Walk *walk, const Type *type)
+#define GUARD_DEPTH 1.2345678901234567e300
+enum { PIXEL_GUARD = 3 * 64, GUARD_BYTE = 0xa6 };
+
+static void get_image(Numbers *numbers, Image *image)
 {
-    _Alignas(32) unsigned char value[TYPE_MOST_BYTES];
+    Message message;
+    Resolution size = image->size;
+    // A picture that is not there would be read from memory that is not there.
+    bool is_there =
+        !numbers->bad && size.width > 0 && size.height > 0 &&
+        (int64_t)size.width * size.height <= (numbers->count - numbers->read) / 3;
+    if (!is_there || !image_create(image, size, &message)) {
+        *image = (Image){0};
+        numbers->bad = true;
+        return;
+    }
+    uint8_t *rgb = realloc(image->rgb, 3 * pixels_of(image) + PIXEL_GUARD);
+    if (rgb == NULL) {
+        image_free(image);
+        numbers->bad = true;
+        return;
+    }
+    image->rgb = rgb;
+    memset(rgb + 3 * pixels_of(image), GUARD_BYTE, PIXEL_GUARD);
+    numbers_get_pixels(numbers, image);
+}
+
+bool is_light_kind(LightKind kind)
+{
+    return kind == LIGHT_POINT || kind == LIGHT_DISTANT;
+}
+
+static bool is_sane(const Numbers *numbers, const Scene *scene)
+{
+    bool sane = true;
+    for (int i = 0; i < scene->sphere_count; i++)
+        sane = sane && scene->spheres[i].surface >= 0 &&
+               scene->spheres[i].surface < scene->surface_count;
+    for (int i = 0; i < scene->light_count; i++)
+        sane = sane && (!numbers->is_hostile || is_light_kind(scene->lights[i].kind));
+    return sane;
+}
+
+static int padding = 0xff;
+
+void numbers_fill_padding_with(int byte)
+{
+    padding = byte;
+}
+
+void numbers_get(Numbers *numbers, const Type *type, void *value)
+{
+    if (type->size > 0)
+        memset(value, padding, type->size);
     if (type_is_flat(type)) {
-        walk_flat(walk, type, value);
-        if (type == &type_Resolution)
-            memcpy(walk->size, value, sizeof *walk->size);
+        type_visit(type, "", value, get_one, numbers);
         return;
     }
     for (const Field *field = type->fields; field < type->fields + type->count; field++) {
-        int count = 0;
         if (field->kind == FIELD_OF_ONE)
-            walk_type(walk, field->type);
-        else if (field->kind == FIELD_OF_PIXELS)
-            walk_pixels(walk);
-        else
-            walk_flat(walk, &type_int, &count);
-        for (int i = 0; i < count && !walk->bad && !walk->wire->bad; i++)
-            walk_type(walk, field->type);
+            numbers_get(numbers, field->type, (char *)value + field->offset);
+        if (field->kind == FIELD_OF_PIXELS)
+            get_image(numbers, value);
+        if (field->kind == FIELD_OF_LIST)
+            get_list(numbers, field, value);
     }
+    if (type == &type_Scene && !is_sane(numbers, value))
+        numbers->bad = true;
 }
 
-static void walk_word(Walk *walk, const char *name)
+void numbers_free_value(const Type *type, void *value)
 {
-    const Type *type = type_named(name);
-    if (type != NULL)
-        walk_type(walk, type);
-    else if (strcmp(name, "Pixels") == 0)
-        walk_pixels(walk);
-    else if (strcmp(name, "Doubles") == 0)
-        for (int i = walk->size->width * walk->size->height; i > 0; i--)
-            walk_type(walk, &type_double);
-    else {
-        fprintf(stderr, "tests/judge/types.def has no type %s\n", name);
-        abort();
+    for (int i = 0; type->kind == TYPE_OF_FIELDS && i < type->count; i++) {
+        const Field *field = &type->fields[i];
+        if (field->kind == FIELD_OF_ONE)
+            continue;
+        char *items = items_of(field, value);
+        if (items != NULL && field->kind == FIELD_OF_LIST)
+            items -= field->type->size; // the guard before the first
+        free(items);
     }
 }
 
-static bool walk_words(Walk *walk, const char *words)
+void numbers_put_pixels(Numbers *numbers, const Image *image)
+{
+    for (size_t i = 0; i < 3 * pixels_of(image); i++)
+        numbers_add(numbers, image->rgb[i]);
+}
+
+void numbers_get_pixels(Numbers *numbers, Image *image)
+{
+    for (size_t i = 0; i < 3 * pixels_of(image); i++)
+        image->rgb[i] = (uint8_t)get_whole(numbers, 0, UINT8_MAX);
+}
+
+bool pixels_overran(const Image *image)
+{
+    const uint8_t *guard = image->rgb + 3 * pixels_of(image);
+    for (size_t i = 0; i < PIXEL_GUARD; i++)
+        if (guard[i] != GUARD_BYTE)
+            return true;
+    return false;
+}
+
+void numbers_put_doubles(Numbers *numbers, const double *doubles, const Image *image)
+{
+    for (size_t i = 0; i < pixels_of(image); i++)
+        numbers_add(numbers, doubles[i]);
+}
+
+void numbers_get_into_doubles(Numbers *numbers, double *doubles, const Image *image)
+{
+    for (size_t i = 0; i < pixels_of(image); i++)
+        doubles[i] = get_number(numbers);
+}
+
+// Room for the number of a pixel that was computed with rows of another length: it is not one of
+// these doubles, but the answer is judged by the others, and not by its damage to the heap.
+static size_t room_for_slips(const Image *image)
+{
+    size_t sides = (size_t)image->size.width + (size_t)image->size.height;
+    return sides <= 2048 ? sides * sides : pixels_of(image) + 1;
+}
+
+double *numbers_get_doubles(Numbers *numbers, const Image *image)
+{
+    size_t room = room_for_slips(image);
+    double *doubles = malloc((1 + room) * sizeof *doubles);
+    if (doubles == NULL) {
+        numbers->bad = true;
+        return NULL;
+    }
+    *doubles++ = GUARD_DEPTH;
+    for (size_t i = pixels_of(image); i < room; i++)
+        doubles[i] = GUARD_DEPTH;
+    numbers_get_into_doubles(numbers, doubles, image);
+    return doubles;
+}
+
+void numbers_free_doubles(double *doubles)
+{
+    if (doubles != NULL)
+        free(doubles - 1);
+}
+
+bool doubles_overran(const double *doubles, const Image *image)
+{
+    if (doubles[-1] != GUARD_DEPTH)
+        return true;
+    for (size_t i = pixels_of(image); i < room_for_slips(image); i++)
+        if (doubles[i] != GUARD_DEPTH)
+            return true;
+    return false;
+}
+
+// ---- the results of an exercise ----------------------------------------------------------------
+
+int numbers_of_pixels(const char *types, const Numbers *numbers)
+{
+    return strcmp(types, "Pixels") == 0           ? numbers->count
+           : strcmp(types, "Pixels Doubles") == 0 ? numbers->count / 4 * 3
+                                                  : 0;
+}
+
+void numbers_check(Numbers *numbers, const char *types, int count)
 {
     char name[32];
     int used = 0;
-    for (; sscanf(words, " %31s%n", name, &used) == 1; words += used)
-        walk_word(walk, name);
-    return !walk->bad && !walk->wire->bad;
+    numbers->bad = numbers->bad || numbers->count != count;
+    for (int i = numbers_of_pixels(types, numbers); i > 0; i--)
+        get_whole(numbers, 0, UINT8_MAX);
+    for (; sscanf(types, " %31s%n", name, &used) == 1; types += used) {
+        _Alignas(32) unsigned char value[TYPE_MOST_BYTES];
+        if (type_named(name) != NULL)
+            numbers_get(numbers, type_named(name), value);
+        else
+            numbers->read = numbers->bad ? numbers->read : count;
+    }
 }
 
 // The name of the field that a number belongs to, or NULL after the last; and how many there are.
@@ -226,28 +410,25 @@ bool layout_is_step(const Exercise *exercise)
            strcmp(exercise->results, "vec3") == 0;
 }
 
-// If there are fewer roots, the values of the unused t do not matter.
-static void clear_what_is_no_root(double *roots)
+bool has_reasons(int exercise)
 {
-    for (int i = 0; i < 2; i++)
-        if (!(i < roots[0]))
-            roots[1 + i] = 0;
+    return strcmp(exercises[exercise].results, "CameraFault Camera") == 0;
 }
 
-bool layout_read(const char *words, Wire *wire, Resolution *size, Numbers *numbers)
+int reasons_in(const Numbers *numbers)
 {
-    numbers->count = 0;
-    Walk walk = {.wire = wire, .into = numbers, .size = size};
-    bool good = walk_words(&walk, words);
-    if (strcmp(words, "Roots") == 0)
-        clear_what_is_no_root(numbers->at);
-    return good;
+    double fault = numbers->count > 0 ? numbers->at[0] : -1;
+    if (fault != floor(fault))
+        return (int)fault;
+    return fault >= 0 && fault < CAMERA_FAULTS ? 1 << (int)fault : 0;
 }
 
-bool layout_write(const char *words, const Numbers *numbers, Resolution *size, Wire *wire)
+void set_reasons(Numbers *numbers, int reasons)
 {
-    Walk walk = {.wire = wire, .writing = true, .from = numbers, .size = size};
-    return walk_words(&walk, words) && walk.next == numbers->count;
+    int first = 0;
+    while ((reasons >> first & 1) == 0)
+        first++;
+    numbers->at[0] = reasons == 1 << first ? first : reasons + 0.5;
 }
 
 // ---- do two numbers agree? ---------------------------------------------------------------------
@@ -265,3 +446,12 @@ bool same_within(double a, double b, double tolerance)
         return a == b;
     return a == b || fabs(a - b) <= tolerance * (1 + fmin(fabs(a), fabs(b)));
 }
+
+bool numbers_same(const Numbers *a, const Numbers *b)
+{
+    bool same = a->count == b->count;
+    for (int i = 0; same && i < a->count; i++)
+        same = same_double(a->at[i], b->at[i]);
+    return same;
+}
+

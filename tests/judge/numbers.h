@@ -1,38 +1,85 @@
-// numbers.h - a message as a list of numbers: to record it, and to compare.
+// numbers.h - the numbers of a call: of its arguments, or of its results.
 //
-// A message is a sequence of values of known types, as they are in memory. As numbers it is the
-// same on every machine: no padding, no fourth lane, no byte order.
+// So a call crosses to the answering process, and so a table holds it: the values one after the
+// other, each as its type says (types.def), a list after the number of its items, pixels as bytes.
+// There is no padding, no fourth lane and no byte order. Getting never reads beyond the end: it
+// marks the numbers as bad.
 #ifndef TESTS_JUDGE_NUMBERS_H
 #define TESTS_JUDGE_NUMBERS_H
 
 #include "tests/judge/exercise.h"
-#include "tests/judge/wire.h"
 
 #include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
 
 typedef struct {
     int count, room;
-    double *at; // from malloc
+    double *at;      // from malloc
+    int read;        // how many of them, so far
+    bool bad;        // too few, or invalid
+    bool is_hostile; // from a student's process: the conditions of the reference are checked
+    bool overran;    // who sent them wrote past the end of an array of the question
 } Numbers;
 
 void numbers_add(Numbers *numbers, double x);
+void numbers_add_all(Numbers *numbers, const Numbers *others);
+void numbers_clear(Numbers *numbers);
 void numbers_free(Numbers *numbers);
 Numbers numbers_copy(const Numbers *numbers);
+bool numbers_make_room(Numbers *numbers, uint64_t count); // false if there is no memory
+bool numbers_are_read(const Numbers *numbers); // to their end, and nothing was invalid
 
-// Whether the result is a point of a sphere, moved; that point begins at this argument.
-enum { STEP_FROM = 5 };
-bool layout_is_step(const Exercise *exercise);
+// ---- values ------------------------------------------------------------------------------------
 
-// From a message to numbers and back. types: words, as an exercise has them (exercise.h). size is
-// the image's: found among the arguments, needed for the results. False if the message is not of
-// these types.
-bool layout_read(const char *types, Wire *wire, Resolution *size, Numbers *numbers);
-bool layout_write(const char *types, const Numbers *numbers, Resolution *size, Wire *wire);
+// A value of any type. In a value that was got, padding has this byte: nobody should use it, and
+// numbers made of it spoil any result. To begin with it is 0xff (NaN).
+void numbers_fill_padding_with(int byte);
+void numbers_put(Numbers *numbers, const Type *type, const void *value);
+void numbers_get(Numbers *numbers, const Type *type, void *value);
+void numbers_free_value(const Type *type, void *value); // memory that getting it took from malloc
+#define NUMBERS_GET(numbers, type, value) numbers_get(numbers, &type_##type, &(value))
+
+bool is_light_kind(LightKind kind); // and not another number
+
+// Arrays that were got have a guard before their first item and after their last, for loops that
+// run once too often. A sphere around the whole world, with a colour that no scene has, and a very
+// bright light: one item too many shows in the result. The guards of pixels and depths are checked
+// afterwards: one item too many that was written shows there, and the guard's depth is farther than
+// any hit, so that a hit replaces it.
+#define GUARD_SPHERE ((Sphere){{0, 0, 0}, 1e100, 0})
+#define GUARD_LIGHT ((Light){{0.48, 0.6, 0.64}, {1, 1, 1}, LIGHT_DISTANT})
+
+void numbers_put_pixels(Numbers *numbers, const Image *image);
+void numbers_get_pixels(Numbers *numbers, Image *image); // into an image of the same size
+// The memory after the pixels of an image that was got, or after the depths of numbers_get_doubles,
+// has changed.
+bool pixels_overran(const Image *image);
+bool doubles_overran(const double *doubles, const Image *image);
+
+// One per pixel of the image.
+void numbers_put_doubles(Numbers *numbers, const double *doubles, const Image *image);
+double *numbers_get_doubles(Numbers *numbers, const Image *image);
+void numbers_free_doubles(double *doubles); // which numbers_get_doubles has made
+void numbers_get_into_doubles(Numbers *numbers, double *doubles, const Image *image);
+
+// ---- the results of an exercise ----------------------------------------------------------------
+
+// Reads as many, as results of these types; marks them as bad if they are none. types: words, as an
+// exercise has them (exercise.h).
+void numbers_check(Numbers *numbers, const char *types, int count);
+
+// How many of these results are bytes of pixels; depths may follow them.
+int numbers_of_pixels(const char *types, const Numbers *numbers);
 
 // Of types without arrays: how many numbers they are, and the name of the field that a number
 // belongs to; "" if the type has no fields.
 int layout_places(const char *types);
 const char *layout_place(const char *types, int place);
+
+// Whether the result is a point of a sphere, moved; that point begins at this argument.
+enum { STEP_FROM = 5 };
+bool layout_is_step(const Exercise *exercise);
 
 // A camera that may be refused for any of several reasons, because the contract leaves the choice
 // free: its first number has a bit for each, and one half, which no single reason has.
@@ -40,14 +87,10 @@ bool has_reasons(int exercise);                  // whether its result begins wi
 int reasons_in(const Numbers *numbers);          // a bit for each, also of a single one
 void set_reasons(Numbers *numbers, int reasons); // at least one
 
-// Equal within the rounding of two ways to compute the same thing.
-bool numbers_same(const Numbers *a, const Numbers *b);
-
-// Do two numbers agree? Within the rounding of two ways to compute the same thing.
-//
-// The result of a mistake is compared with a student's: NaN agrees with NaN here.
-
+// Do two numbers agree? Within the rounding of two ways to compute the same thing. The result of a
+// mistake is compared with a student's: NaN agrees with NaN here.
 bool same_double(double a, double b);
 bool same_within(double a, double b, double tolerance); // 1e-9 is that of same_double
+bool numbers_same(const Numbers *a, const Numbers *b);
 
 #endif

@@ -2,10 +2,9 @@
 #include "tests/judge/process_transport.h"
 
 #include "tests/judge/exercise.h"
-#include "tests/judge/message.h"
 #include "tests/judge/process.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/wire.h"
+#include "tests/judge/message.h"
 
 #include <errno.h>
 #include <math.h>
@@ -43,7 +42,7 @@ static void describe_failed_check(char *why, size_t size, const FailedCheck *fai
 
 // An address or an exit status could be a number of a hidden test.
 // From what the process said before it ended: hostile words, of which only numbers are looked at.
-static void describe_crash(char *why, size_t size, const WireCrash *crash)
+static void describe_crash(char *why, size_t size, const Crash *crash)
 {
     static const char *const access[] = {"read of", "write to"};
     if (crash->stack_overflow)
@@ -96,13 +95,13 @@ void keep_calls(bool wanted)
     keeps_calls = wanted;
 }
 
-static void copy(Wire *into, const Wire *from)
+static void copy(Numbers *into, const Numbers *from)
 {
-    wire_clear(into);
-    wire_put(into, from->bytes, from->size);
+    numbers_clear(into);
+    numbers_add_all(into, from);
 }
 
-static void keep_question(int exercise, const Wire *question)
+static void keep_question(int exercise, const Numbers *question)
 {
     int test = record_number();
     if (!keeps_calls || test >= MOST_TESTS)
@@ -112,7 +111,7 @@ static void keep_question(int exercise, const Wire *question)
     copy(&kept[test].call.question, question);
 }
 
-static void keep_answer(const Wire *answer)
+static void keep_answer(const Numbers *answer)
 {
     int test = record_number();
     if (!keeps_calls || test >= MOST_TESTS)
@@ -130,10 +129,10 @@ Kept *kept_of(int test)
 
 enum {
     MOST_CALLS = 5,   // times the work of one call, for all calls of an exercise together
-    LENT_ROOM = 4096, // bytes by which a question may be larger than the call
+    LENT_ROOM = 512,  // numbers by which a question may be larger than the call
 };
 
-static Wire wire;
+static Numbers message;
 static uint64_t nonce; // of the call, so that an answer cannot be sent before it
 static struct {
     How how;
@@ -141,13 +140,13 @@ static struct {
 } broken[EXERCISE_COUNT];
 static double work_of[EXERCISE_COUNT]; // seconds, so far
 static int called;                     // the exercise that is being answered
-static size_t size_of_call;
+static int size_of_call;
 static bool is_lent[EXERCISE_COUNT], was_lent[EXERCISE_COUNT];
 static bool has_entered[EXERCISE_COUNT][EXERCISE_COUNT];
 
-static Wire *begin(int exercise);
+static Numbers *begin(int exercise);
 static void send_call(int exercise);
-static Wire *receive_answer(int exercise);
+static Numbers *receive_answer(int exercise);
 static void finish(int exercise);
 
 void call_answers_from(const char *answering, int printed)
@@ -180,7 +179,7 @@ bool call_has_entered(int exercise, int other)
 // The calls that were answered by passing the question on, and the calls to which something was
 // lent but that were answered in another way.
 static struct {
-    Wire question, answers[16]; // of this call, and what was lent to the same question
+    Numbers question, answers[16]; // of this call, and what was lent to the same question
     int count;
     bool has_lent;
     int passed, others;
@@ -191,34 +190,31 @@ bool call_only_passes_on(void)
     return pass_on.passed > 0 && pass_on.others == 0;
 }
 
-static bool begins_with(const Wire *whole, const Wire *part)
+static bool begins_with(const Numbers *whole, const Numbers *part)
 {
-    return part->size <= whole->size && memcmp(whole->bytes, part->bytes, part->size) == 0;
+    size_t bytes = (size_t)part->count * sizeof *part->at;
+    return part->count <= whole->count && memcmp(whole->at, part->at, bytes) == 0;
 }
 
-// As numbers: a question whose bytes were moved a little is the same one.
-static bool begins_like(const Wire *whole, const Wire *part)
+// A question whose numbers were moved a little is the same one.
+static bool begins_like(const Numbers *whole, const Numbers *part)
 {
-    if (part->size > whole->size)
+    if (part->count > whole->count)
         return false;
-    for (size_t at = 0; at + sizeof(double) <= part->size; at += sizeof(double)) {
-        double a, b;
-        memcpy(&a, whole->bytes + at, sizeof a);
-        memcpy(&b, part->bytes + at, sizeof b);
-        if (!(fabs(a - b) <= 1e-6 * (1 + fabs(a))) && memcmp(&a, &b, sizeof a) != 0)
+    for (int i = 0; i < part->count; i++)
+        if (!same_within(whole->at[i], part->at[i], 1e-6))
             return false;
-    }
     return true;
 }
 
-static void pass_on_call(const Wire *question)
+static void pass_on_call(const Numbers *question)
 {
     pass_on.count = 0;
     pass_on.has_lent = false;
     copy(&pass_on.question, question);
 }
 
-static void pass_on_begin(const Wire *question, const Wire *answer)
+static void pass_on_begin(const Numbers *question, const Numbers *answer)
 {
     const int most = sizeof pass_on.answers / sizeof pass_on.answers[0];
     pass_on.has_lent = true;
@@ -226,7 +222,7 @@ static void pass_on_begin(const Wire *question, const Wire *answer)
         copy(&pass_on.answers[pass_on.count++], answer);
 }
 
-static void pass_on_end(const Wire *answer)
+static void pass_on_end(const Numbers *answer)
 {
     bool passed = false;
     for (int i = 0; i < pass_on.count; i++)
@@ -240,12 +236,12 @@ static void break_off(int exercise)
     record_how(broken[exercise].how, broken[exercise].why);
 }
 
-static Wire *begin(int exercise)
+static Numbers *begin(int exercise)
 {
     if (broken[exercise].why[0] != '\0')
         break_off(exercise);
-    wire_clear(&wire);
-    return &wire;
+    numbers_clear(&message);
+    return &message;
 }
 
 // The name of the called blank comes from a process that may lie.
@@ -256,62 +252,60 @@ static bool is_name_or_empty(const char *missing, size_t size)
 }
 
 // So does the reason of its crash.
-static bool is_crash(const WireHeader *answer)
+static bool is_crash(const MessageHeader *answer)
 {
-    WireCrash crash;
-    if (answer->kind != WIRE_CRASH || wire.size != sizeof crash)
+    Crash crash;
+    if (answer->kind != MESSAGE_CRASH || answer->size != sizeof crash)
         return false;
-    memcpy(&crash, wire.bytes, sizeof crash);
+    memcpy(&crash, message.at, sizeof crash);
     return crash.signal > 0 && crash.signal < NSIG;
 }
 
-static int send(int kind, int exercise, Wire *message, Patience *left)
+static int send(int kind, int exercise, const Numbers *numbers, Patience *left)
 {
-    WireHeader header = {WIRE_MAGIC, exercise, nonce, message->size, kind, 0, 0, ""};
+    MessageHeader header = {MESSAGE_MAGIC, exercise, nonce, 0, kind, 0, 0, ""};
     size_t size;
-    if (kind == WIRE_CALL)
+    if (kind == MESSAGE_CALL)
         header.paint = paint_of_call(exercise);
-    const void *block = wire_block(message, &header, &size);
-    return block != NULL ? process_send(block, size, left) : -1;
+    const void *block = message_block(header, numbers, &size);
+    return process_send(block, size, left);
 }
 
 // 2 if it arrived and is valid
-static int receive(WireHeader *header, Wire *message, Patience *left)
+static int receive(MessageHeader *header, Numbers *numbers, Patience *left)
 {
     int moved = process_receive(header, sizeof *header, left);
-    wire_clear(message);
-    if (moved != 1 || header->magic != WIRE_MAGIC || header->nonce != nonce ||
-        header->exercise < 0 || header->exercise >= EXERCISE_COUNT ||
+    if (moved != 1 || header->nonce != nonce || header->exercise < 0 ||
+        header->exercise >= EXERCISE_COUNT ||
         !is_name_or_empty(header->missing, sizeof header->missing) ||
-        !wire_make_room(message, header->size))
+        !message_make_room(header, numbers))
         return moved;
-    message->size = (size_t)header->size;
-    moved = process_receive(message->bytes, message->size, left);
+    moved = process_receive(numbers->at, (size_t)header->size, left);
     return moved == 1 ? 2 : moved;
 }
 
 // The process calls another exercise of its chapter: if that is lent, the reference answers.
-static bool lend(int exercise, Wire *question)
+static bool lend(int exercise, Numbers *question)
 {
-    static Wire answer;
-    wire_clear(&answer);
+    static Numbers answer;
+    numbers_clear(&answer);
     question->is_hostile = true;
     // The judge does no more work than it has asked for itself.
     AnyFunction *reference = exercises[exercise].reference;
-    if (!is_lent[exercise] || reference == NULL || question->size > size_of_call + LENT_ROOM ||
+    if (!is_lent[exercise] || reference == NULL || question->count > size_of_call + LENT_ROOM ||
         !apply(exercise, reference, question, &answer))
         return false;
     was_lent[exercise] = true;
     pass_on_begin(question, &answer);
     Patience left = patience_begin();
-    return send(WIRE_LENT, exercise, &answer, &left) == 1;
+    return send(MESSAGE_LENT, exercise, &answer, &left) == 1;
 }
 
 // The process reports that it has entered another exercise. It may lie: then the call is repeated
 // without that exercise, and fails anyway.
-static bool is_entered(int exercise, const WireHeader *header)
+static bool is_entered(int exercise, const MessageHeader *header)
 {
-    if (header->kind != WIRE_ENTERED || header->size != 0)
+    if (header->kind != MESSAGE_ENTERED || header->size != 0)
         return false;
     has_entered[exercise][header->exercise] = true;
     return true;
@@ -319,12 +313,12 @@ static bool is_entered(int exercise, const WireHeader *header)
 
 bool call_serve(void)
 {
-    WireHeader asked = {0};
+    MessageHeader asked = {0};
     Patience left = patience_begin();
-    int moved = receive(&asked, &wire, &left);
+    int moved = receive(&asked, &message, &left);
     while (moved == 2 && is_entered(called, &asked))
-        moved = receive(&asked, &wire, &left);
-    return moved == 2 && asked.kind == WIRE_ASK && lend(asked.exercise, &wire);
+        moved = receive(&asked, &message, &left);
+    return moved == 2 && asked.kind == MESSAGE_ASK && lend(asked.exercise, &message);
 }
 
 // After a call without an answer: nothing that holds for answers can be checked.
@@ -380,31 +374,31 @@ static uint64_t next_nonce(void)
 
 static void send_call(int exercise)
 {
-    keep_question(exercise, &wire);
+    keep_question(exercise, &message);
     called = exercise;
     if (!process_start())
         give_up_on_machine("an answering process cannot be started", errno);
     nonce = next_nonce();
     sent.left = patience_begin();
-    size_of_call = wire.size;
-    pass_on_call(&wire);
-    sent.moved = send(WIRE_CALL, exercise, &wire, &sent.left);
+    size_of_call = message.count;
+    pass_on_call(&message);
+    sent.moved = send(MESSAGE_CALL, exercise, &message, &sent.left);
 }
 
 // If no answer comes: why, and the process has ended.
 static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
 {
     *how = HOW_CRASHED;
-    WireHeader answer = {0};
+    MessageHeader answer = {0};
     Patience left = sent.left;
     int moved = sent.moved;
     // A process that has ended may have reported why.
     if (moved != 0)
-        moved = receive(&answer, &wire, &left);
+        moved = receive(&answer, &message, &left);
     while (moved == 2 && (is_entered(exercise, &answer) ||
-                          (answer.kind == WIRE_ASK && lend(answer.exercise, &wire))))
-        moved = patience_is_over(&left) ? 0 : receive(&answer, &wire, &left);
-    wire.is_hostile = false;
+                          (answer.kind == MESSAGE_ASK && lend(answer.exercise, &message))))
+        moved = patience_is_over(&left) ? 0 : receive(&answer, &message, &left);
+    message.is_hostile = false;
     bool sane = moved == 2 && answer.exercise == exercise;
     if (moved == 0) {
         *how = HOW_TIMED_OUT;
@@ -419,17 +413,17 @@ static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
         check_machine(status);
         describe_end(why, size, status);
     } else if (sane && is_crash(&answer)) {
-        WireCrash crash;
-        memcpy(&crash, wire.bytes, sizeof crash);
+        Crash crash;
+        memcpy(&crash, message.at, sizeof crash);
         describe_crash(why, size, &crash);
-    } else if (!sane || answer.kind != WIRE_ANSWER) {
+    } else if (!sane || answer.kind != MESSAGE_ANSWER) {
         snprintf(why, size, "sent an invalid answer");
     } else {
         if (answer.missing[0] != '\0')
             record_missing(answer.missing);
         if (answer.overran != 0)
             record_overran();
-        pass_on_end(&wire);
+        pass_on_end(&message);
         work_of[exercise] += process_work() - left.work_before;
         if (work_of[exercise] <= MOST_CALLS * process_most_work())
             return true;
@@ -441,18 +435,18 @@ static bool wait_for_answer(int exercise, How *how, char *why, size_t size)
     return false;
 }
 
-static Wire *receive_answer(int exercise)
+static Numbers *receive_answer(int exercise)
 {
     if (!wait_for_answer(exercise, &broken[exercise].how, broken[exercise].why,
                          sizeof broken[exercise].why))
         break_off(exercise);
-    keep_answer(&wire);
-    return &wire;
+    keep_answer(&message);
+    return &message;
 }
 
 static void finish(int exercise)
 {
-    if (wire_is_read(&wire))
+    if (numbers_are_read(&message))
         return;
     broken[exercise].how = HOW_CRASHED;
     snprintf(broken[exercise].why, sizeof broken[exercise].why, "sent an invalid answer");

@@ -8,7 +8,6 @@
 #define TESTS_JUDGE_PROCESS_TRANSPORT_H
 
 #include "tests/judge/message.h"
-#include "tests/judge/wire.h"
 
 // From now on calls go to this program; the file receives what it prints (a descriptor).
 void call_answers_from(const char *answering, int printed);
@@ -35,7 +34,7 @@ void call_stop(void);
 
 typedef struct {
     int exercise;
-    Wire question, answer; // the bytes that crossed the pipe
+    Numbers question, answer; // that crossed the pipe
 } Kept;
 
 // While it is on, calls are kept; at first it is off.

@@ -33,17 +33,6 @@ bool type_is_flat(const Type *type)
     return flat;
 }
 
-void type_copy(const Type *type, void *to, const void *from)
-{
-    if (type->kind == TYPE_OF_NUMBERS)
-        memcpy(to, from, (size_t)type->count * sizeof(double));
-    else if (type->kind == TYPE_OF_WHOLE)
-        memcpy(to, from, type->size);
-    else
-        for (const Field *field = type->fields; field < type->fields + type->count; field++)
-            type_copy(field->type, (char *)to + field->offset, (const char *)from + field->offset);
-}
-
 static bool number_near(double yours, double expected, double tolerance)
 {
     return yours == expected || fabs(yours - expected) <= tolerance;

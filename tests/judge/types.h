@@ -52,9 +52,6 @@ const Type *type_named(const char *name);
 bool type_is_flat(const Type *type);
 enum { TYPE_MOST_BYTES = 512 }; // no value is larger
 
-// Copies all parts of the type, and no padding. The type is flat.
-void type_copy(const Type *type, void *to, const void *from);
-
 // Whether two flat values are equal: whole numbers are, lengths are off by at most one of the
 // tolerances, other numbers by at most the other. NaN is near nothing.
 bool type_near(const Type *type, const void *yours, const void *expected, double tolerance,

@@ -94,32 +94,32 @@ static void check_law(const char *what, const char *name, int exercise)
 
 // ---- who answers -------------------------------------------------------------------------------
 
-// How the question on the wire becomes the answer.
-static void (*answer_on_wire)(int exercise);
-static Wire wire;
+// How the question in the message becomes the answer.
+static void (*answer_message)(int exercise);
+static Numbers message;
 
-static Wire *clear_wire(int exercise)
+static Numbers *clear_message(int exercise)
 {
     (void)exercise;
-    wire_clear(&wire);
-    return &wire;
+    numbers_clear(&message);
+    return &message;
 }
 
-static void send_wire(int exercise)
+static void send_message(int exercise)
 {
-    answer_on_wire(exercise);
-    wire.read = 0;
+    answer_message(exercise);
+    message.read = 0;
 }
 
-static Wire *wire_again(int exercise)
+static Numbers *message_again(int exercise)
 {
     (void)exercise;
-    return &wire;
+    return &message;
 }
 
 static void must_be_read(int exercise)
 {
-    if (!wire_is_read(&wire)) {
+    if (!numbers_are_read(&message)) {
         fprintf(stderr, "exercise %d: an answer that cannot be read\n", exercise);
         abort();
     }
@@ -127,27 +127,27 @@ static void must_be_read(int exercise)
 
 static void process_answers_by(void (*by)(int exercise))
 {
-    static const Transport transport = {clear_wire, send_wire, wire_again, must_be_read};
-    answer_on_wire = by;
+    static const Transport transport = {clear_message, send_message, message_again, must_be_read};
+    answer_message = by;
     transport_use(&transport);
 }
 
 // The answer of a function replaces the question.
-static void apply_to_wire(int exercise, AnyFunction *answer)
+static void apply_to_message(int exercise, AnyFunction *answer)
 {
-    Wire said = {0};
-    wire.read = 0;
-    if (!apply(exercise, answer, &wire, &said)) {
+    Numbers said = {0};
+    message.read = 0;
+    if (!apply(exercise, answer, &message, &said)) {
         fprintf(stderr, "a question that cannot be read\n");
         abort();
     }
-    wire_free(&wire);
-    wire = said;
+    numbers_free(&message);
+    message = said;
 }
 
 static void answer_right(int exercise)
 {
-    apply_to_wire(exercise, exercises[exercise].reference);
+    apply_to_message(exercise, exercises[exercise].reference);
 }
 
 // ---- what must hold ----------------------------------------------------------------------------
@@ -296,38 +296,19 @@ static void check_unknown(const KnownAnswer *unknown)
 // The reference, rounded to float: the arguments before, or the results after.
 static bool rounds_arguments;
 
-static void read_wire(const char *types, Resolution *size, Numbers *numbers)
+static void round_message(void)
 {
-    wire.read = 0;
-    layout_read(types, &wire, size, numbers);
-}
-
-static void write_wire(const char *types, const Numbers *numbers, Resolution *size)
-{
-    wire_clear(&wire);
-    layout_write(types, numbers, size, &wire);
-}
-
-static void round_wire(const char *types, Resolution *size)
-{
-    static Numbers numbers;
-    read_wire(types, size, &numbers);
-    for (int i = 0; i < numbers.count; i++)
-        numbers.at[i] = (float)numbers.at[i];
-    write_wire(types, &numbers, size);
+    for (int i = 0; i < message.count; i++)
+        message.at[i] = (float)message.at[i];
 }
 
 static void answer_rounded(int exercise)
 {
-    static Numbers ignored;
-    Resolution size = {0, 0};
     if (rounds_arguments)
-        round_wire(exercises[exercise].arguments, &size);
-    else
-        read_wire(exercises[exercise].arguments, &size, &ignored);
+        round_message();
     answer_right(exercise);
     if (!rounds_arguments)
-        round_wire(exercises[exercise].results, &size);
+        round_message();
 }
 
 // Directions and steps of other lengths that the contract allows: a direction three times as long,
@@ -337,26 +318,23 @@ static AnyFunction *stretched;
 static void answer_stretched(int exercise)
 {
     enum { RADIUS = 3, DIRECTION = 3 };
-    static Numbers arguments, result;
-    Resolution size = {0, 0};
-    read_wire(exercises[exercise].arguments, &size, &arguments);
-    apply_to_wire(exercise, stretched);
-    read_wire(exercises[exercise].results, &size, &result);
+    Numbers arguments = numbers_copy(&message);
+    apply_to_message(exercise, stretched);
     if (!layout_is_step(&exercises[exercise])) {
-        for (int i = DIRECTION; i < result.count; i++)
-            result.at[i] *= 3;
+        for (int i = DIRECTION; i < message.count; i++)
+            message.at[i] *= 3;
     } else {
         const double *from = arguments.at + STEP_FROM;
         double length = 0, extent = 0;
         for (int i = 0; i < RADIUS; i++) {
-            length = hypot(length, result.at[i] - from[i]);
+            length = hypot(length, message.at[i] - from[i]);
             extent = fmax(extent, fabs(arguments.at[i]));
         }
         extent += arguments.at[RADIUS];
         for (int i = 0; i < 3 && length >= 0x1p-32 * extent && length < 0x1p-29 * extent; i++)
-            result.at[i] += result.at[i] - from[i];
+            message.at[i] += message.at[i] - from[i];
     }
-    write_wire(exercises[exercise].results, &result, &size);
+    numbers_free(&arguments);
 }
 
 // ---- mistakes in other styles ------------------------------------------------------------------
@@ -410,7 +388,7 @@ static void check_lengths(const Mistake *mistake)
 // ---- hard-coded answers ------------------------------------------------------------------------
 
 static Table by_heart;
-static int garbage; // each byte of the answer to any other question
+static int garbage; // each number of the answer to any other question
 
 static const Question *known_by_heart(const char *function, const Numbers *arguments)
 {
@@ -426,8 +404,8 @@ static void answer_by_heart(int exercise)
 {
     const Question *question = known_by_heart(exercises[exercise].name, &question_now()->arguments);
     answer_right(exercise);
-    if (question == NULL)
-        memset(wire.bytes, garbage, wire.size);
+    for (int i = 0; question == NULL && i < message.count; i++)
+        message.at[i] = garbage;
 }
 
 static int check_by_heart(const char *stem, const char *folder)

@@ -37,7 +37,7 @@ bool answer(void)
     return answer_call();
 }
 
-static _Noreturn void crash(WireCrash crash)
+static _Noreturn void crash(Crash crash)
 {
     answer_crashed(&crash);
     _exit(1);
@@ -46,7 +46,7 @@ static _Noreturn void crash(WireCrash crash)
 // The C library's would only trap, like the end of an array.
 _Noreturn void abort(void)
 {
-    crash((WireCrash){.signal = SIGABRT, .access = -1});
+    crash((Crash){.signal = SIGABRT, .access = -1});
 }
 
 // ---- what the compiler calls if a check of it fails ---------------------------------------------
@@ -64,6 +64,6 @@ void __ubsan_handle_type_mismatch_v1_abort(const TypeMismatch *data, uintptr_t p
 {
     int access = data->how == 0 ? 0 : data->how == 1 ? 1 : -1;
     bool no_memory = errno == ENOMEM; // malloc's last word, if that is what it was
-    crash((WireCrash){
+    crash((Crash){
         .signal = SIGSEGV, .access = access, .address = pointer, .out_of_memory = no_memory});
 }

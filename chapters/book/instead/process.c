@@ -7,7 +7,7 @@
 
 #include "chapters/book/instead/page.h"
 #include "tests/judge/process_transport.h"
-#include "tests/judge/wire.h"
+#include "tests/judge/message.h"
 
 #include <signal.h>
 #include <stdlib.h>
@@ -17,10 +17,10 @@
 static const double steps_per_second = 30e6;
 
 static const char *program;
-static WireHeader last; // message that was sent
+static MessageHeader last; // message that was sent
 static struct {
-    WireHeader header;
-    WireCrash crash;
+    MessageHeader header;
+    Crash crash;
 } crash;
 static size_t crash_read = sizeof crash; // of it
 
@@ -98,9 +98,9 @@ static bool make_crash(AnswerEnd end)
     if (end >= sizeof signals / sizeof signals[0] || signals[end] == 0)
         return false;
     crash.header = last;
-    crash.header.kind = WIRE_CRASH;
+    crash.header.kind = MESSAGE_CRASH;
     crash.header.size = sizeof crash.crash;
-    crash.crash = (WireCrash){.signal = signals[end], .access = -1};
+    crash.crash = (Crash){.signal = signals[end], .access = -1};
     crash.crash.stack_overflow = end == ANSWER_STACK;
     crash_read = 0;
     return true;

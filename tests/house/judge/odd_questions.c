@@ -42,60 +42,55 @@ static void set_odd(void *most, const char *name, void *at, size_t size, bool is
     memcpy(at, is_double ? (void *)&x : (void *)&i, size);
 }
 
-static void put_int(Wire *wire, int value)
-{
-    wire_put(wire, &value, sizeof value);
-}
-
 // A picture with that many pixels, or one that only claims so.
-static size_t put_image(Wire *wire)
+static size_t put_image(Numbers *numbers)
 {
     Resolution size = {(int)draw(9), (int)draw(9)}, said = size;
     if (draw(4) == 0)
         said = (Resolution){odd_int(9), odd_int(9)};
     size_t pixels = (size_t)size.width * (size_t)size.height;
-    static const uint8_t zeros[3 * 81];
-    wire_put(wire, &said, sizeof said);
-    wire_put(wire, zeros, 3 * pixels);
+    numbers_put(numbers, &type_Resolution, &said);
+    for (size_t i = 0; i < 3 * pixels; i++)
+        numbers_add(numbers, 0);
     return pixels;
 }
 
 // A list has as many items as it says, or not.
-static void put_type(Wire *wire, const Type *type)
+static void put_type(Numbers *numbers, const Type *type)
 {
     if (type_is_flat(type)) {
         _Alignas(32) unsigned char value[TYPE_MOST_BYTES] = {0};
         int most = type == &type_Resolution || type == &type_Pixel ? 640 : 4;
         type_visit(type, "", value, set_odd, &most);
-        wire_put_value(wire, type, value);
+        numbers_put(numbers, type, value);
         return;
     }
     for (const Field *field = type->fields; field < type->fields + type->count; field++) {
         int there = field->kind == FIELD_OF_ONE ? 1 : (int)draw(5);
         if (field->kind != FIELD_OF_ONE)
-            put_int(wire, draw(8) != 0 ? there : odd_int(5));
+            numbers_add(numbers, draw(8) != 0 ? there : odd_int(5));
         while (there-- > 0)
-            put_type(wire, field->type);
+            put_type(numbers, field->type);
     }
 }
 
-static void put(Wire *wire, const char *name, size_t *pixels)
+static void put(Numbers *numbers, const char *name, size_t *pixels)
 {
     if (strcmp(name, "Image") == 0)
-        *pixels = put_image(wire);
+        *pixels = put_image(numbers);
     else if (strcmp(name, "Doubles") != 0)
-        put_type(wire, type_named(name));
+        put_type(numbers, type_named(name));
     else
         for (size_t i = 0; i < *pixels; i++)
-            put_type(wire, &type_double);
+            put_type(numbers, &type_double);
 }
 
-static void ask(int exercise, Wire *question)
+static void ask(int exercise, Numbers *question)
 {
     char name[40];
     int used;
     size_t pixels = 0;
-    wire_clear(question);
+    numbers_clear(question);
     for (const char *types = exercises[exercise].arguments;
          sscanf(types, " %39s%n", name, &used) == 1; types += used)
         put(question, name, &pixels);
@@ -104,18 +99,18 @@ static void ask(int exercise, Wire *question)
 
 TEST(apply, the_reference_comes_back_from_any_question)
 {
-    Wire question = {0}, answer = {0};
+    Numbers question = {0}, answer = {0};
     for (int i = 0; exercises[i].name != NULL; i++) {
         int answers = 0;
         given("function", "%s", exercises[i].name);
         for (int n = 0; n < QUESTIONS; n++) {
             ask(i, &question);
-            wire_clear(&answer);
+            numbers_clear(&answer);
             answers += apply(i, exercises[i].reference, &question, &answer);
         }
         expect_law(answers > 0, "some of these questions have an answer", "none has");
     }
-    wire_free(&question);
-    wire_free(&answer);
+    numbers_free(&question);
+    numbers_free(&answer);
 }
 END_TEST

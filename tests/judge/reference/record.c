@@ -22,8 +22,7 @@
 // ---- the calls of a test -----------------------------------------------------------------------
 
 static TableTest *writing; // the test whose calls are written down
-static Wire arguments, answer;
-static Resolution size; // of the image of the call
+static Numbers arguments, answer;
 
 static void refuse(const char *why)
 {
@@ -54,19 +53,13 @@ static int which_result(Question *call, Numbers *result)
 // (known.h).
 static Numbers result_of(int exercise, AnyFunction *function)
 {
-    static Wire wire;
     Numbers result = {0}, other = {0};
     int reasons = 0;
     bool refused = true;
     for (answer_style = 0; answer_style == 0 || (refused && answer_style < chosen_stem()->styles);
          answer_style++) {
         Numbers *numbers = answer_style == 0 ? &result : &other;
-        arguments.read = 0;
-        wire_clear(&wire);
-        numbers->count = 0;
-        if (!apply(exercise, function, &arguments, &wire) ||
-            !layout_read(exercises[exercise].results, &wire, &size, numbers))
-            refuse("a result that tests/judge/numbers.c cannot read");
+        answer_here(exercise, function, &arguments, numbers);
         reasons |= reasons_in(numbers);
         refused = has_reasons(exercise) && result.at[0] != CAMERA_OK;
     }
@@ -152,7 +145,7 @@ static void add_corners(Question *call, const Exercise *exercise)
         (strcmp(exercise->results, "vec3") != 0 && strcmp(exercise->results, "Ray") != 0))
         return;
     arguments.read = 0;
-    wire_get_value(&arguments, &type_Camera, &camera);
+    NUMBERS_GET(&arguments, Camera, camera);
     PlaneVector *vector = (PlaneVector *)exercises[exercise_number("image_plane_vector")].reference;
     for (int i = 0; i < 12; i++)
         numbers_add(&call->corners, vector(camera, places[i / 3][0], places[i / 3][1])[i % 3]);
@@ -212,7 +205,7 @@ static double largest_of(const Numbers *numbers)
 
 static void expect_numbers(Question *question, int place, const Expectation *it)
 {
-    double largest = largest_of(&(Numbers){it->count, 0, (double *)it->expected});
+    double largest = largest_of(&(Numbers){.count = it->count, .at = (double *)it->expected});
     for (int i = 0; i < it->count; i++) {
         double *within = &question->within.at[place + i];
         *within = fmin(*within, fmax(it->tolerance, rounding * largest));
@@ -304,8 +297,7 @@ static void write_down(int exercise)
     call->hidden = record_now()->hidden;
     if (call->given == NULL || (call->given[0] == '\0' && !writing->probe))
         refuse("it calls the function before it names the arguments: nobody would see them");
-    if (!layout_read(exercises[exercise].arguments, &arguments, &size, &call->arguments))
-        refuse("arguments that tests/judge/numbers.c cannot read");
+    call->arguments = numbers_copy(&arguments);
     add_corners(call, &exercises[exercise]);
     number_of_result(call, exercise, exercises[exercise].reference);
     add_facts(exercise, call);
@@ -322,10 +314,10 @@ static void write_down(int exercise)
     }
 }
 
-static Wire *begin(int exercise)
+static Numbers *begin(int exercise)
 {
     (void)exercise;
-    wire_clear(&arguments);
+    numbers_clear(&arguments);
     return &arguments;
 }
 
@@ -336,7 +328,7 @@ static void write_down_and_answer(int exercise)
     answer_here(exercise, exercises[exercise].reference, &arguments, &answer);
 }
 
-static Wire *receive(int exercise)
+static Numbers *receive(int exercise)
 {
     (void)exercise;
     return &answer;

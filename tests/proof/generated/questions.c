@@ -1,7 +1,7 @@
 // questions.c - random questions of every exercise, and answers as plain numbers.
 #include "tests/proof/generated/generated.h"
 
-#include "tests/judge/wire.h"
+#include "tests/judge/numbers.h"
 
 #include <stdlib.h>
 

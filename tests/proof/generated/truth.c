@@ -24,7 +24,7 @@ static Answer *right;
 // In the judge the answer is another process. Here it is a function of this one, so that thousands
 // can be tried: a crash or a timeout ends only the call, and the test gets the same message.
 static sigjmp_buf out;
-static Wire to_answer, from_answer;
+static Numbers to_answer, from_answer;
 static AnyFunction *answering;
 static const char *broken; // how the answer ended; it is not called any more
 
@@ -50,12 +50,12 @@ static void patience(int milliseconds)
     setitimer(ITIMER_VIRTUAL, &time, NULL);
 }
 
-static Wire *begin(int exercise)
+static Numbers *begin(int exercise)
 {
     (void)exercise;
     if (broken != NULL)
         record_how(HOW_CRASHED, broken);
-    wire_clear(&to_answer);
+    numbers_clear(&to_answer);
     return &to_answer;
 }
 
@@ -75,7 +75,7 @@ static void call(int exercise)
     record_how(signal == SIGVTALRM ? HOW_TIMED_OUT : HOW_CRASHED, broken);
 }
 
-static Wire *receive(int exercise)
+static Numbers *receive(int exercise)
 {
     (void)exercise;
     return &from_answer;
