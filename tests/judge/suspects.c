@@ -25,8 +25,10 @@ typedef struct {
 } Theirs;
 
 typedef struct {
-    int test;   // its number in the run
-    bool probe; // with general arguments; a test may have special ones
+    int test;         // its number in the run
+    const char *name; // and its name
+    bool extra;       // it costs no marks
+    bool probe;       // with general arguments; a test may have special ones
     Numbers arguments, yours, right, again;
     bool is_right;  // yours is
     bool is_common; // yours is the same as for other arguments: NO_HIT, say, or 0
@@ -36,10 +38,16 @@ typedef struct {
     Theirs *theirs; // of each mistake
 } EvidenceCall;
 
+enum { MOST_MISTAKES = 100 };
 typedef struct {
     int exercise, mistake_count, call_count;
-    const Mistake **mistakes; // except those that only extra tests can distinguish from right
-    EvidenceCall *calls;      // of all graded tests and probes, in order
+    const Mistake *mistakes[MOST_MISTAKES];
+    int nth[MOST_MISTAKES];        // among all mistakes of the exercise
+    bool ruled_out[MOST_MISTAKES]; // a call was answered in another way
+    EvidenceCall *calls;    // of tests and probes, in order
+    // Each call is repeated. Then extra tests do not count, nor do the mistakes that only they can
+    // distinguish from right.
+    bool is_close;
 } Evidence;
 
 // ---- evidence ----------------------------------------------------------------------------------
@@ -180,8 +188,24 @@ static bool is_repeated(const Evidence *evidence, const EvidenceCall *call, int 
     return same;
 }
 
-static void evidence_hear(Evidence *evidence, const Numbers *given, const Numbers *yours,
-                          const int *nth)
+// Only the last digits differ: only extra tests can distinguish it from right.
+static bool is_of_digits(const Mistake *mistake)
+{
+    return strncmp(mistake->id, "X-", 2) == 0;
+}
+
+static void repeat(const Evidence *evidence, EvidenceCall *call)
+{
+    call->is_common = is_same_as_before(evidence, call);
+    call->again = called_again(evidence, &call->arguments, OTHER_PAINT);
+    bool is_same_if_0 = is_repeated(evidence, call, EMPTY_STACK);
+    call->changes = !numbers_same(&call->again, &call->yours) || !is_same_if_0;
+    call->repeats = is_repeated(evidence, call, PAINT);
+    call->is_padded = !is_repeated(evidence, call, PAINT | EMPTY_PADDING) ||
+                      (!is_same_if_0 && is_repeated(evidence, call, EMPTY_STACK | EMPTY_PADDING));
+}
+
+static void evidence_hear(Evidence *evidence, const Numbers *given, const Numbers *yours)
 {
     int exercise = evidence->exercise;
     evidence->calls =
@@ -192,6 +216,8 @@ static void evidence_hear(Evidence *evidence, const Numbers *given, const Number
     EvidenceCall *call = &evidence->calls[evidence->call_count++];
     Numbers right = settled(exercise, given, known_result(exercise, -1));
     *call = (EvidenceCall){.test = record_number(),
+                           .name = record_now()->name,
+                           .extra = record_now()->extra,
                            .probe = record_now()->probe,
                            .arguments = numbers_copy(given),
                            .yours = settled(exercise, given, yours),
@@ -199,23 +225,23 @@ static void evidence_hear(Evidence *evidence, const Numbers *given, const Number
                            .theirs = theirs};
     call->is_right = results_agree(exercise, given, &call->yours, &right);
     settle_reason(exercise, &call->right, &call->yours);
-    call->is_common = is_same_as_before(evidence, call);
     for (int i = 0; i < evidence->mistake_count; i++) {
         Numbers *numbers = &theirs[i].numbers;
-        *numbers = settled(exercise, given, known_result(exercise, nth[i]));
+        if (evidence->ruled_out[i] && !evidence->is_close)
+            continue;
+        *numbers = settled(exercise, given, known_result(exercise, evidence->nth[i]));
         theirs[i].is_yours = may_be_mistake(exercise, given, &call->yours, numbers, &right);
         theirs[i].is_right = results_agree(exercise, given, numbers, &right);
         settle_reason(exercise, numbers, &call->right);
         settle_reason(exercise, numbers, &call->yours);
         forget_if_long(numbers);
+        // On the extreme inputs of extra tests every way to arrange a formula has its own digits.
+        if (!theirs[i].is_yours && (!call->extra || is_of_digits(evidence->mistakes[i])))
+            evidence->ruled_out[i] = true;
     }
     numbers_free(&right);
-    call->again = called_again(evidence, given, OTHER_PAINT);
-    bool is_same_if_0 = is_repeated(evidence, call, EMPTY_STACK);
-    call->changes = !numbers_same(&call->again, &call->yours) || !is_same_if_0;
-    call->repeats = is_repeated(evidence, call, PAINT);
-    call->is_padded = !is_repeated(evidence, call, PAINT | EMPTY_PADDING) ||
-                      (!is_same_if_0 && is_repeated(evidence, call, EMPTY_STACK | EMPTY_PADDING));
+    if (evidence->is_close)
+        repeat(evidence, call);
 }
 
 // frees its contents
@@ -742,20 +768,6 @@ static Diagnosis explain_by_evidence(const Evidence *evidence, int shown, bool c
     return named.mistake != NULL ? named : (Diagnosis){.law = what_is_0(evidence)};
 }
 
-enum { MOST_EXERCISES = 100, MOST_MISTAKES = 100 };
-
-static struct {
-    int count;
-    struct {
-        const Mistake *mistake;
-        bool ruled_out;
-    } suspects[MOST_MISTAKES];
-    bool called;
-    const char *differs;   // the first test or probe in which a result was not the right one
-    bool refuses, accepts; // of a function that may refuse: it did so, always with the same reason
-    int reason;
-} cases[MOST_EXERCISES];
-
 // The first law that each test of the last run broke in its last call or case: the one that is
 // shown.
 static struct {
@@ -766,105 +778,72 @@ static struct {
     bool hidden;
 } laws[MOST_TESTS];
 
-static bool is_listening;  // since suspects_begin
-static Evidence *evidence; // if every call is recorded: then no mistake is ruled out yet
+static bool is_listening; // since suspects_begin
+static Evidence evidence;
 
-static void add_suspect(const Mistake *mistake)
+static void begin(int exercise, bool is_close)
 {
-    int exercise = exercise_number(mistake->exercise);
-    if (exercise < 0 || cases[exercise].count == MOST_MISTAKES) {
-        fprintf(stderr, "mistake %s of %s: no such exercise, or more than %d of them\n",
-                mistake->id, mistake->exercise, MOST_MISTAKES);
-        return;
-    }
-    cases[exercise].suspects[cases[exercise].count++].mistake = mistake;
-}
-
-void suspects_begin(void)
-{
-    memset(cases, 0, sizeof cases);
+    int nth = 0;
+    evidence_end(&evidence);
     memset(laws, 0, sizeof laws);
     is_listening = true;
     questions_of_mistakes();
-    for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next)
-        add_suspect(it);
+    evidence.exercise = exercise;
+    evidence.is_close = is_close;
+    for (const Mistake *it = known_answers(WRONG_ANSWERS); it != NULL; it = it->next) {
+        if (exercise_number(it->exercise) != exercise)
+            continue;
+        if (evidence.mistake_count == MOST_MISTAKES) {
+            fprintf(stderr, "%s: more than %d known mistakes\n", it->exercise, MOST_MISTAKES);
+            exit(2);
+        }
+        if (!is_close || !is_of_digits(it)) {
+            evidence.mistakes[evidence.mistake_count] = it;
+            evidence.nth[evidence.mistake_count++] = nth;
+        }
+        nth++;
+    }
 }
 
-// Only the last digits differ: only extra tests can distinguish it from right.
-static bool is_of_digits(const Mistake *mistake)
+void suspects_begin(int exercise)
 {
-    return strncmp(mistake->id, "X-", 2) == 0;
-}
-
-static bool may_be(int exercise, int nth, const Numbers *arguments, const Numbers *yours,
-                   const Numbers *right)
-{
-    Numbers theirs = settled(exercise, arguments, known_result(exercise, nth));
-    bool may = may_be_mistake(exercise, arguments, yours, &theirs, right);
-    numbers_free(&theirs);
-    return may;
-}
-
-static void watch_refusals(int exercise, const Numbers *yours)
-{
-    int reason = yours->count > 0 ? (int)yours->at[0] : 0;
-    if (strncmp(exercises[exercise].results, "CameraFault", 11) != 0)
-        return;
-    if (reason == CAMERA_OK || (cases[exercise].refuses && cases[exercise].reason != reason))
-        cases[exercise].accepts = true;
-    cases[exercise].refuses = true;
-    cases[exercise].reason = reason;
-}
-
-// On the extreme inputs of extra tests every way to arrange a formula has its own digits, so they
-// rule out only mistakes about digits.
-static void rule_out(int exercise, const Numbers *arguments, const Numbers *answered)
-{
-    bool extra = record_now()->extra;
-    Numbers yours = settled(exercise, arguments, answered);
-    Numbers right = settled(exercise, arguments, known_result(exercise, -1));
-    cases[exercise].called = true;
-    watch_refusals(exercise, answered);
-    if (!extra && cases[exercise].differs == NULL &&
-        !results_agree(exercise, arguments, &yours, &right))
-        cases[exercise].differs = record_now()->name;
-    for (int i = 0; i < cases[exercise].count; i++)
-        if (!cases[exercise].suspects[i].ruled_out &&
-            (!extra || is_of_digits(cases[exercise].suspects[i].mistake)))
-            cases[exercise].suspects[i].ruled_out = !may_be(exercise, i, arguments, &yours, &right);
-    numbers_free(&yours);
-    numbers_free(&right);
-}
-
-const char *suspect_differs(int exercise)
-{
-    return cases[exercise].differs;
+    begin(exercise, false);
 }
 
 void suspects_hear(int exercise, const Numbers *arguments, const Numbers *yours)
 {
-    if (!is_listening || (evidence != NULL && record_now()->extra))
-        return;
-    if (evidence == NULL) {
-        rule_out(exercise, arguments, yours);
-        return;
-    }
-    int nth[MOST_MISTAKES], count = 0;
-    for (int i = 0; i < cases[exercise].count; i++)
-        if (!is_of_digits(cases[exercise].suspects[i].mistake))
-            nth[count++] = i;
-    evidence_hear(evidence, arguments, yours, nth);
+    if (is_listening && exercise == evidence.exercise &&
+        !(evidence.is_close && record_now()->extra))
+        evidence_hear(&evidence, arguments, yours);
 }
 
-const Mistake *suspect(int exercise, int nth, bool extra)
+const Mistake *suspect(int nth, bool extra)
 {
-    for (int i = 0; cases[exercise].called && i < cases[exercise].count; i++) {
-        const Mistake *mistake = cases[exercise].suspects[i].mistake;
-        if (!cases[exercise].suspects[i].ruled_out && (extra || !is_of_digits(mistake)) &&
-            nth-- == 0)
-            return mistake;
-    }
+    for (int i = 0; evidence.call_count > 0 && i < evidence.mistake_count; i++)
+        if ((extra || !is_of_digits(evidence.mistakes[i])) && !evidence.ruled_out[i] && nth-- == 0)
+            return evidence.mistakes[i];
     return NULL;
+}
+
+const char *suspect_differs(void)
+{
+    for (int i = 0; i < evidence.call_count; i++)
+        if (!evidence.calls[i].extra && !evidence.calls[i].is_right)
+            return evidence.calls[i].name;
+    return NULL;
+}
+
+// Whether a function that may refuse did so in every call, for the same reason.
+static bool is_one_refusal(void)
+{
+    if (strncmp(exercises[evidence.exercise].results, "CameraFault", 11) != 0)
+        return false;
+    for (int i = 0; i < evidence.call_count; i++) {
+        double reason = evidence.calls[i].yours.at[0];
+        if (reason == CAMERA_OK || reason != evidence.calls[0].yours.at[0])
+            return false;
+    }
+    return evidence.call_count > 0;
 }
 
 // ---- laws --------------------------------------------------------------------------------------
@@ -1000,19 +979,11 @@ static bool is_consistent(int exercise, const Records *shown)
 static Diagnosis look_closer(int exercise, const Records *shown_records, bool hidden)
 {
     static Outcomes tests, probes;
-    static Evidence all;
-    static const Mistake *known[MOST_MISTAKES];
     static char law[400];
-    int count = 0;
-    for (int i = 0; i < cases[exercise].count; i++)
-        if (!is_of_digits(cases[exercise].suspects[i].mistake))
-            known[count++] = cases[exercise].suspects[i].mistake;
-    all = (Evidence){.exercise = exercise, .mistake_count = count, .mistakes = known};
-    evidence = &all;
-    memset(laws, 0, sizeof laws);
+    begin(exercise, true);
     run_tests(exercises[exercise].name, NULL, ANSWERS_APART, &tests);
-    int failed = first_failed(&tests), last_call = all.call_count - 1;
-    while (last_call >= 0 && all.calls[last_call].test != failed)
+    int failed = first_failed(&tests), last_call = evidence.call_count - 1;
+    while (last_call >= 0 && evidence.calls[last_call].test != failed)
         last_call--;
     law[0] = '\0';
     if (failed >= 0 && !hidden && law_of(failed) != NULL &&
@@ -1025,32 +996,30 @@ static Diagnosis look_closer(int exercise, const Records *shown_records, bool hi
     if (crash == NULL)
         crash = where_it_crashed(NULL, &probes);
     records_end();
-    evidence = NULL;
-    Diagnosis it = explain_by_evidence(&all, last_call, changed);
+    Diagnosis it = explain_by_evidence(&evidence, last_call, changed);
     if (it.mistake == NULL && it.law == NULL && law[0] != '\0')
         it.law = law;
     if (it.mistake == NULL && it.law == NULL)
         it.law = crash;
     if (it.mistake == NULL && it.law == NULL)
-        it.law = explain_refusals(&all);
-    evidence_end(&all);
+        it.law = explain_refusals(&evidence);
     return it;
 }
 
 Diagnosis diagnose(int exercise, bool hidden)
 {
     Records *shown = records_aside();
-    suspects_begin();
+    suspects_begin(exercise);
     paint_calls(PAINT);
     Diagnosis it = {0};
     bool heard = is_consistent(exercise, shown);
     // Many mistakes end in the same refusal, whatever the arguments: then none of them is named.
     // Nor is one of two that no test distinguishes, which the matrix rejects.
-    if (heard && (cases[exercise].accepts || !cases[exercise].refuses) &&
-        suspect(exercise, 1, false) == NULL)
-        it.mistake = suspect(exercise, 0, false);
+    if (heard && !is_one_refusal() && suspect(1, false) == NULL)
+        it.mistake = suspect(0, false);
     if (it.mistake == NULL)
         it = look_closer(exercise, shown, hidden);
+    is_listening = false;
     paint_calls(NO_PAINT);
     records_back(shown);
     return it;

@@ -11,17 +11,17 @@
 
 #include <stdbool.h>
 
-// Every mistake is suspected again, no law is broken.
-void suspects_begin(void);
+// Every mistake of this exercise is suspected, no law is broken. -1: laws only, of all exercises.
+void suspects_begin(int exercise);
 
-// The suspects that are left of an exercise: the nth, from 0; NULL if there are no more, or if the
-// exercise was never called. extra: also those that only extra tests can distinguish from right.
-const Mistake *suspect(int exercise, int nth, bool extra);
+// The suspects that are left: the nth, from 0; NULL if there are no more, or if the exercise was
+// never called. extra: also those that only extra tests can distinguish from right.
+const Mistake *suspect(int nth, bool extra);
 
-// The first graded test or probe in which a result of the exercise was not the right one, in
+// The first graded test or probe in which a result was not the right one, in
 // whatever way the contract leaves it free; NULL if none was. Where it leaves a result free, none
 // may decide which mistakes are left.
-const char *suspect_differs(int exercise);
+const char *suspect_differs(void);
 
 // Probes are calls that separate mistakes and are not graded: of inputs in general position, PROBE
 // in tests/NN-stem.c. They run like tests, and nothing is expected of them (run_probes in

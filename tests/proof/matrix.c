@@ -68,7 +68,7 @@ static void check_digits(const Outcome *test)
 static int run(const char *function, Outcomes *outcomes, bool extra)
 {
     int count = 0;
-    suspects_begin();
+    suspects_begin(function != NULL ? exercise_number(function) : -1);
     run_tests(function, NULL, ANSWERS_APART, outcomes);
     told = false;
     for (int i = 0; i < outcomes->count; i++) {
@@ -176,11 +176,10 @@ static void check_mistake(const Mistake *mistake)
 {
     bool extra = strncmp(mistake->id, "X-", 2) == 0;
     answer_here_by(mistake->answer);
-    int exercise = exercise_number(mistake->exercise);
     int caught = run(mistake->exercise, &some, extra);
     settle(caught > 0, "mistake fails no test:", mistake->id, mistake->formula);
-    const Mistake *named = suspect(exercise, 0, extra);
-    const Mistake *other = suspect(exercise, 1, extra);
+    const Mistake *named = suspect(0, extra);
+    const Mistake *other = suspect(1, extra);
     if (named == mistake)
         named = other; // nobody else, it should be
     else if (named == NULL)
@@ -250,11 +249,11 @@ static void check_variant(const KnownAnswer *variant)
     int exercise = exercise_number(variant->exercise);
     settle(run(variant->exercise, &some, false) == 0, "right answer fails:", variant->exercise,
            variant->id);
-    settle(suspect(exercise, 0, false) == NULL, "right answer is accused:", variant->exercise,
+    settle(suspect(0, false) == NULL, "right answer is accused:", variant->exercise,
            variant->id);
-    settle(suspect_differs(exercise) == NULL,
+    settle(suspect_differs() == NULL,
            "an input that decides names leaves the result free:", variant->id,
-           suspect_differs(exercise));
+           suspect_differs());
     check_law("right answer breaks a law:", variant->id, exercise);
 }
 
@@ -354,12 +353,11 @@ static void check_free_answer(const KnownAnswer *free)
 // The same mistake has the same name in every style, if it is a mistake there.
 static void check_styles(const Mistake *mistake)
 {
-    int exercise = exercise_number(mistake->exercise);
     answer_here_by(mistake->answer);
     for (answer_style = 1; answer_style < chosen_stem()->styles; answer_style++) {
         if (run(mistake->exercise, &some, false) == 0)
             continue;
-        const Mistake *named = suspect(exercise, 0, false), *other = suspect(exercise, 1, false);
+        const Mistake *named = suspect(0, false), *other = suspect(1, false);
         settle(named == mistake && other == NULL,
                "mistake has another name in another style:", mistake->id,
                named == NULL   ? "none"
@@ -380,7 +378,7 @@ static void check_lengths(const Mistake *mistake)
     process_answers_by(answer_stretched);
     if (run(mistake->exercise, &some, false) == 0)
         return;
-    settle(suspect(exercise, 0, false) == mistake && suspect(exercise, 1, false) == NULL,
+    settle(suspect(0, false) == mistake && suspect(1, false) == NULL,
            "mistake has another name with another length:", mistake->id, mistake->formula);
     style_count++;
 }
@@ -459,7 +457,7 @@ static bool check_float(const char *function, bool arguments)
 {
     rounds_arguments = arguments;
     process_answers_by(answer_rounded);
-    suspects_begin();
+    suspects_begin(exercise_number(function));
     run_tests(function, NULL, ANSWERS_APART, &some);
     bool passes = first_failed(&some) == NULL;
     if (!passes && has_probes(function)) {
