@@ -10,7 +10,7 @@ tests_of = $(call parts,tests/$(1))
 known = $(call parts,tests/[0-9]*/$(1))
 ALL_TESTS := $(call parts,tests/[0-9])
 # The tests call proxies, which ask whoever answers. Mistakes and laws are beside the reference, which goes
-# by other names there; so do answers that are linked into a program (tests/judge/switchboard.c).
+# by other names there; so do answers that are linked into a program (tests/judge/call_directly.c).
 as_names = sed -n 's/^ *\# *define //p'
 $(B)/reference.names: tests/judge/names.def tests/exercises.def
 	$(Q)mkdir -p $(@D)
@@ -25,7 +25,7 @@ $(REFERENCES): $(B)/tests/reference/%.o: $(B)/solutions/%.o $(B)/reference.names
 	$(Q)mkdir -p $(@D)
 	$(Q)objcopy --redefine-syms=$(B)/reference.names $< $@
 # What the tests call.
-CALLED := $(patsubst %,$(B)/tests/judge/%.o,reference/proxies switchboard) $(CALLING) $(REFERENCES)
+CALLED := $(B)/tests/judge/reference/proxies.o $(CALLING) $(REFERENCES)
 # With the reference for the chapters before, one mistake costs once; and the judge lends.
 lent = $(B)/tests/judge/reference/lent_answers.o
 earlier_answers = $(patsubst %,$(B)/solutions/%.o,$(call earlier,$(1)))

@@ -1,25 +1,22 @@
 // call_directly.c - for a program of tests: the answers of the stem that was chosen are called in
 // this process, and the reference answers for all other stems, so that one mistake costs once.
+#include "tests/judge/reference/proxies.h"
 #include "tests/judge/stem.h"
-#include "tests/judge/switchboard.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+
+#define EXERCISE(stem, result, name, ...) AnyFunction answer_##name;
+#include "tests/exercises.def"
+#define EXERCISE(stem, result, name, ...) answer_##name,
+AnyFunction *const direct_answers[EXERCISE_COUNT] = {
+#include "tests/exercises.def"
+};
 
 static void call_directly(void)
 {
-    switch_to_reference();
-    for (int i = 0; exercises[i].name != NULL; i++) {
-        if (strcmp(exercises[i].stem, chosen_stem()->name) != 0)
-            continue;
-        if (direct_answers[i] == NULL) {
-            fprintf(stderr, "%s: no answer to %s is linked\n", exercises[i].stem,
-                    exercises[i].name);
-            exit(2);
-        }
-        switch_one(exercises[i].name, direct_answers[i]);
-    }
+    for (int i = 0; exercises[i].name != NULL; i++)
+        if (strcmp(exercises[i].stem, chosen_stem()->name) == 0)
+            answer_by(i, direct_answers[i]);
 }
 
 __attribute__((constructor)) static void add_to_all_stems(void)

@@ -4,7 +4,6 @@
 #include "common/image.h"
 #include "tests/judge/numbers.h"
 #include "tests/judge/picture_panels.h"
-#include "tests/judge/switchboard.h"
 
 #include <stdio.h>
 #include <string.h>

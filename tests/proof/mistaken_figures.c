@@ -7,8 +7,8 @@
 // after it. It writes FOLDER/FIGURE-N.gp, once for mistakes that look the same, and prints a line
 // for each: the file, and the mistake.
 #include "tests/judge/known.h"
+#include "tests/judge/reference/proxies.h"
 #include "tests/judge/stem.h"
-#include "tests/judge/switchboard.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,8 +90,8 @@ static void draw(const Mistake *mistake, int number, char *right)
     snprintf(path, sizeof path, "%s/%s-%d.gp", folder, figure, number);
     snprintf(note, sizeof note, "%s looks like %s: %s", mistake->exercise, mistake->formula,
              mistake->why);
-    switch_to_reference();
-    switch_one(mistake->exercise, mistake->answer);
+    int exercise = exercise_number(mistake->exercise);
+    answer_by(exercise, mistake->answer);
     bool printed = print_figure(path, (char *[]){"--beside", right, NULL});
     if (printed && was_seen(path))
         unlink(path);
@@ -99,6 +99,7 @@ static void draw(const Mistake *mistake, int number, char *right)
         printf("%s\t%s %s\n", path, mistake->exercise, mistake->id);
     else
         unlink(path); // it has said why
+    answer_by(exercise, exercises[exercise].reference);
 }
 
 int __wrap_main(int argc, char **argv)
@@ -115,7 +116,6 @@ int __wrap_main(int argc, char **argv)
     char answers[4096], right[4096], *none[] = {NULL};
     snprintf(answers, sizeof answers, "%s/%s.answers", folder, figure);
     snprintf(right, sizeof right, "%s/%s.gp", folder, figure);
-    switch_to_reference();
     if (!print_figure(right, none) || !print_figure(answers, (char *[]){"--answers", NULL}))
         return 1;
     for (int i = 0; exercises[i].name != NULL; i++) {

@@ -1,4 +1,4 @@
-// switched.c - the solution of one stem, whose functions call each other through the switchboard as
+// switched.c - the solution of one stem, whose functions call each other through the proxies as
 // everybody does: a mistake in one is seen through the others. Compiled after the solution itself,
 // whose functions are weak (weak.h), for the stem with the number ANSWERED.
 #include "tests/exercises.def" // the contracts

@@ -1,16 +1,27 @@
-// proxies.c - each exercise under its contract name, for the tests: the chosen one answers
-// (switchboard.h).
+// proxies.c - each exercise under its contract name, for the tests.
+#include "tests/judge/reference/proxies.h"
+
 #include "tests/judge/message.h"
 #include "tests/judge/parameters.h"
-#include "tests/judge/switchboard.h"
 
 #include "tests/exercises.def" // the contracts
 
+#define EXERCISE(stem, result, name, ...) AnyFunction reference_##name __attribute__((weak));
+#include "tests/exercises.def"
+#define EXERCISE(stem, result, name, ...) reference_##name,
+static AnyFunction *answers[EXERCISE_COUNT] = {
+#include "tests/exercises.def"
+};
+
+void answer_by(int exercise, AnyFunction *answer)
+{
+    answers[exercise] = answer;
+}
+
 static void ask(int exercise, void *yours, void *const *arguments)
 {
-    AnyFunction *local = local_answer(exercise);
-    if (local != NULL)
-        exercises[exercise].call(local, yours, arguments);
+    if (answers[exercise] != NULL)
+        exercises[exercise].call(answers[exercise], yours, arguments);
     else
         transport_call(exercise, yours, arguments);
 }

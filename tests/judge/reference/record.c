@@ -9,10 +9,10 @@
 #include "tests/judge/known.h"
 #include "tests/judge/law.h"
 #include "tests/judge/message.h"
+#include "tests/judge/reference/proxies.h"
 #include "tests/judge/runner.h"
 #include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
-#include "tests/judge/switchboard.h"
 #include "tests/judge/table.h"
 #include "tests/judge/test.h"
 
@@ -321,9 +321,10 @@ static Numbers *begin(int exercise)
     return &arguments;
 }
 
+// A test may call other functions to find out more.
 static void write_down_and_answer(int exercise)
 {
-    if (writing != NULL)
+    if (writing != NULL && strcmp(writing->function, exercises[exercise].name) == 0)
         write_down(exercise);
     answer_here(exercise, exercises[exercise].reference, &arguments, &answer);
 }
@@ -335,10 +336,13 @@ static Numbers *receive(int exercise)
 }
 
 // From now on the reference answers, and its calls are recorded.
-static void begin_to_listen(void)
+static void begin_to_listen(const char *stem)
 {
     static const Transport asked = {begin, write_down_and_answer, receive, NULL};
     transport_use(&asked);
+    for (int i = 0; exercises[i].name != NULL; i++)
+        if (strcmp(exercises[i].stem, stem) == 0)
+            answer_by(i, NULL);
     expectation_listener = expect_of_case;
 }
 
@@ -406,8 +410,7 @@ int main(int argc, char **argv)
         return 2;
     }
     choose_stem(argv[1]);
-    switch_to_process(argv[1]);
-    begin_to_listen();
+    begin_to_listen(argv[1]);
     run_tests(NULL, NULL, ANSWERS_APART, &all);
     records_end();
     for (int i = 0; i < all.count; i++)
