@@ -58,4 +58,10 @@ bool option_whole(const char *text, int least, int most, int *number);
         "height", 0, "H", option_number, &(camera).height, "h, of the image plane"                 \
     }
 
+// ---- was all printed? ---------------------------------------------------------------------------
+
+// To be called once, before anything is printed. When the program ends, what it printed must have
+// arrived: on a full disk it says so on stderr, and its exit status is EXIT_COULD_NOT.
+void printed_or_failed(const char *program);
+
 #endif

@@ -2,7 +2,7 @@
 #ifndef CHAPTERS_06_RAY_CASTING_EXPLAIN_H
 #define CHAPTERS_06_RAY_CASTING_EXPLAIN_H
 
-#include "chapters/06-ray-casting/figures/shown.h"
+#include "chapters/06-ray-casting/figures/figures.h"
 #include "exercises/05-quadratic.h"
 
 enum { MOST_TOLD = 8 };

@@ -4,7 +4,6 @@
 // floor; each generation has its own colour, so that they can be told apart unshaded.
 #include "chapters/shared/sphereflake.h"
 #include "common/options.h"
-#include "common/printed.h"
 
 #include <stdio.h>
 

@@ -3,7 +3,7 @@
 //
 // Each sphere is turned by the golden angle from the one before, so that no two are in line. They
 // grow outward, and their colours go once around the wheel.
-#include "common/printed.h"
+#include "common/options.h"
 #include "common/vec3.h"
 
 #include <stdio.h>

@@ -3,7 +3,7 @@
 // All is spheres. The floor is one so large that it looks flat, and the sky is the inside of
 // another, so that the mirrors have something to show.
 #include "chapters/shared/sphereflake.h"
-#include "common/printed.h"
+#include "common/options.h"
 
 #include <stdio.h>
 

@@ -4,7 +4,6 @@
 // neighbours, 2 / cbrt(n), so that a ray passes many and hits one. The spheres are the same every
 // time.
 #include "common/options.h"
-#include "common/printed.h"
 
 #include <limits.h>
 #include <math.h>

@@ -3,9 +3,7 @@
 #include "chapters/animations/moments.h"
 
 #include "chapters/06-ray-casting/cast_spheres.h"
-#include "chapters/06-ray-casting/figures/nearest_figure.h"
-#include "chapters/06-ray-casting/figures/outline.h"
-#include "chapters/06-ray-casting/figures/shown.h"
+#include "chapters/06-ray-casting/figures/figures.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"

@@ -4,7 +4,6 @@
 //   print_animation NAME [SCENE.nff]
 //
 // Without a scene, the scenes of the figures. From the top of the project.
-#include "chapters/05-quadratic/figures/discriminant.h"
 #include "chapters/05-quadratic/figures/figures.h"
 #include "chapters/06-ray-casting/figures/figures.h"
 #include "chapters/animations/moments.h"

@@ -1,7 +1,6 @@
 // 01-panorama.c - a panorama, which shows everything around the camera.
 //
 // Optional, after chapter 01. After each change: make optional TASK=panorama
-#include "chapters/shared/room.h"
 #include "chapters/shared/task.h"
 #include "common/answers.h"
 

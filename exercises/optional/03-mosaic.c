@@ -1,7 +1,6 @@
 // 03-mosaic.c - a picture as a mosaic: every tile has one colour.
 //
 // Optional, after chapter 03. After each change: make optional TASK=mosaic
-#include "chapters/shared/room.h"
 #include "chapters/shared/task.h"
 #include "common/answers.h"
 #include "exercises/01-corners.h"

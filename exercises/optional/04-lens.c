@@ -1,7 +1,6 @@
 // 04-lens.c - a lens, which is sharp at one distance only (depth of field).
 //
 // Optional, after chapter 04. After each change: make optional TASK=lens
-#include "chapters/shared/room.h"
 #include "chapters/shared/task.h"
 #include "common/answers.h"
 #include "exercises/04-pixel-ray.h"

@@ -1,7 +1,6 @@
 // 01-fisheye.c - a fisheye lens, which sees half of the world around it.
 //
 // Optional, after chapter 01. After each change: make optional TASK=fisheye
-#include "chapters/shared/room.h"
 #include "chapters/shared/task.h"
 #include "common/answers.h"
 

@@ -1,7 +1,6 @@
 // 01-stereo.c - a picture for two eyes, to look at through red and cyan glasses.
 //
 // Optional, after chapter 01. After each change: make optional TASK=stereo
-#include "chapters/shared/room.h"
 #include "chapters/shared/task.h"
 #include "common/answers.h"
 #include "exercises/01-corners.h"

@@ -1,7 +1,6 @@
 // 02-orbit.c - a camera that moves once around a place: twelve pictures of a film.
 //
 // Optional, after chapter 02. After each change: make optional TASK=orbit
-#include "chapters/shared/room.h"
 #include "chapters/shared/task.h"
 #include "common/answers.h"
 #include "exercises/01-corners.h"

@@ -2,7 +2,6 @@
 // 'Vertigo'.
 //
 // Optional, after chapter 02. After each change: make optional TASK=vertigo
-#include "chapters/shared/room.h"
 #include "chapters/shared/task.h"
 #include "common/answers.h"
 #include "exercises/01-corners.h"

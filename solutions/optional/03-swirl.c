@@ -1,7 +1,6 @@
 // 03-swirl.c - a picture that is stirred like coffee.
 //
 // Optional, after chapter 03. After each change: make optional TASK=swirl
-#include "chapters/shared/room.h"
 #include "chapters/shared/task.h"
 #include "common/answers.h"
 #include "exercises/01-corners.h"

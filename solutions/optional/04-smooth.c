@@ -1,7 +1,6 @@
 // 04-smooth.c - several rays for each pixel, so that edges have no steps (anti-aliasing).
 //
 // Optional, after chapter 04. After each change: make optional TASK=smooth
-#include "chapters/shared/room.h"
 #include "chapters/shared/task.h"
 #include "common/answers.h"
 #include "exercises/04-pixel-ray.h"

@@ -1,8 +1,7 @@
 // discriminant.c - five rays and a sphere: the discriminant and the signs of the roots. Also as one
 // ray that moves from each of the five places to the next.
-#include "chapters/05-quadratic/figures/discriminant.h"
+#include "chapters/05-quadratic/figures/figures.h"
 
-#include "chapters/05-quadratic/numbers.h"
 #include "common/text.h"
 
 #include <stdio.h>

@@ -1,5 +1,5 @@
 // nearest_figure.c - one ray and the spheres that it meets, in a plane, as the data of a figure.
-#include "chapters/06-ray-casting/figures/nearest_figure.h"
+#include "chapters/06-ray-casting/figures/figures.h"
 
 #include "common/vec3.h"
 #include "exercises/05-quadratic.h"
