@@ -225,9 +225,9 @@ $(PROGRAMS): $(BUILT)/%: $$(call chapter_objects,$$*) $(ANSWER_OBJECTS) $(ANSWER
 GALLERY := $(BUILT)/gallery
 # A picture that lacks an answer is not an error: its program says so in one line (common/answers.h).
 TRY = $(if $(filter solutions,$(ANSWERS)),,NOT_YET=$@)
-# The picture of a chapter, which chapters/NN-stem/picture.txt describes in words. The other pictures
+# The picture of a chapter, which chapters/gallery/contents.txt describes in words. The other pictures
 # of a chapter, and the scenes of which they are cast, are in its chapter.mk.
-CHAPTER_PICTURES := $(patsubst chapters/%/picture.txt,%,$(wildcard chapters/*/picture.txt))
+CHAPTER_PICTURES := $(filter $(CHAPTERS),$(file <chapters/gallery/contents.txt))
 PICTURES := $(CHAPTER_PICTURES:%=$(GALLERY)/%.png)
 $(PICTURES): $(GALLERY)/%.png: $(BUILT)/%
 	$(call say,cast,$@)

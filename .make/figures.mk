@@ -83,7 +83,7 @@ $(DRAWN): $(SCRIPTS) $(addprefix chapters/gallery/,draw_figures.py jobs.py latex
 # All of it on a page.
 PAGE := $(GALLERY)/index.html
 $(PAGE): $(PICTURES) $(DRAWN) $(addprefix chapters/gallery/,gallery.py gallery.css contents.txt) \
-		$(wildcard $(GALLERY)/*.png $(BUILT)/animations/*/*.*) $(wildcard chapters/*/README.md chapters/*/picture.txt)
+		$(wildcard $(GALLERY)/*.png $(BUILT)/animations/*/*.*) $(wildcard chapters/*/README.md)
 	@if command -v python3 >/dev/null; then $(MAKE_PAGE); else rm -f $@; \
 		echo "python3 is missing, so the figures and the page of pictures, $@, are left out: 'make setup' installs it"; fi
 

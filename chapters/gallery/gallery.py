@@ -4,8 +4,7 @@
 
 A page that needs no network and no script, in the order of the lecture: chapters/gallery/contents.txt. What is there
 and not in that list comes after it. Each picture is also described in words: a figure by BUILT/figures/NAME/NAME.txt,
-an animation by BUILT/animations/NAME/NAME.txt, a picture in the list or by chapters/NN-stem/picture.txt, and the
-picture of another scene by the scene's first comment.
+an animation by BUILT/animations/NAME/NAME.txt, a picture in the list or by the first comment of its scene.
 """
 import html
 import re
@@ -102,7 +101,7 @@ class Gallery:
         if not (self.built / "gallery" / f"{name}.png").exists():
             return ""
         if not title:
-            title, words = read_words(Path("chapters", name, "picture.txt")) or self.words_of_scene(name)
+            title, words = self.words_of_scene(name)
         return self.picture(f"{name}.png", title, words)
 
     def show_copy(self, path, title, words):
@@ -222,9 +221,8 @@ poster="../animations/{name}/frames{suffix}/{frames[-1].name}" aria-label="{esca
 
     def show_rest(self):
         for chapter in sorted(Path("chapters").glob("[0-9]*/")):
-            picture = self.show_picture(chapter.name) if (chapter / "picture.txt").exists() else ""
             figures = [self.show_figure(layout.stem) for layout in sorted(chapter.glob("figures/*.gp"))]
-            self.sections.append([read_heading(chapter / "README.md"), picture + "".join(figures)])
+            self.sections.append([read_heading(chapter / "README.md"), "".join(figures)])
         for heading, files, show in (("Your own figures", "figures/*/*.txt", self.show_figure),
                                      ("More animations", "animations/*/*.txt", self.show_animation),
                                      ("More pictures", "gallery/*.png", self.show_picture)):

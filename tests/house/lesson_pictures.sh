@@ -26,10 +26,10 @@ for picture in chapters/[0-9]*/*.png; do
     check "$picture is what the programs draw" same_picture "$drawn" "$picture" "$(allowed_in "$name")"
 done
 # A chapter's own picture has the title that it has on the page of all pictures.
-for words in chapters/[0-9]*/picture.txt; do
-    chapter=${words%/*}
-    stem=${chapter#chapters/}
-    check "the picture of $stem is called by its title" \
-        grep -qxF "![$(head -n 1 "$words")]($stem.png)" "$chapter/README.md"
+for picture in chapters/[0-9]*/[0-9][0-9]-*.png; do
+    stem=$(basename "$picture" .png)
+    title=$(sed -n "/^picture $stem\$/ { n; s/^ *//p; }" chapters/gallery/contents.txt)
+    [ ! -d "chapters/$stem" ] || check "the picture of $stem is called by its title" \
+        grep -qxF "![$title]($stem.png)" "chapters/$stem/README.md"
 done
 finish 'pictures in the lessons'
