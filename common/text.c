@@ -116,3 +116,14 @@ bool message_set(Message *message, const char *format, ...)
     va_end(arguments);
     return false;
 }
+
+void json_print_string(FILE *out, const char *text)
+{
+    putc('"', out);
+    for (; *text != '\0'; text++)
+        if (*text == '\n')
+            fputs("\\n", out);
+        else
+            fprintf(out, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    putc('"', out);
+}

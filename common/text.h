@@ -9,6 +9,7 @@
 #include "common/vec3.h"
 
 #include <stdbool.h>
+#include <stdio.h>
 
 typedef struct {
     char s[160];
@@ -45,5 +46,8 @@ typedef struct {
 
 // Always false, for  return message_set(message, "%s:%d: ...", ...);
 bool message_set(Message *message, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+// The text as a string in JSON, in double quotes. It has no control characters but line ends.
+void json_print_string(FILE *out, const char *text);
 
 #endif

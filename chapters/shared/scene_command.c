@@ -3,9 +3,10 @@
 #include "chapters/shared/scene_command.h"
 
 #include "chapters/shared/scene_camera.h"
+#include "common/clock.h"
 #include "common/options.h"
 #include "common/picture.h"
-#include "common/progress.h"
+#include "common/text.h"
 #include "common/toolkit_file.h"
 #include "common/whole_file.h"
 
@@ -14,6 +15,55 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+// ---- long work says on a terminal how far it is, and how long it will still take ----------------
+
+typedef struct {
+    const char *what; // "pixels"
+    long all;         // how many there are
+    double began, last;
+} Progress;
+
+// Begins now. One line is shown after the first second, and changes twice a second.
+static Progress progress_begin(const char *what, long all)
+{
+    return (Progress){.what = what, .all = all, .began = clock_seconds()};
+}
+
+// 19 % (320 of 1624), about 3 min 20 s left
+static Text progress_text(long done, long all, double seconds)
+{
+    Text text;
+    if (done <= 0 || done > all) // a student's loop may do more than there is to do
+        snprintf(text.s, sizeof text.s, "%ld so far, after %.60s", done, duration_text(seconds).s);
+    else
+        snprintf(text.s, sizeof text.s, "%ld %% (%ld of %ld), about %.60s left", 100 * done / all,
+                 done, all, duration_text(seconds * (double)(all - done) / (double)done).s);
+    return text;
+}
+
+// So many are done. May be called as often as there is something to say.
+static void progress_show(Progress *progress, long done)
+{
+    static const double first = 1, then = 0.5; // seconds
+    double seconds = clock_seconds() - progress->began;
+    if (!isatty(STDERR_FILENO) ||
+        (progress->last == 0 ? seconds < first : seconds - progress->last < then))
+        return;
+    progress->last = seconds;
+    fprintf(stderr, "\r  %-9s %s\033[K", progress->what,
+            progress_text(done, progress->all, seconds).s);
+}
+
+// Removes the line.
+static void progress_end(Progress *progress)
+{
+    if (progress->last != 0)
+        fprintf(stderr, "\r\033[K");
+    progress->last = 0;
+}
+
+// ---- the command --------------------------------------------------------------------------------
 
 // gallery/SCENE.png beside the program. Makes the folder if it does not exist.
 static bool gallery_path(char *path, size_t size, const char *program, const char *scene_path)

@@ -5,7 +5,7 @@
 // __wrap_NAME in the place of the functions of chapters/shared/example.c (--wrap=NAME).
 #include "chapters/lessons/fill.h"
 #include "chapters/shared/example.h"
-#include "common/figure/json.h"
+#include "common/text.h"
 #include "common/options.h"
 
 #include <math.h>
