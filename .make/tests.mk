@@ -54,7 +54,7 @@ $(DISPATCHES): $(B)/dispatch/%.o: tests/judge/dispatch.c $(B)/flags.mk
 REPORTING := $(B)/tests/course/chapter_record.o
 
 # The judge's figures of a wrong answer.
-DRAWING := $(B)/tests/judge/figure.o $(patsubst %,$(B)/tests/judge/figure_%.o,space screen line) $(B)/tests/judge/picture_panels.o
+DRAWING := $(patsubst %,$(B)/tests/judge/%.o,figure picture_panels)
 before = $(if $(filter-out $(2),$(firstword $(1))),$(firstword $(1)) $(call before,$(wordlist 2,99,$(1)),$(2)))
 earlier = $(strip $(call before,$(STEMS),$(1)))
 

@@ -1,12 +1,1010 @@
 // figure.c - a wrong answer beside the right one: the kind of figure, and its file.
 #include "tests/judge/figure.h"
 
+#include "common/figure/beside.h"
 #include "common/image.h"
+#include "common/ray.h"
+#include "common/scene.h"
+#include "common/screen.h"
+#include "common/sphere.h"
+#include "exercises/05-quadratic.h"
 #include "tests/judge/numbers.h"
 #include "tests/judge/picture_panels.h"
+#include "tests/judge/questions.h"
 
 #include <stdio.h>
 #include <string.h>
+
+// One call. The numbers are read from their beginning.
+typedef struct {
+    const char *function;
+    const Record *record;
+    Kept *kept;
+    Numbers *question, *right, *yours;
+    const char *why; // the mistake's sentence; empty if there is none
+} Wrong;
+
+// From low to high.
+typedef struct {
+    double low, high;
+} Range;
+
+// In the text, as often as there is room.
+static void replace_all(char *text, size_t size, const char *old, const char *new)
+{
+    size_t from = strlen(old), to = strlen(new);
+    for (char *at = strstr(text, old); at != NULL; at = strstr(at + to, old)) {
+        if (strlen(text) + to - from >= size)
+            return;
+        memmove(at + to, at + from, strlen(at + from) + 1);
+        memcpy(at, new, to);
+    }
+}
+
+static void range_add(Range *range, double x)
+{
+    range->low = fmin(range->low, x);
+    range->high = fmax(range->high, x);
+}
+
+// A number that would make it many times as wide is left out: false.
+static bool range_try(Range *range, double x)
+{
+    enum { TIMES = 8 };
+    Range wider = *range;
+    range_add(&wider, x);
+    if (!(wider.high - wider.low <= TIMES * (range->high - range->low)))
+        return false;
+    *range = wider;
+    return true;
+}
+
+// ---- the t axis --------------------------------------------------------------------------------
+
+// Results on a t axis: a flat figure, in which t = 1 is 'unit' to the right.
+typedef struct {
+    double low, high; // of t
+    double unit, y;
+    const double *right, *yours; // the results
+    int right_count, your_count;
+} Axis;
+
+// Between round numbers of t: at most eight of them.
+static double stride_of(const Axis *axis)
+{
+    static const double steps[] = {1, 2, 5};
+    double step = 0, wide = axis->high - axis->low, power = pow(10, floor(log10(wide / 10)));
+    for (int i = 0; wide / (step = power * steps[i % 3]) > 8; i++)
+        power *= i % 3 == 2 ? 10 : 1;
+    return step;
+}
+
+static bool is_taken(const double *t, int count, double tick, double stride)
+{
+    for (int i = 0; i < count; i++)
+        if (fabs(t[i] - tick) < 0.3 * stride)
+            return true;
+    return false;
+}
+
+static void axis_row(Plot *plot, const Axis *axis, double t)
+{
+    plot_row_dot(plot, 4, (const double[]){t * axis->unit, axis->y, 0, t});
+}
+
+static void axis_ticks(Plot *plot, const Axis *axis)
+{
+    double step = stride_of(axis);
+    int row = 0;
+    plot_block(plot, "ticks", "x y z t");
+    for (double n = ceil(axis->low / step); n * step <= axis->high; n++, row++) {
+        axis_row(plot, axis, n * step);
+        if (is_taken(axis->right, axis->right_count, n * step, step) ||
+            is_taken(axis->yours, axis->your_count, n * step, step))
+            continue;
+        char words[200];
+        snprintf(words, sizeof words, "%s", number_text_to(n * step, 10).s);
+        replace_all(words, sizeof words, "-", "\u2212");
+        plot_name(plot, (Label){words, "grey", .block = "ticks", .row = row});
+    }
+    plot_block_end(plot);
+}
+
+static void axis_marks(Plot *plot, const Axis *axis, const char *name, const double *t, int count,
+                       Label label)
+{
+    plot_block(plot, name, "x y z t");
+    for (int i = 0; i < count; i++) {
+        axis_row(plot, axis, t[i]);
+        label.block = name;
+        label.row = i;
+        plot_name(plot, label);
+    }
+    plot_block_end(plot);
+}
+
+// $axis and $ticks, with round numbers, except where the results are; $answer and $yours, x y z t,
+// on the axis.
+static void write_axis(Plot *plot, const Axis *axis)
+{
+    vec3 begin = vec3_of(axis->low * axis->unit, axis->y, 0);
+    vec3 end = vec3_of((axis->high + 0.04 * (axis->high - axis->low)) * axis->unit, axis->y, 0);
+    plot_vector(plot, "axis", begin, end - begin);
+    plot_fit(plot, begin, 0);
+    plot_fit(plot, end, 0);
+    plot_name(plot, (Label){"$t$", "grey", .block = "axis", .part = 1});
+    axis_marks(plot, axis, "answer", axis->right, axis->right_count,
+               (Label){"expected", "blue", .step = 1});
+    axis_marks(plot, axis, "yours", axis->yours, axis->your_count,
+               (Label){"yours", "ink", .step = 2});
+    axis_ticks(plot, axis);
+}
+
+// The difference of 3.2 and 3.6: "off by 0.4"; empty if one of them is missing.
+static Text off_text(double right, double yours)
+{
+    Text text = {""};
+    if (isfinite(right) && isfinite(yours))
+        snprintf(text.s, sizeof text.s, "off by %.60s", number_text_to(yours - right, 4).s);
+    return text;
+}
+
+// ---- rays and spheres --------------------------------------------------------------------------
+
+enum { MOST_SPHERES = 100, MOST_NAMES = 12 };
+
+// The places of an answer: at most two; and which sphere, if the exercise asks for it.
+typedef struct {
+    int count, sphere;
+    double t[2];
+} Places;
+
+static struct {
+    Ray ray;
+    int count;
+    Sphere spheres[MOST_SPHERES];
+    Places right, yours;
+    bool are_roots, has_index;
+} section;
+
+static void read_spheres(Numbers *question, bool whole_scene)
+{
+    Scene scene;
+    section.count = 1;
+    if (!whole_scene) {
+        NUMBERS_GET(question, Sphere, section.spheres[0]);
+        return;
+    }
+    numbers_get(question, &type_Scene, &scene);
+    section.count = scene.sphere_count < MOST_SPHERES ? scene.sphere_count : MOST_SPHERES;
+    for (int i = 0; i < section.count; i++)
+        section.spheres[i] = scene.spheres[i];
+    numbers_free_value(&type_Scene, &scene);
+}
+
+static Places read_places(Numbers *numbers, const char *results)
+{
+    Places places = {0, -1, {NO_HIT, NO_HIT}};
+    Roots roots = {0};
+    Hit hit = {0};
+    if (strcmp(results, "Roots") == 0) {
+        NUMBERS_GET(numbers, Roots, roots);
+        places = (Places){roots.count, -1, {roots.t[0], roots.t[1]}};
+    } else if (strcmp(results, "Hit") == 0) {
+        NUMBERS_GET(numbers, Hit, hit);
+        places = (Places){hit.t != NO_HIT, hit.sphere, {hit.t, NO_HIT}};
+    } else {
+        NUMBERS_GET(numbers, double, places.t[0]);
+        places.count = places.t[0] != NO_HIT;
+    }
+    return places;
+}
+
+static bool are_drawable(Places places)
+{
+    bool good = places.count >= 0 && places.count <= 2;
+    for (int i = 0; good && i < places.count; i++)
+        good = isfinite(places.t[i]);
+    return good;
+}
+
+static bool read_section(Wrong *wrong)
+{
+    const Exercise *types = &exercises[wrong->kept->exercise];
+    section.has_index = strcmp(types->results, "Hit") == 0;
+    section.are_roots = strcmp(types->results, "Roots") == 0;
+    NUMBERS_GET(wrong->question, Ray, section.ray);
+    read_spheres(wrong->question, section.has_index);
+    section.right = read_places(wrong->right, types->results);
+    section.yours = read_places(wrong->yours, types->results);
+    return are_drawable(section.right) && are_drawable(section.yours) &&
+           (section.right.count > 0 || section.yours.count > 0) &&
+           vec3_length(section.ray.direction) > 0;
+}
+
+// Along the ray and to its side, each sphere rotated around the ray into the paper: the first
+// below.
+static void write_spheres(Plot *plot, Range *x, Range *y)
+{
+    vec3 along = vec3_unit(section.ray.direction), below = vec3_of(0, 0, 0);
+    plot_block(plot, "spheres", "along the ray, aside, radius, which");
+    for (int i = 0; i < section.count; i++) {
+        vec3 center = section.spheres[i].center - section.ray.origin;
+        double r = section.spheres[i].radius, ahead = vec3_dot(center, along);
+        vec3 away = center - ahead * along;
+        if (vec3_length(below) == 0)
+            below = away;
+        double aside = vec3_length(away) * (vec3_dot(away, below) < 0 ? 1 : -1);
+        plot_row(plot, 4, (const double[]){ahead, aside, r, i});
+        plot_circle(plot, vec3_of(ahead, aside, 0), r);
+        plot_fit(plot, vec3_of(ahead, aside, 0), r);
+        if (section.has_index && i < MOST_NAMES)
+            plot_name(plot, (Label){number_text(i).s, "grey", .place = vec3_of(ahead, aside, 0),
+                                    .ball = r});
+        if (i == 0)
+            *x = (Range){ahead - r, ahead + r};
+        range_add(x, ahead - r);
+        range_add(x, ahead + r);
+        range_add(y, aside - r);
+        range_add(y, aside + r);
+    }
+    plot_block_end(plot);
+}
+
+static Text place_words(Places places, bool all_shown)
+{
+    Text text;
+    const char *beyond = all_shown ? "" : " (not in the figure)";
+    if (places.count == 0)
+        snprintf(text.s, sizeof text.s, section.are_roots ? "no root" : "no hit");
+    else if (places.count == 2)
+        snprintf(text.s, sizeof text.s, "t = %.40s and %.40s%s", number_text(places.t[0]).s,
+                 number_text(places.t[1]).s, beyond);
+    else if (section.has_index)
+        snprintf(text.s, sizeof text.s, "sphere %d at t = %.40s%s", places.sphere,
+                 number_text(places.t[0]).s, beyond);
+    else
+        snprintf(text.s, sizeof text.s, "t = %.40s%s", number_text(places.t[0]).s, beyond);
+    return text;
+}
+
+// Those that are visible beside the others.
+static Places shown(Places places, Range *x, double unit)
+{
+    Places some = {0, places.sphere, {0, 0}};
+    for (int i = 0; i < places.count; i++)
+        if (range_try(x, places.t[i] * unit))
+            some.t[some.count++] = places.t[i];
+    return some;
+}
+
+static void write_section(Plot *plot, void *given)
+{
+    const Wrong *wrong = given;
+    double unit = vec3_length(section.ray.direction);
+    Range x = {0, unit}, y = {0, 0};
+    Places right = section.right, yours = section.yours;
+    plot_look_flat(plot);
+    plot_number(plot, "unit", unit);
+    write_spheres(plot, &x, &y);
+    for (int i = 0; i < right.count; i++)
+        range_add(&x, right.t[i] * unit);
+    bool has_eye = range_try(&x, 0), has_arrow = has_eye && range_try(&x, unit);
+    Places seen = shown(yours, &x, unit);
+    double wide = x.high - x.low, low = x.low - 0.04 * wide, high = x.high + 0.04 * wide;
+    vec3 p = vec3_of(has_eye ? 0 : NAN, 0, 0), v = vec3_of(has_arrow ? unit : NAN, 0, 0);
+    plot_vector(plot, "ray", vec3_of(low, 0, 0), vec3_of(high - low, 0, 0));
+    plot_fit(plot, vec3_of(low, 0, 0), 0.015 * wide);
+    plot_fit(plot, vec3_of(high, 0, 0), 0.015 * wide);
+    plot_point(plot, "p", p);
+    plot_vector(plot, "v", vec3_of(0, 0, 0), v);
+    plot_name(plot, (Label){"$p$", "blue", .block = "p"});
+    if (unit > 0.06 * wide)
+        plot_name(plot, (Label){"$v$", "blue", .block = "v", .part = ANYWHERE});
+    Axis axis = {low / unit, high / unit, unit,        y.low - 0.09 * wide,
+                 right.t,    seen.t,      right.count, seen.count};
+    write_axis(plot, &axis);
+    for (int i = 0; i < right.count; i++)
+        plot_line(plot, vec3_of(right.t[i] * unit, axis.y, 0), vec3_of(right.t[i] * unit, 0, 0), 0,
+                  0);
+    for (int i = 0; i < seen.count; i++)
+        plot_line(plot, vec3_of(seen.t[i] * unit, axis.y, 0), vec3_of(seen.t[i] * unit, 0, 0), 0,
+                  0);
+    Text off = {""};
+    if (right.count == 1 && yours.count == 1)
+        off = off_text(right.t[0], yours.t[0]);
+    beside_below(plot, wrong->function, wrong->why,
+                 (BesideWords){place_words(right, true).s,
+                               place_words(yours, seen.count == yours.count).s, off.s,
+                               seen.count > 0 ? "dashed" : ""});
+}
+
+// ---- the parabola of a quadratic, and its roots on the t axis ----------------------------------
+
+enum { SAMPLES = 120 };
+
+static struct {
+    bool are_roots; // the equation is given; else it is the answer
+    Quadratic right, yours;
+    Roots right_roots, your_roots;
+} equation;
+
+static double value(Quadratic q, double t)
+{
+    return (q.a * t + q.b) * t + q.c;
+}
+
+static bool is_finite(Quadratic q)
+{
+    return isfinite(q.a) && isfinite(q.b) && isfinite(q.c);
+}
+
+static bool are_finite(Roots roots)
+{
+    bool good = roots.count >= 0 && roots.count <= 2;
+    for (int i = 0; good && i < roots.count; i++)
+        good = isfinite(roots.t[i]);
+    return good;
+}
+
+static bool read_equation(Wrong *wrong)
+{
+    equation.are_roots = strcmp(exercises[wrong->kept->exercise].results, "Roots") == 0;
+    equation.right_roots = equation.your_roots = (Roots){0};
+    if (equation.are_roots) {
+        NUMBERS_GET(wrong->question, Quadratic, equation.right);
+        equation.yours = equation.right;
+        NUMBERS_GET(wrong->right, Roots, equation.right_roots);
+        NUMBERS_GET(wrong->yours, Roots, equation.your_roots);
+        return are_finite(equation.your_roots) && is_finite(equation.right) &&
+               (equation.right.a != 0 || equation.right.b != 0);
+    }
+    NUMBERS_GET(wrong->right, Quadratic, equation.right);
+    NUMBERS_GET(wrong->yours, Quadratic, equation.yours);
+    return is_finite(equation.yours) && equation.right.a != 0;
+}
+
+// The lowest or highest point of the parabola, by search: each step removes a third of the range.
+static double turning_point(Quadratic q)
+{
+    double reach = 1 + (fabs(q.b) + fabs(q.c)) / fabs(q.a), low = -reach, high = reach;
+    for (int i = 0; i < 200; i++) {
+        double t = low + (high - low) / 3, u = high - (high - low) / 3;
+        if ((value(q, t) < value(q, u)) == (q.a > 0))
+            high = u;
+        else
+            low = t;
+    }
+    return (low + high) / 2;
+}
+
+// As far to both sides as the curve needs to return to 0 and go on as far again.
+static Range range_of(Quadratic q, Roots roots)
+{
+    if (q.a == 0) {
+        double root = roots.count > 0 ? roots.t[0] : 0, aside = fmax(1, fabs(root));
+        return (Range){root - aside, root + aside};
+    }
+    double middle = turning_point(q), depth = fabs(value(q, middle)), aside = 1e-3;
+    double enough = depth > 1e-9 * (1 + fabs(q.c)) ? 2 * depth : fabs(q.a);
+    while (fabs(value(q, middle + aside) - value(q, middle)) < enough)
+        aside *= 1.1;
+    return (Range){middle - aside, middle + aside};
+}
+
+static void add_values(Range *f, Quadratic q, Range t)
+{
+    for (int i = 0; i <= SAMPLES; i++)
+        range_add(f, value(q, t.low + (t.high - t.low) * i / SAMPLES));
+}
+
+// The part of a curve that is not far above or below the other. f is drawn 'scale' times as high.
+// Returns how many rows there are.
+static int write_curve(Plot *plot, const char *name, Quadratic q, Range t, Range f, double scale)
+{
+    double room = 0.1 * (f.high - f.low);
+    int rows = 0;
+    bool begun = false;
+    plot_block(plot, name, "x y z: t and f(t), scaled");
+    for (int i = 0; i <= SAMPLES; i++) {
+        double at = t.low + (t.high - t.low) * i / SAMPLES, height = value(q, at);
+        bool seen = height >= f.low - room && height <= f.high + room;
+        if (seen) {
+            plot_row_point(plot, vec3_of(at, scale * height, 0));
+            plot_fit(plot, vec3_of(at, scale * height, 0), 0);
+            rows++;
+        } else if (begun) { // two empty lines would end the block
+            plot_gap(plot);
+        }
+        begun = seen;
+    }
+    plot_block_end(plot);
+    return rows;
+}
+
+static Text quadratic_words(Quadratic q)
+{
+    Text text;
+    snprintf(text.s, sizeof text.s, "a = %.40s, b = %.40s, c = %.40s", number_text(q.a).s,
+             number_text(q.b).s, number_text(q.c).s);
+    return text;
+}
+
+static Text root_words(Roots roots, bool all_shown)
+{
+    Text text;
+    const char *beyond = all_shown ? "" : " (not in the figure)";
+    if (roots.count == 0)
+        snprintf(text.s, sizeof text.s, "no root");
+    else if (roots.count == 1)
+        snprintf(text.s, sizeof text.s, "t = %.40s%s", number_text(roots.t[0]).s, beyond);
+    else
+        snprintf(text.s, sizeof text.s, "t = %.40s and %.40s%s", number_text(roots.t[0]).s,
+                 number_text(roots.t[1]).s, beyond);
+    return text;
+}
+
+static Roots shown_roots(Roots roots, Range *t)
+{
+    Roots some = {0};
+    for (int i = 0; i < roots.count; i++)
+        if (range_try(t, roots.t[i]))
+            some.t[some.count++] = roots.t[i];
+    return some;
+}
+
+static void write_equation(Plot *plot, void *given)
+{
+    const Wrong *wrong = given;
+    Range t = range_of(equation.right, equation.right_roots), f = {0, 0};
+    add_values(&f, equation.right, t);
+    Roots yours = equation.your_roots, seen = shown_roots(yours, &t);
+    if (!equation.are_roots && equation.yours.a != 0) {
+        Range other = range_of(equation.yours, yours);
+        if (range_try(&t, other.low) && range_try(&t, other.high))
+            add_values(&f, equation.yours, other);
+    }
+    if (t.low > 0 && t.low < t.high - t.low)
+        t.low = 0;
+    double scale = 0.4 * (t.high - t.low) / (f.high - f.low);
+    plot_look_flat(plot);
+    plot_number(plot, "are_roots", equation.are_roots);
+    plot_number(plot, "scale_of_f", scale);
+    plot_label(plot, "equation", quadratic_words(equation.right).s);
+    int rows = write_curve(plot, "curve", equation.right, t, f, scale);
+    int your_rows = write_curve(plot, "your_curve", equation.yours, t, f, scale);
+    if (!equation.are_roots) {
+        plot_name(plot,
+                  (Label){"expected", "blue", .block = "curve", .row = rows / 6, .part = ANYWHERE});
+        if (your_rows > 6) // else it is too high or too low to be seen
+            plot_name(plot, (Label){"yours", "ink", .step = 2, .block = "your_curve",
+                                    .row = your_rows * 5 / 6, .part = ANYWHERE});
+    }
+    Axis axis = {
+        t.low,     t.high, 1, 0, equation.right_roots.t, seen.t, equation.right_roots.count,
+        seen.count};
+    write_axis(plot, &axis);
+    if (equation.are_roots)
+        beside_below(plot, wrong->function, wrong->why,
+                     (BesideWords){root_words(equation.right_roots, true).s,
+                                   root_words(yours, seen.count == yours.count).s, "",
+                                   seen.count > 0 ? "as rings" : ""});
+    else
+        beside_below(plot, wrong->function, wrong->why,
+                     (BesideWords){quadratic_words(equation.right).s,
+                                   quadratic_words(equation.yours).s, "", "dashed"});
+}
+
+// ---- places on the screen and in the unit square ------------------------------------------------
+
+// A rectangle of this width and height; y or t down, or up.
+typedef struct {
+    double left, bottom, width, height; // bottom: the lower number
+    bool is_screen;
+} Panel;
+
+static struct {
+    bool has_given;
+    double given[2], right[2], yours[2];
+    Panel from, into;
+} places;
+
+static Panel unit_square(void)
+{
+    return (Panel){0, 0, 1, 1, false};
+}
+
+static Panel whole_screen(Resolution screen)
+{
+    return (Panel){0, 0, screen.width, screen.height, true};
+}
+
+static void get_pair(Numbers *numbers, double pair[2])
+{
+    NUMBERS_GET(numbers, double, pair[0]);
+    NUMBERS_GET(numbers, double, pair[1]);
+}
+
+static bool read_place(Wrong *wrong)
+{
+    const Exercise *types = &exercises[wrong->kept->exercise];
+    Resolution screen = {1, 1};
+    Pixel pixel = {0, 0};
+    places.has_given = strcmp(types->arguments, "Pixel") != 0;
+    if (places.has_given) {
+        get_pair(wrong->question, places.given);
+        NUMBERS_GET(wrong->question, Resolution, screen);
+        bool to_screen = strcmp(types->results, "ScreenPoint") == 0;
+        places.from = to_screen ? unit_square() : whole_screen(screen);
+        places.into = to_screen ? whole_screen(screen) : unit_square();
+    } else {
+        NUMBERS_GET(wrong->question, Pixel, pixel);
+        places.from = places.into = (Panel){pixel.column, pixel.row, 1, 1, true};
+        memcpy(places.given, (const double[]){pixel.column, pixel.row}, sizeof places.given);
+    }
+    get_pair(wrong->right, places.right);
+    get_pair(wrong->yours, places.yours);
+    Range x = {places.into.left, places.into.left + places.into.width};
+    Range y = {places.into.bottom, places.into.bottom + places.into.height};
+    range_add(&x, places.right[0]);
+    range_add(&y, places.right[1]);
+    return range_try(&x, places.yours[0]) && range_try(&y, places.yours[1]);
+}
+
+// As it is drawn: the screen's y counts down.
+static vec3 drawn(Panel panel, const double place[2])
+{
+    return vec3_of(place[0], panel.is_screen ? -place[1] : place[1], 0);
+}
+
+static void write_dot(Plot *plot, const char *name, Panel panel, const double place[2])
+{
+    plot_point(plot, name, drawn(panel, place));
+    plot_label(plot, name, pair_text(place[0], place[1]).s);
+    plot_fit(plot, drawn(panel, place), 0);
+}
+
+// $NAME: the rectangle, and where it begins and ends in words.
+static void write_panel(Plot *plot, const char *name, Panel panel)
+{
+    const double begin[] = {panel.left, panel.bottom};
+    const double end[] = {panel.left + panel.width, panel.bottom + panel.height};
+    const vec3 corners[] = {drawn(panel, begin), drawn(panel, (double[]){end[0], begin[1]}),
+                            drawn(panel, end), drawn(panel, (double[]){begin[0], end[1]}),
+                            drawn(panel, begin)};
+    plot_block(plot, name, "x y z of the corners");
+    for (int i = 0; i < 5; i++) {
+        plot_row_point(plot, corners[i]);
+        plot_fit(plot, corners[i], 0);
+    }
+    plot_block_end(plot);
+    plot_name(plot, (Label){pair_text(begin[0], begin[1]).s, "grey", .block = name, .row = 0});
+    plot_name(plot, (Label){pair_text(end[0], end[1]).s, "grey", .block = name, .row = 2});
+}
+
+static void write_place(Plot *plot, void *given)
+{
+    const Wrong *wrong = given;
+    const Room left = {0.03, 0.44, 0.06, 0.84}, right = {0.56, 0.97, 0.06, 0.84};
+    Text off;
+    plot_look_flat(plot);
+    plot_number(plot, "has_given", places.has_given);
+    if (places.has_given) {
+        plot_room(plot, right, right);
+        const Room arrow = {0.46, 0.54, 0.42, 0.48};
+        plot_keep_clear(plot, arrow, arrow);
+    }
+    write_panel(plot, "into", places.into);
+    write_dot(plot, "right", places.into, places.right);
+    write_dot(plot, "yours", places.into, places.yours);
+    plot_name(plot, (Label){"expected", "blue", .block = "right"});
+    plot_name(plot, (Label){"yours", "ink", .step = 2, .block = "yours"});
+    plot_panel(plot, 2);
+    plot_room(plot, left, left);
+    if (places.has_given) {
+        write_panel(plot, "from", places.from);
+        write_dot(plot, "given", places.from, places.given);
+        plot_name(plot, (Label){"{given}", "ink", .block = "given"});
+    } else {
+        plot_point(plot, "from", vec3_of(NAN, NAN, NAN));
+        plot_point(plot, "given", vec3_of(NAN, NAN, NAN));
+    }
+    double by[2]; // rounding is not a difference
+    for (int i = 0; i < 2; i++)
+        by[i] = same_within(places.yours[i], places.right[i], 1e-12)
+                    ? 0
+                    : places.yours[i] - places.right[i];
+    snprintf(off.s, sizeof off.s, "off by %.100s", pair_text(by[0], by[1]).s);
+    beside_below(plot, wrong->function, wrong->why,
+                 (BesideWords){pair_text(places.right[0], places.right[1]).s,
+                               pair_text(places.yours[0], places.yours[1]).s, off.s, "as a ring"});
+}
+
+// ---- a rectangle on the screen: the right one, yours, and the sphere's outline -----------------
+
+static struct {
+    Camera camera;
+    Resolution screen;
+    Sphere sphere;
+    ScreenRectangle right, yours;
+} asked;
+
+static bool read_rectangle(Wrong *wrong)
+{
+    NUMBERS_GET(wrong->question, Camera, asked.camera);
+    NUMBERS_GET(wrong->question, Resolution, asked.screen);
+    NUMBERS_GET(wrong->question, Sphere, asked.sphere);
+    NUMBERS_GET(wrong->right, ScreenRectangle, asked.right);
+    NUMBERS_GET(wrong->yours, ScreenRectangle, asked.yours);
+    Range x = {0, asked.screen.width}, y = {0, asked.screen.height};
+    return range_try(&x, asked.yours.left) && range_try(&x, asked.yours.right) &&
+           range_try(&y, asked.yours.top) && range_try(&y, asked.yours.bottom);
+}
+
+static void write_rectangle_block(Plot *plot, const char *name, ScreenRectangle box)
+{
+    plot_block(plot, name, "x y z of the corners; y counts up from the top, so it is negative");
+    const double corners[5][2] = {{box.left, -box.top},
+                                  {box.right, -box.top},
+                                  {box.right, -box.bottom},
+                                  {box.left, -box.bottom},
+                                  {box.left, -box.top}};
+    for (int i = 0; i < 5; i++) {
+        plot_row_point(plot, vec3_of(corners[i][0], corners[i][1], 0));
+        plot_fit(plot, vec3_of(corners[i][0], corners[i][1], 0), 0);
+    }
+    plot_block_end(plot);
+}
+
+// Too small to be seen as a rectangle: the layout marks its place.
+static bool is_tiny(ScreenRectangle box)
+{
+    return fabs(box.right - box.left) < 0.005 * asked.screen.width &&
+           fabs(box.bottom - box.top) < 0.005 * asked.screen.height;
+}
+
+// The points of the sphere that are on its outline are a circle, nearer to the eye than the centre.
+// If the sphere is around the eye, beside it or behind it, there is none.
+static void write_outline(Plot *plot)
+{
+    enum { POINTS = 120 };
+    Camera c = asked.camera;
+    vec3 to = asked.sphere.center - c.origin, axis = vec3_unit(to);
+    double r = asked.sphere.radius, nearer = 1 - r * r / vec3_dot(to, to);
+    bool seen = vec3_dot(to, c.forward) > 1.001 * r;
+    vec3 other = fabs(vec3_dot(axis, c.up)) < 0.9 ? c.up : c.right;
+    vec3 one = vec3_unit(vec3_cross(axis, other)), two = vec3_cross(axis, one);
+    plot_block(plot, "outline", "x y z of the sphere's outline");
+    for (int i = 0; i <= POINTS; i++) {
+        double angle = 2 * PI * i / POINTS;
+        vec3 p = nearer * to + r * sqrt(fmax(nearer, 0)) * (cos(angle) * one + sin(angle) * two);
+        double d = c.distance / vec3_dot(p, c.forward);
+        double x = (0.5 + d * vec3_dot(p, c.right) / c.width) * asked.screen.width;
+        double y = (0.5 - d * vec3_dot(p, c.up) / c.height) * asked.screen.height;
+        // Beyond the screen there is nothing to see; a point there is moved to its edge.
+        x = fmin(fmax(x, 0), asked.screen.width);
+        y = fmin(fmax(y, 0), asked.screen.height);
+        if (seen)
+            plot_row_point(plot, vec3_of(x, -y, 0));
+    }
+    if (!seen)
+        plot_row_point(plot, vec3_of(0, 0, 0));
+    plot_block_end(plot);
+}
+
+static Text box_words(ScreenRectangle box)
+{
+    Text text;
+    snprintf(text.s, sizeof text.s, "x %.30s to %.30s, y %.30s to %.30s", number_text(box.left).s,
+             number_text(box.right).s, number_text(box.top).s, number_text(box.bottom).s);
+    return text;
+}
+
+static void write_rectangle(Plot *plot, void *given)
+{
+    const Wrong *wrong = given;
+    ScreenRectangle screen = {0, asked.screen.width, 0, asked.screen.height};
+    plot_look_flat(plot);
+    write_rectangle_block(plot, "frame", screen);
+    write_outline(plot);
+    write_rectangle_block(plot, "answer", asked.right);
+    write_rectangle_block(plot, "yours", asked.yours);
+    plot_number(plot, "is_tiny", is_tiny(asked.yours));
+    plot_name(plot, (Label){pair_text(0, 0).s, "grey", .block = "frame", .row = 0});
+    plot_name(plot, (Label){pair_text(screen.right, screen.bottom).s, "grey", .block = "frame",
+                            .row = 2});
+    plot_name(plot, (Label){"expected", "blue", .block = "answer", .row = 1, .part = ANYWHERE});
+    plot_name(plot,
+              (Label){"yours", "ink", .step = 2, .block = "yours", .row = 3, .part = ANYWHERE});
+    beside_below(plot, wrong->function, wrong->why,
+                 (BesideWords){box_words(asked.right).s, box_words(asked.yours).s, "", "dashed"});
+}
+
+// ---- vectors from the eye to the image plane, rays, and cameras ---------------------------------
+
+enum {
+    GRID = 8,
+    FAR = 20, // from the right one, as a multiple of its size: no farther is drawn
+};
+
+static bool is_near(vec3 yours, vec3 right, double size)
+{
+    return vec3_is_finite(yours) && vec3_length(yours - right) <= FAR * size;
+}
+
+// From whose right side the figure is seen.
+static void write_frame(Plot *plot, vec3 right, vec3 up, vec3 forward)
+{
+    plot_direction(plot, "right", right);
+    plot_direction(plot, "up", up);
+    plot_direction(plot, "forward", forward);
+}
+
+// To 9 digits.
+static bool is_same_place(vec3 a, vec3 b)
+{
+    return vec3_length(a - b) <= 1e-9 * (1 + vec3_length(b));
+}
+
+// ---- a vector or a ray from the eye ------------------------------------------------------------
+
+static struct {
+    Camera camera;
+    vec3 corners[4]; // from the eye
+    Ray right, yours;
+    bool is_ray;
+} view;
+
+static bool read_vector(Wrong *wrong)
+{
+    Camera c;
+    NUMBERS_GET(wrong->question, Camera, c);
+    view.camera = c;
+    view.is_ray = strcmp(exercises[wrong->kept->exercise].results, "Ray") == 0;
+    view.right.origin = view.yours.origin = c.origin;
+    if (view.is_ray) {
+        NUMBERS_GET(wrong->right, Ray, view.right);
+        NUMBERS_GET(wrong->yours, Ray, view.yours);
+    } else {
+        NUMBERS_GET(wrong->right, vec3, view.right.direction);
+        NUMBERS_GET(wrong->yours, vec3, view.yours.direction);
+    }
+    double size = vec3_length(view.right.direction), length = vec3_length(view.yours.direction);
+    return right_corners(wrong->record, view.corners) && (!view.is_ray || length > 0) &&
+           is_near(view.yours.origin, view.right.origin, size) &&
+           (is_near(view.yours.direction, view.right.direction, size) ||
+            (view.is_ray && isfinite(length)));
+}
+
+// Between two corners, and two others: across from the left, up from the bottom.
+static vec3 place(double across, double up)
+{
+    vec3 top = view.corners[0] + across * (view.corners[1] - view.corners[0]);
+    vec3 bottom = view.corners[3] + across * (view.corners[2] - view.corners[3]);
+    return view.camera.origin + bottom + up * (top - bottom);
+}
+
+static void write_plane(Plot *plot)
+{
+    plot_block(plot, "plane", "x y z of the corners, from the upper left on");
+    for (int i = 0; i < 5; i++)
+        plot_row_point(plot, view.camera.origin + view.corners[i % 4]);
+    plot_block_end(plot);
+    plot_block(plot, "grid", "x y z of the two ends of a line");
+    for (int i = 1; i < GRID; i++) {
+        double part = (double)i / GRID;
+        plot_row_point(plot, place(part, 0));
+        plot_row_point(plot, place(part, 1));
+        plot_gap(plot);
+        plot_row_point(plot, place(0, part));
+        plot_row_point(plot, place(1, part));
+        plot_gap(plot);
+    }
+    plot_block_end(plot);
+    for (int i = 0; i < 4; i++)
+        plot_fit(plot, view.camera.origin + view.corners[i], 0);
+}
+
+// The length of a ray is free: it is drawn as long as the right one.
+static Ray as_long_as(Ray ray, Ray right)
+{
+    ray.direction *= vec3_length(right.direction) / vec3_length(ray.direction);
+    return ray;
+}
+
+static Text ray_words(Ray ray, bool with_origin)
+{
+    Text text;
+    if (with_origin)
+        snprintf(text.s, sizeof text.s, "from %.60s along %.60s", vec3_text_to(ray.origin, 4).s,
+                 vec3_text_to(ray.direction, 4).s);
+    else
+        snprintf(text.s, sizeof text.s, "%s", vec3_text(ray.direction).s);
+    return text;
+}
+
+static Text ray_off(Ray right, Ray yours)
+{
+    Text text;
+    vec3 off = yours.origin - right.origin;
+    vec3 cross = vec3_cross(yours.direction, right.direction);
+    double angle = atan2(vec3_length(cross), vec3_dot(yours.direction, right.direction)) * 180 / PI;
+    if (vec3_length(off) > 1e-9 * (1 + vec3_length(right.origin)))
+        snprintf(text.s, sizeof text.s,
+                 angle < 1e-6 ? "starts off by %.60s"
+                              : "starts off by %.60s, points off by %.40s\u00b0",
+                 vec3_text_to(off, 4).s, number_text_to(angle, 3).s);
+    else
+        snprintf(text.s, sizeof text.s, "points off by %.40s\u00b0", number_text_to(angle, 3).s);
+    return text;
+}
+
+static void write_vector(Plot *plot, void *given)
+{
+    const Wrong *wrong = given;
+    Camera c = view.camera;
+    Ray right = view.right, yours = view.yours;
+    write_frame(plot, c.right, c.up, c.forward);
+    plot_point(plot, "eye", c.origin);
+    plot_fit(plot, c.origin, 0);
+    write_plane(plot);
+    if (view.is_ray) {
+        bool moved = !is_same_place(yours.origin, right.origin);
+        beside_below(plot, wrong->function, wrong->why,
+                     (BesideWords){ray_words(right, moved).s, ray_words(yours, moved).s,
+                                   ray_off(right, yours).s, "dashed"});
+        yours = as_long_as(yours, right);
+    } else {
+        beside_below(plot, wrong->function, wrong->why,
+                     (BesideWords){vec3_text(right.direction).s, vec3_text(yours.direction).s,
+                                   beside_off(c, yours.direction - right.direction).s, "dashed"});
+    }
+    beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
+    plot_look(plot, c.right, c.up, c.forward, 28, 16);
+    plot_name(plot, (Label){"$p$", "blue", .block = "eye"});
+    beside_names(plot);
+}
+
+// ---- a ray in object coordinates ---------------------------------------------------------------
+
+static double radius;
+
+static bool read_ray(Wrong *wrong)
+{
+    Ray ray;
+    Sphere sphere;
+    NUMBERS_GET(wrong->question, Ray, ray);
+    NUMBERS_GET(wrong->question, Sphere, sphere);
+    NUMBERS_GET(wrong->right, Ray, view.right);
+    NUMBERS_GET(wrong->yours, Ray, view.yours);
+    radius = sphere.radius;
+    double size = radius + vec3_length(view.right.origin) + vec3_length(view.right.direction);
+    return is_near(view.yours.origin, view.right.origin, size) &&
+           is_near(view.yours.direction, view.right.direction, size);
+}
+
+static void write_ray(Plot *plot, void *given)
+{
+    const Wrong *wrong = given;
+    Ray right = view.right, yours = view.yours;
+    bool moved = !is_same_place(yours.origin, right.origin);
+    // Seen from the side, with the sphere's centre not in front of the ray.
+    vec3 along = vec3_unit(right.direction);
+    vec3 up = -right.origin - vec3_dot(-right.origin, along) * along;
+    if (vec3_length(up) < 1e-6 * (1 + vec3_length(right.origin)))
+        up = vec3_cross(along, fabs(along[0]) < 0.6 ? vec3_of(1, 0, 0) : vec3_of(0, 1, 0));
+    up = vec3_unit(up);
+    vec3 center = vec3_of(0, 0, 0), aside = vec3_cross(along, up);
+    plot_number(plot, "radius", radius);
+    write_frame(plot, aside, up, along);
+    plot_look(plot, aside, up, along, 16, 12);
+    plot_point(plot, "center", center);
+    plot_circle(plot, center, radius);
+    plot_fit(plot, center, radius);
+    plot_name(plot, (Label){"$C$ = (0, 0, 0)", "ink", .block = "center"});
+    beside_names(plot);
+    beside_below(plot, wrong->function, wrong->why,
+                 (BesideWords){ray_words(right, true).s, ray_words(yours, true).s,
+                               moved ? ray_off(right, yours).s : "", "dashed"});
+    beside_vectors(plot, right.origin, right.direction, yours.origin, yours.direction);
+}
+
+// ---- a camera: ahead to the plane, its width, its height ---------------------------------------
+
+static struct {
+    Camera right, yours;
+} cameras;
+
+static bool is_drawable(Camera c, double size)
+{
+    return vec3_is_finite(c.origin) && vec3_is_finite(c.right) && vec3_is_finite(c.up) &&
+           vec3_is_finite(c.forward) && fabs(c.distance) * vec3_length(c.forward) <= FAR * size &&
+           fabs(c.width) * vec3_length(c.right) <= FAR * size &&
+           fabs(c.height) * vec3_length(c.up) <= FAR * size;
+}
+
+static bool read_camera(Wrong *wrong)
+{
+    CameraFault right = CAMERA_OK, yours = CAMERA_OK;
+    if (strcmp(exercises[wrong->kept->exercise].results, "Camera") != 0) {
+        NUMBERS_GET(wrong->right, CameraFault, right);
+        NUMBERS_GET(wrong->yours, CameraFault, yours);
+    }
+    NUMBERS_GET(wrong->right, Camera, cameras.right);
+    NUMBERS_GET(wrong->yours, Camera, cameras.yours);
+    Camera c = cameras.right;
+    double size = c.distance + c.width + c.height;
+    return right == CAMERA_OK && yours == CAMERA_OK && is_drawable(cameras.yours, size) &&
+           is_near(cameras.yours.origin, c.origin, size);
+}
+
+static void write_arms(Plot *plot, const char *name, Camera c)
+{
+    const vec3 arms[] = {c.distance * c.forward, c.width * c.right, c.height * c.up};
+    plot_block(plot, name, "x y z of its start, x y z of the vector: d f, w r, h u");
+    for (int i = 0; i < 3; i++) {
+        plot_row_vector(plot, c.origin, arms[i]);
+        plot_fit(plot, c.origin + arms[i], 0);
+    }
+    plot_block_end(plot);
+    plot_fit(plot, c.origin, 0);
+}
+
+static void add_part(Text *words, const char *name, const char *value)
+{
+    size_t used = strlen(words->s);
+    snprintf(words->s + used, sizeof words->s - used, "%s%s %s", used > 0 ? ", " : "", name, value);
+}
+
+static void compare_vectors(Text *right, Text *yours, const char *name, vec3 a, vec3 b)
+{
+    if (is_same_place(b, a))
+        return;
+    add_part(right, name, vec3_text_to(a, 4).s);
+    add_part(yours, name, vec3_text_to(b, 4).s);
+}
+
+static void compare_numbers(Text *right, Text *yours, const char *name, double a, double b)
+{
+    if (fabs(a - b) <= 1e-9 * (1 + fabs(a)))
+        return;
+    add_part(right, name, number_text_to(a, 4).s);
+    add_part(yours, name, number_text_to(b, 4).s);
+}
+
+// Only what differs.
+static void write_camera(Plot *plot, void *given)
+{
+    const Wrong *wrong = given;
+    Camera a = cameras.right, b = cameras.yours;
+    Text right = {""}, yours = {""};
+    compare_numbers(&right, &yours, "d", a.distance, b.distance);
+    compare_numbers(&right, &yours, "w", a.width, b.width);
+    compare_numbers(&right, &yours, "h", a.height, b.height);
+    compare_vectors(&right, &yours, "eye", a.origin, b.origin);
+    compare_vectors(&right, &yours, "r", a.right, b.right);
+    compare_vectors(&right, &yours, "u", a.up, b.up);
+    compare_vectors(&right, &yours, "f", a.forward, b.forward);
+    write_frame(plot, a.right, a.up, a.forward);
+    plot_look(plot, a.right, a.up, a.forward, 28, 16);
+    plot_point(plot, "eye", a.origin);
+    write_arms(plot, "answer", a);
+    write_arms(plot, "yours", b);
+    static const Label names[] = {
+        {"$p$", "blue", .block = "eye"},
+        {"$d f$", "pink", .block = "answer", .row = 0, .part = 1},
+        {"$w r$", "orange", .block = "answer", .row = 1, .part = 1},
+        {"$h u$", "green", .block = "answer", .row = 2, .part = 1},
+    };
+    plot_names(plot, names, sizeof names / sizeof *names);
+    beside_below(plot, wrong->function, wrong->why, (BesideWords){right.s, yours.s, "", "dashed"});
+}
+
+// ---- the kind of figure, and its file -----------------------------------------------------------
+
+// Each reads the call; false if it cannot be drawn. Then its data are written.
+typedef bool FigureReader(Wrong *wrong);
+typedef void FigureWriter(Plot *plot, void *wrong);
 
 // By the arguments and the results, as words (exercise.h); the first that fits. Arguments: how they
 // begin.
@@ -93,17 +1091,6 @@ static bool write_pictures(Wrong *wrong, const char *path)
     return good;
 }
 
-void replace_all(char *text, size_t size, const char *old, const char *new)
-{
-    size_t from = strlen(old), to = strlen(new);
-    for (char *at = strstr(text, old); at != NULL; at = strstr(at + to, old)) {
-        if (strlen(text) + to - from >= size)
-            return;
-        memmove(at + to, at + from, strlen(at + from) + 1);
-        memcpy(at, new, to);
-    }
-}
-
 // In the terminal, 'looks like' may be followed by a formula with hyphens for minus; here real
 // minus signs are drawn.
 static void why_of(char *why, size_t size, Diagnosis diagnosis)
@@ -136,23 +1123,4 @@ void figure_write(const char *folder, const Record *record, Kept *kept, Diagnosi
         write_pictures(&wrong, path);
     else
         write_figure(path, &wrong);
-}
-
-// ---- for the kinds -----------------------------------------------------------------------------
-
-void range_add(Range *range, double x)
-{
-    range->low = fmin(range->low, x);
-    range->high = fmax(range->high, x);
-}
-
-bool range_try(Range *range, double x)
-{
-    enum { TIMES = 8 };
-    Range wider = *range;
-    range_add(&wider, x);
-    if (!(wider.high - wider.low <= TIMES * (range->high - range->low)))
-        return false;
-    *range = wider;
-    return true;
 }

@@ -3,7 +3,6 @@
 // Known mistakes are recognised by their values in the table, not by running them.
 #include "tests/judge/questions.h"
 
-#include "tests/judge/figure.h"
 #include "tests/judge/known.h"
 #include "tests/judge/message.h"
 #include "tests/judge/runner.h"
@@ -364,11 +363,10 @@ const Numbers *right_answer(const Record *record)
     return question != NULL ? &question->results[0] : NULL;
 }
 
-bool right_corners(const Record *record, Camera camera, vec3 corners[4])
+bool right_corners(const Record *record, vec3 corners[4])
 {
     table_load_mistakes(&table);
     const Question *question = question_of(record);
-    (void)camera;
     if (question == NULL || question->corners.count != 12)
         return false;
     const double *at = question->corners.at;

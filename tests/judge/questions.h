@@ -3,6 +3,7 @@
 #ifndef TESTS_JUDGE_QUESTIONS_H
 #define TESTS_JUDGE_QUESTIONS_H
 
+#include "tests/judge/runner.h"
 #include "tests/judge/table.h"
 
 // The one that is being asked.
@@ -17,5 +18,14 @@ const Numbers *known_result(int exercise, int nth);
 
 // Asks it once more.
 const Numbers *ask_again(int exercise);
+
+// ---- of a test that failed, when others run ----------------------------------------------------
+
+// The right result of the call at which it stopped; NULL if it is not known.
+const Numbers *right_answer(const Record *record);
+
+// Of the camera in its arguments: from the eye to the upper left, upper right, lower right and
+// lower left corner of the image plane.
+bool right_corners(const Record *record, vec3 corners[4]);
 
 #endif
