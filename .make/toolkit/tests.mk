@@ -145,7 +145,7 @@ FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUI
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(ENGINES)
 OF_STEMS := $(TESTS) $(MATRIX)
-with_arguments = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %')) 'tests/explain/cases/check.py $(EXPLAIN)'
+with_arguments = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %')) 'tests/explain/check_cases.py $(EXPLAIN)'
 FOR_CHECKS := $(EXPLAIN) $(LIST) $(BLANK_TESTS) $(PROGRAMS) $(GENERATED:%=$(B)/scenes/%.nff) $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands) $(if $(BRIEF),,$(MISTAKEN))
 # The scripts judge answers beside each other, each in a folder of its own, by the ordinary build: so all of that
 # is there before they begin, and none of them builds it.

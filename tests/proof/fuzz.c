@@ -2,7 +2,7 @@
 //
 // SCENES: any bytes are a scene, or are refused with a message.
 // Otherwise any answer and any output of a compiler or a linker are explained. An input is like the
-// cases in tests/explain/cases: an answer after '-- ', the compiler's words after the next line
+// cases in tests/explain/cases.txt: an answer after '-- ', the compiler's words after the next line
 // of that kind. The headers of the tree are read.
 #include "common/scene.h"
 #include "tests/explain/explain.h"

@@ -38,7 +38,7 @@ sed -n "/^[a-z]/ { s/VIEW/v\\\\nfrom 0 0 5\\\\nat 0 0 0\\\\nup 0 1 0\\\\nangle 4
 check "the scene reader survives $seconds s of fuzzing" runs SCENES "$scratch/scenes" common/scene.c
 # One case for each recorded text.
 mkdir "$scratch/cases"
-cat tests/explain/cases/*.txt | csplit -s -z -n 3 -f "$scratch/cases/" - '/^== /' '{*}'
+csplit -s -z -n 3 -f "$scratch/cases/" tests/explain/cases.txt '/^== /' '{*}'
 check 'the fuzz target of the explainer builds' \
     builds COMPILERS tests/explain/[!m]*.c
 check "the explainer survives $seconds s of fuzzing" runs COMPILERS "$scratch/cases" tests/explain/*.c

@@ -232,7 +232,7 @@ def explained(record):
         (room / name).symlink_to(record.tree / name)
     if not record.make("build/explain"):
         return
-    for path in sorted(record.tree.glob("tests/explain/cases/*.txt")):
+    for path in sorted(record.tree.glob("tests/explain/**/*.txt")):
         for case in path.read_text(encoding="utf-8", errors="surrogateescape").split("\n== ")[0:]:
             name, *parts = re.split(r"^-- (.*)\n", case, flags=re.M)
             name, source = name.strip().removeprefix("== "), None
@@ -243,7 +243,7 @@ def explained(record):
                 elif what != "said" and source:
                     option = ["--linker"] if "link" in what or what.startswith("ld") else []
                     said = record.run(record.tree / "build/explain", *option, source, cwd=room, given=text)[1]
-                    record.say(f"{path.stem}: {name}, {what}", said)
+                    record.say(f"{name}, {what}", said)
 
 
 def grades(record):

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""check.py - tests of what a student reads of a compiler's and a linker's words.
+"""check_cases.py - tests of what a student reads of a compiler's and a linker's words.
 
-    check.py EXPLAIN [--record]
+    check_cases.py EXPLAIN [--record]
 
-Expected: the cases in the text files beside it. Each is an answer, what compilers (or ld) said of it, and what a
+Expected: the cases in cases.txt. Each is an answer, what compilers (or ld) said of it, and what a
 student reads. A case that changes is a change for students. --record asks each of COMPILERS that is installed (as
 gcc-12) and writes its words, if they are other ones than those of the case, and what a student reads now.
 """
@@ -15,6 +15,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+CASES = Path(__file__).parent / "cases.txt"
 COMPILERS = [f"gcc {version}" for version in range(12, 16)] + [f"clang {version}" for version in range(14, 20)]
 FLAGS = ["-std=c11", "-D_DEFAULT_SOURCE", "-Wno-psabi", "-I.", "-c", "-o", os.devnull,
          *re.search(r"^FOR_STUDENTS := ((.*\\\n)*.*)", Path("Makefile").read_text(encoding="utf-8"), re.M)[1].replace("\\\n", "").split()]
@@ -47,24 +48,23 @@ def main():
         folder = Path(name)
         for headers in ("exercises", "common"):
             (folder / headers).symlink_to(Path(headers).absolute())
-        for path in sorted(Path(__file__).parent.glob("*.txt")):
-            now = ""
-            for title, source, answer, tools in cases(path.read_text(encoding="utf-8")):
-                line_end = b"\r\n" if "Windows" in title else b"\n"
-                (folder / source).write_bytes(answer.encode().replace(b"\n", line_end))
-                for compiler in COMPILERS if record and not {"invented", "ld"} & set(tools) else ():
-                    words = asked(compiler, source, folder)
-                    if words and (compiler in tools or words not in [said for said, _ in tools.values()]):
-                        tools[compiler] = words, tools.get(compiler, ("", ""))[1]
-                now += f"== {title}-- {source}\n{answer}"
-                for tool, (words, expected) in tools.items():
-                    said = explained(explain, folder, source, tool, words)
-                    passed, failed = passed + (said == expected), failed + (said != expected)
-                    if said != expected:
-                        print(f"not ok: {path.name}: {title.strip()}, {tool}\n{said}instead of\n{expected}")
-                    now += f"-- {tool}\n{words}-- said\n{said}"
-            if record:
-                path.write_text(now, encoding="utf-8")
+        now = ""
+        for title, source, answer, tools in cases(CASES.read_text(encoding="utf-8")):
+            line_end = b"\r\n" if "Windows" in title else b"\n"
+            (folder / source).write_bytes(answer.encode().replace(b"\n", line_end))
+            for compiler in COMPILERS if record and not {"invented", "ld"} & set(tools) else ():
+                words = asked(compiler, source, folder)
+                if words and (compiler in tools or words not in [said for said, _ in tools.values()]):
+                    tools[compiler] = words, tools.get(compiler, ("", ""))[1]
+            now += f"== {title}-- {source}\n{answer}"
+            for tool, (words, expected) in tools.items():
+                said = explained(explain, folder, source, tool, words)
+                passed, failed = passed + (said == expected), failed + (said != expected)
+                if said != expected:
+                    print(f"not ok: {title.strip()}, {tool}\n{said}instead of\n{expected}")
+                now += f"-- {tool}\n{words}-- said\n{said}"
+        if record:
+            CASES.write_text(now, encoding="utf-8")
     print(f"what a student reads of the compiler's words: {passed} passed, {failed} failed")
     return 1 if failed else 0
 
