@@ -16,7 +16,7 @@ COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c tests/course/che
 	$(wildcard tests/course/*.c))) $(filter-out %/main.o,$(EXPLAIN_OBJECTS)) $(patsubst %,$(B)/tests/judge/%.o,exercise types)
 $(filter $(B)/tests/course/%,$(COMMON_TESTS)): $(filter-out %/page.o,$(COURSE_PARTS))
 $(filter $(B)/tests/house/judge/%,$(COMMON_TESTS)): $$(CALLING) $$(REFERENCES)
-$(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/test_main.o $(B)/common.a
+$(COMMON_TESTS): %: %.o $(TESTING) $(B)/tests/judge/reference/test_main.o $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $(filter %.o,$^) $(B)/common.a $(CHECK_LIBS) $(PNG_LIBS) -lm
 
