@@ -14,8 +14,7 @@
 //
 // PLAN: how answers are judged, as make has written it down (judging.h). It starts compilers,
 // judges and drawing programs; it never loads an answer. In the environment: V=1 shows these
-// commands; ALL=1 shows all that needs work; NO_COLOR, TERM, COLUMNS (page.h); POLL: look at the
-// answers, without inotify; GDB_FLAGS.
+// commands; ALL=1 shows all that needs work; NO_COLOR, TERM, COLUMNS (page.h); GDB_FLAGS.
 #include "common/whole_file.h"
 #include "tests/course/chapter_record.h"
 #include "tests/course/judging.h"
@@ -30,83 +29,37 @@
 #include <string.h>
 #include <unistd.h>
 #ifdef __linux__
-#include <sys/inotify.h>
 #include <sys/prctl.h>
 #endif
 
 // ---- judges answers again whenever they are saved ----------------------------------------------
 
 // A file counts as saved when its text is another than before: dates are unreliable, and editors
-// write twice. Whoever watches begins before the texts are judged first, so that no save is lost.
+// write twice. The texts are read ten times a second, which costs nothing, and also works on network
+// drives, which send no events.
+enum { MILLISECONDS_BETWEEN_LOOKS = 100 };
 
-// Milliseconds from one look at the texts to the next, with events and without.
-enum { WITH_EVENTS = 1000, WITHOUT_EVENTS = 200 };
-
-static struct {
-    int chapters[MOST_CHAPTERS], count;
-    PlanPath files[MOST_CHAPTERS]; // the answers to them
-    uint64_t seen[MOST_CHAPTERS];
-    int events; // a descriptor, or -1
-    pid_t parent;
-} watched;
-
-static int events_of(const char *folder)
+static PlanPath path_to_watch(const JudgingPlan *plan, int chapter)
 {
-    int events = -1;
-#ifdef __linux__
-    const char *poll_only = getenv("POLL");
-    if (poll_only == NULL || poll_only[0] == '\0')
-        events = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-    if (events >= 0 && inotify_add_watch(events, folder, IN_CLOSE_WRITE | IN_MOVED_TO) < 0) {
-        close(events);
-        events = -1;
-    }
-#else
-    (void)folder;
-#endif
-    return events;
+    return path_of(plan->answers, plan->chapters[chapter].stem, ".c");
 }
 
-// By inotify, if it is there and the environment does not have POLL; in any case it also looks by
-// itself, more rarely (network drives send no events).
-static void watch_begin(const JudgingPlan *plan, const bool chosen[MOST_CHAPTERS])
+// Waits until the answer of a chosen chapter has another text than the one that was seen. A file
+// that is not there is being replaced, or is not there yet. -1 if the process that has started this
+// one is gone.
+static int next_saved(const JudgingPlan *plan, const bool chosen[MOST_CHAPTERS],
+                      uint64_t seen[MOST_CHAPTERS], pid_t parent)
 {
-    watched.events = events_of(plan->answers);
-    watched.parent = getppid();
-    for (int i = 0; i < plan->count; i++)
-        if (chosen[i]) {
-            watched.files[watched.count] = path_of(plan->answers, plan->chapters[i].stem, ".c");
-            watched.seen[watched.count] = hash_file(HASH_BEGIN, watched.files[watched.count].s);
-            watched.chapters[watched.count++] = i;
+    while (getppid() == parent) {
+        for (int i = 0; i < plan->count; i++) {
+            PlanPath path = path_to_watch(plan, i);
+            uint64_t now = chosen[i] ? hash_file(HASH_BEGIN, path.s) : seen[i];
+            if (now == seen[i] || access(path.s, F_OK) != 0)
+                continue;
+            seen[i] = now;
+            return i;
         }
-}
-
-// The chapter whose answer has another text now, or -1. A file that is not there is being replaced,
-// or is not there yet.
-static int changed_chapter(void)
-{
-    for (int i = 0; i < watched.count; i++) {
-        uint64_t now = hash_file(HASH_BEGIN, watched.files[i].s);
-        if (now == watched.seen[i] || access(watched.files[i].s, F_OK) != 0)
-            continue;
-        watched.seen[i] = now;
-        return watched.chapters[i];
-    }
-    return -1;
-}
-
-// Waits for one. -1 if the process that has started this one is gone.
-static int next_saved(void)
-{
-    while (getppid() == watched.parent) {
-        int chapter = changed_chapter();
-        if (chapter >= 0)
-            return chapter;
-        struct pollfd event = {watched.events, POLLIN, 0}; // one below 0 is left out
-        poll(&event, 1, watched.events >= 0 ? WITH_EVENTS : WITHOUT_EVENTS);
-        char ignored[4096];
-        while (watched.events >= 0 && read(watched.events, ignored, sizeof ignored) > 0)
-            continue;
+        poll(NULL, 0, MILLISECONDS_BETWEEN_LOOKS);
     }
     return -1;
 }
@@ -457,7 +410,10 @@ static int watch(const Course *course)
     prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
     programs_end_as_usual_by_interrupt();
-    watch_begin(&course->plan, course->all.chosen);
+    pid_t parent = getppid();
+    uint64_t seen[MOST_CHAPTERS]; // before the texts are judged first, so that no save is lost
+    for (int i = 0; i < course->plan.count; i++)
+        seen[i] = hash_file(HASH_BEGIN, path_to_watch(&course->plan, i).s);
     Shown shown = course->all;
     bool good = judging_judge(&course->plan, shown.chosen);
     for (int saved = -1; good;) {
@@ -473,7 +429,7 @@ static int watch(const Course *course)
         fflush(stdout);
         if (saved >= 0)
             judge_dependents(course, saved);
-        saved = next_saved();
+        saved = next_saved(&course->plan, course->all.chosen, seen, parent);
         if (saved < 0)
             break;
         shown = (Shown){.count = 1, .last = saved};
