@@ -104,9 +104,18 @@ $(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference
 # that is different for whoever asks.
 mutants_of = python3 $(MUTATE) $(GENERATED_SEED) $(GENERATED_MOST) $(1) $(@D)/$*/*.i > $(@D)/$*.c
 ALL_ERRORS = $(if $(findstring clang,$(CC)),-ferror-limit=0 -fno-caret-diagnostics,-fno-diagnostics-show-caret)
-TRIALS := $(B)/tests/try_generated
-$(TRIALS): $(call known,wrong) $(JUDGING) $(REFERENCES) $(MUTANTS) \
-		$(patsubst %,$(B)/tests/proof/generated/%.o,judge_mutants truth questions) $(B)/common.a | $(TABLES)
+TRIALS := $(B)/tests/try_mutants
+# Tables of other seeds: the same tests with other random numbers.
+OTHER_SEEDS := 1 2
+define other_tables
+$(STEMS:%=$(B)/tables/seed-$(1)/%.table): $(B)/tables/seed-$(1)/%.table: $(TABLE)/%.table
+	$$(call say,record,$$@)
+	$$(Q)mkdir -p $$(@D)
+	$$(Q)SEED=$(1) $(RECORD) $$* $$@
+endef
+$(foreach seed,$(OTHER_SEEDS),$(eval $(call other_tables,$(seed))))
+$(TRIALS): $(JUDGING) $(REFERENCES) $(MUTANTS) $(B)/tests/proof/generated/try_mutants.o $(B)/common.a | \
+		$(TABLES) $(foreach seed,$(OTHER_SEEDS),$(STEMS:%=$(B)/tables/seed-$(seed)/%.table))
 	$(link_program)
 
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory

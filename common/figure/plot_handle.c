@@ -4,8 +4,8 @@
 // A handle's place on the canvas follows from the world by the figure's view (plot_view.c). A drag
 // goes the other way: from the canvas to the numbers that move the handle, to as many digits as the
 // canvas shows.
-#include "common/text.h"
 #include "common/figure/plot_internal.h"
+#include "common/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>

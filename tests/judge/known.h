@@ -34,6 +34,16 @@ typedef struct KnownAnswer {
 
 typedef KnownAnswer Mistake;
 
+// Answers that tests/proof/generated/mutate.py makes of these. A stem has one table of them,
+// OF_STEM(generated), which ends with one whose exercise is NULL.
+typedef struct Generated {
+    const char *exercise;
+    const char *from;   // the answer that was changed
+    const char *change; // FUNCTION:LINE: the statement, [[old text => new text]]
+    bool is_plain;      // a slip in a solution that a test must notice
+    AnyFunction *answer;
+} Generated;
+
 #define WRONG(exercise, id, formula, why, picture)                                                 \
     KNOWN(WRONG_ANSWERS, __COUNTER__, FORM_##exercise, id, #exercise, formula, why, picture, NULL)
 // An answer in another form than the reference.

@@ -24,14 +24,7 @@ typedef struct {
 enum { MESSAGE_MAGIC = 0x52617943 };
 // The judge calls and lends; the answering process answers, calls a lent exercise, or crashes; and
 // it reports which other exercises it enters meanwhile (calls_traced.h).
-enum {
-    MESSAGE_CALL,
-    MESSAGE_ANSWER,
-    MESSAGE_CRASH,
-    MESSAGE_ASK,
-    MESSAGE_LENT,
-    MESSAGE_ENTERED
-};
+enum { MESSAGE_CALL, MESSAGE_ANSWER, MESSAGE_CRASH, MESSAGE_ASK, MESSAGE_LENT, MESSAGE_ENTERED };
 
 // What follows the header of a crash.
 typedef struct {
@@ -77,9 +70,9 @@ bool dispatch(int exercise, Numbers *in, Numbers *out);
 
 typedef struct {
     Numbers *(*begin)(int exercise);   // an empty message, for the arguments
-    void (*send)(int exercise);     // they are all in it
+    void (*send)(int exercise);        // they are all in it
     Numbers *(*receive)(int exercise); // waits for the results
-    void (*finish)(int exercise);   // all of them were read; may be NULL
+    void (*finish)(int exercise);      // all of them were read; may be NULL
 } Transport;
 
 // From now on calls go this way.

@@ -189,9 +189,8 @@ static void get_image(Numbers *numbers, Image *image)
     Message message;
     Resolution size = image->size;
     // A picture that is not there would be read from memory that is not there.
-    bool is_there =
-        !numbers->bad && size.width > 0 && size.height > 0 &&
-        (int64_t)size.width * size.height <= (numbers->count - numbers->read) / 3;
+    bool is_there = !numbers->bad && size.width > 0 && size.height > 0 &&
+                    (int64_t)size.width * size.height <= (numbers->count - numbers->read) / 3;
     if (!is_there || !image_create(image, size, &message)) {
         *image = (Image){0};
         numbers->bad = true;
@@ -454,4 +453,3 @@ bool numbers_same(const Numbers *a, const Numbers *b)
         same = same_double(a->at[i], b->at[i]);
     return same;
 }
-

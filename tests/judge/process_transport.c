@@ -2,9 +2,9 @@
 #include "tests/judge/process_transport.h"
 
 #include "tests/judge/exercise.h"
+#include "tests/judge/message.h"
 #include "tests/judge/process.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/message.h"
 
 #include <errno.h>
 #include <math.h>
@@ -128,8 +128,8 @@ Kept *kept_of(int test)
 // ---- one call ----------------------------------------------------------------------------------
 
 enum {
-    MOST_CALLS = 5,   // times the work of one call, for all calls of an exercise together
-    LENT_ROOM = 512,  // numbers by which a question may be larger than the call
+    MOST_CALLS = 5,  // times the work of one call, for all calls of an exercise together
+    LENT_ROOM = 512, // numbers by which a question may be larger than the call
 };
 
 static Numbers message;

@@ -25,7 +25,7 @@ typedef struct {
     struct ListedTest *tests, *probes;           // tests/judge/test.h
     struct KnownAnswer *known[KINDS_OF_ANSWERS]; // tests/judge/known.h
     int styles;                                  // of the mistakes (known.h); 0 is one
-    const struct Generated *generated;           // tests/proof/generated/generated.h
+    const struct Generated *generated;           // tests/judge/known.h
 } Stem;
 
 #ifndef OF_STEM // as nothing if only the functions of a file are wanted (MUTANTS in tests.mk)

@@ -44,7 +44,7 @@ typedef struct {
     const Mistake *mistakes[MOST_MISTAKES];
     int nth[MOST_MISTAKES];        // among all mistakes of the exercise
     bool ruled_out[MOST_MISTAKES]; // a call was answered in another way
-    EvidenceCall *calls;    // of tests and probes, in order
+    EvidenceCall *calls;           // of tests and probes, in order
     // Each call is repeated. Then extra tests do not count, nor do the mistakes that only they can
     // distinguish from right.
     bool is_close;

@@ -1,10 +1,10 @@
 #!/bin/sh
 # generated.sh - thousands of wrong answers that nobody wrote by hand: do they fail, and is the verdict on them true?
 #
-# tests/proof/generated/ makes them from all known answers, with a seed, runs the tests on them, and checks the
-# verdicts. This test fails if no test notices a plain slip in a solution, a wrong answer passes, a right one fails or a
-# mistake is named falsely, unless tests/proof/generated/reviewed explains the case; and if less than 90% of a chapter's
-# wrong answers are named or described. Only reads the tree.
+# tests/proof/generated/ makes them from all known answers, with a seed, and judges them by the tables of three seeds.
+# This test fails if no test notices a plain slip in a solution, or if a verdict is another one with other random numbers
+# (try_mutants.c), unless tests/proof/generated/reviewed explains the case; and if less than 90% of a chapter's wrong
+# answers are named or described. Only reads the tree.
 set -u
 . tests/house/runner/library.sh
 once generated "wrong answers that nobody has thought of"
@@ -13,7 +13,7 @@ if [ "${BUILD:-build}" != build ]; then
 fi
 stems=$(for contract in exercises/*.h; do basename "$contract" .h; done)
 # shellcheck disable=SC2086 # the stems are words
-build/tests/try_generated "${GENERATED_SEED:-2015}" tests/proof/generated/reviewed $stems >"$scratch/said"
+build/tests/try_mutants tests/proof/generated/reviewed build/tables,build/tables/seed-1,build/tables/seed-2 $stems >"$scratch/said"
 status=$?
 grep -E '^not ok| tried: |^  (right|wrong|named)|^generated: ' "$scratch/said"
 exit $status

@@ -249,11 +249,9 @@ static void check_variant(const KnownAnswer *variant)
     int exercise = exercise_number(variant->exercise);
     settle(run(variant->exercise, &some, false) == 0, "right answer fails:", variant->exercise,
            variant->id);
-    settle(suspect(0, false) == NULL, "right answer is accused:", variant->exercise,
-           variant->id);
+    settle(suspect(0, false) == NULL, "right answer is accused:", variant->exercise, variant->id);
     settle(suspect_differs() == NULL,
-           "an input that decides names leaves the result free:", variant->id,
-           suspect_differs());
+           "an input that decides names leaves the result free:", variant->id, suspect_differs());
     check_law("right answer breaks a law:", variant->id, exercise);
 }
 

@@ -5,8 +5,8 @@
 // __wrap_NAME in the place of the functions of chapters/shared/example.c (--wrap=NAME).
 #include "chapters/lessons/fill.h"
 #include "chapters/shared/example.h"
-#include "common/text.h"
 #include "common/options.h"
+#include "common/text.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,8 +6,8 @@
 #include "tests/judge/process.h"
 
 #include "chapters/book/instead/page.h"
-#include "tests/judge/process_transport.h"
 #include "tests/judge/message.h"
+#include "tests/judge/process_transport.h"
 
 #include <signal.h>
 #include <stdlib.h>

@@ -20,7 +20,6 @@ SOLUTION, RIGHT = "the solution", "a right answer"  # labels; others are the nam
 HEADS = """// Made by tests/proof/generated/mutate.py.
 #include "tests/exercises.def"
 #include "tests/judge/known.h"
-#include "tests/proof/generated/generated.h"
 #include <stdlib.h>
 #include <string.h>
 """
