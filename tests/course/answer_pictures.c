@@ -53,9 +53,9 @@ static const char *usable_state(const ChapterRecord *record, const char *name)
     return function_state(function);
 }
 
-// Whose answers of a chapter there are. Adds what the linker needs.
-static void choose_answers(const JudgingPlan *plan, int chapter, const char *needs,
-                           Command *objects, Answerers *answerers)
+// Whose answers of a chapter there are. Writes what the linker needs.
+static void choose_answers(const JudgingPlan *plan, int chapter, const char *needs, FILE *objects,
+                           Answerers *answerers)
 {
     PlanPath object = plan_file(plan, chapter, "answer.o");
     ChapterRecord record;
@@ -73,42 +73,48 @@ static void choose_answers(const JudgingPlan *plan, int chapter, const char *nee
         if (names_include(needs, e->name))
             names_add(list, MOST_ANSWERS, e->name);
         if (state == NULL && has_reference) {
-            command_words_for(objects, plan->reference, e->name);
+            put_option(objects, plan->reference, e->name);
             uses_reference = true;
         }
     }
     if (there)
-        command_words(objects, object.s);
+        fprintf(objects, " %s", object.s);
     if (uses_reference)
-        command_words(objects, plan->chapters[chapter].right);
+        fprintf(objects, " %s", plan->chapters[chapter].right);
     chapter_record_free(&record);
 }
 
-// Who answers those that matter, of a chapter and of those before it.
-static Answerers answerers_of(const JudgingPlan *plan, int chapter, const char *needs)
+// Who answers those that matter, of a chapter and of those before it. objects: what the linker
+// needs of them, to free.
+static Answerers answerers_of(const JudgingPlan *plan, int chapter, const char *needs,
+                              char **objects)
 {
     Answerers answerers = {.yours = ""};
-    Command ignored = {.count = 0};
+    size_t size;
+    FILE *out = open_memstream(objects, &size);
+    if (out == NULL)
+        abort();
     for (int i = chapter; i >= 0; i--)
-        choose_answers(plan, i, needs, &ignored, &answerers);
-    command_free(&ignored);
+        choose_answers(plan, i, needs, out, &answerers);
+    fclose(out);
     return answerers;
 }
 
 static bool link_as_judged(const JudgingPlan *plan, int chapter, const char *objects,
                            const char *needs, const char *program, Answerers *answerers)
 {
-    *answerers = (Answerers){.yours = ""};
-    Command words = {.count = 0};
-    for (int i = chapter; i >= 0; i--)
-        choose_answers(plan, i, needs, &words, answerers);
-    if (answerers->missing[0] != '\0') {
-        command_free(&words);
-        return false;
-    }
-    command_words(&words, objects);
-    command_words(&words, plan->libraries);
-    return link_program(plan, program, &words, "/dev/null") == 0;
+    char *answers = NULL, *all = NULL;
+    size_t size;
+    *answerers = answerers_of(plan, chapter, needs, &answers);
+    FILE *out = open_memstream(&all, &size);
+    if (out == NULL)
+        abort();
+    fprintf(out, "%s %s %s", answers, objects, plan->libraries);
+    fclose(out);
+    bool good = answerers->missing[0] == '\0' && link_program(plan, program, all, "/dev/null") == 0;
+    free(answers);
+    free(all);
+    return good;
 }
 
 // Helpers are hidden only if the linker stumbles over them: a verdict does not wait for that.
@@ -133,14 +139,8 @@ static bool draw(const JudgingPlan *plan, const char *program, const char *name,
                  const char *picture)
 {
     mkdir(path_of(plan->built, "so-far", "").s, 0777);
-    Command command = {.count = 0};
-    command_add(&command, program);
-    command_words(&command, plan->spheres);
-    command_add(&command, name);
-    command_add(&command, picture);
-    bool good = program_run_for(&command, "/dev/null", MOST_SECONDS) == 0;
-    command_free(&command);
-    return good;
+    return run_line("/dev/null", MOST_SECONDS, "%s %s %s %s", program, plan->spheres, name,
+                    picture) == 0;
 }
 
 // LABEL: NAME, NAME.
@@ -271,25 +271,25 @@ static void show_right_pictures(const Page *page, const JudgingPlan *plan, int c
 // Of processor time.
 enum { MOST_SECONDS_OF_CHAPTER = 20 };
 
-// How the chapter's program draws its picture, FILE for its path, and the answers that it calls.
+// How the chapter's program draws its picture, and the answers that it calls.
 static const struct {
-    const char *stem, *now, *picture, *drawn_by, *needs;
+    const char *stem, *now, *picture, *option, *scene, *needs;
 } rewards[] = {
-    {"01-corners", "Your vectors reach all of the image plane.", "01-corners", "--picture NAME",
+    {"01-corners", "Your vectors reach all of the image plane.", "01-corners", "--picture", "",
      "upper_left upper_right across_30_up_10 image_plane_vector"},
-    {"02-cameras", "Your cameras now work in either world.", "02-cameras", "--picture NAME",
+    {"02-cameras", "Your cameras now work in either world.", "02-cameras", "--picture", "",
      "image_plane_vector camera_from_look_at"},
-    {"03-screen", "Your pixels now know where they are.", "03-screen", "--picture NAME",
+    {"03-screen", "Your pixels now know where they are.", "03-screen", "--picture", "",
      "pixel_center screen_to_normalized"},
-    {"04-pixel-ray", "Every pixel now has its ray.", "04-pixel-ray", "--picture NAME", "pixel_ray"},
-    {"05-quadratic", "Your rays now meet spheres, at the right place.", "05-quadratic",
-     "--picture NAME", "pixel_ray hit_sphere"},
-    {"06-ray-casting", "Your rays now find what is nearest.", "three-spheres",
-     "-o NAME chapters/06-ray-casting/three-spheres.nff",
+    {"04-pixel-ray", "Every pixel now has its ray.", "04-pixel-ray", "--picture", "", "pixel_ray"},
+    {"05-quadratic", "Your rays now meet spheres, at the right place.", "05-quadratic", "--picture",
+     "", "pixel_ray hit_sphere"},
+    {"06-ray-casting", "Your rays now find what is nearest.", "three-spheres", "-o",
+     "chapters/06-ray-casting/three-spheres.nff",
      "camera_from_look_at width_from_angle pixel_ray hit_sphere nearest_hit cast_image_order"},
-    {"07-shading", "Nothing is missing any more.", "still-something-missing", "-o NAME",
+    {"07-shading", "Nothing is missing any more.", "still-something-missing", "-o", "",
      "camera_from_look_at width_from_angle pixel_ray nearest_hit shade trace_ray"},
-    {"08-fast", "Object order now asks only the pixels that a sphere can cover.", NULL, NULL, ""},
+    {"08-fast", "Object order now asks only the pixels that a sphere can cover.", NULL, "", "", ""},
 };
 enum { REWARD_COUNT = sizeof rewards / sizeof rewards[0] };
 
@@ -309,12 +309,8 @@ static bool draw_chapter(const JudgingPlan *plan, int chapter, int reward, PlanP
     if (!link_with_answers(plan, chapter, plan->chapters[chapter].program, rewards[reward].needs,
                            program.s, answerers))
         return false;
-    Command command = {.count = 0};
-    command_add(&command, program.s);
-    command_words_for(&command, rewards[reward].drawn_by, picture.s);
-    bool good = program_run_for(&command, "/dev/null", MOST_SECONDS_OF_CHAPTER) == 0;
-    command_free(&command);
-    return good;
+    return run_line("/dev/null", MOST_SECONDS_OF_CHAPTER, "%s %s %s %s", program.s,
+                    rewards[reward].option, picture.s, rewards[reward].scene) == 0;
 }
 
 static int reward_of(const char *stem)
@@ -366,12 +362,7 @@ static void reward_with_finale(const Page *page, const JudgingPlan *plan)
                 answers);
         if (isatty(fileno(page->out)) != 1)
             return;
-        const char *words[] = {"make", "--no-print-directory", "finale", answers};
-        Command command = {.count = 0};
-        for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
-            command_add(&command, words[i]);
-        program_run(&command, NULL);
-        command_free(&command);
+        run_line(NULL, 0, "make --no-print-directory finale %s", answers);
     } else {
         fprintf(page->out, "  %s\nis the picture of README.md, by your own code.\n", finale.s);
     }
@@ -397,7 +388,9 @@ void reward_line(const Page *page, const JudgingPlan *plan, int chapter)
         fprintf(page->out, "%s is right.\n", stem);
         return;
     }
-    Answerers by = answerers_of(plan, chapter, rewards[reward].needs);
+    char *objects;
+    Answerers by = answerers_of(plan, chapter, rewards[reward].needs, &objects);
+    free(objects);
     if (by.missing[0] != '\0')
         fprintf(page->out, "%s is right. Its picture also needs %s.\n", stem, by.missing);
     else

@@ -35,8 +35,8 @@
 // ---- judges answers again whenever they are saved ----------------------------------------------
 
 // A file counts as saved when its text is another than before: dates are unreliable, and editors
-// write twice. The texts are read ten times a second, which costs nothing, and also works on network
-// drives, which send no events.
+// write twice. The texts are read ten times a second, which costs nothing, and also works on
+// network drives, which send no events.
 enum { MILLISECONDS_BETWEEN_LOOKS = 100 };
 
 static PlanPath path_to_watch(const JudgingPlan *plan, int chapter)
@@ -232,16 +232,10 @@ typedef struct {
 
 static void draw_figures(const Page *page, const JudgingPlan *plan, const ShownFigures *shown)
 {
-    for (int i = 0; i < shown->count; i++) {
-        Command command = {.count = 0};
-        command_words(&command, plan->draw);
-        command_add(&command, plan->figures.s);
-        command_add(&command, shown->names[i]);
-        if (program_run(&command, "/dev/null") != 0)
+    for (int i = 0; i < shown->count; i++)
+        if (run_line("/dev/null", 0, "%s %s %s", plan->draw, plan->figures.s, shown->names[i]) != 0)
             fprintf(page->out, "That figure could not be drawn: gnuplot %s/%s.gp says why.\n",
                     plan->figures.s, shown->names[i]);
-        command_free(&command);
-    }
 }
 
 static bool is_right(const Course *course, int chapter)
@@ -501,25 +495,19 @@ static int debug(const Course *course, const char *program)
     snprintf(first_break, sizeof first_break,
              "pipe break case_begins if number == %s | cat >/dev/null", number);
     snprintf(second_break, sizeof second_break, "pipe break %s | cat >/dev/null", function->name);
-    Command command = {.count = 0};
-    command_words(&command, "gdb -q");
-    command_words(&command, flags != NULL ? flags : "");
-    const char *commands[] = {"set confirm off",
-                              first_break,
-                              "pipe run | cat >/dev/null",
-                              "delete",
-                              second_break,
-                              "pipe continue | cat >/dev/null",
-                              "frame"};
-    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
-        command_add(&command, "-ex");
-        command_add(&command, commands[i]);
-    }
-    const char *words[] = {"--args", program, stem, "--test", test};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
-        command_add(&command, words[i]);
+    const char *words[] = {"gdb",    flags != NULL ? flags : "-q",
+                           "-ex",    "set confirm off",
+                           "-ex",    first_break,
+                           "-ex",    "pipe run | cat >/dev/null",
+                           "-ex",    "delete",
+                           "-ex",    second_break,
+                           "-ex",    "pipe continue | cat >/dev/null",
+                           "-ex",    "frame",
+                           "--args", program,
+                           stem,     "--test",
+                           test,     NULL};
     setenv("CK_FORK", "no", 1);
-    execvp("gdb", (char *const *)command.words);
+    execvp("gdb", (char *const *)words);
     perror("gdb");
     return 1;
 }

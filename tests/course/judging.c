@@ -11,6 +11,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -129,91 +130,59 @@ PlanPath plan_beside(const JudgingPlan *plan, int chapter, const char *ending)
 
 // ---- the commands ------------------------------------------------------------------------------
 
-void command_add(Command *command, const char *word)
+int run_line(const char *output, int seconds, const char *format, ...)
 {
-    if (command->count == MOST_WORDS) {
-        fprintf(stderr, "a command of more than %d words\n", MOST_WORDS);
-        exit(2);
-    }
-    command->words[command->count++] = word;
-    command->words[command->count] = NULL;
-}
-
-void command_words(Command *command, const char *text)
-{
-    char *copy = strdup(text);
-    if (copy == NULL || command->part_count == MOST_WORDS)
-        abort();
-    command->parts[command->part_count++] = copy;
-    for (char *rest = copy, *word; (word = strtok_r(rest, " ", &rest)) != NULL;)
-        command_add(command, word);
-}
-
-void command_words_for(Command *command, const char *text, const char *name)
-{
-    char *words = NULL;
+    enum { MOST_WORDS = 400 };
+    char *line = NULL, *words[MOST_WORDS + 1];
     size_t size;
-    FILE *out = open_memstream(&words, &size);
+    int count = 0;
+    FILE *out = open_memstream(&line, &size);
     if (out == NULL)
         abort();
-    for (const char *at; (at = strstr(text, "NAME")) != NULL; text = at + strlen("NAME"))
-        fprintf(out, "%.*s%s", (int)(at - text), text, name);
-    fputs(text, out);
+    va_list given;
+    va_start(given, format);
+    vfprintf(out, format, given);
+    va_end(given);
     fclose(out);
-    command_words(command, words);
-    free(words);
-}
-
-void command_free(Command *command)
-{
-    for (int i = 0; i < command->part_count; i++)
-        free(command->parts[i]);
-    *command = (Command){.count = 0};
-}
-
-static int run_and_free(Command *command, const char *output)
-{
-    int status = program_run(command, output);
-    command_free(command);
+    for (char *rest = line, *word; (word = strtok_r(rest, " ", &rest)) != NULL;) {
+        if (count == MOST_WORDS) {
+            fprintf(stderr, "a command of more than %d words\n", MOST_WORDS);
+            exit(2);
+        }
+        words[count++] = word;
+    }
+    words[count] = NULL;
+    int status = program_run(words, output, seconds);
+    free(line);
     return status;
 }
 
-// What the compiler says goes into a file.
+void put_option(FILE *line, const char *option, const char *name)
+{
+    putc(' ', line);
+    for (const char *at; (at = strstr(option, "NAME")) != NULL; option = at + strlen("NAME"))
+        fprintf(line, "%.*s%s", (int)(at - option), option, name);
+    fputs(option, line);
+}
+
 static int compile_answer(const JudgingPlan *plan, int chapter, const char *source,
-                          const char *said)
+                          const char *messages)
 {
-    PlanPath object = plan_file(plan, chapter, "answer.o");
-    Command command = {.count = 0};
-    command_words(&command, plan->compile);
-    command_add(&command, "-o");
-    command_add(&command, object.s);
-    command_add(&command, source);
-    return run_and_free(&command, said);
+    return run_line(messages, 0, "%s -o %s %s", plan->compile,
+                    plan_file(plan, chapter, "answer.o").s, source);
 }
 
-int link_program(const JudgingPlan *plan, const char *program, Command *objects, const char *said)
+int link_program(const JudgingPlan *plan, const char *program, const char *objects,
+                 const char *messages)
 {
-    Command command = {.count = 0};
-    command_words(&command, plan->link);
-    command_add(&command, "-o");
-    command_add(&command, program);
-    for (int i = 0; i < objects->count; i++)
-        command_add(&command, objects->words[i]);
-    command_add(&command, "-lm");
-    int status = run_and_free(&command, said);
-    command_free(objects);
-    return status;
+    return run_line(messages, 0, "%s -o %s %s -lm", plan->link, program, objects);
 }
 
 void hide_helpers(const JudgingPlan *plan, int chapter)
 {
     PlanPath object = plan_file(plan, chapter, "answer.o");
-    Command command = {.count = 0};
-    if (plan->hide[0] == '\0' || access(object.s, F_OK) != 0)
-        return;
-    command_words(&command, plan->hide);
-    command_add(&command, object.s);
-    run_and_free(&command, NULL);
+    if (plan->hide[0] != '\0' && access(object.s, F_OK) == 0)
+        run_line(NULL, 0, "%s %s", plan->hide, object.s);
 }
 
 // ---- one at a time judges a folder of answers --------------------------------------------------
@@ -243,7 +212,7 @@ void folder_unlock(int lock)
 }
 
 // The result of a piece of work.
-enum { DONE, NO_VERDICT, SAVED_MEANWHILE, TROUBLE };
+enum { DONE, SAVED_MEANWHILE, TROUBLE };
 
 // The hash of the answer, of the answers that it calls, and of everything that judges it.
 static void hash_now(const JudgingPlan *plan, int chapter, char word[HASH_WORD])
@@ -302,6 +271,12 @@ static char *explained(const JudgingPlan *plan, int chapter, Explainer *explaine
     return text;
 }
 
+static void as_it_is(FILE *out, const char *source, const char *words)
+{
+    (void)source;
+    fputs(words, out);
+}
+
 static FILE *begin_record(const JudgingPlan *plan, int chapter, const char *hash, const char *state,
                           const char *words)
 {
@@ -343,44 +318,48 @@ static int end_record(const JudgingPlan *plan, int chapter, const char *hash, FI
     return TROUBLE;
 }
 
+// words: of the program that said why there is no verdict, explained.
 static int give_up(const JudgingPlan *plan, int chapter, const char *hash, const char *state,
-                   const char *words)
+                   Explainer *explainer, const char *said)
 {
+    char *words = explained(plan, chapter, explainer, said);
     FILE *out = begin_record(plan, chapter, hash, state, words);
+    free(words);
     return end_record(plan, chapter, hash, out);
 }
 
-static int compile_chapter(const JudgingPlan *plan, int chapter, const char *hash)
+static bool compiles(const JudgingPlan *plan, int chapter)
 {
     PlanPath answer = plan_answer(plan, chapter), said = plan_file(plan, chapter, "compiler");
     mkdir(plan_beside(plan, chapter, "").s, 0777);
     unlink(plan_file(plan, chapter, "answer.o").s);
     if (compile_answer(plan, chapter, answer.s, said.s) == 0)
-        return DONE;
+        return true;
     // The later chapters, which call this one, use its blank.
     if (plan->lend[0] == '\0') {
-        PlanPath blank = plan_blank(plan, chapter);
-        compile_answer(plan, chapter, blank.s, "/dev/null");
+        compile_answer(plan, chapter, plan_blank(plan, chapter).s, "/dev/null");
         hide_helpers(plan, chapter);
     }
-    char *words = explained(plan, chapter, explain, "compiler");
-    int status = give_up(plan, chapter, hash, "compiler", words);
-    free(words);
-    return status == DONE ? NO_VERDICT : status;
+    return false;
 }
 
 // lent: exercises that the reference answers.
-static int link_answering(const JudgingPlan *plan, int chapter, const char *program,
-                          const char *lent, const char *said)
+static bool links(const JudgingPlan *plan, int chapter, const char *program, const char *lent,
+                  const char *messages)
 {
-    Command objects = {.count = 0}, names = {.count = 0};
-    command_words(&names, lent);
-    for (int i = 0; i < names.count; i++)
-        command_words_for(&objects, plan->lend, names.words[i]);
-    command_free(&names);
-    command_words(&objects, plan_file(plan, chapter, "answer.o").s);
-    command_words(&objects, plan->chapters[chapter].objects);
-    return link_program(plan, plan_file(plan, chapter, program).s, &objects, said);
+    char *objects = NULL, *names = strdup(lent);
+    size_t size;
+    FILE *out = open_memstream(&objects, &size);
+    if (out == NULL)
+        abort();
+    for (char *rest = names, *name; (name = strtok_r(rest, " ", &rest)) != NULL;)
+        put_option(out, plan->lend, name);
+    fprintf(out, " %s %s", plan_file(plan, chapter, "answer.o").s, plan->chapters[chapter].objects);
+    fclose(out);
+    int status = link_program(plan, plan_file(plan, chapter, program).s, objects, messages);
+    free(names);
+    free(objects);
+    return status == 0;
 }
 
 // ---- who waits ---------------------------------------------------------------------------------
@@ -389,17 +368,10 @@ static int link_answering(const JudgingPlan *plan, int chapter, const char *prog
 static bool passes_with_lent(const JudgingPlan *plan, int chapter, const char *function,
                              const char *lent)
 {
-    PlanPath program = plan_file(plan, chapter, "alone");
-    if (link_answering(plan, chapter, "alone", lent, "/dev/null") != 0)
-        return false;
-    Command command = {.count = 0};
-    command_add(&command, plan->judge);
-    command_add(&command, plan->chapters[chapter].stem);
-    command_add(&command, program.s);
-    command_add(&command, "--only");
-    command_add(&command, function);
-    command_words(&command, lent);
-    return run_and_free(&command, "/dev/null") == 0;
+    return links(plan, chapter, "alone", lent, "/dev/null") &&
+           run_line("/dev/null", 0, "%s %s %s --only %s %s", plan->judge,
+                    plan->chapters[chapter].stem, plan_file(plan, chapter, "alone").s, function,
+                    lent) == 0;
 }
 
 // The others that it waits for: one, if that one is enough; none, if it is wrong by itself.
@@ -413,14 +385,14 @@ static void wait_for(const JudgingPlan *plan, int chapter, const ChapterRecord *
         names[0] = '\0';
         return;
     }
-    Command each = {.count = 0};
-    command_words(&each, names);
-    for (int i = 0; each.count > 1 && i < each.count; i++)
-        if (passes_with_lent(plan, chapter, wrong->name, each.words[i])) {
-            snprintf(names, MOST_NAMES, "%s", each.words[i]);
+    char *each = strdup(names);
+    bool several = strchr(names, ' ') != NULL;
+    for (char *rest = each, *name; several && (name = strtok_r(rest, " ", &rest)) != NULL;)
+        if (passes_with_lent(plan, chapter, wrong->name, name)) {
+            snprintf(names, MOST_NAMES, "%s", name);
             break;
         }
-    command_free(&each);
+    free(each);
 }
 
 // Without a reference nothing can be lent: it waits for the answers that it calls and that are not
@@ -475,11 +447,8 @@ static int write_record(const JudgingPlan *plan, int chapter, const char *hash)
     bool lends = plan->lend[0] != '\0';
     ChapterRecord report;
     if (!report_read(plan_file(plan, chapter, "report").s, &report)) {
-        char *said = text_of(plan, chapter, "said");
-        int status = give_up(plan, chapter, hash, "stopped", said);
-        free(said);
         chapter_record_free(&report);
-        return status;
+        return give_up(plan, chapter, hash, "stopped", as_it_is, "said");
     }
     memset(stands, 0, sizeof stands);
     for (int i = 0; i < report.function_count; i++) {
@@ -512,133 +481,64 @@ static int write_record(const JudgingPlan *plan, int chapter, const char *hash)
     return end_record(plan, chapter, hash, out);
 }
 
-static int link_chapter(const JudgingPlan *plan, int chapter, const char *hash)
-{
-    PlanPath linker = plan_file(plan, chapter, "linker");
-    unlink(plan_file(plan, chapter, "report").s);
-    int linked = link_answering(plan, chapter, "answering", "", linker.s);
-    if (plan->lend[0] == '\0') // later chapters are linked with it
-        hide_helpers(plan, chapter);
-    if (linked == 0)
-        return DONE;
-    char *words = explained(plan, chapter, explain_linker, "linker");
-    int status = give_up(plan, chapter, hash, "linker", words);
-    free(words);
-    return status == DONE ? NO_VERDICT : status;
-}
-
 static void ask(const JudgingPlan *plan, int chapter)
 {
-    PlanPath program = plan_file(plan, chapter, "answering"),
-             folder = plan_beside(plan, chapter, ""), said = plan_file(plan, chapter, "said");
+    PlanPath report = plan_file(plan, chapter, "report"), said = plan_file(plan, chapter, "said");
+    unlink(report.s);
     mkdir(plan->figures.s, 0777);
-    Command command = {.count = 0};
-    command_add(&command, plan->judge);
-    command_add(&command, plan->chapters[chapter].stem);
-    command_add(&command, program.s);
-    command_add(&command, folder.s);
-    command_add(&command, plan->figures.s);
-    if (run_and_free(&command, said.s) > 1)
-        unlink(plan_file(plan, chapter, "report").s);
+    if (run_line(said.s, 0, "%s %s %s %s %s", plan->judge, plan->chapters[chapter].stem,
+                 plan_file(plan, chapter, "answering").s, plan_beside(plan, chapter, "").s,
+                 plan->figures.s) > 1)
+        unlink(report.s);
+}
+
+static int judge_chapter(const JudgingPlan *plan, int chapter, const char *hash)
+{
+    if (!compiles(plan, chapter))
+        return give_up(plan, chapter, hash, "compiler", explain, "compiler");
+    bool linked = links(plan, chapter, "answering", "", plan_file(plan, chapter, "linker").s);
+    if (plan->lend[0] == '\0') // later chapters are linked with it
+        hide_helpers(plan, chapter);
+    if (!linked)
+        return give_up(plan, chapter, hash, "linker", explain_linker, "linker");
+    ask(plan, chapter);
+    return write_record(plan, chapter, hash);
 }
 
 // ---- all of them -------------------------------------------------------------------------------
 
-typedef struct {
-    const JudgingPlan *plan;
-    int count, chapters[MOST_CHAPTERS];
-    char hashes[MOST_CHAPTERS][HASH_WORD];
-} Work;
-
-static int compile_one(int number, void *given)
+static bool is_needed(const JudgingPlan *plan, int chapter, const bool wanted[MOST_CHAPTERS])
 {
-    const Work *work = given;
-    return compile_chapter(work->plan, work->chapters[number], work->hashes[number]);
-}
-
-static int link_one(int number, void *given)
-{
-    const Work *work = given;
-    return link_chapter(work->plan, work->chapters[number], work->hashes[number]);
-}
-
-static int judge_one(int number, void *given)
-{
-    const Work *work = given;
-    int chapter = work->chapters[number];
-    ask(work->plan, chapter);
-    // A record that needs other chapters of this run is written after all of them have been asked.
-    return work->plan->lend[0] == '\0' ? DONE
-                                       : write_record(work->plan, chapter, work->hashes[number]);
-}
-
-// Those that have been done go on. The gravest of the statuses.
-static int keep_done(Work *work, const int *statuses)
-{
-    int kept = 0, gravest = DONE;
-    for (int i = 0; i < work->count; i++) {
-        int status = statuses[i] < 0 ? TROUBLE : statuses[i];
-        gravest = status > gravest ? status : gravest;
-        if (status != DONE)
-            continue;
-        work->chapters[kept] = work->chapters[i];
-        memmove(work->hashes[kept++], work->hashes[i], HASH_WORD);
-    }
-    work->count = kept;
-    return gravest;
-}
-
-static int judge(Work *work)
-{
-    int statuses[MOST_CHAPTERS];
-    work_side_by_side(work->count, compile_one, work, statuses);
-    int gravest = keep_done(work, statuses);
-    // If chapters are linked with earlier ones, the helpers of those must be hidden by then.
-    if (work->plan->lend[0] != '\0')
-        work_side_by_side(work->count, link_one, work, statuses);
-    for (int i = 0; i < work->count && work->plan->lend[0] == '\0'; i++)
-        statuses[i] = link_one(i, work);
-    int linked = keep_done(work, statuses);
-    work_side_by_side(work->count, judge_one, work, statuses);
-    int asked = keep_done(work, statuses);
-    gravest = linked > gravest ? linked : gravest;
-    gravest = asked > gravest ? asked : gravest;
-    for (int i = 0; i < work->count && work->plan->lend[0] == '\0'; i++) {
-        int written = write_record(work->plan, work->chapters[i], work->hashes[i]);
-        gravest = written > gravest ? written : gravest;
-    }
-    return gravest;
-}
-
-static void collect(Work *work, const bool wanted[MOST_CHAPTERS])
-{
-    const JudgingPlan *plan = work->plan;
-    work->count = 0;
-    for (int i = 0; i < plan->count; i++) {
-        bool needed = wanted[i];
-        for (int k = i + 1; k < plan->count; k++)
-            needed = needed || (wanted[k] && plan_depends_on(plan, k, i));
-        if (!needed || !needs_judging(work->plan, i))
-            continue;
-        hash_now(work->plan, i, work->hashes[work->count]);
-        work->chapters[work->count++] = i;
-    }
+    bool needed = wanted[chapter];
+    for (int later = chapter + 1; later < plan->count; later++)
+        needed = needed || (wanted[later] && plan_depends_on(plan, later, chapter));
+    return needed;
 }
 
 bool judging_judge(const JudgingPlan *plan, const bool wanted[MOST_CHAPTERS])
 {
-    Work work = {.plan = plan};
+    char hashes[MOST_CHAPTERS][HASH_WORD]; // "": not judged now
+    bool good = true, saved_meanwhile;
     mkdir(plan->verdict.s, 0777);
     int lock = folder_lock(plan->verdict.s);
     if (lock < 0) {
         fprintf(stderr, "%s: no lock: %s\n", plan->verdict.s, strerror(errno));
         return false;
     }
-    int status;
     do {
-        collect(&work, wanted);
-        status = judge(&work);
-    } while (status == SAVED_MEANWHILE);
+        saved_meanwhile = false;
+        for (int i = 0; i < plan->count; i++) {
+            hashes[i][0] = '\0';
+            if (is_needed(plan, i, wanted) && needs_judging(plan, i))
+                hash_now(plan, i, hashes[i]);
+        }
+        // Chapters that this one calls come first: it is linked with them, and reads their records.
+        for (int i = 0; i < plan->count; i++) {
+            int status = hashes[i][0] != '\0' ? judge_chapter(plan, i, hashes[i]) : DONE;
+            saved_meanwhile = saved_meanwhile || status == SAVED_MEANWHILE;
+            good = good && status != TROUBLE;
+        }
+    } while (saved_meanwhile && good);
     folder_unlock(lock);
-    return status < SAVED_MEANWHILE;
+    return good;
 }

@@ -79,9 +79,16 @@ PlanPath plan_beside(const JudgingPlan *plan, int chapter, const char *ending); 
 PlanPath path_of(const char *folder, const char *name, const char *ending);
 PlanPath plan_blank(const JudgingPlan *plan, int chapter);
 
-// Links objects with answers: words of a command, which it frees. The linker's exit status; what it
-// says goes into a file.
-int link_program(const JudgingPlan *plan, const char *program, Command *objects, const char *said);
+// Runs a command: a line of words, which blanks separate, and where its output goes (programs.h).
+int run_line(const char *output, int seconds, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+// Writes a blank, then an option of the plan with a name in the place of each NAME in it.
+void put_option(FILE *line, const char *option, const char *name);
+
+// Links objects with answers. The linker's exit status; its messages go into a file.
+int link_program(const JudgingPlan *plan, const char *program, const char *objects,
+                 const char *messages);
 
 // Helpers of two chapters may have one name: only the exercises of a judged answer stay visible.
 void hide_helpers(const JudgingPlan *plan, int chapter);
@@ -89,9 +96,9 @@ void hide_helpers(const JudgingPlan *plan, int chapter);
 // The record of a chapter. False if there is none, or it is about another text.
 bool judging_record(const JudgingPlan *plan, int chapter, ChapterRecord *record);
 
-// Judges those of the wanted chapters, and of those that they call, whose record is out of date; in
-// parallel, if there are processors. Waits for another run in the same folder. False, and a message
-// on stderr, if a record cannot be written.
+// Judges those of the wanted chapters, and of those that they call, whose record is out of date.
+// Waits for another run in the same folder. False, and a message on stderr, if a record cannot be
+// written.
 bool judging_judge(const JudgingPlan *plan, const bool wanted[MOST_CHAPTERS]);
 
 // Waits until nobody else has the folder's lock, and prints a message on stderr if it has to wait.
