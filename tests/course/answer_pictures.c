@@ -9,6 +9,7 @@
 #include "tests/course/programs.h"
 #include "tests/judge/exercise.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -24,15 +25,29 @@ typedef struct {
 // Of processor time. A wrong answer may need any.
 enum { MOST_SECONDS = 5 };
 
+#define TEXT(...) #__VA_ARGS__
+#define PICTURE(name, function, shows, given, ...)                                                 \
+    {name, #function, shows, given, TEXT(__VA_ARGS__)},
 static const struct AnswerPicture {
-    const char *name, *function, *needs, *shows, *given;
+    const char *name, *function, *shows, *given, *color;
 } pictures[] = {
-#define PICTURE(draws, name, function, needs, shows, given) {name, function, needs, shows, given},
-#define PICTURE_OF_HIT PICTURE
 #include "tests/course/pictures/pictures.def"
 };
 typedef struct AnswerPicture AnswerPicture;
 enum { PICTURE_COUNT = sizeof pictures / sizeof pictures[0] };
+
+// Whether the picture is drawn by this exercise: it is a word of the expression for the colour.
+static bool needs_answer(const AnswerPicture *picture, const char *exercise)
+{
+    size_t length = strlen(exercise);
+    for (const char *at = picture->color; (at = strstr(at, exercise)) != NULL; at += length) {
+        char before = at > picture->color ? at[-1] : ' ', after = at[length];
+        if (!isalnum((unsigned char)before) && before != '_' && !isalnum((unsigned char)after) &&
+            after != '_')
+            return true;
+    }
+    return false;
+}
 
 // One that only waits for another is right by itself, if the reference has shown that.
 static bool is_right(const JudgingPlan *plan, const char *state)
@@ -178,9 +193,11 @@ static void say_picture(const Page *page, const char *path, const char *shows, c
 static bool show_picture(const Page *page, const JudgingPlan *plan, int chapter,
                          const AnswerPicture *picture, bool begins)
 {
-    char file[200], needs[MOST_ANSWERS];
+    char file[200], needs[MOST_ANSWERS] = "";
     snprintf(file, sizeof file, "so-far/%s", picture->name);
-    snprintf(needs, sizeof needs, "%s %s", picture->function, picture->needs);
+    for (const Exercise *e = exercises; e->name != NULL; e++)
+        if (needs_answer(picture, e->name))
+            names_add(needs, sizeof needs, e->name);
     PlanPath path = path_of(plan->built, file, ".png"),
              program = plan_file(plan, chapter, "picture");
     Answerers by;
@@ -200,17 +217,9 @@ static const AnswerPicture *picture_of_wrong(const char *name)
         if (strcmp(pictures[i].function, name) == 0)
             return &pictures[i];
     for (int i = 0; i < PICTURE_COUNT; i++)
-        if (names_include(pictures[i].needs, name))
+        if (needs_answer(&pictures[i], name))
             return &pictures[i];
     return NULL;
-}
-
-static bool is_of(const AnswerPicture *picture, const char *stem)
-{
-    const Exercise *e = exercises;
-    while (e->name != NULL && strcmp(e->name, picture->function) != 0)
-        e++;
-    return e->name != NULL && strcmp(e->stem, stem) == 0;
 }
 
 static void set_mark(const char *path)
@@ -257,7 +266,7 @@ static void show_right_pictures(const Page *page, const JudgingPlan *plan, int c
         const AnswerPicture *picture = &pictures[i];
         PlanPath mark = path_of(plan->verdict.s, picture->name, ".drawn");
         bool is_early = picture->given[0] != '\0';
-        if (!is_of(picture, plan->chapters[chapter].stem))
+        if (strncmp(picture->name, plan->chapters[chapter].stem, strlen("NN-")) != 0)
             continue;
         // In the later chapters the chapter's own picture shows all of it.
         if (is_early && (again || access(mark.s, F_OK) != 0))

@@ -40,7 +40,7 @@ done
 
 # Each picture that is drawn while a chapter is answered has its name in the lesson of that chapter.
 names_its_pictures() {
-    sed -n 's/^PICTURE[A-Z_]*([a-z_]*, "\([^"]*\)".*/\1/p' tests/course/pictures/pictures.def >"$scratch/pictures"
+    sed -n 's/^PICTURE("\([^"]*\)".*/\1/p' tests/course/pictures/pictures.def >"$scratch/pictures"
     [ -s "$scratch/pictures" ] && while IFS= read -r name; do
         grep -qF "$name.png" chapters/"${name%%-*}"-*/README.md || { echo "not there: $name.png" && return 1; }
     done <"$scratch/pictures"

@@ -50,10 +50,9 @@ static bool read_recorded(const char *path, View *view)
            png_image_finish_read(&png, NULL, view->recorded, 0, NULL) != 0;
 }
 
-// Through a place on the image plane: across and up from its middle, in its widths.
-static Color seen_through(const View *view, double across, double up)
+static Color seen_through(const View *view, Normalized place)
 {
-    double x = across / recorded_width + 0.5, y = 0.5 - up / recorded_width;
+    double x = (place.s - 0.5) / recorded_width + 0.5, y = 0.5 - (place.t - 0.5) / recorded_width;
     if (!(x >= 0 && x < 1 && y >= 0 && y < 1))
         return view->scene.background;
     size_t column = (size_t)(x * view->recorded_side), row = (size_t)(y * view->recorded_side);
@@ -67,44 +66,20 @@ static Color seen_along(const View *view, vec3 direction)
     double ahead = vec3_dot(direction, c->forward), widths = c->distance / c->width / ahead;
     if (!(ahead > 0))
         return view->scene.background;
-    return seen_through(view, widths * vec3_dot(direction, c->right),
-                        widths * vec3_dot(direction, c->up));
+    return seen_through(view, (Normalized){0.5 + widths * vec3_dot(direction, c->right),
+                                           0.5 + widths * vec3_dot(direction, c->up)});
 }
 
-// ---- chapters 01 to 04 ------------------------------------------------------------------------
+// ---- what the colours of pictures.def are made of -----------------------------------------------
 
-// s and t go from edge to edge, so that the corners are in the picture.
-static Color through(const View *view, Camera camera, Pixel pixel)
-{
-    return seen_along(view, image_plane_vector(camera, pixel.column / (SIDE - 1.0),
-                                               1 - pixel.row / (SIDE - 1.0)));
-}
-
-static Color by_vectors(const View *view, Pixel pixel)
-{
-    return through(view, view->camera, pixel);
-}
-
-static Color by_look_at(const View *view, Pixel pixel)
+// The camera of the pictures again, by a look-at.
+static Camera looking_at(const View *view, CameraFault from_look_at(LookAt, Handedness, Camera *))
 {
     Camera camera = view->camera;
     LookAt look_at = {camera.origin, view->scene.view.at, vec3_of(0, 1, 0), 13, 1};
-    camera_from_look_at(look_at, RIGHT_HANDED, &camera);
-    return through(view, camera, pixel);
+    from_look_at(look_at, RIGHT_HANDED, &camera);
+    return camera;
 }
-
-static Color by_places(const View *view, Pixel pixel)
-{
-    Normalized place = screen_to_normalized(pixel_center(pixel), view->size);
-    return seen_through(view, place.s - 0.5, place.t - 0.5);
-}
-
-static Color by_rays(const View *view, Pixel pixel)
-{
-    return seen_along(view, pixel_ray(view->camera, view->size, pixel).direction);
-}
-
-// ---- chapter 07 -------------------------------------------------------------------------------
 
 // The hit that a pixel sees, and what is known there.
 typedef struct {
@@ -115,37 +90,14 @@ typedef struct {
     vec3 point;
 } Seen;
 
-static bool see(const View *view, Pixel pixel, Seen *seen)
+static bool sees(const View *view, Ray ray, Hit nearest(Ray, const Scene *), Seen *seen)
 {
-    seen->ray = pixel_ray(view->camera, view->size, pixel);
-    seen->hit = nearest_hit(seen->ray, &view->scene);
-    if (seen->hit.sphere < 0 || seen->hit.sphere >= view->scene.sphere_count)
+    Hit hit = nearest(ray, &view->scene);
+    if (hit.sphere < 0 || hit.sphere >= view->scene.sphere_count)
         return false;
-    seen->sphere = view->scene.spheres[seen->hit.sphere];
-    seen->point = seen->ray.origin + seen->hit.t * seen->ray.direction;
+    *seen = (Seen){ray, hit, view->scene.spheres[hit.sphere],
+                   *scene_surface(&view->scene, hit.sphere), ray.origin + hit.t * ray.direction};
     return true;
-}
-
-// Without a hit the colour is the background's.
-typedef Color ColorOfHit(const View *view, const Seen *seen);
-
-static Color color_of_hit(const View *view, Pixel pixel, ColorOfHit *color)
-{
-    Seen seen;
-    if (!see(view, pixel, &seen))
-        return view->scene.background;
-    seen.surface = *scene_surface(&view->scene, seen.hit.sphere);
-    return color(view, &seen);
-}
-
-static vec3 normal_at(const Seen *seen)
-{
-    return surface_normal(seen->sphere, seen->point);
-}
-
-static vec3 to_light(const View *view, const Seen *seen)
-{
-    return ray_to_light(seen->point, view->light).direction;
 }
 
 static Color direction_color(vec3 direction)
@@ -153,112 +105,46 @@ static Color direction_color(vec3 direction)
     return (vec3_unit(direction) + vec3_of(1, 1, 1)) / 2;
 }
 
-static Color normals(const View *view, const Seen *seen)
-{
-    (void)view;
-    return direction_color(normal_at(seen));
-}
-
-static Color ways_to_light(const View *view, const Seen *seen)
-{
-    return direction_color(to_light(view, seen));
-}
-
-static Color ambient(const View *view, const Seen *seen)
-{
-    return ambient_term(seen->surface.color, seen->surface.diffuse, 5 * view->scene.ambient);
-}
-
-static Color diffuse(const View *view, const Seen *seen)
-{
-    return diffuse_term(seen->surface.color, seen->surface.diffuse, view->light.color,
-                        normal_at(seen), to_light(view, seen));
-}
-
-static Color mirrored(const View *view, const Seen *seen)
-{
-    (void)view;
-    return direction_color(mirror_direction(seen->ray.direction, normal_at(seen)));
-}
-
-// Highlights are as bright as the light, so that they are easily seen.
-static Color phong(const View *view, const Seen *seen)
-{
-    return diffuse(view, seen) + phong_term(1, seen->surface.shine, view->light.color,
-                                            normal_at(seen), to_light(view, seen),
-                                            -seen->ray.direction);
-}
-
-static Color halfway(const View *view, const Seen *seen)
-{
-    return diffuse(view, seen) + halfway_term(1, seen->surface.shine, view->light.color,
-                                              normal_at(seen), to_light(view, seen),
-                                              -seen->ray.direction);
-}
-
-static Color shadows(const View *view, const Seen *seen)
-{
-    vec3 start = off_surface(seen->sphere, seen->point, normal_at(seen));
-    return (0.2 + 0.8 * visibility(&view->scene, start, view->light)) * seen->surface.color;
-}
-
-static Color shaded(const View *view, const Seen *seen)
-{
-    return shade(&view->scene, seen->ray, seen->hit);
-}
-
-enum { MIRRORS = 5 };
-
-static Color traced(const View *view, Pixel pixel)
-{
-    return trace_ray(&view->scene, pixel_ray(view->camera, view->size, pixel), MIRRORS);
-}
-
-static Color encoded(const View *view, Pixel pixel)
-{
-    return gamma_encode(traced(view, pixel), 2.2);
-}
-
-// ---- chapter 08 -------------------------------------------------------------------------------
-
-static bool is_on_edge(ScreenRectangle r, Pixel pixel)
+static bool is_on_edge(const View *view, Pixel pixel,
+                       ScreenRectangle rectangle(Camera, Resolution, Sphere))
 {
     double x = pixel.column, y = pixel.row;
-    bool across = x >= floor(r.left) && x <= floor(r.right);
-    bool down = y >= floor(r.top) && y <= floor(r.bottom);
-    return (across && (y == floor(r.top) || y == floor(r.bottom))) ||
-           (down && (x == floor(r.left) || x == floor(r.right)));
-}
-
-// The colours are recorded, from edge to edge as in chapter 01.
-static Color by_rectangles(const View *view, Pixel pixel)
-{
-    Color seen =
-        seen_through(view, pixel.column / (SIDE - 1.0) - 0.5, 0.5 - pixel.row / (SIDE - 1.0));
-    for (int i = 0; i < view->scene.sphere_count; i++)
-        if (is_on_edge(sphere_rectangle(view->camera, view->size, view->scene.spheres[i]), pixel))
-            seen = vec3_of(1, 1, 1);
-    return seen;
+    for (int i = 0; i < view->scene.sphere_count; i++) {
+        ScreenRectangle r = rectangle(view->camera, view->size, view->scene.spheres[i]);
+        bool across = x >= floor(r.left) && x <= floor(r.right);
+        bool down = y >= floor(r.top) && y <= floor(r.bottom);
+        if ((across && (y == floor(r.top) || y == floor(r.bottom))) ||
+            (down && (x == floor(r.left) || x == floor(r.right))))
+            return true;
+    }
+    return false;
 }
 
 // ---- all of them ------------------------------------------------------------------------------
 
-static const struct Picture {
+#define PICTURE(name, function, shows, given, ...)                                                 \
+    static Color picture_of_##function(const View *view, Pixel pixel)                              \
+    {                                                                                              \
+        Seen seen; /* which AT_HIT sets */                                                         \
+        (void)seen;                                                                                \
+        return __VA_ARGS__;                                                                        \
+    }
+#include "tests/course/pictures/pictures.def"
+
+typedef Color ColorOfPixel(const View *view, Pixel pixel);
+static const struct {
     const char *name;
-    Color (*of_pixel)(const View *view, Pixel pixel);
-    ColorOfHit *of_hit; // one of the two
+    ColorOfPixel *color;
 } pictures[] = {
-#define PICTURE(draws, name, ...) {name, draws, NULL},
-#define PICTURE_OF_HIT(draws, name, ...) {name, NULL, draws},
+#define PICTURE(name, function, ...) {name, picture_of_##function},
 #include "tests/course/pictures/pictures.def"
 };
 
-static const struct Picture *drawn;
+static ColorOfPixel *drawn;
 
 static Color color_of_pixel(Pixel pixel, void *given)
 {
-    return drawn->of_pixel != NULL ? drawn->of_pixel(given, pixel)
-                                   : color_of_hit(given, pixel, drawn->of_hit);
+    return drawn(given, pixel);
 }
 
 int main(int argc, char **argv)
@@ -288,7 +174,7 @@ int main(int argc, char **argv)
     view.light = view.scene.lights[0];
     for (size_t i = 0; i < sizeof pictures / sizeof pictures[0]; i++)
         if (strcmp(pictures[i].name, argv[3]) == 0) {
-            drawn = &pictures[i];
+            drawn = pictures[i].color;
             return picture_write(argv[4], view.size, color_of_pixel, &view);
         }
     fprintf(stderr, "%s: no such picture\n", argv[3]);
