@@ -18,10 +18,10 @@
 //     the students' archive, which has no reference: it calls these, which are not right
 //   - help: a line of help about a cause that only the code shows
 //   - comma: yes, it has a decimal comma, so that no other mistake is named
-// - end: the hash of all lines above
+// - end
 //
 // It is written under another name and renamed, so that every reader sees the old record or the new
-// one. A record that is cut short, or changed by hand, is invalid.
+// one. A record that is cut short is invalid.
 #ifndef TESTS_COURSE_CHAPTER_RECORD_H
 #define TESTS_COURSE_CHAPTER_RECORD_H
 
@@ -85,7 +85,7 @@ typedef struct {
     FunctionRecord functions[MOST_FUNCTIONS];
 } ChapterRecord;
 
-// False if there is no such record, or it is damaged. Free it in either case.
+// False if there is no such record, or it is not whole. Free it in either case.
 bool record_read(const char *path, ChapterRecord *record);
 // Only the lines of the functions: the judge's report.
 bool report_read(const char *path, ChapterRecord *report);

@@ -92,6 +92,26 @@ two_at_once() {
 }
 check 'two runs at once say the same' two_at_once
 
+# Whoever comes later waits, and judges then.
+waits_for_the_lock() {
+    fresh
+    course exercises EX=03
+    start flock "build$answers/verdict/lock" sleep 600
+    wait_until is_locked
+    sed 's/1 - point.y/point.y/' solutions/03-screen.c >"$answers/03-screen.c"
+    holder=$started
+    start make --no-print-directory exercises EX=03 ANSWERS="$answers" >"$scratch/waited" 2>&1
+    wait_until grep 'waiting until that is done' "$scratch/waited" && ! grep 'looks like' "$scratch/waited" &&
+        kill -- "-${holder# }" && wait_until grep 'looks like' "$scratch/waited"
+    status=$?
+    end_started
+    return $status
+}
+is_locked() {
+    ! flock -n "build$answers/verdict/lock" true
+}
+check 'a run waits for another in the same folder' waits_for_the_lock
+
 # A save before watch has judged for the first time is also judged.
 saved_early() {
     fresh
