@@ -3,10 +3,8 @@
 // The objects that were judged are linked with what draws: nothing is compiled again. If a function
 // is not answered, or did not come back when it was judged, the linker puts the reference in its
 // place; a handout has none, and does without the picture.
-#include "tests/course/show.h"
+#include "tests/course/course.h"
 
-#include "tests/course/chapter_record.h"
-#include "tests/course/programs.h"
 #include "tests/judge/exercise.h"
 
 #include <ctype.h>
@@ -115,8 +113,11 @@ static Answerers answerers_of(const JudgingPlan *plan, int chapter, const char *
     return answerers;
 }
 
-static bool link_as_judged(const JudgingPlan *plan, int chapter, const char *objects,
-                           const char *needs, const char *program, Answerers *answerers)
+// Links objects with the answers of a chapter and of those before: the student's, if they are
+// judged; the reference's for the others, if there is one. needs: the functions that matter. False
+// if one of them is missing, or the linker fails.
+static bool link_with_answers(const JudgingPlan *plan, int chapter, const char *objects,
+                              const char *needs, const char *program, Answerers *answerers)
 {
     char *answers = NULL, *all = NULL;
     size_t size;
@@ -130,22 +131,6 @@ static bool link_as_judged(const JudgingPlan *plan, int chapter, const char *obj
     free(answers);
     free(all);
     return good;
-}
-
-// Helpers are hidden only if the linker stumbles over them: a verdict does not wait for that.
-// Links objects with the answers of a chapter and of those before: the student's, if they are
-// judged; the reference's for the others, if there is one. needs: the functions that matter. False
-// if one of them is missing, or the linker fails.
-static bool link_with_answers(const JudgingPlan *plan, int chapter, const char *objects,
-                              const char *needs, const char *program, Answerers *answerers)
-{
-    if (link_as_judged(plan, chapter, objects, needs, program, answerers))
-        return true;
-    if (answerers->missing[0] != '\0')
-        return false;
-    for (int i = chapter; i >= 0; i--)
-        hide_helpers(plan, i);
-    return link_as_judged(plan, chapter, objects, needs, program, answerers);
 }
 
 // ---- the pictures so far -----------------------------------------------------------------------

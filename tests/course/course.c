@@ -12,15 +12,10 @@
 //                                  them; then how many of all chapters are right. Exit status 1
 //                                  if a function of these chapters is not
 //
-// PLAN: how answers are judged, as make has written it down (judging.h). It starts compilers,
+// PLAN: how answers are judged, as make has written it down (course.h). It starts compilers,
 // judges and drawing programs; it never loads an answer. In the environment: V=1 shows these
 // commands; ALL=1 shows all that needs work; NO_COLOR, TERM, COLUMNS (page.h); GDB_FLAGS.
-#include "common/whole_file.h"
-#include "tests/course/chapter_record.h"
-#include "tests/course/judging.h"
-#include "tests/course/page.h"
-#include "tests/course/programs.h"
-#include "tests/course/show.h"
+#include "tests/course/course.h"
 
 #include <poll.h>
 #include <signal.h>
@@ -66,95 +61,60 @@ static int next_saved(const JudgingPlan *plan, const bool chosen[MOST_CHAPTERS],
 
 // ---- hints -------------------------------------------------------------------------------------
 
-// The next line of a text, without blanks at its end; NULL after the last.
-static char *next_line(char **rest)
+// hints: a file (exercises/NN-stem.hints) with a section '# FUNCTION' for each exercise. A hint
+// begins with '- ', lines that continue it with two blanks. Prints hint NUMBER of a function, as it
+// is wrapped there; how many there are.
+static int print_hint(const Page *page, const char *hints, const char *function, int number)
 {
-    char *line = *rest != NULL && **rest != '\0' ? strsep(rest, "\n") : NULL;
-    for (size_t length = line != NULL ? strlen(line) : 0;
-         length > 0 && strchr(" \r", line[length - 1]);)
-        line[--length] = '\0';
-    return line;
-}
-
-static const char *section_name(char *line)
-{
-    line += 1 + strspn(line + 1, " ");
-    line[strcspn(line, " ")] = '\0';
-    return line;
-}
-
-// Prints hint NUMBER of a function, as it is wrapped in the file; how many there are. If function
-// is NULL, prints the names of all functions instead.
-static int go_through(const Page *page, const char *hints, const char *function, int number)
-{
-    size_t size;
-    char *text = whole_text(hints, &size), *rest = text;
+    char line[400], name[100];
     bool inside = false;
     int count = 0;
-    for (char *line; (line = next_line(&rest)) != NULL;) {
-        if (line[0] == '#') {
-            const char *name = section_name(line);
-            inside = function != NULL && strcmp(name, function) == 0;
-            if (function == NULL)
-                fprintf(page->out, "  %s\n", name);
-        } else if (inside && line[0] != '\0') {
-            bool begins = strncmp(line, "- ", 2) == 0;
+    FILE *file = fopen(hints, "r");
+    while (file != NULL && fgets(line, sizeof line, file) != NULL) {
+        bool begins = strncmp(line, "- ", 2) == 0;
+        if (sscanf(line, "# %99s", name) == 1)
+            inside = strcmp(name, function) == 0;
+        else if (inside)
             count += begins;
-            if (count > 0 && count == number)
-                fprintf(page->out, "%s%s\n", begins ? "  " : "", line + (begins ? 2 : 0));
-        }
+        if (inside && count > 0 && count == number && strcmp(line, "\n") != 0)
+            fprintf(page->out, "%s%s", begins ? "  " : "", line + (begins ? 2 : 0));
     }
-    free(text);
+    if (file != NULL)
+        fclose(file);
     return count;
 }
 
-static int shown_so_far(const char *state, const char *function, const char *hash)
-{
-    char last_function[100] = "", last_hash[HASH_WORD] = "";
-    int count = 0;
-    FILE *file = fopen(state, "r");
-    if (file == NULL)
-        return 0;
-    bool good = fscanf(file, "%99s %16s %4d", last_function, last_hash, &count) == 3;
-    fclose(file);
-    return good && count > 0 && strcmp(last_function, function) == 0 && strcmp(last_hash, hash) == 0
-               ? count
-               : 0;
-}
-
-// hints: a file (exercises/NN-stem.hints) with a section '# FUNCTION' for each exercise. A hint
-// begins with '- ', lines that continue it with two blanks. state: a file that remembers what was
-// shown: the function, the hash of the answer's text, how many hints. Returns an exit status.
+// state: a file that remembers what was shown: the function and the hash of the answer's text, then
+// how many hints. Returns an exit status.
 static int hint_next(const Page *page, const char *stem, const char *hints, const char *function,
                      const char *answer, const char *state)
 {
-    FILE *there = fopen(hints, "r");
-    if (there == NULL) {
-        fprintf(stderr,
-                "%s: there are no hints (%s is missing). The lesson: chapters/%s/README.md\n", stem,
-                hints, stem);
-        return 1;
-    }
-    fclose(there);
-    int total = go_through(page, hints, function, 0);
+    int total = print_hint(page, hints, function, 0), shown = 0;
     if (total == 0) {
-        fprintf(stderr, "%s: there is no hint for '%s'. There are some for:\n", stem, function);
-        go_through(&(Page){stderr, page->columns, false, 0}, hints, NULL, 0);
+        fprintf(stderr, "%s: %s has no hints for %s. The lesson: chapters/%s/README.md\n", stem,
+                hints, function, stem);
         return 1;
     }
     // By its text, not its date: saving it again unchanged is not a new attempt.
-    char hash[HASH_WORD];
+    char hash[HASH_WORD], asked[200], last[200];
     hash_word(hash, hash_file(HASH_BEGIN, answer));
-    int shown = shown_so_far(state, function, hash), number = shown < total ? shown + 1 : total;
+    snprintf(asked, sizeof asked, "%s %s", function, hash);
+    FILE *file = fopen(state, "r");
+    if (file != NULL) {
+        if (fscanf(file, "%199[^\n] %4d", last, &shown) != 2 || strcmp(last, asked) != 0)
+            shown = 0;
+        fclose(file);
+    }
+    int number = shown < total ? shown + 1 : total;
     fprintf(page->out, "%s  %s  hint %d of %d\n", stem, function, number, total);
-    go_through(page, hints, function, number);
+    print_hint(page, hints, function, number);
     if (number < total)
         fprintf(page->out, "(next hint: make hint EX=%.2s)\n", stem);
     else
         fprintf(page->out, "(that was the last one; the lesson is chapters/%s/README.md)\n", stem);
-    FILE *file = fopen(state, "w");
+    file = fopen(state, "w");
     if (file != NULL) {
-        fprintf(file, "%s %s %d\n", function, hash, number);
+        fprintf(file, "%s\n%d\n", asked, number);
         fclose(file);
     }
     return 0;
@@ -162,40 +122,29 @@ static int hint_next(const Page *page, const char *stem, const char *hints, cons
 
 // ---- puts the blank back in the place of an answer ---------------------------------------------
 
-typedef struct {
-    const char *bytes;
-    size_t size;
-} Bytes;
-
-static bool write_bytes(FILE *file, const void *given, const char *path, Message *message)
+static bool keep(const char *answer)
 {
-    const Bytes *bytes = given;
-    if (fwrite(bytes->bytes, 1, bytes->size, file) == bytes->size)
-        return true;
-    return message_set(message, "%s: cannot be written", path);
+    char kept[MOST_PLAN_PATH + 30];
+    int n = 0;
+    do
+        snprintf(kept, sizeof kept, "%s.backup-%d", answer, ++n);
+    while (access(kept, F_OK) == 0);
+    if (rename(answer, kept) != 0) {
+        perror(kept);
+        return false;
+    }
+    printf("Your answer is kept as %s\n", kept);
+    return true;
 }
 
 static bool put(const char *path, const char *bytes, size_t size)
 {
-    Message message;
-    if (file_write_whole(path, write_bytes, &(Bytes){bytes, size}, &message))
-        return true;
-    fprintf(stderr, "%s\n", message.text);
-    return false;
-}
-
-static bool keep(const char *answer, const char *text, size_t size)
-{
-    char kept[4200];
-    for (int n = 1;; n++) {
-        snprintf(kept, sizeof kept, "%s.backup-%d", answer, n);
-        if (access(kept, F_OK) != 0)
-            break;
-    }
-    if (!put(kept, text, size))
-        return false;
-    printf("Your answer is kept as %s\n", kept);
-    return true;
+    FILE *file = fopen(path, "w");
+    bool good = file != NULL && fwrite(bytes, 1, size, file) == size;
+    good = file != NULL && fclose(file) == 0 && good;
+    if (!good)
+        perror(path);
+    return good;
 }
 
 // The answer is kept beside it, as ANSWER.backup-N, unless it is the blank. Returns an exit status.
@@ -205,11 +154,9 @@ static int reset_answer(const char *blank, const char *answer)
     char *text = whole_text(blank, &size), *old = whole_text(answer, &old_size);
     bool good = text != NULL;
     if (!good)
-        fprintf(stderr, "%s: cannot be read\n", blank);
-    bool is_blank = good && old != NULL && old_size == size && memcmp(old, text, size) == 0;
-    if (good && old != NULL && !is_blank)
-        good = keep(answer, old, old_size);
-    good = good && put(answer, text, size);
+        perror(blank);
+    else if (old == NULL || old_size != size || memcmp(old, text, size) != 0)
+        good = (old == NULL || keep(answer)) && put(answer, text, size);
     if (good)
         printf("%s is the blank again.\n", answer);
     free(text);

@@ -3,9 +3,8 @@
 // An answer is compiled, linked with the code that answers the judge's calls, and asked by the
 // judge of its chapter. All of that is done by other programs: nothing of an answer is ever loaded
 // here.
-#include "tests/course/judging.h"
+#include "tests/course/course.h"
 
-#include "tests/course/chapter_record.h"
 #include "tests/explain/explain.h"
 #include "tests/judge/exercise.h"
 
@@ -178,7 +177,9 @@ int link_program(const JudgingPlan *plan, const char *program, const char *objec
     return run_line(messages, 0, "%s -o %s %s -lm", plan->link, program, objects);
 }
 
-void hide_helpers(const JudgingPlan *plan, int chapter)
+// Helpers of two chapters may have one name: only the exercises of a judged answer stay visible to
+// what it is linked with later, other chapters and pictures.
+static void hide_helpers(const JudgingPlan *plan, int chapter)
 {
     PlanPath object = plan_file(plan, chapter, "answer.o");
     if (plan->hide[0] != '\0' && access(object.s, F_OK) == 0)
@@ -187,7 +188,9 @@ void hide_helpers(const JudgingPlan *plan, int chapter)
 
 // ---- one at a time judges a folder of answers --------------------------------------------------
 
-int folder_lock(const char *folder)
+// Waits until nobody else has the folder's lock, and prints a message on stderr if it has to wait.
+// -1, and errno, if it cannot be locked. The lock of a program that is killed is free.
+static int folder_lock(const char *folder)
 {
     PlanPath path = path_of(folder, "lock", "");
     int lock = open(path.s, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -203,12 +206,6 @@ int folder_lock(const char *folder)
             return -1;
         }
     return lock;
-}
-
-void folder_unlock(int lock)
-{
-    if (lock >= 0)
-        close(lock);
 }
 
 // The result of a piece of work.
@@ -497,8 +494,7 @@ static int judge_chapter(const JudgingPlan *plan, int chapter, const char *hash)
     if (!compiles(plan, chapter))
         return give_up(plan, chapter, hash, "compiler", explain, "compiler");
     bool linked = links(plan, chapter, "answering", "", plan_file(plan, chapter, "linker").s);
-    if (plan->lend[0] == '\0') // later chapters are linked with it
-        hide_helpers(plan, chapter);
+    hide_helpers(plan, chapter);
     if (!linked)
         return give_up(plan, chapter, hash, "linker", explain_linker, "linker");
     ask(plan, chapter);
@@ -539,6 +535,6 @@ bool judging_judge(const JudgingPlan *plan, const bool wanted[MOST_CHAPTERS])
             good = good && status != TROUBLE;
         }
     } while (saved_meanwhile && good);
-    folder_unlock(lock);
+    close(lock);
     return good;
 }

@@ -1,5 +1,5 @@
 // programs.c - runs programs, and ends them when this one is ended.
-#include "tests/course/programs.h"
+#include "tests/course/course.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,8 +1,6 @@
 // show_verdicts.c - the records of the chapters, as a student reads them.
-#include "tests/course/show.h"
+#include "tests/course/course.h"
 
-#include "tests/course/chapter_record.h"
-#include "tests/course/programs.h"
 #include "tests/judge/exercise.h"
 
 #include <ctype.h>

@@ -1,7 +1,7 @@
 // programs.c - runs programs: the page does.
 //
 // Stands in for tests/course/programs.c.
-#include "tests/course/programs.h"
+#include "tests/course/course.h"
 
 #include "chapters/book/instead/page.h"
 
