@@ -66,8 +66,8 @@ $(WASM_REFERENCES): $(WASM)/tests/reference/%.o: $$(call exact_of,$$*) $(B)/refe
 	$(call say,wasm,$< for the judge)
 	$(Q)mkdir -p $(@D)
 	$(Q)$(WASM_COMPILE) -include $(B)/reference.h -o $@ $<
-$(call wasm_of,$(LAWS) $(KNOWN_ANSWERS)): WASM_EXTRA = $(AS_KNOWN)
-$(call wasm_of,$(LAWS) $(KNOWN_ANSWERS)): $(B)/reference.h
+$(call wasm_of,$(LAWS)): WASM_EXTRA = $(AS_KNOWN)
+$(call wasm_of,$(LAWS)): $(B)/reference.h
 $(call wasm_of,$(LAWS)): WASM_OPTIMIZE = -Oz
 BOOK_JUDGE := $(BOOK)/programs/judge.wasm
 $(WASM)/tests/judge/table.o: WASM_EXTRA = '-DTABLES="tables"'
@@ -172,7 +172,6 @@ book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(S
 	$(BOOK_PICTURES)
 .PHONY: book-programs book-judge
 
-include .make/toolkit/book_verdicts.mk
 include .make/toolkit/book_page.mk
 include .make/toolkit/book_figures.mk
 include .make/toolkit/book_compiler.mk

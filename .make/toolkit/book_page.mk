@@ -61,7 +61,8 @@ browsers-are-here:
 	@! command -v node >/dev/null || node tests/proof/book/browsers.mjs $(BROWSERS)
 .PHONY: browsers-are-here
 ifeq ($(FROM),)
-check-book: browsers-are-here book ## tests of the course in a page, with real browsers
+check-book: browsers-are-here book $(call FOR_JUDGING,$(STEMS)) ## tests of the course in a page, with real browsers
+	@node tests/proof/book/verdicts.mjs $(BOOK) .
 	@for test in $(wildcard tests/proof/book/*.test.mjs); do node $$test || exit 1; done
 	@running=; for browser in $(BROWSERS); do \
 		for test in $(wildcard tests/proof/book/browser/*.mjs); do BROWSER=$$browser node $$test $(BOOK) || exit 1; done & \
@@ -72,6 +73,7 @@ else
 check-book: browsers-are-here book
 	@cd $(BOOK_ROOT) && MAKEFLAGS= $(MAKE) all >make.log 2>&1 || { cat make.log; exit 1; }
 	@node tests/proof/book/handout.mjs $(BOOK) $(BOOK_ROOT) $(WASM)
+	@node tests/proof/book/verdicts.mjs $(BOOK) $(BOOK_ROOT)
 	@for browser in $(BROWSERS); do BROWSER=$$browser node tests/proof/book/browser/drawn.mjs $(BOOK) || exit 1; done
 endif
 .PHONY: check-book

@@ -1,5 +1,5 @@
 // functions.mjs - a wrong answer to each function, in a real browser: the verdict is the one of the same programs in node,
-// word for word (check-book-verdicts compares those with the terminal). Engines of JavaScript differ in how a program
+// word for word (verdicts.mjs compares those with the terminal). Engines of JavaScript differ in how a program
 // ends, and in little else.
 //
 // Usage: BROWSER=chromium|firefox CHAPTERS=01,05 node functions.mjs SITE
