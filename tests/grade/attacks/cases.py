@@ -143,10 +143,10 @@ def answers(case: Case, functions: dict, reference: str) -> dict:
 
 
 def prelude() -> str:
-    """With the messages of the wire as they are now."""
-    wire = (FOLDER.parents[1] / "judge/wire.h").read_text(encoding="utf-8")
-    header = re.search(r"typedef struct \{\n    uint32_t magic;.*?\} WireCrash;\n", wire, re.S)[0]
-    return (FOLDER / "prelude.h").read_text(encoding="utf-8").replace("@WIRE@\n", header)
+    """With the judge's messages as they are now."""
+    message = (FOLDER.parents[1] / "judge/message.h").read_text(encoding="utf-8")
+    header = re.search(r"typedef struct \{\n    uint32_t magic;.*?\} Crash;\n", message, re.S)[0]
+    return (FOLDER / "prelude.h").read_text(encoding="utf-8").replace("@MESSAGE@\n", header)
 
 
 def handed_in(case: Case, functions: dict, reference: str, places: dict) -> bytes:

@@ -18,15 +18,15 @@
 #include <time.h>
 #include <unistd.h>
 
-@WIRE@
+@MESSAGE@
 extern char __bss_start[], _end[];
 
 // Searches memory from *at on for a message of the judge.
-static inline bool find_call(char **at, WireHeader *found)
+static inline bool find_call(char **at, MessageHeader *found)
 {
     for (; *at + sizeof *found < _end; *at += 8) {
         memcpy(found, *at, sizeof *found);
-        if (found->magic == WIRE_MAGIC)
+        if (found->magic == MESSAGE_MAGIC)
             return true;
     }
     return false;
