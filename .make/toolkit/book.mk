@@ -172,9 +172,184 @@ book-judge: $(BOOK_JUDGE) $(BOOK_COURSE) $(ANSWERING_LINKS) $(WASM)/common.a $(S
 	$(BOOK_PICTURES)
 .PHONY: book-programs book-judge
 
-include .make/toolkit/book_page.mk
-include .make/toolkit/book_figures.mk
-include .make/toolkit/book_compiler.mk
+# ---- the pages: lessons, exercises, figures, and the JavaScript that they load -------------------
+
+# Packages of npm are fetched while the site is built, into build/npm; a page itself fetches nothing from elsewhere.
+BOOK_SOURCES := chapters/book
+NPM := build/npm
+BOOK_PACKAGES := $(NPM)/node_modules/.package-lock.json
+$(BOOK_PACKAGES): $(BOOK_SOURCES)/package.json $(BOOK_SOURCES)/package-lock.json
+	@command -v npm >/dev/null || { echo "make book needs node and npm: 'make setup FOR=book' installs them" >&2; exit 1; }
+	$(call say,fetch,packages of npm for the page)
+	$(Q)mkdir -p $(NPM) && cp $^ $(NPM)/
+	$(Q)cd $(NPM) && npm ci --ignore-scripts --no-audit --no-fund --loglevel=error >npm.log || { cat npm.log >&2; exit 1; }
+	@ln -sfn ../../$(NPM)/node_modules $(BOOK_SOURCES)/node_modules
+	@touch $@
+
+# HAND_IN=address: where a class hands in; the start page links to it.
+HAND_IN ?=
+BOOK_STAMP := $(BOOK)-pages
+# FROM=handout: the pages are those of the handout.
+BOOK_ROOT := $(if $(FROM),$(WASM)/ray-casting,.)
+UNPACKED := $(WASM)/unpacked
+$(UNPACKED): build/handout.tar.gz
+	$(Q)mkdir -p $(@D) && rm -rf $(WASM)/ray-casting
+	$(Q)tar xf $< -C $(@D)
+	@touch $@
+BOOK_TEXTS := $(wildcard chapters/[0-9]*/README.md chapters/[0-9]*/*.png chapters/[0-9]*/*.svg exercises/*.[ch] exercises/*.hints \
+	exercises/optional/README.md exercises/optional/pictures/*.png common/*.h)
+BOOK_SCRIPTS := $(wildcard $(BOOK_SOURCES)/*.js $(BOOK_SOURCES)/*/*.js $(BOOK_SOURCES)/*/*.mjs $(BOOK_SOURCES)/page/*)
+$(BOOK_STAMP): $(BOOK_PACKAGES) $(BOOK_SCRIPTS) $(BOOK_TEXTS) $(LESSONS_MARKED) $(DRAWN) $(LIST) .make/toolkit/book.mk $(if $(FROM),$(UNPACKED))
+	$(call say,pages,$(BOOK))
+	$(Q)mkdir -p $(BOOK)
+	$(Q)$(LIST) > build/book-exercises.txt
+	$(Q)$(draw_lesson_steps)
+	$(Q)node $(BOOK_SOURCES)/site/make_pages.mjs $(BOOK_ROOT) $(BOOK) build/book-exercises.txt $(if $(FROM),none,$(B)/lessons) \
+		$(DRAWN_FIGURES) '$(HAND_IN)'
+	@touch $@
+
+# What course and judge read: headers for what the compiler says, hints, blanks, layouts.
+BOOK_JUDGED := $(BOOK)/tree/files.json
+$(BOOK_JUDGED): $(wildcard common/*.h exercises/*.h exercises/*.hints common/figure/*.gp tests/judge/layouts/*.gp \
+		chapters/[0-9]*/figures/yours-and-right.gp) $(BLANKS) $(if $(FROM),$(B)/exercises.names) $(BOOK_PLAN) $(BOOK_SOURCES)/site/pack_texts.mjs
+	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs $(BOOK_PLAN),$^) plan=$(BOOK_PLAN) > $@
+
+BOOK_TABLES := $(STEMS:%=$(BOOK)/tables/%.table.gz)
+$(BOOK_TABLES): $(BOOK)/tables/%.gz: $(if $(FROM),$(ARCHIVED),$(TABLE))/%
+	$(Q)mkdir -p $(@D)
+	$(Q)gzip -9nc $< > $@
+
+# The list of files for the service worker is of all that is there, so it comes last.
+$(BOOK)/service_worker.js: $(BOOK_STAMP) $(BOOK_PROGRAMS) $(BOOK_JUDGE) $(BOOK_COURSE) $(BOOK_JUDGED) $(BOOK_PICTURES) $(BOOK_TABLES) \
+		$(BOOK)/compiler/sizes.json
+	$(Q)node $(BOOK_SOURCES)/site/bundle.mjs $(BOOK)
+
+book: $(BOOK)/service_worker.js ## the course as a site: build/book, for any static host (HAND_IN=address, FROM=handout)
+	@echo "The course is in $(BOOK): copy it to any static host."
+.PHONY: book
+
+# In Chromium and in Firefox, at the same time; BROWSERS=chromium: only that one.
+BROWSERS ?= chromium firefox
+browsers-are-here:
+	@! command -v node >/dev/null || node tests/proof/book/browsers.mjs $(BROWSERS)
+.PHONY: browsers-are-here
+ifeq ($(FROM),)
+check-book: browsers-are-here book $(call FOR_JUDGING,$(STEMS)) ## tests of the course in a page, with real browsers
+	@node tests/proof/book/verdicts.mjs $(BOOK) .
+	@for test in $(wildcard tests/proof/book/*.test.mjs); do node $$test || exit 1; done
+	@running=; for browser in $(BROWSERS); do \
+		for test in $(wildcard tests/proof/book/browser/*.mjs); do BROWSER=$$browser node $$test $(BOOK) || exit 1; done & \
+		running="$$running $$!"; \
+	done; failed=0; for one in $$running; do wait $$one || failed=1; done; exit $$failed
+else
+# The verdicts are those of the handout in a terminal, and nothing of a solution is in any file.
+check-book: browsers-are-here book
+	@cd $(BOOK_ROOT) && MAKEFLAGS= $(MAKE) all >make.log 2>&1 || { cat make.log; exit 1; }
+	@node tests/proof/book/handout.mjs $(BOOK) $(BOOK_ROOT) $(WASM)
+	@node tests/proof/book/verdicts.mjs $(BOOK) $(BOOK_ROOT)
+	@for browser in $(BROWSERS); do BROWSER=$$browser node tests/proof/book/browser/drawn.mjs $(BOOK) || exit 1; done
+endif
+.PHONY: check-book
+
+# ---- what the live figures need, besides the chapters' programs ----------------------------------
+
+# gnuplot, and the layouts and scenes that the programs read. Compressed by xz, as the compiler is.
+BOOK_GNUPLOT := $(BOOK)/figures/gnuplot.wasm.xz
+$(BOOK_GNUPLOT): $(BOOK_PACKAGES) .make/toolkit/book.mk
+	$(Q)mkdir -p $(@D)
+	$(Q)$(XZ) --lzma2=preset=9e,dict=2MiB $(NPM)/node_modules/gnuplot-wasm/src/gnuplot.wasm > $@
+BOOK_LAYOUTS := $(BOOK)/figures/files.json
+$(BOOK_LAYOUTS): $(wildcard common/figure/*.gp chapters/[0-9]*/*.nff chapters/[0-9]*/figures/*.gp \
+		chapters/[0-9]*/figures/*.nff) $(BOOK_SOURCES)/site/pack_texts.mjs
+	$(Q)mkdir -p $(@D)
+	$(Q)node $(BOOK_SOURCES)/site/pack_texts.mjs $(filter-out %.mjs,$^) > $@
+
+# The numbers in a lesson, for the example that a figure shows (instead/lesson_example.c).
+LESSON_NUMBERS := $(LESSONS:%=$(BOOK)/programs/%-numbers.wasm)
+wasm_parts = $(filter-out %/main.o,$(call wasm_program,$(1)))
+EXAMPLE_WRAPS := $(foreach of,camera place point pixel ray sphere,-Wl,--wrap=example_$(of))
+$(LESSON_NUMBERS): $(BOOK)/programs/%-numbers.wasm: $(WASM)/chapters/lessons/%.o $(WASM)/chapters/lessons/numbers.o \
+		$(WASM)/$(INSTEAD)/lesson_example.o $$(call wasm_parts,$$*) \
+		$(call wasm_objects,$(foreach s,$(BOOK_STEMS),$(call exact_of,$(s)))) $(WASM)/shared.a $(WASM)/common.a
+	$(call say,wasm,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(WASM_LINK) -Wl,--strip-all $(EXAMPLE_WRAPS) -o $@ $^ $(WASM_LIBS)
+
+BOOK_FIGURES := $(BOOK_GNUPLOT) $(BOOK_LAYOUTS) $(if $(FROM),,$(LESSON_NUMBERS))
+$(BOOK)/service_worker.js: $(BOOK_FIGURES)
+
+# ---- the compiler of the page: clang of npm's @yowasp/clang, cut down, and headers and libraries ---
+
+# All is compressed with xz, which leaves less than gzip, and no host has to do anything for it (compiler.js).
+COMPILER := chapters/book/compiler
+CLANG_OF_NPM := $(NPM)/node_modules/@yowasp/clang/gen
+WASM_COMPILER := $(WASM)/compiler
+BOOK_COMPILER := $(BOOK)/compiler
+COMPRESSED := small.wasm.xz whole.wasm.xz pack.xz
+
+CUT := $(addprefix $(COMPILER)/,cut_compiler.mjs cut.js kept.js)
+$(WASM_COMPILER)/whole.wasm: KEPT :=
+$(WASM_COMPILER)/small.wasm: KEPT := $(COMPILER)/kept.txt
+$(WASM_COMPILER)/small.wasm: $(COMPILER)/kept.txt
+$(WASM_COMPILER)/whole.wasm $(WASM_COMPILER)/small.wasm: $(CUT) $(BOOK_PACKAGES)
+	$(call say,cut,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)node $< $(CLANG_OF_NPM)/llvm.core.wasm $@ $(KEPT)
+
+# The compiler's own headers, those for C on any processor; Debian's for the C library, with Debian's library.
+$(WASM_COMPILER)/include/stddef.h: $(BOOK_PACKAGES)
+	$(Q)mkdir -p $(WASM_COMPILER)
+	$(Q)tar xf $(CLANG_OF_NPM)/llvm-resources.tar -C $(WASM_COMPILER) --wildcards --no-wildcards-match-slash -m \
+		$(foreach name,__std* __float* float iso646 limits stdalign stdarg stdatomic stdbool std[cdin]* tgmath inttypes,'include/$(name).h')
+WASM_LIBC = $(eval WASM_LIBC := $$(shell $(WASM_CC) -print-file-name=libc.a))$(WASM_LIBC)
+WASM_LIBRARIES := libm.a crt1-command.o crt1-reactor.o $(WASM_EMULATED:%=libwasi-emulated-%.a)
+# The two large ones, without what only a debugger reads; and without the C library's tables of character sets, ciphers and
+# patterns, which would be half of what is fetched of it. Their headers are left out as well, so the compiler says so.
+NOT_PACKED := iconv.o crypt_des.o crypt_blowfish.o crypt_sha512.o crypt_sha256.o crypt_md5.o regcomp.o regexec.o glob.o
+STRIPPED := $(WASM_COMPILER)/lib/libc.a $(WASM_COMPILER)/lib/builtins.a
+$(STRIPPED): $(COMPILER)/strip_archive.mjs
+	$(call say,strip,$@)
+	$(Q)node $< $(if $(filter %/libc.a,$@),$(WASM_LIBC),$$($(WASM_CC) -print-libgcc-file-name)) $@ $(NOT_PACKED)
+PACKED = weak.h=$(B)/weak.h common/=common exercises/=exercises include/=$(subst /lib/,/include/,$(dir $(WASM_LIBC))) \
+	$(foreach name,iconv crypt regex glob,-include/$(name).h) \
+	clang/include/=$(WASM_COMPILER)/include \
+	$(foreach name,$(WASM_LIBRARIES),lib/$(name)=$(dir $(WASM_LIBC))$(name)) \
+	$(foreach library,$(STRIPPED),lib/$(notdir $(library))=$(library)) \
+	$(foreach o,$(ANSWERING_LINKS),link/$(notdir $(o))=$(o) names/$(basename $(notdir $(o)))=$(WASM)/names/$(basename $(notdir $(o)))) \
+	$(if $(ANSWERING_LINKS),lib/common.a=$(WASM)/common.a)
+$(WASM_COMPILER)/pack: $(COMPILER)/flags.json $(COMPILER)/write_pack.js $(WASM_COMPILER)/include/stddef.h $(STRIPPED) \
+		$(B)/weak.h $(wildcard common/*.h exercises/*.h) $(ANSWERING_LINKS) $(if $(ANSWERING_LINKS),$(STEMS:%=$(WASM)/names/%) $(WASM)/common.a)
+	$(call say,pack,headers and libraries)
+	$(Q)node $(COMPILER)/write_pack.js $@ $< $(PACKED)
+
+# xz-decompress knows no other check. The small one is fetched by each student, so it is packed as well as can be.
+XZ := xz --check=crc32 --threads=1 --stdout
+$(BOOK_COMPILER)/small.wasm.xz: XZ_HOW := --lzma2=preset=8,dict=8MiB
+$(BOOK_COMPILER)/whole.wasm.xz: XZ_HOW := --lzma2=preset=1,dict=8MiB
+$(BOOK_COMPILER)/pack.xz: XZ_HOW := --lzma2=preset=9e,dict=4MiB
+$(COMPRESSED:%=$(BOOK_COMPILER)/%): $(BOOK_COMPILER)/%.xz: $(WASM_COMPILER)/% .make/toolkit/book.mk
+	$(call say,compress,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(XZ) $(XZ_HOW) $< > $@
+$(BOOK_COMPILER)/sizes.json: $(COMPRESSED:%=$(BOOK_COMPILER)/%)
+	@{ printf '{'; cd $(BOOK) && for file in $(COMPRESSED:%=compiler/%); do \
+		printf '"%s": %d, ' $$file $$(wc -c < $$file); done; printf '"of": "bytes"}\n'; } > $@
+book-compiler: $(BOOK_COMPILER)/sizes.json
+.PHONY: book-compiler
+
+# The list of what a cut compiler keeps: what a training enters is added to it, and after another version of
+# @yowasp/clang it begins anew. Wants binaryen, and takes long.
+TRAINED := $(wildcard solutions/0[1-7]*.c exercises/0[1-7]*.c solutions/optional/*.c $(COMPILER)/sample.c \
+	chapters/0*/*.c chapters/0*/*/*.c common/*.c common/figure/*.c tests/judge/*.c tests/course/*.c tests/explain/*.c)
+SLIPS ?= 2000
+book-train: $(WASM_COMPILER)/whole.wasm $(WASM_COMPILER)/pack $(BOOK_PICTURES)
+	$(call say,train,clang)
+	$(Q)node $(COMPILER)/write_pack.js $(WASM_COMPILER)/training $(COMPILER)/flags.json $(PACKED) tests/=tests chapters/=chapters
+	$(Q)wasm-split --instrument --profile-export=__write_profile -all $(WASM_COMPILER)/whole.wasm -o $(WASM_COMPILER)/noting.wasm
+	$(Q)node $(COMPILER)/train.mjs $(WASM_COMPILER)/noting.wasm $(CLANG_OF_NPM)/llvm.core.wasm $(WASM_COMPILER)/training \
+		$(WASM)/pictures.pack $(COMPILER)/kept.txt $(SLIPS) $(TRAINED) > $(WASM_COMPILER)/kept.new
+	$(Q)mv $(WASM_COMPILER)/kept.new $(COMPILER)/kept.txt
+.PHONY: book-train
 
 # The rules of the other programs do not need these.
 -include $(if $(JUDGES_ONLY),,$(shell find $(WASM) -name '*.d' 2>/dev/null))

@@ -235,7 +235,7 @@ poster="../animations/{name}/frames{suffix}/{frames[-1].name}" aria-label="{esca
         style = Path("chapters/gallery/gallery.css").read_text(encoding="utf-8")
         by = "the solutions" if self.answers == "solutions" else f"the answers in {escaped(self.answers)}/"
         # Not in a handout.
-        videos = " <code>make animations</code> adds videos." if Path(".make/toolkit/animations.mk").exists() else ""
+        videos = " <code>make animations</code> adds videos." if Path(".make/toolkit/lecture.mk").exists() else ""
         drawn = "" if any(self.built.glob("figures/*/*.svg")) else "<p>No figure is drawn yet.</p>"
         sections = [(number, escaped(heading), cards) for number, (heading, cards) in enumerate(self.sections, 1) if cards]
         contents = "".join(f'<li><a href="#section-{number}">{heading}</a></li>\n' for number, heading, _ in sections)

@@ -1,0 +1,194 @@
+# lecture.mk - make slides, animations, lessons and lesson-figures. Included by the Makefile.
+
+# ---- slides --------------------------------------------------------------------------------------
+
+# One source becomes the lecture's PDFs: NAME.pdf, NAME-dark.pdf, NAME-handout.pdf, NAME-questions.pdf (a
+# handout without answers), NAME-notes.pdf; with SHAPE=4:3 NAME-4x3.pdf and so on. SLIDES=talk.tex: slides of
+# your own. The figures are those that the source and its parts name.
+SLIDES ?= chapters/slides.tex
+LECTURE := $(BUILT)/slides
+SLIDES_NAME := $(notdir $(basename $(SLIDES)))
+ifneq ($(filter slides,$(MAKECMDGOALS)),)
+ifeq ($(wildcard $(SLIDES)),)
+$(error SLIDES=$(SLIDES): no such file)
+endif
+SLIDE_SHAPES := $(or $(subst $(comma), ,$(SHAPE)),16:9)
+ifneq ($(filter-out 16:9 4:3,$(SLIDE_SHAPES)),)
+$(error SHAPE=$(SHAPE): expected 16:9, 4:3 or both)
+endif
+SLIDE_PARTS := $(foreach part,$(shell sed -n 's/^[^%]*\\input{\([^}]*\)}.*/\1/p' $(SLIDES)), \
+	$(firstword $(wildcard $(dir $(SLIDES))$(part).tex chapters/slides/$(part).tex)))
+ON_SLIDES := $(filter $(FIGURE_NAMES) $(OWN_FIGURES),$(shell grep -ho '^[^%]*{[a-z0-9-]*}' $(SLIDES) $(SLIDE_PARTS) | tr '{}' '\n\n' | sort -u))
+endif
+
+# The numbers, by the answers.
+$(LECTURE)/numbers: $(B)/chapters/slides/numbers.o $(ANSWER_OBJECTS) $(B)/chapters/shared.a $(B)/common.a
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ -lm
+$(LECTURE)/numbers.tex: $(LECTURE)/numbers
+	$(Q)$< > $@
+
+# The tests of slides need what is compared.
+check-all check-long: $(LECTURE)/numbers.tex
+
+slides-ready:
+	@chapters/make_slides --ready
+slides-figures: $(call script_of,$(DRAWN_FIGURES),$(ON_SLIDES)) | slides-ready
+	@$(remove_older)
+	@FORMAT=tex THEME= SHAPE='$(SHAPE)' STEPS=1 $(DRAW_FIGURES) $(DRAWN_FIGURES) $(ON_SLIDES)
+
+# name_of_slides SHAPE,SUFFIX; slides_rule SHAPE,SUFFIX,THEME,VERSION
+name_of_slides = $(LECTURE)/$(SLIDES_NAME)$(if $(filter 4:3,$(1)),-4x3)$(2).pdf
+define slides_rule
+SLIDE_PDFS += $(call name_of_slides,$(1),$(2))
+$(call name_of_slides,$(1),$(2)): $(SLIDES) $(SLIDE_PARTS) chapters/slides/lecture.sty chapters/make_slides \
+		$(LECTURE)/numbers.tex $(call script_of,$(DRAWN_FIGURES),$(ON_SLIDES)) | slides-figures
+	$$(call say,latex,$$@)
+	$$(Q)chapters/make_slides $(SLIDES) $$@ $(DRAWN_FIGURES) $(1) $(3) $(4)
+endef
+$(foreach shape,$(SLIDE_SHAPES), \
+	$(eval $(call slides_rule,$(shape),,light,slides)) \
+	$(eval $(call slides_rule,$(shape),-dark,dark,slides)) \
+	$(eval $(call slides_rule,$(shape),-handout,light,handout)) \
+	$(eval $(call slides_rule,$(shape),-questions,light,questions)) \
+	$(eval $(call slides_rule,$(shape),-notes,light,notes)))
+slides: $(SLIDE_PDFS) ## the lecture: slides, handouts, notes (SHAPE=4:3, SLIDES=talk.tex; needs LaTeX: make setup FOR=lecturer)
+	@echo 'The lecture, from $(SLIDES):'; for pdf in $^; do echo "  $$pdf"; done
+.PHONY: slides slides-ready slides-figures
+
+# ---- animations: what moves, as videos and as numbered pictures ----------------------------------
+
+# A layout chapters/animations/NAME.gp, and the data of all its moments, which the answers compute
+# (print_animation.c), are a script; gnuplot draws a frame for each of its steps (draw_animations.py).
+# ANIMATION=name: only that one, or several with commas. SCENE=file.nff: with a scene of yours.
+ANIMATIONS := $(BUILT)/animations
+MOVING_LAYOUTS := $(filter-out %/frame.gp,$(wildcard chapters/animations/*.gp))
+ANIMATION_NAMES := $(sort $(notdir $(basename $(MOVING_LAYOUTS)))) turntable
+ANIMATIONS_WANTED := $(or $(subst $(comma), ,$(ANIMATION)),$(ANIMATION_NAMES))
+ifneq ($(filter-out $(ANIMATION_NAMES),$(ANIMATIONS_WANTED)),)
+$(error ANIMATION=$(ANIMATION): no such animation, expected one of $(ANIMATION_NAMES))
+endif
+ifneq ($(if $(SCENE),$(wildcard $(SCENE)),none),$(or $(SCENE),none))
+$(error SCENE=$(SCENE): no such file, expected a scene)
+endif
+
+# The data are those of the figures of chapters 05 and 06.
+PRINT_ANIMATION := $(BUILT)/print_animation
+MOVING_CHAPTERS := 05-quadratic 06-ray-casting
+$(PRINT_ANIMATION): $(patsubst %,$(B)/chapters/animations/%.o,print_animation moments) \
+		$(filter-out %/main.o,$(foreach stem,$(MOVING_CHAPTERS),$(call chapter_objects,$(stem)))) \
+		$(ANSWER_OBJECTS) $(ANSWERS_CALLED) $(B)/chapters/shared.a $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) $(NOTE_CALLS) -o $@ $^ $(PNG_LIBS) -lm -pthread
+
+# Printed again each time: the frames of the same script are not drawn again. An animation that calls an
+# answer that is missing is not drawn.
+STORIES := $(filter-out turntable,$(ANIMATIONS_WANTED))
+MOVING_SCRIPTS := $(foreach name,$(STORIES),$(ANIMATIONS)/$(name)/$(name).gp)
+$(MOVING_SCRIPTS): $(PRINT_ANIMATION) FORCE
+	@mkdir -p $(@D)
+	@$(if $(filter solutions,$(ANSWERS)),,NOT_YET=$(@D)) $< $(basename $(@F)) $(SCENE) > $@.new
+	@$(take_script)
+DRAW_ANIMATIONS := $(PYTHON) chapters/animations/draw_animations.py
+
+# The last picture, cast from FRAMES sides by chapter 08, with SAMPLES x SAMPLES rays a pixel.
+SAMPLES ?= 1
+TURNED := $(or $(SCENE),$(B)/scenes/finale.nff)
+TURNING := $(filter turntable,$(ANIMATIONS_WANTED))
+animations: $(MOVING_SCRIPTS) $(if $(TURNING),$(TURNED) $(BUILT)/$(ENGINE_CHAPTER)) ## videos, and numbered pictures (FORMAT=mp4,webm,gif,apng,png THEME=light,dark ANIMATION=name)
+	@export FORMAT='$(FORMAT)' THEME='$(THEME)' FRAMES='$(FRAMES)'; \
+		there=$$(for name in $(STORIES); do [ ! -s $(ANIMATIONS)/$$name/$$name.gp ] || echo $$name; done); \
+		[ -z "$$there" ] || $(DRAW_ANIMATIONS) $(ANIMATIONS) $$there $(if $(TURNING),&& \
+		mkdir -p $(ANIMATIONS)/turntable && cp chapters/animations/turntable.txt $(ANIMATIONS)/turntable && \
+		$(DRAW_ANIMATIONS) $(ANIMATIONS) --turn turntable $(TURNED) \
+			$(BUILT)/$(ENGINE_CHAPTER) --shaded --samples $(SAMPLES) -s 1280x720 --threads 1)
+	@$(remove_older)
+	@$(MAKE_PAGE)
+	@echo 'Animations: $(ANIMATIONS)/, and on the page: $(PAGE)'
+.PHONY: animations
+check check-all check-long: $(PRINT_ANIMATION)
+
+# ---- lessons, with their numbers, figures and pictures, as they are committed for readers who build nothing ---
+
+# Lessons with numbers of the example (chapters/example.h) are made from chapters/lessons/NN-stem.md; the program
+# of NN-stem.c fills in its numbers and the output of the chapter's program (chapters/lessons/fill.h).
+LESSONS := $(patsubst chapters/lessons/%.md,%,$(wildcard chapters/lessons/*.md))
+FILL_LESSON := $(LESSONS:%=$(B)/chapters/lessons/%)
+parts_of = $(filter-out %/main.o,$(call chapter_objects,$(1)))
+$(FILL_LESSON): %: %.o $(B)/chapters/lessons/fill.o $(B)/chapters/lessons/numbers.o $$(call parts_of,$$(@F)) \
+		$(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
+FILLED := $(LESSONS:%=$(B)/lessons/%.md)
+$(FILLED): $(B)/lessons/%.md: chapters/lessons/%.md $(B)/chapters/lessons/% $(B)/solutions/% chapters/%/README.md
+	$(Q)mkdir -p $(@D)
+	$(Q)$(B)/solutions/$* > $(@:.md=.txt)
+	$(Q)$(B)/chapters/lessons/$* $< $(@:.md=.txt) chapters/$*/README.md > $@
+
+# The same with each number marked, for a page (chapters/lessons/fill.c).
+LESSONS_MARKED := $(LESSONS:%=$(B)/lessons/%.marked.md)
+$(LESSONS_MARKED): $(B)/lessons/%.marked.md: $(B)/lessons/%.md
+	$(Q)$(B)/chapters/lessons/$* chapters/lessons/$*.md $(@:.marked.md=.txt) chapters/$*/README.md marked > $@
+
+# Numbers that are not an example are named before anything is made of them.
+CHECK_EXAMPLE := $(B)/chapters/lessons/check_example
+$(CHECK_EXAMPLE): %: %.o $(B)/chapters/shared.a $(B)/common.a
+	$(call say,link,$@)
+	$(Q)$(LINK) -o $@ $^ -lm
+EXAMPLE_CHECKED := $(B)/lessons/example
+$(EXAMPLE_CHECKED): $(CHECK_EXAMPLE)
+	@mkdir -p $(@D)
+	@$< && touch $@
+$(FILLED) $(if $(filter solutions,$(A)),$(SCRIPTS) $(PICTURES)): | $(EXAMPLE_CHECKED)
+
+# If the example has other numbers, the lessons change, and with them their figures and pictures. So 'make' writes
+# them as well; but it does not write over a lesson that was changed by hand instead of its source. Lessons that
+# are as they should be keep their dates.
+LESSONS_MADE := $(B)/lessons/made
+$(LESSONS_MADE): $(FILLED) | $(DRAWN) $(PICTURES) $$(FOR_EXERCISES)
+	@written=; kept=; for stem in $(LESSONS); do \
+		lesson=chapters/$$stem/README.md; source=chapters/lessons/$$stem.md; \
+		if cmp -s $(B)/lessons/$$stem.md $$lesson; then :; \
+		elif [ -z '$(filter lessons,$(MAKECMDGOALS))' ] && [ $$lesson -nt $$source ] && [ $$lesson -nt chapters/example.h ]; then \
+			kept=yes; echo "$$lesson differs from what $$source makes: 'make lessons' writes it again"; \
+		else written=yes; cp $(B)/lessons/$$stem.md $$lesson && echo "wrote $$lesson"; fi; done; \
+	[ -z "$$written" ] || MAKEFLAGS= $(MAKE_AGAIN) --no-print-directory $(MAKEOVERRIDES) lesson-figures || exit; \
+	[ -n "$$kept" ] || touch $@
+ifeq ($(A),solutions)
+$(BUILT)/made $(PAGE): $(LESSONS_MADE)
+endif
+lessons: $(LESSONS_MADE) ## write the numbers of chapters/example.h into the lessons ('make' does it as well)
+.PHONY: lessons
+
+LESSON_FIGURES := python3 -B chapters/lessons/lesson_figures.py
+# Of some figures a lesson also shows a step.
+draw_lesson_steps = FORMAT=svg THEME= SHAPE=16:9,4:3 STEPS=1 $(DRAW_FIGURES) $(DRAWN_FIGURES) \
+	$$($(LESSON_FIGURES) --in-steps $(CHAPTERS:%=chapters/%))
+
+# Pictures that the lessons show, chapters/NN-stem/NAME.png: those that programs draw, $(GALLERY)/NAME.png.
+# Two take too long; they have tests of their own (tests/house/fast_program.sh, tests/proof/finale.sh).
+LESSON_PICTURES := $(filter-out %/sphereflake.png %/finale.png,$(wildcard chapters/[0-9]*/*.png))
+# Some of them are drawn before a chapter is right (tests/course/pictures), here by the solutions.
+SO_FAR := $(filter 01-spheres.png 04-spheres.png 07-%.png,$(notdir $(LESSON_PICTURES)))
+DRAWN_PICTURES := $(patsubst %,$(GALLERY)/%,$(filter-out $(SO_FAR),$(notdir $(LESSON_PICTURES)))) \
+	$(SO_FAR:%=$(B)/so-far/%)
+DRAW_SO_FAR := $(B)/tests/house/draw_so_far
+$(DRAW_SO_FAR): $(DRAWING_ANSWERS) $(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
+	$(call say,link,$@)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm
+$(SO_FAR:%=$(B)/so-far/%): $(B)/so-far/%.png: $(DRAW_SO_FAR) $(SPHERES) $(RECORDED)
+	$(Q)mkdir -p $(@D)
+	$(Q)$(DRAW_SO_FAR) $(SPHERES) $(RECORDED) $* $@
+
+# The tests of all these need what is compared, and what compares it.
+check check-all check-long: $(FILLED) $(DRAWN_PICTURES)
+check-all check-long: $(B)/scenes/finale.nff
+lesson-figures: $(DRAWN) $(DRAWN_PICTURES) ## write the figures and pictures that the lessons show, and the figures' words
+	@$(draw_lesson_steps)
+	@$(LESSON_FIGURES) --write $(DRAWN_FIGURES) $(CHAPTERS:%=chapters/%)
+	@for picture in $(LESSON_PICTURES); do \
+		drawn=$(B)/so-far/$${picture##*/}; [ -e $$drawn ] || drawn=$(GALLERY)/$${picture##*/}; \
+		$(PYTHON) tests/house/figures/same_picture.py $$drawn $$picture >/dev/null || { cp $$drawn $$picture && echo "wrote $$picture"; }; done
+.PHONY: lesson-figures
