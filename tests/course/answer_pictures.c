@@ -18,6 +18,8 @@ enum { MOST_ANSWERS = 1000 };
 typedef struct {
     char yours[MOST_ANSWERS], wrong[MOST_ANSWERS]; // by the student: right, and not right yet
     char reference[MOST_ANSWERS], missing[MOST_ANSWERS];
+    // All that the reference answers, and the objects with all answers.
+    char lent[MOST_ANSWERS], objects[20 * MOST_ANSWERS];
 } Answerers;
 
 // Of processor time. A wrong answer may need any.
@@ -66,15 +68,17 @@ static const char *usable_state(const ChapterRecord *record, const char *name)
     return function_state(function);
 }
 
-// Whose answers of a chapter there are. Writes what the linker needs.
-static void choose_answers(const JudgingPlan *plan, int chapter, const char *needs, FILE *objects,
+// Whose answers of a chapter there are.
+static void choose_answers(const JudgingPlan *plan, int chapter, const char *needs,
                            Answerers *answerers)
 {
     PlanPath object = plan_file(plan, chapter, "answer.o");
     ChapterRecord record;
     bool there = judging_record(plan, chapter, &record) && access(object.s, F_OK) == 0 &&
                  record.function_count > 0;
-    bool has_reference = plan->reference[0] != '\0', uses_reference = false;
+    bool has_reference = plan->reference[0] != '\0';
+    if (there)
+        names_add(answerers->objects, sizeof answerers->objects, object.s);
     for (const Exercise *e = exercises; e->name != NULL; e++) {
         if (strcmp(e->stem, plan->chapters[chapter].stem) != 0)
             continue;
@@ -85,31 +89,20 @@ static void choose_answers(const JudgingPlan *plan, int chapter, const char *nee
                                                      : answerers->wrong;
         if (names_include(needs, e->name))
             names_add(list, MOST_ANSWERS, e->name);
-        if (state == NULL && has_reference) {
-            put_option(objects, plan->reference, e->name);
-            uses_reference = true;
-        }
+        if (state != NULL || !has_reference)
+            continue;
+        names_add(answerers->lent, sizeof answerers->lent, e->name);
+        names_add(answerers->objects, sizeof answerers->objects, plan->chapters[chapter].right);
     }
-    if (there)
-        fprintf(objects, " %s", object.s);
-    if (uses_reference)
-        fprintf(objects, " %s", plan->chapters[chapter].right);
     chapter_record_free(&record);
 }
 
-// Who answers those that matter, of a chapter and of those before it. objects: what the linker
-// needs of them, to free.
-static Answerers answerers_of(const JudgingPlan *plan, int chapter, const char *needs,
-                              char **objects)
+// Who answers those that matter, of a chapter and of those before it.
+static Answerers answerers_of(const JudgingPlan *plan, int chapter, const char *needs)
 {
     Answerers answerers = {.yours = ""};
-    size_t size;
-    FILE *out = open_memstream(objects, &size);
-    if (out == NULL)
-        abort();
     for (int i = chapter; i >= 0; i--)
-        choose_answers(plan, i, needs, out, &answerers);
-    fclose(out);
+        choose_answers(plan, i, needs, &answerers);
     return answerers;
 }
 
@@ -119,18 +112,14 @@ static Answerers answerers_of(const JudgingPlan *plan, int chapter, const char *
 static bool link_with_answers(const JudgingPlan *plan, int chapter, const char *objects,
                               const char *needs, const char *program, Answerers *answerers)
 {
-    char *answers = NULL, *all = NULL;
-    size_t size;
-    *answerers = answerers_of(plan, chapter, needs, &answers);
-    FILE *out = open_memstream(&all, &size);
-    if (out == NULL)
-        abort();
-    fprintf(out, "%s %s %s", answers, objects, plan->libraries);
-    fclose(out);
-    bool good = answerers->missing[0] == '\0' && link_program(plan, program, all, "/dev/null") == 0;
-    free(answers);
-    free(all);
-    return good;
+    *answerers = answerers_of(plan, chapter, needs);
+    if (answerers->missing[0] != '\0')
+        return false;
+    char *options = options_for(plan->reference, answerers->lent);
+    int status = run_line("/dev/null", 0, "%s -o %s %s %s %s %s -lm", plan->link, program, options,
+                          answerers->objects, objects, plan->libraries);
+    free(options);
+    return status == 0;
 }
 
 // ---- the pictures so far -----------------------------------------------------------------------
@@ -382,9 +371,7 @@ void reward_line(const Page *page, const JudgingPlan *plan, int chapter)
         fprintf(page->out, "%s is right.\n", stem);
         return;
     }
-    char *objects;
-    Answerers by = answerers_of(plan, chapter, rewards[reward].needs, &objects);
-    free(objects);
+    Answerers by = answerers_of(plan, chapter, rewards[reward].needs);
     if (by.missing[0] != '\0')
         fprintf(page->out, "%s is right. Its picture also needs %s.\n", stem, by.missing);
     else

@@ -154,14 +154,6 @@ const char *entry_value(const Entry *entries, int count, const char *key)
 
 // ---- the record --------------------------------------------------------------------------------
 
-enum { MOST_PATH = 4096 };
-
-static bool record_path(char path[MOST_PATH], const char *folder, const char *stem,
-                        const char *ending)
-{
-    return snprintf(path, MOST_PATH, "%s/%s.record%s", folder, stem, ending) < MOST_PATH;
-}
-
 static bool find_functions(ChapterRecord *record)
 {
     record->head = record->all.count;
@@ -271,18 +263,21 @@ const char *record_state(const ChapterRecord *record)
                                                         : "blank";
 }
 
-FILE *record_begin(const char *folder, const char *stem)
+enum { MOST_PATH = 4096 };
+
+FILE *record_begin(const char *path)
 {
-    char path[MOST_PATH];
-    return record_path(path, folder, stem, ".new") ? fopen(path, "w") : NULL;
+    char new[MOST_PATH];
+    bool fits = snprintf(new, sizeof new, "%s.new", path) < MOST_PATH && path[0] != '\0';
+    return fits ? fopen(new, "w") : NULL;
 }
 
-bool record_finish(FILE *file, const char *folder, const char *stem)
+bool record_finish(FILE *file, const char *path)
 {
-    char path[MOST_PATH], new[MOST_PATH];
-    bool good = record_path(path, folder, stem, "") && record_path(new, folder, stem, ".new");
+    char new[MOST_PATH];
+    snprintf(new, sizeof new, "%s.new", path);
     entry_put(file, "end", "of the record");
-    good = ferror(file) == 0 && good;
+    bool good = ferror(file) == 0;
     good = fclose(file) == 0 && good && rename(new, path) == 0;
     if (!good)
         unlink(new);
@@ -303,11 +298,20 @@ bool names_include(const char *names, const char *name)
     return false;
 }
 
-void names_add(char *names, size_t size, const char *name)
+bool names_add(char *names, size_t size, const char *more)
 {
-    size_t length = strlen(names);
-    if (length + strlen(name) + 2 <= size)
+    bool any = false;
+    for (const char *word = more + strspn(more, " "); *word != '\0'; word += strspn(word, " ")) {
+        char name[200];
+        size_t length = strlen(names), of_word = strcspn(word, " ");
+        snprintf(name, sizeof name, "%.*s", (int)of_word, word);
+        word += of_word;
+        if (names_include(names, name) || length + of_word + 2 > size)
+            continue;
         snprintf(names + length, size - length, "%s%s", length > 0 ? " " : "", name);
+        any = true;
+    }
+    return any;
 }
 
 void names_that_may_excuse(const ChapterRecord *record, const FunctionRecord *wrong,

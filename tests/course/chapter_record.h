@@ -108,14 +108,14 @@ const char *function_because(const FunctionRecord *function);
 // The chapter: right, wrong, begun (some are right, none wrong), blank; compiler, linker, stopped.
 const char *record_state(const ChapterRecord *record);
 
-// Ends the lines that were written to file, which is FOLDER/STEM.record.new, and renames it to
-// FOLDER/STEM.record. False, and errno, if that fails; the old record is then unchanged.
-bool record_finish(FILE *file, const char *folder, const char *stem);
-FILE *record_begin(const char *folder, const char *stem);
+// Writes the lines of a record to PATH.new; ends them, and renames it to PATH. False, and errno, if
+// that fails; the old record is then unchanged.
+FILE *record_begin(const char *path);
+bool record_finish(FILE *file, const char *path);
 
-// Names, which blanks separate: adds one if there is room; whether one is among them; and with
-// commas, a b c -> a, b, c.
-void names_add(char *names, size_t size, const char *name);
+// Names, which blanks separate: adds those that are not among them and for which there is room, and
+// returns whether there was one; whether a name is among them; and with commas, a b c -> a, b, c.
+bool names_add(char *names, size_t size, const char *more);
 bool names_include(const char *names, const char *name);
 void put_names(char *list, size_t size, const char *names);
 

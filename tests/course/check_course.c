@@ -19,7 +19,7 @@ static void write_record(const char *words)
     if (strstr(record_folder, "XXXXXX") != NULL && mkdtemp(record_folder) == NULL)
         abort();
     snprintf(record_path, sizeof record_path, "%s/01-corners.record", record_folder);
-    FILE *out = record_begin(record_folder, "01-corners");
+    FILE *out = record_begin(record_path);
     entry_put(out, "record", "1");
     entry_put(out, "stem", "01-corners");
     entry_put(out, "state", "judged");
@@ -29,7 +29,7 @@ static void write_record(const char *words)
     entry_put(out, "function", "upper_right");
     entry_put(out, "state", "crashed");
     entry_put(out, "case", "3");
-    expect_law(record_finish(out, record_folder, "01-corners"), "written", "not written");
+    expect_law(record_finish(out, record_path), "written", "not written");
 }
 
 static void remove_record(void)
@@ -77,7 +77,7 @@ TEST(chapter_record, a_run_that_does_not_finish_leaves_the_record)
 {
     ChapterRecord record;
     write_record("older");
-    FILE *out = record_begin(record_folder, "01-corners");
+    FILE *out = record_begin(record_path);
     entry_put(out, "record", "1");
     entry_put(out, "words", "newer");
     fclose(out); // and here it is killed
@@ -88,6 +88,30 @@ TEST(chapter_record, a_run_that_does_not_finish_leaves_the_record)
     snprintf(left, sizeof left, "%s.new", record_path);
     unlink(left);
     remove_record();
+}
+
+// Of f, g and h: the state, and what it calls.
+static void expect_excuses(const char *const *known, const char *expected)
+{
+    char names[MOST_NAMES];
+    ChapterRecord record = {.function_count = 3};
+    const char *function_names[] = {"f", "g", "h"};
+    Entry entries[6];
+    for (int i = 0; i < 6; i++)
+        entries[i] = (Entry){i % 2 == 0 ? "state" : "calls", known[i]};
+    for (int i = 0; i < 3; i++)
+        record.functions[i] = (FunctionRecord){function_names[i], entries + 2 * i, 2};
+    names_that_may_excuse(&record, &record.functions[0], names);
+    given("calls", "f: %s; g: %s; h: %s", known[1], known[3], known[5]);
+    expect_text(names, expected);
+}
+
+TEST(chapter_record, only_what_it_calls_and_is_not_right_excuses)
+{
+    expect_excuses((const char *[]){"wrong", "g h", "wrong", "", "right", ""}, "g");
+    expect_excuses((const char *[]){"wrong", "g h", "wrong", "h", "unanswered", ""}, "g h");
+    expect_excuses((const char *[]){"wrong", "", "wrong", "", "wrong", ""}, "");
+    expect_excuses((const char *[]){"wrong", "g", "wrong", "f", "wrong", ""}, "");
 }
 
 // ---- a page: wrapping, colours, a program's output ---------------------------------------------

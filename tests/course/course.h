@@ -107,12 +107,8 @@ PlanPath plan_blank(const JudgingPlan *plan, int chapter);
 int run_line(const char *output, int seconds, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-// Writes a blank, then an option of the plan with a name in the place of each NAME in it.
-void put_option(FILE *line, const char *option, const char *name);
-
-// Links objects with answers. The linker's exit status; its messages go into a file.
-int link_program(const JudgingPlan *plan, const char *program, const char *objects,
-                 const char *messages);
+// An option of the plan for each of these names, which is in the place of NAME in it; to free.
+char *options_for(const char *option, const char *names);
 
 // The record of a chapter. False if there is none, or it is about another text.
 bool judging_record(const JudgingPlan *plan, int chapter, ChapterRecord *record);
@@ -163,9 +159,8 @@ Progress progress_so_far(const JudgingPlan *plan);
 int chapter_that_is_next(const JudgingPlan *plan, const bool chosen[MOST_CHAPTERS]);
 
 // Which function a hint is for: the first wrong one, the first blank, or the last that waits; NULL
-// if all are right. Which one gdb stops at: the first wrong one, or NULL.
+// if all are right.
 const FunctionRecord *function_for_hint(const ChapterRecord *record);
-const FunctionRecord *function_for_debug(const ChapterRecord *record);
 
 // Writes a line about the answers that are wrong among those that the figure calls, and among those
 // that these wait for. Nothing if none is.

@@ -37,26 +37,16 @@ bool plan_read(const char *path, JudgingPlan *plan)
         head++;
     const struct {
         const char *key, **value;
-        bool needed;
     } keys[] = {
-        {"answers", &plan->answers, true},
-        {"built", &plan->built, true},
-        {"draw", &plan->draw, true},
-        {"compile", &plan->compile, true},
-        {"link", &plan->link, true},
-        {"hide", &plan->hide, false},
-        {"lend", &plan->lend, false},
-        {"judge", &plan->judge, true},
-        {"drawing", &plan->drawing, true},
-        {"spheres", &plan->spheres, true},
-        {"reference", &plan->reference, false},
-        {"libraries", &plan->libraries, false},
+        {"answers", &plan->answers}, {"built", &plan->built},
+        {"draw", &plan->draw},       {"compile", &plan->compile},
+        {"link", &plan->link},       {"hide", &plan->hide},
+        {"lend", &plan->lend},       {"judge", &plan->judge},
+        {"drawing", &plan->drawing}, {"reference", &plan->reference},
+        {"spheres", &plan->spheres}, {"libraries", &plan->libraries},
     };
-    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+    for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
         *keys[i].value = entry_value(entries, head, keys[i].key);
-        if (keys[i].needed && (*keys[i].value)[0] == '\0')
-            return complain(path, keys[i].key);
-    }
     plan->verdict = path_of(plan->built, "verdict", "");
     plan->figures = path_of(plan->built, "figures", "");
     plan->hash = HASH_BEGIN;
@@ -156,12 +146,22 @@ int run_line(const char *output, int seconds, const char *format, ...)
     return status;
 }
 
-void put_option(FILE *line, const char *option, const char *name)
+char *options_for(const char *option, const char *names)
 {
-    putc(' ', line);
-    for (const char *at; (at = strstr(option, "NAME")) != NULL; option = at + strlen("NAME"))
-        fprintf(line, "%.*s%s", (int)(at - option), option, name);
-    fputs(option, line);
+    char *options = NULL, *copy = strdup(names);
+    size_t size;
+    FILE *out = open_memstream(&options, &size);
+    if (out == NULL)
+        abort();
+    for (char *rest = copy, *name; (name = strtok_r(rest, " ", &rest)) != NULL;) {
+        const char *from = option;
+        for (const char *at; (at = strstr(from, "NAME")) != NULL; from = at + strlen("NAME"))
+            fprintf(out, "%.*s%s", (int)(at - from), from, name);
+        fprintf(out, "%s ", from);
+    }
+    fclose(out);
+    free(copy);
+    return options;
 }
 
 static int compile_answer(const JudgingPlan *plan, int chapter, const char *source,
@@ -169,12 +169,6 @@ static int compile_answer(const JudgingPlan *plan, int chapter, const char *sour
 {
     return run_line(messages, 0, "%s -o %s %s", plan->compile,
                     plan_file(plan, chapter, "answer.o").s, source);
-}
-
-int link_program(const JudgingPlan *plan, const char *program, const char *objects,
-                 const char *messages)
-{
-    return run_line(messages, 0, "%s -o %s %s -lm", plan->link, program, objects);
 }
 
 // Helpers of two chapters may have one name: only the exercises of a judged answer stay visible to
@@ -277,7 +271,7 @@ static void as_it_is(FILE *out, const char *source, const char *words)
 static FILE *begin_record(const JudgingPlan *plan, int chapter, const char *hash, const char *state,
                           const char *words)
 {
-    FILE *out = record_begin(plan->verdict.s, plan->chapters[chapter].stem);
+    FILE *out = record_begin(plan_beside(plan, chapter, ".record").s);
     if (out == NULL)
         return NULL;
     char object[HASH_WORD];
@@ -309,7 +303,7 @@ static int end_record(const JudgingPlan *plan, int chapter, const char *hash, FI
         fclose(out);
         return SAVED_MEANWHILE;
     }
-    if (out != NULL && record_finish(out, plan->verdict.s, stem))
+    if (out != NULL && record_finish(out, plan_beside(plan, chapter, ".record").s))
         return DONE;
     fprintf(stderr, "%s: its verdict cannot be written: %s\n", stem, strerror(errno));
     return TROUBLE;
@@ -344,18 +338,11 @@ static bool compiles(const JudgingPlan *plan, int chapter)
 static bool links(const JudgingPlan *plan, int chapter, const char *program, const char *lent,
                   const char *messages)
 {
-    char *objects = NULL, *names = strdup(lent);
-    size_t size;
-    FILE *out = open_memstream(&objects, &size);
-    if (out == NULL)
-        abort();
-    for (char *rest = names, *name; (name = strtok_r(rest, " ", &rest)) != NULL;)
-        put_option(out, plan->lend, name);
-    fprintf(out, " %s %s", plan_file(plan, chapter, "answer.o").s, plan->chapters[chapter].objects);
-    fclose(out);
-    int status = link_program(plan, plan_file(plan, chapter, program).s, objects, messages);
-    free(names);
-    free(objects);
+    char *options = options_for(plan->lend, lent);
+    int status = run_line(messages, 0, "%s -o %s %s %s %s -lm", plan->link,
+                          plan_file(plan, chapter, program).s, options,
+                          plan_file(plan, chapter, "answer.o").s, plan->chapters[chapter].objects);
+    free(options);
     return status == 0;
 }
 
@@ -411,8 +398,7 @@ static void wait_for_all(const JudgingPlan *plan, int chapter, const ChapterReco
                 (other != NULL && function_is(other, "right")))
                 continue;
             names_add(names, MOST_NAMES, e->name);
-            if (!names_include(stands[i], e->name))
-                names_add(stands[i], MOST_NAMES, e->name);
+            names_add(stands[i], MOST_NAMES, e->name);
         }
         chapter_record_free(&earlier);
     }

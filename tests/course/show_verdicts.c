@@ -18,19 +18,6 @@ typedef struct {
     ChapterRecord record;
 } Chapter;
 
-static const Exercise *exercise_named(const char *name)
-{
-    const Exercise *exercise = exercises;
-    while (exercise->name != NULL && strcmp(exercise->name, name) != 0)
-        exercise++;
-    return exercise->name != NULL ? exercise : NULL;
-}
-
-const FunctionRecord *function_for_debug(const ChapterRecord *record)
-{
-    return first_that_is(record, "wrong");
-}
-
 const FunctionRecord *function_for_hint(const ChapterRecord *record)
 {
     const FunctionRecord *wrong = first_that_is(record, "wrong"),
@@ -131,12 +118,13 @@ static bool is_lost(const JudgingPlan *plan, const Chapter *chapter)
 static void show_function(const Page *page, const JudgingPlan *plan, const Chapter *chapter,
                           const FunctionRecord *function, ShownFigures *shown)
 {
-    const Exercise *exercise = exercise_named(function->name);
     const char *state = function_value(function, "state");
     bool unanswered = strcmp(state, "unanswered") == 0;
     bool has_ended = strcmp(state, "crashed") == 0 || strcmp(state, "timed out") == 0;
-    if (exercise == NULL)
+    int number = exercise_number(function->name);
+    if (number < 0)
         return;
+    const Exercise *exercise = &exercises[number];
     show_header(page, exercise, unanswered ? "  is not answered yet" : "");
     if (unanswered) {
         page_field(page, PLAIN, "asked", exercise->prompt);
@@ -366,7 +354,7 @@ static bool is_wrong(const JudgingPlan *plan, const Chapter *chapter)
     return strcmp(state, "compiler") == 0 || strcmp(state, "linker") == 0 ||
            strcmp(state, "stopped") == 0 ||
            (is_lost(plan, chapter) && chapter->missing.like[0] != '\0') ||
-           function_for_debug(&chapter->record) != NULL;
+           first_that_is(&chapter->record, "wrong") != NULL;
 }
 
 static bool is_right(const Chapter *chapter)
@@ -464,7 +452,7 @@ Standing show_verdicts(const Page *page, const JudgingPlan *plan, const bool cho
     if (next == NULL || page->rows == 0 || stands_on[0] != '\0')
         page_line(page, PLAIN, "");
     if (next != NULL && (page->rows == 0 || stands_on[0] != '\0')) {
-        bool has_trouble = function_for_debug(&next->record) != NULL ||
+        bool has_trouble = first_that_is(&next->record, "wrong") != NULL ||
                            first_that_is(&next->record, "unanswered") != NULL;
         const char *work = !has_trouble && stands_on[0] != '\0' ? stands_on : next->stem;
         fprintf(page->out, "Next: %s/%s.c\n      the lesson is chapters/%s/README.md\n",
@@ -476,38 +464,6 @@ Standing show_verdicts(const Page *page, const JudgingPlan *plan, const bool cho
 }
 
 // ---- the words below a figure that is drawn by wrong answers -----------------------------------
-
-typedef struct {
-    ChapterRecord records[MOST_CHAPTERS];
-    bool reached[MOST_CHAPTERS][MOST_FUNCTIONS];
-    int count;
-} Verdicts;
-
-static void reach(Verdicts *verdicts, const char *name, size_t length);
-
-static void reach_each(Verdicts *verdicts, const char *names)
-{
-    while (*(names += strspn(names, " ")) != '\0') {
-        size_t length = strcspn(names, " ");
-        reach(verdicts, names, length);
-        names += length;
-    }
-}
-
-// An answer that a wrong one calls is not to blame; an answer that one waits for is.
-static void reach(Verdicts *verdicts, const char *name, size_t length)
-{
-    for (int i = 0; i < verdicts->count; i++)
-        for (int k = 0; k < verdicts->records[i].function_count; k++) {
-            const FunctionRecord *function = &verdicts->records[i].functions[k];
-            if (strlen(function->name) != length || strncmp(function->name, name, length) != 0 ||
-                verdicts->reached[i][k])
-                continue;
-            verdicts->reached[i][k] = true;
-            if (!function_is(function, "wrong"))
-                reach_each(verdicts, function_because(function));
-        }
-}
 
 // On one line, with a minus sign where a hyphen is one.
 static void put_words(FILE *out, const char *words, bool is_formula)
@@ -538,17 +494,27 @@ static void put_note(FILE *out, const FunctionRecord *function)
 
 void figure_note(FILE *out, const JudgingPlan *plan, int count, char *const *called)
 {
-    static Verdicts verdicts;
+    static ChapterRecord records[MOST_CHAPTERS];
+    char reached[MOST_NAMES] = "";
     bool first = true;
-    verdicts.count = plan->count;
     for (int i = 0; i < plan->count; i++)
-        record_read(plan_beside(plan, i, ".record").s, &verdicts.records[i]);
+        record_read(plan_beside(plan, i, ".record").s, &records[i]);
     for (int i = 0; i < count; i++)
-        reach(&verdicts, called[i], strlen(called[i]));
+        names_add(reached, sizeof reached, called[i]);
+    // An answer that a wrong one calls is not to blame; an answer that one waits for is.
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (int i = 0; i < plan->count; i++)
+            for (int k = 0; k < records[i].function_count; k++) {
+                const FunctionRecord *function = &records[i].functions[k];
+                if (names_include(reached, function->name) && !function_is(function, "wrong"))
+                    grows |= names_add(reached, sizeof reached, function_because(function));
+            }
+    }
     for (int i = 0; i < plan->count; i++)
-        for (int k = 0; k < verdicts.records[i].function_count; k++) {
-            const FunctionRecord *function = &verdicts.records[i].functions[k];
-            if (!verdicts.reached[i][k] || !function_is(function, "wrong"))
+        for (int k = 0; k < records[i].function_count; k++) {
+            const FunctionRecord *function = &records[i].functions[k];
+            if (!names_include(reached, function->name) || !function_is(function, "wrong"))
                 continue;
             if (!first)
                 putc(' ', out);
@@ -558,8 +524,7 @@ void figure_note(FILE *out, const JudgingPlan *plan, int count, char *const *cal
     if (!first)
         putc('\n', out);
     for (int i = 0; i < plan->count; i++)
-        chapter_record_free(&verdicts.records[i]);
-    memset(&verdicts, 0, sizeof verdicts);
+        chapter_record_free(&records[i]);
 }
 
 // ---- an answer that is not where it must be, and the file that it may be in --------------------
