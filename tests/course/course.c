@@ -250,26 +250,6 @@ static void show_pictures(const Page *page, const Course *course, const Shown *s
         reward_chapter(page, &course->plan, shown->last);
 }
 
-static int show(const Course *course, const Shown *shown)
-{
-    static ShownFigures figures;
-    Page page = page_on(stdout);
-    const char *all = getenv("ALL");
-    bool news[MOST_CHAPTERS];
-    if (find_rewards(course, shown->chosen, news) > 0) {
-        say_rewards(&page, course, news);
-        putchar('\n');
-    }
-    Standing standing =
-        show_verdicts(&page, &course->plan, shown->chosen, all != NULL && all[0] != '\0', &figures);
-    fflush(stdout);
-    show_pictures(&page, course, shown, standing, &figures, news);
-    fflush(stdout);
-    return 0;
-}
-
-// ---- on a terminal that shows nothing else -----------------------------------------------------
-
 // A page that is written to memory, to free.
 static Page page_in_memory(int rows, char **text, size_t *size)
 {
@@ -281,9 +261,10 @@ static Page page_in_memory(int rows, char **text, size_t *size)
     return page;
 }
 
-// What has become right, in a line each if there is room, and the verdict. The rows that are left.
-static int say_verdict(const Course *course, int rewards, const bool news[MOST_CHAPTERS],
-                       char *verdict, int room)
+// On a terminal that shows nothing else: what has become right, in a line each if there is room,
+// and the verdict. The rows that are left.
+static int print_fitted(const Course *course, int rewards, const bool news[MOST_CHAPTERS],
+                        char *verdict, int room)
 {
     Page page = page_on(stdout);
     char *text = NULL, command[100] = "make exercises";
@@ -291,7 +272,7 @@ static int say_verdict(const Course *course, int rewards, const bool news[MOST_C
     if (course->all.count == 1)
         snprintf(command, sizeof command, "make exercises EX=%.2s",
                  course->plan.chapters[course->all.last].stem);
-    Page fitted = page_in_memory(page.rows, &text, &size);
+    Page fitted = page_in_memory(0, &text, &size);
     int used = page_fit(&fitted, verdict, room - (rewards > 0), command);
     fclose(fitted.out);
     bool is_room = used + rewards <= room;
@@ -301,34 +282,46 @@ static int say_verdict(const Course *course, int rewards, const bool news[MOST_C
         printf("%d chapters are right: %s/gallery\n", rewards, course->plan.built);
     fputs(text, stdout);
     free(text);
-    fflush(stdout);
     return room - used - (is_room ? rewards : 1);
 }
 
-static void show_on_screen(const Course *course, const Shown *shown, int rows)
+// rows: of a terminal that shows nothing else; or 0.
+static void show(const Course *course, const Shown *shown, int rows)
 {
-    enum { KEPT_FREE = 2 }; // for 'Watching ...', and the cursor
+    enum { KEPT_FREE = 2, ALL_ROWS = 1 << 30 }; // for 'Watching ...', and the cursor
     static ShownFigures figures;
-    bool news[MOST_CHAPTERS];
+    const char *all = getenv("ALL");
+    bool news[MOST_CHAPTERS], shows_all = rows == 0 && all != NULL && all[0] != '\0';
     char *verdict = NULL, *pictures = NULL;
     size_t size;
-    int rewards = find_rewards(course, shown->chosen, news);
+    int rewards = find_rewards(course, shown->chosen, news), room = ALL_ROWS;
     Page page = page_in_memory(rows, &verdict, &size);
-    Standing standing = show_verdicts(&page, &course->plan, shown->chosen, false, &figures);
+    Standing standing = show_verdicts(&page, &course->plan, shown->chosen, shows_all, &figures);
     fclose(page.out);
-    int room = say_verdict(course, rewards, news, verdict, rows - KEPT_FREE);
+    page = page_on(stdout);
+    if (rows > 0) {
+        room = print_fitted(course, rewards, news, verdict, rows - KEPT_FREE);
+    } else {
+        say_rewards(&page, course, news);
+        printf("%s%s", rewards > 0 ? "\n" : "", verdict);
+    }
     free(verdict);
-    bool is_right = standing == ALL_RIGHT;
-    page = is_right ? page_on(stdout) : page_in_memory(rows, &pictures, &size);
+    fflush(stdout);
+    bool is_fitted = rows > 0 && standing != ALL_RIGHT;
+    if (is_fitted)
+        page = page_in_memory(rows, &pictures, &size);
     show_pictures(&page, course, shown, standing, &figures, news);
-    if (is_right)
-        return;
-    fclose(page.out);
+    fflush(page.out);
     char *rest = pictures;
     for (char *line; room > 0 && (line = strsep(&rest, "\n")) != NULL && rest != NULL; room--)
         puts(line);
+    if (is_fitted)
+        fclose(page.out);
     free(pictures);
+    fflush(stdout);
 }
+
+// ---- the commands ------------------------------------------------------------------------------
 
 // Chapters that call an answer that was saved may have another verdict now. Blanks keep theirs.
 static bool judge_dependents(const Course *course, int saved)
@@ -359,13 +352,11 @@ static int watch(const Course *course)
     bool good = judging_judge(&course->plan, shown.chosen);
     for (int saved = -1; good;) {
         int rows = page_rows(stdout);
-        if (rows > 0) {
+        if (rows > 0)
             printf("\033[2J\033[H"); // an empty screen
-            show_on_screen(course, &shown, rows);
-        } else {
-            show(course, &shown);
+        show(course, &shown, rows);
+        if (rows == 0)
             putchar('\n');
-        }
         puts("Watching: save a file and it is judged; Ctrl-C ends.");
         fflush(stdout);
         if (saved >= 0)
@@ -416,7 +407,7 @@ static int debug(const Course *course, const char *program)
     const char *stem = course->plan.chapters[course->all.last].stem, *flags = getenv("GDB_FLAGS");
     ChapterRecord record;
     judging_record(&course->plan, course->all.last, &record);
-    const FunctionRecord *function = function_for_debug(&record);
+    const FunctionRecord *function = first_that_is(&record, "wrong");
     if (function == NULL) {
         printf("%s: there is no wrong answer to debug (make exercises EX=%.2s).\n", stem, stem);
         chapter_record_free(&record);
@@ -508,10 +499,11 @@ static int run(const char *what, const Course *course, const char *program)
         show_faults(&page, &course->plan);
         return 0;
     }
-    return strcmp(what, "exercises") == 0 ? show(course, &course->all)
-           : strcmp(what, "hint") == 0    ? hint(course)
-           : strcmp(what, "debug") == 0   ? debug(course, program)
-                                          : 0; // judge
+    if (strcmp(what, "exercises") == 0)
+        show(course, &course->all, 0);
+    return strcmp(what, "hint") == 0    ? hint(course)
+           : strcmp(what, "debug") == 0 ? debug(course, program)
+                                        : 0; // judge
 }
 
 int main(int argc, char **argv)
