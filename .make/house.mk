@@ -1,7 +1,7 @@
 # house.mk - make format, tidy, clean, help: the habits of the house. Included by the Makefile, last, so that
 # 'make help' lists them last.
 C_SOURCES = $(wildcard common/*.[ch] common/*/*.[ch] chapters/*/*.[ch] chapters/*/*/*.[ch] exercises/*.h solutions/*.c solutions/*/*.c) \
-	$(filter-out tests/benches/embree% tests/grade/attacks/% tests/grade/example/%,$(wildcard tests/*.[ch] \
+	$(filter-out tests/benches/embree% tests/grade/attacks/%,$(wildcard tests/*.[ch] \
 	tests/*/*.[ch] tests/*/*/*.[ch]))
 FORMATTED = $(C_SOURCES) $(wildcard tests/benches/embree*.c)
 format: ## lay out the C sources (clang-format)

@@ -77,6 +77,13 @@ $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONF
 		'LIBRARIES=--start-group $(abspath $(KIT)/link/common.a) $(C_LIBRARIES) --end-group $(foreach \
 		o,crtend.o crtn.o,$(call library,$(o)))' > $@
 
+# The ten submissions of the instructor's page.
+EXAMPLE_CLASS := build/example-class
+$(EXAMPLE_CLASS): tests/grade/example/class.txt
+	$(Q)rm -rf $@ && mkdir -p $@ && cd $@ && awk '/^==== / { close(file); file = folder = substr($$0, 6); \
+		sub("/[^/]*$$", "", folder); system("mkdir -p \"" folder "\""); next } file { print > file }' $(abspath $<)
+grade: $(filter $(EXAMPLE_CLASS),$(SUBMISSIONS))
+
 # By the environment, where any folder's name is just a name.
 grade: export SUBMISSIONS := $(SUBMISSIONS)
 grade: export OUT := $(or $(OUT),build/grades)

@@ -212,7 +212,8 @@ def answers(record):
                   ["debug"], ["reset", "EX=1", "ANSWERS=solutions"], ["setup", "FOR=nobody"]):
         status, said = record.run("make", "--no-print-directory", *words)
         record.say("make " + " ".join(words), f"{said}exit status {status}")
-    folders = sorted(path for path in (record.tree / "tests/grade/example/class").iterdir() if path.is_dir())
+    record.make("build/example-class")
+    folders = sorted(path for path in (record.tree / "build/example-class").iterdir() if path.is_dir())
     for folder in [record.tree / "solutions", *folders]:
         own = record.scratch / "answers" / folder.name
         own.mkdir(parents=True)
@@ -249,7 +250,7 @@ def explained(record):
 def grades(record):
     """The example class: what the grader prints, the grades and each report."""
     out = record.scratch / "grades"
-    status, said = record.run("make", "-s", "--no-print-directory", "grade", "SUBMISSIONS=tests/grade/example/class",
+    status, said = record.run("make", "-s", "--no-print-directory", "grade", "SUBMISSIONS=build/example-class",
                               "POLICY=tests/grade/example/policy", f"OUT={out}", SEED="2015")
     said = "\n".join(line.split("\r")[-1] for line in said.splitlines() if not line.startswith("Took"))
     record.say("make grade", re.sub(r"\d+(\.\d+)? s\b", "N s", f"{said}\nexit status {status}"))
@@ -320,7 +321,7 @@ def times(record):
     bare = statistics.median(took["compile"][1:])
     record.say("a verdict", f"{statistics.median(took['verdict'][1:]) / bare:.2f} x a bare compile ({1000 * bare:.0f} ms)")
     shutil.rmtree(record.tree / "build" / str(own)[1:], ignore_errors=True)
-    grade = ["make", "-s", "grade", "SUBMISSIONS=tests/grade/example/class", f"OUT={record.scratch / 'out'}"]
+    grade = ["make", "-s", "grade", "SUBMISSIONS=build/example-class", f"OUT={record.scratch / 'out'}"]
     record.say("grading the example class", f"{seconds(grade, record.tree) / bare:.0f} x a bare compile")
     for scene in ("sphereflake-7381", "sunflower"):
         names = ["plain", "object", "bvh", "packet", "tiles", "bins"]
