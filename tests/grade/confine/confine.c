@@ -8,9 +8,9 @@
 //                                            the judge: files in these places
 //   confine watch PARENT -- PROGRAM ARGUMENT...
 //                                            not confined: nothing of it outlives it, or the
-//                                            process PARENT that started this (watch.c)
+//                                            process PARENT that started this
 //   confine tool PROGRAM ARGUMENT...         a part of the compiler; its exit status says how that
-//                                            ended (watch.c), which no message of it can forge
+//                                            ended, which no message of it can forge
 //   confine room PROCESSES                   fails if that many processes cannot be started
 //   confine probe                            says what this kernel has: 'landlock', 'seccomp'
 //
@@ -18,21 +18,26 @@
 // each alone would do for most attacks. The children of the program inherit the limits. Exit status
 // 126: could not be confined.
 #define _GNU_SOURCE
-#include "tests/grade/confine/confine.h"
 #include "tests/judge/process.h"
 
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/capability.h>
+#include <seccomp.h>
 #include <signal.h>
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 enum {
@@ -49,7 +54,8 @@ enum {
 
 static bool judge_listens; // for why an answer was not started (tests/judge/process.h)
 
-void give_up(const char *what)
+// What cannot be confined is not started: says what failed, and errno's reason.
+static _Noreturn void give_up(const char *what)
 {
     int error = errno;
     fprintf(stderr, "confine: %s: %s\n", what, strerror(error));
@@ -57,6 +63,391 @@ void give_up(const char *what)
         exit(125);
     exit(126);
 }
+
+// ---- Landlock -----------------------------------------------------------------------------------
+
+// What of the file system, the network and other processes can be reached. By its system calls: the
+// C library has no names for them, and older systems have no header (Debian 11 lacks it). The
+// numbers are the kernel's, on every processor: https://docs.kernel.org/userspace-api/landlock.html
+enum { CREATE_RULESET = 444, ADD_RULE, RESTRICT_SELF };
+enum { ASK_VERSION = 1 };       // a flag of CREATE_RULESET
+enum { RULE_PATH_BENEATH = 1 }; // a kind of rule
+struct path_beneath {
+    uint64_t rights;
+    int32_t place; // an open folder or file
+} __attribute__((packed));
+
+// Newer kernels know more rights than the headers that this was compiled with.
+struct rights {
+    uint64_t files, network, scoped;
+};
+enum {
+    WRITE_FILE = 1 << 1,
+    EXECUTE = 1 << 0 | 1 << 2, // and to read the file
+    READ = EXECUTE | 1 << 3,   // and the folder
+    ALL_1 = (1 << 13) - 1,     // of version 1
+    REFER = 1 << 13,           // 2
+    TRUNCATE = 1 << 14,        // 3
+    NETWORK = 3,               // 4: bind, connect
+    IOCTL = 1 << 15,           // 5
+    SCOPED = 3,                // 6: abstract sockets, signals
+};
+
+// The version of Landlock in this kernel; 0: none.
+static int landlock_version(void)
+{
+    long version = syscall(CREATE_RULESET, NULL, 0, ASK_VERSION);
+    return version < 0 ? 0 : (int)version;
+}
+
+static uint64_t all_rights(void)
+{
+    int version = landlock_version();
+    return ALL_1 | (version >= 2 ? REFER : 0) | (version >= 3 ? TRUNCATE : 0) |
+           (version >= 5 ? IOCTL : 0);
+}
+
+// A set of rules that allows nothing yet (a descriptor); what is allowed is added; then it holds
+// for this process and all that it starts, for good. Rules that this system lacks are left out.
+static int landlock_begin(void)
+{
+    int version = landlock_version();
+    struct rights rights = {.files = all_rights()};
+    if (version >= 4)
+        rights.network = NETWORK;
+    if (version >= 6)
+        rights.scoped = SCOPED;
+    size_t size = version >= 6 ? 24 : version >= 4 ? 16 : 8;
+    long rules = syscall(CREATE_RULESET, &rights, size, 0);
+    if (rules < 0)
+        give_up("Landlock");
+    return (int)rules;
+}
+
+// A file takes only rights that a file can have.
+static void allow_place(int rules, int place, uint64_t rights)
+{
+    struct stat status;
+    if (fstat(place, &status) != 0)
+        give_up("stat");
+    if (!S_ISDIR(status.st_mode))
+        rights &= EXECUTE | WRITE_FILE | TRUNCATE | IOCTL;
+    struct path_beneath beneath = {rights, place};
+    if (syscall(ADD_RULE, rules, RULE_PATH_BENEATH, &beneath, 0) != 0)
+        give_up("Landlock");
+}
+
+static void allow_path(int rules, const char *path, uint64_t rights)
+{
+    int place = open(path, O_PATH | O_CLOEXEC);
+    if (place < 0)
+        return;
+    allow_place(rules, place, rights);
+    close(place);
+}
+
+// And to execute.
+static void landlock_allow_read(int rules, const char *path)
+{
+    allow_path(rules, path, READ);
+}
+
+static void landlock_allow_all(int rules, const char *path)
+{
+    allow_path(rules, path, all_rights());
+}
+
+static void landlock_allow_program(int rules, int file)
+{
+    allow_place(rules, file, EXECUTE);
+}
+
+static void landlock_end(int rules)
+{
+    if (syscall(RESTRICT_SELF, rules, 0) != 0)
+        give_up("Landlock");
+    close(rules);
+}
+
+// ---- system calls -------------------------------------------------------------------------------
+
+// The filters, as libseccomp makes them.
+static scmp_filter_ctx filter;
+
+static void rule(uint32_t action, int call, unsigned count, const struct scmp_arg_cmp *arguments)
+{
+    if (call < 0) // unknown on this machine
+        return;
+    errno = -seccomp_rule_add_array(filter, action, call, count, arguments);
+    if (errno != 0)
+        give_up("seccomp");
+}
+
+static void allow(int call)
+{
+    rule(SCMP_ACT_ALLOW, call, 0, NULL);
+}
+
+// These bits of argument n, or its lower 32, are those of the value.
+static struct scmp_arg_cmp bits(unsigned n, uint32_t mask, uint32_t value)
+{
+    return (struct scmp_arg_cmp){n, SCMP_CMP_MASKED_EQ, mask, value};
+}
+
+static struct scmp_arg_cmp is(unsigned n, uint32_t value)
+{
+    return bits(n, UINT32_MAX, value);
+}
+
+static void allow_where(int call, struct scmp_arg_cmp argument)
+{
+    rule(SCMP_ACT_ALLOW, call, 1, &argument);
+}
+
+static void refuse(int call, int error)
+{
+    rule(SCMP_ACT_ERRNO((uint32_t)error), call, 0, NULL);
+}
+
+static void refuse_as_unknown(int call)
+{
+    refuse(call, ENOSYS);
+}
+
+static void refuse_as_forbidden(int call)
+{
+    refuse(call, EPERM);
+}
+
+// names: of system calls. Some are unknown on this machine, but none is to libseccomp.
+static void call_each(void (*treat)(int call), const char *names)
+{
+    char name[40];
+    for (int length; sscanf(names, " %39s%n", name, &length) == 1; names += length) {
+        int call = seccomp_syscall_resolve_name(name);
+        errno = EINVAL;
+        if (call == __NR_SCMP_ERROR)
+            give_up(name);
+        treat(call);
+    }
+}
+
+static void filter_begin(uint32_t by_default)
+{
+    filter = seccomp_init(by_default);
+    if (filter == NULL)
+        give_up("seccomp");
+}
+
+static void filter_end(void)
+{
+    errno = -seccomp_load(filter);
+    if (errno != 0)
+        give_up("seccomp");
+    seccomp_release(filter);
+}
+
+// A student's answers: memory, mathematics, their pipes (read 3, write 1, 2 and 4). Anything else
+// ends the process with SIGSYS. It can be started once, from this descriptor.
+static void allow_answers(int program)
+{
+    filter_begin(SCMP_ACT_TRAP);
+    seccomp_attr_set(filter, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
+    call_each(allow, "brk munmap mremap exit exit_group rt_sigaction rt_sigprocmask rt_sigreturn "
+                     "sigaltstack arch_prctl set_tid_address set_robust_list rseq");
+    // The C library asks these and does without; an answer learns nothing that differs between
+    // runs.
+    call_each(refuse_as_unknown, "newfstatat fstat statx readlink readlinkat lseek getpid gettid "
+                                 "getrandom clock_gettime");
+    refuse(SCMP_SYS(ioctl), ENOTTY);
+    // What the C library asks for. Others poison memory, or tell what is in it.
+    const int advice[] = {MADV_DONTNEED, MADV_FREE};
+    for (size_t i = 0; i < sizeof advice / sizeof advice[0]; i++)
+        allow_where(SCMP_SYS(madvise), is(2, (uint32_t)advice[i]));
+    allow_where(SCMP_SYS(read), is(0, 3));
+    for (unsigned out = 1; out <= 4; out += out) { // 1, 2, 4
+        allow_where(SCMP_SYS(write), is(0, out));
+        if (out < 4)
+            allow_where(SCMP_SYS(writev), is(0, out));
+    }
+    // Until the program starts, which closes it.
+    allow_where(SCMP_SYS(write), is(0, START_ERROR));
+    // Memory that is neither a file nor code.
+    rule(SCMP_ACT_ALLOW, SCMP_SYS(mmap), 2,
+         (const struct scmp_arg_cmp[]){bits(2, PROT_EXEC, 0),
+                                       bits(3, MAP_ANONYMOUS, MAP_ANONYMOUS)});
+    allow_where(SCMP_SYS(mprotect), bits(2, PROT_EXEC, 0));
+    // To ask for limits, not to set them.
+    rule(SCMP_ACT_ALLOW, SCMP_SYS(prlimit64), 2,
+         (const struct scmp_arg_cmp[]){is(0, 0), {2, SCMP_CMP_EQ, 0, 0}});
+    // To be started: from a descriptor that is gone then, and that cannot be had again.
+    rule(SCMP_ACT_ALLOW, SCMP_SYS(execveat), 2,
+         (const struct scmp_arg_cmp[]){is(0, (uint32_t)program), is(4, AT_EMPTY_PATH)});
+    filter_end();
+}
+
+// A compiler: all but what only an attack on the compiler itself would want. It runs no code of the
+// student's.
+static void allow_compiler(void)
+{
+    filter_begin(SCMP_ACT_ALLOW);
+    call_each(refuse_as_forbidden,
+              "socket socketpair connect bind listen ptrace process_vm_readv "
+              "process_vm_writev pidfd_open pidfd_getfd pidfd_send_signal kcmp mount "
+              "umount2 pivot_root chroot open_tree move_mount fsopen fsmount unshare "
+              "setns setsid bpf perf_event_open userfaultfd io_uring_setup keyctl "
+              "add_key request_key memfd_create open_by_handle_at name_to_handle_at "
+              "mknod mknodat chown fchownat setuid setgid reboot swapon init_module "
+              "finit_module kexec_load sethostname settimeofday clock_settime shmget "
+              "msgget semget mq_open");
+    filter_end();
+}
+
+// ---- how what is started ends -------------------------------------------------------------------
+
+// A compiler's words about a text can be forged by that text (#error, #line), so a machine that
+// failed is distinguished from a wrong text by exit statuses and signals alone.
+
+// When a child ends, its own children become children of this process, so that at last all are
+// gone.
+static void end_all(void)
+{
+    char path[60];
+    snprintf(path, sizeof path, "/proc/self/task/%d/children", (int)getpid());
+    do {
+        FILE *children = fopen(path, "r");
+        int child;
+        while (children != NULL && fscanf(children, "%d", &child) == 1)
+            kill(child, SIGKILL);
+        if (children != NULL)
+            fclose(children);
+    } while (wait(NULL) > 0);
+}
+
+static _Noreturn void run(char **command, const sigset_t *signals, pid_t watcher)
+{
+    sigprocmask(SIG_UNBLOCK, signals, NULL);
+    // A command that asks for this itself may be too late: whoever wants it would wait for it in
+    // vain.
+    prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+    if (getppid() != watcher)
+        _exit(126);
+    execvp(command[0], command);
+    give_up(command[0]);
+    _exit(126);
+}
+
+// Ends as the command did.
+static _Noreturn void end_like(int status)
+{
+    if (!WIFSIGNALED(status))
+        exit(WEXITSTATUS(status));
+    exit(128 + WTERMSIG(status));
+}
+
+// Runs the command and ends as it does, with all that is left of it; at once if the parent ends,
+// however that ends. parent: the process that wants the command, which may have ended by now.
+static _Noreturn void watch(pid_t parent, char **command)
+{
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGTERM);
+    sigaddset(&signals, SIGCHLD);
+    if (sigprocmask(SIG_BLOCK, &signals, NULL) != 0 ||
+        prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) != 0 ||
+        prctl(PR_SET_PDEATHSIG, SIGTERM, 0, 0, 0) != 0)
+        give_up("to watch");
+    if (getppid() != parent) // the parent ended before it could be watched
+        exit(1);
+    pid_t watcher = getpid(), child = fork();
+    if (child < 0)
+        give_up("fork");
+    if (child == 0)
+        run(command, &signals, watcher);
+    for (;;) {
+        int number = sigwaitinfo(&signals, NULL), status;
+        if (number == SIGTERM) {
+            end_all();
+            exit(1);
+        }
+        for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;)
+            if (ended == child) {
+                end_all();
+                end_like(status);
+            }
+    }
+}
+
+// The exit statuses of run_tool, as tests/grade/mark/commands.py reads them. All but the last are
+// due to the text that was compiled.
+enum {
+    TOOL_REFUSES = 90, // exit status 1: it says what is wrong with the text
+    TOOL_WORK = 91,    // more work than the limit
+    TOOL_FILE = 92,    // a larger file than the limit
+    TOOL_CRASHED = 93, // a fault of its own: memory, stack, assertion
+    TOOL_ODD = 94,     // another exit status: it found an error in itself
+    TOOL_ENDED = 99,   // ended by somebody else, or could not be started
+};
+
+static int status_of_signal(int number)
+{
+    switch (number) {
+    case SIGXCPU:
+        return TOOL_WORK;
+    case SIGXFSZ:
+        return TOOL_FILE;
+    case SIGSEGV:
+    case SIGABRT:
+    case SIGILL:
+    case SIGFPE:
+        return TOOL_CRASHED;
+    default:
+        return TOOL_ENDED;
+    }
+}
+
+static int run_tool(char **command)
+{
+    pid_t child = fork();
+    if (child == 0) {
+        execvp(command[0], command);
+        fprintf(stderr, "confine: %s: %s\n", command[0], strerror(errno));
+        kill(getpid(), SIGKILL); // no exit status of a tool could be mistaken for this
+    }
+    int status;
+    if (child < 0 || waitpid(child, &status, 0) != child)
+        return TOOL_ENDED;
+    if (WIFSIGNALED(status))
+        return status_of_signal(WTERMSIG(status));
+    return WEXITSTATUS(status) == 0 ? 0 : WEXITSTATUS(status) == 1 ? TOOL_REFUSES : TOOL_ODD;
+}
+
+// 0 if that number of processes can exist at a time.
+static int room_for(int processes)
+{
+    int ends[2] = {-1, -1}, started = 0;
+    if (pipe(ends) == 0)
+        while (started < processes) {
+            pid_t child = fork();
+            if (child < 0)
+                break;
+            if (child == 0) {
+                char byte;
+                close(ends[1]);
+                _exit(read(ends[0], &byte, 1) < 0);
+            }
+            started++;
+        }
+    if (started < processes)
+        fprintf(stderr, "only %d of %d processes can be started: %s\n", started, processes,
+                strerror(errno));
+    close(ends[1]); // ends them all
+    while (wait(NULL) > 0)
+        ;
+    return started < processes;
+}
+
+// ---- what is started ----------------------------------------------------------------------------
 
 // option: of the shell's ulimit
 static void limit(__rlimit_resource_t what, rlim_t most, char option)
@@ -122,13 +513,13 @@ static void allow_places(char **places, char **command)
 {
     if (landlock_version() > 0) {
         int rules = landlock_begin();
-        void (*allow)(int, const char *) = landlock_allow_all;
-        allow(rules, "/dev/null");
+        void (*allow_next)(int, const char *) = landlock_allow_all;
+        allow_next(rules, "/dev/null");
         for (char **place = places; place < command - 1; place++) {
             if (strcmp(*place, "-") == 0)
-                allow = landlock_allow_read;
+                allow_next = landlock_allow_read;
             else
-                allow(rules, *place);
+                allow_next(rules, *place);
         }
         landlock_end(rules);
     }

@@ -16,7 +16,7 @@ LARGEST_PROGRAM = 4 << 20
 # The exit statuses that are about what was handed in, after a second look (confine/machine.py); all others are about
 # this machine.
 DONE = 0
-REFUSED = {1, 90, 93, 94} | statuses_of(CRASHES)    # an error, or the compiler crashed on it (confine/confine.h)
+REFUSED = {1, 90, 93, 94} | statuses_of(CRASHES)    # an error, or the compiler crashed on it (confine/confine.c)
 LIMITED = {91, 92} | statuses_of(LIMITS)            # too much work, or a file that is too large
 BUILT = frozenset({DONE} | REFUSED | LIMITED)
 JUDGED = frozenset({DONE, 1})
@@ -65,7 +65,7 @@ class Kit:
         return str(self.folder / LINKED / name)
 
     def compile(self, stem: str, tool: str) -> Command:
-        """tool: what says how each program of the compiler ended (confine/watch.c); '' if there is nothing."""
+        """tool: what says how each program of the compiler ended (confine/confine.c); '' if there is nothing."""
         watched = [*self.parts_of_compiler, f"{tool},tool"] if tool and self.parts_of_compiler else []
         return Command(stem, [*self.compiler, *watched, "-o", f"{stem}.o", f"{stem}.c"],
                        BUILT - {1} if watched else BUILT, complaints=f"{stem}.words",

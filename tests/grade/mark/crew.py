@@ -56,7 +56,7 @@ class Progress:
 
 
 def end_with_parent(parent: int) -> None:
-    """However the parent ends. The processes started here do the same (confine/watch.c)."""
+    """However the parent ends. The processes started here do the same (confine/confine.c)."""
     PR_SET_PDEATHSIG, PR_SET_CHILD_SUBREAPER = 1, 36
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
