@@ -1,42 +1,9 @@
 """read_back.py - readers of the reports' formats that share nothing with their writers.
 
-Perl's of TAP where it is installed, python's own, and one of a few lines for CSV, which reads
-what RFC 4180 allows and nothing else.
+Of TAP, of HTML, and of CSV: the last reads what RFC 4180 allows and nothing else.
 """
 import html.parser
 import re
-import shutil
-import subprocess
-
-TAP_READER = r"""
-use TAP::Parser; binmode STDOUT, ':raw'; local $/; my $tap = <STDIN>;
-my $parser = TAP::Parser->new({ tap => $tap });
-while (my $result = $parser->next) {
-    print $result->is_ok ? 'ok ' : 'not ok ', $result->has_skip ? 'skip ' : '',
-        $result->has_todo ? 'todo ' : '', $result->description, "\n" if $result->is_test;
-    print "bail\n" if $result->is_bailout;
-    print "unknown ", $result->raw, "\n" if $result->is_unknown;
-    print "yaml ", join("|", $result->data->{message}, @{$result->data->{comment}}), "\n" if $result->is_yaml;
-}
-print "errors ", scalar($parser->parse_errors), " planned ", $parser->tests_planned, " version ",
-    $parser->version, "\n";
-"""
-
-
-def has_tap_parser() -> bool:
-    return bool(shutil.which("perl")) and subprocess.run(["perl", "-MTAP::Parser", "-e", "1"], capture_output=True,
-                                                         check=False).returncode == 0
-
-
-def run(command: list, data: bytes) -> bytes:
-    done = subprocess.run(command, input=data, capture_output=True, timeout=60, check=False)
-    if done.returncode != 0 or done.stderr:
-        raise ValueError(f"{command[0]}: {done.stderr.decode(errors='replace')[:500]}")
-    return done.stdout
-
-
-def perl_tap(data: bytes) -> list:
-    return run(["perl", "-e", TAP_READER], data).decode("utf-8").splitlines()
 
 
 def tap_points(data: bytes) -> list:

@@ -4,7 +4,6 @@ from __future__ import annotations
 import csv
 import json
 import re
-import shutil
 import subprocess
 import tempfile
 from pathlib import Path
@@ -64,13 +63,6 @@ class Example(Sentences):
         with open(self.out / "grades.csv", encoding="utf-8-sig", newline="") as file:
             rows = [(row["submission"], row["status"], row["score"]) for row in csv.DictReader(file)]
         self.assertEqual(sorted(explained), sorted(rows))
-
-    def test_prove_reads_its_failures(self):
-        if shutil.which("prove") is None:
-            self.skipTest("grades.tap by prove (no prove)")
-        said = subprocess.run(["prove", self.out / "grades.tap"], capture_output=True, text=True).stdout
-        self.assertRegex(said, r"(?m)^Files=1, Tests=[1-9]")
-        self.assertNotIn("Parse errors", said)
 
     def test_deep_folder_still_has_its_windows_line_ends(self):
         [path] = Path("build/example-class").glob("deep-folder/*/*/01-corners.c")
