@@ -112,24 +112,26 @@ check check-all check-long: $(PRINT_ANIMATION)
 # ---- lessons, with their numbers, figures and pictures, as they are committed for readers who build nothing ---
 
 # Lessons with numbers of the example (chapters/example.h) are made from chapters/lessons/NN-stem.md; the program
-# of NN-stem.c fills in its numbers and the output of the chapter's program (chapters/lessons/fill.h).
+# of NN-stem.c prints their numbers, and fill.py puts them in, and the output of the chapter's program.
 LESSONS := $(patsubst chapters/lessons/%.md,%,$(wildcard chapters/lessons/*.md))
 FILL_LESSON := $(LESSONS:%=$(B)/chapters/lessons/%)
 parts_of = $(filter-out %/main.o,$(call chapter_objects,$(1)))
-$(FILL_LESSON): %: %.o $(B)/chapters/lessons/fill.o $(B)/chapters/lessons/numbers.o $$(call parts_of,$$(@F)) \
+$(FILL_LESSON): %: %.o $(B)/chapters/lessons/print_numbers.o $(B)/chapters/lessons/numbers.o $$(call parts_of,$$(@F)) \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) -o $@ $^ $(PNG_LIBS) -lm -pthread
+FILL := $(PYTHON) chapters/lessons/fill.py
 FILLED := $(LESSONS:%=$(B)/lessons/%.md)
-$(FILLED): $(B)/lessons/%.md: chapters/lessons/%.md $(B)/chapters/lessons/% $(B)/solutions/% chapters/%/README.md
+$(FILLED): $(B)/lessons/%.md: chapters/lessons/%.md chapters/lessons/fill.py $(B)/chapters/lessons/% $(B)/solutions/% chapters/%/README.md
 	$(Q)mkdir -p $(@D)
 	$(Q)$(B)/solutions/$* > $(@:.md=.txt)
-	$(Q)$(B)/chapters/lessons/$* $< $(@:.md=.txt) chapters/$*/README.md > $@
+	$(Q)if command -v python3 >/dev/null; then $(FILL) $(B)/chapters/lessons/$* $< $(@:.md=.txt) chapters/$*/README.md; \
+		else cat chapters/$*/README.md; fi > $@
 
-# The same with each number marked, for a page (chapters/lessons/fill.c).
+# The same with each number marked, for a page (chapters/lessons/fill.py).
 LESSONS_MARKED := $(LESSONS:%=$(B)/lessons/%.marked.md)
 $(LESSONS_MARKED): $(B)/lessons/%.marked.md: $(B)/lessons/%.md
-	$(Q)$(B)/chapters/lessons/$* chapters/lessons/$*.md $(@:.marked.md=.txt) chapters/$*/README.md marked > $@
+	$(Q)$(FILL) $(B)/chapters/lessons/$* chapters/lessons/$*.md $(@:.marked.md=.txt) chapters/$*/README.md marked > $@
 
 # Numbers that are not an example are named before anything is made of them.
 CHECK_EXAMPLE := $(B)/chapters/lessons/check_example

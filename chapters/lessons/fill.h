@@ -1,19 +1,9 @@
-// fill.h - a lesson is its source with the numbers of the example filled in.
-//
-// The source, chapters/lessons/NN-stem.md, has in double brackets
-//   [[name]]              a number or a text that NN-stem.c gives by that name
-//   [[output HEADING]]    on a line of its own: what the chapter's program prints below the heading
-//                         that begins so, heading included
-//   [[figure NAME]]       on a line of its own: the line that shows a figure, as the lesson has it
-//                         now; make lesson-figures writes it
-// All other text is the lesson's.
+// fill.h - the numbers of a lesson, by the names that its source has for them (fill.py).
 #ifndef CHAPTERS_LESSONS_FILL_H
 #define CHAPTERS_LESSONS_FILL_H
 
 #include "common/camera.h"
 #include "common/vec3.h"
-
-#include <stdbool.h>
 
 // Give a name its text.
 void fill_text(const char *name, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -33,9 +23,8 @@ void fill_camera(Camera camera);
 typedef struct {
     const char *name;
     char text[400];
-    bool is_used; // in the lesson
 } FilledNumber;
-FilledNumber *filled_numbers(int *count);
+const FilledNumber *filled_numbers(int *count);
 
 // Gives all numbers of a lesson: NN-stem.c.
 void fill_numbers(void);

@@ -71,7 +71,7 @@ void fill_camera(Camera c)
     fill_vector("forward", c.forward);
 }
 
-FilledNumber *filled_numbers(int *count)
+const FilledNumber *filled_numbers(int *count)
 {
     *count = value_count;
     return values;

@@ -1,7 +1,7 @@
 // numbers.mjs - marks the numbers of the example in a lesson: each gets data-number="NAME", and the page changes it
 // when a figure is dragged (page/numbers.js). Runs when the site is built.
 //
-// chapters/lessons/fill.c marks them in the markdown: U+E000 NAME U+E001 NUMBER U+E002.
+// chapters/lessons/fill.py marks them in the markdown: U+E000 NAME U+E001 NUMBER U+E002.
 import { existsSync, readFileSync } from "node:fs";
 import katex from "katex";
 import { typesetNumber } from "../page/typeset_number.js";
