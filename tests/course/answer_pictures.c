@@ -203,11 +203,12 @@ static void set_mark(const char *path)
         fclose(file);
 }
 
-void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter)
+void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter, bool again)
 {
     ChapterRecord record;
-    bool has_shown = false; // after an empty line
     judging_record(plan, chapter, &record);
+    bool is_done = strcmp(record_state(&record), "right") == 0;
+    bool begins = !is_done; // with an empty line
     const AnswerPicture *wrong = NULL;
     for (int i = 0; i < record.function_count && wrong == NULL; i++)
         if (function_is(&record.functions[i], "wrong") &&
@@ -222,31 +223,16 @@ void show_answer_pictures(const Page *page, const JudgingPlan *plan, int chapter
         bool right = is_right(plan, function_state(function));
         if (!right)
             unlink(mark.s);
-        if (picture != wrong && !(right && access(mark.s, F_OK) != 0))
-            continue;
-        bool shown = show_picture(page, plan, chapter, picture, !has_shown);
-        has_shown = has_shown || shown;
-        if (right && shown)
+        // In the later chapters the chapter's own picture shows all of it.
+        bool is_news = right && (again || access(mark.s, F_OK) != 0) &&
+                       (!is_done || picture->given[0] != '\0');
+        bool shown =
+            (picture == wrong || is_news) && show_picture(page, plan, chapter, picture, begins);
+        begins = begins && !shown;
+        if (right && (shown || is_done))
             set_mark(mark.s);
     }
     chapter_record_free(&record);
-}
-
-// The same for a chapter that is right: the pictures of the first chapters. Again: also if they
-// were shown before.
-static void show_right_pictures(const Page *page, const JudgingPlan *plan, int chapter, bool again)
-{
-    for (int i = 0; i < PICTURE_COUNT; i++) {
-        const AnswerPicture *picture = &pictures[i];
-        PlanPath mark = path_of(plan->verdict.s, picture->name, ".drawn");
-        bool is_early = picture->given[0] != '\0';
-        if (strncmp(picture->name, plan->chapters[chapter].stem, strlen("NN-")) != 0)
-            continue;
-        // In the later chapters the chapter's own picture shows all of it.
-        if (is_early && (again || access(mark.s, F_OK) != 0))
-            show_picture(page, plan, chapter, picture, false);
-        set_mark(mark.s);
-    }
 }
 
 // ---- the picture that is drawn after a chapter is right ----------------------------------------
@@ -388,7 +374,7 @@ void reward_draw(const Page *page, const JudgingPlan *plan, int chapter)
             fprintf(page->out, "%s could not be drawn: make ANSWERS=%s says why\n", picture.s,
                     plan->answers);
     }
-    show_right_pictures(page, plan, chapter, false);
+    show_answer_pictures(page, plan, chapter, false);
 }
 
 void reward_chapter(const Page *page, const JudgingPlan *plan, int chapter)
@@ -399,7 +385,7 @@ void reward_chapter(const Page *page, const JudgingPlan *plan, int chapter)
     fflush(page->out);
     if (reward < REWARD_COUNT && rewards[reward].picture != NULL)
         show_chapter_picture(page, plan, chapter, reward);
-    show_right_pictures(page, plan, chapter, true);
+    show_answer_pictures(page, plan, chapter, true);
     if (chapter + 1 < plan->count) {
         const char *next = plan->chapters[chapter + 1].stem;
         fprintf(page->out, "Next: chapters/%s/README.md\n      and then ", next);

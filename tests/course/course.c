@@ -231,7 +231,7 @@ static void draw_pictures(const Page *page, const Course *course, const bool cho
             if (file != NULL)
                 fclose(file);
         } else if (chosen[i] && !is_right(course, i)) {
-            show_answer_pictures(page, &course->plan, i);
+            show_answer_pictures(page, &course->plan, i, false);
         }
     }
 }
