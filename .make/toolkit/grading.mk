@@ -11,13 +11,6 @@ $(CONFINE): $(B)/tests/grade/confine/confine.o
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LINK) -static -o $@ $^ $(SECCOMP_LIBS)
 
-# Runs the steps' commands inside a sandbox.
-KIT_PARTS := $(KIT)/parts
-$(KIT_PARTS): $(B)/tests/grade/mark/parts.o
-	$(call say,link,$@)
-	$(Q)mkdir -p $(@D)
-	$(Q)$(LINK) -static -o $@ $^
-
 # The explainer of compiler messages. It also runs in a sandbox.
 KIT_EXPLAIN := $(KIT)/explain
 $(KIT_EXPLAIN): $(EXPLAIN_OBJECTS)
@@ -65,7 +58,7 @@ $(KIT)/expected.png: $(DRAW) $(SCENE_TO_DRAW)
 
 # With UNSAFE=1 there may be no sandbox to build.
 KIT_CONFINE := $(if $(UNSAFE),$(if $(CAN_GRADE),$(CONFINE)),$(CONFINE))
-$(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONFINE) $(KIT_PARTS) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
+$(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONFINE) $(KIT_EXPLAIN) $(KIT_HEADER) $(KIT_LINKS) $(KIT_BLANKS) \
 		$(B)/common.a $(KIT)/expected.png $(LIST) $(JUDGE) $(RECORD) \
 		$(if $(findstring =$(abspath $(PICTURE)),$(file <$(KIT)/commands)),,FORCE) # paths: the tree may have been moved
 	$(Q)mkdir -p $(KIT)/blanks && cp $(STEMS:%=build/blanks/%.c) $(KIT)/blanks/

@@ -220,7 +220,8 @@ class Faults(Sentences):
         wanted = {}     # submission -> kind of process, signal
         for number in SIGNALS:
             for fault in ("the compiler sleeps", "the judge sleeps"):
-                for kind in ("grader", "watch", *view, "parts", "sleep"):
+                # A shell waits for its command before it ends by SIGINT, and commands have limits.
+                for kind in ("grader", "watch", *view, *(["sh"] if number != "INT" else []), "sleep"):
                     name = f"{fault}, SIG{number} to {kind}"
                     put(folder, name, f"// fault: {fault}\n{right('01-corners')}")
                     wanted[name] = (kind, number)

@@ -1,10 +1,11 @@
 """commands.py - every program that is run for a submission, as a list of arguments.
 
-A step is some of them, one after the other in one sandbox (parts.c). Their folder is the submission's, which
+A step is some of them, one after the other in one sandbox, run by a shell. Their folder is the submission's, which
 they name by STEM.c, STEM.o and so on; of this project they are shown the kit, which the Makefile makes.
 """
 from __future__ import annotations
 
+import shlex
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -28,6 +29,16 @@ HEADERS, LINKED = "headers", "link"
 # the reference.
 BLANK, RIGHT = "blank-", "right-"
 
+# Of a part that has just ended: its name, the file that it had to make, or none, and the most bytes of that. What
+# was not made, or is too large, counts as SIGXFSZ.
+ENDED = """ended() {
+    status=$?
+    [ -z "$2" ] || [ $status != 0 ] || [ "$(wc -c <"$2")" -le "$3" ] || status=153
+    [ -z "$2" ] || [ $status = 0 ] || rm -f "$2"
+    echo "$1 $status"
+}
+"""
+
 
 @dataclass(frozen=True)
 class Command:
@@ -40,10 +51,17 @@ class Command:
     makes: str = ""
     most: int = 0                   # bytes of what it makes
 
-    def arguments(self) -> list[str]:
-        """For parts.c."""
-        return [self.name, self.reads, self.writes, self.complaints, self.makes, str(self.most), str(len(self.words)),
-                *self.words]
+    def shell(self) -> str:
+        """A line of a step's script."""
+        files = [("<", self.reads), (">", self.writes), ("2>", self.complaints)]
+        redirected = " ".join(sign + shlex.quote(file) for sign, file in files if file)
+        return f"{shlex.join(self.words)} {redirected}; ended {shlex.join([self.name, self.makes, str(self.most)])}\n"
+
+
+def script(commands: list[Command]) -> list[str]:
+    """What runs these. It prints NAME STATUS for each, as a shell counts: 128 and more is a signal. The last line is
+    'end'; without it, the step did not come to its end."""
+    return ["/bin/sh", "-c", ENDED + "".join(command.shell() for command in commands) + "echo end"]
 
 
 @dataclass(frozen=True)
@@ -56,10 +74,6 @@ class Kit:
     parts_of_compiler: list[str]    # what makes a compiler of several programs run each by another one
     linker: list[str]
     libraries: list[str]
-
-    @property
-    def parts(self) -> str:
-        return str(self.folder / "parts")
 
     def of_link(self, name: str) -> str:
         return str(self.folder / LINKED / name)

@@ -79,7 +79,7 @@ class Grader:
         confine = [Path(self.sandbox.confine)] if self.sandbox.confine else []
         self.tests = sum_of_files([exercises.LIST, *GRADER, Path(self.kit.judge_program), Path(self.kit.record_program),
                                    *sorted((self.kit.folder / "link").iterdir()),
-                                   *(self.kit.folder / name for name in ("commands", "parts", "explain")), *confine])
+                                   *(self.kit.folder / name for name in ("commands", "explain")), *confine])
 
     def begin(self) -> None:
         """When it is clear that there is something to mark, and nobody else does."""

@@ -10,7 +10,7 @@ from typing import Callable
 from grade.confine.machine import GraderFailed, check_room
 from grade.confine.sandbox import Sandbox, complaint, ending
 
-from .commands import HEADERS, LINKED, Command, Kit
+from .commands import HEADERS, LINKED, Command, Kit, script
 
 ESCAPES = {"n": "\n", "t": "\t", "\\": "\\"}  # what is not printable stays an escape: \x1b
 
@@ -56,14 +56,14 @@ class Workbench:
         return self._build("link", [LINKED], commands)
 
     def _build(self, step: str, of_kit: list[str], commands: list[Command]) -> dict[str, int]:
-        readable = [self.kit.parts, self.kit.explainer, *(str(self.kit.folder / name) for name in of_kit)]
+        readable = [self.kit.explainer, *(str(self.kit.folder / name) for name in of_kit)]
         return self._run(step, commands, lambda words: self.sandbox.compiler(self.folder, readable, words), {})
 
     def judge(self, commands: list[Command]) -> dict[str, int]:
         environment = {"JUDGE_TABLES": str(self.tables)}
         if self.sandbox.confine:
             environment["CONFINE"] = self.sandbox.confine
-        readable = [self.kit.parts, self.kit.judge_program, str(self.kit.picture), str(self.tables)]
+        readable = [self.kit.judge_program, str(self.kit.picture), str(self.tables)]
         return self._run("judge", commands, lambda words: self.sandbox.judge(self.folder, readable, words), environment)
 
     def sandwich(self, step: Callable, right: Command, doubtful: Command) -> int:
@@ -84,9 +84,8 @@ class Workbench:
         the grader's failure."""
         check_room(self.folder, self.sandbox.confine)
         began = time.monotonic()
-        words = [self.kit.parts, *(word for command in commands for word in command.arguments())]
         try:
-            said, complaints = self.sandbox.run(confined(words), self.folder, STEP_SECONDS, environment)
+            said, complaints = self.sandbox.run(confined(script(commands)), self.folder, STEP_SECONDS, environment)
         except GraderFailed as error:
             raise GraderFailed(f"{STEPS[step]}: {error}") from None
         self.seconds[step] += time.monotonic() - began
