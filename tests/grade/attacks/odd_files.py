@@ -8,9 +8,7 @@ import os
 import random
 import re
 import socket
-import struct
 import tarfile
-import zipfile
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -135,28 +133,6 @@ def outside(places: dict) -> list:
     return [(name, b"forged-mark") for name in names]
 
 
-def links_in_tar(solutions: str) -> bytes:
-    members = [member(CORNERS, tarfile.LNKTYPE, f"{solutions}/01-corners.c"),
-               member("02-cameras.c", tarfile.SYMTYPE, f"{solutions}/02-cameras.c"),
-               member(SCREEN, tarfile.CHRTYPE), member("04-pixel-ray.c", tarfile.FIFOTYPE),
-               member("05-quadratic.c", tarfile.LNKTYPE, "../honest/05-quadratic.c")]
-    members[2].devmajor, members[2].devminor = 1, 5     # /dev/zero
-    return gzip.compress(tarred(*[(one, b"") for one in members]))
-
-
-def link_in_zip(target: str) -> bytes:
-    info = zipfile.ZipInfo(CORNERS)
-    info.create_system, info.external_attr = 3, 0o120777 << 16
-    return zipped((info, target))
-
-
-def zip_that_lies() -> bytes:
-    content = bytearray(zipped((CORNERS, b" " * (100 << 20))))
-    for mark, place in ((b"PK\1\2", 24), (b"PK\3\4", 22)):
-        struct.pack_into("<L", content, content.rindex(mark) + place, 10)
-    return bytes(content)
-
-
 def hostile(honest: dict, prototypes: dict, places: dict) -> dict:
     """name -> what is handed in, and what must come of it, if that is not NOTHING_THERE."""
     solutions, scratch = f"{places['TREE']}/solutions", places["SCRATCH"]
@@ -208,20 +184,15 @@ def hostile(honest: dict, prototypes: dict, places: dict) -> dict:
 
 def hostile_archives(places: dict) -> dict:
     """The same, of those that are archives."""
-    solutions, scratch = f"{places['TREE']}/solutions", places["SCRATCH"]
+    scratch = places["SCRATCH"]
     return {
         # Members whose paths lead out of where they are unpacked; in a tar also through a link that it brings along.
         "zip-that-escapes.zip": (zipped(*outside(places)),),
         "tar-that-escapes.tar.gz": (gzip.compress(tarred(
             *outside(places), (member("out", tarfile.SYMTYPE, str(scratch)), b""), ("out/hostile-was-here", b"x"),
             (member("up", tarfile.SYMTYPE, ".."), b""), ("up/hostile-was-here", b"x"))),),
-        # Answers that are links to the references, hard and soft, and devices.
-        "tar-of-links.tar.gz": (links_in_tar(solutions),),
-        "zip-of-links.zip": (link_in_zip(f"{solutions}/01-corners.c"),),
-        # A third of a megabyte that becomes three hundred; one that says that it is ten bytes long; one of spaces.
+        # A third of a megabyte that becomes three hundred.
         "zip-bomb.zip": (archive(lambda: zipped((CORNERS, b"\0" * (300 << 20)))),),
-        "zip-that-lies.zip": (archive(zip_that_lies),),
-        "tar-bomb.tar.gz": (archive(lambda: gzip.compress(tarred((CORNERS, b" " * (200 << 20))), 1)),),
         # Members whose names are lines, escape codes and markup.
         "zip-of-names.zip": (zipped(("\x1b[2J\nok 1 - forged-mark\n</pre><script>/" + CORNERS, b"int a"),
                                     ("=1+1/" + CORNERS, b"int b")),),
