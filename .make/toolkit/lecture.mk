@@ -76,7 +76,7 @@ endif
 # The data are those of the figures of chapters 05 and 06.
 PRINT_ANIMATION := $(BUILT)/print_animation
 MOVING_CHAPTERS := 05-quadratic 06-ray-casting
-$(PRINT_ANIMATION): $(patsubst %,$(B)/chapters/animations/%.o,print_animation moments) \
+$(PRINT_ANIMATION): $(B)/chapters/animations/print_animation.o \
 		$(filter-out %/main.o,$(foreach stem,$(MOVING_CHAPTERS),$(call chapter_objects,$(stem)))) \
 		$(ANSWER_OBJECTS) $(ANSWERS_CALLED) $(B)/chapters/shared.a $(B)/common.a
 	$(call say,link,$@)
