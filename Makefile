@@ -273,7 +273,7 @@ include .make/house.mk
 .PHONY: all setup check exercises watch hint debug reset
 # Which headers each object includes; but not those of another build, nor between a saved answer and its verdict those
 # of tests of the toolkit. (The empty rule: make would look for a way to make each of these files.)
-OTHER_BUILDS := $(B)/sanitize-* $(if $(JUDGES_ONLY),$(B)/wasm $(B)/tests/house $(B)/tests/proof $(B)/tests/grade)
+OTHER_BUILDS := $(B)/sanitize-* $(B)/wasm* $(if $(JUDGES_ONLY),$(B)/tests/house $(B)/tests/proof $(B)/tests/grade)
 INCLUDED := $(shell find $(B) \( -name '' $(OTHER_BUILDS:%=-o -path '%') \) -prune -o -name '*.d' -print 2>/dev/null)
 -include $(INCLUDED)
 $(INCLUDED): ;

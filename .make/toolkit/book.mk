@@ -352,4 +352,4 @@ book-train: $(WASM_COMPILER)/whole.wasm $(WASM_COMPILER)/pack $(BOOK_PICTURES)
 .PHONY: book-train
 
 # The rules of the other programs do not need these.
--include $(if $(JUDGES_ONLY),,$(shell find $(WASM) -name '*.d' 2>/dev/null))
+-include $(if $(JUDGES_ONLY),,$(shell find $(WASM) -name ray-casting -prune -o -name '*.d' -print 2>/dev/null))
