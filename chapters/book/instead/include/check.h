@@ -7,11 +7,13 @@
 typedef struct {
     const char *name;
     void (*run)(int number);
+    const char *file; // as Check has it
+    int line;
 } TTest;
 
 #define START_TEST(test)                                                                           \
     static void test##_run(int _i);                                                                \
-    static const TTest test##_test = {#test, test##_run};                                          \
+    static const TTest test##_test = {#test, test##_run, __FILE__, __LINE__};                      \
     static const TTest *test = &test##_test;                                                       \
     static void test##_run(int _i __attribute__((unused)))
 #define END_TEST
