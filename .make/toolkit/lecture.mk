@@ -192,5 +192,5 @@ lesson-figures: $(DRAWN) $(DRAWN_PICTURES) ## write the figures and pictures tha
 	@$(LESSON_FIGURES) --write $(DRAWN_FIGURES) $(CHAPTERS:%=chapters/%)
 	@for picture in $(LESSON_PICTURES); do \
 		drawn=$(B)/so-far/$${picture##*/}; [ -e $$drawn ] || drawn=$(GALLERY)/$${picture##*/}; \
-		$(PYTHON) tests/house/figures/same_picture.py $$drawn $$picture >/dev/null || { cp $$drawn $$picture && echo "wrote $$picture"; }; done
+		$(PYTHON) tests/house/figures/png.py $$drawn $$picture >/dev/null || { cp $$drawn $$picture && echo "wrote $$picture"; }; done
 .PHONY: lesson-figures

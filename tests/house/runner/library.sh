@@ -64,9 +64,9 @@ says_not() {
     ! says "$1"
 }
 
-# same_picture ONE.png OTHER.png ...: as tests/house/figures/same_picture.py says
+# same_picture ONE.png OTHER.png ...: as tests/house/figures/png.py says
 same_picture() {
-    python3 "$here/tests/house/figures/same_picture.py" "$@"
+    python3 "$here/tests/house/figures/png.py" "$@"
 }
 
 # Runs another test, whose last line is that of 'finish', and adds what it has counted.
