@@ -2,13 +2,11 @@
 import os
 import random
 
-from cameras import DECK, beside_right, corners, drawn, label, label_of, options_of, some_camera
-from check import Checks, holds_for_every
-from collisions import nothing_collides
-from figure import cross, dot, plus, times, unit
+from cameras import DECK, beside_right, corners, options_of, some_camera
+from check import SHAPES, Checks, drawn, holds_for_every, nothing_collides
+from figure import cross, dot, label, label_of, plus, times, unit
 
 checks = Checks("figures of 02-cameras")
-SHAPES = {"16:9": 960, "4:3": 720}
 FORMS = ("look-at", "points", "corner", "vectors")  # panels 1 to 4
 
 
@@ -98,7 +96,7 @@ yours_beside_right()
 holds_for_every(checks, "02-cameras", "camera-forms")
 dice = random.Random(2)
 for i in range(int(os.environ.get("CAMERAS", "5"))):
-    camera, canvas = some_camera(dice), list(SHAPES)[i % 2]
+    camera, canvas = some_camera(dice, 10 ** dice.uniform(-3, 3)), SHAPES[i % 2]
     camera_forms(camera, options_of(camera), canvas)
     camera, options, up = looking(dice)
     camera_forms(camera, options, canvas, up)

@@ -2,16 +2,15 @@
 import os
 import random
 
-from check import Checks, holds_for_every
-from figure import Figure
-from flat import Panel, line, number, pair, stroke
+from check import Checks, holds_for_every, labels_are_clear
+from figure import Figure, number, pair
 
 checks = Checks("figures of 03-screen")
 DOT = 0.05  # canvas units
 
 
 def on_screen(panel, x, y):
-    return panel.place(x, -y)
+    return panel(x, -y)
 
 
 def label_at(figure, text, x=None, y=None):
@@ -21,29 +20,30 @@ def label_at(figure, text, x=None, y=None):
 
 
 def screen_to_unit(size, at, options):
+    labels_are_clear(checks, "03-screen", "screen-to-unit", options)
     figure = Figure("03-screen", "screen-to-unit", *options)
     (across, down), (x, y) = size, at
     s, t = x / across, (down - y) / down
-    screen, square = Panel(figure, 1), Panel(figure, 2)
+    screen, square = figure.see_flat(1), figure.see_flat(2)
     for panel, corners in ((screen, ((0, 0), (across, -down), (x, -y))), (square, ((0, 0), (1, 1), (s, t)))):
-        for left, low in (panel.place(*corner) for corner in corners):
+        for left, low in (panel(*corner) for corner in corners):
             checks.that("all of it is on the canvas", 0 < left < 960 and 0 < low < 464, f"{left}, {low}")
     checks.same("the point's data", figure.block("point"), [[x, y]])
     checks.same("the place's data", figure.block("place"), [[s, t]])
-    checks.near("the screen", line(figure, "screen"),
+    checks.near("the screen", figure.line("screen"),
                 [on_screen(screen, i * across, j * down) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))])
-    checks.near("the square", line(figure, "square"),
-                [square.place(i, j) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))])
+    checks.near("the square", figure.line("square"),
+                [square(i, j) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))])
     checks.near("the screen's origin is its upper left corner", figure.dots("origin of the screen"),
                 on_screen(screen, 0, 0))
     checks.near("the square's origin is its lower left corner", figure.dots("origin of the square"),
-                square.place(0, 0))
+                square(0, 0))
     checks.near("the point", figure.dots("point"), on_screen(screen, x, y), DOT)
-    checks.near("the same point in the square", figure.dots("place"), square.place(s, t), DOT)
+    checks.near("the same point in the square", figure.dots("place"), square(s, t), DOT)
     for title, panel, a, b in (("x of the point", screen, (0, -y), (x, -y)), ("y of the point", screen, (x, 0), (x, -y)),
                                ("s of the point", square, (0, t), (s, t)), ("t of the point", square, (s, 0), (s, t)),
                                ("from the top", square, (s, 1), (s, t))):
-        stroke(checks, figure, title, panel.place(*a), panel.place(*b))
+        checks.stroke(figure, title, panel(*a), panel(*b))
     y_text = f"({number(y)})" if y < 0 else number(y)
     checks.shows(figure, pair(x, y), number(x), number(y), number(across), number(down), f"s = x/{number(across)}",
                  f"t = 1 − y/{number(down)}", f"s = {number(x)}/{number(across)} = {number(s)}",
@@ -54,6 +54,7 @@ def screen_to_unit(size, at, options):
 
 
 def pixel_grid(size, pixel, options):
+    labels_are_clear(checks, "03-screen", "pixel-grid", options)
     figure = Figure("03-screen", "pixel-grid", *options)
     (across, down), (column, row) = size, pixel
     whole = across <= 12 and down <= 9
@@ -69,8 +70,8 @@ def pixel_grid(size, pixel, options):
                     high == (numbers[-1] + 1 + 0.4 * (numbers[-1] + 1 < count)), f"{low} to {high}")
     low = (figure.number("begin_x"), -figure.number("end_y"))
     high = (figure.number("end_x"), -figure.number("begin_y"))
-    panel = Panel(figure)
-    for left, height in (panel.place(*low), panel.place(*high)):
+    panel = figure.see_flat()
+    for left, height in (panel(*low), panel(*high)):
         checks.that("the part is on the canvas", 0 < left < 960 and 0 < height < 464, f"{left}, {height}")
     x, y, s, t = column + 0.5, row + 0.5, (2 * column + 1) / (2 * across), (2 * down - 2 * row - 1) / (2 * down)
     checks.same("the centre's data", figure.block("center"), [[x, y]])
@@ -80,21 +81,21 @@ def pixel_grid(size, pixel, options):
     checks.near("every centre", sorted(figure.dots("centers")),
                 sorted(on_screen(panel, i + 0.5, j + 0.5) for i in seen[0] for j in seen[1]), DOT)
     square = [on_screen(panel, column + i, row + j) for i, j in ((0, 1), (1, 1), (1, 0), (0, 0), (0, 1))]
-    checks.near("the pixel's outline", line(figure, "pixel, outline"), square)
+    checks.near("the pixel's outline", figure.line("pixel, outline"), square)
     # The centre's s and t are straight below and beside it.
-    lower, side = panel.place(0, low[1])[1] - 12, panel.place(high[0], 0)[0] + 12
-    checks.near("from the centre to its s", line(figure, "to s"), [middle, (middle[0], lower)])
-    checks.near("from the centre to its t", line(figure, "to t"), [middle, (side, middle[1])])
+    lower, side = panel(0, low[1])[1] - 12, panel(high[0], 0)[0] + 12
+    checks.near("from the centre to its s", figure.line("to s"), [middle, (middle[0], lower)])
+    checks.near("from the centre to its t", figure.line("to t"), [middle, (side, middle[1])])
     checks.that("the column's number is above it", label_at(figure, str(column), x=middle[0]))
     checks.that("the row's number is beside it", label_at(figure, str(row), y=middle[1]))
     checks.shows(figure, f"pixel {pair(column, row)}", f"centre {pair(x, y)}", f"s = ({column} + ½)/{across}",
                  f"t = 1 − ({row} + ½)/{down}", f"= {number(s)}", f"= {number(t)}")
     if whole:  # 0 and 1 are s and t of the edges, if the centre's own number leaves room for them
-        left, bottom = panel.place(0, -down)
-        right, top = panel.place(across, 0)
+        left, bottom = panel(0, -down)
+        right, top = panel(across, 0)
         for text, far_off, at in (("0", s * across, {"x": left}), ("1", (1 - s) * across, {"x": right}),
                                   ("0", t * down, {"y": bottom}), ("1", (1 - t) * down, {"y": top})):
-            if far_off * panel.unit > 70:
+            if far_off * figure.chosen("size[1]") > 70:
                 checks.that(f"the edge {text} at {at}", label_at(figure, text, **at))
 
 

@@ -2,10 +2,9 @@
 import os
 import random
 
-from cameras import DECK, corners, label_of, options_of, some_camera
-from check import Checks, holds_for_every
-from figure import Figure, plus, times
-from flat import Panel, line, number, pair, stroke
+from cameras import DECK, corners, options_of, some_camera
+from check import Checks, holds_for_every, labels_are_clear
+from figure import Figure, label_of, number, pair, plus, times
 
 checks = Checks("figures of 04-pixel-ray")
 DOT = 0.05  # canvas units
@@ -25,32 +24,32 @@ def toward(c, s, t):
 
 def lens_and_screen(figure, size, pixel):
     (across, down), (column, row) = size, pixel
-    lens = Panel(figure, 2)
-    screen = Panel(figure, 3)
-    checks.near("the pixel under the lens", line(figure, "pixel, outline"),
-                [lens.place(column + i, j - row - 1) for i, j in SQUARE])
+    lens = figure.see_flat(2)
+    screen = figure.see_flat(3)
+    checks.near("the pixel under the lens", figure.line("pixel, outline"),
+                [lens(column + i, j - row - 1) for i, j in SQUARE])
     checks.near("the pixel on the screen", figure.polygons("pixel on the screen")[0],
-                [screen.place(column + i, j - row - 1) for i, j in SQUARE])
-    checks.near("the screen", line(figure, "screen"), [screen.place(i * across, (j - 1) * down) for i, j in SQUARE])
-    checks.near("its origin is its upper left corner", figure.dots("origin of the screen"), screen.place(0, 0))
+                [screen(column + i, j - row - 1) for i, j in SQUARE])
+    checks.near("the screen", figure.line("screen"), [screen(i * across, (j - 1) * down) for i, j in SQUARE])
+    checks.near("its origin is its upper left corner", figure.dots("origin of the screen"), screen(0, 0))
     x, y = column + 0.5, row + 0.5
     for title, panel, a in (("half across", lens, (column, -y)), ("half down", lens, (x, -row)),
                             ("x of the center", screen, (0, -y)), ("y of the center", screen, (x, 0))):
-        stroke(checks, figure, title, panel.place(*a), panel.place(x, -y))
+        checks.stroke(figure, title, panel(*a), panel(x, -y))
     checks.same("the centre's data", figure.block("center"), [[x, y]])
-    checks.that("they are side by side", lens.place(column + 1, 0)[0] < screen.place(0, 0)[0])
-    checks.near("the centre under the lens", figure.dots("center under the lens"), lens.place(x, -y), DOT)
-    checks.near("the centre", figure.dots("center"), screen.place(x, -y), DOT)
+    checks.that("they are side by side", lens(column + 1, 0)[0] < screen(0, 0)[0])
+    checks.near("the centre under the lens", figure.dots("center under the lens"), lens(x, -y), DOT)
+    checks.near("the centre", figure.dots("center"), screen(x, -y), DOT)
 
 
 def unit_square(figure, s, t):
-    square = Panel(figure, 4)
-    checks.near("the square", line(figure, "square"), [square.place(*corner) for corner in SQUARE])
-    checks.near("its origin is its lower left corner", figure.dots("origin of the square"), square.place(0, 0))
+    square = figure.see_flat(4)
+    checks.near("the square", figure.line("square"), [square(*corner) for corner in SQUARE])
+    checks.near("its origin is its lower left corner", figure.dots("origin of the square"), square(0, 0))
     checks.same("the place's data", figure.block("place"), [[s, t]])
-    checks.near("the place", figure.dots("place"), square.place(s, t), DOT)
-    stroke(checks, figure, "s", square.place(0, t), square.place(s, t))
-    stroke(checks, figure, "t", square.place(s, 0), square.place(s, t))
+    checks.near("the place", figure.dots("place"), square(s, t), DOT)
+    checks.stroke(figure, "s", square(0, t), square(s, t))
+    checks.stroke(figure, "t", square(s, 0), square(s, t))
 
 
 def world(figure, c, s, t):
@@ -66,14 +65,15 @@ def world(figure, c, s, t):
     checks.near("the pixel on the plane", figure.dots("pixel on the plane"), at(s, t), DOT)
     checks.near("the vector's arrow", figure.tips("vector"), at(s, t))
     checks.near("the ray's arrow, beyond", figure.tips("ray"), at(s, t, FAR))
-    checks.near("the plane", line(figure, "plane"),
+    checks.near("the plane", figure.line("plane"),
                 [at(0, 1), at(1, 1), at(1, 0), at(0, 0), at(0, 1)])
     checks.near("its origin is its lower left corner", figure.dots("origin of the plane"), at(0, 0))
-    stroke(checks, figure, "s on the plane", at(0, t), at(s, t))
-    stroke(checks, figure, "t on the plane", at(s, 0), at(s, t))
+    checks.stroke(figure, "s on the plane", at(0, t), at(s, t))
+    checks.stroke(figure, "t on the plane", at(s, 0), at(s, t))
 
 
 def pixel_to_ray(c, size, pixel, options):
+    labels_are_clear(checks, "04-pixel-ray", "pixel-to-ray", options)
     figure = Figure("04-pixel-ray", "pixel-to-ray", *options)
     (across, down), (column, row) = size, pixel
     s, t = (2 * column + 1) / (2 * across), (2 * (down - row) - 1) / (2 * down)
@@ -101,7 +101,7 @@ for i in range(int(os.environ.get("CAMERAS", "5"))):
     most = (12, 4000)[i % 2]
     resolution = dice.randint(1, most), dice.randint(1, most)
     somewhere = dice.randrange(resolution[0]), dice.randrange(resolution[1])
-    camera = some_camera(dice)
+    camera = some_camera(dice, 10 ** dice.uniform(-3, 3))
     pixel_to_ray(camera, resolution, somewhere, [
         "--size", "%dx%d" % resolution, "--pixel", "%d,%d" % somewhere, *options_of(camera)])
 checks.end()

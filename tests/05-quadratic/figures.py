@@ -7,7 +7,7 @@ import math
 import os
 import random
 
-from check import Checks, holds_for_every
+from check import Checks, holds_for_every, labels_are_clear
 from figure import Figure, cross, dot, length, plus, times, unit
 
 checks = Checks("figures of 05-quadratic")
@@ -269,16 +269,16 @@ def world_object(m, by=(0, 0, 0)):
     return figure
 
 
-def some_meeting(dice):
-    """A ray that passes a sphere at up to 1.3 radii, from far to inside, ahead or behind."""
+def some_meeting(dice, one=1.0):
+    """A ray that passes a sphere at up to 1.3 radii, from far to inside, ahead or behind, in such units."""
     def direction():
         while True:
             v = tuple(dice.uniform(-1, 1) for _ in range(3))
             if 0.1 < length(v) < 1:
                 return unit(v)
-    c, r, line = tuple(dice.uniform(-6, 6) for _ in range(3)), dice.uniform(0.3, 3), direction()
+    c, r, line = tuple(one * dice.uniform(-6, 6) for _ in range(3)), one * dice.uniform(0.3, 3), direction()
     past = plus(c, across(direction(), line), dice.uniform(0.02, 1.3) * r)
-    return Meeting(plus(past, line, -dice.uniform(-3, 9) * r), times(dice.uniform(0.2, 5), line), c, r)
+    return Meeting(plus(past, line, -dice.uniform(-3, 9) * r), times(one * dice.uniform(0.2, 5), line), c, r)
 
 
 deck = Meeting(*DECK)
@@ -320,4 +320,8 @@ for _ in range(int(os.environ.get("SCENES", "5"))):
     parabola(meeting)
     world_object(meeting)
     discriminant(meeting.r)
+    meeting = some_meeting(dice, 10 ** dice.uniform(-2, 2))
+    for title in ("ray-sphere", "parabola", "world-object"):
+        labels_are_clear(checks, P, title, meeting.options())
+    labels_are_clear(checks, P, "discriminant", [f"--radius={meeting.r:.17g}"])
 checks.end()

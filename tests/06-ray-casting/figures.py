@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 
 import png
-from check import NEAR, Checks, holds_for_every
+from check import NEAR, Checks, holds_for_every, labels_are_clear
 from figure import Figure, PROGRAMS, cross, dot, length, plus, times
 
 PROGRAM = "06-ray-casting"
@@ -566,9 +566,10 @@ explain_figure(FOUR, (4, 4))
 explain_figure(ALONG, (0, 0))
 story(FOUR, (4, 4))
 story(ALONG, (0, 0))
-for name in ("ray-casting", "image-order", "object-order", "nearest-hit", "explain"):
+FIGURES = ("ray-casting", "image-order", "object-order", "nearest-hit", "explain")
+for name in FIGURES:
     holds_for_every(checks, PROGRAM, name)
-    holds_for_every(checks, PROGRAM, name, *scene_options(GROUND, (5, 7)))
+    holds_for_every(checks, PROGRAM, name, *scene_options(GROUND, (5, 7)), crowded=True)
     empty = {**DECK, "spheres": []}
     Figure(PROGRAM, name, *scene_options(empty, (3, 3)))
 figure = Figure(PROGRAM, "object-order")
@@ -584,4 +585,5 @@ for i in range(int(os.environ.get("SCENES", "5"))):
         kind(scene, pixel)
     anywhere = (dice.randrange(scene["size"][0]), dice.randrange(scene["size"][1]))
     kinds[i % 2 * 5](scene, anywhere)
+    labels_are_clear(checks, PROGRAM, FIGURES[i % 5], scene_options(scene, pixel))
 checks.end()

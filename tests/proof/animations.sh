@@ -1,8 +1,8 @@
 #!/bin/sh
 # animations.sh - the videos and the numbered pictures of animations: their size, their length, their bytes.
 #
-# MOST_ANIMATIONS says how many of the four are drawn (4), beside a small one. tests/house/animations.sh tests
-# what they show.
+# MOST_ANIMATIONS says how many of the four are drawn (4), beside a small one. tests/house/figures/animations.py
+# tests what they show.
 set -u
 . tests/house/runner/library.sh
 . tests/house/figures/scripts.sh

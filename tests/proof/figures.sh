@@ -1,6 +1,7 @@
 #!/bin/sh
 # figures.sh - figures of 1000 cameras, in four chapters, and of 1000 rays and scenes, in two (fewer
-# with MOST_CAMERAS and MOST_SCENES); and all files that make figures makes (with STEPS_OF=N, the steps of N figures).
+# with MOST_CAMERAS and MOST_SCENES); of all known mistakes (with MISTAKES=10 each tenth); and all files that make
+# figures makes (with STEPS_OF=N, the steps of N figures).
 # Only reads the tree.
 set -u
 . tests/house/runner/library.sh
@@ -9,7 +10,7 @@ once 'figures, long' "hundreds of figures of each kind"
 
 needs 'figures, long' 'figures' gnuplot python3
 
-CAMERAS=${MOST_CAMERAS:-250} SCENES=${MOST_SCENES:-500} counted sh tests/house/figures.sh
+CAMERAS=${MOST_CAMERAS:-250} SCENES=${MOST_SCENES:-500} MISTAKES=${MISTAKES:-1} counted sh tests/house/figures.sh random
 
 # Draws by the rules of the environment; prints its output.
 drawn=$scratch/figures

@@ -2,15 +2,13 @@
 import os
 import tempfile
 
-from check import on_the_canvas, told_in_words
-from collisions import nothing_collides
 from figure import Figure, plus, times
 
 DECK = {"p": (2, 2, -4), "r": (1, 0, 0), "u": (0, 1, 0), "f": (0, 0, 1), "d": 4, "w": 2, "h": 2}
 
 
-def some_camera(dice):
-    """Any camera, of either hand; three vectors made perpendicular by Gram and Schmidt."""
+def some_camera(dice, one=1.0):
+    """Any camera, of either hand, in such units; three vectors made perpendicular by Gram and Schmidt."""
     def direction():
         while True:
             v = [dice.uniform(-1, 1) for _ in range(3)]
@@ -24,8 +22,8 @@ def some_camera(dice):
         length = sum(x * x for x in v) ** 0.5
         if length > 0.05:
             frame.append(times(1 / length, v))
-    return {"p": tuple(dice.uniform(-9, 9) for _ in range(3)), "r": frame[0], "u": frame[1],
-            "f": frame[2], "d": dice.uniform(0.5, 8), "w": dice.uniform(0.5, 8), "h": dice.uniform(0.5, 8)}
+    return {"p": tuple(one * dice.uniform(-9, 9) for _ in range(3)), "r": frame[0], "u": frame[1],
+            "f": frame[2], **{side: one * dice.uniform(0.5, 8) for side in "dwh"}}
 
 
 def options_of(c):
@@ -43,23 +41,6 @@ def legs(c, across, upward):
 def corners(c):
     """Of the image plane, as points of the world: upper left, upper right, lower right, lower left."""
     return [plus(c["p"], legs(c, *corner)) for corner in ((-1, 1), (1, 1), (1, -1), (-1, -1))]
-
-
-def label(x):
-    """A number as labels show it: to 4 digits, with a minus sign."""
-    return f"{x if x else 0:.4g}".replace("-", "−")
-
-
-def label_of(v):
-    return "(" + ", ".join(label(x) for x in v) + ")"
-
-
-def drawn(checks, program, name, options, shape):
-    """A figure in this shape: nothing is cut off or collides, and its words name its numbers."""
-    figure = Figure(program, name, *options, settings=f"shape='{shape}'")
-    for look_at in (on_the_canvas, told_in_words, nothing_collides):
-        look_at(checks, f"{name} {' '.join(map(str, options))}", figure)
-    return figure
 
 
 def beside_right(program, name, *cameras):

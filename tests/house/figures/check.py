@@ -1,10 +1,18 @@
 """check.py - the checks of figures: how they are counted, and what holds for every figure."""
+import math
 import re
 import sys
 
-from figure import NUMBER, Figure
+from figure import NUMBER, SVG, Figure, numbers
 
+SHAPES = ("4:3", "16:9")
 NEAR = 0.1  # canvas units, that is, pixels of the SVG
+SHRUNK = 1.0  # a label may be touched by this much
+ON = 1.5  # so near to a mark, a place is on it
+HEAD = 9  # so near to one, it is on a mark that is all arrowhead
+LEADER_GAP = 8  # so near to its label, a leader begins
+TITLE = 76  # the upper edge of the canvas, for a slide's title
+EDGE = 0.5  # so near to the canvas' edge, gnuplot has cut a line off
 
 
 def luminance(color):
@@ -59,6 +67,11 @@ class Checks:
         labels = [" ".join(words.split()) for words, _, _ in figure.labels()]
         for text in texts:
             self.that(f"a label says {text!r}", text in labels, str(labels))
+
+    def stroke(self, figure, title, start, end):
+        """A single line from here to there; too short to see, it may be missing."""
+        if max(abs(a - b) for a, b in zip(start, end)) > NEAR:
+            self.near(title, figure.line(title), [start, end])
 
     def end(self):
         print(f"{self.name}: {self.passed} passed, {self.failed} failed")
@@ -119,12 +132,249 @@ def told_in_words(checks, name, figure):
                         f"its numbers are {text.numbers()}, those in words {sorted(told)}")
 
 
-def holds_for_every(checks, program, name, *options):
-    """Everything that each figure needs; text on the canvas, in both shapes; the same in words."""
-    for shape in ("16:9", "4:3"):
-        figure = Figure(program, name, *options, settings=f"shape='{shape}'")
-        checks.that(f"{name}, {shape}: there is text", len(figure.labels()) > 0)
-        on_the_canvas(checks, f"{name}, {shape}", figure)
-    told_in_words(checks, name, figure)
-    steps = int(figure.variables.get("steps", "1"))
-    steps_only_add(checks, program, name, steps, *options)
+# ---- labels that collide: with lines, with each other, with the canvas' edge -------------------------
+
+def is_placed(figure):
+    return "text_size" in figure.variables
+
+
+# ---- geometry: boxes are (left, bottom, right, top), lines are two places ---------------------------
+
+def shrunk(box, by=SHRUNK):
+    return box[0] + by, box[1] + by, box[2] - by, box[3] - by
+
+
+def overlap(a, b):
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+def part_inside(box, line):
+    """The part of the line that is in the box, from 0 to 1; None if there is none."""
+    first, last = 0.0, 1.0
+    for start, end, low, high in ((line[0][i], line[1][i], box[i], box[i + 2]) for i in range(2)):
+        if start == end:
+            if not low < start < high:
+                return None
+            continue
+        a, b = (low - start) / (end - start), (high - start) / (end - start)
+        first, last = max(first, min(a, b)), min(last, max(a, b))
+    return (first, last) if first < last else None
+
+
+def crosses(box, line):
+    (a, b), (c, d) = line
+    if (a <= box[0] and c <= box[0]) or (a >= box[2] and c >= box[2]) or \
+            (b <= box[1] and d <= box[1]) or (b >= box[3] and d >= box[3]):
+        return False
+    return part_inside(box, line) is not None
+
+
+def to_line(place, line):
+    """How far a place is from a line."""
+    (a, b), (c, d) = line
+    u, v = c - a, d - b
+    long2 = u * u + v * v
+    part = min(1, max(0, ((place[0] - a) * u + (place[1] - b) * v) / long2)) if long2 > 0 else 0
+    return math.hypot(place[0] - a - part * u, place[1] - b - part * v)
+
+
+def to_box(place, box):
+    return math.hypot(max(box[0] - place[0], 0, place[0] - box[2]), max(box[1] - place[1], 0, place[1] - box[3]))
+
+
+def between(box, line):
+    """How far a box is from a line, which may be a single place."""
+    if line[0] != line[1] and crosses(box, line):
+        return 0.0
+    corners = [(x, y) for x in box[::2] for y in box[1::2]]
+    return min([to_box(end, box) for end in line] + [to_line(corner, line) for corner in corners])
+
+
+# ---- what the SVG shows -----------------------------------------------------------------------------
+
+class Marks:
+    """All that is drawn: lines as two places each, dots as (place, radius); with the titles of their plots."""
+
+    def __init__(self, figure):
+        self.lines, self.dots, self.leaders = [], [], []
+        for element in figure.svg:
+            if not element.tag.endswith("defs"):
+                self.read(figure, element, "")
+
+    def read(self, figure, element, title):
+        named = element.find(SVG + "title")
+        title = named.text if named is not None and element.tag == SVG + "g" else title
+        before = len(self.lines)
+        if element.tag == SVG + "path":
+            self.read_path(figure, element.get("d"), title)
+        elif element.tag == SVG + "use":
+            x, y, *size = numbers(element.get("transform") or "0 0")
+            self.dots.append((figure.up(x, y), size[0] if size else 1, title))
+        for child in element:
+            if not child.tag.endswith("defs"):
+                self.read(figure, child, title)
+        if named is not None and title == "leader":
+            self.leaders.append([line for line, _ in self.lines[before:]])
+
+    def read_path(self, figure, path, title):
+        for stroke in (path or "").split("M")[1:]:
+            flat = numbers(stroke)
+            places = [figure.up(x, y) for x, y in zip(flat[::2], flat[1::2])]
+            if "Z" in stroke and places:
+                places.append(places[0])
+            self.lines += [(pair, title) for pair in zip(places, places[1:])]
+
+    def has(self, place):
+        return any(to_line(place, line) <= HEAD for line, _ in self.lines) or \
+            any(math.dist(place, dot) <= max(radius, ON) for dot, radius, _ in self.dots)
+
+
+class Label:
+    """The lines of text that name one place, and the leader from there."""
+
+    def __init__(self, name, anchor):
+        self.name, self.anchor, self.texts, self.leader = name, anchor, [], []
+
+    def words(self):
+        return " / ".join(text.words for text in self.texts)
+
+    def box(self):
+        """Of all its lines together."""
+        left, low, right, high = zip(*(text.box for text in self.texts))
+        return min(left), min(low), max(right), max(high)
+
+    def to(self, anchor):
+        return max(0, between(self.box(), anchor[:2]) - anchor[2])
+
+    def touches(self, anchor):
+        """It names a single place, which is on what another label names."""
+        return self.anchor[0] == self.anchor[1] and to_line(self.anchor[0], anchor[:2]) < ON + anchor[2]
+
+
+def anchors_of(figure):
+    """Number of a label's line: the stretch that it names, and the radius of the disc around it."""
+    found = {}
+    for name, number, narrow, wide in re.findall(
+            r'^(anchor_\w+)\[(\d+)\] = shape eq "4:3" \? (\S+) : (\S+)$', figure.script, re.M):
+        found.setdefault(int(number), {})[name] = float(narrow if figure.width == 720 else wide)
+    return {number: ((a["anchor_u"], a["anchor_v"]), (a["anchor_to_u"], a["anchor_to_v"]), a["anchor_r"])
+            for number, a in found.items()}
+
+
+def labels_of(figure, texts, marks):
+    """All labels that are shown. plot.gp draws three plots a line: its leader, and then twice its text, one of
+    them empty."""
+    groups = [group for title in figure.plots if title.startswith("label of ") for group in figure.plots[title]]
+    groups.sort(key=lambda group: int(group.get("id").rsplit("_", 1)[1]))
+    anchors, count = anchors_of(figure), len(groups) // 2
+    by_group = {}
+    for text in texts:
+        if text.words and text.plot is not None:
+            by_group.setdefault(text.plot, []).append(text)
+    labels = []
+    for i in range(count):
+        anchor, name = anchors.get(i + 1), groups[i].find(SVG + "title").text.removeprefix("label of ")
+        if not labels or (labels[-1].name, labels[-1].anchor) != (name, anchor):
+            labels.append(Label(name, anchor))
+        labels[-1].leader += marks.leaders[i]
+        for group in (groups[i], groups[i + count]):
+            labels[-1].texts += by_group.get(group, [])
+    return [label for label in labels if label.texts]
+
+
+# ---- what must not be ---------------------------------------------------------------------------------
+
+def overlapping(texts):
+    for i, text in enumerate(texts):
+        for other in texts[i + 1:]:
+            if overlap(shrunk(text.box), shrunk(other.box)):
+                yield f"{text.words!r} and {other.words!r} overlap"
+
+
+def crossed(texts, marks):
+    for text in texts:
+        box = shrunk(text.box)
+        titles = {title for line, title in marks.lines if crosses(box, line)} | \
+            {title for dot, radius, title in marks.dots if to_box(dot, box) < radius}
+        for title in sorted(titles):
+            yield f"{title!r} crosses {text.words!r}"
+
+
+def in_the_title(figure, texts, marks):
+    """The upper edge of the canvas is free, for a slide's title."""
+    low = figure.height - TITLE
+    for text in texts:
+        if text.box[3] > low + SHRUNK:
+            yield f"{text.words!r} is in the title"
+    for title in sorted({title for line, title in marks.lines for x, y in line if title and
+                         y > low + ON and -EDGE < x < figure.width + EDGE}):
+        yield f"{title!r} is in the title"
+
+
+def off_the_canvas(figure, texts, marks):
+    for text in texts:
+        left, low, right, high = text.box
+        if left < 0 or low < -figure.strip or right > figure.width or high > figure.height:
+            yield f"{text.words!r} leaves the canvas"
+    for title in sorted({title for line, title in marks.lines for x, y in line if title and (
+            not EDGE < x < figure.width - EDGE or not EDGE < y < figure.height - EDGE)}):
+        yield f"{title!r} leaves the canvas"
+
+
+def misplaced(labels, marks):
+    """Nearer to what another label names; or far from what it names, without a leader from there to it."""
+    for label in labels:
+        if label.anchor is None:
+            continue
+        if not any(marks.has(end) for end in label.anchor[:2]) and label.name:
+            yield f"nothing is drawn where {label.words()!r} points"
+        for start, end in label.leader:  # two, if two labels name the same place
+            if to_line(end, label.anchor[:2]) > ON + label.anchor[2] or to_box(start, label.box()) > LEADER_GAP:
+                yield f"the leader of {label.words()!r} does not lead to what it names"
+        if label.leader:
+            continue
+        own = label.to(label.anchor)
+        for other in labels:
+            if other is not label and other.anchor is not None and other.anchor != label.anchor and \
+                    not label.touches(other.anchor) and label.to(other.anchor) < own - 0.1:
+                yield f"{label.words()!r} is nearer to what {other.words()!r} names"
+
+
+def collisions(figure):
+    """All of them, in words."""
+    texts = [text for text in figure.texts() if text.words]
+    marks = Marks(figure)
+    labels = labels_of(figure, texts, marks)
+    return [*overlapping(texts), *crossed(texts, marks), *off_the_canvas(figure, texts, marks),
+            *in_the_title(figure, texts, marks), *misplaced(labels, marks)]
+
+
+# ---- every figure -----------------------------------------------------------------------------------
+
+def nothing_collides(checks, name, figure):
+    if is_placed(figure):
+        found = collisions(figure)
+        checks.that(f"{name}: no label collides", not found, "\n    ".join(found))
+
+
+def labels_are_clear(checks, program, name, options):
+    for shape in SHAPES:
+        nothing_collides(checks, f"{name}, {shape}, {' '.join(map(str, options))}",
+                         Figure(program, name, *options, settings=f"shape='{shape}'"))
+
+
+def drawn(checks, program, name, options, shape, crowded=False):
+    """A figure in this shape: nothing is cut off or, if it is not crowded, collides; its words name its numbers."""
+    figure = Figure(program, name, *options, settings=f"shape='{shape}'")
+    said = f"{name}, {shape}, {' '.join(map(str, options))}"
+    checks.that(f"{said}: there is text", len(figure.labels()) > 0)
+    for holds in (on_the_canvas, told_in_words, *([] if crowded else [nothing_collides])):
+        holds(checks, said, figure)
+    return figure
+
+
+def holds_for_every(checks, program, name, *options, crowded=False):
+    """Everything that each figure needs, in both shapes."""
+    for shape in SHAPES:
+        figure = drawn(checks, program, name, options, shape, crowded)
+    steps_only_add(checks, program, name, int(figure.variables.get("steps", "1")), *options)

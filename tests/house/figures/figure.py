@@ -51,6 +51,24 @@ def cross(a, b):
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
+def label(x, digits=4):
+    """A number as labels show it: with a minus sign."""
+    return f"{x if x else 0:.{digits}g}".replace("-", "−")
+
+
+def label_of(v, digits=4):
+    return "(" + ", ".join(label(x, digits) for x in v) + ")"
+
+
+def number(x):
+    """As stories and labels of screens show it."""
+    return label(x, 6)
+
+
+def pair(x, y):
+    return label_of((x, y), 6)
+
+
 def widths_of_letters(path):
     """How wide each character is, in its size: read from the font itself (cmap of format 12, hmtx)."""
     with open(path, "rb") as file:
@@ -219,6 +237,11 @@ class Figure:
                 found.append([self.up(x, y) for x, y in zip(flat[::2], flat[1::2])])
         return found
 
+    def line(self, title):
+        """The places on the first line; none where a wrong answer left nothing to draw."""
+        found = self.lines(title)
+        return found[0] if found else []
+
     def strokes(self, title):
         """The same, one list a stroke, and without the outlines of arrowheads."""
         found = []
@@ -278,7 +301,7 @@ class Figure:
         self.zero = (self.chosen("zero_x[1]"), self.chosen("zero_y[1]"))
 
     def see_flat(self, panel=1):
-        """Where x, y of a flat figure belong."""
+        """Where x, y of a panel of a flat figure belong."""
         size, x0, y0 = (self.chosen(f"{name}[{panel}]") for name in ("size", "zero_x", "zero_y"))
         return lambda x, y: (x0 + size * x, y0 + size * y)
 

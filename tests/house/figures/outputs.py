@@ -1,4 +1,7 @@
-"""outputs.py - files of figures are what they should be: outputs.py FOLDER NAME..., in FOLDER/NAME/"""
+"""outputs.py - files of figures are what they should be, and the colours of the themes can be read.
+
+outputs.py FOLDER NAME..., in FOLDER/NAME/
+"""
 import os
 import re
 import shutil
@@ -15,6 +18,21 @@ checks = Checks("outputs of figures")
 folder, names = sys.argv[1], sys.argv[2:]
 HEIGHT = 540
 WIDTHS = {"": 960, "-4x3": 720}
+LEGIBLE = 4.5
+
+
+def theme(name):
+    """The colours of common/figure/plot.gp, read by gnuplot itself."""
+    inks = ("ink", "grey", "blue", "orange", "green", "pink")
+    words = "; ".join(f'print "{each} ".{each}' for each in (*inks, "background", "surface"))
+    done = subprocess.run(["gnuplot", "-e", f"name='none'; format='txt'; theme='{name}'; load 'common/figure/plot.gp'; {words}"],
+                          capture_output=True, text=True, check=True, timeout=60)
+    colors = {each: color(code) for each, code in map(str.split, done.stderr.splitlines())}
+    for ink in inks:
+        for ground in ("background", "surface"):
+            ratio = contrast(colors[ink], colors[ground])
+            checks.that(f"{name}: {ink} can be read on {ground}", ratio >= LEGIBLE, f"{ratio:.2f} to 1")
+    checks.that(f"{name}: no two colours are one", len({tuple(colors[ink]) for ink in inks}) == len(inks))
 
 
 def extra(name):
@@ -39,9 +57,9 @@ def svg(path, width, dark, words):
             ink = color(group.get("fill")) if group.get("fill") else [0, 0, 0]
             said = "".join(text.itertext()).strip()
             # On something that is drawn, a label may have the ink for that.
-            if said and contrast(ink, ground) < 4.5:
+            if said and contrast(ink, ground) < LEGIBLE:
                 checks.that(f"{path}: {said!r} can be read", ink in ([0, 0, 0], [255, 255, 255]),
-                            f"{contrast(ink, ground):.2f} of 4.5")
+                            f"{contrast(ink, ground):.2f} of {LEGIBLE}")
 
 
 def png_file(path, width, height):
@@ -76,6 +94,8 @@ def tex(path):
     checks.that(f"{path}: has labels", len(labels) > 0)
 
 
+theme("light")
+theme("dark")
 for name in names:
     with open(os.path.join(folder, name, name + ".txt"), encoding="utf-8") as file:
         first, _, rest = file.read().partition("\n")

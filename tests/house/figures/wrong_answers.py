@@ -11,20 +11,18 @@ import subprocess
 import sys
 
 import png
-from check import Checks
-from collisions import nothing_collides
+from cameras import DECK, legs
+from check import SHAPES, Checks, nothing_collides
 from figure import Figure, dot, plus, times
 
 checks = Checks("yours beside right")
 answers = sys.argv[1]
-DECK = {"p": (2, 2, -4), "r": (1, 0, 0), "u": (0, 1, 0), "f": (0, 0, 1), "d": 4, "w": 2, "h": 2}
 FRAME = (DECK["r"], DECK["u"], DECK["f"])
 
 
-def place(s, t, c=DECK):
+def place(s, t):
     """From the eye to a place of the image plane."""
-    ahead = times(c["d"], c["f"])
-    return plus(plus(ahead, c["r"], (s - 0.5) * c["w"]), c["u"], (t - 0.5) * c["h"])
+    return legs(DECK, 2 * s - 1, 2 * t - 1)
 
 
 def judge(stem, *changes, environment=None):
@@ -58,7 +56,7 @@ def figure_of(name, stem, *changes):
         return None
     with open(f"{folder}/{name}.gp", encoding="utf-8") as file:
         figure = Figure(None, name, script=file.read())
-    for shape in ("16:9", "4:3"):
+    for shape in SHAPES:
         again = Figure(None, name, script=figure.script, settings=f"shape='{shape}'; theme='dark'")
         nothing_collides(checks, f"{name}, {shape}", again)
     with open(f"{folder}/{name}.svg", encoding="utf-8") as file:
@@ -83,11 +81,11 @@ def has_words(figure, right, yours, off="", why=""):
 
 # ---- vectors from the eye ---------------------------------------------------------------------------
 
-def vector(name, change, right, yours, off, why, camera=DECK):
+def vector(name, change, right, yours, off, why):
     figure = figure_of(name, "01-corners", change)
     if figure is None:
         return
-    p = camera["p"]
+    p = DECK["p"]
     figure.see(*FRAME)
     checks.same(f"{name}: data of the right vector", figure.block("answer")[0], [*p, *right])
     checks.same(f"{name}: data of yours", figure.block("yours")[0], [*p, *yours])
