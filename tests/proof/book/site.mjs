@@ -107,19 +107,19 @@ export async function openTab(browser, site, { width = 1280, height = 800 } = {}
     return tab;
 }
 
-/** What axe-core finds that is serious or critical, as one line each. It tries a style element, which is not the page's fault. */
-export async function seriousFindings(tab) {
+/** What axe-core finds of these impacts, as one line each. It tries a style element, which is not the page's fault. */
+export async function findings(tab, impacts) {
     const { faults } = tab;
     tab.faults = [];
     await tab.evaluate(axeSource);
     const found = await tab.evaluate(async () => {
         const { violations } = await globalThis.axe.run(document, { resultTypes: ["violations"] });
-        return violations.filter(({ impact }) => impact === "serious" || impact === "critical")
-            .map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.slice(0, 3).map(({ target }) => target.join(" ")).join(", ")}`);
+        return violations.map(({ id, impact, help, nodes }) => ({ impact, line: `${id}: ${help}: ${nodes.slice(0, 3).map(({ target }) => target.join(" ")).join(", ")}` }));
     });
     tab.faults = faults;
-    return found;
+    return found.filter(({ impact }) => impacts.test(impact)).map(({ line }) => line);
 }
+export const seriousFindings = (tab) => findings(tab, /serious|critical/);
 
 /** Until then the page shows the text without an editor. */
 export const waitForEditor = (tab) => waitFor("an editor", () => tab.$eval("#editor", (place) => Boolean(place.shadowRoot?.querySelector(".cm-content"))));

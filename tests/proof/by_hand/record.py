@@ -149,9 +149,8 @@ def generated(record):
 
 def figures(record):
     """Each as it looks on a light and on a dark page, and its words."""
-    from browser import Browser, found
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
     drawn = {"lesson": "chapters/[0-9]*/**/*.svg", "made": "build/solutions/figures/*/*.svg"}
-    browser = Browser() if found() else None
     for where, pattern in drawn.items():
         for path in sorted(record.tree.glob(pattern)):
             if path.stem.endswith("-dark"):
@@ -161,16 +160,15 @@ def figures(record):
             record.say(f"{where} {path.stem}", "\n".join(match[1].strip() if match else "no words" for match in said))
             if browser is None:
                 continue
-            size = {word: float(re.search(rf'<svg[^>]* {word}="([\d.]+)', text)[1]) for word in ("width", "height")}
-            for scheme in ("light", "dark"):
+            size = ",".join(re.search(rf'<svg[^>]* {word}="(\d+)', text)[1] for word in ("width", "height"))
+            for number, scheme in enumerate(("dark", "light")):
                 own = path.with_name(path.stem + "-dark.svg")
-                browser.screen(int(size["width"]), int(size["height"]), scheme)
-                browser.open((own if scheme == "dark" and own.exists() else path).as_uri())
-                browser.shot(record.folder / f"{where}-{path.stem}-{scheme}.png")
+                subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", f"--window-size={size}",
+                                f"--blink-settings=preferredColorScheme={number}",
+                                f"--screenshot={record.folder / f'{where}-{path.stem}-{scheme}.png'}",
+                                (own if scheme == "dark" and own.exists() else path).as_uri()], capture_output=True, check=True)
     if browser is None:
         print("  without Chromium figures are not rendered", flush=True)
-    else:
-        browser.close()
 
 
 def pictures(record):
