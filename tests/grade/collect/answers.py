@@ -72,6 +72,7 @@ class Search:
     notes: list = field(default_factory=list)
     others: list = field(default_factory=list)   # files that are not answers
     upload: int = 0                             # the one that is being searched
+    uploads: dict = field(default_factory=dict)  # what each is called
     unread: int = -1                            # the last upload of which something could not be read
     exercises: set = field(default_factory=set)  # folders of that name that hold an exercise
     when: Optional[int] = None
@@ -199,6 +200,9 @@ def answer_from(search: Search, stem: str, seen: Seen) -> Answer:
             words.append(f"there is {', '.join(near)}; the name must be {stem}.c")
         return Answer("missing", words="; ".join(words))
     upload = max(file.upload for file in files)
+    earlier = len({file.upload for file in files}) - 1
+    if earlier:
+        words.append(f"handed in {earlier + 1} times; the last one counts: {search.uploads.get(upload, upload)}")
     files = [file for file in files if file.upload == upload]
     outermost = min(file.level for file in files)
     meant = [file for file in files if file.level == outermost]

@@ -5,15 +5,7 @@ a result. Only what nobody hands in is not: hidden files, what systems and platf
 tables and notes. Nothing here follows a symbolic link, writes anything, or trusts a size; anything odd is reported in
 words. Whoever calls collect does so in a process with limits on memory and time.
 
-Learning platforms export what is one person's in these ways:
-
-    Canvas      doejane_123_456_01-corners.c      loose files: who, user, upload, name; _LATE after
-                doejane_LATE_123_457_hw-1.zip     who; -1, -2 ... before the suffix if handed in again
-    Moodle      Jane Doe_123_assignsubmission_file_/     a folder for each, or with 'folders' off
-                Jane Doe_123_assignsubmission_file_NAME  loose files
-    Gradescope  submission_123/               a folder for each; submission_metadata.yml has the names
-
-Everything else is a submission under its own name: folders (a clone of GitHub Classroom's is one),
+What learning platforms export is read by platforms.py. Everything else is a submission under its own name: folders,
 archives, and loose files, which hold no answer but whose owner has handed in something.
 """
 from __future__ import annotations
@@ -21,129 +13,15 @@ from __future__ import annotations
 import hashlib
 import os
 import re
-from collections import Counter, defaultdict
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Callable, Iterable, Optional
 
 from grade.confine.machine import GraderFailed, believed, must_be_its_own
 from grade.visible import why
 from . import answers, archives, folders, names, streams
 from .answers import Collected
-from .names import decoded
-from .streams import Enough, opened_file
-
-# ---- what platforms export ----------------------------------------------------------------------
-
-
-CANVAS = re.compile(r"(?P<who>.+?)(?:_LATE)?_(?P<user>\d{1,18})_(?P<upload>\d{1,18})_(?P<name>.+)",
-                    re.ASCII | re.DOTALL)
-MOODLE = re.compile(r"(?P<who>.+?)_(?P<user>\d{1,18})_assignsubmission_[a-z]+(?:_(?P<name>.*))?", re.ASCII | re.DOTALL)
-AGAIN = re.compile(r"(?P<name>.+?)-\d{1,4}(?P<suffix>(\.[A-Za-z0-9]+)+)", re.ASCII | re.DOTALL)
-GRADESCOPE = "submission_metadata.yml"
-LARGEST_METADATA = 64 * 1024 * 1024
-NAMED = 5   # of a group
-
-
-@dataclass(frozen=True)
-class Part:
-    """An entry of the class's folder, or what a platform made of a file that was handed in."""
-    path: bytes
-    kind: str           # folder, archive, file, link, unreadable
-    name: str = ""      # what it was called when it was handed in
-    words: str = ""     # why there is nothing to look at
-    upload: int = 0     # larger: later
-
-
-@dataclass(frozen=True)
-class Owner:
-    """Whose parts these are, as the class's folder says it."""
-    raw: bytes
-    parts: tuple
-    title: str = ""     # as people read it
-
-
-def matched(pattern, entry: bytes, kind: str):
-    text = decoded(entry)
-    found = pattern.fullmatch(text) if kind in ("folder", "archive", "file") else None
-    return found if found and (kind == "folder" or found["name"]) else None
-
-
-def handed_in_as(name: str) -> str:
-    """Canvas calls a file 01-corners-1.c that is handed in again."""
-    again = AGAIN.fullmatch(name)
-    return again["name"] + again["suffix"] if again else name
-
-
-def of_canvas(found: dict) -> dict:
-    """The matches that are Canvas's, and not names that happen to look like that: an upload has one
-    number, a user one name, and archives of other names of one user alone are rather ws_2025_1_anna.zip."""
-    uploads = Counter(match["upload"] for match, _ in found.values())
-    users = Counter(user for user, _ in {(match["user"], match["who"]) for match, _ in found.values()})
-    names = {handed_in_as(match["name"]) for match, _ in found.values()}
-    if len(names) > 1 and len(users) == 1 and all(kind == "archive" for _, kind in found.values()):
-        return {}
-    return {raw: match for raw, (match, _) in found.items()
-            if uploads[match["upload"]] == 1 and users[match["user"]] == 1}
-
-
-def grouped(entries: list) -> list:
-    """entries: (Part, its name's bytes). The owners, in the order of their first entries."""
-    canvas = of_canvas({raw: (match, part.kind) for part, raw in entries if part.kind in ("archive", "file")
-                        and (match := matched(CANVAS, raw, part.kind))})
-    owners = defaultdict(list)
-    for part, raw in entries:
-        match = matched(MOODLE, raw, part.kind)
-        if match is None and raw in canvas:
-            match = canvas[raw]
-            part = replace(part, upload=int(match["upload"]), name=handed_in_as(match["name"]))
-        elif match is not None:
-            part = replace(part, name=match["name"] or "")
-        owner = f"{match['who']}_{match['user']}".encode("utf-8", "surrogateescape") if match else raw
-        owners[owner].append(part)
-    return [Owner(raw, tuple(parts)) for raw, parts in owners.items()]
-
-
-# ---- Gradescope's names -------------------------------------------------------------------------
-
-def unquoted(text: str) -> str:
-    text = text.strip()
-    return text[1:-1].replace("''", "'") if len(text) > 1 and text[0] == text[-1] and text[0] in "'\"" else text
-
-
-def people(directory: bytes) -> dict:
-    """Folder -> the names of those who handed it in, from Gradescope's list; {} without one."""
-    found = defaultdict(list)
-    try:
-        with opened_file(os.path.join(directory, os.fsencode(GRADESCOPE))) as file:
-            lines = file.read(LARGEST_METADATA).decode("utf-8", "replace").splitlines()
-    except OSError:
-        return {}
-    folder, inside = "", False
-    for line in lines:
-        if match := re.fullmatch(r"['\"]?(submission_\d+)['\"]?:\s*", line):
-            folder, inside = match[1], False
-        elif re.fullmatch(r"  ?:?submitters:\s*", line):
-            inside = True
-        elif re.match(r"  ?:?\w", line):
-            inside = False
-        elif inside and folder and (match := re.fullmatch(r"\s+(?:- +)?:?name: +(.+)", line)):
-            found[folder].append(unquoted(match[1]))
-    return found
-
-
-def titled(owners: list, directory: bytes) -> list:
-    """With the names of people, where the platform has a list of them."""
-    known, taken = people(directory), {decoded(owner.raw) for owner in owners}
-    for owner in owners:
-        folder = decoded(owner.raw)
-        them = known.get(folder, [])
-        more = f" and {len(them) - NAMED} more" if len(them) > NAMED else ""
-        title = f"{', '.join(them[:NAMED])}{more} ({folder})" if them else folder
-        if title in taken:
-            title = folder
-        taken.add(title)
-        yield replace(owner, title=title)
-
+from .platforms import Owner, Part, are_all_named, grouped, titled
+from .streams import Enough
 
 # ---- submissions --------------------------------------------------------------------------------
 
@@ -151,6 +29,7 @@ def titled(owners: list, directory: bytes) -> list:
 SUFFIXES = tuple(suffix.encode() for suffix in archives.SUFFIXES)
 # Nobody hands these in.
 HIDDEN = re.compile(r"\..*|__MACOSX", re.DOTALL)
+MOST_AROUND = 3     # folders around a class's
 NO_ANSWER = "a loose file, and neither a folder nor an archive"
 
 
@@ -159,6 +38,15 @@ class Submission:
     name: str       # as people read it; no two are the same
     folder: str     # the folder of its reports; no two are the same, on any file system
     parts: tuple
+    claims: tuple = ()              # whose it says it is (platforms.py)
+    person: Optional[object] = None  # whose it is, by the list of the class (people/)
+    unlisted: str = ""              # why it is nobody's on that list
+    is_elsewhere: bool = False      # marked before, and not in this folder of submissions
+
+    @property
+    def key(self) -> str:
+        """What decisions about it go by."""
+        return self.person.key if self.person else self.folder
 
     @property
     def kind(self) -> str:
@@ -192,10 +80,9 @@ def suffix_of(owner: Owner) -> int:
         if owner.parts[0].kind == "archive" else 0
 
 
-def find(directory, stems: Iterable[str] = ()) -> tuple:
-    """The submissions in the order of their names' bytes; and the names of what is none."""
-    entries, others, stems = [], [], list(stems)
-    directory = os.fsencode(directory)
+def entries_of(directory: bytes, stems: list) -> tuple:
+    """(Part, its name's bytes) of each that may be a submission; and the names of what is none."""
+    entries, others = [], []
     with os.scandir(directory) as listing:
         for entry in sorted(listing, key=lambda entry: entry.name):
             kind, words = kind_of(entry)
@@ -203,10 +90,32 @@ def find(directory, stems: Iterable[str] = ()) -> tuple:
                 others.append(entry.name)
             else:
                 entries.append((Part(entry.path, kind, "", words), entry.name))
+    return entries, others
+
+
+def inside_of(directory: bytes, stems: list, are_people: Callable[[list], bool]) -> tuple:
+    """The entries of the class's folder, or of the one folder in it, if that is not a student's. are_people: whether
+    such entries are, by the list of the class."""
+    entries, others = entries_of(directory, stems)
+    below, clutter = entries, others
+    for _ in range(MOST_AROUND):
+        if len(below) != 1 or below[0][0].kind != "folder" or are_all_named(below):
+            break
+        around = below[0][0].path
+        below, more = entries_of(around, stems)
+        clutter = clutter + more
+        if are_all_named(below) or are_people([raw for _, raw in below]):
+            return around, below, clutter
+    return directory, entries, others
+
+
+def find(directory, stems: Iterable[str] = (), are_people: Callable[[list], bool] = lambda raws: False) -> tuple:
+    """The submissions in the order of their names' bytes; and the names of what is none."""
+    directory, entries, others = inside_of(os.fsencode(directory), list(stems), are_people)
     owners = list(titled(grouped(entries), directory))
     shown = names.shown([owner.title.encode("utf-8", "surrogateescape") for owner in owners])
     stored = names.folders([(owner.raw, suffix_of(owner)) for owner in owners])
-    return ([Submission(name, folder, owner.parts) for owner, name, folder in zip(owners, shown, stored)],
+    return ([Submission(name, folder, owner.parts, owner.claims) for owner, name, folder in zip(owners, shown, stored)],
             names.shown(others))
 
 
@@ -239,9 +148,12 @@ def look_at(search, part: Part, opener) -> None:
 def searched(submission: Submission, stems: list, opener) -> answers.Search:
     search = answers.search_for(stems)
     for part in submission.parts:
-        search.upload = part.upload
+        search.upload, before = part.upload, search.when
+        search.uploads[part.upload] = part.said
         try:
             look_at(search, part, opener)
+            if part.when is not None:
+                search.when = max(before or part.when, part.when)
         except MemoryError:
             search = answers.search_for(stems)
             answers.not_read(search, "reading it takes more memory than a submission may have")
