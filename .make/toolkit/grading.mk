@@ -84,6 +84,9 @@ grade: export POLICY := $(POLICY)
 grade: $(KIT)/commands ## mark a class: SUBMISSIONS=dir OUT=build/grades
 	@python3 -B tests/grade $(KIT)
 
+grade-set: $(LIST) ## a decision on a mark: WHO=anna WHAT='extra days' VALUE=2 COMMENT=ill
+	@python3 -B tests/grade/people/decide.py
+
 # What git tracks, with the changes in the working tree; at its root the programs that Gradescope starts.
 GRADESCOPE := build/gradescope.zip
 AS_SOMEBODY := GIT_AUTHOR_DATE=2000-01-01T00:00:00Z GIT_COMMITTER_DATE=2000-01-01T00:00:00Z \
@@ -93,4 +96,4 @@ gradescope: ## build/gradescope.zip, an autograder for Gradescope
 		$(patsubst %,--add-file=tests/grade/recipes/gradescope/%,setup.sh run_autograder) \
 		--prefix=toolkit/ $${changed:-HEAD}
 	@echo "$(GRADESCOPE): $$(($$(wc -c <$(GRADESCOPE)) / 1024)) KB. It holds the solutions: not for students."
-.PHONY: grade gradescope
+.PHONY: grade grade-set gradescope

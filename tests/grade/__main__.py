@@ -14,16 +14,21 @@ sys.path[0] = str(Path(__file__).resolve().parents[1])  # there the package is f
 
 from grade.collect import submissions  # noqa: E402 - found from there on
 from grade.mark.crew import alone, mark_all, of_shard  # noqa: E402
-from grade.mark.grader import FAILED, Grader  # noqa: E402
+from grade.mark.grader import Grader  # noqa: E402
+from grade.people.class_list import class_of  # noqa: E402
+from grade.people.history import members, remember  # noqa: E402
+from grade.people.ledger import read_ledger, stem_named  # noqa: E402
+from grade.people.sheets import SheetError  # noqa: E402
 from grade.policy import PolicyError, came_in  # noqa: E402
 from grade.report import files, text  # noqa: E402
+from grade.report.points import FAILED, NOTHING  # noqa: E402
 from grade.settings import arguments, stop  # noqa: E402
 from grade.visible import visible, why  # noqa: E402
 
 
 def mention(found: list, others: list, stems: list, folder) -> None:
     answers = [name for name in others if name in [f"{stem}.c" for stem in stems]]
-    if answers and all(submission.kind == "file" for submission in found):
+    if answers and all(submission.kind == "file" for submission in found if submission.parts):
         stop(f"{folder} holds {answers[0]} itself: it is one submission. Name the folder that it lies in.")
     if not found:
         stop(f"{folder} holds no submission")
@@ -44,16 +49,51 @@ def mention_times(policy, found: list) -> None:
         print(f"Without a time, taken as on time: {', '.join(without)}", file=sys.stderr)
 
 
+def with_the_others(found: list, known: dict, given) -> list:
+    """The class of OUT, of which some are marked again: those of these submissions, and the others as they are."""
+    here = {submission.folder for submission in found if submission.parts}
+    gone = [folder for folder in known if folder not in here and known[folder]["status"] != NOTHING]
+    if not given.only:
+        if gone and len(gone) > len(here):
+            stop(f"OUT={given.out} holds the marks of {len(gone)} others, and they are not in {given.submissions}. To mark one of "
+                 f"them again, say who: ONLY={found[0].name if found else 'NAME'}; for another class, take another OUT")
+        return found
+    return [submissions.Submission(known[one.folder]["submission"], one.folder, (), one.claims, one.person, one.unlisted, True)
+            if one.folder in gone else one for one in found] + \
+        [submissions.Submission(known[folder]["submission"], folder, (), is_elsewhere=True)
+         for folder in gone if folder not in {one.folder for one in found}]
+
+
+def mark_again(grader: Grader, found: list, keys: list, given) -> list:
+    """Those that ONLY names, whose keys these are, or all; and what is marked though there is a verdict."""
+    todo = [submission for submission in found if submission.parts]
+    if given.ex:
+        stem = stem_named(given.ex, grader.asked)
+        if stem is None:
+            stop(f"EX={given.ex}: expected a chapter that has points: {', '.join(grader.asked)}")
+        grader.again, grader.again_stems = None, [stem]
+    if given.only:
+        todo = [submission for submission in todo if submission.key in keys]
+        if len(keys) != 1 or not todo:
+            stop(f"ONLY={given.only}: " + (f"fits {len(keys)} people, expected one" if len(keys) > 1 else
+                                           "expected one of those who handed in something"))
+        grader.again = {submission.folder for submission in todo}
+    return todo
+
+
 def grade() -> int:
     given = arguments()
     try:
         grader = Grader(given)
-    except PolicyError as error:
+        class_list = class_of(given.submissions, given.roster, grader.stems)
+        grader.ledger = read_ledger(given.ledger, grader.stems, class_list.keys)
+    except (PolicyError, SheetError) as error:
         stop(str(error))
-    found, others = submissions.find(given.submissions, grader.stems)
-    mention(found, others, grader.stems, given.submissions)
-    mention_times(grader.policy, found)
-    todo = of_shard(found, given.shard)
+    mention(class_list.found, class_list.others, grader.stems, given.submissions)
+    mention_times(grader.policy, class_list.found)
+    found = with_the_others(class_list.found, members(grader.out), given)
+    now = mark_again(grader, found, class_list.keys(given.only), given)
+    todo = of_shard(now, given.shard)
     began = time.monotonic()
     try:
         lock = alone(grader.work)
@@ -67,7 +107,9 @@ def grade() -> int:
     finally:
         shutil.rmtree(grader.work, ignore_errors=True)
         lock.close()
-    records = [failed.get(submission.folder) or grader.record(submission) for submission in found]
+    marked = {submission.folder for submission in now}
+    records = [failed.get(submission.folder) or (grader.record if submission.folder in marked else grader.without_marking)(submission)
+               for submission in found]
     missing = records.count(None)
     if missing:
         print(f"{len(todo)} of {len(found)} submissions are of this shard; "
@@ -77,7 +119,7 @@ def grade() -> int:
         return 0 if given.shard and not failed else 1
     print(text.closing(records))
     try:
-        files.write_class(records, str(grader.out))
+        files.write_class(records, str(grader.out), remember(records, grader.out))
     except OSError as error:
         stop(f"the reports cannot be written to {given.out}: {error.strerror}")
     print(f"Took {time.monotonic() - began:.1f} s. Reports: {given.out}/index.html")

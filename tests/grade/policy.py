@@ -39,6 +39,7 @@ class Policy:
     most: Fraction = Fraction(0)
     times: Optional[dict] = None                # submission -> seconds since 1970
     waiting: bool = True                        # whether a function that waits has its marks
+    judges_all: bool = False                    # also chapters that are worth nothing
 
 
 def rounded(marks) -> float:
@@ -143,9 +144,13 @@ def line_into(policy: Policy, words: list, known: list, weights: dict, folder: P
         if rest not in ("full", "none"):
             raise PolicyError(f"waiting {brief(rest)}: expected 'waiting full' or 'waiting none'")
         policy.waiting = rest == "full"
+    elif setting == "judge":
+        if rest not in ("points", "all"):
+            raise PolicyError(f"judge {brief(rest)}: expected 'judge points' or 'judge all'")
+        policy.judges_all = rest == "all"
     else:
         raise PolicyError(f"{brief(setting)} is not a setting, "
-                          "expected points, due, grace, late, times or waiting")
+                          "expected points, judge, due, grace, late, times or waiting")
 
 
 def shared(known: list, weights: dict, at: dict) -> dict:
@@ -202,6 +207,12 @@ def points(policy: Policy, stem: str, function: str) -> float:
     return policy.shares[stem, function] / 100
 
 
+def judged(policy: Policy, stems: list) -> list:
+    """The chapters that are judged: those that have points, unless none has."""
+    paid = [stem for stem in stems if any(share for (chapter, _), share in policy.shares.items() if chapter == stem)]
+    return stems if policy.judges_all or not paid else paid
+
+
 def came_in(policy: Policy, submission, collected) -> Optional[int]:
     """When, in seconds since 1970; None where nobody knows."""
     if policy.times is None:
@@ -216,19 +227,20 @@ def duration(seconds: int) -> str:
     return " ".join(f"{count} {unit}" for count, unit in parts if count) or f"{seconds} s"
 
 
-def late(policy: Policy, when: Optional[int], score: float) -> tuple:
+def late(policy: Policy, when: Optional[int], score: float, extra_days: Fraction = Fraction(0)) -> tuple:
     """The rest of a score, and words; no words if the submission was on time."""
     if policy.due is None:
         return rounded(score), ""
     if when is None:
         return rounded(score), "it is not known when this came in; taken as on time"
-    after = int(when) - int(policy.due.timestamp())
+    due = policy.due + timedelta(seconds=float(extra_days * SECONDS["day"]))
+    after = int(when) - int(due.timestamp())
     if after <= policy.grace:
         return rounded(score), ""
     begun = -(-after // SECONDS[policy.unit])
     percent = min(begun * policy.percent, policy.most)
     left = rounded(Fraction(str(score)) * (100 - percent) / 100)
-    words = f"due {policy.due:%Y-%m-%d %H:%M %z}, {duration(after)} late: "
+    words = f"due {due:%Y-%m-%d %H:%M %z}, {duration(after)} late: "
     if not percent:
         return left, words + "that costs nothing"
     return left, words + (f"{number(float(percent))}% off, "

@@ -36,6 +36,10 @@ def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="grade", description="Marks a folder of submissions.")
     parser.add_argument("kit", type=Path)
     parser.add_argument("submissions", type=Path, nargs="?", default=there("SUBMISSIONS") or None)
+    parser.add_argument("--class", dest="roster", type=Path, default=there("CLASS") or None)
+    parser.add_argument("--ledger", type=Path, default=there("LEDGER") or None)
+    parser.add_argument("--only", default=there("ONLY", ""))
+    parser.add_argument("--ex", default=there("EX", ""))
     parser.add_argument("--out", type=Path, default=there("OUT", "build/grades"))
     parser.add_argument("--policy", type=Path, default=there("POLICY") or policy.DEFAULT)
     parser.add_argument("--seed", default=there("SEED", ""))
@@ -49,6 +53,7 @@ def arguments() -> argparse.Namespace:
     given.jobs = number("JOBS", given.jobs, 1, 1024) if given.jobs else 2 * processors
     given.shard = shard(given.shard) if given.shard else None
     given.seed = number("SEED", given.seed, 0, LARGEST_SEED) if given.seed else None
+    given.ledger = given.ledger or given.out / "ledger.csv"
     if given.submissions is None:
         stop("grade what? Say: make grade SUBMISSIONS=folder")
     if not given.submissions.is_dir():

@@ -61,7 +61,7 @@ class Example(Sentences):
         explained = re.findall(r"^\| `([a-z-]*)` \| ([a-z ]*) \| ([0-9]*) \|", self.page, re.M)
         self.assertEqual(len(explained), 10)
         with open(self.out / "grades.csv", encoding="utf-8-sig", newline="") as file:
-            rows = [(row["submission"], row["status"], row["score"]) for row in csv.DictReader(file)]
+            rows = [(row["submission"], row["status"], row["final"]) for row in csv.DictReader(file)]
         self.assertEqual(sorted(explained), sorted(rows))
 
     def test_deep_folder_still_has_its_windows_line_ends(self):

@@ -127,7 +127,7 @@ class Faults(Sentences):
 
     def reports_say_it(self, out: Path) -> None:
         row = rows(out)[FAULTS[0]]
-        self.check("grades.csv: an empty score, not 0", row["status"] == "grader failed" and row["score"] == ""
+        self.check("grades.csv: an empty score, not 0", row["status"] == "grader failed" and row["final"] == ""
                    and row["01-corners"] == "", row)
         results = json.loads((out / FAULTS[0] / "results.json").read_text())
         self.check("results.json: neither a score nor a test", {"score", "tests"}.isdisjoint(results), results)

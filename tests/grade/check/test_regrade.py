@@ -10,8 +10,9 @@ import subprocess
 import time
 from pathlib import Path
 
+from grade.people.history import members
 from .fixtures import Sentences
-from .small_class import (SEED, at_work_in, build_class, command, gone, grade, processes, records, right,
+from .small_class import (SEED, at_work_in, build_class, command, gone, grade, processes, records, right, rows,
                           started)
 
 
@@ -80,6 +81,14 @@ class Regrade(Sentences):
         self.check("and has its new marks", records(out)["nothing"]["score"] == 9)
         for name in set(os.listdir(copy)) - {"mirrored", "nothing", "no text"}:
             subprocess.run(["rm", "-r", "--", str(copy / name)], check=True)
+        refused = grade(copy, out)
+        self.check("a few into the marks of a class are refused, and nothing is changed",
+                   "say who: ONLY=" in refused.stderr and refused.returncode and len(members(out)) == 21, refused.stderr)
+        only = grade(copy, out, ONLY="mirrored")
+        self.check("one of them is marked again, and the class is whole",
+                   (only.stderr.count("/1 mirrored"), len(members(out)), len(rows(out))) == (1, 21, 21), only.stderr)
+        out = work / "few"
+        grade(copy, out)
         done = grade(copy, out, SEED="1")
         self.check("another seed marks all again", (kept(done), done.stderr.count("/3 ")) == (0, 3), done.stderr)
         other = work / "other version"

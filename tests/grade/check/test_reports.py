@@ -168,12 +168,14 @@ class ReportTables(Sentences):
         data = grades_csv(HOSTILES).encode()
         rows = read_back.strict_csv(data)
         self.check("the grade book has one row per submission", len(rows) == 1 + len(HOSTILE))
-        self.check("its columns are submission, status, score, max, the stems and the reason",
-                   rows[0] == ["submission", "status", "score", "max", "01-corners", "02-cameras", "03-screen",
-                               "04-pixel-ray", "05-quadratic", "reason"])
-        self.check("all rows are as wide", {len(row) for row in rows} == {10})
+        self.check("its columns are submission, status, final, max, the stems, what the final mark is made of, the reason",
+                   rows[0] == ["submission", "status", "final", "max", "01-corners", "02-cameras", "03-screen",
+                               "04-pixel-ray", "05-quadratic", "computed", "late", "adjusted", "reason"])
+        self.check("all rows are as wide", {len(row) for row in rows} == {13})
         self.check("marks are in their columns",
-                   all(row[1:-1] == ["crashed", "8", "80", "0", "0", "0", "0", "8"] for row in rows[1:]))
+                   all(row[1:-1] == ["crashed", "8", "80", "0", "0", "0", "0", "8", "8", "0", "0"] for row in rows[1:]))
+        sums = grades_csv([record("a", [stem("01-corners", [function("upper_left")])], score=4.5, penalty=-1, adjusted=1.5)])
+        self.check("the columns add up", read_back.strict_csv(sums.encode())[1][2:-1] == ["4.5", "4", "4", "4", "-1", "1.5"], sums)
         self.check("no cell is run by a spreadsheet",
                    not any(re.match(r"\s*[=+\-@\t\r＝＋－＠]", cell) for row in rows for cell in row))
         self.check("nor where semicolons part cells",
@@ -184,7 +186,7 @@ class ReportTables(Sentences):
                    list(csv.reader(io.StringIO(data.decode("utf-8-sig"), newline=""), strict=True)) == rows)
         lacking = grades_csv([record("a", [stem("01-corners", [function("upper_left")])]), record("b", [])])
         self.check("whoever lacks a stem has 0 there",
-                   read_back.strict_csv(lacking.encode())[2] == ["b", "graded", "0", "0", "0", ""])
+                   read_back.strict_csv(lacking.encode())[2] == ["b", "graded", "0", "0", "0", "0", "0", "0", ""])
 
     def test_text(self):
         for name, them in (("hostile", HOSTILES), ("ordinary", ORDINARY), ("empty", []),

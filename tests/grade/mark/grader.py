@@ -1,7 +1,8 @@
 """grader.py - one submission from its folder or archive to its results.json.
 
 A result of the same files, seed, tests and sandbox is kept: so a grader that was stopped goes on where
-it was. The policy is not among these: when it changes, marks are computed again from the kept verdicts.
+it was. The policy and the ledger are not among these: when they change, marks are computed again from the kept
+verdicts.
 """
 from __future__ import annotations
 
@@ -14,6 +15,8 @@ import shutil
 import subprocess
 import time
 from contextlib import contextmanager
+from dataclasses import asdict, replace
+from fractions import Fraction
 from pathlib import Path
 
 from grade import exercises
@@ -23,16 +26,20 @@ from grade.collect.answers import UNREADABLE, Collected
 from grade.collect.submissions import Submission
 from grade.confine.machine import GraderFailed, limit
 from grade.confine.sandbox import choose
+from grade.people.ledger import Ledger, decide
 from grade.report import files
+from grade.report.points import FAILED, NOTHING
 from grade.settings import seed_of_class
 
 from .commands import read_kit
 from .judging import calls_of
 from .marking import add_marks, mark
+from .verdicts import Verdicts
 from .workbench import Workbench
 
 DONE, KEPT = 0, 3       # exit statuses of the process that marks
-FAILED = "grader failed"
+WITHOUT_SCORE = (FAILED, UNREADABLE, NOTHING)   # nothing was computed
+PERSON = ("name", "id", "login", "mail", "section")
 PACKAGE = Path(__file__).resolve().parents[1]
 SOLUTIONS = PACKAGE.parents[1] / "solutions"
 # On these, and not on how reports look, verdicts depend.
@@ -68,6 +75,10 @@ class Grader:
         self.exercises = exercises.read()
         self.stems = exercises.stems(self.exercises)
         self.policy = policies.load(given.policy, self.exercises)
+        self.asked = policies.judged(self.policy, self.stems)
+        self.ledger = Ledger(None, self.stems, list)
+        self.again: set[str] | None = set()     # folders of what is marked again; None: everybody's
+        self.again_stems = self.asked           # and their chapters
         self.kit = read_kit(given.kit.resolve())
         self.sandbox = choose(given.kit.resolve() / "confine", given.sandbox, given.unsafe)
         self.seed, self.wanted_seed = 0, given.seed
@@ -84,11 +95,22 @@ class Grader:
     def begin(self) -> None:
         """When it is clear that there is something to mark, and nobody else does."""
         self.seed = seed_of_class(self.out, self.wanted_seed)
+        self.verdicts(False).begin()
+
+    def circumstances(self) -> str:
+        """Changes with everything but the answers that verdicts depend on."""
+        return hashlib.sha256("\n".join([str(self.seed), self.tests, self.sandbox.name]).encode()).hexdigest()
 
     def key(self, collected: Collected) -> str:
         """Changes with everything that the verdicts depend on."""
-        parts = [submissions.digest(collected), str(self.seed), self.tests, self.sandbox.name]
+        parts = [submissions.digest(collected), self.circumstances()]
         return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+
+    def verdicts(self, again: bool) -> Verdicts:
+        return Verdicts(self.out / ".verdicts", self.circumstances(), frozenset(self.again_stems if again else ()))
+
+    def is_again(self, submission: Submission) -> bool:
+        return self.again is None or submission.folder in self.again
 
     def place(self, submission: Submission) -> Path:
         return self.out / submission.folder
@@ -99,15 +121,30 @@ class Grader:
         except (OSError, ValueError):
             return None
 
-    def priced(self, record: dict, when: int | None) -> dict:
-        """The same verdicts with the marks that this policy gives them."""
+    def points_of(self) -> dict[str, Fraction]:
+        """STEM -> the points of the chapter."""
+        return {stem: sum((Fraction(share, 100) for (chapter, _), share in self.policy.shares.items() if chapter == stem),
+                          Fraction(0)) for stem in self.stems}
+
+    def priced(self, record: dict, submission: Submission, when: int | None) -> dict:
+        """The same verdicts with the marks that this policy and the ledger give them, and whose they are."""
         record = copy.deepcopy(record)
+        decided = self.ledger.of(submission.key)
         for stem in record["stems"]:
             add_marks(stem, self.exercises, lambda stem, name: policies.points(self.policy, stem, name),
                       self.policy.waiting)
-        record["max"] = policies.rounded(sum(stem["max"] for stem in record["stems"]))
-        earned = policies.rounded(sum(stem["score"] for stem in record["stems"]))
-        record["score"], record["late"] = policies.late(self.policy, when, earned)
+
+        def late(marks) -> tuple:
+            return policies.late(self.policy, when, float(marks), decided.extra_days)
+
+        if record["status"] in WITHOUT_SCORE:
+            record["score"] = 0 if record["status"] == NOTHING else None
+        else:
+            record["score"], record["late"] = late(sum(stem["score"] for stem in record["stems"]))
+        decide(record, decided, self.points_of(), lambda marks: marks - Fraction(str(late(marks)[0])))
+        person = asdict(submission.person) if submission.person else {}
+        record.update(when=when, submission=submission.name, unlisted=submission.unlisted,
+                      person={field: person[field] for field in PERSON if person.get(field)})
         return record
 
     def mark(self, submission: Submission) -> int:
@@ -118,25 +155,42 @@ class Grader:
         with limited(COLLECTING):
             collected = submissions.collect(submission, self.stems,
                                             lambda command: self.sandbox.compiler(folder, [], command))
+        collected = replace(collected, answers={stem: collected.answers[stem] for stem in self.asked})
         if collected.status == UNREADABLE:
             return self.give_up_on(submission, collected.words)
         when = policies.came_in(self.policy, submission, collected)
-        key = self.key(collected)
+        key, again = self.key(collected), self.is_again(submission)
         old = self.record(submission)
-        if old is not None and old.get("key") == key:
-            priced = self.priced(old, when)
-            if priced != old:
-                files.write_submission(priced, str(self.place(submission)))
-            return KEPT
+        if old is not None and old.get("key") == key and not again:
+            return self.price_again(submission, old, when)
         bench = Workbench(self.kit, self.sandbox, self.work / submission.folder, self.tables, self.seed, self.right)
-        record = self.priced(mark(bench, collected, self.exercises, self.called), when)
-        record.update(key=key, submission=submission.name, folder=submission.folder,
+        files.keep_answers({stem: answer.text for stem, answer in collected.answers.items() if answer.state == "found"},
+                           str(self.out), submission.folder)
+        record = mark(bench, collected, self.exercises, self.called, self.verdicts(again))
+        record.update(key=key, files=submissions.digest(collected), folder=submission.folder,
                       seconds=round(time.monotonic() - began, 2),
                       steps={step: round(seconds, 3) for step, seconds in bench.seconds.items()})
+        record = self.priced(record, submission, when)
         self.keep_pictures(record, self.place(submission), bench.folder)
         shutil.rmtree(bench.folder, ignore_errors=True)
         files.write_submission(record, str(self.place(submission)))
         return DONE
+
+    def price_again(self, submission: Submission, old: dict, when: int | None) -> int:
+        priced = self.priced(old, submission, when)
+        if priced != old:
+            files.write_submission(priced, str(self.place(submission)))
+        return KEPT
+
+    def without_marking(self, submission: Submission) -> dict | None:
+        """The record of one that is not marked now: of somebody who handed in nothing, or as it was, with
+        the marks of today."""
+        if not submission.parts and not submission.is_elsewhere:
+            return self.without_score(submission, NOTHING, "")
+        old = self.record(submission)
+        if old is not None and old["status"] != FAILED:
+            self.price_again(submission, old, old.get("when"))
+        return self.record(submission)
 
     def keep_pictures(self, record: dict, place: Path, drawn_in: Path) -> None:
         place.mkdir(exist_ok=True)
@@ -147,11 +201,9 @@ class Grader:
                 (place / name).unlink(missing_ok=True)
 
     def without_score(self, submission: Submission, status: str, words: str) -> dict:
-        most = policies.rounded(sum(policies.points(self.policy, exercise.stem, exercise.name)
-                                    for exercise in self.exercises))
-        return {"submission": submission.name, "folder": submission.folder, "status": status,
-                "words": words, "score": None, "max": most, "late": "", "stems": [], "pictures": {}, "key": "",
-                "seed": self.seed, "seconds": 0, "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
+        record = {"folder": submission.folder, "status": status, "words": words, "late": "", "stems": [], "pictures": {}, "key": "", "files": "", "seed": self.seed, "seconds": 0,
+                  "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
+        return self.priced(record, submission, None)
 
     def give_up_on(self, submission: Submission, words: str) -> int:
         """The result of a submission that cannot be read through its own fault. It has no score: nobody knows

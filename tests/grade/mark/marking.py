@@ -7,12 +7,14 @@ cannot finish raises GraderFailed (confine/machine.py).
 """
 from __future__ import annotations
 
+import copy
 import shutil
 
 from grade.policy import rounded
 
 from .building import build, is_refused, linked
 from .judging import judged, lend, may_wait, waiting
+from .verdicts import Verdict, Verdicts
 from .workbench import Workbench
 
 
@@ -49,8 +51,8 @@ def function_part(exercise, found: dict[str, str], waits_for: list[str] | None) 
     return part
 
 
-def stem_parts(bench: Workbench, answers: dict, exercises: list, called: dict) -> tuple[list[dict], bool]:
-    """Each stem's part of the record, but for its marks; and whether there is a picture."""
+def judged_now(bench: Workbench, answers: dict, exercises: list, called: dict) -> dict[str, Verdict]:
+    """STEM -> the verdict, of those that were found. All steps are taken."""
     ready, trouble = build(bench, answers)
     reports = judged(bench, {stem: [exercise.name for exercise in exercises if exercise.stem == stem]
                              for stem in ready})
@@ -58,22 +60,37 @@ def stem_parts(bench: Workbench, answers: dict, exercises: list, called: dict) -
         (bench.folder / f"{stem}.exe").unlink()
     waits = {stem: waiting(reports[stem], lend(bench, stem, reports[stem], may_wait(reports[stem], called)))
              for stem in ready}
+    verdicts = {stem: Verdict(state, words, []) for stem, (state, words) in trouble.items()}
+    for stem in ready:
+        functions = [function_part(exercise, reports[stem][exercise.name], waits[stem].get(exercise.name))
+                     for exercise in exercises if exercise.stem == stem]
+        verdicts[stem] = Verdict("judged", "", functions, (bench.folder / f"{stem}.o").read_bytes())
+    return verdicts
 
-    parts = []
+
+def stem_parts(bench: Workbench, answers: dict, exercises: list, called: dict,
+               kept: Verdicts | None) -> tuple[list[dict], bool]:
+    """Each stem's part of the record, but for its marks; and whether there is a picture."""
+    there = {stem: answer for stem, answer in answers.items() if answer.state == "found"}
+    known = {stem: verdict for stem, answer in there.items() if kept and (verdict := kept.find(stem, answer.text))}
+    new = judged_now(bench, {stem: answer for stem, answer in there.items() if stem not in known}, exercises, called)
+    for stem, verdict in known.items():
+        if verdict.object:
+            (bench.folder / f"{stem}.o").write_bytes(verdict.object)
+    for stem, verdict in new.items() if kept else ():
+        kept.keep(stem, there[stem].text, verdict)
+
+    parts, drawn = [], []
     for stem, answer in answers.items():
-        state, words = trouble.get(stem, ("judged" if stem in ready else answer.state, answer.words))
-        if state == "unreadable":
-            state = "not judged"
-        functions = []
-        if state == "judged":
-            functions = [function_part(exercise, reports[stem][exercise.name],
-                                       waits[stem].get(exercise.name))
-                         for exercise in exercises if exercise.stem == stem]
-        parts.append({"stem": stem, "file": answer.file, "state": state, "words": words,
-                      "functions": functions})
+        verdict = known.get(stem) or new.get(stem) or Verdict(answer.state, answer.words, [])
+        drawn += [stem] * bool(verdict.object)
+        parts.append({"stem": stem, "file": answer.file,
+                      "state": "not judged" if verdict.state == "unreadable" else verdict.state,
+                      "words": answer.words if verdict.state == "judged" else verdict.words,
+                      "functions": copy.deepcopy(verdict.functions)})
     right = all(part["functions"] and all(function["state"] == "right" for function in part["functions"])
                 for part in parts)
-    return parts, bool(ready) and not right and draw(bench, ready)
+    return parts, bool(drawn) and not right and draw(bench, drawn)
 
 
 def add_marks(stem: dict, exercises: list, points, waiting_earns: bool) -> None:
@@ -103,11 +120,11 @@ def status_of(stems: list[dict]) -> tuple[str, str]:
     return "graded", ""
 
 
-def mark(bench: Workbench, collected, exercises: list, called: dict[str, set[str]]) -> dict:
+def mark(bench: Workbench, collected, exercises: list, called: dict[str, set[str]], kept: Verdicts | None = None) -> dict:
     """The record, but for names and marks. called: which functions call which in the reference."""
     shutil.rmtree(bench.folder, ignore_errors=True)
     bench.folder.mkdir(parents=True)
-    stems, is_drawn = stem_parts(bench, collected.answers, exercises, called)
+    stems, is_drawn = stem_parts(bench, collected.answers, exercises, called, kept)
     status, words = (collected.status, collected.words) if collected.status else status_of(stems)
     return {"status": status, "words": words or collected.words, "stems": stems,
             "pictures": {"expected": "expected.png", "yours": "yours.png"} if is_drawn else {},

@@ -1,10 +1,11 @@
 """figures.py - a class in figures: how the scores lie, and what went wrong most.
 
-Everybody who has a score counts, also those who handed in nothing.
+Everybody who handed in something and has a score counts.
 """
 import statistics
 
 from .comment import mistake_words, sentence
+from .points import NOTHING
 
 BINS = 10
 MOST = 8  # that many are explained again
@@ -22,8 +23,21 @@ def circumstances(records: list) -> list:
 
 
 def scored(records: list) -> list:
-    """Without those that cannot be read, and those that the grader failed on."""
-    return [record for record in records if record["score"] is not None]
+    """Without those who handed in nothing or are excused, those that cannot be read, and those that the grader failed on."""
+    return [record for record in records if record["score"] is not None and record["status"] != NOTHING]
+
+
+def handed_in(records: list) -> list:
+    return [record for record in records if record["status"] != NOTHING]
+
+
+def how_many(records: list) -> str:
+    nothing = len(records) - len(handed_in(records))
+    if not any(record["person"] for record in records):
+        return f"{len(records)} submissions."
+    listed = sum(bool(record["person"]) for record in records)
+    return f"{listed} on the list, {nothing} of whom handed in nothing." + \
+        (f" {len(records) - listed} submissions of others." if listed < len(records) else "")
 
 
 def percent(record: dict) -> float:

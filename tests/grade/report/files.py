@@ -43,9 +43,29 @@ def write_submission(record: dict, folder_path: str) -> None:
     put(folder_path, "results.json", results)
 
 
-def write_class(records: list, out_path: str) -> None:
+ANSWERS = ".answers"     # what was marked, for who wants to compare
+
+
+def keep_answers(texts: dict, out_path: str, folder: str) -> None:
+    """texts: STEM -> what is compiled."""
+    os.makedirs(os.path.join(out_path, ANSWERS), exist_ok=True)
+    words = {stem: text.decode("utf-8", "replace") for stem, text in texts.items()}
+    put(os.path.join(out_path, ANSWERS), f"{folder}.json", json.dumps(words))
+
+
+def answers_of(out_path: str, folder: str) -> dict:
+    try:
+        with open(os.path.join(out_path, ANSWERS, f"{folder}.json"), encoding="utf-8") as file:
+            return {str(stem): str(text) for stem, text in json.load(file).items()}
+    except (OSError, ValueError, AttributeError):
+        return {}
+
+
+def write_class(records: list, out_path: str, history=()) -> None:
+    """history: the changes of marks, the oldest first."""
     os.makedirs(out_path, exist_ok=True)
-    reports = {"grades.csv": grades_csv, "junit.xml": junit_xml, "grades.tap": grades_tap, "index.html": class_page}
+    reports = {"grades.csv": grades_csv, "junit.xml": junit_xml, "grades.tap": grades_tap,
+               "index.html": lambda records: class_page(records, history)}
     for name, report in reports.items():
         put(out_path, name, report(records))
 

@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ElementTree
 from grade.collect.answers import UNREADABLE
 from grade.visible import number, score
 from .figures import stems_of
-from .points import UNSAFE, any_unsafe, clean, clean_class, points
+from .points import UNSAFE, any_unsafe, clean, clean_class, points, reason
 
 # ---- grades.csv ---------------------------------------------------------------------------------
 
@@ -16,9 +16,13 @@ from .points import UNSAFE, any_unsafe, clean, clean_class, points
 RUNS = "=+-@\t\r\n" + "＝＋－＠"  # a Japanese Excel also takes the wide ones for signs
 MARK = "\ufeff"
 PLAIN = re.compile(r"[\w ./:-]*", re.ASCII)
+MARKS = re.compile(r"-?\d+(\.\d+)?", re.ASCII)
 
 
 def cell(text: str) -> str:
+    """A number may have a sign."""
+    if MARKS.fullmatch(text):
+        return text
     return "'" + text if text.lstrip(" ")[:1] and text.lstrip(" ")[0] in RUNS else text
 
 
@@ -27,20 +31,26 @@ def mark(score) -> str:
     return "" if score is None else number(score)
 
 
+SUM = ("computed", "penalty", "adjusted")    # what a final mark is the sum of
+
+
 def grades_csv(records: list) -> str:
-    """One row per submission, for the grade book. RFC 4180, lines end in CRLF. UTF-8 with a byte order mark, without
+    """One row per submission, for the grade book: the chapters add up to 'computed', and computed, late and adjusted to
+    'final'. RFC 4180, lines end in CRLF. UTF-8 with a byte order mark, without
     which Excel takes names with umlauts for another encoding. A spreadsheet runs a cell that begins with = + - or @,
     so such a cell begins with an apostrophe instead; and because some split at semicolons, whatever is more than
     letters, digits and a few signs is quoted."""
     records = clean_class(records)
     stems = stems_of(records)
-    rows = [["submission", "status", "score", "max"] + stems + ["reason"]]
+    known = [field for field in ("id", "login", "section") if any(record["person"].get(field) for record in records)]
+    rows = [["submission", *known, "status", "final", "max", *stems, "computed", "late", "adjusted", "reason"]]
     for record in records:
         marks = {stem["stem"]: stem["score"] for stem in record["stems"]}
         status = record["status"] + (" (UNSAFE: no sandbox)" if record["unsafe"] else "")
-        none = None if record["score"] is None else 0
-        rows.append([record["submission"], status, mark(record["score"]), number(record["max"]),
-                     *(mark(marks.get(stem, none)) for stem in stems), record["words"]])
+        none = None if record["computed"] is None else 0
+        rows.append([record["submission"], *(record["person"].get(field, "") for field in known), status,
+                     mark(record["score"]), number(record["max"]), *(mark(marks.get(stem, none)) for stem in stems),
+                     *(mark(record[part]) for part in SUM), reason(record)])
     out = io.StringIO(newline="")
     for row in rows:
         row = [cell(text) for text in row]
@@ -141,7 +151,7 @@ def summary(record: dict) -> str:
     """The text above all tests."""
     lines = [UNSAFE] if record["unsafe"] else []
     lines.append(f"{record['status']}: {score(record)}")
-    lines += [line for line in (record["words"], record["late"]) if line]
+    lines += [line for line in (record["words"], record["late"], *record["decided"]) if line]
     if any(stem["functions"] for stem in record["stems"]):
         lines.append("'make exercises' says the same of your files, but for the random inputs of this run.")
     return "\n".join(lines)

@@ -11,14 +11,16 @@ import stat
 import xml.etree.ElementTree as ElementTree
 from urllib.parse import quote
 
-from grade.visible import number, score
+from grade.visible import number, score, visible
 from .comment import fields, stem_lines
-from .figures import bins, circumstances, most_made, not_answered, quartiles, stems_of
-from .points import UNSAFE, any_unsafe, clean, clean_class
+from .figures import bins, circumstances, handed_in, how_many, most_made, not_answered, quartiles, stems_of
+from .formats import SUM
+from .points import NOTHING, UNSAFE, any_unsafe, clean, clean_class, reason
 
 POLICY = "default-src 'none'; img-src data: 'self'; style-src 'unsafe-inline'"
 STYLE = pathlib.Path(__file__).with_name("report.css").read_text(encoding="utf-8")
 INLINE = {"a", "abbr", "b", "bdi", "code", "span", "strong", "text"}
+CHANGES = 30    # of marks, that are shown
 LARGEST_PICTURE = 4_000_000  # bytes; a page should open on a telephone
 
 
@@ -168,6 +170,15 @@ def pictures(record: dict, folder: str):
     return tag("section", tag("h2", "Your picture"), tag("div", *figures, class_="pair"))
 
 
+def decisions(record: dict):
+    """How the mark is made up, if it is not just what was computed."""
+    if not record["decided"]:
+        return None
+    parts = [f"{label} {number(record[part])}" for label, part in
+             (("computed", "computed"), ("late", "penalty"), ("adjusted", "adjusted"), ("final", "score"))]
+    return tag("section", tag("p", "; ".join(parts) + "."), tag("ul", *[tag("li", words) for words in record["decided"]]))
+
+
 def submission_page(record: dict, folder: str) -> str:
     """folder: where the pictures of the record lie."""
     record = clean(record)
@@ -175,7 +186,8 @@ def submission_page(record: dict, folder: str) -> str:
                banner([record]),
                tag("h1", tag("bdi", record["submission"])),
                tag("p", tag("strong", record["status"]), f": {score(record)}", class_="score"),
-               *[tag("p", words, class_="warn") for words in (record["words"], record["late"]) if words])
+               *[tag("p", words, class_="warn") for words in (record["words"], record["late"]) if words],
+               decisions(record))
     chapters = [chapter(stem) for stem in record["stems"]]
     main = tag("main", marks(record) if chapters else None, pictures(record, folder), *chapters)
     foot = tag("p", "The same verdicts come from ", tag("code", "make exercises"),
@@ -189,6 +201,8 @@ def submission_page(record: dict, folder: str) -> str:
 
 def link(record: dict):
     name = record["submission"].strip() or record["folder"]
+    if record["status"] == NOTHING:
+        return tag("bdi", name)
     return tag("a", tag("bdi", name), href=address(record["folder"], "index.html"))
 
 
@@ -220,7 +234,7 @@ def explain_again(records: list):
         who = []
         for record in made["who"]:
             who += [", " if who else "", link(record)]
-        items.append(tag("li", tag("b", f"{len(made['who'])} of {len(records)}"),
+        items.append(tag("li", tag("b", f"{len(made['who'])} of {len(handed_in(records))}"),
                          f"  {made['stem']} ", tag("code", made["function"]),
                          tag("p", made["sentence"]),
                          tag("details", tag("summary", "who"), tag("p", *who))))
@@ -232,24 +246,28 @@ def explain_again(records: list):
                tag("p", "Not answered, or no file: " + blanks + ".", class_="quiet") if blanks else None)
 
 
-def row(record: dict, stems: list):
+def row(record: dict, stems: list, sums: tuple):
     found = {stem["stem"]: stem for stem in record["stems"]}
     name = [link(record)]
     if record["status"] != "graded":
         name.append(tag("div", record["status"], class_="warn"))
-    name += [tag("div", words, class_="quiet") for words in (record["words"], record["late"]) if words]
+    if words := reason(record):
+        name.append(tag("div", words, class_="quiet"))
     cells = [tag("td", number(found[stem]["score"]), class_=share(found[stem]))
              if stem in found else tag("td", "") for stem in stems]
+    cells += [tag("td", number(record[part])) for part in sums]
     return tag("tr", tag("td", *name), tag("td", tag("b", number(record["score"]))), *cells)
 
 
 def everybody(records: list):
     stems = stems_of(records)
+    sums = SUM if any(record["penalty"] or record["adjusted"] for record in records) else ()
     most = max((record["max"] for record in records), default=0)
     heads = [tag("th", tag("abbr", stem[:2], title=stem), scope="col") for stem in stems]
+    heads += [tag("th", {"penalty": "late"}.get(part, part), scope="col") for part in sums]
     table = tag("table", tag("caption", f"Marks, of {number(most)}, and by chapter"),
-                tag("thead", tag("tr", tag("th", "submission", scope="col"), tag("th", "score", scope="col"), *heads)),
-                tag("tbody", *[row(record, stems) for record in records]))
+                tag("thead", tag("tr", tag("th", "submission", scope="col"), tag("th", "final", scope="col"), *heads)),
+                tag("tbody", *[row(record, stems, sums) for record in records]))
     return tag("section", tag("h2", "Everybody"),
                tag("div", table, class_="scroll", tabindex="0", role="region", aria_label="marks of everybody"))
 
@@ -272,16 +290,30 @@ def gallery(records: list):
 
 
 def facts(records: list):
-    rows = [("class", f"{len(records)} submissions"), *circumstances(records)]
+    rows = [("class", how_many(records).rstrip(".")), *circumstances(records)]
     files = []
-    for name in ("grades.csv", "junit.xml", "grades.tap"):
+    for name in ("grades.csv", "history.csv", "junit.xml", "grades.tap"):
         files += [", " if files else "", tag("a", name, href=address(name))]
     rows = [part for name, value in rows for part in (tag("dt", name), tag("dd", value))]
     return tag("dl", *rows, tag("dt", "also"), tag("dd", *files))
 
 
-def class_page(records: list) -> str:
+def changes(history):
+    """Of marks that were there before, the newest first."""
+    changed = [[visible(cell) for cell in row] for row in history if len(row) == 6 and row[5] != "marked"][::-1]
+    if not changed:
+        return None
+    heads = [tag("th", words, scope="col") for words in ("when", "submission", "from", "to", "of", "why")]
+    rows = [tag("tr", *[tag("td", cell) for cell in row]) for row in changed[:CHANGES]]
+    return tag("section", tag("h2", "Changes of marks"),
+               tag("table", tag("caption", "All of them are in history.csv"), tag("thead", tag("tr", *heads)),
+                   tag("tbody", *rows)))
+
+
+def class_page(records: list, history: list = ()) -> str:
+    """history: the changes of marks, the oldest first."""
     records = clean_class(records)
-    parts = [distribution(records), explain_again(records), everybody(records), gallery(records)] if records \
+    parts = [distribution(records), explain_again(records), everybody(records), changes(history),
+             gallery(records)] if records \
         else [tag("p", "No submissions.")]
     return page("Grades", tag("header", banner(records), tag("h1", "Grades"), facts(records)), tag("main", *parts))

@@ -8,6 +8,8 @@ from grade.collect.answers import PARTLY
 from grade.visible import visible
 from .comment import function_lines, stem_lines, stem_says, sentence, waiting_words
 
+FAILED = "grader failed"
+NOTHING = "nothing handed in"     # the status of somebody on the list of the class who did not
 UNSAFE = "UNSAFE: graded without a sandbox (UNSAFE=1). These marks may be forged."
 
 # Each state as one of the four outcomes that test readers know. A file that was not handed in is skipped,
@@ -61,6 +63,11 @@ def points(record: dict) -> list:
         if record["status"] == "empty" and one["state"] == "missing":
             one["outcome"] = "failure"
     return found
+
+
+def reason(record: dict) -> str:
+    """Why a mark is what it is, in one cell."""
+    return "; ".join(filter(None, (record["unlisted"], record["words"], record["late"], *record["decided"])))
 
 
 def clean(record: dict) -> dict:

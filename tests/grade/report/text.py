@@ -6,8 +6,8 @@ lowest scores; everybody is in grades.csv.
 from grade.collect.answers import PARTLY, UNREADABLE
 from grade.visible import number
 from .comment import COLUMNS, fitted, wrapped
-from .figures import bins, circumstances, most_made, not_answered, quartiles, scored, stems_of
-from .points import UNSAFE, any_unsafe, clean_class
+from .figures import bins, circumstances, handed_in, how_many, most_made, not_answered, quartiles, scored, stems_of
+from .points import FAILED, UNSAFE, any_unsafe, clean_class
 
 LONG_CLASS = 40  # a class up to this size is shown in full
 MOST_LATE = 12  # that are named
@@ -17,9 +17,9 @@ SHOWN_OF_LONG = 12  # of each kind, else
 def who_is_shown(records: list) -> list:
     if len(records) <= LONG_CLASS:
         return records
-    odd = [record for record in records if record["status"] != "graded"]
+    odd = [record for record in handed_in(records) if record["status"] != "graded"]
     odd = sorted(odd, key=lambda record: record["score"] is not None)[:SHOWN_OF_LONG]
-    rest = [record for record in records if record["status"] == "graded"]
+    rest = [record for record in records if record["status"] == "graded" and record["score"] is not None]
     low = sorted(rest, key=lambda record: record["score"])[:SHOWN_OF_LONG]
     chosen = {id(record) for record in odd + low}
     return [record for record in records if id(record) in chosen]
@@ -67,7 +67,7 @@ def distribution(records: list) -> list:
 def mistakes(records: list) -> list:
     lines = []
     for made in most_made(records):
-        lines += [f"  {len(made['who']):>3} of {len(records)}  {made['stem']}  {made['function']}"]
+        lines += [f"  {len(made['who']):>3} of {len(handed_in(records))}  {made['stem']}  {made['function']}"]
         lines += wrapped("", made["sentence"], 6)
     if lines:
         lines = ["Made most: what to explain again next week"] + lines
@@ -93,6 +93,15 @@ def reasons(records: list) -> list:
     return lines
 
 
+def unlisted(records: list) -> list:
+    """Whose owner is not on the list of the class, or not known."""
+    those = [record for record in records if record["unlisted"]]
+    lines = [f"Of nobody on the list: {len(those)}"] if those else []
+    for record in those:
+        lines += wrapped("", f"{record['submission']}: {record['unlisted']}", 2)
+    return lines
+
+
 def unread(records: list) -> list:
     """Who handed in something that cannot be read, and why."""
     those = [record for record in records if record["status"] in (UNREADABLE, PARTLY)]
@@ -102,7 +111,7 @@ def unread(records: list) -> list:
 def failures(records: list) -> str:
     """Whom the grader failed on, and why; '' if it did not."""
     those = [record for record in clean_class([r for r in records if r])
-             if record["score"] is None and record["status"] != UNREADABLE]
+             if record["status"] == FAILED]
     if not those:
         return ""
     lines = [f"The grader failed on {len(those)} of {len(records)}. "
@@ -123,8 +132,9 @@ def closing(records: list) -> str:
         mistakes(records),
         late(records),
         unread(records),
+        unlisted(records),
         failures(records).splitlines(),
-        wrapped("", f"{len(records)} submissions. Seed {seeds}. Sandbox: {boxes}.", 0),
+        wrapped("", f"{how_many(records)} Seed {seeds}. Sandbox: {boxes}.", 0),
         loud,
     ]
     return "\n\n".join("\n".join(block) for block in blocks if block) + "\n"

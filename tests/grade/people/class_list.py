@@ -1,0 +1,40 @@
+"""class_list.py - the class: submissions, whose they are, and people as an instructor names them."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from grade.collect import submissions
+from .history import members
+from .matching import are_people, assigned, chosen
+from .roster import Person, Roster
+
+
+@dataclass(frozen=True)
+class ClassList:
+    found: list     # submissions; with a list of the class, one for each person on it, then those of nobody on it
+    others: list    # names of what is no submission
+    people: list    # as decisions and ONLY name them
+
+    def keys(self, words: str) -> list:
+        """Of those whom the words fit."""
+        return [person.key for person in chosen(words, self.people)]
+
+
+def class_of(directory: Path, list_of_class: Path | None, stems: list) -> ClassList:
+    """SheetError, if the list cannot be read."""
+    if list_of_class is None:
+        found, others = submissions.find(directory, stems)
+        return ClassList(found, others, [Person(one.name, id=one.folder) for one in found])
+    roster = Roster(list_of_class)
+    found, others = submissions.find(directory, stems, are_people(roster))
+    found, more = assigned(found, roster)
+    return ClassList(found, others + more, roster.people + [Person(one.name, id=one.folder) for one in found if not one.person])
+
+
+def marked_class(out: Path) -> ClassList:
+    """The class whose marks are in OUT, as it was when its reports were written last."""
+    people = [Person(one["submission"], **{**{"id": folder}, **{field: value for field, value in one["person"].items()
+                                                               if field != "name"}})
+              for folder, one in members(out).items()]
+    return ClassList([], [], people)
