@@ -86,6 +86,11 @@ grade: $(KIT)/commands ## mark a class: SUBMISSIONS=dir OUT=build/grades
 
 grade-set: $(LIST) ## a decision on a mark: WHO=anna WHAT='extra days' VALUE=2 COMMENT=ill
 	@python3 -B tests/grade/people/decide.py
+return: $(LIST) ## pages and marks for a platform: FOR=moodle GRADES=worksheet.csv
+	@python3 -B tests/grade/people/hand_back.py
+
+similar: $(LIST) $(BLANKS) ## who of a marked class agrees in an unusual way: OUT/similar.html
+	@python3 -B tests/grade/people/similar.py
 
 # What git tracks, with the changes in the working tree; at its root the programs that Gradescope starts.
 GRADESCOPE := build/gradescope.zip
@@ -96,4 +101,4 @@ gradescope: ## build/gradescope.zip, an autograder for Gradescope
 		$(patsubst %,--add-file=tests/grade/recipes/gradescope/%,setup.sh run_autograder) \
 		--prefix=toolkit/ $${changed:-HEAD}
 	@echo "$(GRADESCOPE): $$(($$(wc -c <$(GRADESCOPE)) / 1024)) KB. It holds the solutions: not for students."
-.PHONY: grade grade-set gradescope
+.PHONY: grade grade-set return similar gradescope

@@ -6,4 +6,4 @@
 once submissions "what is a submission"
 needs submissions 'submissions' python3
 python3 -B tests/grade/check submissions test_submissions test_folders test_archives test_policy test_marking test_pack \
-    test_reports test_class test_ledger
+    test_reports test_class test_ledger test_return test_similar

@@ -1,0 +1,170 @@
+"""test_return.py - what goes back to the students: pages and grade files as each platform takes them, for 300 people; and
+reading them back gives the same marks.
+"""
+import csv
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zipfile
+from pathlib import Path
+
+from grade.people.class_list import class_of
+from grade.people.history import remember
+from grade.people.sheets import Sheet
+from grade.report import files
+from grade.report.points import NOTHING
+from . import platforms
+from .records import function, record, stem
+
+STEMS = ["01-corners"]
+# FOR, the list and the download of the class, the file of grades, its columns of mark and comment
+RETURNS = [
+    ("moodle", platforms.own_list, platforms.moodle, platforms.moodle_worksheet, "Grade", "Feedback comments"),
+    ("moodle", platforms.moodle_worksheet, platforms.moodle_loose, platforms.moodle_worksheet, "Grade", "Feedback comments"),
+    ("canvas", platforms.canvas_gradebook, platforms.canvas, platforms.canvas_gradebook, "Week 2 (78)", None),
+    ("gradescope", platforms.own_list, platforms.gradescope, platforms.gradescope_grades, "Week 1", None),
+    ("blackboard", platforms.blackboard_column, platforms.blackboard, platforms.blackboard_column,
+     "Week 1 [Total Pts: 10 Score] |1234", None),
+]
+
+
+class Returned(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.top = Path(folder.name)
+        self.out, self.room, self.list = self.top / "out", self.top / "class", self.top / "list.csv"
+
+    def marked(self, them: list, download, roster) -> list:
+        """A class with marks, though nobody has marked it: of the student n of the list 0.01 n."""
+        self.room.mkdir()
+        self.list.write_bytes(roster(them))
+        platforms.lay(self.room, download(them))
+        records = []
+        for one in class_of(self.room, self.list, STEMS).found:
+            place = next(at for at, student in enumerate(them) if one.person.key in (student.id, student.login, student.mail))
+            score = place / 100 if one.parts else 0
+            made = record(one.name, [stem("01-corners", [function("a", most=10.0)])] if one.parts else [], folder=one.folder,
+                          score=score, max=10, status="graded" if one.parts else NOTHING,
+                          person={field: getattr(one.person, field) for field in ("name", "id", "login", "mail") if getattr(one.person, field)})
+            records.append(made)
+            if one.parts:
+                files.write_submission(made, str(self.out / one.folder))
+        self.out.mkdir(exist_ok=True)
+        remember(records, self.out)
+        return records
+
+    def command(self, platform, **settings) -> tuple:
+        environment = {**os.environ, "FOR": platform, "SUBMISSIONS": str(self.room), "CLASS": str(self.list), "OUT": str(self.out)}
+        environment.update({name: str(value) for name, value in settings.items()})
+        return [sys.executable, "-B", "tests/grade/people/hand_back.py"], environment
+
+    def hand_back(self, platform, **settings) -> str:
+        words, environment = self.command(platform, **settings)
+        done = subprocess.run(words, env=environment, capture_output=True, text=True)
+        return done.stdout + done.stderr
+
+    def grades(self, raw: bytes) -> Path:
+        path = self.top / "grades.csv"
+        path.write_bytes(raw)
+        return path
+
+    def test_each_platform_gets_its_own_file_back_with_the_marks_in_it(self):
+        for platform, roster, download, grades, column, comments in RETURNS:
+            with self.subTest(platform):
+                them = platforms.students()
+                if (roster, download) == (platforms.own_list, platforms.moodle):
+                    them[0].texts = them[1].texts = []  # of one name, which is all that is known of them
+                marks = {one.mail: made["score"] for one, made in zip(them, self.marked(them, download, roster), strict=True)}
+                mail_of = {word: one.mail for one in them for word in (one.mail, one.id)}
+                given = grades(them + [platforms.Student("Not", "Ours", "99999", "other", 1)])
+                said = self.hand_back(platform, GRADES=self.grades(given), COLUMN=column)
+                back = Sheet(self.out / "return" / platform / "grades.csv")
+                before = Sheet(self.top / "grades.csv")
+                place, comment = back.column(column), back.column(comments) if comments else None
+                found = {}
+                for row, was in zip(back.rows, before.rows, strict=True):
+                    cells, old = list(row.written), list(was.written)
+                    identity = [mail_of[word] for word in row.cells() if word in mail_of]
+                    if identity:
+                        found[identity[0]] = float(back.cell(row, place))
+                    cells[place], old[place] = "", ""
+                    if comment is not None and identity:
+                        self.assertIn(" of 10", back.cell(row, comment))
+                        cells[comment], old[comment] = "", ""
+                    self.assertEqual((cells if identity else row.written, row.end), (old if identity else was.written, was.end))
+                self.assertEqual(found, marks)
+                self.assertIn("Only in grades.csv, left as they are: Not Ours", said)
+                first = back.bytes()
+                self.grades(first)
+                self.hand_back(platform, GRADES=self.top / "grades.csv", COLUMN=column)
+                self.assertEqual((self.out / "return" / platform / "grades.csv").read_bytes(), first)
+            self.setUp()
+
+    def test_pages_have_the_names_of_the_download(self):
+        for platform, roster, download, name in (("moodle", platforms.own_list, platforms.moodle, "/feedback.html"),
+                                                 ("moodle", platforms.own_list, platforms.moodle_loose, "feedback.html"),
+                                                 ("canvas", platforms.canvas_gradebook, platforms.canvas, "feedback.html")):
+            them = platforms.students(40)
+            them[0].texts = them[1].texts = []
+            self.marked(them, download, roster)
+            said = self.hand_back(platform)
+            with zipfile.ZipFile(self.out / "return" / platform / "feedback.zip") as archive:
+                pages = archive.namelist()
+            handed_in = [one for one in them if one.texts]
+            self.assertEqual(len(pages), len(handed_in), said)
+            given = {path.split("/")[0] if name[0] == "/" else path for path in download(them)}
+            for page in pages:
+                begins = page[:-len(name)] if name[0] == "/" else page.removesuffix(name)
+                self.assertTrue(begins in given or any(path.startswith(begins) for path in given), page)
+            self.setUp()
+
+    def test_a_folder_has_a_page_for_each_and_says_whose(self):
+        records = self.marked(platforms.students(12), platforms.own, platforms.own_list)
+        self.hand_back("folder")
+        with open(self.out / "return" / "folder" / "mail.csv", encoding="utf-8-sig", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["mail"] for row in rows], [one["person"]["mail"] for one in records if one["stems"]])
+        for row in rows:
+            self.assertIn(b"<h1>", (self.out / "return" / "folder" / row["page"]).read_bytes())
+
+    def test_what_cannot_be_returned_is_said(self):
+        them = platforms.students(12)
+        self.marked(them, platforms.canvas, platforms.canvas_gradebook)
+        grades = self.grades(platforms.canvas_gradebook(them))
+        for platform, settings, words in (
+                ("nowhere", {}, "return to whom? Say FOR= one of moodle, canvas"),
+                ("canvas", {"GRADES": grades}, "2 columns may be for these marks, expected COLUMN="),
+                ("canvas", {"GRADES": self.top / "none.csv"}, "none.csv: cannot be read"),
+                ("canvas", {"OUT": self.top}, "holds no marks: run 'make grade' first"),
+                ("canvas", {"SUBMISSIONS": self.top / "none"}, "expected the folder that was marked")):
+            self.assertIn(words, self.hand_back(platform, **settings))
+        grades.write_bytes(grades.read_bytes().replace(b",10,10,", b",10,25,"))
+        self.assertIn("its marks are of 25, and these of 10: change the points", self.hand_back("canvas", GRADES=grades, COLUMN="Week 2"))
+        self.hand_back("canvas", GRADES=grades, COLUMN="Week 2", SCALE=1)
+        back = Sheet(self.out / "return" / "canvas" / "grades.csv")
+        self.assertEqual(back.cell(back.rows[4], back.column("Week 2 (78)")), "0.05" if them[2].texts else "0")
+
+    def test_killed_at_any_time_a_file_is_whole_or_not_there(self):
+        them = platforms.students()
+        self.marked(them, platforms.moodle, platforms.moodle_worksheet)
+        words, environment = self.command("moodle", GRADES=self.grades(platforms.moodle_worksheet(them)))
+        self.hand_back("moodle", GRADES=self.top / "grades.csv")
+        folder = self.out / "return" / "moodle"
+        whole = {path.name: path.read_bytes() for path in folder.iterdir()}
+        began = time.monotonic()
+        subprocess.run(words, env=environment, capture_output=True)
+        takes = time.monotonic() - began
+        for again in range(20):
+            for path in folder.iterdir():
+                path.unlink()
+            running = subprocess.Popen(words, env=environment, stdout=subprocess.DEVNULL)
+            time.sleep(takes * (0.5 + again / 40))
+            running.kill()
+            running.wait()
+            for path in folder.iterdir():
+                if not path.name.startswith("."):
+                    self.assertEqual(path.read_bytes(), whole[path.name])
