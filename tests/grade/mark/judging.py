@@ -1,5 +1,5 @@
 """judging.py - what the judge finds of a submission's programs, under the rule for faults of this machine; and who has
-marks though it fails, because it calls another one that is wrong: 'Waiting' in README.md.
+marks though it fails, because it calls another one that is wrong: 'Waiting' in trust.md.
 
 A function that failed and calls an earlier one that failed is judged again, with the reference lent for that
 other one.
@@ -113,7 +113,7 @@ def lend(bench: Workbench, stem: str, functions: dict[str, dict], may: dict[str,
 
 
 def waiting(functions: dict[str, dict], asked: dict[str, list[str]]) -> dict[str, list[str]]:
-    """Those that have their marks though they fail: see 'Waiting' in README.md. Two that wait for each other have
+    """Those that have their marks though they fail: see 'Waiting' in trust.md. Two that wait for each other have
     none: neither is an answer."""
     good: dict[str, list[str]] = {}
     while True:
