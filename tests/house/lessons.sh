@@ -1,5 +1,8 @@
 #!/bin/sh
-# lessons.sh - what the lessons say of the programs is what the programs say.
+# lessons.sh - what the lessons say of the programs is what the programs say, and the pictures and figures in them are
+# what the code draws. (The SVGs of gnuplot 5.4 and 6.0 are the same bytes.)
+#
+# DRAWN: a folder that has the figures; without it they are drawn here. MOST_BYTES: of a picture.
 # Only reads the tree.
 set -u
 . tests/house/runner/library.sh
@@ -80,4 +83,47 @@ check 'a space in the path of the toolkit is reported' refuses_the_blank_in -C "
 wanted="ANSWERS='a blank': expected one folder"
 check 'a space in the path of the answers is reported' refuses_the_blank_in ANSWERS='a blank'
 
+# ---- pictures and figures ------------------------------------------------------------------------
+
+once lessons "the pictures and figures in the lessons"
+# The pow of another machine may round light differently.
+allowed_in() {
+    case $1 in 0?-spheres.png | 07-*.png | still-something-missing.png) echo 100 ;; *) echo 0 ;; esac
+}
+for chapter in chapters/[0-9]*; do
+    check "the lesson of ${chapter#chapters/} shows a picture that the student's code draws" \
+        grep -qE '^!\[[^]]+\]\(([a-z0-9/.-]+)\.png\)$' "$chapter/README.md"
+done
+for picture in chapters/[0-9]*/*.png; do
+    name=${picture##*/}
+    check "a lesson shows $picture" grep -qE "[(/]$name\)" chapters/[0-9]*/README.md
+    # These two take too long to be drawn here: fast_program.sh and finale.sh draw them.
+    case $name in sphereflake.png | finale.png) continue ;; esac
+    check "$picture is small" test "$(wc -c <"$picture")" -le "${MOST_BYTES:-100000}"
+    drawn=$BUILD/so-far/$name
+    [ -e "$drawn" ] || drawn=$PROGRAMS/gallery/$name
+    check "$picture is what the programs draw" same_picture "$drawn" "$picture" "$(allowed_in "$name")"
+done
+# A chapter's own picture has the title that it has on the page of all pictures.
+for picture in chapters/[0-9]*/[0-9][0-9]-*.png; do
+    stem=$(basename "$picture" .png)
+    title=$(sed -n "/^picture $stem\$/ { n; s/^ *//p; }" chapters/gallery/contents.txt)
+    [ ! -d "chapters/$stem" ] || check "the picture of $stem is called by its title" \
+        grep -qxF "![$title]($stem.png)" "chapters/$stem/README.md"
+done
+
+needs lessons "that the lessons' figures are those of the code" gnuplot
+draw() {
+    DRAWN=$scratch/drawn
+    scripts_into "$DRAWN" || return 1
+    # shellcheck disable=SC2046,SC2086 # names are words
+    FORMAT=svg THEME='' SHAPE='' STEPS='' python3 chapters/gallery/draw_figures.py "$DRAWN" $names &&
+        FORMAT=svg THEME='' SHAPE='' STEPS=1 python3 chapters/gallery/draw_figures.py "$DRAWN" \
+            $(python3 -B chapters/lessons/lesson_figures.py --in-steps chapters/[0-9]*)
+}
+[ -n "${DRAWN:-}" ] || check 'the figures are drawn' draw
+for chapter in chapters/[0-9]*; do
+    check "${chapter#chapters/} shows its figures as the code draws them" \
+        python3 -B chapters/lessons/lesson_figures.py "$DRAWN" "$chapter"
+done
 finish lessons

@@ -5,7 +5,6 @@
 # tests what they show.
 set -u
 . tests/house/runner/library.sh
-. tests/house/figures/scripts.sh
 once videos "the videos of animations"
 
 needs videos 'the videos of animations' gnuplot python3

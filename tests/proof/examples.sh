@@ -112,10 +112,7 @@ while [ "$number" -lt $((first + examples)) ]; do
     done
     check "example $number: the lessons have its numbers" holds_its_numbers "$number"
     check "example $number: the figures have its numbers" draws_its_numbers "$number"
-    check "example $number: the tests of the lessons pass" sh tests/house/lessons.sh
-    check "example $number: the lessons show the figures that are drawn" \
-        python3 -B chapters/lessons/lesson_figures.py "$PROGRAMS/figures" chapters/[0-9]*
-    check "example $number: the lessons show the pictures that are drawn" sh tests/house/lesson_pictures.sh
+    check "example $number: the tests of the lessons pass" env DRAWN="$PROGRAMS/figures" sh tests/house/lessons.sh
     number=$((number + 1))
 done
 
@@ -134,6 +131,6 @@ if [ "$examples" -gt 2 ]; then
     check 'with the old numbers, make writes' make CC="$CC"
     # Pictures are the same pixels; libpng packs them in its own way.
     check 'the old lessons and figures' diff -r -x '*.png' "$scratch/chapters" chapters
-    check 'the old pictures' sh tests/house/lesson_pictures.sh
+    check 'the old pictures' env DRAWN="$PROGRAMS/figures" sh tests/house/lessons.sh
 fi
 finish examples

@@ -5,7 +5,6 @@
 # Only reads the tree.
 set -u
 . tests/house/runner/library.sh
-. tests/house/figures/scripts.sh
 once 'figures, long' "hundreds of figures of each kind"
 
 needs 'figures, long' 'figures' gnuplot python3

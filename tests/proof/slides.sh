@@ -2,7 +2,6 @@
 # slides.sh - the lecture, beside the deck that it follows; and every figure and step as LaTeX takes it in.
 set -u
 . tests/house/runner/library.sh
-. tests/house/figures/scripts.sh
 once slides "slides"
 
 if ! command -v gnuplot >/dev/null; then

@@ -2,7 +2,6 @@
 # tree.sh - the tree as its users have it: a copy, the README's commands, answers in exercises/.
 set -u
 . tests/house/runner/library.sh
-. tests/house/figures/scripts.sh
 once tree "the tree as its users have it"
 
 tree=$scratch/tree
