@@ -49,8 +49,6 @@ check 'so does a distant light' other sun --sun 0,1,0
 
 check 'a scene is written for POV-Ray' "$program" --export pov -o "$scratch/scene.pov" "$three"
 check 'and is there' test -s "$scratch/scene.pov"
-check 'one for pbrt' "$program" --export pbrt -o "$scratch/scene.pbrt" "$three"
-check 'has its syntax, and the same camera and spheres' python3 tests/house/figures/pbrt.py "$scratch/scene.pbrt" "$three"
 
 # The lesson's last picture takes too long to be drawn here: some pixels of it.
 for pixel in 240,180 130,140 330,250 200,300 10,10; do
