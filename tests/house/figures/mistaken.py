@@ -20,26 +20,39 @@ class NoMarks:
     lines = ()
 
 
-def scripts_in(folder):
-    """(script, whose mistake it is); none of a figure whose answers end the program or refuse its camera."""
+def printed(*command):
+    """What a program prints; nothing if it fails, as it may by wrong answers."""
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True, check=False, timeout=600)
+    return done.stdout if done.returncode == 0 else ""
+
+
+def scripts(folder):
+    """(figure, its script, whose mistake it is), once for mistakes that look the same."""
     # Each figure begins with another mistake. The shaded picture takes seconds, so few of them are cast.
     for number, layout in enumerate(sorted(Path("chapters").glob("0[1-7]-*/figures/*.gp"))):
-        stem, name, every = layout.parts[1], layout.stem, EVERY
+        program, name, every = layout.parts[1], layout.stem, EVERY
         if name == "flat-and-shaded":
             if EVERY > 1:
                 continue
             every = 100
-        program = os.path.join(os.environ.get("BUILD", "build"), "tests/mistaken", stem)
-        done = subprocess.run([program, name, folder, str(every), str(7 * number % every)], stdout=subprocess.PIPE,
-                              stderr=subprocess.DEVNULL, text=True, check=True)
-        yield from (line.split("\t") for line in done.stdout.splitlines())
+        mistaken = os.path.join(os.environ.get("BUILD", "build"), "tests/mistaken", program)
+        figure, right = ("--figure", name), os.path.join(folder, name)
+        Path(right).write_text(printed(mistaken, -1, *figure), encoding="utf-8")
+        mistakes = [line.split("\t") for line in printed(mistaken, "list").splitlines()]
+        called = printed(mistaken, -1, *figure, "--answers").split()
+        stems = {stem for stem, exercise, _, _ in mistakes if exercise in called}
+        seen = set()
+        for i in [i for i, (stem, *_) in enumerate(mistakes) if stem in stems][7 * number % every::every]:
+            _, exercise, mistake, words = mistakes[i]
+            command = (mistaken, i, *figure, "--beside", right)
+            script = printed(*command)
+            if script and script not in seen:
+                seen.add(script)
+                yield name, printed(*command, "--note", words), f"{exercise} {mistake}"
 
 
 def found_in(job):
-    path, mistake = job
-    with open(path, encoding="utf-8") as file:
-        script = file.read()
-    name = os.path.basename(path).rsplit("-", 1)[0]
+    name, script, mistake = job
     found = []
     for shape in SHAPES if EVERY == 1 else SHAPES[1:]:
         try:
@@ -58,7 +71,7 @@ def found_in(job):
 def main():
     checks = Checks("figures of known mistakes")
     with tempfile.TemporaryDirectory() as folder, multiprocessing.Pool() as pool:
-        for what, found in pool.imap(found_in, scripts_in(folder), chunksize=4):
+        for what, found in pool.imap(found_in, scripts(folder), chunksize=4):
             checks.that(what, not found, "\n    ".join(found))
     checks.that("there are some", checks.passed > 20)
     checks.end()
