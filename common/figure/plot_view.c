@@ -84,16 +84,7 @@ struct PlotView {
     Area seen[SHAPES][PANELS]; // what has to be seen
     Area over[SHAPES][PANELS]; // by how much labels are outside of it
     Labels *labels[SHAPES];
-    List tries[SHAPES];
 };
-
-// What was tried: panels as large as this, and where; and how the labels were placed around them.
-typedef struct {
-    bool blocks;
-    double size[PANELS], zero_u[PANELS], zero_v[PANELS];
-    Labels *labels;
-    double cost;
-} Try;
 
 // Room for one more, at the end of the list.
 static void *add(List *list, size_t size)
@@ -132,12 +123,9 @@ void plot_view_free(PlotView *view)
     free(view->words.items);
     free(view->wanted.items);
     free(view->fits.items);
-    for (int shape = 0; shape < SHAPES; shape++) {
-        Try *tries = view->tries[shape].items;
-        for (int i = 0; i < view->tries[shape].count; i++)
-            labels_free(tries[i].labels);
-        free(tries);
-    }
+    for (int shape = 0; shape < SHAPES; shape++)
+        if (view->labels[shape] != NULL)
+            labels_free(view->labels[shape]);
     free(view);
 }
 
@@ -682,14 +670,6 @@ static void want(const PlotView *view, int shape, Labels *labels, Wanted *wanted
         is_somewhere(label.from) && is_somewhere(label.to) ? labels_add(labels, label) : NOWHERE;
 }
 
-static bool is_same_try(const PlotView *view, int shape, bool blocks, const Try *tried)
-{
-    size_t size = sizeof tried->size;
-    return tried->blocks == blocks && memcmp(tried->size, view->size[shape], size) == 0 &&
-           memcmp(tried->zero_u, view->zero_u[shape], size) == 0 &&
-           memcmp(tried->zero_v, view->zero_v[shape], size) == 0;
-}
-
 // Places labels: on the canvas, with the blocks of text; or without them, and as if the canvas had
 // no end. Returns what it costs.
 static double place_in(PlotView *view, int shape, double part, bool blocks)
@@ -703,22 +683,12 @@ static double place_in(PlotView *view, int shape, double part, bool blocks)
     for (int i = 0; i < view->wanted.count; i++)
         if (wanted[i].lines == 0 || (blocks && wanted[i].lines > 0))
             want(view, shape, labels, &wanted[i]);
-    Try *tries = view->tries[shape].items;
-    for (int i = 0; i < view->tries[shape].count; i++)
-        if (is_same_try(view, shape, blocks, &tries[i])) {
-            labels_free(labels);
-            view->labels[shape] = tries[i].labels;
-            return tries[i].cost;
-        }
     draw(view, shape, labels);
     labels_place(labels);
-    Try *tried = add(&view->tries[shape], sizeof(Try));
-    *tried = (Try){.blocks = blocks, .labels = labels, .cost = labels_cost(labels)};
-    memcpy(tried->size, view->size[shape], sizeof tried->size);
-    memcpy(tried->zero_u, view->zero_u[shape], sizeof tried->zero_u);
-    memcpy(tried->zero_v, view->zero_v[shape], sizeof tried->zero_v);
+    if (view->labels[shape] != NULL)
+        labels_free(view->labels[shape]);
     view->labels[shape] = labels;
-    return tried->cost;
+    return labels_cost(labels);
 }
 
 // How far labels go beyond what has to be seen, if the canvas had no end.
