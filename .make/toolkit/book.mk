@@ -231,7 +231,10 @@ book: $(BOOK)/service_worker.js ## the course as a site: build/book, for any sta
 # In Chromium and in Firefox, at the same time; BROWSERS=chromium: only that one.
 BROWSERS ?= chromium firefox
 browsers-are-here:
-	@! command -v node >/dev/null || node tests/proof/book/browsers.mjs $(BROWSERS)
+	@for browser in $(BROWSERS); do \
+		case $$browser in chromium) names="$$CHROMIUM chromium chromium-browser google-chrome" ;; *) names="$$FIREFOX firefox-esr firefox" ;; esac; \
+		found=; for name in $$names; do command -v $$name >/dev/null && found=yes; done; \
+		[ -n "$$found" ] || { echo "check-book: $$browser is missing: 'make setup FOR=contributor' installs it" >&2; exit 1; }; done
 .PHONY: browsers-are-here
 ifeq ($(FROM),)
 check-book: browsers-are-here book $(PAGE) $(call FOR_JUDGING,$(STEMS)) ## tests of the course in a page, with real browsers
@@ -247,7 +250,7 @@ check-book: browsers-are-here book
 	@cd $(BOOK_ROOT) && MAKEFLAGS= $(MAKE) all >make.log 2>&1 || { cat make.log; exit 1; }
 	@node tests/proof/book/handout.mjs $(BOOK) $(BOOK_ROOT) $(WASM)
 	@node tests/proof/book/verdicts.mjs $(BOOK) $(BOOK_ROOT)
-	@for browser in $(BROWSERS); do BROWSER=$$browser node tests/proof/book/browser/drawn.mjs $(BOOK) || exit 1; done
+	@for browser in $(BROWSERS); do BROWSER=$$browser CHAPTERS=01 node tests/proof/book/browser/student.mjs $(BOOK) || exit 1; done
 endif
 .PHONY: check-book
 

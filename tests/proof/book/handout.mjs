@@ -1,25 +1,18 @@
 // handout.mjs - the site for a class whose solutions stay private: no file of it has anything of a solution.
 //
 //   node handout.mjs SITE HANDOUT WASM    HANDOUT: unpacked; WASM: what the site is linked from
+import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {gunzipSync} from 'node:zlib';
 import {unpack} from '../../../chapters/book/compiler.js';
+import {opened} from './in_node.mjs';
 
 const [site, handout, wasm] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'handout-'));
 process.on('exit', () => rmSync(folder, {recursive: true}));
-let passed = 0, failed = 0;
-function check(isGood, what) {
-  if (isGood) { passed++; return; }
-  failed++;
-  console.log(`not ok: ${what}`);
-}
 const filesIn = root => readdirSync(root, {recursive: true}).map(name => join(root, name)).filter(path => statSync(path).isFile());
-const opened = path => path.endsWith('.gz') ? gunzipSync(readFileSync(path))
-  : path.endsWith('.xz') ? execFileSync('xz', ['-dc', path], {maxBuffer: 1 << 28}) : readFileSync(path);
 
 // ---- nothing of a solution ---------------------------------------------------------------------------
 
@@ -34,30 +27,27 @@ const secrets = solutions.flatMap(name => {
   const comments = [...text.matchAll(/\/\/ (.{20,})$/gm)].map(([, words]) => words);
   return [...helpers, ...comments].filter(each => !published.includes(each));
 });
-check(secrets.length > 10, `only ${secrets.length} helpers and comments of solutions are looked for`);
+assert.ok(secrets.length > 10, `only ${secrets.length} helpers and comments of solutions are looked for`);
 for (const path of filesIn(site)) {
   const bytes = opened(path);
   for (const secret of secrets)
-    check(!bytes.includes(secret), `${path} has '${secret}' of a solution`);
+    assert.ok(!bytes.includes(secret), `${path} has '${secret}' of a solution`);
 }
 
 // An object that is linked with answers defines no exercise, under any name.
 for (const name of ['pictures.pack.gz', 'compiler/pack.xz'])
   for (const [path, bytes] of unpack(opened(join(site, name)))) {
-    check(!/right|reference|solution/.test(path), `${name} has ${path}`);
+    assert.ok(!/right|reference|solution/.test(path), `${name} has ${path}`);
     if (!/^link\/.*\.[oa]$|common\.a$/.test(path)) continue;
     const object = join(folder, path.replaceAll('/', '-'));
     writeFileSync(object, bytes);
     for (const defined of execFileSync('llvm-nm', ['--defined-only', '--format=just-symbols', object], {encoding: 'utf8'}).split('\n'))
-      check(!exercises.has(defined.replace(/^(lent|answer|reference|right)_/, '')), `${name}, ${path} defines ${defined}`);
+      assert.ok(!exercises.has(defined.replace(/^(lent|answer|reference|right)_/, '')), `${name}, ${path} defines ${defined}`);
   }
-check(!readdirSync(join(site, 'programs')).some(name => /^\d\d-/.test(name)), "a chapter's program is in the site");
+assert.ok(!readdirSync(join(site, 'programs')).some(name => /^\d\d-/.test(name)), "a chapter's program is in the site");
 
 // Programs have no names; but they are linked from objects, and each says of which files it was made.
 const made = filesIn(wasm).filter(path => path.endsWith('.d') && !path.includes('/ray-casting/'));
-check(made.length > 50, `only ${made.length} objects say of which files they were made`);
+assert.ok(made.length > 50, `only ${made.length} objects say of which files they were made`);
 for (const path of made)
-  check(!/\b(solutions\/|tests\/\d\d-(?!\S*\/laws\.)|tests\/judge\/reference\/)/.test(readFileSync(path, 'utf8')), `${path}: a solution, or a test`);
-
-console.log(`the site of a handout: ${passed} passed, ${failed} failed`);
-process.exitCode = failed > 0 ? 1 : 0;
+  assert.ok(!/\b(solutions\/|tests\/\d\d-(?!\S*\/laws\.)|tests\/judge\/reference\/)/.test(readFileSync(path, 'utf8')), `${path}: a solution, or a test`);

@@ -1,12 +1,13 @@
 // site.mjs - for tests in a browser: the site on a port of its own, a browser, and what both must never do.
 //
-// BROWSER=firefox takes Firefox, otherwise it is Chromium. Each test ends the browser and the server that it started.
+// BROWSER=firefox takes Firefox, otherwise it is Chromium: the first in PATH, or the one that FIREFOX or CHROMIUM names.
+import { execSync } from "node:child_process";
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, normalize } from "node:path";
+import { after } from "node:test";
 import { gzipSync } from "node:zlib";
-import { missing, programOf } from "./browsers.mjs";
 
 const require = createRequire(new URL("../../../chapters/book/package.json", import.meta.url));
 const puppeteer = require("puppeteer-core");
@@ -71,20 +72,28 @@ export async function serve(folder, { compress = false, at = "/course/", rate = 
 }
 
 export const browserName = process.env.BROWSER === "firefox" ? "firefox" : "chromium";
+const NAMES = { chromium: "chromium chromium-browser google-chrome", firefox: "firefox-esr firefox" };
+const program = process.env[browserName.toUpperCase()] ??
+    execSync(`for name in ${NAMES[browserName]}; do command -v $name && break; done`, { encoding: "utf8" }).trim();
 
 /** Milliseconds: for what hangs. A test waits for what happens, however busy the machine is. */
 const HANGS = 900_000;
 const SILENT = 30_000; // after so many the page ends a Worker (page/helper.js); in tests, after HANGS
 
-export function launch(options = {}) {
-    const [without] = missing([browserName]);
-    if (without) {
-        console.error(without);
-        process.exit(1);
-    }
-    const given = { executablePath: programOf(browserName), headless: true, timeout: HANGS, protocolTimeout: HANGS, ...options };
+export function launch() {
+    const given = { executablePath: program, headless: true, timeout: HANGS, protocolTimeout: HANGS };
     return puppeteer.launch(browserName === "firefox" ? { browser: "firefox", ...given }
         : { args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"], ...given });
+}
+
+/** For a file of tests: a site and a browser, which end after the last of them. */
+export async function begin(folder) {
+    const host = await serve(folder), browser = await launch();
+    after(async () => {
+        await browser.close();
+        await host.stop();
+    });
+    return { host, browser };
 }
 
 /** A tab that notes what a page must not do: errors, messages of the policy, requests to another origin. */

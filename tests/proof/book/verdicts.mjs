@@ -4,14 +4,14 @@
 //
 // The page compiles, links and judges by itself; in the terminal build/course does. Blanks and right answers need no whole
 // compiler.
-import {execFileSync, spawnSync} from 'node:child_process';
-import {cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
+import assert from 'node:assert/strict';
+import {spawnSync} from 'node:child_process';
+import {cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, symlinkSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join, resolve} from 'node:path';
-import {gunzipSync} from 'node:zlib';
-import {load, unpack} from '../../../chapters/book/compiler.js';
-import {createJudge} from '../../../chapters/book/judge.js';
-import {WholeCompilerNeeded, toolsOf} from '../../../chapters/book/tools.js';
+import test from 'node:test';
+import {WholeCompilerNeeded} from '../../../chapters/book/tools.js';
+import {openSite} from './in_node.mjs';
 
 const [site, root] = process.argv.slice(2);
 const folder = mkdtempSync(join(tmpdir(), 'verdicts-')), terminal = join(folder, 'tree');
@@ -40,23 +40,14 @@ function inTerminal(stem, sources) {
 
 // ---- the page --------------------------------------------------------------------------------------------
 
-const opened = path => path.endsWith('.gz') ? gunzipSync(readFileSync(path))
-  : path.endsWith('.xz') ? execFileSync('xz', ['-dc', path], {maxBuffer: 1 << 28}) : readFileSync(path);
-const compiler = await load({fetchBytes: async name => new Uint8Array(readFileSync(join(site, name)))});
-const pictures = unpack(opened(join(site, 'pictures.pack.gz'))), tools = toolsOf(compiler, pictures);
-const program = name => new WebAssembly.Module(readFileSync(join(site, `programs/${name}.wasm`)));
-const modules = {course: program('course'), judge: program('judge')};
-const json = name => existsSync(join(site, name)) ? Object.entries(JSON.parse(readFileSync(join(site, name), 'utf8'))) : [];
-const tables = readdirSync(join(site, 'tables')).map(name => [`tables/${name.slice(0, -3)}`, opened(join(site, 'tables', name))]);
-const files = new Map([...json('tree/files.json'), ...json('figures/files.json'), ...[...pictures].filter(([path]) => /\.(png|nff)$/.test(path)), ...tables]);
+const {tools, newJudge} = await openSite(site);
 let isWhole = false;
 async function inPage(stem, sources, what) {
   try {
-    const judge = createJudge({modules, files, compile: tools.compile, link: tools.linkAnswer});
-    return (await judge.draw({stem, sources}, async (words, all) => tools.link(words, all))).text;
+    return (await newJudge().draw({stem, sources}, async (words, all) => tools.link(words, all))).text;
   } catch (error) {
     if (!(error instanceof WholeCompilerNeeded) || isWhole) throw error;
-    check(!/^(all blank|right)/.test(what), `${stem}, ${what}: the whole compiler is needed`);
+    assert.doesNotMatch(what, /^(all blank|right)/, 'the whole compiler is needed');
     isWhole = true;
     await tools.takeWhole();
     return inPage(stem, sources, what);
@@ -65,21 +56,13 @@ async function inPage(stem, sources, what) {
 
 // ---- both ------------------------------------------------------------------------------------------------
 
-let passed = 0, failed = 0;
-function check(isGood, what) {
-  if (isGood) { passed++; return; }
-  failed++;
-  console.log(`not ok: ${what}`);
-}
 // The compilers' own words differ.
 const told = text => text.replace(/ error: .*/, ' error').replace(/^exercises\/.*: warning: .*\n(.+\n)*/gm, '');
-async function compare(stem, what, sources) {
+const compare = (stem, what, sources) => test(`${stem}, ${what}`, async () => {
   const ours = told(inTerminal(stem, {...blanks, ...sources})), theirs = told(await inPage(stem, {...blanks, ...sources}, what));
-  check(ours === theirs && ours.length > 50, `${stem}, ${what}`);
-  if (ours === theirs) return;
-  for (const [name, text] of [['terminal', ours], ['page', theirs]]) writeFileSync(join(folder, name), text);
-  console.log(spawnSync('diff', ['-u', join(folder, 'terminal'), join(folder, 'page')], {encoding: 'utf8'}).stdout);
-}
+  assert.equal(theirs, ours);
+  assert.ok(ours.length > 50, ours);
+});
 
 /** COUNT wrong answers: in each, another operator of the right answer is the opposite one. */
 function wrong(text, count) {
@@ -130,6 +113,3 @@ const helpers = helper('black', 'vec3 sum = {0, 0, 0}; for (int i = 0; i < 3; i+
 const blank = blanks['01-corners'].replace('vec3 upper_left(', `${helpers}$&`).replace('#include', '#include <stdio.h>\n#include <stdlib.h>\n#include');
 for (const [what, body] of Object.entries(bodies))
   await compare('01-corners', what, {'01-corners': blank.replace(/(vec3 upper_left\(Camera c\)\n\{\n)[^}]*/, (_, start) => `${start}    ${body}\n`)});
-
-console.log(`verdicts in the page: ${passed} passed, ${failed} failed`);
-process.exitCode = failed > 0 ? 1 : 0;

@@ -6,12 +6,13 @@ import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import test from "node:test";
 import { readZip } from "../../../../chapters/book/page/zip.js";
-import { browserName, editorText, launch, openTab, serve, typeAtEnd, waitFor, waitForEditor } from "../site.mjs";
+import { begin, editorText, openTab, typeAtEnd, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2);
 const scratch = mkdtempSync(join(tmpdir(), "book-"));
-const host = await serve(folder), browser = await launch();
+const { host, browser } = await begin(folder);
 const open = async (name) => {
     const tab = await openTab(browser, host.address);
     await tab.goto(host.address + name, { waitUntil: "load" });
@@ -32,34 +33,23 @@ async function downloaded(tab, button) {
 }
 const click = (tab, selector) => tab.$eval(selector, (each) => each.click());
 const textOf = (tab, selector) => tab.$eval(selector, (each) => each.textContent);
-let passed = 0;
-const test = async (name, body) => {
-    try {
-        await body();
-        passed++;
-    } catch (error) {
-        error.message = `${name}: ${error.message}`;
-        throw error;
-    }
-};
-
-try {
+test("a student's answer", async (t) => {
     const tab = await open("03-screen.html");
     const blank = await editorText(tab);
-    await test("the blank is there, and what is typed is saved at once", async () => {
+    await t.test("the blank is there, and what is typed is saved at once", async () => {
         assert.match(blank, /NOT_ANSWERED/);
         await typeAtEnd(tab, "// mine");
         await tab.reload({ waitUntil: "load" });
         await waitFor("the saved text", async () => (await editorText(tab).catch(() => "")).includes("// mine"));
     });
-    await test("Tab indents; Escape and then Tab leaves the editor", async () => {
+    await t.test("Tab indents; Escape and then Tab leaves the editor", async () => {
         await typeAtEnd(tab, "\t");
         assert.match(await editorText(tab), /^ {4}\/\/ mine$/m);
         await tab.keyboard.press("Escape");
         await tab.keyboard.press("Tab");
         assert.notEqual(await tab.evaluate(() => document.activeElement.id), "editor");
     });
-    await test("a reset can be undone", async () => {
+    await t.test("a reset can be undone", async () => {
         const mine = await editorText(tab);
         await click(tab, "#reset");
         assert.equal(await editorText(tab), blank);
@@ -69,13 +59,13 @@ try {
         await click(tab, "#undo-reset");
         assert.equal(await editorText(tab), mine);
     });
-    await test("two tabs show the same text", async () => {
+    await t.test("two tabs show the same text", async () => {
         const other = await open("03-screen.html");
         await typeAtEnd(other, "// from the other tab");
         await waitFor("the text of the other tab", async () => (await editorText(tab)).includes("// from the other tab"));
         await other.close();
     });
-    await test("the contract is one key away", async () => {
+    await t.test("the contract is one key away", async () => {
         await tab.focus("#tab-answer");
         await tab.keyboard.press("ArrowRight");
         assert.equal(await tab.$eval("#panel-contract", (each) => each.hidden), false);
@@ -86,18 +76,18 @@ try {
     await tab.close();
 
     const start = await open("index.html");
-    await test("the start page says what is begun", async () => {
+    await t.test("the start page says what is begun", async () => {
         await waitFor("'begun'", async () => /begun|right/.test(await textOf(start, '.cards li[data-stem="03-screen"] .done')));
         assert.match(await textOf(start, "#begin"), /^Continue with chapter/);
     });
     let zip;
-    await test("the archive has the answer as it is", async () => {
+    await t.test("the archive has the answer as it is", async () => {
         zip = await downloaded(start, "#download");
         const files = await readZip(zip);
         assert.deepEqual(files.map(({ name }) => name), ["03-screen.c"]);
         assert.equal(new TextDecoder().decode(files[0].bytes), mine);
     });
-    await test("another browser goes on from the archive", async () => {
+    await t.test("another browser goes on from the archive", async () => {
         writeFileSync(join(scratch, "submission.zip"), zip);
         await start.evaluate(() => localStorage.clear());
         await start.reload({ waitUntil: "load" });
@@ -107,20 +97,20 @@ try {
         await waitFor("'Loaded 03'", async () => /Loaded 03/.test(await textOf(start, "#state")));
         assert.ok(await start.evaluate((text) => Object.values(localStorage).includes(text), mine));
     });
-    await test("answers that are loaded are judged, and the start page counts what is right", async () => {
+    await t.test("answers that are loaded are judged, and the start page counts what is right", async () => {
         await (await start.$("#upload")).uploadFile("solutions/03-screen.c", "solutions/04-pixel-ray.c");
         await waitFor("all to be judged", async () => /^Loaded 03, 04. Open a chapter/.test(await textOf(start, "#state")));
         assert.match(await textOf(start, "#so-far"), /^4 of 37 functions are right\.$/);
         assert.match(await textOf(start, '.cards li[data-stem="04-pixel-ray"] .done'), /done/);
     });
-    await test("what is no archive changes nothing, and the page says so", async () => {
+    await t.test("what is no archive changes nothing, and the page says so", async () => {
         writeFileSync(join(scratch, "photo.zip"), "not an archive at all, but long enough");
         await (await start.$("#upload")).uploadFile(join(scratch, "photo.zip"));
         await waitFor("the words", async () => /not a zip archive.*Nothing has changed/.test(await textOf(start, "#trouble")));
     });
     await start.close();
 
-    await test("a browser that keeps nothing says so, and the download of what was typed is beside these words", async () => {
+    await t.test("a browser that keeps nothing says so, and the download of what was typed is beside these words", async () => {
         const poor = await openTab(browser, host.address), asked = [];
         await poor.evaluateOnNewDocument(() => { Storage.prototype.setItem = () => { throw new DOMException("no", "SecurityError"); }; });
         poor.on("dialog", async (dialog) => { asked.push(dialog.type()); await dialog.accept(); });
@@ -137,7 +127,7 @@ try {
         assert.deepEqual(asked, ["beforeunload"], "the browser asks before what was not downloaded is lost");
         await poor.close();
     });
-    await test("a figure fills the screen, the arrows go on, Escape comes back", async () => {
+    await t.test("a figure fills the screen, the arrows go on, Escape comes back", async () => {
         const figures = await openTab(browser, host.address);
         await figures.goto(`${host.address}figures.html`, { waitUntil: "load" });
         await waitFor("a button", () => figures.$("figcaption button"));
@@ -149,9 +139,5 @@ try {
         await waitFor("the page again", () => figures.$eval("dialog.full", (each) => !each.open));
         await figures.close();
     });
-    console.log(`answers (${browserName}): ${passed} passed`);
-} finally {
-    await browser.close();
-    await host.stop();
-    rmSync(scratch, { recursive: true, force: true });
-}
+});
+test.after(() => rmSync(scratch, { recursive: true, force: true }));

@@ -5,10 +5,11 @@
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
-import { browserName, launch, openTab, seriousFindings, serve, waitFor } from "../site.mjs";
+import test from "node:test";
+import { begin, browserName, openTab, seriousFindings, waitFor } from "../site.mjs";
 
 const [folder, shots] = process.argv.slice(2);
-const host = await serve(folder), browser = await launch();
+const { host, browser } = await begin(folder);
 
 const place = (name) => `.figure[data-figure="${name}"]`;
 /** Waits until the figure is live. Figures above it may become taller meanwhile, so it is put into sight again. */
@@ -70,10 +71,9 @@ async function touch(tab, { x, y }, dx, dy) {
 
 const numbers = (text) => text.split(",").map(Number);
 
-try {
+test("live figures, by mouse, finger, key and number", async () => {
     // All figures of the course become live, without a fault.
     const stems = readdirSync("chapters").filter((each) => /^0[1-7]-/.test(each)), all = await openTab(browser, host.address);
-    let count = 0;
     for (const stem of stems) {
         await all.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
         await all.evaluate(() => document.querySelectorAll(".lesson details").forEach((each) => { each.open = true; }));
@@ -83,7 +83,6 @@ try {
             assert.ok(now.title.length > 5 && now.words.length > 20, `${name} has words`);
             if (shots)
                 await (await all.$(place(name))).screenshot({ path: join(shots, `live-${name}-${browserName}.png`) });
-            count++;
         }
         assert.deepEqual(await seriousFindings(all), [], `${stem} with live figures`);
     }
@@ -152,8 +151,4 @@ try {
         assert.deepEqual(phone.faults, []);
         await phone.close();
     }
-    console.log(`figures (${browserName}): ${count} live, by mouse, key, number${browserName === "chromium" ? " and finger" : ""}`);
-} finally {
-    await browser.close();
-    await host.stop();
-}
+});

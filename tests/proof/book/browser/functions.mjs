@@ -5,12 +5,9 @@
 // Usage: BROWSER=chromium|firefox CHAPTERS=01,05 node functions.mjs SITE
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
-import { join } from "node:path";
-import { gunzipSync } from "node:zlib";
-import { load, unpack } from "../../../../chapters/book/compiler.js";
-import { createJudge } from "../../../../chapters/book/judge.js";
-import { toolsOf } from "../../../../chapters/book/tools.js";
-import { browserName, launch, openTab, replaceText, serve, waitFor, waitForEditor } from "../site.mjs";
+import test from "node:test";
+import { openSite } from "../in_node.mjs";
+import { begin, openTab, replaceText, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2), chapters = process.env.CHAPTERS?.split(",");
 const stems = readdirSync("solutions").filter((name) => /^0[1-7]-.*\.c$/.test(name) && (!chapters || chapters.includes(name.slice(0, 2))))
@@ -18,18 +15,11 @@ const stems = readdirSync("solutions").filter((name) => /^0[1-7]-.*\.c$/.test(na
 
 // ---- in node ---------------------------------------------------------------------------------------
 
-const compiler = await load({ fetchBytes: async (name) => new Response(readFileSync(join(folder, name))) });
-const pictures = unpack(gunzipSync(readFileSync(join(folder, "pictures.pack.gz")))), tools = toolsOf(compiler, pictures);
-const program = (name) => new WebAssembly.Module(readFileSync(join(folder, `programs/${name}.wasm`)));
-const modules = { course: program("course"), judge: program("judge") };
-const json = (name) => Object.entries(JSON.parse(readFileSync(join(folder, name), "utf8")));
-const files = new Map([...json("tree/files.json"), ...json("figures/files.json"), ...[...pictures].filter(([path]) => /\.(png|nff)$/.test(path))]);
-const sources = {}, records = new Map();
+const { tools, newJudge } = await openSite(folder), sources = {}, records = new Map();
 
 async function verdictHere(judge, stem, text) {
     sources[stem] = text;
-    const compiled = { [stem]: await compiler.compile({ stem, files: { [`exercises/${stem}.c`]: text } }) };
-    const verdict = await judge.draw({ stem, sources, compiled, columns: 80 }, async (words, all) => tools.link(words, all));
+    const verdict = await judge.draw({ stem, sources, columns: 80 }, async (words, all) => tools.link(words, all));
     records.set(`build/exercises/verdict/${stem}.record`, verdict.record);
     return verdict.text;
 }
@@ -47,12 +37,11 @@ function wrong(solution, name) {
     return solution.slice(0, at) + opposite[solution[at]] + solution.slice(at + 1);
 }
 
-const host = await serve(folder), browser = await launch();
-let compared = 0;
-try {
+const { host, browser } = await begin(folder);
+test("a wrong answer to each function has the verdict of node", async () => {
     const tab = await openTab(browser, host.address, { width: 1920, height: 1000 }); // room for 80 columns
     for (const stem of stems) {
-        const solution = readFileSync(`solutions/${stem}.c`, "utf8"), judge = createJudge({ modules, files: new Map([...files, ...records]) });
+        const solution = readFileSync(`solutions/${stem}.c`, "utf8"), judge = newJudge(records);
         const names = readFileSync(`build/answer_names/${stem}`, "utf8").trim().split("\n").map((line) => line.split(" ")[0]);
         await tab.goto(`${host.address}${stem}.html`, { waitUntil: "load" });
         await waitForEditor(tab);
@@ -63,12 +52,7 @@ try {
             await waitFor(`a verdict on ${name}`, () => tab.evaluate(() => document.querySelector("#verdict pre[data-result]") !== null &&
                 !document.querySelector("#verdict").classList.contains("old") && /judged/.test(document.querySelector("#state").textContent))); // with its pictures
             assert.equal(await now(), wanted, `${stem}, ${name}`);
-            compared++;
         }
     }
     assert.deepEqual(tab.faults, []);
-    console.log(`functions (${browserName}): ${compared} verdicts as in node`);
-} finally {
-    await browser.close();
-    await host.stop();
-}
+});

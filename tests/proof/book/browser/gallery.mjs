@@ -5,11 +5,12 @@
 // Usage: BROWSER=chromium|firefox node gallery.mjs SITE, after make
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
-import { browserName, findings, launch, openTab, serve } from "../site.mjs";
+import test from "node:test";
+import { begin, browserName, findings, openTab } from "../site.mjs";
 
-const host = await serve("build/solutions"), browser = await launch(), figures = readdirSync("build/solutions/figures").filter((name) => !name.startsWith("."));
+const { host, browser } = await begin("build/solutions"), figures = readdirSync("build/solutions/figures").filter((name) => !name.startsWith("."));
 const schemes = browserName === "firefox" ? ["light"] : ["light", "dark"]; // WebDriver BiDi has no dark scheme yet
-try {
+test("the page of pictures", async () => {
     const tab = await openTab(browser, host.address);
     for (const scheme of schemes) {
         if (schemes.length > 1)
@@ -57,8 +58,4 @@ try {
     assert.ok(await tab.$$eval("img", (all) => all.every((each) => each.alt.length >= 20 && each.getAttribute("width") && each.getAttribute("height"))),
         "every picture is described, and has a size before it is there");
     assert.deepEqual(tab.faults, []);
-    console.log(`gallery (${browserName}): ${figures.length} figures`);
-} finally {
-    await browser.close();
-    await host.stop();
-}
+});

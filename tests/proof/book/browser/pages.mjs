@@ -5,13 +5,14 @@
 import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
-import { browserName, launch, openTab, seriousFindings, serve, waitFor, waitForEditor } from "../site.mjs";
+import test from "node:test";
+import { begin, openTab, seriousFindings, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder, shots] = process.argv.slice(2);
-const host = await serve(folder), browser = await launch();
+const { host, browser } = await begin(folder);
 const pages = readdirSync(folder).filter((name) => name.endsWith(".html")).concat("listings/exercises/05-quadratic.h.html");
 const links = new Set();
-try {
+test("every page, light and dark, wide and narrow", async () => {
     for (const name of pages) {
         const tab = await openTab(browser, host.address);
         await tab.goto(host.address + name, { waitUntil: "load" });
@@ -38,8 +39,4 @@ try {
     const own = [...links].filter((link) => link.startsWith(host.address));
     for (const link of new Set(own.map((each) => each.split("#")[0])))
         assert.equal((await fetch(link)).status, 200, link);
-    console.log(`pages (${browserName}): ${pages.length} pages, light and dark, at 1280, 390 and 360 pixels; ${own.length} links`);
-} finally {
-    await browser.close();
-    await host.stop();
-}
+});

@@ -4,10 +4,11 @@
 // Usage: BROWSER=chromium|firefox node restart.mjs SITE
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { browserName, launch, openTab, replaceText, serve, waitFor, waitForEditor } from "../site.mjs";
+import test from "node:test";
+import { begin, openTab, replaceText, waitFor, waitForEditor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2), stem = "05-quadratic", right = readFileSync(`solutions/${stem}.c`, "utf8");
-const host = await serve(folder), browser = await launch();
+const { host, browser } = await begin(folder);
 const textOf = (tab, selector) => tab.$eval(selector, (each) => each.textContent);
 const verdict = (tab, what, wanted) => waitFor(`the verdict: ${what}`, async () =>
     wanted.test(await textOf(tab, "#verdict")) && await tab.$eval("#progress", (each) => each.hidden));
@@ -17,10 +18,10 @@ const ENDLESS = `#define A0\n${Array.from({ length: 40 }, (_, i) => `#define A${
 /** Takes memory, and uses it, until there is none. */
 const GREEDY = right.replace(/Roots quadratic_roots\(Quadratic q\)\s*\{/, (start) =>
     `#include <stdlib.h>\n${start}\n    for (int i = 0; i < 1000; i++) {\n        char *p = malloc(1 << 28);\n        p[0] = 1;\n    }\n`);
-const WRONG = right.replace("= discriminant(even)", "= -discriminant(even)"), IS_WRONG = /wrong: quadratic_roots/;
+const WRONG = right.replace("q.b * q.b - 4", "q.b * q.b + 4"), IS_WRONG = /wrong: quadratic_roots/;
 assert.ok(GREEDY !== right && WRONG !== right);
 
-try {
+test("the next answer gets its verdict after a failure", async () => {
     const tab = await openTab(browser, host.address);
     await tab.evaluateOnNewDocument(() => {
         globalThis.workers = [];
@@ -69,12 +70,4 @@ try {
     await replaceText(tab, right, { judge: true });
     await verdict(tab, "after a Worker stopped", /05-quadratic is right/);
     assert.deepEqual(tab.faults, []);
-    console.log(`restart (${browserName}): early click, memory, endless compilation, stopped Worker`);
-} catch (error) {
-    for (const page of await browser.pages())
-        console.error(await page.evaluate(() => ["#state", "#trouble", "#verdict"].map((each) => document.querySelector(each)?.textContent).join("\n")).catch(() => ""));
-    throw error;
-} finally {
-    await browser.close();
-    await host.stop();
-}
+});

@@ -6,13 +6,14 @@ import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import test from "node:test";
 import { writeServiceWorker } from "../../../../chapters/book/site/write_service_worker.mjs";
-import { browserName, launch, openTab, serve, waitFor } from "../site.mjs";
+import { begin, openTab, waitFor } from "../site.mjs";
 
 const [folder] = process.argv.slice(2), scratch = mkdtempSync(join(tmpdir(), "book-"));
 // The pages and their scripts, without what takes long to keep.
 cpSync(folder, scratch, { recursive: true, filter: (path) => !/\/(compiler|programs|chapters|figures|pictures\.pack\.gz)$/.test(path) });
-const host = await serve(scratch), browser = await launch();
+const { host, browser } = await begin(scratch);
 
 /** Publishes a version: each page and each script says which it is. exceptFor: files that the host does not have yet. */
 function publish(version, exceptFor = []) {
@@ -48,7 +49,7 @@ const reload = (tab) => tab.reload({ waitUntil: "load" }).catch(() => {}); // a 
 const isOf = (tab, version, what) => waitFor(`version ${version}: ${what}`, async () =>
     !(await state(tab, "waiting").catch(() => true)) && (await versions(tab).catch(() => [])).join() === String(version));
 
-try {
+test("a page and all that it loads are of one version", async () => {
     publish(1);
     const tab = await open();
     await waitFor("the site kept", () => state(tab, "active"));
@@ -90,9 +91,5 @@ try {
     await isOf(tab, 4, "without a network");
     // What a page was loading when it was loaded again is an error in the console, in other words in each browser.
     assert.deepEqual(tab.faults.filter((fault) => /another origin|Content.Security/i.test(fault)), []);
-    console.log(`update (${browserName}): four versions, no mixture`);
-} finally {
-    await browser.close();
-    await host.stop();
-    rmSync(scratch, { recursive: true, force: true });
-}
+});
+test.after(() => rmSync(scratch, { recursive: true, force: true }));
