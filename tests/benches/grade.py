@@ -1,6 +1,7 @@
-"""grade.py - how many submissions a minute make grade marks, and what each step takes of them.
+"""grade.py - how many submissions a minute make grade marks, and what each step takes of them: of all chapters, and of
+the two of a week; then both once more, when nothing has changed.
 
-Usage: grade.py KIT [COUNT], where make builds the kit. The class has COUNT (200) submissions of all chapters, no two the
+Usage: grade.py KIT [COUNT], where make builds the kit. A class has COUNT (200) submissions, no two the
 same: two thirds of the files are right, the others have a sign or a number changed, or are blank, as half a class's are.
 """
 import json
@@ -25,12 +26,12 @@ def slipped(text, chance):
     return text[:start + place.start()] + new + text[start + place.end():]
 
 
-def write_class(folder, count):
+def write_class(folder, count, stems):
     chance = random.Random(2015)
     for number in range(count):
         submission = folder / f"student-{number:04d}"
         submission.mkdir(parents=True)
-        for path in sorted(Path("solutions").glob("*.c")):
+        for path in (Path("solutions", f"{stem}.c") for stem in stems):
             text, kind = path.read_text(), chance.random()
             if kind > 0.9:
                 text = Path("build/blanks", path.name).read_text()
@@ -39,11 +40,21 @@ def write_class(folder, count):
             (submission / path.name).write_text(f"// {number}: {path.stem}\n{text}")
 
 
-def report(records, seconds):
+def marked(kit, students, out, *settings):
+    """How many seconds it took."""
+    began = time.monotonic()
+    done = subprocess.run([sys.executable, "-B", "tests/grade", kit, students, "--out", out, *settings],
+                          capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(done.stdout + done.stderr)
+    return time.monotonic() - began
+
+
+def report(records, seconds, again):
     files = sum(stem["file"] != "" for record in records for stem in record["stems"])
     print(f"{len(records)} submissions, {files} files, {seconds:.1f} s on {len(os.sched_getaffinity(0))} processors, "
           f"sandbox: {records[0]['sandbox']}")
-    print(f"  {60 * len(records) / seconds:.0f} submissions a minute")
+    print(f"  {60 * len(records) / seconds:.0f} submissions a minute; once more, when nothing has changed: {again:.1f} s")
     each = {step: sum(record["steps"][step] for record in records) / len(records) for step in records[0]["steps"]}
     each["the rest"] = sum(record["seconds"] for record in records) / len(records) - sum(each.values())
     for step, mean in each.items():
@@ -51,15 +62,15 @@ def report(records, seconds):
 
 
 def main(kit, count="200"):
-    with tempfile.TemporaryDirectory() as folder:
-        students, out = Path(folder, "class"), Path(folder, "out")
-        write_class(students, int(count))
-        began = time.monotonic()
-        done = subprocess.run([sys.executable, "-B", "tests/grade", kit, students, "--out", out], capture_output=True, text=True)
-        if done.returncode != 0:
-            sys.exit(done.stdout + done.stderr)
-        seconds = time.monotonic() - began
-        report([json.loads(path.read_text())["extra_data"]["record"] for path in out.glob("*/results.json")], seconds)
+    stems = sorted(path.stem for path in Path("solutions").glob("*.c"))
+    for some, words in ((stems, "points others 10\n"), (stems[2:4], f"points others 0\npoints {stems[2]} 10\npoints {stems[3]} 10\n")):
+        with tempfile.TemporaryDirectory() as folder:
+            students, out, policy = Path(folder, "class"), Path(folder, "out"), Path(folder, "policy")
+            policy.write_text(words)
+            write_class(students, int(count), some)
+            seconds = marked(kit, students, out, "--policy", policy)
+            again = marked(kit, students, out, "--policy", policy)
+            report([json.loads(path.read_text())["extra_data"]["record"] for path in out.glob("*/results.json")], seconds, again)
 
 
 main(*sys.argv[1:])

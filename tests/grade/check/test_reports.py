@@ -316,7 +316,8 @@ class ReportPages(Sentences):
             page = read_back.Page(class_page(them))
             self.check(f"the page of {len(them)} has our tags, attributes and addresses only", is_ours(page))
         page = read_back.Page(class_page(HOSTILES))
-        self.check("the class has a row each", page.tags.count("tr") == 1 + len(HOSTILE))
+        exercises = 1 + 6   # rows of the functions of 05
+        self.check("the class has a row each", page.tags.count("tr") == 1 + len(HOSTILE) + exercises)
         self.check("names come through in the class", all(visible(text) in words(page) for text in HOSTILE))
         odd = ["a b", "50%", "#1", "javascript:alert(1)", "q?x=1&y", "näive", os.fsdecode(b"caf\xe9")]
         page = read_back.Page(class_page([record("x", [], folder=name) for name in odd]))
@@ -329,6 +330,10 @@ class ReportPages(Sentences):
         told = words(read_back.Page(class_page(ORDINARY)))
         self.check("the class's page says seed and sandbox",
                    "123456" in told and "bubblewrap, Landlock, seccomp" in told)
+        sections = [record(str(at), [stem("01-corners", [function("upper_left", state="right" if at < 3 else "wrong")])],
+                           person={"section": "Monday" if at % 2 else ""}) for at in range(7)]
+        told = re.sub(r"\s+", " ", words(read_back.Page(class_page(sections))))
+        self.check("each section has its share", "everybody no section Monday 01-corners upper_left 3 of 7 2 of 4 1 of 3" in told, told[-800:])
         self.check("the class's page is the same in any order", class_page(ORDINARY[::-1]) == class_page(ORDINARY))
         for page in (lambda one: class_page([one]), lambda one: submission_page(one, ".")):
             self.check("a page says when marks are unsafe", "UNSAFE" in page({**ORDINARY[0], "unsafe": True})

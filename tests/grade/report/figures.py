@@ -93,6 +93,31 @@ def most_made(records: list) -> list:
     return [made[key] for key in (shared or order)[:MOST]]
 
 
+def sections(records: list) -> list:
+    """Their names; [] if there is only one."""
+    found = sorted({record["person"].get("section", "") for record in handed_in(records)})
+    return found if len(found) > 1 else []
+
+
+def of_section(records: list, section: str) -> list:
+    return [record for record in records if record["person"].get("section", "") == section]
+
+
+def by_exercise(records: list) -> list:
+    """Of each function that was judged: its stem, its name, and pairs of how many have it right, of how many who handed in
+    something; first of everybody, then of each section."""
+    asked = dict.fromkeys((stem["stem"], function["name"]) for record in records for stem in record["stems"]
+                          for function in stem["functions"])
+    groups = [handed_in(group) for group in (records, *(of_section(records, section) for section in sections(records)))]
+
+    def right(group: list, stem: str, name: str) -> int:
+        return sum(function["state"] == "right" for record in group for one in record["stems"] if one["stem"] == stem
+                   for function in one["functions"] if function["name"] == name)
+
+    return [(stem, name, [(right(group, stem, name), len(group)) for group in groups]) for stem, name in sorted(
+        asked, key=lambda pair: pair[0])]
+
+
 def not_answered(records: list) -> list:
     """Pairs: what ('06-ray-casting nearest_hit', or a stem without its file), how many."""
     count = {}

@@ -13,7 +13,8 @@ from urllib.parse import quote
 
 from grade.visible import number, score, visible
 from .comment import fields, stem_lines
-from .figures import bins, circumstances, handed_in, how_many, most_made, not_answered, quartiles, stems_of
+from .figures import (bins, by_exercise, circumstances, handed_in, how_many, most_made, not_answered, of_section, quartiles,
+                      sections, stems_of)
 from .formats import SUM
 from .points import NOTHING, UNSAFE, any_unsafe, clean, clean_class, reason
 
@@ -234,9 +235,11 @@ def explain_again(records: list):
         who = []
         for record in made["who"]:
             who += [", " if who else "", link(record)]
+        where = "; ".join(f"{section or 'no section'}: {len(of_section(made['who'], section))}" for section in sections(records))
         items.append(tag("li", tag("b", f"{len(made['who'])} of {len(handed_in(records))}"),
                          f"  {made['stem']} ", tag("code", made["function"]),
                          tag("p", made["sentence"]),
+                         tag("p", where, class_="quiet") if where else None,
                          tag("details", tag("summary", "who"), tag("p", *who))))
     blanks = ", ".join(f"{what} ({count})" for what, count in not_answered(records))
     if not items and not blanks:
@@ -244,6 +247,18 @@ def explain_again(records: list):
     return tag("section", tag("h2", "What to explain again next week"),
                tag("ol", *items, class_="most") if items else None,
                tag("p", "Not answered, or no file: " + blanks + ".", class_="quiet") if blanks else None)
+
+
+def exercises(records: list):
+    """How many have each function right, also by section."""
+    found = by_exercise(records)
+    if not found:
+        return None
+    heads = ["exercise", "everybody", *(section or "no section" for section in sections(records))]
+    rows = [tag("tr", tag("td", f"{stem} ", tag("code", name)), *[tag("td", f"{right} of {of}") for right, of in groups])
+            for stem, name, groups in found]
+    return tag("section", tag("h2", "By exercise"), tag("details", tag("summary", "how many have it right"), tag(
+        "table", tag("thead", tag("tr", *[tag("th", head, scope="col") for head in heads])), tag("tbody", *rows))))
 
 
 def row(record: dict, stems: list, sums: tuple):
@@ -313,7 +328,7 @@ def changes(history):
 def class_page(records: list, history: list = ()) -> str:
     """history: the changes of marks, the oldest first."""
     records = clean_class(records)
-    parts = [distribution(records), explain_again(records), everybody(records), changes(history),
+    parts = [distribution(records), explain_again(records), exercises(records), everybody(records), changes(history),
              gallery(records)] if records \
         else [tag("p", "No submissions.")]
     return page("Grades", tag("header", banner(records), tag("h1", "Grades"), facts(records)), tag("main", *parts))
