@@ -44,7 +44,7 @@ def mention_times(policy, found: list) -> None:
     known = {name for submission in found for name in (submission.name, submission.folder)}
     for name in sorted(set(policy.times) - known):
         print(f"No submission is called {visible(name)}, whose time is given", file=sys.stderr)
-    without = [submission.name for submission in found if came_in(policy, submission, None) is None]
+    without = [submission.name for submission in found if submission.parts and came_in(policy, submission, None) is None]
     if without:
         print(f"Without a time, taken as on time: {', '.join(without)}", file=sys.stderr)
 

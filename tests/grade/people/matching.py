@@ -111,7 +111,7 @@ def assigned(found: list, roster: Roster) -> tuple:
         else:
             nobodys.append(submission)
     titles = roster.titles()
-    stored = names.folders([(person.key.replace("/", "_").encode("utf-8", "surrogateescape"), 0) for person in roster.people]
+    stored = names.folders([(re.sub("[/\0]", "_", person.key).encode("utf-8", "surrogateescape"), 0) for person in roster.people]
                            + [(submission.folder.encode("utf-8", "surrogateescape"), 0) for submission in nobodys])
     mine = [Submission(spelled(titles[person.key]), folder, tuple(part for one in theirs[person.key] for part in one.parts),
                        person=person) for person, folder in zip(roster.people, stored)]

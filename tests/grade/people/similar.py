@@ -150,11 +150,15 @@ def section(pair: Pair):
                tag("details", tag("summary", "both"), tag("div", side(pair.one), side(pair.other), class_="pair")))
 
 
+def counted(pairs: int) -> str:
+    return f"{pairs} pair{'' if pairs == 1 else 's'}"
+
+
 def report(pairs: list, many: int) -> str:
     pairs = sorted(pairs, key=lambda pair: (-pair.weight, -pair.percent, pair.one.who, pair.other.who))
     shown = pairs[:MOST_PAIRS]
     more = f", of which these {len(shown)} are the most unusual" if len(shown) < len(pairs) else ""
-    return page("Who worked together", tag("header", tag("h1", "Who worked together"), tag("p", f"{many} answers, {len(pairs)} pairs{more}."),
+    return page("Who worked together", tag("header", tag("h1", "Who worked together"), tag("p", f"{many} answers, {counted(len(pairs))}{more}."),
                                            tag("p", CAUTION)),
                 tag("main", *map(section, shown)))
 
@@ -174,7 +178,7 @@ def main() -> None:
         stop("sim_c is missing: 'make setup FOR=instructor' installs it" if error.filename == "sim_c" else f"{error.filename}: {why(error)}")
     except OSError as error:
         stop(f"{error.filename}: {why(error)}")
-    print(f"{len(pairs)} pairs that agree in something unusual: {out}/similar.html")
+    print(f"{counted(len(pairs))} with something unusual in common: {out}/similar.html")
 
 
 if __name__ == "__main__":

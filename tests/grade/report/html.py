@@ -322,7 +322,7 @@ def changes(history):
     rows = [tag("tr", *[tag("td", cell) for cell in row]) for row in changed[:CHANGES]]
     return tag("section", tag("h2", "Changes of marks"),
                tag("table", tag("caption", "All of them are in history.csv"), tag("thead", tag("tr", *heads)),
-                   tag("tbody", *rows)))
+                   tag("tbody", *rows), class_="history"))
 
 
 def class_page(records: list, history: list = ()) -> str:
