@@ -63,7 +63,9 @@ def report(records, seconds, again):
 
 def main(kit, count="200"):
     stems = sorted(path.stem for path in Path("solutions").glob("*.c"))
-    for some, words in ((stems, "points others 10\n"), (stems[2:4], f"points others 0\npoints {stems[2]} 10\npoints {stems[3]} 10\n")):
+    week = stems[2:4]
+    for some, words in ((stems, "points others 10\n"),
+                        (week, "points others 0\n" + "".join(f"points {stem} 10\n" for stem in week))):
         with tempfile.TemporaryDirectory() as folder:
             students, out, policy = Path(folder, "class"), Path(folder, "out"), Path(folder, "policy")
             policy.write_text(words)

@@ -55,8 +55,8 @@ def with_the_others(found: list, known: dict, given) -> list:
     gone = [folder for folder in known if folder not in here and known[folder]["status"] != NOTHING]
     if not given.only:
         if gone and len(gone) > len(here):
-            stop(f"OUT={given.out} holds the marks of {len(gone)} others, and they are not in {given.submissions}. To mark one of "
-                 f"them again, say who: ONLY={found[0].name if found else 'NAME'}; for another class, take another OUT")
+            stop(f"OUT={given.out} holds the marks of {len(gone)} others, and they are not in {given.submissions}. "
+                 f"To mark one of them again, say who: ONLY={found[0].name if found else 'NAME'}; for another class, take another OUT")
         return found
     return [submissions.Submission(known[one.folder]["submission"], one.folder, (), one.claims, one.person, one.unlisted, True)
             if one.folder in gone else one for one in found] + \
@@ -108,7 +108,8 @@ def grade() -> int:
         shutil.rmtree(grader.work, ignore_errors=True)
         lock.close()
     marked = {submission.folder for submission in now}
-    records = [failed.get(submission.folder) or (grader.record if submission.folder in marked else grader.without_marking)(submission)
+    records = [failed.get(submission.folder)
+               or (grader.record if submission.folder in marked else grader.without_marking)(submission)
                for submission in found]
     missing = records.count(None)
     if missing:

@@ -128,7 +128,8 @@ class Reader:
         """(the owner's bytes, the part, the claim); None for an entry that no platform has named."""
         if match := self.blackboard.get(raw):
             when, who = seconds(match["time"], "%Y-%m-%d-%H-%M-%S"), match["who"].split("_")
-            part = replace(part, name=match["name"] or "what was written.txt", upload=int(match["time"].replace("-", "")), when=when)
+            part = replace(part, name=match["name"] or "what was written.txt", when=when,
+                           upload=int(match["time"].replace("-", "")))
             return match["who"][self.column:], part, Claim(login=tuple("_".join(who[at:]) for at in range(1, len(who))))
         if match := matched(MOODLE, raw, part.kind):
             return (f"{match['who']}_{match['user']}", replace(part, name=match["name"] or ""),

@@ -201,7 +201,8 @@ class Grader:
                 (place / name).unlink(missing_ok=True)
 
     def without_score(self, submission: Submission, status: str, words: str) -> dict:
-        record = {"folder": submission.folder, "status": status, "words": words, "late": "", "stems": [], "pictures": {}, "key": "", "files": "", "seed": self.seed, "seconds": 0,
+        record = {"folder": submission.folder, "status": status, "words": words, "late": "", "stems": [],
+                  "pictures": {}, "key": "", "files": "", "seed": self.seed, "seconds": 0,
                   "sandbox": self.sandbox.name, "unsafe": self.sandbox.unsafe}
         return self.priced(record, submission, None)
 

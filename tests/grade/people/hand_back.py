@@ -180,8 +180,8 @@ def factors(sheet: Sheet, kind: str, column: int, everybody: list, scale: bool) 
     most = max(mosts, default=Fraction(0))
     theirs = most_in(sheet, kind, column)
     if theirs is not None and theirs != most and most and not scale:
-        raise SheetError(f"{sheet.path}: its marks are of {number(float(theirs))}, and these of {number(float(most))}: change the "
-                         "points in the policy, or say SCALE=1 to have them converted")
+        raise SheetError(f"{sheet.path}: its marks are of {number(float(theirs))}, and these of {number(float(most))}: "
+                         "change the points in the policy, or say SCALE=1 to have them converted")
     return {one: (theirs or most) / one if one else Fraction(1) for one in mosts}
 
 

@@ -132,15 +132,16 @@ class Roster:
             for field in (*FIELDS, "github", "number"):
                 value = getattr(person, field)
                 if value and (other := before.setdefault((field, value.casefold()), line)) != line:
-                    raise SheetError(f"{path}:{line}: {field} {brief(value)} is also in line {other}, expected one person for each")
+                    raise SheetError(f"{path}:{line}: {field} {brief(value)} is also in line {other}, "
+                                     "expected one person for each")
             self.people.append(person)
         if not self.people:
             raise SheetError(f"{path}: nobody is on this list, expected a line for each person")
         keys = [person.key for person in self.people]
         for person in self.people:     # two of one name, and nothing else is known of them
             if keys.count(person.key) > 1:
-                raise SheetError(f"{path}:{self.sheet.rows[person.row].line}: {brief(person.name)} is there twice, expected an id, "
-                                 "a login or a mail to tell them apart")
+                raise SheetError(f"{path}:{self.sheet.rows[person.row].line}: {brief(person.name)} is there twice, "
+                                 "expected an id, a login or a mail to tell them apart")
 
     def titles(self) -> dict:
         """Key -> the name as reports show it: with more where two have the same."""

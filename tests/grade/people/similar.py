@@ -144,7 +144,8 @@ def section(pair: Pair):
     words = [tag("code", visible(word)[:200]) for word in pair.shared[:12]]
     listed = [part for word in words for part in (" ", word)]
     return tag("section",
-               tag("h2", tag("span", f"{pair.one.stem}: ", tag("bdi", visible(pair.one.who)), " and ", tag("bdi", visible(pair.other.who))),
+               tag("h2", tag("span", f"{pair.one.stem}: ", tag("bdi", visible(pair.one.who)), " and ",
+                             tag("bdi", visible(pair.other.who))),
                    tag("span", f"{pair.percent} % of the same text" if pair.percent else "", class_="marks"), class_="head"),
                tag("p", f"Only few have {len(pair.shared)} of their comments and names:", *listed) if words else None,
                tag("details", tag("summary", "both"), tag("div", side(pair.one), side(pair.other), class_="pair")))
@@ -158,9 +159,9 @@ def report(pairs: list, many: int) -> str:
     pairs = sorted(pairs, key=lambda pair: (-pair.weight, -pair.percent, pair.one.who, pair.other.who))
     shown = pairs[:MOST_PAIRS]
     more = f", of which these {len(shown)} are the most unusual" if len(shown) < len(pairs) else ""
-    return page("Who worked together", tag("header", tag("h1", "Who worked together"), tag("p", f"{many} answers, {counted(len(pairs))}{more}."),
-                                           tag("p", CAUTION)),
-                tag("main", *map(section, shown)))
+    title = "Who worked together"
+    head = tag("header", tag("h1", title), tag("p", f"{many} answers, {counted(len(pairs))}{more}."), tag("p", CAUTION))
+    return page(title, head, tag("main", *map(section, shown)))
 
 
 def main() -> None:
@@ -175,7 +176,8 @@ def main() -> None:
             pairs += pairs_of(them)
         put(str(out), "similar.html", report(pairs, sum(map(len, answers.values()))))
     except FileNotFoundError as error:
-        stop("sim_c is missing: 'make setup FOR=instructor' installs it" if error.filename == "sim_c" else f"{error.filename}: {why(error)}")
+        stop("sim_c is missing: 'make setup FOR=instructor' installs it" if error.filename == "sim_c"
+             else f"{error.filename}: {why(error)}")
     except OSError as error:
         stop(f"{error.filename}: {why(error)}")
     print(f"{counted(len(pairs))} with something unusual in common: {out}/similar.html")
