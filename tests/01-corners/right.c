@@ -3,20 +3,9 @@
 
 #include "tests/judge/known.h"
 
-#include <stdio.h>
-
 static vec3 between(vec3 from, vec3 to, double share)
 {
     return (1 - share) * from + share * to;
-}
-
-typedef struct {
-    vec3 right, up, forward; // from the middle to an edge, and from the eye to the plane
-} Steps;
-
-static Steps steps_of(Camera c)
-{
-    return (Steps){c.width / 2 * c.right, c.height / 2 * c.up, c.distance * c.forward};
 }
 
 static double along(Camera c, int axis, double x, double y, double z)
@@ -32,27 +21,9 @@ RIGHT(upper_left, "leg by leg, up before right")
     return way;
 }
 
-RIGHT_LINE(upper_left, "doubled, and halved at the end",
-           return (2 * c.distance * c.forward - c.width * c.right + c.height * c.up) / 2)
 RIGHT_LINE(upper_left, "the place s = 0, t = 1", return image_plane_vector(c, 0, 1))
 
-RIGHT(upper_left, "a loop over the components")
-{
-    vec3 way = {0, 0, 0, 0};
-    for (int i = 0; i < 3; i++)
-        way[i] =
-            c.distance * c.forward[i] - 0.5 * (c.width * c.right[i]) + 0.5 * (c.height * c.up[i]);
-    return way;
-}
-
 RIGHT_LINE(upper_right, "upper_left plus the width", return upper_left(c) + c.width * c.right)
-
-RIGHT(upper_right, "printf left in")
-{
-    vec3 way = c.distance * c.forward + (c.width * c.right + c.height * c.up) / 2;
-    printf("upper right: %g %g %g\n", way[0], way[1], way[2]);
-    return way;
-}
 
 RIGHT(upper_right, "the lower left corner mirrored in the middle")
 {
@@ -106,12 +77,6 @@ RIGHT(with_unit_distance, "the width by its ratio to the height")
     same.width = c.width / c.height * same.height;
     same.distance /= c.distance;
     return same;
-}
-
-RIGHT(upper_left, "a struct of steps")
-{
-    Steps steps = steps_of(c);
-    return steps.forward + steps.up - steps.right;
 }
 
 // The frame's vectors are the columns.

@@ -121,20 +121,6 @@ static CameraFault with_z_backwards(LookAt view, Handedness world, Camera *camer
                 camera);
 }
 
-// A left-handed world is the mirror image of a right-handed one.
-static CameraFault by_recursion(LookAt view, Handedness world, Camera *camera)
-{
-    if (world == RIGHT_HANDED)
-        return with_z_backwards(view, RIGHT_HANDED, camera);
-    Camera other;
-    CameraFault fault = by_recursion(view, RIGHT_HANDED, &other);
-    if (fault != CAMERA_OK)
-        return fault;
-    other.right *= -1;
-    *camera = other;
-    return CAMERA_OK;
-}
-
 // ---- width from angle -------------------------------------------------------------------------
 
 RIGHT_LINE(camera_from_points, "points first; the middle from a diagonal",
@@ -344,8 +330,6 @@ RIGHT(camera_from_corner, "a struct of direction and length, and loops")
 
 RIGHT_LINE(camera_from_look_at, "z backwards, x = up x z, y = z x x",
            return with_z_backwards(view, world, camera))
-RIGHT_LINE(camera_from_look_at, "the left hand by recursion",
-           return by_recursion(view, world, camera))
 
 // up = (f x up) x f without a cross product: subtract f times f.up.
 RIGHT(camera_from_look_at, "up minus its part along the view")

@@ -85,15 +85,6 @@ static double root_with_sign(Quadratic q, double root, int sign)
     return (-q.b + sign * root) / (2 * q.a);
 }
 
-// If the sphere's ray is reversed, a root becomes minus the other.
-static Roots turned_until_b_is_negative(Quadratic q)
-{
-    if (q.b <= 0 || q.a == 0)
-        return without_cancelling(q);
-    Roots turned = turned_until_b_is_negative((Quadratic){q.a, -q.b, q.c});
-    return (Roots){turned.count, {-turned.t[1], -turned.t[0]}};
-}
-
 // ---- sphere_roots -------------------------------------------------------------------------------
 
 static Roots by_the_closest_point(Ray ray, Sphere sphere)
@@ -120,31 +111,6 @@ RIGHT(to_object_coordinates, "the origin of a copy moves")
 {
     ray.origin -= sphere.center;
     return ray;
-}
-
-RIGHT(to_object_coordinates, "a loop over the axes")
-{
-    Ray seen = {.direction = ray.direction};
-    for (int axis = 0; axis < 3; axis++)
-        seen.origin[axis] = ray.origin[axis] - sphere.center[axis];
-    return seen;
-}
-
-// Points have a fourth component 1 and directions 0, so that a translation moves only points.
-RIGHT(to_object_coordinates, "a matrix, with a fourth component 1 for points")
-{
-    double matrix[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-    double point[4] = {ray.origin[0], ray.origin[1], ray.origin[2], 1};
-    double direction[4] = {ray.direction[0], ray.direction[1], ray.direction[2], 0};
-    Ray seen = {{0, 0, 0, 0}, {0, 0, 0, 0}};
-    for (int row = 0; row < 3; row++) {
-        matrix[row][3] = -sphere.center[row];
-        for (int column = 0; column < 4; column++) {
-            seen.origin[row] += matrix[row][column] * point[column];
-            seen.direction[row] += matrix[row][column] * direction[column];
-        }
-    }
-    return seen;
 }
 
 // |p + v|^2 = |p|^2 + 2 p.v + |v|^2.
@@ -264,8 +230,6 @@ RIGHT(quadratic_roots, "the sign that comes first depends on the sign of a")
     return (Roots){2, {root_with_sign(q, sqrt(d), first), root_with_sign(q, sqrt(d), -first)}};
 }
 
-RIGHT_LINE(quadratic_roots, "recursion, until b is negative", return turned_until_b_is_negative(q))
-
 // All lengths of the world in radii: then the sphere has radius 1 and its centre at the origin.
 RIGHT(sphere_roots, "the world divided by the radius")
 {
@@ -323,12 +287,6 @@ RIGHT(hit_sphere, "c = (|p| - r)(|p| + r) in place")
         if (roots.t[i] > 0)
             return roots.t[i];
     return NO_HIT;
-}
-
-RIGHT(hit_sphere, "recursion over the roots")
-{
-    Roots roots = sphere_roots(ray, sphere);
-    return first_ahead(roots.t, roots.count);
 }
 
 RIGHT(hit_sphere, "the largest coefficient made 1")
@@ -394,35 +352,9 @@ RIGHT(object_quadratic, "the parabola through t = -1, 0 and 1")
     return (Quadratic){(before + after) / 2 - at, (after - before) / 2, at};
 }
 
-RIGHT(world_quadratic, "p - C comes first")
-{
-    vec3 from_center = ray.origin - sphere.center, v = ray.direction;
-    return (Quadratic){vec3_dot(v, v), 2 * vec3_dot(from_center, v),
-                       vec3_dot(from_center, from_center) - sphere.radius * sphere.radius};
-}
-
-RIGHT(world_quadratic, "C - p, and the sign of b changed")
-{
-    vec3 to_center = sphere.center - ray.origin, v = ray.direction;
-    return (Quadratic){vec3_dot(v, v), -2 * vec3_dot(to_center, v),
-                       vec3_dot(to_center, to_center) - sphere.radius * sphere.radius};
-}
-
 RIGHT_LINE(world_quadratic, "made of the other two answers",
            return object_quadratic(to_object_coordinates(ray, sphere), sphere.radius))
 RIGHT_LINE(quadratic_roots, "the slide's formula, and a swap", return plain(q))
-
-RIGHT(quadratic_roots, "a made positive, and a test for NaN")
-{
-    if (q.a == 0)
-        return line(q.b, q.c);
-    if (q.a < 0)
-        q = (Quadratic){-q.a, -q.b, -q.c};
-    double root = sqrt(q.b * q.b - 4 * q.a * q.c);
-    if (isnan(root))
-        return (Roots){.count = 0};
-    return (Roots){2, {(-q.b - root) / 2 / q.a, (-q.b + root) / 2 / q.a}};
-}
 
 RIGHT_LINE(quadratic_roots, "half of b", return half_b(q))
 
@@ -483,18 +415,6 @@ RIGHT(hit_sphere, "from the last root down")
         if (roots.t[i] <= 0)
             return i + 1 < roots.count ? roots.t[i + 1] : NO_HIT;
     return roots.count > 0 ? roots.t[0] : NO_HIT;
-}
-
-// From outside, a ray that points away cannot hit.
-RIGHT(hit_sphere, "rays that point away rejected early")
-{
-    vec3 p = ray.origin - sphere.center, v = ray.direction;
-    double a = vec3_dot(v, v), h = vec3_dot(p, v);
-    double c = vec3_dot(p, p) - sphere.radius * sphere.radius, d = h * h - a * c;
-    if ((c >= 0 && h >= 0) || d < 0)
-        return NO_HIT;
-    double near = (-h - sqrt(d)) / a, far = (-h + sqrt(d)) / a;
-    return near > 0 ? near : far > 0 ? far : NO_HIT;
 }
 
 RIGHT(hit_sphere, "a unit direction, then t / |v|")

@@ -11,48 +11,11 @@ static const Color black = {0, 0, 0};
 
 RIGHT_LINE(surface_normal, "divided by the radius", return (point - sphere.center) / sphere.radius)
 
-RIGHT(surface_normal, "inward, and reversed")
-{
-    vec3 inward = sphere.center - point;
-    return -inward / sqrt(vec3_dot(inward, inward));
-}
-
-// The gradient of |p - c|^2, whose length is twice the radius.
-RIGHT(surface_normal, "the gradient, normalised")
-{
-    vec3 gradient = {0};
-    for (int i = 0; i < 3; i++)
-        gradient[i] = 2 * (point[i] - sphere.center[i]);
-    return vec3_unit(gradient);
-}
-
 RIGHT(surface_normal, "long double")
 {
     long double x = point[0] - sphere.center[0], y = point[1] - sphere.center[1];
     long double z = point[2] - sphere.center[2], length = sqrtl(x * x + y * y + z * z);
     return vec3_of((double)(x / length), (double)(y / length), (double)(z / length));
-}
-
-RIGHT(ray_to_light, "field by field")
-{
-    Ray ray;
-    bool near = light.kind == LIGHT_POINT;
-    ray.origin = from;
-    ray.direction = vec3_of(0, 0, 0);
-    for (int i = 0; i < 3; i++)
-        ray.direction[i] = near ? light.position[i] - from[i] : light.position[i];
-    return ray;
-}
-
-RIGHT(ray_to_light, "a switch")
-{
-    switch (light.kind) {
-    case LIGHT_POINT:
-        return (Ray){.origin = from, .direction = light.position - from};
-    case LIGHT_DISTANT:
-    default:
-        return (Ray){.origin = from, .direction = light.position};
-    }
 }
 
 RIGHT(ray_to_light, "changed for a point light")
@@ -67,12 +30,6 @@ RIGHT(mirror_direction, "the parts along and across the normal")
 {
     vec3 along = vec3_dot(direction, normal) * normal, across = direction - along;
     return across - along;
-}
-
-RIGHT(mirror_direction, "2 (n.-v) n + v")
-{
-    vec3 outward = -direction;
-    return 2 * vec3_dot(outward, normal) * normal - outward;
 }
 
 RIGHT(mirror_direction, "a unit direction, with its length restored")
@@ -262,11 +219,6 @@ RIGHT_LINE(halfway_term, "nothing for an eye behind the surface",
 
 // ---- for a display ------------------------------------------------------------------------------
 
-static double between_0_and_1(double x)
-{
-    return x > 1 ? 1 : x > 0 ? x : 0;
-}
-
 RIGHT(clamp_color, "conditions")
 {
     for (int i = 0; i < 3; i++) {
@@ -277,20 +229,6 @@ RIGHT(clamp_color, "conditions")
     }
     return color;
 }
-
-RIGHT(clamp_color, "conditions, from above first")
-{
-    Color most = {1, 1, 1};
-    for (int i = 0; i < 3; i++) {
-        color[i] = most[i] < color[i] ? most[i] : color[i];
-        color[i] = color[i] < black[i] ? black[i] : color[i];
-    }
-    return color;
-}
-
-RIGHT_LINE(clamp_color, "a helper function",
-           return vec3_of(between_0_and_1(color[0]), between_0_and_1(color[1]),
-                          between_0_and_1(color[2])))
 
 RIGHT(gamma_encode, "with logarithms")
 {
@@ -355,15 +293,6 @@ RIGHT(off_surface, "coordinate by coordinate")
 
 // ---- visibility ---------------------------------------------------------------------------------
 
-static double of_first(const Scene *scene, int count, Ray ray, double reach)
-{
-    if (count == 0)
-        return 1;
-    if (hit_sphere(ray, scene->spheres[count - 1]) < reach)
-        return 0;
-    return of_first(scene, count - 1, ray, reach);
-}
-
 RIGHT(visibility, "with nearest_hit")
 {
     Hit hit = nearest_hit(ray_to_light(from, light), scene);
@@ -397,34 +326,6 @@ RIGHT(visibility, "the distance of each centre from the way")
             return 0;
     }
     return 1;
-}
-
-RIGHT(visibility, "recursion")
-{
-    double reach = light.kind == LIGHT_POINT ? 1 : NO_HIT;
-    return of_first(scene, scene->sphere_count, ray_to_light(from, light), reach);
-}
-
-RIGHT(visibility, "the number of spheres that hide it")
-{
-    int hiding = 0;
-    for (int i = 0; i < scene->sphere_count; i++) {
-        double t = hit_sphere(ray_to_light(from, light), scene->spheres[i]);
-        if (t == NO_HIT)
-            continue;
-        if (light.kind == LIGHT_DISTANT || t < 1)
-            hiding++;
-    }
-    return hiding == 0;
-}
-
-RIGHT(visibility, "the nearest, in long double")
-{
-    Ray ray = ray_to_light(from, light);
-    long double length = sqrtl(vec3_dot(ray.direction, ray.direction)), nearest = HUGE_VALL;
-    for (int i = scene->sphere_count - 1; i >= 0; i--)
-        nearest = fminl(nearest, hit_sphere(ray, scene->spheres[i]) * length);
-    return light.kind == LIGHT_POINT ? nearest >= length : isinf(nearest);
 }
 
 // ---- shade --------------------------------------------------------------------------------------
@@ -561,29 +462,6 @@ static Color from_the_last_mirror_back(const Scene *scene, Ray ray, int depth)
 
 RIGHT_LINE(trace_ray, "unit directions, as far off as allowed",
            return from_the_last_mirror_back(scene, ray, depth))
-
-// The rays first, and their colours from the last one back.
-RIGHT(trace_ray, "a stack of colours")
-{
-    enum { MOST = 256 };
-    Color own[MOST], color = scene->background;
-    double ks[MOST];
-    int count = 0;
-    for (bool on = true; on && count < MOST; depth--) {
-        Hit hit = nearest_hit(ray, scene);
-        on = hit.sphere >= 0;
-        if (!on)
-            break;
-        const Surface *surface = scene_surface(scene, hit.sphere);
-        own[count] = shade(scene, ray, hit);
-        on = depth > 0 && surface->specular > 0;
-        ks[count++] = on ? surface->specular : 0;
-        ray = mirrored_ray(scene, ray, hit, 0x1p-30);
-    }
-    while (count-- > 0)
-        color = ks[count] > 0 ? own[count] + ks[count] * color : own[count];
-    return color;
-}
 
 RIGHT(trace_ray, "a loop, as little off as allowed")
 {
