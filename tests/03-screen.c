@@ -60,46 +60,16 @@ TEST(screen_to_normalized, the_corners_of_the_screen_are_the_corners_of_the_unit
     expect_normalized((ScreenPoint){640, 480}, screen, 1, 0);
 }
 
-TEST(screen_to_normalized, a_quarter_across_and_three_quarters_up_on_screens_of_any_shape)
-{
-    expect_normalized((ScreenPoint){2, 1}, (Resolution){8, 4}, 0.25, 0.75);
-    expect_normalized((ScreenPoint){1, 50}, (Resolution){4, 200}, 0.25, 0.75);
-    expect_normalized((ScreenPoint){50, 1}, (Resolution){200, 4}, 0.25, 0.75);
-}
-
 TEST(screen_to_normalized, a_point_may_lie_between_whole_pixels)
 {
     expect_normalized((ScreenPoint){2.5, 0.75}, (Resolution){4, 3}, 0.625, 0.75);
     expect_normalized((ScreenPoint){0.125, 1.5}, (Resolution){2, 2}, 0.0625, 0.25);
 }
 
-TEST(screen_to_normalized, a_screen_of_a_single_pixel_is_a_screen)
-{
-    expect_normalized((ScreenPoint){0.5, 0.5}, (Resolution){1, 1}, 0.5, 0.5);
-    expect_normalized((ScreenPoint){1, 0.25}, (Resolution){1, 1}, 1, 0.75);
-}
-
 TEST(screen_to_normalized, beyond_the_screen_is_beyond_0_to_1)
 {
     expect_normalized((ScreenPoint){-320, 600}, (Resolution){640, 480}, -0.5, -0.25);
     expect_normalized((ScreenPoint){1280, -480}, (Resolution){640, 480}, 2, 2);
-}
-
-TEST(screen_to_normalized, a_point_is_its_share_of_the_width_and_of_the_height_above_the_bottom)
-{
-    for (int i = 0; i < 20; i++) {
-        Resolution screen = random_screen(1, 2000);
-        double s = random_number(-1, 2), t = random_number(-1, 2);
-        double below = screen.height * t; // the bottom edge is, of the point
-        expect_normalized((ScreenPoint){screen.width * s, screen.height - below}, screen, s, t);
-    }
-}
-
-// By hand: 3/4 and 1/2 of 1 by 8, of 8 by 1.
-TEST(screen_to_normalized, a_screen_of_a_single_column_or_row_is_a_screen)
-{
-    expect_normalized((ScreenPoint){0.75, 4}, (Resolution){1, 8}, 0.75, 0.5);
-    expect_normalized((ScreenPoint){6, 0.5}, (Resolution){8, 1}, 0.75, 0.5);
 }
 
 // The law of scale: on a screen of k times as many pixels the shares are the same.
@@ -141,13 +111,6 @@ TEST(normalized_to_screen, beyond_0_to_1_is_beyond_the_screen)
     expect_point((Normalized){2, 2}, (Resolution){640, 480}, 1280, -480);
 }
 
-// By hand, as above.
-TEST(normalized_to_screen, a_place_on_a_single_column_or_row)
-{
-    expect_point((Normalized){0.75, 0.5}, (Resolution){1, 8}, 0.75, 4);
-    expect_point((Normalized){0.75, 0.5}, (Resolution){8, 1}, 6, 0.5);
-}
-
 TEST(normalized_to_screen, a_share_of_a_screen_of_any_shape_is_that_share_of_its_pixels)
 {
     for (int i = 0; i < 20; i++) {
@@ -173,22 +136,6 @@ TEST(normalized_to_screen, to_the_square_and_back_is_the_same_point)
         given("and", "back again");
         ScreenPoint back = normalized_to_screen(place, screen);
         expect_pair(back.x, back.y, point.x, point.y, pixel_tolerance);
-    }
-}
-
-TEST(normalized_to_screen, to_the_screen_and_back_is_the_same_place)
-{
-    for (int i = 0; i < 50; i++) {
-        Resolution screen = random_screen(1, 2000);
-        double s = quarters(-1, 2) + 0.01;
-        Normalized place = {s, quarters(-1, 2) + 0.1};
-        given_screen(screen);
-        given("(s, t)", "%s", pair_text(place.s, place.t).s);
-        ScreenPoint point = normalized_to_screen(place, screen);
-        given("there", "%s", pair_text(point.x, point.y).s);
-        given("and", "back again");
-        Normalized back = screen_to_normalized(point, screen);
-        expect_pair(back.s, back.t, place.s, place.t, tolerance);
     }
 }
 

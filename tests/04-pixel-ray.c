@@ -59,15 +59,6 @@ TEST(pixel_ray, the_pixel_of_the_example)
     expect_direction(c, screen, pixel, v);
 }
 
-// By hand: 4 columns of width 1/2, their middles at -3/4, -1/4, 1/4 and 3/4; 2 rows at 1/2, -1/2.
-TEST(pixel_ray, all_eight_pixels_of_a_screen_of_4_by_2)
-{
-    for (int row = 0; row < 2; row++)
-        for (int column = 0; column < 4; column++)
-            expect_direction(camera_of_the_deck(), (Resolution){4, 2}, (Pixel){column, row},
-                             vec3_of(-0.75 + 0.5 * column, row == 0 ? 0.5 : -0.5, 4));
-}
-
 // By hand: as above with columns and rows swapped; for the other handedness, x is reversed.
 TEST(pixel_ray, a_screen_of_2_by_4_seen_by_a_right_handed_camera)
 {
@@ -102,16 +93,6 @@ TEST(pixel_ray, a_screen_of_a_single_column_or_row)
     for (int column = 0; column < 5; column++)
         expect_direction(c, (Resolution){5, 1}, (Pixel){column, 0},
                          vec3_of(-0.8 + 0.4 * column, 0, 4));
-}
-
-TEST(pixel_ray, every_ray_starts_at_the_eye)
-{
-    for (int i = 0; i < 10; i++) {
-        Camera c = random_camera();
-        given_pixel(c, (Resolution){5, 3}, (Pixel){1, 2});
-        given("seen", "the ray's origin");
-        expect_vec3(pixel_ray(c, (Resolution){5, 3}, (Pixel){1, 2}).origin, c.origin, tolerance);
-    }
 }
 
 // Twice the distance from the left edge is an odd number of pixels, and so is that from the top.

@@ -177,34 +177,23 @@ TEST(to_object_coordinates, the_direction_stays_as_it_is)
 }
 
 // From a random place around a sphere, in a world of that size, along a direction of that length.
-static void expect_place_found(double world, double length)
-{
-    vec3 place = world * random_vec3(-9, 9);
-    Sphere sphere = random_sphere(9, 0.1, 5);
-    sphere.center *= world;
-    sphere.radius *= world;
-    Ray ray = {sphere.center + place, length * random_vec3(-2, 2)};
-    given_ray_and_sphere(ray, sphere);
-    given("looking at", "the origin");
-    Ray seen = to_object_coordinates(ray, sphere);
-    expect_vec3(seen.origin, place, TOLERANCE * world);
-    given_ray_and_sphere(ray, sphere);
-    given("looking at", "the direction");
-    expect_vec3(seen.direction, ray.direction, TOLERANCE * length);
-}
-
-TEST(to_object_coordinates, a_point_chosen_around_the_centre_is_found_again)
-{
-    for (int i = 0; i < 20; i++)
-        expect_place_found(1, 1);
-}
-
 TEST(to_object_coordinates, worlds_and_directions_may_be_of_any_size)
 {
     enum { COUNT = 13 };
     for (int i = 0; i < COUNT; i++) {
         double world = random_scale(i, COUNT), length = random_scale(COUNT - 1 - i, COUNT);
-        expect_place_found(world, length);
+        vec3 place = world * random_vec3(-9, 9);
+        Sphere sphere = random_sphere(9, 0.1, 5);
+        sphere.center *= world;
+        sphere.radius *= world;
+        Ray ray = {sphere.center + place, length * random_vec3(-2, 2)};
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the origin");
+        Ray seen = to_object_coordinates(ray, sphere);
+        expect_vec3(seen.origin, place, TOLERANCE * world);
+        given_ray_and_sphere(ray, sphere);
+        given("looking at", "the direction");
+        expect_vec3(seen.direction, ray.direction, TOLERANCE * length);
     }
 }
 
@@ -239,15 +228,6 @@ TEST(object_quadratic, a_radius_of_3_and_a_direction_of_length_3)
 {
     Ray ray = {vec3_of(1, -2, 3), vec3_of(2, 1, -2)};
     expect_object_quadratic(ray, 3, (Quadratic){9, -12, 5}, 1);
-}
-
-// By hand: 1.0001^2, 2 * 0.5 * 1.0001, 0.25 - 1/16; and 0.9999^2. None of them is 1.
-TEST(object_quadratic, a_direction_of_almost_unit_length_is_not_unit)
-{
-    Ray ray = {vec3_of(0.5, 0, 0), vec3_of(1.0001, 0, 0)};
-    expect_object_quadratic(ray, 0.25, (Quadratic){1.00020001, 1.0001, 0.1875}, 1);
-    ray = (Ray){vec3_of(0, -0.5, 0), vec3_of(0, 0.9999, 0)};
-    expect_object_quadratic(ray, 0.25, (Quadratic){0.99980001, -0.9999, 0.1875}, 1);
 }
 
 TEST(object_quadratic, c_is_negative_for_a_ray_that_starts_inside)
@@ -314,28 +294,12 @@ TEST(object_quadratic, an_equation_may_be_of_any_size)
 
 // ---- world_quadratic ----------------------------------------------------------------------------
 
-TEST(world_quadratic, a_sphere_at_the_origin_of_the_world_gives_what_object_coordinates_give)
-{
-    Ray ray = ray_of_the_deck(1, 0.5);
-    expect_world_quadratic(ray, unit_sphere(), (Quadratic){1.25, -9, 16}, 1);
-}
-
 // From the centre the origin is (1, -2, 3), as in the test of object coordinates.
 TEST(world_quadratic, a_sphere_off_the_origin_of_the_world)
 {
     Ray ray = {vec3_of(1, 2, 3), vec3_of(2, 1, -2)};
     Sphere sphere = sphere_at(0, 4, 0, 3);
     expect_world_quadratic(ray, sphere, (Quadratic){9, -12, 5}, 1);
-}
-
-TEST(world_quadratic, moving_the_eye_and_the_sphere_together_changes_nothing)
-{
-    vec3 moves[] = {vec3_of(10, 0, 0), vec3_of(0, -20, 5), vec3_of(7, 8, -9)};
-    for (int i = 0; i < 3; i++) {
-        Ray ray = {vec3_of(-4, -1, 0) + moves[i], vec3_of(1, 0.5, 0)};
-        Sphere sphere = {.center = moves[i], .radius = 1};
-        expect_world_quadratic(ray, sphere, (Quadratic){1.25, -9, 16}, 1);
-    }
 }
 
 TEST(world_quadratic, in_the_world_it_is_also_the_squared_distance_minus_the_squared_radius)
@@ -386,6 +350,7 @@ TEST(quadratic_roots, chosen_roots_are_found_again)
     expect_roots_of(with_roots(1, 2, 3), two(2, 3), TOLERANCE);
     expect_roots_of(with_roots(2, -1, 5), two(-1, 5), TOLERANCE);
     expect_roots_of(with_roots(0.5, -6, -4), two(-6, -4), TOLERANCE);
+    expect_roots_of(with_roots(0.25, -5, 2), two(-5, 2), TOLERANCE);
     for (int i = 0; i < 30; i++) {
         double a = random_number(0.1, 5), t = random_number(-9, 9), gap = random_number(0.1, 9);
         expect_roots_of(with_roots(a, t, t + gap), two(t, t + gap), TOLERANCE);
@@ -501,16 +466,6 @@ TEST(quadratic_roots, a_line_may_be_steep_or_almost_level)
     }
 }
 
-// Far out it still bends: the second root is where the line would never be.
-TEST(quadratic_roots, a_parabola_that_hardly_bends_has_two_roots)
-{
-    for (int i = 0; i < 5; i++) {
-        double far = pow(10, 2 + i) * random_number(1, 9) * (i % 2 == 0 ? 1 : -1);
-        Quadratic q = with_roots(random_number(0.5, 5) / far, 1, far);
-        expect_roots_of(q, two(fmin(1, far), fmax(1, far)), TOLERANCE * fabs(far));
-    }
-}
-
 // ---- sphere_roots: where a whole line meets a sphere -------------------------------------------
 
 static void expect_aimed(Aimed aimed)
@@ -536,14 +491,6 @@ TEST(sphere_roots, a_sphere_behind_the_origin_is_also_met)
     expect_meetings(ray_of_the_deck(-1, -0.5), unit_sphere(), two(-4, -3.2), ROOT_TOLERANCE);
     for (int i = 0; i < 10; i++)
         expect_aimed(i % 2 == 0 ? random_behind() : random_inside());
-}
-
-TEST(sphere_roots, from_its_centre_a_sphere_is_met_on_both_sides)
-{
-    Ray ray = {vec3_of(1, 1, 1), vec3_of(0, 0, 2)};
-    expect_meetings(ray, sphere_at(1, 1, 1, 3), two(-1.5, 1.5), ROOT_TOLERANCE);
-    ray.origin = vec3_of(0, 0, 0);
-    expect_meetings(ray, unit_sphere(), two(-0.5, 0.5), ROOT_TOLERANCE);
 }
 
 TEST(sphere_roots, a_tangent_line_meets_a_sphere_twice_at_one_point)
@@ -742,14 +689,6 @@ TEST(hit_sphere, t_may_be_of_any_size)
     }
 }
 
-// The ray of a pixel reaches the image plane at t = 1; spheres between the eye and the plane are
-// seen.
-TEST(hit_sphere, a_sphere_in_front_of_the_image_plane_is_hit)
-{
-    Ray ray = {vec3_of(0, 0, 0), vec3_of(0, 0, -4)};
-    expect_hit(ray, sphere_at(0, 0, -3, 1), 0.5);
-}
-
 // The law of scale: with the world k times as large t is k times as large, and with the direction k
 // times as long it is 1/k of that.
 TEST(hit_sphere, spheres_are_hit_at_the_right_t_in_any_world_and_along_any_direction)
@@ -893,27 +832,6 @@ EXTRA_TEST(sphere_roots, a_grazing_ray_keeps_its_short_chord)
     for (int i = 0; i < 2; i++)
         expect_meetings(whole_ray(), whole_sphere(ahead[i], 2002000, 2002001),
                         two(ahead[i] - 2001, ahead[i] + 2001), ROOT_TOLERANCE * 2001);
-}
-
-EXTRA_TEST(sphere_roots, rays_aimed_at_small_distant_spheres_meet_them)
-{
-    for (int i = 0; i < 20; i++) {
-        Aimed aimed = random_aimed(1e6);
-        given("known", "the point of the hit");
-        expect_meetings(aimed.ray, aimed.sphere, two(aimed.near, aimed.far),
-                        ROOT_TOLERANCE * aimed.sphere.radius / vec3_length(aimed.ray.direction));
-    }
-}
-
-EXTRA_TEST(sphere_roots, directions_may_be_of_any_length)
-{
-    double length[] = {1e-200, 1e-300, 1e200, 1e300};
-    for (int i = 0; i < 4; i++) {
-        Ray ray = whole_ray();
-        ray.direction = ray.direction * length[i];
-        expect_meetings(ray, whole_sphere(10, 3, 5), two(6 / length[i], 14 / length[i]),
-                        TOLERANCE / length[i]);
-    }
 }
 
 // Whichever component of the direction is longest, and whatever its sign.

@@ -444,25 +444,6 @@ TEST(nearest_hit, from_inside_a_sphere_its_far_side_is_hit_unless_another_sphere
     expect_nearest(ray, &scene, 4, 1);
 }
 
-// By hand, with rays along -z from z = 20: over (x, y) a sphere around (cx, cy, cz) reaches up to
-// cz + sqrt(9 - (x - cx)^2 - (y - cy)^2).
-TEST(nearest_hit, if_spheres_of_the_deck_overlap_red_comes_first_then_green_then_blue)
-{
-    static const struct {
-        double x, y, z;
-        int sphere;
-    } places[] = {
-        {2, 0, 3.2360679774997897, 0}, // red 1 + sqrt 5, green sqrt 5
-        {0, 1, 3, 0},                  // red 1 + 2, blue -1 + 2
-        {0, -1, 2, 1},                 // green 2, blue -1 + 2
-        {0, 0, 2, 0},                  // red 1 + 1, green 1, blue -1 + sqrt 5
-    };
-    Scene scene = scene_of_the_deck();
-    for (int i = 0; i < 4; i++)
-        expect_nearest(along_minus_z(places[i].x, places[i].y, 20), &scene, 20 - places[i].z,
-                       places[i].sphere);
-}
-
 TEST(nearest_hit, of_spheres_one_behind_the_other_the_nearest_is_hit)
 {
     int hits = 0;
@@ -521,20 +502,6 @@ static void shows_left_and_right_and_up_and_down_where_they_are(Cast *cast)
                  ".b...");
 }
 IN_BOTH_ORDERS(shows_left_and_right_and_up_and_down_where_they_are)
-
-// A picture that is higher than wide.
-static void fills_the_first_and_the_last_row_and_column(Cast *cast)
-{
-    Sphere spheres[] = {sphere_at(-10, 20, -10, 2, RED), sphere_at(10, 20, -10, 2, GREEN),
-                        sphere_at(-10, -20, -10, 2, BLUE), sphere_at(10, -20, -10, 2, WHITE)};
-    expect_drawn(cast, scene_of(4, spheres), (Resolution){3, 5},
-                 "r.g"
-                 "..."
-                 "..."
-                 "..."
-                 "b.w");
-}
-IN_BOTH_ORDERS(fills_the_first_and_the_last_row_and_column)
 
 // All straight ahead: on the plane the radius squared of the farther one's disc is 225 / 175, of
 // the nearer one's 1 / 15.
@@ -640,43 +607,6 @@ static void draws_spheres_one_behind_the_other_as_cones_say(Cast *cast)
 IN_BOTH_ORDERS(draws_spheres_one_behind_the_other_as_cones_say)
 
 // ---- object order: its depth, and that image order agrees --------------------------------------
-
-TEST(cast_object_order, the_old_values_in_depth_do_not_matter)
-{
-    // The white one is seen by the pixel that would come after the last one.
-    Sphere spheres[] = {sphere_at(10, 0, -10, 2, GREEN), sphere_at(0, 0, -10, 2, RED),
-                        sphere_at(0, 0, -20, 2, BLUE), sphere_at(-10, -10, -10, 2, WHITE)};
-    Scene scene = scene_of(4, spheres);
-    Resolution size = {3, 1};
-    Image expected = image_of(size), image = odd_image(size);
-    image_set(&expected, (Pixel){0, 0}, scene.background);
-    image_set(&expected, (Pixel){1, 0}, surfaces[RED].color);
-    image_set(&expected, (Pixel){2, 0}, surfaces[GREEN].color);
-    const double junk[] = {NAN, 0, -1, 1e-300, -INFINITY, 9};
-    for (int i = 0; i < 6; i++) {
-        double depth[] = {junk[i], junk[i], junk[i], 1e9};
-        given_scene(&scene);
-        given_size(size);
-        given("depth", "%g everywhere before", junk[i]);
-        cast_object_order(&scene, camera_with_pixels_of_1(size), &image, depth);
-        expect_same_image(&image, &expected);
-        given("looking at", "the number after the last depth");
-        expect_number(depth[3], 1e9, 0);
-    }
-    image_free(&expected);
-    image_free(&image);
-}
-
-// 10 - 2, where the pixel's direction is 1 long; the plane is 1 away.
-TEST(cast_object_order, the_depth_straight_ahead_is_the_t_of_the_nearest_hit)
-{
-    Sphere spheres[] = {sphere_at(0, 0, -30, 2, BLUE), sphere_at(0, 0, -10, 2, RED),
-                        sphere_at(0, 0, -20, 2, GREEN)};
-    double expected[15];
-    for (int i = 0; i < 15; i++)
-        expected[i] = i == 7 ? 8 : NO_HIT;
-    expect_depths_of(scene_of(3, spheres), (Resolution){5, 3}, expected);
-}
 
 // Red is around the eye, and green behind it. Then the centre of the large one is farther away, but
 // its surface is nearer: 10 - 8 against 5 - 1.
@@ -1006,14 +936,6 @@ static void draws_spheres_however_large_t_is(Cast *cast)
 }
 IN_BOTH_ORDERS(draws_spheres_however_large_t_is)
 
-static void draws_the_nearer_sphere_however_small_the_difference(Cast *cast)
-{
-    double t;
-    for (int i = 0; i < RUNGS; i++)
-        expect_green(cast, two_apart(down(i), &t));
-}
-IN_BOTH_ORDERS(draws_the_nearer_sphere_however_small_the_difference)
-
 // ---- depth --------------------------------------------------------------------------------------
 
 TEST(cast_object_order, the_depth_in_worlds_of_any_size_is_that_of_the_nearest)
@@ -1024,15 +946,6 @@ TEST(cast_object_order, the_depth_in_worlds_of_any_size_is_that_of_the_nearest)
         Camera camera = shells_behind(size, random_pixel(size), spheres);
         scale_world(scale_number(i), &camera, SHELLS, spheres);
         expect_depths_of_shells(camera, size, spheres);
-    }
-}
-
-TEST(cast_object_order, the_depth_in_pictures_of_any_shape_goes_row_by_row)
-{
-    for (int i = 0; i < SHAPES; i++) {
-        Sphere spheres[SHELLS];
-        Camera camera = shells_behind(shapes[i], random_pixel(shapes[i]), spheres);
-        expect_depths_of_shells(camera, shapes[i], spheres);
     }
 }
 

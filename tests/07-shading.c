@@ -448,12 +448,6 @@ TEST(surface_normal, at_the_top_of_a_sphere_the_normal_points_up)
     expect_normal(sphere_at(vec3_of(1, 2, -3), 4), vec3_of(1, 6, -3), vec3_of(0, 1, 0));
 }
 
-TEST(surface_normal, on_opposite_sides_the_normals_are_opposite)
-{
-    expect_normal(sphere_at(vec3_of(5, 0, -7), 2), vec3_of(7, 0, -7), vec3_of(1, 0, 0));
-    expect_normal(sphere_at(vec3_of(5, 0, -7), 2), vec3_of(3, 0, -7), vec3_of(-1, 0, 0));
-}
-
 // (2, 3, 6) is 7 long.
 TEST(surface_normal, a_normal_is_unit_however_large_the_sphere_is)
 {
@@ -538,11 +532,6 @@ TEST(mirror_direction, a_ray_that_comes_down_at_an_angle_goes_on_and_up)
     expect_mirrored(vec3_of(3, -4, 12), vec3_of(-1, 0, 0), vec3_of(-3, -4, 12));
 }
 
-TEST(mirror_direction, a_ray_along_the_mirror_goes_on_unchanged)
-{
-    expect_mirrored(vec3_of(2, 0, 1), straight_up, vec3_of(2, 0, 1));
-}
-
 // By hand: (3, 3, -3) goes 3 along (2, 2, 1) / 3, so twice that, (4, 4, 2), is subtracted.
 TEST(mirror_direction, a_mirror_has_two_sides)
 {
@@ -594,11 +583,6 @@ TEST(ambient_term, ambient_light_is_multiplied_colour_by_colour)
     expect_ambient(vec3_of(1, 0, 0), 0.5, vec3_of(0, 1, 1), vec3_of(0, 0, 0));
 }
 
-TEST(ambient_term, without_ambient_light_the_term_is_black)
-{
-    expect_ambient(vec3_of(0.8, 0.5, 0.2), 0.5, vec3_of(0, 0, 0), vec3_of(0, 0, 0));
-}
-
 TEST(ambient_term, strong_ambient_light_may_be_brighter_than_white)
 {
     expect_ambient(vec3_of(0.9, 0.5, 0.1), 1, vec3_of(4, 3, 2), vec3_of(3.6, 1.5, 0.2));
@@ -614,14 +598,6 @@ TEST(ambient_term, a_chosen_term_is_found_again_in_ambient_light_of_any_strength
         Color ambient =
             vec3_of(color[0] / surface[0], color[1] / surface[1], color[2] / surface[2]);
         expect_ambient(surface, kd, ambient / kd, color);
-    }
-}
-
-TEST(ambient_term, a_dark_surface_reflects_little_of_the_ambient_light)
-{
-    for (int i = 0; i < SMALL; i++) {
-        expect_ambient(small(i) * surface_color, 1, white, small(i) * surface_color);
-        expect_ambient(surface_color, small(i), white, small(i) * surface_color);
     }
 }
 
@@ -713,29 +689,11 @@ TEST(diffuse_term, a_light_may_be_of_any_strength)
     }
 }
 
-TEST(diffuse_term, a_dark_surface_scatters_little)
-{
-    for (int i = 0; i < SMALL; i++) {
-        expect_diffuse(small(i) * surface_color, 1, white, straight_up, straight_up,
-                       small(i) * surface_color);
-        expect_diffuse(surface_color, small(i), white, straight_up, straight_up,
-                       small(i) * surface_color);
-    }
-}
-
 TEST(diffuse_term, a_light_is_scattered_even_if_it_is_very_low)
 {
     for (int i = 0; i < SMALL; i++) {
         double cosine = small(i) / hypot(1, small(i));
         expect_diffuse_share(vec3_of(1, small(i), 0), cosine);
-    }
-}
-
-TEST(diffuse_term, a_light_almost_straight_above_is_scattered_almost_fully)
-{
-    for (int i = 0; i < SMALL; i++) {
-        double cosine = 1 - small(i), aside = sqrt((1 - cosine) * (1 + cosine));
-        expect_diffuse_share(vec3_of(0, cosine, aside), cosine);
     }
 }
 
@@ -956,23 +914,7 @@ TEST(halfway_term, half_way_at_a_chosen_angle)
     }
 }
 
-// ---- both, of any strength, angle and shine -----------------------------------------------------
-
-TEST_BOTH(a_highlight_is_as_strong_as_its_light, this_highlight_is_also_as_strong_as_its_light)
-{
-    for (int i = 0; i < SIZES; i++) {
-        Color light = size_number(i) * light_color;
-        expect_highlight(term, 0.5, 2, light, straight_up, straight_up, aside, 0.32 * light);
-    }
-}
-
-TEST_BOTH(a_surface_that_hardly_shines_has_a_weak_highlight,
-          a_surface_that_hardly_shines_also_has_a_weak_highlight_here)
-{
-    for (int i = 0; i < SMALL; i++)
-        expect_highlight(term, small(i), 2, white, straight_up, straight_up, straight_up,
-                         small(i) * white);
-}
+// ---- both, of any angle and shine ---------------------------------------------------------------
 
 // The light is a little above the surface; mirrored, (-1, e, 0). The eye is at 45 degrees.
 TEST(phong_term, a_light_has_its_highlight_even_if_it_is_very_low)
@@ -1021,25 +963,12 @@ TEST_BOTH(close_to_its_middle_a_highlight_is_already_weaker,
         expect_share_at(term, 50, vec3_of(sin(angle), cos(angle), 0), pow(cos(angle), 50));
 }
 
-// cos 60 degrees is 1 / 2, whose powers are exact.
-TEST_BOTH(a_high_power_leaves_little, a_high_power_also_leaves_little_here)
-{
-    for (int shine = 1; shine <= 24; shine++)
-        expect_share_at(term, shine, vec3_of(0, 0.5, 0.86602540378443864676), ldexp(1, -shine));
-}
-
 // ---- clamp_color --------------------------------------------------------------------------------
 
 static void expect_clamped(Color color, Color clamped)
 {
     given_vec3("colour", color);
     expect_vec3(clamp_color(color), clamped, TOLERANCE);
-}
-
-TEST(clamp_color, a_number_between_0_and_1_stays)
-{
-    expect_clamped(vec3_of(0.25, 0.5, 0.125), vec3_of(0.25, 0.5, 0.125));
-    expect_clamped(vec3_of(0, 1, 0.999), vec3_of(0, 1, 0.999));
 }
 
 TEST(clamp_color, a_number_above_1_becomes_1_and_the_others_stay)
@@ -1080,16 +1009,6 @@ TEST(clamp_color, a_number_that_just_fits_stays_and_one_that_just_does_not_is_cl
     }
 }
 
-TEST(clamp_color, a_number_above_1_becomes_1_however_bright_it_is)
-{
-    for (int i = 0; i < 13; i++) {
-        double bright = 3 * pow(10, i);
-        expect_clamped(vec3_of(bright, 0.25, 0.75), vec3_of(1, 0.25, 0.75));
-        expect_clamped(vec3_of(0.75, -bright, bright), vec3_of(0.75, 0, 1));
-        expect_clamped(vec3_of(bright, bright, 2 * bright), vec3_of(1, 1, 1));
-    }
-}
-
 // ---- gamma_encode -------------------------------------------------------------------------------
 
 static void expect_encoded(Color color, double gamma, Color encoded)
@@ -1119,13 +1038,6 @@ TEST(gamma_encode, black_stays_black_and_white_stays_white)
         expect_encoded(vec3_of(0, 0, 0), gamma[i], vec3_of(0, 0, 0));
         expect_encoded(vec3_of(1, 1, 1), gamma[i], vec3_of(1, 1, 1));
     }
-}
-
-// From another program: 2.2nd roots.
-TEST(gamma_encode, a_gamma_of_2_2_as_of_most_displays)
-{
-    expect_encoded(vec3_of(0.2, 0.5, 0.8), 2.2,
-                   vec3_of(0.4811565050522864, 0.7297400528407231, 0.9035454309190944));
 }
 
 TEST(gamma_encode, the_display_shows_the_colour_that_was_meant)
@@ -1318,12 +1230,6 @@ TEST(visibility, a_sphere_behind_the_point_hides_nothing)
     expect_past(-1.5, 1, origin, point_light(0, 0, 4), 1);
 }
 
-TEST(visibility, a_distant_light_is_beyond_everything)
-{
-    expect_past(5, 1, origin, distant_light(0, 0, 1), 0);
-    expect_past(1e6, 10, origin, distant_light(0, 0, 0.01), 0);
-}
-
 static void expect_hidden_by_one_of_four(int which)
 {
     empty_world();
@@ -1342,12 +1248,6 @@ TEST(visibility, the_first_of_many_spheres_is_enough)
 TEST(visibility, the_last_of_many_spheres_is_enough)
 {
     expect_hidden_by_one_of_four(3);
-}
-
-TEST(visibility, one_among_many_spheres_is_enough)
-{
-    expect_hidden_by_one_of_four(1);
-    expect_hidden_by_one_of_four(2);
 }
 
 TEST(visibility, two_spheres_hide_a_light_no_more_than_one)
@@ -1384,25 +1284,6 @@ TEST(visibility, a_light_inside_a_sphere_is_not_seen_from_outside)
 {
     expect_past(9, 2, origin, point_light(0, 0, 9), 0);
     expect_past(9, 2, origin, point_light(0, 1, 8), 0);
-}
-
-TEST(visibility, a_sphere_close_to_the_point_also_hides_a_light)
-{
-    for (int i = 1; i < SMALL; i++) {
-        expect_past(1 + small(i), 1, origin, point_light(0, 0, 100), 0);
-        expect_past(1 + small(i), 1, origin, distant_light(0, 0, 1), 0);
-        expect_past(1 + small(i), 1, origin, distant_light(0, 0, 100), 0);
-    }
-}
-
-TEST(visibility, a_sphere_close_to_a_light_also_hides_it)
-{
-    const double gaps[] = {1e-2, 1e-4, 1e-6};
-    for (int i = 0; i < 3; i++) {
-        double radius = gaps[i] / 4;
-        expect_past(1 - gaps[i], radius, origin, point_light(0, 0, 1), 0);
-        expect_past(1 + gaps[i], radius, origin, point_light(0, 0, 1), 1);
-    }
 }
 
 TEST(visibility, glass_hides_a_light_like_anything_else)
@@ -1613,12 +1494,6 @@ TEST(shade, a_surface_that_is_turned_away_from_the_light_is_in_its_own_shadow)
     expect_above(black);
 }
 
-TEST(shade, bright_light_is_not_clamped)
-{
-    lit_by(LIGHT_POINT, nine_above, 10 * yellow);
-    expect_above(both(1, 10 * yellow));
-}
-
 // The other sphere is hit 1 to the left of the first; its own surface is plainer.
 TEST(shade, the_surface_is_that_of_the_sphere_that_was_hit)
 {
@@ -1640,16 +1515,6 @@ TEST(shade, inside_a_sphere_the_normal_points_to_the_eye)
     expect_shade((Ray){vec3_of(0, 2, 0), vec3_of(0, 2, 0)}, (Hit){2, 0},
                  ambient_of(0) + both(1, yellow));
     expect_shade((Ray){vec3_of(0, 5, 0), vec3_of(0, 0.5, 0)}, (Hit){2, 0},
-                 ambient_of(0) + both(1, yellow));
-}
-
-// A start that is off the surface by a part of such a coordinate would be inside.
-TEST(shade, a_sphere_whose_coordinates_are_all_negative_is_lit)
-{
-    empty_world();
-    put_sphere(vec3_of(-5, -9, -5), 2, shiny(0.5, 0.4, 3));
-    put_light(LIGHT_DISTANT, straight_up, yellow);
-    expect_shade((Ray){vec3_of(-5, -3, -5), vec3_of(0, -2, 0)}, (Hit){2, 0},
                  ambient_of(0) + both(1, yellow));
 }
 
@@ -1729,48 +1594,6 @@ TEST(shade, light_of_any_strength_is_scattered_and_mirrored)
         world.scene.ambient *= strength;
         world.scene.background *= strength;
         expect_above(both(1, color));
-    }
-}
-
-TEST(shade, a_light_is_scattered_however_low_it_is)
-{
-    for (int i = 0; i < SMALL_IN_SCENES; i++) {
-        put_below(1, 0.5, 0, 3);
-        put_light(LIGHT_DISTANT, vec3_of(1, small(i), 0), white);
-        expect_above(diffuse(small(i) / hypot(1, small(i)), white));
-    }
-}
-
-TEST(shade, a_surface_counts_however_little_it_reflects)
-{
-    for (int i = 0; i < SMALL_IN_SCENES; i++) {
-        put_below(1, 0.5, small(i), 3);
-        put_light(LIGHT_DISTANT, straight_up, white);
-        expect_above(diffuse(1, white) + small(i) * white);
-        put_below(1, small(i), 0.4, 3);
-        put_light(LIGHT_DISTANT, straight_up, white);
-        expect_above(small(i) * vec3_of(0.8, 0.6, 0.4) + 0.4 * white);
-    }
-}
-
-// At 60 degrees 2^-shine of the highlight.
-TEST(shade, a_surface_has_its_own_shine)
-{
-    const double shines[] = {0, 0.5, 1, 2, 10, 20};
-    for (int i = 0; i < 6; i++) {
-        put_below(1, 0.5, 0.4, shines[i]);
-        put_light(LIGHT_DISTANT, at_60_degrees / 10, white);
-        expect_above(diffuse(0.5, white) + 0.4 * pow(2, -shines[i]) * white);
-    }
-}
-
-TEST(shade, at_any_t_a_surface_is_lit)
-{
-    for (int i = 0; i < 2 * RUNGS; i++) {
-        double t = i < RUNGS ? small(i) : large(i - RUNGS);
-        lit_by(LIGHT_POINT, nine_above, white);
-        expect_shade((Ray){vec3_of(0, 4, 0), vec3_of(0, -4 / t, 0)}, (Hit){t, 0},
-                     ambient_of(0) + both(1, white));
     }
 }
 
@@ -1984,28 +1807,6 @@ TEST(trace_ray, light_through_many_mirrors_counts_however_little_it_is)
         facing(0.04, 0.04);
         world.scene.ambient = 3 * white;
         expect_trace((Ray){origin, 2 * onward}, depth, to_and_fro(0, 1, black, depth));
-    }
-}
-
-TEST(trace_ray, at_any_t_there_is_a_mirror)
-{
-    for (int i = 0; i < 2 * RUNGS; i++) {
-        double length = i < RUNGS ? small(i) : large(i - RUNGS);
-        facing(0.5, 0.25);
-        expect_trace((Ray){origin, length * onward}, 2, to_and_fro(0, 1, black, 2));
-    }
-}
-
-TEST(trace_ray, the_last_of_any_number_of_spheres_is_mirrored)
-{
-    for (int i = 0; i <= 2 * ROOMS; i++) {
-        int count = i < 2 * ROOMS ? rooms[i / 2] + i % 2 : MOST_SPHERES;
-        empty_world();
-        put_sphere(vec3_of(0, 0, 5), 1, mirror(green, 0.5));
-        for (int k = 2; k < count; k++)
-            put_sphere(vec3_of(2 + k, 3, 0), 1, dull());
-        put_sphere(vec3_of(0, 0, -8), 2, dull());
-        expect_trace((Ray){origin, 2 * onward}, 1, ambient_of(0) + 0.5 * ambient_of(count - 1));
     }
 }
 
