@@ -131,6 +131,26 @@ class Returned(unittest.TestCase):
         for row in rows:
             self.assertIn(b"<h1>", (self.out / "return" / "folder" / row["page"]).read_bytes())
 
+    def test_hostile_names_stay_names(self):
+        names = ["=1+1", "a\nb", "-rf", "@x", "<script>", "it's \"so\"", "Eve_1_assignsubmission_file_", "=x_2_assignsubmission_file_"]
+        platforms.lay(self.room, {f"{name}/01-corners.c": b"x" for name in names})
+        found = class_of(self.room, None, STEMS).found
+        made = [record(one.name, [stem("01-corners", [function("a")])], folder=one.folder) for one in found]
+        for one in made:
+            files.write_submission(one, str(self.out / one["folder"]))
+        remember(made, self.out)
+        for platform in ("folder", "moodle"):
+            words, environment = self.command(platform)
+            done = subprocess.run(words, env={**environment, "CLASS": ""}, capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.out / "return" / "folder" / "mail.csv", encoding="utf-8-sig", newline="") as file:
+            rows = list(csv.reader(file, strict=True))
+        self.assertEqual(len(rows), 1 + len(names))
+        self.assertFalse([cell for row in rows for cell in row if cell[:1] in tuple("=+-@")])
+        self.assertTrue(all((self.out / "return" / "folder" / row[0].removeprefix("'")).exists() for row in rows[1:]))
+        with zipfile.ZipFile(self.out / "return" / "moodle" / "feedback.zip") as archive:
+            self.assertEqual(sorted(archive.namelist()), [f"{name}/feedback.html" for name in sorted(names[-2:])])
+
     def test_what_cannot_be_returned_is_said(self):
         them = platforms.students(12)
         self.marked(them, platforms.canvas, platforms.canvas_gradebook)
