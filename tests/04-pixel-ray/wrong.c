@@ -238,3 +238,14 @@ OF_CAMERA("P-axes", "x, y, z instead of r, u, f",
           "right for the deck's camera; turning the camera changes nothing",
           camera.right = vec3_of(1, 0, 0), camera.up = vec3_of(0, 1, 0),
           camera.forward = vec3_of(0, 0, 1))
+
+// ---- without a name ----------------------------------------------------------------------------
+
+// The length of a direction is free: the mistake is the same.
+UNNAMED(pixel_ray, "P7", "no eye, and a unit direction")
+{
+    Ray ray = pixel_ray(camera, screen, pixel);
+    return (Ray){vec3_of(0, 0, 0), vec3_unit(ray.direction)};
+}
+
+UNNAMED_LINE(pixel_ray, NOBODY, "straight ahead", return (Ray){camera.origin, 3 * camera.forward})

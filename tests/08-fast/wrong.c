@@ -339,3 +339,14 @@ OF_VIEW("R-hither", "nothing nearer than z = d",
 WRONG_LINE(sphere_rectangle, "R-all", "0, W, 0, H",
            "this tests every pixel for every sphere. A sphere covers less.",
            "the right picture, as slow as before", return whole(screen))
+
+// ---- without a name ----------------------------------------------------------------------------
+
+UNNAMED(sphere_rectangle, NOBODY, "a third of the radius")
+{
+    sphere.radius /= 3;
+    return sphere_rectangle(camera, screen, sphere);
+}
+
+UNNAMED_LINE(sphere_rectangle, NOBODY, "a corner of the screen",
+             return (ScreenRectangle){0, screen.width / 7.0, 0, screen.height / 7.0})
