@@ -2,6 +2,7 @@
 import os
 import time
 import unittest
+from fractions import Fraction
 from datetime import datetime, timezone
 from pathlib import Path
 from types import SimpleNamespace
@@ -141,6 +142,12 @@ class Late(Written):
     def test_the_words_tell_when_and_how_much(self):
         self.assertEqual(self.late(25 * HOUR + 180)[1],
                          "due 2025-11-14 23:59 +0100, 1 d 1 h 3 min late: 20% off, 80 became 64")
+
+    def test_extra_days_make_the_due_time_later(self):
+        ours = self.load(self.HEAD + DAILY)
+        for after, extra, left in ((48 * HOUR, 2, 80), (48 * HOUR, 1, 72), (48 * HOUR + 3600, Fraction(1, 2), 64)):
+            self.assertEqual(policy.late(ours, DUE + after, 80.0, Fraction(extra))[0], left)
+        self.assertIn("due 2025-11-15 23:59", policy.late(ours, DUE + 48 * HOUR, 80.0, Fraction(1))[1])
 
     def test_late_none_is_said_and_costs_nothing(self):
         left, words = self.late(HOUR, how="late none")
