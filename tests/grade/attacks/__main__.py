@@ -69,7 +69,9 @@ def grade(places: dict, kind: str, home_secret: str) -> dict:
         environment["UNSAFE"] = "1"
     environment.update({name: os.environ[name] for name in FLAGS if name in os.environ})
     command = ["make", "--no-print-directory", "grade", f"SUBMISSIONS={places['SUBMISSIONS']}", f"OUT={places['OUT']}",
-               f"SEED={SEED}"]
+               f"SEED={SEED}", f"POLICY={places['SCRATCH'] / 'policy'}"]
+    policy = (TREE / "tests/grade/policy").read_text().replace("judge points", "judge all")  # also what earns nothing
+    (places["SCRATCH"] / "policy").write_text(policy)
     return room.run(command, places["TREE"], environment, SECONDS, places["SCRATCH"] / "log")
 
 
@@ -131,7 +133,7 @@ def check_kind(kind: str, places: dict, honest: dict, prototypes: dict, secrets:
     def is_wanted(name: str) -> bool:
         return not parts or name == "honest" or any(part in name for part in parts)
 
-    wanted = odd_files.build_honest(submissions, honest, prototypes, secrets["a classmate's file"], is_wanted)
+    wanted = odd_files.build_honest(submissions, honest, prototypes, secrets[reports.CLASSMATE_S], is_wanted)
     alone = {}
     if not parts:
         done = grade(places, kind, secrets["the environment"])
@@ -180,7 +182,7 @@ def main(words: list) -> int:
                   "HOME": scratch / "home", "SCRATCH": scratch, "PORT": port, "ESC": "\x1b", "BEL": "\x07",
                   "doors": doors}
         secrets = {what: f"canary-{chance.token_hex(20)}" for what in
-                   ("solutions", "tests", "a classmate's file", "the home directory", "the environment")}
+                   ("solutions", "tests", reports.CLASSMATE_S, "the home directory", "the environment")}
         places["HOME"].mkdir()
         (places["HOME"] / ".netrc").write_text(f"{secrets['the home directory']}\n")
         honest = {path.stem: path.read_text() for path in sorted((TREE / "solutions").glob("*.c"))}

@@ -11,12 +11,14 @@ import re
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
+from grade.report.files import ANSWERS
 from .cases import STATUSES, Expected
 
 PAID = {"right", "waiting"}
 # A submission returns this if it could do something forbidden.
 TELL = re.compile(r"\(7777, [^)]*\)")
 ACTS = re.compile(rb"[\x00-\x08\x0b-\x0c\x0e-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xaa-\xae]")
+CLASSMATE_S = "a classmate's file"   # a secret
 TIMES = {"seconds", "execution_time", "steps"}
 MOST_SECONDS = 900  # for one submission, whatever it does, and however busy the machine is
 
@@ -141,13 +143,17 @@ def forged(out: Path, count: int) -> list:
 
 
 def leaked(out: Path, words: bytes, secrets: dict) -> list:
-    """Secrets, and bytes that act on a terminal, in anything that was written or printed."""
+    """Secrets, and bytes that act on a terminal, in anything that was written or printed, but for what somebody handed in
+    (which holds its own secret)."""
     complaints = []
     texts = [("the output", words)]
-    texts += [(str(path.relative_to(out)), path.read_bytes()) for path in sorted(out.rglob("*")) if path.is_file()]
+    texts += [(str(path.relative_to(out)), path.read_bytes()) for path in sorted(out.rglob("*"))
+              if path.is_file() and path.parent != out / ANSWERS]
     for name, content in texts:
-        complaints += [f"{name}: {what}" for what, secret in secrets.items() if secret.encode() in content]
-        if not name.endswith(".png") and ACTS.search(content):
+        # The classmate's object file may hold the classmate's secret, and no other one.
+        complaints += [f"{name}: {what}" for what, secret in secrets.items() if secret.encode() in content
+                       and not (what == CLASSMATE_S and name.endswith(".o"))]
+        if not name.endswith((".png", ".o")) and ACTS.search(content):
             complaints.append(f"{name}: a byte that acts on a terminal")
     return complaints
 
