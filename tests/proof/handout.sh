@@ -53,6 +53,12 @@ spoil() {
     ! cmp -s "solutions/$1.c" "$tree/exercises/$1.c"
 }
 
+# A step of the workflow that judges each push to a repository made from the archive.
+workflow() {
+    sed -n "/- name: $1\$/,/^\$/ s/^          //p" "$tree/.github/workflows/exercises.yml" >"$scratch/step" &&
+        test -s "$scratch/step" && inside env GITHUB_STEP_SUMMARY="$scratch/summary" bash -eo pipefail "$scratch/step"
+}
+
 # While chapter 03 is saved wrong: the verdict on chapter 04, which depends on it.
 watches_dependents() {
     start env -u MAKEFLAGS CC="$compiler" make -C "$tree" watch >"$scratch/watched" 2>&1
@@ -73,6 +79,8 @@ for compiler in ${HANDOUT_COMPILERS:-gcc clang}; do
     check "$compiler: it builds from a clean folder" inside make setup all
     check "$compiler: without a warning" says_not 'warning'
     check "$compiler: and says what is missing for a picture" says 'not yet'
+    check "$compiler: what opens it in an editor can be read" inside sh -c \
+        'for file in .devcontainer/devcontainer.json .vscode/tasks.json; do python3 -m json.tool "$file" || exit 1; done'
     check "$compiler: blanks are not wrong" inside make exercises
     check "$compiler: but the first is next" says 'upper_left  is not answered yet'
     check "$compiler: blanks are reported when answers are packed" inside make submission
@@ -107,6 +115,12 @@ for compiler in ${HANDOUT_COMPILERS:-gcc clang}; do
         check "$compiler: beside what is right" grep -q '(0.46875, 0.166667); yours' \
             "$tree/build/exercises/figures/screen_to_normalized.txt"
     fi
+    check "$compiler: a push of it is judged on GitHub" workflow Verdicts
+    check "$compiler: in the words of the terminal" grep -q '^      looks like a known mistake: y counts down' "$scratch/summary"
+    workflow Annotations
+    check "$compiler: with a mark at the function" says "::error file=exercises/03-screen.c,line=$(grep -n \
+        '^Normalized screen_to_normalized' "$tree/exercises/03-screen.c" | cut -d: -f1),title=screen_to_normalized::wrong"
+    check "$compiler: and at what waits for it" says 'title=pixel_ray::waits'
     inside make exercises EX=04
     check "$compiler: a chapter that depends on it is not called wrong" says 'waiting: pixel_ray (for screen_to_normalized)'
     check "$compiler: with the chapter it depends on" says 'depends on your 03-screen, which is not right yet:'
