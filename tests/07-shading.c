@@ -448,6 +448,12 @@ TEST(surface_normal, at_the_top_of_a_sphere_the_normal_points_up)
     expect_normal(sphere_at(vec3_of(1, 2, -3), 4), vec3_of(1, 6, -3), vec3_of(0, 1, 0));
 }
 
+TEST(surface_normal, on_opposite_sides_the_normals_are_opposite)
+{
+    expect_normal(sphere_at(vec3_of(5, 0, -7), 2), vec3_of(7, 0, -7), vec3_of(1, 0, 0));
+    expect_normal(sphere_at(vec3_of(5, 0, -7), 2), vec3_of(3, 0, -7), vec3_of(-1, 0, 0));
+}
+
 // (2, 3, 6) is 7 long.
 TEST(surface_normal, a_normal_is_unit_however_large_the_sphere_is)
 {
