@@ -14,7 +14,7 @@ import sys
 
 
 def attributes(line):
-    return {name: float(number) for name, number in re.findall(r' (\w+)="(-?[\d.]+)"', line)}
+    return {name: float(number) for name, number in re.findall(r' (\w+)="(-?\d+(?:\.\d+)?)"', line)}
 
 
 def pages(lines):
