@@ -120,12 +120,9 @@ $(TRIALS): $(JUDGING) $(REFERENCES) $(MUTANTS) $(B)/tests/proof/generated/try_mu
 
 # Every engine of chapter 08 against the first: of scenes that are made, and of files; what memory
 # it takes; and shadows and mirrors against chapter 07, and the grids of lights against its shadows.
-SAME_ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_pictures_of_files memory)
-ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_shading same_shadows other_answers)
-ENGINES_LONG := $(filter-out $(ENGINES),$(SAME_ENGINES))
-$(SAME_ENGINES): $(patsubst %,$(B)/tests/house/engines/%.o,compare_engines test_scenes)
-$(B)/tests/house/engines/same_shading: $(patsubst %,$(B)/tests/house/engines/%.o,shading_scenes test_scenes compare_engines)
-$(ENGINES) $(ENGINES_LONG): %: %.o $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) $(B)/chapters/shared.a \
+ENGINES := $(patsubst %,$(B)/tests/house/engines/%,same_pictures same_shading other_answers)
+$(ENGINES): $(patsubst %,$(B)/tests/house/engines/%.o,compare_engines test_scenes shading_scenes)
+$(ENGINES): %: %.o $(filter-out %/main.o,$(call chapter_objects,$(ENGINE_CHAPTER))) $(B)/chapters/shared.a \
 		$(STEMS:%=$(B)/solutions/%.o) $(B)/common.a
 	$(call say,link,$@)
 	$(Q)$(LINK) $(WRAPPED:%=-Wl,--wrap=%) -o $@ $^ $(PNG_LIBS) -lm -pthread
@@ -169,7 +166,7 @@ check: $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (T=word: only those t
 
 # The tests that need longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
-FOR_LONG := $(FOR_CHECKS) $(ENGINES_LONG) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
+FOR_LONG := $(FOR_CHECKS) $(ENGINES) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
 # PROOFS='exact seeds': only these of tests/proof/.
 PROOF_SCRIPTS := $(if $(PROOFS),$(PROOFS:%=tests/proof/%.sh),$(wildcard tests/proof/*.sh))
 .PHONY: check-all check-long

@@ -7,8 +7,6 @@ set -u
 . tests/house/runner/library.sh
 
 same=$BUILD/tests/house/engines/same_pictures
-files=$BUILD/tests/house/engines/same_pictures_of_files
-memory=$BUILD/tests/house/engines/memory
 scenes=$BUILD/scenes
 three=chapters/06-ray-casting/three-spheres.nff
 cd "$here" || exit 1
@@ -20,13 +18,13 @@ cd "$here" || exit 1
 if [ -z "${BRIEF:-}" ]; then
     counted "$same" "${ENGINE_SCENES:-1000}" 101
     # shellcheck disable=SC2046 # names are words
-    counted "$files" "${ENGINE_SIZE:-1920x1080}" 1e10 $(echo chapters/06-ray-casting/*.nff chapters/*/figures/*.nff) \
+    counted "$same" "${ENGINE_SIZE:-1920x1080}" 1e10 $(echo chapters/06-ray-casting/*.nff chapters/*/figures/*.nff) \
         "$scenes"/*.nff
-    [ -n "${ENGINE_SIZE:-}" ] || counted "$files" 4096x4096 1e10 "$three" "$scenes/sphereflake-91.nff"
+    [ -n "${ENGINE_SIZE:-}" ] || counted "$same" 4096x4096 1e10 "$three" "$scenes/sphereflake-91.nff"
 else
     echo "skipped: engines on the largest scenes, which are tested once (BRIEF)"
     counted "$same" 100 101
-    counted "$files" 320x180 1e10 "$three" "$scenes/sphereflake-91.nff"
+    counted "$same" 320x180 1e10 "$three" "$scenes/sphereflake-91.nff"
 fi
 
 # ---- memory -------------------------------------------------------------------------------------
@@ -39,9 +37,9 @@ case $BUILD in
 *sanitize*) echo "skipped: the memory of engines, for sanitizers take more" ;;
 *)
     if [ -n "${BRIEF:-}" ]; then
-        counted "$memory" 1000000 2 1
+        counted "$same" --memory 1000000
     elif has_memory; then
-        counted "$memory" 10000000 2 1
+        counted "$same" --memory 10000000
     else
         echo "skipped: engines with ten million spheres, which need 1.5 GB of free memory"
     fi

@@ -1,11 +1,10 @@
 // shading_scenes.c - scenes that are awkward to light.
-#include "tests/house/engines/shading_scenes.h"
+#include "tests/house/engines/test_scenes.h"
 
 #include "chapters/shared/scene_camera.h"
 #include "exercises/04-pixel-ray.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
-#include "tests/house/engines/test_scenes.h"
 
 #include <stddef.h>
 

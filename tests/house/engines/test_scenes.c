@@ -491,10 +491,10 @@ void made_at_random(Made *made, unsigned number)
 
 // ---- very many -------------------------------------------------------------------------------
 
-bool made_uniform(Made *made, int count, double larger)
+bool made_uniform(Made *made, int count)
 {
     begin(made, "");
-    snprintf(made->name, sizeof made->name, "%d spheres, %g times as large", count, larger);
+    snprintf(made->name, sizeof made->name, "%d spheres", count);
     look(vec3_of(1.5, 1.2, 3), middle, vec3_of(0, 1, 0), 72.734, 1920, 1080);
     Sphere *many = malloc((size_t)count * sizeof *many);
     if (many == NULL)
@@ -504,7 +504,7 @@ bool made_uniform(Made *made, int count, double larger)
     const double spacing = 2 / cbrt(count);
     for (int i = 0; i < count; i++) {
         vec3 center = within(1);
-        many[i] = (Sphere){center, larger * spacing * uniform(0.2, 0.6), i % MOST};
+        many[i] = (Sphere){center, spacing * uniform(0.2, 0.6), i % MOST};
     }
     made->scene.spheres = many;
     made->scene.sphere_count = count;

@@ -40,12 +40,34 @@ void made_far(Made *made, unsigned number, double radii, double radius);
 // The edge of a sphere of radius 1, that far away, in a picture of this width there.
 void made_edge(Made *made, unsigned number, double radii, double width);
 
-// count small ones in a cube, as random_nff.c writes them but larger by that factor, in memory of
-// their own. False if there is no memory.
-bool made_uniform(Made *made, int count, double larger);
+// count small ones in a cube, as random_nff.c writes them, in memory of their own. False if there
+// is no memory.
+bool made_uniform(Made *made, int count);
 void made_uniform_free(Made *made);
 
-// Random numbers: the same ones after the same beginning.
+// ---- scenes that are awkward to light (shading_scenes.c) ---------------------------------------
+
+// The scene that the functions below make, and the number of mirrors to follow.
+extern Scene lit_scene;
+extern int lit_depth;
+
+typedef struct {
+    const char *name;
+    void (*make)(void);
+    int times; // it is another one every time
+} LitScene;
+
+// The last one has no name.
+extern const LitScene lit_awkward[];
+
+void lit_at_random(unsigned number);
+
+// Eyes and lights up to 1e15 away, radii from 1e-12 to 1e14, the eye in mirrors.
+void lit_far_apart(unsigned number);
+
+// ---- random numbers ---------------------------------------------------------------------------
+
+// The same ones after the same beginning.
 void random_begin(unsigned long long seed);
 double uniform(double low, double high);
 double power_of_ten(double low, double high);
