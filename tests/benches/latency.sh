@@ -5,7 +5,7 @@
 # right and wrong. Between the saves, one bare 'cc -c' of the same file is timed, so that the ratio
 # says what the loop adds on this machine, today. Usage: latency.sh [SAVES]
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 saves=${1:-60}
 answers=$scratch/answers
 mkdir "$answers"

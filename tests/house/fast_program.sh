@@ -2,7 +2,7 @@
 # fast_program.sh - chapter 08's program draws chapter 07's pictures, and refuses what it cannot.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 
 programs=${PROGRAMS:-build/solutions}
 three=chapters/06-ray-casting/three-spheres.nff

@@ -7,7 +7,7 @@
 # 100th).
 # Builds only below its answers.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once figures "figures"
 
 needs figures 'figures' gnuplot python3

@@ -3,7 +3,7 @@
 # the reference: a ray's direction of length 3, and the slides' formulas for roots, which round in another way.
 # Builds only below its answers.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once free_answers "answers that use their freedom"
 
 answers=$scratch/free

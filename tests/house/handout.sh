@@ -1,7 +1,7 @@
 #!/bin/sh
 # handout.sh - the students' archive: what is in it, what is not, and that it is the same each time.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once handout "the students' archive"
 
 archive=build/handout.tar.gz

@@ -5,7 +5,7 @@
 # DRAWN: a folder that has the figures; without it they are drawn here. MOST_BYTES: of a picture.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 
 # The lines of the lesson's ```text blocks, all of which the chapter's program must print.
 quotes_its_program() {

@@ -5,7 +5,7 @@
 # it can be true.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 
 folder=$scratch/verdict
 mkdir "$folder"

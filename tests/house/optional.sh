@@ -1,7 +1,7 @@
 #!/bin/sh
 # optional.sh - the optional tasks: each solution draws its picture, each blank does not, and make says so.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once optional "the optional tasks"
 
 tasks=$(basename -s .c solutions/optional/*.c)

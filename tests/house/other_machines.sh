@@ -2,7 +2,7 @@
 # other_machines.sh - other machines: locales, names of folders, trees that cannot be written.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once other_machines "other machines"
 
 # ---- locales ------------------------------------------------------------------------------------

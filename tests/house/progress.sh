@@ -2,7 +2,7 @@
 # progress.sh - long work says how far it is: on a terminal, and in a log if it is make's.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once progress "progress"
 
 needs progress 'progress on a terminal' python3

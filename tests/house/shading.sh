@@ -2,7 +2,7 @@
 # shading.sh - what chapter 07's program draws and writes. What it refuses is in command_line.txt.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 needs shading "chapter 07's pictures" python3
 
 program=${PROGRAMS:-build/solutions}/07-shading

@@ -3,7 +3,7 @@
 # ended, with two runs at once, and when a text is saved while watch starts.
 # Builds only below its answers.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once verdicts "verdicts and what was judged"
 
 answers=$scratch/answers

@@ -2,7 +2,7 @@
 # watch.sh - 'make watch' judges what is saved.
 # Builds only below its answers.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once watch "watching"
 
 answers=$scratch/answers

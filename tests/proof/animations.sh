@@ -4,7 +4,7 @@
 # MOST_ANIMATIONS says how many of the four are drawn (4), beside a small one. tests/house/figures/animations.py
 # tests what they show.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once videos "the videos of animations"
 
 needs videos 'the videos of animations' gnuplot python3

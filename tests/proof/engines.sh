@@ -4,12 +4,11 @@
 # environment make it fewer and smaller.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 
 same=$BUILD/tests/house/engines/same_pictures
 scenes=$BUILD/scenes
 three=chapters/06-ray-casting/three-spheres.nff
-cd "$here" || exit 1
 
 # ---- the same picture ---------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 # exact.sh - the reference against exact arithmetic, on random rays (tests/proof/exact.py).
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once exact 'exact arithmetic'
 needs exact 'exact arithmetic' python3
 # shellcheck disable=SC2086 # the compiler's flags are words

@@ -5,7 +5,7 @@
 # EXAMPLES=20 in the environment says how many; FIRST_EXAMPLE=1 with which to begin.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once examples 'lectures with other numbers'
 needs examples 'figures with other numbers' gnuplot python3
 

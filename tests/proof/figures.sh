@@ -4,7 +4,7 @@
 # figures makes (with STEPS_OF=N, the steps of N figures).
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once 'figures, long' "hundreds of figures of each kind"
 
 needs 'figures, long' 'figures' gnuplot python3

@@ -4,7 +4,7 @@
 # In the tree it has a palette of 256 colours, dithered, which is a third of the bytes: colours are compared
 # by the means of each 8 x 8 pixels, and by the mean of all differences.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once finale "the picture in README.md"
 
 picture=chapters/07-shading/finale.png

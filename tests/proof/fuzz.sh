@@ -3,7 +3,7 @@
 # explainer of a compiler's words.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 seconds=${FUZZ_SECONDS:-60}
 if ! echo 'int LLVMFuzzerTestOneInput(const char *d, unsigned long n) { return !d && n; }' |
     clang -fsanitize=fuzzer -x c - -o "$scratch/try" >/dev/null 2>&1; then

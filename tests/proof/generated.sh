@@ -6,7 +6,7 @@
 # (try_mutants.c), unless tests/proof/generated/reviewed explains the case; and if less than 90% of a chapter's wrong
 # answers are named or described. Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once generated "wrong answers that nobody has thought of"
 if [ "${BUILD:-build}" != build ]; then
     skip generated "generated: what crashes on purpose needs the ordinary build"

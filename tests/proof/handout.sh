@@ -2,7 +2,7 @@
 # handout.sh - the students' archive, as a student has it: a clean folder, no git, no home, and the
 # README's two commands; then right answers, wrong ones, missing ones, with gcc and with clang.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once handout "the handout"
 export NO_COLOR=1 LC_ALL=C
 unset ANSWERS # a student's are in exercises/

@@ -5,7 +5,7 @@
 # pixels (silhouettes again, of shadows and mirrors) within a byte, and within MEAN on average.
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once povray "the comparison with POV-Ray"
 
 few=30

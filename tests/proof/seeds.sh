@@ -6,7 +6,7 @@
 # SEEDS, how many (50), from FIRST on (1).
 # Only reads the tree.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once seeds "the matrix with other seeds"
 export BUILD="${BUILD:-build}" scratch
 seeds=${SEEDS:-50}

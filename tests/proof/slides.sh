@@ -1,7 +1,7 @@
 #!/bin/sh
 # slides.sh - the lecture, beside the deck that it follows; and every figure and step as LaTeX takes it in.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once slides "slides"
 
 if ! command -v gnuplot >/dev/null; then

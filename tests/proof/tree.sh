@@ -1,7 +1,7 @@
 #!/bin/sh
 # tree.sh - the tree as its users have it: a copy, the README's commands, answers in exercises/.
 set -u
-. tests/house/runner/library.sh
+cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once tree "the tree as its users have it"
 
 tree=$scratch/tree

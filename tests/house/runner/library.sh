@@ -3,7 +3,7 @@
 #     check 'a missing scene is refused' some_command with arguments
 #     finish NAME
 # shellcheck shell=sh
-# A script also runs alone, from the top of the tree, after 'make check' or 'make ready': sh tests/house/NAME.sh
+# A script also runs alone, from any folder, after 'make check' or 'make ready': sh tests/house/NAME.sh
 # These are then those of the ordinary build.
 : "${BUILD:=build}" "${ANSWERS:=solutions}" "${CC:=cc}" "${PROGRAMS:=$BUILD/$ANSWERS}"
 : "${COMPILER:=$CC -std=c11 -D_DEFAULT_SOURCE -ffp-contract=off -Wno-psabi -I.}"
