@@ -151,7 +151,10 @@ FOR_TESTS = GENERATED_SEED='$(GENERATED_SEED)' KIT='$(GRADABLE)' PROGRAMS='$(BUI
 	COMPILER='$(CC) $(LANGUAGE) $(CFLAGS) $(SANITIZER)'
 CHECKS := $(COMMON_TESTS) $(ENGINES)
 OF_STEMS := $(TESTS) $(MATRIX)
-with_arguments = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %')) 'tests/explain/check_cases.py $(EXPLAIN)'
+with_arguments = $(foreach program,$(OF_STEMS),$(STEMS:%='$(program) %')) 'tests/explain/check_cases.py $(EXPLAIN)' \
+	'tests/proof/seeds.sh 4711'
+TRANSCRIPTS := $(wildcard tests/house/*.txt)
+HOUSE := $(TRANSCRIPTS) $(wildcard tests/house/*.sh)
 FOR_CHECKS := $(EXPLAIN) $(LIST) $(BLANK_TESTS) $(PROGRAMS) $(GENERATED:%=$(B)/scenes/%.nff) $(OF_STEMS) $(JUDGE) $(GRADABLE:%=%/commands) $(if $(BRIEF),,$(MISTAKEN))
 # The scripts judge answers beside each other, each in a folder of its own, by the ordinary build: so all of that
 # is there before they begin, and none of them builds it.
@@ -161,8 +164,13 @@ READY_HERE = $(if $(SANITIZE),,$(READY))
 READY_FIRST = $(if $(SANITIZE),$(if $(BRIEF),,MAKEFLAGS= $(MAKE_AGAIN) --no-print-directory $(MAKEOVERRIDES) SANITIZE= ready &&))
 .PHONY: ready
 
-check: $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (T=word: only those that have it in their name)
-	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(wildcard tests/house/*.sh)
+check: $(CHECKS) $(FOR_CHECKS) $$(READY_HERE) ## the tests (T=word: only files and tests with it in their name)
+	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(HOUSE)
+
+accept: $(FOR_CHECKS) $$(READY) ## what the transcripts' commands print is now right: read the difference (T=word)
+	@$(FOR_TESTS) $(PYTHON) tests/house/runner/transcript.py --accept $(foreach text,$(TRANSCRIPTS),$(if $(T),$(if \
+		$(findstring $(T),$(text)),$(text)),$(text)))
+.PHONY: accept
 
 # The tests that need longer: exact arithmetic, a minute of fuzzing, the tree as its users have it. With BRIEF=1
 # (another compiler, a sanitizer) only what it can make a difference to.
@@ -171,7 +179,7 @@ FOR_LONG := $(FOR_CHECKS) $(ENGINES) $(if $(BRIEF),,$(TRIALS) $(BENCH_SCENES))
 PROOF_SCRIPTS := $(if $(PROOFS),$(PROOFS:%=tests/proof/%.sh),$(wildcard tests/proof/*.sh))
 .PHONY: check-all check-long
 check-all: $(CHECKS) $(FOR_LONG) $$(READY_HERE) ## all tests, also those that need longer
-	@$(READY_FIRST) $(FOR_TESTS) LONG=yes $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(wildcard tests/house/*.sh) $(PROOF_SCRIPTS)
+	@$(READY_FIRST) $(FOR_TESTS) $(RUN) $(BUILT)/log $(CHECKS) $(with_arguments) $(HOUSE) $(PROOF_SCRIPTS)
 
 check-long: $(FOR_LONG) ## only those that need longer (PROOFS='seeds exact': only these)
 	@$(FOR_TESTS) $(RUN) $(BUILT)/log $(PROOF_SCRIPTS)

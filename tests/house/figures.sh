@@ -1,6 +1,6 @@
 #!/bin/sh
 # figures.sh - figures are right: of each chapter and of animations, by independent computations; of known mistakes and
-# wrong answers; a lecturer's own; and the page that shows them all.
+# wrong answers.
 #
 # figures.sh random: only those of which there can be more. CAMERAS says how many random ones are tried in each of
 # chapters 01 to 04, SCENES how many rays or scenes in each of 05 and 06 (as many), MISTAKES which known mistakes (every
@@ -18,9 +18,6 @@ unset ANSWERS
     [ "${1:-}" = random ] || cat <<TESTS
 tests/house/figures/wrong_answers.py $scratch/python
 tests/house/figures/animations.py
-tests/house/runner/transcript.py tests/house/wrong_answer_figures.txt
-tests/house/runner/transcript.py tests/house/own_figures.txt
-tests/house/runner/transcript.py tests/house/gallery_page.txt
 TESTS
     printf '%s\n' tests/house/figures/mistaken.py tests/[0-9]*/figures.py
 } | nl >"$scratch/tests"

@@ -3,14 +3,15 @@
 #
 # With each seed the reference and all other right answers pass and are not accused, every mistake
 # fails and is named, and an answer that knows the public inputs by heart fails. In the environment:
-# SEEDS, how many (50), from FIRST on (1).
+# SEEDS, how many (50), from FIRST on (1). Or seeds.sh SEED: with this one.
 # Only reads the tree.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
-once seeds "the matrix with other seeds"
+[ $# -gt 0 ] || once seeds "the matrix with other seeds"
 export BUILD="${BUILD:-build}" scratch
+first=${1:-${FIRST:-1}}
 seeds=${SEEDS:-50}
-first=${FIRST:-1}
+[ $# -eq 0 ] || seeds=1
 
 for contract in exercises/*.h; do
     seq "$first" $((first + seeds - 1)) | sed "s|\$| $(basename "$contract" .h)|"

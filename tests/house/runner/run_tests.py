@@ -1,8 +1,9 @@
 """run_tests.py - runs test programs, as many at a time as there are processors, and adds up what they say.
 
-    run_tests.py LOG-FOLDER PROGRAM...        T=word in the environment: only those that have it in their name
+    run_tests.py LOG-FOLDER PROGRAM...
 
-A program may be followed by an argument, after a blank: 'build/tests/matrix 05-quadratic'.
+A program may be followed by an argument, after a blank: 'build/tests/matrix 05-quadratic'; or it is a transcript, a
+.txt (transcript.py). T=word in the environment: only those with a name, or the name of a test in them, that has it.
 
 The last line of a test is 'NAME: N passed, N failed'. A test that ends without it, or exits non-zero though nothing
 failed, counts as one failure, and all that it printed is shown. Of a test that passes some lines are shown: '+ words';
@@ -10,7 +11,7 @@ failed, counts as one failure, and all that it printed is shown. Of a test that 
 everything, and in 'seconds' the seconds that each test took: of a processor, which is nearly the same on a busy
 machine, and by the clock.
 
-Scripts (.sh) may build in the tree, so they take turns. Programs run beside them, and so do scripts that say in a line
+Scripts (.sh) may build in the tree, so they take turns. All else runs beside them, and so do scripts that say in a line
 of their own '# Only reads the tree.' or '# Builds only below its answers.': the build of a folder of answers that
 nobody else has. Those that took longest in the last run begin first: at the end no processor waits.
 """
@@ -23,24 +24,37 @@ import time
 from pathlib import Path
 
 WORTH_TELLING = 20  # seconds
+TRANSCRIPT = "python3 -B tests/house/runner/transcript.py "
+TEST_NAME = re.compile(r"^(?:TEST(?:_LINE)?\(|\s*check ['\"]|\$ ).*", re.MULTILINE)
 BESIDE_OTHERS = re.compile(rb"^# (Only reads the tree|Builds only below its answers)\.$", re.MULTILINE)
 
 
 class Test:
     def __init__(self, program, seconds):
         self.program = program
-        script = program.endswith(".sh")
-        self.takes_turns = script and not BESIDE_OTHERS.search(Path(program).read_bytes())
+        file = program.split(" ")[0]
+        script = file.endswith(".sh")
+        self.takes_turns = script and not BESIDE_OTHERS.search(Path(file).read_bytes())
         self.expected = seconds.get(program, (10 if script else 1, 0))[0]
+        self.command = TRANSCRIPT + program if program.endswith(".txt") else program
         # Its output goes into a file without a name: nothing in the tree changes while tests run.
         self.log = tempfile.TemporaryFile()
+
+    def has(self, word):
+        """In its name, or in the name of a test, in which blanks and underscores are the same."""
+        last = self.program.split(" ")[-1]
+        sources = [Path(name) for name in (last, f"{last.removeprefix('build/')}.c", f"tests/{last}.c")
+                   if name.endswith((".c", ".sh", ".txt"))]
+        names = [self.program] + [name for source in sources if source.is_file()
+                                  for name in TEST_NAME.findall(source.read_text("utf-8"))]
+        return any(word in name or word.replace("_", " ") in name.replace("_", " ") for name in names)
 
     def begin(self):
         """In a process group of its own, which ends as a whole."""
         self.began = time.monotonic()
         # Check's own limit, 4 s by the clock, is too short for a busy machine.
         environment = os.environ if self.program.endswith(".sh") else {**os.environ, "CK_DEFAULT_TIMEOUT": "60"}
-        self.process = os.posix_spawn("/bin/sh", ["sh", "-c", 'exec "$@"', "sh", *self.program.split(" ", 1)], environment,
+        self.process = os.posix_spawn("/bin/sh", ["sh", "-c", 'exec "$@"', "sh", *self.command.split(" ")], environment,
                                       file_actions=[(os.POSIX_SPAWN_DUP2, self.log.fileno(), to) for to in (1, 2)],
                                       setpgroup=0)
 
@@ -98,7 +112,7 @@ def show(test, sums, skipped):
         elif line.startswith("+ "):
             print(line[2:])
     if test.failed:
-        print("".join(f"    {line}\n" for line in test.lines), end="")
+        print("".join(f"    {line}\n" for line in [*test.lines, f"again: {test.command}"]), end="")
     print(test.sum + (f"   ({test.seconds:.0f} s)" if test.seconds >= WORTH_TELLING else ""), flush=True)
 
 
@@ -111,7 +125,8 @@ def main():
     for line in kept.read_text(encoding="utf-8").splitlines() if kept.exists() else []:
         of_processor, by_clock, program = line.split(" ", 2)
         seconds[program] = float(of_processor), int(by_clock)
-    tests = [Test(program, seconds) for program in programs if os.environ.get("T", "") in program]
+    tests = [Test(program, seconds) for program in programs]
+    tests = [test for test in tests if test.has(os.environ.get("T", ""))]
     sums, skipped = {}, {}
     terminal = sys.stderr.isatty()
     for ended, test in enumerate(run_all(tests), 1):

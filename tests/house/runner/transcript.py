@@ -1,4 +1,4 @@
-"""transcript.py - runs the commands of a text file and compares what they print: transcript.py FILE.txt
+"""transcript.py - runs the commands of text files and compares what they print: transcript.py [--accept] FILE.txt...
 
     # A comment
     $ command             in one shell, in a folder of its own; a line that begins with > continues it
@@ -11,17 +11,23 @@ Where only some words matter, there is nothing but them, and the exit status:
     + these words         are somewhere in what it prints and says, however it is wrapped
     - these words         are not
 
-A script beside the text may define functions: FILE.sh calls this program, and is read by the shell as well if it
-asks for TRANSCRIPT.
-HERE is the top of the tree; the chapters' programs are in PATH. ACCEPT=1 writes what came into the text, for a
-reviewer to read.
+HERE is the top of the tree; the chapters' programs are in PATH. Texts run beside each other, so a text builds only
+below answers of its own. --accept writes what the commands print now into the text, for a reviewer to read. The
+comment at the top can have lines that begin with these words:
+
+    # Once is enough:     not in a run for another compiler (BRIEF)
+    # By the ordinary build: nor in such a run for a sanitizer
+    # Needs gnuplot:      what is not tested if that program is missing
 """
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[3]
 
 
 def blocks(text):
@@ -60,40 +66,74 @@ def holds(expected, found):
     return ends[0] == ends[1] and all((" ".join(line[2:].split()) in said) == (line[0] == "+") for line in words)
 
 
-def main():
-    path, top = Path(sys.argv[1]), os.getcwd()
-    parts = blocks(path.read_text("utf-8"))
-    commands = [part for part in parts if part[0][0].startswith("$ ")]
-    failed = []
+def not_tested(text):
+    """What the text does not test here, and why; or nothing."""
+    for line in text.splitlines():
+        needed = re.match(r"# Needs (\w+):? *(.*)", line)
+        if needed and shutil.which(needed[1]) is None:
+            return f"{needed[2]} {needed[1]} is missing ('make setup' installs it)"
+        other = os.path.basename(os.environ.get("BUILD", "build")) != "build"
+        if os.environ.get("BRIEF") and (line.startswith("# Once is") or (other and line.startswith("# By the ordinary"))):
+            return line.partition(": ")[2].rstrip(".") + ": once is enough (BRIEF)"
+        if not line.startswith("#"):
+            return ""
+    return ""
+
+
+def accepted(expected, found):
+    """What is in the text from now on. A line with ... that still holds is kept, and so are words."""
+    words = [line for line in expected if line.startswith(("+ ", "- "))]
+    if words:
+        return words + [line for line in found if line.startswith("exit ")]
+    parts = [line for line in expected if "..." in line and line != "..."]
+    return [next((part for part in parts if fits([part], [line])), line) for line in found]
+
+
+def run(commands, top):
+    """In one shell: the answer to each."""
     with tempfile.TemporaryDirectory() as folder:
         folder, script = Path(folder), ["cd work"]
         (folder / "work").mkdir()
-        functions = path.with_suffix(".sh")
-        if functions.exists() and "TRANSCRIPT" in functions.read_text("utf-8"):
-            script.insert(0, f". {top}/{functions}")
         for number, (lines, _) in enumerate(commands):
             command = "\n".join(line[2:] for line in lines)
             script.append(f"{{\n{command}\n}} >{folder}/{number}.out 2>{folder}/{number}.err </dev/null\n"
                           f"echo $? >{folder}/{number}.status")
         programs = os.path.join(top, os.environ.get("PROGRAMS", "build/solutions"))
-        environment = {**os.environ, "HERE": top, "BUILD": os.path.join(top, os.environ.get("BUILD", "build")),
-                       "PROGRAMS": programs,
-                       "TRANSCRIPT": "yes", "LC_ALL": "C", "PATH": programs + ":" + os.environ["PATH"]}
+        environment = {**os.environ, "HERE": str(top), "BUILD": os.path.join(top, os.environ.get("BUILD", "build")),
+                       "PROGRAMS": programs, "LC_ALL": "C", "PATH": programs + ":" + os.environ["PATH"]}
         subprocess.run(["sh", "-c", "\n".join(script)], cwd=folder, env=environment, check=False)
-        for number, part in enumerate(commands):
-            found = answer(folder, number)
-            if holds(part[1], found):
-                continue
-            failed.append(part)
+        return [answer(folder, number) for number in range(len(commands))]
+
+
+def test(path, accept):
+    """Whether the text holds, or does from now on."""
+    text = path.read_text("utf-8")
+    untested = not_tested(text)
+    parts = blocks(text)
+    commands = [part for part in parts if part[0][0].startswith("$ ")]
+    failed = 0
+    for part, found in zip(commands, run(commands, TOP) if not untested else []):
+        if holds(part[1], found):
+            continue
+        failed += 1
+        if accept:
+            part[1][:] = accepted(part[1], found)
+        else:
             print(f"not ok: {' '.join(part[0])}\n" + "".join(f"    {line}\n" for line in
                   ["expected:", *part[1], "came:", *found[:40]]), end="")
-            if "ACCEPT" in os.environ:
-                words = [line for line in part[1] if line.startswith(("+ ", "- "))]
-                part[1][:] = words + [line for line in found if not words or line.startswith("exit ")]
-    if "ACCEPT" in os.environ:
+    if accept and failed:
         path.write_text("".join(f"{line}\n" for lines, came in parts for line in lines + came), "utf-8")
-    print(f"{path.stem}: {len(commands) - len(failed)} passed, {len(failed)} failed")
-    return 1 if failed else 0
+    if untested:
+        print(f"skipped: {untested}")
+        commands = []
+    print(f"{path.stem}: {failed} rewritten" if accept else f"{path.stem}: {len(commands) - failed} passed, {failed} failed")
+    return accept or not failed
+
+
+def main():
+    accept = sys.argv[1] == "--accept"
+    results = [test(Path(path), accept) for path in sys.argv[1 + accept:]]
+    return 0 if all(results) else 1
 
 
 sys.exit(main())

@@ -1,13 +1,6 @@
-#!/bin/sh
-# judging.sh - what 'make exercises', hint, status and submission say of answers (judging.txt).
-# Builds only below its answers.
-if [ -z "${TRANSCRIPT:-}" ]; then
-    . tests/house/runner/library.sh
-    ordinary judging "what 'make exercises' says"
-    exec python3 -B tests/house/runner/transcript.py tests/house/judging.txt
-fi
-
-# The functions of the text. Answers are judged by the ordinary build, whatever is under test.
+# answers.sh - for the transcripts that judge answers: a folder of answers, and what is done with it.
+# shellcheck shell=sh
+# Answers are judged by the ordinary build, whatever is under test.
 # shellcheck disable=SC2153 # transcript.py sets HERE
 . "$HERE/tests/house/runner/library.sh"
 answers=$scratch/answers
