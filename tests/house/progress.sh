@@ -6,27 +6,8 @@ cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once progress "progress"
 
 needs progress 'progress on a terminal' python3
-# Runs a command on a terminal until it has said what is expected, and then ends it.
-on_terminal() {
-    python3 - "$@" <<'END'
-import os, pty, re, select, signal, sys, time
-expected, command = sys.argv[1], sys.argv[2:]
-process, terminal = pty.fork()
-if process == 0:
-    os.execv(command[0], command)
-said, end = b"", time.monotonic() + 120
-while not re.search(expected, said.decode(errors="replace")) and time.monotonic() < end:
-    if select.select([terminal], [], [], 1)[0]:
-        try:
-            part = os.read(terminal, 4096)
-        except OSError:
-            break
-        said += part
-os.kill(process, signal.SIGKILL)
-os.waitpid(process, 0)
-print(said.decode(errors="replace"))
-sys.exit(not re.search(expected, said.decode(errors="replace")))
-END
+on_terminal() { # PATTERN COMMAND...
+    python3 -B tests/house/runner/terminal.py --until "$@"
 }
 # So many spheres and pixels that no machine draws them in a second.
 slow="-s 4000x3000 -o $scratch/slow.png $BUILD/scenes/sphereflake-7381.nff"

@@ -42,7 +42,7 @@ begins_with() {
 }
 # What watch shows of these chapters is in $scratch/said.
 on_screen() {
-    env -u NO_COLOR -u COLUMNS python3 -B tests/house/watch_screen.py build/course watch "$plan" "$@" >"$scratch/said" 2>&1
+    env -u NO_COLOR -u COLUMNS python3 -B tests/house/runner/terminal.py build/course watch "$plan" "$@" >"$scratch/said" 2>&1
 }
 begins_at_the_top() {
     cat "$scratch/said"
@@ -85,7 +85,7 @@ ANSWERS
 
     # By make, which would have words of its own about an end that is no error.
     ended_by_interrupt() {
-        env -u NO_COLOR -u COLUMNS python3 -B tests/house/watch_screen.py make --no-print-directory watch EX=03 \
+        env -u NO_COLOR -u COLUMNS python3 -B tests/house/runner/terminal.py make --no-print-directory watch EX=03 \
             ANSWERS="$answers" >"$scratch/said" 2>&1
         tail -n 1 "$scratch/said" | grep -q 'Ctrl-C ends.$'
     }
