@@ -1,38 +1,15 @@
 #!/bin/sh
-# watch.sh - 'make watch' judges what is saved.
+# watch.sh - what 'make watch' shows on a terminal of 24 x 80.
 # Builds only below its answers.
 set -u
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
 once watch "watching"
+needs watch "watching on a terminal" python3
 
 answers=$scratch/answers
 export NO_COLOR=1
 
-# Saves a wrong answer while watch runs, and waits until it says so.
-judges_what_is_saved() {
-    rm -rf "$answers"
-    mkdir "$answers"
-    cp solutions/*.c "$answers"
-    start make --no-print-directory watch EX=03 ANSWERS="$answers" >"$scratch/said" 2>&1
-    group=$!
-    wait_until grep -q 'Watching' "$scratch/said" && sed 's/1 - point.y/point.y/' solutions/03-screen.c >"$scratch/new" &&
-        mv "$scratch/new" "$answers/03-screen.c" && wait_until grep -q 'looks like' "$scratch/said"
-    status=$?
-    end_started
-    cat "$scratch/said"
-    return $status
-}
-# No process of the group but those that have ended and whose parent has not asked.
-none_is_left() {
-    ! cat /proc/[0-9]*/stat 2>/dev/null |
-        awk -v group="$group" '{ sub(/.*\) /, "") } $1 != "Z" && $3 == group { found = 1 } END { exit !found }'
-}
-
-check 'a saved answer is judged' judges_what_is_saved
-check 'and nothing that was started is left' wait_until none_is_left
-
-# ---- on a terminal of 24 x 80 ---------------------------------------------------------------------
-
+mkdir "$answers" && cp solutions/*.c "$answers" && make -s exercises EX=03 ANSWERS="$answers" >"$scratch/said" || exit 1
 plan=build$answers/verdict/plan
 all_stems=$(for contract in exercises/*.h; do basename "$contract" .h; done)
 # The solutions, but for a function that begins with this statement.
@@ -57,15 +34,14 @@ without_what_is_the_same() {
     says_not 'Next: ' && says_not 'the lesson is'
 }
 # The functions with the longest arguments of each chapter.
-if command -v python3 >/dev/null; then
-    while read -r stem name statement; do
-        begins_with "$stem" "$name" "$statement"
-        on_screen "$stem"
-        check "on 24 rows: $name and its arguments" begins_at_the_top "$stem  $name "
-        check "on 24 rows: $name: all arguments, and the result" shows_the_arguments "$stem"
-        check "on 24 rows: $name: nothing that is the same each time" without_what_is_the_same
-        check "on 24 rows: $name: how it goes on" says 'Ctrl-C ends.'
-    done <<'ANSWERS'
+while read -r stem name statement; do
+    begins_with "$stem" "$name" "$statement"
+    on_screen "$stem"
+    check "on 24 rows: $name and its arguments" begins_at_the_top "$stem  $name "
+    check "on 24 rows: $name: all arguments, and the result" shows_the_arguments "$stem"
+    check "on 24 rows: $name: nothing that is the same each time" without_what_is_the_same
+    check "on 24 rows: $name: how it goes on" says 'Ctrl-C ends.'
+done <<'ANSWERS'
 01-corners image_plane_vector return c.up;
 02-cameras camera_from_look_at if (world == RIGHT_HANDED) return 0;
 03-screen screen_to_normalized return (Normalized){0};
@@ -75,45 +51,42 @@ if command -v python3 >/dev/null; then
 07-shading trace_ray return scene->background;
 08-fast sphere_rectangle return (ScreenRectangle){0};
 ANSWERS
-    # A scene of more spheres than there are rows.
-    begins_with 06-ray-casting nearest_hit 'if (scene->sphere_count > 11) return (Hit){1};'
-    on_screen 06-ray-casting
-    check 'of a scene that is too long, the function is there' begins_at_the_top '06-ray-casting  nearest_hit'
-    check 'the result' says '  yours '
-    check 'what can be said about it' says '  but '
-    check 'and the command that shows all of it' says 'make exercises EX=06 shows all of it'
+# A scene of more spheres than there are rows.
+begins_with 06-ray-casting nearest_hit 'if (scene->sphere_count > 11) return (Hit){1};'
+on_screen 06-ray-casting
+check 'of a scene that is too long, the function is there' begins_at_the_top '06-ray-casting  nearest_hit'
+check 'the result' says '  yours '
+check 'what can be said about it' says '  but '
+check 'and the command that shows all of it' says 'make exercises EX=06 shows all of it'
 
-    # By make, which would have words of its own about an end that is no error.
-    ended_by_interrupt() {
-        env -u NO_COLOR -u COLUMNS python3 -B tests/house/runner/terminal.py make --no-print-directory watch EX=03 \
-            ANSWERS="$answers" >"$scratch/said" 2>&1
-        tail -n 1 "$scratch/said" | grep -q 'Ctrl-C ends.$'
-    }
-    check 'Ctrl-C ends it without a word' ended_by_interrupt
+# By make, which would have words of its own about an end that is no error.
+ended_by_interrupt() {
+    env -u NO_COLOR -u COLUMNS python3 -B tests/house/runner/terminal.py make --no-print-directory watch EX=03 \
+        ANSWERS="$answers" >"$scratch/said" 2>&1
+    tail -n 1 "$scratch/said" | grep -q 'Ctrl-C ends.$'
+}
+check 'Ctrl-C ends it without a word' ended_by_interrupt
 
-    # Warnings are below the verdict.
-    begins_with 03-screen screen_to_normalized 'int a; int b; int c; int d; int e; return (Normalized){0};'
-    on_screen 03-screen
-    check 'warnings do not push the arguments away' begins_at_the_top '03-screen  screen_to_normalized'
+# Warnings are below the verdict.
+begins_with 03-screen screen_to_normalized 'int a; int b; int c; int d; int e; return (Normalized){0};'
+on_screen 03-screen
+check 'warnings do not push the arguments away' begins_at_the_top '03-screen  screen_to_normalized'
 
-    # At the start: chapters that have become right come first, then the verdict.
-    begins_with 05-quadratic hit_sphere 'return 1;'
-    rm -f "build$answers"/verdict/*.rewarded
-    # shellcheck disable=SC2086 # several stems
-    on_screen $all_stems
-    check 'seven rewards leave the function visible' says '05-quadratic  hit_sphere'
-    check 'its arguments' says '  sphere     center'
-    check 'its result' says '  yours '
-    check 'and are above it' grep -q ' is right: .*/gallery/\| chapters are right: ' "$scratch/said"
-    cp build/blanks/0[1-8]*.c "$answers" && cp solutions/01*.c solutions/03*.c "$answers"
-    rm -f "build$answers"/verdict/*.rewarded
-    # shellcheck disable=SC2086
-    on_screen $all_stems
-    check 'a reward is a line' begins_at_the_top "01-corners is right: build$answers/gallery/01-corners.png"
-    check 'each' begins_at_the_top '03-screen is right:' 2
-    check 'and the verdict follows' begins_at_the_top '02-cameras  camera_from_vectors' 3
-else
-    echo 'skipped: watch on a terminal, which needs Python'
-fi
+# At the start: chapters that have become right come first, then the verdict.
+begins_with 05-quadratic hit_sphere 'return 1;'
+rm -f "build$answers"/verdict/*.rewarded
+# shellcheck disable=SC2086 # several stems
+on_screen $all_stems
+check 'seven rewards leave the function visible' says '05-quadratic  hit_sphere'
+check 'its arguments' says '  sphere     center'
+check 'its result' says '  yours '
+check 'and are above it' grep -q ' is right: .*/gallery/\| chapters are right: ' "$scratch/said"
+cp build/blanks/0[1-8]*.c "$answers" && cp solutions/01*.c solutions/03*.c "$answers"
+rm -f "build$answers"/verdict/*.rewarded
+# shellcheck disable=SC2086
+on_screen $all_stems
+check 'a reward is a line' begins_at_the_top "01-corners is right: build$answers/gallery/01-corners.png"
+check 'each' begins_at_the_top '03-screen is right:' 2
+check 'and the verdict follows' begins_at_the_top '02-cameras  camera_from_vectors' 3
 rm -rf "build$answers"
 finish watch
