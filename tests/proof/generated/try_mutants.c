@@ -1,15 +1,15 @@
 // try_mutants.c - the judge's verdicts on generated wrong answers (mutate.py).
 //
-//   try_mutants REVIEWED|-v FOLDER,FOLDER... STEM...
+//   try_mutants REVIEWED|-v STEM FOLDER...
 //
 // Each answer is judged like a student's, once with the tables of each folder: those that are
 // graded, and the same tests with other random numbers. What depends on the numbers is luck: a
 // failure is false if an answer passes with all others, a pass if it fails with others, and the
 // name of a mistake if it has another name with others.
 // REVIEWED is a file of reviewed cases, a line each: EXERCISE | WHAT | PART OF THE CHANGE | WHY.
-// Any other false verdict is a failure, and so is a stem of which less than 90% is named or
-// described. -v lists every answer with its verdicts, and reviewed cases as well.
-// With GENERATED_EVERY=N, only every Nth answer is tried, besides plain slips in a solution.
+// Any other false verdict is a failure, and so is if less than 90% is named or described. -v lists
+// every answer with its verdicts, and reviewed cases as well. With GENERATED_EVERY=N, only every
+// Nth answer is tried, besides plain slips in a solution.
 #include "tests/judge/known.h"
 #include "tests/judge/message.h"
 #include "tests/judge/runner.h"
@@ -35,20 +35,17 @@ typedef struct {
     char test[120];
 } Verdict;
 
-// Shared with the processes of the stems and of the answers.
-static Verdict (*verdicts)[MOST_FOLDERS]; // of each answer of a stem
+// Shared with the processes of the answers.
+static Verdict (*verdicts)[MOST_FOLDERS]; // of each answer
+static int *trying;                       // the number of an answer
 
 typedef struct {
     int tried, passed, failed, named, described; // by the graded tables
     int amiss, reviewed;
 } Count;
-static struct {
-    Count of_all;
-    int passed, failed;
-    int trying; // the number of an answer
-} * sum;
+static int settled[2]; // what failed, what passed
 
-static const char *folders[MOST_FOLDERS];
+static const char *const *folders;
 static int folder_count;
 
 // ---- one answer ---------------------------------------------------------------------------------
@@ -128,7 +125,7 @@ static _Noreturn void try_from(const Generated *all, int i, int folder)
     for (; all[i].exercise != NULL; i++) {
         if (!is_wanted(&all[i], i))
             continue;
-        sum->trying = i;
+        *trying = i;
         verdicts[i][folder].tried = true;
         setitimer(ITIMER_VIRTUAL, &most, NULL);
         judge(&all[i], &verdicts[i][folder]);
@@ -138,18 +135,18 @@ static _Noreturn void try_from(const Generated *all, int i, int folder)
 
 static void try_all(const Generated *all, int folder)
 {
-    for (int next = 0, status = 1; status != 0; next = sum->trying + 1) {
+    for (int next = 0, status = 1; status != 0; next = *trying + 1) {
         fflush(NULL);
-        sum->trying = -1;
+        *trying = -1;
         pid_t child = fork();
         if (child == 0)
             try_from(all, next, folder);
-        if (child < 0 || waitpid(child, &status, 0) != child || (status != 0 && sum->trying < 0)) {
+        if (child < 0 || waitpid(child, &status, 0) != child || (status != 0 && *trying < 0)) {
             perror("no process to try answers in");
             exit(1);
         }
         if (status != 0)
-            verdicts[sum->trying][folder] =
+            verdicts[*trying][folder] =
                 (Verdict){.tried = true, .noticed = true, .described = true};
     }
 }
@@ -251,20 +248,11 @@ static void count_one(Count *count, const Generated *it, const Verdict *verdict,
 
 static void print_count(const char *what, const Count *c)
 {
-    printf("%-22s %5d tried: %4d passed, %4d failed, %d named, %d described, %.1f%%, %d reviewed\n",
+    printf("%-22s %5d tried: %4d passed, %4d failed, %d named, %d described, %.1f%%, %d reviewed\n"
+           "+ %d generated answers\n",
            what, c->tried, c->passed, c->failed, c->named, c->described,
-           c->failed > 0 ? 100.0 * (c->named + c->described) / c->failed : 100, c->reviewed);
-}
-
-static void add(Count *total, const Count *c)
-{
-    total->tried += c->tried;
-    total->passed += c->passed;
-    total->failed += c->failed;
-    total->named += c->named;
-    total->described += c->described;
-    total->amiss += c->amiss;
-    total->reviewed += c->reviewed;
+           c->failed > 0 ? 100.0 * (c->named + c->described) / c->failed : 100, c->reviewed,
+           c->tried);
 }
 
 // ---- plain slips in a solution ------------------------------------------------------------------
@@ -306,23 +294,19 @@ static bool check_plain_slips(const Generated *all)
 
 static bool check_exercise(const char *exercise, const Generated *all, bool verbose, Count *total)
 {
-    Count count = {0};
+    const Count before = *total;
     for (int i = 0; all[i].exercise != NULL; i++)
         if (strcmp(all[i].exercise, exercise) == 0 && verdicts[i][0].tried)
-            count_one(&count, &all[i], verdicts[i], verbose);
-    print_count(exercise, &count);
-    add(total, &count);
-    return count.tried > 0 && count.amiss == 0;
+            count_one(total, &all[i], verdicts[i], verbose);
+    return total->tried > before.tried && total->amiss == before.amiss;
 }
 
-static void try_stem(const char *stem, bool verbose)
+static const Generated *try_all_folders(const char *stem)
 {
     static const Generated none[] = {{0}};
-    Count total = {0};
-    int count = 0;
     const Generated *all = none;
-    memset(verdicts, 0, MOST_GENERATED * sizeof *verdicts);
     for (int f = 0; f < folder_count; f++) {
+        int count = 0;
         setenv("JUDGE_TABLES", folders[f], 1);
         choose_stem(stem);
         all = chosen_stem()->generated != NULL ? chosen_stem()->generated : none;
@@ -334,20 +318,7 @@ static void try_stem(const char *stem, bool verbose)
         }
         try_all(all, f);
     }
-    const char *only = getenv("ONLY");
-    for (int e = 0; exercises[e].name != NULL; e++)
-        if (strcmp(exercises[e].stem, stem) == 0 &&
-            (only == NULL || strcmp(only, exercises[e].name) == 0))
-            *(check_exercise(exercises[e].name, all, verbose, &total) ? &sum->passed
-                                                                      : &sum->failed) += 1;
-    if (only == NULL)
-        *(check_plain_slips(all) ? &sum->passed : &sum->failed) += 1;
-    print_count(stem, &total);
-    add(&sum->of_all, &total);
-    if (10 * (total.named + total.described) < 9 * total.failed) {
-        printf("not ok: %s: fewer than 90%% are named or described\n", stem);
-        sum->failed++;
-    }
+    return all;
 }
 
 static void *shared(size_t size)
@@ -360,32 +331,31 @@ static void *shared(size_t size)
 
 int main(int argc, char **argv)
 {
-    if (argc < 4) {
-        fprintf(stderr, "Usage: %s REVIEWED|-v FOLDER,FOLDER... STEM...\n", argv[0]);
+    if (argc < 4 || argc - 3 > MOST_FOLDERS) {
+        fprintf(stderr, "Usage: %s REVIEWED|-v STEM FOLDER...\n", argv[0]);
         return 2;
     }
+    const char *stem = argv[2], *only = getenv("ONLY");
     bool verbose = strcmp(argv[1], "-v") == 0;
     if (!verbose)
         read_reviews(argv[1]);
-    for (char *name = strtok(argv[2], ","); name != NULL && folder_count < MOST_FOLDERS;
-         name = strtok(NULL, ","))
-        folders[folder_count++] = name;
+    folders = (const char *const *)argv + 3;
+    folder_count = argc - 3;
     verdicts = shared(MOST_GENERATED * sizeof *verdicts);
-    sum = shared(sizeof *sum);
-    for (int i = 3; i < argc; i++) {
-        fflush(NULL);
-        pid_t pid = fork();
-        if (pid == 0) {
-            try_stem(argv[i], verbose);
-            exit(0);
-        }
-        int status = 1;
-        if (pid < 0 || waitpid(pid, &status, 0) != pid || status != 0) {
-            printf("not ok: %s: its trials did not end\n", argv[i]);
-            sum->failed++;
-        }
+    trying = shared(sizeof *trying);
+    const Generated *all = try_all_folders(stem);
+    Count total = {0};
+    for (int e = 0; exercises[e].name != NULL; e++)
+        if (strcmp(exercises[e].stem, stem) == 0 &&
+            (only == NULL || strcmp(only, exercises[e].name) == 0))
+            settled[check_exercise(exercises[e].name, all, verbose, &total)]++;
+    if (only == NULL)
+        settled[check_plain_slips(all)]++;
+    print_count(stem, &total);
+    if (10 * (total.named + total.described) < 9 * total.failed) {
+        printf("not ok: %s: fewer than 90%% are named or described\n", stem);
+        settled[false]++;
     }
-    print_count("+ all", &sum->of_all);
-    printf("generated: %d passed, %d failed\n", sum->passed, sum->failed);
-    return sum->failed == 0 ? 0 : 1;
+    printf("generated: %d passed, %d failed\n", settled[true], settled[false]);
+    return settled[false] == 0 ? 0 : 1;
 }
