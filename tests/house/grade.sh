@@ -1,7 +1,19 @@
 #!/bin/sh
-# grade.sh - 'make grade' on a small class, and on the ten submissions of the instructor's page.
+# grade.sh - tests of the grader. grade.sh PART: 'class' (or nothing) marks a small class, and the ten submissions of the
+# instructor's page; 'modules': what is a submission, what it is worth, what is written of a graded class, and what 'make
+# submission' packs; 'long': a grader that is killed, shared, and started again gives the same marks, and a failure of the
+# machine is never a mark; archives that grow when they are opened; the archive for Gradescope, built, installed, given
+# submissions.
 # Only reads the tree.
 cd "$(dirname "$0")/../.." && . tests/house/runner/library.sh
-once grading "marking a small class"
-needs_grading grading 'grading'
-python3 -B tests/grade/check "grading, short" test_grade test_example
+part=${1:-class}
+once grading "grading, $part"
+[ "$part" = modules ] || needs_grading grading "grading, $part"
+needs grading "grading, $part" python3
+case $part in
+class) set -- test_grade test_example ;;
+modules) set -- test_submissions test_folders test_archives test_policy test_marking test_pack test_reports test_class \
+    test_ledger test_return test_similar ;;
+long) set -- test_regrade test_faults test_bombs test_gradescope ;;
+esac
+python3 -B tests/grade/check "grading, $part" "$@"
