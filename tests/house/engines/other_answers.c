@@ -8,12 +8,10 @@
 #include "exercises/05-quadratic.h"
 #include "exercises/06-ray-casting.h"
 #include "exercises/07-shading.h"
+#include "tests/house/engines/compare_engines.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int passed, failed;
 
 enum { SURFACES = 6, LIGHTS = 3 };
 static Surface surfaces[SURFACES];
@@ -32,52 +30,50 @@ static bool is_changed(const char *name)
     return changed != NULL && strcmp(changed, name) == 0;
 }
 
-Ray __real_pixel_ray(Camera camera, Resolution screen, Pixel pixel);
-Ray __wrap_pixel_ray(Camera camera, Resolution screen, Pixel pixel);
-Ray __wrap_pixel_ray(Camera camera, Resolution screen, Pixel pixel)
+// The linker calls the body instead of the function, which is __real_...
+#define WRAP(result, name, ...)                                                                    \
+    result __real_##name(__VA_ARGS__);                                                             \
+    result __wrap_##name(__VA_ARGS__);                                                             \
+    result __wrap_##name(__VA_ARGS__)
+
+WRAP(Ray, pixel_ray, Camera camera, Resolution screen, Pixel pixel)
 {
     Ray ray = __real_pixel_ray(camera, screen, pixel);
     return is_changed("pixel_ray") ? (Ray){ray.origin, 1.5 * ray.direction} : ray;
 }
-double __real_hit_sphere(Ray ray, Sphere sphere);
-double __wrap_hit_sphere(Ray ray, Sphere sphere);
-double __wrap_hit_sphere(Ray ray, Sphere sphere)
+
+WRAP(double, hit_sphere, Ray ray, Sphere sphere)
 {
     return __real_hit_sphere(ray, sphere) * (is_changed("hit_sphere") ? 1 + 1e-15 : 1);
 }
-vec3 __real_surface_normal(Sphere sphere, vec3 point);
-vec3 __wrap_surface_normal(Sphere sphere, vec3 point);
-vec3 __wrap_surface_normal(Sphere sphere, vec3 point)
+
+WRAP(vec3, surface_normal, Sphere sphere, vec3 point)
 {
     vec3 normal = __real_surface_normal(sphere, point);
     return is_changed("surface_normal") ? vec3_unit(normal + vec3_of(0, 0.1, 0)) : normal;
 }
-vec3 __real_off_surface(Sphere sphere, vec3 point, vec3 normal);
-vec3 __wrap_off_surface(Sphere sphere, vec3 point, vec3 normal);
-vec3 __wrap_off_surface(Sphere sphere, vec3 point, vec3 normal)
+
+WRAP(vec3, off_surface, Sphere sphere, vec3 point, vec3 normal)
 {
     vec3 start = __real_off_surface(sphere, point, normal);
     return is_changed("off_surface") ? point + 2 * (start - point) : start;
 }
-vec3 __real_mirror_direction(vec3 direction, vec3 normal);
-vec3 __wrap_mirror_direction(vec3 direction, vec3 normal);
-vec3 __wrap_mirror_direction(vec3 direction, vec3 normal)
+
+WRAP(vec3, mirror_direction, vec3 direction, vec3 normal)
 {
     vec3 mirrored = __real_mirror_direction(direction, normal);
     return is_changed("mirror_direction") ? 2 * mirrored : mirrored;
 }
-Ray __real_ray_to_light(vec3 from, Light light);
-Ray __wrap_ray_to_light(vec3 from, Light light);
-Ray __wrap_ray_to_light(vec3 from, Light light)
+
+WRAP(Ray, ray_to_light, vec3 from, Light light)
 {
     if (is_changed("ray_to_light"))
         light.position[0] += 0.1;
     return __real_ray_to_light(from, light);
 }
-Color __real_shade(const Scene *world, Ray ray, Hit hit);
-Color __wrap_shade(const Scene *world, Ray ray, Hit hit);
+
 // Blinn's highlights instead of Phong's; or a different constant.
-Color __wrap_shade(const Scene *world, Ray ray, Hit hit)
+WRAP(Color, shade, const Scene *world, Ray ray, Hit hit)
 {
     if (!is_changed("shade"))
         return __real_shade(world, ray, hit) * (is_changed("shade's constant") ? 0.9 : 1);
@@ -96,9 +92,8 @@ Color __wrap_shade(const Scene *world, Ray ray, Hit hit)
     }
     return sum;
 }
-Color __real_clamp_color(Color color);
-Color __wrap_clamp_color(Color color);
-Color __wrap_clamp_color(Color color)
+
+WRAP(Color, clamp_color, Color color)
 {
     return is_changed("clamp_color") ? color / (1 + color) : __real_clamp_color(color);
 }
@@ -160,10 +155,10 @@ static void compare_picture(const char *function, bool whole)
     }
     bool same = engine_named("bvh")->light(&work, style, &message) &&
                 (!whole || memcmp(image.rgb, right.rgb, (size_t)(3 * 48 * 36)) == 0);
-    passed += same;
-    failed += !same;
-    if (!same)
-        printf("not ok: %s: another picture\n", function == NULL ? "none changed" : function);
+    if (same)
+        passed++;
+    else
+        against_fail(function == NULL ? "none changed" : function, "another picture");
     changed = NULL;
     image_free(&image);
     image_free(&right);
@@ -180,6 +175,5 @@ int main(void)
     compare_picture(NULL, true);
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
         compare_picture(functions[i].name, functions[i].whole);
-    printf("other answers: %d passed, %d failed\n", passed, failed);
-    return failed > 0;
+    return against_end("other answers");
 }
