@@ -141,23 +141,6 @@ once() {
     [ -z "${BRIEF:-}" ] || skip "$1" "$2: once is enough (BRIEF)"
 }
 
-# A test of what make does by itself: of the ordinary build, also in a run for a sanitizer.
-ordinary() {
-    [ "${BUILD:-build}" = build ] || once "$1" "$2, by the ordinary build"
-}
-
-# What 'make exercises ANSWERS=folder EX=NN' does, without the time that make needs to find all of it built: make
-# is asked only for the first verdict of a folder, and for more than one chapter.
-exercises() {
-    plan=build$1/verdict/plan
-    case "$#,${2:-}" in
-    2,EX=*) [ ! -e "$plan" ] || { build/course exercises "$plan" "$(basename exercises/"${2#EX=}"-*.h .h)"; return; } ;;
-    esac
-    folder=$1
-    shift
-    make --no-print-directory exercises ANSWERS="$folder" "$@"
-}
-
 # Ends a test that cannot run here, or need not: skip NAME 'what, and why'
 skip() {
     echo "skipped: $2"
