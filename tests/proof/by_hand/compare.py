@@ -41,13 +41,11 @@ def picture_difference(before, after):
         return f"has {other[0]} x {other[1]} pixels, had {size[0]} x {size[1]}"
     if old == new:
         return None
-    width = 3 * size[0]
-    rows = [y for y in range(size[1]) if old[width * y:width * (y + 1)] != new[width * y:width * (y + 1)]]
-    places = [at for y in rows for at in range(width * y, width * (y + 1), 3) if old[at:at + 3] != new[at:at + 3]]
-    most = max(abs(a - b) for at in places for a, b in zip(old[at:at + 3], new[at:at + 3]))
-    columns = [at % width // 3 for at in places]
-    return (f"{len(places)} of {size[0] * size[1]} pixels differ, by at most {most} of 255, "
-            f"in columns {min(columns)} to {max(columns)} and rows {rows[0]} to {rows[-1]}")
+    by = png.apart(old, new)
+    places = [divmod(at, size[0]) for at in range(len(by)) if by[at]]
+    columns = [column for _, column in places]
+    return (f"{len(places)} of {len(by)} pixels differ, by at most {max(by)} of 255, "
+            f"in columns {min(columns)} to {max(columns)} and rows {places[0][0]} to {places[-1][0]}")
 
 
 def differences(before, after):
