@@ -33,6 +33,10 @@ class Sheets(WithFolder):
             sheet = self.sheet(raw)
             sheet.fill(sheet.rows[1], sheet.column("Grade"), 'a, "b"')
             self.assertEqual(sheet.bytes(), wanted)
+        sheet = self.sheet(b'name,grade\nAnna,"1"\nBen,2\n')
+        for row in sheet.rows[1:]:
+            sheet.fill(row, 1, "5")
+        self.assertEqual(sheet.bytes(), b'name,grade\nAnna,"5"\nBen,5\n')
 
     def test_no_cell_that_is_filled_is_run_by_a_spreadsheet(self):
         sheet = self.sheet(b"name,grade\nAnna,1\n")
@@ -130,6 +134,18 @@ class Classes(unittest.TestCase):
                 keys = [submission.person.key for submission in found if submission.person and submission.parts]
                 self.assertEqual(keys, [person] if person else [])
             self.setUp()
+
+    def test_a_name_does_not_overrule_the_platform_s_number(self):
+        one = platforms.Student("Anna", "Abel", "1", "u1", 4000, texts=[b"x"])
+        found = self.class_of({"Anna Abel_999_assignsubmission_file_/01-corners.c": b"x"}, platforms.moodle_worksheet([one])).found
+        self.assertEqual([(bool(one.parts), one.unlisted) for one in found],
+                         [(False, ""), (True, "it fits nobody on the list; closest: Anna Abel")])
+
+    def test_users_of_blackboard_may_have_underscores(self):
+        files = {f"HW_1_{user}_attempt_2025-11-14-23-59-59_01-corners.c": b"x" for user in ("a_doe", "b_doe", "b_roe")}
+        room = self.top / "class"
+        platforms.lay(room, files)
+        self.assertEqual([one.name for one in class_of(room, None, STEMS).found], ["a_doe", "b_doe", "b_roe"])
 
     def test_what_fits_nobody_or_two_is_listed_with_the_closest(self):
         found = self.class_of({"annna/01-corners.c": b"x", "kim li/01-corners.c": b"y", "anna.zip": b"", "zzz/x": b""}, self.ROSTER).found

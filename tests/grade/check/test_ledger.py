@@ -53,6 +53,7 @@ class Ledgers(WithFolder):
                 ("anna,01,points,30,,,\n", 18, 30, ["01-corners: points +30"]),
                 ("anna,01,points,-7,,,\n", 8, 30, ["01-corners: points -7"]),
                 ("anna,,points,-70,,,\n", 0, 30, ["points -70"]),
+                ("anna,1,credit,40,,,\nanna,,points,5,,,\n", 54, 30, ["01-corners: credit +40", "points +5"]),
                 ("anna,,credit,20,,,\n", 34, 30, ["credit +20"]),
                 ("anna,01,excused,,moved,,\n", 8, 20, ["01-corners: excused: moved"]),
                 ("anna,,excused,,ill,,\n", None, 30, ["excused: ill"]),
@@ -131,6 +132,15 @@ class Ledgers(WithFolder):
         self.assertRaisesRegex(SheetError, "ledger.csv:3: mark contradicts points in line 2", add, "anna", "1", "mark", "3", "", "", "")
         self.assertEqual(self.path.read_bytes(), before)
         self.assertEqual(add("ben", "", "comment", "", 'two\nlines, "quoted"', "", ""), 3)
+
+    def test_two_may_write_at_once(self):
+        program = ("import sys; sys.path.insert(0, 'tests'); from pathlib import Path\n"
+                   "from grade.people.ledger import add_decision\n"
+                   "for at in range(40):\n"
+                   "    add_decision(Path(sys.argv[1]), ['anna', '', 'comment', '', 'word', '', ''], [], lambda who: ['1'])\n")
+        writing = [subprocess.Popen([sys.executable, "-c", program, self.path]) for _ in range(3)]
+        self.assertEqual([one.wait() for one in writing], [0, 0, 0])
+        self.assertEqual(len(read_ledger(self.path, STEMS, lambda who: ["1"]).of("1").all), 120)
 
     def test_killed_while_it_is_written_no_line_is_lost(self):
         """Twenty kills; each line that was acknowledged is there, and nothing else."""

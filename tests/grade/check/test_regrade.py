@@ -1,6 +1,7 @@
 """test_regrade.py - a grader that is killed, shared, and started again gives the same marks."""
 from __future__ import annotations
 
+import json
 import os
 import random
 import re
@@ -19,6 +20,11 @@ from .small_class import (SEED, at_work_in, build_class, command, gone, grade, p
 def kept(done: subprocess.CompletedProcess) -> int:
     """How many were not marked again."""
     return done.stderr.count("(kept)")
+
+
+def was_compiled(folder: Path) -> bool:
+    """When it was marked last."""
+    return json.loads((folder / "results.json").read_text())["extra_data"]["record"]["steps"]["compile"] > 0
 
 
 class Regrade(Sentences):
@@ -52,7 +58,7 @@ class Regrade(Sentences):
     def killed_and_started_again(self, folder: Path, work: Path, found: dict[str, dict]) -> None:
         chance = random.Random(7)
         out = work / "killed"
-        for kill in ("SIGKILL", "SIGINT", "SIGTERM", "SIGKILL", "SIGKILL", "SIGKILL"):
+        for kill in ("SIGKILL", "SIGINT", "SIGTERM", "SIGKILL") * 5:
             grader = started(folder, out, JOBS="2")
             time.sleep(chance.uniform(0.2, 1.6))
             grader.send_signal(signal.Signals[kill])
@@ -87,8 +93,11 @@ class Regrade(Sentences):
         only = grade(copy, out, ONLY="mirrored")
         self.check("one of them is marked again, and the class is whole",
                    (only.stderr.count("/1 mirrored"), len(members(out)), len(rows(out))) == (1, 21, 21), only.stderr)
+        self.check("though there is a verdict", was_compiled(out / "mirrored"))
         out = work / "few"
         grade(copy, out)
+        grade(copy, out, EX="01")
+        self.check("a chapter is judged again, and no other", was_compiled(out / "mirrored") and not was_compiled(out / "nothing"))
         done = grade(copy, out, SEED="1")
         self.check("another seed marks all again", (kept(done), done.stderr.count("/3 ")) == (0, 3), done.stderr)
         other = work / "other version"

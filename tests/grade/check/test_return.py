@@ -97,7 +97,7 @@ class Returned(unittest.TestCase):
                         cells[comment], old[comment] = "", ""
                     self.assertEqual((cells if identity else row.written, row.end), (old if identity else was.written, was.end))
                 self.assertEqual(found, marks)
-                self.assertIn("Only in grades.csv, left as they are: Not Ours", said)
+                self.assertIn("Only in grades.csv, left as they are: 1, Not Ours", said)
                 first = back.bytes()
                 self.grades(first)
                 self.hand_back(platform, GRADES=self.top / "grades.csv", COLUMN=column)
@@ -131,6 +131,44 @@ class Returned(unittest.TestCase):
         for row in rows:
             self.assertIn(b"<h1>", (self.out / "return" / "folder" / row["page"]).read_bytes())
 
+    def test_a_mark_that_cannot_be_changed_stays(self):
+        them = platforms.students(12)
+        self.marked(them, platforms.moodle, platforms.moodle_worksheet)
+        given = platforms.moodle_worksheet(them).replace(b"10.00,Yes", b"10.00,No", 1)
+        said = self.hand_back("moodle", GRADES=self.grades(given))
+        back = Sheet(self.out / "return" / "moodle" / "grades.csv")
+        self.assertEqual([bool(back.cell(row, back.column("Grade"))) for row in back.rows[1:]], [False] + [True] * 11)
+        self.assertIn("cannot be changed: 1, Anna Abel", said)
+
+    def test_whoever_is_excused_from_a_chapter_has_as_large_a_part_of_the_whole(self):
+        them = platforms.students(12)
+        records = self.marked(them, platforms.canvas, platforms.canvas_gradebook)
+        records[2].update(score=3, max=6)
+        files.write_submission(records[2], str(self.out / records[2]["folder"]))
+        remember(records, self.out)
+        self.hand_back("canvas", GRADES=self.grades(platforms.canvas_gradebook(them)), COLUMN="Week 1")
+        back = Sheet(self.out / "return" / "canvas" / "grades.csv")
+        self.assertEqual([back.cell(back.rows[at + 2], back.column("Week 1 (77)")) for at in (2, 3)], ["5", "0.03"])
+
+    def test_a_page_has_the_name_of_the_last_upload(self):
+        one = platforms.Student("Anna", "Abel", "1", "u1", 4000, texts=[b"first", b"second"])
+        self.marked([one], platforms.canvas, platforms.canvas_gradebook)
+        self.hand_back("canvas")
+        with zipfile.ZipFile(self.out / "return" / "canvas" / "feedback.zip") as archive:
+            self.assertEqual(archive.namelist(), ["abelanna_4000_29001_feedback.html"])
+
+    def test_of_two_that_fit_one_line_the_second_is_said(self):
+        platforms.lay(self.room, {"anna/01-corners.c": b"x", "u1/01-corners.c": b"x"})
+        made = [record(one.name, [stem("01-corners", [function("a", most=10.0)])], folder=one.folder, score=at + 1)
+                for at, one in enumerate(class_of(self.room, None, STEMS).found)]
+        for one in made:
+            files.write_submission(one, str(self.out / one["folder"]))
+        remember(made, self.out)
+        said = self.hand_back("gradescope", GRADES=self.grades(b"First Name,Last Name,SID,Email,Week 1\nAnna,,1,u1@x.org,\n"),
+                              COLUMN="Week 1", CLASS="")
+        self.assertIn("Not in grades.csv: 1, u1", said)
+        self.assertIn(b"u1@x.org,1\n", (self.out / "return" / "gradescope" / "grades.csv").read_bytes())
+
     def test_hostile_names_stay_names(self):
         names = ["=1+1", "a\nb", "-rf", "@x", "<script>", "it's \"so\"", "Eve_1_assignsubmission_file_", "=x_2_assignsubmission_file_"]
         platforms.lay(self.room, {f"{name}/01-corners.c": b"x" for name in names})
@@ -162,6 +200,9 @@ class Returned(unittest.TestCase):
                 ("canvas", {"OUT": self.top}, "holds no marks: run 'make grade' first"),
                 ("canvas", {"SUBMISSIONS": self.top / "none"}, "expected the folder that was marked")):
             self.assertIn(words, self.hand_back(platform, **settings))
+        (self.out / "ledger.csv").write_text(f"who,chapter,what,value\n{them[0].id},,mark,3\n")
+        self.assertIn("run 'make grade' first", self.hand_back("canvas"))
+        (self.out / "ledger.csv").unlink()
         grades.write_bytes(grades.read_bytes().replace(b",10,10,", b",10,25,"))
         self.assertIn("its marks are of 25, and these of 10: change the points", self.hand_back("canvas", GRADES=grades, COLUMN="Week 2"))
         self.hand_back("canvas", GRADES=grades, COLUMN="Week 2", SCALE=1)

@@ -34,7 +34,5 @@ def class_of(directory: Path, list_of_class: Path | None, stems: list) -> ClassL
 
 def marked_class(out: Path) -> ClassList:
     """The class whose marks are in OUT, as it was when its reports were written last."""
-    people = [Person(one["submission"], **{**{"id": folder}, **{field: value for field, value in one["person"].items()
-                                                               if field != "name"}})
-              for folder, one in members(out).items()]
-    return ClassList([], [], people)
+    return ClassList([], [], [Person(**{"name": one["submission"], "id": folder, **one["person"]})
+                              for folder, one in members(out).items()])

@@ -1,6 +1,6 @@
 """hand_back.py - make return: the pages for the students and the marks for the grade book, as a platform takes them.
 
-    hand_back.py, and settings in the environment: FOR, GRADES, COLUMN, SCALE; SUBMISSIONS, CLASS, OUT
+    hand_back.py, and settings in the environment: FOR, GRADES, COLUMN, SCALE; SUBMISSIONS, CLASS, LEDGER, OUT
 
     FOR=moodle      feedback.zip, for 'Upload multiple feedback files in a zip'; GRADES: the grading worksheet
     FOR=canvas      feedback.zip, for 'Upload Submissions'; GRADES: the exported gradebook
@@ -13,7 +13,6 @@ What is returned is what 'make grade' has written; nothing is marked here.
 """
 from __future__ import annotations
 
-import csv
 import html
 import io
 import os
@@ -30,18 +29,20 @@ from grade.collect.names import decoded  # noqa: E402
 from grade.collect.platforms import CANVAS, MOODLE, Claim  # noqa: E402
 from grade.people.class_list import class_of  # noqa: E402
 from grade.people.history import members  # noqa: E402
+from grade.people.ledger import Ledger, read_ledger  # noqa: E402
 from grade.people.matching import Finder  # noqa: E402
 from grade.people.roster import Roster  # noqa: E402
 from grade.people.sheets import Sheet, SheetError  # noqa: E402
 from grade.policy import rounded  # noqa: E402
 from grade.report.files import put, read_record  # noqa: E402
-from grade.report.formats import MARK, cell  # noqa: E402
+from grade.report.formats import table  # noqa: E402
 from grade.report.points import NOTHING, reason  # noqa: E402
 from grade.settings import stop  # noqa: E402
-from grade.visible import brief, number, why  # noqa: E402
+from grade.visible import brief, number, visible, why  # noqa: E402
 
 PLATFORMS = ("moodle", "canvas", "gradescope", "blackboard", "folder")
 PAGE = "feedback.html"
+NAMED = 20      # of a list of people
 
 
 class Returned:
@@ -63,7 +64,12 @@ class Returned:
         return "; ".join(filter(None, (marks + (f" ({chapters})" if chapters else ""), reason(self.record))))
 
 
-def results(class_list, out: Path) -> list:
+def listed(names: list) -> str:
+    more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    return f"{len(names)}, {', '.join(map(brief, names[:NAMED]))}{more}"
+
+
+def results(class_list, out: Path, ledger: Ledger) -> list:
     """Everybody's, as the reports of the class had them."""
     known, found = members(out), []
     if not known:
@@ -71,6 +77,8 @@ def results(class_list, out: Path) -> list:
     for submission in class_list.found:
         if submission.folder not in known:
             stop(f"{submission.name} has no mark yet: run 'make grade' first, with the same settings")
+        if [visible(one.words()) for one in ledger.of(submission.key).all] != known[submission.folder]["decided"]:
+            stop(f"the ledger says something else of {submission.name} than their mark: run 'make grade' first")
         if known[submission.folder]["status"] == NOTHING:
             record = {**known[submission.folder], "stems": [], "unlisted": "", "words": "", "late": ""}
             found.append(Returned(submission, record, b""))
@@ -120,7 +128,7 @@ def pages_for(platform: str, everybody: list, folder: Path) -> str:
         put(str(folder), "feedback.zip", zipped(named))
         others = [returned.record["submission"] for returned in pages if not name_of(returned)]
         if others:
-            print(f"No page for those whose submission is not called as {platform} calls it: {', '.join(others)}")
+            print(f"No page for those whose submission is not called as {platform} calls it: {listed(others)}")
         return f"feedback.zip, {len(named)} pages"
     if platform == "gradescope":
         return ""
@@ -131,9 +139,7 @@ def pages_for(platform: str, everybody: list, folder: Path) -> str:
         person = returned.record["person"]
         mark = "" if returned.record["score"] is None else number(returned.record["score"])
         rows.append([name, returned.record["submission"], person.get("mail", ""), mark, number(returned.record["max"])])
-    text = io.StringIO(newline="")
-    csv.writer(text, lineterminator="\r\n").writerows([[cell(one) for one in row] for row in rows])
-    put(str(folder), "mail.csv", MARK + text.getvalue())
+    put(str(folder), "mail.csv", table(rows))
     return f"{len(pages)} pages, mail.csv"
 
 
@@ -211,7 +217,7 @@ def fill(grades: Path, platform: str, everybody: list, wanted: str, scale: bool)
             text = returned.comment()
             sheet.fill(row, comments, html.escape(text, quote=False) if platform == "moodle" else text)
     rest = [person.name for person in roster.people if person.row not in done]
-    words = [f"{what}: {', '.join(map(brief, who))}" for what, who in
+    words = [f"{what}: {listed(who)}" for what, who in
              ((f"Not in {grades.name}", lacking), (f"Only in {grades.name}, left as they are", rest),
               ("The platform says that these marks cannot be changed", unchanged)) if who]
     return sheet, words
@@ -230,7 +236,10 @@ def main() -> None:
     folder = out / "return" / platform
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        everybody = results(class_of(directory, roster, exercises.stems(exercises.read())), out)
+        stems = exercises.stems(exercises.read())
+        class_list = class_of(directory, roster, stems)
+        ledger = read_ledger(Path(setting("LEDGER", str(out / "ledger.csv"))), stems, class_list.keys)
+        everybody = results(class_list, out, ledger)
         written = [pages_for(platform, everybody, folder)]
         if grades:
             sheet, words = fill(grades, platform, everybody, setting("COLUMN"), setting("SCALE") not in ("", "0"))

@@ -11,8 +11,9 @@ import json
 import time
 from pathlib import Path
 
-from grade.report.formats import MARK, cell, mark
+from grade.report.formats import mark, table
 from grade.report.files import put
+from .sheets import as_meant
 
 LIST, HISTORY = ".class.json", "history.csv"
 HEADING = ["when", "submission", "from", "to", "of", "why"]
@@ -51,13 +52,7 @@ def lines_of(out: Path) -> list:
         text = (out / HISTORY).read_text(encoding="utf-8-sig")
     except OSError:
         return []
-    return list(csv.reader(io.StringIO(text)))[1:]
-
-
-def written(rows: list) -> str:
-    file = io.StringIO(newline="")
-    csv.writer(file, lineterminator="\r\n").writerows([HEADING, *rows])
-    return MARK + file.getvalue()
+    return [[as_meant(cell) for cell in row] for row in csv.reader(io.StringIO(text, newline=""))][1:]
 
 
 def remember(records: list, out: Path) -> list:
@@ -69,8 +64,8 @@ def remember(records: list, out: Path) -> list:
         old = before.get(folder)
         if old is not None and (old["score"], old["max"]) == (one["score"], one["max"]):
             continue
-        rows.append([today, cell(one["submission"]), mark(old["score"]) if old else "", mark(one["score"]), mark(one["max"]),
-                     cell(why(old, one))])
-    put(str(out), HISTORY, written(rows))
+        rows.append([today, one["submission"], mark(old["score"]) if old else "", mark(one["score"]), mark(one["max"]),
+                     why(old, one)])
+    put(str(out), HISTORY, table([HEADING, *rows]))
     put(str(out), LIST, json.dumps(now, indent=0))
     return rows

@@ -27,7 +27,7 @@ from typing import Callable
 from grade.policy import rounded
 from grade.report.files import put
 from grade.visible import brief, number
-from .sheets import Row, Sheet, SheetError
+from .sheets import Row, Sheet, SheetError, as_meant
 
 HEADING = ["who", "chapter", "what", "value", "comment", "by", "when"]
 KINDS = ("extra days", "excused", "mark", "points", "credit", "comment")
@@ -74,11 +74,6 @@ class Decided:
 def stem_named(text: str, stems: list) -> str | None:
     """01, 1 or 01-corners."""
     return next((stem for stem in stems if text in (stem, stem[:2], stem[:2].lstrip("0"))), None)
-
-
-def as_meant(text: str) -> str:
-    """Without the apostrophe that keeps a spreadsheet from running a cell."""
-    return text[1:] if text[:1] == "'" and text[1:2] in tuple("=+-@") else text
 
 
 def decision_in(sheet: Sheet, row: Row, columns: dict, stems: list) -> Decision:
@@ -192,7 +187,7 @@ def chapter_after(stem: dict, decided: Decided) -> tuple:
     for one in decided.of("mark", name):
         earned = one.value
     for one in decided.of("points", name):
-        earned = between(Fraction(0), earned + one.value, max(most, earned))
+        earned = between(Fraction(0), earned + one.value, most)
     return earned + sum(one.value for one in decided.of("credit", name)), most
 
 

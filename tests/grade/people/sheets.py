@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from grade.report.formats import cell as harmless
+from grade.report.formats import RUNS, cell as harmless
 from grade.visible import why
 
 LARGEST = 64 * 1024 * 1024
@@ -20,6 +20,11 @@ MARKS = [(codecs.BOM_UTF8, "utf-8"), (codecs.BOM_UTF16_LE, "utf-16-le"), (codecs
 
 class SheetError(ValueError):
     """FILE:LINE: what is wrong, expected what."""
+
+
+def as_meant(text: str) -> str:
+    """Without the apostrophe that keeps a spreadsheet from running a cell."""
+    return text[1:] if text[:1] == "'" and text[1:2] and text[1] in RUNS else text
 
 
 @dataclass

@@ -31,15 +31,24 @@ def mark(score) -> str:
     return "" if score is None else number(score)
 
 
+def table(rows: list) -> str:
+    """RFC 4180, lines end in CRLF. UTF-8 with a byte order mark, without which Excel takes names with umlauts for another
+    encoding. A spreadsheet runs a cell that begins with = + - or @, so such a cell begins with an apostrophe instead; and
+    because some split at semicolons, whatever is more than letters, digits and a few signs is quoted."""
+    out = io.StringIO(newline="")
+    for row in rows:
+        row = [cell(text) for text in row]
+        plain = all(PLAIN.fullmatch(text) for text in row)
+        csv.writer(out, lineterminator="\r\n", quoting=csv.QUOTE_MINIMAL if plain else csv.QUOTE_ALL).writerow(row)
+    return MARK + out.getvalue()
+
+
 SUM = ("computed", "penalty", "adjusted")    # what a final mark is the sum of
 
 
 def grades_csv(records: list) -> str:
     """One row per submission, for the grade book: the chapters add up to 'computed', and computed, late and adjusted to
-    'final'. RFC 4180, lines end in CRLF. UTF-8 with a byte order mark, without
-    which Excel takes names with umlauts for another encoding. A spreadsheet runs a cell that begins with = + - or @,
-    so such a cell begins with an apostrophe instead; and because some split at semicolons, whatever is more than
-    letters, digits and a few signs is quoted."""
+    'final'."""
     records = clean_class(records)
     stems = stems_of(records)
     known = [field for field in ("id", "login", "section") if any(record["person"].get(field) for record in records)]
@@ -51,12 +60,7 @@ def grades_csv(records: list) -> str:
         rows.append([record["submission"], *(record["person"].get(field, "") for field in known), status,
                      mark(record["score"]), number(record["max"]), *(mark(marks.get(stem, none)) for stem in stems),
                      *(mark(record[part]) for part in SUM), reason(record)])
-    out = io.StringIO(newline="")
-    for row in rows:
-        row = [cell(text) for text in row]
-        plain = all(PLAIN.fullmatch(text) for text in row)
-        csv.writer(out, lineterminator="\r\n", quoting=csv.QUOTE_MINIMAL if plain else csv.QUOTE_ALL).writerow(row)
-    return MARK + out.getvalue()
+    return table(rows)
 
 
 # ---- junit.xml and grades.tap -------------------------------------------------------------------
