@@ -230,11 +230,11 @@ class Grader:
         return record
 
     def make_tables(self) -> None:
-        """The judge's tables, with the hidden inputs of this seed. SystemExit if they cannot be made."""
+        """The judge's tables of what is judged, with the hidden inputs of this seed. SystemExit if they cannot be made."""
         self.tables.mkdir(parents=True, exist_ok=True)
         environment = {**os.environ, "SEED": str(self.seed)}
         running = [(stem, subprocess.Popen([self.kit.record_program, stem, self.tables / f"{stem}.table"], env=environment,
-                                           stderr=subprocess.PIPE, text=True)) for stem in self.stems]
+                                           stderr=subprocess.PIPE, text=True)) for stem in self.asked]
         for stem, recording in running:
             _, words = recording.communicate()
             if recording.returncode:
@@ -247,9 +247,9 @@ class Grader:
                                        (submissions.Part(os.fsencode(SOLUTIONS), "folder"),))
         bench = Workbench(self.kit, self.sandbox, self.work / found.folder, self.tables, self.seed, {})
         try:
-            stems = mark(bench, submissions.collect(found, self.stems), self.exercises, {})["stems"]
-            self.called = calls_of(bench, self.exercises)
-            self.right = {stem: (bench.folder / f"{stem}.o").read_bytes() for stem in self.stems}
+            stems = mark(bench, submissions.collect(found, self.asked), self.exercises, {})["stems"]
+            self.called = calls_of(bench, [exercise for exercise in self.exercises if exercise.stem in self.asked])
+            self.right = {stem: (bench.folder / f"{stem}.o").read_bytes() for stem in self.asked}
         except (GraderFailed, OSError) as error:
             raise SystemExit(f"grade: nothing is graded, because the grader fails on the reference: {error}") from None
         finally:
