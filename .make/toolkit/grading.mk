@@ -64,6 +64,7 @@ $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONF
 	$(Q)mkdir -p $(KIT)/blanks && cp $(STEMS:%=build/blanks/%.c) $(KIT)/blanks/
 	$(Q)cp $(B)/common.a $(KIT)/link/ && cp $(SCENE_TO_DRAW) $(PICTURE)/scene.nff
 	$(Q)printf '%s\n' 'JUDGE=$(abspath $(JUDGE))' 'RECORD=$(abspath $(RECORD))' 'PICTURE=$(abspath $(PICTURE))' \
+		'LAYOUTS=$(abspath $(JUDGES_LAYOUTS))' \
 		'COMPILE=$(CC) $(ANSWER_FLAGS) -I$(abspath $(KIT)/headers) -include $(abspath $(KIT_HEADER)) -c' \
 		'PARTS=$(if $(IS_CLANG),,-pass-exit-codes -wrapper)' \
 		'LINK=ld -static -s -z noexecstack -e graded_start' \
@@ -89,6 +90,8 @@ grade-set: $(LIST) ## a decision on a mark: WHO=anna WHAT='extra days' VALUE=2 C
 return: $(LIST) ## pages and marks for a platform: FOR=moodle GRADES=worksheet.csv
 	@python3 -B tests/grade/people/hand_back.py
 
+term: ## the weeks of a term beside each other: WEEKS=folder of the OUT of each week
+	@python3 -B tests/grade/people/term.py
 similar: $(LIST) $(BLANKS) ## who of a marked class agrees in an unusual way: OUT/similar.html
 	@python3 -B tests/grade/people/similar.py
 
@@ -101,4 +104,4 @@ gradescope: ## build/gradescope.zip, an autograder for Gradescope
 		$(patsubst %,--add-file=tests/grade/recipes/gradescope/%,setup.sh run_autograder) \
 		--prefix=toolkit/ $${changed:-HEAD}
 	@echo "$(GRADESCOPE): $$(($$(wc -c <$(GRADESCOPE)) / 1024)) KB. It holds the solutions: not for students."
-.PHONY: grade grade-set return similar gradescope
+.PHONY: grade grade-set return term similar gradescope

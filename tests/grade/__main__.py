@@ -15,6 +15,7 @@ sys.path[0] = str(Path(__file__).resolve().parents[1])  # there the package is f
 from grade.collect import submissions  # noqa: E402 - found from there on
 from grade.mark.crew import alone, mark_all, of_shard  # noqa: E402
 from grade.mark.grader import Grader  # noqa: E402
+from grade.mark.lecture_figures import lecture_figures  # noqa: E402
 from grade.people.class_list import class_of  # noqa: E402
 from grade.people.history import members, remember  # noqa: E402
 from grade.people.ledger import read_ledger, stem_named  # noqa: E402
@@ -104,9 +105,14 @@ def grade() -> int:
         grader.make_tables()
         grader.prove()
         failed = mark_all(grader, todo, given.jobs)
+        return report(grader, found, now, todo, failed, given, began)
     finally:
         shutil.rmtree(grader.work, ignore_errors=True)
         lock.close()
+
+
+def report(grader: Grader, found: list, now: list, todo: list, failed: dict, given, began: float) -> int:
+    """The exit status. now: those that are marked by this run or another shard's; todo: by this one."""
     marked = {submission.folder for submission in now}
     records = [failed.get(submission.folder)
                or (grader.record if submission.folder in marked else grader.without_marking)(submission)
@@ -120,7 +126,8 @@ def grade() -> int:
         return 0 if given.shard and not failed else 1
     print(text.closing(records))
     try:
-        files.write_class(records, str(grader.out), remember(records, grader.out))
+        figures = lecture_figures(grader, records)
+        files.write_class(records, str(grader.out), remember(records, grader.out), figures)
     except OSError as error:
         stop(f"the reports cannot be written to {given.out}: {error.strerror}")
     print(f"Took {time.monotonic() - began:.1f} s. Reports: {given.out}/index.html")

@@ -64,6 +64,14 @@ class Example(Sentences):
             rows = [(row["submission"], row["status"], row["final"]) for row in csv.DictReader(file)]
         self.assertEqual(sorted(explained), sorted(rows))
 
+    def test_what_is_explained_again_has_a_figure_for_the_lecture_without_its_author(self):
+        [figure] = (self.out / "figures").iterdir()
+        self.assertRegex(figure.name, r"^03-screen-pixel_center-[0-9a-f]{8}\.svg$")
+        told = figure.read_text(encoding="utf-8")
+        self.assertIn("expected: (0.5, 0.5)", told)
+        self.assertNotIn("crash", told)
+        self.assertIn(f'src="./figures/{figure.name}"', (self.out / "index.html").read_text(encoding="utf-8"))
+
     def test_deep_folder_still_has_its_windows_line_ends(self):
         [path] = Path("build/example-class").glob("deep-folder/*/*/01-corners.c")
         self.assertIn(b"\r\n", path.read_bytes())

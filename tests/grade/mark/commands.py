@@ -70,6 +70,7 @@ class Kit:
     judge_program: str
     record_program: str             # what makes the judge's tables
     picture: Path                   # the folder of what draws a picture
+    layouts: list[str]              # of the judge's figures
     compiler: list[str]
     parts_of_compiler: list[str]    # what makes a compiler of several programs run each by another one
     linker: list[str]
@@ -127,6 +128,9 @@ class Kit:
     def judge(self, stem: str, whose: str = "") -> Command:
         return Command(stem, [self.judge_program, stem, f"{whose}{stem}.exe", f"{whose}{stem}.d"], JUDGED)
 
+    def judge_with_figures(self, stem: str, folder: str) -> Command:
+        return Command(stem, [self.judge_program, stem, f"{stem}.exe", f"{stem}.d", folder], JUDGED)
+
     def judge_lent(self, stem: str, name: str, others: list[str]) -> Command:
         """NAME.asked will have the names of those that it asked for."""
         return Command(name, [self.judge_program, stem, f"{stem}.{name}.exe", "--only", name, *others], JUDGED,
@@ -140,5 +144,5 @@ class Kit:
 def read_kit(folder: Path) -> Kit:
     lines = (folder / "commands").read_text().splitlines()
     commands = {key: words.split() for key, words in (line.split("=", 1) for line in lines)}
-    return Kit(folder, *commands["JUDGE"], *commands["RECORD"], Path(*commands["PICTURE"]), commands["COMPILE"],
-               commands["PARTS"], commands["LINK"], commands["LIBRARIES"])
+    return Kit(folder, *commands["JUDGE"], *commands["RECORD"], Path(*commands["PICTURE"]), commands["LAYOUTS"],
+               commands["COMPILE"], commands["PARTS"], commands["LINK"], commands["LIBRARIES"])

@@ -59,11 +59,12 @@ class Workbench:
         readable = [self.kit.explainer, *(str(self.kit.folder / name) for name in of_kit)]
         return self._run(step, commands, lambda words: self.sandbox.compiler(self.folder, readable, words), {})
 
-    def judge(self, commands: list[Command]) -> dict[str, int]:
+    def judge(self, commands: list[Command], layouts: list[str] = ()) -> dict[str, int]:
+        """layouts: what figures are made with."""
         environment = {"JUDGE_TABLES": str(self.tables)}
         if self.sandbox.confine:
             environment["CONFINE"] = self.sandbox.confine
-        readable = [self.kit.judge_program, str(self.kit.picture), str(self.tables)]
+        readable = [self.kit.judge_program, str(self.kit.picture), str(self.tables), *layouts]
         return self._run("judge", commands, lambda words: self.sandbox.judge(self.folder, readable, words), environment)
 
     def sandwich(self, step: Callable, right: Command, doubtful: Command) -> int:

@@ -74,8 +74,8 @@ def trouble(function: dict):
     return "test " + function["test"], "fails: " + sentence(function)
 
 
-def most_made(records: list) -> list:
-    """Dicts: stem, function, sentence, who (their records), the most frequent first."""
+def made_by(records: list) -> dict:
+    """Of each mistake, by what it is: stem, function, sentence, who (their records)."""
     made = {}
     for record in records:
         for stem in record["stems"]:
@@ -87,6 +87,12 @@ def most_made(records: list) -> list:
                     key = (stem["stem"], function["name"], found[0])
                     new = {"stem": stem["stem"], "function": function["name"], "sentence": found[1], "who": []}
                     made.setdefault(key, new)["who"].append(record)
+    return made
+
+
+def most_made(records: list) -> list:
+    """These, the most frequent first."""
+    made = made_by(records)
     # Of equals, those that have a name first: they can be explained.
     order = sorted(made, key=lambda key: (-len(made[key]["who"]), not key[2].startswith("mistake"), key))
     shared = [key for key in order if len(made[key]["who"]) > 1]

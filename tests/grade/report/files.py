@@ -61,11 +61,12 @@ def answers_of(out_path: str, folder: str) -> dict:
         return {}
 
 
-def write_class(records: list, out_path: str, history=()) -> None:
-    """history: the changes of marks, the oldest first."""
+def write_class(records: list, out_path: str, history=(), figures=()) -> None:
+    """history: the changes of marks, the oldest first. figures: files in the folder 'figures', '' or one for each of
+    most_made(records)."""
     os.makedirs(out_path, exist_ok=True)
     reports = {"grades.csv": grades_csv, "junit.xml": junit_xml, "grades.tap": grades_tap,
-               "index.html": lambda records: class_page(records, history)}
+               "index.html": lambda records: class_page(records, history, figures)}
     for name, report in reports.items():
         put(out_path, name, report(records))
 

@@ -9,6 +9,7 @@ import os
 import pathlib
 import stat
 import xml.etree.ElementTree as ElementTree
+from itertools import zip_longest
 from urllib.parse import quote
 
 from grade.visible import number, score, visible
@@ -229,9 +230,17 @@ def distribution(records: list):
                tag("p", "Submissions by percent of what could be had.", class_="quiet"))
 
 
-def explain_again(records: list):
+def lecture_figure(name: str):
+    if not name:
+        return None
+    return tag("figure", tag("a", tag("img", src=address("figures", name), alt="an answer of the class, and the right one",
+                                      loading="lazy"), href=address("figures", name)),
+               tag("figcaption", f"For the lecture: a real answer (“yours”) beside the right one, figures/{name}"), class_="lecture")
+
+
+def explain_again(records: list, figures: list):
     items = []
-    for made in most_made(records):
+    for made, figure in zip_longest(most_made(records), figures, fillvalue=""):
         who = []
         for record in made["who"]:
             who += [", " if who else "", link(record)]
@@ -240,6 +249,7 @@ def explain_again(records: list):
                          f"  {made['stem']} ", tag("code", made["function"]),
                          tag("p", made["sentence"]),
                          tag("p", where, class_="quiet") if where else None,
+                         lecture_figure(figure),
                          tag("details", tag("summary", "who"), tag("p", *who))))
     blanks = ", ".join(f"{what} ({count})" for what, count in not_answered(records))
     if not items and not blanks:
@@ -325,10 +335,10 @@ def changes(history):
                    tag("tbody", *rows), class_="history"))
 
 
-def class_page(records: list, history: list = ()) -> str:
-    """history: the changes of marks, the oldest first."""
+def class_page(records: list, history: list = (), figures: list = ()) -> str:
+    """history: the changes of marks, the oldest first. figures: of what to explain again, one for each, or ''."""
     records = clean_class(records)
-    parts = [distribution(records), explain_again(records), exercises(records), everybody(records), changes(history),
+    parts = [distribution(records), explain_again(records, figures), exercises(records), everybody(records), changes(history),
              gallery(records)] if records \
         else [tag("p", "No submissions.")]
     return page("Grades", tag("header", banner(records), tag("h1", "Grades"), facts(records)), tag("main", *parts))
