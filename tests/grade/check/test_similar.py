@@ -1,13 +1,16 @@
 """test_similar.py - who agrees in an unusual way: what only two have is found, what everybody was given is not."""
+import os
 import shutil
+import tempfile
 import unittest
 from pathlib import Path
+from unittest.mock import patch
 
 from grade.people.history import remember
 from grade.people.similar import answers_in, pairs_of, report
-from grade.report.files import keep_answers
+from grade.report.files import keep_answers, write_submission
 from .fixtures import WithFolder
-from .records import record
+from .records import MISTAKE, function, record, stem
 
 STEM = "01-corners"
 SOLUTION = Path("solutions", f"{STEM}.c").read_text()
@@ -16,7 +19,10 @@ LONG = "\n".join(f"    double part_{at} = {at} * thing + {at * at};" for at in r
 
 @unittest.skipUnless(shutil.which("sim_c"), "sim_c is missing: make setup FOR=instructor")
 class Similar(WithFolder):
-    def pairs(self, **texts: str) -> list:
+    def pairs(self, wrong: dict | None = None, **texts: str) -> list:
+        """wrong: of some a function that is."""
+        for who, one in (wrong or {}).items():
+            write_submission(record(who, [stem(STEM, [one])], folder=who), str(self.work / who))
         remember([record(who, [], folder=who) for who in texts], self.work)
         for who, text in texts.items():
             keep_answers({STEM: text.encode()}, str(self.work), who)
@@ -41,6 +47,27 @@ class Similar(WithFolder):
     def test_what_many_have_is_not_unusual(self):
         texts = {who: text + "// as we said in the tutorial\n" * (who < "s08") for who, text in self.ordinary().items()}
         self.assertEqual(self.pairs(**texts), [])
+
+    def test_the_same_unusual_slip_comes_before_a_mistake_that_is_known(self):
+        slip = {"state": "wrong", "test": "a_test", "yours": "(7, 7, 7)"}
+        wrong = {"s03": function("upper_left", **slip), "s17": function("upper_left", **slip),
+                 "s05": function("upper_left", **slip, mistake=MISTAKE), "s09": function("upper_left", **slip, mistake=MISTAKE),
+                 "s11": function("upper_left", state="unanswered"), "s12": function("upper_left", state="unanswered")}
+        pairs = sorted(self.pairs(wrong, **self.ordinary()), key=lambda pair: -pair.weight)
+        self.assertEqual([(pair.one.who, pair.other.who, pair.shared) for pair in pairs],
+                         [("s03", "s17", ["wrong result of upper_left: (7, 7, 7)"]),
+                          ("s05", "s09", [f"mistake in upper_left: {MISTAKE['formula']}"])])
+
+    def test_jplag_compares_if_its_jar_is_named(self):
+        java = self.work / "java"
+        java.write_text("#!/bin/sh\necho \"$@\" >../asked\nmkdir result\nprintf '%s\\n' submissionName1,submissionName2,"
+                        "averageSimilarity,maximumSimilarity 4.c,2.c,0.6,0.8 1.c,0.c,0.9,0.3 >result/results.csv\n")
+        java.chmod(0o755)
+        with patch.dict(os.environ, PATH=f"{self.work}:{os.environ['PATH']}", JPLAG="jplag.jar", TMPDIR=str(self.work)), \
+                patch.object(tempfile, "tempdir", None):
+            pairs = self.pairs(**self.ordinary(6))
+        self.assertEqual([(pair.one.who, pair.other.who, pair.percent) for pair in pairs], [("s02", "s04", 80)])
+        self.assertIn("--language c", (self.work / "asked").read_text())
 
     def test_the_same_text_under_other_names_is_found(self):
         texts = self.ordinary()

@@ -1,13 +1,15 @@
 """similar.py - make similar: which submissions of a class agree in an unusual way, chapter by chapter.
 
-    similar.py, and in the environment: OUT, where the class has been marked
+    similar.py, and in the environment: OUT, where the class has been marked; JPLAG
 
 Taken out first is what everybody was given: the lines of the blanks, of the solutions and of the headers. Of the rest
-two things are compared. Words: comments, and names of helpers and variables, each the more unusual the fewer people have
-it. Text: how much of one is in the other, by sim_c (Debian's similarity-tester). The page is OUT/similar.html.
+these are compared. Words: comments, and names of helpers and variables; slips: a mistake that the judge knows by name, or
+the same wrong result; each is the more unusual the fewer people have it. Text: how much of one is in the other, by sim_c
+(Debian's similarity-tester), or by JPlag, if JPLAG names its jar. The page is OUT/similar.html.
 """
 from __future__ import annotations
 
+import csv
 import math
 import os
 import re
@@ -23,7 +25,7 @@ sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is f
 
 from grade import exercises  # noqa: E402 - found from there on
 from grade.people.history import members  # noqa: E402
-from grade.report.files import answers_of, put  # noqa: E402
+from grade.report.files import answers_of, put, read_record  # noqa: E402
 from grade.report.html import page, tag  # noqa: E402
 from grade.settings import stop  # noqa: E402
 from grade.visible import visible, why  # noqa: E402
@@ -36,6 +38,8 @@ LEAST_PERCENT = 50  # of the same text
 MOST_PAIRS = 60
 FEW = 0.1           # of the class: what more people have is not unusual
 MOST_LINES = 200    # of an answer, that are shown
+KNOWN, ODD = "mistake in ", "wrong result of "  # before slips; the tests know the former by name, so it is not so unusual
+WEIGHTS = {"// ": 3, ODD: 2}
 
 
 @dataclass(frozen=True)
@@ -44,7 +48,7 @@ class Answer:
     stem: str
     text: str           # as it was handed in
     own: str            # without what everybody was given
-    words: frozenset    # comments and names that nobody was given
+    words: frozenset    # comments and names that nobody was given, and slips
 
 
 def plain(line: str) -> str:
@@ -65,24 +69,47 @@ def comments(text: str) -> list:
     return [comment for comment in found if comment.count(" ") >= 2]
 
 
-def answer_of(who: str, stem: str, text: str, lines: set, words: set) -> Answer:
+def slips(functions: list) -> set:
+    """What went wrong in a function, as far as two can have it in common: not a blank, a crash or a loop."""
+    return {f"{KNOWN}{one['name']}: {one['mistake']['formula']}" if one["mistake"] else f"{ODD}{one['name']}: {one['yours']}"
+            for one in functions if one["state"] == "wrong" and (one["mistake"] or one["yours"])}
+
+
+def answer_of(who: str, stem: str, text: str, lines: set, words: set, functions: list = ()) -> Answer:
     own = "\n".join(line for line in text.splitlines() if plain(line) not in lines)
     names = set(WORD.findall(COMMENT.sub(" ", own))) - words
-    return Answer(who, stem, text, own, frozenset({f"// {comment}" for comment in comments(own)} | names))
+    return Answer(who, stem, text, own, frozenset({f"// {comment}" for comment in comments(own)} | names | slips(functions)))
+
+
+def by_sim(folder: str, names: list) -> list:
+    done = subprocess.run(["sim_c", "-p", "-s", "-r", str(RUN), "-t", str(LEAST_PERCENT), *names], cwd=folder,
+                          capture_output=True, text=True, errors="replace")
+    return re.findall(r"^(\d+)\.c consists for (\d+) % of (\d+)\.c material", done.stdout, re.MULTILINE)
+
+
+def by_jplag(folder: str, jar: str) -> list:
+    """As its options are since version 5; each file is a submission."""
+    done = subprocess.run(["java", "-jar", os.path.abspath(jar), "--mode", "RUN", "--language", "c", "--min-tokens", str(RUN),
+                           "--csv-export", "--result-file", "result", "."], cwd=folder, capture_output=True, text=True, errors="replace")
+    table = next(Path(folder).rglob("results.csv"), None)
+    if table is None:
+        stop(f"JPLAG={jar} wrote no results.csv: {visible((done.stderr or done.stdout)[-300:])}")
+    rows = csv.reader(table.read_text(encoding="utf-8").splitlines()[1:])
+    return [(one.removesuffix(".c"), round(100 * float(most)), other.removesuffix(".c"))
+            for one, other, _, most in rows if 100 * float(most) >= LEAST_PERCENT]
 
 
 def percents(answers: list) -> dict:
     """Two numbers of answers -> how many percent of the smaller one are in the other, if many."""
+    jar = os.environ.get("JPLAG")
     found: dict = {}
     with tempfile.TemporaryDirectory() as folder:
         for number, answer in enumerate(answers):
             Path(folder, f"{number}.c").write_text(answer.own + "\n")
-        names = [f"{number}.c" for number in range(len(answers))]
-        done = subprocess.run(["sim_c", "-p", "-s", "-r", str(RUN), "-t", str(LEAST_PERCENT), *names], cwd=folder,
-                              capture_output=True, text=True, errors="replace")
-    for match in re.finditer(r"^(\d+)\.c consists for (\d+) % of (\d+)\.c material", done.stdout, re.MULTILINE):
-        pair = tuple(sorted((int(match[1]), int(match[3]))))
-        found[pair] = max(found.get(pair, 0), int(match[2]))
+        lines = by_jplag(folder, jar) if jar else by_sim(folder, [f"{number}.c" for number in range(len(answers))])
+    for one, percent, other in lines:
+        pair = tuple(sorted((int(one), int(other))))
+        found[pair] = max(found.get(pair, 0), int(percent))
     return found
 
 
@@ -105,7 +132,7 @@ def pairs_of(answers: list) -> list:
     shared = defaultdict(list)
     for word, numbers in having.items():
         if 2 <= len(numbers) <= most:
-            weight = math.log(len(answers) / len(numbers) + 1) * (3 if word.startswith("// ") else 1)
+            weight = math.log(len(answers) / len(numbers) + 1) * next((WEIGHTS[kind] for kind in WEIGHTS if word.startswith(kind)), 1)
             for pair in combinations(numbers, 2):
                 shared[pair].append((weight, word))
     same = percents(answers)
@@ -114,13 +141,22 @@ def pairs_of(answers: list) -> list:
             for one, other in shared.keys() | same.keys()]
 
 
+def functions_of(place: Path) -> dict:
+    """STEM -> the verdicts on its functions."""
+    try:
+        return {stem["stem"]: stem["functions"] for stem in read_record(str(place / "results.json"))["stems"]}
+    except (OSError, ValueError):
+        return {}
+
+
 def answers_in(out: Path, stems: list) -> dict:
     """STEM -> answers, as they were marked."""
     lines, words = given(stems)
     answers = defaultdict(list)
     for folder, one in sorted(members(out).items()):
+        functions = functions_of(out / folder)
         for stem, text in answers_of(out, folder).items():
-            made = answer_of(one["submission"], stem, text, lines, words)
+            made = answer_of(one["submission"], stem, text, lines, words, functions.get(stem, []))
             if made.own.strip():
                 answers[stem].append(made)
     return answers
@@ -147,7 +183,7 @@ def section(pair: Pair):
                tag("h2", tag("span", f"{pair.one.stem}: ", tag("bdi", visible(pair.one.who)), " and ",
                              tag("bdi", visible(pair.other.who))),
                    tag("span", f"{pair.percent} % of the same text" if pair.percent else "", class_="marks"), class_="head"),
-               tag("p", f"Only few have {len(pair.shared)} of their comments and names:", *listed) if words else None,
+               tag("p", f"Only few have {len(pair.shared)} of their comments, names and slips:", *listed) if words else None,
                tag("details", tag("summary", "both"), tag("div", side(pair.one), side(pair.other), class_="pair")))
 
 
@@ -177,7 +213,7 @@ def main() -> None:
         put(str(out), "similar.html", report(pairs, sum(map(len, answers.values()))))
     except FileNotFoundError as error:
         stop("sim_c is missing: 'make setup FOR=instructor' installs it" if error.filename == "sim_c"
-             else f"{error.filename}: {why(error)}")
+             else "java is missing, which JPlag needs" if error.filename == "java" else f"{error.filename}: {why(error)}")
     except OSError as error:
         stop(f"{error.filename}: {why(error)}")
     print(f"{counted(len(pairs))} with something unusual in common: {out}/similar.html")
