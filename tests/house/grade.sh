@@ -13,7 +13,7 @@ needs grading "grading, $part" python3
 case $part in
 class) set -- test_grade test_example ;;
 modules) set -- test_submissions test_folders test_archives test_policy test_marking test_pack test_reports test_class \
-    test_ledger test_return test_similar ;;
+    test_ledger test_return test_similar test_term ;;
 long) set -- test_regrade test_faults test_bombs test_gradescope ;;
 esac
 python3 -B tests/grade/check "grading, $part" "$@"

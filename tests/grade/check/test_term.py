@@ -1,0 +1,61 @@
+"""test_term.py - the weeks of a term beside each other: one person is one row, and nothing is counted twice or lost."""
+import csv
+import io
+import re
+
+from grade.people.history import remember
+from grade.people.term import in_order, term_csv, term_page, weeks_of
+from grade.report import files
+from grade.visible import spelled
+from . import read_back
+from .fixtures import WithFolder
+from .records import HOSTILE, MISTAKE, function, record, stem
+
+
+class Term(WithFolder):
+    def week(self, name: str, *records: dict) -> None:
+        out = self.work / name
+        out.mkdir()
+        for one in records:
+            if one["status"] != "nothing handed in":
+                files.write_submission(one, str(out / one["folder"]))
+        remember(list(records), out)
+
+    def one(self, name: str, marks: float, number: str = "", of: float = 10.0, mistake=None, **more) -> dict:
+        wrong = function("upper_left", state="wrong", most=of - marks, mistake=mistake)
+        return record(name, [stem("01-corners", [function("upper_right", most=marks), wrong])],
+                      person={"name": name, "id": number} if number else {}, **more)
+
+    def rows(self) -> list:
+        return list(csv.reader(io.StringIO(term_csv(weeks_of(self.work)).lstrip("\ufeff"), newline="")))
+
+    def test_weeks_are_in_the_order_that_people_count_in(self):
+        self.assertEqual(sorted(["week-10", "week-9", "extra", "week-1"], key=in_order), ["extra", "week-1", "week-9", "week-10"])
+
+    def test_somebody_who_is_renamed_is_one_person(self):
+        self.week("week-1", self.one("Kim Li", 6, "7"), self.one("Anna", 4, "8"))
+        self.week("week-2", self.one("Kim Doe", 3, "7"), self.one("Kim Li", 9, "9"))
+        self.assertEqual(self.rows(), [["name", "id", "week-1", "week-2", "sum", "of"], ["Anna", "8", "4", "", "4", "10"],
+                                       ["Kim Doe", "7", "6", "3", "9", "20"], ["Kim Li", "9", "", "9", "9", "10"]])
+
+    def test_nothing_handed_in_is_0_and_no_score_is_no_part_of_the_sum(self):
+        self.week("a", self.one("Anna", 6, "1"), record("Ben", [], "nothing handed in", folder="ben", max=10, person={"id": "2"}))
+        self.week("b", {**self.one("Anna", 6, "1"), "status": "cannot be read", "score": None}, self.one("Ben", 5, "2"))
+        self.assertEqual(self.rows()[1:], [["Anna", "1", "6", "", "6", "10"], ["Ben", "2", "0", "5", "5", "20"]])
+
+    def test_a_mistake_is_counted_in_each_week_that_asked_for_its_chapter(self):
+        self.week("a", *(self.one(f"s{at}", 6, str(at), mistake=MISTAKE if at < 3 else None) for at in range(5)))
+        self.week("b", self.one("s1", 6, "1", mistake=MISTAKE), self.one("s2", 6, "2"))
+        self.week("c", record("s1", [stem("05-quadratic", [function("hit_sphere")])], person={"id": "1"}))
+        told = re.sub(r"\s+", " ", " ".join(read_back.Page(term_page(weeks_of(self.work))).words))
+        self.assertIn(f"01-corners upper_left {MISTAKE['formula']}", told)
+        self.assertRegex(told, r"there\. 3 of 5 1 of 2 01-corners")
+        self.assertIn("05-quadratic hit_sphere 1 of 1", told)
+
+    def test_names_that_act_are_only_names(self):
+        self.week("a", *({**self.one("x", 6), "submission": spelled(text), "folder": f"h{at}"} for at, text in enumerate(HOSTILE)))
+        page = term_page(weeks_of(self.work))
+        self.assertNotIn("<script", page)
+        self.assertNotIn("\x1b", page)
+        for row in self.rows()[1:]:
+            self.assertNotIn(row[0].lstrip(" ")[:1], set("=+-@"))

@@ -1,0 +1,164 @@
+"""term.py - make term: the weeks of a term beside each other, from the folders (OUT) that they were marked in.
+
+    term.py, and in the environment: WEEKS, the folder that these lie in
+
+Writes WEEKS/term.html: who handed in, which mistakes come back, who has which function right, everybody's marks; and
+WEEKS/term.csv, everybody's marks. Somebody is the same person in all weeks if the list of the class says so; without a
+list, if the submissions have one name. Nothing is marked here.
+"""
+from __future__ import annotations
+
+import os
+import re
+import statistics
+import sys
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+
+sys.path[0] = str(Path(__file__).resolve().parents[2])  # there the package is found, from any working directory
+
+from grade.people.history import members  # noqa: E402 - found from there on
+from grade.policy import rounded  # noqa: E402
+from grade.report.figures import by_exercise, handed_in, made_by, percent, scored  # noqa: E402
+from grade.report.files import put, read_record  # noqa: E402
+from grade.report.formats import mark, table  # noqa: E402
+from grade.report.html import page, tag  # noqa: E402
+from grade.report.points import NOTHING, clean_class  # noqa: E402
+from grade.settings import stop  # noqa: E402
+from grade.visible import number, visible, why  # noqa: E402
+
+MOST_MISTAKES = 20
+FIELDS = ("id", "login", "mail", "section")
+
+
+@dataclass(frozen=True)
+class Week:
+    name: str
+    records: list
+
+    def count_of(self, stem: str) -> int:
+        """How many handed in something, if the chapter was judged in this week."""
+        return len(handed_in(self.records)) if any(one["stem"] == stem for record in self.records
+                                                   for one in record["stems"]) else 0
+
+
+def in_order(name: str) -> list:
+    """So that week-10 comes after week-9."""
+    return [(int(part), "") if part.isdecimal() else (-1, part) for part in re.split(r"(\d+)", name)]
+
+
+def read_week(out: Path) -> Week:
+    """Of who handed in nothing there is only the line in the list of the class."""
+    records = []
+    for folder, member in members(out).items():
+        if member["status"] == NOTHING:
+            records.append({**member, "folder": folder, "stems": [], "person": member["person"] or {}})
+        else:
+            records.append(read_record(str(out / folder / "results.json")))
+    return Week(out.name, clean_class(records))
+
+
+def weeks_of(term: Path) -> list[Week]:
+    return [read_week(out) for out in sorted(term.iterdir(), key=lambda out: in_order(out.name)) if members(out)]
+
+
+def key_of(record: dict) -> str:
+    person = record["person"]
+    return next(filter(None, map(person.get, ("id", "login", "mail", "name"))), record["submission"])
+
+
+def marks_of(weeks: list[Week]) -> list[tuple[dict, list, Fraction, Fraction]]:
+    """Of each person: who that is, the record of each week (None: not in that class), and the sums of marks and of what could
+    be had, without weeks that have no score."""
+    people: dict[str, dict[str, dict]] = {}
+    for week in weeks:
+        for record in week.records:
+            people.setdefault(key_of(record), {})[week.name] = record
+    rows = []
+    for there in people.values():
+        last = list(there.values())[-1]
+        counted = [record for record in there.values() if record["score"] is not None]
+        sums = [sum((Fraction(str(record[part])) for record in counted), Fraction(0)) for part in ("score", "max")]
+        rows.append(({"name": last["submission"], **last["person"]}, [there.get(week.name) for week in weeks], *sums))
+    return sorted(rows, key=lambda row: row[0]["name"])
+
+
+def term_csv(weeks: list[Week]) -> str:
+    rows = marks_of(weeks)
+    known = [field for field in FIELDS if any(person.get(field) for person, *_ in rows)]
+    return table([["name", *known, *(week.name for week in weeks), "sum", "of"]] + [
+        [person["name"], *(person.get(field, "") for field in known), *(mark(record and record["score"]) for record in there),
+         mark(rounded(total)), mark(rounded(most))] for person, there, total, most in rows])
+
+
+# ---- the page -----------------------------------------------------------------------------------
+
+
+def part(title: str, heads: list, rows: list):
+    return tag("section", tag("h2", title), tag("div", tag(
+        "table", tag("thead", tag("tr", *[tag("th", head, scope="col") for head in heads])),
+        tag("tbody", *[tag("tr", *[cell if not isinstance(cell, str) else tag("td", cell) for cell in row]) for row in rows])),
+        class_="scroll", tabindex="0", role="region", aria_label=title))
+
+
+def week_by_week(weeks: list[Week]):
+    rows = []
+    for week in weeks:
+        percents = [percent(record) for record in scored(week.records)]
+        rows.append([week.name, str(len(handed_in(week.records))), str(len(week.records) - len(handed_in(week.records))),
+                     number(round(statistics.median(percents))) if percents else "-"])
+    return part("Week by week", ["week", "handed in", "nothing", "median, %"], rows)
+
+
+def mistakes(weeks: list[Week]):
+    """Those that most people made, of all weeks together; how many of how many in each."""
+    found = [made_by(week.records) for week in weeks]
+    all_of_them = {key: made for week in reversed(found) for key, made in week.items()}
+    order = sorted(all_of_them, key=lambda key: (-sum(len(week[key]["who"]) for week in found if key in week), key))
+    rows = []
+    for key in order[:MOST_MISTAKES]:
+        made = all_of_them[key]
+        cells = [f"{len(there[key]['who']) if key in there else 0} of {week.count_of(made['stem'])}"
+                 if week.count_of(made["stem"]) else "" for week, there in zip(weeks, found)]
+        rows.append([tag("td", f"{made['stem']} ", tag("code", made["function"]), tag("div", made["sentence"], class_="quiet")),
+                     *cells])
+    return part("Mistakes over the weeks", ["mistake", *(week.name for week in weeks)], rows) if rows else None
+
+
+def exercises(weeks: list[Week]):
+    found = [{(stem, name): groups[0] for stem, name, groups in by_exercise(week.records)} for week in weeks]
+    rows = [[tag("td", f"{stem} ", tag("code", name)),
+             *["{} of {}".format(*week[stem, name]) if (stem, name) in week else "" for week in found]]
+            for stem, name in sorted(dict.fromkeys(key for week in found for key in week), key=lambda key: key[0])]
+    return part("Who has it right", ["exercise", *(week.name for week in weeks)], rows) if rows else None
+
+
+def everybody(weeks: list[Week]):
+    rows = [[tag("td", tag("bdi", person["name"]), tag("div", person.get("section", ""), class_="quiet")),
+             *["" if record is None else number(record["score"]) for record in there],
+             f"{number(rounded(total))} of {number(rounded(most))}", f"{number(round(100 * total / most))} %" if most else ""]
+            for person, there, total, most in marks_of(weeks)]
+    return part("Everybody", ["name", *(week.name for week in weeks), "sum", ""], rows)
+
+
+def term_page(weeks: list[Week]) -> str:
+    return page("The term", tag("header", tag("h1", "The term"), tag("p", tag("a", "term.csv", href="./term.csv"))),
+                tag("main", week_by_week(weeks), mistakes(weeks), exercises(weeks), everybody(weeks)))
+
+
+def main() -> None:
+    term = Path(os.environ.get("WEEKS") or "marks")
+    try:
+        weeks = weeks_of(term) if term.is_dir() else []
+        if not weeks:
+            stop(f"WEEKS={term}: expected a folder that the OUT of each week lies in, such as {term}/week-1")
+        put(str(term), "term.csv", term_csv(weeks))
+        put(str(term), "term.html", term_page(weeks))
+    except (OSError, ValueError) as error:
+        stop(f"{visible(str(getattr(error, 'filename', None) or term))}: {why(error)}")
+    print(f"{len(weeks)} week{'s' * (len(weeks) != 1)}: {', '.join(visible(week.name) for week in weeks)}. {term}/term.html")
+
+
+if __name__ == "__main__":
+    main()
