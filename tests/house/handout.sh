@@ -198,6 +198,15 @@ same_page() {
 check "the students' page is that of the toolkit" same_page
 
 
+# Before anything is built an editor (clangd) reads compile_flags.txt; it must say no more than the judge does.
+first_flags() {
+    # shellcheck disable=SC2046 # options without blanks in them
+    (cd "$scratch/tree/ray-casting" && "$1" $(cat compile_flags.txt) -Werror -fsyntax-only exercises/*.c)
+}
+for compiler in gcc clang; do
+    ! command -v $compiler >/dev/null || check "in it, an editor has flags before anything is built ($compiler)" first_flags $compiler
+done
+
 # An editor finds the flags of each answer: it compiles as it is judged.
 editor_finds() {
     (cd "$1" && unset ANSWERS BUILD KIT PROGRAMS COMPILER && make --no-print-directory -s build/compile_commands.json \
