@@ -3,7 +3,8 @@
 #
 # For each suite of Debian: a bare system (debootstrap --variant=minbase) with git and make, a clone of the last
 # commit in it, 'make setup all', 'make check'. FOR=lecturer: the commands of the lecturer's page instead, 'make setup
-# FOR=lecturer', 'make slides', 'make animations'; FOR=book: 'make setup FOR=book', 'make book'.
+# FOR=lecturer', 'make slides', 'make animations'; FOR=book: 'make setup FOR=book', 'make book'; FOR=instructor: 'make
+# setup FOR=instructor', and the ten submissions of the instructor's page are marked, as tests/grade/recipes/Containerfile does.
 # Needs root, debootstrap and the network, 2 GB of disk and much time for each; for that reason no other test runs it.
 # The output is kept in build/fresh/SUITE.log. MIRROR: where the packages are from; CACHE: a folder that keeps
 # them for the next time.
@@ -17,8 +18,9 @@ case ${FOR:-} in
 '') goals='setup all,check' ;;
 lecturer) goals='setup FOR=lecturer,slides,animations' ;;
 book) goals='setup FOR=book,book' ;;
+instructor) goals='setup FOR=instructor,build/grading/commands,grade SUBMISSIONS=build/example-class OUT=/root/marks' ;;
 *)
-    echo "FOR=$FOR: expected lecturer, book, or nothing" >&2
+    echo "FOR=$FOR: expected lecturer, book, instructor, or nothing" >&2
     exit 2
     ;;
 esac
