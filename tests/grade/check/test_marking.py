@@ -123,9 +123,9 @@ class Crew(unittest.TestCase):
         parts = [crew.of_shard(everybody, (part, 3)) for part in (1, 2, 3)]
         self.assertEqual(sorted(one.folder for part in parts for one in part),
                          sorted(one.folder for one in everybody))
-        self.assertEqual(crew.of_shard(everybody[:50], (1, 3)),
-                         [one for one in parts[0] if one in everybody[:50]])
-        self.assertTrue(all(len(part) > 20 for part in parts))
+        self.assertEqual([len(part) for part in parts], [34, 33, 33])
+        self.assertEqual(crew.of_shard(everybody[::-1], (1, 3)), parts[0])
+        self.assertTrue(all(len({one.folder for one in part} & {f"group {i}" for i in range(33)}) > 5 for part in parts))
         self.assertEqual(crew.of_shard(everybody, None), everybody)
 
 
