@@ -39,7 +39,7 @@ def main() -> None:
         stop(f"nothing is written: {error}")
     except OSError as error:
         stop(f"{error.filename}: {why(error)}")
-    print(f"{path}, line {line}. 'make grade' with the same settings counts it in.")
+    print(f"{path}, line {line}: the next 'make grade' counts it in.")
 
 
 main()
