@@ -73,9 +73,8 @@ $(KIT)/commands: Makefile .make/exercises.mk .make/toolkit/grading.mk $(KIT_CONF
 
 # The ten submissions of the instructor's page.
 EXAMPLE_CLASS := build/example-class
-$(EXAMPLE_CLASS): tests/grade/example/class.txt
-	$(Q)rm -rf $@ && mkdir -p $@ && cd $@ && awk '/^==== / { close(file); file = folder = substr($$0, 6); \
-		sub("/[^/]*$$", "", folder); system("mkdir -p \"" folder "\""); next } file { print > file }' $(abspath $<)
+$(EXAMPLE_CLASS): tests/grade/example/class.txt tests/grade/example/unpack.py
+	$(Q)rm -rf $@ && python3 -B tests/grade/example/unpack.py $< $@
 grade: $(filter $(EXAMPLE_CLASS),$(SUBMISSIONS))
 
 # By the environment, where any folder's name is just a name.
