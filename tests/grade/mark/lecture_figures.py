@@ -53,10 +53,17 @@ def drawn(grader: Grader, stem: str, function: str, text: str, name: str) -> str
     return f"{name}{script.suffix}"
 
 
+def can_be_drawn(record: dict, stem: str, name: str) -> bool:
+    """Not a crash or a loop, and not of hidden inputs."""
+    return any(function["name"] == name and function["state"] == "wrong" and not function["hidden"]
+               for one in record["stems"] if one["stem"] == stem for function in one["functions"])
+
+
 def figure_of(grader: Grader, made: dict, there: dict[str, str]) -> str:
     """there: names without their ends, of the figures that are there."""
     stem, function = made["stem"], made["function"]
-    for record in sorted(made["who"], key=lambda record: record["folder"])[:MOST_TRIED]:
+    who = [record for record in made["who"] if can_be_drawn(record, stem, function)]
+    for record in sorted(who, key=lambda record: record["folder"])[:MOST_TRIED]:
         text = answers_of(str(grader.out), record["folder"]).get(stem)
         if text is None:
             continue
