@@ -269,6 +269,29 @@ def world_object(m, by=(0, 0, 0)):
     return figure
 
 
+def geometric_roots(m):
+    """By Pythagoras, from the side of the line: no quadratic equation, and no formula of the figure."""
+    figure = Figure(P, "geometric-roots", *m.options())
+    panel = Panel(m, figure.lines("circle")[0], m.line, m.off)
+    from_the_margin(figure, "geometric-roots")
+    near = figure.number("near_p")
+    meets_in(figure, panel, m, ("t0", "t1"))
+    checks.near("M", figure.dots("M"), panel.place(m.nearest))
+    checks.near("L", figure.tips("L"), [panel.place(m.c)] if near and math.dist(m.p, m.c) > 1e-6 * m.r else [])
+    checks.same("s and m", [figure.number("s"), figure.number("m")], [m.t * length(m.v), m.away])
+    middle = math.dist(m.at(m.roots[0]), m.at(m.roots[1])) / 2 if m.roots else math.nan
+    checks.that("q is half the distance of the hits", not m.roots or abs(figure.number("q") - middle) < 1e-5 * m.r)
+    checks.stroke(figure, "m", panel.place(m.nearest), panel.place(m.c))
+    if m.roots:
+        checks.stroke(figure, "q", panel.place(m.nearest), panel.place(m.at(m.roots[1])))
+    if min(m.away, abs(m.t) * length(m.v)) > 0.1 * m.r:
+        at_m = panel.place(m.nearest)
+        checks.that("the mark of the right angle is a square at M", all(
+            min(abs(x - at_m[0]), abs(y - at_m[1])) < 0.1 for x, y in figure.line("right angle")[::2]))
+    has_label(figure, "geometric-roots", "no root" if not m.roots else "(s + q) / |v|")
+    return figure
+
+
 def some_meeting(dice, one=1.0):
     """A ray that passes a sphere at up to 1.3 radii, from far to inside, ahead or behind, in such units."""
     def direction():
@@ -285,12 +308,13 @@ deck = Meeting(*DECK)
 ray_sphere(deck)
 ray_sphere(deck, "shape='4:3'")
 parabola(deck)
+geometric_roots(deck)
 discriminant(1)
 # The lecture may have another example; only that is moved.
 IS_EXAMPLE = Figure(P, "ray-sphere").script == Figure(P, "ray-sphere", *deck.options()).script
 world_object(deck, by=(3, 2, 0) if IS_EXAMPLE else (0, 0, 0))
 checks.same("the deck's first hit", [deck.hit], [3.621514], within=1e-6)
-for title in ("ray-sphere", "parabola", "discriminant", "world-object"):
+for title in ("ray-sphere", "parabola", "discriminant", "world-object", "geometric-roots"):
     holds_for_every(checks, P, title)
 
 # Miss, tangent, inside, behind, through the centre, far away: each with its words.
@@ -310,7 +334,8 @@ for case, words, over in CASES:
     has_label(Figure(P, "ray-sphere", *meeting.options()), "ray-sphere", words)
     has_label(parabola(meeting), "parabola", over)
     world_object(meeting)
-    for title in ("ray-sphere", "parabola", "world-object"):
+    geometric_roots(meeting)
+    for title in ("ray-sphere", "parabola", "world-object", "geometric-roots"):
         holds_for_every(checks, P, title, *meeting.options())
 
 dice = random.Random(5)
@@ -319,9 +344,10 @@ for _ in range(int(os.environ.get("SCENES", "5"))):
     ray_sphere(meeting)
     parabola(meeting)
     world_object(meeting)
+    geometric_roots(meeting)
     discriminant(meeting.r)
     meeting = some_meeting(dice, 10 ** dice.uniform(-2, 2))
-    for title in ("ray-sphere", "parabola", "world-object"):
+    for title in ("ray-sphere", "parabola", "world-object", "geometric-roots"):
         labels_are_clear(checks, P, title, meeting.options())
     labels_are_clear(checks, P, "discriminant", [f"--radius={meeting.r:.17g}"])
 checks.end()

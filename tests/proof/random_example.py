@@ -145,7 +145,7 @@ def print_figures(e):
     print(f"02-cameras camera-forms {camera}")
     print(f"03-screen screen-to-unit {size} --point {e.x},{e.y}")
     print(f"04-pixel-ray pixel-to-ray {size} --pixel {e.x},{e.y} {camera}")
-    for figure in ("ray-sphere", "parabola", "discriminant", "world-object"):
+    for figure in ("ray-sphere", "parabola", "discriminant", "world-object", "geometric-roots"):
         print(f"05-quadratic {figure} {ray}")
 
 

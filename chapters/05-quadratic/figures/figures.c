@@ -567,6 +567,106 @@ static void parabola_data(Plot *plot, void *given)
     section_handles(plot, &section, true);
 }
 
+// ---- geometric-roots ---------------------------------------------------------------------------
+
+// The sides of two right triangles: from p to the nearest point of the line, s; from there to the
+// centre, m; and half a chord, q, of which nothing is left if the line misses the sphere.
+typedef struct {
+    double s, m, q;
+} Sides;
+
+static Sides sides_of(const Section *section)
+{
+    double r = section->sphere.radius, m = section->away;
+    return (Sides){section->t * vec3_length(section->ray.direction), m,
+                   m <= r ? sqrt((r - m) * (r + m)) : NAN};
+}
+
+// The mark of the right angle at the nearest point, towards p and the centre.
+static void right_angle(Plot *plot, const Section *s, Sides sides)
+{
+    double size = fmin(0.12 * s->size, 0.5 * fmin(sides.m, fabs(sides.s)));
+    vec3 back = sides.s < 0 ? size * s->line : -size * s->line, in = -size * s->off;
+    plot_block(plot, "corner", "x y z of the mark of the right angle");
+    plot_row_point(plot, s->nearest + back);
+    plot_row_point(plot, s->nearest + back + in);
+    plot_row_point(plot, s->nearest + in);
+    plot_block_end(plot);
+}
+
+static void sides_data(Plot *plot, const Section *s, Sides sides, bool misses)
+{
+    plot_number_to(plot, "s", sides.s, DIGITS);
+    plot_number_to(plot, "m", sides.m, DIGITS);
+    plot_number_to(plot, "q", sides.q, DIGITS);
+    plot_number_to(plot, "speed", vec3_length(s->ray.direction), DIGITS);
+    if (!s->near)
+        plot_undrawn(plot);
+    plot_vector(plot, "l", s->ray.origin, s->sphere.center - s->ray.origin);
+    if (!s->near)
+        plot_undrawn(plot);
+    plot_vector(plot, "closest", s->ray.origin, sides.s * s->line);
+    plot_vector(plot, "height", s->nearest, -sides.m * s->off);
+    plot_line(plot, s->nearest, s->nearest, 0, 0);
+    right_angle(plot, s, sides);
+    plot_vector(plot, "half_chord", s->nearest, sides.q * s->line);
+    plot_vector(plot, "spoke", s->sphere.center,
+                misses ? -s->sphere.radius * s->off : sides.m * s->off + sides.q * s->line);
+}
+
+static void sides_labels(Plot *plot, const Section *s, Sides sides, bool misses)
+{
+    double small = 0.22 * s->size;
+    bool touches = plot_shown(plot, "t0") == plot_shown(plot, "t1"), ends = s->near || s->t > 0;
+    const Label labels[] = {
+        {s->near ? "$p$" : "to $p$", "blue", .block = "p"},
+        {"$C$", "ink", .block = "center"},
+        {ends ? "$p + t v$" : "", "blue", .block = "tail", .row = 1, .part = ANYWHERE},
+        {s->near && vec3_length(s->sphere.center - s->ray.origin) > small ? "$L$" : "", "ink",
+         .step = 2, .block = "l", .part = ANYWHERE},
+        {"$M$", "green", .step = 3, .place = s->nearest},
+        {s->near && fabs(sides.s) > small ? "$s$" : "", "green", .step = 3, .block = "closest",
+         .part = ANYWHERE},
+        {sides.m > small ? "$m$" : "", "pink", .step = 4, .block = "height", .part = ANYWHERE},
+        {sides.q > small ? "$q$" : "", "orange", .step = 5, .block = "half_chord",
+         .part = ANYWHERE},
+        {"$r$", "ink", .step = 5, .block = "spoke", .part = ANYWHERE},
+        {touches ? "$t_0 = t_1$" : "$t_0$", root_color(plot, "t0"), .step = 5, .block = "hit0"},
+        {touches ? "" : "$t_1$", root_color(plot, "t1"), .step = 5, .block = "hit1"}};
+    for (size_t i = 0; i < sizeof labels / sizeof *labels; i++)
+        if (labels[i].text[0] != '\0')
+            plot_name(plot, labels[i]);
+    const Label words[] = {
+        {"$L = C − p$ = {l}", "ink", .step = 2},
+        {"$s = L·v / |v|$ = {s}", "green", .step = 3},
+        {"$m = √(L·L − s²)$ = {m}", "pink", .step = 4},
+        {misses ? "$m > r$ = {r}: no root" : "$q = √(r² − m²)$ = {q}", "orange", .step = 5},
+        {"$t_0 = (s − q) / |v|$ = {t0!}", "ink", .step = 5},
+        {"$t_1 = (s + q) / |v|$ = {t1!}", "ink", .step = 5}};
+    plot_say(plot, 0, 1, words, misses ? 4 : 6);
+}
+
+static void geometric_roots(Plot *plot, void *given)
+{
+    plot_include(plot, "common/figure/section.gp");
+    const Meeting *m = given;
+    Roots roots = sphere_roots(m->ray, m->sphere);
+    Section section = section_level(m->ray, m->sphere);
+    for (int i = 0; i < roots_shown(roots); i++)
+        section_include(&section, roots.t[i]);
+    section_end(&section);
+    section_data(plot, &section);
+    Sides sides = sides_of(&section);
+    root_numbers(plot, "", roots);
+    plot_number_to(plot, "hit", hit_sphere(m->ray, m->sphere), root_digits(roots));
+    root_mark(plot, "hit0", m->ray, root_shown(roots, 0));
+    root_mark(plot, "hit1", m->ray, root_shown(roots, 1));
+    bool misses = plot_shown(plot, "roots") == 0;
+    sides_data(plot, &section, sides, misses);
+    sides_labels(plot, &section, sides, misses);
+    section_handles(plot, &section, true);
+}
+
 // ---- world-object ------------------------------------------------------------------------------
 
 static bool same_point(vec3 a, vec3 b)
@@ -818,6 +918,7 @@ static void world_object(Plot *plot, void *given)
 static const Figure figures[] = {{"ray-sphere", ray_sphere},
                                  {"parabola", parabola_data},
                                  {"discriminant", discriminant_figure},
+                                 {"geometric-roots", geometric_roots},
                                  {"world-object", world_object},
                                  {0}};
 
