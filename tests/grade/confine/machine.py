@@ -116,6 +116,10 @@ def check_disk(folder: Path) -> None:
 
 
 def check_processes(confine: str) -> None:
+    """confine: '' if there is none. Costs as much as a small step does: once for a submission, and before a second look, which
+    a lack of processes since then would lead to."""
+    if not confine:
+        return
     try:
         done = subprocess.run([confine, "room", str(PROCESSES)], stdin=subprocess.DEVNULL, capture_output=True,
                               text=True, timeout=60)
@@ -125,12 +129,10 @@ def check_processes(confine: str) -> None:
         raise GraderFailed(done.stderr.strip() or f"no process can be started ({done.returncode})")
 
 
-def check_room(folder: Path, confine: str) -> None:
-    """Before each step, so that what then fails does not fail for want of room. confine: '' if there is none."""
+def check_room(folder: Path) -> None:
+    """Before each step, so that what then fails does not fail for want of room."""
     try:
         check_disk(folder)
     except OSError as error:
         raise GraderFailed(f"OUT cannot be used: {error.strerror}") from None
     check_memory()
-    if confine:
-        check_processes(confine)

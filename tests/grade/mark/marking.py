@@ -10,6 +10,7 @@ from __future__ import annotations
 import copy
 import shutil
 
+from grade.confine.machine import check_processes
 from grade.policy import rounded
 
 from .building import build, is_refused, linked
@@ -124,6 +125,7 @@ def mark(bench: Workbench, collected, exercises: list, called: dict[str, set[str
     """The record, but for names and marks. called: which functions call which in the reference."""
     shutil.rmtree(bench.folder, ignore_errors=True)
     bench.folder.mkdir(parents=True)
+    check_processes(bench.sandbox.confine)
     stems, is_drawn = stem_parts(bench, collected.answers, exercises, called, kept)
     status, words = (collected.status, collected.words) if collected.status else status_of(stems)
     return {"status": status, "words": words or collected.words, "stems": stems,

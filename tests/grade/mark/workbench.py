@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Callable
 
-from grade.confine.machine import GraderFailed, check_room
+from grade.confine.machine import GraderFailed, check_processes, check_room
 from grade.confine.sandbox import Sandbox, complaint, ending
 
 from .commands import HEADERS, LINKED, Command, Kit, script
@@ -69,6 +69,7 @@ class Workbench:
 
     def sandwich(self, step: Callable, right: Command, doubtful: Command) -> int:
         """The exit status of a command between two runs of one that is right and must work, in one sandbox."""
+        check_processes(self.sandbox.confine)
         ended = step([replace(right, name="before"), doubtful, replace(right, name="after")])
         if ended["before"] or ended["after"]:
             raise GraderFailed(f"{STEPS[step.__name__]} something right also fails "
@@ -83,7 +84,7 @@ class Workbench:
     def _run(self, step: str, commands: list[Command], confined, environment: dict[str, str]) -> dict[str, int]:
         """By name, the exit status of each part. A part that was killed, or that our own programs gave up on, is
         the grader's failure."""
-        check_room(self.folder, self.sandbox.confine)
+        check_room(self.folder)
         began = time.monotonic()
         try:
             said, complaints = self.sandbox.run(confined(script(commands)), self.folder, STEP_SECONDS, environment)
