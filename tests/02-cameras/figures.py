@@ -1,10 +1,11 @@
-"""figures.py - the figure of chapter 02 is right: four forms, and one camera from each."""
+"""figures.py - the figures of chapter 02 are right: four forms, and one camera from each; a look-at and its frame."""
+import math
 import os
 import random
 
 from cameras import DECK, beside_right, corners, options_of, some_camera
 from check import SHAPES, Checks, drawn, holds_for_every, nothing_collides
-from figure import cross, dot, label, label_of, plus, times, unit
+from figure import cross, dot, label, label_of, length, plus, times, unit
 
 checks = Checks("figures of 02-cameras")
 FORMS = ("look-at", "points", "corner", "vectors")  # panels 1 to 4
@@ -62,6 +63,26 @@ def camera_forms(c, options, shape, up=None):
         checks.that(f"{label_of(v)} is in the words", label_of(v) in words, words)
 
 
+def look_at(c, options, shape, up=None):
+    """The frame is the one that the camera was made of; that r and u are at right angles is computed from the data."""
+    figure = drawn(checks, "02-cameras", "look-at", options, shape)
+    figure.see(c["r"], c["u"], c["f"], azimuth=34)
+    given = unit(up or c["u"])
+    if length(plus(given, c["u"], -1)) < 1e-6:   # an up that is straight already is shown leaning
+        given = unit(plus(c["u"], c["f"], 0.6))
+    checks.near("the eye", figure.dots("eye"), figure.place(c["p"]))
+    for title, arrow in (("f", c["f"]), ("r", c["r"]), ("u", c["u"]), ("up", given)):
+        checks.near(f"the arrow {title}", figure.tips(title), figure.place(plus(c["p"], arrow)))
+    r, u = (figure.block(name)[0][3:] for name in "ru")
+    checks.that("r is at right angles to f and up", max(abs(dot(r, c["f"])), abs(dot(r, given))) < 1e-5, str(r))
+    checks.that("u is in the plane of f and up, on the side of up", abs(dot(u, cross(c["f"], given))) < 1e-5 and dot(u, given) > 0)
+    half = math.degrees(math.atan(c["w"] / 2 / c["d"]))
+    checks.same("half the angle", [figure.number("half_degrees")], [half])
+    (x, y), (to_x, to_y) = figure.line("edge")
+    checks.that("the triangle has that angle", abs(math.degrees(math.atan2(to_y - y, to_x - x)) - half) < 0.1)
+    checks.near("its sides meet on the plane", [figure.line("half the width")[1]], [(to_x, to_y)])
+
+
 def looking(dice):
     """A camera by a look-at in a world of either handedness, with an up that leans; as frame and options."""
     eye, at = (tuple(dice.uniform(-9, 9) for _ in range(3)) for _ in range(2))
@@ -92,12 +113,16 @@ def yours_beside_right():
 
 for canvas in SHAPES:
     camera_forms(DECK, options_of(DECK), canvas)
+    look_at(DECK, options_of(DECK), canvas)
 yours_beside_right()
-holds_for_every(checks, "02-cameras", "camera-forms")
+for title in ("camera-forms", "look-at"):
+    holds_for_every(checks, "02-cameras", title)
 dice = random.Random(2)
 for i in range(int(os.environ.get("CAMERAS", "5"))):
     camera, canvas = some_camera(dice, 10 ** dice.uniform(-3, 3)), SHAPES[i % 2]
     camera_forms(camera, options_of(camera), canvas)
+    look_at(camera, options_of(camera), canvas)
     camera, options, up = looking(dice)
     camera_forms(camera, options, canvas, up)
+    look_at(camera, options, canvas, up)
 checks.end()

@@ -224,7 +224,112 @@ static void camera_forms(Plot *plot, void *given)
     plot_look(plot, c.right, c.up, c.forward, 34, 16);
 }
 
-static const Figure figures[] = {{"camera-forms", camera_forms}, {0}};
+// ---- look-at -----------------------------------------------------------------------------------
+
+// The up of the lecture's camera is at right angles to the view already. Here one leans, as most
+// do.
+static vec3 leaning(Given given)
+{
+    vec3 up = vec3_unit(given.up), u = given.camera.up;
+    return vec3_length(up - u) > 1e-6 ? up : vec3_unit(u + 0.6 * given.camera.forward);
+}
+
+// Of an arrow from the eye: $NAME.
+static void from_eye(Plot *plot, const char *name, vec3 eye, vec3 arrow)
+{
+    plot_vector(plot, name, eye, arrow);
+    plot_fit(plot, eye + arrow, 0);
+}
+
+// Panel 1: the frame at the eye, of arrows that are 1 long, and the plane of f and the given up.
+static void frame_panel(Plot *plot, Camera c, vec3 up, Camera found)
+{
+    vec3 eye = c.origin, f = c.forward, u = c.up;
+    bool is_right_handed = hand_of(c) == RIGHT_HANDED;
+    plot_room(plot, (Room){0.03, 0.55, 0.05, 0.58}, (Room){0.03, 0.55, 0.05, 0.58});
+    plot_point(plot, "eye", eye);
+    plot_block(plot, "sheet", "x y z round a part of the plane of f and the given up");
+    const double round[5][2] = {{0, 0}, {1.2, 0}, {1.2, 1.2}, {0, 1.2}, {0, 0}};
+    for (int i = 0; i < 5; i++)
+        plot_row_point(plot, eye + round[i][0] * f + round[i][1] * u);
+    plot_block_end(plot);
+    from_eye(plot, "view", eye, 1.5 * f);
+    from_eye(plot, "given_up", eye, up);
+    from_eye(plot, "f", eye, found.forward);
+    from_eye(plot, "r", eye, found.right);
+    from_eye(plot, "u", eye, found.up);
+    static const Label names[] = {{"eye", "grey", .block = "eye"},
+                                  {"to at", "grey", .block = "view", .part = 1},
+                                  {"$f$", "pink", .step = 1, .block = "f", .part = ANYWHERE},
+                                  {"up", "ink", .step = 2, .block = "given_up", .part = 1},
+                                  {"$r$", "orange", .step = 3, .block = "r", .part = 1},
+                                  {"$u$", "green", .step = 4, .block = "u", .part = 1}};
+    plot_names(plot, names, sizeof names / sizeof *names);
+    const Label words[] = {
+        {"$f$ from the eye to at", "pink", .step = 1},
+        {"up = {lean}", "ink", .step = 2},
+        {is_right_handed ? "$r$ along $f$ × up = {r!}" : "$r$ along up × $f$ = {r!}", "orange",
+         .step = 3},
+        {is_right_handed ? "$u = r × f$ = {u!}" : "$u = f × r$ = {u!}", "green", .step = 4}};
+    plot_say(plot, 0, 1, words, sizeof words / sizeof *words);
+}
+
+// Panel 2: the eye and the image plane from above; half of the width and the distance are the sides
+// of a right triangle.
+static void angle_panel(Plot *plot, Camera c)
+{
+    double degrees = 2 * atan2(c.width / 2, c.distance) * 180 / PI;
+    double half = width_from_angle(degrees, c.distance) / 2, most = c.width / 2;
+    plot_panel(plot, 2);
+    plot_look_flat(plot);
+    plot_room(plot, (Room){0.62, 0.96, 0.12, 0.62}, (Room){0.62, 0.96, 0.12, 0.62});
+    plot_number(plot, "degrees", degrees);
+    plot_number(plot, "half_degrees", degrees / 2);
+    plot_number(plot, "distance", c.distance);
+    plot_number(plot, "half", half);
+    plot_point(plot, "corner", vec3_of(0, 0, 0));
+    plot_vector(plot, "ahead", vec3_of(0, 0, 0), vec3_of(c.distance, 0, 0));
+    plot_vector(plot, "half_width", vec3_of(c.distance, 0, 0), vec3_of(0, half, 0));
+    plot_vector(plot, "other_half", vec3_of(c.distance, 0, 0), vec3_of(0, -most, 0));
+    plot_vector(plot, "slope", vec3_of(0, 0, 0), vec3_of(c.distance, half, 0));
+    plot_vector(plot, "other_slope", vec3_of(0, 0, 0), vec3_of(c.distance, -most, 0));
+    plot_fit(plot, vec3_of(0, 0, 0), 0);
+    plot_fit(plot, vec3_of(c.distance, most, 0), 0);
+    plot_fit(plot, vec3_of(c.distance, -most, 0), 0);
+    static const Label names[] = {
+        {"eye", "grey", .step = 5, .block = "corner"},
+        {"$d$ = {distance}", "pink", .step = 5, .block = "ahead", .part = ANYWHERE},
+        {"$w/2$ = {half}", "orange", .step = 5, .block = "half_width", .part = ANYWHERE}};
+    plot_names(plot, names, sizeof names / sizeof *names);
+    static const Label words = {"half the angle: {half_degrees}°", "ink", .step = 5};
+    plot_pin(plot, 0.78, 0.08, &words, 1);
+    plot_panel(plot, 1);
+}
+
+static void look_at(Plot *plot, void *given)
+{
+    const Given *g = given;
+    Camera c = g->camera, found = {0};
+    vec3 up = leaning(*g);
+    LookAt view = {c.origin, c.origin + c.distance * c.forward, up, c.width, c.width / c.height};
+    if (camera_from_look_at(view, hand_of(c), &found) != CAMERA_OK)
+        found = (Camera){.origin = c.origin};
+    plot_direction(plot, "right", c.right);
+    plot_direction(plot, "up", c.up);
+    plot_direction(plot, "forward", c.forward);
+    plot_direction(plot, "lean", up);
+    plot_look(plot, c.right, c.up, c.forward, 34, 16);
+    frame_panel(plot, c, up, found);
+    plot_handle(plot, (Handle){.words = "the up that is given",
+                               .place = c.origin + up,
+                               .option = {"up"},
+                               .count = 3,
+                               .value = up,
+                               .along = {c.forward, c.up}});
+    angle_panel(plot, c);
+}
+
+static const Figure figures[] = {{"camera-forms", camera_forms}, {"look-at", look_at}, {0}};
 
 int cameras_figure(const char *program, FigureCommand command, Camera camera, vec3 up)
 {
