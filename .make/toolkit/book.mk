@@ -41,11 +41,12 @@ $(WASM)/shared.a: $(call wasm_objects,$(wildcard chapters/shared/*.c))
 $(WASM)/common.a $(WASM)/shared.a:
 	$(Q)rm -f $@ && llvm-ar rcsD $@ $^
 
-# The chapters' programs, with the reference's answers: figures and pictures. Chapter 08 is about threads.
+# The chapters' programs, with the reference's answers: figures, and pictures, but for chapter 08, whose engines are
+# about threads.
 BOOK_STEMS := $(filter-out 08-%,$(STEMS))
-BOOK_PROGRAMS := $(if $(FROM),,$(BOOK_STEMS:%=$(BOOK)/programs/%.wasm))
-wasm_program = $(call wasm_objects,$(filter-out %_nff.c,$(wildcard chapters/$(1)/*.c chapters/$(1)/*/*.c)))
-$(BOOK_STEMS:%=$(BOOK)/programs/%.wasm): $(BOOK)/programs/%.wasm: $$(call wasm_program,$$*) $(call wasm_objects,$(foreach s,$(BOOK_STEMS),$(call exact_of,$(s)))) \
+BOOK_PROGRAMS := $(if $(FROM),,$(STEMS:%=$(BOOK)/programs/%.wasm))
+wasm_program = $(call wasm_objects,$(filter-out %_nff.c chapters/08-fast/engines/%,$(wildcard chapters/$(1)/*.c chapters/$(1)/*/*.c)))
+$(STEMS:%=$(BOOK)/programs/%.wasm): $(BOOK)/programs/%.wasm: $$(call wasm_program,$$*) $(call wasm_objects,$(foreach s,$(STEMS),$(call exact_of,$(s)))) \
 		$(WASM)/shared.a $(WASM)/common.a
 	$(call say,wasm,$@)
 	$(Q)mkdir -p $(@D)

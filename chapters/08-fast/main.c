@@ -2,16 +2,17 @@
 // engine, draws a scene with it, flat or shaded, and prints how long that took.
 //
 // The students' archive does not have the engines, because they contain answers to earlier
-// chapters. There the program only has the rectangles.
+// chapters, and a page has no threads. There the program only has the rectangles.
 #include "chapters/08-fast/rectangles.h"
 
-#if !__has_include("chapters/08-fast/engines/engine.h")
+#if !__has_include("chapters/08-fast/engines/engine.h") || defined __wasm__
 int main(int argc, char **argv)
 {
     return rectangles_command(argc, argv);
 }
 #else
 #include "chapters/08-fast/engines/engine.h"
+#include "chapters/08-fast/figures/figures.h"
 #include "chapters/shared/lighting.h"
 #include "chapters/shared/needed_answers.h"
 #include "chapters/shared/scene_command.h"
@@ -68,6 +69,7 @@ int main(int argc, char **argv)
     int threads = 1;
     bool shaded = false, rectangles = false;
     Lighting lighting = lighting_untold;
+    RectangleFigure figure = {0};
     const Option options[] = {
         COMMAND_OPTIONS(command),
         {"engine", 'e', "NAME", option_engine, &chosen,
@@ -79,6 +81,7 @@ int main(int argc, char **argv)
          "go around the scene before looking at it (0)"},
         {"rectangles", 0, NULL, option_flag, &rectangles,
          "only print the rectangle of each sphere"},
+        RECTANGLE_FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {
         "[OPTION]... [SCENE.nff]",
@@ -103,6 +106,8 @@ int main(int argc, char **argv)
     command.scene_path = argv[first];
     if (rectangles && command.output != NULL)
         options_wrong(argv[0], "-o: no picture is drawn with --rectangles");
+    if (figure.command.name != NULL)
+        return rectangle_figure(argv[0], &figure, &command);
     if (rectangles)
         return rectangles_tell(argv[0], &command);
 

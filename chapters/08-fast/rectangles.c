@@ -1,6 +1,7 @@
 // rectangles.c - where the spheres of a scene are on the screen, in numbers.
 #include "chapters/08-fast/rectangles.h"
 
+#include "chapters/08-fast/figures/figures.h"
 #include "chapters/shared/example.h"
 #include "common/answers.h"
 #include "common/story.h"
@@ -67,11 +68,13 @@ int rectangles_tell(const char *program, const Command *command)
 int rectangles_command(int argc, char **argv)
 {
     Command command = {0};
+    RectangleFigure figure = {0};
     bool rectangles; // without the engines, there is nothing else to print
     const Option options[] = {
         {"size", 's', "WIDTHxHEIGHT", option_size, &command.size,
          "of the screen (as in the scene)"},
         {"rectangles", 0, NULL, option_flag, &rectangles, "the same: this is all that is here"},
+        RECTANGLE_FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {
         "[OPTION]... [SCENE.nff]",
@@ -81,5 +84,6 @@ int rectangles_command(int argc, char **argv)
     if (argc - first > 1)
         options_wrong(argv[0], "%d scenes, expected one", argc - first);
     command.scene_path = argv[first];
-    return rectangles_tell(argv[0], &command);
+    return figure.command.name != NULL ? rectangle_figure(argv[0], &figure, &command)
+                                       : rectangles_tell(argv[0], &command);
 }

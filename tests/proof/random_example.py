@@ -142,7 +142,8 @@ def print_figures(e):
     size = f"--size {e.columns}x{e.rows}"
     for figure in ("camera-frame", "corner-vectors", "point-30-10", "double-dwh", "yours-and-right"):
         print(f"01-corners {figure} {options(s=[e.s], t=[e.t])} {camera}")
-    print(f"02-cameras camera-forms {camera}")
+    for figure in ("camera-forms", "look-at"):
+        print(f"02-cameras {figure} {camera}")
     print(f"03-screen screen-to-unit {size} --point {e.x},{e.y}")
     print(f"04-pixel-ray pixel-to-ray {size} --pixel {e.x},{e.y} {camera}")
     for figure in ("ray-sphere", "parabola", "discriminant", "world-object", "geometric-roots"):
