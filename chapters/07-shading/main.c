@@ -197,6 +197,7 @@ int main(int argc, char **argv)
     bool flat = false;
     Pixel pixel = {-1, -1};
     FigureCommand figure = {0};
+    Plane plane = {vec3_of(NAN, NAN, NAN), vec3_of(NAN, NAN, NAN)};
     const Option options[] = {
         COMMAND_OPTIONS(command),
         {"explain", 0, "COLUMN,ROW", option_pixel, &pixel,
@@ -207,6 +208,7 @@ int main(int argc, char **argv)
         {"export", 0, "pov|pbrt", option_format, &format,
          "write the scene for that renderer, to -o"},
         FIGURE_OPTIONS(figure),
+        PLANE_OPTIONS(plane),
         {0}};
     Usage usage = {"[OPTION]... [SCENE.nff]",
                    "Draws a scene with light. Without a scene: the deck's three spheres, flat and\n"
@@ -238,7 +240,7 @@ int main(int argc, char **argv)
         return EXIT_COULD_NOT;
     }
     if (figure.name != NULL)
-        return shading_figure(figure, &drawing);
+        return shading_figure(figure, &drawing, plane);
     if (format != EXPORT_NONE)
         return write_export(&drawing, format, lighting.style, flat);
     if (pixel.column >= drawing.image.size.width || pixel.row >= drawing.image.size.height)

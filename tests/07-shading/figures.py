@@ -8,7 +8,7 @@ import struct
 import tempfile
 
 import png
-from check import Checks, holds_for_every, on_the_canvas, told_in_words
+from check import Checks, holds_for_every, labels_are_clear, on_the_canvas, told_in_words
 from figure import Figure, SVG, XLINK, dot, plus, times, unit
 
 checks = Checks("figures of 07-shading")
@@ -201,4 +201,105 @@ for shape in ("16:9", "4:3"):
     tops = [text.box[3] for text in canvas.texts()] + [y for _, y in canvas.dots("light")]
     checks.that(f"self-hit, {shape}: there is room for a slide's title", max(tops) <= 0.87 * canvas.height, str(max(tops)))
 holds_for_every(checks, "07-shading", "self-hit")
+
+# ---- the flat figures: light and eye in the plane of the paper -------------------------------------
+# Directions are angles from the x axis, so nothing here is a dot product.
+
+P = "07-shading"
+
+
+def plane(name, light=None, eye=None):
+    """The figure and its options."""
+    options = [f"--{what}={place[0]:.17g},{place[1]:.17g},0" for what, place in (("light", light), ("eye", eye)) if place]
+    return Figure(P, name, *options), options
+
+
+def angle(start, end):
+    return math.atan2(end[1] - start[1], end[0] - start[0])
+
+
+def apart(one, other):
+    """Of two angles, 0 to pi."""
+    return abs(math.remainder(one - other, 2 * math.pi))
+
+
+def surface_vectors(light=(-2.4, 1.7), eye=(1.5, 1.9), given=True):
+    """At the top of the sphere, where the normal is straight up."""
+    figure, options = plane("surface-vectors", light, eye) if given else plane("surface-vectors")
+    up, l, e = math.pi / 2, angle((0, 0), light), angle((0, 0), eye)
+    m, h = math.pi - l, l + math.remainder(e - l, 2 * math.pi) / 2
+    start, scale = figure.dots("point")[0], figure.tips("n")[0][1] - figure.dots("point")[0][1]
+    for title, way in (("n", up), ("l", l), ("m", m), ("e", e), ("h", h)):
+        checks.near(f"the arrow {title}", figure.tips(title), (start[0] + scale * math.cos(way), start[1] + scale * math.sin(way)), 0.3)
+    for name, between in (("diffuse", apart(up, l)), ("phong", apart(m, e)), ("halfway", apart(up, h))):
+        checks.same(f"the cosine of {name}", [figure.number(name)], [max(0, math.cos(between))])
+    return options
+
+
+def beam_and_lobe(light=(-1.5, 1.6), given=True):
+    figure, options = plane("beam-and-lobe", light) if given else plane("beam-and-lobe")
+    l = angle((0, 0), light)
+    slant = math.cos(apart(l, math.pi / 2))
+    checks.same("the cosine", [figure.number("cosine")], [slant])
+    checks.that("a beam arrives", (figure.number("arrives") == 1) == (slant > 0.15))
+    if slant > 0.15:
+        edges = figure.strokes("beam")
+        (ax, ay), (bx, by) = (edge[-1] for edge in edges)
+        (cx, cy), (dx, dy) = figure.ends("across")[0], figure.ends("across")[1]
+        checks.that("the beam is narrow across, and wide on the surface",
+                    abs(math.hypot(dx - cx, dy - cy) / math.hypot(bx - ax, by - ay) - slant) < 0.01)
+        checks.that("across is at right angles to the beam", abs(apart(angle((cx, cy), (dx, dy)), l) - math.pi / 2) < 0.01)
+    for name, shine in (("wide_lobe", 8), ("narrow_lobe", 80)):
+        for i, (x, y, _) in enumerate(figure.block(name)):
+            bright = max(0, math.cos(apart(math.pi - l, math.pi * i / 180))) ** shine
+            checks.that(f"{name}: as far as it is bright", abs(math.hypot(x, y) - bright) < 1e-5)
+    return options
+
+
+BALLS = [((0, -0.4), 1.5), ((0.2, 2.6), 0.45), ((4.1, 2.7), 0.9)]
+
+
+def first(start, way, without=None):
+    """The nearest distance along a direction at which a circle is met, by the centre's distance from the line; and which."""
+    found = [(math.inf, None)]
+    for i, ((x, y), r) in enumerate(BALLS):
+        turned = angle(start, (x, y)) - way
+        away, along = math.dist(start, (x, y)) * math.sin(turned), math.dist(start, (x, y)) * math.cos(turned)
+        if i != without and abs(away) < r and along > 0:
+            found.append((along - math.sqrt(r * r - away * away), i))
+    return min(found)
+
+
+def shadow_and_mirror(light=(0.3, 4.2), eye=(-4.4, 2.6), given=True):
+    figure, options = plane("shadow-and-mirror", light, eye) if given else plane("shadow-and-mirror")
+    way = angle(eye, (0.2, 1))
+    t, which = first(eye, way)
+    point = eye[0] + t * math.cos(way), eye[1] + t * math.sin(way)
+    checks.same("the point", figure.block("point")[0][:2], point)
+    normal = angle(BALLS[which][0], point)
+    mirrored = 2 * normal + math.pi - way
+    *_, x, y, _ = figure.block("mirrored")[0]
+    checks.that("the mirrored ray leaves as it came", apart(math.atan2(y, x), mirrored) < 1e-6)
+    t, other = first(point, mirrored, which)
+    if other is not None:
+        checks.same("and ends on the sphere that it meets", [math.hypot(x, y)], [t], within=1e-4)
+    to_light = angle(point, light)
+    behind = apart(to_light, normal) > math.pi / 2
+    blocked = behind or first(point, to_light, which)[0] < math.dist(point, light)
+    checks.that("the light arrives or not", figure.number("visibility") == (0 if blocked else 1))
+    return options
+
+
+surface_vectors(given=False)
+beam_and_lobe(given=False)
+shadow_and_mirror(given=False)
+beam_and_lobe((-2, 0.1))
+for name in ("surface-vectors", "beam-and-lobe", "shadow-and-mirror"):
+    holds_for_every(checks, P, name)
+for _ in range(int(os.environ.get("SCENES", "5"))):
+    above = [(dice.uniform(-3, 3), dice.uniform(0.6, 3)) for _ in range(2)]
+    labels_are_clear(checks, P, "surface-vectors", surface_vectors(*above))
+    labels_are_clear(checks, P, "beam-and-lobe", beam_and_lobe(above[0]))
+    labels_are_clear(checks, P, "shadow-and-mirror", shadow_and_mirror(
+        (dice.uniform(-3, 5), dice.uniform(3.5, 5)), (dice.uniform(-6, -3), dice.uniform(2, 4))))
 checks.end()

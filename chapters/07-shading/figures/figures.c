@@ -190,9 +190,15 @@ static void light_handles(Plot *plot, const Drawing *drawing, Resolution size)
                                .way = {vec3_of(reach, 0, 0), vec3_of(0, reach, 0)}});
 }
 
+// What the command line gives.
+typedef struct {
+    Drawing drawing;
+    Plane plane; // NaN: the figure's own
+} Given;
+
 static void flat_and_shaded(Plot *plot, void *given)
 {
-    Drawing drawing = *(const Drawing *)given;
+    Drawing drawing = ((const Given *)given)->drawing;
     Image image;
     Message message;
     bool dragged = plot_is_dragged(plot);
@@ -409,11 +415,40 @@ static void self_hit_data(Plot *plot, void *given)
     picture_data(plot, "smooth", off_surface, 3, ROUNDING);
 }
 
-static const Figure figures[] = {
-    {"flat-and-shaded", flat_and_shaded}, {"self-hit", self_hit_data}, {0}};
+// ---- in a plane -------------------------------------------------------------------------------
 
-int shading_figure(FigureCommand command, const Drawing *drawing)
+static Plane or_own(const void *given, vec3 light, vec3 eye)
 {
-    Drawing copy = *drawing;
-    return plot_figure(drawing->program, "chapters/07-shading", figures, command, &copy);
+    Plane plane = ((const Given *)given)->plane;
+    return (Plane){isnan(plane.light[0]) ? light : plane.light,
+                   isnan(plane.eye[0]) ? eye : plane.eye};
+}
+
+static void surface_vectors_data(Plot *plot, void *given)
+{
+    Plane plane = or_own(given, vec3_of(-2.4, 1.7, 0), vec3_of(1.5, 1.9, 0));
+    surface_vectors(plot, &plane);
+}
+
+static void beam_and_lobe_data(Plot *plot, void *given)
+{
+    Plane plane = or_own(given, vec3_of(-1.5, 1.6, 0), vec3_of(0, 1, 0));
+    beam_and_lobe(plot, &plane);
+}
+
+static void shadow_and_mirror_data(Plot *plot, void *given)
+{
+    Plane plane = or_own(given, vec3_of(0.3, 4.2, 0), vec3_of(-4.4, 2.6, 0));
+    shadow_and_mirror(plot, &plane);
+}
+
+static const Figure figures[] = {
+    {"flat-and-shaded", flat_and_shaded},          {"surface-vectors", surface_vectors_data},
+    {"beam-and-lobe", beam_and_lobe_data},         {"self-hit", self_hit_data},
+    {"shadow-and-mirror", shadow_and_mirror_data}, {0}};
+
+int shading_figure(FigureCommand command, const Drawing *drawing, Plane plane)
+{
+    Given given = {*drawing, plane};
+    return plot_figure(drawing->program, "chapters/07-shading", figures, command, &given);
 }

@@ -9,8 +9,23 @@
 // Of the closing slide, as a figure and as a picture: smooth edges, and no mirrors, as in the deck.
 extern const Style closing_style;
 
+// Of the flat figures (light_in_a_plane.c): where the light and the eye are, x to the right, y up.
+typedef struct {
+    vec3 light, eye;
+} Plane;
+
+#define PLANE_OPTIONS(plane)                                                                       \
+    {"light", 0, "X,Y,0", option_vec3, &(plane).light, NULL},                                      \
+    {                                                                                              \
+        "eye", 0, "X,Y,0", option_vec3, &(plane).eye, NULL                                         \
+    }
+
+void surface_vectors(Plot *plot, const Plane *plane);
+void beam_and_lobe(Plot *plot, const Plane *plane);
+void shadow_and_mirror(Plot *plot, const Plane *plane);
+
 // Prints a figure's script; returns the result of main. The scene is that of a drawing, or the
 // chapter's own.
-int shading_figure(FigureCommand command, const Drawing *drawing);
+int shading_figure(FigureCommand command, const Drawing *drawing, Plane plane);
 
 #endif

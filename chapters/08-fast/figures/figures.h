@@ -12,8 +12,8 @@ typedef struct {
 } RectangleFigure;
 
 #define RECTANGLE_FIGURE_OPTIONS(figure)                                                           \
-    {"center", 0, "X,Y,Z", option_vec3, &(figure).sphere.center, "of the figure's sphere"},        \
-        {"radius", 0, "R", option_number, &(figure).sphere.radius, "of it (the scene's first)"},   \
+    {"center", 0, "X,Y,Z", option_vec3, &(figure).sphere.center, NULL},                            \
+        {"radius", 0, "R", option_number, &(figure).sphere.radius, NULL},                          \
         FIGURE_OPTIONS((figure).command)
 
 // Prints the figure's script; returns the result of main.
