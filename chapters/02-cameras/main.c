@@ -220,7 +220,7 @@ int main(int argc, char **argv)
     const vec3 no = vec3_of(NAN, NAN, NAN);
     const Camera example = example_camera();
     Camera c = {no, no, no, no, NAN, NAN, NAN};
-    vec3 at = no;
+    vec3 at = no, lean = no;
     double aspect = NAN;
     int hand = -1;
     FigureCommand figure = {0};
@@ -232,6 +232,7 @@ int main(int argc, char **argv)
         {"hand", 0, "left|right", option_hand, &hand,
          "of a look-at: the hand of the world (right)"},
         {"picture", 0, "FILE.png", option_string, &picture, "draw a floor in worlds of both hands"},
+        {"lean", 0, "X,Y,Z", option_vec3, &lean, NULL},
         FIGURE_OPTIONS(figure),
         {0}};
     Usage usage = {"[OPTION]...", "One camera in the five forms of the deck, and found from each.\n"
@@ -260,7 +261,7 @@ int main(int argc, char **argv)
     }
     story_needs_camera(argv[0], c);
     if (figure.name != NULL)
-        return cameras_figure(argv[0], figure, c, up);
+        return cameras_figure(argv[0], figure, c, up, lean);
 
     printf("02-cameras: one camera, given in five ways\n");
     if (given(at)) {

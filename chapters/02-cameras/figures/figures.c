@@ -12,7 +12,7 @@
 
 typedef struct {
     Camera camera;
-    vec3 up;
+    vec3 up, lean; // lean: of the figure look-at; NaN: its own
 } Given;
 
 // A camera that exercise 02 found from a form. If it was refused, the plane is one point, the eye.
@@ -230,7 +230,7 @@ static void camera_forms(Plot *plot, void *given)
 // do.
 static vec3 leaning(Given given)
 {
-    vec3 up = vec3_unit(given.up), u = given.camera.up;
+    vec3 up = vec3_unit(isnan(given.lean[0]) ? given.up : given.lean), u = given.camera.up;
     return vec3_length(up - u) > 1e-6 ? up : vec3_unit(u + 0.6 * given.camera.forward);
 }
 
@@ -322,7 +322,7 @@ static void look_at(Plot *plot, void *given)
     frame_panel(plot, c, up, found);
     plot_handle(plot, (Handle){.words = "the up that is given",
                                .place = c.origin + up,
-                               .option = {"up"},
+                               .option = {"lean"},
                                .count = 3,
                                .value = up,
                                .along = {c.forward, c.up}});
@@ -331,8 +331,8 @@ static void look_at(Plot *plot, void *given)
 
 static const Figure figures[] = {{"camera-forms", camera_forms}, {"look-at", look_at}, {0}};
 
-int cameras_figure(const char *program, FigureCommand command, Camera camera, vec3 up)
+int cameras_figure(const char *program, FigureCommand command, Camera camera, vec3 up, vec3 lean)
 {
-    Given given = {camera, up};
+    Given given = {camera, up, lean};
     return plot_figure(program, "chapters/02-cameras", figures, command, &given);
 }
