@@ -9,7 +9,7 @@ $(EXPLAIN): $(EXPLAIN_OBJECTS)
 	$(Q)$(LINK) -o $@ $^
 
 # The common parts of all test programs: the list of tests, the words for given and expected, the lecture's example.
-TESTING := $(patsubst %,$(B)/tests/judge/%.o,test runner stem types) $(B)/tests/course/page.o $(B)/chapters/shared/example.o
+TESTING := $(patsubst %,$(B)/tests/judge/%.o,test runner known types) $(B)/tests/course/page.o $(B)/chapters/shared/example.o
 COMMON_TESTS := $(patsubst %.c,$(B)/%,$(wildcard tests/house/common/*.c tests/house/judge/*.c tests/course/check_*.c))
 # The parts of the program that judges answers (tests/course/course.c).
 COURSE_PARTS := $(patsubst %.c,$(B)/%.o,$(filter-out %/course.c tests/course/check_%, \

@@ -4,7 +4,7 @@
 # ---- the tests, the mistakes and the laws -----------------------------------------------------
 
 # The tests, mistakes and laws of the stems. Each program has those of all stems, and its first argument
-# chooses the stem (tests/judge/stem.h).
+# chooses the stem (tests/judge/known.h).
 parts = $(patsubst %.c,$(B)/%.o,$(wildcard $(1)*.c))
 tests_of = $(call parts,tests/$(1))
 known = $(call parts,tests/[0-9]*/$(1))
@@ -87,7 +87,7 @@ MUTATE := tests/proof/generated/mutate.py
 MUTANTS := $(STEMS:%=$(B)/generated/%.o)
 answers_of = $(wildcard $(call exact_of,$(1)) tests/$(1)/wrong.c tests/$(1)/right.c)
 AS_REFERENCE = $(CC) $(LANGUAGE) -w -DWITHOUT_LINES_OF_CALLS -include $(B)/reference.h
-$(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference.h $(B)/flags.mk tests/judge/stem.h tests/judge/known.h
+$(MUTANTS): $(B)/generated/%.o: $(MUTATE) $$(call answers_of,$$*) $(B)/reference.h $(B)/flags.mk tests/judge/known.h
 	$(call say,mutate,$*)
 	$(Q)rm -rf $(@D)/$* && mkdir -p $(@D)/$*
 	$(Q)for source in $(filter %.c,$(call answers_of,$*)); do \

@@ -15,7 +15,7 @@
 #include "tests/judge/process.h"
 #include "tests/judge/process_transport.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/stem.h"
+#include "tests/judge/known.h"
 #include "tests/judge/suspects.h"
 
 #include <stdio.h>

@@ -1,5 +1,11 @@
-// known.h - answers that are known: wrong ones that people really give, with the sentences about
-// each, and right ones in other forms.
+// known.h - what is known of each stem, and which stem this run of the program is about.
+//
+// A program holds the tests of all stems. Each file of a stem adds what it defines: tests (test.h),
+// known answers, and by OF_STEM(part) a part of Stem that has this name in the file. The stem is the
+// file's: 05-quadratic of tests/05-quadratic.c and of tests/05-quadratic/wrong.c.
+//
+// Known answers are wrong ones that people really give, with the sentences about each, and right ones
+// in other forms:
 //
 //     WRONG(upper_left, "C2", "its formula", why it is wrong, what its author would see)
 //     {
@@ -14,7 +20,6 @@
 #define TESTS_JUDGE_KNOWN_H
 
 #include "tests/judge/exercise.h"
-#include "tests/judge/stem.h"
 
 #include <stddef.h>
 
@@ -43,6 +48,49 @@ typedef struct Generated {
     bool is_plain;      // a slip in a solution that a test must notice
     AnyFunction *answer;
 } Generated;
+
+typedef enum {
+    WRONG_ANSWERS,
+    RIGHT_ANSWERS,
+    UNNAMED_ANSWERS,
+    FREE_ANSWERS,
+    KINDS_OF_ANSWERS
+} KindOfAnswer;
+
+// Adds it to what is known of the file's stem.
+void add_known(const char *file, KindOfAnswer kind, KnownAnswer *answer);
+// Of the chosen stem: the first, which leads to the next; NULL if there is none.
+const KnownAnswer *known_answers(KindOfAnswer kind);
+
+// ---- a stem ------------------------------------------------------------------------------------
+
+typedef struct {
+    char name[64];
+    void (*load)(void);                // called when the stem is chosen; may be NULL
+    struct ListedTest *tests, *probes; // tests/judge/test.h
+    KnownAnswer *known[KINDS_OF_ANSWERS];
+    int styles;                        // of the mistakes (answer_style); 0 is one
+    const Generated *generated;
+} Stem;
+
+#ifndef OF_STEM // as nothing if only the functions of a file are wanted (MUTANTS in tests.mk)
+#define OF_STEM(part)                                                                              \
+    __attribute__((constructor)) static void add_##part(void)                                      \
+    {                                                                                              \
+        stem_of_file(__FILE__)->part = part;                                                       \
+    }
+#endif
+
+// Each makes an entry for the stem if there is none.
+Stem *stem_of_file(const char *file);
+Stem *stem_named(const char *name);
+
+// From now on the program is about this stem. Exits with 2 and says which there are if this is none
+// of them. NULL: the program has one.
+void choose_stem(const char *name);
+const Stem *chosen_stem(void);
+
+// ---- entries -----------------------------------------------------------------------------------
 
 #define WRONG(exercise, id, formula, why, picture)                                                 \
     KNOWN(WRONG_ANSWERS, __COUNTER__, FORM_##exercise, id, #exercise, formula, why, picture, NULL)

@@ -6,7 +6,6 @@
 #include "tests/judge/known.h"
 #include "tests/judge/message.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/test.h"
 

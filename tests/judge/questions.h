@@ -1,4 +1,4 @@
-// questions.h - the tests of a table, as the tests of the stem that was chosen (stem.h): they ask
+// questions.h - the tests of a table, as the tests of the stem that was chosen (known.h): they ask
 // the table's questions of whoever answers (message.h), and know the right results.
 #ifndef TESTS_JUDGE_QUESTIONS_H
 #define TESTS_JUDGE_QUESTIONS_H

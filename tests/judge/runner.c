@@ -3,7 +3,7 @@
 
 #include "common/answers.h"
 #include "tests/course/page.h"
-#include "tests/judge/stem.h"
+#include "tests/judge/known.h"
 #include "tests/judge/test.h"
 
 #include <signal.h>

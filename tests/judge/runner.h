@@ -79,7 +79,7 @@ typedef struct {
 // another process cannot stop the judge, so their tests run in this process.
 typedef enum { ANSWERS_HERE, ANSWERS_APART } WhereAnswersAre;
 
-// Runs the tests of the stem that was chosen (stem.h): those of one function, or those of one name,
+// Runs the tests of the stem that was chosen (known.h): those of one function, or those of one name,
 // or (both NULL) all.
 void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes);
 

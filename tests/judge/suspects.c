@@ -5,7 +5,7 @@
 #include "tests/judge/message.h"
 #include "tests/judge/questions.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/stem.h"
+#include "tests/judge/known.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -15,7 +15,6 @@
 #include "common/text.h"
 #include "common/vec3.h"
 #include "exercises/05-quadratic.h"
-#include "tests/judge/stem.h"
 #include "tests/judge/types.h"
 
 #include <check.h>

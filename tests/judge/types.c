@@ -1,5 +1,6 @@
 // types.c - the parts of a type.
-#include "tests/judge/define_types.h"
+#define DEFINES_TYPES
+#include "tests/judge/types.h"
 
 #include <math.h>
 #include <string.h>

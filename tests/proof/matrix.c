@@ -19,7 +19,7 @@
 #include "tests/judge/numbers.h"
 #include "tests/judge/questions.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/stem.h"
+#include "tests/judge/known.h"
 #include "tests/judge/suspects.h"
 
 #include <stdio.h>

@@ -5,7 +5,6 @@
 //   mistaken_figures NUMBER ARGUMENT...    the program, by that one of the list; -1: by none
 #include "tests/judge/known.h"
 #include "tests/judge/reference/proxies.h"
-#include "tests/judge/stem.h"
 
 #include <stdio.h>
 #include <stdlib.h>

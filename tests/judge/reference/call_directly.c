@@ -1,7 +1,7 @@
 // call_directly.c - for a program of tests: the answers of the stem that was chosen are called in
 // this process, and the reference answers for all other stems, so that one mistake costs once.
 #include "tests/judge/reference/proxies.h"
-#include "tests/judge/stem.h"
+#include "tests/judge/known.h"
 
 #include <string.h>
 

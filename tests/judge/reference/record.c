@@ -11,7 +11,6 @@
 #include "tests/judge/message.h"
 #include "tests/judge/reference/proxies.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/stem.h"
 #include "tests/judge/suspects.h"
 #include "tests/judge/table.h"
 #include "tests/judge/test.h"

@@ -1,6 +1,4 @@
-// stem.c - what is known of each stem, and which stem this run of the program is about.
-#include "tests/judge/stem.h"
-
+// known.c - what is known of each stem, and which stem this run of the program is about.
 #include "tests/judge/known.h"
 
 #include <stdio.h>
