@@ -64,8 +64,8 @@ earlier = $(strip $(call before,$(STEMS),$(1)))
 # which nobody can read a test or an answer (tests/judge/table.h). They are made from the tests; a handout has them.
 # The laws go with it; as beside the reference (tests/judge/law.h), an exercise has another name in them.
 renamed = $(CC) -E -P -x c -I. -DANSWERED=$(1) '-DPREFIX(name)=$(2)\#\#name' tests/judge/names.def
-$(B)/reference.h: tests/judge/names.def tests/judge/forms.def tests/exercises.def
-	$(Q){ $(call renamed,0,reference_); $(CC) -E -P -x c -I. tests/judge/forms.def; } > $@
+$(B)/reference.h: tests/judge/names.def tests/judge/parameters.h tests/exercises.def
+	$(Q){ $(call renamed,0,reference_); $(CC) -E -P -x c -I. -DFORMS tests/judge/names.def; } > $@
 AS_KNOWN = -include $(B)/reference.h -Wno-unused-parameter
 LAWS := $(patsubst %.c,$(B)/%.o,$(wildcard tests/[0-9]*/laws.c))
 $(LAWS): EXTRA = $(AS_KNOWN)

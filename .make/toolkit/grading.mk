@@ -49,7 +49,7 @@ $(KIT)/link/all.o: $(B)/tests/grade/confine/entry.o $(ANSWERING) \
 KIT_LINKS += $(KIT)/link/all.o
 PICTURE := $(KIT)/picture
 DRAW := $(PICTURE)/draw
-$(DRAW): $(B)/tests/grade/mark/picture.o $(B)/tests/judge/reference/call_directly.o $(STEMS:%=$(B)/solutions/direct/%.o) \
+$(DRAW): $(B)/tests/grade/mark/picture.o $(STEMS:%=$(B)/solutions/direct/%.o) \
 		$(B)/chapters/shared/scene_camera.o $(TESTING) $(CALLED) $(TO_PROCESS) $(B)/common.a
 	$(link_program)
 SCENE_TO_DRAW := $(wildcard chapters/*/three-spheres.nff)

@@ -10,7 +10,7 @@ tests_of = $(call parts,tests/$(1))
 known = $(call parts,tests/[0-9]*/$(1))
 ALL_TESTS := $(call parts,tests/[0-9])
 # The tests call proxies, which ask whoever answers. Mistakes and laws are beside the reference, which goes
-# by other names there; so do answers that are linked into a program (tests/judge/reference/call_directly.c).
+# by other names there; so do answers that are linked into a program (tests/judge/reference/proxies.c).
 as_names = sed -n 's/^ *\# *define //p'
 $(B)/reference.names: tests/judge/names.def tests/exercises.def
 	$(Q)mkdir -p $(@D)
@@ -51,7 +51,7 @@ $(STEMS:%=$(1)/direct/%.o): $(1)/direct/%.o: $(2)/%.o $(B)/answer_names/%
 	$$(Q)objcopy --redefine-syms=$(B)/answer_names/$$* $$< $$@
 endef
 $(foreach folder,$(sort $(BUILT) $(B)/solutions $(B)/blanks),$(eval $(call direct_answers,$(folder),$(folder))))
-DIRECT := $(ALL_TESTS) $(TESTING) $(CALLED) $(patsubst %,$(B)/tests/judge/reference/%.o,test_main call_directly)
+DIRECT := $(ALL_TESTS) $(TESTING) $(CALLED) $(B)/tests/judge/reference/test_main.o
 TESTS := $(BUILT)/tests
 $(TESTS): $(DIRECT) $(STEMS:%=$(BUILT)/direct/%.o) $(B)/common.a
 	$(link_program)

@@ -2,7 +2,6 @@
 #include "tests/judge/answer_calls.h"
 
 #include "common/answers.h"
-#include "tests/judge/calls_traced.h"
 #include "tests/judge/message.h"
 
 #include <errno.h>

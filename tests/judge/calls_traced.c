@@ -1,5 +1,5 @@
 // calls_traced.c - what happens when a function of an answer is entered.
-#include "tests/judge/calls_traced.h"
+#include "tests/judge/answer_calls.h"
 
 #include <stdbool.h>
 #include <stddef.h>

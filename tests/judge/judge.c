@@ -12,10 +12,10 @@
 #include "tests/course/chapter_record.h"
 #include "tests/judge/exercise.h"
 #include "tests/judge/figure.h"
+#include "tests/judge/known.h"
 #include "tests/judge/process.h"
 #include "tests/judge/process_transport.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/known.h"
 #include "tests/judge/suspects.h"
 
 #include <stdio.h>

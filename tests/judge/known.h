@@ -1,11 +1,11 @@
 // known.h - what is known of each stem, and which stem this run of the program is about.
 //
 // A program holds the tests of all stems. Each file of a stem adds what it defines: tests (test.h),
-// known answers, and by OF_STEM(part) a part of Stem that has this name in the file. The stem is the
-// file's: 05-quadratic of tests/05-quadratic.c and of tests/05-quadratic/wrong.c.
+// known answers, and by OF_STEM(part) a part of Stem that has this name in the file. The stem is
+// the file's: 05-quadratic of tests/05-quadratic.c and of tests/05-quadratic/wrong.c.
 //
-// Known answers are wrong ones that people really give, with the sentences about each, and right ones
-// in other forms:
+// Known answers are wrong ones that people really give, with the sentences about each, and right
+// ones in other forms:
 //
 //     WRONG(upper_left, "C2", "its formula", why it is wrong, what its author would see)
 //     {
@@ -69,7 +69,7 @@ typedef struct {
     void (*load)(void);                // called when the stem is chosen; may be NULL
     struct ListedTest *tests, *probes; // tests/judge/test.h
     KnownAnswer *known[KINDS_OF_ANSWERS];
-    int styles;                        // of the mistakes (answer_style); 0 is one
+    int styles; // of the mistakes (answer_style); 0 is one
     const Generated *generated;
 } Stem;
 

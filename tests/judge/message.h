@@ -23,7 +23,7 @@ typedef struct {
 
 enum { MESSAGE_MAGIC = 0x52617943 };
 // The judge calls and lends; the answering process answers, calls a lent exercise, or crashes; and
-// it reports which other exercises it enters meanwhile (calls_traced.h).
+// it reports which other exercises it enters meanwhile (answer_calls.h).
 enum { MESSAGE_CALL, MESSAGE_ANSWER, MESSAGE_CRASH, MESSAGE_ASK, MESSAGE_LENT, MESSAGE_ENTERED };
 
 // What follows the header of a crash.
@@ -94,7 +94,7 @@ void answer_here(int exercise, AnyFunction *answer, Numbers *in, Numbers *out);
 // ---- the memory that nobody has set ------------------------------------------------------------
 
 // In the answering process it is filled with bytes that cannot pass for a right value: its stack,
-// before a call and whenever one of the answer's functions is entered (calls_traced.h), its result,
+// before a call and whenever one of the answer's functions is entered (answer_calls.h), its result,
 // and the padding of its arguments. A result that was never set is recognised by them.
 
 // Bytes. Two, so that no number is taken for paint by chance; they differ in the sign of a number

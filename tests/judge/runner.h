@@ -79,8 +79,8 @@ typedef struct {
 // another process cannot stop the judge, so their tests run in this process.
 typedef enum { ANSWERS_HERE, ANSWERS_APART } WhereAnswersAre;
 
-// Runs the tests of the stem that was chosen (known.h): those of one function, or those of one name,
-// or (both NULL) all.
+// Runs the tests of the stem that was chosen (known.h): those of one function, or those of one
+// name, or (both NULL) all.
 void run_tests(const char *function, const char *name, WhereAnswersAre where, Outcomes *outcomes);
 
 // The probes of one function (suspects.h): all, or that of one name. No records if there are none.

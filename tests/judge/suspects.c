@@ -1,11 +1,11 @@
 // suspects.c - which known mistake a wrong answer is, and which law it breaks.
 #include "tests/judge/suspects.h"
 
+#include "tests/judge/known.h"
 #include "tests/judge/law.h"
 #include "tests/judge/message.h"
 #include "tests/judge/questions.h"
 #include "tests/judge/runner.h"
-#include "tests/judge/known.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -5,7 +5,7 @@
 // the answer, or to the judge if the exercise is lent. So nothing is linked again to lend it.
 // ANSWERED: the chapter. EARLIER_ANSWERS: it is linked with the student's answers to the chapters
 // before it (a handout), so calls of those are reported too.
-#include "tests/judge/calls_traced.h"
+#include "tests/judge/answer_calls.h"
 
 #include "chapters/book/instead/page.h"
 #include "tests/judge/exercise.h"

@@ -7,10 +7,11 @@
 // From now on this function does. NULL: the transport (message.h). To begin with, the reference.
 void answer_by(int exercise, AnyFunction *answer);
 
-// Answers that are linked into this program, in the list's order (call_directly.c). The linker has
+// Answers that are linked into this program, in the list's order; NULL: it has none. The linker has
 // renamed them: an answer's upper_left is answer_upper_left here, so that upper_left is the proxy.
-// An answer calls the exercises of its own stem directly, and those of other stems through the
-// proxies.
+// Those of the stem that is chosen are called in this process, and the reference answers for all
+// other stems, so that one mistake costs once. An answer calls the exercises of its own stem
+// directly, and those of other stems through the proxies.
 extern AnyFunction *const direct_answers[];
 
 #endif

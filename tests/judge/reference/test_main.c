@@ -6,8 +6,8 @@
 //
 // STEM is needed if the program has the tests of several.
 // CK_RUN_CASE=FUNCTION does what --only does.
-#include "tests/judge/runner.h"
 #include "tests/judge/known.h"
+#include "tests/judge/runner.h"
 
 #include <stdio.h>
 #include <string.h>
